@@ -1,0 +1,33 @@
+// Axis-aligned boxes.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "ecods/mesh.hpp"
+#include "ecods/pose.hpp"
+
+namespace ecods {
+
+// The closed box of the points p with min <= p <= max. Zero extents are allowed; infinite ones are, too, where a
+// bound would not be finite. A box never holds a NaN and never has min above max.
+struct Aabb {
+    Vec3 min = Vec3::Zero();
+    Vec3 max = Vec3::Zero();
+
+    friend bool operator==(const Aabb& a, const Aabb& b) { return a.min == b.min && a.max == b.max; }
+};
+
+// Whether the closed boxes share a point. Exact: comparisons only.
+bool overlap(const Aabb& a, const Aabb& b) noexcept;
+
+// Whether `inner` is a subset of `outer`. Exact.
+bool contains(const Aabb& outer, const Aabb& inner) noexcept;
+
+// The smallest box that contains both.
+Aabb merge(const Aabb& a, const Aabb& b) noexcept;
+
+// A box that contains the exact posed mesh, and exceeds the tightest one on each side by no more than
+// 17 u (|R| |v| + |t|), u = 2^-53 (infinite where that overflows). Cost: one pass over the vertices in use.
+Aabb box_of(const Mesh& mesh, const Pose& pose);
+
+}  // namespace ecods

@@ -1,0 +1,14 @@
+// Everything. The headers are the manual; read them in this order.
+#pragma once
+
+#include "ecods/world.hpp"       // many moving bodies: which of them touch?
+#include "ecods/mesh.hpp"        // what a body is made of
+#include "ecods/pose.hpp"        // where it is
+#include "ecods/error.hpp"       // what can go wrong
+#include "ecods/two_body.hpp"    // questions about two bodies, without a world
+#include "ecods/predicates.hpp"  // exact signs, and how two triangles meet
+#include "ecods/shape.hpp"       // shapes of the caller's own
+#include "ecods/broad_phase.hpp" // which boxes overlap
+#include "ecods/aabb.hpp"
+#include "ecods/ids.hpp"
+#include "ecods/version.hpp"

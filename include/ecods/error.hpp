@@ -1,0 +1,133 @@
+// What can go wrong, as types.
+//
+// Every error is thrown by the call that brought the bad input in, before anything has changed: the world,
+// and every other object, is as it was. what() names the body, mesh element and value in full precision;
+// the members give the same for programs.
+//
+// A failed allocation is std::bad_alloc, and an exception out of a caller's own shape or test passes through.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+#include "ecods/ids.hpp"
+
+namespace ecods {
+
+// The common base: catch this to catch them all.
+class Error : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+// A vertex coordinate is NaN or infinite.
+class InvalidVertex final : public Error {
+  public:
+    InvalidVertex(std::size_t vertex, int axis, double value);
+
+    std::size_t vertex;  // index in the vertex list
+    int axis;            // 0 to 2
+    double value;
+};
+
+// A triangle names a vertex that does not exist.
+class InvalidIndex final : public Error {
+  public:
+    InvalidIndex(std::size_t triangle, int corner, std::size_t value, std::size_t vertex_count);
+
+    std::size_t triangle;  // index in the triangle list
+    int corner;            // 0 to 2
+    std::size_t value;     // the index that is out of range
+    std::size_t vertex_count;
+};
+
+// A mesh has no triangle. (It would have no point, and be disjoint from everything, which nobody means.)
+class EmptyMesh final : public Error {
+  public:
+    EmptyMesh();
+};
+
+// A mesh has more vertices or triangles than 32-bit indices can name.
+class MeshTooLarge final : public Error {
+  public:
+    MeshTooLarge(std::size_t vertex_count, std::size_t triangle_count);
+
+    std::size_t vertex_count;
+    std::size_t triangle_count;
+};
+
+// An entry of a pose is NaN or infinite.
+class InvalidPose final : public Error {
+  public:
+    // row and column of the 3x4 matrix [R t]; column 3 is the translation.
+    InvalidPose(int row, int column, double value, BodyId body = {});
+
+    int row;
+    int column;
+    double value;
+    BodyId body;  // null when the pose was not yet a body's
+};
+
+// A null mesh, shape or test was given.
+class NullArgument final : public Error {
+  public:
+    explicit NullArgument(const std::string& argument);
+};
+
+// An id that names no body of this world: null, destroyed, or another world's.
+class StaleBody final : public Error {
+  public:
+    explicit StaleBody(BodyId body);
+
+    BodyId body;
+};
+
+// One body was given where a pair was asked for.
+class SameBody final : public Error {
+  public:
+    explicit SameBody(BodyId body);
+
+    BodyId body;
+};
+
+// Two kinds of shape are in one world, and no test for the two is registered.
+class MissingTest final : public Error {
+  public:
+    MissingTest(ShapeKind a, ShapeKind b);
+
+    ShapeKind a;
+    ShapeKind b;
+};
+
+// A test was asked for something that it does not offer, such as triangles of a shape without any.
+class NotSupported final : public Error {
+  public:
+    using Error::Error;
+};
+
+// A user-defined shape gave a box with a NaN or with a minimum above its maximum.
+class InvalidBox final : public Error {
+  public:
+    InvalidBox(ShapeKind kind, int axis, double min, double max);
+
+    ShapeKind kind;
+    int axis;
+    double min;
+    double max;
+};
+
+// An invariant does not hold: a defect in this library (or memory overwritten from outside). Thrown by
+// validate() only.
+class BrokenInvariant final : public Error {
+  public:
+    using Error::Error;
+};
+
+// Called before StaleBody or SameBody, the two mistakes that are a program's own, is thrown, so that a
+// debugger or a log sees the place. The default does nothing. Returns the handler that was set before. Setting
+// it is safe from any thread; null restores the default.
+using MisuseHandler = void (*)(const Error&);
+MisuseHandler set_misuse_handler(MisuseHandler handler) noexcept;
+
+}  // namespace ecods

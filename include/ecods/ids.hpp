@@ -1,0 +1,48 @@
+// Names of things that live in a World. This header stands alone.
+//
+// An id is opaque, small and passed by value. A zeroed id is null and names nothing. Ids are what a
+// trace of calls records, so they carry no pointers. Ids do not keep anything alive.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+namespace ecods {
+
+// Names one body of one World, from its creation to its destruction. The slot of a destroyed body is used
+// again with a new generation, so an id that outlives its body is recognised (StaleBody) and never
+// names the newcomer. Order is by slot, then by generation; it is the order in which pairs are listed.
+struct BodyId {
+    std::uint32_t slot = 0;        // 1-based; 0 is null
+    std::uint32_t generation = 0;  // how often the slot was used before
+
+    constexpr explicit operator bool() const noexcept { return slot != 0; }
+    friend constexpr auto operator<=>(const BodyId&, const BodyId&) = default;
+};
+
+// Two bodies, the smaller id first. Lists of pairs are ascending and hold a pair once.
+struct BodyPair {
+    BodyId a;
+    BodyId b;
+
+    friend constexpr auto operator<=>(const BodyPair&, const BodyPair&) = default;
+};
+
+// One triangle of each of two meshes, by their indices: `a` in the first mesh, `b` in the second.
+struct TrianglePair {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+
+    friend constexpr auto operator<=>(const TrianglePair&, const TrianglePair&) = default;
+};
+
+// The kind of a shape, by which a World picks the test for two bodies. Kind 0 is the triangle mesh; all
+// other values are the caller's.
+struct ShapeKind {
+    std::uint32_t value = 0;
+
+    static constexpr ShapeKind mesh() noexcept { return {}; }
+    friend constexpr auto operator<=>(const ShapeKind&, const ShapeKind&) = default;
+};
+
+}  // namespace ecods

@@ -1,0 +1,68 @@
+// Exact signs, and exactly how two triangles meet.
+//
+// A posed point is the real point R v + t; nothing is rounded on the way to an answer. Every function here is
+// complete: it answers for all finite doubles, subnormals and 1e308 included, in every rounding mode, with or
+// without flush-to-zero. Coordinates must be finite; that is the caller's duty (Mesh::create and validate(Pose)
+// check). No function throws or allocates, but for coordinates so far apart in scale that exact integers need more
+// than 1,280 bits, which use the heap.
+//
+// Method: a floating-point filter with a proven bound, then integers of the width that the coordinates really
+// need (DESIGN: two stages, no third). Names as in Shewchuk, Adaptive Precision Floating-Point Arithmetic
+// and Fast Robust Geometric Predicates, 1997.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+
+#include "ecods/pose.hpp"
+
+namespace ecods {
+
+using Vec2 = Eigen::Vector2d;
+
+enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
+
+// How two closed sets of points meet.
+enum class Relation : std::uint8_t {
+    // They share no point.
+    disjoint = 0,
+    // They share a point, and are not crossing. One common point suffices, and coplanar triangles (all points of
+    // both in one plane) that overlap are touching, never crossing.
+    touching = 1,
+    // Not coplanar, and some point lies in the relative interior of both (of a segment: the open segment).
+    crossing = 2,
+};
+
+// A point of a body: R v + t. The pose is referred to, not copied.
+struct PosedPoint {
+    const Pose& pose;
+    Vec3 v;
+};
+
+// The corners of a triangle of a body.
+struct PosedTriangle {
+    const Pose& pose;
+    std::array<Vec3, 3> corners;
+};
+
+// The sign of det(b - a, c - a): positive when a, b, c make a left turn, zero when they are on one line.
+Sign orient2d(const Vec2& a, const Vec2& b, const Vec2& c) noexcept;
+
+// The sign of det(b - a, c - a, d - a): positive when d is on the side of the plane abc to which
+// (b - a) x (c - a) points, zero when the four points are in one plane. (Shewchuk's orient3d has the other sign.)
+Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+// orient2d of the posed points seen along an axis: of their coordinates (axis + 1) mod 3 and (axis + 2) mod 3.
+Sign orient2d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, int axis);
+Sign orient3d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, const PosedPoint& d);
+
+// Symmetric in its arguments and in the order of the corners. Zero-area triangles are the segments or points that
+// they span. Two that meet in one point only are touching.
+// Source: Guigue and Devillers, Fast and Robust Triangle-Triangle Overlap Test Using Orientation Predicates, 2003,
+// derived again (src/exact/triangle_pair.hpp).
+Relation triangle_triangle(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
+Relation triangle_triangle(const PosedTriangle& a, const PosedTriangle& b);
+
+}  // namespace ecods
