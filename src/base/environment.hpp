@@ -1,0 +1,23 @@
+// What the library asks of a compiler, checked at compile time.
+#pragma once
+
+#include <cfloat>
+#include <climits>
+#include <limits>
+
+#if defined(__FAST_MATH__)
+#error "ECoDS cannot be compiled with -ffast-math: the filter's proof is about the operations as written."
+#endif
+
+namespace ecods {
+
+// Answers are proved for IEEE binary64 evaluated as binary64: no x87 registers, no wider intermediates. Contraction
+// to fused multiply-add, any rounding mode and flush-to-zero are covered by the proofs.
+static_assert(std::numeric_limits<double>::is_iec559 && DBL_MANT_DIG == 53 && DBL_MAX_EXP == 1024);
+static_assert(FLT_EVAL_METHOD == 0);
+static_assert(CHAR_BIT == 8);
+
+// Twice the unit roundoff u = 2^-53: the relative error of one operation in any rounding mode is below it.
+inline constexpr double two_u = 0x1p-52;
+
+}  // namespace ecods
