@@ -1,0 +1,118 @@
+// Zero-area triangles: the segments and points that they span, decided from signs alone (see triangle_pair.hpp).
+#pragma once
+
+#include <array>
+
+#include "ecods/predicates.hpp"
+
+namespace ecods::exact {
+
+// The end points of a segment; equal indices for a point.
+struct Segment {
+    int a;
+    int b;
+};
+
+// -1, 0 or 1: the order of two points by x, then y, then z. Along a line it is an order of the line's points.
+template <class Signs>
+int compare_lexicographically(Signs& signs, int a, int b) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (const int order = signs.compare(a, b, axis)) return order;
+    }
+    return 0;
+}
+
+// The segment or point that a zero-area triangle spans: its extreme corners.
+template <class Signs>
+Segment find_segment(Signs& signs, int triangle) {
+    const int first = 3 * triangle;
+    Segment s{first, first};
+    for (int corner = first + 1; corner < first + 3; ++corner) {
+        if (compare_lexicographically(signs, corner, s.a) < 0) s.a = corner;
+        if (compare_lexicographically(signs, corner, s.b) > 0) s.b = corner;
+    }
+    if (compare_lexicographically(signs, s.a, s.b) == 0) s.b = s.a;
+    return s;
+}
+
+// Whether p is on the closed segment: on its line (in all three projections), and not beyond an end.
+template <class Signs>
+bool is_on_segment(Signs& signs, int p, Segment s) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (signs.orient2d(s.a, s.b, p, axis) != 0) return false;
+    }
+    return compare_lexicographically(signs, p, s.a) * compare_lexicographically(signs, p, s.b) <= 0;
+}
+
+template <class Signs>
+bool segments_meet(Signs& signs, Segment s, Segment t) {
+    if (is_on_segment(signs, s.a, t) || is_on_segment(signs, s.b, t)) return true;
+    if (is_on_segment(signs, t.a, s) || is_on_segment(signs, t.b, s)) return true;
+    // No end is on the other segment. What is left is a proper crossing, in one plane.
+    if (signs.orient3d(s.a, s.b, t.a, t.b) != 0) return false;
+    // A projection in which some sign is not zero is one in which the plane, or the line, is not seen edge-on: the
+    // segments cross properly exactly if they do so there.
+    for (int axis = 0; axis < 3; ++axis) {
+        const int ta = signs.orient2d(s.a, s.b, t.a, axis), tb = signs.orient2d(s.a, s.b, t.b, axis);
+        const int sa = signs.orient2d(t.a, t.b, s.a, axis), sb = signs.orient2d(t.a, t.b, s.b, axis);
+        if (ta != 0 || tb != 0 || sa != 0 || sb != 0) return ta * tb < 0 && sa * sb < 0;
+    }
+    return false;
+}
+
+// `triangle` is proper, and the segment lies in its plane, seen along an axis on which the normal is not zero.
+template <class Signs>
+bool meets_in_plane(Signs& signs, Segment s, int triangle, int axis) {
+    const int first = 3 * triangle;
+    const int turn = signs.orient2d(first, first + 1, first + 2, axis);
+    const auto is_inside = [&](int p) {
+        for (int edge = 0; edge < 3; ++edge) {
+            if (signs.orient2d(first + edge, first + (edge + 1) % 3, p, axis) * turn < 0) return false;
+        }
+        return true;
+    };
+    if (is_inside(s.a) || is_inside(s.b)) return true;
+    for (int edge = 0; edge < 3; ++edge) {
+        if (segments_meet(signs, s, Segment{first + edge, first + (edge + 1) % 3})) return true;
+    }
+    return false;
+}
+
+// A segment or point against a proper triangle. Crossing: the open segment meets the open triangle in one point.
+template <class Signs>
+Relation segment_triangle(Signs& signs, Segment s, int triangle) {
+    const int first = 3 * triangle;
+    const int side_a = signs.orient3d(first, first + 1, first + 2, s.a);
+    const int side_b = signs.orient3d(first, first + 1, first + 2, s.b);
+    if (side_a * side_b > 0) return Relation::disjoint;
+    if (side_a == 0 && side_b == 0) {
+        const bool meets = meets_in_plane(signs, s, triangle, signs.normal_axis(triangle));
+        return meets ? Relation::touching : Relation::disjoint;
+    }
+    // The segment's line meets the plane in one point of the segment. It is in the closed triangle exactly when the line
+    // does not pass the three directed edges on different sides.
+    bool positive = false, negative = false, zero = false;
+    for (int edge = 0; edge < 3; ++edge) {
+        const int side = signs.orient3d(s.a, s.b, first + edge, first + (edge + 1) % 3);
+        positive |= side > 0;
+        negative |= side < 0;
+        zero |= side == 0;
+    }
+    if (positive && negative) return Relation::disjoint;
+    return side_a * side_b < 0 && !zero ? Relation::crossing : Relation::touching;
+}
+
+// At least one of the triangles has zero area. Two segments that meet are in one plane, hence touching.
+template <class Signs>
+Relation degenerate_pair(Signs& signs) {
+    const bool first_is_flat = signs.normal_axis(0) < 0;
+    const bool second_is_flat = signs.normal_axis(1) < 0;
+    if (first_is_flat && second_is_flat) {
+        const bool meet = segments_meet(signs, find_segment(signs, 0), find_segment(signs, 1));
+        return meet ? Relation::touching : Relation::disjoint;
+    }
+    return first_is_flat ? segment_triangle(signs, find_segment(signs, 0), 1)
+                         : segment_triangle(signs, find_segment(signs, 1), 0);
+}
+
+}  // namespace ecods::exact
