@@ -3,8 +3,8 @@
 // A posed point is the real point R v + t; nothing is rounded on the way to an answer. Every function here is
 // complete: it answers for all finite doubles, subnormals and 1e308 included, in every rounding mode, with or
 // without flush-to-zero. Coordinates must be finite; that is the caller's duty (Mesh::create and validate(Pose)
-// check). No function throws or allocates, but for coordinates so far apart in scale that exact integers need more
-// than 1,280 bits, which use the heap.
+// check). No function throws or allocates; for coordinates so far apart in scale that their integers need thousands of
+// bits, one uses up to 64 KiB of stack.
 //
 // Method: a floating-point filter with a proven bound, then integers of the width that the coordinates really
 // need (DESIGN: two stages, no third). Names as in Shewchuk, Adaptive Precision Floating-Point Arithmetic
@@ -52,17 +52,17 @@ Sign orient2d(const Vec2& a, const Vec2& b, const Vec2& c) noexcept;
 
 // The sign of det(b - a, c - a, d - a): positive when d is on the side of the plane abc to which
 // (b - a) x (c - a) points, zero when the four points are in one plane. (Shewchuk's orient3d has the other sign.)
-Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) noexcept;
 
 // orient2d of the posed points seen along an axis: of their coordinates (axis + 1) mod 3 and (axis + 2) mod 3.
-Sign orient2d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, int axis);
-Sign orient3d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, const PosedPoint& d);
+Sign orient2d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, int axis) noexcept;
+Sign orient3d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, const PosedPoint& d) noexcept;
 
 // Symmetric in its arguments and in the order of the corners. Zero-area triangles are the segments or points that
 // they span. Two that meet in one point only are touching.
 // Source: Guigue and Devillers, Fast and Robust Triangle-Triangle Overlap Test Using Orientation Predicates, 2003,
 // derived again (src/exact/triangle_pair.hpp).
-Relation triangle_triangle(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
-Relation triangle_triangle(const PosedTriangle& a, const PosedTriangle& b);
+Relation triangle_triangle(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) noexcept;
+Relation triangle_triangle(const PosedTriangle& a, const PosedTriangle& b) noexcept;
 
 }  // namespace ecods

@@ -3,8 +3,10 @@
 
 #include <bit>
 #include <cstdint>
+#include <optional>
 
 #include "base/environment.hpp"
+#include "exact/limbs.hpp"
 
 namespace ecods::exact {
 
@@ -60,5 +62,36 @@ struct BitRange {
         return {a.low + b.low, a.high + b.high};
     }
 };
+
+// A difference of two doubles, m * 2^e; digits() is its range.
+struct DyadicDifference {
+    Int128 m = 0;
+    int e = 0;
+
+    constexpr BitRange digits() const noexcept {
+        BitRange range;
+        if (m == 0) return range;
+        const Uint128 size = m < 0 ? -static_cast<Uint128>(m) : static_cast<Uint128>(m);
+        const auto high = static_cast<std::uint64_t>(size >> 64);
+        const auto low = static_cast<std::uint64_t>(size);
+        const int zeros = low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(high);
+        const int width = static_cast<int>(high != 0 ? 64 + std::bit_width(high) : std::bit_width(low));
+        range.include(e + zeros, e + width);
+        return range;
+    }
+    // As a multiple of 2^low, which must divide it; the result must fit.
+    constexpr Int128 at(int low) const noexcept { return m == 0 ? 0 : e >= low ? m << (e - low) : m >> (low - e); }
+};
+
+// a - b, unless the two are too far apart for 127 bits and a sign.
+constexpr std::optional<DyadicDifference> subtract(const Dyadic& a, const Dyadic& b) noexcept {
+    BitRange both;
+    both.include(a);
+    both.include(b);
+    if (both.empty()) return DyadicDifference{};
+    if (both.width() + 2 > 128) return std::nullopt;
+    const auto at_low = [&](const Dyadic& x) { return x.m == 0 ? Int128{0} : Int128{x.m} << (x.e - both.low); };
+    return DyadicDifference{at_low(a) - at_low(b), both.low};
+}
 
 }  // namespace ecods::exact

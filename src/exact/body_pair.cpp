@@ -1,0 +1,208 @@
+#include "exact/body_pair.hpp"
+
+#include "exact/filter.hpp"
+#include "exact/filter_bound.hpp"
+#include "exact/kernel_signs.hpp"
+#include "exact/mixed_signs.hpp"
+#include "exact/pose_point.hpp"
+#include "exact/regular.hpp"
+#include "geometry/same_bits.hpp"
+
+namespace ecods::exact {
+namespace {
+
+const Pose identity;
+
+}  // namespace
+
+BodyPair::BodyPair() = default;
+
+void BodyPair::bind(const BodySide& a, const BodySide& b) {
+    sides_[0].body = a;
+    sides_[1].body = b;
+    // A common affine bijection changes no answer: bodies with one regular pose are compared where they were modelled.
+    if (same_bits(*a.pose, *b.pose) && is_regular(a.pose->R)) sides_[0].body.pose = sides_[1].body.pose = &identity;
+    sides_[0].offset = Vec3::Zero();
+    sides_[1].offset = sides_[1].body.pose->t - sides_[0].body.pose->t;
+    epoch_ += std::uint64_t{1} << 32;
+    if (epoch_ == 0) {  // After 2^32 bindings the tags would repeat.
+        for (Side& side : sides_) {
+            side.rounded = {};
+            side.exact = {};
+        }
+        epoch_ = std::uint64_t{1} << 32;
+    }
+    exact_state_ = ExactState::not_prepared;
+    plain_is_exact_ = false;
+    find_bounds();
+}
+
+// Bounds over the boxes of the two bodies: |R| times half the mesh's box around its centre.
+void BodyPair::find_bounds() {
+    delta_ = 0;
+    Vec3 low = Vec3::Constant(infinite_bound);
+    Vec3 high = -low;
+    for (const Side& side : sides_) {
+        const MeshExtent& extent = *side.body.extent;
+        const Mat3& R = side.body.pose->R;
+        delta_ = std::max(delta_, point_error_bound(R, extent.magnitude(), side.offset));
+        // Halved first: the sum of two large coordinates may overflow.
+        const Vec3 center = R * (0.5 * extent.min + 0.5 * extent.max) + side.offset;
+        const Vec3 half = R.cwiseAbs() * (0.5 * extent.max - 0.5 * extent.min);
+        low = low.cwiseMin(center - half);
+        high = high.cwiseMax(center + half);
+    }
+    // The extents have roundings of their own: each of center, half and their sums is within delta of its value.
+    extent_ = high - low + Vec3::Constant(8 * delta_);
+    static_bound_ = orient3d_bound(difference_bound({extent_[0], extent_[1], extent_[2]}, delta_));
+}
+
+const Point& BodyPair::rounded_point(Side& side, std::uint32_t vertex) {
+    auto& entry = side.rounded.entries[vertex % cache_size];
+    const std::uint64_t tag = epoch_ | vertex;
+    if (entry.tag != tag) {
+        entry.tag = tag;
+        entry.value = pose_point(side.body.pose->R, side.body.mesh->vertices()[vertex], side.offset);
+    }
+    return entry.value;
+}
+
+Relation BodyPair::relation(std::uint32_t a, std::uint32_t b) {
+    ++counts_.triangle_tests;
+    const Triangle& ta = sides_[0].body.mesh->triangles()[a];
+    const Triangle& tb = sides_[1].body.mesh->triangles()[b];
+    SixRounded points;
+    for (std::size_t i = 0; i < 3; ++i) {
+        points[i] = rounded_point(sides_[0], ta[i]);
+        points[3 + i] = rounded_point(sides_[1], tb[i]);
+    }
+    switch (filter(points, plain_is_exact_ ? 0 : static_bound_)) {
+        case FilterAnswer::disjoint: ++counts_.filter_passes; return Relation::disjoint;
+        case FilterAnswer::crossing: ++counts_.filter_passes; return Relation::crossing;
+        case FilterAnswer::unknown: break;
+    }
+    return decide_open(ta, tb, points);
+}
+
+[[gnu::noinline]] Relation BodyPair::decide_open(const Triangle& a, const Triangle& b, const SixRounded& points) {
+    if (exact_state_ == ExactState::not_prepared) prepare_exact();
+    if (plain_is_exact_) {
+        ++counts_.local_passes;
+        PlainSigns signs(points);
+        return triangle_pair(signs);
+    }
+    const PairBound bound = pair_bound(points, delta_);
+    switch (filter(points, bound.orient3d)) {
+        case FilterAnswer::disjoint: ++counts_.semi_static_passes; return Relation::disjoint;
+        case FilterAnswer::crossing: ++counts_.semi_static_passes; return Relation::crossing;
+        case FilterAnswer::unknown: break;
+    }
+    return use_kernel(a, b, [&](const auto& kernel) {
+        MixedSigns signs(points, bound, kernel);
+        return triangle_pair(signs);
+    });
+}
+
+// Finds out, once for a pair of bodies, how wide their exact coordinates are.
+void BodyPair::prepare_exact() {
+    BitRange digits;
+    for (const Side& side : sides_) {
+        for (int column = 0; column < 3; ++column) {
+            BitRange r;
+            for (int row = 0; row < 3; ++row) r.include(decode(side.body.pose->R(row, column)));
+            digits.include(r * side.body.extent->digits[static_cast<std::size_t>(column)]);
+        }
+    }
+    // The difference, not the translations, is in the coordinates: near bodies far from the origin have short ones.
+    std::array<DyadicDifference, 3> offset;
+    for (std::size_t row = 0; row < 3; ++row) {
+        const auto at = static_cast<Eigen::Index>(row);
+        const auto difference = subtract(decode(sides_[1].body.pose->t[at]), decode(sides_[0].body.pose->t[at]));
+        if (!difference) {
+            exact_state_ = ExactState::too_wide;
+            return;
+        }
+        offset[row] = *difference;
+        digits.include(difference->digits());
+    }
+    if (digits.width() + sum_bits > 128) {
+        exact_state_ = ExactState::too_wide;
+        return;
+    }
+    exact_state_ = ExactState::two_limbs_fit;
+    exact_low_ = digits.empty() ? 0 : digits.low;
+    for (std::size_t row = 0; row < 3; ++row) exact_offset_[row] = offset[row].at(exact_low_);
+    plain_is_exact_ = plain_is_exact(digits);
+}
+
+// Whether plain double arithmetic makes no rounding error with points of these digits, none of them near the ends of
+// the range of doubles. Every partial sum of R v + d is a multiple of 2^low below 2^(high + 3), hence a double. Let
+// differences be at most 2^16 units of 2^low: minors are at most 2^33 units squared, and determinants below 2^51 units
+// cubed, all of them doubles.
+bool BodyPair::plain_is_exact(const BitRange& digits) const {
+    if (digits.empty()) return true;
+    if (digits.width() + 3 > mantissa_bits || digits.low < -300 || digits.high > 200) return false;
+    for (const Side& side : sides_) {
+        for (int i = 0; i < 9; ++i) {
+            const Dyadic r = decode(side.body.pose->R.data()[i]);
+            if (r.m != 0 && (r.e < -300 || r.e > 200)) return false;
+        }
+        for (const BitRange& v : side.body.extent->digits) {
+            if (!v.empty() && (v.low < -300 || v.high > 300)) return false;
+        }
+        for (int row = 0; row < 3; ++row) {
+            const Dyadic t = decode(side.body.pose->t[row]);
+            if (t.m != 0 && (t.e < -300 || t.e > 200)) return false;
+        }
+    }
+    return extent_.maxCoeff() <= std::ldexp(1.0, digits.low + 16);
+}
+
+const BodyPair::ExactPoint& BodyPair::exact_point(Side& side, std::uint32_t vertex) {
+    auto& entry = side.exact.entries[vertex % cache_size];
+    const std::uint64_t tag = epoch_ | vertex;
+    if (entry.tag == tag) return entry.value;
+    entry.tag = tag;
+    const Vec3& v = side.body.mesh->vertices()[vertex];
+    const bool is_second = &side == &sides_[1];
+    for (int row = 0; row < 3; ++row) {
+        Int128 sum = 0;
+        for (int column = 0; column < 3; ++column) {
+            const Dyadic r = decode(side.body.pose->R(row, column));
+            const Dyadic x = decode(v[column]);
+            if (r.m != 0 && x.m != 0) sum += (Int128{r.m} * x.m) << (r.e + x.e - exact_low_);
+        }
+        if (is_second) sum += exact_offset_[static_cast<std::size_t>(row)];
+        entry.value[static_cast<std::size_t>(row)] = sum;
+    }
+    return entry.value;
+}
+
+template <class Use>
+Relation BodyPair::use_kernel(const Triangle& a, const Triangle& b, Use&& use) {
+    const auto counted = [&](const auto& kernel) {
+        using Kernel = std::decay_t<decltype(kernel)>;
+        if constexpr (std::is_same_v<Kernel, OneLimbKernel>) ++counts_.one_limb;
+        else if constexpr (std::is_same_v<Kernel, LimbKernel<2>>) ++counts_.two_limbs;
+        else ++counts_.many_limbs;
+        return use(kernel);
+    };
+    if (exact_state_ == ExactState::two_limbs_fit) {
+        SixWide<2> points;
+        for (std::size_t i = 0; i < 6; ++i) {
+            const ExactPoint& p = i < 3 ? exact_point(sides_[0], a[i]) : exact_point(sides_[1], b[i - 3]);
+            for (std::size_t k = 0; k < 3; ++k) {
+                points[i][k] = {static_cast<std::uint64_t>(p[k]), static_cast<std::uint64_t>(p[k] >> 64)};
+            }
+        }
+        return use_narrowest<2>(points, counted);
+    }
+    SixPoints points;
+    for (std::size_t i = 0; i < 3; ++i) {
+        points[i] = {sides_[0].body.pose, &sides_[0].body.mesh->vertices()[a[i]]};
+        points[3 + i] = {sides_[1].body.pose, &sides_[1].body.mesh->vertices()[b[i]]};
+    }
+    return with_kernel(points, counted);
+}
+
+}  // namespace ecods::exact

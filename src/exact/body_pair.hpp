@@ -1,0 +1,102 @@
+// Two posed meshes, made ready for exact questions about pairs of their triangles.
+//
+// Everything is relative to the translation of the first body: its points are R v, the second's are R v + (t - t0). The
+// bounds then grow with the distance of the bodies from each other, not from the origin.
+//
+// Vertices are posed when a triangle that has them is reached, rounded for the filter and, if that leaves a question
+// open, as integers. Both are kept in small caches of fixed size, so no query pays for the size of a mesh.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "ecods/mesh.hpp"
+#include "ecods/pose.hpp"
+#include "ecods/predicates.hpp"
+#include "exact/limbs.hpp"
+#include "exact/mesh_extent.hpp"
+#include "exact/plain_signs.hpp"
+#include "exact/with_kernel.hpp"
+
+namespace ecods::exact {
+
+// Which stage decided how many pairs of triangles.
+struct StageCounts {
+    std::uint64_t triangle_tests = 0;
+    std::uint64_t filter_passes = 0;
+    std::uint64_t semi_static_passes = 0;
+    std::uint64_t local_passes = 0;
+    std::uint64_t one_limb = 0;
+    std::uint64_t two_limbs = 0;
+    std::uint64_t many_limbs = 0;
+};
+
+// One of the two bodies: the mesh, what is known of it, and its pose.
+struct BodySide {
+    const Mesh* mesh;
+    const MeshExtent* extent;
+    const Pose* pose;
+};
+
+class BodyPair {
+  public:
+    BodyPair();
+
+    // Cost: constant. What the arguments refer to must outlive the questions.
+    void bind(const BodySide& a, const BodySide& b);
+
+    // The exact relation of triangle `a` of the first mesh and `b` of the second.
+    Relation relation(std::uint32_t a, std::uint32_t b);
+
+    const StageCounts& counts() const noexcept { return counts_; }
+    void reset_counts() noexcept { counts_ = {}; }
+
+  private:
+    static constexpr std::size_t cache_size = 1024;  // vertices of each body, by index modulo this: 32 KiB, a level 1 cache
+
+    // A direct-mapped cache: the entry of a vertex holds the vertex of that slot that was posed last.
+    template <class Value>
+    struct Cache {
+        struct Entry {
+            std::uint64_t tag;
+            Value value;
+        };
+        std::vector<Entry> entries = std::vector<Entry>(cache_size);
+    };
+    using ExactPoint = std::array<Int128, 3>;
+
+    struct Side {
+        BodySide body{};
+        Vec3 offset = Vec3::Zero();  // fl(t - t0)
+        Cache<Point> rounded;
+        Cache<ExactPoint> exact;
+    };
+
+    enum class ExactState { not_prepared, two_limbs_fit, too_wide };
+
+    const Point& rounded_point(Side& side, std::uint32_t vertex);
+    const ExactPoint& exact_point(Side& side, std::uint32_t vertex);
+    void find_bounds();
+    void prepare_exact();
+    bool plain_is_exact(const BitRange& digits) const;
+    Relation decide_open(const Triangle& a, const Triangle& b, const SixRounded& points);
+    template <class Use>
+    Relation use_kernel(const Triangle& a, const Triangle& b, Use&& use);
+
+    Side sides_[2];
+    std::uint64_t epoch_ = 0;  // in the upper half of tags; 0 is never used
+
+    double delta_ = 0;         // error of a rounded coordinate
+    double static_bound_ = 0;  // for all determinants of points of the two bodies
+    Vec3 extent_ = Vec3::Zero();
+
+    ExactState exact_state_ = ExactState::not_prepared;
+    bool plain_is_exact_ = false;
+    int exact_low_ = 0;         // exact points are multiples of 2^exact_low_
+    ExactPoint exact_offset_{};  // t - t0 in these units
+
+    StageCounts counts_;
+};
+
+}  // namespace ecods::exact
