@@ -31,14 +31,16 @@ enum class BroadPhaseKind : std::uint8_t {
     // which anything moved.
     brute_force,
     // The ECoDS report's algorithm: three sorted lists of box ends, re-sorted by insertion, pairs tracked as ends
-    // swap. Work per update: one step for each pair of ends that changed order. Excellent while little moves.
+    // swap. Work per update: one step for each pair of ends that changed order, plus one pass over the lists when boxes
+    // came or went, or when a large part moved. Excellent while little moves; when boxes jump, so that sorting
+    // from scratch costs less than the steps, it does that.
     sweep_and_prune,
 };
 
 // What a broad phase did since it was made, as counts.
 struct BroadPhaseCounts {
     std::uint64_t updates = 0;    // calls of update()
-    std::uint64_t moved = 0;      // boxes added or changed, summed over updates
+    std::uint64_t moved = 0;      // boxes that at an update were new or not the same as at the one before, summed
     std::uint64_t box_tests = 0;  // overlap tests of two boxes, in whole or on the two other axes
     std::uint64_t swaps = 0;      // ends that passed each other in the sorted lists
 };
@@ -49,8 +51,9 @@ class BroadPhase {
 
     virtual BroadPhaseKind kind() const noexcept = 0;
 
-    // Adds a box. `proxy` must not be present. Takes effect at once for box(), and for pairs() at update(), as do
-    // move and remove. Boxes must be free of NaN with min <= max; the owner checks.
+    // Adds a box. `proxy` must not be present and must be below 2^31. Takes effect at once for box(), and for pairs() at
+    // update(), as do move and remove. Boxes must be free of NaN with min <= max; the owner checks. A `proxy` that
+    // is not as it must be throws Error, and nothing has changed.
     virtual void add(ProxyIndex proxy, const Aabb& box) = 0;
     virtual void move(ProxyIndex proxy, const Aabb& box) = 0;  // `proxy` must be present
     virtual void remove(ProxyIndex proxy) = 0;                 // `proxy` must be present

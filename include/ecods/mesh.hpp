@@ -26,6 +26,9 @@ class Mesh {
     std::span<const Vec3> vertices() const noexcept { return vertices_; }
     std::span<const Triangle> triangles() const noexcept { return triangles_; }
 
+    // Whether every vertex belongs to a triangle.
+    bool uses_all_vertices() const noexcept { return uses_all_vertices_; }
+
     // A hash of coordinates (bits) and indices, the same on every machine; -0.0 counts as 0.0.
     std::uint64_t digest() const noexcept { return digest_; }
 
@@ -34,6 +37,7 @@ class Mesh {
 
     std::vector<Vec3> vertices_;
     std::vector<Triangle> triangles_;
+    bool uses_all_vertices_ = false;
     std::uint64_t digest_ = 0;
 };
 

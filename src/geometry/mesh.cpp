@@ -1,5 +1,6 @@
 #include "ecods/mesh.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -29,6 +30,14 @@ void validate(std::span<const Vec3> vertices, std::span<const Triangle> triangle
     }
 }
 
+bool are_all_used(std::span<const Vec3> vertices, std::span<const Triangle> triangles) {
+    std::vector<bool> is_used(vertices.size());
+    for (const Triangle& triangle : triangles) {
+        for (const std::uint32_t index : triangle) is_used[index] = true;
+    }
+    return std::ranges::all_of(is_used, [](bool used) { return used; });
+}
+
 std::uint64_t digest_of(std::span<const Vec3> vertices, std::span<const Triangle> triangles) {
     std::uint64_t digest = combine(vertices.size(), triangles.size());
     for (const Vec3& vertex : vertices) {
@@ -48,6 +57,9 @@ std::shared_ptr<const Mesh> Mesh::create(std::vector<Vec3> vertices, std::vector
 }
 
 Mesh::Mesh(std::vector<Vec3> vertices, std::vector<Triangle> triangles)
-    : vertices_(std::move(vertices)), triangles_(std::move(triangles)), digest_(digest_of(vertices_, triangles_)) {}
+    : vertices_(std::move(vertices)),
+      triangles_(std::move(triangles)),
+      uses_all_vertices_(are_all_used(vertices_, triangles_)),
+      digest_(digest_of(vertices_, triangles_)) {}
 
 }  // namespace ecods

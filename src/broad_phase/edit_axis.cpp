@@ -1,0 +1,22 @@
+#include "broad_phase/edit_axis.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace ecods {
+
+void remove_ends(EndpointList& ends, const ProxyTable& table) {
+    std::erase_if(ends, [&](const Endpoint& end) { return table.is_removed(end.proxy()); });
+}
+
+void insert_ends(EndpointList& ends, int axis, std::span<const ProxyIndex> added, const ProxyTable& table) {
+    const auto old_count = static_cast<std::ptrdiff_t>(ends.size());
+    for (const ProxyIndex proxy : added) {
+        ends.push_back(min_end(table.now(proxy), proxy, axis));
+        ends.push_back(max_end(table.now(proxy), proxy, axis));
+    }
+    std::sort(ends.begin() + old_count, ends.end());
+    std::inplace_merge(ends.begin(), ends.begin() + old_count, ends.end());
+}
+
+}  // namespace ecods

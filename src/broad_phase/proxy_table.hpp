@@ -1,0 +1,76 @@
+// Which boxes are present, and what changed since the last update: the bookkeeping that every broad phase shares.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "broad_phase/key_box.hpp"
+#include "ecods/broad_phase.hpp"
+
+namespace ecods {
+
+// A proxy that is removed and added again between two updates is both: the old one is in `removed`, the new one
+// in `added`.
+struct ProxyChanges {
+    std::vector<ProxyIndex> added;    // present, and not so at the last update
+    std::vector<ProxyIndex> moved;    // present at both times, with another box
+    std::vector<ProxyIndex> removed;  // present at the last update, and gone since
+
+    bool empty() const noexcept { return added.empty() && moved.empty() && removed.empty(); }
+};
+
+class ProxyTable {
+  public:
+    // Numbers from here on are refused: one bit of 32 tells the two ends of a box apart.
+    static constexpr ProxyIndex limit = ProxyIndex{1} << 31;
+
+    // What BroadPhase promises of the calls of these names.
+    void add(ProxyIndex proxy, const Aabb& box);
+    void move(ProxyIndex proxy, const Aabb& box);
+    void remove(ProxyIndex proxy);
+    const Aabb& box(ProxyIndex proxy) const;
+    std::size_t size() const noexcept { return size_; }
+
+    // What differs from the last settle(). Constant when nothing was called since, else proportional to the calls.
+    const ProxyChanges& collect();
+
+    // Takes what is here now as what the last update saw.
+    void settle();
+
+    // Numbers in use are below this.
+    ProxyIndex end() const noexcept { return static_cast<ProxyIndex>(states_.size()); }
+
+    bool is_present(ProxyIndex proxy) const noexcept { return has(proxy, present); }
+    bool is_added(ProxyIndex proxy) const noexcept { return has(proxy, present) && !has(proxy, settled); }
+    bool is_removed(ProxyIndex proxy) const noexcept { return has(proxy, removed); }
+
+    const KeyBox& now(ProxyIndex proxy) const noexcept { return now_[proxy]; }
+    const KeyBox& before(ProxyIndex proxy) const noexcept { return before_[proxy]; }  // at the last settle()
+
+  private:
+    enum : std::uint8_t {
+        present = 1,  // a box of this number is here
+        settled = 2,  // and the last update saw it
+        removed = 4,  // the last update saw a box of this number that is gone
+        queued = 8,   // the number is in queue_
+    };
+
+    bool has(ProxyIndex proxy, unsigned flag) const noexcept {
+        return proxy < states_.size() && (states_[proxy] & flag) != 0;
+    }
+    void require_present(ProxyIndex proxy) const;
+    void enqueue(ProxyIndex proxy);
+
+    // By proxy.
+    std::vector<std::uint8_t> states_;
+    std::vector<KeyBox> now_;
+    std::vector<KeyBox> before_;
+    std::vector<Aabb> boxes_;
+
+    std::vector<ProxyIndex> queue_;  // added or moved since settle(), each once
+    ProxyChanges changes_;           // `removed` is kept as it happens, the others are made by collect()
+    std::size_t size_ = 0;
+};
+
+}  // namespace ecods

@@ -1,0 +1,40 @@
+// Which test decides for which two kinds of shape.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "ecods/shape.hpp"
+
+namespace ecods {
+
+// A test with its arguments put in the order that it was registered for.
+struct OrderedTest {
+    const TwoBodyTest* test;
+    bool swapped;  // whether the shape of the second kind asked for comes first
+
+    template <class Ask>
+    auto ask(const PosedShape& a, const PosedShape& b, Ask&& question) const {
+        return swapped ? question(*test, b, a) : question(*test, a, b);
+    }
+};
+
+class TwoBodyTests {
+  public:
+    void set(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test);
+    bool has(ShapeKind a, ShapeKind b) const;
+    OrderedTest find(ShapeKind a, ShapeKind b) const;  // has(a, b) must hold
+
+  private:
+    struct Entry {
+        std::shared_ptr<const TwoBodyTest> test;
+        ShapeKind first;
+    };
+    using Key = std::pair<ShapeKind, ShapeKind>;  // ascending
+    static Key key(ShapeKind a, ShapeKind b) { return a < b ? Key{a, b} : Key{b, a}; }
+
+    std::map<Key, Entry> entries_;
+};
+
+}  // namespace ecods
