@@ -1,0 +1,54 @@
+// ECoDS as it is meant to be used: a World.
+#include <algorithm>
+#include <map>
+
+#include "ecods/world.hpp"
+#include "engines/engine.hpp"
+
+namespace ecods::bench {
+
+namespace {
+
+class EcodsWorld final : public Engine {
+  public:
+    EcodsWorld(const scenes::Scene& scene, BroadPhaseKind kind) : world_({.broad_phase = kind}) {
+        for (const scenes::SceneBody& body : scene.bodies) {
+            const BodyId id = world_.create_body(scene.meshes[body.mesh_index].mesh, body.pose);
+            index_of_[id] = ids_.size();
+            ids_.push_back(id);
+        }
+    }
+
+    void run_frame(std::span<const scenes::Move> moves) override {
+        for (const scenes::Move& move : moves) world_.set_pose(ids_[move.body_index], move.pose);
+        world_.update();
+    }
+
+    std::vector<IndexPair> hits() const override {
+        std::vector<IndexPair> hits;
+        for (const BodyPair& pair : world_.colliding_pairs())
+            hits.push_back(ordered(index_of_.at(pair.a), index_of_.at(pair.b)));
+        std::sort(hits.begin(), hits.end());
+        return hits;
+    }
+
+    std::size_t candidate_count() const override { return world_.overlapping_pairs().size(); }
+    std::optional<Statistics> statistics() const override { return world_.statistics(); }
+
+  private:
+    World world_;
+    std::vector<BodyId> ids_;
+    std::map<BodyId, std::size_t> index_of_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> set_up_sweep_and_prune(const scenes::Scene& scene) {
+    return std::make_unique<EcodsWorld>(scene, BroadPhaseKind::sweep_and_prune);
+}
+
+std::unique_ptr<Engine> set_up_brute_force(const scenes::Scene& scene) {
+    return std::make_unique<EcodsWorld>(scene, BroadPhaseKind::brute_force);
+}
+
+}  // namespace ecods::bench

@@ -1,0 +1,173 @@
+#include "harness/judge.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <iterator>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "harness/progress.hpp"
+#include "oracle/oracle.hpp"
+
+namespace ecods::bench {
+
+namespace {
+
+using oracle::OracleMesh;
+
+// Which pose a body has in each frame: that of the move `last_move[frame][body]`, a pointer into the scene; null at
+// rest.
+using Poses = std::vector<std::vector<const Pose*>>;
+
+Poses poses_of(const scenes::Scene& scene) {
+    Poses poses;
+    std::vector<const Pose*>& rest = poses.emplace_back();
+    for (const scenes::SceneBody& body : scene.bodies) rest.push_back(&body.pose);
+    for (const scenes::Frame& frame : scene.frames) {
+        poses.push_back(poses.back());
+        for (const scenes::Move& move : frame.moves) poses.back()[move.body_index] = &move.pose;
+    }
+    return poses;
+}
+
+std::array<Vec3, 3> corners_of(const Mesh& mesh, std::uint32_t triangle) {
+    const Triangle& t = mesh.triangles()[triangle];
+    return {mesh.vertices()[t[0]], mesh.vertices()[t[1]], mesh.vertices()[t[2]]};
+}
+
+struct FrameTruth {
+    std::vector<TrueHit> hits;  // of pairs that moved
+    std::uint64_t exact_count = 0;
+};
+
+class Judge {
+  public:
+    Judge(const scenes::Scene& scene, Detail detail) : scene_(scene), detail_(detail), poses_(poses_of(scene)) {
+        for (std::size_t body = 0; body < scene.bodies.size(); ++body) at_rest_.push_back(make(body, 0));
+    }
+
+    std::size_t frame_count() const { return poses_.size(); }
+
+    bool moved(std::size_t frame, std::size_t body) const {
+        return frame == 0 || poses_[frame][body] != poses_[frame - 1][body];
+    }
+
+    FrameTruth judge(std::size_t frame) const {
+        std::vector<OracleMesh> bodies;
+        std::vector<Aabb> boxes;
+        for (std::size_t body = 0; body < scene_.bodies.size(); ++body) {
+            bodies.push_back(poses_[frame][body] == poses_[0][body] ? at_rest_[body] : make(body, frame));
+            boxes.push_back(bodies.back().outer_box());
+        }
+        FrameTruth truth;
+        for (const auto& [a, b] : oracle::overlapping_boxes(boxes)) {
+            if (!moved(frame, a) && !moved(frame, b)) continue;
+            ++truth.exact_count;
+            if (std::optional<TrueHit> hit = ask({a, b}, bodies, frame)) truth.hits.push_back(std::move(*hit));
+        }
+        return truth;
+    }
+
+  private:
+    OracleMesh make(std::size_t body, std::size_t frame) const {
+        return OracleMesh(scene_.meshes[scene_.bodies[body].mesh_index].mesh, *poses_[frame][body]);
+    }
+
+    std::array<Vec3, 3> corners(std::size_t body, std::uint32_t triangle) const {
+        return corners_of(*scene_.meshes[scene_.bodies[body].mesh_index].mesh, triangle);
+    }
+
+    std::optional<TrueHit> ask(const IndexPair& pair, const std::vector<OracleMesh>& bodies, std::size_t frame) const {
+        const OracleMesh &a = bodies[pair.a], &b = bodies[pair.b];
+        if (detail_ == Detail::hits_only) {
+            if (!oracle::intersects(a, b)) return std::nullopt;
+            return TrueHit{pair, nullptr};
+        }
+        Contact contact{Relation::disjoint, oracle::touching_triangles(a, b), {}};
+        if (contact.triangles.empty()) return std::nullopt;
+        for (const TrianglePair& triangles : contact.triangles) {
+            contact.relations.push_back(oracle::triangle_triangle(*poses_[frame][pair.a], corners(pair.a, triangles.a),
+                                                                  *poses_[frame][pair.b],
+                                                                  corners(pair.b, triangles.b)));
+            contact.relation = std::max(contact.relation, contact.relations.back());
+        }
+        return TrueHit{pair, std::make_shared<const Contact>(std::move(contact))};
+    }
+
+    const scenes::Scene& scene_;
+    Detail detail_;
+    Poses poses_;
+    std::vector<OracleMesh> at_rest_;
+};
+
+// Judges all frames, in several threads.
+std::vector<FrameTruth> judge_all(const Judge& judge, const std::string& label) {
+    std::vector<FrameTruth> frames(judge.frame_count());
+    std::atomic<std::size_t> next = 0;
+    std::exception_ptr failure;
+    std::mutex failure_mutex;
+    Progress progress(label + ": frames judged by the oracle", frames.size());
+    const auto work = [&] {
+        try {
+            for (std::size_t frame = next++; frame < frames.size(); frame = next++) {
+                frames[frame] = judge.judge(frame);
+                progress.step();
+            }
+        } catch (...) {
+            const std::lock_guard lock(failure_mutex);
+            failure = std::current_exception();
+        }
+    };
+    std::vector<std::jthread> threads;
+    for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(work);
+    threads.clear();  // joins
+    if (failure) std::rethrow_exception(failure);
+    return frames;
+}
+
+}  // namespace
+
+Truth ask_oracle(const scenes::Scene& scene, Detail detail, const std::string& label) {
+    const auto start = std::chrono::steady_clock::now();
+    const Judge judge(scene, detail);
+    std::vector<FrameTruth> frames = judge_all(judge, label);
+
+    Truth truth;
+    for (std::size_t frame = 0; frame < frames.size(); ++frame) {
+        std::vector<TrueHit> hits = std::move(frames[frame].hits);
+        if (frame > 0) {
+            for (const TrueHit& hit : truth.hits.back())
+                if (!judge.moved(frame, hit.pair.a) && !judge.moved(frame, hit.pair.b)) hits.push_back(hit);
+        }
+        std::sort(hits.begin(), hits.end(), [](const TrueHit& a, const TrueHit& b) { return a.pair < b.pair; });
+        truth.hits.push_back(std::move(hits));
+        truth.exact_count += frames[frame].exact_count;
+    }
+    truth.pair_count = frames.size() * (scene.bodies.size() * (scene.bodies.size() - 1) / 2);
+    truth.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return truth;
+}
+
+Errors compare(std::span<const std::vector<IndexPair>> reported, const Truth& truth) {
+    Errors errors;
+    for (std::size_t frame = 0; frame < truth.hits.size(); ++frame) {
+        std::vector<IndexPair> expected;
+        for (const TrueHit& hit : truth.hits[frame]) expected.push_back(hit.pair);
+        std::vector<IndexPair> difference;
+        std::set_difference(expected.begin(), expected.end(), reported[frame].begin(), reported[frame].end(),
+                            std::back_inserter(difference));
+        errors.missed += difference.size();
+        difference.clear();
+        // A pair reported twice is invented once: the lists are multisets.
+        std::set_difference(reported[frame].begin(), reported[frame].end(), expected.begin(), expected.end(),
+                            std::back_inserter(difference));
+        errors.invented += difference.size();
+    }
+    return errors;
+}
+
+}  // namespace ecods::bench

@@ -1,0 +1,51 @@
+// The oracle's answers for a whole scene, and how an engine's compare with them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ecods/ids.hpp"
+#include "ecods/predicates.hpp"
+#include "engines/engine.hpp"
+
+namespace ecods::bench {
+
+// How two bodies that share a point meet.
+struct Contact {
+    Relation relation = Relation::touching;
+    std::vector<TrianglePair> triangles;  // all that share a point, ascending; a belongs to the body of lower index
+    std::vector<Relation> relations;      // of each of these, touching or crossing; the strongest is `relation`
+};
+
+// A pair that shares a point in one frame.
+struct TrueHit {
+    IndexPair pair;
+    std::shared_ptr<const Contact> contact;  // null unless asked for
+};
+
+struct Truth {
+    std::vector<std::vector<TrueHit>> hits;  // [frame], ascending
+    std::uint64_t pair_count = 0;            // pairs of bodies answered, all frames
+    std::uint64_t exact_count = 0;  // of these, given to the oracle's triangle tests; the rest by certified boxes
+    double seconds = 0;
+};
+
+enum class Detail { hits_only, contacts };
+
+// Every pair of bodies in every frame. Pairs whose certified boxes are disjoint are no hits; a pair of which neither
+// body moved keeps its answer, which depends on poses and meshes alone. Works in as many threads as the machine has.
+Truth ask_oracle(const scenes::Scene& scene, Detail detail, const std::string& label);
+
+struct Errors {
+    std::size_t missed = 0;    // hits of the oracle that the engine does not report
+    std::size_t invented = 0;  // reported without being hits
+};
+
+// Summed over the frames.
+Errors compare(std::span<const std::vector<IndexPair>> reported, const Truth& truth);
+
+}  // namespace ecods::bench

@@ -1,0 +1,109 @@
+// ecods_bench: runs ECoDS and its peers on the same bits, checks every answer of ECoDS with the oracle, and writes a
+// report. Exit status: 0 when ECoDS was right throughout, 1 when it was not, 2 for an error.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "report/environment.hpp"
+#include "report/page.hpp"
+#include "suites/suite.hpp"
+
+namespace {
+
+using namespace ecods::bench;
+
+struct Arguments {
+    SuiteOptions options;
+    std::vector<std::string> suites;
+    std::filesystem::path report = "build/report";
+    bool is_quick = false;
+};
+
+Page make_page(const std::string& command) {
+    Page page;
+    page.title = "ECoDS beside its peers";
+    page.summary = {
+        "Which of many moving triangle meshes touch? Every engine below was given the very same bits: meshes and poses "
+        "are "
+        "computed once. The oracle, CGAL's exact kernel on exactly transformed points, which shares no code with "
+        "ECoDS, "
+        "judges every pair of bodies in every frame. Missed: a hit of the oracle that the engine does not report. "
+        "Invented: "
+        "reported without being a hit.",
+        "Times are milliseconds per frame: the mean over the frames after the first of the median over the "
+        "repetitions, one "
+        "thread, engines interleaved in one process. FCL runs in double precision, its meshes as BVHModel<OBBRSS>, "
+        "with "
+        "boolean queries. Candidate pairs are those given to the two-body test, or answered from the cache."};
+    page.environment = environment(command);
+    return page;
+}
+
+bool run(const Arguments& arguments, const std::string& command) {
+    const auto start = std::chrono::steady_clock::now();
+    if (!arguments.is_quick) std::filesystem::create_directories(arguments.options.folder);
+    Page page = make_page(command);
+    bool is_right = true;
+    for (const Suite& suite : all_suites()) {
+        if (std::find(arguments.suites.begin(), arguments.suites.end(), suite.name) == arguments.suites.end()) continue;
+        SuiteResult result = suite.run(arguments.options);
+        is_right &= result.is_right;
+        std::move(result.sections.begin(), result.sections.end(), std::back_inserter(page.sections));
+    }
+    const std::string verdict = is_right ? "Every answer of ECoDS is the oracle's: 0 missed, 0 invented."
+                                         : "ECoDS ANSWERED WRONGLY: see the tables.";
+    page.summary.insert(page.summary.begin(), verdict);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    page.environment.rows.push_back({"whole run", fmt::format("{:.0f} s", seconds.count())});
+    fmt::print("{}\n", verdict);
+    if (!arguments.is_quick) {
+        const std::filesystem::path file = arguments.report / "index.html";
+        write_page(page, file);
+        fmt::print("report: {}\n", file.string());
+    }
+    return is_right;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Arguments arguments;
+    std::vector<std::string> suite_names;
+    for (const Suite& suite : all_suites()) suite_names.push_back(suite.name);
+    arguments.suites = suite_names;
+
+    CLI::App app("Runs ECoDS and its peers on the same scenes, checks every answer of ECoDS, writes a report.");
+    app.add_option("--suite", arguments.suites, "Which suites to run (default: all)")
+        ->check(CLI::IsMember(suite_names));
+    app.add_option("--frames", arguments.options.frame_count, "Frames of each room")
+        ->check(CLI::Range(2, 100000))
+        ->capture_default_str();
+    app.add_option("--repetitions", arguments.options.repetition_count, "Runs of each engine")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    app.add_option("--report", arguments.report, "Folder of the report")->capture_default_str();
+    app.add_flag("--quick", arguments.is_quick, "A few frames, once, without report: to see that all of it works");
+    CLI11_PARSE(app, argc, argv);
+
+    if (arguments.is_quick) {
+        arguments.options.frame_count = std::min<std::size_t>(arguments.options.frame_count, 6);
+        arguments.options.repetition_count = 1;
+        arguments.options.has_pictures = false;
+    }
+    arguments.options.folder = arguments.report / "parts";
+    std::string command = std::filesystem::path(argv[0]).filename().string();
+    for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
+    try {
+        return run(arguments, command) ? 0 : 1;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "ecods_bench: {}\n", error.what());
+        return 2;
+    }
+}

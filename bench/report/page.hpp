@@ -1,0 +1,36 @@
+// The report as one HTML page that opens from the disk: no other file and no network is needed.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "report/table.hpp"
+
+namespace ecods::bench {
+
+// A picture in a file, PNG or SVG; the page contains it. When the file could not be made, `failure` says why.
+struct Picture {
+    std::filesystem::path file;
+    std::string caption;
+    std::string failure;
+};
+
+struct Section {
+    std::string title;
+    std::vector<std::string> paragraphs;
+    std::vector<Table> tables;
+    std::vector<Picture> pictures;
+};
+
+struct Page {
+    std::string title;
+    std::vector<std::string> summary;  // paragraphs
+    Table environment;                 // machine, compiler, versions, commit, command
+    std::vector<Section> sections;
+};
+
+// Throws std::runtime_error when a file cannot be read or written.
+void write_page(const Page& page, const std::filesystem::path& file);
+
+}  // namespace ecods::bench

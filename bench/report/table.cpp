@@ -1,0 +1,71 @@
+#include "report/table.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace ecods::bench {
+
+std::string to_text(const Table& table) {
+    std::vector<std::size_t> widths;
+    for (std::size_t c = 0; c < table.header.size(); ++c) {
+        widths.push_back(table.header[c].size());
+        for (const std::vector<std::string>& row : table.rows) widths[c] = std::max(widths[c], row[c].size());
+    }
+    const auto line = [&](const std::vector<std::string>& cells) {
+        std::string text;
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            text += c == 0 ? "  " : "   ";
+            text += c < table.text_columns ? fmt::format("{:<{}}", cells[c], widths[c])
+                                           : fmt::format("{:>{}}", cells[c], widths[c]);
+        }
+        while (!text.empty() && text.back() == ' ') text.pop_back();
+        return text + "\n";
+    };
+    std::string text = table.title + "\n" + line(table.header);
+    for (const std::vector<std::string>& row : table.rows) text += line(row);
+    for (const std::string& note : table.notes) text += "  " + note + "\n";
+    return text;
+}
+
+std::string escape_html(const std::string& text) {
+    std::string escaped;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                escaped += "&amp;";
+                break;
+            case '<':
+                escaped += "&lt;";
+                break;
+            case '>':
+                escaped += "&gt;";
+                break;
+            case '"':
+                escaped += "&quot;";
+                break;
+            default:
+                escaped += c;
+        }
+    }
+    return escaped;
+}
+
+std::string to_html(const Table& table) {
+    const auto row_of = [&](const std::vector<std::string>& cells, const char* tag) {
+        std::string html = "<tr>";
+        for (std::size_t c = 0; c < cells.size(); ++c)
+            html += fmt::format("<{0}{1}>{2}</{0}>", tag, c < table.text_columns ? " class=\"text\"" : "",
+                                escape_html(cells[c]));
+        return html + "</tr>\n";
+    };
+    std::string html = "<div class=\"table\"><table>\n";
+    if (!table.title.empty()) html += "<caption>" + escape_html(table.title) + "</caption>\n";
+    html += "<thead>" + row_of(table.header, "th") + "</thead>\n<tbody>\n";
+    for (const std::vector<std::string>& row : table.rows) html += row_of(row, "td");
+    html += "</tbody></table></div>\n";
+    for (const std::string& note : table.notes) html += "<p class=\"note\">" + escape_html(note) + "</p>\n";
+    return html;
+}
+
+}  // namespace ecods::bench

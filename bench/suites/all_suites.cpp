@@ -1,0 +1,9 @@
+#include "suites/suite.hpp"
+
+namespace ecods::bench {
+
+std::vector<Suite> all_suites() {
+    return {{"rooms", run_rooms}, {"hover", run_hover}, {"assembly", run_assembly}};
+}
+
+}  // namespace ecods::bench

@@ -1,0 +1,29 @@
+// All engines on one scene, judged by the oracle: the table that every suite shows.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/judge.hpp"
+#include "harness/measure.hpp"
+#include "report/table.hpp"
+#include "suites/suite.hpp"
+
+namespace ecods::bench {
+
+struct Comparison {
+    std::vector<Run> runs;
+    Truth truth;
+    Table table;           // engine, ms per frame, candidate pairs, hits, missed, invented
+    bool is_right = true;  // ECoDS missed and invented nothing
+};
+
+Comparison compare_engines(const scenes::Scene& scene, const std::string& title, const SuiteOptions& options,
+                           Detail detail = Detail::hits_only);
+
+// What ECoDS counted, for the runs that have statistics.
+Table work_table(const std::vector<Run>& runs, const std::string& title);
+
+void print(const Table& table);  // to standard output, at once
+
+}  // namespace ecods::bench

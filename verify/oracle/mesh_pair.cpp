@@ -1,0 +1,99 @@
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "oracle/float_environment.hpp"
+#include "oracle/mesh_impl.hpp"
+#include "oracle/oracle.hpp"
+#include "oracle/simplex_pair.hpp"
+
+namespace ecods::oracle {
+namespace {
+
+using TriangleBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
+
+// The boxes of those triangles that reach into `region`.
+std::vector<TriangleBox> boxes_in(const OracleMesh::Impl& mesh, const Aabb& region) {
+    std::vector<TriangleBox> boxes;
+    const auto count = static_cast<std::uint32_t>(mesh.mesh->triangles().size());
+    for (std::uint32_t triangle = 0; triangle < count; ++triangle) {
+        Aabb box = mesh.triangle_box(triangle);
+        if (boxes_overlap(box, region)) boxes.emplace_back(box.min.data(), box.max.data(), triangle);
+    }
+    return boxes;
+}
+
+// CGAL takes the largest double for infinity; boxes near it go another way.
+bool is_moderate(const Aabb& box) {
+    const double limit = std::ldexp(1.0, 1000);
+    return (box.min.array() > -limit).all() && (box.max.array() < limit).all();
+}
+
+// The pairs of triangles whose certified boxes overlap, ascending.
+std::vector<TrianglePair> candidates(const OracleMesh::Impl& a, const OracleMesh::Impl& b) {
+    std::vector<TrianglePair> pairs;
+    if (!boxes_overlap(a.outer_box, b.outer_box)) return pairs;
+    std::vector<TriangleBox> boxes_a = boxes_in(a, b.outer_box);
+    std::vector<TriangleBox> boxes_b = boxes_in(b, a.outer_box);
+    const auto report = [&pairs](const TriangleBox& x, const TriangleBox& y) { pairs.push_back({x.info(), y.info()}); };
+    if (is_moderate(a.outer_box) && is_moderate(b.outer_box)) {
+        CGAL::box_intersection_d(boxes_a.begin(), boxes_a.end(), boxes_b.begin(), boxes_b.end(), report,
+                                 std::ptrdiff_t{10}, CGAL::Box_intersection_d::CLOSED);
+    } else {
+        CGAL::box_intersection_all_pairs_d(boxes_a.begin(), boxes_a.end(), boxes_b.begin(), boxes_b.end(), report,
+                                           CGAL::Box_intersection_d::CLOSED);
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
+}  // namespace
+
+Relation triangle_triangle(const Pose& pose_a, const std::array<Vec3, 3>& a, const Pose& pose_b,
+                           const std::array<Vec3, 3>& b) {
+    const FloatEnvironment environment;
+    const auto simplex = [](const Pose& pose, const std::array<Vec3, 3>& corners) {
+        return make_simplex(
+            pose, corners,
+            {posed_point<IntervalKernel>(pose, corners[0]), posed_point<IntervalKernel>(pose, corners[1]),
+             posed_point<IntervalKernel>(pose, corners[2])});
+    };
+    const Simplex simplex_a = simplex(pose_a, a);
+    const Simplex simplex_b = simplex(pose_b, b);
+    if (!intersects(simplex_a, simplex_b)) return Relation::disjoint;
+    return is_crossing(simplex_a, simplex_b) ? Relation::crossing : Relation::touching;
+}
+
+bool intersects(const OracleMesh& a, const OracleMesh& b) {
+    const FloatEnvironment environment;
+    const auto pairs = candidates(a.impl(), b.impl());
+    return std::any_of(pairs.begin(), pairs.end(), [&](const TrianglePair& pair) {
+        return intersects(a.impl().simplex(pair.a), b.impl().simplex(pair.b));
+    });
+}
+
+Relation relation(const OracleMesh& a, const OracleMesh& b) {
+    const FloatEnvironment environment;
+    Relation strongest = Relation::disjoint;
+    for (const TrianglePair& pair : candidates(a.impl(), b.impl())) {
+        const Simplex simplex_a = a.impl().simplex(pair.a);
+        const Simplex simplex_b = b.impl().simplex(pair.b);
+        if (!intersects(simplex_a, simplex_b)) continue;
+        if (is_crossing(simplex_a, simplex_b)) return Relation::crossing;
+        strongest = Relation::touching;
+    }
+    return strongest;
+}
+
+std::vector<TrianglePair> touching_triangles(const OracleMesh& a, const OracleMesh& b) {
+    const FloatEnvironment environment;
+    std::vector<TrianglePair> pairs = candidates(a.impl(), b.impl());
+    std::erase_if(pairs, [&](const TrianglePair& pair) {
+        return !intersects(a.impl().simplex(pair.a), b.impl().simplex(pair.b));
+    });
+    return pairs;
+}
+
+}  // namespace ecods::oracle

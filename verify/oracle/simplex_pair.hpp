@@ -1,0 +1,14 @@
+// How two simplices of dimension 0 to 2 meet. Both functions need a FloatEnvironment.
+#pragma once
+
+#include "oracle/simplex.hpp"
+
+namespace ecods::oracle {
+
+// Whether they share a point.
+bool intersects(const Simplex& a, const Simplex& b);
+
+// Whether they are not coplanar and some point lies in the relative interior of both. They must share a point.
+bool is_crossing(const Simplex& a, const Simplex& b);
+
+}  // namespace ecods::oracle

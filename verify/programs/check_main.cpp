@@ -1,0 +1,123 @@
+// ecods_check: which bodies of some files touch, and which cross.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include "check_cases.hpp"
+#include "check_oracle.hpp"
+#include "check_print.hpp"
+#include "check_scene.hpp"
+#include "scenes/io/scene_file.hpp"
+
+namespace ecods::check {
+namespace {
+
+constexpr int exit_ok = 0;
+constexpr int exit_differs = 1;
+constexpr int exit_unreadable = 2;
+
+struct Options {
+    std::vector<std::filesystem::path> files;
+    std::filesystem::path cases;
+    bool json = false;
+    bool oracle = false;
+    BroadPhaseKind broad_phase = BroadPhaseKind::sweep_and_prune;
+};
+
+// One line on a terminal, rewritten; nothing elsewhere.
+void show_progress(std::size_t frame, std::size_t frame_count) {
+    static const bool is_terminal = isatty(STDERR_FILENO) != 0;
+    if (is_terminal && frame_count > 1)
+        fmt::print(stderr, "\rframe {} of {}\x1b[K{}", frame, frame_count - 1, frame + 1 == frame_count ? "\n" : "");
+}
+
+int check_files(const Options& options) {
+    const scenes::Scene scene = scenes::read_files(options.files);
+    SceneWorld world(scene, options.broad_phase);
+    OracleJudge judge(scene);
+    nlohmann::ordered_json json = to_json(scene);
+    for (std::size_t frame = 0; world.next_frame(); ++frame) {
+        show_progress(frame, scene.frames.size() + 1);
+        const FrameAnswer answer = world.answer();
+        if (options.oracle) judge.check_frame(world, answer);
+        if (options.json) {
+            json["frames"].push_back(to_json(scene, answer));
+        } else {
+            print_frame(stdout, scene, answer);
+        }
+    }
+    if (options.oracle && options.json) json["oracle"] = to_json(judge.report());
+    if (options.oracle && !options.json) print_report(stdout, judge.report());
+    if (options.json) fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    return judge.report().differences.empty() ? exit_ok : exit_differs;
+}
+
+int check_cases(const Options& options) {
+    const CasesReport report = run_cases(options.cases, options.oracle);
+    std::size_t mismatches = 0;
+    nlohmann::ordered_json cases = nlohmann::ordered_json::array();
+    for (const CaseAnswer& answer : report.cases) {
+        if (!answer.is_ok) ++mismatches;
+        if (options.json) {
+            cases.push_back({{"id", answer.id},
+                             {"intersects", answer.intersects},
+                             {"triangle_pairs", answer.triangle_pair_count},
+                             {"ok", answer.is_ok}});
+        } else {
+            fmt::print("{}  {}  {} triangle pairs  {}\n", answer.id, answer.intersects ? "intersects" : "disjoint",
+                       answer.triangle_pair_count, answer.is_ok ? "ok" : "MISMATCH");
+        }
+    }
+    if (options.json) {
+        const nlohmann::ordered_json json{{"cases", cases}, {"mismatches", mismatches}, {"skipped", report.skipped}};
+        fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    } else {
+        fmt::print("{} cases, {} mismatches, {} skipped (not two meshes)\n", report.cases.size(), mismatches,
+                   report.skipped);
+    }
+    return mismatches == 0 ? exit_ok : exit_differs;
+}
+
+int run(int argc, char** argv) {
+    Options options;
+    CLI::App app(
+        "Says which bodies of some files touch and which cross: exactly.\n\n"
+        "Files are meshes (.obj, .off, .ply, .stl: a body each), assemblies (.gltf, .glb: a body for each node) and\n"
+        "scenes (.json); all of them together are one scene.\n\n"
+        "Exit status: 0, or 1 if an answer is not the expected one, or 2 if the input cannot be read.",
+        "ecods_check");
+    app.add_option("FILE", options.files, "Files to read");
+    app.add_option("--cases", options.cases, "Check the known answers in this file (.json) instead");
+    app.add_flag("--json", options.json, "Write JSON");
+    app.add_flag("--oracle", options.oracle, "Check every answer, of all pairs of bodies, with CGAL's exact numbers");
+    const std::map<std::string, BroadPhaseKind> kinds{{"brute_force", BroadPhaseKind::brute_force},
+                                                      {"sweep_and_prune", BroadPhaseKind::sweep_and_prune}};
+    app.add_option("--broad-phase", options.broad_phase, "brute_force or sweep_and_prune (the default)")
+        ->transform(CLI::CheckedTransformer(kinds))
+        ->type_name("KIND");
+    try {
+        app.parse(argc, argv);
+        if (options.files.empty() == options.cases.empty()) {
+            throw CLI::ValidationError("ecods_check", "files to read, or --cases with one file, are expected");
+        }
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? exit_ok : exit_unreadable;
+    }
+    return options.cases.empty() ? check_files(options) : check_cases(options);
+}
+
+}  // namespace
+}  // namespace ecods::check
+
+int main(int argc, char** argv) {
+    try {
+        return ecods::check::run(argc, argv);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "ecods_check: {}\n", error.what());
+        return ecods::check::exit_unreadable;
+    }
+}

@@ -1,0 +1,68 @@
+#include "check_print.hpp"
+
+#include <fmt/format.h>
+
+namespace ecods::check {
+namespace {
+
+std::string counted(std::size_t count, const std::string& singular, const std::string& plural = {}) {
+    return fmt::format("{} {}", count, count == 1 ? singular : plural.empty() ? singular + "s" : plural);
+}
+
+}  // namespace
+
+const char* name_of(Relation relation) noexcept {
+    switch (relation) {
+        case Relation::disjoint:
+            return "disjoint";
+        case Relation::touching:
+            return "touching";
+        case Relation::crossing:
+            return "crossing";
+    }
+    return "";
+}
+
+void print_frame(std::FILE* out, const scenes::Scene& scene, const FrameAnswer& answer) {
+    fmt::print(out, "frame {}: {}, {} with overlapping boxes, {} colliding\n", answer.frame,
+               counted(scene.bodies.size(), "body", "bodies"), counted(answer.overlapping.size(), "pair"),
+               answer.colliding.size());
+    for (const PairAnswer& pair : answer.colliding) {
+        fmt::print(out, "  {}  {} | {}  ({})\n", name_of(pair.relation), scene.bodies[pair.a].name,
+                   scene.bodies[pair.b].name, counted(pair.triangles.size(), "triangle pair"));
+    }
+}
+
+void print_report(std::FILE* out, const OracleReport& report) {
+    for (const std::string& difference : report.differences) fmt::print(out, "DIFFERS  {}\n", difference);
+    fmt::print(out, "oracle: checked {}, {}, {}: {}\n", counted(report.body_pairs, "body pair"),
+               counted(report.triangle_pairs, "touching triangle pair"), counted(report.boxes, "box", "boxes"),
+               report.differences.empty() ? "no difference" : counted(report.differences.size(), "difference"));
+}
+
+nlohmann::ordered_json to_json(const scenes::Scene& scene) {
+    nlohmann::ordered_json names = nlohmann::ordered_json::array();
+    for (const scenes::SceneBody& body : scene.bodies) names.push_back(body.name);
+    return {{"bodies", names}, {"frames", nlohmann::ordered_json::array()}};
+}
+
+nlohmann::ordered_json to_json(const scenes::Scene& scene, const FrameAnswer& answer) {
+    nlohmann::ordered_json pairs = nlohmann::ordered_json::array();
+    for (const PairAnswer& pair : answer.colliding) {
+        pairs.push_back({{"a", scene.bodies[pair.a].name},
+                         {"b", scene.bodies[pair.b].name},
+                         {"relation", name_of(pair.relation)},
+                         {"triangle_pairs", pair.triangles.size()}});
+    }
+    return {{"frame", answer.frame}, {"overlapping", answer.overlapping.size()}, {"colliding", pairs}};
+}
+
+nlohmann::ordered_json to_json(const OracleReport& report) {
+    return {{"body_pairs", report.body_pairs},
+            {"triangle_pairs", report.triangle_pairs},
+            {"boxes", report.boxes},
+            {"differing", report.differences.size()},
+            {"differences", report.differences}};
+}
+
+}  // namespace ecods::check

@@ -1,0 +1,50 @@
+#include "check_scene.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ecods::check {
+
+SceneWorld::SceneWorld(const scenes::Scene& scene, BroadPhaseKind broad_phase)
+    : scene_(scene), world_(WorldOptions{.broad_phase = broad_phase}) {
+    for (const scenes::SceneBody& body : scene.bodies) {
+        ids_.push_back(world_.create_body(scene.meshes[body.mesh_index].mesh, body.pose));
+    }
+}
+
+bool SceneWorld::next_frame() {
+    if (frame_count_ > scene_.frames.size()) return false;
+    moved_.clear();
+    if (frame_count_ == 0) {
+        moved_.resize(ids_.size());
+        std::iota(moved_.begin(), moved_.end(), std::size_t{0});
+    } else {
+        for (const scenes::Move& move : scene_.frames[frame_count_ - 1].moves) {
+            world_.set_pose(ids_[move.body_index], move.pose);
+            moved_.push_back(move.body_index);
+        }
+        std::sort(moved_.begin(), moved_.end());
+    }
+    world_.update();
+    ++frame_count_;
+    return true;
+}
+
+FrameAnswer SceneWorld::answer() {
+    FrameAnswer answer{.frame = frame_count_ - 1, .overlapping = {}, .colliding = {}};
+    for (const BodyPair& pair : world_.overlapping_pairs()) {
+        answer.overlapping.emplace_back(body_of(pair.a), body_of(pair.b));
+    }
+    const std::vector<BodyPair> colliding(world_.colliding_pairs().begin(), world_.colliding_pairs().end());
+    for (const BodyPair& pair : colliding) {
+        answer.colliding.push_back({body_of(pair.a), body_of(pair.b), world_.relation(pair.a, pair.b),
+                                    world_.touching_triangles(pair.a, pair.b)});
+    }
+    return answer;
+}
+
+std::size_t SceneWorld::body_of(BodyId id) const {
+    return static_cast<std::size_t>(std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin());
+}
+
+}  // namespace ecods::check

@@ -1,0 +1,56 @@
+// A scene run by the library, frame by frame.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "ecods/world.hpp"
+#include "scenes/scene.hpp"
+
+namespace ecods::check {
+
+// Two bodies that collide, by their indices in the scene, a < b.
+struct PairAnswer {
+    std::size_t a = 0;
+    std::size_t b = 0;
+    Relation relation = Relation::disjoint;
+    std::vector<TrianglePair> triangles;
+};
+
+// All answers for one frame; frame 0 is the rest. Lists are ascending.
+struct FrameAnswer {
+    std::size_t frame = 0;
+    std::vector<std::pair<std::size_t, std::size_t>> overlapping;  // pairs of bodies whose boxes overlap
+    std::vector<PairAnswer> colliding;
+};
+
+// The World of a scene. The scene must outlive it.
+class SceneWorld {
+  public:
+    SceneWorld(const scenes::Scene& scene, BroadPhaseKind broad_phase);
+
+    // Goes to the next frame, the first time to frame 0, and updates the world. False after the last frame.
+    bool next_frame();
+
+    FrameAnswer answer();
+
+    World& world() noexcept { return world_; }
+    BodyId id(std::size_t body) const { return ids_[body]; }
+    const Pose& pose(std::size_t body) const { return world_.pose(ids_[body]); }
+    const Aabb& box(std::size_t body) const { return world_.box(ids_[body]); }
+
+    // The bodies that the last next_frame() created or moved, ascending.
+    const std::vector<std::size_t>& moved() const noexcept { return moved_; }
+
+  private:
+    std::size_t body_of(BodyId id) const;
+
+    const scenes::Scene& scene_;
+    World world_;
+    std::vector<BodyId> ids_;  // by body; ascending, as they were created in order
+    std::vector<std::size_t> moved_;
+    std::size_t frame_count_ = 0;  // frames gone to so far
+};
+
+}  // namespace ecods::check

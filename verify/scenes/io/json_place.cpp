@@ -1,0 +1,121 @@
+#include "scenes/io/json_place.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+
+#include "scenes/io/mesh_soup.hpp"
+
+namespace ecods::scenes {
+
+JsonPlace JsonPlace::at(const std::string& key) const {
+    if (auto member = find(key)) return *member;
+    fail(fmt::format("\"{}\" is missing", key));
+}
+
+std::optional<JsonPlace> JsonPlace::find(const std::string& key) const {
+    if (!value_->is_object()) fail("an object is expected");
+    const auto member = value_->find(key);
+    if (member == value_->end()) return std::nullopt;
+    return JsonPlace(*file_, *member, path_.empty() ? key : path_ + "." + key);
+}
+
+std::vector<JsonPlace> JsonPlace::elements() const {
+    if (!value_->is_array()) fail("a list is expected");
+    std::vector<JsonPlace> places;
+    for (std::size_t i = 0; i < value_->size(); ++i) {
+        places.emplace_back(*file_, (*value_)[i], fmt::format("{}[{}]", path_, i));
+    }
+    return places;
+}
+
+std::vector<JsonPlace> JsonPlace::elements(std::size_t count) const {
+    if (!value_->is_array() || value_->size() != count) fail(fmt::format("a list of {} is expected", count));
+    return elements();
+}
+
+std::string JsonPlace::text() const {
+    if (!value_->is_string() || value_->get_ref<const std::string&>().empty()) fail("a text is expected");
+    return value_->get<std::string>();
+}
+
+double JsonPlace::number() const {
+    if (!value_->is_number()) fail("a number is expected");
+    return value_->get<double>();
+}
+
+std::uint32_t JsonPlace::index() const {
+    const bool is_index =
+        value_->is_number_unsigned() && value_->get<std::uint64_t>() <= std::numeric_limits<std::uint32_t>::max();
+    if (!is_index) fail("an index is expected");
+    return value_->get<std::uint32_t>();
+}
+
+bool JsonPlace::boolean() const {
+    if (!value_->is_boolean()) fail("true or false is expected");
+    return value_->get<bool>();
+}
+
+Vec3 JsonPlace::point() const {
+    const auto coordinates = elements(3);
+    return {coordinates[0].number(), coordinates[1].number(), coordinates[2].number()};
+}
+
+void JsonPlace::check_keys(std::initializer_list<const char*> known) const {
+    if (!value_->is_object()) fail("an object is expected");
+    for (const auto& [key, value] : value_->items()) {
+        if (key.starts_with("_")) continue;
+        if (std::find(known.begin(), known.end(), std::string_view(key)) == known.end()) {
+            fail(fmt::format("the key \"{}\" is unknown", key));
+        }
+    }
+}
+
+void JsonPlace::fail(const std::string& text) const {
+    throw ReadError(*file_, path_, text);
+}
+
+nlohmann::json read_json(const std::filesystem::path& file) {
+    const std::string bytes = read_bytes(file);
+    try {
+        return nlohmann::json::parse(bytes);
+    } catch (const nlohmann::json::parse_error& error) {
+        const std::size_t end = std::min(error.byte, bytes.size());
+        const auto line = 1 + std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+        throw ReadError(file, fmt::format("line {}", line), "this is not JSON");
+    } catch (const nlohmann::json::exception& error) {
+        throw ReadError(file, "", error.what());  // a number beyond the largest double
+    }
+}
+
+Pose read_pose(const JsonPlace& place) {
+    place.check_keys({"R", "t"});
+    Pose pose;
+    if (const auto rows = place.find("R")) {
+        for (int row = 0; row < 3; ++row) {
+            pose.R.row(row) = rows->elements(3)[static_cast<std::size_t>(row)].point().transpose();
+        }
+    }
+    if (const auto translation = place.find("t")) pose.t = translation->point();
+    return pose;
+}
+
+std::shared_ptr<const Mesh> read_inline_mesh(const std::filesystem::path& file, const JsonPlace& place) {
+    MeshSoup soup;
+    for (const JsonPlace& vertex : place.at("vertices").elements()) soup.vertices.push_back(vertex.point());
+    for (const JsonPlace& triangle : place.at("triangles").elements()) {
+        const auto corners = triangle.elements(3);
+        for (const JsonPlace& corner : corners) {
+            if (corner.index() >= soup.vertices.size()) {
+                corner.fail(fmt::format("index {} is out of range: there are {} vertices", corner.index(),
+                                        soup.vertices.size()));
+            }
+        }
+        soup.triangles.push_back({corners[0].index(), corners[1].index(), corners[2].index()});
+    }
+    return make_mesh(file, place.path(), std::move(soup));
+}
+
+}  // namespace ecods::scenes

@@ -1,0 +1,57 @@
+// JSON whose errors say where: a value together with the file and the path that lead to it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ecods/mesh.hpp"
+#include "ecods/pose.hpp"
+
+namespace ecods::scenes {
+
+// Refers to the document and to the file's name; both must outlive it. All functions throw ReadError when the value is
+// not what is asked for, naming a place such as "bodies[3].pose.R".
+class JsonPlace {
+  public:
+    JsonPlace(const std::filesystem::path& file, const nlohmann::json& value, std::string path = {})
+        : file_(&file), value_(&value), path_(std::move(path)) {}
+
+    JsonPlace at(const std::string& key) const;                   // a member that must exist
+    std::optional<JsonPlace> find(const std::string& key) const;  // a member that may exist
+    std::vector<JsonPlace> elements() const;                      // of an array
+    std::vector<JsonPlace> elements(std::size_t count) const;     // of an array of this size
+
+    std::string text() const;  // not empty
+    double number() const;     // the nearest double
+    std::uint32_t index() const;
+    bool boolean() const;
+    Vec3 point() const;
+
+    // A misspelt key would be ignored in silence, so unknown ones are errors. Keys that begin with "_" are comments.
+    void check_keys(std::initializer_list<const char*> known) const;
+
+    [[noreturn]] void fail(const std::string& text) const;
+
+    const std::string& path() const noexcept { return path_; }
+
+  private:
+    const std::filesystem::path* file_;
+    const nlohmann::json* value_;
+    std::string path_;
+};
+
+// Parses a file. Throws ReadError with the line.
+nlohmann::json read_json(const std::filesystem::path& file);
+
+// {"R": [[...], [...], [...]], "t": [...]}: three rows and a translation, each of which may be left out.
+Pose read_pose(const JsonPlace& place);
+
+// The mesh of "vertices": [[x, y, z], ...] and "triangles": [[i, j, k], ...] at the place.
+std::shared_ptr<const Mesh> read_inline_mesh(const std::filesystem::path& file, const JsonPlace& place);
+
+}  // namespace ecods::scenes

@@ -1,0 +1,37 @@
+#include "scenes/io/mesh_file.hpp"
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "scenes/io/extension.hpp"
+#include "scenes/io/mesh_soup.hpp"
+
+namespace ecods::scenes {
+namespace {
+
+using Reader = MeshSoup (*)(const std::filesystem::path&, std::string_view);
+
+Reader reader_of(const std::filesystem::path& file) {
+    static constexpr std::array<std::pair<const char*, Reader>, 4> readers{
+        {{".obj", read_obj}, {".off", read_off}, {".ply", read_ply}, {".stl", read_stl}}};
+    const std::string extension = lower_extension(file);
+    for (const auto& [name, reader] : readers) {
+        if (extension == name) return reader;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+bool is_mesh_file(const std::filesystem::path& file) {
+    return reader_of(file) != nullptr;
+}
+
+std::shared_ptr<const Mesh> read_mesh_file(const std::filesystem::path& file) {
+    const Reader reader = reader_of(file);
+    if (reader == nullptr) throw ReadError(file, "", "unknown kind of mesh file; known are .obj, .off, .ply and .stl");
+    return make_mesh(file, "", reader(file, read_bytes(file)));
+}
+
+}  // namespace ecods::scenes

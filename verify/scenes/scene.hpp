@@ -1,0 +1,45 @@
+// A scene as plain data: meshes, the bodies made of them, and how the bodies move. It is what files are read into and
+// what programs, tests and benchmarks run; it knows no World.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ecods/mesh.hpp"
+#include "ecods/pose.hpp"
+
+namespace ecods::scenes {
+
+struct NamedMesh {
+    std::string name;
+    std::shared_ptr<const Mesh> mesh;  // never null
+};
+
+// A body at rest.
+struct SceneBody {
+    std::string name;            // for people; unique in scenes that were read from files
+    std::size_t mesh_index = 0;  // in Scene::meshes
+    Pose pose;
+};
+
+// A body is given a new pose.
+struct Move {
+    std::size_t body_index = 0;  // in Scene::bodies
+    Pose pose;
+};
+
+// What changes with one step. Bodies that are not named stay where they are.
+struct Frame {
+    std::vector<Move> moves;
+};
+
+// The poses of `bodies` are the rest, frame 0; `frames[i]` leads from frame i to frame i + 1.
+struct Scene {
+    std::vector<NamedMesh> meshes;
+    std::vector<SceneBody> bodies;
+    std::vector<Frame> frames;
+};
+
+}  // namespace ecods::scenes

@@ -1,0 +1,134 @@
+#include "ecods/two_body.hpp"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "oracle/oracle.hpp"
+#include "scenes/random.hpp"
+#include "scenes/shapes.hpp"
+#include "scenes/ship.hpp"
+
+namespace ecods {
+namespace {
+
+Pose random_pose(scenes::Random& random, double reach) {
+    Pose pose;
+    pose.R = random.rotation().toRotationMatrix();
+    for (int k = 0; k < 3; ++k) pose.t[k] = random.uniform(-reach, reach);
+    return pose;
+}
+
+// All three queries, in both orders, against the oracle.
+void expect_right(const MeshShape& a, const Pose& pose_a, const MeshShape& b, const Pose& pose_b,
+                  QueryMemory& memory) {
+    const oracle::OracleMesh exact_a(a.mesh_ptr(), pose_a), exact_b(b.mesh_ptr(), pose_b);
+    const auto expected = oracle::touching_triangles(exact_a, exact_b);
+    const PosedMesh x{a, pose_a}, y{b, pose_b};
+    ASSERT_EQ(touching_triangles(x, y, memory), expected);
+    ASSERT_EQ(intersects(x, y, memory), !expected.empty());
+    ASSERT_EQ(intersects(y, x, memory), !expected.empty());
+    ASSERT_EQ(relation(x, y, memory), oracle::relation(exact_a, exact_b));
+    ASSERT_EQ(touching_triangles(y, x, memory).size(), expected.size());
+}
+
+TEST(TwoBody, RandomPosesOfShips) {
+    const MeshShape ship(scenes::ship());
+    scenes::Random random(2);
+    QueryMemory memory;
+    for (int i = 0; i < 60; ++i) {
+        expect_right(ship, random_pose(random, 0.5), ship, random_pose(random, 0.5), memory);
+    }
+}
+
+TEST(TwoBody, ScaledShearedMirroredAndSingularPoses) {
+    const MeshShape sphere(scenes::sphere(12, 6)), torus(scenes::torus(12, 8, 0.25));
+    scenes::Random random(4);
+    QueryMemory memory;
+    for (int i = 0; i < 150; ++i) {
+        Pose a = random_pose(random, 0.5), b = random_pose(random, 0.5);
+        switch (i % 5) {
+            case 0: a.R *= 3; break;
+            case 1: a.R(0, 1) += 2; break;
+            case 2: a.R.col(0) *= -1; break;
+            case 3: a.R.col(2).setZero(); break;
+            default: a.R.setZero(); a.t = b.R * Vec3(1.25, 0, 0) + b.t; break;
+        }
+        expect_right(sphere, a, torus, b, memory);
+        expect_right(torus, b, sphere, a, memory);
+    }
+}
+
+TEST(TwoBody, FacesInContact) {
+    const MeshShape cube(scenes::cube(0.5)), other(scenes::cube(0.25));
+    QueryMemory memory;
+    Pose a, b;
+    for (const double x : {1.0, 0.75, 0.5, 0.0}) {
+        for (const double y : {1.0, 0.75, 0.25, 0.0}) {
+            b.t = Vec3(x, y, 0.25);
+            expect_right(cube, a, cube, b, memory);
+            expect_right(cube, a, other, b, memory);
+            scenes::Random random(3);
+            a.R = b.R = random.rotation().toRotationMatrix();
+            expect_right(cube, a, other, b, memory);
+            a.R = b.R = Mat3::Identity();
+        }
+    }
+}
+
+TEST(TwoBody, APointAndASegmentAreBodies) {
+    const MeshShape cube(scenes::cube(0.5));
+    const MeshShape point(Mesh::create({{0.5, 0.25, 0.125}}, {{0, 0, 0}}));
+    const MeshShape segment(Mesh::create({{0.5, 0.25, 0.125}, {3, 2, 1}}, {{0, 1, 1}}));
+    QueryMemory memory;
+    const Pose pose;
+    EXPECT_EQ(relation({cube, pose}, {point, pose}, memory), Relation::touching);
+    EXPECT_EQ(relation({cube, pose}, {segment, pose}, memory), Relation::touching);
+    EXPECT_EQ(relation({segment, pose}, {point, pose}, memory), Relation::touching);
+    Pose moved;
+    moved.t = Vec3(-0x1p-60, 0, 0);
+    EXPECT_EQ(relation({cube, pose}, {point, moved}, memory), Relation::disjoint) << "just inside the surface";
+    EXPECT_EQ(relation({cube, pose}, {segment, moved}, memory), Relation::crossing);
+}
+
+TEST(TwoBody, CountsAddUpAndRepeat) {
+    const MeshShape ship(scenes::ship());
+    scenes::Random random(9);
+    const Pose a = random_pose(random, 0.25), b = random_pose(random, 0.25);
+    QueryMemory first, second;
+    touching_triangles({ship, a}, {ship, b}, first);
+    touching_triangles({ship, a}, {ship, a}, second);
+    second.reset_counts();
+    touching_triangles({ship, a}, {ship, b}, second);
+    const QueryCounts& x = first.counts();
+    EXPECT_EQ(x.queries, 1u);
+    EXPECT_EQ(x.triangle_tests, x.filter_passes + x.semi_static_passes + x.local_passes + x.one_limb + x.two_limbs +
+                                    x.many_limbs);
+    EXPECT_EQ(x.box_tests, second.counts().box_tests);
+    EXPECT_EQ(x.triangle_tests, second.counts().triangle_tests);
+    EXPECT_EQ(x.filter_passes, second.counts().filter_passes);
+}
+
+// The tree is built by whichever thread comes first; each thread has a memory of its own.
+TEST(TwoBody, ManyThreadsGetOneAnswer) {
+    const MeshShape ship(scenes::ship());
+    scenes::Random random(12);
+    std::vector<Pose> poses;
+    for (int i = 0; i < 40; ++i) poses.push_back(random_pose(random, 0.6));
+    std::vector<std::vector<Relation>> answers(4);
+    {
+        std::vector<std::jthread> threads;
+        for (auto& own : answers) {
+            threads.emplace_back([&ship, &poses, &own] {
+                QueryMemory memory;
+                for (std::size_t i = 1; i < poses.size(); ++i) {
+                    own.push_back(relation({ship, poses[0]}, {ship, poses[i]}, memory));
+                }
+            });
+        }
+    }
+    for (const auto& own : answers) EXPECT_EQ(own, answers[0]);
+}
+
+}  // namespace
+}  // namespace ecods

@@ -1,0 +1,160 @@
+// Bad input gives its typed error, and changes nothing.
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "ecods/world.hpp"
+#include "scenes/shapes.hpp"
+#include "world_fixture.hpp"
+
+namespace ecods {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+class WorldErrorTest : public testing::Test {
+  protected:
+    WorldErrorTest() {
+        world.update();
+        before = state();
+    }
+
+    struct State {
+        std::uint64_t digest;
+        std::vector<BodyId> bodies;
+        std::vector<BodyPair> colliding, overlapping, began;
+        bool operator==(const State&) const = default;
+    };
+    State state() const {
+        return {world.digest(), world.bodies(), list(world.colliding_pairs()), list(world.overlapping_pairs()),
+                list(world.began())};
+    }
+    // The world is as before, and goes on as if nothing had been asked of it.
+    void TearDown() override {
+        EXPECT_EQ(state(), before);
+        world.validate();
+        world.update();
+        before.began.clear();
+        EXPECT_EQ(state(), before);
+        world.validate();
+    }
+
+    World world;
+    std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
+    BodyId a = world.create_body(cube, at(0));
+    BodyId b = world.create_body(cube, at(0.5, 0.5, 0.5));
+    State before;
+};
+
+TEST_F(WorldErrorTest, PoseThatIsNotFinite) {
+    for (const double bad : {nan, infinity, -infinity}) {
+        EXPECT_THROW(world.create_body(cube, at(bad)), InvalidPose);
+        try {
+            world.set_pose(b, at(0, 0, bad));
+            ADD_FAILURE();
+        } catch (const InvalidPose& error) {
+            EXPECT_EQ(error.body, b);
+            EXPECT_EQ(error.row, 2);
+            EXPECT_EQ(error.column, 3);
+            EXPECT_NE(std::string(error.what()).find("t[2]"), std::string::npos) << error.what();
+        }
+        Pose pose;
+        pose.R(1, 2) = bad;
+        EXPECT_THROW(world.set_pose(a, pose), InvalidPose);
+    }
+}
+
+TEST_F(WorldErrorTest, BodyThatIsNotThere) {
+    const BodyId unknown{99, 0}, null, other_generation{a.slot, a.generation + 1};
+    for (const BodyId bad : {unknown, null, other_generation}) {
+        EXPECT_FALSE(world.is_alive(bad));
+        EXPECT_THROW(world.destroy_body(bad), StaleBody);
+        EXPECT_THROW(world.set_pose(bad, at(0)), StaleBody);
+        EXPECT_THROW(world.set_shape(bad, cube), StaleBody);
+        EXPECT_THROW(world.pose(bad), StaleBody);
+        EXPECT_THROW(world.shape(bad), StaleBody);
+        EXPECT_THROW(world.box(bad), StaleBody);
+        EXPECT_THROW(world.intersects(bad, a), StaleBody);
+        EXPECT_THROW(world.relation(a, bad), StaleBody);
+        EXPECT_THROW(world.touching_triangles(bad, bad), StaleBody);
+    }
+}
+
+TEST_F(WorldErrorTest, OneBodyTwice) {
+    EXPECT_THROW(world.intersects(a, a), SameBody);
+    EXPECT_THROW(world.relation(b, b), SameBody);
+    EXPECT_THROW(world.touching_triangles(a, a), SameBody);
+}
+
+TEST_F(WorldErrorTest, NullMeshShapeOrTest) {
+    EXPECT_THROW(world.create_body(std::shared_ptr<const Mesh>(), at(0)), NullArgument);
+    EXPECT_THROW(world.create_body(std::shared_ptr<const Shape>(), at(0)), NullArgument);
+    EXPECT_THROW(world.set_shape(a, std::shared_ptr<const Mesh>()), NullArgument);
+    EXPECT_THROW(world.set_shape(a, std::shared_ptr<const Shape>()), NullArgument);
+    EXPECT_THROW(world.set_test({1}, {2}, nullptr), NullArgument);
+    EXPECT_THROW(MeshShape(nullptr), NullArgument);
+}
+
+// A shape that gives whatever box it was told to.
+class BoxShape final : public Shape {
+  public:
+    BoxShape(ShapeKind kind, const Aabb& box) : kind_(kind), box_(box) {}
+    ShapeKind kind() const noexcept override { return kind_; }
+    Aabb box(const Pose&) const override { return box_; }
+    std::uint64_t digest() const noexcept override { return 1; }
+
+  private:
+    ShapeKind kind_;
+    Aabb box_;
+};
+
+TEST_F(WorldErrorTest, ShapeWithoutATestAgainstMeshes) {
+    const auto shape = std::make_shared<BoxShape>(ShapeKind{7}, Aabb{});
+    try {
+        world.create_body(shape, at(0));
+        ADD_FAILURE();
+    } catch (const MissingTest& error) {
+        EXPECT_EQ(error.a.value, 7u);
+        EXPECT_EQ(error.b.value, 0u);
+    }
+    EXPECT_THROW(world.set_shape(a, shape), MissingTest);
+}
+
+TEST_F(WorldErrorTest, ShapeThatTakesTheKindOfMeshes) {
+    EXPECT_THROW(world.create_body(std::make_shared<BoxShape>(ShapeKind::mesh(), Aabb{}), at(0)), NotSupported);
+}
+
+class NoTest final : public TwoBodyTest {
+  public:
+    bool intersects(const PosedShape&, const PosedShape&, QueryMemory&) const override { return false; }
+    Relation relation(const PosedShape&, const PosedShape&, QueryMemory&) const override { return Relation::disjoint; }
+};
+
+TEST_F(WorldErrorTest, BoxThatIsNoBox) {
+    world.set_test(ShapeKind{7}, ShapeKind::mesh(), std::make_shared<NoTest>());
+    for (const auto& [min, max] : {std::pair(1.0, 0.0), std::pair(nan, 0.0), std::pair(0.0, nan)}) {
+        const auto shape = std::make_shared<BoxShape>(ShapeKind{7}, Aabb{Vec3(0, min, 0), Vec3(0, max, 0)});
+        EXPECT_THROW(world.create_body(shape, at(0)), InvalidBox);
+        try {
+            world.set_shape(a, shape);
+            ADD_FAILURE();
+        } catch (const InvalidBox& error) {
+            EXPECT_EQ(error.axis, 1);
+            EXPECT_EQ(error.kind.value, 7u);
+        }
+    }
+}
+
+TEST(MisuseHandler, SeesAStaleIdBeforeItIsThrown) {
+    static std::string seen;
+    const MisuseHandler previous = set_misuse_handler([](const Error& error) { seen = error.what(); });
+    World world;
+    EXPECT_THROW(world.destroy_body(BodyId{3, 1}), StaleBody);
+    EXPECT_NE(seen.find("body 3.1"), std::string::npos) << seen;
+    set_misuse_handler(previous);
+}
+
+}  // namespace
+}  // namespace ecods

@@ -1,0 +1,187 @@
+// Shapes of the caller's own beside meshes.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "ecods/world.hpp"
+#include "scenes/shapes.hpp"
+#include "world_fixture.hpp"
+
+namespace ecods {
+namespace {
+
+constexpr ShapeKind plane_kind{1};
+constexpr ShapeKind point_kind{2};
+
+// The half space below z = height, whatever its pose.
+class HalfSpace final : public Shape {
+  public:
+    explicit HalfSpace(double height) : height_(height) {}
+    ShapeKind kind() const noexcept override { return plane_kind; }
+    Aabb box(const Pose&) const override {
+        const double infinity = std::numeric_limits<double>::infinity();
+        return {Vec3::Constant(-infinity), Vec3(infinity, infinity, height_)};
+    }
+    std::uint64_t digest() const noexcept override { return 17; }
+    double height() const { return height_; }
+
+  private:
+    double height_;
+};
+
+// One point, at the pose's translation.
+class PointShape final : public Shape {
+  public:
+    ShapeKind kind() const noexcept override { return point_kind; }
+    Aabb box(const Pose& pose) const override { return {pose.t, pose.t}; }
+    std::uint64_t digest() const noexcept override { return 18; }
+};
+
+// Registered with the half space first; meshes must be posed by translation only.
+class HalfSpaceMeshTest final : public TwoBodyTest {
+  public:
+    bool intersects(const PosedShape& plane, const PosedShape& mesh, QueryMemory&) const override {
+        if (fails) throw std::runtime_error("a test that fails");
+        ++calls;
+        const double height = dynamic_cast<const HalfSpace&>(plane.shape).height();
+        for (const Vec3& v : dynamic_cast<const MeshShape&>(mesh.shape).mesh().vertices()) {
+            if (v.z() + mesh.pose.t.z() <= height) return true;
+        }
+        return false;
+    }
+    Relation relation(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const override {
+        return intersects(a, b, memory) ? Relation::touching : Relation::disjoint;
+    }
+
+    bool fails = false;
+    mutable int calls = 0;
+};
+
+class HalfSpacePointTest final : public TwoBodyTest {
+  public:
+    bool intersects(const PosedShape& plane, const PosedShape& point, QueryMemory&) const override {
+        return point.pose.t.z() <= dynamic_cast<const HalfSpace&>(plane.shape).height();
+    }
+    Relation relation(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const override {
+        return intersects(a, b, memory) ? Relation::crossing : Relation::disjoint;
+    }
+};
+
+class WorldShapeTest : public testing::TestWithParam<BroadPhaseKind> {
+  protected:
+    World world{WorldOptions{GetParam()}};
+    std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
+    std::shared_ptr<HalfSpaceMeshTest> plane_mesh = std::make_shared<HalfSpaceMeshTest>();
+};
+
+INSTANTIATE_TEST_SUITE_P(BroadPhases, WorldShapeTest,
+                         testing::Values(BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune));
+
+TEST_P(WorldShapeTest, AHalfSpaceAmongMeshes) {
+    world.set_test(plane_kind, ShapeKind::mesh(), plane_mesh);
+    // The mesh has the smaller id here, and the larger one below: the test gets its arguments in its own order.
+    const BodyId first = world.create_body(cube, at(0, 0, 0.5));
+    const BodyId plane = world.create_body(std::make_shared<HalfSpace>(0), Pose());
+    const BodyId above = world.create_body(cube, at(9, 0, 0.75));
+    const BodyId second = world.create_body(cube, at(0.5, 0.5, 0.25));
+    world.update();
+    EXPECT_EQ(list(world.colliding_pairs()), (std::vector<BodyPair>{{first, plane}, {first, second}, {plane, second}}));
+    EXPECT_EQ(world.relation(plane, first), Relation::touching);
+    EXPECT_EQ(world.relation(first, plane), Relation::touching);
+    EXPECT_EQ(world.relation(plane, above), Relation::disjoint);
+    EXPECT_THROW(world.touching_triangles(plane, first), NotSupported);
+    world.validate();
+
+    // A second half space has no test against the first.
+    EXPECT_THROW(world.create_body(std::make_shared<HalfSpace>(1), Pose()), MissingTest);
+    // But the one that is there may be exchanged.
+    world.set_shape(plane, std::make_shared<HalfSpace>(-1));
+    world.update();
+    EXPECT_EQ(list(world.colliding_pairs()), (std::vector<BodyPair>{{first, second}}));
+    world.validate();
+}
+
+TEST_P(WorldShapeTest, KindsThatAreGoneNeedNoTest) {
+    world.set_test(plane_kind, point_kind, std::make_shared<HalfSpacePointTest>());
+    const BodyId plane = world.create_body(std::make_shared<HalfSpace>(0), Pose());
+    const BodyId point = world.create_body(std::make_shared<PointShape>(), at(1, 2, 0));
+    EXPECT_THROW(world.create_body(cube, Pose()), MissingTest);
+    world.update();
+    EXPECT_EQ(list(world.colliding_pairs()), (std::vector<BodyPair>{{plane, point}}));
+    EXPECT_EQ(world.relation(point, plane), Relation::crossing);
+    world.destroy_body(plane);
+    world.destroy_body(point);
+    EXPECT_NO_THROW(world.create_body(cube, Pose()));
+    world.update();
+    world.validate();
+}
+
+TEST_P(WorldShapeTest, ATestThatThrowsLeavesTheListsAndIsAskedAgain) {
+    world.set_test(plane_kind, ShapeKind::mesh(), plane_mesh);
+    const BodyId body = world.create_body(cube, at(0, 0, 3));
+    const BodyId plane = world.create_body(std::make_shared<HalfSpace>(0), Pose());
+    const BodyId other = world.create_body(cube, at(0.5, 0.5, 3.5));
+    world.update();
+    const auto before = list(world.colliding_pairs());
+    ASSERT_EQ(before, (std::vector<BodyPair>{{body, other}}));
+
+    plane_mesh->fails = true;
+    world.set_pose(body, at(0, 0, 0.25));
+    EXPECT_THROW(world.update(), std::runtime_error);
+    EXPECT_EQ(list(world.colliding_pairs()), before);
+    world.set_pose(other, at(0.5, 0.5, -1));
+    EXPECT_THROW(world.update(), std::runtime_error);
+    EXPECT_EQ(list(world.colliding_pairs()), before);
+
+    plane_mesh->fails = false;
+    world.update();
+    EXPECT_EQ(list(world.colliding_pairs()), (std::vector<BodyPair>{{body, plane}, {plane, other}}));
+    EXPECT_EQ(list(world.ended()), (std::vector<BodyPair>{{body, other}}));
+    EXPECT_EQ(list(world.began()), list(world.colliding_pairs()));
+    world.validate();
+}
+
+TEST_P(WorldShapeTest, APairThatPartsAndMeetsWhileUpdatesFailGoesOn) {
+    world.set_test(plane_kind, ShapeKind::mesh(), plane_mesh);
+    const BodyId body = world.create_body(cube, at(0, 0, 3));
+    world.create_body(std::make_shared<HalfSpace>(0), Pose());
+    const BodyId other = world.create_body(cube, at(0.5, 0.5, 3.5));
+    world.create_body(cube, at(50, 0, -3));
+    world.update();
+    const auto before = list(world.colliding_pairs());
+
+    plane_mesh->fails = true;
+    world.set_pose(body, at(100, 0, -1));
+    EXPECT_THROW(world.update(), std::runtime_error);
+    plane_mesh->fails = false;
+    world.set_pose(body, at(0, 0, 3));
+    world.update();
+    EXPECT_EQ(list(world.colliding_pairs()), before);
+    EXPECT_TRUE(world.began().empty());
+    EXPECT_TRUE(world.ended().empty());
+    EXPECT_TRUE(world.intersects(body, other));
+    world.validate();
+}
+
+TEST_P(WorldShapeTest, AReplacedTestIsAskedAnew) {
+    class Never final : public TwoBodyTest {
+      public:
+        bool intersects(const PosedShape&, const PosedShape&, QueryMemory&) const override { return false; }
+        Relation relation(const PosedShape&, const PosedShape&, QueryMemory&) const override {
+            return Relation::disjoint;
+        }
+    };
+    world.create_body(cube, at(0));
+    world.create_body(cube, at(0.5, 0.5, 0.5));
+    world.update();
+    ASSERT_EQ(world.colliding_pairs().size(), 1u);
+    world.set_test(ShapeKind::mesh(), ShapeKind::mesh(), std::make_shared<Never>());
+    world.update();
+    EXPECT_TRUE(world.colliding_pairs().empty());
+    EXPECT_EQ(world.ended().size(), 1u);
+}
+
+}  // namespace
+}  // namespace ecods
