@@ -1,7 +1,6 @@
 #include "harness/judge.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <exception>
@@ -34,11 +33,6 @@ Poses poses_of(const scenes::Scene& scene) {
     return poses;
 }
 
-std::array<Vec3, 3> corners_of(const Mesh& mesh, std::uint32_t triangle) {
-    const Triangle& t = mesh.triangles()[triangle];
-    return {mesh.vertices()[t[0]], mesh.vertices()[t[1]], mesh.vertices()[t[2]]};
-}
-
 struct FrameTruth {
     std::vector<TrueHit> hits;  // of pairs that moved
     std::uint64_t exact_count = 0;
@@ -67,7 +61,7 @@ class Judge {
         for (const auto& [a, b] : oracle::overlapping_boxes(boxes)) {
             if (!moved(frame, a) && !moved(frame, b)) continue;
             ++truth.exact_count;
-            if (std::optional<TrueHit> hit = ask({a, b}, bodies, frame)) truth.hits.push_back(std::move(*hit));
+            if (std::optional<TrueHit> hit = ask({a, b}, bodies)) truth.hits.push_back(std::move(*hit));
         }
         return truth;
     }
@@ -77,24 +71,15 @@ class Judge {
         return OracleMesh(scene_.meshes[scene_.bodies[body].mesh_index].mesh, *poses_[frame][body]);
     }
 
-    std::array<Vec3, 3> corners(std::size_t body, std::uint32_t triangle) const {
-        return corners_of(*scene_.meshes[scene_.bodies[body].mesh_index].mesh, triangle);
-    }
-
-    std::optional<TrueHit> ask(const IndexPair& pair, const std::vector<OracleMesh>& bodies, std::size_t frame) const {
+    std::optional<TrueHit> ask(const IndexPair& pair, const std::vector<OracleMesh>& bodies) const {
         const OracleMesh &a = bodies[pair.a], &b = bodies[pair.b];
         if (detail_ == Detail::hits_only) {
             if (!oracle::intersects(a, b)) return std::nullopt;
             return TrueHit{pair, nullptr};
         }
-        Contact contact{Relation::disjoint, oracle::touching_triangles(a, b), {}};
+        Contact contact{Relation::disjoint, oracle::touching_triangles(a, b)};
         if (contact.triangles.empty()) return std::nullopt;
-        for (const TrianglePair& triangles : contact.triangles) {
-            contact.relations.push_back(oracle::triangle_triangle(*poses_[frame][pair.a], corners(pair.a, triangles.a),
-                                                                  *poses_[frame][pair.b],
-                                                                  corners(pair.b, triangles.b)));
-            contact.relation = std::max(contact.relation, contact.relations.back());
-        }
+        contact.relation = oracle::relation(a, b);
         return TrueHit{pair, std::make_shared<const Contact>(std::move(contact))};
     }
 

@@ -18,7 +18,6 @@ namespace ecods::bench {
 struct Contact {
     Relation relation = Relation::touching;
     std::vector<TrianglePair> triangles;  // all that share a point, ascending; a belongs to the body of lower index
-    std::vector<Relation> relations;      // of each of these, touching or crossing; the strongest is `relation`
 };
 
 // A pair that shares a point in one frame.

@@ -9,6 +9,19 @@
 
 namespace ecods::bench {
 
+namespace {
+
+// 1, 2 and 5 in each decade, which a logarithmic axis of less than two decades needs to be read.
+std::string tics() {
+    std::string list;
+    for (const char* decade : {"e-4", "e-3", "e-2", "e-1", "e0", "e1", "e2", "e3"})
+        for (const char* digit : {"1", "2", "5"})
+            list += fmt::format("{}{}{}", list.empty() ? "" : ", ", digit, decade);
+    return list;
+}
+
+}  // namespace
+
 Picture plot_times(std::span<const Run> runs, const std::filesystem::path& folder, const std::string& name,
                    const std::string& caption) {
     const std::filesystem::path picture = folder / (name + ".svg");

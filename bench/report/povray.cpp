@@ -32,9 +32,8 @@ void write_camera(std::ostream& out, const View& view) {
     const double distance = forward.norm();
     const Vec3 left = Vec3::UnitZ().cross(forward).normalized();
     const Vec3 lamp = view.target - 0.35 * forward + distance * (0.3 * left + 1.1 * Vec3::UnitZ());
-    out << fmt::format("light_source {{ {} rgb 0.85 area_light {}*0.06, {}*0.06, 4, 4 adaptive 1 orient circular }}\n",
-                       vector(lamp), vector(left * distance), vector(Vec3::UnitX() * distance))
-        << fmt::format("light_source {{ {} rgb 0.45 shadowless }}\n", vector(view.eye - 0.5 * distance * left));
+    out << fmt::format("light_source {{ {} rgb 0.7 }}\n", vector(lamp))
+        << fmt::format("light_source {{ {} rgb 0.55 shadowless }}\n", vector(view.eye - 0.5 * distance * left));
 }
 
 void write_paints(std::ostream& out) {
@@ -49,8 +48,8 @@ const char* name_of(Paint paint) {
     switch (paint) {
         case Paint::plain:
             return "Plain";
-        case Paint::glass:
-            return "Glass";
+        case Paint::casing:
+            return "Casing";
         case Paint::touching:
             return "Touching";
         case Paint::crossing:
@@ -163,7 +162,7 @@ Picture draw(const scenes::Scene& scene, const std::vector<PaintedBody>& bodies,
     std::filesystem::remove(picture);
     const ProgramResult result =
         run_program({"povray", "+I" + script.string(), "+O" + picture.string(), "+FN", fmt::format("+W{}", view.width),
-                     fmt::format("+H{}", view.height), "+A0.15", "+R3", "-D", "-GA"});
+                     fmt::format("+H{}", view.height), "+A0.2", "+R2", "-D", "-GA"});
     const bool is_made = result.status == 0 && std::filesystem::exists(picture);
     return {picture, caption, is_made ? "" : "POV-Ray failed: " + result.output};
 }

@@ -56,8 +56,8 @@ Picture draw_room(const RoomCase& room_case, const scenes::Scene& scene, const T
 
     const double half = room_case.room.side / 2 + scenes::ship_radius();
     const View view{.name = room_case.name,
-                    .eye = Vec3(3.3, 2.2, 1.75) * half,
-                    .target = Vec3(0, 0, -0.09) * half,
+                    .eye = Vec3(3.6, 2.4, 1.95) * half,
+                    .target = Vec3(0, 0, -0.16) * half,
                     .angle = 48,
                     .room_half_side = half};
     return draw(scene, bodies, view, folder,

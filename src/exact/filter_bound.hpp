@@ -7,7 +7,7 @@
 // Points. p = fl(R v + d) with the sum taken in the order ((r0 v0 + r1 v1) + r2 v2) + d, where d = fl(t - t0) is a
 // rounded difference of translations. Each term meets at most four factors (1 + e), so
 //     |p - (R v + t - t0)| <= ((1 + u')^4 - 1) S <= (17/4) u' S,   S = sum |r_j||v_j| + |t - t0|.
-// (verify/proofs/world.g.) The sum S is itself computed, low by a factor of no more than (1 - u')^4, and (t - t0) is known
+// (verify/proofs/posed_point.g.) The sum S is itself computed, low by a factor of no more than (1 - u')^4, and (t - t0) is known
 // as d to a factor of 1 + u': ((1 + u')^4 - 1) (1 - u')^-5 < 4.0001 u', so the slack of 17/4 over 4 covers it.
 // Underflow is covered by an absolute term, derived at point_error_bound.
 //

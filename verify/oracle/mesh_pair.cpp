@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "oracle/float_environment.hpp"
 #include "oracle/mesh_impl.hpp"
@@ -49,6 +50,51 @@ std::vector<TrianglePair> candidates(const OracleMesh::Impl& a, const OracleMesh
     return pairs;
 }
 
+// The simplices of a mesh that were asked for. A triangle is in many candidates, and may need exact numbers in each.
+class SimplexMemory {
+  public:
+    explicit SimplexMemory(const OracleMesh::Impl& mesh) : mesh_(mesh) {}
+
+    Simplex& get(std::uint32_t triangle) {
+        const auto entry = simplices_.find(triangle);
+        return entry != simplices_.end() ? entry->second
+                                         : simplices_.emplace(triangle, mesh_.simplex(triangle)).first->second;
+    }
+
+  private:
+    const OracleMesh::Impl& mesh_;
+    std::unordered_map<std::uint32_t, Simplex> simplices_;
+};
+
+// Goes through the pairs of triangles that share a point, ascending.
+class PairWalk {
+  public:
+    PairWalk(const OracleMesh::Impl& a, const OracleMesh::Impl& b)
+        : memory_a_(a), memory_b_(b), pairs_(candidates(a, b)) {}
+
+    // Goes to the next pair; false at the end.
+    bool next() {
+        while (next_ < pairs_.size()) {
+            const TrianglePair& candidate = pairs_[next_++];
+            if (intersects(memory_a_.get(candidate.a), memory_b_.get(candidate.b))) return true;
+        }
+        return false;
+    }
+
+    const TrianglePair& pair() const { return pairs_[next_ - 1]; }
+
+    Relation relation() {
+        return is_crossing(memory_a_.get(pair().a), memory_b_.get(pair().b)) ? Relation::crossing : Relation::touching;
+    }
+
+  private:
+    FloatEnvironment environment_;
+    SimplexMemory memory_a_;
+    SimplexMemory memory_b_;
+    std::vector<TrianglePair> pairs_;
+    std::size_t next_ = 0;
+};
+
 }  // namespace
 
 Relation triangle_triangle(const Pose& pose_a, const std::array<Vec3, 3>& a, const Pose& pose_b,
@@ -60,39 +106,38 @@ Relation triangle_triangle(const Pose& pose_a, const std::array<Vec3, 3>& a, con
             {posed_point<IntervalKernel>(pose, corners[0]), posed_point<IntervalKernel>(pose, corners[1]),
              posed_point<IntervalKernel>(pose, corners[2])});
     };
-    const Simplex simplex_a = simplex(pose_a, a);
-    const Simplex simplex_b = simplex(pose_b, b);
+    Simplex simplex_a = simplex(pose_a, a);
+    Simplex simplex_b = simplex(pose_b, b);
     if (!intersects(simplex_a, simplex_b)) return Relation::disjoint;
     return is_crossing(simplex_a, simplex_b) ? Relation::crossing : Relation::touching;
 }
 
 bool intersects(const OracleMesh& a, const OracleMesh& b) {
-    const FloatEnvironment environment;
-    const auto pairs = candidates(a.impl(), b.impl());
-    return std::any_of(pairs.begin(), pairs.end(), [&](const TrianglePair& pair) {
-        return intersects(a.impl().simplex(pair.a), b.impl().simplex(pair.b));
-    });
+    PairWalk walk(a.impl(), b.impl());
+    return walk.next();
 }
 
 Relation relation(const OracleMesh& a, const OracleMesh& b) {
-    const FloatEnvironment environment;
     Relation strongest = Relation::disjoint;
-    for (const TrianglePair& pair : candidates(a.impl(), b.impl())) {
-        const Simplex simplex_a = a.impl().simplex(pair.a);
-        const Simplex simplex_b = b.impl().simplex(pair.b);
-        if (!intersects(simplex_a, simplex_b)) continue;
-        if (is_crossing(simplex_a, simplex_b)) return Relation::crossing;
-        strongest = Relation::touching;
-    }
+    PairWalk walk(a.impl(), b.impl());
+    while (strongest != Relation::crossing && walk.next()) strongest = walk.relation();
     return strongest;
 }
 
+Verdict verdict(const OracleMesh& a, const OracleMesh& b) {
+    Verdict verdict;
+    PairWalk walk(a.impl(), b.impl());
+    while (walk.next()) {
+        verdict.triangles.push_back(walk.pair());
+        if (verdict.relation != Relation::crossing) verdict.relation = walk.relation();
+    }
+    return verdict;
+}
+
 std::vector<TrianglePair> touching_triangles(const OracleMesh& a, const OracleMesh& b) {
-    const FloatEnvironment environment;
-    std::vector<TrianglePair> pairs = candidates(a.impl(), b.impl());
-    std::erase_if(pairs, [&](const TrianglePair& pair) {
-        return !intersects(a.impl().simplex(pair.a), b.impl().simplex(pair.b));
-    });
+    std::vector<TrianglePair> pairs;
+    PairWalk walk(a.impl(), b.impl());
+    while (walk.next()) pairs.push_back(walk.pair());
     return pairs;
 }
 

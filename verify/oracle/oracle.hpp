@@ -59,6 +59,13 @@ Relation relation(const OracleMesh& a, const OracleMesh& b);
 // All pairs of triangles that share a point, ascending.
 std::vector<TrianglePair> touching_triangles(const OracleMesh& a, const OracleMesh& b);
 
+// Both at once, at the cost of the list.
+struct Verdict {
+    Relation relation = Relation::disjoint;
+    std::vector<TrianglePair> triangles;
+};
+Verdict verdict(const OracleMesh& a, const OracleMesh& b);
+
 // Whether every exact point of the posed mesh lies in the closed box. (Vertices that no triangle uses do not count.)
 bool box_contains(const Aabb& box, const OracleMesh& mesh);
 

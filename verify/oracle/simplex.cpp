@@ -18,11 +18,11 @@ bool is_bounded_point(const IntervalKernel::Point_3& point) {
 }
 
 template <class Kernel>
-bool is_collinear(const Simplex& simplex) {
+bool is_collinear(Simplex& simplex) {
     return CGAL::collinear(simplex.point<Kernel>(0), simplex.point<Kernel>(1), simplex.point<Kernel>(2));
 }
 
-bool is_collinear(const Simplex& simplex) {
+bool is_collinear(Simplex& simplex) {
     if (simplex.is_bounded) {
         try {
             return is_collinear<IntervalKernel>(simplex);
@@ -35,6 +35,7 @@ bool is_collinear(const Simplex& simplex) {
 void swap_corners(Simplex& simplex, int i, int j) {
     std::swap(simplex.corners[i], simplex.corners[j]);
     std::swap(simplex.intervals[i], simplex.intervals[j]);
+    if (simplex.exact_corners) std::swap((*simplex.exact_corners)[i], (*simplex.exact_corners)[j]);
 }
 
 // Puts the ends of three collinear corners first. Along a line, the order of the points is the lexicographic one.
@@ -56,7 +57,10 @@ void reduce_to_segment_or_point(Simplex& simplex) {
 
 Simplex make_simplex(const Pose& pose, const std::array<Vec3, 3>& corners,
                      const std::array<IntervalKernel::Point_3, 3>& intervals) {
-    Simplex simplex{.pose = &pose, .dimension = 2, .corners = corners, .intervals = intervals, .is_bounded = false};
+    Simplex simplex;
+    simplex.pose = &pose;
+    simplex.corners = corners;
+    simplex.intervals = intervals;
     simplex.is_bounded = std::all_of(intervals.begin(), intervals.end(), is_bounded_point);
     if (is_collinear(simplex)) reduce_to_segment_or_point(simplex);
     return simplex;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "ecods/pose.hpp"
 #include "oracle/exact_point.hpp"
@@ -15,16 +16,27 @@ struct Simplex {
     std::array<Vec3, 3> corners;
     std::array<IntervalKernel::Point_3, 3> intervals;  // around the exact corners
     bool is_bounded = false;                           // intervals may decide: no sign of theirs can overflow
+    std::optional<std::array<ExactKernel::Point_3, 3>> exact_corners;  // once they were needed
 
+    // A corner in the numbers of the kernel.
     template <class Kernel>
-    typename Kernel::Point_3 point(int corner) const {
+    typename Kernel::Point_3 point(int corner) {
         return posed_point<Kernel>(*pose, corners[corner]);
     }
 };
 
 template <>
-inline IntervalKernel::Point_3 Simplex::point<IntervalKernel>(int corner) const {
+inline IntervalKernel::Point_3 Simplex::point<IntervalKernel>(int corner) {
     return intervals[corner];
+}
+
+template <>
+inline ExactKernel::Point_3 Simplex::point<ExactKernel>(int corner) {
+    if (!exact_corners) {
+        exact_corners = {posed_point<ExactKernel>(*pose, corners[0]), posed_point<ExactKernel>(*pose, corners[1]),
+                         posed_point<ExactKernel>(*pose, corners[2])};
+    }
+    return (*exact_corners)[corner];
 }
 
 // Works out which of the three it is. Needs a FloatEnvironment.

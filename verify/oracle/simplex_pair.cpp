@@ -9,16 +9,16 @@ namespace ecods::oracle {
 namespace {
 
 template <class Kernel>
-typename Kernel::Triangle_3 triangle(const Simplex& s) {
+typename Kernel::Triangle_3 triangle(Simplex& s) {
     return {s.point<Kernel>(0), s.point<Kernel>(1), s.point<Kernel>(2)};
 }
 
 template <class Kernel>
-typename Kernel::Segment_3 segment(const Simplex& s) {
+typename Kernel::Segment_3 segment(Simplex& s) {
     return {s.point<Kernel>(0), s.point<Kernel>(1)};
 }
 
-bool triangles_intersect(const Simplex& a, const Simplex& b) {
+bool triangles_intersect(Simplex& a, Simplex& b) {
     if (a.is_bounded && b.is_bounded) {
         try {
             return CGAL::do_intersect(triangle<IntervalKernel>(a), triangle<IntervalKernel>(b));
@@ -30,7 +30,7 @@ bool triangles_intersect(const Simplex& a, const Simplex& b) {
 
 // Whether points of `s` lie strictly on either side of the plane of the triangle `t`.
 template <class Kernel>
-bool is_two_sided(const Simplex& t, const Simplex& s) {
+bool is_two_sided(Simplex& t, Simplex& s) {
     bool positive = false;
     bool negative = false;
     for (int i = 0; i <= s.dimension; ++i) {
@@ -42,7 +42,7 @@ bool is_two_sided(const Simplex& t, const Simplex& s) {
     return positive && negative;
 }
 
-bool is_two_sided(const Simplex& t, const Simplex& s) {
+bool is_two_sided(Simplex& t, Simplex& s) {
     if (t.is_bounded && s.is_bounded) {
         try {
             return is_two_sided<IntervalKernel>(t, s);
@@ -87,7 +87,7 @@ bool interiors_meet(const RationalKernel::Triangle_3& a, const Other& b) {
 
 }  // namespace
 
-bool intersects(const Simplex& a, const Simplex& b) {
+bool intersects(Simplex& a, Simplex& b) {
     if (a.dimension < b.dimension) return intersects(b, a);
     if (b.dimension == 2) return triangles_intersect(a, b);
     if (b.dimension == 1) {
@@ -100,7 +100,7 @@ bool intersects(const Simplex& a, const Simplex& b) {
     return a.point<ExactKernel>(0) == p;
 }
 
-bool is_crossing(const Simplex& a, const Simplex& b) {
+bool is_crossing(Simplex& a, Simplex& b) {
     if (a.dimension < b.dimension) return is_crossing(b, a);
     // Segments that meet lie in one plane, and so does a point with whatever it lies on.
     if (a.dimension < 2 || b.dimension == 0) return false;

@@ -68,16 +68,16 @@ int check_cases(const Options& options) {
                              {"triangle_pairs", answer.triangle_pair_count},
                              {"ok", answer.is_ok}});
         } else {
-            fmt::print("{}  {}  {} triangle pairs  {}\n", answer.id, answer.intersects ? "intersects" : "disjoint",
-                       answer.triangle_pair_count, answer.is_ok ? "ok" : "MISMATCH");
+            fmt::print("{}  {}  {}  {}\n", answer.id, answer.intersects ? "intersects" : "disjoint",
+                       counted(answer.triangle_pair_count, "triangle pair"), answer.is_ok ? "ok" : "MISMATCH");
         }
     }
     if (options.json) {
         const nlohmann::ordered_json json{{"cases", cases}, {"mismatches", mismatches}, {"skipped", report.skipped}};
         fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     } else {
-        fmt::print("{} cases, {} mismatches, {} skipped (not two meshes)\n", report.cases.size(), mismatches,
-                   report.skipped);
+        fmt::print("{}, {}, {} skipped (not two meshes)\n", counted(report.cases.size(), "case"),
+                   counted(mismatches, "mismatch", "mismatches"), report.skipped);
     }
     return mismatches == 0 ? exit_ok : exit_differs;
 }

@@ -39,8 +39,8 @@ void OracleJudge::check_boxes(const SceneWorld& world, const FrameAnswer& answer
     }
 }
 
-const OracleJudge::Verdict& OracleJudge::verdict(std::size_t a, std::size_t b) {
-    static const Verdict disjoint;
+const oracle::Verdict& OracleJudge::verdict(std::size_t a, std::size_t b) {
+    static const oracle::Verdict disjoint;
     const oracle::OracleMesh& mesh_a = *meshes_[a];
     const oracle::OracleMesh& mesh_b = *meshes_[b];
     if (!oracle::boxes_overlap(mesh_a.outer_box(), mesh_b.outer_box())) {
@@ -48,15 +48,12 @@ const OracleJudge::Verdict& OracleJudge::verdict(std::size_t a, std::size_t b) {
         return disjoint;
     }
     const auto [entry, is_new] = verdicts_.try_emplace({a, b});
-    if (is_new || has_moved_[a] || has_moved_[b]) {
-        entry->second.triangles = oracle::touching_triangles(mesh_a, mesh_b);
-        entry->second.relation = oracle::relation(mesh_a, mesh_b);
-    }
+    if (is_new || has_moved_[a] || has_moved_[b]) entry->second = oracle::verdict(mesh_a, mesh_b);
     return entry->second;
 }
 
 void OracleJudge::check_pair(SceneWorld& world, const FrameAnswer& answer, std::size_t a, std::size_t b) {
-    const Verdict& exact = verdict(a, b);
+    const oracle::Verdict& exact = verdict(a, b);
     ++report_.body_pairs;
     const auto listed = std::find_if(answer.colliding.begin(), answer.colliding.end(),
                                      [&](const PairAnswer& pair) { return pair.a == a && pair.b == b; });

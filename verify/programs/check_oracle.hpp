@@ -30,21 +30,16 @@ class OracleJudge {
     const OracleReport& report() const noexcept { return report_; }
 
   private:
-    struct Verdict {
-        Relation relation = Relation::disjoint;
-        std::vector<TrianglePair> triangles;
-    };
-
     void pose_meshes(SceneWorld& world);
     void check_boxes(const SceneWorld& world, const FrameAnswer& answer);
     void check_pair(SceneWorld& world, const FrameAnswer& answer, std::size_t a, std::size_t b);
-    const Verdict& verdict(std::size_t a, std::size_t b);
+    const oracle::Verdict& verdict(std::size_t a, std::size_t b);
     void differ(const FrameAnswer& answer, const std::string& bodies, const std::string& text);
 
     const scenes::Scene& scene_;
-    std::vector<std::optional<oracle::OracleMesh>> meshes_;            // by body
-    std::vector<bool> has_moved_;                                      // by body, in this frame
-    std::map<std::pair<std::size_t, std::size_t>, Verdict> verdicts_;  // of pairs whose certified boxes overlap
+    std::vector<std::optional<oracle::OracleMesh>> meshes_;                    // by body
+    std::vector<bool> has_moved_;                                              // by body, in this frame
+    std::map<std::pair<std::size_t, std::size_t>, oracle::Verdict> verdicts_;  // of pairs whose certified boxes overlap
     OracleReport report_;
 };
 

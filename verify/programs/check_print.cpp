@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 namespace ecods::check {
-namespace {
 
-std::string counted(std::size_t count, const std::string& singular, const std::string& plural = {}) {
+std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
     return fmt::format("{} {}", count, count == 1 ? singular : plural.empty() ? singular + "s" : plural);
 }
-
-}  // namespace
 
 const char* name_of(Relation relation) noexcept {
     switch (relation) {

@@ -3,12 +3,16 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "check_oracle.hpp"
 
 namespace ecods::check {
 
 const char* name_of(Relation relation) noexcept;  // "disjoint", "touching", "crossing"
+
+// "1 body", "2 bodies"; the plural adds an s if none is given.
+std::string counted(std::size_t count, const std::string& singular, const std::string& plural = {});
 
 // One line a frame, and one a colliding pair.
 void print_frame(std::FILE* out, const scenes::Scene& scene, const FrameAnswer& answer);

@@ -183,9 +183,9 @@ void step_contact(PosedPair& pair, const Int3& local_normal, int steps, Random& 
     pair.intersects = (local_normal[axis] > 0) != up;
 }
 
-// The coordinates have 30 bits, so that a step of one unit in the last place is a small one.
+// Products of a normal (38 bits) and a difference (20 bits) stay below 2^63.
 PosedPair vertex_on_face(Random& random, int steps) {
-    const FaceContact c = face_contact(random, 1000000);
+    const FaceContact c = face_contact(random, 100000);
     PosedPair pair{random_pose(random), {}, to_vecs(c.a, 0x1p-40), to_vecs(c.b, 0x1p-40), {}};
     pair.pose_b = pair.pose_a;
     step_contact(pair, c.normal, steps, random);

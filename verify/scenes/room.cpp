@@ -31,7 +31,9 @@ Flight take_off(Random& random, const RoomOptions& options) {
     }
     flight.attitude = random.rotation();
     // The tangent of half the angle along the axis of the turn, and 1: a turn without any sine, once it is made a unit.
-    const Vec3 spin = random.direction() * random.uniform(0, options.spin_max) / 2;
+    // Two statements, because compilers differ in which factor of a product they draw first.
+    const Vec3 axis = random.direction();
+    const Vec3 spin = axis * (random.uniform(0, options.spin_max) / 2);
     flight.turn = unit(1, spin.x(), spin.y(), spin.z());
     return flight;
 }

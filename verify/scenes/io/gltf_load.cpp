@@ -76,14 +76,15 @@ GltfModel load_gltf(const std::filesystem::path& file) {
     } catch (const std::exception& exception) {
         error = exception.what();
     }
-    if (!is_loaded)
-        throw ReadError(file, "", error.empty() ? "not a glTF file" : "not a valid glTF file: " + first_line(error));
+    // First, because it explains what tinygltf stumbles over.
     for (const std::string& extension : result.model.extensionsUsed) {
         if (std::find(unsupported_extensions.begin(), unsupported_extensions.end(), extension) !=
             unsupported_extensions.end()) {
             throw ReadError(file, "extensionsUsed", extension + " is not supported");
         }
     }
+    if (!is_loaded)
+        throw ReadError(file, "", error.empty() ? "not a glTF file" : "not a valid glTF file: " + first_line(error));
     return result;
 }
 

@@ -15,13 +15,10 @@ std::shared_ptr<const Mesh> one_triangle(const std::array<Vec3, 3>& corners) {
     return Mesh::create({corners.begin(), corners.end()}, {{0, 1, 2}});
 }
 
-// The error that box_of promises: 18 u times the largest sum of magnitudes.
+// The error that box_of promises: 18 u (|R| v_max + |t|), on the axis where that is largest.
 double promised_excess(const std::array<Vec3, 3>& corners, const Pose& pose) {
-    double sum = 0;
-    for (const Vec3& v : corners) {
-        sum = std::max(sum, (pose.R.cwiseAbs() * v.cwiseAbs() + pose.t.cwiseAbs()).maxCoeff());
-    }
-    return 18 * 0x1p-53 * sum + 0x1p-990;
+    const Vec3 v_max = corners[0].cwiseAbs().cwiseMax(corners[1].cwiseAbs()).cwiseMax(corners[2].cwiseAbs());
+    return 18 * 0x1p-53 * (pose.R.cwiseAbs() * v_max + pose.t.cwiseAbs()).maxCoeff() + 0x1p-990;
 }
 
 TEST(BoxOf, ContainsTheExactBodyInEveryRoundingModeAndIsTight) {

@@ -52,6 +52,8 @@ void expect_all_pairs(const std::shared_ptr<const Mesh>& a, const Pose& pose_a, 
     const OracleMesh mesh_a(a, pose_a);
     const OracleMesh mesh_b(b, pose_b);
     EXPECT_TRUE(touching_triangles(mesh_a, mesh_b) == expected);
+    EXPECT_TRUE(verdict(mesh_a, mesh_b).triangles == expected);
+    EXPECT_EQ(verdict(mesh_a, mesh_b).relation, strongest);
     EXPECT_EQ(relation(mesh_a, mesh_b), strongest);
     EXPECT_EQ(relation(mesh_b, mesh_a), strongest);
     EXPECT_EQ(intersects(mesh_a, mesh_b), strongest != Relation::disjoint);

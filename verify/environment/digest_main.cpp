@@ -1,0 +1,94 @@
+// usage: digest_main CORPUS     prints a digest of the answers on the corpus, for each rounding mode and flush-to-zero
+//
+// Built by verify/environment/check in many ways, from the sources of the exact layer, without any other library.
+
+#include <array>
+#include <cfenv>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <vector>
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+#include "base/hash.hpp"
+#include "ecods/mesh.hpp"
+#include "ecods/predicates.hpp"
+#include "environment/corpus.hpp"
+#include "exact/body_pair.hpp"
+
+namespace {
+
+using namespace ecods;
+
+struct Body {
+    Pose pose;
+    std::array<Vec3, 3> corners;
+    std::shared_ptr<const Mesh> mesh;
+};
+
+Body read_body(const double* in) {
+    Body body;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) body.pose.R(row, column) = *in++;
+    }
+    for (int row = 0; row < 3; ++row) body.pose.t[row] = *in++;
+    for (Vec3& v : body.corners) {
+        for (int k = 0; k < 3; ++k) v[k] = *in++;
+    }
+    body.mesh = Mesh::create({body.corners.begin(), body.corners.end()}, {{0, 1, 2}});
+    return body;
+}
+
+std::uint64_t digest(const std::vector<std::array<Body, 2>>& pairs) {
+    std::uint64_t result = 0;
+    exact::BodyPair bodies;
+    for (const auto& [a, b] : pairs) {
+        const exact::MeshExtent extent_a = exact::measure(*a.mesh), extent_b = exact::measure(*b.mesh);
+        bodies.bind({a.mesh.get(), &extent_a, &a.pose}, {b.mesh.get(), &extent_b, &b.pose});
+        const auto add = [&](auto answer) { result = combine(result, static_cast<std::uint64_t>(answer) & 0xff); };
+        add(bodies.relation(0, 0));
+        add(triangle_triangle({a.pose, a.corners}, {b.pose, b.corners}));
+        add(triangle_triangle(a.corners, b.corners));
+        add(orient3d(a.corners[0], a.corners[1], b.corners[0], b.corners[1]));
+        const PosedPoint p{a.pose, a.corners[0]}, q{a.pose, a.corners[1]}, r{b.pose, b.corners[0]},
+            s{b.pose, b.corners[2]};
+        add(orient3d(p, q, r, s));
+        for (int axis = 0; axis < 3; ++axis) add(orient2d(p, q, r, axis));
+    }
+    return result;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::ifstream file(argc == 2 ? argv[1] : "", std::ios::binary);
+    std::vector<std::array<Body, 2>> pairs;
+    environment::PairRecord record;
+    while (file.read(reinterpret_cast<char*>(record.data()), sizeof record)) {
+        pairs.push_back({read_body(record.data()), read_body(record.data() + environment::doubles_per_body)});
+    }
+    if (pairs.empty()) {
+        std::fputs("usage: digest_main CORPUS\n", stderr);
+        return 2;
+    }
+    for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        for (const bool flush : {false, true}) {
+#if defined(__SSE2__)
+            const unsigned saved = _mm_getcsr();
+            if (flush) _mm_setcsr(saved | 0x8040);  // flush-to-zero and denormals-are-zero
+#else
+            if (flush) continue;
+#endif
+            std::fesetround(mode);
+            const std::uint64_t result = digest(pairs);
+            std::fesetround(FE_TONEAREST);
+#if defined(__SSE2__)
+            _mm_setcsr(saved);
+#endif
+            std::printf("%016llx\n", static_cast<unsigned long long>(result));
+        }
+    }
+}

@@ -1,0 +1,42 @@
+// usage: make_corpus FILE     writes the corpus: some pairs of every hard family
+
+#include <cstdio>
+#include <fstream>
+
+#include "environment/corpus.hpp"
+#include "scenes/hard_pairs.hpp"
+
+namespace {
+
+using namespace ecods;
+
+double* write(double* out, const Pose& pose, const std::array<Vec3, 3>& corners) {
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) *out++ = pose.R(row, column);
+    }
+    for (int row = 0; row < 3; ++row) *out++ = pose.t[row];
+    for (const Vec3& v : corners) {
+        for (int k = 0; k < 3; ++k) *out++ = v[k];
+    }
+    return out;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fputs("usage: make_corpus FILE\n", stderr);
+        return 2;
+    }
+    std::ofstream file(argv[1], std::ios::binary);
+    scenes::Random random(2026);
+    for (const scenes::HardFamily family : scenes::hard_families()) {
+        for (int i = 0; i < 1000; ++i) {
+            const scenes::PosedPair pair = scenes::make_pair(family, random);
+            environment::PairRecord record;
+            write(write(record.data(), pair.pose_a, pair.a), pair.pose_b, pair.b);
+            file.write(reinterpret_cast<const char*>(record.data()), sizeof record);
+        }
+    }
+    return file ? 0 : 1;
+}

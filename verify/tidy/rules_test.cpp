@@ -1,0 +1,133 @@
+// The rules on made-up text: that they find what they are for, and nothing else.
+#include <gtest/gtest.h>
+
+#include "tidy/include_rules.hpp"
+#include "tidy/text_rules.hpp"
+
+namespace ecods::tidy {
+namespace {
+
+bool is_allowed(std::string_view file, const std::string& path) {
+    return !check_include(file, {.path = path, .is_angled = false});
+}
+bool is_allowed_angled(std::string_view file, const std::string& path) {
+    return !check_include(file, {.path = path, .is_angled = true});
+}
+
+TEST(IncludeRules, DirectivesAreFoundAndCommentsAreNot) {
+    const auto includes = find_includes(
+        "#include <vector>\n"
+        "// #include \"no.hpp\"\n"
+        "  #  include \"base/hash.hpp\"  // why\n"
+        "/* \n#include \"neither.hpp\"\n*/\n"
+        "const char* text = \"// not a comment\";\n"
+        "#include \"ecods/ids.hpp\"\n");
+    ASSERT_EQ(includes.size(), 3u);
+    EXPECT_EQ(includes[0].path, "vector");
+    EXPECT_TRUE(includes[0].is_angled);
+    EXPECT_EQ(includes[1].path, "base/hash.hpp");
+    EXPECT_EQ(includes[1].line, 3);
+    EXPECT_EQ(includes[2].path, "ecods/ids.hpp");
+    EXPECT_EQ(includes[2].line, 8);
+}
+
+TEST(IncludeRules, LayersLookDown) {
+    EXPECT_TRUE(is_allowed("src/world/world.cpp", "broad_phase/key_box.hpp"));
+    EXPECT_TRUE(is_allowed("src/world/world.cpp", "world/verdict_cache.hpp"));
+    EXPECT_TRUE(is_allowed("src/world/world.cpp", "ecods/world.hpp"));
+    EXPECT_TRUE(is_allowed("src/bounds/aabb.cpp", "ecods/aabb.hpp"));
+    EXPECT_FALSE(is_allowed("src/broad_phase/sweep.cpp", "world/world_impl.hpp"));
+    EXPECT_FALSE(is_allowed("src/broad_phase/sweep.cpp", "ecods/world.hpp"));
+    EXPECT_FALSE(is_allowed("src/exact/orient.cpp", "ecods/aabb.hpp"));
+    EXPECT_FALSE(is_allowed("src/base/error.cpp", "geometry/find_invalid.hpp"));
+    EXPECT_FALSE(is_allowed("src/world/world.cpp", "ecods/ecods.hpp"));
+}
+
+TEST(IncludeRules, ThereAreNoOtherPaths) {
+    EXPECT_FALSE(is_allowed("src/world/world.cpp", "world_impl.hpp"));
+    EXPECT_FALSE(is_allowed("src/world/world.cpp", "../base/hash.hpp"));
+    EXPECT_FALSE(is_allowed("src/world/world.cpp", "oracle/oracle.hpp"));
+    EXPECT_FALSE(is_allowed("src/world/world.cpp", "fuzz/fuzz.hpp"));
+    EXPECT_FALSE(is_allowed("src/world/world.cpp", "ecods/unheard_of.hpp"));
+}
+
+TEST(IncludeRules, PublicHeadersAreAmongThemselves) {
+    EXPECT_TRUE(is_allowed("include/ecods/world.hpp", "ecods/broad_phase.hpp"));
+    EXPECT_TRUE(is_allowed("include/ecods/mesh.hpp", "ecods/pose.hpp"));
+    EXPECT_FALSE(is_allowed("include/ecods/broad_phase.hpp", "ecods/world.hpp"));
+    EXPECT_FALSE(is_allowed("include/ecods/world.hpp", "base/hash.hpp"));
+    EXPECT_FALSE(is_allowed("include/ecods/unheard_of.hpp", "ecods/ids.hpp"));
+}
+
+TEST(IncludeRules, ThirdParties) {
+    EXPECT_TRUE(is_allowed_angled("src/world/world.cpp", "vector"));
+    EXPECT_TRUE(is_allowed_angled("src/world/world.cpp", "Eigen/Core"));
+    EXPECT_TRUE(is_allowed_angled("src/world/world.cpp", "hwy/highway.h"));
+    EXPECT_FALSE(is_allowed_angled("include/ecods/world.hpp", "hwy/highway.h"));
+    EXPECT_FALSE(is_allowed_angled("src/world/world.cpp", "gsl/gsl_rng.h"));
+    EXPECT_FALSE(is_allowed_angled("src/world/world.cpp", "CGAL/Gmpq.h"));
+    EXPECT_FALSE(is_allowed_angled("src/world/world.cpp", "stdio.h"));
+    EXPECT_TRUE(is_allowed_angled("verify/oracle/mesh.cpp", "CGAL/Gmpq.h"));
+}
+
+TEST(IncludeRules, TheOracleSharesNoCodeWithTheLibrary) {
+    EXPECT_TRUE(is_allowed("verify/oracle/mesh.cpp", "oracle/oracle.hpp"));
+    EXPECT_TRUE(is_allowed("verify/oracle/mesh.cpp", "ecods/mesh.hpp"));
+    EXPECT_FALSE(is_allowed("verify/oracle/mesh.cpp", "ecods/two_body.hpp"));
+    EXPECT_FALSE(is_allowed("verify/oracle/mesh.cpp", "exact/limbs.hpp"));
+    EXPECT_FALSE(is_allowed("verify/oracle/mesh.cpp", "../../src/exact/limbs.hpp"));
+}
+
+TEST(IncludeRules, EveryFileHasARank) {
+    EXPECT_FALSE(check_place("src/world/world.cpp"));
+    EXPECT_FALSE(check_place("src/CMakeLists.txt"));
+    EXPECT_FALSE(check_place("include/ecods/aabb.hpp"));
+    EXPECT_TRUE(check_place("include/ecods/unheard_of.hpp"));
+    EXPECT_TRUE(check_place("include/other/aabb.hpp"));
+    EXPECT_TRUE(check_place("src/util/util.cpp"));
+    EXPECT_TRUE(check_place("src/main.cpp"));
+}
+
+TEST(IncludeRules, CyclesAreFound) {
+    EXPECT_TRUE(find_cycle({{"a", {"b", "c"}}, {"b", {"c"}}, {"c", {}}}).empty());
+    EXPECT_EQ(find_cycle({{"a", {"b"}}, {"b", {"c"}}, {"c", {"b"}}}).size(), 2u);
+    EXPECT_EQ(find_cycle({{"a", {"a"}}}).size(), 1u);
+}
+
+TEST(TextRules, WordsAreFoundInNamesAndCommentsButNotInOtherWords) {
+    for (const char* text :
+         {"x.epsilon()", "// a fudge", "const int magic_number = 3;", "SLOP", "kMagic = 1; // Magic"}) {
+        EXPECT_EQ(find_tolerances(text).size(), 1u) << text;
+    }
+    for (const char* text : {"slope", "a sloppy bound", "magical", "// the unit roundoff u"}) {
+        EXPECT_TRUE(find_tolerances(text).empty()) << text;
+    }
+    EXPECT_EQ(find_tolerances("a\nb\nslop\n").at(0).line, 3);
+}
+
+TEST(TextRules, BareDecimalTolerancesAreFoundInCode) {
+    for (const char* text : {"x < 1e-9", "1.5E-7", "return .5e-3;", "f(2.e-4)", "x=1e-3f"}) {
+        EXPECT_EQ(find_tolerances(text).size(), 1u) << text;
+    }
+    for (const char* text :
+         {"0x1p-52", "0x1.8e-3", "1e300", "name1e - 9", "// about 1e-3 of them", "x - 1", "0x1e-9"}) {
+        EXPECT_TRUE(find_tolerances(text).empty()) << text;
+    }
+}
+
+TEST(TextRules, CommentsAreBlankedAndNothingElse) {
+    EXPECT_EQ(without_comments("a // b\nc /* d\ne */ f"), "a     \nc     \n     f");
+    EXPECT_EQ(without_comments("\"//\" '\"' // x"), "\"//\" '\"'     ");
+    EXPECT_EQ(without_comments("1'000 // x"), "1'000     ");
+    EXPECT_EQ(without_comments("R\"re(//)re\" // x"), "R\"re(//)re\"     ");
+    EXPECT_EQ(without_comments("\"\\\"//\" /"), "\"\\\"//\" /");
+}
+
+TEST(TextRules, LinesAreCounted) {
+    EXPECT_EQ(count_lines(""), 0u);
+    EXPECT_EQ(count_lines("a"), 1u);
+    EXPECT_EQ(count_lines("a\nb\n"), 2u);
+}
+
+}  // namespace
+}  // namespace ecods::tidy

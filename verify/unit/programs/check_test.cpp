@@ -1,0 +1,160 @@
+// ecods_check as its users run it: a process, its output and its exit status.
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "file_test.hpp"
+
+namespace ecods::scenes {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Result {
+    int status = -1;
+    std::string out;
+    std::string err;
+};
+
+class Check : public FileTest {
+  protected:
+    Result run(const std::string& arguments) const {
+        const std::string errors = path("stderr.txt").string();
+        const std::string command = std::string(ECODS_CHECK_PROGRAM) + " " + arguments + " 2>" + errors;
+        Result result;
+        std::FILE* pipe = popen(command.c_str(), "r");
+        std::array<char, 4096> buffer{};
+        for (std::size_t size = 0; (size = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
+            result.out.append(buffer.data(), size);
+        }
+        const int status = pclose(pipe);
+        result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        std::ostringstream text;
+        text << std::ifstream(errors).rdbuf();
+        result.err = text.str();
+        return result;
+    }
+
+    // Three triangles; the second moves through the first, and then away.
+    std::string scene() const {
+        return write("scene.json", R"({
+          "meshes": [ { "name": "flat", "vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0]], "triangles": [[0, 1, 2]] },
+                      { "name": "upright", "vertices": [[1, 1, 0], [1, 1, 1], [2, 1, 1]], "triangles": [[0, 1, 2]] } ],
+          "bodies": [ { "name": "ground", "mesh": "flat" }, { "name": "blade", "mesh": "upright" },
+                      { "name": "far", "mesh": "flat", "pose": { "t": [0, 0, 9] } } ],
+          "frames": [ { "moves": [ { "body": "blade", "pose": { "t": [0, 0, -0.5] } } ] },
+                      { "moves": [ { "body": "blade", "pose": { "t": [0, 0, 1] } } ] } ] })")
+            .string();
+    }
+
+    // The first triangle pair with what is said to be true of it.
+    std::string cases(bool intersects, int pairs) const {
+        const Json pose{{"R", {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {"t", {0, 0, 0}}};
+        const Json triangle{{"vertices", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {"triangles", {{0, 1, 2}}}};
+        const Json known{{"surfaces_intersect_exact_affine", intersects}, {"n_pairs_exact_affine", pairs}};
+        const Json geometric{{"id", "same"},
+                             {"shapes", {{"A", triangle}, {"B", triangle}}},
+                             {"transforms", {{"A", pose}, {"B", pose}}},
+                             {"expected_true_answer", known}};
+        const Json sequence{{"id", "moves"}, {"shapes", {{"objects", {"a box"}}}}};
+        return write("cases.json", Json{{"cases", {geometric, sequence}}}.dump()).string();
+    }
+};
+
+TEST_F(Check, PrintsEachFrame) {
+    for (const std::string& option :
+         {std::string(), std::string("--broad-phase brute_force "), std::string("--broad-phase sweep_and_prune ")}) {
+        const Result result = run(option + scene());
+        EXPECT_EQ(result.status, 0);
+        EXPECT_EQ(result.err, "");
+        EXPECT_EQ(result.out,
+                  "frame 0: 3 bodies, 1 pair with overlapping boxes, 1 colliding\n"
+                  "  touching  ground | blade  (1 triangle pair)\n"
+                  "frame 1: 3 bodies, 1 pair with overlapping boxes, 1 colliding\n"
+                  "  crossing  ground | blade  (1 triangle pair)\n"
+                  "frame 2: 3 bodies, 0 pairs with overlapping boxes, 0 colliding\n");
+    }
+}
+
+// However close: how many boxes overlap is not promised, but the answer is.
+TEST_F(Check, AnswersExactly) {
+    const std::string a = write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").string();
+    const std::string b = write("b.obj", "v 0 0 1e-300\nv 1 0 1e-300\nv 0 1 1e-300\nf 1 2 3\n").string();
+    const Result result = run("--json --oracle " + a + " " + b);
+    EXPECT_EQ(result.status, 0);
+    EXPECT_TRUE(Json::parse(result.out)["frames"][0]["colliding"].empty()) << result.out;
+}
+
+TEST_F(Check, OracleSaysHowMuchItChecked) {
+    const Result result = run("--oracle " + scene());
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.out.find("oracle: checked 9 body pairs, 2 touching triangle pairs, 5 boxes: no difference\n"),
+              std::string::npos)
+        << result.out;
+}
+
+TEST_F(Check, WritesJson) {
+    const Result result = run("--json --oracle " + scene());
+    EXPECT_EQ(result.status, 0);
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["bodies"], Json({"ground", "blade", "far"}));
+    ASSERT_EQ(json["frames"].size(), 3U);
+    const Json expected{
+        {"frame", 1},
+        {"overlapping", 1},
+        {"colliding", {{{"a", "ground"}, {"b", "blade"}, {"relation", "crossing"}, {"triangle_pairs", 1}}}}};
+    EXPECT_EQ(json["frames"][1], expected);
+    EXPECT_EQ(json["oracle"]["body_pairs"], 9);
+    EXPECT_EQ(json["oracle"]["differing"], 0);
+    EXPECT_FALSE(Json::parse(run("--json " + scene()).out).contains("oracle"));
+}
+
+TEST_F(Check, ReadsMeshesAsBodies) {
+    const std::string a = write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").string();
+    const std::string b = write("b.off", "OFF\n3 1 0\n0 0 0\n-1 0 0\n0 -1 0\n3 0 1 2\n").string();
+    const Result result = run("--oracle " + a + " " + b);
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.out.find("touching  a | b  (1 triangle pair)"), std::string::npos) << result.out;
+}
+
+TEST_F(Check, UnreadableInputIsStatus2) {
+    const std::string bad = write("bad.obj", "v 0 0 0\nv 1 0 nan\n").string();
+    const Result result = run(bad);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err, "ecods_check: " + bad + ": line 2: 'nan' is not a finite number\n");
+    EXPECT_EQ(run(path("missing.obj").string()).status, 2);
+    EXPECT_EQ(run("--cases " + path("missing.json").string()).status, 2);
+    EXPECT_EQ(run("--cases " + bad).status, 2);
+}
+
+TEST_F(Check, MisuseIsStatus2) {
+    EXPECT_EQ(run("").status, 2);
+    EXPECT_EQ(run("--unknown " + scene()).status, 2);
+    EXPECT_EQ(run("--broad-phase octree " + scene()).status, 2);
+    EXPECT_EQ(run("--cases " + cases(true, 1) + " " + scene()).status, 2);
+    const Result help = run("--help");
+    EXPECT_EQ(help.status, 0);
+    EXPECT_NE(help.out.find("--oracle"), std::string::npos);
+}
+
+TEST_F(Check, KnownCases) {
+    const Result good = run("--cases " + cases(true, 1));
+    EXPECT_EQ(good.status, 0);
+    EXPECT_EQ(good.out, "same  intersects  1 triangle pair  ok\n1 case, 0 mismatches, 1 skipped (not two meshes)\n");
+    EXPECT_EQ(run("--oracle --cases " + cases(true, 1)).status, 0);
+    const Result few = run("--cases " + cases(true, 2));
+    EXPECT_EQ(few.status, 1);
+    EXPECT_NE(few.out.find("same  intersects  1 triangle pair  MISMATCH"), std::string::npos) << few.out;
+    EXPECT_EQ(run("--cases " + cases(false, 1)).status, 1);
+    const Json json = Json::parse(run("--json --cases " + cases(false, 1)).out);
+    EXPECT_EQ(json["mismatches"], 1);
+    EXPECT_EQ(json["skipped"], 1);
+    EXPECT_EQ(json["cases"][0]["ok"], false);
+}
+
+}  // namespace
+}  // namespace ecods::scenes

@@ -1,0 +1,252 @@
+// glTF assemblies: poses, primitives, and each kind of bad input.
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "file_test.hpp"
+#include "scenes/io/gltf_file.hpp"
+
+namespace ecods::scenes {
+namespace {
+
+using Json = nlohmann::json;
+
+template <class T>
+std::string bytes_of(std::initializer_list<T> values) {
+    std::string bytes;
+    for (const T& value : values) bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    return bytes;
+}
+
+class ReadGltf : public FileTest {
+  protected:
+    // Five points and the indices 0 to 4 as bytes, in data.bin; one node.
+    static std::string data() {
+        return bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0.1F, 2, 2, 2}) +
+               bytes_of<std::uint8_t>({0, 1, 2, 3, 4});
+    }
+
+    static Json model() {
+        return {{"asset", {{"version", "2.0"}}},
+                {"buffers", {{{"uri", "data.bin"}, {"byteLength", 65}}}},
+                {"bufferViews",
+                 {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", 60}},
+                  {{"buffer", 0}, {"byteOffset", 60}, {"byteLength", 5}}}},
+                {"accessors",
+                 {{{"bufferView", 0}, {"componentType", 5126}, {"count", 5}, {"type", "VEC3"}},
+                  {{"bufferView", 1}, {"componentType", 5121}, {"count", 3}, {"type", "SCALAR"}}}},
+                {"meshes", {{{"name", "m"}, {"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}}}}}}},
+                {"nodes", {{{"name", "part"}, {"mesh", 0}}}},
+                {"scenes", {{{"nodes", {0}}}}},
+                {"scene", 0}};
+    }
+
+    Scene read(const Json& json) {
+        write("data.bin", data());
+        return read_gltf_file(write("m.gltf", json.dump()));
+    }
+
+    void expect_bad(const Json& json, const std::string& place, const std::string& text) {
+        write("data.bin", data());
+        const auto file = write("m.gltf", json.dump());
+        expect_error([&] { read_gltf_file(file); }, file, place, text);
+    }
+
+    static std::string binary(const Json& json, std::string buffer) {
+        std::string text = json.dump();
+        text.resize((text.size() + 3) / 4 * 4, ' ');
+        buffer.resize((buffer.size() + 3) / 4 * 4, '\0');
+        const auto size = [](std::size_t bytes) { return static_cast<std::uint32_t>(bytes); };
+        return "glTF" +
+               bytes_of<std::uint32_t>({2, size(28 + text.size() + buffer.size()), size(text.size()), 0x4E4F534A}) +
+               text + bytes_of<std::uint32_t>({size(buffer.size()), 0x004E4942}) + buffer;
+    }
+};
+
+TEST_F(ReadGltf, ReadsANode) {
+    const Scene scene = read(model());
+    ASSERT_EQ(scene.bodies.size(), 1U);
+    EXPECT_EQ(scene.bodies[0].name, "part");
+    EXPECT_TRUE(scene.bodies[0].pose == Pose{});
+    const Mesh& mesh = *scene.meshes.at(0).mesh;
+    EXPECT_EQ(mesh.vertices().size(), 5U);
+    EXPECT_EQ(mesh.vertices()[3], Vec3(1, 1, static_cast<double>(0.1F)));
+    EXPECT_EQ(mesh.triangles().size(), 1U);
+    EXPECT_EQ(mesh.triangles()[0], (Triangle{0, 1, 2}));
+}
+
+TEST_F(ReadGltf, ReadsBinaryFiles) {
+    Json json = model();
+    json["buffers"][0].erase("uri");
+    const std::string bytes = binary(json, data());
+    EXPECT_EQ(read_gltf_file(write("m.glb", bytes)).meshes.at(0).mesh->vertices().size(), 5U);
+    for (std::size_t size = 0; size + 4 < bytes.size(); size += 3) {
+        EXPECT_THROW(read_gltf_file(write("cut.glb", bytes.substr(0, size))), ReadError) << size;
+    }
+}
+
+TEST_F(ReadGltf, AccumulatesPosesInDouble) {
+    Json json = model();
+    const double angle = 0.3;
+    json["nodes"] = {{{"children", {1, 2}}, {"translation", {0.1, 0.2, 0.3}}, {"scale", {2, 2, 3}}},
+                     {{"mesh", 0},
+                      {"rotation", {0, 0, std::sin(angle / 2) * 7, std::cos(angle / 2) * 7}},
+                      {"translation", {1, 0, 0}}},
+                     {{"mesh", 0}, {"matrix", {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}}, {"name", "node 1"}}};
+    const Scene scene = read(json);
+    ASSERT_EQ(scene.bodies.size(), 2U);
+    ASSERT_EQ(scene.meshes.size(), 1U);
+    EXPECT_EQ(scene.bodies[0].name, "node 1");
+    EXPECT_EQ(scene.bodies[1].name, "node 1 (node 2)");
+    Mat3 expected;
+    expected << std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1;
+    expected = Vec3(2, 2, 3).asDiagonal() * expected;
+    EXPECT_LT((scene.bodies[0].pose.R - expected).cwiseAbs().maxCoeff(), 1e-15);
+    EXPECT_EQ(scene.bodies[0].pose.t, Vec3(2 + 0.1, 0.2, 0.3));
+    Mat3 turned;
+    turned << 0, -2, 0, 2, 0, 0, 0, 0, 3;
+    EXPECT_EQ(scene.bodies[1].pose.R, turned);
+    EXPECT_EQ(scene.bodies[1].pose.t, Vec3(10 + 0.1, 12 + 0.2, 21 + 0.3));
+}
+
+TEST_F(ReadGltf, ReadsStripsFansAndSeveralPrimitives) {
+    Json json = model();
+    json["meshes"][0]["primitives"] = {{{"attributes", {{"POSITION", 0}}}, {"mode", 5}},
+                                       {{"attributes", {{"POSITION", 0}}}, {"mode", 6}},
+                                       {{"attributes", {{"POSITION", 0}}}, {"indices", 1}, {"mode", 4}}};
+    const Scene scene = read(json);
+    const Mesh& mesh = *scene.meshes.at(0).mesh;
+    EXPECT_EQ(mesh.vertices().size(), 15U);
+    const std::vector<Triangle> expected{{0, 1, 2}, {1, 2, 3}, {2, 3, 4},   {5, 6, 7},
+                                         {5, 7, 8}, {5, 8, 9}, {10, 11, 12}};
+    EXPECT_TRUE(std::equal(mesh.triangles().begin(), mesh.triangles().end(), expected.begin(), expected.end()));
+}
+
+TEST_F(ReadGltf, TakesOnlyTheDefaultScene) {
+    Json json = model();
+    json["nodes"] = {{{"mesh", 0}, {"name", "a"}}, {{"mesh", 0}, {"name", "b"}}};
+    json["scenes"] = {{{"nodes", {0}}}, {{"nodes", {1}}}};
+    json["scene"] = 1;
+    const Scene scene = read(json);
+    ASSERT_EQ(scene.bodies.size(), 1U);
+    EXPECT_EQ(scene.bodies[0].name, "b");
+    json.erase("scene");
+    json.erase("scenes");
+    EXPECT_EQ(read(json).bodies.size(), 2U);
+}
+
+TEST_F(ReadGltf, NamesThePlaceOfBadNodes) {
+    Json json = model();
+    json["nodes"] = {{{"children", {1}}}, {{"children", {0}}, {"mesh", 0}}};
+    expect_bad(json, "nodes[0]", "reached twice");
+    json = model();
+    json["nodes"][0]["children"] = {7};
+    expect_bad(json, "nodes[7]", "does not exist");
+    json = model();
+    json["nodes"][0]["mesh"] = 3;
+    expect_bad(json, "nodes[0].mesh", "does not exist");
+    json = model();
+    json["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 2};
+    expect_bad(json, "nodes[0].matrix", "the last row is not 0 0 0 1");
+    json = model();
+    json["nodes"][0]["matrix"] = {1, 0, 0};
+    expect_bad(json, "nodes[0].matrix", "should have 16 numbers");
+    json = model();
+    json["nodes"][0]["rotation"] = {0, 0, 0, 0};
+    expect_bad(json, "nodes[0].rotation", "the quaternion is zero");
+    json = model();
+    json["nodes"][0]["scale"] = {1e300, 1, 1};
+    json["nodes"].push_back({{"children", {0}}, {"scale", {1e300, 1, 1}}});
+    json["scenes"][0]["nodes"] = {1};
+    expect_bad(json, "nodes[0]", "");
+    json = model();
+    json["nodes"][0].erase("mesh");
+    expect_bad(json, "", "no node of the scene has a mesh");
+}
+
+TEST_F(ReadGltf, NamesThePlaceOfBadGeometry) {
+    const std::string primitive = "meshes[0].primitives[0]";
+    Json json = model();
+    json["accessors"][1]["count"] = 6;
+    expect_bad(json, primitive + ".indices", "reaches beyond its buffer view");
+    json = model();
+    json["accessors"][0]["count"] = 1000000000000LL;
+    expect_bad(json, primitive + ".attributes.POSITION", "reaches beyond its buffer view");
+    json = model();
+    json["accessors"][1]["count"] = 2;
+    expect_bad(json, primitive, "no multiple of three");
+    json = model();
+    json["accessors"][0]["count"] = 2;
+    expect_bad(json, primitive + ".indices", "index 2 is out of range: there are 2 vertices");
+    json = model();
+    json["bufferViews"][0]["byteLength"] = 70;
+    expect_bad(json, primitive + ".attributes.POSITION", "reaches beyond its buffer");
+    json = model();
+    json["bufferViews"][0]["buffer"] = 9;
+    expect_bad(json, primitive + ".attributes.POSITION", "buffer");
+    json = model();
+    json["accessors"][0]["componentType"] = 5123;
+    expect_bad(json, primitive + ".attributes.POSITION", "not three single-precision numbers");
+    json = model();
+    json["accessors"][0]["sparse"] = {{"count", 1},
+                                      {"indices", {{"bufferView", 1}, {"byteOffset", 0}, {"componentType", 5121}}},
+                                      {"values", {{"bufferView", 0}, {"byteOffset", 0}}}};
+    expect_bad(json, primitive + ".attributes.POSITION", "sparse");
+    json = model();
+    json["meshes"][0]["primitives"][0]["mode"] = 1;
+    expect_bad(json, primitive + ".mode", "points or lines");
+    json = model();
+    json["meshes"][0]["primitives"][0]["attributes"] = {{"NORMAL", 0}};
+    expect_bad(json, primitive, "there is no POSITION");
+    json = model();
+    json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
+    expect_bad(json, "extensionsUsed", "KHR_draco_mesh_compression is not supported");
+}
+
+TEST_F(ReadGltf, RefusesCoordinatesThatAreNotFinite) {
+    Json json = model();
+    std::string bytes = data();
+    const float nan = std::nanf("");
+    std::memcpy(bytes.data() + 16, &nan, sizeof nan);
+    write("data.bin", bytes);
+    const auto file = write("m.gltf", json.dump());
+    expect_error([&] { read_gltf_file(file); }, file, "meshes[0].primitives[0].attributes.POSITION", "vertex 1");
+}
+
+TEST_F(ReadGltf, RefusesWhatIsNoGltf) {
+    const auto missing = path("missing.glb");
+    expect_error([&] { read_gltf_file(missing); }, missing, "", "no such file");
+    for (const std::string& text :
+         {std::string("{"), std::string("[]"), std::string(""), std::string("glTF"), std::string("{\"asset\": 3}")}) {
+        const auto file = write("bad.gltf", text);
+        EXPECT_THROW(read_gltf_file(file), ReadError) << text;
+    }
+    const auto deep = write("deep.gltf", "{\"extras\": " + std::string(200000, '[') + std::string(200000, ']') + "}");
+    expect_error([&] { read_gltf_file(deep); }, deep, "", "nested too deeply");
+    const auto no_buffer = write("alone.gltf", model().dump());
+    expect_error([&] { read_gltf_file(no_buffer); }, no_buffer, "", "not a valid glTF file");
+}
+
+TEST_F(ReadGltf, SurvivesDamage) {
+    Json json = model();
+    json["buffers"][0].erase("uri");
+    const std::string bytes = binary(json, data());
+    std::mt19937_64 random(3);
+    int errors = 0;
+    for (int i = 0; i < 1500; ++i) {
+        std::string damaged = bytes;
+        for (std::uint64_t k = 1 + random() % 3; k > 0; --k)
+            damaged[random() % damaged.size()] = static_cast<char>(32 + random() % 95);
+        try {
+            read_gltf_file(write("m.glb", damaged));
+        } catch (const ReadError&) {
+            ++errors;
+        }
+    }
+    EXPECT_GT(errors, 300);
+}
+
+}  // namespace
+}  // namespace ecods::scenes
