@@ -41,7 +41,9 @@ Picture plot_times(std::span<const Run> runs, const std::filesystem::path& folde
     const std::vector<std::string> colours = {"#8c1c13", "#d1682e", "#555555", "#1d4e89", "#5b9bd5"};
     std::ofstream out(script);
     out << "set terminal svg size 1000,520 font 'DejaVu Sans,15' background '#ffffff'\n"
-        << fmt::format("set output '{}'\n", picture.string()) << "set logscale y\nset format y '%g'\n"
+        << fmt::format("set output '{}'\n", picture.string())
+        << "set logscale y\nset autoscale yfix\nset offsets 0, 0, graph 0.06, graph 0.06\n"
+        << "set ytics (" << tics() << ")\n"
         << "set xlabel 'frame'\nset ylabel 'milliseconds per frame'\n"
         << "set grid ytics lc rgb '#cccccc'\nset border 3\nset tics nomirror\n"
         << "set key outside right center spacing 1.4 samplen 3\n"

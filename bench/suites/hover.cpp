@@ -66,7 +66,7 @@ SuiteResult run_hover(const SuiteOptions& options) {
                                                       .frame_count = options.frame_count,
                                                       .side = scenes::calibrated_side(),
                                                       .moving_share = share,
-                                                      .seed = 3});
+                                                      .seed = 10});
             const std::string name = fmt::format("{} ships, {} move", ship_count,
                                                  share == 1   ? "all"
                                                  : share == 0 ? "none"

@@ -22,14 +22,14 @@ struct RoomCase {
 };
 
 std::vector<RoomCase> room_cases(std::size_t frame_count) {
-    // Of the seeds 1 to 8, 3 gives the calibrated means best within 200 frames.
+    // Of the seeds 1 to 12, 10 gives the calibrated means best within 200 frames.
     const auto options = [&](std::size_t ship_count, double side) {
-        return scenes::RoomOptions{.ship_count = ship_count, .frame_count = frame_count, .side = side, .seed = 3};
+        return scenes::RoomOptions{.ship_count = ship_count, .frame_count = frame_count, .side = side, .seed = 10};
     };
     return {
         {"room-32", "32 ships",
-         "The room is calibrated as in the report: about 1.05 hits and, counted with the report's boxes (cubes around "
-         "the ships' bounding spheres), 15 candidate pairs a frame. ECoDS's boxes are tight, so it has fewer.",
+         "The room is calibrated as in the report: about 1.05 hits a frame and, counted with the report's boxes (cubes around "
+         "the ships' bounding spheres), 15 candidate pairs. ECoDS's boxes are tight, so it has fewer.",
          options(32, scenes::calibrated_side())},
         {"room-256-density", "256 ships, same density",
          "Eight times the ships in eight times the volume (case 2 of the report).",
@@ -57,7 +57,7 @@ Picture draw_room(const RoomCase& room_case, const scenes::Scene& scene, const T
     const double half = room_case.room.side / 2 + scenes::ship_radius();
     const View view{.name = room_case.name,
                     .eye = Vec3(3.6, 2.4, 1.95) * half,
-                    .target = Vec3(0, 0, -0.16) * half,
+                    .target = Vec3(0, 0, -0.2) * half,
                     .angle = 48,
                     .room_half_side = half};
     return draw(scene, bodies, view, folder,

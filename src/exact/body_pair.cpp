@@ -24,13 +24,10 @@ void BodyPair::bind(const BodySide& a, const BodySide& b) {
     if (same_bits(*a.pose, *b.pose) && is_regular(a.pose->R)) sides_[0].body.pose = sides_[1].body.pose = &identity;
     sides_[0].offset = Vec3::Zero();
     sides_[1].offset = sides_[1].body.pose->t - sides_[0].body.pose->t;
-    epoch_ += std::uint64_t{1} << 32;
-    if (epoch_ == 0) {  // After 2^32 bindings the tags would repeat.
-        for (Side& side : sides_) {
-            side.rounded = {};
-            side.exact = {};
-        }
-        epoch_ = std::uint64_t{1} << 32;
+    for (Side& side : sides_) {
+        side.rounded.clear();
+        side.one_limb.clear();
+        side.two_limbs.clear();
     }
     exact_state_ = ExactState::not_prepared;
     plain_is_exact_ = false;
@@ -58,13 +55,9 @@ void BodyPair::find_bounds() {
 }
 
 const Point& BodyPair::rounded_point(Side& side, std::uint32_t vertex) {
-    auto& entry = side.rounded.entries[vertex % cache_size];
-    const std::uint64_t tag = epoch_ | vertex;
-    if (entry.tag != tag) {
-        entry.tag = tag;
-        entry.value = pose_point(side.body.pose->R, side.body.mesh->vertices()[vertex], side.offset);
-    }
-    return entry.value;
+    return side.rounded.get(vertex, [&](Point& p) {
+        p = pose_point(side.body.pose->R, side.body.mesh->vertices()[vertex], side.offset);
+    });
 }
 
 Relation BodyPair::relation(std::uint32_t a, std::uint32_t b) {
@@ -76,29 +69,36 @@ Relation BodyPair::relation(std::uint32_t a, std::uint32_t b) {
         points[i] = rounded_point(sides_[0], ta[i]);
         points[3 + i] = rounded_point(sides_[1], tb[i]);
     }
-    switch (filter(points, plain_is_exact_ ? 0 : static_bound_)) {
+    if (plain_is_exact_) return decide_plainly(points);
+    FilterTrace trace;
+    switch (filter(points, static_bound_, trace)) {
         case FilterAnswer::disjoint: ++counts_.filter_passes; return Relation::disjoint;
         case FilterAnswer::crossing: ++counts_.filter_passes; return Relation::crossing;
         case FilterAnswer::unknown: break;
     }
-    return decide_open(ta, tb, points);
+    return decide_open(ta, tb, points, trace);
 }
 
-[[gnu::noinline]] Relation BodyPair::decide_open(const Triangle& a, const Triangle& b, const SixRounded& points) {
-    if (exact_state_ == ExactState::not_prepared) prepare_exact();
-    if (plain_is_exact_) {
-        ++counts_.local_passes;
-        PlainSigns signs(points);
-        return triangle_pair(signs);
+Relation BodyPair::decide_plainly(const SixRounded& points) {
+    ++counts_.local_passes;
+    PlainSigns signs(points);
+    return triangle_pair(signs);
+}
+
+[[gnu::noinline]] Relation BodyPair::decide_open(const Triangle& a, const Triangle& b, const SixRounded& points,
+                                                 const FilterTrace& trace) {
+    if (exact_state_ == ExactState::not_prepared) {
+        prepare_exact();
+        if (plain_is_exact_) return decide_plainly(points);
     }
     const PairBound bound = pair_bound(points, delta_);
-    switch (filter(points, bound.orient3d)) {
+    switch (filter_again(points, bound.orient3d, trace)) {
         case FilterAnswer::disjoint: ++counts_.semi_static_passes; return Relation::disjoint;
         case FilterAnswer::crossing: ++counts_.semi_static_passes; return Relation::crossing;
         case FilterAnswer::unknown: break;
     }
     return use_kernel(a, b, [&](const auto& kernel) {
-        MixedSigns signs(points, bound, kernel);
+        MixedSigns signs(points, bound, trace, kernel);
         return triangle_pair(signs);
     });
 }
@@ -125,11 +125,16 @@ void BodyPair::prepare_exact() {
         offset[row] = *difference;
         digits.include(difference->digits());
     }
-    if (digits.width() + sum_bits > 128) {
+    // A coordinate is a sum of three products and a translation: two more bits. With two limbs differences are made, of one
+    // bit more.
+    if (digits.width() + 2 <= OneLimbKernel::coordinate_bits) {
+        exact_state_ = ExactState::one_limb_fits;
+    } else if (digits.width() + 3 <= TwoLimbKernel::coordinate_bits) {
+        exact_state_ = ExactState::two_limbs_fit;
+    } else {
         exact_state_ = ExactState::too_wide;
         return;
     }
-    exact_state_ = ExactState::two_limbs_fit;
     exact_low_ = digits.empty() ? 0 : digits.low;
     for (std::size_t row = 0; row < 3; ++row) exact_offset_[row] = offset[row].at(exact_low_);
     plain_is_exact_ = plain_is_exact(digits);
@@ -158,24 +163,30 @@ bool BodyPair::plain_is_exact(const BitRange& digits) const {
     return extent_.maxCoeff() <= std::ldexp(1.0, digits.low + 16);
 }
 
-const BodyPair::ExactPoint& BodyPair::exact_point(Side& side, std::uint32_t vertex) {
-    auto& entry = side.exact.entries[vertex % cache_size];
-    const std::uint64_t tag = epoch_ | vertex;
-    if (entry.tag == tag) return entry.value;
-    entry.tag = tag;
+// R v + t - t0 in units of 2^exact_low_. The digits fit, see prepare_exact.
+BodyPair::TwoLimbPoint BodyPair::exact_point(const Side& side, std::uint32_t vertex) const {
+    TwoLimbPoint p = &side == &sides_[1] ? exact_offset_ : TwoLimbPoint{};
     const Vec3& v = side.body.mesh->vertices()[vertex];
-    const bool is_second = &side == &sides_[1];
-    for (int row = 0; row < 3; ++row) {
-        Int128 sum = 0;
-        for (int column = 0; column < 3; ++column) {
+    for (int column = 0; column < 3; ++column) {
+        const Dyadic x = decode(v[column]);
+        if (x.m == 0) continue;
+        for (int row = 0; row < 3; ++row) {
             const Dyadic r = decode(side.body.pose->R(row, column));
-            const Dyadic x = decode(v[column]);
-            if (r.m != 0 && x.m != 0) sum += (Int128{r.m} * x.m) << (r.e + x.e - exact_low_);
+            if (r.m != 0) p[static_cast<std::size_t>(row)] += (Int128{r.m} * x.m) << (r.e + x.e - exact_low_);
         }
-        if (is_second) sum += exact_offset_[static_cast<std::size_t>(row)];
-        entry.value[static_cast<std::size_t>(row)] = sum;
     }
-    return entry.value;
+    return p;
+}
+
+const BodyPair::OneLimbPoint& BodyPair::one_limb_point(Side& side, std::uint32_t vertex) {
+    return side.one_limb.get(vertex, [&](OneLimbPoint& p) {
+        const TwoLimbPoint wide = exact_point(side, vertex);
+        for (std::size_t k = 0; k < 3; ++k) p[k] = static_cast<std::int64_t>(wide[k]);
+    });
+}
+
+const BodyPair::TwoLimbPoint& BodyPair::two_limb_point(Side& side, std::uint32_t vertex) {
+    return side.two_limbs.get(vertex, [&](TwoLimbPoint& p) { p = exact_point(side, vertex); });
 }
 
 template <class Use>
@@ -183,19 +194,25 @@ Relation BodyPair::use_kernel(const Triangle& a, const Triangle& b, Use&& use) {
     const auto counted = [&](const auto& kernel) {
         using Kernel = std::decay_t<decltype(kernel)>;
         if constexpr (std::is_same_v<Kernel, OneLimbKernel>) ++counts_.one_limb;
-        else if constexpr (std::is_same_v<Kernel, LimbKernel<2>>) ++counts_.two_limbs;
+        else if constexpr (std::is_same_v<Kernel, TwoLimbKernel>) ++counts_.two_limbs;
         else ++counts_.many_limbs;
         return use(kernel);
     };
-    if (exact_state_ == ExactState::two_limbs_fit) {
-        SixWide<2> points;
-        for (std::size_t i = 0; i < 6; ++i) {
-            const ExactPoint& p = i < 3 ? exact_point(sides_[0], a[i]) : exact_point(sides_[1], b[i - 3]);
-            for (std::size_t k = 0; k < 3; ++k) {
-                points[i][k] = {static_cast<std::uint64_t>(p[k]), static_cast<std::uint64_t>(p[k] >> 64)};
-            }
+    if (exact_state_ == ExactState::one_limb_fits) {
+        OneLimbKernel kernel;
+        for (std::size_t i = 0; i < 3; ++i) {
+            kernel.points[i] = one_limb_point(sides_[0], a[i]);
+            kernel.points[3 + i] = one_limb_point(sides_[1], b[i]);
         }
-        return use_narrowest<2>(points, counted);
+        return counted(kernel);
+    }
+    if (exact_state_ == ExactState::two_limbs_fit) {
+        SixInt128 points;
+        for (std::size_t i = 0; i < 3; ++i) {
+            points[i] = two_limb_point(sides_[0], a[i]);
+            points[3 + i] = two_limb_point(sides_[1], b[i]);
+        }
+        return use_narrowest(points, counted);
     }
     SixPoints points;
     for (std::size_t i = 0; i < 3; ++i) {

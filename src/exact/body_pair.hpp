@@ -8,15 +8,15 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <vector>
 
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/predicates.hpp"
+#include "exact/filter.hpp"
 #include "exact/limbs.hpp"
 #include "exact/mesh_extent.hpp"
 #include "exact/plain_signs.hpp"
+#include "exact/vertex_cache.hpp"
 #include "exact/with_kernel.hpp"
 
 namespace ecods::exact {
@@ -53,40 +53,33 @@ class BodyPair {
     void reset_counts() noexcept { counts_ = {}; }
 
   private:
-    static constexpr std::size_t cache_size = 1024;  // vertices of each body, by index modulo this: 32 KiB, a level 1 cache
-
-    // A direct-mapped cache: the entry of a vertex holds the vertex of that slot that was posed last.
-    template <class Value>
-    struct Cache {
-        struct Entry {
-            std::uint64_t tag;
-            Value value;
-        };
-        std::vector<Entry> entries = std::vector<Entry>(cache_size);
-    };
-    using ExactPoint = std::array<Int128, 3>;
+    using OneLimbPoint = std::array<std::int64_t, 3>;
+    using TwoLimbPoint = std::array<Int128, 3>;
 
     struct Side {
         BodySide body{};
         Vec3 offset = Vec3::Zero();  // fl(t - t0)
-        Cache<Point> rounded;
-        Cache<ExactPoint> exact;
+        VertexCache<Point> rounded;
+        VertexCache<OneLimbPoint> one_limb;
+        VertexCache<TwoLimbPoint> two_limbs;
     };
 
-    enum class ExactState { not_prepared, two_limbs_fit, too_wide };
+    // How wide the exact coordinates of all of the two bodies may be.
+    enum class ExactState { not_prepared, one_limb_fits, two_limbs_fit, too_wide };
 
     const Point& rounded_point(Side& side, std::uint32_t vertex);
-    const ExactPoint& exact_point(Side& side, std::uint32_t vertex);
+    TwoLimbPoint exact_point(const Side& side, std::uint32_t vertex) const;
+    const OneLimbPoint& one_limb_point(Side& side, std::uint32_t vertex);
+    const TwoLimbPoint& two_limb_point(Side& side, std::uint32_t vertex);
     void find_bounds();
     void prepare_exact();
     bool plain_is_exact(const BitRange& digits) const;
-    Relation decide_open(const Triangle& a, const Triangle& b, const SixRounded& points);
+    Relation decide_plainly(const SixRounded& points);
+    Relation decide_open(const Triangle& a, const Triangle& b, const SixRounded& points, const FilterTrace& trace);
     template <class Use>
     Relation use_kernel(const Triangle& a, const Triangle& b, Use&& use);
 
     Side sides_[2];
-    std::uint64_t epoch_ = 0;  // in the upper half of tags; 0 is never used
-
     double delta_ = 0;         // error of a rounded coordinate
     double static_bound_ = 0;  // for all determinants of points of the two bodies
     Vec3 extent_ = Vec3::Zero();
@@ -94,7 +87,7 @@ class BodyPair {
     ExactState exact_state_ = ExactState::not_prepared;
     bool plain_is_exact_ = false;
     int exact_low_ = 0;         // exact points are multiples of 2^exact_low_
-    ExactPoint exact_offset_{};  // t - t0 in these units
+    TwoLimbPoint exact_offset_{};  // t - t0 in these units
 
     StageCounts counts_;
 };

@@ -72,11 +72,7 @@ struct DyadicDifference {
         BitRange range;
         if (m == 0) return range;
         const Uint128 size = m < 0 ? -static_cast<Uint128>(m) : static_cast<Uint128>(m);
-        const auto high = static_cast<std::uint64_t>(size >> 64);
-        const auto low = static_cast<std::uint64_t>(size);
-        const int zeros = low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(high);
-        const int width = static_cast<int>(high != 0 ? 64 + std::bit_width(high) : std::bit_width(low));
-        range.include(e + zeros, e + width);
+        range.include(e + trailing_zeros(size), e + bit_width(size));
         return range;
     }
     // As a multiple of 2^low, which must divide it; the result must fit.

@@ -45,10 +45,10 @@ class OneLimbKernel {
         Int128 high = 0;
         Int128 low = 0;
         for (int axis = 0; axis < 3; ++axis) {
-            const Int128 x = difference(a, p, axis);
+            const std::int64_t x = difference(a, p, axis);
             const Minor n = normal.n[static_cast<std::size_t>(axis)];
-            high += x * static_cast<std::int64_t>(n >> 64);
-            low += x * static_cast<Int128>(static_cast<std::uint64_t>(n));
+            high += Int128{x} * static_cast<std::int64_t>(n >> 64);
+            low += times_unsigned(x, static_cast<std::uint64_t>(n));
         }
         high += low >> 64;
         if (high != 0) return high < 0 ? -1 : 1;
@@ -72,9 +72,70 @@ class OneLimbKernel {
         return points[static_cast<std::size_t>(point)][static_cast<std::size_t>(axis)];
     }
     std::int64_t difference(int a, int b, int axis) const noexcept { return at(b, axis) - at(a, axis); }
+    // x * y. As a signed product, y counts 2^64 less where its top bit is set.
+    static Int128 times_unsigned(std::int64_t x, std::uint64_t y) noexcept {
+        const auto top = static_cast<std::uint64_t>(static_cast<std::int64_t>(y) >> 63);  // all ones if y's top bit is set
+        const std::uint64_t missing = static_cast<std::uint64_t>(x) & top;
+        return static_cast<Int128>(static_cast<Uint128>(Int128{x} * static_cast<std::int64_t>(y)) +
+                                   (Uint128{missing} << 64));
+    }
     static Minor minor(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) noexcept {
         return Int128{a} * b - Int128{c} * d;
     }
+};
+
+// Coordinates of up to 123 bits and a sign: the one-limb kernel again, with limbs of 128 bits.
+class TwoLimbKernel {
+  public:
+    static constexpr int coordinate_bits = 123;
+    static_assert(difference_bits(coordinate_bits) <= 127, "a difference fits 128 bits with its sign");
+    static_assert(minor_bits(coordinate_bits) <= 255, "a minor fits 256 bits with its sign");
+    static_assert(difference_bits(coordinate_bits) + 128 + 2 <= 255, "the low sum fits 256 bits with its sign");
+    static_assert(determinant_bits(coordinate_bits) - 128 + 1 <= 255, "so does the high sum, with the low one's carry");
+
+    using Minor = Int256;
+    struct Normal {
+        std::array<Minor, 3> n;
+    };
+
+    std::array<std::array<Int128, 3>, 6> points;
+
+    Normal normal(int a, int b, int c) const noexcept {
+        const Int128 x1 = difference(a, b, 0), y1 = difference(a, b, 1), z1 = difference(a, b, 2);
+        const Int128 x2 = difference(a, c, 0), y2 = difference(a, c, 1), z2 = difference(a, c, 2);
+        return {{minor(y1, z2, z1, y2), minor(z1, x2, x1, z2), minor(x1, y2, y1, x2)}};
+    }
+
+    int side(const Normal& normal, int a, int p) const noexcept {
+        Int256 high{0, 0};
+        Int256 low{0, 0};
+        for (int axis = 0; axis < 3; ++axis) {
+            const Int128 x = difference(a, p, axis);
+            const Minor& n = normal.n[static_cast<std::size_t>(axis)];
+            high = high + multiply(x, n.high);
+            low = low + multiply_unsigned(x, n.low);
+        }
+        const Int256 carry{static_cast<Uint128>(low.high), low.high >> 127};
+        high = high + carry;
+        if (const int s = sign(high)) return s;
+        return low.low != 0;
+    }
+
+    int orient2d(int a, int b, int c, int axis) const noexcept {
+        const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+        return sign(minor(difference(a, b, i), difference(a, c, j), difference(a, b, j), difference(a, c, i)));
+    }
+
+    int compare(int a, int b, int axis) const noexcept { return sign(at(a, axis) - at(b, axis)); }
+
+    static bool is_zero(const Minor& minor) noexcept { return minor.low == 0 && minor.high == 0; }
+
+  private:
+    Int128 at(int point, int axis) const noexcept {
+        return points[static_cast<std::size_t>(point)][static_cast<std::size_t>(axis)];
+    }
+    Int128 difference(int a, int b, int axis) const noexcept { return at(b, axis) - at(a, axis); }
+    static Minor minor(Int128 a, Int128 b, Int128 c, Int128 d) noexcept { return multiply(a, b) - multiply(c, d); }
 };
 
 // Coordinates of up to 64 L - 3 bits and a sign.

@@ -2,12 +2,23 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 namespace ecods::exact {
 
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 Uint128;
+
+// As std::bit_width and std::countr_zero, which need not know these types. The latter is for x > 0.
+constexpr int bit_width(Uint128 x) noexcept {
+    const auto high = static_cast<std::uint64_t>(x >> 64);
+    return static_cast<int>(high != 0 ? 64 + std::bit_width(high) : std::bit_width(static_cast<std::uint64_t>(x)));
+}
+constexpr int trailing_zeros(Uint128 x) noexcept {
+    const auto low = static_cast<std::uint64_t>(x);
+    return low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(x >> 64));
+}
 
 inline constexpr std::uint64_t all_ones = ~std::uint64_t{0};
 
@@ -88,6 +99,47 @@ inline int sign(const Magnitude<L>& a) noexcept {
 }
 
 inline int sign(Int128 a) noexcept { return (a > 0) - (a < 0); }
+
+// Two's complement of 256 bits.
+struct Int256 {
+    Uint128 low;
+    Int128 high;
+};
+
+inline Int256 operator+(const Int256& a, const Int256& b) noexcept {
+    const Uint128 low = a.low + b.low;
+    return {low, static_cast<Int128>(static_cast<Uint128>(a.high) + static_cast<Uint128>(b.high) + (low < a.low))};
+}
+
+inline Int256 operator-(const Int256& a, const Int256& b) noexcept {
+    const Uint128 low = a.low - b.low;
+    return {low, static_cast<Int128>(static_cast<Uint128>(a.high) - static_cast<Uint128>(b.high) - (a.low < b.low))};
+}
+
+inline int sign(const Int256& a) noexcept { return a.high < 0 ? -1 : a.high != 0 || a.low != 0; }
+
+// a * b of unsigned numbers, by halves.
+inline Int256 multiply_halves(Uint128 a, Uint128 b) noexcept {
+    const auto a0 = static_cast<std::uint64_t>(a), a1 = static_cast<std::uint64_t>(a >> 64);
+    const auto b0 = static_cast<std::uint64_t>(b), b1 = static_cast<std::uint64_t>(b >> 64);
+    const Uint128 p00 = Uint128{a0} * b0, p01 = Uint128{a0} * b1, p10 = Uint128{a1} * b0, p11 = Uint128{a1} * b1;
+    const Uint128 middle = (p00 >> 64) + static_cast<std::uint64_t>(p01) + static_cast<std::uint64_t>(p10);
+    return {middle << 64 | static_cast<std::uint64_t>(p00),
+            static_cast<Int128>(p11 + (p01 >> 64) + (p10 >> 64) + (middle >> 64))};
+}
+
+// As an unsigned number, a negative one counts 2^128 more: what that adds to the high half is taken off again.
+inline Int256 multiply_unsigned(Int128 a, Uint128 b) noexcept {
+    Int256 p = multiply_halves(static_cast<Uint128>(a), b);
+    p.high = static_cast<Int128>(static_cast<Uint128>(p.high) - (static_cast<Uint128>(a >> 127) & b));
+    return p;
+}
+
+inline Int256 multiply(Int128 a, Int128 b) noexcept {
+    Int256 p = multiply_unsigned(a, static_cast<Uint128>(b));
+    p.high = static_cast<Int128>(static_cast<Uint128>(p.high) - (static_cast<Uint128>(b >> 127) & static_cast<Uint128>(a)));
+    return p;
+}
 
 // The limb at position i of a number that goes on with its sign.
 template <int L>

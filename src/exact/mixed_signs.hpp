@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "exact/filter.hpp"
 #include "exact/filter_bound.hpp"
 #include "exact/kernel_signs.hpp"
 #include "exact/plain_signs.hpp"
@@ -29,9 +30,6 @@ inline PairBound pair_bound(const SixRounded& points, double delta) noexcept {
     return {orient3d_bound(d), {orient2d_bound(d, 1, 2), orient2d_bound(d, 2, 0), orient2d_bound(d, 0, 1)}};
 }
 
-// 1 or -1 if the sign is certain, else 0. A NaN is not certain.
-inline int certain_sign(double x, double bound) noexcept { return (x > bound) - (x < -bound); }
-
 // Signs of single determinants, 0 where the filter leaves them open.
 class FilterSigns {
   public:
@@ -54,21 +52,15 @@ class FilterSigns {
 template <class Kernel>
 class MixedSigns {
   public:
-    MixedSigns(const SixRounded& points, const PairBound& bound, const Kernel& kernel) noexcept
-        : points_(points), bound_(bound), kernel_(kernel), filter_(points, bound), exact_(kernel) {}
+    // `trace`: the sides of planes, as the filter computed them.
+    MixedSigns(const SixRounded& points, const PairBound& bound, const FilterTrace& trace, const Kernel& kernel) noexcept
+        : points_(points), bound_(bound), trace_(trace), kernel_(kernel), filter_(points, bound), exact_(kernel) {}
 
     std::array<int, 3> sides(int triangle) const noexcept {
         const int own = 3 * triangle;
         const int other = 3 - own;
-        const PlainNormal n = plain_normal(at(own), at(own + 1), at(own + 2));
-        std::array<int, 3> result;
-        bool open = false;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double side = plain_side(n, at(own), at(other + static_cast<int>(i)));
-            result[i] = certain_sign(side, bound_.orient3d);
-            open |= result[i] == 0;
-        }
-        if (!open) return result;
+        Sides result = (triangle == 1 ? trace_.first : trace_.second).certain_signs(bound_.orient3d);
+        if (result[0] != 0 && result[1] != 0 && result[2] != 0) return result;
         const auto normal = kernel_.normal(own, own + 1, own + 2);
         for (std::size_t i = 0; i < 3; ++i) {
             if (result[i] == 0) result[i] = kernel_.side(normal, own, other + static_cast<int>(i));
@@ -102,6 +94,7 @@ class MixedSigns {
 
     const SixRounded& points_;
     const PairBound& bound_;
+    const FilterTrace& trace_;
     const Kernel& kernel_;
     FilterSigns filter_;
     KernelSigns<Kernel> exact_;

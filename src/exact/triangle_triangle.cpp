@@ -14,13 +14,14 @@ const Pose identity;
 
 Relation decide(const SixPoints& exact, const RoundedPoints& rounded) noexcept {
     const PairBound bound = pair_bound(rounded.points, rounded.delta);
-    switch (filter(rounded.points, bound.orient3d)) {
+    FilterTrace trace;
+    switch (filter(rounded.points, bound.orient3d, trace)) {
         case FilterAnswer::disjoint: return Relation::disjoint;
         case FilterAnswer::crossing: return Relation::crossing;
         case FilterAnswer::unknown: break;
     }
     return with_kernel(exact, [&](const auto& kernel) {
-        MixedSigns signs(rounded.points, bound, kernel);
+        MixedSigns signs(rounded.points, bound, trace, kernel);
         return triangle_pair(signs);
     });
 }

@@ -103,6 +103,18 @@ LimbKernel<M> narrow(const SixWide<L>& points, int shift) noexcept {
 }
 
 template <int L>
+TwoLimbKernel narrow_to_two(const SixWide<L>& points, int shift) noexcept {
+    TwoLimbKernel kernel;
+    for (std::size_t i = 0; i < 6; ++i) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Limbs<2> x = shift_right<2, L>(points[i][axis], shift);
+            kernel.points[i][axis] = static_cast<Int128>(Uint128{x[1]} << 64 | x[0]);
+        }
+    }
+    return kernel;
+}
+
+template <int L>
 OneLimbKernel narrow_to_one(const SixWide<L>& points, int shift) noexcept {
     OneLimbKernel kernel;
     for (std::size_t i = 0; i < 6; ++i) {
@@ -120,11 +132,8 @@ auto use_narrowest(SixWide<L>& points, Use&& use) {
     const int shift = range.empty() ? 0 : range.low;
     const int width = range.width();
     if (width <= OneLimbKernel::coordinate_bits) return use(narrow_to_one<L>(points, shift));
-    if (width <= LimbKernel<2>::coordinate_bits) return use(narrow<2, L>(points, shift));
-    if constexpr (L > 2) {
-        if (width <= LimbKernel<3>::coordinate_bits) return use(narrow<3, L>(points, shift));
-        if (width <= LimbKernel<4>::coordinate_bits) return use(narrow<4, L>(points, shift));
-    }
+    if (width <= TwoLimbKernel::coordinate_bits) return use(narrow_to_two<L>(points, shift));
+    if (width <= LimbKernel<4>::coordinate_bits) return use(narrow<4, L>(points, shift));
     if constexpr (L > 4) {
         if (width <= LimbKernel<8>::coordinate_bits) return use(narrow<8, L>(points, shift));
     }
@@ -133,6 +142,34 @@ auto use_narrowest(SixWide<L>& points, Use&& use) {
     }
     // As wide as the numbers came: `sum_bits` has left room for what a kernel's determinants need.
     return use(narrow<L, L>(points, shift));
+}
+
+// Six points of 128-bit coordinates.
+using SixInt128 = std::array<std::array<Int128, 3>, 6>;
+
+// The same for points whose differences have at most TwoLimbKernel::coordinate_bits.
+template <class Use>
+auto use_narrowest(const SixInt128& points, Use&& use) {
+    TwoLimbKernel two;
+    Uint128 leading = 0;   // as wide as the widest magnitude; that of -2^k may count as 2^k - 1
+    Uint128 trailing = 0;  // ends in as many zeros as all of them
+    for (std::size_t i = 0; i < 6; ++i) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Int128 x = points[i][axis] - points[0][axis];
+            two.points[i][axis] = x;
+            leading |= static_cast<Uint128>(x ^ (x >> 127));
+            trailing |= static_cast<Uint128>(x);
+        }
+    }
+    const int shift = trailing == 0 ? 0 : trailing_zeros(trailing);
+    if (bit_width(leading) + 1 - shift > OneLimbKernel::coordinate_bits) return use(two);
+    OneLimbKernel one;
+    for (std::size_t i = 0; i < 6; ++i) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            one.points[i][axis] = static_cast<std::int64_t>(two.points[i][axis] >> shift);
+        }
+    }
+    return use(one);
 }
 
 template <class Use>

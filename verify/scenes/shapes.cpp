@@ -59,7 +59,7 @@ std::shared_ptr<const Mesh> torus(std::uint32_t around, std::uint32_t along, dou
         }
         rings.push_back(mesh.add_ring(circle));
     }
-    for (std::uint32_t i = 0; i < around; ++i) mesh.bridge(rings[(i + 1) % around], rings[i]);
+    for (std::uint32_t i = 0; i < around; ++i) mesh.bridge(rings[i], rings[(i + 1) % around]);
     return mesh.finish();
 }
 

@@ -82,7 +82,7 @@ TEST(Counts, AddingFiftyThousandAtOnceIsNotQuadratic) {
         const auto phase = make_broad_phase(BroadPhaseKind::sweep_and_prune);
         for (int i = 0; i < count; ++i) {
             const int side = arrangement == 0 ? count : arrangement == 1 ? 224 : 37;
-            const int layer = arrangement == 1 ? side * count : side * side;
+            const int layer = arrangement == 2 ? side * side : count;
             // Axis 0 alone tells nothing on the line.
             phase->add(i, make_cube(2 * (i / layer), 2 * (i % side), 2 * (i / side % side)));
         }

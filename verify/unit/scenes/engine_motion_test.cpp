@@ -73,7 +73,7 @@ TEST_F(EngineMotion, RodsStayOnTheirPins) {
     for (const Side& side : {Side{1, "node 74", "node 6"}, Side{-1, "node 73", "node 3"}}) {
         const Vec3 small_end(side.sign * 164.6863, 0, 0), big_end = side.sign * Vec3(27.61788, 23.09221, 0);
         for (const Frame& frame : engine_.frames) {
-            Vec3 rod_small, rod_big, pin;
+            Vec3 rod_small = Vec3::Zero(), rod_big = Vec3::Zero(), pin = Vec3::Zero();
             for (const Move& move : frame.moves) {
                 const std::string& name = engine_.bodies[move.body_index].name;
                 if (name == side.pin) pin = follow(engine_, move, small_end);

@@ -1,0 +1,78 @@
+// The judge must notice wrong answers, of each kind. The library gives none, so they are made here.
+#include "check_oracle.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ecods::check {
+namespace {
+
+// Bodies 0 and 1 cross, 1 and 2 touch, 0 and 2 are apart.
+scenes::Scene make_scene() {
+    const auto flat = Mesh::create({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}});
+    const auto upright = Mesh::create({{1, 1, -1}, {1, 1, 1}, {2, 1, 1}}, {{0, 1, 2}});
+    scenes::Scene scene;
+    scene.meshes = {{"flat", flat}, {"upright", upright}};
+    scene.bodies = {{"ground", 0, {}}, {"blade", 1, {}}, {"roof", 0, {Mat3::Identity(), Vec3(0, 0, 1)}}};
+    scene.frames = {{{{2, {Mat3::Identity(), Vec3(0, 0, 5)}}}}};
+    return scene;
+}
+
+TEST(OracleJudge, FindsNothingWrongInRightAnswers) {
+    const scenes::Scene scene = make_scene();
+    SceneWorld world(scene, BroadPhaseKind::brute_force);
+    OracleJudge judge(scene);
+    ASSERT_TRUE(world.next_frame());
+    const FrameAnswer rest = world.answer();
+    ASSERT_EQ(rest.colliding.size(), 2U);
+    EXPECT_EQ(rest.colliding[0].relation, Relation::crossing);
+    EXPECT_EQ(rest.colliding[1].relation, Relation::touching);
+    judge.check_frame(world, rest);
+    ASSERT_TRUE(world.next_frame());
+    EXPECT_EQ(world.moved(), std::vector<std::size_t>{2});
+    judge.check_frame(world, world.answer());
+    EXPECT_FALSE(world.next_frame());
+    EXPECT_TRUE(judge.report().differences.empty());
+    EXPECT_EQ(judge.report().body_pairs, 6U);
+    EXPECT_EQ(judge.report().triangle_pairs, 3U);
+    EXPECT_EQ(judge.report().boxes, 4U);
+}
+
+TEST(OracleJudge, NoticesEachKindOfWrongAnswer) {
+    const scenes::Scene scene = make_scene();
+    SceneWorld world(scene, BroadPhaseKind::sweep_and_prune);
+    world.next_frame();
+    const FrameAnswer right = world.answer();
+    const auto first_difference = [&](const FrameAnswer& answer) {
+        OracleJudge judge(scene);
+        judge.check_frame(world, answer);
+        return judge.report().differences.empty() ? std::string() : judge.report().differences[0];
+    };
+    EXPECT_EQ(first_difference(right), "");
+
+    FrameAnswer missed = right;
+    missed.colliding.erase(missed.colliding.begin());
+    EXPECT_EQ(first_difference(missed), "frame 0: ground, blade: not listed as colliding, but crossing");
+
+    FrameAnswer invented = right;
+    invented.colliding.push_back({0, 2, Relation::touching, {}});
+    EXPECT_EQ(first_difference(invented), "frame 0: ground, roof: listed as colliding, but disjoint");
+
+    FrameAnswer weak = right;
+    weak.colliding[0].relation = Relation::touching;
+    EXPECT_EQ(first_difference(weak), "frame 0: ground, blade: touching, but exactly crossing");
+
+    FrameAnswer incomplete = right;
+    incomplete.colliding[1].triangles.clear();
+    EXPECT_EQ(first_difference(incomplete), "frame 0: blade, roof: 0 triangle pairs, but exactly 1 (or others)");
+
+    FrameAnswer other = right;
+    other.colliding[1].triangles = {{0, 7}};
+    EXPECT_NE(first_difference(other), "");
+
+    FrameAnswer lost = right;
+    lost.overlapping.pop_back();
+    EXPECT_EQ(first_difference(lost), "frame 0: all bodies: the overlapping pairs are not those of all pairs of boxes");
+}
+
+}  // namespace
+}  // namespace ecods::check
