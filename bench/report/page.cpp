@@ -19,7 +19,8 @@ h1 { font-size: 1.7rem; line-height: 1.2; margin: .5rem 0 1rem; }
 h2 { font-size: 1.25rem; margin: 2.6rem 0 .6rem; border-top: 1px solid #999; padding-top: 1rem; }
 p { margin: .5rem 0; max-width: 46rem; }
 .table { overflow-x: auto; margin: 1rem 0 .3rem; }
-table { border-collapse: collapse; font: 14px/1.4 "DejaVu Sans", Verdana, sans-serif; font-variant-numeric: tabular-nums; }
+table { border-collapse: collapse; font: 14px/1.4 "DejaVu Sans", Verdana, sans-serif;
+        font-variant-numeric: tabular-nums; }
 caption { text-align: left; font-weight: bold; padding-bottom: .35rem; }
 th, td { padding: .22rem .75rem; text-align: right; border-bottom: 1px solid #ddd; vertical-align: top; }
 td { white-space: nowrap; }

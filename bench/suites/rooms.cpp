@@ -28,8 +28,8 @@ std::vector<RoomCase> room_cases(std::size_t frame_count) {
     };
     return {
         {"room-32", "32 ships",
-         "The room is calibrated as in the report: about 1.05 hits a frame and, counted with the report's boxes (cubes around "
-         "the ships' bounding spheres), 15 candidate pairs. ECoDS's boxes are tight, so it has fewer.",
+         "The room is calibrated as in the report: about 1.05 hits a frame and, counted with the report's boxes "
+         "(cubes around the ships' bounding spheres), 15 candidate pairs. ECoDS's boxes are tight, so it has fewer.",
          options(32, scenes::calibrated_side())},
         {"room-256-density", "256 ships, same density",
          "Eight times the ships in eight times the volume (case 2 of the report).",

@@ -59,7 +59,7 @@ Sign orient2d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, int
 Sign orient3d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, const PosedPoint& d) noexcept;
 
 // Symmetric in its arguments and in the order of the corners. Zero-area triangles are the segments or points that
-// they span. Two that meet in one point only are touching.
+// they span. Proper triangles that meet in one point only are touching; a segment may cross a triangle in one.
 // Source: Guigue and Devillers, Fast and Robust Triangle-Triangle Overlap Test Using Orientation Predicates, 2003,
 // derived again (src/exact/triangle_pair.hpp).
 Relation triangle_triangle(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) noexcept;
