@@ -163,7 +163,7 @@ Picture draw_engine(const scenes::Scene& scene, const Truth& truth, std::size_t 
     const View view{.name = fmt::format("engine-{}", frame),
                     .eye = Vec3(-250, 1000, 640),
                     .target = Vec3(-5, -20, -12),
-                    .angle = 34};
+                    .angle = 37};
     return draw(
         scene, bodies, view, folder,
         fmt::format(
@@ -190,11 +190,18 @@ SuiteResult run_assembly(const SuiteOptions& options) {
         check.asked, check.triangle_pairs, check.wrong));
 
     const std::map<IndexPair, Meeting> meetings = meetings_of(comparison.truth);
+    const auto count_at_rest = [&](Relation relation) {
+        return std::count_if(meetings.begin(), meetings.end(),
+                             [&](const auto& entry) { return entry.second.at_rest == relation; });
+    };
+    const std::string at_rest = fmt::format("At rest, {} pairs of parts cross and {} touch only.",
+                                            count_at_rest(Relation::crossing), count_at_rest(Relation::touching));
     const Table moving = meetings_table(scene, meetings, frame_count + 1, true);
     const Table resting = meetings_table(scene, meetings, frame_count + 1, false);
     const Table work = work_table(comparison.runs, "The work behind it: " + title);
     print(comparison.table);
     print(work);
+    fmt::print("{}\n\n", at_rest);
     print(moving);
     print(resting);
 
@@ -215,9 +222,8 @@ SuiteResult run_assembly(const SuiteOptions& options) {
         section.pictures.push_back(plot_times(comparison.runs, options.folder, "engine-times",
                                               "The engine: milliseconds per frame. The scale is logarithmic."));
     }
-    section.tables.push_back(moving);
-    section.tables.push_back(resting);
     result.sections.push_back(std::move(section));
+    result.sections.push_back({"Which parts of the engine meet", {at_rest}, {moving, resting}, {}});
     return result;
 }
 

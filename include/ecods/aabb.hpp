@@ -27,7 +27,8 @@ bool contains(const Aabb& outer, const Aabb& inner) noexcept;
 Aabb merge(const Aabb& a, const Aabb& b) noexcept;
 
 // A box that contains the exact posed mesh, and exceeds the tightest one on each side by no more than
-// 18 u (|R| v_max + |t|), where u = 2^-53 and v_max are the largest coordinates in magnitude (infinite where that overflows). Cost: one pass over the vertices in use.
+// 18 u (|R| v_max + |t|), where u = 2^-53 and v_max are the largest coordinates in magnitude (infinite where that
+// overflows). Cost: one pass over the vertices in use.
 Aabb box_of(const Mesh& mesh, const Pose& pose);
 
 }  // namespace ecods

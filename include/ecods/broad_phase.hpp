@@ -51,8 +51,8 @@ class BroadPhase {
 
     virtual BroadPhaseKind kind() const noexcept = 0;
 
-    // Adds a box. `proxy` must not be present and must be below 2^31. Takes effect at once for box(), and for pairs() at
-    // update(), as do move and remove. Boxes must be free of NaN with min <= max; the owner checks. A `proxy` that
+    // Adds a box. `proxy` must not be present and must be below 2^31. Takes effect at once for box(), and for pairs()
+    // at update(), as do move and remove. Boxes must be free of NaN with min <= max; the owner checks. A `proxy` that
     // is not as it must be throws Error, and nothing has changed.
     virtual void add(ProxyIndex proxy, const Aabb& box) = 0;
     virtual void move(ProxyIndex proxy, const Aabb& box) = 0;  // `proxy` must be present

@@ -82,7 +82,9 @@ InvalidBox::InvalidBox(ShapeKind of_kind, int axis_index, double box_min, double
       min(box_min),
       max(box_max) {}
 
-MisuseHandler set_misuse_handler(MisuseHandler handler) noexcept { return misuse_handler.exchange(handler); }
+MisuseHandler set_misuse_handler(MisuseHandler handler) noexcept {
+    return misuse_handler.exchange(handler);
+}
 
 void report_misuse(const Error& error) {
     if (const MisuseHandler handler = misuse_handler.load()) handler(error);

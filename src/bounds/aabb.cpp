@@ -16,6 +16,8 @@ bool contains(const Aabb& outer, const Aabb& inner) noexcept {
     return true;
 }
 
-Aabb merge(const Aabb& a, const Aabb& b) noexcept { return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)}; }
+Aabb merge(const Aabb& a, const Aabb& b) noexcept {
+    return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)};
+}
 
 }  // namespace ecods

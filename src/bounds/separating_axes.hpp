@@ -1,8 +1,8 @@
 // Certain disjointness of two posed boxes, for any two affine poses.
 //
-// Whatever vector n is taken for an axis, exact disjointness of the projections on n proves that the boxes are disjoint:
-// n itself needs no accuracy, only the projections need a bound. The axes here are the columns of the two matrices: for
-// rotations, the face normals of the boxes. A zero column never separates.
+// Whatever vector n is taken for an axis, exact disjointness of the projections on n proves that the boxes are
+// disjoint: n itself needs no accuracy, only the projections need a bound. The axes here are the columns of the two
+// matrices: for rotations, the face normals of the boxes. A zero column never separates.
 //
 // Coordinates are relative to the first body's translation: the first box is R_a c_a + R_a [-h_a, h_a], the second
 // R_b c_b + R_b [-h_b, h_b] + d. On an axis n the projections are disjoint exactly when
@@ -10,17 +10,17 @@
 //
 // Bound, with u' = 2^-52 for one operation in any rounding mode, W = sum |n_i||R_ij| v_max_j for each body, where v_max
 // bounds the coordinates of all of the mesh (hence |c_j| and h_j), and N = sum |n_i||d_i|:
-//     P_j is off by 3.01 u' sum |n_i||R_ij|, so P c and |P| h are each off by 6.03 u' W; n d, with d a rounded difference of
-//     translations, by 4.01 u' N; the left side adds two roundings of terms up to W_a + W_b + N, the right one
-//     rounding of terms up to W_a + W_b. In sum below 16 u' (W_a + W_b + N). The margin is twice that, which covers
-//     its own evaluation.
-// Underflow: some 40 operations lose 2^-1022 each, times a factor of at most f = max(|n|, |R|, v_max, |d|), and subnormal
-// inputs that the processor takes for zero as much times f^2: below 2^-1000 (1 + f)^2 in sum.
-// Overflow and NaN make a comparison false: not certainly disjoint.
+//     P_j is off by 3.01 u' sum |n_i||R_ij|, so P c and |P| h are each off by 6.03 u' W; n d, with d a rounded
+//     difference of translations, by 4.01 u' N; the left side adds two roundings of terms up to W_a + W_b + N, the
+//     right one rounding of terms up to W_a + W_b. In sum below 16 u' (W_a + W_b + N). The margin is twice that, which
+//     covers its own evaluation.
+// Underflow: some 40 operations lose 2^-1022 each, times a factor of at most f = max(|n|, |R|, v_max, |d|), and
+// subnormal inputs that the processor takes for zero as much times f^2: below 2^-1000 (1 + f)^2 in sum. Overflow and
+// NaN make a comparison false: not certainly disjoint.
 #pragma once
 
-#include <array>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/environment.hpp"

@@ -11,7 +11,7 @@ namespace ecods {
 // A box with its children (inner node) or its triangles (leaf).
 struct TreeNode {
     Vec3 center;
-    Vec3 half;  // the box is |v - center| <= half on each axis, and contains its triangles
+    Vec3 half;            // the box is |v - center| <= half on each axis, and contains its triangles
     std::uint32_t begin;  // inner: index of the first child, the second follows it; leaf: into `order`
     std::uint32_t count;  // triangles of a leaf; 0 for an inner node
 

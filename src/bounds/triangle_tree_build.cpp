@@ -92,6 +92,8 @@ class Builder {
 
 }  // namespace
 
-TriangleTree build_triangle_tree(const Mesh& mesh) { return Builder(mesh).build(); }
+TriangleTree build_triangle_tree(const Mesh& mesh) {
+    return Builder(mesh).build();
+}
 
 }  // namespace ecods

@@ -1,7 +1,11 @@
 #include "exact/body_pair.hpp"
 
+#include <algorithm>
+#include <bit>
+
 #include "exact/filter.hpp"
 #include "exact/filter_bound.hpp"
+#include "exact/filter_lanes.hpp"
 #include "exact/kernel_signs.hpp"
 #include "exact/mixed_signs.hpp"
 #include "exact/pose_point.hpp"
@@ -26,6 +30,7 @@ void BodyPair::bind(const BodySide& a, const BodySide& b) {
     sides_[1].offset = sides_[1].body.pose->t - sides_[0].body.pose->t;
     for (Side& side : sides_) {
         side.rounded.clear();
+        side.blocks.clear();
         side.one_limb.clear();
         side.two_limbs.clear();
     }
@@ -55,9 +60,12 @@ void BodyPair::find_bounds() {
 }
 
 const Point& BodyPair::rounded_point(Side& side, std::uint32_t vertex) {
-    return side.rounded.get(vertex, [&](Point& p) {
-        p = pose_point(side.body.pose->R, side.body.mesh->vertices()[vertex], side.offset);
-    });
+    return side.rounded.get(
+        vertex, [&](Point& p) { p = pose_point(side.body.pose->R, side.body.mesh->vertices()[vertex], side.offset); });
+}
+
+std::array<Point, 3> BodyPair::rounded_triangle(Side& side, const Triangle& triangle) {
+    return {rounded_point(side, triangle[0]), rounded_point(side, triangle[1]), rounded_point(side, triangle[2])};
 }
 
 Relation BodyPair::relation(std::uint32_t a, std::uint32_t b) {
@@ -71,12 +79,48 @@ Relation BodyPair::relation(std::uint32_t a, std::uint32_t b) {
     }
     if (plain_is_exact_) return decide_plainly(points);
     FilterTrace trace;
-    switch (filter(points, static_bound_, trace)) {
-        case FilterAnswer::disjoint: ++counts_.filter_passes; return Relation::disjoint;
-        case FilterAnswer::crossing: ++counts_.filter_passes; return Relation::crossing;
-        case FilterAnswer::unknown: break;
+    const FilterAnswer answer = filter(points, static_bound_, trace);
+    return decide(ta, tb, points, answer, trace);
+}
+
+void BodyPair::relations(std::uint32_t a, std::uint32_t block, std::uint32_t lanes,
+                         std::array<Relation, lane_count>& relations) {
+    Side& side = sides_[1];
+    const TriangleBlock& b = side.body.blocks[block];
+    const TriangleLanes& eight = side.blocks.get(
+        block, [&](TriangleLanes& posed) { pose_lanes(side.body.pose->R, side.offset, b.local, posed); });
+    const Triangle& ta = sides_[0].body.mesh->triangles()[a];
+    const std::array<Point, 3> one = rounded_triangle(sides_[0], ta);
+    const double bound = plain_is_exact_ ? 0 : static_bound_;
+    LaneTrace traces;
+    const std::uint32_t disjoint = filter_planes(one, eight, bound, traces) & lanes;
+
+    const auto disjoint_count = static_cast<std::uint64_t>(std::popcount(disjoint));
+    counts_.triangle_tests += static_cast<std::uint64_t>(std::popcount(lanes));
+    (plain_is_exact_ ? counts_.local_passes : counts_.filter_passes) += disjoint_count;
+    for (std::uint32_t rest = disjoint; rest != 0; rest &= rest - 1) {
+        relations[static_cast<std::size_t>(std::countr_zero(rest))] = Relation::disjoint;
     }
-    return decide_open(ta, tb, points, trace);
+    for (std::uint32_t rest = lanes & ~disjoint; rest != 0; rest &= rest - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+        const SixRounded points{one[0], one[1], one[2], eight.at(lane, 0), eight.at(lane, 1), eight.at(lane, 2)};
+        if (plain_is_exact_) {
+            relations[lane] = decide_plainly(points);
+            continue;
+        }
+        const FilterTrace trace = traces.at(lane);
+        const Triangle& tb = side.body.mesh->triangles()[b.indices[lane]];
+        relations[lane] = decide(ta, tb, points, filter_again(points, bound, trace), trace);
+    }
+}
+
+// Counts what the filter decided, and decides the rest.
+inline Relation BodyPair::decide(const Triangle& a, const Triangle& b, const SixRounded& points, FilterAnswer answer,
+                                 const FilterTrace& trace) {
+    if (answer == FilterAnswer::unknown) [[unlikely]]
+        return decide_open(a, b, points, trace);
+    ++counts_.filter_passes;
+    return answer == FilterAnswer::disjoint ? Relation::disjoint : Relation::crossing;
 }
 
 Relation BodyPair::decide_plainly(const SixRounded& points) {
@@ -93,9 +137,14 @@ Relation BodyPair::decide_plainly(const SixRounded& points) {
     }
     const PairBound bound = pair_bound(points, delta_);
     switch (filter_again(points, bound.orient3d, trace)) {
-        case FilterAnswer::disjoint: ++counts_.semi_static_passes; return Relation::disjoint;
-        case FilterAnswer::crossing: ++counts_.semi_static_passes; return Relation::crossing;
-        case FilterAnswer::unknown: break;
+        case FilterAnswer::disjoint:
+            ++counts_.semi_static_passes;
+            return Relation::disjoint;
+        case FilterAnswer::crossing:
+            ++counts_.semi_static_passes;
+            return Relation::crossing;
+        case FilterAnswer::unknown:
+            break;
     }
     return use_kernel(a, b, [&](const auto& kernel) {
         MixedSigns signs(points, bound, trace, kernel);
@@ -125,8 +174,8 @@ void BodyPair::prepare_exact() {
         offset[row] = *difference;
         digits.include(difference->digits());
     }
-    // A coordinate is a sum of three products and a translation: two more bits. With two limbs differences are made, of one
-    // bit more.
+    // A coordinate is a sum of three products and a translation: two more bits. With two limbs differences are made, of
+    // one bit more.
     if (digits.width() + 2 <= OneLimbKernel::coordinate_bits) {
         exact_state_ = ExactState::one_limb_fits;
     } else if (digits.width() + 3 <= TwoLimbKernel::coordinate_bits) {
@@ -193,9 +242,12 @@ template <class Use>
 Relation BodyPair::use_kernel(const Triangle& a, const Triangle& b, Use&& use) {
     const auto counted = [&](const auto& kernel) {
         using Kernel = std::decay_t<decltype(kernel)>;
-        if constexpr (std::is_same_v<Kernel, OneLimbKernel>) ++counts_.one_limb;
-        else if constexpr (std::is_same_v<Kernel, TwoLimbKernel>) ++counts_.two_limbs;
-        else ++counts_.many_limbs;
+        if constexpr (std::is_same_v<Kernel, OneLimbKernel>)
+            ++counts_.one_limb;
+        else if constexpr (std::is_same_v<Kernel, TwoLimbKernel>)
+            ++counts_.two_limbs;
+        else
+            ++counts_.many_limbs;
         return use(kernel);
     };
     if (exact_state_ == ExactState::one_limb_fits) {

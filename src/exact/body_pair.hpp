@@ -8,11 +8,13 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/predicates.hpp"
 #include "exact/filter.hpp"
+#include "exact/filter_lanes.hpp"
 #include "exact/limbs.hpp"
 #include "exact/mesh_extent.hpp"
 #include "exact/plain_signs.hpp"
@@ -32,11 +34,12 @@ struct StageCounts {
     std::uint64_t many_limbs = 0;
 };
 
-// One of the two bodies: the mesh, what is known of it, and its pose.
+// One of the two bodies: the mesh, what is known of it, and its pose; blocks of its triangles if batches are asked for.
 struct BodySide {
     const Mesh* mesh;
     const MeshExtent* extent;
     const Pose* pose;
+    std::span<const TriangleBlock> blocks = {};
 };
 
 class BodyPair {
@@ -49,6 +52,11 @@ class BodyPair {
     // The exact relation of triangle `a` of the first mesh and `b` of the second.
     Relation relation(std::uint32_t a, std::uint32_t b);
 
+    // The same of triangle `a` with the triangles of one block of the second mesh, for the lanes whose bits are set in
+    // `lanes`; other places of `relations` are left as they are. The second side must have blocks.
+    void relations(std::uint32_t a, std::uint32_t block, std::uint32_t lanes,
+                   std::array<Relation, lane_count>& relations);
+
     const StageCounts& counts() const noexcept { return counts_; }
     void reset_counts() noexcept { counts_ = {}; }
 
@@ -60,6 +68,7 @@ class BodyPair {
         BodySide body{};
         Vec3 offset = Vec3::Zero();  // fl(t - t0)
         VertexCache<Point> rounded;
+        VertexCache<TriangleLanes, 64> blocks;
         VertexCache<OneLimbPoint> one_limb;
         VertexCache<TwoLimbPoint> two_limbs;
     };
@@ -68,6 +77,9 @@ class BodyPair {
     enum class ExactState { not_prepared, one_limb_fits, two_limbs_fit, too_wide };
 
     const Point& rounded_point(Side& side, std::uint32_t vertex);
+    std::array<Point, 3> rounded_triangle(Side& side, const Triangle& triangle);
+    Relation decide(const Triangle& a, const Triangle& b, const SixRounded& points, FilterAnswer answer,
+                    const FilterTrace& trace);
     TwoLimbPoint exact_point(const Side& side, std::uint32_t vertex) const;
     const OneLimbPoint& one_limb_point(Side& side, std::uint32_t vertex);
     const TwoLimbPoint& two_limb_point(Side& side, std::uint32_t vertex);
@@ -86,7 +98,7 @@ class BodyPair {
 
     ExactState exact_state_ = ExactState::not_prepared;
     bool plain_is_exact_ = false;
-    int exact_low_ = 0;         // exact points are multiples of 2^exact_low_
+    int exact_low_ = 0;            // exact points are multiples of 2^exact_low_
     TwoLimbPoint exact_offset_{};  // t - t0 in these units
 
     StageCounts counts_;

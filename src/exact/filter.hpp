@@ -1,7 +1,7 @@
 // The hot path: a pair of triangles decided by plain doubles and one bound.
 //
-// A bound is either finite, and then no coordinate is large enough for a NaN or infinity to arise (filter_bound.hpp), or
-// infinite, and then no comparison with it succeeds. So minima and maxima need no care about NaN.
+// A bound is either finite, and then no coordinate is large enough for a NaN or infinity to arise (filter_bound.hpp),
+// or infinite, and then no comparison with it succeeds. So minima and maxima need no care about NaN.
 #pragma once
 
 #include <algorithm>
@@ -19,12 +19,8 @@ enum class FilterAnswer { disjoint, crossing, unknown };
 struct PlaneSides {
     double a, b, c;
 
-    bool are_beyond(double bound) const noexcept {
-        return std::min({a, b, c}) > bound || std::max({a, b, c}) < -bound;
-    }
-    bool are_certain(double bound) const noexcept {
-        return std::min({std::abs(a), std::abs(b), std::abs(c)}) > bound;
-    }
+    bool are_beyond(double bound) const noexcept { return std::min({a, b, c}) > bound || std::max({a, b, c}) < -bound; }
+    bool are_certain(double bound) const noexcept { return std::min({std::abs(a), std::abs(b), std::abs(c)}) > bound; }
     // 1 or -1 where the sign is certain, else 0.
     Sides certain_signs(double bound) const noexcept {
         return {certain_sign(a, bound), certain_sign(b, bound), certain_sign(c, bound)};

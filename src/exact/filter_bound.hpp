@@ -1,14 +1,14 @@
 // Bounds of the floating-point filter, as formulas in u = 2^-53, with their derivation.
 //
-// One operation, in any rounding mode: fl(a op b) = (a op b)(1 + e), |e| <= u' = 2u = 2^-52, unless it underflows. Fused
-// multiply-add leaves an error out; the bounds stay. Flush-to-zero and underflow are the business of the absolute
+// One operation, in any rounding mode: fl(a op b) = (a op b)(1 + e), |e| <= u' = 2u = 2^-52, unless it underflows.
+// Fused multiply-add leaves an error out; the bounds stay. Flush-to-zero and underflow are the business of the absolute
 // terms below. Overflow and NaN make a bound infinite or a comparison false, and the question goes to integers.
 //
 // Points. p = fl(R v + d) with the sum taken in the order ((r0 v0 + r1 v1) + r2 v2) + d, where d = fl(t - t0) is a
 // rounded difference of translations. Each term meets at most four factors (1 + e), so
 //     |p - (R v + t - t0)| <= ((1 + u')^4 - 1) S <= (17/4) u' S,   S = sum |r_j||v_j| + |t - t0|.
-// (verify/proofs/posed_point.g.) The sum S is itself computed, low by a factor of no more than (1 - u')^4, and (t - t0) is known
-// as d to a factor of 1 + u': ((1 + u')^4 - 1) (1 - u')^-5 < 4.0001 u', so the slack of 17/4 over 4 covers it.
+// (verify/proofs/posed_point.g.) The sum S is itself computed, low by a factor of no more than (1 - u')^4, and (t - t0)
+// is known as d to a factor of 1 + u': ((1 + u')^4 - 1) (1 - u')^-5 < 4.0001 u', so the slack of 17/4 over 4 covers it.
 // Underflow is covered by an absolute term, derived at point_error_bound.
 //
 // Differences. x = fl(p - q) of two such points, on an axis on which |p - q| <= ext (rounded points, exact difference):
@@ -21,15 +21,15 @@
 //     rounding of the bound's own evaluation).
 // (2) Input error, telescoped: det(X) - det(x) for |X - x| <= e changes one factor at a time; each of the six products
 //     changes by at most ex Ey Ez + Ex ey Ez + Ex Ey ez: in sum 6 (ex Ey Ez + Ex ey Ez + Ex Ey ez).
-// B3 = (30 u' Ex Ey Ez + 6 (...)) (1 + 2^-20). Half of the last factor's 2^-20 covers all roundings in the evaluation of
-// ext, e, E and B3 (fewer than 40, each 2^-52); the other half covers underflow, see the range guard.
+// B3 = (30 u' Ex Ey Ez + 6 (...)) (1 + 2^-20). Half of the last factor's 2^-20 covers all roundings in the evaluation
+// of ext, e, E and B3 (fewer than 40, each 2^-52); the other half covers underflow, see the range guard.
 //
 // The minor of two differences on axes i and j: rounding (17/4) u' Ei Ej (verify/proofs/orient2d.g: two products of
 // two roundings each), input error 2 (ei Ej + Ei ej).
 //
-// Range guard. E < 2^200 keeps every product below 2^602: no overflow. Underflow in the determinant, gradual or to zero,
-// loses at most 2^-1022 in each of six inner products, times a third factor below 2^200, and 2^-1022 in each of the
-// other operations: in sum below 2^-818. B > 2^-780 makes half of the slack, B 2^-21 > 2^-801, larger. If the guard
+// Range guard. E < 2^200 keeps every product below 2^602: no overflow. Underflow in the determinant, gradual or to
+// zero, loses at most 2^-1022 in each of six inner products, times a third factor below 2^200, and 2^-1022 in each of
+// the other operations: in sum below 2^-818. B > 2^-780 makes half of the slack, B 2^-21 > 2^-801, larger. If the guard
 // fails, the bound is infinite and the question goes to integers. (Underflow of a difference is below 2^-1022, and
 // within what delta leaves over.)
 #pragma once
@@ -87,10 +87,10 @@ inline double orient2d_bound(const DifferenceBound& d, std::size_t i, std::size_
 
 // The error of fl(R v + d) on any axis, for |v_j| <= v_max_j.
 //
-// The absolute term covers underflow. A product or sum that underflows, gradually or to zero, loses at most 2^-1022; there
-// are eight. A subnormal input that the processor takes for zero changes a product by less than 2^-1022 times the other
-// factor f; there are three, and one d. With f < 2^19 that is in sum below 2^-1001; for larger f, below
-// 2^-1000 f.
+// The absolute term covers underflow. A product or sum that underflows, gradually or to zero, loses at most 2^-1022;
+// there are eight. A subnormal input that the processor takes for zero changes a product by less than 2^-1022 times the
+// other factor f; there are three, and one d. With f < 2^19 that is in sum below 2^-1001; for larger f, below 2^-1000
+// f.
 inline double point_error_bound(const Mat3& R, const Vec3& v_max, const Vec3& d) noexcept {
     double sum_max = 0;
     double factor_max = 0;

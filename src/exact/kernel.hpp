@@ -13,9 +13,15 @@
 
 namespace ecods::exact {
 
-constexpr int difference_bits(int k) { return k + 1; }
-constexpr int minor_bits(int k) { return 2 * k + 3; }
-constexpr int determinant_bits(int k) { return 3 * k + 6; }
+constexpr int difference_bits(int k) {
+    return k + 1;
+}
+constexpr int minor_bits(int k) {
+    return 2 * k + 3;
+}
+constexpr int determinant_bits(int k) {
+    return 3 * k + 6;
+}
 
 // Coordinates of up to 60 bits and a sign.
 class OneLimbKernel {
@@ -74,7 +80,8 @@ class OneLimbKernel {
     std::int64_t difference(int a, int b, int axis) const noexcept { return at(b, axis) - at(a, axis); }
     // x * y. As a signed product, y counts 2^64 less where its top bit is set.
     static Int128 times_unsigned(std::int64_t x, std::uint64_t y) noexcept {
-        const auto top = static_cast<std::uint64_t>(static_cast<std::int64_t>(y) >> 63);  // all ones if y's top bit is set
+        const auto top =
+            static_cast<std::uint64_t>(static_cast<std::int64_t>(y) >> 63);  // all ones if y's top bit is set
         const std::uint64_t missing = static_cast<std::uint64_t>(x) & top;
         return static_cast<Int128>(static_cast<Uint128>(Int128{x} * static_cast<std::int64_t>(y)) +
                                    (Uint128{missing} << 64));

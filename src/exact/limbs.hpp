@@ -98,7 +98,9 @@ inline int sign(const Magnitude<L>& a) noexcept {
     return is_zero<L>(a.limbs) ? 0 : a.negative ? -1 : 1;
 }
 
-inline int sign(Int128 a) noexcept { return (a > 0) - (a < 0); }
+inline int sign(Int128 a) noexcept {
+    return (a > 0) - (a < 0);
+}
 
 // Two's complement of 256 bits.
 struct Int256 {
@@ -116,7 +118,9 @@ inline Int256 operator-(const Int256& a, const Int256& b) noexcept {
     return {low, static_cast<Int128>(static_cast<Uint128>(a.high) - static_cast<Uint128>(b.high) - (a.low < b.low))};
 }
 
-inline int sign(const Int256& a) noexcept { return a.high < 0 ? -1 : a.high != 0 || a.low != 0; }
+inline int sign(const Int256& a) noexcept {
+    return a.high < 0 ? -1 : a.high != 0 || a.low != 0;
+}
 
 // a * b of unsigned numbers, by halves.
 inline Int256 multiply_halves(Uint128 a, Uint128 b) noexcept {
@@ -137,7 +141,8 @@ inline Int256 multiply_unsigned(Int128 a, Uint128 b) noexcept {
 
 inline Int256 multiply(Int128 a, Int128 b) noexcept {
     Int256 p = multiply_unsigned(a, static_cast<Uint128>(b));
-    p.high = static_cast<Int128>(static_cast<Uint128>(p.high) - (static_cast<Uint128>(b >> 127) & static_cast<Uint128>(a)));
+    p.high =
+        static_cast<Int128>(static_cast<Uint128>(p.high) - (static_cast<Uint128>(b >> 127) & static_cast<Uint128>(a)));
     return p;
 }
 
@@ -169,9 +174,8 @@ inline void add_shifted(Limbs<L>& sum, Int128 term, int shift) noexcept {
     const std::uint64_t low = static_cast<std::uint64_t>(term);
     const std::uint64_t high = static_cast<std::uint64_t>(term >> 64);
     const std::uint64_t rest = term < 0 ? all_ones : 0;
-    const std::array<std::uint64_t, 3> digits{
-        low << bits, bits == 0 ? high : (high << bits) | (low >> (64 - bits)),
-        bits == 0 ? rest : (rest << bits) | (high >> (64 - bits))};
+    const std::array<std::uint64_t, 3> digits{low << bits, bits == 0 ? high : (high << bits) | (low >> (64 - bits)),
+                                              bits == 0 ? rest : (rest << bits) | (high >> (64 - bits))};
     std::uint64_t carry = 0;
     for (int i = skip; i < L; ++i) {
         const auto at = static_cast<std::size_t>(i);

@@ -13,7 +13,9 @@ using namespace exact;
 
 const Pose identity;
 
-Sign to_sign(int s) noexcept { return static_cast<Sign>(s); }
+Sign to_sign(int s) noexcept {
+    return static_cast<Sign>(s);
+}
 
 // `ask` asks one question of a provider of signs.
 template <class Ask>

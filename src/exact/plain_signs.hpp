@@ -34,10 +34,14 @@ inline double plain_orient2d(const Point& a, const Point& b, const Point& c, int
     return (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
 }
 
-inline int sign_of(double x) noexcept { return (x > 0) - (x < 0); }
+inline int sign_of(double x) noexcept {
+    return (x > 0) - (x < 0);
+}
 
 // 1 or -1 if the sign is certain, else 0. A NaN is not certain.
-inline int certain_sign(double x, double bound) noexcept { return (x > bound) - (x < -bound); }
+inline int certain_sign(double x, double bound) noexcept {
+    return (x > bound) - (x < -bound);
+}
 
 // Signs for triangle_pair.hpp that are right only where every operation is exact.
 class PlainSigns {

@@ -89,8 +89,8 @@ Relation segment_triangle(Signs& signs, Segment s, int triangle) {
         const bool meets = meets_in_plane(signs, s, triangle, signs.normal_axis(triangle));
         return meets ? Relation::touching : Relation::disjoint;
     }
-    // The segment's line meets the plane in one point of the segment. It is in the closed triangle exactly when the line
-    // does not pass the three directed edges on different sides.
+    // The segment's line meets the plane in one point of the segment. It is in the closed triangle exactly when the
+    // line does not pass the three directed edges on different sides.
     bool positive = false, negative = false, zero = false;
     for (int edge = 0; edge < 3; ++edge) {
         const int side = signs.orient3d(s.a, s.b, first + edge, first + (edge + 1) % 3);

@@ -8,17 +8,17 @@
 //     compare(a, b, axis)      sign of a - b on an axis
 //     normal_axis(triangle)    an axis on which the triangle's normal is not zero, or -1 if its area is zero
 //
-// Points 0 to 2 are the corners of the first triangle, 3 to 5 those of the second. If the provider's signs are exact, so
-// is the decision.
+// Points 0 to 2 are the corners of the first triangle, 3 to 5 those of the second. If the provider's signs are exact,
+// so is the decision.
 //
 // Proper triangles in different planes (Guigue and Devillers 2003, derived again). Let the corners of each be on both
-// closed sides of the other's plane. Both triangles then meet the line L of the two planes in closed intervals. Name the
-// corners of the first p1, q1, r1 such that p1 is alone on its side: q1 and r1 are on the opposite closed side. L
+// closed sides of the other's plane. Both triangles then meet the line L of the two planes in closed intervals. Name
+// the corners of the first p1, q1, r1 such that p1 is alone on its side: q1 and r1 are on the opposite closed side. L
 // meets the first triangle between its edges p1q1 and p1r1, and the second between p2q2 and p2r2. Swap q2 and
 // r2 if p1 is on the negative side of the second plane, and q1 and r1 if p2 is on the negative side of the first: then
 // both intervals are named in the same direction along L, and they share a point exactly when neither ends before the
-// other begins. That the end on p1r1 is not before the beginning on p2q2 is a sign of orient3d of the two edges, and so is
-// the other comparison. They share an open interval exactly when both comparisons are strict.
+// other begins. That the end on p1r1 is not before the beginning on p2q2 is a sign of orient3d of the two edges, and so
+// is the other comparison. They share an open interval exactly when both comparisons are strict.
 //
 // Relative interiors then share a point exactly when each triangle has corners strictly on both sides (else the part of
 // it on L is on its boundary) and both comparisons are strict.
@@ -34,9 +34,15 @@ namespace ecods::exact {
 
 using Sides = std::array<int, 3>;
 
-inline bool all_positive(const Sides& s) noexcept { return s[0] > 0 && s[1] > 0 && s[2] > 0; }
-inline bool all_negative(const Sides& s) noexcept { return s[0] < 0 && s[1] < 0 && s[2] < 0; }
-inline bool all_zero(const Sides& s) noexcept { return s[0] == 0 && s[1] == 0 && s[2] == 0; }
+inline bool all_positive(const Sides& s) noexcept {
+    return s[0] > 0 && s[1] > 0 && s[2] > 0;
+}
+inline bool all_negative(const Sides& s) noexcept {
+    return s[0] < 0 && s[1] < 0 && s[2] < 0;
+}
+inline bool all_zero(const Sides& s) noexcept {
+    return s[0] == 0 && s[1] == 0 && s[2] == 0;
+}
 inline bool strictly_on_both(const Sides& s) noexcept {
     return (s[0] > 0 || s[1] > 0 || s[2] > 0) && (s[0] < 0 || s[1] < 0 || s[2] < 0);
 }

@@ -16,9 +16,12 @@ Relation decide(const SixPoints& exact, const RoundedPoints& rounded) noexcept {
     const PairBound bound = pair_bound(rounded.points, rounded.delta);
     FilterTrace trace;
     switch (filter(rounded.points, bound.orient3d, trace)) {
-        case FilterAnswer::disjoint: return Relation::disjoint;
-        case FilterAnswer::crossing: return Relation::crossing;
-        case FilterAnswer::unknown: break;
+        case FilterAnswer::disjoint:
+            return Relation::disjoint;
+        case FilterAnswer::crossing:
+            return Relation::crossing;
+        case FilterAnswer::unknown:
+            break;
     }
     return with_kernel(exact, [&](const auto& kernel) {
         MixedSigns signs(rounded.points, bound, trace, kernel);

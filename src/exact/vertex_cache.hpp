@@ -1,4 +1,4 @@
-// Values made for vertices of one mesh, kept in a small memory of fixed size.
+// Values made for vertices (or blocks of triangles) of one mesh, kept in a small memory of fixed size.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,10 @@
 namespace ecods::exact {
 
 // Direct-mapped: the entry of a vertex holds the value of the vertex of that entry that was asked for last.
-template <class Value>
+// The default size makes 32 KiB of rounded points: a level 1 cache.
+template <class Value, std::size_t size = 1024>
 class VertexCache {
   public:
-    // Entries, a power of two. With rounded points 32 KiB: a level 1 cache.
-    static constexpr std::size_t size = 1024;
-
     // Forgets all values, at the cost of a counter.
     void clear() noexcept {
         epoch_ += std::uint64_t{1} << 32;

@@ -19,8 +19,8 @@ struct PointRef {
 
 using SixPoints = std::array<PointRef, 6>;
 
-// Six points relative to the translation of the first one's pose: P - t_0 = R v + t - t_0. The differences of points, of
-// which all signs are made, are those of the points; far from the origin the numbers are much shorter.
+// Six points relative to the translation of the first one's pose: P - t_0 = R v + t - t_0. The differences of points,
+// of which all signs are made, are those of the points; far from the origin the numbers are much shorter.
 template <int L>
 using SixWide = std::array<std::array<Limbs<L>, 3>, 6>;
 

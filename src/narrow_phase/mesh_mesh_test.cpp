@@ -5,7 +5,9 @@
 namespace ecods {
 namespace {
 
-PosedMesh as_mesh(const PosedShape& posed) { return {static_cast<const MeshShape&>(posed.shape), posed.pose}; }
+PosedMesh as_mesh(const PosedShape& posed) {
+    return {static_cast<const MeshShape&>(posed.shape), posed.pose};
+}
 
 class MeshMeshTest final : public TwoBodyTest {
   public:
@@ -23,6 +25,8 @@ class MeshMeshTest final : public TwoBodyTest {
 
 }  // namespace
 
-std::shared_ptr<const TwoBodyTest> make_mesh_mesh_test() { return std::make_shared<MeshMeshTest>(); }
+std::shared_ptr<const TwoBodyTest> make_mesh_mesh_test() {
+    return std::make_shared<MeshMeshTest>();
+}
 
 }  // namespace ecods

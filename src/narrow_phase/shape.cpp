@@ -19,7 +19,9 @@ MeshShape::MeshShape(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)),
 
 MeshShape::~MeshShape() = default;
 
-Aabb MeshShape::box(const Pose& pose) const { return box_of(*mesh_, pose); }
+Aabb MeshShape::box(const Pose& pose) const {
+    return box_of(*mesh_, pose);
+}
 
 // The only state behind const: written once under the flag, the same whoever comes first.
 const MeshShape::Tree& MeshShape::tree() const {

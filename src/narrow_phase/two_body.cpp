@@ -25,8 +25,12 @@ QueryMemory::~QueryMemory() = default;
 QueryMemory::QueryMemory(QueryMemory&&) noexcept = default;
 QueryMemory& QueryMemory::operator=(QueryMemory&&) noexcept = default;
 
-const QueryCounts& QueryMemory::counts() const noexcept { return state_->counts; }
-void QueryMemory::reset_counts() noexcept { state_->counts = {}; }
+const QueryCounts& QueryMemory::counts() const noexcept {
+    return state_->counts;
+}
+void QueryMemory::reset_counts() noexcept {
+    state_->counts = {};
+}
 
 QueryCounts& QueryCounts::operator+=(const QueryCounts& other) noexcept {
     queries += other.queries;

@@ -6,7 +6,9 @@ void TwoBodyTests::set(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTe
     entries_.insert_or_assign(key(a, b), Entry{std::move(test), a});
 }
 
-bool TwoBodyTests::has(ShapeKind a, ShapeKind b) const { return entries_.contains(key(a, b)); }
+bool TwoBodyTests::has(ShapeKind a, ShapeKind b) const {
+    return entries_.contains(key(a, b));
+}
 
 OrderedTest TwoBodyTests::find(ShapeKind a, ShapeKind b) const {
     const Entry& entry = entries_.at(key(a, b));

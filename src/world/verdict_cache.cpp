@@ -6,7 +6,9 @@
 
 namespace ecods {
 
-std::size_t VerdictCache::KeyHash::operator()(std::uint64_t key) const noexcept { return mix(key); }
+std::size_t VerdictCache::KeyHash::operator()(std::uint64_t key) const noexcept {
+    return mix(key);
+}
 
 void VerdictCache::add(ProxyPair pair, const BodyPair& bodies) {
     if (partners_.size() <= pair.b) partners_.resize(std::size_t{pair.b} + 1);

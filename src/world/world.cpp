@@ -161,13 +161,17 @@ bool World::is_alive(BodyId body) const noexcept {
            slots[body.slot - 1].generation == body.generation;
 }
 
-const Pose& World::pose(BodyId body) const { return impl_->slots[impl_->require(body)].pose; }
+const Pose& World::pose(BodyId body) const {
+    return impl_->slots[impl_->require(body)].pose;
+}
 
 const std::shared_ptr<const Shape>& World::shape(BodyId body) const {
     return impl_->slots[impl_->require(body)].shape;
 }
 
-const Aabb& World::box(BodyId body) const { return impl_->slots[impl_->require(body)].box; }
+const Aabb& World::box(BodyId body) const {
+    return impl_->slots[impl_->require(body)].box;
+}
 
 std::vector<BodyId> World::bodies() const {
     std::vector<BodyId> result;

@@ -30,10 +30,18 @@ bool World::Impl::test(ProxyPair pair, QueryMemory& query_memory) const {
                              });
 }
 
-std::span<const BodyPair> World::overlapping_pairs() const noexcept { return impl_->overlapping; }
-std::span<const BodyPair> World::colliding_pairs() const noexcept { return impl_->colliding; }
-std::span<const BodyPair> World::began() const noexcept { return impl_->began; }
-std::span<const BodyPair> World::ended() const noexcept { return impl_->ended; }
+std::span<const BodyPair> World::overlapping_pairs() const noexcept {
+    return impl_->overlapping;
+}
+std::span<const BodyPair> World::colliding_pairs() const noexcept {
+    return impl_->colliding;
+}
+std::span<const BodyPair> World::began() const noexcept {
+    return impl_->began;
+}
+std::span<const BodyPair> World::ended() const noexcept {
+    return impl_->ended;
+}
 
 namespace {
 
@@ -52,10 +60,9 @@ bool World::intersects(BodyId a, BodyId b) {
 Relation World::relation(BodyId a, BodyId b) {
     Impl& w = *impl_;
     const ProxyPair pair = ordered_pair(w.require(a), w.require(b), a);
-    return w.test_of(pair).ask(w.slots[pair.a].posed(), w.slots[pair.b].posed(),
-                               [&](const TwoBodyTest& t, const PosedShape& x, const PosedShape& y) {
-                                   return t.relation(x, y, w.memory);
-                               });
+    return w.test_of(pair).ask(
+        w.slots[pair.a].posed(), w.slots[pair.b].posed(),
+        [&](const TwoBodyTest& t, const PosedShape& x, const PosedShape& y) { return t.relation(x, y, w.memory); });
 }
 
 std::vector<TrianglePair> World::touching_triangles(BodyId a, BodyId b) {

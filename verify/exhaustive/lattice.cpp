@@ -4,7 +4,9 @@
 
 namespace ecods::lattice {
 
-std::array<int, 3> digits(int point) { return {point % 3, point / 3 % 3, point / 9}; }
+std::array<int, 3> digits(int point) {
+    return {point % 3, point / 3 % 3, point / 9};
+}
 
 Vec3 position(int point) {
     const auto d = digits(point);

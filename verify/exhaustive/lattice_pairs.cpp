@@ -50,8 +50,7 @@ TEST(LatticePairs, AllOfThemAgreeWithTheOracle) {
         auto& answers = expected[c.corners];
         if (answers.empty()) {
             for (const Corners& b : triangles) {
-                answers.push_back(
-                    oracle::triangle_triangle(identity, positions(c.corners), identity, positions(b)));
+                answers.push_back(oracle::triangle_triangle(identity, positions(c.corners), identity, positions(b)));
             }
         }
         for (const Corners& b : triangles) {

@@ -23,9 +23,13 @@ int integer(Random& random, int min, int max) {
     return min + static_cast<int>(random.below(static_cast<std::uint32_t>(max - min + 1)));
 }
 
-bool coin(Random& random) { return random.below(2) == 0; }
+bool coin(Random& random) {
+    return random.below(2) == 0;
+}
 
-Mat3 rotation(Random& random) { return random.rotation().toRotationMatrix(); }
+Mat3 rotation(Random& random) {
+    return random.rotation().toRotationMatrix();
+}
 
 Pose random_pose(Random& random) {
     Pose pose;
@@ -37,8 +41,12 @@ Pose random_pose(Random& random) {
 Int3 cross(const Int3& a, const Int3& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-Int3 minus(const Int3& a, const Int3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-std::int64_t dot(const Int3& a, const Int3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Int3 minus(const Int3& a, const Int3& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+std::int64_t dot(const Int3& a, const Int3& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 IntTriangle integer_triangle(Random& random, int size) {
     for (;;) {
@@ -223,7 +231,9 @@ struct IntegerRotation {
     }
 };
 
-Int3 times(const Int3& p, std::int64_t factor) { return {p[0] * factor, p[1] * factor, p[2] * factor}; }
+Int3 times(const Int3& p, std::int64_t factor) {
+    return {p[0] * factor, p[1] * factor, p[2] * factor};
+}
 
 // The same real configuration, each body modelled in a frame of its own: R_a v_a = N_a^2 N_b^2 p for both.
 PosedPair in_integer_frames(const IntTriangle& a, const IntTriangle& b, int size, double scale, Random& random,
@@ -369,10 +379,17 @@ PosedPair singular(Random& random) {
     for (Pose* pose : {&pair.pose_a, &pair.pose_b}) {
         const int column = integer(random, 0, 2);
         switch (random.below(4)) {
-            case 0: pose->R.col(column).setZero(); break;
-            case 1: pose->R.col(column) = pose->R.col((column + 1) % 3); break;
-            case 2: pose->R = pose->R.col(column) * Vec3(1, 2, 3).transpose(); break;
-            default: break;
+            case 0:
+                pose->R.col(column).setZero();
+                break;
+            case 1:
+                pose->R.col(column) = pose->R.col((column + 1) % 3);
+                break;
+            case 2:
+                pose->R = pose->R.col(column) * Vec3(1, 2, 3).transpose();
+                break;
+            default:
+                break;
         }
         if (coin(random)) pair.pose_b = pair.pose_a;
     }
@@ -387,9 +404,14 @@ PosedPair degenerate(Random& random) {
             for (int k = 0; k < 3; ++k) corner[k] = integer(random, -size, size);
         }
         switch (random.below(4)) {
-            case 0: (*t)[2] = (*t)[0]; break;
-            case 1: (*t)[2] = 2 * (*t)[1] - (*t)[0]; break;
-            default: break;
+            case 0:
+                (*t)[2] = (*t)[0];
+                break;
+            case 1:
+                (*t)[2] = 2 * (*t)[1] - (*t)[0];
+                break;
+            default:
+                break;
         }
     }
     if (coin(random)) pair.pose_a = random_pose(random);
@@ -397,71 +419,124 @@ PosedPair degenerate(Random& random) {
     return pair;
 }
 
-constexpr std::array families{
-    HardFamily::generic,           HardFamily::lattice,          HardFamily::lattice_one_ulp,
-    HardFamily::coplanar,          HardFamily::edge_on_edge,     HardFamily::vertex_on_face,
-    HardFamily::vertex_near_face,  HardFamily::integer_rotations, HardFamily::vertex_on_face_integer,
-    HardFamily::vertex_near_face_integer, HardFamily::permutations, HardFamily::equal_poses,
-    HardFamily::short_coordinates, HardFamily::far_from_origin,  HardFamily::slivers,
-    HardFamily::wide_exponents,    HardFamily::scaled,           HardFamily::extreme_scales,
-    HardFamily::singular,          HardFamily::degenerate};
+constexpr std::array families{HardFamily::generic,
+                              HardFamily::lattice,
+                              HardFamily::lattice_one_ulp,
+                              HardFamily::coplanar,
+                              HardFamily::edge_on_edge,
+                              HardFamily::vertex_on_face,
+                              HardFamily::vertex_near_face,
+                              HardFamily::integer_rotations,
+                              HardFamily::vertex_on_face_integer,
+                              HardFamily::vertex_near_face_integer,
+                              HardFamily::permutations,
+                              HardFamily::equal_poses,
+                              HardFamily::short_coordinates,
+                              HardFamily::far_from_origin,
+                              HardFamily::slivers,
+                              HardFamily::wide_exponents,
+                              HardFamily::scaled,
+                              HardFamily::extreme_scales,
+                              HardFamily::singular,
+                              HardFamily::degenerate};
 
 }  // namespace
 
-std::span<const HardFamily> hard_families() { return families; }
+std::span<const HardFamily> hard_families() {
+    return families;
+}
 
 std::string_view name(HardFamily family) {
     switch (family) {
-        case HardFamily::generic: return "generic";
-        case HardFamily::lattice: return "lattice";
-        case HardFamily::lattice_one_ulp: return "lattice, one ulp";
-        case HardFamily::coplanar: return "coplanar";
-        case HardFamily::edge_on_edge: return "edge on edge";
-        case HardFamily::vertex_on_face: return "vertex on face";
-        case HardFamily::vertex_near_face: return "vertex near face";
-        case HardFamily::integer_rotations: return "integer rotations";
-        case HardFamily::vertex_on_face_integer: return "vertex on face, integer rotations";
-        case HardFamily::vertex_near_face_integer: return "vertex near face, integer rotations";
-        case HardFamily::permutations: return "permutation matrices";
-        case HardFamily::equal_poses: return "equal poses";
-        case HardFamily::short_coordinates: return "short coordinates";
-        case HardFamily::far_from_origin: return "far from origin";
-        case HardFamily::slivers: return "slivers";
-        case HardFamily::wide_exponents: return "wide exponents";
-        case HardFamily::scaled: return "scaled";
-        case HardFamily::extreme_scales: return "extreme scales";
-        case HardFamily::singular: return "singular";
-        case HardFamily::degenerate: return "degenerate";
+        case HardFamily::generic:
+            return "generic";
+        case HardFamily::lattice:
+            return "lattice";
+        case HardFamily::lattice_one_ulp:
+            return "lattice, one ulp";
+        case HardFamily::coplanar:
+            return "coplanar";
+        case HardFamily::edge_on_edge:
+            return "edge on edge";
+        case HardFamily::vertex_on_face:
+            return "vertex on face";
+        case HardFamily::vertex_near_face:
+            return "vertex near face";
+        case HardFamily::integer_rotations:
+            return "integer rotations";
+        case HardFamily::vertex_on_face_integer:
+            return "vertex on face, integer rotations";
+        case HardFamily::vertex_near_face_integer:
+            return "vertex near face, integer rotations";
+        case HardFamily::permutations:
+            return "permutation matrices";
+        case HardFamily::equal_poses:
+            return "equal poses";
+        case HardFamily::short_coordinates:
+            return "short coordinates";
+        case HardFamily::far_from_origin:
+            return "far from origin";
+        case HardFamily::slivers:
+            return "slivers";
+        case HardFamily::wide_exponents:
+            return "wide exponents";
+        case HardFamily::scaled:
+            return "scaled";
+        case HardFamily::extreme_scales:
+            return "extreme scales";
+        case HardFamily::singular:
+            return "singular";
+        case HardFamily::degenerate:
+            return "degenerate";
     }
     return "unknown";
 }
 
 PosedPair make_pair(HardFamily family, Random& random) {
     switch (family) {
-        case HardFamily::generic: return generic(random);
-        case HardFamily::lattice: return lattice(random);
+        case HardFamily::generic:
+            return generic(random);
+        case HardFamily::lattice:
+            return lattice(random);
         case HardFamily::lattice_one_ulp: {
             PosedPair pair = lattice(random);
             nudge_one(pair, random);
             return pair;
         }
-        case HardFamily::coplanar: return coplanar(random);
-        case HardFamily::edge_on_edge: return edge_on_edge(random);
-        case HardFamily::vertex_on_face: return vertex_on_face(random, 0);
-        case HardFamily::vertex_near_face: return vertex_on_face(random, integer(random, 1, 2));
-        case HardFamily::integer_rotations: return integer_rotations(random);
-        case HardFamily::vertex_on_face_integer: return vertex_on_face_integer(random, 0);
-        case HardFamily::vertex_near_face_integer: return vertex_on_face_integer(random, integer(random, 1, 2));
-        case HardFamily::permutations: return permutations(random);
-        case HardFamily::equal_poses: return lattice(random);
-        case HardFamily::short_coordinates: return short_coordinates(random);
-        case HardFamily::far_from_origin: return far_from_origin(random);
-        case HardFamily::slivers: return slivers(random);
-        case HardFamily::wide_exponents: return wide_exponents(random);
-        case HardFamily::scaled: return scaled(random, -300, 300);
-        case HardFamily::extreme_scales: return coin(random) ? scaled(random, -1060, -1000) : scaled(random, 900, 1000);
-        case HardFamily::singular: return singular(random);
-        case HardFamily::degenerate: return degenerate(random);
+        case HardFamily::coplanar:
+            return coplanar(random);
+        case HardFamily::edge_on_edge:
+            return edge_on_edge(random);
+        case HardFamily::vertex_on_face:
+            return vertex_on_face(random, 0);
+        case HardFamily::vertex_near_face:
+            return vertex_on_face(random, integer(random, 1, 2));
+        case HardFamily::integer_rotations:
+            return integer_rotations(random);
+        case HardFamily::vertex_on_face_integer:
+            return vertex_on_face_integer(random, 0);
+        case HardFamily::vertex_near_face_integer:
+            return vertex_on_face_integer(random, integer(random, 1, 2));
+        case HardFamily::permutations:
+            return permutations(random);
+        case HardFamily::equal_poses:
+            return lattice(random);
+        case HardFamily::short_coordinates:
+            return short_coordinates(random);
+        case HardFamily::far_from_origin:
+            return far_from_origin(random);
+        case HardFamily::slivers:
+            return slivers(random);
+        case HardFamily::wide_exponents:
+            return wide_exponents(random);
+        case HardFamily::scaled:
+            return scaled(random, -300, 300);
+        case HardFamily::extreme_scales:
+            return coin(random) ? scaled(random, -1060, -1000) : scaled(random, 900, 1000);
+        case HardFamily::singular:
+            return singular(random);
+        case HardFamily::degenerate:
+            return degenerate(random);
     }
     return generic(random);
 }

@@ -11,7 +11,7 @@ namespace ecods::scenes {
 
 struct Random::Generator {
     struct Free {
-        void operator()(gsl_rng* rng) const noexcept { gsl_rng_free(rng); }
+        void operator()(gsl_rng* freed) const noexcept { gsl_rng_free(freed); }
     };
     std::unique_ptr<gsl_rng, Free> rng;
 };

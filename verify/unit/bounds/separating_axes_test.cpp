@@ -21,8 +21,7 @@ TEST(SeparatingAxes, NeverSeparateTrianglesThatMeet) {
         for (const scenes::HardFamily family : scenes::hard_families()) {
             for (int i = 0; i < 1000; ++i) {
                 const scenes::PosedPair pair = scenes::make_pair(family, random);
-                const bool meet =
-                    triangle_triangle({pair.pose_a, pair.a}, {pair.pose_b, pair.b}) != Relation::disjoint;
+                const bool meet = triangle_triangle({pair.pose_a, pair.a}, {pair.pose_b, pair.b}) != Relation::disjoint;
                 struct Box {
                     Vec3 center, half, magnitude;
                 };

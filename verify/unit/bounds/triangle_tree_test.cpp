@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "scenes/ship.hpp"
 #include "scenes/shapes.hpp"
+#include "scenes/ship.hpp"
 
 namespace ecods {
 namespace {

@@ -21,8 +21,12 @@ using SixBig = std::array<std::array<cpp_int, 3>, 6>;
 cpp_int number(scenes::Random& random, int bits) {
     cpp_int x = 0;
     switch (random.below(4)) {
-        case 0: x = (cpp_int(1) << bits) - 1; break;
-        case 1: x = cpp_int(1) << (bits - 1); break;
+        case 0:
+            x = (cpp_int(1) << bits) - 1;
+            break;
+        case 1:
+            x = cpp_int(1) << (bits - 1);
+            break;
         default:
             for (int i = 0; i < bits; i += 32) x = (x << 32) + random.below(0xffffffff);
             x &= (cpp_int(1) << bits) - 1;
@@ -57,11 +61,14 @@ Limbs<L> to_limbs(cpp_int x) {
     return limbs;
 }
 
-int sign_of(const cpp_int& x) { return x < 0 ? -1 : x > 0; }
+int sign_of(const cpp_int& x) {
+    return x < 0 ? -1 : x > 0;
+}
 
 int orient3d(const SixBig& p, std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
     const auto x = [&](std::size_t q, std::size_t k) { return cpp_int(p[q][k] - p[a][k]); };
-    return sign_of(x(b, 0) * (x(c, 1) * x(d, 2) - x(c, 2) * x(d, 1)) - x(b, 1) * (x(c, 0) * x(d, 2) - x(c, 2) * x(d, 0)) +
+    return sign_of(x(b, 0) * (x(c, 1) * x(d, 2) - x(c, 2) * x(d, 1)) -
+                   x(b, 1) * (x(c, 0) * x(d, 2) - x(c, 2) * x(d, 0)) +
                    x(b, 2) * (x(c, 0) * x(d, 1) - x(c, 1) * x(d, 0)));
 }
 
@@ -132,12 +139,24 @@ TEST(Kernel, TwoLimbs) {
     }
 }
 
-TEST(Kernel, TwoSmallLimbs) { check_limbs<2>(20000); }
-TEST(Kernel, ThreeLimbs) { check_limbs<3>(5000); }
-TEST(Kernel, FourLimbs) { check_limbs<4>(5000); }
-TEST(Kernel, EightLimbs) { check_limbs<8>(2000); }
-TEST(Kernel, TwentyLimbs) { check_limbs<20>(500); }
-TEST(Kernel, WidestLimbs) { check_limbs<limb_count_max>(50); }
+TEST(Kernel, TwoSmallLimbs) {
+    check_limbs<2>(20000);
+}
+TEST(Kernel, ThreeLimbs) {
+    check_limbs<3>(5000);
+}
+TEST(Kernel, FourLimbs) {
+    check_limbs<4>(5000);
+}
+TEST(Kernel, EightLimbs) {
+    check_limbs<8>(2000);
+}
+TEST(Kernel, TwentyLimbs) {
+    check_limbs<20>(500);
+}
+TEST(Kernel, WidestLimbs) {
+    check_limbs<limb_count_max>(50);
+}
 
 }  // namespace
 }  // namespace ecods::exact

@@ -12,7 +12,9 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::vector<Vec3> corners() { return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}; }
+std::vector<Vec3> corners() {
+    return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+}
 
 TEST(Mesh, KeepsWhatItIsGiven) {
     const auto mesh = Mesh::create(corners(), {{0, 1, 2}, {2, 1, 0}});

@@ -20,8 +20,7 @@ Pose random_pose(scenes::Random& random, double reach) {
 }
 
 // All three queries, in both orders, against the oracle.
-void expect_right(const MeshShape& a, const Pose& pose_a, const MeshShape& b, const Pose& pose_b,
-                  QueryMemory& memory) {
+void expect_right(const MeshShape& a, const Pose& pose_a, const MeshShape& b, const Pose& pose_b, QueryMemory& memory) {
     const oracle::OracleMesh exact_a(a.mesh_ptr(), pose_a), exact_b(b.mesh_ptr(), pose_b);
     const auto expected = oracle::touching_triangles(exact_a, exact_b);
     const PosedMesh x{a, pose_a}, y{b, pose_b};
@@ -48,11 +47,22 @@ TEST(TwoBody, ScaledShearedMirroredAndSingularPoses) {
     for (int i = 0; i < 150; ++i) {
         Pose a = random_pose(random, 0.5), b = random_pose(random, 0.5);
         switch (i % 5) {
-            case 0: a.R *= 3; break;
-            case 1: a.R(0, 1) += 2; break;
-            case 2: a.R.col(0) *= -1; break;
-            case 3: a.R.col(2).setZero(); break;
-            default: a.R.setZero(); a.t = b.R * Vec3(1.25, 0, 0) + b.t; break;
+            case 0:
+                a.R *= 3;
+                break;
+            case 1:
+                a.R(0, 1) += 2;
+                break;
+            case 2:
+                a.R.col(0) *= -1;
+                break;
+            case 3:
+                a.R.col(2).setZero();
+                break;
+            default:
+                a.R.setZero();
+                a.t = b.R * Vec3(1.25, 0, 0) + b.t;
+                break;
         }
         expect_right(sphere, a, torus, b, memory);
         expect_right(torus, b, sphere, a, memory);
@@ -102,8 +112,8 @@ TEST(TwoBody, CountsAddUpAndRepeat) {
     touching_triangles({ship, a}, {ship, b}, second);
     const QueryCounts& x = first.counts();
     EXPECT_EQ(x.queries, 1u);
-    EXPECT_EQ(x.triangle_tests, x.filter_passes + x.semi_static_passes + x.local_passes + x.one_limb + x.two_limbs +
-                                    x.many_limbs);
+    EXPECT_EQ(x.triangle_tests,
+              x.filter_passes + x.semi_static_passes + x.local_passes + x.one_limb + x.two_limbs + x.many_limbs);
     EXPECT_EQ(x.box_tests, second.counts().box_tests);
     EXPECT_EQ(x.triangle_tests, second.counts().triangle_tests);
     EXPECT_EQ(x.filter_passes, second.counts().filter_passes);

@@ -13,6 +13,8 @@ inline Pose at(double x, double y = 0, double z = 0) {
     return pose;
 }
 
-inline std::vector<BodyPair> list(std::span<const BodyPair> pairs) { return {pairs.begin(), pairs.end()}; }
+inline std::vector<BodyPair> list(std::span<const BodyPair> pairs) {
+    return {pairs.begin(), pairs.end()};
+}
 
 }  // namespace ecods
