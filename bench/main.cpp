@@ -46,16 +46,39 @@ Page make_page(const std::string& command) {
     return page;
 }
 
+// All comparisons as one table.
+Table join(const std::vector<Table>& comparisons) {
+    Table all;
+    all.title = "All scenes";
+    all.text_columns = 2;
+    all.header = comparisons.front().header;
+    all.header.insert(all.header.begin(), "scene");
+    for (const Table& table : comparisons) {
+        for (std::vector<std::string> row : table.rows) {
+            row.insert(row.begin(), table.title);
+            all.rows.push_back(std::move(row));
+        }
+    }
+    return all;
+}
+
 bool run(const Arguments& arguments, const std::string& command) {
     const auto start = std::chrono::steady_clock::now();
     if (!arguments.is_quick) std::filesystem::create_directories(arguments.options.folder);
     Page page = make_page(command);
     bool is_right = true;
+    std::vector<Table> comparisons;
     for (const Suite& suite : all_suites()) {
         if (std::find(arguments.suites.begin(), arguments.suites.end(), suite.name) == arguments.suites.end()) continue;
         SuiteResult result = suite.run(arguments.options);
         is_right &= result.is_right;
         std::move(result.sections.begin(), result.sections.end(), std::back_inserter(page.sections));
+        std::move(result.comparisons.begin(), result.comparisons.end(), std::back_inserter(comparisons));
+    }
+    if (!comparisons.empty()) {
+        const Table all = join(comparisons);
+        fmt::print("{}\n", to_text(all));
+        page.sections.insert(page.sections.begin(), Section{"Engines on all scenes", {}, {all}, {}});
     }
     const std::string verdict = is_right ? "Every answer of ECoDS is the oracle's: 0 missed, 0 invented."
                                          : "ECoDS ANSWERED WRONGLY: see the tables.";

@@ -3,7 +3,11 @@
 namespace ecods::bench {
 
 std::vector<Suite> all_suites() {
-    return {{"rooms", run_rooms}, {"hover", run_hover}, {"assembly", run_assembly}};
+    return {{"rooms", run_rooms},
+            {"hover", run_hover},
+            {"assembly", run_assembly},
+            {"predicates", run_predicates},
+            {"stability", run_stability}};
 }
 
 }  // namespace ecods::bench

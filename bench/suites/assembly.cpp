@@ -200,6 +200,7 @@ SuiteResult run_assembly(const SuiteOptions& options) {
     const Table resting = meetings_table(scene, meetings, frame_count + 1, false);
     const Table work = work_table(comparison.runs, "The work behind it: " + title);
     print(comparison.table);
+    result.comparisons.push_back(comparison.table);
     print(work);
     fmt::print("{}\n\n", at_rest);
     print(moving);

@@ -1,5 +1,8 @@
 #include "suites/predicate_engines.hpp"
 
+#include <array>
+#include <numeric>
+
 #include "exact/pose_point.hpp"
 #include "exact/triangle_pair.hpp"
 
@@ -7,10 +10,42 @@ namespace ecods::bench {
 namespace {
 
 // What depends on the mesh only; the library makes it once, with the tree.
-std::vector<exact::MeshExtent> extents(const PredicateScene& scene) {
-    std::vector<exact::MeshExtent> result;
-    for (const PredicateBody& body : scene.bodies) result.push_back(exact::measure(*body.mesh));
-    return result;
+struct Prepared {
+    exact::MeshExtent extent;
+    std::vector<exact::TriangleBlock> blocks;
+
+    explicit Prepared(const Mesh& mesh) : extent(exact::measure(mesh)) {
+        std::vector<std::uint32_t> order(mesh.triangles().size());
+        std::iota(order.begin(), order.end(), 0u);
+        blocks = exact::make_blocks(mesh, order);
+    }
+};
+
+// Binds the bodies of each task in turn and has `answer` decide its pairs. What depends on meshes only is made when a
+// scene is first seen.
+template <class Answer>
+void for_each_task(const PredicateScene& scene, exact::BodyPair& bodies, Answer&& answer) {
+    static thread_local const PredicateScene* prepared_scene = nullptr;
+    static thread_local std::vector<Prepared> prepared;
+    if (prepared_scene != &scene) {
+        prepared.clear();
+        for (const PredicateBody& body : scene.bodies) prepared.emplace_back(*body.mesh);
+        prepared_scene = &scene;
+    }
+    for (const PredicateTask& task : scene.tasks) {
+        const auto side = [&](std::size_t i) {
+            return exact::BodySide{scene.bodies[i].mesh.get(), &prepared[i].extent, &scene.bodies[i].pose,
+                                   prepared[i].blocks};
+        };
+        bodies.bind(side(task.a), side(task.b));
+        answer(task);
+    }
+}
+
+exact::BodyPair& shared_pair() {
+    static thread_local exact::BodyPair bodies;
+    bodies.reset_counts();
+    return bodies;
 }
 
 }  // namespace
@@ -18,22 +53,36 @@ std::vector<exact::MeshExtent> extents(const PredicateScene& scene) {
 Answers decide_exactly(const PredicateScene& scene, exact::StageCounts* counts) {
     Answers answers;
     answers.reserve(scene.pair_count());
-    static thread_local const PredicateScene* measured = nullptr;
-    static thread_local std::vector<exact::MeshExtent> extent;
-    if (measured != &scene) {
-        extent = extents(scene);
-        measured = &scene;
-    }
-    static thread_local exact::BodyPair bodies;
-    bodies.reset_counts();
-    for (const PredicateTask& task : scene.tasks) {
-        const PredicateBody &a = scene.bodies[task.a], &b = scene.bodies[task.b];
-        bodies.bind({a.mesh.get(), &extent[task.a], &a.pose}, {b.mesh.get(), &extent[task.b], &b.pose});
+    exact::BodyPair& bodies = shared_pair();
+    for_each_task(scene, bodies, [&](const PredicateTask& task) {
         for (const TrianglePair pair : task.pairs) {
             answers.push_back(bodies.relation(pair.a, pair.b) != Relation::disjoint);
         }
-    }
+    });
     if (counts != nullptr) *counts = bodies.counts();
+    return answers;
+}
+
+Answers decide_by_batches(const PredicateScene& scene) {
+    Answers answers;
+    answers.reserve(scene.pair_count());
+    exact::BodyPair& bodies = shared_pair();
+    for_each_task(scene, bodies, [&](const PredicateTask& task) {
+        // Pairs are ascending, so those of one triangle and one block are next to each other, in the order of lanes.
+        for (auto begin = task.pairs.begin(); begin != task.pairs.end();) {
+            const std::uint32_t block = begin->b / exact::lane_count;
+            std::uint32_t lanes = 0;
+            auto end = begin;
+            for (; end != task.pairs.end() && end->a == begin->a && end->b / exact::lane_count == block; ++end) {
+                lanes |= 1u << end->b % exact::lane_count;
+            }
+            std::array<Relation, exact::lane_count> relations;
+            bodies.relations(begin->a, block, lanes, relations);
+            for (; begin != end; ++begin) {
+                answers.push_back(relations[begin->b % exact::lane_count] != Relation::disjoint);
+            }
+        }
+    });
     return answers;
 }
 

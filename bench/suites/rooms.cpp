@@ -58,7 +58,7 @@ Picture draw_room(const RoomCase& room_case, const scenes::Scene& scene, const T
     const View view{.name = room_case.name,
                     .eye = Vec3(3.6, 2.4, 1.95) * half,
                     .target = Vec3(0, 0, -0.2) * half,
-                    .angle = 48,
+                    .angle = 54,
                     .room_half_side = half};
     return draw(scene, bodies, view, folder,
                 fmt::format("{}, frame {}: {} pairs collide; their {} ships are orange.", room_case.title, frame,
@@ -74,6 +74,7 @@ SuiteResult run_rooms(const SuiteOptions& options) {
         Comparison comparison = compare_engines(scene, room_case.title, options);
         const Table work = work_table(comparison.runs, "The work behind it: " + room_case.title);
         print(comparison.table);
+        result.comparisons.push_back(comparison.table);
         print(work);
         result.is_right &= comparison.is_right;
 

@@ -15,10 +15,14 @@ struct SuiteOptions {
     std::size_t repetition_count = 3;  // times are medians over these
     bool has_pictures = true;
     std::filesystem::path folder;  // for pictures and what they are made from; exists
+
+    // To see that all of it works: little data, once, no pictures.
+    bool is_quick() const { return !has_pictures; }
 };
 
 struct SuiteResult {
     std::vector<Section> sections;
+    std::vector<Table> comparisons;  // of engines on scenes, all with the same columns; the page begins with them
     bool is_right = true;  // every answer of ECoDS was the oracle's, and every count what it must be
 };
 
@@ -27,9 +31,11 @@ struct Suite {
     SuiteResult (*run)(const SuiteOptions& options) = nullptr;
 };
 
-SuiteResult run_rooms(const SuiteOptions& options);     // all ships move: ECoDS beside FCL and all pairs
-SuiteResult run_hover(const SuiteOptions& options);     // some ships move: what the manager spares
-SuiteResult run_assembly(const SuiteOptions& options);  // the two-cylinder engine: which parts touch, which cross
+SuiteResult run_rooms(const SuiteOptions& options);       // all ships move: ECoDS beside FCL and all pairs
+SuiteResult run_hover(const SuiteOptions& options);       // some ships move: what the manager spares
+SuiteResult run_assembly(const SuiteOptions& options);    // the two-cylinder engine: which parts touch, which cross
+SuiteResult run_predicates(const SuiteOptions& options);  // triangle pairs: what exactness costs
+SuiteResult run_stability(const SuiteOptions& options);   // hard triangle pairs: who is wrong, and how often
 
 // In the order in which they run.
 std::vector<Suite> all_suites();

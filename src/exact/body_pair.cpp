@@ -47,10 +47,9 @@ void BodyPair::find_bounds() {
     for (const Side& side : sides_) {
         const MeshExtent& extent = *side.body.extent;
         const Mat3& R = side.body.pose->R;
-        delta_ = std::max(delta_, point_error_bound(R, extent.magnitude(), side.offset));
-        // Halved first: the sum of two large coordinates may overflow.
-        const Vec3 center = R * (0.5 * extent.min + 0.5 * extent.max) + side.offset;
-        const Vec3 half = R.cwiseAbs() * (0.5 * extent.max - 0.5 * extent.min);
+        delta_ = std::max(delta_, point_error_bound(R, extent.magnitude, side.offset));
+        const Vec3 center = R * extent.center + side.offset;
+        const Vec3 half = R.cwiseAbs() * extent.half;
         low = low.cwiseMin(center - half);
         high = high.cwiseMax(center + half);
     }

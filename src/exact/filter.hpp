@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/inline.hpp"
 #include "exact/plain_signs.hpp"
 #include "exact/triangle_pair.hpp"
 
@@ -19,15 +20,19 @@ enum class FilterAnswer { disjoint, crossing, unknown };
 struct PlaneSides {
     double a, b, c;
 
-    bool are_beyond(double bound) const noexcept { return std::min({a, b, c}) > bound || std::max({a, b, c}) < -bound; }
-    bool are_certain(double bound) const noexcept { return std::min({std::abs(a), std::abs(b), std::abs(c)}) > bound; }
+    ECODS_ALWAYS_INLINE bool are_beyond(double bound) const noexcept {
+        return std::min({a, b, c}) > bound || std::max({a, b, c}) < -bound;
+    }
+    ECODS_ALWAYS_INLINE bool are_certain(double bound) const noexcept {
+        return std::min({std::abs(a), std::abs(b), std::abs(c)}) > bound;
+    }
     // 1 or -1 where the sign is certain, else 0.
-    Sides certain_signs(double bound) const noexcept {
+    ECODS_ALWAYS_INLINE Sides certain_signs(double bound) const noexcept {
         return {certain_sign(a, bound), certain_sign(b, bound), certain_sign(c, bound)};
     }
 };
 
-inline PlaneSides plane_sides(const SixRounded& w, std::size_t own, std::size_t other) noexcept {
+ECODS_ALWAYS_INLINE PlaneSides plane_sides(const SixRounded& w, std::size_t own, std::size_t other) noexcept {
     const PlainNormal n = plain_normal(w[own], w[own + 1], w[own + 2]);
     return {plain_side(n, w[own], w[other]), plain_side(n, w[own], w[other + 1]), plain_side(n, w[own], w[other + 2])};
 }
@@ -50,7 +55,7 @@ struct FilterTrace {
 };
 
 // `bound` is one for every determinant of these points.
-inline FilterAnswer filter(const SixRounded& w, double bound, FilterTrace& trace) noexcept {
+ECODS_ALWAYS_INLINE FilterAnswer filter(const SixRounded& w, double bound, FilterTrace& trace) noexcept {
     trace.first = plane_sides(w, 3, 0);
     if (trace.first.are_beyond(bound)) return FilterAnswer::disjoint;
     trace.second = plane_sides(w, 0, 3);

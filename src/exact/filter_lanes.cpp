@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/dispatch.hpp"
+#include "base/inline.hpp"
 
 namespace ecods::exact {
 namespace {
@@ -16,17 +17,16 @@ constexpr std::size_t width = 4;
 static_assert(lane_count == 2 * width && alignof(TriangleLanes) >= alignof(Vector) &&
               alignof(LaneTrace) >= alignof(Vector));
 
-#define ECODS_INLINE [[gnu::always_inline]] inline
-
-ECODS_INLINE const Vector& load(const Lanes& lanes, std::size_t half) noexcept {
+ECODS_ALWAYS_INLINE const Vector& load(const Lanes& lanes, std::size_t half) noexcept {
     return reinterpret_cast<const Vector&>(lanes[half * width]);
 }
-ECODS_INLINE void store(Lanes& lanes, std::size_t half, const Vector& v) noexcept {
+ECODS_ALWAYS_INLINE void store(Lanes& lanes, std::size_t half, const Vector& v) noexcept {
     reinterpret_cast<Vector&>(lanes[half * width]) = v;
 }
 
 // All ones in the lanes in which all three are above `bound`, or all three below its negative.
-ECODS_INLINE void find_beyond(const Vector& a, const Vector& b, const Vector& c, double bound, Mask& mask) noexcept {
+ECODS_ALWAYS_INLINE void find_beyond(const Vector& a, const Vector& b, const Vector& c, double bound,
+                                     Mask& mask) noexcept {
     mask |= ((a > bound) & (b > bound) & (c > bound)) | ((a < -bound) & (b < -bound) & (c < -bound));
 }
 

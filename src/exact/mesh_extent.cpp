@@ -4,18 +4,23 @@ namespace ecods::exact {
 
 MeshExtent measure(const Mesh& mesh) {
     const auto vertices = mesh.vertices();
-    const Vec3& first = vertices[mesh.triangles().front()[0]];
-    MeshExtent extent{first, first, {}};
+    Vec3 min = vertices[mesh.triangles().front()[0]];
+    Vec3 max = min;
+    MeshExtent extent;
     for (const Triangle& triangle : mesh.triangles()) {
         for (const std::uint32_t index : triangle) {
             const Vec3& v = vertices[index];
-            extent.min = extent.min.cwiseMin(v);
-            extent.max = extent.max.cwiseMax(v);
+            min = min.cwiseMin(v);
+            max = max.cwiseMax(v);
             for (int axis = 0; axis < 3; ++axis) {
                 extent.digits[static_cast<std::size_t>(axis)].include(decode(v[axis]));
             }
         }
     }
+    // Halved before they are added: the sum of two large coordinates may overflow.
+    extent.center = 0.5 * min + 0.5 * max;
+    extent.half = 0.5 * max - 0.5 * min;
+    extent.magnitude = min.cwiseAbs().cwiseMax(max.cwiseAbs());
     return extent;
 }
 

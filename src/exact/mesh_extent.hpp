@@ -10,11 +10,10 @@ namespace ecods::exact {
 
 // Of the vertices that triangles use, on each axis.
 struct MeshExtent {
-    Vec3 min;
-    Vec3 max;
+    Vec3 center;     // of their box, rounded
+    Vec3 half;       // of its size, rounded
+    Vec3 magnitude;  // their largest coordinates in magnitude
     std::array<BitRange, 3> digits;
-
-    Vec3 magnitude() const { return min.cwiseAbs().cwiseMax(max.cwiseAbs()); }
 };
 
 // One pass over the triangles.

@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include "base/inline.hpp"
+
 namespace ecods::exact {
 
 using Point = std::array<double, 3>;
@@ -14,13 +16,13 @@ struct PlainNormal {
     double x, y, z;
 };
 
-inline PlainNormal plain_normal(const Point& a, const Point& b, const Point& c) noexcept {
+ECODS_ALWAYS_INLINE PlainNormal plain_normal(const Point& a, const Point& b, const Point& c) noexcept {
     const double x1 = b[0] - a[0], y1 = b[1] - a[1], z1 = b[2] - a[2];
     const double x2 = c[0] - a[0], y2 = c[1] - a[1], z2 = c[2] - a[2];
     return {y1 * z2 - z1 * y2, z1 * x2 - x1 * z2, x1 * y2 - y1 * x2};
 }
 
-inline double plain_side(const PlainNormal& n, const Point& a, const Point& p) noexcept {
+ECODS_ALWAYS_INLINE double plain_side(const PlainNormal& n, const Point& a, const Point& p) noexcept {
     return (n.x * (p[0] - a[0]) + n.y * (p[1] - a[1])) + n.z * (p[2] - a[2]);
 }
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/inline.hpp"
+
 namespace ecods::exact {
 
 // Direct-mapped: the entry of a vertex holds the value of the vertex of that entry that was asked for last.
@@ -22,7 +24,7 @@ class VertexCache {
 
     // The value of `vertex`; make(value) fills it in if it is not there. Valid until the next call.
     template <class Make>
-    const Value& get(std::uint32_t vertex, Make&& make) {
+    ECODS_ALWAYS_INLINE const Value& get(std::uint32_t vertex, Make&& make) {
         Entry& entry = entries_[vertex % size];
         const std::uint64_t tag = epoch_ | vertex;
         if (entry.tag != tag) [[unlikely]] {

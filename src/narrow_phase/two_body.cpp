@@ -62,7 +62,7 @@ void bind(QueryMemory::State& state, const PosedMesh& a, const PosedMesh& b) {
     const exact::MeshExtent& extent_a = a.shape.tree().extent;
     const exact::MeshExtent& extent_b = b.shape.tree().extent;
     state.pair.bind({&a.shape.mesh(), &extent_a, &a.pose}, {&b.shape.mesh(), &extent_b, &b.pose});
-    state.axes = SeparatingAxes(a.pose.R, extent_a.magnitude(), b.pose.R, extent_b.magnitude(), b.pose.t - a.pose.t);
+    state.axes = SeparatingAxes(a.pose.R, extent_a.magnitude, b.pose.R, extent_b.magnitude, b.pose.t - a.pose.t);
 }
 
 // Calls visit(a, b) for pairs of triangles, among them every pair that shares a point, until it returns false.

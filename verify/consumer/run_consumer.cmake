@@ -1,4 +1,4 @@
-# One step of the consumer tests. usage: cmake -D STEP=install|cmake|pkg_config -D ... -P run_consumer.cmake
+# One step of the consumer tests. usage: cmake -D STEP=install|cmake|pkg_config|readme -D ... -P run_consumer.cmake
 cmake_minimum_required(VERSION 3.25)
 
 set(prefix ${WORK_DIR}/prefix)
@@ -48,6 +48,15 @@ elseif(STEP STREQUAL "pkg_config")
   run(${COMPILER} -std=c++20 ${flags} ${CMAKE_CURRENT_LIST_DIR}/project/main.cpp -o ${WORK_DIR}/by_pkg_config
       ${options} -Wl,-rpath,${prefix}/${LIBDIR})
   run_and_check(${WORK_DIR}/by_pkg_config)
+elseif(STEP STREQUAL "readme")
+  file(READ ${CMAKE_CURRENT_LIST_DIR}/../../README.md readme)
+  foreach(part project/main.cpp expected.txt)
+    file(READ ${CMAKE_CURRENT_LIST_DIR}/${part} text)
+    string(FIND "${readme}" "${text}" place)
+    if(place EQUAL -1)
+      message(FATAL_ERROR "README.md does not show ${part} as it is")
+    endif()
+  endforeach()
 else()
   message(FATAL_ERROR "unknown step: ${STEP}")
 endif()

@@ -1,0 +1,91 @@
+#include "suites/stability_engines.hpp"
+
+#include "ecods/predicates.hpp"
+#include "exact/plain_signs.hpp"
+#include "exact/pose_point.hpp"
+#include "exact/triangle_pair.hpp"
+
+namespace ecods::bench {
+namespace {
+
+using scenes::PosedPair;
+
+using FloatVector = Eigen::Vector3f;
+using SixFloats = std::array<FloatVector, 6>;
+
+// exact::PlainSigns in single precision.
+class FloatSigns {
+  public:
+    explicit FloatSigns(const SixFloats& points) : points_(points) {}
+
+    std::array<int, 3> sides(int triangle) const {
+        const int own = 3 * triangle, other = 3 - own;
+        const FloatVector n = normal(own, own + 1, own + 2);
+        return {side(n, own, other), side(n, own, other + 1), side(n, own, other + 2)};
+    }
+    int orient3d(int a, int b, int c, int d) const { return side(normal(a, b, c), a, d); }
+    int orient2d(int a, int b, int c, int axis) const {
+        const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+        const FloatVector ab = at(b) - at(a), ac = at(c) - at(a);
+        return sign_of(ab[i] * ac[j] - ab[j] * ac[i]);
+    }
+    int compare(int a, int b, int axis) const { return sign_of(at(a)[axis] - at(b)[axis]); }
+    int normal_axis(int triangle) const {
+        const FloatVector n = normal(3 * triangle, 3 * triangle + 1, 3 * triangle + 2);
+        return n[0] != 0 ? 0 : n[1] != 0 ? 1 : n[2] != 0 ? 2 : -1;
+    }
+
+  private:
+    static int sign_of(float x) { return (x > 0) - (x < 0); }
+    const FloatVector& at(int point) const { return points_[static_cast<std::size_t>(point)]; }
+    FloatVector normal(int a, int b, int c) const { return (at(b) - at(a)).cross(at(c) - at(a)); }
+    int side(const FloatVector& n, int a, int p) const { return sign_of(n.dot(at(p) - at(a))); }
+
+    const SixFloats& points_;
+};
+
+template <class Answer>
+Answers answer_each(std::span<const PosedPair> pairs, Answer&& answer) {
+    Answers answers;
+    answers.reserve(pairs.size());
+    for (const PosedPair& pair : pairs) answers.push_back(answer(pair) != Relation::disjoint);
+    return answers;
+}
+
+FloatVector pose_in_float(const Pose& pose, const Vec3& v) {
+    return pose.R.cast<float>() * v.cast<float>() + pose.t.cast<float>();
+}
+
+}  // namespace
+
+Answers answer_by_ecods(std::span<const PosedPair> pairs) {
+    return answer_each(pairs, [](const PosedPair& pair) {
+        return triangle_triangle(PosedTriangle{pair.pose_a, pair.a}, PosedTriangle{pair.pose_b, pair.b});
+    });
+}
+
+Answers answer_in_double(std::span<const PosedPair> pairs) {
+    return answer_each(pairs, [](const PosedPair& pair) {
+        exact::SixRounded points;
+        for (std::size_t i = 0; i < 3; ++i) {
+            points[i] = exact::pose_point(pair.pose_a.R, pair.a[i], pair.pose_a.t);
+            points[3 + i] = exact::pose_point(pair.pose_b.R, pair.b[i], pair.pose_b.t);
+        }
+        exact::PlainSigns signs(points);
+        return exact::triangle_pair(signs);
+    });
+}
+
+Answers answer_in_float(std::span<const PosedPair> pairs) {
+    return answer_each(pairs, [](const PosedPair& pair) {
+        SixFloats points;
+        for (std::size_t i = 0; i < 3; ++i) {
+            points[i] = pose_in_float(pair.pose_a, pair.a[i]);
+            points[3 + i] = pose_in_float(pair.pose_b, pair.b[i]);
+        }
+        FloatSigns signs(points);
+        return exact::triangle_pair(signs);
+    });
+}
+
+}  // namespace ecods::bench
