@@ -1,0 +1,198 @@
+#include "fuzz/pairs/run.hpp"
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "fuzz/pairs/ask.hpp"
+#include "fuzz/pairs/text.hpp"
+#include "fuzz/pairs/variants.hpp"
+#include "oracle/oracle.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+using scenes::HardFamily;
+using scenes::PosedPair;
+using scenes::Random;
+
+Relation ask_oracle(const PosedPair& pair) {
+    return oracle::triangle_triangle(pair.pose_a, pair.a, pair.pose_b, pair.b);
+}
+
+class Run {
+  public:
+    Run(std::uint32_t seed, bool lie, PairCounts& counts) : random_(seed), seed_(seed), lie_(lie), counts_(counts) {}
+    ~Run() {
+        const exact::StageCounts& c = bodies_.counts();
+        exact::StageCounts& sum = counts_.stages;
+        sum.triangle_tests += c.triangle_tests;
+        sum.filter_passes += c.filter_passes;
+        sum.semi_static_passes += c.semi_static_passes;
+        sum.local_passes += c.local_passes;
+        sum.one_limb += c.one_limb;
+        sum.two_limbs += c.two_limbs;
+        sum.many_limbs += c.many_limbs;
+    }
+    Run(const Run&) = delete;
+    Run& operator=(const Run&) = delete;
+
+    void check_one() {
+        const auto families = scenes::hard_families();
+        const HardFamily family = families[index_ % families.size()];
+        family_ = scenes::name(family);
+        const PosedPair pair = scenes::make_pair(family, random_);
+        Relation expected = ask_oracle(pair);
+        if (pair.intersects) {
+            require(*pair.intersects == (expected != Relation::disjoint), pair, "oracle against recipe",
+                    *pair.intersects ? "touching or crossing" : "disjoint", expected);
+            ++counts_.checks["known by its recipe"];
+        }
+        ++counts_.pairs;
+        ++counts_.relations[std::string(family_)][static_cast<std::size_t>(expected)];
+        if (lie_ && expected == Relation::touching) expected = Relation::crossing;
+
+        require_all_paths(pair, expected, float_modes[0], "as made");
+        if (random_.below(4) == 0) check_modes(pair, expected);
+        if (random_.below(2) == 0) check_variants(pair, expected);
+        if (random_.below(32) == 0) check_orders(pair, expected);
+        if (random_.below(32) == 0) check_meshes(family, pair);
+        ++index_;
+    }
+
+  private:
+    void require(bool holds, const PosedPair& pair, std::string path, const char* expected, Relation got) const {
+        if (holds) return;
+        throw Disagreement{.seed = seed_,
+                           .pair = index_,
+                           .family = std::string(family_),
+                           .path = std::move(path),
+                           .expected = expected,
+                           .got = name(got),
+                           .text = to_text(pair)};
+    }
+    void require(const Answer& answer, const PosedPair& pair, Relation expected, const char* how) const {
+        if (answer.path != nullptr) {
+            require(false, pair, std::string(answer.path) + ", " + how, name(expected), answer.relation);
+        }
+    }
+    void require_all_paths(const PosedPair& pair, Relation expected, const FloatMode& mode, const char* how) {
+        ++counts_.checks[how];
+        require(ask_all_paths(pair, expected, mode, bodies_), pair, expected, how);
+    }
+
+    void check_modes(const PosedPair& pair, Relation expected) {
+        const std::uint32_t mode = 1 + random_.below(float_modes.size() - 1);
+        require_all_paths(pair, expected, float_modes[mode], float_modes[mode].name);
+    }
+
+    // One variant of the pair, and then one of that.
+    void check_variants(PosedPair pair, Relation expected) {
+        for (int i = 0; i < 2; ++i) {
+            const Variant& variant = variants()[random_.below(static_cast<std::uint32_t>(variants().size()))];
+            if (variant.apply(pair, random_)) require_all_paths(pair, expected, float_modes[0], variant.name);
+        }
+    }
+
+    void check_orders(const PosedPair& pair, Relation expected) {
+        ++counts_.checks["all orders of corners and arguments"];
+        require(ask_all_orders(pair, expected), pair, expected, "all orders");
+    }
+
+    // Corners of this pair and another of its family, joined to a few triangles at random: degenerate ones among them,
+    // and ones that share corners. `stride` spreads the vertices, with unused ones between them.
+    std::shared_ptr<const Mesh> make_mesh(const std::array<Vec3, 3>& own, const std::array<Vec3, 3>& other,
+                                          std::uint32_t stride, std::uint32_t triangle_count) {
+        constexpr double unused = std::numeric_limits<double>::max();
+        std::vector<Vec3> vertices(5 * stride + 1, Vec3(unused, -unused, unused));
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            vertices[i * stride] = own[i];
+            vertices[(3 + i) * stride] = other[i];
+        }
+        std::vector<Triangle> triangles{{0, stride, 2 * stride}};
+        for (std::uint32_t i = 1; i < triangle_count; ++i) {
+            triangles.push_back({random_.below(6) * stride, random_.below(6) * stride, random_.below(6) * stride});
+        }
+        return Mesh::create(std::move(vertices), std::move(triangles));
+    }
+
+    struct Found {
+        const char* path;
+        std::vector<Relation> relations;  // of triangle i of mesh a with j of mesh b, at i * count + j
+    };
+
+    // Asks one by one, and by eight at once for some of the lanes.
+    std::array<Found, 2> ask_meshes(const MeshPair& meshes, const BoundMeshes& bound, const FloatMode& mode,
+                                    bool is_swapped) {
+        const InFloatMode in_mode(mode);
+        const auto count = static_cast<std::uint32_t>(meshes.a->triangles().size());
+        const auto at = [&](std::uint32_t first, std::uint32_t second) {
+            return is_swapped ? second * count + first : first * count + second;
+        };
+        std::array<Found, 2> found{{{"BodyPair, triangles of larger meshes, ", std::vector<Relation>(count * count)},
+                                    {"BodyPair, eight at once, ", std::vector<Relation>(count * count)}}};
+        bound.bind(bodies_, meshes, is_swapped);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            for (std::uint32_t j = 0; j < count; ++j) found[0].relations[at(i, j)] = bodies_.relation(i, j);
+        }
+        // Without what the first questions prepared.
+        bound.bind(bodies_, meshes, is_swapped);
+        const auto& blocks = bound.second_blocks(is_swapped);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            for (std::uint32_t block = 0; block < blocks.size(); ++block) {
+                const std::uint32_t all = (1u << blocks[block].count) - 1, some = random_.below(all + 1);
+                std::array<Relation, exact::lane_count> lanes{};
+                for (const std::uint32_t mask : {some, all & ~some}) bodies_.relations(i, block, mask, lanes);
+                for (std::uint32_t lane = 0; lane < blocks[block].count; ++lane) {
+                    found[1].relations[at(i, blocks[block].indices[lane])] = lanes[lane];
+                }
+            }
+        }
+        return found;
+    }
+
+    void check_meshes(HardFamily family, PosedPair pair) {
+        // In the other frame the two poses are not the same bits, and no shortcut decides.
+        if (random_.below(2) == 0) model_in_other_frames(pair, random_);
+        const PosedPair more = scenes::make_pair(family, random_);
+        // Vertices 1024 apart have one place in the caches.
+        const std::uint32_t count = 1 + random_.below(10);
+        const std::uint32_t stride = random_.below(2) == 0 ? 1 : 1024;
+        const MeshPair meshes{make_mesh(pair.a, more.a, stride, count), make_mesh(pair.b, more.b, stride, count),
+                              pair.pose_a, pair.pose_b};
+        std::vector<Relation> expected;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            for (std::uint32_t j = 0; j < count; ++j) expected.push_back(ask_oracle(triangle_pair_of(meshes, i, j)));
+        }
+        const BoundMeshes bound(meshes);
+        const FloatMode& mode = float_modes[random_.below(float_modes.size())];
+        for (const bool is_swapped : {false, true}) {
+            const auto found = ask_meshes(meshes, bound, mode, is_swapped);
+            for (std::uint32_t i = 0; i < count * count; ++i) {
+                for (const auto& [path, relations] : found) {
+                    if (relations[i] == expected[i]) continue;
+                    require(false, triangle_pair_of(meshes, i / count, i % count), std::string(path) + mode.name,
+                            name(expected[i]), relations[i]);
+                }
+            }
+        }
+        counts_.checks["triangle pairs of larger meshes"] += count * count;
+    }
+
+    Random random_;
+    std::uint32_t seed_;
+    bool lie_;
+    PairCounts& counts_;
+    std::uint64_t index_ = 0;
+    std::string_view family_;
+    exact::BodyPair bodies_;
+};
+
+}  // namespace
+
+void run_pairs(std::uint32_t seed, bool lie, PairCounts& counts) {
+    Run run(seed, lie, counts);
+    for (std::uint64_t i = 0; i < pairs_per_run; ++i) run.check_one();
+}
+
+}  // namespace ecods::fuzz

@@ -1,0 +1,16 @@
+// A pair of posed triangles as text from which it can be made again, bit for bit.
+#pragma once
+
+#include <string>
+
+#include "ecods/predicates.hpp"
+#include "scenes/hard_pairs.hpp"
+
+namespace ecods::fuzz {
+
+// Hexadecimal floats; for either body R by rows, t and the three corners.
+std::string to_text(const scenes::PosedPair& pair);
+
+const char* name(Relation relation);
+
+}  // namespace ecods::fuzz
