@@ -21,7 +21,8 @@ namespace ecods {
 // What queries did, as counts. Counts are exact: the same input gives the same counts.
 struct QueryCounts {
     std::uint64_t queries = 0;             // two-body queries of meshes
-    std::uint64_t box_tests = 0;           // pairs of tree nodes
+    std::uint64_t witness_hits = 0;        // of these, decided by what decided last time
+    std::uint64_t box_tests = 0;           // pairs of tree nodes, up to eight boxes against eight each
     std::uint64_t triangle_tests = 0;      // pairs of triangles
     std::uint64_t filter_passes = 0;       // of these, decided by the bound of the body pair
     std::uint64_t semi_static_passes = 0;  // ... by the bound of the triangle pair
@@ -60,6 +61,18 @@ struct PosedMesh {
 
 // Whether the bodies share a point; stops at the first one found.
 bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory);
+
+// What decided a pair of bodies the last time. It is only ever tried first, and tried exactly: whatever it holds, from
+// whichever bodies, no answer depends on it. A new one knows nothing.
+struct PairWitness {
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    std::uint32_t a = none;  // the triangles that touched
+    std::uint32_t b = none;
+};
+
+// The same, for a pair that was asked about before and has moved little: tries the witness first, and leaves a new one.
+bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory, PairWitness& witness);
 
 // Disjoint, touching or crossing: the strongest relation of any two of their triangles. Stops at the first crossing.
 Relation relation(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory);

@@ -12,6 +12,9 @@
 #endif
 
 // Versions differ in width only: nothing is contracted (-ffp-contract=off), so every version gives the same bits.
+#if defined(__x86_64__)
+#define ECODS_CAN_DISPATCH 1  // by hand: functions with a target, and __builtin_cpu_supports
+#endif
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(ECODS_IS_SANITIZED)
 #define ECODS_FOR_EACH_INSTRUCTION_SET __attribute__((target_clones("default", "avx2", "avx512f")))
 #else

@@ -1,7 +1,7 @@
 // What a query needs of a mesh, made once.
 #pragma once
 
-#include "bounds/triangle_tree.hpp"
+#include "bounds/wide_tree.hpp"
 #include "ecods/shape.hpp"
 #include "exact/mesh_extent.hpp"
 
@@ -9,7 +9,7 @@ namespace ecods {
 
 struct MeshShape::Tree {
     exact::MeshExtent extent;
-    TriangleTree boxes;
+    WideTree boxes;
 };
 
 }  // namespace ecods

@@ -27,7 +27,7 @@ Aabb MeshShape::box(const Pose& pose) const {
 const MeshShape::Tree& MeshShape::tree() const {
     std::call_once(lazy_->once, [this] {
         lazy_->tree.extent = exact::measure(*mesh_);
-        lazy_->tree.boxes = build_triangle_tree(*mesh_);
+        lazy_->tree.boxes = build_wide_tree(*mesh_);
     });
     return lazy_->tree;
 }

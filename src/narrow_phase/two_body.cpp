@@ -1,21 +1,22 @@
 #include "ecods/two_body.hpp"
 
 #include <algorithm>
+#include <bit>
 
-#include "bounds/separating_axes.hpp"
+#include "bounds/box_axes.hpp"
 #include "exact/body_pair.hpp"
 #include "narrow_phase/mesh_tree.hpp"
 
 namespace ecods {
 
 struct NodePair {
-    std::uint32_t a;
-    std::uint32_t b;
+    TreeRef a;
+    TreeRef b;
 };
 
 struct QueryMemory::State {
     exact::BodyPair pair;
-    SeparatingAxes axes;
+    BoxAxes axes;
     std::vector<NodePair> stack;
     QueryCounts counts;
 };
@@ -34,6 +35,7 @@ void QueryMemory::reset_counts() noexcept {
 
 QueryCounts& QueryCounts::operator+=(const QueryCounts& other) noexcept {
     queries += other.queries;
+    witness_hits += other.witness_hits;
     box_tests += other.box_tests;
     triangle_tests += other.triangle_tests;
     filter_passes += other.filter_passes;
@@ -58,72 +60,134 @@ void add_stages(QueryCounts& counts, const exact::StageCounts& stages) {
     counts.many_limbs += stages.many_limbs;
 }
 
-void bind(QueryMemory::State& state, const PosedMesh& a, const PosedMesh& b) {
-    const exact::MeshExtent& extent_a = a.shape.tree().extent;
-    const exact::MeshExtent& extent_b = b.shape.tree().extent;
-    state.pair.bind({&a.shape.mesh(), &extent_a, &a.pose}, {&b.shape.mesh(), &extent_b, &b.pose});
-    state.axes = SeparatingAxes(a.pose.R, extent_a.magnitude, b.pose.R, extent_b.magnitude, b.pose.t - a.pose.t);
-}
+// The pairs of lanes that near_lanes returned.
+class Lanes {
+  public:
+    explicit Lanes(std::uint64_t pairs) : pairs_(pairs) {}
+    bool more() const noexcept { return pairs_ != 0; }
+    void next() noexcept { pairs_ &= pairs_ - 1; }
+    std::size_t i() const noexcept { return static_cast<std::size_t>(std::countr_zero(pairs_)) % tree_width; }
+    std::size_t j() const noexcept { return static_cast<std::size_t>(std::countr_zero(pairs_)) / tree_width; }
 
-// Calls visit(a, b) for pairs of triangles, among them every pair that shares a point, until it returns false.
+  private:
+    std::uint64_t pairs_;
+};
+
+// One query: the two bodies, and the memory that it works in.
+class Query {
+  public:
+    Query(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory)
+        : a_(a), b_(b), tree_a_(a.shape.tree()), tree_b_(b.shape.tree()), state_(memory.state()) {
+        ++state_.counts.queries;
+    }
+    Query(const Query&) = delete;
+    Query& operator=(const Query&) = delete;
+    ~Query() {
+        if (pair_is_bound_) add_stages(state_.counts, state_.pair.counts());
+    }
+
+    Relation relation_of(std::uint32_t i, std::uint32_t j) {
+        if (!pair_is_bound_) bind_pair();
+        return state_.pair.relation(i, j);
+    }
+
+    // The axis that separates the roots, or -1.
+    int bind_axes() {
+        return state_.axes.bind({tree_a_.boxes, a_.pose.R}, {tree_b_.boxes, b_.pose.R}, b_.pose.t - a_.pose.t);
+    }
+
+    // Calls visit(i, j) for pairs of triangles, among them every pair that shares a point, until it returns false.
+    // After bind_axes.
+    template <class Visit>
+    void visit_near_pairs(Visit&& visit);
+
+  private:
+    // Only the queries that come to triangles pay for this.
+    void bind_pair() {
+        state_.pair.reset_counts();
+        state_.pair.bind({&a_.shape.mesh(), &tree_a_.extent, &a_.pose}, {&b_.shape.mesh(), &tree_b_.extent, &b_.pose});
+        pair_is_bound_ = true;
+    }
+
+    PosedMesh a_, b_;
+    const MeshShape::Tree& tree_a_;
+    const MeshShape::Tree& tree_b_;
+    QueryMemory::State& state_;
+    bool pair_is_bound_ = false;
+};
+
 template <class Visit>
-void visit_near_pairs(QueryMemory::State& state, const PosedMesh& a, const PosedMesh& b, Visit&& visit) {
-    ++state.counts.queries;
-    bind(state, a, b);
-    const TriangleTree& tree_a = a.shape.tree().boxes;
-    const TriangleTree& tree_b = b.shape.tree().boxes;
-    state.stack.assign(1, NodePair{0, 0});
-    while (!state.stack.empty()) {
-        const NodePair top = state.stack.back();
-        state.stack.pop_back();
-        const TreeNode& x = tree_a.nodes[top.a];
-        const TreeNode& y = tree_b.nodes[top.b];
-        ++state.counts.box_tests;
-        if (state.axes.separate(x.center, x.half, y.center, y.half)) continue;
-        if (x.is_leaf() && y.is_leaf()) {
-            for (std::uint32_t i = 0; i < x.count; ++i) {
-                for (std::uint32_t j = 0; j < y.count; ++j) {
-                    if (!visit(tree_a.order[x.begin + i], tree_b.order[y.begin + j])) return;
-                }
+void Query::visit_near_pairs(Visit&& visit) {
+    const WideTree& a = tree_a_.boxes;
+    const WideTree& b = tree_b_.boxes;
+    const auto& sets = state_.axes.sets();
+    auto& stack = state_.stack;
+    stack.assign(1, NodePair{a.root, b.root});
+    while (!stack.empty()) {
+        const NodePair top = stack.back();
+        stack.pop_back();
+        ++state_.counts.box_tests;
+        if (top.a.is_leaf() && top.b.is_leaf()) {
+            const TreeLeaf& x = a.leaves[top.a.index()];
+            const TreeLeaf& y = b.leaves[top.b.index()];
+            for (Lanes lanes(near_lanes(sets, x, y)); lanes.more(); lanes.next()) {
+                if (!visit(x.triangle[lanes.i()], y.triangle[lanes.j()])) return;
             }
-            continue;
-        }
-        // The larger box first: it is the one that overlaps for lack of detail.
-        const bool descend_a = y.is_leaf() || (!x.is_leaf() && x.half.sum() >= y.half.sum());
-        if (descend_a) {
-            state.stack.push_back({x.begin, top.b});
-            state.stack.push_back({x.begin + 1, top.b});
+        } else if (top.a.is_leaf()) {
+            const WideNode& y = b.nodes[top.b.index()];
+            const std::uint64_t near = near_lanes(sets, a.leaves[top.a.index()], y);
+            for (std::size_t j = 0; j < y.count; ++j) {
+                if (near >> (tree_width * j) & 0xff) stack.push_back({top.a, y.child[j]});
+            }
+        } else if (top.b.is_leaf()) {
+            const WideNode& x = a.nodes[top.a.index()];
+            const std::uint64_t near = near_lanes(sets, x, b.leaves[top.b.index()]);
+            for (std::size_t i = 0; i < x.count; ++i) {
+                if (near >> i & 0x0101010101010101u) stack.push_back({x.child[i], top.b});
+            }
         } else {
-            state.stack.push_back({top.a, y.begin});
-            state.stack.push_back({top.a, y.begin + 1});
+            const WideNode& x = a.nodes[top.a.index()];
+            const WideNode& y = b.nodes[top.b.index()];
+            for (Lanes lanes(near_lanes(sets, x, y)); lanes.more(); lanes.next()) {
+                stack.push_back({x.child[lanes.i()], y.child[lanes.j()]});
+            }
         }
     }
-}
-
-// Runs a query, and moves what the exact layer counted to the memory's counts.
-template <class Visit>
-void run_query(QueryMemory& memory, const PosedMesh& a, const PosedMesh& b, Visit&& visit) {
-    QueryMemory::State& state = memory.state();
-    state.pair.reset_counts();
-    visit_near_pairs(state, a, b, [&](std::uint32_t i, std::uint32_t j) { return visit(i, j, state.pair); });
-    add_stages(state.counts, state.pair.counts());
 }
 
 }  // namespace
 
 bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory) {
+    PairWitness witness;
+    return intersects(a, b, memory, witness);
+}
+
+bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory, PairWitness& witness) {
+    Query query(a, b, memory);
+    QueryCounts& counts = memory.state().counts;
+    const bool is_possible =
+        witness.a < a.shape.mesh().triangles().size() && witness.b < b.shape.mesh().triangles().size();
+    if (is_possible && query.relation_of(witness.a, witness.b) != Relation::disjoint) {
+        ++counts.witness_hits;
+        return true;
+    }
+    witness = {};
+    if (query.bind_axes() >= 0) return false;
     bool found = false;
-    run_query(memory, a, b, [&](std::uint32_t i, std::uint32_t j, exact::BodyPair& pair) {
-        found = pair.relation(i, j) != Relation::disjoint;
+    query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j) {
+        found = query.relation_of(i, j) != Relation::disjoint;
+        if (found) witness = {i, j};
         return !found;
     });
     return found;
 }
 
 Relation relation(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory) {
+    Query query(a, b, memory);
     Relation strongest = Relation::disjoint;
-    run_query(memory, a, b, [&](std::uint32_t i, std::uint32_t j, exact::BodyPair& pair) {
-        strongest = std::max(strongest, pair.relation(i, j));
+    if (query.bind_axes() >= 0) return strongest;
+    query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j) {
+        strongest = std::max(strongest, query.relation_of(i, j));
         return strongest != Relation::crossing;
     });
     return strongest;
@@ -131,8 +195,10 @@ Relation relation(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory) {
 
 std::vector<TrianglePair> touching_triangles(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory) {
     std::vector<TrianglePair> pairs;
-    run_query(memory, a, b, [&](std::uint32_t i, std::uint32_t j, exact::BodyPair& pair) {
-        if (pair.relation(i, j) != Relation::disjoint) pairs.push_back({i, j});
+    Query query(a, b, memory);
+    if (query.bind_axes() >= 0) return pairs;
+    query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j) {
+        if (query.relation_of(i, j) != Relation::disjoint) pairs.push_back({i, j});
         return true;
     });
     std::ranges::sort(pairs);
