@@ -1,18 +1,16 @@
 #include "bounds/box_axes.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <cmath>
+#include <cstring>
 #include <limits>
 
-#include "bounds/outward.hpp"
+#include "base/dispatch.hpp"
+#include "bounds/double_lanes.hpp"
 
 namespace ecods {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr float float_infinity = std::numeric_limits<float>::infinity();
 constexpr double double_u = 0x1p-52;  // one operation, any rounding mode
 constexpr double float_u = 0x1p-23;
 constexpr double underflow = 0x1p-100;
@@ -20,148 +18,179 @@ constexpr double sum_max = 0x1p100;
 constexpr double factor_max = 0x1p900;
 constexpr double unit_distance_max = 0x1p-40;  // beyond, margins would suffer
 
-// The root's box.
 struct RootBox {
-    Vec3 center, half;
+    Double4 center, half;
 
-    explicit RootBox(const WideTree& tree) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            center[static_cast<Eigen::Index>(k)] = static_cast<double>(tree.root_center[k]);
-            half[static_cast<Eigen::Index>(k)] = static_cast<double>(tree.root_half[k]);
-        }
-    }
+    ECODS_ALWAYS_INLINE explicit RootBox(const WideTree& tree)
+        : center{static_cast<double>(tree.root_center[0]), static_cast<double>(tree.root_center[1]),
+                 static_cast<double>(tree.root_center[2]), 0},
+          half{static_cast<double>(tree.root_half[0]), static_cast<double>(tree.root_half[1]),
+               static_cast<double>(tree.root_half[2]), 0} {}
 };
 
 // A tree's boxes in the world, with the sums that the bound is made of.
 struct Edges {
-    Mat3 edges;        // R map
-    Vec3 size;         // |R| |map| 1
-    Vec3 origin;       // R center
-    Vec3 origin_size;  // |R| |center|
-    double factor;     // the largest number that a rounding error of these is multiplied by
+    Matrix4 edges;        // R map
+    Double4 size;         // |R| |map| 1
+    Double4 origin;       // R center
+    Double4 origin_size;  // |R| |center|
+    double factor;        // above every number that a rounding error of these is multiplied by
 
-    Edges(const TreeFrame& frame, const Mat3& R) {
-        const Mat3 R_size = R.cwiseAbs();
-        edges = R * frame.map;
-        size = R_size * frame.map_size;
-        origin = R * frame.center;
-        origin_size = R_size * frame.center.cwiseAbs();
-        factor = std::max(1.0, R_size.maxCoeff()) * frame.size_max;
+    ECODS_ALWAYS_INLINE Edges(const TreeFrame& frame, const Mat3& pose_R) {
+        const Matrix4 R = load(pose_R);
+        const Matrix4 R_size = absolute(R);
+        const Double4 center = load(frame.center.data());
+        edges = R * load(frame.map);
+        size = R_size * load(frame.map_size.data());
+        origin = R * center;
+        origin_size = R_size * absolute(center);
+        factor = (1 + sum(row_sums(R_size))) * frame.size_max;
     }
 };
 
 // The normals of the faces as rows, of such length that the box is about [-1, 1] on each; the axes of the world where
 // the box is too flat for that. Any choice is sound.
-Mat3 axes_of(const Edges& own, const Edges& other) {
-    const Vec3 x = own.edges.col(0), y = own.edges.col(1), z = own.edges.col(2);
-    const Vec3 yz = y.cross(z);
-    const double det = x.dot(yz);
-    Mat3 axes;
-    if (det * det > 0x1p-40 * (x.squaredNorm() * y.squaredNorm() * z.squaredNorm())) {
+ECODS_ALWAYS_INLINE Matrix4 axes_of(const Edges& own, const Edges& other) noexcept {
+    const Double4 x = own.edges.column[0], y = own.edges.column[1], z = own.edges.column[2];
+    const Double4 yz = cross(y, z);
+    const double det = dot(x, yz);
+    if (det * det > 0x1p-40 * (dot(x, x) * dot(y, y) * dot(z, z))) {
         const double factor = 1 / det;
-        axes.row(0) = yz * factor;
-        axes.row(1) = z.cross(x) * factor;
-        axes.row(2) = x.cross(y) * factor;
-        return axes;
+        return transpose({{yz * factor, cross(z, x) * factor, cross(x, y) * factor}});
     }
-    const double size = std::max(own.edges.cwiseAbs().maxCoeff(), other.edges.cwiseAbs().maxCoeff());
-    return Mat3::Identity() * (size > 0 ? 1 / size : 1.0);
+    const double size = std::max(largest(absolute(own.edges)), largest(absolute(other.edges)));
+    const double factor = size > 0 ? 1 / size : 1;
+    return {{Double4{factor, 0, 0, 0}, Double4{0, factor, 0, 0}, Double4{0, 0, factor, 0}}};
 }
 
-// Everything about three axes that the roots need.
-void set_exact(AxisSet& set, const Mat3& N, const Edges& a, const Edges& b, const Vec3& d) {
-    const Mat3 N_size = N.cwiseAbs();
-    set.exact_a = N * a.edges;
-    set.exact_b = N * b.edges;
-    set.exact_offset = N * ((b.origin - a.origin) + d);
-    set.w = N_size * (((a.size + b.size) + (a.origin_size + b.origin_size)) + d.cwiseAbs());
-    set.s = (set.exact_a.cwiseAbs() + set.exact_b.cwiseAbs()).rowwise().sum() + set.exact_offset.cwiseAbs();
-    const double factor = std::max({a.factor, b.factor, d.cwiseAbs().maxCoeff()}) * N_size.maxCoeff();
-    // Written so that NaN is not bounded.
-    const bool is_bounded = set.s.maxCoeff() < sum_max && set.w.maxCoeff() < sum_max && factor < factor_max &&
-                            set.s.sum() + set.w.sum() < 6 * sum_max;
-    set.exact_margin = Vec3::Constant(infinity);
-    if (is_bounded) set.exact_margin = 32 * double_u * (set.s + set.w) + Vec3::Constant(underflow);
-}
+// Three axes in doubles.
+struct ExactSet {
+    Matrix4 a, b;  // P
+    Double4 offset, margin;
+    Double4 s, w;  // the sums
+    Double4 e;     // how far the own tree's P is from the identity, if it is taken for it
+    bool is_unit;
 
-Projection projection_of(const Mat3& P) {
-    Projection result{};
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) {
-            const auto k = static_cast<std::size_t>(row), j = static_cast<std::size_t>(column);
-            result.p[k][j] = static_cast<float>(P(row, column));
-            result.size[k][j] = std::abs(result.p[k][j]);
-        }
+    // `own`: the tree whose normals the axes are, a or b.
+    ECODS_ALWAYS_INLINE ExactSet(const Matrix4& N, const Edges& edges_a, const Edges& edges_b, Double4 d,
+                                 const Matrix4& own) {
+        const Matrix4 N_size = absolute(N);
+        const Double4 d_size = absolute(d);
+        a = N * edges_a.edges;
+        b = N * edges_b.edges;
+        offset = N * ((edges_b.origin - edges_a.origin) + d);
+        w = N_size * (((edges_a.size + edges_b.size) + (edges_a.origin_size + edges_b.origin_size)) + d_size);
+        s = (row_sums(absolute(a)) + row_sums(absolute(b))) + absolute(offset);
+        const double factor = ((edges_a.factor + edges_b.factor) + sum(d_size)) * sum(row_sums(N_size));
+        e = row_sums({{absolute(own.column[0] - Double4{1, 0, 0, 0}), absolute(own.column[1] - Double4{0, 1, 0, 0}),
+                       absolute(own.column[2] - Double4{0, 0, 1, 0})}});
+        is_unit = sum(e) <= unit_distance_max;
+        if (!is_unit) e = Double4{};
+        margin = (32 * double_u * (s + w) + 2 * e) + underflow;
+        // In this form NaN is not bounded.
+        if (!(sum(s) < sum_max && sum(w) < sum_max && factor < factor_max)) margin += infinity;
     }
-    return result;
-}
 
-enum class Own { a, b };
+    ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return margin[0] < infinity; }
+};
 
-// What nodes and leaves need, too. `own`: whose normals the axes are. The last factor makes up for the conversion of
-// bounds.
-void set_floats(AxisSet& set, Own own) {
-    set.a = projection_of(set.exact_a);
-    set.b = projection_of(set.exact_b);
-    const Mat3& P = own == Own::a ? set.exact_a : set.exact_b;
-    Vec3 e = (P - Mat3::Identity()).cwiseAbs().rowwise().sum();
-    const bool is_unit = e.maxCoeff() <= unit_distance_max;
-    (own == Own::a ? set.a : set.b).is_unit = is_unit;
-    if (!is_unit) e.setZero();
-    const bool is_bounded = set.exact_margin[0] < infinity;
-    for (int row = 0; row < 3; ++row) {
-        const auto k = static_cast<std::size_t>(row);
-        const double in_float = float_u * set.s[row], in_double = 16 * double_u * set.w[row] + underflow;
-        const double margin = (16 * in_float + in_double + 2 * e[row]) * (1 + 0x1p-22);
-        const double point_error = (8 * in_float + in_double + e[row]) * (1 + 0x1p-22);
-        set.b.margin[k] = is_bounded ? static_cast<float>(margin) : float_infinity;
-        set.point_error[k] = is_bounded ? static_cast<float>(point_error) : float_infinity;
-        set.b.shift[k] = static_cast<float>(set.exact_offset[row]);
-    }
-}
-
-// Which of the three faces separates, or -1.
-int separating_face(const AxisSet& set, const RootBox& a, const RootBox& b) {
-    const Vec3 distance = (set.exact_a * a.center - set.exact_b * b.center - set.exact_offset).cwiseAbs();
-    const Vec3 reach = set.exact_a.cwiseAbs() * a.half + set.exact_b.cwiseAbs() * b.half + set.exact_margin;
+// Which of the three faces separates, or -1. `x` is the box of the tree whose normals they are, and `p` brings the
+// other box `y` to them.
+ECODS_ALWAYS_INLINE int separating_face(const ExactSet& set, const RootBox& x, const Matrix4& own, const RootBox& y,
+                                        const Matrix4& p, double sign) noexcept {
+    const Double4 x_center = set.is_unit ? x.center : own * x.center;
+    const Double4 x_half = set.is_unit ? x.half : absolute(own) * x.half;
+    const Double4 distance = absolute((x_center - p * y.center) - sign * set.offset);
+    const Double4 reach = (x_half + absolute(p) * y.half) + set.margin;
     for (int row = 0; row < 3; ++row) {
         if (distance[row] > reach[row]) return row;
     }
     return -1;
 }
 
-bool separates_on_edges(const AxisSet& set, int i, int j, const RootBox& a, const RootBox& b) {
-    const Vec3 n = set.exact_a.col(i).cross(set.exact_b.col(j));
-    const Vec3 on_a = set.exact_a.transpose() * n, on_b = set.exact_b.transpose() * n;
-    const double distance = std::abs(on_a.dot(a.center) - on_b.dot(b.center) - n.dot(set.exact_offset));
-    const double reach = on_a.cwiseAbs().dot(a.half) + on_b.cwiseAbs().dot(b.half);
-    return distance > reach + (n.cwiseAbs().dot(set.exact_margin) + 0x1p-800);
+// Which of the nine products of edges separates, or -1: those of edge i of a with the three of b, side by side. Edge i
+// of a is the axis i, so a product has two coordinates, k = i + 1 and l = i + 2.
+ECODS_ALWAYS_INLINE int separating_edges(const ExactSet& set, const RootBox& x, const RootBox& y) noexcept {
+    if (!set.is_unit) return -1;
+    const Matrix4 rows = transpose(set.b);
+    const Double4 middle = (set.b * y.center + set.offset) - x.center;
+    for (int i = 0; i < 3; ++i) {
+        const int k = (i + 1) % 3, l = (i + 2) % 3;
+        const Double4 nk = -rows.column[l], nl = rows.column[k];
+        Double4 distance = nk * middle[k] + nl * middle[l];
+        Double4 reach =
+            (absolute(nk) * (x.half[k] + set.margin[k]) + absolute(nl) * (x.half[l] + set.margin[l])) + 0x1p-800;
+        for (int j = 0; j < 3; ++j) reach += absolute(nk * set.b.column[j][k] + nl * set.b.column[j][l]) * y.half[j];
+        distance = absolute(distance);
+        for (int j = 0; j < 3; ++j) {
+            if (distance[j] > reach[j]) return 3 * i + j;
+        }
+    }
+    return -1;
+}
+
+ECODS_ALWAYS_INLINE std::array<float, 4> to_floats(Double4 v) noexcept {
+    typedef float Float4 __attribute__((vector_size(16)));
+    const Float4 f = __builtin_convertvector(v, Float4);
+    std::array<float, 4> result;
+    std::memcpy(&result, &f, sizeof f);
+    return result;
+}
+
+ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Matrix4& P, Double4 shift) noexcept {
+    const Matrix4 size = absolute(P);
+    const Matrix4 rows = transpose(P);
+    for (std::size_t j = 0; j < 3; ++j) {
+        projection.p[j] = to_floats(P.column[j]);
+        projection.size[j] = to_floats(size.column[j]);
+        Double4 row = rows.column[j];
+        row[3] = shift[static_cast<int>(j)];
+        projection.row[j] = to_floats(row);
+    }
+    projection.shift = to_floats(shift);
+    projection.margin = {};
+    projection.is_unit = false;
+}
+
+// The last factor makes up for the conversion of bounds.
+ECODS_ALWAYS_INLINE void set_floats(AxisSet& set, const ExactSet& exact, Projection& own) noexcept {
+    set_projection(set.a, exact.a, Double4{});
+    set_projection(set.b, exact.b, exact.offset);
+    own.is_unit = exact.is_unit;
+    const Double4 in_float = float_u * exact.s, in_double = 16 * double_u * exact.w + underflow;
+    const double unbounded = exact.is_bounded() ? 0 : infinity;
+    set.b.margin = to_floats((16 * in_float + in_double + 2 * exact.e) * (1 + 0x1p-22) + unbounded);
+    set.point_error = to_floats((8 * in_float + in_double + exact.e) * (1 + 0x1p-22) + unbounded);
+}
+
+ECODS_FOR_EACH_INSTRUCTION_SET
+int bind_sets(std::array<AxisSet, 2>& sets, const PosedTree& a, const PosedTree& b, const Vec3& difference) noexcept {
+    const Edges edges_a(a.tree.frame, a.R), edges_b(b.tree.frame, b.R);
+    const RootBox root_a(a.tree), root_b(b.tree);
+    const Double4 d = load(difference.data());
+    const ExactSet first(axes_of(edges_a, edges_b), edges_a, edges_b, d, first.a);
+    const int face_a = separating_face(first, root_a, first.a, root_b, first.b, 1);
+    if (face_a >= 0) return face_a;
+    const ExactSet second(axes_of(edges_b, edges_a), edges_a, edges_b, d, second.b);
+    const int face_b = separating_face(second, root_b, second.b, root_a, second.a, -1);
+    if (face_b >= 0) return 3 + face_b;
+    const int edges = separating_edges(first, root_a, root_b);
+    if (edges >= 0) return 6 + edges;
+    set_floats(sets[0], first, sets[0].a);
+    set_floats(sets[1], second, sets[1].b);
+    return -1;
 }
 
 }  // namespace
 
 int BoxAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d) {
-    if (!a.tree.frame.is_bounded || !b.tree.frame.is_bounded) return bind_unbounded();
-    const Edges edges_a(a.tree.frame, a.R), edges_b(b.tree.frame, b.R);
-    const RootBox root_a(a.tree), root_b(b.tree);
-    set_exact(sets_[0], axes_of(edges_a, edges_b), edges_a, edges_b, d);
-    if (const int axis = separating_face(sets_[0], root_a, root_b); axis >= 0) return axis;
-    set_exact(sets_[1], axes_of(edges_b, edges_a), edges_a, edges_b, d);
-    if (const int axis = separating_face(sets_[1], root_a, root_b); axis >= 0) return 3 + axis;
-    for (int i = 0; i < 9; ++i) {
-        if (separates_on_edges(sets_[0], i / 3, i % 3, root_a, root_b)) return 6 + i;
-    }
-    set_floats(sets_[0], Own::a);
-    set_floats(sets_[1], Own::b);
-    return -1;
-}
-
-// Nothing is separated by what has no bounds.
-int BoxAxes::bind_unbounded() {
+    if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) return bind_sets(sets_, a, b, d);
+    // Nothing is separated from what has no bounds.
+    constexpr float unbounded = std::numeric_limits<float>::infinity();
     for (AxisSet& set : sets_) {
-        set.a = set.b = {};
-        set.b.margin.fill(float_infinity);
-        set.point_error.fill(float_infinity);
+        set = {};
+        set.b.margin.fill(unbounded);
+        set.point_error.fill(unbounded);
     }
     return -1;
 }

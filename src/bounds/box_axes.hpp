@@ -53,22 +53,18 @@ struct PosedTree {
 
 // What brings one tree's coordinates to three axes.
 struct Projection {
-    std::array<std::array<float, 3>, 3> p;     // rows are axes
-    std::array<std::array<float, 3>, 3> size;  // |p|
-    std::array<float, 3> shift;                // added to p y
-    std::array<float, 3> margin;               // added to the reach of boxes
+    std::array<std::array<float, 4>, 3> p;     // columns; rows are axes, the fourth is zero
+    std::array<std::array<float, 4>, 3> size;  // |p|
+    std::array<std::array<float, 4>, 3> row;   // of p, with the shift as the fourth
+    std::array<float, 4> shift;                // added to p y
+    std::array<float, 4> margin;               // added to the reach of boxes
     bool is_unit;                              // p is the identity
 };
 
 // Three axes, and both trees' boxes on them.
 struct AxisSet {
     Projection a, b;                   // shift and margin are zero for a
-    std::array<float, 3> point_error;  // of a corner of either
-
-    // The same in doubles, for the root.
-    Mat3 exact_a, exact_b;
-    Vec3 exact_offset, exact_margin;
-    Vec3 s, w;  // the sums
+    std::array<float, 4> point_error;  // of a corner of either
 };
 
 class BoxAxes {
@@ -80,8 +76,6 @@ class BoxAxes {
     const std::array<AxisSet, 2>& sets() const noexcept { return sets_; }
 
   private:
-    int bind_unbounded();
-
     std::array<AxisSet, 2> sets_;
 };
 
@@ -92,5 +86,9 @@ std::uint64_t near_lanes(const std::array<AxisSet, 2>& sets, const WideNode& x, 
 std::uint64_t near_lanes(const std::array<AxisSet, 2>& sets, const WideNode& x, const TreeLeaf& y) noexcept;
 std::uint64_t near_lanes(const std::array<AxisSet, 2>& sets, const TreeLeaf& x, const WideNode& y) noexcept;
 std::uint64_t near_lanes(const std::array<AxisSet, 2>& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept;
+
+// The same in the registers that every x86-64 has; near_lanes uses wider ones where there are some. The bits are equal.
+std::uint64_t near_lanes_four_wide(const std::array<AxisSet, 2>& sets, const WideNode& x, const WideNode& y) noexcept;
+std::uint64_t near_lanes_four_wide(const std::array<AxisSet, 2>& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept;
 
 }  // namespace ecods

@@ -1,5 +1,6 @@
-#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <type_traits>
 
 #include "base/dispatch.hpp"
@@ -15,12 +16,14 @@ struct FourWide {
     typedef float Floats __attribute__((vector_size(16), may_alias));
     typedef std::int32_t Ints __attribute__((vector_size(16), may_alias));
     typedef std::uint64_t Words __attribute__((vector_size(16), may_alias));
+    typedef std::uint8_t Bytes __attribute__((vector_size(4), may_alias));
 };
 struct EightWide {
     static constexpr std::size_t width = 8;
     typedef float Floats __attribute__((vector_size(32), may_alias));
     typedef std::int32_t Ints __attribute__((vector_size(32), may_alias));
     typedef std::uint64_t Words __attribute__((vector_size(32), may_alias));
+    typedef std::uint8_t Bytes __attribute__((vector_size(8), may_alias));
 };
 
 // All of this is compiled for both. Operations and their order are the same in every lane, so the bits are, too.
@@ -60,10 +63,10 @@ struct Kernel {
                     middle = load(node.center[k], part);
                     reach = load(node.half[k], part);
                 } else {
-                    middle = (p.p[k][0] * load(node.center[0], part) + p.p[k][1] * load(node.center[1], part)) +
-                             p.p[k][2] * load(node.center[2], part);
-                    reach = (p.size[k][0] * load(node.half[0], part) + p.size[k][1] * load(node.half[1], part)) +
-                            p.size[k][2] * load(node.half[2], part);
+                    middle = (p.p[0][k] * load(node.center[0], part) + p.p[1][k] * load(node.center[1], part)) +
+                             p.p[2][k] * load(node.center[2], part);
+                    reach = (p.size[0][k] * load(node.half[0], part) + p.size[1][k] * load(node.half[1], part)) +
+                            p.size[2][k] * load(node.half[2], part);
                 }
                 middle = middle + p.shift[k];
                 reach = reach + p.margin[k];
@@ -79,8 +82,8 @@ struct Kernel {
             for (std::size_t k = 0; k < 3; ++k) {
                 for (std::size_t part = 0; part < part_count; ++part) {
                     const Floats z = p.is_unit ? load(y[k], part)
-                                               : (p.p[k][0] * load(y[0], part) + p.p[k][1] * load(y[1], part)) +
-                                                     p.p[k][2] * load(y[2], part);
+                                               : (p.p[0][k] * load(y[0], part) + p.p[1][k] * load(y[1], part)) +
+                                                     p.p[2][k] * load(y[2], part);
                     store(corners.at[c][k], part, z + p.shift[k]);
                 }
             }
@@ -108,10 +111,12 @@ struct Kernel {
         span(p, corners, spans);
     }
 
-    // Lane j of the result has bit i unless spans i of x and j of y are apart. NaN compares false: not apart.
-    ECODS_ALWAYS_INLINE static Ints find_near(const Spans& x, const Spans& y, std::size_t part) noexcept {
+    // Lane j keeps bit i of `rows` unless spans i of x and j of y are apart. NaN compares false: not apart.
+    ECODS_ALWAYS_INLINE static Ints find_near(const Spans& x, const Spans& y, std::size_t part,
+                                              std::uint32_t rows) noexcept {
         Ints near{};
-        for (std::size_t i = 0; i < tree_width; ++i) {
+        for (; rows != 0; rows &= rows - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(rows));
             Ints apart = (x.low[0][i] > load(y.high[0], part)) | (x.high[0][i] < load(y.low[0], part));
             for (std::size_t k = 1; k < 3; ++k) {
                 apart |= (x.low[k][i] > load(y.high[k], part)) | (x.high[k][i] < load(y.low[k], part));
@@ -121,18 +126,22 @@ struct Kernel {
         return near;
     }
 
-    ECODS_ALWAYS_INLINE static bool is_zero(const Ints& mask) noexcept {
-        const auto& words = reinterpret_cast<const typename Registers::Words&>(mask);
-        std::uint64_t any = 0;
-        for (std::size_t i = 0; i < width / 2; ++i) any |= words[i];
-        return any == 0;
+    // All bits of all lanes.
+    ECODS_ALWAYS_INLINE static std::uint32_t bits_of(const Ints (&lanes)[part_count]) noexcept {
+        Ints any = lanes[0];
+        for (std::size_t part = 1; part < part_count; ++part) any |= lanes[part];
+        const auto words = reinterpret_cast<typename Registers::Words>(any);
+        std::uint64_t bits = words[0] | words[1];
+        if constexpr (width == 8) bits |= words[2] | words[3];
+        return static_cast<std::uint32_t>(bits | bits >> 32);
     }
 
     // Bits i of lanes j to bits 8 j + i.
     ECODS_ALWAYS_INLINE static void collect(const Ints& near, std::size_t part, std::uint64_t& pairs) noexcept {
-        for (std::size_t j = 0; j < width; ++j) {
-            pairs |= std::uint64_t{static_cast<std::uint32_t>(near[j])} << (tree_width * (part * width + j));
-        }
+        typename Registers::Bytes bytes = __builtin_convertvector(near, typename Registers::Bytes);
+        std::uint64_t word = 0;
+        std::memcpy(&word, &bytes, sizeof bytes);
+        pairs |= word << (8 * part * width);
     }
 
     // The ends of what is in the lanes on an axis: m . y.
@@ -157,94 +166,85 @@ struct Kernel {
     }
 
     // The lanes of `other`, placed by `p`, that are not certainly beyond the slab. The slab's tree is on axes of its
-    // own in this set, but for `shift`.
+    // own in this set; `shift` is 1 if the other's tree is the shifted one, -1 if the slab's is.
     //
     // Bound: the slab's normal n is a vector in the coordinates N x. The other's projection there is n . (P y + q),
     // computed as (P^T n) . y + n . q. For a corner there are the errors of converting P and q, of y, and 3.01 v s for
-    // each of three products of vectors, v s for sums: below 12 v s + 13 u' w + e, in sum |n_k| (...)_k. A box adds a
-    // reach with two products, and the ends: below 20 v s + 20 u' w + 2 e. Three times point_error is 24 v s + 48 u' w
+    // each of three products of vectors, 3 v s for sums: below 14 v s + 13 u' w + e, in sum |n_k| (...)_k. A box adds a
+    // reach with two products, and the ends: below 23 v s + 20 u' w + 2 e. Three times point_error is 24 v s + 48 u' w
     // + 3 e.
     template <class Other>
-    ECODS_ALWAYS_INLINE static void find_in_slab(const AxisSet& set, const Slab& slab, float slab_shift,
-                                                 const Projection& p, const Other& other, float other_shift,
-                                                 Ints (&lanes)[part_count]) noexcept {
+    ECODS_ALWAYS_INLINE static void find_in_slab(const AxisSet& set, const Slab& slab, const Projection& p,
+                                                 const Other& other, float shift, Ints (&lanes)[part_count]) noexcept {
         const auto& n = slab.normal;
-        std::array<float, 3> m;
-        for (std::size_t j = 0; j < 3; ++j) m[j] = (n[0] * p.p[0][j] + n[1] * p.p[1][j]) + n[2] * p.p[2][j];
+        // The fourth lane of m is n . q.
+        const auto row = [](const std::array<float, 4>& r) { return FourWide::Floats{r[0], r[1], r[2], r[3]}; };
+        const auto& rows = set.b.row;  // for q
+        const FourWide::Floats m4 = (n[0] * row(p.row[0]) + n[1] * row(p.row[1])) + n[2] * row(p.row[2]);
+        const std::array<float, 3> m{m4[0], m4[1], m4[2]};
+        const float q = shift * ((n[0] * rows[0][3] + n[1] * rows[1][3]) + n[2] * rows[2][3]);
         const float margin = 3 * ((std::abs(n[0]) * set.point_error[0] + std::abs(n[1]) * set.point_error[1]) +
                                   std::abs(n[2]) * set.point_error[2]);
-        const float shift = (n[0] * set.b.shift[0] + n[1] * set.b.shift[1]) + n[2] * set.b.shift[2];
-        const float slab_low = slab.low + slab_shift * shift, slab_high = slab.high + slab_shift * shift;
+        const float slab_low = (slab.low - margin) - q, slab_high = (slab.high + margin) - q;
         for (std::size_t part = 0; part < part_count; ++part) {
             Floats low, high;
             find_ends(other, m, part, low, high);
-            const Ints beyond =
-                ((low + other_shift * shift) - margin > slab_high) | ((high + other_shift * shift) + margin < slab_low);
-            lanes[part] = ~beyond;
+            lanes[part] = ~((low > slab_high) | (high < slab_low));
         }
     }
 
-    ECODS_ALWAYS_INLINE static bool is_zero(const Ints (&mask)[part_count]) noexcept {
-        Ints any = mask[0];
-        for (std::size_t part = 1; part < part_count; ++part) any |= mask[part];
-        return is_zero(any);
-    }
-
-    // The sign bits of eight lanes, as a number.
-    ECODS_ALWAYS_INLINE static std::uint32_t bits_of(const Ints (&mask)[part_count]) noexcept {
-        std::uint32_t bits = 0;
-        for (std::size_t part = 0; part < part_count; ++part) {
-            for (std::size_t i = 0; i < width; ++i) bits |= (mask[part][i] & 1u) << (part * width + i);
-        }
+    // Bit i of lane i.
+    ECODS_ALWAYS_INLINE static Ints lane_bits(std::size_t part) noexcept {
+        Ints bits{};
+        for (std::size_t i = 0; i < width; ++i) bits[i] = 1 << (part * width + i);
         return bits;
     }
 
     template <class X, class Y>
     ECODS_ALWAYS_INLINE static std::uint64_t near_lanes(const Sets& sets, const X& x, const Y& y) noexcept {
         // Most pairs that a box lets pass end here: flat parts of smooth surfaces, above each other.
-        Ints near[part_count];
-        std::uint32_t x_lanes = x.lanes();
+        Ints near[part_count], lanes[part_count];
+        std::uint32_t rows = x.lanes();
         if (sets[0].a.is_unit) {
-            find_in_slab(sets[0], x.slab, 0, sets[0].b, y, 1, near);
-            if (is_zero(near)) return 0;
+            find_in_slab(sets[0], x.slab, sets[0].b, y, 1, near);
+            if (bits_of(near) == 0) return 0;
         } else {
-            for (Ints& lanes : near) lanes = ~Ints{};
+            for (Ints& all : near) all = ~Ints{};
         }
         if (sets[1].b.is_unit) {
-            Ints lanes[part_count];
-            find_in_slab(sets[1], y.slab, 1, sets[1].a, x, 0, lanes);
-            if (is_zero(lanes)) return 0;
-            x_lanes &= bits_of(lanes);
+            find_in_slab(sets[1], y.slab, sets[1].a, x, -1, lanes);
+            for (std::size_t part = 0; part < part_count; ++part) lanes[part] &= lane_bits(part);
+            rows &= bits_of(lanes);
+            if (rows == 0) return 0;
         }
 
         Corners corners_x, corners_y, other;
         Spans spans_x, spans_y, other_x, other_y;
         place(sets[0].a, x, corners_x, spans_x);
         place(sets[0].b, y, corners_y, spans_y);
-        for (std::size_t part = 0; part < part_count; ++part) {
-            near[part] &= find_near(spans_x, spans_y, part) & static_cast<std::int32_t>(x_lanes);
-        }
-        if (is_zero(near)) return 0;
+        for (std::size_t part = 0; part < part_count; ++part) near[part] &= find_near(spans_x, spans_y, part, rows);
+        rows = bits_of(near);
+        if (rows == 0) return 0;
 
         place(sets[1].a, x, other, other_x);
         place(sets[1].b, y, other, other_y);
-        for (std::size_t part = 0; part < part_count; ++part) near[part] &= find_near(other_x, other_y, part);
-        if (is_zero(near)) return 0;
+        for (std::size_t part = 0; part < part_count; ++part) near[part] &= find_near(other_x, other_y, part, rows);
+        rows = bits_of(near);
+        if (rows == 0) return 0;
 
         std::uint64_t pairs = 0;
         for (std::size_t part = 0; part < part_count; ++part) {
             if constexpr (std::is_same_v<X, TreeLeaf> && std::is_same_v<Y, TreeLeaf>) {
-                near[part] =
-                    find_near_planes(sets[0].point_error, corners_x, spans_x, corners_y, spans_y, part, near[part]);
+                near[part] &= find_near_planes(sets[0].point_error, corners_x, spans_x, corners_y, spans_y, part, rows);
             }
             collect(near[part], part, pairs);
         }
         return pairs & ~std::uint64_t{0} >> (64 - tree_width * y.count);
     }
 
-    // Lane j has bit i unless all corners of triangle i of x are certainly on one side of the plane of triangle j of y,
-    // or the other way round. Coordinates are images of those of the world under one linear map: what a plane separates
-    // there is disjoint here.
+    // Lane j keeps bit i of `rows` unless all corners of triangle i of x are certainly on one side of the plane of
+    // triangle j of y, or the other way round. Coordinates are images of those of the world under one linear map: what
+    // a plane separates there is disjoint here.
     //
     // Bound: that of exact/filter_bound.hpp, whose derivation holds for any unit roundoff, with v = 2^-23 for u' and
     // point_error for delta. With E the extents of the two triangles, enlarged by e = v E + 2 delta, it is
@@ -253,9 +253,9 @@ struct Kernel {
     // 49 and 12.5 cover the last factor and their own evaluation. Underflow: products of three lose 2^-126 times
     // extents, which are below 2^101 where delta is finite, but those that matter here are near one: coordinates that
     // decide are below 4 in size, or delta is above 2^-20 of them; 2^-100 is added.
-    ECODS_ALWAYS_INLINE static Ints find_near_planes(const std::array<float, 3>& delta, const Corners& x,
+    ECODS_ALWAYS_INLINE static Ints find_near_planes(const std::array<float, 4>& delta, const Corners& x,
                                                      const Spans& x_spans, const Corners& y, const Spans& y_spans,
-                                                     std::size_t part, Ints wanted) noexcept {
+                                                     std::size_t part, std::uint32_t rows) noexcept {
         Floats q[3][3];
         for (std::size_t c = 0; c < 3; ++c) {
             for (std::size_t k = 0; k < 3; ++k) q[c][k] = load(y.at[c][k], part);
@@ -265,9 +265,8 @@ struct Kernel {
         const Floats mx = q1[1] * q2[2] - q1[2] * q2[1], my = q1[2] * q2[0] - q1[0] * q2[2],
                      mz = q1[0] * q2[1] - q1[1] * q2[0];
         Ints near{};
-        for (std::size_t i = 0; i < tree_width; ++i) {
-            const Ints is_wanted = wanted & (1 << i);
-            if (is_zero(is_wanted)) continue;
+        for (; rows != 0; rows &= rows - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(rows));
             const auto p = [&](std::size_t c, std::size_t k) { return x.at[c][k][i]; };
             const auto extent = [&](std::size_t k) -> Floats {
                 const Floats low = x_spans.low[k][i] + Floats{}, high = x_spans.high[k][i] + Floats{};
@@ -289,7 +288,7 @@ struct Kernel {
                                (max(first[0], max(first[1], first[2])) < -bound) |
                                (min(second[0], min(second[1], second[2])) > bound) |
                                (max(second[0], max(second[1], second[2])) < -bound);
-            near |= is_wanted & ~apart;
+            near |= ~apart & (1 << i);
         }
         return near;
     }
@@ -331,6 +330,13 @@ std::uint64_t near_lanes(const Sets& sets, const TreeLeaf& x, const WideNode& y)
 }
 std::uint64_t near_lanes(const Sets& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept {
     return widest(sets, x, y);
+}
+
+std::uint64_t near_lanes_four_wide(const Sets& sets, const WideNode& x, const WideNode& y) noexcept {
+    return four_wide(sets, x, y);
+}
+std::uint64_t near_lanes_four_wide(const Sets& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept {
+    return four_wide(sets, x, y);
 }
 
 }  // namespace ecods

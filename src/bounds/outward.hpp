@@ -17,6 +17,11 @@ constexpr float next_up(float x) noexcept {
     return std::bit_cast<float>(bits >> 31 ? bits - 1 : bits + 1);
 }
 
+// The greatest float below x; -infinity stays. Not for NaN.
+constexpr float next_down(float x) noexcept {
+    return -next_up(-x);
+}
+
 // The least normal float, which no processor takes for zero.
 inline constexpr float float_min = std::numeric_limits<float>::min();
 
@@ -29,8 +34,13 @@ inline float round_up(double x) noexcept {
     return static_cast<double>(f) < x ? next_up(f) : f;
 }
 
+// A float that is not above x. Not by two negations: a compiler may drop them around a conversion, as if it rounded to
+// nearest.
 inline float round_down(double x) noexcept {
-    return -round_up(-x);
+    if (x >= 0 && x < static_cast<double>(float_min)) return 0;
+    if (x < 0 && x > -static_cast<double>(float_min)) return -float_min;
+    const float f = static_cast<float>(x);
+    return static_cast<double>(f) > x ? next_down(f) : f;
 }
 
 }  // namespace ecods

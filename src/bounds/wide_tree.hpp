@@ -92,8 +92,4 @@ WideTree refit_wide_tree(const WideTree& tree, const Mesh& mesh);
 // The sum of the surfaces of all boxes over that of the root's, in frame coordinates: what a random query visits.
 double tree_cost(const WideTree& tree) noexcept;
 
-// Throws BrokenInvariant unless every triangle is below exactly one leaf, in its box and in all boxes above, by
-// arithmetic that does not share the build's.
-void validate(const WideTree& tree, const Mesh& mesh);
-
 }  // namespace ecods

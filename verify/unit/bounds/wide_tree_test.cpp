@@ -1,64 +1,206 @@
-#include "bounds/triangle_tree.hpp"
+// Trees contain what they stand for: exactly, by rational arithmetic.
 
+#include "bounds/wide_tree.hpp"
+
+#include <CGAL/Gmpq.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <numeric>
+#include <cfenv>
+#include <cmath>
 
+#include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
 
 namespace ecods {
 namespace {
 
-bool is_inside(const TreeNode& node, const Vec3& v) {
-    for (int k = 0; k < 3; ++k) {
-        // Exact: the differences of numbers of 21 bits are.
-        if (std::abs(v[k] - node.center[k]) > node.half[k]) return false;
+using Number = CGAL::Gmpq;
+using ExactVec = std::array<Number, 3>;
+
+// The y with center + map y = v, by Cramer's rule.
+class ExactFrame {
+  public:
+    explicit ExactFrame(const TreeFrame& frame) : frame_(frame), determinant_(determinant(columns())) {}
+
+    ExactVec coordinates(const Vec3& v) const {
+        ExactVec y;
+        for (int k = 0; k < 3; ++k) {
+            auto c = columns();
+            for (int row = 0; row < 3; ++row) c[k][row] = Number(v[row]) - Number(frame_.center[row]);
+            y[k] = determinant(c) / determinant_;
+        }
+        return y;
     }
-    return true;
+
+  private:
+    using Columns = std::array<ExactVec, 3>;
+
+    Columns columns() const {
+        Columns c;
+        for (int i = 0; i < 3; ++i) {
+            for (int row = 0; row < 3; ++row) c[i][row] = Number(frame_.map(row, i));
+        }
+        return c;
+    }
+    static Number determinant(const Columns& c) {
+        return c[0][0] * (c[1][1] * c[2][2] - c[2][1] * c[1][2]) - c[1][0] * (c[0][1] * c[2][2] - c[2][1] * c[0][2]) +
+               c[2][0] * (c[0][1] * c[1][2] - c[1][1] * c[0][2]);
+    }
+
+    const TreeFrame& frame_;
+    Number determinant_;
+};
+
+struct Ancestor {
+    const WideNode* node;
+    std::size_t lane;
+};
+
+void expect_in_slab(const Slab& slab, const ExactVec& y) {
+    Number sum = 0;
+    for (int k = 0; k < 3; ++k) sum += Number(slab.normal[k]) * y[k];
+    EXPECT_LE(Number(slab.low), sum);
+    EXPECT_GE(Number(slab.high), sum);
 }
 
-// Every node contains the triangles below it; every triangle is in one leaf.
-void expect_sound(const Mesh& mesh) {
-    const TriangleTree tree = build_triangle_tree(mesh);
-    std::vector<std::uint32_t> order = tree.order;
-    std::ranges::sort(order);
-    std::vector<std::uint32_t> all(mesh.triangles().size());
-    std::iota(all.begin(), all.end(), 0u);
-    EXPECT_EQ(order, all);
-
-    std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> open{{0, {}}};
-    std::size_t leaf_triangles = 0;
-    while (!open.empty()) {
-        auto [index, above] = open.back();
-        open.pop_back();
-        above.push_back(index);
-        const TreeNode& node = tree.nodes[index];
-        if (!node.is_leaf()) {
-            open.push_back({node.begin, above});
-            open.push_back({node.begin + 1, above});
-            continue;
-        }
-        EXPECT_LE(node.count, TriangleTree::leaf_size);
-        leaf_triangles += node.count;
-        for (std::uint32_t i = node.begin; i < node.begin + node.count; ++i) {
-            for (const std::uint32_t corner : mesh.triangles()[tree.order[i]]) {
-                for (const std::uint32_t ancestor : above) {
-                    ASSERT_TRUE(is_inside(tree.nodes[ancestor], mesh.vertices()[corner]));
+void expect_leaf_is_sound(const TreeLeaf& leaf, const Mesh& mesh, const ExactFrame& frame,
+                          const std::vector<Ancestor>& above, std::vector<int>& seen) {
+    ASSERT_GE(leaf.count, 1u);
+    ASSERT_LE(leaf.count, tree_width);
+    for (std::size_t lane = 0; lane < tree_width; ++lane) {
+        const std::uint32_t triangle = leaf.triangle[lane];
+        if (lane < leaf.count)
+            ++seen[triangle];
+        else
+            EXPECT_EQ(triangle, leaf.triangle[leaf.count - 1]);
+        for (int corner = 0; corner < 3; ++corner) {
+            const ExactVec y = frame.coordinates(mesh.vertices()[mesh.triangles()[triangle][corner]]);
+            for (int k = 0; k < 3; ++k) {
+                ASSERT_LE(CGAL::abs(y[k]), 1);
+                EXPECT_LE(CGAL::abs(y[k] - Number(leaf.corner[corner][k][lane])), Number(corner_error));
+                for (const Ancestor& a : above) {
+                    ASSERT_LE(CGAL::abs(y[k] - Number(a.node->center[k][a.lane])), Number(a.node->half[k][a.lane]));
                 }
             }
+            expect_in_slab(leaf.slab, y);
+            for (const Ancestor& a : above) expect_in_slab(a.node->slab, y);
         }
     }
-    EXPECT_EQ(leaf_triangles, mesh.triangles().size());
 }
 
-TEST(TriangleTree, IsSound) {
+// Every triangle is below one leaf, in its slab, and in all boxes and slabs above.
+void expect_sound(const WideTree& tree, const Mesh& mesh) {
+    ASSERT_TRUE(tree.frame.is_bounded);
+    const ExactFrame frame(tree.frame);
+    std::vector<int> seen(mesh.triangles().size());
+    std::vector<std::pair<TreeRef, std::vector<Ancestor>>> open{{tree.root, {}}};
+    while (!open.empty()) {
+        const auto [ref, above] = open.back();
+        open.pop_back();
+        if (ref.is_leaf()) {
+            expect_leaf_is_sound(tree.leaves[ref.index()], mesh, frame, above, seen);
+            continue;
+        }
+        const WideNode& node = tree.nodes[ref.index()];
+        ASSERT_GE(node.count, 2u);
+        ASSERT_LE(node.count, tree_width);
+        for (std::size_t lane = 0; lane < node.count; ++lane) {
+            auto below = above;
+            below.push_back({&node, lane});
+            open.emplace_back(node.child[lane], below);
+        }
+    }
+    for (const int count : seen) ASSERT_EQ(count, 1);
+}
+
+void expect_sound(const Mesh& mesh) {
+    for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        std::fesetround(mode);
+        const WideTree tree = build_wide_tree(mesh);
+        std::fesetround(FE_TONEAREST);
+        expect_sound(tree, mesh);
+    }
+}
+
+// A mesh with its vertices mapped.
+template <class Map>
+std::shared_ptr<const Mesh> mapped(const Mesh& mesh, Map&& map) {
+    std::vector<Vec3> vertices;
+    for (const Vec3& v : mesh.vertices()) vertices.push_back(map(v));
+    return Mesh::create(std::move(vertices), {mesh.triangles().begin(), mesh.triangles().end()});
+}
+
+TEST(WideTree, ContainsItsTriangles) {
     expect_sound(*scenes::cube(0.5));
     expect_sound(*scenes::ship());
-    expect_sound(*scenes::torus(30, 20, 0.25));
+    expect_sound(*scenes::torus(14, 8, 0.25));
+}
+
+TEST(WideTree, ContainsDegenerateMeshes) {
     expect_sound(*Mesh::create({{1, 1, 1}}, {{0, 0, 0}}));
     expect_sound(*Mesh::create({{1, 1, 1}}, std::vector<Triangle>(100, Triangle{0, 0, 0})));
+    expect_sound(*Mesh::create({{0, 0, 0}, {0x1p-1074, 0, 0}}, {{0, 1, 1}}));
+    expect_sound(*Mesh::create({{1e250, 0, 0}, {1e250, 1, 1e-300}, {-3, 1, 0}}, {{0, 1, 2}, {2, 2, 1}}));
+    expect_sound(*mapped(*scenes::ship(), [](const Vec3& v) { return Vec3(v[0], 0, 0); }));
+}
+
+TEST(WideTree, ContainsScaledAndFarMeshes) {
+    for (const double scale : {0x1p-600, 1e-9, 1e9, 0x1p600}) {
+        expect_sound(*mapped(*scenes::torus(8, 6, 0.25), [&](const Vec3& v) -> Vec3 { return scale * v; }));
+    }
+    expect_sound(*mapped(*scenes::torus(8, 6, 0.25), [](const Vec3& v) -> Vec3 { return v + Vec3(1e9, 0.1, -1e6); }));
+}
+
+TEST(WideTree, TakesPrincipalAxesWhereTheyAreBetter) {
+    scenes::Random random(3);
+    for (int i = 0; i < 3; ++i) {
+        const Mat3 turn = random.rotation().toRotationMatrix();
+        const auto rod = mapped(*scenes::torus(10, 6, 0.25), [&](const Vec3& v) -> Vec3 {
+            return turn * Vec3(10 * v[0], v[1], 0.5 * v[2]) + Vec3(3, 4, 5);
+        });
+        expect_sound(*rod);
+        const TreeFrame frame = build_wide_tree(*rod).frame;
+        EXPECT_FALSE(frame.axes.isIdentity());
+        EXPECT_NEAR(std::abs((frame.axes.transpose() * turn.col(0)).cwiseAbs().maxCoeff()), 1, 1e-3);
+    }
+    EXPECT_TRUE(build_wide_tree(*scenes::cube(1)).frame.axes.isIdentity());
+}
+
+TEST(WideTree, HasNoFrameWhereCoordinatesAreHuge) {
+    const WideTree tree = build_wide_tree(*Mesh::create({{1e308, 0, 0}, {-1e308, 1, 0}, {0, 0, 1}}, {{0, 1, 2}}));
+    EXPECT_FALSE(tree.frame.is_bounded);
+}
+
+TEST(WideTree, EqualAndCollinearTrianglesMakeAShallowTree) {
+    const auto mesh = Mesh::create({{1, 1, 1}, {2, 1, 1}}, std::vector<Triangle>(5000, Triangle{0, 1, 1}));
+    const WideTree tree = build_wide_tree(*mesh);
+    EXPECT_LE(tree.leaves.size(), 5000u / 4);
+    EXPECT_LE(tree.nodes.size(), tree.leaves.size());
+}
+
+TEST(WideTree, IsCompact) {
+    const auto torus = scenes::torus(100, 50, 0.4);
+    const WideTree tree = build_wide_tree(*torus);
+    EXPECT_LE(static_cast<double>(tree.bytes()), 60.0 * static_cast<double>(torus->triangles().size()));
+}
+
+TEST(WideTree, RefitContainsTheNewTriangles) {
+    const auto torus = scenes::torus(14, 8, 0.25);
+    const WideTree tree = build_wide_tree(*torus);
+    scenes::Random random(8);
+    const auto bent = mapped(
+        *torus, [&](const Vec3& v) -> Vec3 { return v + Vec3(0.1 * v[1] * v[1], random.uniform(-0.01, 0.01), 7); });
+    const WideTree refitted = refit_wide_tree(tree, *bent);
+    expect_sound(refitted, *bent);
+    EXPECT_EQ(refitted.leaves[0].triangle, tree.leaves[0].triangle) << "a small change keeps the tree";
+
+    const auto shuffled = mapped(*torus, [&](const Vec3&) -> Vec3 {
+        return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    });
+    const WideTree rebuilt = refit_wide_tree(tree, *shuffled);
+    expect_sound(rebuilt, *shuffled);
+    EXPECT_DOUBLE_EQ(rebuilt.built_cost, build_wide_tree(*shuffled).built_cost) << "a large one makes a new tree";
 }
 
 }  // namespace
