@@ -36,7 +36,9 @@ TEST(Outward, RoundsOutwardsInEveryRoundingMode) {
                 EXPECT_GE(static_cast<double>(up), x);
                 EXPECT_LE(static_cast<double>(down), x);
                 EXPECT_FALSE(std::fpclassify(up) == FP_SUBNORMAL || std::fpclassify(down) == FP_SUBNORMAL);
-                if (std::abs(x) > 1e-30 && std::abs(x) < 1e38) EXPECT_LE(up - down, 0x1p-22 * std::abs(x));
+                if (std::abs(x) > 1e-30 && std::abs(x) < 1e38) {
+                    EXPECT_LE(up - down, 0x1p-22 * std::abs(x));
+                }
             }
         }
     }
