@@ -13,6 +13,8 @@
 
 namespace ecods {
 
+struct TreeFrame;  // of the implementation
+
 // The base of all shapes. A shape is immutable while a body has it: a changed shape is a new one, given to the
 // body by World::set_shape.
 class Shape {
@@ -29,8 +31,11 @@ class Shape {
     virtual std::uint64_t digest() const noexcept = 0;
 };
 
-// A triangle mesh with its box tree. The tree is built when the first query needs it, once, whichever thread
-// asks; bodies of one mesh should share one MeshShape. (World::create_body(mesh, pose) sees to that.)
+// A triangle mesh with its box tree. What queries need of a mesh is made when the first of them asks, once, whichever
+// thread that is in; bodies of one mesh should share one MeshShape. (World::create_body(mesh, pose) sees to that.)
+//
+// Cost: the box of a pose a constant, after about 0.1 microseconds a vertex the first time; the tree about a
+// microsecond a triangle (n log n), when a query first needs it.
 class MeshShape final : public Shape {
   public:
     // Throws NullArgument.
@@ -38,20 +43,38 @@ class MeshShape final : public Shape {
     ~MeshShape() override;
 
     ShapeKind kind() const noexcept override { return ShapeKind::mesh(); }
+
+    // Contains the exact body. On no side further out than an eighth of the mesh's half diagonal, nor than the box of
+    // its oriented box; for round meshes below 1.6 % of the radius. Tight to rounding for meshes of up to 32 vertices.
     Aabb box(const Pose& pose) const override;
+
     std::uint64_t digest() const noexcept override { return mesh_->digest(); }
 
     const Mesh& mesh() const noexcept { return *mesh_; }
     const std::shared_ptr<const Mesh>& mesh_ptr() const noexcept { return mesh_; }
 
+    // Memory of the tree, beside vertices and triangles. Makes the tree if there is none yet.
+    std::size_t tree_bytes() const;
+
     struct Tree;  // of the implementation
     const Tree& tree() const;
 
   private:
-    struct LazyTree;
+    friend std::shared_ptr<const MeshShape> refit(const MeshShape& shape, std::vector<Vec3> vertices);
+
+    const TreeFrame& frame() const;
+    void take_tree(const MeshShape& model);
+
+    struct Parts;
     std::shared_ptr<const Mesh> mesh_;
-    std::unique_ptr<LazyTree> lazy_;
+    std::unique_ptr<Parts> parts_;
 };
+
+// The shape of a deforming mesh: the same triangles, other vertices. Its tree has the structure of that of `shape`,
+// with new boxes, unless it has grown bad (its surfaces half as much again as when it was built): then it is built
+// anew. Give it to a body by World::set_shape. Answers are exact either way. Throws InvalidVertex, or InvalidIndex if
+// there are too few vertices. Cost: some passes over the triangles.
+std::shared_ptr<const MeshShape> refit(const MeshShape& shape, std::vector<Vec3> vertices);
 
 // A shape at a pose. Both are referred to, not copied.
 struct PosedShape {

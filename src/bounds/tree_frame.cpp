@@ -77,10 +77,11 @@ TreeFrame frame_along(const Mesh& mesh, const Mat3& axes, const Vec3& near) {
     TreeFrame frame;
     frame.center =
         near + axes * range_of(mesh, 1, [&](const Vec3& v) -> Vec3 { return axes.transpose() * (v - near); }).middle();
-    double reach = 0;
+    Vec3 reaches = Vec3::Zero();
     visit_corners(mesh, 1, [&](const Vec3& v) {
-        reach = std::max(reach, (axes.transpose() * (v - frame.center)).cwiseAbs().maxCoeff());
+        reaches = reaches.cwiseMax((axes.transpose() * (v - frame.center)).cwiseAbs());
     });
+    const double reach = reaches.maxCoeff();
     // A power of two above the reach, with room for the error of coordinates.
     int exponent = 0;
     const double fraction = std::frexp(reach, &exponent);
@@ -89,6 +90,9 @@ TreeFrame frame_along(const Mesh& mesh, const Mat3& axes, const Vec3& near) {
     frame.axes = axes;
     frame.map = axes * scale;
     frame.inverse = axes.transpose() / scale;
+    frame.scale = scale;
+    // The sum is rounded by no more than half of coordinate_error.
+    frame.half = reaches / scale + Vec3::Constant(2 * coordinate_error);
     frame.map_size = frame.map.cwiseAbs().rowwise().sum();
     frame.size_max = std::max({1.0, frame.map.cwiseAbs().maxCoeff(), frame.center.cwiseAbs().maxCoeff()});
     return frame;

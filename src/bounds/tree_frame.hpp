@@ -15,6 +15,8 @@ struct TreeFrame {
     Vec3 center = Vec3::Zero();
     Vec3 map_size = Vec3::Ones();  // |map| 1
     double size_max = 1;           // the largest of 1, |map| and |center|
+    double scale = 1;              // a power of two
+    Vec3 half = Vec3::Ones();      // |y| <= half for every point: the oriented box
     bool is_bounded = true;        // false: coordinates too large for a frame; every box is infinite
 
     // What brings v to y: inverse * (v - center), with an error of at most coordinate_error.

@@ -83,7 +83,7 @@ struct WideTree {
 // leaves of eight in place of the count of triangles; made eight wide so that the surfaces of the nodes that stay are
 // least in sum (Ylitie, Karras and Laine, Efficient incoherent ray traversal on GPUs through compressed wide BVHs, HPG
 // 2017, section 3). Cost: n log n; no recursion.
-WideTree build_wide_tree(const Mesh& mesh);
+WideTree build_wide_tree(const Mesh& mesh, const TreeFrame& frame);
 
 // The tree of other vertices: the same triangles in the same nodes, new boxes. Built anew if its cost is more than
 // half above what it was when it was built. `mesh` must have the triangles of the tree's mesh. Cost: one pass.

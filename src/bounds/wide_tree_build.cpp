@@ -183,8 +183,8 @@ struct BinaryNode {
 
 class Builder {
   public:
-    explicit Builder(const Mesh& mesh) : mesh_(mesh) {
-        tree_.frame = fit_frame(mesh);
+    Builder(const Mesh& mesh, const TreeFrame& frame) : mesh_(mesh) {
+        tree_.frame = frame;
         items_.resize(mesh.triangles().size());
         for (std::uint32_t i = 0; i < items_.size(); ++i) {
             items_[i] = Item(box_of(mesh, mesh.triangles()[i], tree_.frame), i);
@@ -331,8 +331,8 @@ class Builder {
 
 }  // namespace
 
-WideTree build_wide_tree(const Mesh& mesh) {
-    return Builder(mesh).build();
+WideTree build_wide_tree(const Mesh& mesh, const TreeFrame& frame) {
+    return Builder(mesh, frame).build();
 }
 
 }  // namespace ecods

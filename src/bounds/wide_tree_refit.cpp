@@ -50,7 +50,7 @@ WideTree refit_wide_tree(const WideTree& tree, const Mesh& mesh) {
     set_corners_and_slabs(result, mesh);
     set_root(result, box_at(result.root));
     // Written so that a cost that is not a number, as that of infinite boxes is, keeps the tree.
-    if (tree_cost(result) > cost_growth_max * result.built_cost) return build_wide_tree(mesh);
+    if (tree_cost(result) > cost_growth_max * result.built_cost) return build_wide_tree(mesh, fit_frame(mesh));
     return result;
 }
 

@@ -15,6 +15,10 @@
 namespace ecods {
 namespace {
 
+WideTree build(const Mesh& mesh) {
+    return build_wide_tree(mesh, fit_frame(mesh));
+}
+
 constexpr std::array rounding_modes{FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 
 struct Body {
@@ -22,7 +26,7 @@ struct Body {
     WideTree tree;
     Pose pose;
 
-    Body(std::shared_ptr<const Mesh> m, const Pose& p) : mesh(std::move(m)), tree(build_wide_tree(*mesh)), pose(p) {}
+    Body(std::shared_ptr<const Mesh> m, const Pose& p) : mesh(std::move(m)), tree(build(*mesh)), pose(p) {}
 };
 
 // Whether the trees let triangles i and j through, from the roots down.
@@ -170,7 +174,7 @@ TEST(BoxAxes, AllFifteenAxesSeparateSomething) {
     scenes::Random random(21);
     std::array<int, 15> counts{};
     const auto cube = scenes::cube(0.5);
-    const WideTree tree = build_wide_tree(*cube);
+    const WideTree tree = build(*cube);
     for (int i = 0; i < 20000; ++i) {
         const Mat3 a = random.rotation().toRotationMatrix(), b = random.rotation().toRotationMatrix();
         BoxAxes axes;

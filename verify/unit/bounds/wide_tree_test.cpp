@@ -15,6 +15,10 @@
 namespace ecods {
 namespace {
 
+WideTree build(const Mesh& mesh) {
+    return build_wide_tree(mesh, fit_frame(mesh));
+}
+
 using Number = CGAL::Gmpq;
 using ExactVec = std::array<Number, 3>;
 
@@ -117,7 +121,7 @@ void expect_sound(const WideTree& tree, const Mesh& mesh) {
 void expect_sound(const Mesh& mesh) {
     for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
         std::fesetround(mode);
-        const WideTree tree = build_wide_tree(mesh);
+        const WideTree tree = build(mesh);
         std::fesetround(FE_TONEAREST);
         expect_sound(tree, mesh);
     }
@@ -160,34 +164,34 @@ TEST(WideTree, TakesPrincipalAxesWhereTheyAreBetter) {
             return turn * Vec3(10 * v[0], v[1], 0.5 * v[2]) + Vec3(3, 4, 5);
         });
         expect_sound(*rod);
-        const TreeFrame frame = build_wide_tree(*rod).frame;
+        const TreeFrame frame = build(*rod).frame;
         EXPECT_FALSE(frame.axes.isIdentity());
         EXPECT_NEAR(std::abs((frame.axes.transpose() * turn.col(0)).cwiseAbs().maxCoeff()), 1, 1e-3);
     }
-    EXPECT_TRUE(build_wide_tree(*scenes::cube(1)).frame.axes.isIdentity());
+    EXPECT_TRUE(build(*scenes::cube(1)).frame.axes.isIdentity());
 }
 
 TEST(WideTree, HasNoFrameWhereCoordinatesAreHuge) {
-    const WideTree tree = build_wide_tree(*Mesh::create({{1e308, 0, 0}, {-1e308, 1, 0}, {0, 0, 1}}, {{0, 1, 2}}));
+    const WideTree tree = build(*Mesh::create({{1e308, 0, 0}, {-1e308, 1, 0}, {0, 0, 1}}, {{0, 1, 2}}));
     EXPECT_FALSE(tree.frame.is_bounded);
 }
 
 TEST(WideTree, EqualAndCollinearTrianglesMakeAShallowTree) {
     const auto mesh = Mesh::create({{1, 1, 1}, {2, 1, 1}}, std::vector<Triangle>(5000, Triangle{0, 1, 1}));
-    const WideTree tree = build_wide_tree(*mesh);
+    const WideTree tree = build(*mesh);
     EXPECT_LE(tree.leaves.size(), 5000u / 4);
     EXPECT_LE(tree.nodes.size(), tree.leaves.size());
 }
 
 TEST(WideTree, IsCompact) {
     const auto torus = scenes::torus(100, 50, 0.4);
-    const WideTree tree = build_wide_tree(*torus);
+    const WideTree tree = build(*torus);
     EXPECT_LE(static_cast<double>(tree.bytes()), 60.0 * static_cast<double>(torus->triangles().size()));
 }
 
 TEST(WideTree, RefitContainsTheNewTriangles) {
     const auto torus = scenes::torus(14, 8, 0.25);
-    const WideTree tree = build_wide_tree(*torus);
+    const WideTree tree = build(*torus);
     scenes::Random random(8);
     const auto bent = mapped(
         *torus, [&](const Vec3& v) -> Vec3 { return v + Vec3(0.1 * v[1] * v[1], random.uniform(-0.01, 0.01), 7); });
@@ -200,7 +204,7 @@ TEST(WideTree, RefitContainsTheNewTriangles) {
     });
     const WideTree rebuilt = refit_wide_tree(tree, *shuffled);
     expect_sound(rebuilt, *shuffled);
-    EXPECT_DOUBLE_EQ(rebuilt.built_cost, build_wide_tree(*shuffled).built_cost) << "a large one makes a new tree";
+    EXPECT_DOUBLE_EQ(rebuilt.built_cost, build(*shuffled).built_cost) << "a large one makes a new tree";
 }
 
 }  // namespace
