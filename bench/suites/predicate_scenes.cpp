@@ -1,6 +1,7 @@
 #include "suites/predicate_scenes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ecods/aabb.hpp"
@@ -129,8 +130,34 @@ PredicateScene permuted_grid(std::size_t count) {
     return scene;
 }
 
-// Touching boxes with full mantissas in one full matrix; translations that differ in a digit of no weight keep the poses
-// from being equal: body b is modelled relative to a point of its own, moved there by R p exactly when p is zero.
+// Boxes between planes at random numbers of 44 bits: their coordinates have no common length, as those of the cube grid
+// do.
+PredicateScene unequal_grid(std::size_t count) {
+    PredicateScene scene{"45-bit unequal box grid, permutation matrices", 5, 2.5, {}, {}};
+    Random random(7);
+    std::array<std::vector<double>, 3> planes;
+    for (auto& axis : planes) {
+        axis.push_back(0);
+        for (std::size_t i = 0; i <= count / 25 + 5; ++i) axis.push_back(axis.back() + number(random, 0.1, 0.3, 44));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::array<std::size_t, 3> cell{i % 5, i / 5 % 5, i / 25};
+        Vec3 half;
+        Pose pose;
+        pose.R = signed_permutation(random);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto at = static_cast<Eigen::Index>(k);
+            const double low = planes[k][cell[k]], high = planes[k][cell[k] + 1];
+            half[at] = (high - low) / 2;
+            pose.t[at] = (high + low) / 2;
+        }
+        scene.bodies.push_back({box(pose.R.transpose().cwiseAbs() * half), pose});
+    }
+    return scene;
+}
+
+// Touching boxes with full mantissas in one full matrix; translations that differ in a digit of no weight keep the
+// poses from being equal: body b is modelled relative to a point of its own, moved there by R p exactly when p is zero.
 PredicateScene full_matrices(std::size_t count) {
     PredicateScene scene{"full 53-bit matrices, no shortcut", 7.5, 4, {}, {}};
     PredicateScene source = common_pose(count);
@@ -159,9 +186,9 @@ std::size_t PredicateScene::pair_count() const {
 }
 
 std::vector<PredicateScene> predicate_scenes(std::size_t body_count) {
-    std::vector<PredicateScene> scenes{generic_boxes(body_count), generic_spheres(body_count / 4),
-                                       brick_wall(body_count),    common_pose(body_count),
-                                       permuted_grid(body_count), full_matrices(body_count)};
+    std::vector<PredicateScene> scenes{
+        generic_boxes(body_count), generic_spheres(body_count / 4), brick_wall(body_count),   common_pose(body_count),
+        permuted_grid(body_count), unequal_grid(body_count),        full_matrices(body_count)};
     for (PredicateScene& scene : scenes) find_tasks(scene);
     return scenes;
 }

@@ -17,6 +17,11 @@ namespace {
 
 const Pose identity;
 
+// Exact if every coordinate is a multiple of the unit, and the quotient a double: a quotient is rounded correctly.
+void divide(Point& p, const Vec3& unit) noexcept {
+    for (std::size_t k = 0; k < 3; ++k) p[k] /= unit[static_cast<Eigen::Index>(k)];
+}
+
 }  // namespace
 
 BodyPair::BodyPair() = default;
@@ -28,15 +33,20 @@ void BodyPair::bind(const BodySide& a, const BodySide& b) {
     if (same_bits(*a.pose, *b.pose) && is_regular(a.pose->R)) sides_[0].body.pose = sides_[1].body.pose = &identity;
     sides_[0].offset = Vec3::Zero();
     sides_[1].offset = sides_[1].body.pose->t - sides_[0].body.pose->t;
+    forget_points();
+    exact_state_ = ExactState::not_prepared;
+    plain_is_exact_ = false;
+    is_counted_ = false;
+    find_bounds();
+}
+
+void BodyPair::forget_points() noexcept {
     for (Side& side : sides_) {
         side.rounded.clear();
         side.blocks.clear();
         side.one_limb.clear();
         side.two_limbs.clear();
     }
-    exact_state_ = ExactState::not_prepared;
-    plain_is_exact_ = false;
-    find_bounds();
 }
 
 // Bounds over the boxes of the two bodies: |R| times half the mesh's box around its centre.
@@ -58,9 +68,13 @@ void BodyPair::find_bounds() {
     static_bound_ = orient3d_bound(difference_bound({extent_[0], extent_[1], extent_[2]}, delta_));
 }
 
-const Point& BodyPair::rounded_point(Side& side, std::uint32_t vertex) {
-    return side.rounded.get(
-        vertex, [&](Point& p) { p = pose_point(side.body.pose->R, side.body.mesh->vertices()[vertex], side.offset); });
+void BodyPair::pose(const Side& side, std::uint32_t vertex, Point& p) const {
+    p = pose_point(side.body.pose->R, side.body.mesh->vertices()[vertex], side.offset);
+    if (is_counted_) divide(p, unit_);
+}
+
+ECODS_ALWAYS_INLINE const Point& BodyPair::rounded_point(Side& side, std::uint32_t vertex) {
+    return side.rounded.get(vertex, [&](Point& p) { pose(side, vertex, p); });
 }
 
 std::array<Point, 3> BodyPair::rounded_triangle(Side& side, const Triangle& triangle) {
@@ -86,24 +100,28 @@ void BodyPair::relations(std::uint32_t a, std::uint32_t block, std::uint32_t lan
                          std::array<Relation, lane_count>& relations) {
     Side& side = sides_[1];
     const TriangleBlock& b = side.body.blocks[block];
-    const TriangleLanes& eight = side.blocks.get(
-        block, [&](TriangleLanes& posed) { pose_lanes(side.body.pose->R, side.offset, b.local, posed); });
+    const TriangleLanes& eight = side.blocks.get(block, [&](TriangleLanes& posed) {
+        pose_lanes(side.body.pose->R, side.offset, b.local, posed);
+        if (is_counted_) divide_lanes(unit_, posed);
+    });
     const Triangle& ta = sides_[0].body.mesh->triangles()[a];
     const std::array<Point, 3> one = rounded_triangle(sides_[0], ta);
-    const double bound = plain_is_exact_ ? 0 : static_bound_;
+    // An open lane may show that plain double is exact, from then on and in other units: these points stay as they are.
+    const bool is_plain = plain_is_exact_;
+    const double bound = is_plain ? 0 : static_bound_;
     LaneTrace traces;
     const std::uint32_t disjoint = filter_planes(one, eight, bound, traces) & lanes;
 
     const auto disjoint_count = static_cast<std::uint64_t>(std::popcount(disjoint));
     counts_.triangle_tests += static_cast<std::uint64_t>(std::popcount(lanes));
-    (plain_is_exact_ ? counts_.local_passes : counts_.filter_passes) += disjoint_count;
+    (is_plain ? counts_.local_passes : counts_.filter_passes) += disjoint_count;
     for (std::uint32_t rest = disjoint; rest != 0; rest &= rest - 1) {
         relations[static_cast<std::size_t>(std::countr_zero(rest))] = Relation::disjoint;
     }
     for (std::uint32_t rest = lanes & ~disjoint; rest != 0; rest &= rest - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
         const SixRounded points{one[0], one[1], one[2], eight.at(lane, 0), eight.at(lane, 1), eight.at(lane, 2)};
-        if (plain_is_exact_) {
+        if (is_plain) {
             relations[lane] = decide_plainly(points);
             continue;
         }
@@ -130,9 +148,12 @@ Relation BodyPair::decide_plainly(const SixRounded& points) {
 
 [[gnu::noinline]] Relation BodyPair::decide_open(const Triangle& a, const Triangle& b, const SixRounded& points,
                                                  const FilterTrace& trace) {
-    if (exact_state_ == ExactState::not_prepared) {
-        prepare_exact();
-        if (plain_is_exact_) return decide_plainly(points);
+    if (exact_state_ == ExactState::not_prepared) prepare_exact();
+    if (plain_is_exact_) {
+        if (!is_counted_) return decide_plainly(points);
+        SixRounded counted = points;
+        for (Point& p : counted) divide(p, unit_);
+        return decide_plainly(counted);
     }
     const PairBound bound = pair_bound(points, delta_);
     switch (filter_again(points, bound.orient3d, trace)) {
@@ -185,14 +206,16 @@ void BodyPair::prepare_exact() {
     }
     exact_low_ = digits.empty() ? 0 : digits.low;
     for (std::size_t row = 0; row < 3; ++row) exact_offset_[row] = offset[row].at(exact_low_);
-    plain_is_exact_ = plain_is_exact(digits);
+    if (!points_are_doubles(digits)) return;
+    plain_is_exact_ = digits.empty() || are_short(Vec3::Constant(std::ldexp(1.0, digits.low)));
+    if (plain_is_exact_) return;
+    const Vec3 unit = common_unit(offset);
+    if (are_short(unit)) count_in(unit);
 }
 
-// Whether plain double arithmetic makes no rounding error with points of these digits, none of them near the ends of
-// the range of doubles. Every partial sum of R v + d is a multiple of 2^low below 2^(high + 3), hence a double. Let
-// differences be at most 2^16 units of 2^low: minors are at most 2^33 units squared, and determinants below 2^51 units
-// cubed, all of them doubles.
-bool BodyPair::plain_is_exact(const BitRange& digits) const {
+// Whether points of these digits are posed without a rounding error, none of the numbers near the ends of the range of
+// doubles: every partial sum of R v + d is a multiple of 2^low below 2^(high + 3), hence a double.
+bool BodyPair::points_are_doubles(const BitRange& digits) const {
     if (digits.empty()) return true;
     if (digits.width() + 3 > mantissa_bits || digits.low < -300 || digits.high > 200) return false;
     for (const Side& side : sides_) {
@@ -208,7 +231,41 @@ bool BodyPair::plain_is_exact(const BitRange& digits) const {
             if (t.m != 0 && (t.e < -300 || t.e > 200)) return false;
         }
     }
-    return extent_.maxCoeff() <= std::ldexp(1.0, digits.low + 16);
+    return true;
+}
+
+// Whether plain double makes no rounding error with points whose coordinates are doubles and multiples of `unit`, by
+// axis. Counted in units, let differences be integers of at most E0, E1 and E2, all of them at least 1. Products of two
+// are at most Ei Ej, minors 2 Ei Ej, the three terms of a determinant 2 E0 E1 E2, and their sum 6 E0 E1 E2. With
+// E0 E1 E2 <= 2^50 all are integers below 2^53, hence doubles (the last factor, 8 / 6, covers the roundings in E).
+bool BodyPair::are_short(const Vec3& unit) const {
+    return (extent_.array() / unit.array()).max(1.0).prod() <= 0x1p50;
+}
+
+// Of which all coordinates of R v + t - t0 are multiples, by axis; 1 where all are zero. Only where points are doubles
+// by their digits: then a product of an entry of R and a coordinate of a mesh has at most 50 bits, and so has one of
+// the entry and what divides all coordinates; so has the difference of the translations.
+Vec3 BodyPair::common_unit(const std::array<DyadicDifference, 3>& offset) const {
+    Vec3 result;
+    for (int row = 0; row < 3; ++row) {
+        CommonUnit unit;
+        unit.include(offset[static_cast<std::size_t>(row)]);
+        for (const Side& side : sides_) {
+            for (int column = 0; column < 3; ++column) {
+                unit.include(decode(side.body.pose->R(row, column)),
+                             side.body.extent->units[static_cast<std::size_t>(column)]);
+            }
+        }
+        result[row] = unit.m == 0 ? 1 : std::ldexp(static_cast<double>(unit.m), unit.e);
+    }
+    return result;
+}
+
+// From now on rounded points are counted in units, in which plain double is exact: an affine bijection changes no sign.
+void BodyPair::count_in(const Vec3& unit) {
+    unit_ = unit;
+    is_counted_ = plain_is_exact_ = true;
+    forget_points();
 }
 
 // R v + t - t0 in units of 2^exact_low_. The digits fit, see prepare_exact.

@@ -76,6 +76,8 @@ class BodyPair {
     // How wide the exact coordinates of all of the two bodies may be.
     enum class ExactState { not_prepared, one_limb_fits, two_limbs_fit, too_wide };
 
+    void forget_points() noexcept;
+    void pose(const Side& side, std::uint32_t vertex, Point& p) const;
     const Point& rounded_point(Side& side, std::uint32_t vertex);
     std::array<Point, 3> rounded_triangle(Side& side, const Triangle& triangle);
     Relation decide(const Triangle& a, const Triangle& b, const SixRounded& points, FilterAnswer answer,
@@ -85,7 +87,10 @@ class BodyPair {
     const TwoLimbPoint& two_limb_point(Side& side, std::uint32_t vertex);
     void find_bounds();
     void prepare_exact();
-    bool plain_is_exact(const BitRange& digits) const;
+    bool points_are_doubles(const BitRange& digits) const;
+    bool are_short(const Vec3& unit) const;
+    Vec3 common_unit(const std::array<DyadicDifference, 3>& offset) const;
+    void count_in(const Vec3& unit);
     Relation decide_plainly(const SixRounded& points);
     Relation decide_open(const Triangle& a, const Triangle& b, const SixRounded& points, const FilterTrace& trace);
     template <class Use>
@@ -98,6 +103,8 @@ class BodyPair {
 
     ExactState exact_state_ = ExactState::not_prepared;
     bool plain_is_exact_ = false;
+    bool is_counted_ = false;  // whether rounded points are divided by unit_
+    Vec3 unit_ = Vec3::Ones();
     int exact_low_ = 0;            // exact points are multiples of 2^exact_low_
     TwoLimbPoint exact_offset_{};  // t - t0 in these units
 

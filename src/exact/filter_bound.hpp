@@ -92,16 +92,8 @@ inline double orient2d_bound(const DifferenceBound& d, std::size_t i, std::size_
 // other factor f; there are three, and one d. With f < 2^19 that is in sum below 2^-1001; for larger f, below 2^-1000
 // f.
 inline double point_error_bound(const Mat3& R, const Vec3& v_max, const Vec3& d) noexcept {
-    double sum_max = 0;
-    double factor_max = 0;
-    for (int row = 0; row < 3; ++row) {
-        double sum = std::abs(d[row]);
-        for (int column = 0; column < 3; ++column) {
-            sum += std::abs(R(row, column)) * v_max[column];
-            factor_max = std::max({factor_max, std::abs(R(row, column)), v_max[column]});
-        }
-        sum_max = std::max(sum_max, sum);
-    }
+    const double sum_max = (R.cwiseAbs() * v_max + d.cwiseAbs()).maxCoeff();
+    const double factor_max = std::max(R.cwiseAbs().maxCoeff(), v_max.maxCoeff());
     const double underflow = factor_max < 0x1p19 ? 0x1p-1000 : 0x1p-1000 + 0x1p-1000 * factor_max;
     return 4.25 * two_u * sum_max + underflow;
 }

@@ -65,6 +65,14 @@ void pose_lanes(const Mat3& R, const Vec3& d, const TriangleLanes& local, Triang
     }
 }
 
+void divide_lanes(const Vec3& unit, TriangleLanes& posed) noexcept {
+    for (auto& corner : posed.corners) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (double& x : corner[k]) x /= unit[static_cast<Eigen::Index>(k)];
+        }
+    }
+}
+
 ECODS_FOR_EACH_INSTRUCTION_SET
 std::uint32_t filter_planes(const std::array<Point, 3>& one, const TriangleLanes& eight, double bound,
                             LaneTrace& trace) noexcept {

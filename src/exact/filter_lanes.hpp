@@ -39,6 +39,9 @@ std::vector<TriangleBlock> make_blocks(const Mesh& mesh, std::span<const std::ui
 // pose_point for every corner.
 void pose_lanes(const Mat3& R, const Vec3& d, const TriangleLanes& local, TriangleLanes& posed) noexcept;
 
+// Every coordinate, divided by the axis' unit.
+void divide_lanes(const Vec3& unit, TriangleLanes& posed) noexcept;
+
 // The values of the planes' determinants, by lane; see FilterTrace.
 struct alignas(64) LaneTrace {
     std::array<Lanes, 3> first;   // corners of the one triangle against the planes of the eight

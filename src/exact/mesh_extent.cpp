@@ -13,7 +13,9 @@ MeshExtent measure(const Mesh& mesh) {
             min = min.cwiseMin(v);
             max = max.cwiseMax(v);
             for (int axis = 0; axis < 3; ++axis) {
-                extent.digits[static_cast<std::size_t>(axis)].include(decode(v[axis]));
+                const Dyadic x = decode(v[axis]);
+                extent.digits[static_cast<std::size_t>(axis)].include(x);
+                extent.units[static_cast<std::size_t>(axis)].include(x);
             }
         }
     }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "ecods/mesh.hpp"
+#include "exact/common_unit.hpp"
 #include "exact/dyadic.hpp"
 
 namespace ecods::exact {
@@ -14,6 +15,7 @@ struct MeshExtent {
     Vec3 half;       // of its size, rounded
     Vec3 magnitude;  // their largest coordinates in magnitude
     std::array<BitRange, 3> digits;
+    std::array<CommonUnit, 3> units;  // of which they are multiples
 };
 
 // One pass over the triangles.
