@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "exact/difference_signs.hpp"
 #include "exact/filter.hpp"
 #include "exact/filter_bound.hpp"
 #include "exact/filter_lanes.hpp"
@@ -36,6 +37,7 @@ void BodyPair::bind(const BodySide& a, const BodySide& b) {
     forget_points();
     exact_state_ = ExactState::not_prepared;
     plain_is_exact_ = false;
+    differences_are_exact_ = false;
     is_counted_ = false;
     find_bounds();
 }
@@ -91,6 +93,7 @@ Relation BodyPair::relation(std::uint32_t a, std::uint32_t b) {
         points[3 + i] = rounded_point(sides_[1], tb[i]);
     }
     if (plain_is_exact_) return decide_plainly(points);
+    if (differences_are_exact_) return decide_by_differences(points);
     FilterTrace trace;
     const FilterAnswer answer = filter(points, static_bound_, trace);
     return decide(ta, tb, points, answer, trace);
@@ -146,6 +149,13 @@ Relation BodyPair::decide_plainly(const SixRounded& points) {
     return triangle_pair(signs);
 }
 
+Relation BodyPair::decide_by_differences(const SixRounded& points) {
+    DifferenceSigns signs(points, to_integers_);
+    const Relation relation = triangle_pair(signs);
+    ++(signs.has_used_integers() ? counts_.one_limb : counts_.semi_static_passes);
+    return relation;
+}
+
 [[gnu::noinline]] Relation BodyPair::decide_open(const Triangle& a, const Triangle& b, const SixRounded& points,
                                                  const FilterTrace& trace) {
     if (exact_state_ == ExactState::not_prepared) prepare_exact();
@@ -155,6 +165,7 @@ Relation BodyPair::decide_plainly(const SixRounded& points) {
         for (Point& p : counted) divide(p, unit_);
         return decide_plainly(counted);
     }
+    if (differences_are_exact_) return decide_by_differences(points);
     const PairBound bound = pair_bound(points, delta_);
     switch (filter_again(points, bound.orient3d, trace)) {
         case FilterAnswer::disjoint:
@@ -210,7 +221,9 @@ void BodyPair::prepare_exact() {
     plain_is_exact_ = digits.empty() || are_short(Vec3::Constant(std::ldexp(1.0, digits.low)));
     if (plain_is_exact_) return;
     const Vec3 unit = common_unit(offset);
-    if (are_short(unit)) count_in(unit);
+    if (are_short(unit)) return count_in(unit);
+    differences_are_exact_ = true;
+    to_integers_ = std::ldexp(1.0, -exact_low_);
 }
 
 // Whether points of these digits are posed without a rounding error, none of the numbers near the ends of the range of

@@ -92,6 +92,7 @@ class BodyPair {
     Vec3 common_unit(const std::array<DyadicDifference, 3>& offset) const;
     void count_in(const Vec3& unit);
     Relation decide_plainly(const SixRounded& points);
+    Relation decide_by_differences(const SixRounded& points);
     Relation decide_open(const Triangle& a, const Triangle& b, const SixRounded& points, const FilterTrace& trace);
     template <class Use>
     Relation use_kernel(const Triangle& a, const Triangle& b, Use&& use);
@@ -103,9 +104,11 @@ class BodyPair {
 
     ExactState exact_state_ = ExactState::not_prepared;
     bool plain_is_exact_ = false;
-    bool is_counted_ = false;  // whether rounded points are divided by unit_
+    bool differences_are_exact_ = false;  // of rounded points; plain_is_exact_ is stronger
+    bool is_counted_ = false;             // whether rounded points are divided by unit_
     Vec3 unit_ = Vec3::Ones();
     int exact_low_ = 0;            // exact points are multiples of 2^exact_low_
+    double to_integers_ = 1;       // 2^-exact_low_, where differences are exact
     TwoLimbPoint exact_offset_{};  // t - t0 in these units
 
     StageCounts counts_;

@@ -93,7 +93,7 @@ struct Body {
 TEST(CommonUnit, AnswersDoNotDependOnTheSize) {
     Random random(71);
     BodyPair bodies;
-    std::array<std::uint64_t, 25> plain{};
+    std::array<std::uint64_t, 25> plain{}, one_limb{};
     for (int bits = 2; bits < 25; ++bits) {
         bodies.reset_counts();
         for (int i = 0; i < 400; ++i) {
@@ -117,9 +117,12 @@ TEST(CommonUnit, AnswersDoNotDependOnTheSize) {
             ASSERT_EQ(bodies.relation(0, 0), expected) << bits << " " << i;
         }
         plain[static_cast<std::size_t>(bits)] = bodies.counts().local_passes;
+        one_limb[static_cast<std::size_t>(bits)] = bodies.counts().one_limb;
     }
     EXPECT_GT(plain[10], 600u);
     EXPECT_EQ(plain[24], 0u);
+    EXPECT_EQ(one_limb[10], 0u);
+    EXPECT_GT(one_limb[24], 300u);
 }
 
 // Cubes of a length with 40 digits, side by side under permutation matrices: by pairs and by batches.
