@@ -61,7 +61,7 @@ void check_boxes(Scene& scene, Counters& counters) {
         if (oracle::boxes_overlap(world.box(pair.a), world.box(pair.b))) expected.push_back(pair);
     });
     std::sort(expected.begin(), expected.end());
-    for (const World& each : scene.worlds) require_equal(each.overlapping_pairs(), expected, "overlapping pairs");
+    for (World& each : scene.worlds) require_equal(each.overlapping_pairs(), expected, "overlapping pairs");
 }
 
 void check_pair(World& world, const BodyPair& pair, const oracle::Verdict& verdict) {

@@ -32,7 +32,7 @@ class EcodsWorld final : public Engine {
         return hits;
     }
 
-    std::size_t candidate_count() const override { return world_.overlapping_pairs().size(); }
+    std::size_t candidate_count() const override { return world_.statistics().overlapping_count; }
     std::optional<Statistics> statistics() const override { return world_.statistics(); }
 
   private:

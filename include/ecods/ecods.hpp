@@ -8,6 +8,8 @@
 #include "ecods/two_body.hpp"    // questions about two bodies, without a world
 #include "ecods/predicates.hpp"  // exact signs, and how two triangles meet
 #include "ecods/shape.hpp"       // shapes of the caller's own
+#include "ecods/collision_filter.hpp"  // which bodies are meant to meet at all
+#include "ecods/executor.hpp"    // where work in parallel runs
 #include "ecods/broad_phase.hpp" // which boxes overlap
 #include "ecods/aabb.hpp"
 #include "ecods/ids.hpp"

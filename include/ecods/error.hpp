@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -57,16 +58,29 @@ class MeshTooLarge final : public Error {
     std::size_t triangle_count;
 };
 
+// Where in a list that was given the bad entry is; nothing where there was no list.
+using ListIndex = std::optional<std::size_t>;
+
 // An entry of a pose is NaN or infinite.
 class InvalidPose final : public Error {
   public:
     // row and column of the 3x4 matrix [R t]; column 3 is the translation.
-    InvalidPose(int row, int column, double value, BodyId body = {});
+    InvalidPose(int row, int column, double value, BodyId body = {}, ListIndex index = {});
 
     int row;
     int column;
     double value;
     BodyId body;  // null when the pose was not yet a body's
+    ListIndex index;
+};
+
+// Two lists that belong together, entry by entry, have different lengths.
+class LengthMismatch final : public Error {
+  public:
+    LengthMismatch(std::size_t body_count, std::size_t pose_count);
+
+    std::size_t body_count;
+    std::size_t pose_count;
 };
 
 // A null mesh, shape or test was given.
@@ -78,9 +92,10 @@ class NullArgument final : public Error {
 // An id that names no body of this world: null, destroyed, or another world's.
 class StaleBody final : public Error {
   public:
-    explicit StaleBody(BodyId body);
+    explicit StaleBody(BodyId body, ListIndex index = {});
 
     BodyId body;
+    ListIndex index;
 };
 
 // One body was given where a pair was asked for.
@@ -106,15 +121,34 @@ class NotSupported final : public Error {
     using Error::Error;
 };
 
-// A user-defined shape gave a box with a NaN or with a minimum above its maximum.
+// A box with a NaN or with a minimum above its maximum, out of a user-defined shape or as an argument.
 class InvalidBox final : public Error {
   public:
-    InvalidBox(ShapeKind kind, int axis, double min, double max);
+    InvalidBox(ShapeKind kind, int axis, double min, double max, BodyId body = {}, ListIndex index = {});
+    InvalidBox(int axis, double min, double max);  // an argument
 
-    ShapeKind kind;
+    ShapeKind kind;  // of the shape that gave it; that of meshes, which give none such, for an argument
     int axis;
     double min;
     double max;
+    BodyId body;  // null when the shape was not yet a body's
+    ListIndex index;
+};
+
+// A user-defined shape is not what it was when its body was given it: its box or its digest has changed. (A changed
+// shape is a new one, given by World::set_shape.) Thrown by validate() only.
+class ShapeChanged final : public Error {
+  public:
+    ShapeChanged(BodyId body, ShapeKind kind, const std::string& what_changed);
+
+    BodyId body;
+    ShapeKind kind;
+};
+
+// An Executor did not run each task once, or ran two at once as the same worker.
+class ExecutorFailed final : public Error {
+  public:
+    using Error::Error;
 };
 
 // An invariant does not hold: a defect in this library (or memory overwritten from outside). Thrown by

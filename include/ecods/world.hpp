@@ -10,6 +10,11 @@
 // pair (relation, touching_triangles), and at update() for the lists. There is nothing else to call, and no call
 // whose omission makes an answer wrong.
 //
+// What it costs: memory of 232 bytes a body, and 40 to 67 bytes a pair whose boxes overlap; beside these the broad
+// phase's own. An update before which nothing changed costs a constant, and a pair that rests costs nothing at any
+// update: work is that of the broad phase for the boxes that moved, and one two-body test for each candidate pair of
+// which a body moved.
+//
 // The world does not move bodies, respond to contacts, or draw.
 //
 // Thread safety: const calls may run beside each other; every other call needs the world alone.
@@ -22,7 +27,9 @@
 #include <vector>
 
 #include "ecods/broad_phase.hpp"
+#include "ecods/collision_filter.hpp"
 #include "ecods/error.hpp"
+#include "ecods/executor.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
@@ -34,20 +41,29 @@ namespace ecods {
 
 struct WorldOptions {
     BroadPhaseKind broad_phase = BroadPhaseKind::sweep_and_prune;
+
+    // Who runs the two-body tests of an update; null: the thread that calls it. Answers, lists, events, digests and
+    // counts are the same for any executor and any number of workers. Tests of the caller's own are then called by
+    // several threads at once, each with a QueryMemory of its own. Questions about a pair stay on the caller's thread.
+    std::shared_ptr<Executor> executor = nullptr;
 };
 
 // What the world did, as counts. `updates` to `cache_hits` sum over the world's life; the rest is of now.
 struct Statistics {
     std::uint64_t updates = 0;
-    std::uint64_t moved_bodies = 0;     // bodies that were new or changed at an update
-    std::uint64_t two_body_tests = 0;   // candidate pairs given to a two-body test at updates
-    std::uint64_t cache_hits = 0;       // candidate pairs whose verdict was kept at updates
+    std::uint64_t moved_bodies = 0;    // bodies that were new, or had another pose or shape, at an update
+    std::uint64_t two_body_tests = 0;  // candidate pairs given to a two-body test at updates
+    std::uint64_t cache_hits = 0;      // candidate pairs whose verdict was kept at updates
     BroadPhaseCounts broad_phase;
-    QueryCounts queries;                // of mesh pairs, at updates and on request
+    QueryCounts queries;  // of mesh pairs, at updates and on request
 
     std::size_t body_count = 0;
     std::size_t overlapping_count = 0;  // as of the last update
+    std::size_t filtered_count = 0;     // pairs whose boxes overlap and that are filtered out
     std::size_t colliding_count = 0;
+
+    // Held by the world for bodies and pairs, room for growth included; meshes and the broad phase not.
+    std::size_t memory_bytes = 0;
 };
 
 class World {
@@ -70,7 +86,12 @@ class World {
     // Throws InvalidPose. Setting the very pose that the body has is not a move.
     void set_pose(BodyId body, const Pose& pose);
 
-    // Throws as create_body does. Setting the very object that the body has is not a change.
+    // Sets the pose of each body: all of them, or none if a call throws. For a body that is listed twice the later pose
+    // holds. Throws LengthMismatch, and StaleBody, InvalidPose or InvalidBox with the index of the entry.
+    void set_poses(std::span<const BodyId> bodies, std::span<const Pose> poses);
+
+    // Throws as create_body does. Setting the very object that the body has is not a change. A mesh that deforms is a
+    // new shape each time.
     void set_shape(BodyId body, std::shared_ptr<const Mesh> mesh);
     void set_shape(BodyId body, std::shared_ptr<const Shape> shape);
 
@@ -79,8 +100,30 @@ class World {
     const std::shared_ptr<const Shape>& shape(BodyId body) const;
     const Aabb& box(BodyId body) const;  // contains the exact body; of the pose and shape set last
 
+    // A number of the caller's, kept with the body; 0 at first. It reaches no answer and no digest.
+    void set_user_data(BodyId body, std::uint64_t data);
+    std::uint64_t user_data(BodyId body) const;
+
     // All bodies, ascending. Cost: one pass.
     std::vector<BodyId> bodies() const;
+
+    // Makes room for so many bodies in all, so that creating them moves nothing.
+    void reserve(std::size_t body_count);
+
+    // ---- which pairs are tested at all
+    //
+    // A pair is filtered out when the filters of its bodies say so, or when it is switched off. Its bodies are then not
+    // tested, and the pair is in no list and no event, whether or not it shares a point; one that collides when it is
+    // filtered out has ended, and one that collides when it is no more has begun, at the next update. Questions about a
+    // pair are answered regardless: they are about geometry.
+
+    void set_filter(BodyId body, const CollisionFilter& filter);
+    const CollisionFilter& filter(BodyId body) const;
+
+    // Switches one pair off, or on again. Either order of arguments. It is forgotten when one of the two is destroyed.
+    // Throws SameBody. Cost: logarithmic in the pairs that are off.
+    void set_pair_enabled(BodyId a, BodyId b, bool is_enabled);
+    bool is_pair_enabled(BodyId a, BodyId b) const;  // by that switch alone, whatever the filters are
 
     // ---- two-body tests
 
@@ -91,13 +134,16 @@ class World {
     // ---- answers for the whole world, as of the last update
 
     // Brings the lists below up to date. Work is proportional to what changed: pairs of which neither body changed
-    // keep their verdict. When a caller's shape or test throws, the lists stay as they were, and the next update
-    // does the work again.
+    // keep their verdict. When a caller's test throws, all other tests are still run; then the error of the pair that
+    // comes first is thrown, the lists stay as they were, and the next update does the work again. The same holds when
+    // the executor throws, or fails (ExecutorFailed).
     void update();
 
-    // Pairs whose boxes overlap: the candidates, a superset of the colliding ones. How tight boxes are is not
-    // promised, so this list, unlike all else, may differ between versions and rounding modes.
-    std::span<const BodyPair> overlapping_pairs() const noexcept;
+    // Pairs whose boxes overlap and that are not filtered out: the candidates, a superset of the colliding ones. How
+    // tight boxes are is not promised, so this list, unlike all else, may differ between versions and rounding modes.
+    // The list is made when it is asked for after an update that changed it: one pass over the candidates, and nothing
+    // for those who never ask. After an update that threw, it is unspecified until one succeeds.
+    std::span<const BodyPair> overlapping_pairs();
 
     // Pairs that share a point. Exact.
     std::span<const BodyPair> colliding_pairs() const noexcept;
@@ -108,22 +154,37 @@ class World {
 
     // ---- answers for one pair, as of now
 
-    // Either order of arguments. Throw StaleBody, SameBody, NotSupported. They change no answer, but work in the world's
-    // query memory, hence are not const. (From many threads, use the functions of two_body.hpp.)
+    // Either order of arguments. Throw StaleBody, SameBody, NotSupported. They change no answer, but work in the
+    // world's query memory, hence are not const. (From many threads, use the functions of two_body.hpp.)
     bool intersects(BodyId a, BodyId b);
     Relation relation(BodyId a, BodyId b);
     std::vector<TrianglePair> touching_triangles(BodyId a, BodyId b);
+
+    // ---- answers about what is no body, as of now; ascending
+
+    // Bodies whose boxes share a point with this one: a superset of those that reach into it. Throws InvalidBox. Cost:
+    // one pass over the boxes of all bodies, which lie side by side.
+    std::vector<BodyId> overlapping_bodies(const Aabb& box) const;
+
+    // Bodies that share a point with a mesh or shape at a pose. Exact. With a filter, only bodies that it may meet.
+    // Throw as create_body does. Cost: as above, and a two-body test for each box that overlaps. A Mesh that no body
+    // has gets a new tree each time: keep a MeshShape to ask with it again.
+    std::vector<BodyId> touching_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
+                                        const CollisionFilter* filter = nullptr);
+    std::vector<BodyId> touching_bodies(const Shape& shape, const Pose& pose, const CollisionFilter* filter = nullptr);
 
     // ---- inspection
 
     Statistics statistics() const;
 
     // Checks every invariant, the broad phase's and the cache's own included, and that kept verdicts are those of a
-    // fresh test. Throws BrokenInvariant. Slow: for tests. Call it after update().
+    // fresh test. Throws BrokenInvariant; or ShapeChanged when a shape of the caller's own is not what it was when its
+    // body was given it. Slow: for tests. Call it after an update that succeeded.
     void validate() const;
 
     // A hash of the bodies (shapes, poses) and of which of them collide, as of the last update. It does not depend on
-    // ids, on the order of creation, on history, or on the broad phase: equal scenes have equal digests.
+    // ids, on the order of creation, on history, or on the broad phase: equal scenes have equal digests. Filters count
+    // by the collisions that they leave.
     std::uint64_t digest() const;
 
   private:

@@ -21,9 +21,21 @@ std::string text(BodyId body) {
     return "body " + std::to_string(body.slot) + "." + std::to_string(body.generation);
 }
 
+std::string entry_text(ListIndex index) {
+    return index ? "entry " + std::to_string(*index) + ": " : std::string();
+}
+
+std::string place_text(BodyId body, ListIndex index) {
+    return entry_text(index) + (body ? text(body) + ": " : std::string());
+}
+
 std::string pose_entry(int row, int column) {
     const std::string r = std::to_string(row);
     return column == 3 ? "t[" + r + "]" : "R(" + r + ", " + std::to_string(column) + ")";
+}
+
+std::string interval(double min, double max) {
+    return std::string("[").append(text(min)).append(", ").append(text(max)).append("]");
 }
 
 std::atomic<MisuseHandler> misuse_handler = nullptr;
@@ -54,17 +66,24 @@ MeshTooLarge::MeshTooLarge(std::size_t vertices, std::size_t triangles)
       vertex_count(vertices),
       triangle_count(triangles) {}
 
-InvalidPose::InvalidPose(int row_index, int column_index, double bad_value, BodyId of_body)
-    : Error((of_body ? text(of_body) + ": " : std::string()) + "pose entry " + pose_entry(row_index, column_index) +
-            " is " + text(bad_value) + ", not finite"),
+InvalidPose::InvalidPose(int row_index, int column_index, double bad_value, BodyId of_body, ListIndex list_index)
+    : Error(place_text(of_body, list_index) + "pose entry " + pose_entry(row_index, column_index) + " is " +
+            text(bad_value) + ", not finite"),
       row(row_index),
       column(column_index),
       value(bad_value),
-      body(of_body) {}
+      body(of_body),
+      index(list_index) {}
+
+LengthMismatch::LengthMismatch(std::size_t bodies, std::size_t poses)
+    : Error("a list of " + std::to_string(bodies) + " bodies came with a list of " + std::to_string(poses) + " poses"),
+      body_count(bodies),
+      pose_count(poses) {}
 
 NullArgument::NullArgument(const std::string& argument) : Error(argument + " is null") {}
 
-StaleBody::StaleBody(BodyId stale) : Error(text(stale) + " is not alive in this world"), body(stale) {}
+StaleBody::StaleBody(BodyId stale, ListIndex list_index)
+    : Error(entry_text(list_index) + text(stale) + " is not alive in this world"), body(stale), index(list_index) {}
 
 SameBody::SameBody(BodyId same) : Error(text(same) + " was given twice where a pair was asked for"), body(same) {}
 
@@ -74,13 +93,28 @@ MissingTest::MissingTest(ShapeKind first, ShapeKind second)
       a(first),
       b(second) {}
 
-InvalidBox::InvalidBox(ShapeKind of_kind, int axis_index, double box_min, double box_max)
-    : Error("shape of kind " + std::to_string(of_kind.value) + " gave a box with [" + text(box_min) + ", " +
-            text(box_max) + "] on axis " + std::to_string(axis_index)),
+InvalidBox::InvalidBox(ShapeKind of_kind, int axis_index, double box_min, double box_max, BodyId of_body,
+                       ListIndex list_index)
+    : Error(place_text(of_body, list_index) + "shape of kind " + std::to_string(of_kind.value) + " gave a box with " +
+            interval(box_min, box_max) + " on axis " + std::to_string(axis_index)),
       kind(of_kind),
       axis(axis_index),
       min(box_min),
+      max(box_max),
+      body(of_body),
+      index(list_index) {}
+
+InvalidBox::InvalidBox(int axis_index, double box_min, double box_max)
+    : Error("the box given has " + interval(box_min, box_max) + " on axis " + std::to_string(axis_index)),
+      axis(axis_index),
+      min(box_min),
       max(box_max) {}
+
+ShapeChanged::ShapeChanged(BodyId of_body, ShapeKind of_kind, const std::string& what_changed)
+    : Error(text(of_body) + ": its shape, of kind " + std::to_string(of_kind.value) + ", changed its " + what_changed +
+            " while the body had it"),
+      body(of_body),
+      kind(of_kind) {}
 
 MisuseHandler set_misuse_handler(MisuseHandler handler) noexcept {
     return misuse_handler.exchange(handler);

@@ -3,14 +3,16 @@
 namespace ecods {
 
 void TwoBodyTests::set(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test) {
+    const TwoBodyTest* const known = test.get();
     entries_.insert_or_assign(key(a, b), Entry{std::move(test), a});
+    if (a == ShapeKind::mesh() && b == ShapeKind::mesh()) mesh_mesh_ = known;
 }
 
 bool TwoBodyTests::has(ShapeKind a, ShapeKind b) const {
     return entries_.contains(key(a, b));
 }
 
-OrderedTest TwoBodyTests::find(ShapeKind a, ShapeKind b) const {
+OrderedTest TwoBodyTests::find_in_map(ShapeKind a, ShapeKind b) const {
     const Entry& entry = entries_.at(key(a, b));
     return {entry.test.get(), entry.first != a};
 }

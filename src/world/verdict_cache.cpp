@@ -1,46 +1,169 @@
 #include "world/verdict_cache.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "base/hash.hpp"
+#include "ecods/error.hpp"
 
 namespace ecods {
 
-std::size_t VerdictCache::KeyHash::operator()(std::uint64_t key) const noexcept {
-    return mix(key);
+void VerdictCache::reserve(std::size_t verdict_count, std::size_t proxy_end) {
+    if (proxy_end > firsts_.size()) firsts_.resize(proxy_end, no_verdict);
+    if (verdict_count > verdicts_.capacity()) verdicts_.reserve(std::max(verdict_count, 2 * verdicts_.capacity()));
+    // At most three places in four are taken: probes stay short.
+    if (verdict_count * 4 > places_.size() * 3) {
+        std::vector<Place> places(std::bit_ceil(std::max<std::size_t>(16, verdict_count * 4 / 3 + 1)));
+        places_.swap(places);
+        for (VerdictIndex index = 0; index < size(); ++index) take_place(index);
+    }
 }
 
-void VerdictCache::add(ProxyPair pair, const BodyPair& bodies) {
-    if (partners_.size() <= pair.b) partners_.resize(std::size_t{pair.b} + 1);
-    verdicts_.emplace(key(pair), Verdict{bodies, false});
-    partners_[pair.a].push_back(pair.b);
-    partners_[pair.b].push_back(pair.a);
+void VerdictCache::add(const BodyPair& bodies) noexcept {
+    const VerdictIndex index = size();
+    verdicts_.push_back({.bodies = bodies});
+    take_place(index);
+    link(index, 0);
+    link(index, 1);
 }
 
-Verdict VerdictCache::remove(ProxyPair pair) {
-    const auto found = verdicts_.find(key(pair));
-    const Verdict verdict = found->second;
-    verdicts_.erase(found);
-    forget_partner(pair.a, pair.b);
-    forget_partner(pair.b, pair.a);
+Verdict VerdictCache::remove(ProxyPair pair) noexcept {
+    const std::size_t place = place_of(pair);
+    const VerdictIndex index = places_[place].index;
+    const Verdict verdict = verdicts_[index];
+    free_place(place);
+    unlink(index, 0);
+    unlink(index, 1);
+    if (index + 1 != size()) relocate(size() - 1, index);
+    verdicts_.pop_back();
+    enabled_count_ -= verdict.is_enabled;
     return verdict;
 }
 
-const Verdict* VerdictCache::find(ProxyPair pair) const {
-    const auto found = verdicts_.find(key(pair));
-    return found == verdicts_.end() ? nullptr : &found->second;
+VerdictIndex VerdictCache::find(ProxyPair pair) const noexcept {
+    return places_.empty() ? no_verdict : places_[place_of(pair)].index;
 }
 
-const std::vector<ProxyIndex>& VerdictCache::partners(ProxyIndex proxy) const {
-    static const std::vector<ProxyIndex> none;
-    return proxy < partners_.size() ? partners_[proxy] : none;
+void VerdictCache::set(VerdictIndex index, bool is_enabled, bool is_colliding) noexcept {
+    Verdict& verdict = verdicts_[index];
+    enabled_count_ += is_enabled;
+    enabled_count_ -= verdict.is_enabled;
+    verdict.is_enabled = is_enabled;
+    verdict.is_colliding = is_colliding;
 }
 
-void VerdictCache::forget_partner(ProxyIndex proxy, ProxyIndex partner) {
-    std::vector<ProxyIndex>& list = partners_[proxy];
-    const auto found = std::ranges::find(list, partner);
-    *found = list.back();
-    list.pop_back();
+std::size_t VerdictCache::memory_bytes() const noexcept {
+    return verdicts_.capacity() * sizeof(Verdict) + firsts_.capacity() * sizeof(VerdictIndex) +
+           places_.capacity() * sizeof(Place);
+}
+
+// ---- the table
+
+std::uint32_t VerdictCache::hash_of(ProxyPair pair) noexcept {
+    return static_cast<std::uint32_t>(mix(std::uint64_t{pair.a} << 32 | pair.b));
+}
+
+std::size_t VerdictCache::place_of(ProxyPair pair) const noexcept {
+    const std::uint32_t hash = hash_of(pair);
+    const std::size_t mask = places_.size() - 1;
+    std::size_t place = hash & mask;
+    while (places_[place].index != no_verdict) {
+        if (places_[place].hash == hash && verdicts_[places_[place].index].proxies() == pair) break;
+        place = (place + 1) & mask;
+    }
+    return place;
+}
+
+void VerdictCache::take_place(VerdictIndex index) noexcept {
+    const std::uint32_t hash = hash_of(verdicts_[index].proxies());
+    const std::size_t mask = places_.size() - 1;
+    std::size_t place = hash & mask;
+    while (places_[place].index != no_verdict) place = (place + 1) & mask;
+    places_[place] = {hash, index};
+}
+
+// Those behind move up unless that would put them before their own place (Knuth, volume 3, algorithm 6.4R): no marks of
+// what was removed are left, so probes are as short as if it had never been here.
+void VerdictCache::free_place(std::size_t place) noexcept {
+    const std::size_t mask = places_.size() - 1;
+    for (std::size_t other = (place + 1) & mask; places_[other].index != no_verdict; other = (other + 1) & mask) {
+        const std::size_t home = places_[other].hash & mask;
+        if (((other - home) & mask) < ((other - place) & mask)) continue;
+        places_[place] = places_[other];
+        place = other;
+    }
+    places_[place] = {};
+}
+
+// ---- the lists
+
+void VerdictCache::link(VerdictIndex index, int side) noexcept {
+    Verdict& verdict = verdicts_[index];
+    const ProxyIndex proxy = (side == 0 ? verdict.bodies.a : verdict.bodies.b).slot - 1;
+    verdict.previous[side] = no_verdict;
+    verdict.next[side] = firsts_[proxy];
+    if (firsts_[proxy] != no_verdict) verdicts_[firsts_[proxy]].previous[side_of(proxy, firsts_[proxy])] = index;
+    firsts_[proxy] = index;
+}
+
+void VerdictCache::unlink(VerdictIndex index, int side) noexcept {
+    const Verdict& verdict = verdicts_[index];
+    const ProxyIndex proxy = (side == 0 ? verdict.bodies.a : verdict.bodies.b).slot - 1;
+    const VerdictIndex next = verdict.next[side];
+    const VerdictIndex previous = verdict.previous[side];
+    if (next != no_verdict) verdicts_[next].previous[side_of(proxy, next)] = previous;
+    (previous == no_verdict ? firsts_[proxy] : verdicts_[previous].next[side_of(proxy, previous)]) = next;
+}
+
+// Moves a verdict to a place whose own is in no list any more.
+void VerdictCache::relocate(VerdictIndex from, VerdictIndex to) noexcept {
+    const Verdict& verdict = verdicts_[from];
+    places_[place_of(verdict.proxies())].index = to;
+    verdicts_[to] = verdict;
+    for (const int side : {0, 1}) {
+        const ProxyIndex proxy = (side == 0 ? verdict.bodies.a : verdict.bodies.b).slot - 1;
+        const VerdictIndex next = verdict.next[side];
+        const VerdictIndex previous = verdict.previous[side];
+        if (next != no_verdict) verdicts_[next].previous[side_of(proxy, next)] = to;
+        (previous == no_verdict ? firsts_[proxy] : verdicts_[previous].next[side_of(proxy, previous)]) = to;
+    }
+}
+
+// ---- inspection
+
+namespace {
+
+void require(bool holds, const char* what) {
+    if (!holds) throw BrokenInvariant(what);
+}
+
+}  // namespace
+
+void VerdictCache::validate() const {
+    std::size_t enabled = 0;
+    for (VerdictIndex index = 0; index < size(); ++index) {
+        require(verdicts_[index].bodies.a < verdicts_[index].bodies.b, "a pair of the cache is not ascending");
+        require(find(verdicts_[index].proxies()) == index, "a verdict is not where the cache looks for it");
+        require(verdicts_[index].is_enabled || !verdicts_[index].is_colliding, "a pair that is filtered out collides");
+        enabled += verdicts_[index].is_enabled;
+    }
+    require(enabled == enabled_count_, "enabled pairs are not counted right");
+    const auto taken = std::ranges::count_if(places_, [](const Place& place) { return place.index != no_verdict; });
+    require(static_cast<std::size_t>(taken) == verdicts_.size(), "the cache has places for other pairs");
+
+    // A list that visits each verdict of its body, with right links back, is whole: twice the verdicts in all.
+    std::size_t visits = 0;
+    for (ProxyIndex proxy = 0; proxy < proxy_end(); ++proxy) {
+        VerdictIndex previous = no_verdict;
+        for (VerdictIndex index = first(proxy); index != no_verdict; index = next(index, proxy)) {
+            const ProxyPair pair = verdicts_[index].proxies();
+            require(pair.a == proxy || pair.b == proxy, "a body's list holds a pair of other bodies");
+            require(verdicts_[index].previous[side_of(proxy, index)] == previous, "a link back is wrong");
+            require(++visits <= 2 * verdicts_.size(), "the lists of pairs are not lists");
+            previous = index;
+        }
+    }
+    require(visits == 2 * verdicts_.size(), "a pair is missing in the list of a body");
 }
 
 }  // namespace ecods

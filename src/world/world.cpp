@@ -1,38 +1,41 @@
+#include <algorithm>
 #include <utility>
 
 #include "base/misuse.hpp"
 #include "geometry/find_invalid.hpp"
-#include "geometry/same_bits.hpp"
 #include "narrow_phase/mesh_mesh_test.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
-namespace {
 
-void require_valid(const Pose& pose, BodyId body) {
-    if (const auto bad = find_invalid(pose)) throw InvalidPose(bad->row, bad->column, bad->value, body);
+void require_valid(const Pose& pose, BodyId body, ListIndex index) {
+    if (const auto bad = find_invalid(pose)) throw InvalidPose(bad->row, bad->column, bad->value, body, index);
 }
 
-// The shape's box, checked: what enters the broad phase must be ordered.
-Aabb box_for(const Shape& shape, const Pose& pose) {
+Aabb box_for(const Shape& shape, const Pose& pose, BodyId body, ListIndex index) {
     const Aabb box = shape.box(pose);
     for (int axis = 0; axis < 3; ++axis) {
-        if (!(box.min[axis] <= box.max[axis])) throw InvalidBox(shape.kind(), axis, box.min[axis], box.max[axis]);
+        if (box.min[axis] <= box.max[axis]) continue;
+        throw InvalidBox(shape.kind(), axis, box.min[axis], box.max[axis], body, index);
     }
     return box;
 }
 
 void require_usable(const std::shared_ptr<const Shape>& shape) {
     if (!shape) throw NullArgument("shape");
-    if (shape->kind() == ShapeKind::mesh() && dynamic_cast<const MeshShape*>(shape.get()) == nullptr) {
+    require_mesh_kind(*shape);
+}
+
+void require_mesh_kind(const Shape& shape) {
+    if (shape.kind() == ShapeKind::mesh() && dynamic_cast<const MeshShape*>(&shape) == nullptr) {
         throw NotSupported("shape kind 0 is taken by MeshShape; a shape of one's own needs another kind");
     }
 }
 
-}  // namespace
-
-World::Impl::Impl(const WorldOptions& options) : broad_phase(make_broad_phase(options.broad_phase)) {
+World::Impl::Impl(const WorldOptions& options)
+    : broad_phase(make_broad_phase(options.broad_phase)), executor(options.executor) {
     tests.set(ShapeKind::mesh(), ShapeKind::mesh(), make_mesh_mesh_test());
+    memories.resize(executor ? std::max<std::size_t>(1, executor->worker_count()) : 1);
 }
 
 World::World(const WorldOptions& options) : impl_(std::make_unique<Impl>(options)) {}
@@ -40,11 +43,22 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-ProxyIndex World::Impl::require(BodyId body) const {
-    const bool is_known = body && body.slot <= slots.size() && slots[body.slot - 1].is_alive() &&
-                          slots[body.slot - 1].generation == body.generation;
-    if (!is_known) throw_misuse(StaleBody(body));
+bool World::Impl::is_alive(BodyId body) const noexcept {
+    return body && body.slot <= slots.size() && slots[body.slot - 1].is_alive() &&
+           slots[body.slot - 1].generation == body.generation;
+}
+
+ProxyIndex World::Impl::require(BodyId body, ListIndex index) const {
+    if (!is_alive(body)) throw_misuse(StaleBody(body, index));
     return body.slot - 1;
+}
+
+// The smaller slot first, so that either order of arguments asks the very same question.
+ProxyPair World::Impl::require_pair(BodyId a, BodyId b) const {
+    const ProxyIndex first = require(a);
+    const ProxyIndex second = require(b);
+    if (first == second) throw_misuse(SameBody(a));
+    return {std::min(first, second), std::max(first, second)};
 }
 
 // One MeshShape, and so one tree, for all bodies of a mesh while any of them lives.
@@ -69,96 +83,20 @@ void World::Impl::require_tests_for(ShapeKind kind, const Shape* replaced) const
     }
 }
 
-void World::Impl::mark_changed(ProxyIndex proxy) {
-    if (slots[proxy].is_changed) return;
-    changed.push_back(proxy);
-    slots[proxy].is_changed = true;
-}
-
-BodyId World::create_body(std::shared_ptr<const Mesh> mesh, const Pose& pose) {
-    return create_body(impl_->shape_of(mesh), pose);
-}
-
-BodyId World::create_body(std::shared_ptr<const Shape> shape, const Pose& pose) {
-    Impl& w = *impl_;
-    require_usable(shape);
-    require_valid(pose, {});
-    w.require_tests_for(shape->kind(), nullptr);
-    const Aabb box = box_for(*shape, pose);
-
-    if (w.free_slots.empty()) {
-        w.slots.emplace_back();
-        w.free_slots.push_back(static_cast<ProxyIndex>(w.slots.size() - 1));
-    }
-    const ProxyIndex proxy = w.free_slots.back();
-    w.changed.reserve(w.changed.size() + 1);
-    std::size_t& kind_count = w.kind_counts[shape->kind()];
-    w.broad_phase->add(proxy, box);
-    // Nothing below throws.
-    w.free_slots.pop_back();
-    ++kind_count;
-    Slot& slot = w.slots[proxy];
+void World::Impl::put_shape(Slot& slot, std::shared_ptr<const Shape> shape) noexcept {
+    slot.kind = shape->kind();
+    slot.shape_digest = shape->digest();
     slot.shape = std::move(shape);
-    slot.pose = pose;
-    slot.box = box;
-    w.mark_changed(proxy);
-    return w.id_of(proxy);
 }
 
-void World::destroy_body(BodyId body) {
-    Impl& w = *impl_;
-    const ProxyIndex proxy = w.require(body);
-    w.free_slots.reserve(w.free_slots.size() + 1);
-    w.broad_phase->remove(proxy);
-    Slot& slot = w.slots[proxy];
-    --w.kind_counts[slot.shape->kind()];
-    slot.shape.reset();
-    ++slot.generation;
-    w.free_slots.push_back(proxy);
-    w.candidates_are_dirty = true;
-}
-
-void World::set_pose(BodyId body, const Pose& pose) {
-    Impl& w = *impl_;
-    const ProxyIndex proxy = w.require(body);
-    require_valid(pose, body);
-    Slot& slot = w.slots[proxy];
-    if (same_bits(slot.pose, pose)) return;
-    const Aabb box = box_for(*slot.shape, pose);
-    w.changed.reserve(w.changed.size() + 1);
-    w.broad_phase->move(proxy, box);
-    slot.pose = pose;
-    slot.box = box;
-    w.mark_changed(proxy);
-}
-
-void World::set_shape(BodyId body, std::shared_ptr<const Mesh> mesh) {
-    impl_->require(body);
-    set_shape(body, impl_->shape_of(mesh));
-}
-
-void World::set_shape(BodyId body, std::shared_ptr<const Shape> shape) {
-    Impl& w = *impl_;
-    const ProxyIndex proxy = w.require(body);
-    require_usable(shape);
-    Slot& slot = w.slots[proxy];
-    if (slot.shape == shape) return;
-    w.require_tests_for(shape->kind(), slot.shape.get());
-    const Aabb box = box_for(*shape, slot.pose);
-    w.changed.reserve(w.changed.size() + 1);
-    std::size_t& kind_count = w.kind_counts[shape->kind()];
-    w.broad_phase->move(proxy, box);
-    --w.kind_counts[slot.shape->kind()];
-    ++kind_count;
-    slot.shape = std::move(shape);
-    slot.box = box;
-    w.mark_changed(proxy);
+void World::Impl::mark_changed(ProxyIndex proxy, Change change) noexcept {
+    Change& known = slots[proxy].change;
+    if (known == Change::none) changed.push_back(proxy);
+    known = std::max(known, change);
 }
 
 bool World::is_alive(BodyId body) const noexcept {
-    const auto& slots = impl_->slots;
-    return body && body.slot <= slots.size() && slots[body.slot - 1].is_alive() &&
-           slots[body.slot - 1].generation == body.generation;
+    return impl_->is_alive(body);
 }
 
 const Pose& World::pose(BodyId body) const {
@@ -170,7 +108,15 @@ const std::shared_ptr<const Shape>& World::shape(BodyId body) const {
 }
 
 const Aabb& World::box(BodyId body) const {
-    return impl_->slots[impl_->require(body)].box;
+    return impl_->boxes[impl_->require(body)];
+}
+
+std::uint64_t World::user_data(BodyId body) const {
+    return impl_->slots[impl_->require(body)].user_data;
+}
+
+void World::set_user_data(BodyId body, std::uint64_t data) {
+    impl_->slots[impl_->require(body)].user_data = data;
 }
 
 std::vector<BodyId> World::bodies() const {
@@ -179,17 +125,6 @@ std::vector<BodyId> World::bodies() const {
         if (impl_->slots[proxy].is_alive()) result.push_back(impl_->id_of(proxy));
     }
     return result;
-}
-
-void World::set_test(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test) {
-    Impl& w = *impl_;
-    if (!test) throw NullArgument("test");
-    w.changed.reserve(w.slots.size());
-    w.tests.set(a, b, std::move(test));
-    for (ProxyIndex proxy = 0; proxy < w.slots.size(); ++proxy) {
-        const Slot& slot = w.slots[proxy];
-        if (slot.is_alive() && (slot.shape->kind() == a || slot.shape->kind() == b)) w.mark_changed(proxy);
-    }
 }
 
 }  // namespace ecods

@@ -1,107 +1,143 @@
 #include <algorithm>
-#include <iterator>
 
 #include "world/world_impl.hpp"
 
 namespace ecods {
-namespace {
-
-// An update is quick where nothing changed, so lists are merged only when there is something to merge.
-void add_sorted(std::vector<BodyPair>& list, const std::vector<BodyPair>& more) {
-    if (more.empty()) return;
-    std::vector<BodyPair> result;
-    result.reserve(list.size() + more.size());
-    std::ranges::merge(list, more, std::back_inserter(result));
-    list.swap(result);
-}
-
-void remove_sorted(std::vector<BodyPair>& list, const std::vector<BodyPair>& gone) {
-    if (gone.empty()) return;
-    std::vector<BodyPair> result;
-    result.reserve(list.size());
-    std::ranges::set_difference(list, gone, std::back_inserter(result));
-    list.swap(result);
-}
-
-}  // namespace
 
 void World::update() {
     Impl& w = *impl_;
-    const bool is_idle = w.changed.empty() && !w.candidates_are_dirty && !w.update_failed;
+    const bool is_idle = w.changed.empty() && w.switched.empty() && !w.candidates_are_dirty && !w.update_failed;
     if (is_idle) {
         w.began.clear();
         w.ended.clear();
-        w.statistics.cache_hits += w.verdicts.size();
+        w.statistics.cache_hits += w.verdicts.enabled_count();
     } else {
         w.update_failed = true;  // until the end is reached
         w.take_over_candidates();
-        w.test_changed_pairs();
+        w.collect_pairs();
+        w.test_pairs();
         w.commit();
         w.update_failed = false;
     }
     ++w.statistics.updates;
 }
 
-// Brings the cache to the pairs that the broad phase has now. What ended goes first: where a body's slot was used
-// again, the same pair of slots may end and begin.
+// Brings the cache to the pairs that the broad phase has now. Events that an earlier update could not take over, for
+// want of memory, come first.
 void World::Impl::take_over_candidates() {
+    if (events_are_pending) take_over_events();
     broad_phase->update();
-    for (const ProxyPair pair : broad_phase->ended()) {
-        const Verdict verdict = verdicts.remove(pair);
-        if (verdict.colliding) lost.push_back(verdict.bodies);
-    }
-    for (const ProxyPair pair : broad_phase->began()) verdicts.add(pair, ids_of(pair));
+    events_are_pending = true;
+    take_over_events();
     candidates_are_dirty = false;
 }
 
-// Every pair of which a body changed, once. A pair that began has a body that changed.
-void World::Impl::test_changed_pairs() {
-    tested.clear();
-    for (const ProxyIndex proxy : changed) {
-        for (const ProxyIndex partner : verdicts.partners(proxy)) {
-            if (slots[partner].is_changed && partner < proxy) continue;
-            const ProxyPair pair{std::min(proxy, partner), std::max(proxy, partner)};
-            tested.push_back({pair, test(pair, memory)});
+// What ended goes first: where a body's slot was used again, the same pair of slots may end and begin.
+void World::Impl::take_over_events() {
+    const auto& more = broad_phase->began();
+    const auto& gone = broad_phase->ended();
+    verdicts.reserve(verdicts.size() + more.size(), slots.size());
+    make_room(lost, gone.size());
+    // Nothing below throws.
+    for (const ProxyPair pair : gone) {
+        const Verdict verdict = verdicts.remove(pair);
+        if (verdict.is_colliding) lost.push_back(verdict.bodies);
+    }
+    for (const ProxyPair pair : more) verdicts.add(ids_of(pair));
+    overlapping_is_stale |= !more.empty() || !gone.empty();
+    events_are_pending = false;
+}
+
+// Every pair of which a body changed, once. A pair that began has a body that changed. When much changed, all pairs are
+// passed over in the order in which they lie; else each body's list is followed.
+void World::Impl::collect_pairs() {
+    pair_tests.clear();
+    if (changed.size() >= slots.size() / 4) {
+        for (VerdictIndex index = 0; index < verdicts.size(); ++index) {
+            const ProxyPair pair = verdicts[index].proxies();
+            const bool is_changed = slots[pair.a].change != Change::none || slots[pair.b].change != Change::none;
+            if (is_changed) collect_pair(index);
+        }
+    } else {
+        for (const ProxyIndex proxy : changed) {
+            for (auto index = verdicts.first(proxy); index != no_verdict; index = verdicts.next(index, proxy)) {
+                const ProxyPair pair = verdicts[index].proxies();
+                const ProxyIndex partner = pair.a == proxy ? pair.b : pair.a;
+                if (slots[partner].change == Change::none || proxy < partner) collect_pair(index);
+            }
         }
     }
+    std::ranges::sort(switched);
+    switched.erase(std::ranges::unique(switched).begin(), switched.end());
+    for (const ProxyPair pair : switched) {
+        const VerdictIndex index = verdicts.find(pair);
+        const bool is_new = slots[pair.a].change == Change::none && slots[pair.b].change == Change::none;
+        if (index != no_verdict && is_new) collect_pair(index);
+    }
+}
+
+// Nothing is asked of a pair that is filtered out, nor of one that was tested before and whose bodies are as they were.
+void World::Impl::collect_pair(VerdictIndex index) {
+    const Verdict& verdict = verdicts[index];
+    const ProxyPair pair = verdict.proxies();
+    if (!is_enabled(pair)) {
+        if (verdict.is_enabled) pair_tests.push_back({index, Answer::filtered_out});
+        return;
+    }
+    const bool is_void = slots[pair.a].change == Change::body || slots[pair.b].change == Change::body;
+    if (is_void || !verdict.is_enabled) pair_tests.push_back({index, Answer::none});
 }
 
 void World::Impl::commit() {
-    statistics.moved_bodies += static_cast<std::uint64_t>(
-        std::ranges::count_if(changed, [&](ProxyIndex proxy) { return slots[proxy].is_alive(); }));
-    statistics.two_body_tests += tested.size();
-    statistics.cache_hits += verdicts.size() - tested.size();
-    commit_candidates();
-    commit_verdicts();
-    for (const ProxyIndex proxy : changed) slots[proxy].is_changed = false;
-    changed.clear();
-}
-
-void World::Impl::commit_candidates() {
-    overlapping.clear();
-    overlapping.reserve(broad_phase->pairs().size());
-    for (const ProxyPair pair : broad_phase->pairs()) overlapping.push_back(ids_of(pair));
-}
-
-void World::Impl::commit_verdicts() {
-    began.clear();
-    ended.swap(lost);
-    lost.clear();
-    for (const TestedPair& t : tested) {
-        Verdict& verdict = verdicts.at(t.pair);
-        if (verdict.colliding == t.colliding) continue;
-        verdict.colliding = t.colliding;
-        (t.colliding ? began : ended).push_back(verdict.bodies);
+    next_began.clear();
+    next_ended = lost;
+    std::size_t test_count = 0;
+    for (const PairTest& done : pair_tests) {
+        const Verdict& verdict = verdicts[done.verdict];
+        test_count += done.answer != Answer::filtered_out;
+        const bool is_colliding = done.answer == Answer::colliding;
+        if (is_colliding != verdict.is_colliding) (is_colliding ? next_began : next_ended).push_back(verdict.bodies);
     }
-    std::ranges::sort(began);
-    std::ranges::sort(ended);
-    remove_sorted(colliding, ended);
-    add_sorted(colliding, began);
+    std::ranges::sort(next_began);
+    std::ranges::sort(next_ended);
     // A pair that lost its box overlap and found it again while updates failed has both ended and begun: it went on.
-    std::vector<BodyPair> both;
-    std::ranges::set_intersection(began, ended, std::back_inserter(both));
-    remove_sorted(began, both);
-    remove_sorted(ended, both);
+    cancel_common(next_began, next_ended);
+    make_room(colliding, next_began.size());
+    // Nothing below throws.
+    for (const PairTest& done : pair_tests) {
+        const bool is_enabled = done.answer != Answer::filtered_out;
+        overlapping_is_stale |= is_enabled != verdicts[done.verdict].is_enabled;
+        verdicts.set(done.verdict, is_enabled, done.answer == Answer::colliding);
+    }
+    remove_sorted(colliding, next_ended);
+    add_sorted(colliding, next_began);
+    began.swap(next_began);
+    ended.swap(next_ended);
+    lost.clear();
+    switched.clear();
+    for (const ProxyIndex proxy : changed) {
+        statistics.moved_bodies += slots[proxy].is_alive() && slots[proxy].change == Change::body;
+        slots[proxy].change = Change::none;
+    }
+    changed.clear();
+    statistics.two_body_tests += test_count;
+    statistics.cache_hits += verdicts.enabled_count() - test_count;
+}
+
+// Body by body, so that short lists are sorted, and none of all pairs.
+void World::Impl::build_overlapping() {
+    if (!overlapping_is_stale) return;
+    overlapping.clear();
+    overlapping.reserve(verdicts.enabled_count());
+    for (ProxyIndex proxy = 0; proxy < verdicts.proxy_end(); ++proxy) {
+        const auto old_size = static_cast<std::ptrdiff_t>(overlapping.size());
+        for (auto index = verdicts.first(proxy); index != no_verdict; index = verdicts.next(index, proxy)) {
+            const Verdict& verdict = verdicts[index];
+            if (verdict.is_enabled && verdict.proxies().a == proxy) overlapping.push_back(verdict.bodies);
+        }
+        std::sort(overlapping.begin() + old_size, overlapping.end());
+    }
+    overlapping_is_stale = false;
 }
 
 }  // namespace ecods

@@ -18,9 +18,22 @@ const std::map<std::string, int, std::less<>> layer_ranks = {
 
 // A public header belongs to the layer that implements it; ecods.hpp is all of them.
 const std::map<std::string, int, std::less<>> header_ranks = {
-    {"ids.hpp", 0},      {"error.hpp", 0},       {"version.hpp", 0}, {"pose.hpp", 1},
-    {"mesh.hpp", 1},     {"predicates.hpp", 2},  {"aabb.hpp", 3},    {"shape.hpp", 4},
-    {"two_body.hpp", 4}, {"broad_phase.hpp", 5}, {"world.hpp", 6},   {"ecods.hpp", 7},
+    {"ids.hpp", 0},
+    {"error.hpp", 0},
+    {"version.hpp", 0},
+    {"pose.hpp", 1},
+    {"mesh.hpp", 1},
+    {"predicates.hpp", 2},
+    {"aabb.hpp", 3},
+    {"shape.hpp", 4},
+    {"two_body.hpp", 4},
+    {"broad_phase.hpp", 5},
+    {"collision_filter.hpp", 6},
+    {"executor.hpp", 6},
+    {"trace.hpp", 6},
+    {"world.hpp", 6},
+    {"replay.hpp", 6},
+    {"ecods.hpp", 7},
 };
 
 // What the oracle may know of the library.

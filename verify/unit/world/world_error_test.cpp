@@ -27,7 +27,7 @@ class WorldErrorTest : public testing::Test {
         std::vector<BodyPair> colliding, overlapping, began;
         bool operator==(const State&) const = default;
     };
-    State state() const {
+    State state() {
         return {world.digest(), world.bodies(), list(world.colliding_pairs()), list(world.overlapping_pairs()),
                 list(world.began())};
     }

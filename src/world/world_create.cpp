@@ -1,0 +1,65 @@
+#include <utility>
+
+#include "world/world_impl.hpp"
+
+namespace ecods {
+
+BodyId World::create_body(std::shared_ptr<const Mesh> mesh, const Pose& pose) {
+    return create_body(impl_->shape_of(mesh), pose);
+}
+
+BodyId World::create_body(std::shared_ptr<const Shape> shape, const Pose& pose) {
+    Impl& w = *impl_;
+    require_usable(shape);
+    require_valid(pose);
+    w.require_tests_for(shape->kind(), nullptr);
+    const Aabb box = box_for(*shape, pose);
+
+    if (w.free_slots.empty()) {
+        make_room(w.free_slots);
+        w.boxes.resize(w.slots.size() + 1);
+        w.slots.emplace_back();
+        w.free_slots.push_back(static_cast<ProxyIndex>(w.slots.size() - 1));
+    }
+    const ProxyIndex proxy = w.free_slots.back();
+    make_room(w.changed);
+    std::size_t& kind_count = w.kind_counts[shape->kind()];
+    w.broad_phase->add(proxy, box);
+    // Nothing below throws.
+    w.free_slots.pop_back();
+    ++kind_count;
+    Slot& slot = w.slots[proxy];
+    w.put_shape(slot, std::move(shape));
+    slot.pose = pose;
+    slot.filter = {};
+    slot.user_data = 0;
+    w.boxes[proxy] = box;
+    w.mark_changed(proxy, Change::body);
+    return w.id_of(proxy);
+}
+
+void World::destroy_body(BodyId body) {
+    Impl& w = *impl_;
+    const ProxyIndex proxy = w.require(body);
+    make_room(w.free_slots);
+    w.broad_phase->remove(proxy);
+    // Nothing below throws.
+    Slot& slot = w.slots[proxy];
+    --w.kind_counts[slot.kind];
+    slot.shape.reset();
+    ++slot.generation;
+    w.free_slots.push_back(proxy);
+    w.disabled.forget(proxy);
+    w.candidates_are_dirty = true;
+}
+
+void World::reserve(std::size_t body_count) {
+    Impl& w = *impl_;
+    w.slots.reserve(body_count);
+    w.boxes.reserve(body_count);
+    w.free_slots.reserve(body_count);
+    w.changed.reserve(body_count);
+    w.verdicts.reserve(0, body_count);
+}
+
+}  // namespace ecods

@@ -1,0 +1,33 @@
+#include "world/world_impl.hpp"
+
+namespace ecods {
+
+bool World::Impl::is_enabled(ProxyPair pair) const noexcept {
+    return may_meet(slots[pair.a].filter, slots[pair.b].filter) && !disabled.contains(pair);
+}
+
+void World::set_filter(BodyId body, const CollisionFilter& filter) {
+    Impl& w = *impl_;
+    const ProxyIndex proxy = w.require(body);
+    if (w.slots[proxy].filter == filter) return;
+    make_room(w.changed);
+    w.slots[proxy].filter = filter;
+    w.mark_changed(proxy, Change::filter);
+}
+
+const CollisionFilter& World::filter(BodyId body) const {
+    return impl_->slots[impl_->require(body)].filter;
+}
+
+void World::set_pair_enabled(BodyId a, BodyId b, bool is_enabled) {
+    Impl& w = *impl_;
+    const ProxyPair pair = w.require_pair(a, b);
+    make_room(w.switched);
+    if (is_enabled ? w.disabled.erase(pair) : w.disabled.insert(pair)) w.switched.push_back(pair);
+}
+
+bool World::is_pair_enabled(BodyId a, BodyId b) const {
+    return !impl_->disabled.contains(impl_->require_pair(a, b));
+}
+
+}  // namespace ecods

@@ -1,0 +1,60 @@
+#include <vector>
+
+#include "geometry/same_bits.hpp"
+#include "world/world_impl.hpp"
+
+namespace ecods {
+
+void World::set_pose(BodyId body, const Pose& pose) {
+    Impl& w = *impl_;
+    const ProxyIndex proxy = w.require(body);
+    require_valid(pose, body);
+    Slot& slot = w.slots[proxy];
+    if (same_bits(slot.pose, pose)) return;
+    const Aabb box = box_for(*slot.shape, pose, body);
+    make_room(w.changed);
+    w.broad_phase->move(proxy, box);
+    // Nothing below throws.
+    slot.pose = pose;
+    w.boxes[proxy] = box;
+    w.mark_changed(proxy, Change::body);
+}
+
+// Everything that can fail is done before a body moves; should the broad phase run out of memory half-way, what it was
+// told already is taken back, which needs none.
+void World::set_poses(std::span<const BodyId> bodies, std::span<const Pose> poses) {
+    Impl& w = *impl_;
+    if (bodies.size() != poses.size()) throw LengthMismatch(bodies.size(), poses.size());
+    std::vector<Aabb> boxes;
+    boxes.reserve(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const ProxyIndex proxy = w.require(bodies[i], i);
+        require_valid(poses[i], bodies[i], i);
+        const Slot& slot = w.slots[proxy];
+        boxes.push_back(same_bits(slot.pose, poses[i]) ? w.boxes[proxy] : box_for(*slot.shape, poses[i], bodies[i], i));
+    }
+    make_room(w.changed, bodies.size());
+    std::size_t moved_count = 0;
+    try {
+        for (; moved_count < bodies.size(); ++moved_count) {
+            w.broad_phase->move(bodies[moved_count].slot - 1, boxes[moved_count]);
+        }
+    } catch (...) {
+        while (moved_count-- > 0) {
+            const ProxyIndex proxy = bodies[moved_count].slot - 1;
+            w.broad_phase->move(proxy, w.boxes[proxy]);
+        }
+        throw;
+    }
+    // Nothing below throws.
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const ProxyIndex proxy = bodies[i].slot - 1;
+        Slot& slot = w.slots[proxy];
+        if (same_bits(slot.pose, poses[i])) continue;
+        slot.pose = poses[i];
+        w.boxes[proxy] = boxes[i];
+        w.mark_changed(proxy, Change::body);
+    }
+}
+
+}  // namespace ecods
