@@ -5,7 +5,7 @@
 //
 // Verdicts lie side by side. Each is in two lists, of the pairs of its two bodies, through links that it holds itself,
 // so that a body that moved finds its pairs at their cost and without hashing; and in a table by its two bodies, for a
-// pair that ends. Memory: 40 bytes a verdict, 4 bytes a body, and 8 bytes for each place of the table, which is a
+// pair that ends. Memory: 36 bytes a verdict, 4 bytes a body, and 8 bytes for each place of the table, which is a
 // quarter empty at least.
 #pragma once
 

@@ -10,13 +10,14 @@ namespace {
 // Small enough that the workers end together, large enough that handing one out costs little beside it.
 constexpr std::size_t pairs_per_task = 32;
 
-// What went wrong first, in the order of the pairs and not of time: which error is thrown does not depend on workers.
+// What went wrong first, in the order of the pairs and not of time: which error is thrown depends neither on workers nor
+// on history.
 class FirstFailure {
   public:
-    void keep(std::size_t at, std::exception_ptr error) {
+    void keep(const BodyPair& bodies, std::exception_ptr error) {
         const std::lock_guard lock(mutex_);
-        if (error_ && at >= at_) return;
-        at_ = at;
+        if (error_ && bodies > bodies_) return;
+        bodies_ = bodies;
         error_ = std::move(error);
     }
     void rethrow() const {
@@ -25,7 +26,7 @@ class FirstFailure {
 
   private:
     std::mutex mutex_;
-    std::size_t at_ = 0;
+    BodyPair bodies_;
     std::exception_ptr error_;
 };
 
@@ -75,7 +76,7 @@ void World::Impl::test_pairs() {
             const bool is_colliding = test(verdicts[pair_test.verdict].proxies(), memory);
             pair_test.answer = is_colliding ? Answer::colliding : Answer::disjoint;
         } catch (...) {
-            failure.keep(at, std::current_exception());
+            failure.keep(verdicts[pair_test.verdict].bodies, std::current_exception());
         }
     };
     if (executor == nullptr || pair_tests.size() <= pairs_per_task) {

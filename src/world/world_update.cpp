@@ -44,6 +44,7 @@ void World::Impl::take_over_events() {
         if (verdict.is_colliding) lost.push_back(verdict.bodies);
     }
     for (const ProxyPair pair : more) verdicts.add(ids_of(pair));
+    statistics.visited_pairs += more.size() + gone.size();
     overlapping_is_stale |= !more.empty() || !gone.empty();
     events_are_pending = false;
 }
@@ -53,6 +54,7 @@ void World::Impl::take_over_events() {
 void World::Impl::collect_pairs() {
     pair_tests.clear();
     if (changed.size() >= slots.size() / 4) {
+        statistics.visited_pairs += verdicts.size();
         for (VerdictIndex index = 0; index < verdicts.size(); ++index) {
             const ProxyPair pair = verdicts[index].proxies();
             const bool is_changed = slots[pair.a].change != Change::none || slots[pair.b].change != Change::none;
@@ -61,6 +63,7 @@ void World::Impl::collect_pairs() {
     } else {
         for (const ProxyIndex proxy : changed) {
             for (auto index = verdicts.first(proxy); index != no_verdict; index = verdicts.next(index, proxy)) {
+                ++statistics.visited_pairs;
                 const ProxyPair pair = verdicts[index].proxies();
                 const ProxyIndex partner = pair.a == proxy ? pair.b : pair.a;
                 if (slots[partner].change == Change::none || proxy < partner) collect_pair(index);
@@ -69,6 +72,7 @@ void World::Impl::collect_pairs() {
     }
     std::ranges::sort(switched);
     switched.erase(std::ranges::unique(switched).begin(), switched.end());
+    statistics.visited_pairs += switched.size();
     for (const ProxyPair pair : switched) {
         const VerdictIndex index = verdicts.find(pair);
         const bool is_new = slots[pair.a].change == Change::none && slots[pair.b].change == Change::none;

@@ -1,6 +1,9 @@
 // Poses and small assertions for the tests of World.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <string>
 #include <vector>
 
 #include "ecods/world.hpp"
@@ -15,6 +18,15 @@ inline Pose at(double x, double y = 0, double z = 0) {
 
 inline std::vector<BodyPair> list(std::span<const BodyPair> pairs) {
     return {pairs.begin(), pairs.end()};
+}
+
+// What is true of a world does not depend on its broad phase: suites run with each.
+inline auto broad_phases() {
+    return testing::Values(BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune);
+}
+
+inline std::string broad_phase_name(const testing::TestParamInfo<BroadPhaseKind>& tested) {
+    return "Kind" + std::to_string(static_cast<int>(tested.param));
 }
 
 }  // namespace ecods

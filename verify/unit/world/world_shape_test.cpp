@@ -76,8 +76,7 @@ class WorldShapeTest : public testing::TestWithParam<BroadPhaseKind> {
     std::shared_ptr<HalfSpaceMeshTest> plane_mesh = std::make_shared<HalfSpaceMeshTest>();
 };
 
-INSTANTIATE_TEST_SUITE_P(BroadPhases, WorldShapeTest,
-                         testing::Values(BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune));
+INSTANTIATE_TEST_SUITE_P(BroadPhases, WorldShapeTest, broad_phases(), broad_phase_name);
 
 TEST_P(WorldShapeTest, AHalfSpaceAmongMeshes) {
     world.set_test(plane_kind, ShapeKind::mesh(), plane_mesh);
@@ -181,6 +180,39 @@ TEST_P(WorldShapeTest, AReplacedTestIsAskedAnew) {
     world.update();
     EXPECT_TRUE(world.colliding_pairs().empty());
     EXPECT_EQ(world.ended().size(), 1u);
+}
+
+// A shape that breaks its promise to be immutable.
+class Growing final : public Shape {
+  public:
+    ShapeKind kind() const noexcept override { return point_kind; }
+    Aabb box(const Pose&) const override { return {Vec3::Zero(), Vec3::Constant(size)}; }
+    std::uint64_t digest() const noexcept override { return name; }
+
+    double size = 1;
+    std::uint64_t name = 1;
+};
+
+TEST_P(WorldShapeTest, AShapeThatChangedUnderItsBodyIsFound) {
+    const auto shape = std::make_shared<Growing>();
+    const BodyId body = world.create_body(shape, Pose());
+    world.update();
+    EXPECT_NO_THROW(world.validate());
+    shape->size = 2;
+    try {
+        world.validate();
+        ADD_FAILURE();
+    } catch (const ShapeChanged& error) {
+        EXPECT_EQ(error.body, body);
+        EXPECT_EQ(error.kind, point_kind);
+        EXPECT_NE(std::string(error.what()).find("box"), std::string::npos) << error.what();
+    }
+    shape->size = 1;
+    shape->name = 2;
+    EXPECT_THROW(world.validate(), ShapeChanged);
+    world.set_shape(body, std::make_shared<Growing>(*shape));
+    world.update();
+    EXPECT_NO_THROW(world.validate());
 }
 
 }  // namespace

@@ -17,11 +17,7 @@ class WorldTest : public testing::TestWithParam<BroadPhaseKind> {
     std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
 };
 
-INSTANTIATE_TEST_SUITE_P(BroadPhases, WorldTest,
-                         testing::Values(BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune),
-                         [](const auto& tested) {
-                             return tested.param == BroadPhaseKind::brute_force ? "BruteForce" : "SweepAndPrune";
-                         });
+INSTANTIATE_TEST_SUITE_P(BroadPhases, WorldTest, broad_phases(), broad_phase_name);
 
 TEST_P(WorldTest, AnEmptyWorldHasNothing) {
     world.update();

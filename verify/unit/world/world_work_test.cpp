@@ -48,6 +48,59 @@ TEST(WorldWork, OneBodyThatMovedCostsItsOwnPairs) {
     EXPECT_EQ(after.cache_hits, before.cache_hits + after.overlapping_count - 17);
 }
 
+// In a row of cubes that cross: what one cube's step costs is the same in a row a hundred times as long.
+TEST(WorldWork, OneBodyOfAHundredThousandCostsWhatThatBodyCosts) {
+    const auto cost_of_a_step = [](int body_count) {
+        World world;
+        world.reserve(static_cast<std::size_t>(body_count));
+        const auto cube = scenes::cube(0.5);
+        std::vector<BodyId> bodies;
+        for (int i = 0; i < body_count; ++i)
+            bodies.push_back(world.create_body(cube, at(0.75 * i, 0.75 * i, 0.75 * i)));
+        world.update();
+        EXPECT_EQ(world.colliding_pairs().size(), bodies.size() - 1);
+        const Statistics before = world.statistics();
+        world.set_pose(bodies[500], at(375, 375.125, 375));
+        world.update();
+        EXPECT_TRUE(world.began().empty());
+        EXPECT_TRUE(world.ended().empty());
+        const Statistics after = world.statistics();
+        return std::vector<std::uint64_t>{after.moved_bodies - before.moved_bodies,
+                                          after.two_body_tests - before.two_body_tests,
+                                          after.visited_pairs - before.visited_pairs,
+                                          after.queries.box_tests - before.queries.box_tests,
+                                          after.queries.triangle_tests - before.queries.triangle_tests,
+                                          after.broad_phase.moved - before.broad_phase.moved,
+                                          after.broad_phase.box_tests - before.broad_phase.box_tests,
+                                          after.broad_phase.swaps - before.broad_phase.swaps};
+    };
+    const auto cost = cost_of_a_step(1000);
+    EXPECT_EQ(cost[0], 1u);
+    EXPECT_EQ(cost[1], 2u) << "its two neighbours";
+    EXPECT_EQ(cost[2], 2u);
+    EXPECT_EQ(cost_of_a_step(100000), cost);
+}
+
+// Kept as a golden count, as world.hpp states it: a change of these is a change of that comment.
+TEST(WorldWork, MemoryPerBodyAndPerPair) {
+    const auto cube = scenes::cube(0.5);
+    World world;
+    world.reserve(4096);
+    std::vector<BodyId> bodies;
+    for (int i = 0; i < 4096; ++i) bodies.push_back(world.create_body(cube, at(2 * i)));
+    world.update();
+    const std::size_t of_bodies = world.statistics().memory_bytes;
+    EXPECT_EQ(of_bodies, 4096u * 220);
+
+    // Each on the next one: 4095 pairs.
+    for (int i = 0; i < 4096; ++i) world.set_pose(bodies[i], at(i));
+    world.update();
+    ASSERT_EQ(world.overlapping_pairs().size(), 4095u);
+    // A verdict and its place in the lists of overlapping and of colliding pairs, a test and a begin, two places of the
+    // table.
+    EXPECT_EQ(world.statistics().memory_bytes - of_bodies, 4095u * (36 + 2 * 16) + 4096u * (8 + 16) + 8192u * 8);
+}
+
 // The report's experiment with some ships at rest: the two-body test is called for exactly the candidate pairs
 // of which a ship moved.
 TEST(WorldWork, TheTwoBodyTestIsCalledForCandidatesThatMovedOnly) {
