@@ -10,6 +10,8 @@
 #include "ecods/shape.hpp"       // shapes of the caller's own
 #include "ecods/collision_filter.hpp"  // which bodies are meant to meet at all
 #include "ecods/executor.hpp"    // where work in parallel runs
+#include "ecods/trace.hpp"       // a record of every call that changed a world
+#include "ecods/replay.hpp"      // which is run again
 #include "ecods/broad_phase.hpp" // which boxes overlap
 #include "ecods/aabb.hpp"
 #include "ecods/ids.hpp"

@@ -151,6 +151,20 @@ class ExecutorFailed final : public Error {
     using Error::Error;
 };
 
+// The stream of a trace failed while the world wrote to it, and the trace ends there. Thrown by World::end_trace only.
+class TraceFailed final : public Error {
+  public:
+    TraceFailed();
+};
+
+// A text is not a trace, or holds a call that a World refuses.
+class InvalidTrace final : public Error {
+  public:
+    InvalidTrace(std::size_t line, const std::string& reason);
+
+    std::size_t line;  // from 1
+};
+
 // An invariant does not hold: a defect in this library (or memory overwritten from outside). Thrown by
 // validate() only.
 class BrokenInvariant final : public Error {

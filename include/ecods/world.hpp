@@ -11,9 +11,10 @@
 // whose omission makes an answer wrong.
 //
 // What it costs: memory of 220 bytes a body, 47 to 58 bytes a pair whose boxes overlap and 16 for each list that the
-// pair is in, 8 while it is tested, and room for growth; beside these the broad phase's own. An update before which nothing changed costs a constant, and a pair that rests costs nothing at any
-// update: work is that of the broad phase for the boxes that moved, and one two-body test for each candidate pair of
-// which a body moved. Where a collision begins or ends, what lies behind it in the list of colliding pairs is moved.
+// pair is in, 8 while it is tested, and room for growth; beside these the broad phase's own. An update before which
+// nothing changed costs a constant, and a pair that rests costs nothing at any update: work is that of the broad phase
+// for the boxes that moved, and one two-body test for each candidate pair of which a body moved. Where a collision
+// begins or ends, what lies behind it in the list of colliding pairs is moved.
 //
 // The world does not move bodies, respond to contacts, or draw.
 //
@@ -23,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <ostream>
 #include <span>
 #include <vector>
 
@@ -35,6 +37,7 @@
 #include "ecods/pose.hpp"
 #include "ecods/predicates.hpp"
 #include "ecods/shape.hpp"
+#include "ecods/trace.hpp"
 #include "ecods/two_body.hpp"
 
 namespace ecods {
@@ -173,6 +176,17 @@ class World {
     std::vector<BodyId> touching_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
                                         const CollisionFilter* filter = nullptr);
     std::vector<BodyId> touching_bodies(const Shape& shape, const Pose& pose, const CollisionFilter* filter = nullptr);
+
+    // ---- a record of every call that changes the world (trace.hpp)
+
+    // Begins a trace: writes what is here now, then every call as it succeeds. The stream must outlive the trace, which
+    // ends with end_trace(), with the world, or with another trace_to(). It costs nothing when off; when on, the text,
+    // and a digest at each update. Throws NotSupported when a body's shape cannot be written: no trace is then under
+    // way. From then on, so do create_body and set_shape. A stream that fails ends the trace, and no call of the world.
+    void trace_to(std::ostream& out, TraceOptions options = {});
+
+    // Ends it, if there is one. Throws TraceFailed when not all of it could be written.
+    void end_trace();
 
     // ---- inspection
 

@@ -116,6 +116,11 @@ ShapeChanged::ShapeChanged(BodyId of_body, ShapeKind of_kind, const std::string&
       body(of_body),
       kind(of_kind) {}
 
+TraceFailed::TraceFailed() : Error("the stream of the trace failed; the trace ends before its time") {}
+
+InvalidTrace::InvalidTrace(std::size_t line_number, const std::string& reason)
+    : Error("line " + std::to_string(line_number) + ": " + reason), line(line_number) {}
+
 MisuseHandler set_misuse_handler(MisuseHandler handler) noexcept {
     return misuse_handler.exchange(handler);
 }

@@ -14,6 +14,7 @@ BodyId World::create_body(std::shared_ptr<const Shape> shape, const Pose& pose) 
     require_valid(pose);
     w.require_tests_for(shape->kind(), nullptr);
     const Aabb box = box_for(*shape, pose);
+    const std::uint64_t number = w.traced_number(shape);
 
     if (w.free_slots.empty()) {
         make_room(w.free_slots);
@@ -35,6 +36,7 @@ BodyId World::create_body(std::shared_ptr<const Shape> shape, const Pose& pose) 
     slot.user_data = 0;
     w.boxes[proxy] = box;
     w.mark_changed(proxy, Change::body);
+    if (w.trace) w.trace->create(w.id_of(proxy), number, pose);
     return w.id_of(proxy);
 }
 
@@ -51,6 +53,7 @@ void World::destroy_body(BodyId body) {
     w.free_slots.push_back(proxy);
     w.disabled.forget(proxy);
     w.candidates_are_dirty = true;
+    if (w.trace) w.trace->destroy(body);
 }
 
 void World::reserve(std::size_t body_count) {

@@ -12,6 +12,7 @@
 #include "world/disabled_pairs.hpp"
 #include "world/room_for.hpp"
 #include "world/sorted_pairs.hpp"
+#include "world/trace_writer.hpp"
 #include "world/two_body_tests.hpp"
 #include "world/verdict_cache.hpp"
 
@@ -59,6 +60,7 @@ struct World::Impl {
     bool is_enabled(ProxyPair pair) const noexcept;
 
     // ---- update, in this order
+    void update();
     void take_over_candidates();
     void take_over_events();
     void collect_pairs();
@@ -68,6 +70,12 @@ struct World::Impl {
     void build_overlapping();
 
     std::size_t memory_bytes() const noexcept;
+    std::uint64_t digest() const;
+
+    // The number of a shape in the trace, written before a call that brings it in; 0 without a trace.
+    std::uint64_t traced_number(const std::shared_ptr<const Shape>& shape) {
+        return trace ? trace->number_of(shape) : 0;
+    }
 
     std::vector<Slot> slots;
     std::vector<Aabb> boxes;  // by proxy
@@ -97,6 +105,8 @@ struct World::Impl {
         Answer answer;  // none: to be tested
     };
     std::vector<PairTest> pair_tests;
+
+    std::unique_ptr<TraceWriter> trace;  // null: none is under way
 
     BodyPairs overlapping;  // made when asked for
     bool overlapping_is_stale = false;

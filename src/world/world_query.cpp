@@ -81,20 +81,23 @@ std::size_t World::Impl::memory_bytes() const noexcept {
 }
 
 // Sums of words that are themselves mixed: the order of bodies and pairs does not matter.
-std::uint64_t World::digest() const {
-    const Impl& w = *impl_;
+std::uint64_t World::Impl::digest() const {
     std::uint64_t bodies = 0;
-    for (const Slot& slot : w.slots) {
+    for (const Slot& slot : slots) {
         if (slot.is_alive()) bodies += mix(digest_of(slot));
     }
     std::uint64_t pairs = 0;
-    for (const BodyPair& pair : w.colliding) {
-        if (!w.is_alive(pair.a) || !w.is_alive(pair.b)) continue;
-        const std::uint64_t a = digest_of(w.slots[pair.a.slot - 1]);
-        const std::uint64_t b = digest_of(w.slots[pair.b.slot - 1]);
+    for (const BodyPair& pair : colliding) {
+        if (!is_alive(pair.a) || !is_alive(pair.b)) continue;
+        const std::uint64_t a = digest_of(slots[pair.a.slot - 1]);
+        const std::uint64_t b = digest_of(slots[pair.b.slot - 1]);
         pairs += mix(combine(std::min(a, b), std::max(a, b)));
     }
     return combine(bodies, pairs);
+}
+
+std::uint64_t World::digest() const {
+    return impl_->digest();
 }
 
 }  // namespace ecods

@@ -17,6 +17,7 @@ void World::set_shape(BodyId body, std::shared_ptr<const Shape> shape) {
     if (slot.shape == shape) return;
     w.require_tests_for(shape->kind(), slot.shape.get());
     const Aabb box = box_for(*shape, slot.pose, body);
+    const std::uint64_t number = w.traced_number(shape);
     make_room(w.changed);
     std::size_t& kind_count = w.kind_counts[shape->kind()];
     w.broad_phase->move(proxy, box);
@@ -26,6 +27,7 @@ void World::set_shape(BodyId body, std::shared_ptr<const Shape> shape) {
     w.put_shape(slot, std::move(shape));
     w.boxes[proxy] = box;
     w.mark_changed(proxy, Change::body);
+    if (w.trace) w.trace->set_shape(body, number);
 }
 
 void World::set_test(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test) {
@@ -37,6 +39,7 @@ void World::set_test(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest
         const Slot& slot = w.slots[proxy];
         if (slot.is_alive() && (slot.kind == a || slot.kind == b)) w.mark_changed(proxy, Change::body);
     }
+    if (w.trace) w.trace->note("the test of two kinds of shape was set");
 }
 
 }  // namespace ecods

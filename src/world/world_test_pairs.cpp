@@ -10,8 +10,8 @@ namespace {
 // Small enough that the workers end together, large enough that handing one out costs little beside it.
 constexpr std::size_t pairs_per_task = 32;
 
-// What went wrong first, in the order of the pairs and not of time: which error is thrown depends neither on workers nor
-// on history.
+// What went wrong first, in the order of the pairs and not of time: which error is thrown depends neither on workers
+// nor on history.
 class FirstFailure {
   public:
     void keep(const BodyPair& bodies, std::exception_ptr error) {

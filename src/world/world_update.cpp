@@ -6,20 +6,32 @@ namespace ecods {
 
 void World::update() {
     Impl& w = *impl_;
-    const bool is_idle = w.changed.empty() && w.switched.empty() && !w.candidates_are_dirty && !w.update_failed;
-    if (is_idle) {
-        w.began.clear();
-        w.ended.clear();
-        w.statistics.cache_hits += w.verdicts.enabled_count();
-    } else {
-        w.update_failed = true;  // until the end is reached
-        w.take_over_candidates();
-        w.collect_pairs();
-        w.test_pairs();
-        w.commit();
-        w.update_failed = false;
+    if (!w.trace) return w.update();
+    w.trace->begin_update();
+    try {
+        w.update();
+    } catch (...) {
+        w.trace->end_failed_update();
+        throw;
     }
-    ++w.statistics.updates;
+    w.trace->end_update(w.digest(), w.colliding.size());
+}
+
+void World::Impl::update() {
+    const bool is_idle = changed.empty() && switched.empty() && !candidates_are_dirty && !update_failed;
+    if (is_idle) {
+        began.clear();
+        ended.clear();
+        statistics.cache_hits += verdicts.enabled_count();
+    } else {
+        update_failed = true;  // until the end is reached
+        take_over_candidates();
+        collect_pairs();
+        test_pairs();
+        commit();
+        update_failed = false;
+    }
+    ++statistics.updates;
 }
 
 // Brings the cache to the pairs that the broad phase has now. Events that an earlier update could not take over, for

@@ -1,0 +1,44 @@
+// A record of the calls that changed a World, to be run again by replay.hpp. A bug report is a file.
+//
+// World::trace_to starts it, with what is in the world at that moment. From then on every call that changed something
+// is written, one line each, in the order of the calls; a call that threw is not, as it changed nothing. Numbers are
+// written without loss. The text, version 1:
+//
+//     ecods-trace 1
+//     world sweep_and_prune 0                   broad phase; places for bodies that were used before
+//     mesh 1 4 2                                number, vertices, triangles; then these:
+//     v 0x0p+0 0x1.8p+1 -0x1p-1074
+//     t 0 1 2
+//     shape 2 7 any text                        number, kind, and what the caller's writer said
+//     create 1.0 1 R R R t R R R t R R R t      body, mesh or shape, pose: [R t] row by row, hexadecimal
+//     destroy 1.0
+//     set_pose 1.0 R R R t R R R t R R R t
+//     set_poses 2                               then so many lines: p, body, pose
+//     p 1.0 R R R t R R R t R R R t
+//     set_shape 1.0 2
+//     set_filter 1.0 1 ffffffffffffffff         groups, mask; hexadecimal
+//     set_pair_enabled 1.0 2.0 0                0: off, 1: on
+//     set_user_data 1.0 2a                      hexadecimal
+//     update 0123456789abcdef 5                 digest, colliding pairs
+//     note any text
+//
+// A body is written as slot and generation. "update" stands in the file before the update runs, and what it gave is
+// added after: of a program that crashes, the last line is "update" alone. Of an update that threw it is "update
+// failed". reserve() is not written: it changes no answer. set_test cannot be, and leaves a note.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "ecods/shape.hpp"
+
+namespace ecods {
+
+struct TraceOptions {
+    // What is to be written of a shape of the caller's own, from which ReplayOptions::read_shape makes it again: one
+    // line. Without it, or where it says more than a line, a call that brings such a shape in throws NotSupported and
+    // changes nothing.
+    std::function<std::string(const Shape&)> write_shape = nullptr;
+};
+
+}  // namespace ecods

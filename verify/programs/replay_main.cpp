@@ -1,0 +1,91 @@
+// ecods_replay: runs the trace of a world again. `ecods_replay --help` tells the options.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "ecods/error.hpp"
+#include "ecods/replay.hpp"
+
+namespace ecods {
+namespace {
+
+constexpr int exit_same = 0;
+constexpr int exit_differs = 1;
+constexpr int exit_unreadable = 2;
+
+struct Options {
+    std::string file;
+    ReplayOptions replay;
+    bool json = false;
+};
+
+void print_text(const Options& options, const ReplayReport& report) {
+    fmt::print("{}: {} calls, {} updates, {} bodies, {} colliding pairs: {}\n", options.file, report.call_count,
+               report.update_count, report.body_count, report.colliding_count,
+               report.difference ? "DIFFERS" : "as traced");
+    if (!report.difference) return;
+    const auto& [update, call, line, what] = *report.difference;
+    fmt::print("DIFFERS  update {}, call {}, line {}: {}\n", update, call, line, what);
+}
+
+void print_json(const Options& options, const ReplayReport& report) {
+    nlohmann::ordered_json json = {
+        {"file", options.file},        {"calls", report.call_count},          {"updates", report.update_count},
+        {"bodies", report.body_count}, {"colliding", report.colliding_count}, {"difference", nullptr}};
+    if (report.difference) {
+        const auto& [update, call, line, what] = *report.difference;
+        json["difference"] = {{"update", update}, {"call", call}, {"line", line}, {"what", what}};
+    }
+    fmt::print("{}\n", json.dump(2));
+}
+
+int run(int argc, char** argv) {
+    Options options;
+    CLI::App app(
+        "Runs the trace of a world again (World::trace_to), and compares what every update gives with what it gave.\n"
+        "Exit status: 0 if all is as traced; 1 if not: the first update that differs is named, with its call and\n"
+        "line; 2 if the file cannot be read.",
+        "ecods_replay");
+    app.add_option("TRACE", options.file, "The file to run")->required();
+    const std::map<std::string, BroadPhaseKind> kinds{{"brute_force", BroadPhaseKind::brute_force},
+                                                      {"sweep_and_prune", BroadPhaseKind::sweep_and_prune}};
+    app.add_option("--broad-phase", options.replay.broad_phase, "In place of the one in the trace")
+        ->transform(CLI::CheckedTransformer(kinds))
+        ->type_name("KIND");
+    app.add_flag("--validate", options.replay.validates, "Check every invariant after each update (slow)");
+    app.add_flag("--json", options.json, "Write JSON");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? exit_same : exit_unreadable;
+    }
+    std::ifstream in(options.file, std::ios::binary);
+    if (!in) {
+        fmt::print(stderr, "ecods_replay: {}: cannot be opened\n", options.file);
+        return exit_unreadable;
+    }
+    try {
+        const ReplayReport report = replay(in, options.replay);
+        (options.json ? print_json : print_text)(options, report);
+        return report.difference ? exit_differs : exit_same;
+    } catch (const Error& error) {
+        fmt::print(stderr, "ecods_replay: {}: {}\n", options.file, error.what());
+        return exit_unreadable;
+    }
+}
+
+}  // namespace
+}  // namespace ecods
+
+int main(int argc, char** argv) {
+    try {
+        return ecods::run(argc, argv);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "ecods_replay: {}\n", error.what());
+        return ecods::exit_unreadable;
+    }
+}
