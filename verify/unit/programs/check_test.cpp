@@ -1,42 +1,18 @@
-// ecods_check as its users run it: a process, its output and its exit status.
-#include <sys/wait.h>
-
-#include <array>
-#include <cstdio>
+// ecods_check as its users run it.
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "file_test.hpp"
+#include "program_test.hpp"
 
 namespace ecods::scenes {
 namespace {
 
 using Json = nlohmann::json;
 
-struct Result {
-    int status = -1;
-    std::string out;
-    std::string err;
-};
+using Result = ProgramResult;
 
-class Check : public FileTest {
+class Check : public ProgramTest {
   protected:
-    Result run(const std::string& arguments) const {
-        const std::string errors = path("stderr.txt").string();
-        const std::string command = std::string(ECODS_CHECK_PROGRAM) + " " + arguments + " 2>" + errors;
-        Result result;
-        std::FILE* pipe = popen(command.c_str(), "r");
-        std::array<char, 4096> buffer{};
-        for (std::size_t size = 0; (size = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
-            result.out.append(buffer.data(), size);
-        }
-        const int status = pclose(pipe);
-        result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-        std::ostringstream text;
-        text << std::ifstream(errors).rdbuf();
-        result.err = text.str();
-        return result;
-    }
+    Result run(const std::string& arguments) const { return run_program(ECODS_CHECK_PROGRAM, arguments); }
 
     // Three triangles; the second moves through the first, and then away.
     std::string scene() const {

@@ -1,0 +1,72 @@
+// ecods_replay as its users run it.
+#include <nlohmann/json.hpp>
+
+#include "ecods/world.hpp"
+#include "program_test.hpp"
+#include "scenes/shapes.hpp"
+
+namespace ecods::scenes {
+namespace {
+
+class Replay : public ProgramTest {
+  protected:
+    ProgramResult run(const std::string& arguments) const { return run_program(ECODS_REPLAY_PROGRAM, arguments); }
+
+    // Two cubes; one passes through the other in three frames.
+    std::string trace() const {
+        std::ostringstream out;
+        World world;
+        world.trace_to(out);
+        world.create_body(cube(0.5), {});
+        const BodyId moving = world.create_body(cube(0.5), {.R = Mat3::Identity(), .t = {-2, 0, 0}});
+        for (const double x : {-1.0, 0.25, 2.0}) {
+            world.set_pose(moving, {.R = Mat3::Identity(), .t = {x, 0, 0}});
+            world.update();
+        }
+        world.end_trace();
+        return out.str();
+    }
+};
+
+TEST_F(Replay, ATraceRunsAsTraced) {
+    const std::string file = write("good.txt", trace()).string();
+    for (const char* options : {"", " --validate", " --broad-phase brute_force"}) {
+        const auto result = run(file + options);
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(result.out, file + ": 8 calls, 3 updates, 2 bodies, 0 colliding pairs: as traced\n");
+        EXPECT_EQ(result.err, "");
+    }
+}
+
+TEST_F(Replay, TheFirstFrameThatDiffersIsNamed) {
+    std::string text = trace();
+    const std::size_t at = text.find("0x1p-2");  // the second frame's pose
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, 6, "0x1p-3");
+    const std::string file = write("other.txt", text).string();
+    const auto result = run(file);
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.out.find("DIFFERS  update 1, call 5, line "), std::string::npos) << result.out;
+    const auto json = nlohmann::json::parse(run(file + " --json").out);
+    EXPECT_EQ(json["difference"]["update"], 1);
+    EXPECT_EQ(json["difference"]["call"], 5);
+    EXPECT_EQ(json["updates"], 1);
+}
+
+TEST_F(Replay, WhatCannotBeReadIsStatusTwoWithItsLine) {
+    EXPECT_EQ(run(path("missing.txt").string()).status, 2);
+    EXPECT_EQ(run("").status, 2);
+    EXPECT_EQ(run("--what").status, 2);
+    EXPECT_EQ(run("--help").status, 0);
+    EXPECT_EQ(run(path("").string()).status, 2) << "a folder";
+    const auto result = run(write("bad.txt", trace() + "set_pose 7.0\n").string());
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("line 53: there is no such body"), std::string::npos) << result.err;
+    EXPECT_EQ(result.out, "");
+    const auto shape = run(write("shape.txt", "ecods-trace 1\nworld brute_force 0\nshape 1 3 any\n").string());
+    EXPECT_EQ(shape.status, 2);
+    EXPECT_NE(shape.err.find("line 3: a shape of kind 3"), std::string::npos) << shape.err;
+}
+
+}  // namespace
+}  // namespace ecods::scenes
