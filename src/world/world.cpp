@@ -90,7 +90,7 @@ void World::Impl::put_shape(Slot& slot, std::shared_ptr<const Shape> shape) noex
 }
 
 void World::Impl::mark_changed(ProxyIndex proxy, Change change) noexcept {
-    Change& known = slots[proxy].change;
+    Change& known = changes[proxy];
     if (known == Change::none) changed.push_back(proxy);
     known = std::max(known, change);
 }

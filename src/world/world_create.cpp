@@ -19,6 +19,7 @@ BodyId World::create_body(std::shared_ptr<const Shape> shape, const Pose& pose) 
     if (w.free_slots.empty()) {
         make_room(w.free_slots);
         w.boxes.resize(w.slots.size() + 1);
+        w.changes.resize(w.slots.size() + 1);
         w.slots.emplace_back();
         w.free_slots.push_back(static_cast<ProxyIndex>(w.slots.size() - 1));
     }
@@ -60,6 +61,7 @@ void World::reserve(std::size_t body_count) {
     Impl& w = *impl_;
     w.slots.reserve(body_count);
     w.boxes.reserve(body_count);
+    w.changes.reserve(body_count);
     w.free_slots.reserve(body_count);
     w.changed.reserve(body_count);
     w.verdicts.reserve(0, body_count);

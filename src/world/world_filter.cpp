@@ -2,10 +2,6 @@
 
 namespace ecods {
 
-bool World::Impl::is_enabled(ProxyPair pair) const noexcept {
-    return may_meet(slots[pair.a].filter, slots[pair.b].filter) && !disabled.contains(pair);
-}
-
 void World::set_filter(BodyId body, const CollisionFilter& filter) {
     Impl& w = *impl_;
     const ProxyIndex proxy = w.require(body);

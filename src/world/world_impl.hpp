@@ -25,7 +25,8 @@ enum class Change : std::uint8_t {
     body = 2,    // itself: its verdicts are void
 };
 
-// A place for a body. Slot numbers are the broad phase's proxies; id.slot is one more. Its box lies in `boxes`.
+// A place for a body. Slot numbers are the broad phase's proxies; id.slot is one more. What updates look at much lies
+// apart: its box in `boxes`, and what changed in `changes`.
 struct Slot {
     std::uint32_t generation = 0;
     ShapeKind kind;
@@ -34,7 +35,6 @@ struct Slot {
     CollisionFilter filter;
     std::uint64_t user_data = 0;
     std::uint64_t shape_digest = 0;
-    Change change = Change::none;  // if not none, listed in `changed`, where it stays if its body is destroyed
 
     bool is_alive() const noexcept { return shape != nullptr; }
     PosedShape posed() const noexcept { return {*shape, pose}; }
@@ -57,7 +57,9 @@ struct World::Impl {
     // ---- pairs of bodies
     OrderedTest test_of(ProxyPair pair) const { return tests.find(slots[pair.a].kind, slots[pair.b].kind); }
     bool test(ProxyPair pair, QueryMemory& memory) const;
-    bool is_enabled(ProxyPair pair) const noexcept;
+    bool is_enabled(ProxyPair pair) const noexcept {
+        return may_meet(slots[pair.a].filter, slots[pair.b].filter) && !disabled.contains(pair);
+    }
 
     // ---- update, in this order
     void update();
@@ -78,7 +80,8 @@ struct World::Impl {
     }
 
     std::vector<Slot> slots;
-    std::vector<Aabb> boxes;  // by proxy
+    std::vector<Aabb> boxes;      // by proxy
+    std::vector<Change> changes;  // by proxy; if not none, listed in `changed`, also when its body is destroyed
     std::vector<ProxyIndex> free_slots;
     std::map<ShapeKind, std::size_t> kind_counts;  // of living bodies
     std::unordered_map<const Mesh*, std::weak_ptr<const MeshShape>> mesh_shapes;

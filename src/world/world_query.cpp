@@ -75,8 +75,8 @@ Statistics World::statistics() const {
 
 std::size_t World::Impl::memory_bytes() const noexcept {
     const auto bytes = [](const auto&... lists) { return ((lists.capacity() * sizeof(lists[0])) + ...); };
-    return bytes(slots, boxes, free_slots, changed, switched, pair_tests, lost, overlapping, colliding, began, ended,
-                 next_began, next_ended) +
+    return bytes(slots, boxes, changes, free_slots, changed, switched, pair_tests, lost, overlapping, colliding, began,
+                 ended, next_began, next_ended) +
            verdicts.memory_bytes() + disabled.memory_bytes();
 }
 

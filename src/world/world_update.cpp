@@ -69,7 +69,7 @@ void World::Impl::collect_pairs() {
         statistics.visited_pairs += verdicts.size();
         for (VerdictIndex index = 0; index < verdicts.size(); ++index) {
             const ProxyPair pair = verdicts[index].proxies();
-            const bool is_changed = slots[pair.a].change != Change::none || slots[pair.b].change != Change::none;
+            const bool is_changed = changes[pair.a] != Change::none || changes[pair.b] != Change::none;
             if (is_changed) collect_pair(index);
         }
     } else {
@@ -78,7 +78,7 @@ void World::Impl::collect_pairs() {
                 ++statistics.visited_pairs;
                 const ProxyPair pair = verdicts[index].proxies();
                 const ProxyIndex partner = pair.a == proxy ? pair.b : pair.a;
-                if (slots[partner].change == Change::none || proxy < partner) collect_pair(index);
+                if (changes[partner] == Change::none || proxy < partner) collect_pair(index);
             }
         }
     }
@@ -87,7 +87,7 @@ void World::Impl::collect_pairs() {
     statistics.visited_pairs += switched.size();
     for (const ProxyPair pair : switched) {
         const VerdictIndex index = verdicts.find(pair);
-        const bool is_new = slots[pair.a].change == Change::none && slots[pair.b].change == Change::none;
+        const bool is_new = changes[pair.a] == Change::none && changes[pair.b] == Change::none;
         if (index != no_verdict && is_new) collect_pair(index);
     }
 }
@@ -100,7 +100,7 @@ void World::Impl::collect_pair(VerdictIndex index) {
         if (verdict.is_enabled) pair_tests.push_back({index, Answer::filtered_out});
         return;
     }
-    const bool is_void = slots[pair.a].change == Change::body || slots[pair.b].change == Change::body;
+    const bool is_void = changes[pair.a] == Change::body || changes[pair.b] == Change::body;
     if (is_void || !verdict.is_enabled) pair_tests.push_back({index, Answer::none});
 }
 
@@ -132,8 +132,8 @@ void World::Impl::commit() {
     lost.clear();
     switched.clear();
     for (const ProxyIndex proxy : changed) {
-        statistics.moved_bodies += slots[proxy].is_alive() && slots[proxy].change == Change::body;
-        slots[proxy].change = Change::none;
+        statistics.moved_bodies += slots[proxy].is_alive() && changes[proxy] == Change::body;
+        changes[proxy] = Change::none;
     }
     changed.clear();
     statistics.two_body_tests += test_count;
