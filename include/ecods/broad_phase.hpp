@@ -32,17 +32,37 @@ enum class BroadPhaseKind : std::uint8_t {
     brute_force,
     // The ECoDS report's algorithm: three sorted lists of box ends, re-sorted by insertion, pairs tracked as ends
     // swap. Work per update: one step for each pair of ends that changed order, plus one pass over the lists when boxes
-    // came or went, or when a large part moved. Excellent while little moves; when boxes jump, so that sorting
-    // from scratch costs less than the steps, it does that.
+    // came or went, or when a large part moved. Excellent while little moves and boxes are few; when boxes jump, so that
+    // sorting from scratch costs less than the steps, it does that. Memory: FILL
     sweep_and_prune,
+
+    // For large and lively scenes. Each box is given room to move; pairs that overlap with that room are candidates,
+    // which are kept from update to update and tested again when one of the two moved. A box that left its room is
+    // looked up in trees over all boxes, one for each class of sizes; when many did at once, everything is looked up.
+    // How much room is adapted from counts. Work per update: a few tests for each box that moved.
+    kept_candidates,
+
+    // sweep_and_prune while boxes are few or rest, kept_candidates else. Counts decide at each update, never clocks, and
+    // nothing but cost tells which one runs.
+    automatic,
 };
 
 // What a broad phase did since it was made, as counts.
 struct BroadPhaseCounts {
     std::uint64_t updates = 0;    // calls of update()
-    std::uint64_t moved = 0;      // boxes that at an update were new or not the same as at the one before, summed
-    std::uint64_t box_tests = 0;  // overlap tests of two boxes, in whole or on the two other axes
-    std::uint64_t swaps = 0;      // ends that passed each other in the sorted lists
+    std::uint64_t moved = 0;      // boxes that were new, or were given another box, since the update before; summed
+    std::uint64_t box_tests = 0;  // overlap tests of two boxes, in whole or on the two other axes; of candidates: below
+
+    // Of sweep_and_prune.
+    std::uint64_t swaps = 0;  // ends that passed each other in the sorted lists
+
+    // Of kept_candidates.
+    std::uint64_t candidates_filtered = 0;  // tests of pairs that were candidates already
+    std::uint64_t escaped = 0;              // boxes that left their room
+    std::uint64_t rebuilds = 0;             // updates at which everything was looked up
+
+    // Of automatic.
+    std::uint64_t switches = 0;
 };
 
 class BroadPhase {
@@ -60,11 +80,15 @@ class BroadPhase {
     virtual const Aabb& box(ProxyIndex proxy) const = 0;       // `proxy` must be present
     virtual std::size_t size() const noexcept = 0;             // boxes present
 
+    // Room for `count` boxes of numbers below that, so that adding them allocates little.
+    virtual void reserve(std::size_t count) = 0;
+
     // Makes `pairs()` the pairs of boxes that overlap now. An update before which nothing changed costs a constant.
     virtual void update() = 0;
 
-    // The pairs as of the last update, ascending. Valid until the next call that is not const.
-    virtual const std::vector<ProxyPair>& pairs() const noexcept = 0;
+    // The pairs as of the last update, ascending. Valid until the next call that is not const. The list is brought up
+    // to date when it is asked for: one pass over it if pairs came or went since it was asked for last, else nothing.
+    virtual const std::vector<ProxyPair>& pairs() = 0;
 
     // The pairs that came and went with the last update, ascending; a removed proxy's pairs count as gone, also
     // when its number was used again before the update and the new box makes the same pair: it is then in both.
@@ -72,6 +96,10 @@ class BroadPhase {
     virtual const std::vector<ProxyPair>& ended() const noexcept = 0;
 
     virtual const BroadPhaseCounts& counts() const noexcept = 0;
+
+    // Memory held, working memory included. Cost: a constant for brute_force and sweep_and_prune, else proportional to
+    // the depth of the trees.
+    virtual std::size_t bytes() const noexcept = 0;
 
     // Checks every invariant of the structure and throws BrokenInvariant. May cost n^2. Call it after update().
     virtual void validate() const = 0;

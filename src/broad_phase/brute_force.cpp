@@ -1,25 +1,41 @@
 #include "broad_phase/brute_force.hpp"
 
-#include "broad_phase/validate_pairs.hpp"
+#include "broad_phase/bytes_of.hpp"
+#include "broad_phase/key_box.hpp"
 
 namespace ecods {
 
-void BruteForce::update() {
-    ++counts_.updates;
-    began_.clear();
-    ended_.clear();
-    const ProxyChanges& changes = table_.collect();
-    counts_.moved += changes.added.size() + changes.moved.size();
-    if (!changes.empty()) {
-        if (!changes.removed.empty()) end_removed(pairs_, table_, ended_);
-        counts_.box_tests += all_pairs(table_, found_);
-        replace_pairs(found_, pairs_, began_, ended_);
+std::uint64_t all_pairs(const ProxyTable& table, ProxyPairs& found) {
+    found.clear();
+    std::vector<ProxyIndex> proxies;
+    std::vector<KeyBox> boxes;
+    for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
+        if (!table.is_present(proxy)) continue;
+        proxies.push_back(proxy);
+        boxes.push_back(key_box(table.box(proxy)));
     }
-    table_.settle();
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+            if (overlap(boxes[i], boxes[j])) found.push_back({proxies[i], proxies[j]});
+        }
+    }
+    const std::uint64_t count = boxes.size();
+    return count == 0 ? 0 : count * (count - 1) / 2;
 }
 
-void BruteForce::validate() const {
-    validate_pairs(table_, pairs_, began_, ended_);
+void BruteForce::update(const ProxyTable& table, const ProxyChanges& changes, PairList& pairs,
+                        BroadPhaseCounts& counts) {
+    if (!changes.removed.empty()) {
+        for (const ProxyPair& pair : pairs.sorted()) {
+            if (table.is_removed(pair.a) || table.is_removed(pair.b)) pairs.ended.push_back(pair);
+        }
+    }
+    counts.box_tests += all_pairs(table, found_);
+    pairs.replace(found_);
+}
+
+std::size_t BruteForce::bytes() const noexcept {
+    return bytes_of(found_);
 }
 
 }  // namespace ecods

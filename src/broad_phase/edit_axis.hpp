@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "broad_phase/box_history.hpp"
 #include "broad_phase/endpoint.hpp"
 #include "broad_phase/proxy_table.hpp"
 
@@ -12,6 +13,6 @@ namespace ecods {
 void remove_ends(EndpointList& ends, const ProxyTable& table);
 
 // Merges the ends of the added proxies into a sorted list. Cost: sorting them, and one pass.
-void insert_ends(EndpointList& ends, int axis, std::span<const ProxyIndex> added, const ProxyTable& table);
+void insert_ends(EndpointList& ends, int axis, std::span<const ProxyIndex> added, const BoxHistory& boxes);
 
 }  // namespace ecods

@@ -15,7 +15,7 @@ namespace ecods {
 struct Endpoint {
     static constexpr std::uint32_t max_bit = std::uint32_t{1} << 31;
 
-    std::uint64_t key = 0;
+    std::int64_t key = 0;
     std::uint32_t tag = 0;  // the proxy; max_bit when it is the maximum
 
     bool is_max() const noexcept { return (tag & max_bit) != 0; }

@@ -1,10 +1,26 @@
 #include "broad_phase/proxy_table.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <string>
 
 #include "base/misuse.hpp"
+#include "broad_phase/bytes_of.hpp"
 
 namespace ecods {
+namespace {
+
+// Bits, not numbers: a move from 0.0 to -0.0 changes what box() returns, and finds the same pairs again.
+bool is_same(const Aabb& a, const Aabb& b) {
+    std::uint64_t different = 0;
+    for (int k = 0; k < 3; ++k) {
+        different |= std::bit_cast<std::uint64_t>(a.min[k]) ^ std::bit_cast<std::uint64_t>(b.min[k]);
+        different |= std::bit_cast<std::uint64_t>(a.max[k]) ^ std::bit_cast<std::uint64_t>(b.max[k]);
+    }
+    return different == 0;
+}
+
+}  // namespace
 
 void ProxyTable::require_present(ProxyIndex proxy) const {
     if (!is_present(proxy)) throw_misuse(Error("proxy " + std::to_string(proxy) + " is not present"));
@@ -16,30 +32,31 @@ void ProxyTable::enqueue(ProxyIndex proxy) {
     states_[proxy] |= queued;
 }
 
+void ProxyTable::reserve(std::size_t count) {
+    states_.reserve(count);
+    boxes_.reserve(count);
+    queue_.reserve(count);
+    changes_.moved.reserve(count);
+}
+
 void ProxyTable::add(ProxyIndex proxy, const Aabb& box) {
     if (is_present(proxy)) throw_misuse(Error("proxy " + std::to_string(proxy) + " is present already"));
     if (proxy >= limit) throw_misuse(Error("proxy " + std::to_string(proxy) + " is out of range"));
     if (proxy >= end()) {
         const std::size_t count = std::size_t{proxy} + 1;
-        now_.resize(count);
-        before_.resize(count);
         boxes_.resize(count);
         states_.resize(count);
     }
     enqueue(proxy);
     states_[proxy] |= present;
-    now_[proxy] = key_box(box);
     boxes_[proxy] = box;
     ++size_;
 }
 
 void ProxyTable::move(ProxyIndex proxy, const Aabb& box) {
     require_present(proxy);
-    const KeyBox keys = key_box(box);
-    if (!(keys == now_[proxy])) {
-        enqueue(proxy);
-        now_[proxy] = keys;
-    }
+    if (is_same(boxes_[proxy], box)) return;
+    enqueue(proxy);
     boxes_[proxy] = box;
 }
 
@@ -58,15 +75,16 @@ const Aabb& ProxyTable::box(ProxyIndex proxy) const {
     return boxes_[proxy];
 }
 
+std::size_t ProxyTable::bytes() const noexcept {
+    return bytes_of(states_, boxes_, queue_, changes_.added, changes_.moved, changes_.removed);
+}
+
 const ProxyChanges& ProxyTable::collect() {
     changes_.added.clear();
     changes_.moved.clear();
     for (const ProxyIndex proxy : queue_) {
-        if (is_added(proxy)) {
-            changes_.added.push_back(proxy);
-        } else if (is_present(proxy) && !(now_[proxy] == before_[proxy])) {
-            changes_.moved.push_back(proxy);
-        }
+        if (!has(proxy, present)) continue;
+        (has(proxy, settled) ? changes_.moved : changes_.added).push_back(proxy);
     }
     return changes_;
 }
@@ -74,10 +92,7 @@ const ProxyChanges& ProxyTable::collect() {
 void ProxyTable::settle() {
     for (const ProxyIndex proxy : changes_.removed) states_[proxy] &= static_cast<std::uint8_t>(~removed);
     for (const ProxyIndex proxy : queue_) {
-        states_[proxy] &= static_cast<std::uint8_t>(~queued);
-        if (!is_present(proxy)) continue;
-        states_[proxy] |= settled;
-        before_[proxy] = now_[proxy];
+        states_[proxy] = has(proxy, present) ? present | settled : 0;
     }
     queue_.clear();
     changes_.removed.clear();

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "broad_phase/key_box.hpp"
 #include "ecods/broad_phase.hpp"
 
 namespace ecods {
@@ -14,7 +13,7 @@ namespace ecods {
 // in `added`.
 struct ProxyChanges {
     std::vector<ProxyIndex> added;    // present, and not so at the last update
-    std::vector<ProxyIndex> moved;    // present at both times, with another box
+    std::vector<ProxyIndex> moved;    // present at both times, and given another box in between
     std::vector<ProxyIndex> removed;  // present at the last update, and gone since
 
     bool empty() const noexcept { return added.empty() && moved.empty() && removed.empty(); }
@@ -26,11 +25,13 @@ class ProxyTable {
     static constexpr ProxyIndex limit = ProxyIndex{1} << 31;
 
     // What BroadPhase promises of the calls of these names.
+    void reserve(std::size_t count);
     void add(ProxyIndex proxy, const Aabb& box);
     void move(ProxyIndex proxy, const Aabb& box);
     void remove(ProxyIndex proxy);
     const Aabb& box(ProxyIndex proxy) const;
     std::size_t size() const noexcept { return size_; }
+    std::size_t bytes() const noexcept;
 
     // What differs from the last settle(). Constant when nothing was called since, else proportional to the calls.
     const ProxyChanges& collect();
@@ -45,8 +46,8 @@ class ProxyTable {
     bool is_added(ProxyIndex proxy) const noexcept { return has(proxy, present) && !has(proxy, settled); }
     bool is_removed(ProxyIndex proxy) const noexcept { return has(proxy, removed); }
 
-    const KeyBox& now(ProxyIndex proxy) const noexcept { return now_[proxy]; }
-    const KeyBox& before(ProxyIndex proxy) const noexcept { return before_[proxy]; }  // at the last settle()
+    // By proxy; of those that are not present, anything.
+    const std::vector<Aabb>& boxes() const noexcept { return boxes_; }
 
   private:
     enum : std::uint8_t {
@@ -64,8 +65,6 @@ class ProxyTable {
 
     // By proxy.
     std::vector<std::uint8_t> states_;
-    std::vector<KeyBox> now_;
-    std::vector<KeyBox> before_;
     std::vector<Aabb> boxes_;
 
     std::vector<ProxyIndex> queue_;  // added or moved since settle(), each once

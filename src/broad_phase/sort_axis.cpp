@@ -12,9 +12,9 @@ void judge_swap(const Endpoint& left, const Endpoint& right, SortState& state) {
     const ProxyIndex b = right.proxy();
     ++state.box_tests;
     if (right.is_max()) {
-        if (overlap(state.table.now(a), state.table.now(b))) state.began.push_back(ordered_pair(a, b));
+        if (overlap(state.boxes.now(a), state.boxes.now(b))) state.began.push_back(ordered_pair(a, b));
     } else {
-        if (overlap(state.table.before(a), state.table.before(b))) state.ended.push_back(ordered_pair(a, b));
+        if (overlap(state.boxes.before(a), state.boxes.before(b))) state.ended.push_back(ordered_pair(a, b));
     }
 }
 
@@ -32,13 +32,13 @@ void sink(EndpointList& ends, std::size_t i, SortState& state) {
     state.swaps += start - i;
 }
 
-void refresh(Endpoint& end, int axis, const ProxyTable& table) {
-    const KeyBox& box = table.now(end.proxy());
+void refresh(Endpoint& end, int axis, const BoxHistory& boxes) {
+    const KeyBox& box = boxes.now(end.proxy());
     end.key = end.is_max() ? box.max[axis] : box.min[axis];
 }
 
 bool sort_all(EndpointList& ends, int axis, SortState& state) {
-    for (Endpoint& end : ends) refresh(end, axis, state.table);
+    for (Endpoint& end : ends) refresh(end, axis, state.boxes);
     for (std::size_t i = 1; i < ends.size(); ++i) {
         sink(ends, i, state);
         if (state.swaps > state.swaps_max) return false;
@@ -50,7 +50,7 @@ bool sort_all(EndpointList& ends, int axis, SortState& state) {
 void find_positions(const EndpointList& ends, int axis, std::span<const ProxyIndex> moved, SortState& state) {
     state.positions.clear();
     for (const ProxyIndex proxy : moved) {
-        const KeyBox& before = state.table.before(proxy);
+        const KeyBox& before = state.boxes.before(proxy);
         for (const Endpoint& end : {min_end(before, proxy, axis), max_end(before, proxy, axis)}) {
             const auto at = std::lower_bound(ends.begin(), ends.end(), end);
             state.positions.push_back(static_cast<std::uint32_t>(at - ends.begin()));
@@ -61,7 +61,7 @@ void find_positions(const EndpointList& ends, int axis, std::span<const ProxyInd
 
 bool sort_some(EndpointList& ends, int axis, std::span<const ProxyIndex> moved, SortState& state) {
     find_positions(ends, axis, moved, state);
-    for (const std::uint32_t position : state.positions) refresh(ends[position], axis, state.table);
+    for (const std::uint32_t position : state.positions) refresh(ends[position], axis, state.boxes);
     std::size_t sorted = 0;  // ends before this are
     for (const std::uint32_t position : state.positions) {
         if (position < sorted) continue;
@@ -86,8 +86,8 @@ bool sort_axis(EndpointList& ends, int axis, std::span<const ProxyIndex> moved, 
     return few ? sort_some(ends, axis, moved, state) : sort_all(ends, axis, state);
 }
 
-void sort_axis_anew(EndpointList& ends, int axis, const ProxyTable& table) {
-    for (Endpoint& end : ends) refresh(end, axis, table);
+void sort_axis_anew(EndpointList& ends, int axis, const BoxHistory& boxes) {
+    for (Endpoint& end : ends) refresh(end, axis, boxes);
     std::sort(ends.begin(), ends.end());
 }
 

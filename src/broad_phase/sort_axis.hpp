@@ -5,15 +5,15 @@
 #include <span>
 #include <vector>
 
+#include "broad_phase/box_history.hpp"
 #include "broad_phase/endpoint.hpp"
-#include "broad_phase/pair_events.hpp"
-#include "broad_phase/proxy_table.hpp"
+#include "broad_phase/pair_list.hpp"
 
 namespace ecods {
 
 // What the sorting of the three lists has in common.
 struct SortState {
-    const ProxyTable& table;
+    const BoxHistory& boxes;
     ProxyPairs& began;  // each pair that began is appended, once for each axis on which it was apart
     ProxyPairs& ended;  // each pair that ended is appended, once for each axis on which it is apart
     std::uint64_t swaps = 0;
@@ -33,6 +33,6 @@ struct SortState {
 bool sort_axis(EndpointList& ends, int axis, std::span<const ProxyIndex> moved, SortState& state);
 
 // Gives all ends of an axis their coordinates and sorts from scratch, without events.
-void sort_axis_anew(EndpointList& ends, int axis, const ProxyTable& table);
+void sort_axis_anew(EndpointList& ends, int axis, const BoxHistory& boxes);
 
 }  // namespace ecods

@@ -6,88 +6,99 @@
 #include <string>
 #include <utility>
 
+#include "broad_phase/bytes_of.hpp"
 #include "broad_phase/edit_axis.hpp"
+#include "broad_phase/find_pairs.hpp"
 #include "broad_phase/sort_axis.hpp"
-#include "broad_phase/validate_pairs.hpp"
 #include "ecods/error.hpp"
 
 namespace ecods {
+namespace {
 
-void SweepAndPrune::update() {
-    ++counts_.updates;
-    began_.clear();
-    ended_.clear();
-    const ProxyChanges& changes = table_.collect();
-    counts_.moved += changes.added.size() + changes.moved.size();
-    if (!changes.empty()) apply(changes);
-    table_.settle();
+std::vector<ProxyIndex> present_in(const ProxyTable& table) {
+    std::vector<ProxyIndex> present;
+    present.reserve(table.size());
+    for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
+        if (table.is_present(proxy)) present.push_back(proxy);
+    }
+    return present;
 }
 
-void SweepAndPrune::apply(const ProxyChanges& changes) {
-    if (!changes.removed.empty()) {
-        end_removed(pairs_, table_, ended_);
-        for (EndpointList& ends : axes_) remove_ends(ends, table_);
+void end_removed(const ProxyPairs& pairs, const ProxyTable& table, ProxyPairs& ended) {
+    for (const ProxyPair& pair : pairs) {
+        if (table.is_removed(pair.a) || table.is_removed(pair.b)) ended.push_back(pair);
     }
-    const auto removed_count = static_cast<std::ptrdiff_t>(ended_.size());
-    const bool tracked = sort_axes(changes);
+}
+
+}  // namespace
+
+void SweepAndPrune::build(const ProxyTable& table, BroadPhaseCounts&) {
+    const std::vector<ProxyIndex> present = present_in(table);
+    boxes_.advance(present, table);
+    boxes_.settle(present);
+    for (int axis = 0; axis < 3; ++axis) insert_ends(axes_[axis], axis, present, boxes_);
+}
+
+void SweepAndPrune::reserve(std::size_t count) {
+    boxes_.reserve(count);
+    for (EndpointList& ends : axes_) ends.reserve(2 * count);
+}
+
+void SweepAndPrune::update(const ProxyTable& table, const ProxyChanges& changes, PairList& pairs,
+                           BroadPhaseCounts& counts) {
+    if (!changes.removed.empty()) {
+        end_removed(pairs.sorted(), table, pairs.ended);
+        for (EndpointList& ends : axes_) remove_ends(ends, table);
+    }
+    const auto removed_count = static_cast<std::ptrdiff_t>(pairs.ended.size());
+    boxes_.advance(changes.moved, table);
+    boxes_.advance(changes.added, table);
+    const bool tracked = sort_axes(changes, pairs, counts);
     if (!changes.added.empty()) {
-        for (int axis = 0; axis < 3; ++axis) insert_ends(axes_[axis], axis, changes.added, table_);
+        for (int axis = 0; axis < 3; ++axis) insert_ends(axes_[axis], axis, changes.added, boxes_);
     }
     if (tracked) {
-        if (!changes.added.empty()) {
-            sweep_axes(SweepScope::pairs_of_added, began_);
-        }
-        normalise(began_);
-        normalise(ended_);
-        apply_events(ended_, began_, pairs_);
+        if (!changes.added.empty()) counts.box_tests += find_pairs_of(changes.added, table, pairs.began);
+        normalise(pairs.began);
+        normalise(pairs.ended);
     } else {
         ProxyPairs found;
-        sweep_axes(SweepScope::all_pairs, found);
-        std::sort(found.begin(), found.end());
-        began_.clear();
-        ended_.erase(ended_.begin() + removed_count, ended_.end());
-        replace_pairs(found, pairs_, began_, ended_);
+        counts.box_tests += find_pairs_of(present_in(table), table, found);
+        sort_pairs(found);
+        pairs.began.clear();
+        pairs.ended.erase(pairs.ended.begin() + removed_count, pairs.ended.end());
+        pairs.replace(found);
     }
-}
-
-void SweepAndPrune::sweep_axes(SweepScope scope, ProxyPairs& found) {
-    const SweepAxis best = choose_sweep_axis(axes_);
-    axis_overlaps_ = best.overlaps;
-    swaps_when_counted_ = counts_.swaps;
-    counts_.box_tests += sweep(axes_[best.axis], best.axis, table_, scope, found);
-}
-
-// When boxes jump, ends pass a large part of a list each, and starting from scratch is cheaper. That is sorting the
-// lists, for about 64 swaps an end of one list, and a sweep, for about a swap a pair that overlaps on its axis. That
-// number drifts as boxes move: it is counted again once swaps have paid for counting. Counts decide, never clocks.
-std::uint64_t SweepAndPrune::swaps_max() {
-    const std::uint64_t sorting = 64 * axes_[0].size();
-    if (counts_.swaps - swaps_when_counted_ > sorting) {
-        axis_overlaps_ = choose_sweep_axis(axes_).overlaps;
-        swaps_when_counted_ = counts_.swaps;
-    }
-    return sorting + axis_overlaps_;
+    boxes_.settle(changes.moved);
+    boxes_.settle(changes.added);
 }
 
 // Returns whether all changes of pairs were seen. If not, the lists are sorted nevertheless.
-bool SweepAndPrune::sort_axes(const ProxyChanges& changes) {
+bool SweepAndPrune::sort_axes(const ProxyChanges& changes, PairList& pairs, BroadPhaseCounts& counts) {
     if (changes.moved.empty()) return true;
-    SortState state{.table = table_,
-                    .began = began_,
-                    .ended = ended_,
-                    .swaps_max = swaps_max(),
+    // When boxes jump, ends pass a large part of a list each, and starting from scratch is cheaper: sorting the lists and
+    // finding the pairs anew cost about as much as so many swaps for each end of one list.
+    constexpr std::uint64_t swaps_per_end_max = 128;
+    SortState state{.boxes = boxes_,
+                    .began = pairs.began,
+                    .ended = pairs.ended,
+                    .swaps_max = swaps_per_end_max * axes_[0].size(),
                     .positions = std::move(positions_)};
     bool tracked = true;
     for (int axis = 0; axis < 3 && tracked; ++axis) {
         tracked = sort_axis(axes_[axis], axis, changes.moved, state);
     }
-    counts_.swaps += state.swaps;
-    counts_.box_tests += state.box_tests;
+    counts.swaps += state.swaps;
+    counts.box_tests += state.box_tests;
     positions_ = std::move(state.positions);
     if (!tracked) {
-        for (int axis = 0; axis < 3; ++axis) sort_axis_anew(axes_[axis], axis, table_);
+        for (int axis = 0; axis < 3; ++axis) sort_axis_anew(axes_[axis], axis, boxes_);
     }
     return tracked;
+}
+
+std::size_t SweepAndPrune::bytes() const noexcept {
+    return boxes_.bytes() + bytes_of(axes_[0], axes_[1], axes_[2], positions_);
 }
 
 namespace {
@@ -101,7 +112,7 @@ void validate_axis(const EndpointList& ends, int axis, const ProxyTable& table) 
         // Together with the number of ends: each box present has its two ends, once.
         if (i > 0 && !(ends[i - 1] < end)) throw BrokenInvariant(whose + " is out of order");
         if (!table.is_present(end.proxy())) throw BrokenInvariant(whose + ", which is not present");
-        const KeyBox& box = table.now(end.proxy());
+        const KeyBox box = key_box(table.box(end.proxy()));
         if (end.key != (end.is_max() ? box.max[axis] : box.min[axis])) {
             throw BrokenInvariant(whose + " is not where its box ends");
         }
@@ -110,9 +121,15 @@ void validate_axis(const EndpointList& ends, int axis, const ProxyTable& table) 
 
 }  // namespace
 
-void SweepAndPrune::validate() const {
-    for (int axis = 0; axis < 3; ++axis) validate_axis(axes_[axis], axis, table_);
-    validate_pairs(table_, pairs_, began_, ended_);
+void SweepAndPrune::validate(const ProxyTable& table) const {
+    for (int axis = 0; axis < 3; ++axis) validate_axis(axes_[axis], axis, table);
+    for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
+        if (!table.is_present(proxy)) continue;
+        const KeyBox box = key_box(table.box(proxy));
+        if (boxes_.now(proxy) != box || boxes_.before(proxy) != box) {
+            throw BrokenInvariant("sweep and prune: the box of proxy " + std::to_string(proxy) + " is another's");
+        }
+    }
 }
 
 }  // namespace ecods

@@ -5,47 +5,29 @@
 #include <cstdint>
 #include <vector>
 
+#include "broad_phase/box_history.hpp"
 #include "broad_phase/endpoint.hpp"
-#include "broad_phase/pair_events.hpp"
-#include "broad_phase/proxy_table.hpp"
-#include "broad_phase/sweep.hpp"
-#include "ecods/broad_phase.hpp"
+#include "broad_phase/pair_finder.hpp"
 
 namespace ecods {
 
 // The report keeps, for each pair of boxes, on how many axes they overlap. The same knowledge is in the boxes of the
-// last update and of this one, so what is kept is one list of the pairs that overlap on all three: memory is for the
-// boxes and the pairs there are.
-class SweepAndPrune final : public BroadPhase {
+// last update and of this one, so nothing is kept for a pair: memory is for the boxes, and the list of the pairs.
+class SweepAndPrune final : public PairFinder {
   public:
-    BroadPhaseKind kind() const noexcept override { return BroadPhaseKind::sweep_and_prune; }
-    void add(ProxyIndex proxy, const Aabb& box) override { table_.add(proxy, box); }
-    void move(ProxyIndex proxy, const Aabb& box) override { table_.move(proxy, box); }
-    void remove(ProxyIndex proxy) override { table_.remove(proxy); }
-    const Aabb& box(ProxyIndex proxy) const override { return table_.box(proxy); }
-    std::size_t size() const noexcept override { return table_.size(); }
-    void update() override;
-    const ProxyPairs& pairs() const noexcept override { return pairs_; }
-    const ProxyPairs& began() const noexcept override { return began_; }
-    const ProxyPairs& ended() const noexcept override { return ended_; }
-    const BroadPhaseCounts& counts() const noexcept override { return counts_; }
-    void validate() const override;
+    void build(const ProxyTable& table, BroadPhaseCounts& counts) override;
+    void update(const ProxyTable& table, const ProxyChanges& changes, PairList& pairs,
+                BroadPhaseCounts& counts) override;
+    void reserve(std::size_t count) override;
+    std::size_t bytes() const noexcept override;
+    void validate(const ProxyTable& table) const override;
 
   private:
-    void apply(const ProxyChanges& changes);
-    bool sort_axes(const ProxyChanges& changes);
-    void sweep_axes(SweepScope scope, ProxyPairs& found);
-    std::uint64_t swaps_max();
+    bool sort_axes(const ProxyChanges& changes, PairList& pairs, BroadPhaseCounts& counts);
 
-    ProxyTable table_;
+    BoxHistory boxes_;
     std::array<EndpointList, 3> axes_;
-    ProxyPairs pairs_;
-    ProxyPairs began_;
-    ProxyPairs ended_;
-    BroadPhaseCounts counts_;
     std::vector<std::uint32_t> positions_;  // working memory of sort_axis
-    std::uint64_t axis_overlaps_ = 0;       // pairs that overlap on the best axis, when last counted
-    std::uint64_t swaps_when_counted_ = 0;
 };
 
 }  // namespace ecods

@@ -5,27 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "broad_phase/brute_force.hpp"
 #include "ecods/error.hpp"
 
 namespace ecods {
-
-std::uint64_t all_pairs(const ProxyTable& table, ProxyPairs& found) {
-    found.clear();
-    std::vector<ProxyIndex> proxies;
-    std::vector<KeyBox> boxes;
-    for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
-        if (!table.is_present(proxy)) continue;
-        proxies.push_back(proxy);
-        boxes.push_back(table.now(proxy));
-    }
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        for (std::size_t j = i + 1; j < boxes.size(); ++j) {
-            if (overlap(boxes[i], boxes[j])) found.push_back({proxies[i], proxies[j]});
-        }
-    }
-    const std::uint64_t count = boxes.size();
-    return count == 0 ? 0 : count * (count - 1) / 2;
-}
 
 namespace {
 

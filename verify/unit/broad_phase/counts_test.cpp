@@ -33,7 +33,7 @@ std::unique_ptr<BroadPhase> make_grid(BroadPhaseKind kind, int side) {
 }
 
 TEST(Counts, AnUpdateWithoutChangesDoesNothing) {
-    for (const auto kind : {BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune}) {
+    for (const auto kind : all_kinds) {
         const auto phase = make_grid(kind, 8);
         for (ProxyIndex proxy = 0; proxy < 512; ++proxy) phase->move(proxy, phase->box(proxy));
         const Work work = work_of_update(*phase);
@@ -91,9 +91,9 @@ TEST(Counts, AddingFiftyThousandAtOnceIsNotQuadratic) {
         const double quadratic = 0.5 * count * count;
         EXPECT_LT(double(work.box_tests), quadratic / 30) << arrangement;
         EXPECT_EQ(work.swaps, 0u);
-        // One more costs about what overlaps it on an axis.
+        // One more costs a pass, as the lists do: each box there is looks into a tree of one block.
         phase->add(count, make_cube(1, 1, 1, 0.5));
-        EXPECT_LT(work_of_update(*phase).box_tests, 5000u) << arrangement;
+        EXPECT_LT(work_of_update(*phase).box_tests, 8u * count + 100) << arrangement;
     }
 }
 
@@ -108,8 +108,8 @@ TEST(Counts, TeleportingAllIsNotQuadraticInSwaps) {
     for (int i = 0; i < count; ++i) lockstep.move(i, place(i, 617));
     ASSERT_TRUE(lockstep.update());
     const std::uint64_t swaps = lockstep.sweep_counts().swaps - before;
-    EXPECT_GE(swaps, 128u * count);
-    EXPECT_LE(swaps, 140u * count);
+    EXPECT_GE(swaps, 256u * count);
+    EXPECT_LE(swaps, 260u * count);
 }
 
 }  // namespace

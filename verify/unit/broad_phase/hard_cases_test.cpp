@@ -53,7 +53,7 @@ TEST(HardCases, bp_sap_hang) {
 }
 
 TEST(HardCases, bp_sap_empty) {
-    for (const auto kind : {BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune}) {
+    for (const auto kind : all_kinds) {
         const auto phase = make_broad_phase(kind);
         EXPECT_EQ(phase->size(), 0u);
         phase->add(0, make_cube(0, 0, 0));

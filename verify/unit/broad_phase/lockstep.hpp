@@ -24,6 +24,9 @@ inline std::ostream& operator<<(std::ostream& out, const ProxyPair& pair) {
 
 namespace ecods::test {
 
+constexpr BroadPhaseKind all_kinds[] = {BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune,
+                                        BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic};
+
 inline Aabb make_box(double x0, double x1, double y0, double y1, double z0, double z1) {
     return {.min = Vec3(x0, y0, z0), .max = Vec3(x1, y1, z1)};
 }
@@ -127,19 +130,24 @@ class Lockstep {
                 EXPECT_NO_THROW(engine->validate()) << name(*engine);
             }
         }
-        EXPECT_EQ(engines[0]->counts().moved, engines[1]->counts().moved);
+        for (const auto& engine : engines) EXPECT_EQ(engine->counts().moved, engines[0]->counts().moved) << name(*engine);
         return !::testing::Test::HasFailure();
     }
 
     static const char* name(const BroadPhase& engine) {
-        return engine.kind() == BroadPhaseKind::brute_force ? "brute_force" : "sweep_and_prune";
+        static constexpr const char* names[] = {"brute_force", "sweep_and_prune", "kept_candidates", "automatic"};
+        return names[static_cast<std::size_t>(engine.kind())];
     }
 
-    const BroadPhaseCounts& sweep_counts() const { return engines[1]->counts(); }
+    const BroadPhaseCounts& counts(BroadPhaseKind kind) const {
+        return engines[static_cast<std::size_t>(kind)]->counts();
+    }
+    const BroadPhaseCounts& sweep_counts() const { return counts(BroadPhaseKind::sweep_and_prune); }
 
     Model model;
-    std::array<std::unique_ptr<BroadPhase>, 2> engines = {make_broad_phase(BroadPhaseKind::brute_force),
-                                                          make_broad_phase(BroadPhaseKind::sweep_and_prune)};
+    std::array<std::unique_ptr<BroadPhase>, 4> engines = {
+        make_broad_phase(BroadPhaseKind::brute_force), make_broad_phase(BroadPhaseKind::sweep_and_prune),
+        make_broad_phase(BroadPhaseKind::kept_candidates), make_broad_phase(BroadPhaseKind::automatic)};
 };
 
 using Pairs = std::vector<ProxyPair>;

@@ -12,24 +12,29 @@ namespace {
 
 struct Fixture {
     ProxyTable table;
+    BoxHistory boxes;
     EndpointList ends;
     ProxyPairs began, ended;
-    SortState state{.table = table, .began = began, .ended = ended, .swaps_max = 1'000'000};
+    SortState state{.boxes = boxes, .began = began, .ended = ended, .swaps_max = 1'000'000};
 
     // Unit intervals at 0, 10, 20, ... on axis 0.
     explicit Fixture(ProxyIndex count) {
         for (ProxyIndex proxy = 0; proxy < count; ++proxy) {
             table.add(proxy, test::make_interval(0, 10.0 * proxy, 10.0 * proxy + 1));
         }
-        table.collect();
+        boxes.advance(table.collect().added, table);
+        boxes.settle(table.collect().added);
         table.settle();
         for (ProxyIndex proxy = 0; proxy < count; ++proxy) {
-            ends.push_back(min_end(table.now(proxy), proxy, 0));
-            ends.push_back(max_end(table.now(proxy), proxy, 0));
+            ends.push_back(min_end(boxes.now(proxy), proxy, 0));
+            ends.push_back(max_end(boxes.now(proxy), proxy, 0));
         }
     }
 
-    bool sort(const std::vector<ProxyIndex>& moved) { return sort_axis(ends, 0, moved, state); }
+    bool sort(const std::vector<ProxyIndex>& moved) {
+        boxes.advance(moved, table);
+        return sort_axis(ends, 0, moved, state);
+    }
 };
 
 TEST(SortAxis, AtOneCoordinateAMinimumIsBeforeAnyMaximumThenProxiesCount) {
@@ -81,7 +86,7 @@ TEST(SortAxis, GivingUpLosesNoEnd) {
         fixture.state.swaps_max = 3;
         fixture.table.move(count - 1, test::make_interval(0, -2, -1));
         EXPECT_FALSE(fixture.sort({count - 1}));
-        sort_axis_anew(fixture.ends, 0, fixture.table);
+        sort_axis_anew(fixture.ends, 0, fixture.boxes);
         EXPECT_TRUE(std::is_sorted(fixture.ends.begin(), fixture.ends.end()));
         std::vector<std::uint32_t> tags;
         for (const Endpoint& end : fixture.ends) tags.push_back(end.tag);

@@ -1,0 +1,63 @@
+// Trees over boxes of any sizes, and boxes that come, go and change.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "broad_phase/box_tree.hpp"
+
+namespace ecods {
+
+// One tree for each class of sizes, a factor of eight wide, and a few for newcomers, each larger than all after it
+// together: a newcomer is put into a larger tree at most once for each doubling of their number.
+class BoxForest {
+  public:
+    // A box and where it is. Only lines[slot] decides what it overlaps.
+    struct Item {
+        TreeItem item;
+        int size_exponent;
+    };
+    static Item make_item(const Aabb& box, SlotIndex slot) noexcept;
+
+    // Starts anew with these. The items are reordered. Cost: n log n.
+    void build(std::span<Item> items, std::span<const BoxLine> lines);
+
+    // The slots in the order of the trees after build(): neighbours are close to each other.
+    void append_order(std::vector<SlotIndex>& order) const;
+
+    // After build(), when the owner has put its lines in that order: slot numbers are positions in it from now on.
+    void renumber();
+
+    void add(std::span<const TreeItem> newcomers, std::span<const BoxLine> lines);
+    void set(SlotIndex slot, const BoxLine& line) { trees_[places_[slot].tree].set(places_[slot].position, line); }
+    void remove(SlotIndex slot) { set(slot, {}); }
+
+    // Newcomers are not sorted by size, so there should not be too many.
+    std::size_t newcomer_count() const noexcept;
+
+    // As those of BoxTree. find_pairs: all pairs that overlap, each once.
+    std::uint64_t find(const BoxReach& reach, std::vector<SlotIndex>& found) const;
+    std::uint64_t find_pairs(std::vector<std::array<SlotIndex, 2>>& found) const;
+
+    std::size_t bytes() const noexcept;
+
+    // Throws BrokenInvariant unless each slot with a line that is not empty is in exactly one place, with that box.
+    void validate(std::span<const BoxLine> lines) const;
+
+  private:
+    struct Place {
+        std::uint32_t tree = 0;
+        std::uint32_t position = 0;
+    };
+
+    void plant(std::span<TreeItem> items, std::span<const BoxLine> lines);
+
+    std::vector<BoxTree> trees_;
+    std::size_t class_count_ = 0;  // trees that are not for newcomers
+    std::vector<Place> places_;    // by slot
+};
+
+}  // namespace ecods

@@ -1,0 +1,105 @@
+#include <bit>
+
+#include "base/dispatch.hpp"
+#include "broad_phase/box_tree.hpp"
+
+namespace ecods {
+namespace {
+
+struct Node {
+    std::uint32_t level;
+    std::uint32_t block;
+};
+
+// A node has at most eight children, of which all but one wait while that one is followed down: with 2^32 boxes there
+// are eleven levels.
+using NodeStack = std::array<Node, 11 * 7 + 1>;
+
+}  // namespace
+
+ECODS_FOR_EACH_INSTRUCTION_SET
+std::uint64_t BoxTree::find(const BoxReach& reach, std::vector<SlotIndex>& found) const {
+    std::uint64_t tests = 0;
+    NodeStack stack;
+    std::size_t depth = 0;
+    stack[depth++] = {static_cast<std::uint32_t>(levels_.size() - 1), 0};
+    while (depth > 0) {
+        const Node node = stack[--depth];
+        tests += width;
+        for (std::uint32_t bits = overlapping(levels_[node.level][node.block], reach); bits != 0; bits &= bits - 1) {
+            const std::uint32_t child = node.block * width + static_cast<std::uint32_t>(std::countr_zero(bits));
+            if (node.level == 0) {
+                found.push_back(slots_[child]);
+            } else {
+                stack[depth++] = {node.level - 1, child};
+            }
+        }
+    }
+    return tests;
+}
+
+// The blocks of boxes, from `first` on, whose bounds overlap.
+ECODS_FOR_EACH_INSTRUCTION_SET
+std::uint64_t BoxTree::find_leaves(const BoxReach& reach, std::uint32_t first, std::vector<Leaf>& found) const {
+    if (levels_.size() == 1) {
+        found.push_back({levels_[0][0].bounds(), 0});
+        return 0;
+    }
+    std::uint64_t tests = 0;
+    NodeStack stack;
+    std::size_t depth = 0;
+    stack[depth++] = {static_cast<std::uint32_t>(levels_.size() - 1), 0};
+    while (depth > 0) {
+        const Node node = stack[--depth];
+        const BoxBlock& block = levels_[node.level][node.block];
+        tests += width;
+        for (std::uint32_t bits = overlapping(block, reach); bits != 0; bits &= bits - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
+            const std::uint32_t child = node.block * width + lane;
+            // The last block of boxes below the child.
+            if (((std::uint64_t{child} + 1) << (3 * (node.level - 1))) <= first) continue;
+            if (node.level == 1) {
+                found.push_back({block.get(lane), child});
+            } else {
+                stack[depth++] = {node.level - 1, child};
+            }
+        }
+    }
+    return tests;
+}
+
+ECODS_FOR_EACH_INSTRUCTION_SET
+std::uint64_t BoxTree::join(const BoxTree& other, std::vector<std::array<SlotIndex, 2>>& found) const {
+    const bool is_self = this == &other;
+    std::uint64_t tests = 0;
+    std::vector<Leaf> leaves;
+    BoxReach reach;
+    for (std::uint32_t own = 0; own < levels_[0].size(); ++own) {
+        const BoxBlock& block = levels_[0][own];
+        const BoxLine bounds = block.bounds();
+        if (bounds.is_empty()) continue;
+        make_reach(bounds, reach);
+        leaves.clear();
+        tests += other.find_leaves(reach, is_self ? own : 0, leaves);
+        for (std::uint32_t lane = 0; lane < width; ++lane) {
+            const BoxLine line = block.get(lane);
+            if (line.is_empty()) continue;
+            const SlotIndex slot = slots_[own * width + lane];
+            make_reach(line, reach);
+            tests += leaves.size();
+            for (const Leaf& leaf : leaves) {
+                if (!overlaps(leaf.bounds, reach)) continue;
+                std::uint32_t bits = overlapping(other.levels_[0][leaf.block], reach);
+                tests += width;
+                if (is_self && leaf.block == own) bits &= ~std::uint32_t{1} << lane;
+                for (; bits != 0; bits &= bits - 1) {
+                    const auto partner = static_cast<std::uint32_t>(std::countr_zero(bits));
+                    found.push_back({slot, other.slots_[leaf.block * width + partner]});
+                }
+            }
+        }
+    }
+    return tests;
+}
+
+}  // namespace ecods

@@ -1,0 +1,162 @@
+// Boxes that left their fat boxes: new fat boxes, and new candidates.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "broad_phase/kept_candidates.hpp"
+
+namespace ecods {
+
+// Room for `horizon_` more steps like the last one, and some for turning back. No more than half an extent, so that
+// what is fast does not collect candidates that it will not meet; a step that is longer than that was a jump, and tells
+// nothing.
+BoxLine KeptCandidates::fatten(const Escaped& escaped, const Aabb& box) const noexcept {
+    constexpr double back = 0.125;
+    const double largest = (box.max - box.min).maxCoeff();
+    const double room = 0.5 * (largest < mean_extent_ ? mean_extent_ : largest);
+    const KeyBox before = key_box(escaped.before);
+    Aabb fat = box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto k = static_cast<Eigen::Index>(axis);
+        const double down = double_of(before.min[axis]) - box.min[k];
+        const double up = box.max[k] - double_of(before.max[axis]);
+        const double step = std::max(std::abs(down), std::abs(up));
+        if (!(step > 0 && step <= room && room <= std::numeric_limits<double>::max())) continue;
+        fat.min[k] -= std::min(room, horizon_ * std::max(down, -back * down));
+        fat.max[k] += std::min(room, horizon_ * std::max(up, -back * up));
+    }
+    // Rounding, in whatever direction, must not leave the box outside.
+    BoxLine line;
+    make_box_line(fat, line);
+    enlarge(line, lines_[escaped.slot]);
+    return line;
+}
+
+void KeptCandidates::mark_overlapping(SlotIndex slot) {
+    if (++mark_ == 0) {  // all numbers were used
+        std::fill(marks_.begin(), marks_.end(), 0);
+        mark_ = 1;
+    }
+    for (const std::uint32_t entry : candidates_.entries(slot)) {
+        if (CandidateLists::overlaps(entry)) marks_[CandidateLists::slot_of(entry)] = mark_;
+    }
+}
+
+// Gives the escaped boxes their new fat boxes, and the forest, too. What jumped is a newcomer elsewhere: it would
+// stretch the bounds around its old place.
+void KeptCandidates::place_escaped(const ProxyTable& table) {
+    std::vector<TreeItem> newcomers;
+    for (const Escaped& escaped : escaped_) {
+        const SlotIndex slot = escaped.slot;
+        const Aabb& box = table.boxes()[proxies_[slot]];
+        const BoxLine fat = fatten(escaped, box);
+        const BoxLine old = std::exchange(fat_lines_[slot], fat);
+        if (!old.is_empty() && overlap(old, fat)) {
+            forest_.set(slot, fat);
+            continue;
+        }
+        if (!old.is_empty()) forest_.remove(slot);
+        newcomers.push_back(tree_item(box, slot));
+    }
+    forest_.add(newcomers, fat_lines_);
+}
+
+void KeptCandidates::search_escaped(Update& update) {
+    place_escaped(update.table);
+    for (const Escaped& escaped : escaped_) link(escaped.slot, update);
+    for (const Escaped& escaped : escaped_) flags_[escaped.slot] = 0;
+}
+
+// Replaces the candidates of an escaped box, save those with others that were linked before it: these know each other.
+void KeptCandidates::link(SlotIndex slot, Update& update) {
+    mark_overlapping(slot);
+    for (auto i = static_cast<std::uint32_t>(candidates_.entries(slot).size()); i-- > 0;) {
+        const SlotIndex partner = CandidateLists::slot_of(candidates_.entries(slot)[i]);
+        if ((flags_[partner] & is_linked) == 0) candidates_.remove(slot, i);
+    }
+    flags_[slot] |= is_linked;
+    BoxReach reach;
+    make_reach(fat_lines_[slot], reach);
+    found_.clear();
+    update.counts.box_tests += forest_.find(reach, found_);
+    make_reach(lines_[slot], reach);
+    for (const SlotIndex partner : found_) {
+        if ((flags_[partner] & is_linked) != 0) continue;
+        const bool now = overlaps(lines_[partner], reach);
+        candidates_.add(slot, partner, now);
+        if (now && !is_marked(partner)) update.began.push_back(ordered_pair(proxies_[slot], proxies_[partner]));
+    }
+    update.counts.box_tests += found_.size();
+}
+
+void KeptCandidates::search_all(Update& update) {
+    for (const Escaped& escaped : escaped_) {
+        fat_lines_[escaped.slot] = fatten(escaped, update.table.boxes()[proxies_[escaped.slot]]);
+    }
+    const std::vector<SlotIndex> old_slots = sort_slots(update.table);
+    std::vector<SlotIndex> new_slots(candidates_.slot_count());
+    for (SlotIndex slot = 0; slot < old_slots.size(); ++slot) new_slots[old_slots[slot]] = slot;
+
+    std::vector<std::array<SlotIndex, 2>> pairs;
+    pairs.reserve(candidates_.size() + candidates_.size() / 8);
+    update.counts.box_tests += forest_.find_pairs(pairs) + pairs.size();
+    CandidateLists before;
+    std::swap(before, candidates_);
+    candidates_.build(old_slots.size(), pairs);
+
+    BoxReach reach;
+    for (SlotIndex slot = 0; slot < old_slots.size(); ++slot) {
+        ++mark_;
+        for (const std::uint32_t entry : before.entries(old_slots[slot])) {
+            if (CandidateLists::overlaps(entry)) marks_[new_slots[CandidateLists::slot_of(entry)]] = mark_;
+        }
+        make_reach(lines_[slot], reach);
+        for (std::uint32_t i = 0; i < candidates_.owned_count(slot); ++i) {
+            const SlotIndex partner = candidates_.entries(slot)[i];
+            if (!overlaps(lines_[partner], reach)) continue;
+            candidates_.flip(slot, i);
+            if (!is_marked(partner)) update.began.push_back(ordered_pair(proxies_[slot], proxies_[partner]));
+        }
+    }
+}
+
+// Plants the forest anew and puts everything that is kept by slot in its order. Returns where each slot was.
+std::vector<SlotIndex> KeptCandidates::sort_slots(const ProxyTable& table) {
+    std::vector<BoxForest::Item> items;
+    items.reserve(table.size());
+    double sum = 0;
+    for (SlotIndex slot = 0; slot < proxies_.size(); ++slot) {
+        if (lines_[slot].is_empty()) continue;
+        const Aabb& box = table.boxes()[proxies_[slot]];
+        items.push_back(BoxForest::make_item(box, slot));
+        const double extent = (box.max - box.min).maxCoeff();
+        if (extent <= 1e300) sum += extent;
+    }
+    mean_extent_ = items.empty() ? 0 : sum / static_cast<double>(items.size());
+    forest_.build(items, fat_lines_);
+    std::vector<SlotIndex> order;
+    order.reserve(items.size());
+    forest_.append_order(order);
+    forest_.renumber();
+
+    std::vector<BoxLine> lines(order.size()), fat_lines(order.size());
+    std::vector<ProxyIndex> proxies(order.size());
+    for (SlotIndex slot = 0; slot < order.size(); ++slot) {
+        lines[slot] = lines_[order[slot]];
+        fat_lines[slot] = fat_lines_[order[slot]];
+        proxies[slot] = proxies_[order[slot]];
+        slots_[proxies[slot]] = slot;
+    }
+    lines_ = std::move(lines);
+    fat_lines_ = std::move(fat_lines);
+    proxies_ = std::move(proxies);
+    flags_.assign(order.size(), 0);
+    marks_.assign(order.size(), 0);
+    mark_ = 0;
+    free_slots_.clear();
+    searched_since_sort_ = 0;
+    return order;
+}
+
+}  // namespace ecods

@@ -1,0 +1,41 @@
+#include "broad_phase/find_pairs.hpp"
+
+#include <vector>
+
+#include "broad_phase/box_forest.hpp"
+
+namespace ecods {
+
+std::uint64_t find_pairs_of(std::span<const ProxyIndex> chosen, const ProxyTable& table, ProxyPairs& found) {
+    std::vector<BoxLine> lines(chosen.size());  // slots are places in `chosen`
+    std::vector<BoxForest::Item> items(chosen.size());
+    for (SlotIndex slot = 0; slot < chosen.size(); ++slot) {
+        const Aabb& box = table.boxes()[chosen[slot]];
+        make_box_line(box, lines[slot]);
+        items[slot] = BoxForest::make_item(box, slot);
+    }
+    BoxForest forest;
+    forest.build(items, lines);
+
+    std::vector<std::array<SlotIndex, 2>> among;
+    std::uint64_t tests = forest.find_pairs(among);
+    for (const auto& [a, b] : among) found.push_back(ordered_pair(chosen[a], chosen[b]));
+    if (chosen.size() == table.size()) return tests;
+
+    std::vector<std::uint8_t> is_chosen(table.end());
+    for (const ProxyIndex proxy : chosen) is_chosen[proxy] = 1;
+    std::vector<SlotIndex> overlapping;
+    BoxLine line;
+    BoxReach reach;
+    for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
+        if (is_chosen[proxy] != 0 || !table.is_present(proxy)) continue;
+        make_box_line(table.boxes()[proxy], line);
+        make_reach(line, reach);
+        overlapping.clear();
+        tests += forest.find(reach, overlapping);
+        for (const SlotIndex slot : overlapping) found.push_back(ordered_pair(proxy, chosen[slot]));
+    }
+    return tests;
+}
+
+}  // namespace ecods

@@ -1,0 +1,94 @@
+// The broad phase for large and lively scenes: pairs that may overlap for a while, kept and filtered.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "broad_phase/box_forest.hpp"
+#include "broad_phase/candidate_lists.hpp"
+#include "broad_phase/pair_finder.hpp"
+
+namespace ecods {
+
+// Each box lies in a fat one, which leaves room for it to go on as it does. Two boxes whose fat boxes overlap are a
+// candidate. As long as boxes stay in their fat boxes, no others can overlap, and an update tests the candidates of
+// the boxes that moved, nothing else. A box that escaped gets a new fat box and looks for its candidates in trees of
+// fat boxes; when many did, all is done anew at once. Boxes are kept in slots, numbered so that neighbours are close in
+// memory.
+//
+// Right whatever the fat boxes are, as long as they contain their boxes; how fat they are is a matter of speed.
+class KeptCandidates final : public PairFinder {
+  public:
+    void build(const ProxyTable& table, BroadPhaseCounts& counts) override;
+    void update(const ProxyTable& table, const ProxyChanges& changes, PairList& pairs,
+                BroadPhaseCounts& counts) override;
+    void reserve(std::size_t count) override;
+    std::size_t bytes() const noexcept override;
+    void validate(const ProxyTable& table) const override;
+
+  private:
+    // What an update hands from step to step.
+    struct Update {
+        const ProxyTable& table;
+        ProxyPairs& began;
+        ProxyPairs& ended;
+        BroadPhaseCounts& counts;
+    };
+    struct Escaped {
+        SlotIndex slot;
+        BoxLine before;
+    };
+    enum : std::uint8_t { is_mover = 1, is_linked = 2 };
+
+    static constexpr SlotIndex no_slot = ~SlotIndex{0};
+
+    // kept_candidates.cpp
+    void remove(const std::vector<ProxyIndex>& proxies, Update& update);
+    void add(const std::vector<ProxyIndex>& proxies, const ProxyTable& table);
+    SlotIndex take_slot();
+    void adapt(std::uint64_t filtered, std::uint64_t searched);
+
+    // filter_candidates.cpp
+    void move_all(const ProxyTable& table);
+    void move_some(const std::vector<ProxyIndex>& proxies, const ProxyTable& table);
+    void filter_all(Update& update);
+    void filter_movers(Update& update);
+    void report(SlotIndex slot, std::uint32_t index, Update& update);
+
+    // find_candidates.cpp
+    BoxLine fatten(const Escaped& escaped, const Aabb& box) const noexcept;
+    void search_escaped(Update& update);
+    void place_escaped(const ProxyTable& table);
+    void link(SlotIndex slot, Update& update);
+    void search_all(Update& update);
+    std::vector<SlotIndex> sort_slots(const ProxyTable& table);
+    void mark_overlapping(SlotIndex slot);
+    bool is_marked(SlotIndex slot) const noexcept { return marks_[slot] == mark_; }
+
+    // By slot. A free slot has empty boxes.
+    std::vector<BoxLine> lines_;
+    std::vector<BoxLine> fat_lines_;
+    std::vector<ProxyIndex> proxies_;
+    std::vector<std::uint8_t> flags_;
+    std::vector<std::uint32_t> marks_;
+    CandidateLists candidates_;
+
+    std::vector<SlotIndex> slots_;  // by proxy
+    std::vector<SlotIndex> free_slots_;
+    BoxForest forest_;  // of fat boxes
+
+    std::uint32_t mark_ = 0;
+    double mean_extent_ = 0;
+    double horizon_ = 16;  // for how many updates a fat box leaves room
+    std::uint64_t filter_work_ = 0;
+    std::uint64_t search_work_ = 0;
+    std::size_t searched_since_sort_ = 0;
+
+    // Working memory of an update.
+    std::vector<SlotIndex> movers_;
+    std::vector<Escaped> escaped_;
+    std::vector<SlotIndex> found_;
+};
+
+}  // namespace ecods
