@@ -69,6 +69,10 @@ void BoxForest::plant(std::span<TreeItem> items, std::span<const BoxLine> lines)
     }
 }
 
+void BoxForest::refit(std::span<const BoxLine> lines) {
+    for (BoxTree& tree : trees_) tree.refit(lines);
+}
+
 void BoxForest::append_order(std::vector<SlotIndex>& order) const {
     for (const BoxTree& tree : trees_) {
         for (std::size_t position = 0; position < tree.size(); ++position) order.push_back(tree.slot(position));

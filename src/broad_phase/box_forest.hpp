@@ -25,6 +25,9 @@ class BoxForest {
     // Starts anew with these. The items are reordered. Cost: n log n.
     void build(std::span<Item> items, std::span<const BoxLine> lines);
 
+    // Gives every slot that is in a tree the box that it has now. Cost: n.
+    void refit(std::span<const BoxLine> lines);
+
     // The slots in the order of the trees after build(): neighbours are close to each other.
     void append_order(std::vector<SlotIndex>& order) const;
 

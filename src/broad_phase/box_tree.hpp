@@ -14,6 +14,8 @@ namespace ecods {
 // Names a box in its owner's array of lines.
 using SlotIndex = std::uint32_t;
 
+constexpr SlotIndex no_slot = ~SlotIndex{0};
+
 // A box to be put into a tree. The centre is where it is sorted to: a good choice makes queries fast, and any other,
 // equal ones included, is as right. No coordinate may be NaN.
 struct TreeItem {
@@ -34,12 +36,15 @@ class BoxTree {
 
     std::size_t size() const noexcept { return slots_.size(); }             // positions, of which some may be empty
     std::size_t alive_count() const noexcept { return alive_count_; }       // those that are not
-    SlotIndex slot(std::size_t position) const { return slots_[position]; }
+    SlotIndex slot(std::size_t position) const { return slots_[position]; }  // or no_slot
+
+    // Gives every position that has a slot the box that it has now; the order stays. Cost: n.
+    void refit(std::span<const BoxLine> lines);
 
     // Numbers the positions base, base + 1, ...: their owner has put its lines in the order of the tree.
     void renumber(SlotIndex base);
 
-    // Gives a position another box; an empty one takes it out for good. Cost: a block a level, less where bounds stay.
+    // Gives a position another box; an empty one takes its slot out for good. Cost: a block a level, less where bounds stay.
     void set(std::size_t position, const BoxLine& line);
     BoxLine get(std::size_t position) const { return levels_[0][position / BoxBlock::width].get(position % BoxBlock::width); }
 

@@ -63,16 +63,25 @@ void BoxTree::build(std::span<TreeItem> items, std::span<const BoxLine> lines) {
     order(items);
     slots_.resize(items.size());
     alive_count_ = items.size();
-    levels_.assign(1, std::vector<BoxBlock>((items.size() + width - 1) / width));
-    for (std::size_t position = 0; position < items.size(); ++position) {
-        slots_[position] = items[position].slot;
-        levels_[0][position / width].set(position % width, lines[items[position].slot]);
+    for (std::size_t position = 0; position < items.size(); ++position) slots_[position] = items[position].slot;
+    levels_.clear();
+    std::size_t count = items.size();
+    do {
+        count = (count + width - 1) / width;
+        levels_.emplace_back(count);
+    } while (count > 1);
+    refit(lines);
+}
+
+void BoxTree::refit(std::span<const BoxLine> lines) {
+    for (std::size_t position = 0; position < slots_.size(); ++position) {
+        if (slots_[position] == no_slot) continue;
+        levels_[0][position / width].set(position % width, lines[slots_[position]]);
     }
-    while (levels_.back().size() > 1) {
-        const std::vector<BoxBlock>& below = levels_.back();
-        std::vector<BoxBlock> level((below.size() + width - 1) / width);
-        for (std::size_t i = 0; i < below.size(); ++i) level[i / width].set(i % width, below[i].bounds());
-        levels_.push_back(std::move(level));
+    for (std::size_t level = 1; level < levels_.size(); ++level) {
+        for (std::size_t i = 0; i < levels_[level - 1].size(); ++i) {
+            levels_[level][i / width].set(i % width, levels_[level - 1][i].bounds());
+        }
     }
 }
 
@@ -81,7 +90,10 @@ void BoxTree::renumber(SlotIndex base) {
 }
 
 void BoxTree::set(std::size_t position, const BoxLine& line) {
-    if (line.is_empty() && !get(position).is_empty()) --alive_count_;
+    if (line.is_empty() && slots_[position] != no_slot) {
+        slots_[position] = no_slot;
+        --alive_count_;
+    }
     BoxLine bounds = line;
     for (std::vector<BoxBlock>& level : levels_) {
         BoxBlock& block = level[position / width];
@@ -105,7 +117,7 @@ void BoxTree::validate() const {
     std::size_t alive_count = 0;
     for (std::size_t i = 0; i < levels_[0].size() * width; ++i) {
         const bool is_empty = get(i).is_empty();
-        require(is_empty || i < size(), "a box after the last");
+        require(is_empty == (i >= size() || slots_[i] == no_slot), "there is a box without a slot, or the reverse");
         alive_count += is_empty ? 0 : 1;
     }
     require(alive_count == alive_count_, "the number of boxes is wrong");

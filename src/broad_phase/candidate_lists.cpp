@@ -39,6 +39,21 @@ void CandidateLists::build(std::size_t count, std::span<const std::array<SlotInd
     size_ = pairs.size();
 }
 
+void CandidateLists::renumber(std::span<const SlotIndex> old_slots) {
+    std::vector<SlotIndex> new_slots(lists_.size());
+    std::vector<List> lists(old_slots.size());
+    for (SlotIndex slot = 0; slot < old_slots.size(); ++slot) {
+        new_slots[old_slots[slot]] = slot;
+        lists[slot] = lists_[old_slots[slot]];
+    }
+    lists_ = std::move(lists);
+    for (const List& list : lists_) {
+        for (std::size_t at = list.begin; at < list.begin + list.count; ++at) {
+            partners_[at] = new_slots[slot_of(partners_[at])] | (partners_[at] & overlap_bit);
+        }
+    }
+}
+
 void CandidateLists::put(SlotIndex slot, std::uint32_t index, std::uint32_t entry, std::uint32_t mirror) {
     partners_[lists_[slot].begin + index] = entry;
     mirrors_[lists_[slot].begin + index] = mirror;

@@ -25,6 +25,9 @@ class CandidateLists {
     // Starts anew: `count` slots with these candidates, none of them overlapping so far; the first of two is the owner.
     void build(std::size_t count, std::span<const std::array<SlotIndex, 2>> pairs);
 
+    // Numbers the slots anew: what was old_slots[i] is i. Slots that are in no candidate may be left out.
+    void renumber(std::span<const SlotIndex> old_slots);
+
     // Makes the lists of new slots.
     void resize(std::size_t count) { lists_.resize(count); }
 

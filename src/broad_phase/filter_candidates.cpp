@@ -6,7 +6,7 @@ namespace ecods {
 namespace {
 
 // How many boxes ahead memory is asked for.
-constexpr std::size_t prefetch_distance = 12;
+constexpr SlotIndex prefetch_distance = 12;
 
 }  // namespace
 
@@ -61,13 +61,22 @@ void KeptCandidates::report(SlotIndex slot, std::uint32_t index, Update& update)
 ECODS_FOR_EACH_INSTRUCTION_SET
 void KeptCandidates::filter_all(Update& update) {
     BoxReach reach;
-    for (SlotIndex slot = 0; slot < candidates_.slot_count(); ++slot) {
+    const auto slot_count = static_cast<SlotIndex>(candidates_.slot_count());
+    const BoxLine* const lines = lines_.data();
+    for (SlotIndex slot = 0; slot < slot_count; ++slot) {
+        const SlotIndex ahead = slot + prefetch_distance < slot_count ? slot + prefetch_distance : slot;
+        const std::uint32_t* const entries_ahead = candidates_.entries(ahead).data();
+        const std::uint32_t count_ahead = candidates_.owned_count(ahead);
+        for (std::uint32_t i = 0; i < count_ahead; ++i) {
+            const auto* line = reinterpret_cast<const char*>(&lines[CandidateLists::slot_of(entries_ahead[i])]);
+            __builtin_prefetch(line);
+        }
         const std::uint32_t count = candidates_.owned_count(slot);
         if (count == 0) continue;
         make_reach(lines_[slot], reach);
         const std::uint32_t* const entries = candidates_.entries(slot).data();
         for (std::uint32_t i = 0; i < count; ++i) {
-            const bool now = overlaps(lines_[CandidateLists::slot_of(entries[i])], reach);
+            const bool now = overlaps(lines[CandidateLists::slot_of(entries[i])], reach);
             if (now != CandidateLists::overlaps(entries[i])) [[unlikely]] {
                 report(slot, i, update);
             }

@@ -33,12 +33,16 @@ BoxLine KeptCandidates::fatten(const Escaped& escaped, const Aabb& box) const no
     return line;
 }
 
-void KeptCandidates::mark_overlapping(SlotIndex slot) {
+void KeptCandidates::next_mark() {
     if (++mark_ == 0) {  // all numbers were used
         std::fill(marks_.begin(), marks_.end(), 0);
         mark_ = 1;
     }
-    for (const std::uint32_t entry : candidates_.entries(slot)) {
+}
+
+void KeptCandidates::mark_overlapping(const CandidateLists& lists, SlotIndex slot) {
+    next_mark();
+    for (const std::uint32_t entry : lists.entries(slot)) {
         if (CandidateLists::overlaps(entry)) marks_[CandidateLists::slot_of(entry)] = mark_;
     }
 }
@@ -70,7 +74,7 @@ void KeptCandidates::search_escaped(Update& update) {
 
 // Replaces the candidates of an escaped box, save those with others that were linked before it: these know each other.
 void KeptCandidates::link(SlotIndex slot, Update& update) {
-    mark_overlapping(slot);
+    mark_overlapping(candidates_, slot);
     for (auto i = static_cast<std::uint32_t>(candidates_.entries(slot).size()); i-- > 0;) {
         const SlotIndex partner = CandidateLists::slot_of(candidates_.entries(slot)[i]);
         if ((flags_[partner] & is_linked) == 0) candidates_.remove(slot, i);
@@ -90,30 +94,42 @@ void KeptCandidates::link(SlotIndex slot, Update& update) {
     update.counts.box_tests += found_.size();
 }
 
-void KeptCandidates::search_all(Update& update) {
+void KeptCandidates::search_all(Update& update, bool must_sort) {
+    bool has_new = false;
     for (const Escaped& escaped : escaped_) {
-        fat_lines_[escaped.slot] = fatten(escaped, update.table.boxes()[proxies_[escaped.slot]]);
+        const BoxLine fat = fatten(escaped, update.table.boxes()[proxies_[escaped.slot]]);
+        has_new |= fat_lines_[escaped.slot].is_empty();
+        fat_lines_[escaped.slot] = fat;
     }
-    const std::vector<SlotIndex> old_slots = sort_slots(update.table);
-    std::vector<SlotIndex> new_slots(candidates_.slot_count());
-    for (SlotIndex slot = 0; slot < old_slots.size(); ++slot) new_slots[old_slots[slot]] = slot;
+    const bool do_sort = must_sort || has_new || is_worn_;
+    if (do_sort) {
+        sort_slots(update.table);
+    } else {
+        forest_.refit(fat_lines_);
+    }
+    found_pairs_.clear();
+    const std::uint64_t tests = forest_.find_pairs(found_pairs_) + found_pairs_.size();
+    update.counts.box_tests += tests;
+    // Boxes drift away from those that they are in a block with. Sorting costs about as much as half of the tests.
+    const double tests_per_box = static_cast<double>(tests) / static_cast<double>(update.table.size() + 1);
+    if (do_sort) tests_after_sort_ = tests_per_box;
+    is_worn_ = tests_per_box > 1.25 * tests_after_sort_;
+    relink_all(update);
+}
 
-    std::vector<std::array<SlotIndex, 2>> pairs;
-    pairs.reserve(candidates_.size() + candidates_.size() / 8);
-    update.counts.box_tests += forest_.find_pairs(pairs) + pairs.size();
-    CandidateLists before;
-    std::swap(before, candidates_);
-    candidates_.build(old_slots.size(), pairs);
-
+// Makes the pairs that were found the candidates.
+void KeptCandidates::relink_all(Update& update) {
+    std::swap(old_candidates_, candidates_);
+    candidates_.build(lines_.size(), found_pairs_);
     BoxReach reach;
-    for (SlotIndex slot = 0; slot < old_slots.size(); ++slot) {
-        ++mark_;
-        for (const std::uint32_t entry : before.entries(old_slots[slot])) {
-            if (CandidateLists::overlaps(entry)) marks_[new_slots[CandidateLists::slot_of(entry)]] = mark_;
-        }
+    for (SlotIndex slot = 0; slot < lines_.size(); ++slot) {
+        const std::uint32_t count = candidates_.owned_count(slot);
+        if (count == 0) continue;
+        mark_overlapping(old_candidates_, slot);
         make_reach(lines_[slot], reach);
-        for (std::uint32_t i = 0; i < candidates_.owned_count(slot); ++i) {
-            const SlotIndex partner = candidates_.entries(slot)[i];
+        const std::uint32_t* const entries = candidates_.entries(slot).data();
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const SlotIndex partner = entries[i];
             if (!overlaps(lines_[partner], reach)) continue;
             candidates_.flip(slot, i);
             if (!is_marked(partner)) update.began.push_back(ordered_pair(proxies_[slot], proxies_[partner]));
@@ -121,8 +137,8 @@ void KeptCandidates::search_all(Update& update) {
     }
 }
 
-// Plants the forest anew and puts everything that is kept by slot in its order. Returns where each slot was.
-std::vector<SlotIndex> KeptCandidates::sort_slots(const ProxyTable& table) {
+// Plants the forest anew and puts everything that is kept by slot in its order.
+void KeptCandidates::sort_slots(const ProxyTable& table) {
     std::vector<BoxForest::Item> items;
     items.reserve(table.size());
     double sum = 0;
@@ -131,9 +147,9 @@ std::vector<SlotIndex> KeptCandidates::sort_slots(const ProxyTable& table) {
         const Aabb& box = table.boxes()[proxies_[slot]];
         items.push_back(BoxForest::make_item(box, slot));
         const double extent = (box.max - box.min).maxCoeff();
-        if (extent <= 1e300) sum += extent;
+        if (extent < std::numeric_limits<double>::max()) sum += extent / static_cast<double>(table.size());
     }
-    mean_extent_ = items.empty() ? 0 : sum / static_cast<double>(items.size());
+    mean_extent_ = sum;
     forest_.build(items, fat_lines_);
     std::vector<SlotIndex> order;
     order.reserve(items.size());
@@ -151,12 +167,12 @@ std::vector<SlotIndex> KeptCandidates::sort_slots(const ProxyTable& table) {
     lines_ = std::move(lines);
     fat_lines_ = std::move(fat_lines);
     proxies_ = std::move(proxies);
+    candidates_.renumber(order);
     flags_.assign(order.size(), 0);
     marks_.assign(order.size(), 0);
     mark_ = 0;
     free_slots_.clear();
     searched_since_sort_ = 0;
-    return order;
 }
 
 }  // namespace ecods

@@ -16,8 +16,9 @@ void KeptCandidates::build(const ProxyTable& table, BroadPhaseCounts& counts) {
     ProxyPairs began, ended;  // the list of pairs has them already
     Update update{.table = table, .began = began, .ended = ended, .counts = counts};
     add(present, table);
-    search_all(update);
+    search_all(update, true);
     escaped_.clear();
+    overlap_count_ = static_cast<std::int64_t>(began.size());
 }
 
 void KeptCandidates::reserve(std::size_t count) {
@@ -54,26 +55,30 @@ void KeptCandidates::update(const ProxyTable& table, const ProxyChanges& changes
         const bool is_worn = searched_since_sort_ > 4 * count || 4 * forest_.newcomer_count() > count + 64 ||
                              proxies_.size() > 2 * count + 64;
         if (8 * escaped_.size() > count || is_worn) {
-            search_all(update);
+            search_all(update, is_worn);
             ++counts.rebuilds;
         } else {
             search_escaped(update);
         }
         escaped_.clear();
     }
-    adapt(filtered, counts.box_tests - searched_before);
+    adapt(filtered, counts.box_tests - searched_before,
+          static_cast<std::int64_t>(pairs.began.size()) - static_cast<std::int64_t>(pairs.ended.size()));
 }
 
-// Wide fat boxes make candidates that are filtered for nothing, narrow ones are escaped from soon. The best is near where
-// both cost the same. Work is counted in tests; a search costs some more than its tests.
-void KeptCandidates::adapt(std::uint64_t filtered, std::uint64_t searched) {
+// Wide fat boxes make candidates that are filtered for nothing, in proportion to their width; narrow ones are escaped
+// from sooner, in inverse proportion. The sum is least where both cost the same. A test in a search costs more than
+// one in the filter, since it comes with sorting, linking and a new fat box.
+void KeptCandidates::adapt(std::uint64_t filtered, std::uint64_t searched, std::int64_t overlaps_gained) {
+    constexpr double search_cost = 4;
     constexpr double horizon_min = 2, horizon_max = 64;
-    filter_work_ += filtered;
-    search_work_ += searched;
-    if (filter_work_ + search_work_ < 64 * proxies_.size() + 1024) return;
-    horizon_ *= search_work_ > 2 * filter_work_ ? 1.25 : 0.8;
-    horizon_ = std::clamp(horizon_, horizon_min, horizon_max);
-    filter_work_ = 0;
+    overlap_count_ += overlaps_gained;
+    const double candidate_count = static_cast<double>(candidates_.size()) + 1;
+    wasted_work_ += static_cast<double>(filtered) * (1 - static_cast<double>(overlap_count_) / candidate_count);
+    search_work_ += search_cost * static_cast<double>(searched);
+    if (wasted_work_ + search_work_ < 256 * static_cast<double>(proxies_.size())) return;
+    horizon_ = std::clamp(horizon_ * (search_work_ > wasted_work_ ? 1.25 : 0.8), horizon_min, horizon_max);
+    wasted_work_ = 0;
     search_work_ = 0;
 }
 
@@ -124,7 +129,8 @@ void KeptCandidates::add(const std::vector<ProxyIndex>& proxies, const ProxyTabl
 
 std::size_t KeptCandidates::bytes() const noexcept {
     return bytes_of(lines_, fat_lines_, proxies_, flags_, marks_, slots_, free_slots_, movers_, escaped_, found_) +
-           candidates_.bytes() + forest_.bytes();
+           candidates_.bytes() + forest_.bytes() +
+           bytes_of(found_pairs_) + old_candidates_.bytes();
 }
 
 void KeptCandidates::validate(const ProxyTable& table) const {

@@ -41,13 +41,11 @@ class KeptCandidates final : public PairFinder {
     };
     enum : std::uint8_t { is_mover = 1, is_linked = 2 };
 
-    static constexpr SlotIndex no_slot = ~SlotIndex{0};
-
     // kept_candidates.cpp
     void remove(const std::vector<ProxyIndex>& proxies, Update& update);
     void add(const std::vector<ProxyIndex>& proxies, const ProxyTable& table);
     SlotIndex take_slot();
-    void adapt(std::uint64_t filtered, std::uint64_t searched);
+    void adapt(std::uint64_t filtered, std::uint64_t searched, std::int64_t overlaps_gained);
 
     // filter_candidates.cpp
     void move_all(const ProxyTable& table);
@@ -61,9 +59,11 @@ class KeptCandidates final : public PairFinder {
     void search_escaped(Update& update);
     void place_escaped(const ProxyTable& table);
     void link(SlotIndex slot, Update& update);
-    void search_all(Update& update);
-    std::vector<SlotIndex> sort_slots(const ProxyTable& table);
-    void mark_overlapping(SlotIndex slot);
+    void search_all(Update& update, bool must_sort);
+    void sort_slots(const ProxyTable& table);
+    void relink_all(Update& update);
+    void next_mark();
+    void mark_overlapping(const CandidateLists& lists, SlotIndex slot);
     bool is_marked(SlotIndex slot) const noexcept { return marks_[slot] == mark_; }
 
     // By slot. A free slot has empty boxes.
@@ -81,14 +81,19 @@ class KeptCandidates final : public PairFinder {
     std::uint32_t mark_ = 0;
     double mean_extent_ = 0;
     double horizon_ = 16;  // for how many updates a fat box leaves room
-    std::uint64_t filter_work_ = 0;
-    std::uint64_t search_work_ = 0;
+    double wasted_work_ = 0;
+    double search_work_ = 0;
+    std::int64_t overlap_count_ = 0;
     std::size_t searched_since_sort_ = 0;
+    double tests_after_sort_ = 0;  // for each box, when everything was looked up
+    bool is_worn_ = false;         // they became more
 
     // Working memory of an update.
     std::vector<SlotIndex> movers_;
     std::vector<Escaped> escaped_;
     std::vector<SlotIndex> found_;
+    std::vector<std::array<SlotIndex, 2>> found_pairs_;
+    CandidateLists old_candidates_;
 };
 
 }  // namespace ecods

@@ -9,9 +9,8 @@
 namespace ecods {
 namespace {
 
-bool is_before(const ProxyPair& a, const ProxyPair& b) {
-    return rank_of(a) < rank_of(b);
-}
+// An object, so that algorithms do not call it through a pointer.
+constexpr auto is_before = [](const ProxyPair& a, const ProxyPair& b) { return rank_of(a) < rank_of(b); };
 
 // The first in a sorted range that is not before `pair`. It is looked for near the beginning first: changes of a list
 // follow each other closely.
