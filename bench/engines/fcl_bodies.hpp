@@ -26,21 +26,23 @@ inline std::size_t index_of(const fcl::CollisionObjectd& object) {
     return static_cast<std::size_t>(reinterpret_cast<std::uintptr_t>(object.getUserData()));
 }
 
+template <class Volume>
+std::shared_ptr<fcl::BVHModel<Volume>> to_fcl_model(const scenes::NamedMesh& named) {
+    std::vector<fcl::Vector3d> vertices(named.mesh->vertices().begin(), named.mesh->vertices().end());
+    std::vector<fcl::Triangle> triangles;
+    for (const Triangle& t : named.mesh->triangles()) triangles.emplace_back(t[0], t[1], t[2]);
+    auto model = std::make_shared<fcl::BVHModel<Volume>>();
+    const bool made =
+        model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size())) == fcl::BVH_OK &&
+        model->addSubModel(vertices, triangles) == fcl::BVH_OK && model->endModel() == fcl::BVH_OK;
+    if (!made) throw std::runtime_error("FCL cannot build a tree for mesh '" + named.name + "'");
+    model->computeLocalAABB();
+    return model;
+}
+
 inline std::vector<std::unique_ptr<fcl::CollisionObjectd>> to_fcl(const scenes::Scene& scene) {
-    using Model = fcl::BVHModel<fcl::OBBRSSd>;
-    std::vector<std::shared_ptr<Model>> models;
-    for (const scenes::NamedMesh& named : scene.meshes) {
-        std::vector<fcl::Vector3d> vertices(named.mesh->vertices().begin(), named.mesh->vertices().end());
-        std::vector<fcl::Triangle> triangles;
-        for (const Triangle& t : named.mesh->triangles()) triangles.emplace_back(t[0], t[1], t[2]);
-        auto model = std::make_shared<Model>();
-        const bool made =
-            model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size())) == fcl::BVH_OK &&
-            model->addSubModel(vertices, triangles) == fcl::BVH_OK && model->endModel() == fcl::BVH_OK;
-        if (!made) throw std::runtime_error("FCL cannot build a tree for mesh '" + named.name + "'");
-        model->computeLocalAABB();
-        models.push_back(std::move(model));
-    }
+    std::vector<std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>>> models;
+    for (const scenes::NamedMesh& named : scene.meshes) models.push_back(to_fcl_model<fcl::OBBRSSd>(named));
 
     std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects;
     for (const scenes::SceneBody& body : scene.bodies) {

@@ -1,9 +1,11 @@
 // A suite runs scenes, prints its tables, and hands its sections of the report back.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "report/page.hpp"
@@ -14,16 +16,28 @@ struct SuiteOptions {
     std::size_t frame_count = 200;     // of each room; the assembly runs a third of it and more, up to its full cycle
     std::size_t repetition_count = 3;  // times are medians over these
     bool has_pictures = true;
-    std::filesystem::path folder;  // for pictures and what they are made from; exists
+    bool is_long = false;              // largest sizes, too
+    std::vector<std::string> engines;  // engines whose name contains one of these; all when empty
+    std::vector<std::size_t> sizes;    // numbers of boxes or bodies, where a suite has a choice; its own when empty
+    std::filesystem::path folder;      // for pictures and what they are made from; exists
 
     // To see that all of it works: little data, once, no pictures.
     bool is_quick() const { return !has_pictures; }
+
+    bool wants(std::string_view engine) const {
+        return engines.empty() || std::any_of(engines.begin(), engines.end(), [&](const std::string& part) {
+                   return engine.find(part) != std::string_view::npos;
+               });
+    }
+    bool wants(std::size_t size) const {
+        return sizes.empty() || std::find(sizes.begin(), sizes.end(), size) != sizes.end();
+    }
 };
 
 struct SuiteResult {
     std::vector<Section> sections;
     std::vector<Table> comparisons;  // of engines on scenes, all with the same columns; the page begins with them
-    bool is_right = true;  // every answer of ECoDS was the oracle's, and every count what it must be
+    bool is_right = true;            // every answer of ECoDS was the oracle's, and every count what it must be
 };
 
 struct Suite {
@@ -34,6 +48,9 @@ struct Suite {
 SuiteResult run_rooms(const SuiteOptions& options);       // all ships move: ECoDS beside FCL and all pairs
 SuiteResult run_hover(const SuiteOptions& options);       // some ships move: what the manager spares
 SuiteResult run_assembly(const SuiteOptions& options);    // the two-cylinder engine: which parts touch, which cross
+SuiteResult run_narrow(const SuiteOptions& options);      // two meshes: time and errors of every engine
+SuiteResult run_broad(const SuiteOptions& options);       // boxes only: time of every engine
+SuiteResult run_system(const SuiteOptions& options);      // the report's two experiments
 SuiteResult run_predicates(const SuiteOptions& options);  // triangle pairs: what exactness costs
 SuiteResult run_stability(const SuiteOptions& options);   // hard triangle pairs: who is wrong, and how often
 

@@ -1,0 +1,93 @@
+// Bullet's GImpact, its collision detection for two concave moving meshes. It has no query that stops at the first
+// contact. btCollisionWorld::contactPairTest, which other shapes are asked by, does not know GImpact: the algorithm is
+// asked as the dispatcher asks it.
+#include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
+#include <BulletCollision/Gimpact/btGImpactShape.h>
+#include <btBulletCollisionCommon.h>
+
+#include <array>
+#include <memory>
+
+#include "engines/narrow_engine.hpp"
+
+namespace ecods::bench {
+
+namespace {
+
+struct BulletMesh {
+    std::vector<btScalar> vertices;
+    std::vector<int> indices;
+    std::unique_ptr<btTriangleIndexVertexArray> arrays;
+    std::unique_ptr<btGImpactMeshShape> shape;
+    std::array<btCollisionObject, 2> objects;  // as the first and as the second of a pair
+};
+
+struct AnyContact final : btManifoldResult {
+    using btManifoldResult::btManifoldResult;
+    bool is_found = false;
+
+    void addContactPoint(const btVector3& /*normal*/, const btVector3& /*point*/, btScalar distance) override {
+        if (distance <= 0) is_found = true;
+    }
+};
+
+class NarrowBullet final : public NarrowEngine {
+  public:
+    explicit NarrowBullet(std::span<const scenes::NamedMesh> meshes) : dispatcher_(&configuration_) {
+        btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher_);
+        for (const scenes::NamedMesh& named : meshes) {
+            meshes_.push_back(std::make_unique<BulletMesh>());
+            build(*meshes_.back(), *named.mesh);
+        }
+    }
+
+    bool query(const scenes::MeshQuery& query) override {
+        const btCollisionObject *a = placed(query.a, 0), *b = placed(query.b, 1);
+        const btCollisionObjectWrapper of_a(nullptr, a->getCollisionShape(), a, a->getWorldTransform(), -1, -1);
+        const btCollisionObjectWrapper of_b(nullptr, b->getCollisionShape(), b, b->getWorldTransform(), -1, -1);
+        AnyContact any(&of_a, &of_b);
+        btCollisionAlgorithm* algorithm = dispatcher_.findAlgorithm(&of_a, &of_b, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+        algorithm->processCollision(&of_a, &of_b, btDispatcherInfo(), &any);
+        algorithm->~btCollisionAlgorithm();
+        dispatcher_.freeCollisionAlgorithm(algorithm);
+        return any.is_found;
+    }
+
+  private:
+    static void build(BulletMesh& made, const Mesh& mesh) {
+        for (const Vec3& v : mesh.vertices())
+            for (int axis = 0; axis < 3; ++axis) made.vertices.push_back(static_cast<btScalar>(v[axis]));
+        for (const Triangle& t : mesh.triangles())
+            for (const std::uint32_t index : t) made.indices.push_back(static_cast<int>(index));
+        made.arrays = std::make_unique<btTriangleIndexVertexArray>(
+            static_cast<int>(mesh.triangles().size()), made.indices.data(), static_cast<int>(3 * sizeof(int)),
+            static_cast<int>(mesh.vertices().size()), made.vertices.data(), static_cast<int>(3 * sizeof(btScalar)));
+        made.shape = std::make_unique<btGImpactMeshShape>(made.arrays.get());
+        made.shape->setMargin(0);
+        made.shape->updateBound();
+        for (btCollisionObject& object : made.objects) object.setCollisionShape(made.shape.get());
+    }
+
+    btCollisionObject* placed(const scenes::MeshAt& at, std::size_t role) {
+        btCollisionObject& object = meshes_[at.mesh_index]->objects[role];
+        const auto f = [](double x) { return static_cast<btScalar>(x); };
+        const Mat3& R = at.pose.R;
+        const btMatrix3x3 rotation(f(R(0, 0)), f(R(0, 1)), f(R(0, 2)), f(R(1, 0)), f(R(1, 1)), f(R(1, 2)), f(R(2, 0)),
+                                   f(R(2, 1)), f(R(2, 2)));
+        object.setWorldTransform(
+            btTransform(rotation, btVector3(f(at.pose.t.x()), f(at.pose.t.y()), f(at.pose.t.z()))));
+        return &object;
+    }
+
+    btDefaultCollisionConfiguration configuration_;
+    btCollisionDispatcher dispatcher_;
+    std::vector<std::unique_ptr<BulletMesh>> meshes_;
+};
+
+}  // namespace
+
+std::unique_ptr<NarrowEngine> set_up_narrow_bullet(std::span<const scenes::NamedMesh> meshes) {
+    return std::make_unique<NarrowBullet>(meshes);
+}
+
+}  // namespace ecods::bench

@@ -1,0 +1,253 @@
+// Two meshes: microseconds per query and wrong answers of every engine.
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "harness/progress.hpp"
+#include "report/error_chart.hpp"
+#include "scenes/narrow_workloads.hpp"
+#include "suites/comparison.hpp"
+#include "suites/narrow_builds.hpp"
+#include "suites/narrow_measure.hpp"
+#include "suites/suite.hpp"
+
+namespace ecods::bench {
+
+namespace {
+
+using scenes::MeshPairs;
+using scenes::WorkloadSize;
+
+WorkloadSize size_of(const SuiteOptions& options) {
+    if (options.is_quick()) return WorkloadSize::tiny;
+    return options.is_long ? WorkloadSize::large : WorkloadSize::full;
+}
+
+std::size_t triangle_count(const MeshPairs& workload) {
+    std::size_t count = 0;
+    for (const scenes::NamedMesh& named : workload.meshes) count = std::max(count, named.mesh->triangles().size());
+    return count;
+}
+
+// The oracle needs about 0.1 us for each vertex of each query, and the rest for what is near.
+std::size_t judged_count(const MeshPairs& workload, const SuiteOptions& options) {
+    if (options.is_quick()) return 4;
+    return triangle_count(workload) <= 2000 ? workload.queries.size() : 20;
+}
+
+struct Measured {
+    const MeshPairs& workload;
+    NarrowTruth truth;
+    std::vector<NarrowRun> runs;
+
+    // Wrong answers of a run: missed, invented.
+    std::pair<std::size_t, std::size_t> errors(const NarrowRun& run) const {
+        std::size_t missed = 0, invented = 0;
+        for (std::size_t i = 0; i < run.answers.size(); ++i) {
+            if (truth.answers[i] && !run.answers[i]) ++missed;
+            if (!truth.answers[i] && run.answers[i]) ++invented;
+        }
+        return {missed, invented};
+    }
+
+    double wrong_share(const NarrowRun& run) const {
+        const auto [missed, invented] = errors(run);
+        return static_cast<double>(missed + invented) / static_cast<double>(run.answers.size());
+    }
+
+    bool is_right() const {
+        return truth.wrong_count == 0 && std::all_of(runs.begin(), runs.end(), [&](const NarrowRun& run) {
+                   return !run.is_ecods || (run.failure.empty() && wrong_share(run) == 0);
+               });
+    }
+};
+
+Measured measure_one(const MeshPairs& workload, std::span<const NarrowMaker> makers, const SuiteOptions& options) {
+    NarrowTruth truth = find_truth(workload, judged_count(workload, options));
+    return {workload, std::move(truth), measure_narrow(workload, makers, options.repetition_count)};
+}
+
+std::span<const double> yardstick_of(const std::vector<NarrowRun>& runs) {
+    for (const NarrowRun& run : runs)
+        if (run.name == narrow_yardstick) return run.us;
+    return {};
+}
+
+std::string ratio_text(double ratio) {
+    return ratio == 0 ? "" : fmt::format("{:.2f}", ratio);
+}
+
+void add_rows(Table& table, const Measured& measured) {
+    const auto count = static_cast<double>(measured.workload.queries.size());
+    const auto hits = std::count(measured.truth.answers.begin(), measured.truth.answers.end(), true);
+    for (const NarrowRun& run : measured.runs) {
+        std::vector<std::string> row = {measured.workload.name, run.name};
+        if (!run.failure.empty()) {
+            row.push_back(run.failure);
+            row.resize(table.header.size());
+            table.rows.push_back(std::move(row));
+            continue;
+        }
+        const auto [missed, invented] = measured.errors(run);
+        const auto per_query = [&](std::uint64_t work) {
+            return run.has_work ? fmt::format("{:.1f}", static_cast<double>(work) / count) : std::string();
+        };
+        for (std::string& cell : std::vector<std::string>{
+                 fmt::format("{:.2f}", median(run.us)), fmt::format("{:.0f}", spread_in_percent(run.us)),
+                 ratio_text(times_as_fast(run.us, yardstick_of(measured.runs))),
+                 fmt::format("{} / {}", hits, measured.workload.queries.size()), fmt::format("{}", missed),
+                 fmt::format("{}", invented), per_query(run.work.box_tests), per_query(run.work.triangle_tests),
+                 fmt::format("{}", measured.truth.judged_count)})
+            row.push_back(std::move(cell));
+        table.rows.push_back(std::move(row));
+    }
+}
+
+Table empty_table(const std::string& title, std::size_t repetition_count) {
+    Table table;
+    table.title = title;
+    table.text_columns = 2;
+    table.header = {"workload", "engine", "us/query", "spread %",        "times FCL",
+                    "hits",     "missed", "invented", "box tests/query", "triangle tests/query",
+                    "judged"};
+    table.notes = {
+        fmt::format("Medians of {} interleaved repetitions after one that is not timed, each engine pinned in a "
+                    "process of its own; spread: quartile distance.",
+                    repetition_count),
+        fmt::format("Times FCL: how many times as fast as {}, in the same repetition. Judged: so many answers were "
+                    "checked by the oracle; the others by ECoDS.",
+                    narrow_yardstick)};
+    return table;
+}
+
+// Wrong answers by gap, one column for each engine.
+Table gap_table(std::span<const Measured> all) {
+    Table table;
+    table.title = "Ships at controlled gaps: answers missed / invented";
+    table.header = {"gap in radii", "queries", "judged"};
+    for (const NarrowRun& run : all.front().runs) table.header.push_back(run.name);
+    for (const Measured& measured : all) {
+        std::vector<std::string> row = {measured.workload.name, fmt::format("{}", measured.workload.queries.size()),
+                                        fmt::format("{}", measured.truth.judged_count)};
+        for (const NarrowRun& run : measured.runs) {
+            const auto [missed, invented] = measured.errors(run);
+            row.push_back(run.failure.empty() ? fmt::format("{} / {}", missed, invented) : run.failure);
+        }
+        table.rows.push_back(std::move(row));
+    }
+    table.notes = {
+        "Half of the poses have the gap, half are as deep. Adjacent doubles: the two positions on a line between "
+        "which contact begins.",
+        "Judged: answers checked by the oracle."};
+    return table;
+}
+
+Table list_table(const MeshPairs& workload, const ListTruth& truth, const std::vector<ListRun>& runs) {
+    Table table;
+    table.title = "All pairs of triangles that touch: " + workload.name;
+    table.header = {"engine", "us/query", "times FCL", "pairs/query", "missed pairs", "invented pairs"};
+    std::vector<double> yardstick;
+    for (const ListRun& run : runs)
+        if (run.name == narrow_yardstick) yardstick = run.us;
+    for (const ListRun& run : runs) {
+        if (!run.failure.empty()) {
+            table.rows.push_back({run.name, run.failure, "", "", "", ""});
+            continue;
+        }
+        table.rows.push_back({run.name, fmt::format("{:.2f}", median(run.us)),
+                              ratio_text(times_as_fast(run.us, yardstick)),
+                              fmt::format("{:.2f}", run.pair_count / static_cast<double>(workload.queries.size())),
+                              fmt::format("{:.0f}", run.missed), fmt::format("{:.0f}", run.invented)});
+    }
+    table.notes = {fmt::format("{} queries. FCL with contacts on, as many as there are. The oracle checked {} lists.",
+                               workload.queries.size(), truth.judged_count)};
+    return table;
+}
+
+ErrorPanel panel_of(const std::string& title, std::span<const Measured> all) {
+    ErrorPanel panel{title, {}};
+    for (std::size_t e = 0; e < all.front().runs.size(); ++e) {
+        std::vector<double> us;
+        double wrong = 0;
+        for (const Measured& measured : all) {
+            if (!measured.runs[e].failure.empty()) continue;
+            us.push_back(median(measured.runs[e].us));
+            wrong += measured.wrong_share(measured.runs[e]);
+        }
+        if (!us.empty()) panel.points.push_back({e, median(us), wrong / static_cast<double>(us.size())});
+    }
+    return panel;
+}
+
+Table use_table(std::span<const NarrowMaker> makers) {
+    Table table;
+    table.title = "How each engine is used";
+    table.text_columns = 2;
+    table.header = {"engine", "use; precision"};
+    for (const NarrowMaker& maker : makers) table.rows.push_back({maker.name, maker.use});
+    table.notes = {"Building trees is outside the times; setting both poses is inside."};
+    return table;
+}
+
+}  // namespace
+
+SuiteResult run_narrow(const SuiteOptions& options) {
+    std::vector<NarrowMaker> makers = narrow_engines();
+    std::erase_if(makers, [&](const NarrowMaker& maker) { return !options.wants(maker.name); });
+    const std::size_t repetition_count = options.repetition_count;
+    SuiteResult result;
+
+    std::vector<MeshPairs> workloads = narrow_workloads(size_of(options));
+    const std::size_t workload_count = workloads.size();
+    for (MeshPairs& workload : gap_workloads(size_of(options))) workloads.push_back(std::move(workload));
+    Table table = empty_table("Two meshes: do they touch?", repetition_count);
+    std::vector<Measured> all;
+    {
+        Progress progress("narrow", workloads.size());
+        for (const MeshPairs& workload : workloads) {
+            all.push_back(measure_one(workload, makers, options));
+            result.is_right &= all.back().is_right();
+            if (all.size() <= workload_count) add_rows(table, all.back());
+            progress.step();
+        }
+    }
+    print(table);
+    const Table gaps = gap_table(std::span(all).subspan(workload_count));
+    print(gaps);
+
+    std::vector<NarrowMaker> listing = makers;
+    std::erase_if(listing, [](const NarrowMaker& maker) { return !maker.has_lists; });
+    const ListTruth lists = find_lists(workloads.front(), judged_count(workloads.front(), options));
+    const std::vector<ListRun> list_runs = measure_lists(workloads.front(), lists.lists, listing, repetition_count);
+    const Table list = list_table(workloads.front(), lists, list_runs);
+    print(list);
+    result.is_right &= lists.wrong_count == 0;
+    for (const ListRun& run : list_runs)
+        result.is_right &= !run.is_ecods || (run.failure.empty() && run.missed + run.invented == 0);
+
+    const Table builds = build_table(build_workloads(size_of(options)), makers, repetition_count);
+    print(builds);
+
+    Section section{"Two meshes",
+                    {"Near: two copies of a mesh whose gap, or depth, is 1e-4 to 1e-2 radii; half of them touch. "
+                     "Random: copies anywhere where their bounding balls overlap. Bricks and shafts: parts in exact "
+                     "contact, and the same parts with a clearance.",
+                     "The chart shows each engine as a point: time per query across, share of wrong answers up. The "
+                     "line at 0 is no error at all."},
+                    {table, gaps, list, builds, use_table(makers)},
+                    {}};
+    if (options.has_pictures) {
+        std::vector<ErrorPanel> panels;
+        for (std::size_t i = 0; i < workload_count; ++i)
+            panels.push_back(panel_of(workloads[i].name, std::span(all).subspan(i, 1)));
+        panels.push_back(panel_of("ships, gaps 1e-3 to adjacent doubles", std::span(all).subspan(workload_count)));
+        std::vector<std::string> names;
+        for (const NarrowMaker& maker : makers) names.push_back(maker.name);
+        section.pictures.push_back(plot_errors(panels, names, "us per query", options.folder, "narrow-errors",
+                                               "Speed against error. The better engine is lower and further left."));
+    }
+    result.sections.push_back(std::move(section));
+    return result;
+}
+
+}  // namespace ecods::bench

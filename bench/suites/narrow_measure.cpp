@@ -1,0 +1,208 @@
+#include "suites/narrow_measure.hpp"
+
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics_double.h>
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <iterator>
+#include <utility>
+
+#include "ecods/two_body.hpp"
+#include "harness/contained.hpp"
+#include "oracle/oracle.hpp"
+
+namespace ecods::bench {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::seconds turn_limit{120};
+
+double us_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+}
+
+// A turn: all queries. Values: microseconds, whether work was counted, box tests, triangle tests, then the answers.
+constexpr std::size_t head_size = 4;
+
+Contained::Run start_queries(const NarrowMaker& maker, const scenes::MeshPairs& workload) {
+    std::shared_ptr<NarrowEngine> engine = maker.set_up(workload.meshes);
+    return [engine, &workload, is_first = true]() mutable {
+        std::vector<double> values(head_size + workload.queries.size());
+        const Clock::time_point start = Clock::now();
+        for (std::size_t i = 0; i < workload.queries.size(); ++i)
+            values[head_size + i] = engine->query(workload.queries[i]) ? 1 : 0;
+        values[0] = us_since(start);
+        if (!std::exchange(is_first, false)) return values;
+        for (const scenes::MeshQuery& query : workload.queries) {
+            const std::optional<NarrowWork> work = engine->work(query);
+            if (!work) break;
+            values[1] = 1;
+            values[2] += static_cast<double>(work->box_tests);
+            values[3] += static_cast<double>(work->triangle_tests);
+        }
+        return values;
+    };
+}
+
+// A turn: all lists. Values: microseconds, pairs, missed, invented.
+Contained::Run start_lists(const NarrowMaker& maker, const scenes::MeshPairs& workload, const Lists& truth) {
+    std::shared_ptr<NarrowEngine> engine = maker.set_up(workload.meshes);
+    return [engine, &workload, &truth]() {
+        std::vector<double> values(4);
+        std::vector<TrianglePair> list, difference;
+        const auto count_difference = [&](const auto& from, const auto& what) {
+            difference.clear();
+            std::set_difference(from.begin(), from.end(), what.begin(), what.end(), std::back_inserter(difference));
+            return static_cast<double>(difference.size());
+        };
+        for (std::size_t i = 0; i < workload.queries.size(); ++i) {
+            const Clock::time_point start = Clock::now();
+            engine->list(workload.queries[i], list);
+            values[0] += us_since(start);
+            std::sort(list.begin(), list.end());
+            values[1] += static_cast<double>(list.size());
+            values[2] += count_difference(truth[i], list);
+            values[3] += count_difference(list, truth[i]);
+        }
+        return values;
+    };
+}
+
+// Whether query i of n is one of `chosen` that are spread evenly.
+bool is_chosen(std::size_t i, std::size_t n, std::size_t chosen) {
+    return (i + 1) * chosen / n != i * chosen / n;
+}
+
+std::deque<MeshShape> shapes_of(const scenes::MeshPairs& workload) {
+    std::deque<MeshShape> shapes;
+    for (const scenes::NamedMesh& named : workload.meshes) shapes.emplace_back(named.mesh);
+    return shapes;
+}
+
+oracle::OracleMesh for_oracle(const scenes::MeshPairs& workload, const scenes::MeshAt& at) {
+    return {workload.meshes[at.mesh_index].mesh, at.pose};
+}
+
+template <class Run>
+std::vector<Run> name_runs(std::span<const NarrowMaker> makers) {
+    std::vector<Run> runs(makers.size());
+    for (std::size_t i = 0; i < makers.size(); ++i) {
+        runs[i].name = makers[i].name;
+        runs[i].is_ecods = makers[i].is_ecods;
+    }
+    return runs;
+}
+
+template <class Start>
+std::vector<Contained> contain(std::span<const NarrowMaker> makers, const Start& start) {
+    std::vector<Contained> children;
+    children.reserve(makers.size());
+    for (const NarrowMaker& maker : makers) children.emplace_back([&maker, start] { return start(maker); }, turn_limit);
+    return children;
+}
+
+}  // namespace
+
+std::vector<NarrowRun> measure_narrow(const scenes::MeshPairs& workload, std::span<const NarrowMaker> makers,
+                                      std::size_t repetition_count) {
+    const auto start = [&workload](const NarrowMaker& maker) { return start_queries(maker, workload); };
+    std::vector<Contained> children = contain(makers, start);
+    std::vector<NarrowRun> runs = name_runs<NarrowRun>(makers);
+    for (std::size_t repetition = 0; repetition <= repetition_count; ++repetition) {
+        for (std::size_t i = 0; i < makers.size(); ++i) {
+            const Outcome outcome = children[i].run();
+            NarrowRun& run = runs[i];
+            run.failure = outcome.failure;
+            if (!outcome.is_right()) continue;
+            if (repetition > 0) {
+                run.us.push_back(outcome.values[0] / static_cast<double>(workload.queries.size()));
+                continue;
+            }
+            run.has_work = outcome.values[1] != 0;
+            run.work = {static_cast<std::uint64_t>(outcome.values[2]), static_cast<std::uint64_t>(outcome.values[3])};
+            for (std::size_t k = head_size; k < outcome.values.size(); ++k)
+                run.answers.push_back(outcome.values[k] != 0);
+        }
+    }
+    return runs;
+}
+
+std::vector<ListRun> measure_lists(const scenes::MeshPairs& workload, const Lists& truth,
+                                   std::span<const NarrowMaker> makers, std::size_t repetition_count) {
+    const auto start = [&](const NarrowMaker& maker) { return start_lists(maker, workload, truth); };
+    std::vector<Contained> children = contain(makers, start);
+    std::vector<ListRun> runs = name_runs<ListRun>(makers);
+    for (std::size_t repetition = 0; repetition <= repetition_count; ++repetition) {
+        for (std::size_t i = 0; i < makers.size(); ++i) {
+            const Outcome outcome = children[i].run();
+            ListRun& run = runs[i];
+            run.failure = outcome.failure;
+            if (!outcome.is_right()) continue;
+            if (repetition > 0) run.us.push_back(outcome.values[0] / static_cast<double>(workload.queries.size()));
+            run.pair_count = outcome.values[1];
+            run.missed = outcome.values[2];
+            run.invented = outcome.values[3];
+        }
+    }
+    return runs;
+}
+
+NarrowTruth find_truth(const scenes::MeshPairs& workload, std::size_t judged_count) {
+    const std::deque<MeshShape> shapes = shapes_of(workload);
+    QueryMemory memory;
+    NarrowTruth truth;
+    for (std::size_t i = 0; i < workload.queries.size(); ++i) {
+        const auto& [a, b] = workload.queries[i];
+        bool answer = intersects({shapes[a.mesh_index], a.pose}, {shapes[b.mesh_index], b.pose}, memory);
+        if (is_chosen(i, workload.queries.size(), std::min(judged_count, workload.queries.size()))) {
+            ++truth.judged_count;
+            const bool exact = oracle::intersects(for_oracle(workload, a), for_oracle(workload, b));
+            if (answer != exact) ++truth.wrong_count;
+            answer = exact;
+        }
+        truth.answers.push_back(answer);
+    }
+    return truth;
+}
+
+ListTruth find_lists(const scenes::MeshPairs& workload, std::size_t judged_count) {
+    const std::deque<MeshShape> shapes = shapes_of(workload);
+    QueryMemory memory;
+    ListTruth truth;
+    for (std::size_t i = 0; i < workload.queries.size(); ++i) {
+        const auto& [a, b] = workload.queries[i];
+        truth.lists.push_back(
+            touching_triangles({shapes[a.mesh_index], a.pose}, {shapes[b.mesh_index], b.pose}, memory));
+        if (!is_chosen(i, workload.queries.size(), std::min(judged_count, workload.queries.size()))) continue;
+        ++truth.judged_count;
+        auto exact = oracle::touching_triangles(for_oracle(workload, a), for_oracle(workload, b));
+        if (exact != truth.lists.back()) ++truth.wrong_count;
+        truth.lists.back() = std::move(exact);
+    }
+    return truth;
+}
+
+double median(std::vector<double> values) {
+    return values.empty() ? 0 : gsl_stats_median(values.data(), 1, values.size());
+}
+
+double spread_in_percent(std::vector<double> values) {
+    if (values.size() < 2) return 0;
+    gsl_sort(values.data(), 1, values.size());
+    const auto quantile = [&](double share) {
+        return gsl_stats_quantile_from_sorted_data(values.data(), 1, values.size(), share);
+    };
+    return 100 * (quantile(0.75) - quantile(0.25)) / quantile(0.5);
+}
+
+double times_as_fast(std::span<const double> us, std::span<const double> yardstick_us) {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < std::min(us.size(), yardstick_us.size()); ++i)
+        ratios.push_back(yardstick_us[i] / us[i]);
+    return median(std::move(ratios));
+}
+
+}  // namespace ecods::bench
