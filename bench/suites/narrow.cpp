@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "harness/progress.hpp"
+#include "harness/statistics.hpp"
 #include "report/error_chart.hpp"
 #include "scenes/narrow_workloads.hpp"
 #include "suites/comparison.hpp"

@@ -5,7 +5,7 @@
 #include <chrono>
 
 #include "harness/contained.hpp"
-#include "suites/narrow_measure.hpp"
+#include "harness/statistics.hpp"
 
 namespace ecods::bench {
 

@@ -1,8 +1,5 @@
 #include "suites/narrow_measure.hpp"
 
-#include <gsl/gsl_sort.h>
-#include <gsl/gsl_statistics_double.h>
-
 #include <algorithm>
 #include <chrono>
 #include <deque>
@@ -183,26 +180,6 @@ ListTruth find_lists(const scenes::MeshPairs& workload, std::size_t judged_count
         truth.lists.back() = std::move(exact);
     }
     return truth;
-}
-
-double median(std::vector<double> values) {
-    return values.empty() ? 0 : gsl_stats_median(values.data(), 1, values.size());
-}
-
-double spread_in_percent(std::vector<double> values) {
-    if (values.size() < 2) return 0;
-    gsl_sort(values.data(), 1, values.size());
-    const auto quantile = [&](double share) {
-        return gsl_stats_quantile_from_sorted_data(values.data(), 1, values.size(), share);
-    };
-    return 100 * (quantile(0.75) - quantile(0.25)) / quantile(0.5);
-}
-
-double times_as_fast(std::span<const double> us, std::span<const double> yardstick_us) {
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i < std::min(us.size(), yardstick_us.size()); ++i)
-        ratios.push_back(yardstick_us[i] / us[i]);
-    return median(std::move(ratios));
 }
 
 }  // namespace ecods::bench

@@ -55,10 +55,4 @@ struct ListTruth {
 };
 ListTruth find_lists(const scenes::MeshPairs& workload, std::size_t judged_count);
 
-// How many times as fast as the yardstick, the median over the repetitions; nothing to say is 0.
-double times_as_fast(std::span<const double> us, std::span<const double> yardstick_us);
-
-double median(std::vector<double> values);             // 0 of nothing
-double spread_in_percent(std::vector<double> values);  // quartile distance over median
-
 }  // namespace ecods::bench

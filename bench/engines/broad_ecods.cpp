@@ -1,0 +1,34 @@
+// ECoDS's broad phases, one after the other the same way.
+#include "engines/broad_engine.hpp"
+
+namespace ecods::bench {
+
+namespace {
+
+class BroadEcods final : public BroadEngine {
+  public:
+    BroadEcods(BroadPhaseKind kind, const scenes::MovingBoxes& boxes) : broad_phase_(make_broad_phase(kind)) {
+        for (std::size_t i = 0; i < boxes.boxes.size(); ++i)
+            broad_phase_->add(static_cast<ProxyIndex>(i), boxes.boxes[i]);
+    }
+
+    void run_frame(std::span<const scenes::BoxMove> moves) override {
+        for (const scenes::BoxMove& move : moves) broad_phase_->move(move.index, move.box);
+        broad_phase_->update();
+        pairs_ = broad_phase_->pairs();  // asked here, because a broad phase may make the list when it is asked
+    }
+
+    std::span<const ProxyPair> pairs() const override { return pairs_; }
+
+  private:
+    std::unique_ptr<BroadPhase> broad_phase_;
+    std::span<const ProxyPair> pairs_;
+};
+
+}  // namespace
+
+std::unique_ptr<BroadEngine> set_up_broad_ecods(BroadPhaseKind kind, const scenes::MovingBoxes& boxes) {
+    return std::make_unique<BroadEcods>(kind, boxes);
+}
+
+}  // namespace ecods::bench

@@ -1,0 +1,53 @@
+// What every engine of the broad phase offers: boxes are taken in once, then frames of moves are run one by one.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ecods/broad_phase.hpp"
+#include "scenes/moving_boxes.hpp"
+
+namespace ecods::bench {
+
+class BroadEngine {
+  public:
+    virtual ~BroadEngine() = default;
+
+    // Applies the moves and leaves the complete list of pairs of which the closed boxes overlap. This is what is timed.
+    virtual void run_frame(std::span<const scenes::BoxMove> moves) = 0;
+
+    // Of the last frame: a < b, in any order.
+    virtual std::span<const ProxyPair> pairs() const = 0;
+};
+
+struct BroadMaker {
+    std::string name;
+    std::string use;  // how it is used: for the page
+    bool is_ecods = false;
+    std::size_t count_max = std::numeric_limits<std::size_t>::max();  // of boxes, in runs of the usual length
+    // With the boxes at rest. Not timed.
+    std::function<std::unique_ptr<BroadEngine>(const scenes::MovingBoxes& boxes)> set_up;
+};
+
+std::unique_ptr<BroadEngine> set_up_broad_ecods(BroadPhaseKind kind, const scenes::MovingBoxes& boxes);
+std::unique_ptr<BroadEngine> set_up_broad_fcl_tree(const scenes::MovingBoxes& boxes);
+std::unique_ptr<BroadEngine> set_up_broad_fcl_array(const scenes::MovingBoxes& boxes);
+std::unique_ptr<BroadEngine> set_up_broad_bullet_dbvt(const scenes::MovingBoxes& boxes);
+std::unique_ptr<BroadEngine> set_up_broad_bullet_sweep(const scenes::MovingBoxes& boxes);
+std::unique_ptr<BroadEngine> set_up_broad_ode(const scenes::MovingBoxes& boxes);
+std::unique_ptr<BroadEngine> set_up_broad_embree(const scenes::MovingBoxes& boxes);
+std::unique_ptr<BroadEngine> set_up_broad_cgal(const scenes::MovingBoxes& boxes);
+
+// All of the above, ECoDS once for each kind. The one that ratios are taken to is FCL DynamicAABBTree.
+std::vector<BroadMaker> broad_engines();
+constexpr const char* broad_yardstick = "FCL DynamicAABBTree";
+
+// The pairs of closed boxes that overlap, ascending, by CGAL's box intersection: for checking large scenes.
+std::vector<ProxyPair> overlapping_pairs_by_cgal(std::span<const Aabb> boxes);
+
+}  // namespace ecods::bench

@@ -1,0 +1,78 @@
+// FCL's dynamic trees of boxes. Objects are boxes that do not turn, so that FCL's bounds are the very boxes given.
+#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
+#include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
+#include <fcl/geometry/shape/box.h>
+#include <fcl/narrowphase/collision_object.h>
+
+#include <cstdint>
+#include <memory>
+
+#include "engines/broad_engine.hpp"
+
+namespace ecods::bench {
+
+namespace {
+
+template <class Manager>
+class BroadFcl final : public BroadEngine {
+  public:
+    explicit BroadFcl(const scenes::MovingBoxes& boxes) {
+        std::vector<fcl::CollisionObjectd*> all;
+        for (const Aabb& box : boxes.boxes) {
+            auto shape = std::make_shared<fcl::Boxd>(fcl::Vector3d(box.max - box.min));
+            auto object = std::make_unique<fcl::CollisionObjectd>(shape);
+            object->setUserData(reinterpret_cast<void*>(static_cast<std::uintptr_t>(objects_.size())));
+            move(*object, box);
+            all.push_back(object.get());
+            objects_.push_back(std::move(object));
+        }
+        manager_.registerObjects(all);
+        manager_.setup();
+    }
+
+    void run_frame(std::span<const scenes::BoxMove> moves) override {
+        moved_.clear();
+        for (const scenes::BoxMove& next : moves) {
+            move(*objects_[next.index], next.box);
+            moved_.push_back(objects_[next.index].get());
+        }
+        if (!moved_.empty()) manager_.update(moved_);
+        pairs_.clear();
+        manager_.collide(&pairs_, &note_pair);
+    }
+
+    std::span<const ProxyPair> pairs() const override { return pairs_; }
+
+  private:
+    static void move(fcl::CollisionObjectd& object, const Aabb& box) {
+        object.setTranslation((box.min + box.max) / 2);
+        object.computeAABB();
+    }
+
+    // FCL calls this for every pair of which the boxes overlap. False: go on.
+    static bool note_pair(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* data) {
+        const auto index = [](const fcl::CollisionObjectd* object) {
+            return static_cast<ProxyIndex>(reinterpret_cast<std::uintptr_t>(object->getUserData()));
+        };
+        const ProxyIndex i = index(a), k = index(b);
+        static_cast<std::vector<ProxyPair>*>(data)->push_back(i < k ? ProxyPair{i, k} : ProxyPair{k, i});
+        return false;
+    }
+
+    std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects_;
+    Manager manager_;  // after the objects, to which it refers
+    std::vector<fcl::CollisionObjectd*> moved_;
+    std::vector<ProxyPair> pairs_;
+};
+
+}  // namespace
+
+std::unique_ptr<BroadEngine> set_up_broad_fcl_tree(const scenes::MovingBoxes& boxes) {
+    return std::make_unique<BroadFcl<fcl::DynamicAABBTreeCollisionManagerd>>(boxes);
+}
+
+std::unique_ptr<BroadEngine> set_up_broad_fcl_array(const scenes::MovingBoxes& boxes) {
+    return std::make_unique<BroadFcl<fcl::DynamicAABBTreeCollisionManager_Arrayd>>(boxes);
+}
+
+}  // namespace ecods::bench

@@ -1,0 +1,141 @@
+// Boxes only: nanoseconds per box and frame, the full list of pairs delivered in every frame.
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "harness/progress.hpp"
+#include "harness/statistics.hpp"
+#include "suites/broad_measure.hpp"
+#include "suites/broad_swaps.hpp"
+#include "suites/comparison.hpp"
+#include "suites/suite.hpp"
+
+namespace ecods::bench {
+
+namespace {
+
+using scenes::BoxLayout;
+using scenes::BoxMotion;
+using scenes::MovingBoxesOptions;
+
+// So many frames that a run of an engine at 100 ns takes about as long for all sizes, within reason.
+std::size_t frame_count(std::size_t box_count, const SuiteOptions& options) {
+    if (options.is_quick()) return 3;
+    return (options.is_long ? 5u : 1u) * std::clamp<std::size_t>(400'000 / box_count, 6, 100);
+}
+
+std::vector<MovingBoxesOptions> workloads(const SuiteOptions& options) {
+    std::vector<MovingBoxesOptions> list;
+    const auto add = [&](BoxLayout layout, BoxMotion motion, std::size_t count) {
+        if (options.wants(count)) list.push_back({layout, motion, count, frame_count(count, options), 1});
+    };
+    add(BoxLayout::dense, BoxMotion::all, 1000);
+    if (options.is_quick()) {
+        for (const BoxLayout layout : {BoxLayout::sparse, BoxLayout::pile, BoxLayout::decades})
+            add(layout, BoxMotion::all, 1000);
+        for (const BoxMotion motion : {BoxMotion::tenth, BoxMotion::teleport, BoxMotion::none})
+            add(BoxLayout::dense, motion, 1000);
+        return list;
+    }
+    add(BoxLayout::dense, BoxMotion::all, 10'000);
+    add(BoxLayout::dense, BoxMotion::all, 100'000);
+    add(BoxLayout::sparse, BoxMotion::all, 10'000);
+    if (options.is_long) add(BoxLayout::sparse, BoxMotion::all, 100'000);
+    add(BoxLayout::pile, BoxMotion::all, 10'000);
+    if (options.is_long) add(BoxLayout::pile, BoxMotion::all, 100'000);
+    add(BoxLayout::dense, BoxMotion::tenth, 10'000);
+    add(BoxLayout::dense, BoxMotion::teleport, 10'000);
+    if (options.is_long) add(BoxLayout::dense, BoxMotion::teleport, 100'000);
+    add(BoxLayout::decades, BoxMotion::all, 10'000);
+    if (options.is_long) add(BoxLayout::decades, BoxMotion::all, 100'000);
+    add(BoxLayout::dense, BoxMotion::none, 10'000);
+    return list;
+}
+
+std::vector<BroadMaker> makers_for(std::size_t box_count, const SuiteOptions& options) {
+    std::vector<BroadMaker> makers = broad_engines();
+    std::erase_if(makers, [&](const BroadMaker& maker) {
+        return !options.wants(maker.name) || (box_count > maker.count_max && !options.is_long);
+    });
+    // Beyond what a list of 16-bit numbers can hold, and beyond patience, for any length of run.
+    std::erase_if(makers, [&](const BroadMaker& maker) {
+        return box_count > 16'000 && (maker.name == "Bullet AxisSweep3" || maker.name == "ECoDS, brute force");
+    });
+    return makers;
+}
+
+void add_rows(Table& table, const scenes::MovingBoxes& boxes, const BroadTruth& truth,
+              const std::vector<BroadRun>& runs) {
+    std::vector<double> yardstick;
+    for (const BroadRun& run : runs)
+        if (run.name == broad_yardstick) yardstick = run.ns;
+    for (const BroadRun& run : runs) {
+        std::vector<std::string> row = {boxes.name, run.name};
+        if (!run.failure.empty()) {
+            row.push_back(run.failure);
+            row.resize(table.header.size());
+        } else {
+            const double ratio = times_as_fast(run.ns, yardstick);
+            row.push_back(fmt::format("{:.1f}", median(run.ns)));
+            row.push_back(fmt::format("{:.0f}", spread_in_percent(run.ns)));
+            row.push_back(ratio == 0 ? "" : fmt::format("{:.2f}", ratio));
+            row.push_back(fmt::format("{:.2f}", truth.pair_count / static_cast<double>(boxes.boxes.size())));
+            row.push_back(fmt::format("{}", run.missed));
+            row.push_back(fmt::format("{}", run.invented));
+        }
+        table.rows.push_back(std::move(row));
+    }
+}
+
+Table use_table() {
+    Table table;
+    table.title = "How each engine is used";
+    table.text_columns = 2;
+    table.header = {"engine", "use; precision"};
+    for (const BroadMaker& maker : broad_engines()) table.rows.push_back({maker.name, maker.use});
+    table.notes = {"Taking the boxes in, and the first list, are outside the times. All bounds are floats."};
+    return table;
+}
+
+}  // namespace
+
+SuiteResult run_broad(const SuiteOptions& options) {
+    SuiteResult result;
+    Table table;
+    table.title = "Boxes that move: which overlap?";
+    table.text_columns = 2;
+    table.header = {"boxes", "engine", "ns/box/frame", "spread %", "times FCL", "pairs/box", "missed", "invented"};
+    table.notes = {
+        fmt::format("Means over the frames, medians of {} interleaved repetitions, each engine pinned in a process of "
+                    "its own. The full list of",
+                    options.repetition_count),
+        fmt::format("pairs is delivered in every frame. Times FCL: how many times as fast as {}. Missed, invented: "
+                    "pairs, in the first, middle and",
+                    broad_yardstick),
+        "last frame, against all pairs (CGAL's box intersection for 100k)."};
+    const std::vector<MovingBoxesOptions> list = workloads(options);
+    {
+        Progress progress("broad", list.size());
+        for (const MovingBoxesOptions& workload : list) {
+            const scenes::MovingBoxes boxes = scenes::moving_boxes(workload);
+            const BroadTruth truth = find_pairs(boxes);
+            const std::vector<BroadMaker> makers = makers_for(boxes.boxes.size(), options);
+            const std::vector<BroadRun> runs = measure_broad(boxes, truth, makers, options.repetition_count);
+            add_rows(table, boxes, truth, runs);
+            for (const BroadRun& run : runs)
+                result.is_right &= !run.is_ecods || (run.failure.empty() && run.missed + run.invented == 0);
+            progress.step();
+        }
+    }
+    print(table);
+    const Table swaps = swap_table(options.is_quick() ? 1000 : 16'000, options.is_quick() ? 3 : 20);
+    print(swaps);
+    result.sections.push_back({"Boxes only",
+                               {"Dense: about 5 partners a box; sparse: 0.3; flat pile: one layer, about 5. Every box "
+                                "moves by 1 % of its size in each frame, unless the name says otherwise."},
+                               {table, swaps, use_table()},
+                               {}});
+    return result;
+}
+
+}  // namespace ecods::bench

@@ -1,0 +1,36 @@
+// Runs the engines of the broad phase on one workload, and compares their pairs with the exact ones.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engines/broad_engine.hpp"
+
+namespace ecods::bench {
+
+struct BroadRun {
+    std::string name;
+    bool is_ecods = false;
+    std::vector<double> ns;    // per box and frame, the mean over the frames; one for each repetition
+    std::size_t missed = 0;    // pairs, over the frames that are checked
+    std::size_t invented = 0;  // pairs, one reported twice among them
+    std::string failure;       // when it crashed, hung or threw
+};
+
+// The exact pairs of some frames: of the first, the middle and the last. Up to 10,000 boxes by comparing all of them,
+// above that by CGAL.
+struct BroadTruth {
+    std::vector<std::pair<std::size_t, std::vector<ProxyPair>>> frames;  // ascending; pairs ascending
+    double pair_count = 0;                                               // the mean over these frames
+};
+BroadTruth find_pairs(const scenes::MovingBoxes& boxes);
+
+// Engines take turns, each in a process of its own. A turn sets the engine up with the boxes at rest, runs a frame in
+// which nothing moves, and then times each frame; the first turn compares the pairs instead, and its times are dropped.
+std::vector<BroadRun> measure_broad(const scenes::MovingBoxes& boxes, const BroadTruth& truth,
+                                    std::span<const BroadMaker> makers, std::size_t repetition_count);
+
+}  // namespace ecods::bench
