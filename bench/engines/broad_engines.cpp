@@ -1,21 +1,27 @@
+#include <iterator>
+
 #include "engines/broad_engine.hpp"
+#include "engines/broad_phase_kinds.hpp"
 
 namespace ecods::bench {
 
 namespace {
 
-BroadMaker ecods_maker(BroadPhaseKind kind, const std::string& name) {
-    return {"ECoDS, " + name, "BroadPhase: move(), update(), pairs()", true, std::numeric_limits<std::size_t>::max(),
-            [kind](const scenes::MovingBoxes& boxes) { return set_up_broad_ecods(kind, boxes); }};
+BroadMaker ecods_maker(const NamedBroadPhase& named) {
+    // Every box against every other: for small scenes.
+    const std::size_t count_max =
+        named.kind == BroadPhaseKind::brute_force ? 10'000 : std::numeric_limits<std::size_t>::max();
+    return {std::string("ECoDS, ") + named.name, "BroadPhase: move(), update(), pairs()", true, count_max,
+            [kind = named.kind](const scenes::MovingBoxes& boxes) { return set_up_broad_ecods(kind, boxes); }};
 }
 
 }  // namespace
 
 std::vector<BroadMaker> broad_engines() {
     constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
-    std::vector<BroadMaker> makers = {
-        ecods_maker(BroadPhaseKind::sweep_and_prune, "sweep and prune"),
-        ecods_maker(BroadPhaseKind::brute_force, "brute force"),
+    std::vector<BroadMaker> makers;
+    for (const NamedBroadPhase& named : broad_phase_kinds) makers.push_back(ecods_maker(named));
+    const BroadMaker peers[] = {
         {broad_yardstick, "update() of the moved objects, collide() with a callback that notes each pair; double",
          false, any, set_up_broad_fcl_tree},
         {"FCL DynamicAABBTree_Array", "the same", false, any, set_up_broad_fcl_array},
@@ -31,8 +37,7 @@ std::vector<BroadMaker> broad_engines() {
          set_up_broad_embree},
         {"CGAL box_self_intersection_d", "closed boxes, from scratch each frame; double", false, 10000,
          set_up_broad_cgal}};
-    // Every box against every other: for small scenes.
-    makers[1].count_max = 10000;
+    makers.insert(makers.end(), std::begin(peers), std::end(peers));
     return makers;
 }
 

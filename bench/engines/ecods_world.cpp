@@ -43,12 +43,8 @@ class EcodsWorld final : public Engine {
 
 }  // namespace
 
-std::unique_ptr<Engine> set_up_sweep_and_prune(const scenes::Scene& scene) {
-    return std::make_unique<EcodsWorld>(scene, BroadPhaseKind::sweep_and_prune);
-}
-
-std::unique_ptr<Engine> set_up_brute_force(const scenes::Scene& scene) {
-    return std::make_unique<EcodsWorld>(scene, BroadPhaseKind::brute_force);
+std::unique_ptr<Engine> set_up_world(const scenes::Scene& scene, BroadPhaseKind kind) {
+    return std::make_unique<EcodsWorld>(scene, kind);
 }
 
 }  // namespace ecods::bench

@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -46,16 +47,16 @@ class Engine {
 struct EngineMaker {
     std::string name;
     bool is_ecods = false;  // its answers must be the oracle's
-    std::unique_ptr<Engine> (*set_up)(const scenes::Scene& scene) = nullptr;
+    std::function<std::unique_ptr<Engine>(const scenes::Scene& scene)> set_up;
 };
 
-std::unique_ptr<Engine> set_up_sweep_and_prune(const scenes::Scene& scene);  // ecods::World
-std::unique_ptr<Engine> set_up_brute_force(const scenes::Scene& scene);      // ecods::World
+std::unique_ptr<Engine> set_up_world(const scenes::Scene& scene, BroadPhaseKind kind);  // ecods::World
 std::unique_ptr<Engine> set_up_ecods_all_pairs(const scenes::Scene& scene);  // ecods::intersects for every pair
 std::unique_ptr<Engine> set_up_fcl_tree(const scenes::Scene& scene);         // DynamicAABBTree manager, OBBRSS meshes
 std::unique_ptr<Engine> set_up_fcl_all_pairs(const scenes::Scene& scene);    // fcl::collide for every pair
 
-// All of the above.
+// All of the above, the world once for each broad phase.
 std::vector<EngineMaker> all_engines();
+constexpr const char* scene_yardstick = "FCL, DynamicAABBTree";
 
 }  // namespace ecods::bench
