@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "report/environment.hpp"
+#include "report/instruction_set.hpp"
+#include "report/json.hpp"
 #include "report/page.hpp"
 #include "suites/suite.hpp"
 
@@ -23,6 +25,8 @@ struct Arguments {
     SuiteOptions options;
     std::vector<std::string> suites;
     std::filesystem::path report = "build/report";
+    std::filesystem::path json;  // empty: none
+    std::string instruction_set = "native";
     bool is_quick = false;
 };
 
@@ -86,6 +90,7 @@ bool run(const Arguments& arguments, const std::string& command) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     page.environment.rows.push_back({"whole run", fmt::format("{:.0f} s", seconds.count())});
     fmt::print("{}\n", verdict);
+    if (!arguments.json.empty()) write_json(page, arguments.json);
     if (!arguments.is_quick) {
         const std::filesystem::path file = arguments.report / "index.html";
         write_page(page, file);
@@ -112,6 +117,17 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     app.add_option("--report", arguments.report, "Folder of the report")->capture_default_str();
+    app.add_option("--engines", arguments.options.engines,
+                   "Engines whose name contains one of these (default: all), in the suites narrow, broad and system");
+    app.add_option("--sizes", arguments.options.sizes,
+                   "Numbers of boxes (suite broad) and ships (suite system) to run, of those that the suite has");
+    app.add_option("--json", arguments.json, "Also write all tables to this file");
+    app.add_option("--instruction-set", arguments.instruction_set,
+                   "Hide what lies beyond it from the C library and from all that asks it which version to run")
+        ->check(CLI::IsMember({"native", "avx2", "baseline"}))
+        ->capture_default_str();
+    app.add_flag("--long", arguments.options.is_long,
+                 "The largest sizes, more frames, and a mesh of ten million triangles");
     app.add_flag("--quick", arguments.is_quick, "A few frames, once, without report: to see that all of it works");
     CLI11_PARSE(app, argc, argv);
 
@@ -124,6 +140,7 @@ int main(int argc, char** argv) {
     std::string command = std::filesystem::path(argv[0]).filename().string();
     for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
     try {
+        start_again_with(arguments.instruction_set, argv);
         return run(arguments, command) ? 0 : 1;
     } catch (const std::exception& error) {
         fmt::print(stderr, "ecods_bench: {}\n", error.what());

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "ecods/version.hpp"
+#include "report/instruction_set.hpp"
 #include "report/run_program.hpp"
 
 namespace ecods::bench {
@@ -63,6 +64,7 @@ Table environment(const std::string& command) {
         {"date", today()},
         {"commit", commit()},
         {"processor", fmt::format("{}, {} threads", processor(), std::thread::hardware_concurrency())},
+        {"instruction set", instruction_set_in_use()},
         {"system", system_name()},
         {"compiler", ECODS_BENCH_COMPILER},
         {"libraries",

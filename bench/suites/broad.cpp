@@ -21,7 +21,7 @@ using scenes::MovingBoxesOptions;
 // So many frames that a run of an engine at 100 ns takes about as long for all sizes, within reason.
 std::size_t frame_count(std::size_t box_count, const SuiteOptions& options) {
     if (options.is_quick()) return 3;
-    return (options.is_long ? 5u : 1u) * std::clamp<std::size_t>(400'000 / box_count, 6, 100);
+    return (options.is_long ? 5u : 1u) * std::clamp<std::size_t>(200'000 / box_count, 6, 100);
 }
 
 std::vector<MovingBoxesOptions> workloads(const SuiteOptions& options) {

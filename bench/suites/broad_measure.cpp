@@ -5,13 +5,13 @@
 #include <iterator>
 
 #include "harness/contained.hpp"
+#include "harness/stopwatch.hpp"
 #include "oracle/oracle.hpp"
 
 namespace ecods::bench {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds turn_limit{120};
 
 std::size_t count_difference(const std::vector<ProxyPair>& from, const std::vector<ProxyPair>& what) {
@@ -29,9 +29,9 @@ Contained::Run start_frames(const BroadMaker& maker, const scenes::MovingBoxes& 
         std::size_t missed = 0, invented = 0;
         auto expected = truth.frames.begin();
         for (std::size_t frame = 0; frame < boxes.frames.size(); ++frame) {
-            const Clock::time_point start = Clock::now();
+            const Stopwatch watch;
             engine->run_frame(boxes.frames[frame]);
-            ns += std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+            ns += watch.nanoseconds();
             if (!is_first || expected == truth.frames.end() || expected->first != frame) continue;
             std::vector<ProxyPair> pairs(engine->pairs().begin(), engine->pairs().end());
             std::sort(pairs.begin(), pairs.end());
@@ -79,14 +79,13 @@ std::vector<BroadRun> measure_broad(const scenes::MovingBoxes& boxes, const Broa
         children.emplace_back([&, i] { return start_frames(makers[i], boxes, truth); }, turn_limit);
     }
     const auto steps = static_cast<double>(boxes.boxes.size() * boxes.frames.size());
-    for (std::size_t repetition = 0; repetition <= repetition_count; ++repetition) {
+    for (std::size_t repetition = 0; repetition < repetition_count; ++repetition) {
         for (std::size_t i = 0; i < makers.size(); ++i) {
             const Outcome outcome = children[i].run();
             runs[i].failure = outcome.failure;
             if (!outcome.is_right()) continue;
-            if (repetition > 0) {
-                runs[i].ns.push_back(outcome.values[0] / steps);
-            } else {
+            runs[i].ns.push_back(outcome.values[0] / steps);
+            if (repetition == 0) {
                 runs[i].missed = static_cast<std::size_t>(outcome.values[1]);
                 runs[i].invented = static_cast<std::size_t>(outcome.values[2]);
             }

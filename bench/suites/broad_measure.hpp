@@ -29,7 +29,7 @@ struct BroadTruth {
 BroadTruth find_pairs(const scenes::MovingBoxes& boxes);
 
 // Engines take turns, each in a process of its own. A turn sets the engine up with the boxes at rest, runs a frame in
-// which nothing moves, and then times each frame; the first turn compares the pairs instead, and its times are dropped.
+// which nothing moves, and then times each frame; the first turn compares the pairs, too.
 std::vector<BroadRun> measure_broad(const scenes::MovingBoxes& boxes, const BroadTruth& truth,
                                     std::span<const BroadMaker> makers, std::size_t repetition_count);
 

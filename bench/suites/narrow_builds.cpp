@@ -6,6 +6,7 @@
 
 #include "harness/contained.hpp"
 #include "harness/statistics.hpp"
+#include "harness/stopwatch.hpp"
 
 namespace ecods::bench {
 
@@ -16,9 +17,9 @@ constexpr std::chrono::seconds build_limit{300};
 // A turn: one build, from the mesh's lists to the first query that could be asked.
 Contained::Run start_builds(const NarrowMaker& maker, const scenes::NamedMesh& mesh) {
     return [&maker, &mesh]() -> std::vector<double> {
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         const std::unique_ptr<NarrowEngine> engine = maker.set_up(std::span(&mesh, 1));
-        return {std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count()};
+        return {watch.nanoseconds()};
     };
 }
 

@@ -8,18 +8,14 @@
 
 #include "ecods/two_body.hpp"
 #include "harness/contained.hpp"
+#include "harness/stopwatch.hpp"
 #include "oracle/oracle.hpp"
 
 namespace ecods::bench {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds turn_limit{120};
-
-double us_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-}
 
 // A turn: all queries. Values: microseconds, whether work was counted, box tests, triangle tests, then the answers.
 constexpr std::size_t head_size = 4;
@@ -28,10 +24,10 @@ Contained::Run start_queries(const NarrowMaker& maker, const scenes::MeshPairs& 
     std::shared_ptr<NarrowEngine> engine = maker.set_up(workload.meshes);
     return [engine, &workload, is_first = true]() mutable {
         std::vector<double> values(head_size + workload.queries.size());
-        const Clock::time_point start = Clock::now();
+        const Stopwatch watch;
         for (std::size_t i = 0; i < workload.queries.size(); ++i)
             values[head_size + i] = engine->query(workload.queries[i]) ? 1 : 0;
-        values[0] = us_since(start);
+        values[0] = watch.nanoseconds() / 1000;
         if (!std::exchange(is_first, false)) return values;
         for (const scenes::MeshQuery& query : workload.queries) {
             const std::optional<NarrowWork> work = engine->work(query);
@@ -56,9 +52,9 @@ Contained::Run start_lists(const NarrowMaker& maker, const scenes::MeshPairs& wo
             return static_cast<double>(difference.size());
         };
         for (std::size_t i = 0; i < workload.queries.size(); ++i) {
-            const Clock::time_point start = Clock::now();
+            const Stopwatch watch;
             engine->list(workload.queries[i], list);
-            values[0] += us_since(start);
+            values[0] += watch.nanoseconds() / 1000;
             std::sort(list.begin(), list.end());
             values[1] += static_cast<double>(list.size());
             values[2] += count_difference(truth[i], list);

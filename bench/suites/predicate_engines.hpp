@@ -9,7 +9,8 @@
 
 namespace ecods::bench {
 
-// The answers of all tasks' pairs in order, 1 for a shared point. Each poses what it needs anew: transforms are included.
+// The answers of all tasks' pairs in order, 1 for a shared point. Each poses what it needs anew: transforms are
+// included.
 using Answers = std::vector<std::uint8_t>;
 
 // The library's exact layer; `counts` says which stage decided.

@@ -6,12 +6,12 @@
 
 #include "harness/contained.hpp"
 #include "harness/judge.hpp"
+#include "harness/stopwatch.hpp"
 
 namespace ecods::bench {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Hits = std::vector<IndexPair>;
 constexpr std::chrono::seconds turn_limit{300};
 
@@ -28,12 +28,12 @@ Contained::Run start_frames(const EngineMaker& maker, const scenes::Scene& scene
         double ms = 0, calls = 0;
         std::size_t missed = 0, invented = 0;
         for (std::size_t frame = 0; frame <= scene.frames.size(); ++frame) {
-            const Clock::time_point start = Clock::now();
+            const Stopwatch watch;
             if (frame == 0) {
                 engine->run_frame({});
             } else {
                 engine->run_frame(scene.frames[frame - 1].moves);
-                ms += std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+                ms += watch.nanoseconds() / 1e6;
                 calls += static_cast<double>(engine->candidate_count());
             }
             if (!is_first) continue;
@@ -85,15 +85,14 @@ std::vector<SystemRun> measure_systems(const scenes::Scene& scene, const SystemT
         children.emplace_back([&, i] { return start_frames(makers[i], scene, truth); }, turn_limit);
     }
     const auto frames = static_cast<double>(scene.frames.size());
-    for (std::size_t repetition = 0; repetition <= repetition_count; ++repetition) {
+    for (std::size_t repetition = 0; repetition < repetition_count; ++repetition) {
         for (std::size_t i = 0; i < makers.size(); ++i) {
             const Outcome outcome = children[i].run();
             runs[i].failure = outcome.failure;
             if (!outcome.is_right()) continue;
             runs[i].calls = outcome.values[1] / frames;
-            if (repetition > 0) {
-                runs[i].ms.push_back(outcome.values[0] / frames);
-            } else {
+            runs[i].ms.push_back(outcome.values[0] / frames);
+            if (repetition == 0) {
                 runs[i].missed = static_cast<std::size_t>(outcome.values[2]);
                 runs[i].invented = static_cast<std::size_t>(outcome.values[3]);
             }

@@ -30,7 +30,7 @@ struct SystemTruth {
 SystemTruth find_hits(const scenes::Scene& scene, std::size_t judged_count, const std::string& label);
 
 // Engines take turns, each in a process of its own, with a scene set up anew in each turn. The first turn checks the
-// answers, and its times are dropped.
+// answers, too.
 std::vector<SystemRun> measure_systems(const scenes::Scene& scene, const SystemTruth& truth,
                                        std::span<const EngineMaker> makers, std::size_t repetition_count);
 

@@ -125,7 +125,8 @@ MeshPairs stacked_bricks(std::size_t count, std::uint32_t seed) {
         const bool is_parted = i % 2 == 1, is_aligned = i / 2 % 2 == 0;
         const std::size_t place = random.below(3);
         if (is_aligned) {
-            const Vec3 corner(random.below(64), random.below(64), 0.5 * random.below(64));
+            Vec3 corner;
+            for (int axis = 0; axis < 3; ++axis) corner[axis] = 0.5 * random.below(64);
             pairs.queries.push_back({{0, {Mat3::Identity(), corner}},
                                      {0, {Mat3::Identity(), corner + neighbours(is_parted ? gap : 0)[place]}}});
         } else {

@@ -15,7 +15,7 @@ namespace ecods::scenes {
 MeshPairs stacked_bricks(std::size_t count, std::uint32_t seed);
 
 // A shaft with 24 teeth in the hub cut for it, all flanks in contact; every other query has a shaft thinner by one part
-// in 4096, which touches nothing. 1,584 and 1,248 triangles. Both bodies have one pose: random, or axis-aligned with
+// in 4096, which touches nothing. 1,536 triangles each. Both bodies have one pose: random, or axis-aligned with
 // the shaft pushed along its axis.
 MeshPairs splined_shafts(std::size_t count, std::uint32_t seed);
 
