@@ -41,8 +41,9 @@ Page make_page(const std::string& command) {
         "judges every pair of bodies in every frame. Missed: a hit of the oracle that the engine does not report. "
         "Invented: "
         "reported without being a hit.",
-        "Times are milliseconds per frame: the mean over the frames after the first of the median over the "
-        "repetitions, one "
+        "In the suites of two meshes, boxes and growing numbers of ships each engine runs in a process of its own, in "
+        "turns with the others; times are processor times. For the rooms and the assembly below, times are "
+        "milliseconds per frame: the mean over the frames after the first of the median over the repetitions, one "
         "thread, engines interleaved in one process. FCL runs in double precision, its meshes as BVHModel<OBBRSS>, "
         "with "
         "boolean queries. Candidate pairs are those given to the two-body test, or answered from the cache."};

@@ -26,7 +26,7 @@ std::vector<BroadMaker> broad_engines() {
          set_up_broad_fcl_tree},
         {"FCL tree, moved only", "update() of the moved objects, the rest the same", false, any,
          set_up_broad_fcl_tree_moved},
-        {"FCL DynamicAABBTree_Array", "as the first", false, 10000, set_up_broad_fcl_array},
+        {"FCL DynamicAABBTree_Array", "as the first", false, 1000, set_up_broad_fcl_array},
         {"Bullet Dbvt",
          "btDbvtBroadphase: setAabb(), calculateOverlappingPairs(), then its pairs, whose boxes are tested as its "
          "dispatcher does; float",

@@ -3,9 +3,9 @@
 namespace ecods::bench {
 
 std::vector<Suite> all_suites() {
-    return {{"rooms", run_rooms},           {"system", run_system},      {"hover", run_hover},
-            {"assembly", run_assembly},     {"narrow", run_narrow},      {"broad", run_broad},
-            {"predicates", run_predicates}, {"stability", run_stability}};
+    return {{"narrow", run_narrow}, {"broad", run_broad},           {"system", run_system},
+            {"rooms", run_rooms},   {"hover", run_hover},           {"assembly", run_assembly},
+            {"memory", run_memory}, {"predicates", run_predicates}, {"stability", run_stability}};
 }
 
 }  // namespace ecods::bench

@@ -14,7 +14,7 @@ namespace ecods::bench {
 struct BroadRun {
     std::string name;
     bool is_ecods = false;
-    std::vector<double> ns;    // per box and frame, the mean over the frames; one for each repetition
+    std::vector<double> ns;    // per box and frame, the mean over the timed frames; one for each repetition
     std::size_t missed = 0;    // pairs, over the frames that are checked
     std::size_t invented = 0;  // pairs, one reported twice among them
     std::string failure;       // when it crashed, hung or threw
@@ -29,7 +29,7 @@ struct BroadTruth {
 BroadTruth find_pairs(const scenes::MovingBoxes& boxes);
 
 // Engines take turns, each in a process of its own. A turn sets the engine up with the boxes at rest, runs a frame in
-// which nothing moves, and then times each frame; the first turn compares the pairs, too.
+// which nothing moves and the first third of the frames, and times the others; the first turn compares the pairs, too.
 std::vector<BroadRun> measure_broad(const scenes::MovingBoxes& boxes, const BroadTruth& truth,
                                     std::span<const BroadMaker> makers, std::size_t repetition_count);
 

@@ -112,7 +112,8 @@ Table empty_table(const std::string& title, std::size_t repetition_count) {
                     "hits",     "missed", "invented", "box tests/query", "triangle tests/query",
                     "judged"};
     table.notes = {
-        fmt::format("Medians of {} interleaved repetitions after one that is not timed, each engine pinned in a "
+        fmt::format("Processor time: medians of {} interleaved repetitions after one that is not timed, each engine "
+                    "pinned in a "
                     "process of its own; spread: quartile distance.",
                     repetition_count),
         fmt::format("Times FCL: how many times as fast as {}, in the same repetition. Judged: so many answers were "

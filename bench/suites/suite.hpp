@@ -51,6 +51,7 @@ SuiteResult run_assembly(const SuiteOptions& options);    // the two-cylinder en
 SuiteResult run_narrow(const SuiteOptions& options);      // two meshes: time and errors of every engine
 SuiteResult run_broad(const SuiteOptions& options);       // boxes only: time of every engine
 SuiteResult run_system(const SuiteOptions& options);      // the report's two experiments
+SuiteResult run_memory(const SuiteOptions& options);      // bytes for a triangle, a box, a body
 SuiteResult run_predicates(const SuiteOptions& options);  // triangle pairs: what exactness costs
 SuiteResult run_stability(const SuiteOptions& options);   // hard triangle pairs: who is wrong, and how often
 
