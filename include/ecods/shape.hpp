@@ -84,6 +84,16 @@ struct PosedShape {
 
 class QueryMemory;
 
+// What decided a pair of bodies the last time, for the test that left it: of meshes, the triangles that touched, or the
+// axis that separated them. It is only ever tried first, and tried exactly: whatever it holds, from whichever bodies,
+// no answer depends on it. A new one knows nothing.
+struct PairWitness {
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    std::uint32_t a = none;
+    std::uint32_t b = none;
+};
+
 // The test of two bodies, for one pair of kinds. A World calls it for candidate pairs only, with the shape of the first
 // kind first. It must be a function of its arguments: verdicts are kept while neither body changes.
 class TwoBodyTest {
@@ -92,6 +102,11 @@ class TwoBodyTest {
 
     // Whether the shapes share a point.
     virtual bool intersects(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const = 0;
+
+    // Optional: the same for a pair that was tested before and has moved little, as bodies of a World do; `witness` is
+    // what the last call left. It must not change the answer. The default does not use it.
+    virtual bool intersects_again(const PosedShape& a, const PosedShape& b, QueryMemory& memory,
+                                  PairWitness& witness) const;
 
     // Disjoint, touching or crossing; disjoint exactly when intersects() is false.
     virtual Relation relation(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const = 0;

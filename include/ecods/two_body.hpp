@@ -62,15 +62,6 @@ struct PosedMesh {
 // Whether the bodies share a point; stops at the first one found.
 bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory);
 
-// What decided a pair of bodies the last time. It is only ever tried first, and tried exactly: whatever it holds, from
-// whichever bodies, no answer depends on it. A new one knows nothing.
-struct PairWitness {
-    static constexpr std::uint32_t none = ~std::uint32_t{0};
-
-    std::uint32_t a = none;  // the triangles that touched
-    std::uint32_t b = none;
-};
-
 // The same, for a pair that was asked about before and has moved little: tries the witness first, and leaves a new one.
 bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory, PairWitness& witness);
 

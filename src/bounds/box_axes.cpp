@@ -63,6 +63,9 @@ ECODS_ALWAYS_INLINE Matrix4 axes_of(const Edges& own, const Edges& other) noexce
     return {{Double4{factor, 0, 0, 0}, Double4{0, factor, 0, 0}, Double4{0, 0, factor, 0}}};
 }
 
+// The tree whose normals the axes are.
+enum class Own { a, b };
+
 // Three axes in doubles.
 struct ExactSet {
     Matrix4 a, b;  // P
@@ -71,9 +74,8 @@ struct ExactSet {
     Double4 e;     // how far the own tree's P is from the identity, if it is taken for it
     bool is_unit;
 
-    // `own`: the tree whose normals the axes are, a or b.
     ECODS_ALWAYS_INLINE ExactSet(const Matrix4& N, const Edges& edges_a, const Edges& edges_b, Double4 d,
-                                 const Matrix4& own) {
+                                 Own own_tree) {
         const Matrix4 N_size = absolute(N);
         const Double4 d_size = absolute(d);
         a = N * edges_a.edges;
@@ -82,6 +84,7 @@ struct ExactSet {
         w = N_size * (((edges_a.size + edges_b.size) + (edges_a.origin_size + edges_b.origin_size)) + d_size);
         s = (row_sums(absolute(a)) + row_sums(absolute(b))) + absolute(offset);
         const double factor = ((edges_a.factor + edges_b.factor) + sum(d_size)) * sum(row_sums(N_size));
+        const Matrix4& own = own_tree == Own::a ? a : b;
         e = row_sums({{absolute(own.column[0] - Double4{1, 0, 0, 0}), absolute(own.column[1] - Double4{0, 1, 0, 0}),
                        absolute(own.column[2] - Double4{0, 0, 1, 0})}});
         is_unit = sum(e) <= unit_distance_max;
@@ -163,19 +166,33 @@ ECODS_ALWAYS_INLINE void set_floats(AxisSet& set, const ExactSet& exact, Project
     set.point_error = to_floats((8 * in_float + in_double + exact.e) * (1 + 0x1p-22) + unbounded);
 }
 
+// The number of an axis that separates the roots, or -1 and the sets. Looks at the normals of b before those of a, or
+// at the edges before the normals of b, if the axis `preferred` is one of them.
 ECODS_FOR_EACH_INSTRUCTION_SET
-int bind_sets(std::array<AxisSet, 2>& sets, const PosedTree& a, const PosedTree& b, const Vec3& difference) noexcept {
+int bind_sets(std::array<AxisSet, 2>& sets, const PosedTree& a, const PosedTree& b, const Vec3& difference,
+              int preferred) noexcept {
     const Edges edges_a(a.tree.frame, a.R), edges_b(b.tree.frame, b.R);
     const RootBox root_a(a.tree), root_b(b.tree);
     const Double4 d = load(difference.data());
-    const ExactSet first(axes_of(edges_a, edges_b), edges_a, edges_b, d, first.a);
+    if (preferred >= 3 && preferred < 6) {
+        const ExactSet second(axes_of(edges_b, edges_a), edges_a, edges_b, d, Own::b);
+        const int face = separating_face(second, root_b, second.b, root_a, second.a, -1);
+        if (face >= 0) return 3 + face;
+    }
+    const ExactSet first(axes_of(edges_a, edges_b), edges_a, edges_b, d, Own::a);
     const int face_a = separating_face(first, root_a, first.a, root_b, first.b, 1);
     if (face_a >= 0) return face_a;
-    const ExactSet second(axes_of(edges_b, edges_a), edges_a, edges_b, d, second.b);
+    if (preferred >= 6) {
+        const int edges = separating_edges(first, root_a, root_b);
+        if (edges >= 0) return 6 + edges;
+    }
+    const ExactSet second(axes_of(edges_b, edges_a), edges_a, edges_b, d, Own::b);
     const int face_b = separating_face(second, root_b, second.b, root_a, second.a, -1);
     if (face_b >= 0) return 3 + face_b;
-    const int edges = separating_edges(first, root_a, root_b);
-    if (edges >= 0) return 6 + edges;
+    if (preferred < 6) {
+        const int edges = separating_edges(first, root_a, root_b);
+        if (edges >= 0) return 6 + edges;
+    }
     set_floats(sets[0], first, sets[0].a);
     set_floats(sets[1], second, sets[1].b);
     return -1;
@@ -183,8 +200,8 @@ int bind_sets(std::array<AxisSet, 2>& sets, const PosedTree& a, const PosedTree&
 
 }  // namespace
 
-int BoxAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d) {
-    if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) return bind_sets(sets_, a, b, d);
+int BoxAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d, int first) {
+    if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) return bind_sets(sets_, a, b, d, first);
     // Nothing is separated from what has no bounds.
     constexpr float unbounded = std::numeric_limits<float>::infinity();
     for (AxisSet& set : sets_) {

@@ -14,6 +14,10 @@ class MeshMeshTest final : public TwoBodyTest {
     bool intersects(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const override {
         return ecods::intersects(as_mesh(a), as_mesh(b), memory);
     }
+    bool intersects_again(const PosedShape& a, const PosedShape& b, QueryMemory& memory,
+                          PairWitness& witness) const override {
+        return ecods::intersects(as_mesh(a), as_mesh(b), memory, witness);
+    }
     Relation relation(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const override {
         return ecods::relation(as_mesh(a), as_mesh(b), memory);
     }

@@ -69,6 +69,11 @@ void MeshShape::take_tree(const MeshShape& model) {
     });
 }
 
+bool TwoBodyTest::intersects_again(const PosedShape& a, const PosedShape& b, QueryMemory& memory,
+                                   PairWitness& /*witness*/) const {
+    return intersects(a, b, memory);
+}
+
 std::vector<TrianglePair> TwoBodyTest::touching_triangles(const PosedShape& a, const PosedShape& b,
                                                           QueryMemory& /*memory*/) const {
     throw NotSupported("the test of shape kinds " + std::to_string(a.shape.kind().value) + " and " +

@@ -91,9 +91,9 @@ class Query {
         return state_.pair.relation(i, j);
     }
 
-    // The axis that separates the roots, or -1.
-    int bind_axes() {
-        return state_.axes.bind({tree_a_.boxes, a_.pose.R}, {tree_b_.boxes, b_.pose.R}, b_.pose.t - a_.pose.t);
+    // The axis that separates the roots, or -1. `first` is tried first.
+    int bind_axes(int first = -1) {
+        return state_.axes.bind({tree_a_.boxes, a_.pose.R}, {tree_b_.boxes, b_.pose.R}, b_.pose.t - a_.pose.t, first);
     }
 
     // Calls visit(i, j) for pairs of triangles, among them every pair that shares a point, until it returns false.
@@ -155,6 +155,17 @@ void Query::visit_near_pairs(Visit&& visit) {
     }
 }
 
+// A witness is a pair of triangles, or no triangle and the number of an axis.
+bool holds_triangles(const PairWitness& witness, const PosedMesh& a, const PosedMesh& b) {
+    return witness.a < a.shape.mesh().triangles().size() && witness.b < b.shape.mesh().triangles().size();
+}
+int axis_of(const PairWitness& witness) {
+    return witness.a == PairWitness::none && witness.b < root_axis_count ? static_cast<int>(witness.b) : -1;
+}
+PairWitness witness_of(int axis) {
+    return {PairWitness::none, static_cast<std::uint32_t>(axis)};
+}
+
 }  // namespace
 
 bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory) {
@@ -165,14 +176,18 @@ bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory) {
 bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory, PairWitness& witness) {
     Query query(a, b, memory);
     QueryCounts& counts = memory.state().counts;
-    const bool is_possible =
-        witness.a < a.shape.mesh().triangles().size() && witness.b < b.shape.mesh().triangles().size();
-    if (is_possible && query.relation_of(witness.a, witness.b) != Relation::disjoint) {
+    if (holds_triangles(witness, a, b) && query.relation_of(witness.a, witness.b) != Relation::disjoint) {
         ++counts.witness_hits;
         return true;
     }
+    const int last_axis = axis_of(witness);
+    const int axis = query.bind_axes(last_axis);
+    if (axis >= 0) {
+        if (axis == last_axis) ++counts.witness_hits;
+        witness = witness_of(axis);
+        return false;
+    }
     witness = {};
-    if (query.bind_axes() >= 0) return false;
     bool found = false;
     query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j) {
         found = query.relation_of(i, j) != Relation::disjoint;

@@ -4,6 +4,7 @@
 
 #include <thread>
 
+#include "ecods/error.hpp"
 #include "oracle/oracle.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
@@ -138,6 +139,65 @@ TEST(TwoBody, ManyThreadsGetOneAnswer) {
         }
     }
     for (const auto& own : answers) EXPECT_EQ(own, answers[0]);
+}
+
+// Whatever a witness holds, of other triangles, other bodies, or nonsense, the answer is that of a query without one.
+TEST(TwoBody, NoWitnessChangesAnAnswer) {
+    const MeshShape ship(scenes::ship()), torus(scenes::torus(12, 8, 0.25));
+    scenes::Random random(31);
+    QueryMemory memory;
+    PairWitness kept;
+    std::array<int, 2> counts{};
+    for (int i = 0; i < 2000; ++i) {
+        const Pose a = random_pose(random, 0.8), b = random_pose(random, 0.8);
+        const PosedMesh x{ship, a}, y{torus, b};
+        const bool expected = intersects(x, y, memory);
+        ++counts[expected];
+        ASSERT_EQ(intersects(x, y, memory, kept), expected);
+        const auto number = [&] {
+            return random.uniform(0, 3) < 1 ? PairWitness::none : static_cast<std::uint32_t>(random.uniform(0, 500));
+        };
+        PairWitness nonsense{number(), number()};
+        ASSERT_EQ(intersects(x, y, memory, nonsense), expected);
+        ASSERT_EQ(intersects(x, y, memory, nonsense), expected) << "with the witness that was just left";
+    }
+    EXPECT_GT(std::min(counts[0], counts[1]), 200);
+}
+
+TEST(TwoBody, AWitnessSavesWorkForBodiesThatMoveLittle) {
+    const MeshShape ship(scenes::ship());
+    scenes::Random random(32);
+    std::array<QueryCounts, 2> counts;
+    for (int i = 0; i < 100; ++i) {
+        const Pose a = random_pose(random, 0.4);
+        Pose b = random_pose(random, 0.4);
+        QueryMemory without, with;
+        PairWitness witness;
+        for (int frame = 0; frame < 20; ++frame) {
+            b.t += Vec3(0.001, 0.002, 0.001);
+            intersects({ship, a}, {ship, b}, without);
+            intersects({ship, a}, {ship, b}, with, witness);
+        }
+        counts[0] += without.counts();
+        counts[1] += with.counts();
+    }
+    EXPECT_EQ(counts[0].witness_hits, 0u);
+    EXPECT_GT(counts[1].witness_hits, counts[1].queries / 3);
+    EXPECT_LT(counts[1].box_tests, counts[0].box_tests / 2);
+}
+
+TEST(TwoBody, ARefittedShapeAnswersAsANewOne) {
+    const MeshShape ship(scenes::ship());
+    scenes::Random random(33);
+    QueryMemory memory;
+    auto soft = refit(ship, {ship.mesh().vertices().begin(), ship.mesh().vertices().end()});
+    for (int i = 0; i < 20; ++i) {
+        std::vector<Vec3> vertices(soft->mesh().vertices().begin(), soft->mesh().vertices().end());
+        for (Vec3& v : vertices) v += 0.03 * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        soft = refit(*soft, std::move(vertices));
+        expect_right(*soft, random_pose(random, 0.3), ship, random_pose(random, 0.3), memory);
+    }
+    EXPECT_THROW(refit(ship, {{0, 0, 0}}), InvalidIndex);
 }
 
 }  // namespace
