@@ -65,6 +65,7 @@ void World::reserve(std::size_t body_count) {
     w.free_slots.reserve(body_count);
     w.changed.reserve(body_count);
     w.verdicts.reserve(0, body_count);
+    w.broad_phase->reserve(body_count);
 }
 
 }  // namespace ecods

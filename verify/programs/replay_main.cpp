@@ -52,7 +52,9 @@ int run(int argc, char** argv) {
         "ecods_replay");
     app.add_option("TRACE", options.file, "The file to run")->required();
     const std::map<std::string, BroadPhaseKind> kinds{{"brute_force", BroadPhaseKind::brute_force},
-                                                      {"sweep_and_prune", BroadPhaseKind::sweep_and_prune}};
+                                                      {"sweep_and_prune", BroadPhaseKind::sweep_and_prune},
+                                                      {"kept_candidates", BroadPhaseKind::kept_candidates},
+                                                      {"automatic", BroadPhaseKind::automatic}};
     app.add_option("--broad-phase", options.replay.broad_phase, "In place of the one in the trace")
         ->transform(CLI::CheckedTransformer(kinds))
         ->type_name("KIND");

@@ -113,7 +113,8 @@ TEST(Trace, ReplaysToTheSameWithAnyBroadPhase) {
     world.trace_to(out);
     live(world, 30, 1);
     world.end_trace();
-    for (const BroadPhaseKind kind : {BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune}) {
+    for (const BroadPhaseKind kind : {BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune,
+                                      BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic}) {
         const ReplayReport report = replay_text(out.str(), {.broad_phase = kind, .validates = true});
         EXPECT_FALSE(report.difference) << report.difference->what;
         EXPECT_EQ(report.update_count, 30u);

@@ -122,6 +122,13 @@ TEST_P(WorldFilterTest, OffAndOnBetweenUpdatesIsNoEventAndOneTestAtMost) {
     world.update();
     EXPECT_EQ(list(world.began()), (Pairs{ab}));
     EXPECT_EQ(tests(), before + 2);
+
+    world.set_pair_enabled(a, b, false);
+    world.update();
+    for (const bool is_enabled : {true, false, true}) world.set_pair_enabled(a, b, is_enabled);
+    world.update();
+    EXPECT_EQ(list(world.began()), (Pairs{ab})) << "once, however often it was switched";
+    EXPECT_EQ(tests(), before + 3);
 }
 
 TEST_P(WorldFilterTest, ThePairNeedsBothTheFilterAndTheSwitch) {

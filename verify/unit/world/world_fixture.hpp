@@ -22,7 +22,8 @@ inline std::vector<BodyPair> list(std::span<const BodyPair> pairs) {
 
 // What is true of a world does not depend on its broad phase: suites run with each.
 inline auto broad_phases() {
-    return testing::Values(BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune);
+    return testing::Values(BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune,
+                           BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic);
 }
 
 inline std::string broad_phase_name(const testing::TestParamInfo<BroadPhaseKind>& tested) {
