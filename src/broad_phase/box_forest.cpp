@@ -93,7 +93,7 @@ void BoxForest::add(std::span<const TreeItem> newcomers, std::span<const BoxLine
     if (newcomers.empty()) return;
     if (places_.size() < lines.size()) places_.resize(lines.size());
     std::vector<TreeItem> items(newcomers.begin(), newcomers.end());
-    while (trees_.size() > class_count_ && trees_.back().alive_count() <= items.size()) {
+    while (trees_.size() > class_count_ && trees_.back().alive_count() <= 3 * items.size()) {
         const BoxTree& tree = trees_.back();
         for (std::size_t position = 0; position < tree.size(); ++position) {
             if (tree.get(position).is_empty()) continue;
@@ -109,6 +109,16 @@ void BoxForest::add(std::span<const TreeItem> newcomers, std::span<const BoxLine
         trees_.pop_back();
     }
     plant(items, lines);
+}
+
+void BoxForest::set(SlotIndex slot, const BoxLine& line) {
+    if (slot >= places_.size() || places_[slot].tree == no_tree) return;
+    trees_[places_[slot].tree].set(places_[slot].position, line);
+}
+
+void BoxForest::remove(SlotIndex slot) {
+    set(slot, {});
+    if (slot < places_.size()) places_[slot] = {};
 }
 
 std::size_t BoxForest::newcomer_count() const noexcept {
@@ -158,7 +168,8 @@ void BoxForest::validate(std::span<const BoxLine> lines) const {
                                   " places");
         }
         const Place place = lines[slot].is_empty() ? Place{} : places_[slot];
-        if (!lines[slot].is_empty() && trees_[place.tree].slot(place.position) != slot) {
+        if (!lines[slot].is_empty() &&
+            (place.tree >= trees_.size() || trees_[place.tree].slot(place.position) != slot)) {
             throw BrokenInvariant("box forest: the place of slot " + std::to_string(slot) + " is another's");
         }
     }

@@ -11,8 +11,9 @@
 
 namespace ecods {
 
-// One tree for each class of sizes, a factor of eight wide, and a few for newcomers, each larger than all after it
-// together: a newcomer is put into a larger tree at most once for each doubling of their number.
+// One tree for each class of sizes, a factor of eight wide, and a few for newcomers, each more than three times as
+// large as the next: few to look into, and a newcomer is sorted again at most a few times for each time that the number of
+// newcomers quadruples.
 class BoxForest {
   public:
     // A box and where it is. Only lines[slot] decides what it overlaps.
@@ -35,8 +36,9 @@ class BoxForest {
     void renumber();
 
     void add(std::span<const TreeItem> newcomers, std::span<const BoxLine> lines);
-    void set(SlotIndex slot, const BoxLine& line) { trees_[places_[slot].tree].set(places_[slot].position, line); }
-    void remove(SlotIndex slot) { set(slot, {}); }
+    // Of a slot that is in no tree: nothing.
+    void set(SlotIndex slot, const BoxLine& line);
+    void remove(SlotIndex slot);
 
     // Newcomers are not sorted by size, so there should not be too many.
     std::size_t newcomer_count() const noexcept;
@@ -51,8 +53,9 @@ class BoxForest {
     void validate(std::span<const BoxLine> lines) const;
 
   private:
+    static constexpr std::uint32_t no_tree = ~std::uint32_t{0};
     struct Place {
-        std::uint32_t tree = 0;
+        std::uint32_t tree = no_tree;
         std::uint32_t position = 0;
     };
 

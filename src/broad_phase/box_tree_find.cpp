@@ -15,6 +15,10 @@ struct Node {
 // are eleven levels.
 using NodeStack = std::array<Node, 11 * 7 + 1>;
 
+ECODS_ALWAYS_INLINE void prefetch(const BoxBlock& block) noexcept {
+    for (const auto& row : block.ends) __builtin_prefetch(row.data());
+}
+
 }  // namespace
 
 ECODS_FOR_EACH_INSTRUCTION_SET
@@ -32,6 +36,7 @@ std::uint64_t BoxTree::find(const BoxReach& reach, std::vector<SlotIndex>& found
                 found.push_back(slots_[child]);
             } else {
                 stack[depth++] = {node.level - 1, child};
+                prefetch(levels_[node.level - 1][child]);
             }
         }
     }

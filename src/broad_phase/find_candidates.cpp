@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "broad_phase/kept_candidates.hpp"
@@ -9,22 +10,35 @@
 namespace ecods {
 
 // Room for `horizon_` more steps like the last one, and some for turning back. No more than half an extent, so that
-// what is fast does not collect candidates that it will not meet; a step that is longer than that was a jump, and tells
-// nothing.
+// what is fast does not collect candidates that it will not meet. A step that is longer than that was a jump and tells
+// nothing; then half of the room that there was before it is kept, evenly.
 BoxLine KeptCandidates::fatten(const Escaped& escaped, const Aabb& box) const noexcept {
     constexpr double back = 0.125;
     const double largest = (box.max - box.min).maxCoeff();
     const double room = 0.5 * (largest < mean_extent_ ? mean_extent_ : largest);
+    if (!(room <= std::numeric_limits<double>::max())) return lines_[escaped.slot];
     const KeyBox before = key_box(escaped.before);
-    Aabb fat = box;
+    Vec3 down, up;  // how far each side moved out
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<Eigen::Index>(axis);
-        const double down = double_of(before.min[axis]) - box.min[k];
-        const double up = box.max[k] - double_of(before.max[axis]);
-        const double step = std::max(std::abs(down), std::abs(up));
-        if (!(step > 0 && step <= room && room <= std::numeric_limits<double>::max())) continue;
-        fat.min[k] -= std::min(room, horizon_ * std::max(down, -back * down));
-        fat.max[k] += std::min(room, horizon_ * std::max(up, -back * up));
+        down[k] = double_of(before.min[axis]) - box.min[k];
+        up[k] = box.max[k] - double_of(before.max[axis]);
+    }
+    Aabb fat = box;
+    if (down.cwiseAbs().maxCoeff() <= room && up.cwiseAbs().maxCoeff() <= room) {
+        fat.min -= (horizon_ * down.cwiseMax(-back * down)).cwiseMin(room);
+        fat.max += (horizon_ * up.cwiseMax(-back * up)).cwiseMin(room);
+    } else if (const BoxLine& old_line = fat_lines_[escaped.slot]; !old_line.is_empty()) {
+        const KeyBox old = key_box(old_line);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto k = static_cast<Eigen::Index>(axis);
+            const double low = double_of(before.min[axis]) - double_of(old.min[axis]);
+            const double high = double_of(old.max[axis]) - double_of(before.max[axis]);
+            const double each = std::min(room, 0.25 * (low + high));
+            if (!(each > 0)) continue;
+            fat.min[k] -= each;
+            fat.max[k] += each;
+        }
     }
     // Rounding, in whatever direction, must not leave the box outside.
     BoxLine line;
@@ -47,27 +61,24 @@ void KeptCandidates::mark_overlapping(const CandidateLists& lists, SlotIndex slo
     }
 }
 
-// Gives the escaped boxes their new fat boxes, and the forest, too. What jumped is a newcomer elsewhere: it would
-// stretch the bounds around its old place.
-void KeptCandidates::place_escaped(const ProxyTable& table) {
+// Gives the escaped boxes their new fat boxes. Returns those that are far from where they were, or new: in their old
+// place in the forest, they would stretch the bounds around it.
+std::vector<TreeItem> KeptCandidates::fatten_escaped(const ProxyTable& table) {
     std::vector<TreeItem> newcomers;
     for (const Escaped& escaped : escaped_) {
         const SlotIndex slot = escaped.slot;
         const Aabb& box = table.boxes()[proxies_[slot]];
         const BoxLine fat = fatten(escaped, box);
         const BoxLine old = std::exchange(fat_lines_[slot], fat);
-        if (!old.is_empty() && overlap(old, fat)) {
-            forest_.set(slot, fat);
-            continue;
-        }
-        if (!old.is_empty()) forest_.remove(slot);
-        newcomers.push_back(tree_item(box, slot));
+        if (old.is_empty() || !overlap(old, fat)) newcomers.push_back(tree_item(box, slot));
     }
-    forest_.add(newcomers, fat_lines_);
+    return newcomers;
 }
 
-void KeptCandidates::search_escaped(Update& update) {
-    place_escaped(update.table);
+void KeptCandidates::search_escaped(std::span<const TreeItem> newcomers, Update& update) {
+    for (const TreeItem& newcomer : newcomers) forest_.remove(newcomer.slot);
+    for (const Escaped& escaped : escaped_) forest_.set(escaped.slot, fat_lines_[escaped.slot]);
+    forest_.add(newcomers, fat_lines_);
     for (const Escaped& escaped : escaped_) link(escaped.slot, update);
     for (const Escaped& escaped : escaped_) flags_[escaped.slot] = 0;
 }
@@ -94,18 +105,15 @@ void KeptCandidates::link(SlotIndex slot, Update& update) {
     update.counts.box_tests += found_.size();
 }
 
-void KeptCandidates::search_all(Update& update, bool must_sort) {
-    bool has_new = false;
-    for (const Escaped& escaped : escaped_) {
-        const BoxLine fat = fatten(escaped, update.table.boxes()[proxies_[escaped.slot]]);
-        has_new |= fat_lines_[escaped.slot].is_empty();
-        fat_lines_[escaped.slot] = fat;
-    }
-    const bool do_sort = must_sort || has_new || is_worn_;
+void KeptCandidates::search_all(std::span<const TreeItem> newcomers, bool must_sort, Update& update) {
+    const bool do_sort = must_sort || is_worn_ ||
+                         64 * (forest_.newcomer_count() + newcomers.size()) > update.table.size();
     if (do_sort) {
         sort_slots(update.table);
     } else {
+        for (const TreeItem& newcomer : newcomers) forest_.remove(newcomer.slot);
         forest_.refit(fat_lines_);
+        forest_.add(newcomers, fat_lines_);
     }
     found_pairs_.clear();
     const std::uint64_t tests = forest_.find_pairs(found_pairs_) + found_pairs_.size();

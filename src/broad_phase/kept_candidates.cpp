@@ -16,7 +16,7 @@ void KeptCandidates::build(const ProxyTable& table, BroadPhaseCounts& counts) {
     ProxyPairs began, ended;  // the list of pairs has them already
     Update update{.table = table, .began = began, .ended = ended, .counts = counts};
     add(present, table);
-    search_all(update, true);
+    search_all(fatten_escaped(table), true, update);
     escaped_.clear();
     overlap_count_ = static_cast<std::int64_t>(began.size());
 }
@@ -50,15 +50,16 @@ void KeptCandidates::update(const ProxyTable& table, const ProxyChanges& changes
     counts.escaped += escaped_.size();
     add(changes.added, table);
     if (!escaped_.empty()) {
+        const std::vector<TreeItem> newcomers = fatten_escaped(table);
         searched_since_sort_ += escaped_.size();
         const std::size_t count = table.size();
         const bool is_worn = searched_since_sort_ > 4 * count || 4 * forest_.newcomer_count() > count + 64 ||
                              proxies_.size() > 2 * count + 64;
         if (8 * escaped_.size() > count || is_worn) {
-            search_all(update, is_worn);
+            search_all(newcomers, is_worn, update);
             ++counts.rebuilds;
         } else {
-            search_escaped(update);
+            search_escaped(newcomers, update);
         }
         escaped_.clear();
     }
@@ -76,7 +77,7 @@ void KeptCandidates::adapt(std::uint64_t filtered, std::uint64_t searched, std::
     const double candidate_count = static_cast<double>(candidates_.size()) + 1;
     wasted_work_ += static_cast<double>(filtered) * (1 - static_cast<double>(overlap_count_) / candidate_count);
     search_work_ += search_cost * static_cast<double>(searched);
-    if (wasted_work_ + search_work_ < 256 * static_cast<double>(proxies_.size())) return;
+    if (wasted_work_ + search_work_ < 128 * static_cast<double>(proxies_.size())) return;
     horizon_ = std::clamp(horizon_ * (search_work_ > wasted_work_ ? 1.25 : 0.8), horizon_min, horizon_max);
     wasted_work_ = 0;
     search_work_ = 0;

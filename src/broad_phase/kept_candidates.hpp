@@ -56,10 +56,10 @@ class KeptCandidates final : public PairFinder {
 
     // find_candidates.cpp
     BoxLine fatten(const Escaped& escaped, const Aabb& box) const noexcept;
-    void search_escaped(Update& update);
-    void place_escaped(const ProxyTable& table);
+    std::vector<TreeItem> fatten_escaped(const ProxyTable& table);
+    void search_escaped(std::span<const TreeItem> newcomers, Update& update);
     void link(SlotIndex slot, Update& update);
-    void search_all(Update& update, bool must_sort);
+    void search_all(std::span<const TreeItem> newcomers, bool must_sort, Update& update);
     void sort_slots(const ProxyTable& table);
     void relink_all(Update& update);
     void next_mark();
@@ -80,7 +80,7 @@ class KeptCandidates final : public PairFinder {
 
     std::uint32_t mark_ = 0;
     double mean_extent_ = 0;
-    double horizon_ = 16;  // for how many updates a fat box leaves room
+    double horizon_ = 24;  // for how many updates a fat box leaves room
     double wasted_work_ = 0;
     double search_work_ = 0;
     std::int64_t overlap_count_ = 0;
