@@ -84,7 +84,8 @@ void BoxForest::renumber() {
     places_.clear();
     for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
         trees_[tree].renumber(base);
-        for (std::uint32_t position = 0; position < trees_[tree].size(); ++position) places_.push_back({tree, position});
+        for (std::uint32_t position = 0; position < trees_[tree].size(); ++position)
+            places_.push_back({tree, position});
         base += static_cast<SlotIndex>(trees_[tree].size());
     }
 }

@@ -12,8 +12,8 @@
 namespace ecods {
 
 // One tree for each class of sizes, a factor of eight wide, and a few for newcomers, each more than three times as
-// large as the next: few to look into, and a newcomer is sorted again at most a few times for each time that the number of
-// newcomers quadruples.
+// large as the next: few to look into, and a newcomer is sorted again at most a few times for each time that the number
+// of newcomers quadruples.
 class BoxForest {
   public:
     // A box and where it is. Only lines[slot] decides what it overlaps.

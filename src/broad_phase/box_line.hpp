@@ -85,8 +85,8 @@ inline bool overlap(const BoxLine& a, const BoxLine& b) noexcept {
 }
 
 ECODS_ALWAYS_INLINE bool contains(const BoxLine& outer, const BoxLine& inner) noexcept {
-    return any_lane((lanes(&outer.ends[0]) > lanes(&inner.ends[0])) | (lanes(&outer.ends[4]) > lanes(&inner.ends[4]))) ==
-           0;
+    return any_lane((lanes(&outer.ends[0]) > lanes(&inner.ends[0])) |
+                    (lanes(&outer.ends[4]) > lanes(&inner.ends[4]))) == 0;
 }
 
 inline void enlarge(BoxLine& line, const BoxLine& by) noexcept {

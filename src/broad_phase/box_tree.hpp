@@ -34,8 +34,8 @@ class BoxTree {
     // Orders the items. lines[item.slot] is the box. Cost: n log n.
     void build(std::span<TreeItem> items, std::span<const BoxLine> lines);
 
-    std::size_t size() const noexcept { return slots_.size(); }             // positions, of which some may be empty
-    std::size_t alive_count() const noexcept { return alive_count_; }       // those that are not
+    std::size_t size() const noexcept { return slots_.size(); }              // positions, of which some may be empty
+    std::size_t alive_count() const noexcept { return alive_count_; }        // those that are not
     SlotIndex slot(std::size_t position) const { return slots_[position]; }  // or no_slot
 
     // Gives every position that has a slot the box that it has now; the order stays. Cost: n.
@@ -44,9 +44,12 @@ class BoxTree {
     // Numbers the positions base, base + 1, ...: their owner has put its lines in the order of the tree.
     void renumber(SlotIndex base);
 
-    // Gives a position another box; an empty one takes its slot out for good. Cost: a block a level, less where bounds stay.
+    // Gives a position another box; an empty one takes its slot out for good. Cost: a block a level, less where bounds
+    // stay.
     void set(std::size_t position, const BoxLine& line);
-    BoxLine get(std::size_t position) const { return levels_[0][position / BoxBlock::width].get(position % BoxBlock::width); }
+    BoxLine get(std::size_t position) const {
+        return levels_[0][position / BoxBlock::width].get(position % BoxBlock::width);
+    }
 
     // Appends the slots of the boxes that overlap. Returns the number of box tests.
     std::uint64_t find(const BoxReach& reach, std::vector<SlotIndex>& found) const;

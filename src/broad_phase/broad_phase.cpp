@@ -49,12 +49,12 @@ class FindingBroadPhase final : public BroadPhase {
             table_.settle();  // of what came and went in between
             return;
         }
-        const BroadPhaseCounts before = counts_;
+        const std::uint64_t swaps_before = counts_.swaps;
         counts_.moved += changes.added.size() + changes.moved.size();
         finder_->update(table_, changes, pairs_, counts_);
         pairs_.end_update();
         table_.settle();
-        if (kind_ == BroadPhaseKind::automatic) choose(before);
+        if (kind_ == BroadPhaseKind::automatic) choose(changes.moved.size(), counts_.swaps - swaps_before);
     }
 
     const std::vector<ProxyPair>& pairs() override { return pairs_.sorted(); }
@@ -70,8 +70,8 @@ class FindingBroadPhase final : public BroadPhase {
     }
 
   private:
-    void choose(const BroadPhaseCounts& before) {
-        const BroadPhaseKind wanted = chooser_.choose(table_.size(), before, counts_);
+    void choose(std::size_t moved, std::uint64_t swaps) {
+        const BroadPhaseKind wanted = chooser_.choose({.size = table_.size(), .moved = moved, .swaps = swaps});
         if (wanted == running_) return;
         running_ = wanted;
         finder_ = make_finder(wanted);

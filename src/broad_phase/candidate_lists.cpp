@@ -165,10 +165,12 @@ void CandidateLists::validate() const {
             require((i < list.owned) != (mirror < other.owned), slot, "a candidate has two owners, or none");
         }
         std::sort(partners.begin(), partners.end());
-        require(std::adjacent_find(partners.begin(), partners.end()) == partners.end(), slot, "a candidate is there twice");
+        require(std::adjacent_find(partners.begin(), partners.end()) == partners.end(), slot,
+                "a candidate is there twice");
     }
     std::sort(ranges.begin(), ranges.end());
-    for (std::size_t i = 1; i < ranges.size(); ++i) require(ranges[i - 1].second <= ranges[i].first, 0, "lists overlap");
+    for (std::size_t i = 1; i < ranges.size(); ++i)
+        require(ranges[i - 1].second <= ranges[i].first, 0, "lists overlap");
     if (entry_count != 2 * size_) throw BrokenInvariant("the number of candidates is wrong");
 }
 

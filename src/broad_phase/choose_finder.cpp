@@ -2,21 +2,21 @@
 
 namespace ecods {
 
-BroadPhaseKind ChooseFinder::choose(std::size_t size, const BroadPhaseCounts& before,
-                                    const BroadPhaseCounts& after) noexcept {
+BroadPhaseKind ChooseFinder::choose(const Work& last) noexcept {
     // Far enough apart that a scene that grows and shrinks does not switch each time.
     constexpr std::size_t size_min = 64, size_max = 256;
-    constexpr std::uint64_t steps_per_move = 8;
     if (kind_ == BroadPhaseKind::kept_candidates) {
-        if (size < size_min) kind_ = BroadPhaseKind::sweep_and_prune;
+        if (last.size < size_min) kind_ = BroadPhaseKind::sweep_and_prune;
         return kind_;
     }
-    moved_ += after.moved - before.moved;
-    steps_ += after.swaps - before.swaps;
-    if (size > size_max && steps_ > steps_per_move * moved_ && moved_ > size) {
-        kind_ = BroadPhaseKind::kept_candidates;
-    }
-    if (moved_ > 4 * size || kind_ == BroadPhaseKind::kept_candidates) moved_ = steps_ = 0;
+    constexpr std::uint64_t period = 16, swaps_per_move_max = 8;
+    ++updates_;
+    moved_ += last.moved;
+    swaps_ += last.swaps;
+    const bool is_lively = moved_ > last.size;  // in a period, or in less
+    const bool is_crowded = swaps_ > swaps_per_move_max * moved_ && moved_ > last.size / 16;
+    if (last.size > size_max && (is_lively || is_crowded)) kind_ = BroadPhaseKind::kept_candidates;
+    if (updates_ == period || kind_ == BroadPhaseKind::kept_candidates) updates_ = moved_ = swaps_ = 0;
     return kind_;
 }
 

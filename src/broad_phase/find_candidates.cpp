@@ -80,34 +80,37 @@ void KeptCandidates::search_escaped(std::span<const TreeItem> newcomers, Update&
     for (const Escaped& escaped : escaped_) forest_.set(escaped.slot, fat_lines_[escaped.slot]);
     forest_.add(newcomers, fat_lines_);
     for (const Escaped& escaped : escaped_) link(escaped.slot, update);
-    for (const Escaped& escaped : escaped_) flags_[escaped.slot] = 0;
 }
 
-// Replaces the candidates of an escaped box, save those with others that were linked before it: these know each other.
+// Brings the candidates of a box with a new fat box up to date. Those that it keeps are right already, and a partner
+// that is new and overlaps did not do so before: it would have been a candidate.
 void KeptCandidates::link(SlotIndex slot, Update& update) {
-    mark_overlapping(candidates_, slot);
-    for (auto i = static_cast<std::uint32_t>(candidates_.entries(slot).size()); i-- > 0;) {
-        const SlotIndex partner = CandidateLists::slot_of(candidates_.entries(slot)[i]);
-        if ((flags_[partner] & is_linked) == 0) candidates_.remove(slot, i);
-    }
-    flags_[slot] |= is_linked;
+    next_mark();
     BoxReach reach;
     make_reach(fat_lines_[slot], reach);
+    for (auto i = static_cast<std::uint32_t>(candidates_.entries(slot).size()); i-- > 0;) {
+        const SlotIndex partner = CandidateLists::slot_of(candidates_.entries(slot)[i]);
+        if (overlaps(fat_lines_[partner], reach)) {
+            marks_[partner] = mark_;
+        } else {
+            candidates_.remove(slot, i);
+        }
+    }
     found_.clear();
     update.counts.box_tests += forest_.find(reach, found_);
     make_reach(lines_[slot], reach);
     for (const SlotIndex partner : found_) {
-        if ((flags_[partner] & is_linked) != 0) continue;
+        if (is_marked(partner) || partner == slot) continue;
         const bool now = overlaps(lines_[partner], reach);
         candidates_.add(slot, partner, now);
-        if (now && !is_marked(partner)) update.began.push_back(ordered_pair(proxies_[slot], proxies_[partner]));
+        if (now) update.began.push_back(ordered_pair(proxies_[slot], proxies_[partner]));
     }
     update.counts.box_tests += found_.size();
 }
 
 void KeptCandidates::search_all(std::span<const TreeItem> newcomers, bool must_sort, Update& update) {
-    const bool do_sort = must_sort || is_worn_ ||
-                         64 * (forest_.newcomer_count() + newcomers.size()) > update.table.size();
+    const bool do_sort =
+        must_sort || is_worn_ || 64 * (forest_.newcomer_count() + newcomers.size()) > update.table.size();
     if (do_sort) {
         sort_slots(update.table);
     } else {

@@ -130,8 +130,7 @@ void KeptCandidates::add(const std::vector<ProxyIndex>& proxies, const ProxyTabl
 
 std::size_t KeptCandidates::bytes() const noexcept {
     return bytes_of(lines_, fat_lines_, proxies_, flags_, marks_, slots_, free_slots_, movers_, escaped_, found_) +
-           candidates_.bytes() + forest_.bytes() +
-           bytes_of(found_pairs_) + old_candidates_.bytes();
+           candidates_.bytes() + forest_.bytes() + bytes_of(found_pairs_) + old_candidates_.bytes();
 }
 
 void KeptCandidates::validate(const ProxyTable& table) const {

@@ -39,7 +39,7 @@ class KeptCandidates final : public PairFinder {
         SlotIndex slot;
         BoxLine before;
     };
-    enum : std::uint8_t { is_mover = 1, is_linked = 2 };
+    enum : std::uint8_t { is_mover = 1 };
 
     // kept_candidates.cpp
     void remove(const std::vector<ProxyIndex>& proxies, Update& update);

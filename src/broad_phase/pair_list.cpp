@@ -102,8 +102,7 @@ void PairList::patch(const ProxyPairs& gone, const ProxyPairs& come) {
     auto next_gone = gone.begin();
     auto next_come = come.begin();
     while (next_gone != gone.end() || next_come != come.end()) {
-        const bool is_gone =
-            next_come == come.end() || (next_gone != gone.end() && !is_before(*next_come, *next_gone));
+        const bool is_gone = next_come == come.end() || (next_gone != gone.end() && !is_before(*next_come, *next_gone));
         const ProxyPair pair = is_gone ? *next_gone : *next_come;
         const ProxyPair* next = find_from(read, read_end, pair);
         write = std::copy(read, next, write);

@@ -41,9 +41,9 @@ class PairList {
     // steps for each event since the last pass.
     void end_update();
 
-    // For those that have found all pairs anew, during an update: `found`, ascending, is what is here now. `ended` holds
-    // what ended for another reason, and does so still; the differences are added to both lists of events. The old list
-    // is left in `found`.
+    // For those that have found all pairs anew, during an update: `found`, ascending, is what is here now. `ended`
+    // holds what ended for another reason, and does so still; the differences are added to both lists of events. The
+    // old list is left in `found`.
     void replace(ProxyPairs& found);
 
     // The pairs, ascending. Cost: one pass if there were events since it was asked last, else nothing.
@@ -66,7 +66,7 @@ class PairList {
     ProxyPairs spare_;         // where the next list_ is made
     std::vector<Change> log_;  // events that list_ lacks, of updates before the last
     std::uint32_t order_ = 0;
-    bool is_pending_ = false;  // list_ lacks began and ended, too
+    bool is_pending_ = false;   // list_ lacks began and ended, too
     bool is_replaced_ = false;  // during an update: list_ has what it found
 };
 

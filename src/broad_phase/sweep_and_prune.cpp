@@ -76,8 +76,8 @@ void SweepAndPrune::update(const ProxyTable& table, const ProxyChanges& changes,
 // Returns whether all changes of pairs were seen. If not, the lists are sorted nevertheless.
 bool SweepAndPrune::sort_axes(const ProxyChanges& changes, PairList& pairs, BroadPhaseCounts& counts) {
     if (changes.moved.empty()) return true;
-    // When boxes jump, ends pass a large part of a list each, and starting from scratch is cheaper: sorting the lists and
-    // finding the pairs anew cost about as much as so many swaps for each end of one list.
+    // When boxes jump, ends pass a large part of a list each, and starting from scratch is cheaper: sorting the lists
+    // and finding the pairs anew cost about as much as so many swaps for each end of one list.
     constexpr std::uint64_t swaps_per_end_max = 128;
     SortState state{.boxes = boxes_,
                     .began = pairs.began,

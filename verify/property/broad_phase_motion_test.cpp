@@ -131,6 +131,13 @@ TEST_P(Motion, AllAgreeWithTheModel) {
     EXPECT_GT(pairs, 0u);
     EXPECT_GT(began, 0u);
     EXPECT_GT(lockstep.sweep_counts().swaps, 0u);
+    const BroadPhaseCounts& kept = lockstep.counts(BroadPhaseKind::kept_candidates);
+    EXPECT_GT(kept.escaped, 0u);
+    EXPECT_GT(kept.candidates_filtered, 0u);
+    if (scene.numbers == 600) {
+        EXPECT_LT(kept.rebuilds, static_cast<std::uint64_t>(scene.frames) / 2) << "boxes are searched one by one, too";
+        EXPECT_GT(kept.rebuilds, 2u);
+    }
 }
 
 const Scene scenes[] = {
@@ -200,6 +207,14 @@ const Scene scenes[] = {
      .move_one_in = 60,
      .teleport_one_in = 10,
      .change_one_in = 5000},
+    {.name = "six_hundred_drift_and_jump",
+     .numbers = 600,
+     .frames = 200,
+     .lattice = 0,
+     .size = 0.15,
+     .move_one_in = 4,
+     .teleport_one_in = 20,
+     .change_one_in = 300},
     {.name = "four_hundred_teleport",
      .numbers = 400,
      .frames = 60,

@@ -23,11 +23,8 @@ class EveryBroadPhase : public ::testing::TestWithParam<BroadPhaseKind> {
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Kinds, EveryBroadPhase,
-                         ::testing::ValuesIn(all_kinds),
-                         [](const auto& kind) {
-                             return std::string(Lockstep::name(*make_broad_phase(kind.param)));
-                         });
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryBroadPhase, ::testing::ValuesIn(all_kinds),
+                         [](const auto& kind) { return std::string(Lockstep::name(*make_broad_phase(kind.param))); });
 
 TEST_P(EveryBroadPhase, IsOfTheKindAskedForAndStartsEmpty) {
     EXPECT_EQ(phase->kind(), GetParam());

@@ -75,6 +75,99 @@ TEST(Counts, ACommonTranslationCostsNoSwap) {
     EXPECT_EQ(work.swaps, 0u);
 }
 
+// A frame in which one box of many moves costs what that box costs, whether or not it finds other pairs.
+TEST(Counts, OneMoverAmongManyCostsWhatItCosts) {
+    const auto phase = make_grid(BroadPhaseKind::kept_candidates, 40);
+    phase->pairs();
+    for (int step = 1; step <= 100; ++step) {
+        const BroadPhaseCounts before = phase->counts();
+        phase->move(32'000, make_cube(40 + 0.02 * step, 40, 40));
+        phase->update();
+        const BroadPhaseCounts& after = phase->counts();
+        EXPECT_EQ(after.moved - before.moved, 1u);
+        EXPECT_LE(after.candidates_filtered - before.candidates_filtered, 27u);
+        EXPECT_LE(after.box_tests - before.box_tests, 1000u);
+        EXPECT_EQ(after.rebuilds, before.rebuilds);
+        EXPECT_LE(phase->began().size() + phase->ended().size(), 8u);
+    }
+    EXPECT_GE(phase->counts().escaped, 2u);
+    EXPECT_LE(phase->counts().escaped, 50u) << "a box on its way has room for many steps";
+}
+
+TEST(Counts, BoxesOnTheirWayAreFilteredAndNotSearched) {
+    const auto phase = make_grid(BroadPhaseKind::kept_candidates, 12);
+    for (int step = 1; step <= 60; ++step) {
+        for (ProxyIndex proxy = 0; proxy < 1728; ++proxy) {
+            Aabb box = phase->box(proxy);
+            const double by = proxy % 2 == 0 ? 0x1p-7 : -0x1p-7;
+            box.min[0] += by;
+            box.max[0] += by;
+            phase->move(proxy, box);
+        }
+        phase->update();
+    }
+    const BroadPhaseCounts& counts = phase->counts();
+    EXPECT_LE(counts.rebuilds, 8u);
+    EXPECT_LE(counts.escaped, 8u * 1728);
+    EXPECT_LE(counts.candidates_filtered, 60u * 1728 * 6);
+    phase->validate();
+}
+
+// From nothing, by jumping all at once, and of sizes from 1 to 1000: no structure may degrade to n^2.
+TEST(Counts, JumpsAndSizesOfThreeDecadesAreNotQuadratic) {
+    constexpr ProxyIndex count = 20'000;
+    const auto phase = make_broad_phase(BroadPhaseKind::kept_candidates);
+    for (int frame = 0; frame < 3; ++frame) {
+        std::uint64_t state = 12345 + frame;
+        const auto next = [&] { return double((state = state * 6364136223846793005u + 1442695040888963407u) >> 40); };
+        for (ProxyIndex i = 0; i < count; ++i) {
+            const double size = std::pow(10.0, next() / 0x1p24 * 3);
+            const Aabb box = make_cube(next() / 0x1p12, next() / 0x1p12, next() / 0x1p12, size);
+            frame == 0 ? phase->add(i, box) : phase->move(i, box);
+        }
+        const BroadPhaseCounts before = phase->counts();
+        phase->update();
+        const std::uint64_t tests = phase->counts().box_tests - before.box_tests;
+        EXPECT_LT(tests, 400 * count + 20 * phase->pairs().size()) << frame;
+    }
+}
+
+// The memory of a scene: what the header states for each box and pair.
+TEST(Counts, MemoryIsAsStated) {
+    for (const auto kind : {BroadPhaseKind::sweep_and_prune, BroadPhaseKind::kept_candidates}) {
+        const auto phase = make_broad_phase(kind);
+        constexpr ProxyIndex count = 10'000;
+        phase->reserve(count);
+        for (ProxyIndex i = 0; i < count; ++i) phase->add(i, make_cube(2 * (i % 100), 2 * (i / 100), 0));
+        phase->update();
+        const double per_box = double(phase->bytes()) / count;
+        EXPECT_LE(per_box, kind == BroadPhaseKind::sweep_and_prune ? 280 : 560);
+        EXPECT_GE(per_box, 150);
+    }
+}
+
+TEST(Counts, AutomaticChoosesByTheWork) {
+    const auto phase = make_grid(BroadPhaseKind::automatic, 10);
+    for (int step = 1; step <= 10; ++step) phase->move(0, make_cube(0.01 * step, 0, 0)), phase->update();
+    EXPECT_EQ(phase->counts().switches, 0u) << "nearly all rest";
+    for (int step = 0; step < 40; ++step) {
+        for (ProxyIndex proxy = 0; proxy < 1000; ++proxy) {
+            Aabb box = phase->box(proxy);
+            const double by = (proxy + step) % 7 < 3 ? 0.37 : -0.31;
+            box.min[proxy % 3] += by;
+            box.max[proxy % 3] += by;
+            phase->move(proxy, box);
+        }
+        phase->update();
+        phase->validate();
+    }
+    EXPECT_EQ(phase->counts().switches, 1u) << "all move";
+    for (ProxyIndex proxy = 20; proxy < 1000; ++proxy) phase->remove(proxy);
+    phase->update();
+    EXPECT_EQ(phase->counts().switches, 2u) << "few are left";
+    phase->validate();
+}
+
 // Inserting 50,000 boxes must not be quadratic, nor need a deep stack: on a line, a plane, in space.
 TEST(Counts, AddingFiftyThousandAtOnceIsNotQuadratic) {
     constexpr int count = 50'000;

@@ -130,7 +130,8 @@ class Lockstep {
                 EXPECT_NO_THROW(engine->validate()) << name(*engine);
             }
         }
-        for (const auto& engine : engines) EXPECT_EQ(engine->counts().moved, engines[0]->counts().moved) << name(*engine);
+        for (const auto& engine : engines)
+            EXPECT_EQ(engine->counts().moved, engines[0]->counts().moved) << name(*engine);
         return !::testing::Test::HasFailure();
     }
 
