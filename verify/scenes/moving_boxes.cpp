@@ -32,7 +32,8 @@ Vec3 draw_half(Random& random, BoxLayout layout) {
     double scale = 1;
     if (layout == BoxLayout::decades) {
         // Evenly over the logarithm, up to the shape of one octave: 2^10 is three decades.
-        scale = std::ldexp(random.uniform(1, 2), static_cast<int>(random.below(10)));
+        const int octave = static_cast<int>(random.below(10));
+        scale = std::ldexp(random.uniform(1, 2), octave);
         scale = std::min(scale, 1000.0);
     }
     Vec3 half;
