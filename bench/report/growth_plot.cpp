@@ -27,7 +27,8 @@ Picture plot_growth(std::span<const GrowthPanel> panels, const std::filesystem::
         const double width = 1.0 / static_cast<double>(panels.size()), left = static_cast<double>(p) * width;
         out << fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n", left + 0.08, left + width - 0.02)
             << fmt::format("set xlabel '{}'\nset ylabel '{}'\n", panels[p].x_label, panels[p].y_label)
-            << fmt::format("set key at screen {},0.27 left top vertical maxrows 7 samplen 4\nplot ", left + 0.06);
+            << fmt::format("set key at screen {},0.245 left top Left reverse vertical maxrows 7 samplen 4\nplot ",
+                           left + 0.06);
         std::string plots, data;
         for (std::size_t c = 0; c < panels[p].curves.size(); ++c) {
             const GrowthCurve& curve = panels[p].curves[c];

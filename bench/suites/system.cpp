@@ -196,8 +196,9 @@ Section run_experiment(const Experiment& experiment, const SuiteOptions& options
                     {}};
     for (const Table& table : section.tables) print(table);
     if (!options.has_pictures) return section;
-    GrowthPanel work{"ships", "per frame", {hits}};
+    GrowthPanel work{"ships", "per frame", {}};  // engines first, so that each has the colour of the other panel
     for (const GrowthCurve& curve : calls) work.curves.push_back({"calls: " + curve.name, curve.x, curve.y});
+    work.curves.push_back(hits);
     section.pictures.push_back(plot_growth(std::vector{GrowthPanel{"ships", "milliseconds per frame", times}, work},
                                            options.folder, "system-" + experiment.name,
                                            experiment.figure +
