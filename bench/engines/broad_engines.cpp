@@ -24,7 +24,7 @@ std::vector<BroadMaker> broad_engines() {
     const BroadMaker peers[] = {
         {broad_yardstick, "update() of all, collide() with a callback that notes each pair; double", false, any,
          set_up_broad_fcl_tree},
-        {"FCL tree, moved only", "update() of the moved objects, the rest the same", false, any,
+        {"FCL tree, moved only", "update() of the moved objects, the rest the same", false, 10000,
          set_up_broad_fcl_tree_moved},
         {"FCL DynamicAABBTree_Array", "as the first", false, 1000, set_up_broad_fcl_array},
         {"Bullet Dbvt",
@@ -37,7 +37,7 @@ std::vector<BroadMaker> broad_engines() {
         {"Embree rtcCollide",
          "user geometry, dynamic scene of low build quality, rebuilt each frame, one thread; float", false, any,
          set_up_broad_embree},
-        {"CGAL box_self_intersection_d", "closed boxes, from scratch each frame; double", false, 10000,
+        {"CGAL box_self_intersection_d", "closed boxes, from scratch each frame; double", false, 1000,
          set_up_broad_cgal}};
     makers.insert(makers.end(), std::begin(peers), std::end(peers));
     return makers;

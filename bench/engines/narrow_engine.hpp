@@ -38,6 +38,7 @@ struct NarrowMaker {
     std::string use;  // how it is used, and what its precision is: for the page
     bool is_ecods = false;
     bool has_lists = false;
+    bool is_slow = false;  // timed once, however many repetitions the others have
     // Builds the trees of all meshes. This is what a build is timed by.
     std::unique_ptr<NarrowEngine> (*set_up)(std::span<const scenes::NamedMesh> meshes) = nullptr;
 };

@@ -94,7 +94,8 @@ void add_rows(Table& table, const Measured& measured) {
             return run.has_work ? fmt::format("{:.1f}", static_cast<double>(work) / count) : std::string();
         };
         for (std::string& cell : std::vector<std::string>{
-                 fmt::format("{:.2f}", median(run.us)), fmt::format("{:.0f}", spread_in_percent(run.us)),
+                 fmt::format("{:.2f}", median(run.us)),
+                 run.us.size() < 2 ? std::string() : fmt::format("{:.0f}", spread_in_percent(run.us)),
                  ratio_text(times_as_fast(run.us, yardstick_of(measured.runs))),
                  fmt::format("{} / {}", hits, measured.workload.queries.size()), fmt::format("{}", missed),
                  fmt::format("{}", invented), per_query(run.work.box_tests), per_query(run.work.triangle_tests),

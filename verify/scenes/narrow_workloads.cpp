@@ -53,7 +53,7 @@ std::vector<MeshPairs> gap_workloads(WorkloadSize size) {
                             {1e-11, "1e-11"}, {1e-13, "1e-13"}, {1e-15, "1e-15"}, {0, "adjacent doubles"}};
     std::vector<MeshPairs> workloads;
     for (const Gap& gap : gaps)
-        workloads.push_back(gap_pairs(gap.name, ship(), gap.radii, size == WorkloadSize::tiny ? 4 : 200, 5));
+        workloads.push_back(gap_pairs(gap.name, ship(), gap.radii, size == WorkloadSize::tiny ? 4 : 100, 5));
     return workloads;
 }
 
