@@ -36,7 +36,7 @@ std::vector<std::size_t> ship_counts(const Experiment& experiment, const SuiteOp
 // Fewer frames of more ships, in which as much happens.
 std::size_t frame_count(std::size_t ships, const SuiteOptions& options) {
     if (options.is_quick()) return 3;
-    return std::clamp<std::size_t>((options.is_long ? 16'000 : 5'000) / ships, 6,
+    return std::clamp<std::size_t>((options.is_long ? 16'000 : 6'400) / ships, 6,
                                    std::max<std::size_t>(6, options.frame_count));
 }
 
