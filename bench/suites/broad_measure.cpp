@@ -12,7 +12,7 @@ namespace ecods::bench {
 
 namespace {
 
-constexpr std::chrono::seconds turn_limit{120};
+constexpr std::chrono::seconds turn_limit{300};
 
 std::size_t count_difference(const std::vector<ProxyPair>& from, const std::vector<ProxyPair>& what) {
     std::vector<ProxyPair> difference;
