@@ -5,7 +5,7 @@
 //
 // Verdicts lie side by side. Each is in two lists, of the pairs of its two bodies, through links that it holds itself,
 // so that a body that moved finds its pairs at their cost and without hashing; and in a table by its two bodies, for a
-// pair that ends. Memory: 36 bytes a verdict, 4 bytes a body, and 8 bytes for each place of the table, which is a
+// pair that ends. Memory: 44 bytes a verdict, 4 bytes a body, and 8 bytes for each place of the table, which is a
 // quarter empty at least.
 #pragma once
 
@@ -16,6 +16,7 @@
 
 #include "ecods/broad_phase.hpp"
 #include "ecods/ids.hpp"
+#include "ecods/shape.hpp"
 
 namespace ecods {
 
@@ -27,6 +28,7 @@ struct Verdict {
     BodyPair bodies;                     // with the generations that the pair began with
     std::array<VerdictIndex, 2> next{};  // in the list of bodies.a, and of bodies.b
     std::array<VerdictIndex, 2> previous{};
+    PairWitness witness;        // what decided it last
     bool is_enabled = false;    // not filtered out; false until the pair is tested
     bool is_colliding = false;  // false unless enabled
 
@@ -45,6 +47,7 @@ class VerdictCache {
     VerdictIndex find(ProxyPair pair) const noexcept;  // no_verdict: not here
     const Verdict& operator[](VerdictIndex index) const noexcept { return verdicts_[index]; }
     void set(VerdictIndex index, bool is_enabled, bool is_colliding) noexcept;
+    PairWitness& witness(VerdictIndex index) noexcept { return verdicts_[index].witness; }
 
     VerdictIndex size() const noexcept { return static_cast<VerdictIndex>(verdicts_.size()); }
     std::size_t enabled_count() const noexcept { return enabled_count_; }

@@ -57,6 +57,7 @@ struct World::Impl {
     // ---- pairs of bodies
     OrderedTest test_of(ProxyPair pair) const { return tests.find(slots[pair.a].kind, slots[pair.b].kind); }
     bool test(ProxyPair pair, QueryMemory& memory) const;
+    bool test_again(VerdictIndex verdict, QueryMemory& memory);
     bool is_enabled(ProxyPair pair) const noexcept {
         return may_meet(slots[pair.a].filter, slots[pair.b].filter) && !disabled.contains(pair);
     }

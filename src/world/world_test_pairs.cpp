@@ -65,6 +65,15 @@ bool World::Impl::test(ProxyPair pair, QueryMemory& memory) const {
         [&](const TwoBodyTest& t, const PosedShape& a, const PosedShape& b) { return t.intersects(a, b, memory); });
 }
 
+// Each verdict is at one worker, so its witness is, too.
+bool World::Impl::test_again(VerdictIndex verdict, QueryMemory& memory) {
+    const ProxyPair pair = verdicts[verdict].proxies();
+    return test_of(pair).ask(slots[pair.a].posed(), slots[pair.b].posed(),
+                             [&](const TwoBodyTest& t, const PosedShape& a, const PosedShape& b) {
+                                 return t.intersects_again(a, b, memory, verdicts.witness(verdict));
+                             });
+}
+
 // Each test is a function of its pair, so which worker runs it when cannot be seen in an answer. All tests are run,
 // also when one throws.
 void World::Impl::test_pairs() {
@@ -73,7 +82,7 @@ void World::Impl::test_pairs() {
         PairTest& pair_test = pair_tests[at];
         if (pair_test.answer != Answer::none) return;
         try {
-            const bool is_colliding = test(verdicts[pair_test.verdict].proxies(), memory);
+            const bool is_colliding = test_again(pair_test.verdict, memory);
             pair_test.answer = is_colliding ? Answer::colliding : Answer::disjoint;
         } catch (...) {
             failure.keep(verdicts[pair_test.verdict].bodies, std::current_exception());

@@ -106,11 +106,11 @@ TEST(VerdictCache, SmallReservationsGrowGeometrically) {
 }
 
 TEST(VerdictCache, MemoryIsWhatTheHeaderSays) {
-    EXPECT_EQ(sizeof(Verdict), 36u);
+    EXPECT_EQ(sizeof(Verdict), 44u);
     VerdictCache cache;
     cache.reserve(12, 100);
     // 12 verdicts, 100 bodies, 32 places.
-    EXPECT_EQ(cache.memory_bytes(), 12u * 36 + 100u * 4 + 32u * 8);
+    EXPECT_EQ(cache.memory_bytes(), 12u * 44 + 100u * 4 + 32u * 8);
 }
 
 }  // namespace
