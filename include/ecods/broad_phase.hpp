@@ -33,21 +33,20 @@ enum class BroadPhaseKind : std::uint8_t {
     // The ECoDS report's algorithm: three sorted lists of box ends, re-sorted by insertion, pairs tracked as ends
     // swap. Work per update: one step for each pair of ends that changed order, plus one pass over the lists when boxes
     // came or went, or when a large part moved. Excellent while little moves and boxes are few; when boxes jump, so
-    // that
-    // sorting from scratch costs less than the steps, it does that. Memory: about 260 bytes a box and 8 to 16 a pair.
+    // that sorting from scratch costs less than the steps, it does that. Memory: about 260 bytes a box and 8 to 16 a
+    // pair.
     sweep_and_prune,
 
     // For large and lively scenes. Each box is given room to move; pairs that overlap with that room are candidates,
     // which are kept from update to update and tested again when one of the two moved. A box that left its room is
     // looked up in trees over all boxes, one for each class of sizes; when many did at once, everything is looked up.
-    // How much room is adapted from counts. Work per update: a few tests for each box that moved. Memory: about 500
-    // bytes
-    // a box, 16 bytes a candidate (some more than there are pairs) and 8 to 16 a pair; twice that while boxes move.
+    // How much room is adapted from counts. Work per update: a few tests for each box that moved. Memory: about 550
+    // bytes a box, 16 bytes a candidate (some more than there are pairs) and 8 to 16 a pair; twice that while boxes
+    // move.
     kept_candidates,
 
     // sweep_and_prune while boxes are few or rest, kept_candidates else. Counts decide at each update, never clocks,
-    // and
-    // nothing but cost tells which one runs.
+    // and nothing but cost tells which one runs.
     automatic,
 };
 
