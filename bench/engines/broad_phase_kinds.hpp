@@ -13,6 +13,8 @@ struct NamedBroadPhase {
 };
 
 inline constexpr std::array broad_phase_kinds{
+    NamedBroadPhase{BroadPhaseKind::automatic, "automatic"},
+    NamedBroadPhase{BroadPhaseKind::kept_candidates, "kept candidates"},
     NamedBroadPhase{BroadPhaseKind::sweep_and_prune, "sweep and prune"},
     NamedBroadPhase{BroadPhaseKind::brute_force, "brute force"},
 };

@@ -43,7 +43,7 @@
 namespace ecods {
 
 struct WorldOptions {
-    BroadPhaseKind broad_phase = BroadPhaseKind::sweep_and_prune;
+    BroadPhaseKind broad_phase = BroadPhaseKind::automatic;
 
     // Who runs the two-body tests of an update; null: the thread that calls it. Answers, lists, events, digests and
     // counts are the same for any executor and any number of workers. Tests of the caller's own are then called by

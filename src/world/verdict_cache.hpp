@@ -28,7 +28,7 @@ struct Verdict {
     BodyPair bodies;                     // with the generations that the pair began with
     std::array<VerdictIndex, 2> next{};  // in the list of bodies.a, and of bodies.b
     std::array<VerdictIndex, 2> previous{};
-    PairWitness witness;        // what decided it last
+    PairWitness witness{};      // what decided it last
     bool is_enabled = false;    // not filtered out; false until the pair is tested
     bool is_colliding = false;  // false unless enabled
 

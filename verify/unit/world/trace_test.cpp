@@ -24,7 +24,7 @@ ReplayReport replay_text(const std::string& text, const ReplayOptions& options =
 
 TEST(Trace, IsTheTextThatTheHeaderShows) {
     std::ostringstream out;
-    World world;
+    World world({.broad_phase = BroadPhaseKind::sweep_and_prune});
     world.trace_to(out);
     const BodyId a = world.create_body(triangle, at(0));
     const BodyId b = world.create_body(triangle, at(0.1, -3, 0x1p-1074));

@@ -11,7 +11,7 @@ namespace ecods {
 namespace {
 
 TEST(WorldWork, AFrameInWhichNothingMovedDoesNothing) {
-    World world;
+    World world({.broad_phase = BroadPhaseKind::sweep_and_prune});
     const auto cube = scenes::cube(0.5);
     std::vector<BodyId> bodies;
     for (int i = 0; i < 1000; ++i) bodies.push_back(world.create_body(cube, at(i % 10, i / 10 % 10, i / 100)));
@@ -32,7 +32,7 @@ TEST(WorldWork, AFrameInWhichNothingMovedDoesNothing) {
 }
 
 TEST(WorldWork, OneBodyThatMovedCostsItsOwnPairs) {
-    World world;
+    World world({.broad_phase = BroadPhaseKind::sweep_and_prune});
     const auto cube = scenes::cube(0.5);
     std::vector<BodyId> bodies;
     for (int i = 0; i < 1000; ++i) bodies.push_back(world.create_body(cube, at(i % 10, i / 10 % 10, i / 100)));
@@ -51,7 +51,7 @@ TEST(WorldWork, OneBodyThatMovedCostsItsOwnPairs) {
 // In a row of cubes that cross: what one cube's step costs is the same in a row a hundred times as long.
 TEST(WorldWork, OneBodyOfAHundredThousandCostsWhatThatBodyCosts) {
     const auto cost_of_a_step = [](int body_count) {
-        World world;
+        World world({.broad_phase = BroadPhaseKind::sweep_and_prune});
         world.reserve(static_cast<std::size_t>(body_count));
         const auto cube = scenes::cube(0.5);
         std::vector<BodyId> bodies;
@@ -84,7 +84,7 @@ TEST(WorldWork, OneBodyOfAHundredThousandCostsWhatThatBodyCosts) {
 // Kept as a golden count, as world.hpp states it: a change of these is a change of that comment.
 TEST(WorldWork, MemoryPerBodyAndPerPair) {
     const auto cube = scenes::cube(0.5);
-    World world;
+    World world({.broad_phase = BroadPhaseKind::sweep_and_prune});
     world.reserve(4096);
     std::vector<BodyId> bodies;
     for (int i = 0; i < 4096; ++i) bodies.push_back(world.create_body(cube, at(2 * i)));
@@ -109,7 +109,7 @@ TEST(WorldWork, TheTwoBodyTestIsCalledForCandidatesThatMovedOnly) {
     options.frame_count = 20;
     options.moving_share = 0.25;
     const scenes::Scene scene = scenes::room(options);
-    World world;
+    World world({.broad_phase = BroadPhaseKind::sweep_and_prune});
     std::vector<BodyId> bodies;
     for (const auto& body : scene.bodies) {
         bodies.push_back(world.create_body(scene.meshes[body.mesh_index].mesh, body.pose));
