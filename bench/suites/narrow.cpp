@@ -112,10 +112,10 @@ Table empty_table(const std::string& title, std::size_t repetition_count) {
     table.header = {"workload", "engine",   "us/query",  "spread %",       "times FCL", "hits",
                     "missed",   "invented", "box tests", "triangle tests", "judged"};
     table.notes = {
-        fmt::format("Processor time: medians of {} interleaved repetitions after one that is not timed, each engine "
-                    "pinned in a "
-                    "process of its own; spread: quartile distance.",
-                    repetition_count),
+        fmt::format(
+            "Processor time: medians of {} interleaved repetitions, each of one pass over the queries untimed and "
+            "then 20 ms of them, each engine pinned in a process of its own; spread: quartile distance.",
+            repetition_count),
         fmt::format("Times FCL: how many times as fast as {}, in the same repetition. Judged: so many answers were "
                     "checked by the oracle; the others by ECoDS.",
                     narrow_yardstick)};

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "exact/difference_signs.hpp"
+#include "exact/edge_axes.hpp"
 #include "exact/filter.hpp"
 #include "exact/filter_bound.hpp"
 #include "exact/filter_lanes.hpp"
@@ -176,6 +177,11 @@ Relation BodyPair::decide_by_differences(const SixRounded& points) {
             return Relation::crossing;
         case FilterAnswer::unknown:
             break;
+    }
+    const bool may_be_flat = certain_normal_axis(points, 0, bound) < 0 || certain_normal_axis(points, 1, bound) < 0;
+    if (may_be_flat && edges_separate(points, bound.orient3d)) {
+        ++counts_.semi_static_passes;
+        return Relation::disjoint;
     }
     return use_kernel(a, b, [&](const auto& kernel) {
         MixedSigns signs(points, bound, trace, kernel);

@@ -30,6 +30,16 @@ inline PairBound pair_bound(const SixRounded& points, double delta) noexcept {
     return {orient3d_bound(d), {orient2d_bound(d, 1, 2), orient2d_bound(d, 2, 0), orient2d_bound(d, 0, 1)}};
 }
 
+// The axis of the largest component of the rounded normal, where the filter works best, or -1 if that component may be
+// zero.
+inline int certain_normal_axis(const SixRounded& points, int triangle, const PairBound& bound) noexcept {
+    const Point* const own = &points[static_cast<std::size_t>(3 * triangle)];
+    const PlainNormal n = plain_normal(own[0], own[1], own[2]);
+    const std::array<double, 3> size{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
+    const std::size_t largest = size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : (size[1] > size[2] ? 1 : 2);
+    return size[largest] > bound.orient2d[largest] ? static_cast<int>(largest) : -1;
+}
+
 // Signs of single determinants, 0 where the filter leaves them open.
 class FilterSigns {
   public:
@@ -79,20 +89,12 @@ class MixedSigns {
     }
     int compare(int a, int b, int axis) const noexcept { return exact_.compare(a, b, axis); }
 
-    // The axis of the largest component of the rounded normal, where the filter then works best, if that component is
-    // certainly not zero.
     int normal_axis(int triangle) const noexcept {
-        const int own = 3 * triangle;
-        const PlainNormal n = plain_normal(at(own), at(own + 1), at(own + 2));
-        const std::array<double, 3> size{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
-        const std::size_t largest = size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : (size[1] > size[2] ? 1 : 2);
-        if (size[largest] > bound_.orient2d[largest]) return static_cast<int>(largest);
-        return exact_.normal_axis(triangle);
+        const int axis = certain_normal_axis(points_, triangle, bound_);
+        return axis >= 0 ? axis : exact_.normal_axis(triangle);
     }
 
   private:
-    const Point& at(int point) const noexcept { return points_[static_cast<std::size_t>(point)]; }
-
     const SixRounded& points_;
     const PairBound& bound_;
     const FilterTrace& trace_;

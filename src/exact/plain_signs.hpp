@@ -16,10 +16,15 @@ struct PlainNormal {
     double x, y, z;
 };
 
-ECODS_ALWAYS_INLINE PlainNormal plain_normal(const Point& a, const Point& b, const Point& c) noexcept {
+// (b - a) x (d - c)
+ECODS_ALWAYS_INLINE PlainNormal plain_cross(const Point& a, const Point& b, const Point& c, const Point& d) noexcept {
     const double x1 = b[0] - a[0], y1 = b[1] - a[1], z1 = b[2] - a[2];
-    const double x2 = c[0] - a[0], y2 = c[1] - a[1], z2 = c[2] - a[2];
+    const double x2 = d[0] - c[0], y2 = d[1] - c[1], z2 = d[2] - c[2];
     return {y1 * z2 - z1 * y2, z1 * x2 - x1 * z2, x1 * y2 - y1 * x2};
+}
+
+ECODS_ALWAYS_INLINE PlainNormal plain_normal(const Point& a, const Point& b, const Point& c) noexcept {
+    return plain_cross(a, b, a, c);
 }
 
 ECODS_ALWAYS_INLINE double plain_side(const PlainNormal& n, const Point& a, const Point& p) noexcept {

@@ -1,0 +1,115 @@
+// Shapes shared by threads that ask first of all and all at once; worlds with several workers; questions to a const
+// world. The thread sanitizer ends the program where two threads meet; a wrong answer ends it, too.
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <thread>
+#include <vector>
+
+#include "ecods/ecods.hpp"
+
+namespace {
+
+using namespace ecods;
+
+// A wavy disc: enough triangles for a tree of three levels.
+std::shared_ptr<const Mesh> make_mesh() {
+    constexpr std::uint32_t side = 24;
+    std::vector<Vec3> vertices;
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i <= side; ++i) {
+        for (std::uint32_t j = 0; j <= side; ++j) {
+            const double x = i / 12.0 - 1, y = j / 12.0 - 1;
+            vertices.emplace_back(x, y, 0.25 * std::sin(3 * x) * std::cos(2 * y));
+            if (i == side || j == side) continue;
+            const std::uint32_t at = i * (side + 1) + j;
+            triangles.push_back({at, at + 1, at + side + 1});
+            triangles.push_back({at + 1, at + side + 2, at + side + 1});
+        }
+    }
+    return Mesh::create(std::move(vertices), std::move(triangles));
+}
+
+Pose pose_of(int i) {
+    Pose pose;
+    const double angle = 0.7 * i;
+    pose.R << std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1;
+    pose.t = Vec3(0.9 * (i % 5), 0.9 * (i / 5 % 5), 0.2 * (i % 3));
+    return pose;
+}
+
+void run_in_threads(int count, const std::function<void(int)>& work) {
+    std::vector<std::thread> threads;
+    for (int i = 0; i < count; ++i) threads.emplace_back(work, i);
+    for (std::thread& thread : threads) thread.join();
+}
+
+class Workers final : public Executor {
+  public:
+    explicit Workers(std::size_t count) : count_(count) {}
+    std::size_t worker_count() const noexcept override { return count_; }
+    void run(std::size_t task_count, const std::function<void(std::size_t, std::size_t)>& task) override {
+        std::atomic<std::size_t> next = 0;
+        run_in_threads(static_cast<int>(count_), [&](int worker) {
+            for (std::size_t i = next++; i < task_count; i = next++) task(i, static_cast<std::size_t>(worker));
+        });
+    }
+
+  private:
+    std::size_t count_;
+};
+
+bool shared_shapes_answer_alike() {
+    const MeshShape a(make_mesh()), b(make_mesh());
+    std::atomic<int> wrong = 0;
+    std::vector<std::vector<TrianglePair>> first(25);
+    QueryMemory memory;
+    const MeshShape c(make_mesh()), d(make_mesh());
+    for (int i = 0; i < 25; ++i)
+        first[static_cast<std::size_t>(i)] = touching_triangles({c, pose_of(0)}, {d, pose_of(i)}, memory);
+    run_in_threads(4, [&](int) {
+        QueryMemory own;
+        const Pose pose_a = pose_of(0);
+        for (int i = 0; i < 25; ++i) {
+            const Pose pose_b = pose_of(i);
+            const auto& expected = first[static_cast<std::size_t>(i)];
+            if (touching_triangles({a, pose_a}, {b, pose_b}, own) != expected) ++wrong;
+            if (intersects({a, pose_a}, {b, pose_b}, own) == expected.empty()) ++wrong;
+            if (!contains(a.box(pose_b), Aabb{pose_b.t, pose_b.t})) ++wrong;
+        }
+    });
+    return wrong == 0;
+}
+
+bool worlds_answer_alike() {
+    const auto mesh = make_mesh();
+    std::vector<std::uint64_t> digests;
+    for (const std::size_t count : {1, 2, 4}) {
+        World world({.executor = std::make_shared<Workers>(count)});
+        std::vector<BodyId> bodies;
+        for (int i = 0; i < 60; ++i) bodies.push_back(world.create_body(mesh, pose_of(i)));
+        for (int frame = 0; frame < 4; ++frame) {
+            for (int i = 0; i < 60; i += 1 + frame)
+                world.set_pose(bodies[static_cast<std::size_t>(i)], pose_of(i + 7 * frame));
+            world.update();
+        }
+        const World& same = world;
+        run_in_threads(4, [&](int i) {
+            same.pose(bodies[static_cast<std::size_t>(i)]);
+            same.colliding_pairs();
+            same.digest();
+            same.statistics();
+        });
+        digests.push_back(world.digest());
+    }
+    return digests[0] == digests[1] && digests[0] == digests[2];
+}
+
+}  // namespace
+
+int main() {
+    const bool shapes = shared_shapes_answer_alike(), worlds = worlds_answer_alike();
+    std::printf("shapes %s, worlds %s\n", shapes ? "ok" : "WRONG", worlds ? "ok" : "WRONG");
+    return shapes && worlds ? 0 : 1;
+}
