@@ -6,7 +6,7 @@ namespace ecods {
 namespace {
 
 // How many boxes ahead memory is asked for.
-constexpr SlotIndex prefetch_distance = 12;
+constexpr std::size_t prefetch_distance = 12;
 
 }  // namespace
 
@@ -31,7 +31,6 @@ void KeptCandidates::move_all(const ProxyTable& table) {
 
 ECODS_FOR_EACH_INSTRUCTION_SET
 void KeptCandidates::move_some(const std::vector<ProxyIndex>& proxies, const ProxyTable& table) {
-    movers_.clear();
     for (std::size_t i = 0; i < proxies.size(); ++i) {
         if (i + prefetch_distance < proxies.size()) {
             const SlotIndex ahead = slots_[proxies[i + prefetch_distance]];
@@ -45,69 +44,84 @@ void KeptCandidates::move_some(const std::vector<ProxyIndex>& proxies, const Pro
             escaped_.push_back({slot, lines_[slot]});
         }
         lines_[slot] = line;
-        flags_[slot] |= is_mover;
-        movers_.push_back(slot);
     }
+}
+
+void KeptCandidates::filter(Update& update) {
+    overlapping_ = 0;
+    update.counts.candidates_filtered += candidates_.size();
+    if (changed_slots_.empty()) {
+        filter_unchanged(update);
+        return;
+    }
+    filter_changed(update);
+    for (const SlotIndex slot : changed_slots_) {
+        clear_flag(slot, changed);
+        if (lines_[slot].is_empty()) free_slots_.push_back(slot);
+    }
+    changed_slots_.clear();
 }
 
 // A candidate began or ceased to overlap.
-void KeptCandidates::report(SlotIndex slot, std::uint32_t index, Update& update) {
-    const std::uint32_t entry = candidates_.entries(slot)[index];
-    const ProxyPair pair = ordered_pair(proxies_[slot], proxies_[CandidateLists::slot_of(entry)]);
-    (CandidateLists::overlaps(entry) ? update.ended : update.began).push_back(pair);
-    candidates_.flip(slot, index);
+void KeptCandidates::report(Candidate& candidate, Update& update) {
+    const bool began = (candidate[1] & overlap_bit) == 0;
+    candidate[1] ^= overlap_bit;
+    const ProxyPair pair = ordered_pair(proxies_[candidate[0]], proxies_[candidate[1] & ~overlap_bit]);
+    (began ? update.began : update.ended).push_back(pair);
 }
 
 ECODS_FOR_EACH_INSTRUCTION_SET
-void KeptCandidates::filter_all(Update& update) {
-    BoxReach reach;
-    const auto slot_count = static_cast<SlotIndex>(candidates_.slot_count());
+void KeptCandidates::filter_unchanged(Update& update) {
     const BoxLine* const lines = lines_.data();
-    for (SlotIndex slot = 0; slot < slot_count; ++slot) {
-        const SlotIndex ahead = slot + prefetch_distance < slot_count ? slot + prefetch_distance : slot;
-        const std::uint32_t* const entries_ahead = candidates_.entries(ahead).data();
-        const std::uint32_t count_ahead = candidates_.owned_count(ahead);
-        for (std::uint32_t i = 0; i < count_ahead; ++i) {
-            const auto* line = reinterpret_cast<const char*>(&lines[CandidateLists::slot_of(entries_ahead[i])]);
-            __builtin_prefetch(line);
-        }
-        const std::uint32_t count = candidates_.owned_count(slot);
-        if (count == 0) continue;
-        make_reach(lines_[slot], reach);
-        const std::uint32_t* const entries = candidates_.entries(slot).data();
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const bool now = overlaps(lines[CandidateLists::slot_of(entries[i])], reach);
-            if (now != CandidateLists::overlaps(entries[i])) [[unlikely]] {
-                report(slot, i, update);
-            }
+    Candidate* const candidates = candidates_.data();
+    const std::size_t count = candidates_.size();
+    std::uint64_t overlapping = 0;
+    BoxReach reach;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t ahead = i + 2 * prefetch_distance;
+        __builtin_prefetch(&lines[candidates[ahead < count ? ahead : i][1] & ~overlap_bit]);
+        const auto [owner, entry] = candidates[i];
+        make_reach(lines[owner], reach);
+        const bool now = overlaps(lines[entry & ~overlap_bit], reach);
+        overlapping += now ? 1 : 0;
+        if (now != (entry >= overlap_bit)) [[unlikely]] {
+            report(candidates[i], update);
         }
     }
-    update.counts.candidates_filtered += candidates_.size();
+    overlapping_ = overlapping;
 }
 
+// The same, and those that are none any more go. They do not overlap; those of a box that went may have done so, which
+// has been reported.
 ECODS_FOR_EACH_INSTRUCTION_SET
-void KeptCandidates::filter_movers(Update& update) {
+void KeptCandidates::filter_changed(Update& update) {
+    const BoxLine* const lines = lines_.data();
+    const std::uint8_t* const flags = flags_.data();
+    Candidate* const candidates = candidates_.data();
+    Candidate* write = candidates;
+    const std::size_t count = candidates_.size();
+    std::uint64_t overlapping = 0;
     BoxReach reach;
-    std::uint64_t filtered = 0;
-    for (const SlotIndex slot : movers_) {
-        make_reach(lines_[slot], reach);
-        const auto entries = candidates_.entries(slot);
-        const std::uint32_t owned = candidates_.owned_count(slot);
-        filtered += entries.size();
-        for (std::uint32_t i = 0; i < entries.size(); ++i) {
-            const SlotIndex partner = CandidateLists::slot_of(entries[i]);
-            const bool now = overlaps(lines_[partner], reach);
-            if (now == CandidateLists::overlaps(entries[i])) [[likely]] {
-                continue;
-            }
-            // Of two that moved, the owner reports; the partner would turn the bit back.
-            if (i >= owned && (flags_[partner] & is_mover) != 0) continue;
-            report(slot, i, update);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t ahead = i + 2 * prefetch_distance;
+        __builtin_prefetch(&lines[candidates[ahead < count ? ahead : i][1] & ~overlap_bit]);
+        const auto [owner, entry] = candidates[i];
+        const SlotIndex partner = entry & ~overlap_bit;
+        if (((flags[owner] | flags[partner]) & changed) != 0) [[unlikely]] {
+            make_reach(fat_lines_[owner], reach);
+            if (!overlaps(fat_lines_[partner], reach) || fat_lines_[owner].is_empty()) continue;
         }
+        make_reach(lines[owner], reach);
+        const bool now = overlaps(lines[partner], reach);
+        overlapping += now ? 1 : 0;
+        *write = candidates[i];
+        if (now != (entry >= overlap_bit)) [[unlikely]] {
+            report(*write, update);
+        }
+        ++write;
     }
-    update.counts.candidates_filtered += filtered;
-    for (const SlotIndex slot : movers_) flags_[slot] = 0;
-    movers_.clear();
+    candidates_.resize(static_cast<std::size_t>(write - candidates));
+    overlapping_ = overlapping;
 }
 
 }  // namespace ecods

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "broad_phase/kept_candidates.hpp"
@@ -47,20 +48,6 @@ BoxLine KeptCandidates::fatten(const Escaped& escaped, const Aabb& box) const no
     return line;
 }
 
-void KeptCandidates::next_mark() {
-    if (++mark_ == 0) {  // all numbers were used
-        std::fill(marks_.begin(), marks_.end(), 0);
-        mark_ = 1;
-    }
-}
-
-void KeptCandidates::mark_overlapping(const CandidateLists& lists, SlotIndex slot) {
-    next_mark();
-    for (const std::uint32_t entry : lists.entries(slot)) {
-        if (CandidateLists::overlaps(entry)) marks_[CandidateLists::slot_of(entry)] = mark_;
-    }
-}
-
 // Gives the escaped boxes their new fat boxes. Returns those that are far from where they were, or new: in their old
 // place in the forest, they would stretch the bounds around it.
 std::vector<TreeItem> KeptCandidates::fatten_escaped(const ProxyTable& table) {
@@ -70,9 +57,61 @@ std::vector<TreeItem> KeptCandidates::fatten_escaped(const ProxyTable& table) {
         const Aabb& box = table.boxes()[proxies_[slot]];
         const BoxLine fat = fatten(escaped, box);
         const BoxLine old = std::exchange(fat_lines_[slot], fat);
+        old_fat_lines_[slot] = old;
+        set_flag(slot, searching);
         if (old.is_empty() || !overlap(old, fat)) newcomers.push_back(tree_item(box, slot));
     }
     return newcomers;
+}
+
+// Whether the two were a candidate before fat boxes changed, if one of them was awake.
+bool KeptCandidates::were_candidates(SlotIndex a, SlotIndex b) const noexcept {
+    const BoxLine& fat_a = has_flag(a, searching) ? old_fat_lines_[a] : fat_lines_[a];
+    const BoxLine& fat_b = has_flag(b, searching) ? old_fat_lines_[b] : fat_lines_[b];
+    return overlap(fat_a, fat_b);
+}
+
+// Before boxes move: the candidates of those that do.
+void KeptCandidates::wake(const std::vector<ProxyIndex>& proxies, Update& update) {
+    if (awake_count_ == used_count_ && proxies.size() == used_count_) return;
+    std::vector<SlotIndex> woken;
+    for (const ProxyIndex proxy : proxies) {
+        const SlotIndex slot = slots_[proxy];
+        if (!has_flag(slot, awake)) woken.push_back(slot);
+        set_flag(slot, moved);
+    }
+    if (8 * woken.size() > used_count_ + 64) {
+        wake_all(update);
+        return;
+    }
+    BoxReach reach;
+    for (const SlotIndex slot : woken) {
+        make_reach(fat_lines_[slot], reach);
+        found_.clear();
+        update.counts.box_tests += forest_.find(reach, found_);
+        make_reach(lines_[slot], reach);
+        for (const SlotIndex partner : found_) {
+            if (partner == slot || has_flag(partner, awake)) continue;
+            candidates_.push_back({slot, partner | (overlaps(lines_[partner], reach) ? overlap_bit : 0)});
+        }
+        set_flag(slot, awake);
+    }
+    awake_count_ += woken.size();
+}
+
+void KeptCandidates::wake_all(Update& update) {
+    for (SlotIndex slot = 0; slot < lines_.size(); ++slot) {
+        if (!lines_[slot].is_empty()) set_flag(slot, awake);
+    }
+    awake_count_ = used_count_;
+    candidates_.clear();
+    update.counts.box_tests += forest_.find_pairs(candidates_);
+    ++update.counts.rebuilds;
+    BoxReach reach;
+    for (Candidate& candidate : candidates_) {
+        make_reach(lines_[candidate[0]], reach);
+        if (overlaps(lines_[candidate[1]], reach)) candidate[1] |= overlap_bit;
+    }
 }
 
 void KeptCandidates::search_escaped(std::span<const TreeItem> newcomers, Update& update) {
@@ -80,32 +119,33 @@ void KeptCandidates::search_escaped(std::span<const TreeItem> newcomers, Update&
     for (const Escaped& escaped : escaped_) forest_.set(escaped.slot, fat_lines_[escaped.slot]);
     forest_.add(newcomers, fat_lines_);
     for (const Escaped& escaped : escaped_) link(escaped.slot, update);
+    for (const Escaped& escaped : escaped_) {
+        clear_flag(escaped.slot, searching);
+        if (has_flag(escaped.slot, changed)) continue;
+        set_flag(escaped.slot, changed);
+        changed_slots_.push_back(escaped.slot);
+    }
 }
 
-// Brings the candidates of a box with a new fat box up to date. Those that it keeps are right already, and a partner
-// that is new and overlaps did not do so before: it would have been a candidate.
+// Adds the candidates of a box with a new fat box. What is known of those that it had is right already, and one that is
+// new and overlaps did not do so before: it would have been a candidate.
 void KeptCandidates::link(SlotIndex slot, Update& update) {
-    next_mark();
     BoxReach reach;
     make_reach(fat_lines_[slot], reach);
-    for (auto i = static_cast<std::uint32_t>(candidates_.entries(slot).size()); i-- > 0;) {
-        const SlotIndex partner = CandidateLists::slot_of(candidates_.entries(slot)[i]);
-        if (overlaps(fat_lines_[partner], reach)) {
-            marks_[partner] = mark_;
-        } else {
-            candidates_.remove(slot, i);
-        }
-    }
     found_.clear();
     update.counts.box_tests += forest_.find(reach, found_);
+    update.counts.box_tests += found_.size();
     make_reach(lines_[slot], reach);
     for (const SlotIndex partner : found_) {
-        if (is_marked(partner) || partner == slot) continue;
+        // Of two that escaped, the first does it.
+        if (partner == slot || (has_flag(partner, searching) && partner < slot)) continue;
+        if (were_candidates(slot, partner)) continue;
         const bool now = overlaps(lines_[partner], reach);
-        candidates_.add(slot, partner, now);
         if (now) update.began.push_back(ordered_pair(proxies_[slot], proxies_[partner]));
+        if (has_flag(slot, awake) || has_flag(partner, awake)) {
+            candidates_.push_back({slot, partner | (now ? overlap_bit : 0)});
+        }
     }
-    update.counts.box_tests += found_.size();
 }
 
 void KeptCandidates::search_all(std::span<const TreeItem> newcomers, bool must_sort, Update& update) {
@@ -118,34 +158,31 @@ void KeptCandidates::search_all(std::span<const TreeItem> newcomers, bool must_s
         forest_.refit(fat_lines_);
         forest_.add(newcomers, fat_lines_);
     }
-    found_pairs_.clear();
-    const std::uint64_t tests = forest_.find_pairs(found_pairs_) + found_pairs_.size();
+    candidates_.clear();
+    const std::uint64_t tests = forest_.find_pairs(candidates_) + candidates_.size();
     update.counts.box_tests += tests;
     // Boxes drift away from those that they are in a block with. Sorting costs about as much as half of the tests.
     const double tests_per_box = static_cast<double>(tests) / static_cast<double>(update.table.size() + 1);
     if (do_sort) tests_after_sort_ = tests_per_box;
     is_worn_ = tests_per_box > 1.25 * tests_after_sort_;
-    relink_all(update);
+    take_found(update);
+    for (std::uint8_t& flags : flags_) flags &= static_cast<std::uint8_t>(~(searching | changed));
+    changed_slots_.clear();
 }
 
 // Makes the pairs that were found the candidates.
-void KeptCandidates::relink_all(Update& update) {
-    std::swap(old_candidates_, candidates_);
-    candidates_.build(lines_.size(), found_pairs_);
+void KeptCandidates::take_found(Update& update) {
     BoxReach reach;
-    for (SlotIndex slot = 0; slot < lines_.size(); ++slot) {
-        const std::uint32_t count = candidates_.owned_count(slot);
-        if (count == 0) continue;
-        mark_overlapping(old_candidates_, slot);
-        make_reach(lines_[slot], reach);
-        const std::uint32_t* const entries = candidates_.entries(slot).data();
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const SlotIndex partner = entries[i];
-            if (!overlaps(lines_[partner], reach)) continue;
-            candidates_.flip(slot, i);
-            if (!is_marked(partner)) update.began.push_back(ordered_pair(proxies_[slot], proxies_[partner]));
-        }
+    Candidate* write = candidates_.data();
+    for (const Candidate candidate : candidates_) {
+        const auto [a, b] = candidate;
+        make_reach(lines_[a], reach);
+        const bool now = overlaps(lines_[b], reach);
+        if (now && !were_candidates(a, b)) update.began.push_back(ordered_pair(proxies_[a], proxies_[b]));
+        if (!has_flag(a, awake) && !has_flag(b, awake)) continue;
+        *write++ = {a, b | (now ? overlap_bit : 0)};
     }
+    candidates_.resize(static_cast<std::size_t>(write - candidates_.data()));
 }
 
 // Plants the forest anew and puts everything that is kept by slot in its order.
@@ -167,21 +204,17 @@ void KeptCandidates::sort_slots(const ProxyTable& table) {
     forest_.append_order(order);
     forest_.renumber();
 
-    std::vector<BoxLine> lines(order.size()), fat_lines(order.size());
-    std::vector<ProxyIndex> proxies(order.size());
-    for (SlotIndex slot = 0; slot < order.size(); ++slot) {
-        lines[slot] = lines_[order[slot]];
-        fat_lines[slot] = fat_lines_[order[slot]];
-        proxies[slot] = proxies_[order[slot]];
-        slots_[proxies[slot]] = slot;
-    }
-    lines_ = std::move(lines);
-    fat_lines_ = std::move(fat_lines);
-    proxies_ = std::move(proxies);
-    candidates_.renumber(order);
-    flags_.assign(order.size(), 0);
-    marks_.assign(order.size(), 0);
-    mark_ = 0;
+    const auto reorder = [&order](auto& values) {
+        std::remove_reference_t<decltype(values)> ordered(order.size());
+        for (SlotIndex slot = 0; slot < order.size(); ++slot) ordered[slot] = values[order[slot]];
+        values = std::move(ordered);
+    };
+    reorder(lines_);
+    reorder(fat_lines_);
+    reorder(old_fat_lines_);
+    reorder(proxies_);
+    reorder(flags_);
+    for (SlotIndex slot = 0; slot < order.size(); ++slot) slots_[proxies_[slot]] = slot;
     free_slots_.clear();
     searched_since_sort_ = 0;
 }

@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "broad_phase/box_forest.hpp"
-#include "broad_phase/candidate_lists.hpp"
 #include "broad_phase/pair_finder.hpp"
 
 namespace ecods {
 
-// Each box lies in a fat one, which leaves room for it to go on as it does. Two boxes whose fat boxes overlap are a
-// candidate. As long as boxes stay in their fat boxes, no others can overlap, and an update tests the candidates of
-// the boxes that moved, nothing else. A box that escaped gets a new fat box and looks for its candidates in trees of
-// fat boxes; when many did, all is done anew at once. Boxes are kept in slots, numbered so that neighbours are close in
-// memory.
+// Each box lies in a fat one, which leaves room for it to go on as it does. As long as boxes stay in their fat boxes,
+// only those can overlap whose fat boxes do. A box that moves is awake, and so it stays until it has rested for a
+// while. Pairs whose fat boxes overlap, one of the two awake, are the candidates; an update tests all of them in one
+// go, and nothing else. A box that escaped gets a new fat box and looks for new candidates in trees of fat boxes, as
+// one that awakes does in its old fat box; when many did, all is done anew at once. Boxes are kept in slots, numbered
+// so that neighbours are close in memory.
 //
 // Right whatever the fat boxes are, as long as they contain their boxes; how fat they are is a matter of speed.
 class KeptCandidates final : public PairFinder {
@@ -39,61 +39,74 @@ class KeptCandidates final : public PairFinder {
         SlotIndex slot;
         BoxLine before;
     };
-    enum : std::uint8_t { is_mover = 1 };
+    enum : std::uint8_t {
+        awake = 1,
+        moved = 2,     // since boxes were last put to sleep
+        changed = 4,   // its fat box did, or it went: some of its candidates may be none any more
+        searching = 8  // during an update: its old fat box is in old_fat_lines_
+    };
+    // Two slots; in the second one, this bit says that they overlapped when they were last tested.
+    using Candidate = std::array<SlotIndex, 2>;
+    static constexpr SlotIndex overlap_bit = SlotIndex{1} << 31;
 
     // kept_candidates.cpp
     void remove(const std::vector<ProxyIndex>& proxies, Update& update);
     void add(const std::vector<ProxyIndex>& proxies, const ProxyTable& table);
     SlotIndex take_slot();
-    void adapt(std::uint64_t filtered, std::uint64_t searched, std::int64_t overlaps_gained);
+    void adapt(std::uint64_t filtered, std::uint64_t searched);
+    void put_to_sleep(std::size_t moved_count);
 
     // filter_candidates.cpp
     void move_all(const ProxyTable& table);
     void move_some(const std::vector<ProxyIndex>& proxies, const ProxyTable& table);
-    void filter_all(Update& update);
-    void filter_movers(Update& update);
-    void report(SlotIndex slot, std::uint32_t index, Update& update);
+    void filter(Update& update);
+    void filter_unchanged(Update& update);
+    void filter_changed(Update& update);
+    void report(Candidate& candidate, Update& update);
 
     // find_candidates.cpp
     BoxLine fatten(const Escaped& escaped, const Aabb& box) const noexcept;
     std::vector<TreeItem> fatten_escaped(const ProxyTable& table);
+    void wake(const std::vector<ProxyIndex>& proxies, Update& update);
+    void wake_all(Update& update);
     void search_escaped(std::span<const TreeItem> newcomers, Update& update);
     void link(SlotIndex slot, Update& update);
     void search_all(std::span<const TreeItem> newcomers, bool must_sort, Update& update);
     void sort_slots(const ProxyTable& table);
-    void relink_all(Update& update);
-    void next_mark();
-    void mark_overlapping(const CandidateLists& lists, SlotIndex slot);
-    bool is_marked(SlotIndex slot) const noexcept { return marks_[slot] == mark_; }
+    void take_found(Update& update);
+    bool were_candidates(SlotIndex a, SlotIndex b) const noexcept;
+    bool has_flag(SlotIndex slot, unsigned flag) const noexcept { return (flags_[slot] & flag) != 0; }
+    void set_flag(SlotIndex slot, unsigned flag) noexcept { flags_[slot] |= static_cast<std::uint8_t>(flag); }
+    void clear_flag(SlotIndex slot, unsigned flag) noexcept { flags_[slot] &= static_cast<std::uint8_t>(~flag); }
 
     // By slot. A free slot has empty boxes.
     std::vector<BoxLine> lines_;
     std::vector<BoxLine> fat_lines_;
+    std::vector<BoxLine> old_fat_lines_;
     std::vector<ProxyIndex> proxies_;
     std::vector<std::uint8_t> flags_;
-    std::vector<std::uint32_t> marks_;
-    CandidateLists candidates_;
 
+    std::vector<Candidate> candidates_;
     std::vector<SlotIndex> slots_;  // by proxy
     std::vector<SlotIndex> free_slots_;
-    BoxForest forest_;  // of fat boxes
+    std::vector<SlotIndex> changed_slots_;  // those with the flag
+    BoxForest forest_;                      // of fat boxes
 
-    std::uint32_t mark_ = 0;
+    std::size_t used_count_ = 0;  // slots that are not free
+    std::size_t awake_count_ = 0;
+    std::uint64_t rested_ = 0;  // updates that an awake box did not move in, summed
     double mean_extent_ = 0;
     double horizon_ = 24;  // for how many updates a fat box leaves room
     double wasted_work_ = 0;
     double search_work_ = 0;
-    std::int64_t overlap_count_ = 0;
+    std::uint64_t overlapping_ = 0;  // candidates, at the last filtering
     std::size_t searched_since_sort_ = 0;
     double tests_after_sort_ = 0;  // for each box, when everything was looked up
     bool is_worn_ = false;         // they became more
 
     // Working memory of an update.
-    std::vector<SlotIndex> movers_;
     std::vector<Escaped> escaped_;
     std::vector<SlotIndex> found_;
-    std::vector<std::array<SlotIndex, 2>> found_pairs_;
-    CandidateLists old_candidates_;
 };
 
 }  // namespace ecods
