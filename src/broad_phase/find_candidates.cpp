@@ -10,11 +10,52 @@
 
 namespace ecods {
 
+namespace {
+
+constexpr double back = 0.125;  // room for turning back, as a share of the room ahead
+
+double share_behind(const KeptCandidates::Habits& habits, std::size_t axis) noexcept {
+    return habits.turns[axis] || habits.direction[axis] == 0 ? 0.5 : back / (1 + back);
+}
+
+// Enlarges `fat` by the room that there was around a box, turned to where that one went.
+void turn_room(const BoxLine& box_line, const BoxLine& old_line, const KeptCandidates::Habits& habits, double limit,
+               Aabb& fat) noexcept {
+    const KeyBox box = key_box(box_line);
+    const KeyBox old = key_box(old_line);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto k = static_cast<Eigen::Index>(axis);
+        const double room = (double_of(box.min[axis]) - double_of(old.min[axis])) +
+                            (double_of(old.max[axis]) - double_of(box.max[axis]));
+        if (!(room > 0)) continue;
+        const double behind = share_behind(habits, axis);
+        const double low = habits.direction[axis] > 0 ? behind : 1 - behind;
+        fat.min[k] -= std::min(limit, low * room);
+        fat.max[k] += std::min(limit, (1 - low) * room);
+    }
+}
+
+// Whether the room ahead is nearly used up.
+bool is_about_to_escape(const BoxLine& line, const BoxLine& fat_line, const KeptCandidates::Habits& habits) noexcept {
+    constexpr double left = 0.125;
+    const KeyBox box = key_box(line);
+    const KeyBox fat = key_box(fat_line);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (habits.direction[axis] == 0) continue;
+        const double low = double_of(box.min[axis]) - double_of(fat.min[axis]);
+        const double high = double_of(fat.max[axis]) - double_of(box.max[axis]);
+        const double ahead = habits.direction[axis] > 0 ? high : low;
+        if (ahead < left * (low + high)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
 // Room for `horizon_` more steps like the last one, and some for turning back. No more than half an extent, so that
 // what is fast does not collect candidates that it will not meet. A step that is longer than that was a jump and tells
-// nothing; then half of the room that there was before it is kept, evenly.
-BoxLine KeptCandidates::fatten(const Escaped& escaped, const Aabb& box) const noexcept {
-    constexpr double back = 0.125;
+// nothing; then it gets the room that it had before, in the direction that it went.
+BoxLine KeptCandidates::fatten(const Escaped& escaped, const Aabb& box) noexcept {
     const double largest = (box.max - box.min).maxCoeff();
     const double room = 0.5 * (largest < mean_extent_ ? mean_extent_ : largest);
     if (!(room <= std::numeric_limits<double>::max())) return lines_[escaped.slot];
@@ -26,20 +67,21 @@ BoxLine KeptCandidates::fatten(const Escaped& escaped, const Aabb& box) const no
         up[k] = box.max[k] - double_of(before.max[axis]);
     }
     Aabb fat = box;
+    Habits& habits = habits_[escaped.slot];
+    const BoxLine& old_line = fat_lines_[escaped.slot];
     if (down.cwiseAbs().maxCoeff() <= room && up.cwiseAbs().maxCoeff() <= room) {
-        fat.min -= (horizon_ * down.cwiseMax(-back * down)).cwiseMin(room);
-        fat.max += (horizon_ * up.cwiseMax(-back * up)).cwiseMin(room);
-    } else if (const BoxLine& old_line = fat_lines_[escaped.slot]; !old_line.is_empty()) {
-        const KeyBox old = key_box(old_line);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto k = static_cast<Eigen::Index>(axis);
-            const double low = double_of(before.min[axis]) - double_of(old.min[axis]);
-            const double high = double_of(old.max[axis]) - double_of(before.max[axis]);
-            const double each = std::min(room, 0.25 * (low + high));
-            if (!(each > 0)) continue;
-            fat.min[k] -= each;
-            fat.max[k] += each;
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            if (down[k] == up[k]) continue;
+            const std::int8_t direction = up[k] > down[k] ? 1 : -1;
+            // What turned before its room was used up will turn again, as what lies between two others does.
+            if (direction == -habits.direction[k]) habits.turns[k] = true;
+            habits.direction[k] = direction;
+            const double behind = habits.turns[k] ? 1 : back;
+            fat.min[k] -= std::min(room, horizon_ * std::max(down[k], -behind * down[k]));
+            fat.max[k] += std::min(room, horizon_ * std::max(up[k], -behind * up[k]));
         }
+    } else if (!old_line.is_empty()) {
+        turn_room(escaped.before, old_line, habits, room, fat);
     }
     // Rounding, in whatever direction, must not leave the box outside.
     BoxLine line;
@@ -62,6 +104,20 @@ std::vector<TreeItem> KeptCandidates::fatten_escaped(const ProxyTable& table) {
         if (old.is_empty() || !overlap(old, fat)) newcomers.push_back(tree_item(box, slot));
     }
     return newcomers;
+}
+
+// Of those that are still in their fat boxes: what would escape soon would ask for another rebuild then.
+void KeptCandidates::fatten_used_up(const ProxyTable& table) {
+    for (SlotIndex slot = 0; slot < lines_.size(); ++slot) {
+        if (!has_flag(slot, awake) || has_flag(slot, searching)) continue;
+        if (!is_about_to_escape(lines_[slot], fat_lines_[slot], habits_[slot])) continue;
+        Aabb fat = table.boxes()[proxies_[slot]];
+        turn_room(lines_[slot], fat_lines_[slot], habits_[slot], std::numeric_limits<double>::infinity(), fat);
+        old_fat_lines_[slot] = fat_lines_[slot];
+        set_flag(slot, searching);
+        make_box_line(fat, fat_lines_[slot]);
+        enlarge(fat_lines_[slot], lines_[slot]);
+    }
 }
 
 // Whether the two were a candidate before fat boxes changed, if one of them was awake.
@@ -149,6 +205,7 @@ void KeptCandidates::link(SlotIndex slot, Update& update) {
 }
 
 void KeptCandidates::search_all(std::span<const TreeItem> newcomers, bool must_sort, Update& update) {
+    fatten_used_up(update.table);
     const bool do_sort =
         must_sort || is_worn_ || 64 * (forest_.newcomer_count() + newcomers.size()) > update.table.size();
     if (do_sort) {
@@ -214,6 +271,7 @@ void KeptCandidates::sort_slots(const ProxyTable& table) {
     reorder(old_fat_lines_);
     reorder(proxies_);
     reorder(flags_);
+    reorder(habits_);
     for (SlotIndex slot = 0; slot < order.size(); ++slot) slots_[proxies_[slot]] = slot;
     free_slots_.clear();
     searched_since_sort_ = 0;

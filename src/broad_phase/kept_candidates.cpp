@@ -24,6 +24,7 @@ void KeptCandidates::reserve(std::size_t count) {
     old_fat_lines_.reserve(count);
     proxies_.reserve(count);
     flags_.reserve(count);
+    habits_.reserve(count);
     slots_.reserve(count);
 }
 
@@ -127,6 +128,7 @@ SlotIndex KeptCandidates::take_slot() {
     old_fat_lines_.emplace_back();
     proxies_.push_back(0);
     flags_.push_back(0);
+    habits_.emplace_back();
     return static_cast<SlotIndex>(lines_.size() - 1);
 }
 
@@ -137,6 +139,7 @@ void KeptCandidates::add(const std::vector<ProxyIndex>& proxies, const ProxyTabl
         const SlotIndex slot = take_slot();
         make_box_line(table.boxes()[proxy], lines_[slot]);
         proxies_[slot] = proxy;
+        habits_[slot] = {};
         slots_[proxy] = slot;
         ++used_count_;
         escaped_.push_back({slot, lines_[slot]});
@@ -144,7 +147,7 @@ void KeptCandidates::add(const std::vector<ProxyIndex>& proxies, const ProxyTabl
 }
 
 std::size_t KeptCandidates::bytes() const noexcept {
-    return bytes_of(lines_, fat_lines_, old_fat_lines_, proxies_, flags_) +
+    return bytes_of(lines_, fat_lines_, old_fat_lines_, proxies_, flags_, habits_) +
            bytes_of(candidates_, slots_, free_slots_, changed_slots_, escaped_, found_) + forest_.bytes();
 }
 

@@ -20,6 +20,12 @@ namespace ecods {
 // Right whatever the fat boxes are, as long as they contain their boxes; how fat they are is a matter of speed.
 class KeptCandidates final : public PairFinder {
   public:
+    // How a box moved when it last escaped, by axis.
+    struct Habits {
+        std::array<std::int8_t, 3> direction{};  // 1 up, -1 down, 0 not known
+        std::array<bool, 3> turns{};
+    };
+
     void build(const ProxyTable& table, BroadPhaseCounts& counts) override;
     void update(const ProxyTable& table, const ProxyChanges& changes, PairList& pairs,
                 BroadPhaseCounts& counts) override;
@@ -65,8 +71,9 @@ class KeptCandidates final : public PairFinder {
     void report(Candidate& candidate, Update& update);
 
     // find_candidates.cpp
-    BoxLine fatten(const Escaped& escaped, const Aabb& box) const noexcept;
+    BoxLine fatten(const Escaped& escaped, const Aabb& box) noexcept;
     std::vector<TreeItem> fatten_escaped(const ProxyTable& table);
+    void fatten_used_up(const ProxyTable& table);
     void wake(const std::vector<ProxyIndex>& proxies, Update& update);
     void wake_all(Update& update);
     void search_escaped(std::span<const TreeItem> newcomers, Update& update);
@@ -85,6 +92,7 @@ class KeptCandidates final : public PairFinder {
     std::vector<BoxLine> old_fat_lines_;
     std::vector<ProxyIndex> proxies_;
     std::vector<std::uint8_t> flags_;
+    std::vector<Habits> habits_;
 
     std::vector<Candidate> candidates_;
     std::vector<SlotIndex> slots_;  // by proxy
