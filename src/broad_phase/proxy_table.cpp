@@ -1,23 +1,25 @@
 #include "broad_phase/proxy_table.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <cstdint>
 #include <string>
 
+#include "base/inline.hpp"
 #include "base/misuse.hpp"
 #include "broad_phase/bytes_of.hpp"
 
 namespace ecods {
 namespace {
 
+typedef std::int64_t Two __attribute__((vector_size(16), may_alias, aligned(8)));
+
 // Bits, not numbers: a move from 0.0 to -0.0 changes what box() returns, and finds the same pairs again.
-bool is_same(const Aabb& a, const Aabb& b) {
-    std::uint64_t different = 0;
-    for (int k = 0; k < 3; ++k) {
-        different |= std::bit_cast<std::uint64_t>(a.min[k]) ^ std::bit_cast<std::uint64_t>(b.min[k]);
-        different |= std::bit_cast<std::uint64_t>(a.max[k]) ^ std::bit_cast<std::uint64_t>(b.max[k]);
-    }
-    return different == 0;
+ECODS_ALWAYS_INLINE bool is_same(const Aabb& a, const Aabb& b) {
+    static_assert(sizeof(Aabb) == 3 * sizeof(Two));
+    const Two* x = reinterpret_cast<const Two*>(a.min.data());
+    const Two* y = reinterpret_cast<const Two*>(b.min.data());
+    const Two different = (x[0] ^ y[0]) | (x[1] ^ y[1]) | (x[2] ^ y[2]);
+    return (different[0] | different[1]) == 0;
 }
 
 }  // namespace
@@ -54,10 +56,18 @@ void ProxyTable::add(ProxyIndex proxy, const Aabb& box) {
 }
 
 void ProxyTable::move(ProxyIndex proxy, const Aabb& box) {
-    require_present(proxy);
-    if (is_same(boxes_[proxy], box)) return;
-    enqueue(proxy);
-    boxes_[proxy] = box;
+    if (!is_present(proxy)) [[unlikely]] {
+        require_present(proxy);
+        return;
+    }
+    Aabb& current = boxes_[proxy];
+    if (is_same(current, box)) return;
+    std::uint8_t& state = states_[proxy];
+    if ((state & queued) == 0) {
+        queue_.push_back(proxy);
+        state |= queued;
+    }
+    current = box;
 }
 
 void ProxyTable::remove(ProxyIndex proxy) {
@@ -81,11 +91,18 @@ std::size_t ProxyTable::bytes() const noexcept {
 
 const ProxyChanges& ProxyTable::collect() {
     changes_.added.clear();
-    changes_.moved.clear();
+    changes_.moved.resize(queue_.size());
+    ProxyIndex* moved = changes_.moved.data();
     for (const ProxyIndex proxy : queue_) {
-        if (!has(proxy, present)) continue;
-        (has(proxy, settled) ? changes_.moved : changes_.added).push_back(proxy);
+        *moved = proxy;
+        const unsigned state = states_[proxy] & (present | settled);
+        if (state == (present | settled)) [[likely]] {
+            ++moved;
+        } else if (state == present) {
+            changes_.added.push_back(proxy);
+        }
     }
+    changes_.moved.resize(static_cast<std::size_t>(moved - changes_.moved.data()));
     return changes_;
 }
 
