@@ -66,13 +66,13 @@ class BoxTree {
   private:
     static constexpr std::uint32_t width = BoxBlock::width;
 
-    // A block of another tree, with its bounds.
-    struct Leaf {
-        BoxLine bounds;
+    // A block of bounds, and some of its lanes.
+    struct Parent {
         std::uint32_t block;
+        std::uint32_t children;
     };
 
-    std::uint64_t find_leaves(const BoxReach& reach, std::uint32_t first, std::vector<Leaf>& found) const;
+    std::uint64_t find_parents(const BoxReach& reach, std::uint32_t first, std::vector<Parent>& found) const;
 
     std::vector<std::vector<BoxBlock>> levels_;  // the boxes first, one block last
     std::vector<SlotIndex> slots_;               // by position

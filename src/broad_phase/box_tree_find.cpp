@@ -43,31 +43,28 @@ std::uint64_t BoxTree::find(const BoxReach& reach, std::vector<SlotIndex>& found
     return tests;
 }
 
-// The blocks of boxes, from `first` on, whose bounds overlap.
+// The blocks of bounds on level 1, with the children, from `first` on, whose bounds overlap. Not of a single block.
 ECODS_FOR_EACH_INSTRUCTION_SET
-std::uint64_t BoxTree::find_leaves(const BoxReach& reach, std::uint32_t first, std::vector<Leaf>& found) const {
-    if (levels_.size() == 1) {
-        found.push_back({levels_[0][0].bounds(), 0});
-        return 0;
-    }
+std::uint64_t BoxTree::find_parents(const BoxReach& reach, std::uint32_t first, std::vector<Parent>& found) const {
     std::uint64_t tests = 0;
     NodeStack stack;
     std::size_t depth = 0;
     stack[depth++] = {static_cast<std::uint32_t>(levels_.size() - 1), 0};
     while (depth > 0) {
         const Node node = stack[--depth];
-        const BoxBlock& block = levels_[node.level][node.block];
+        std::uint32_t bits = overlapping(levels_[node.level][node.block], reach);
         tests += width;
-        for (std::uint32_t bits = overlapping(block, reach); bits != 0; bits &= bits - 1) {
-            const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
-            const std::uint32_t child = node.block * width + lane;
-            // The last block of boxes below the child.
-            if (((std::uint64_t{child} + 1) << (3 * (node.level - 1))) <= first) continue;
-            if (node.level == 1) {
-                found.push_back({block.get(lane), child});
-            } else {
-                stack[depth++] = {node.level - 1, child};
-            }
+        const std::uint32_t child = node.block * width;
+        if (node.level == 1) {
+            if (child < first) bits &= first - child < width ? ~std::uint32_t{0} << (first - child) : 0;
+            if (bits != 0) found.push_back({node.block, bits});
+            continue;
+        }
+        for (; bits != 0; bits &= bits - 1) {
+            const std::uint32_t next = child + static_cast<std::uint32_t>(std::countr_zero(bits));
+            // The last block of boxes below it.
+            if (((std::uint64_t{next} + 1) << (3 * (node.level - 1))) <= first) continue;
+            stack[depth++] = {node.level - 1, next};
         }
     }
     return tests;
@@ -76,30 +73,42 @@ std::uint64_t BoxTree::find_leaves(const BoxReach& reach, std::uint32_t first, s
 ECODS_FOR_EACH_INSTRUCTION_SET
 std::uint64_t BoxTree::join(const BoxTree& other, std::vector<std::array<SlotIndex, 2>>& found) const {
     const bool is_self = this == &other;
+    const bool is_one_block = other.levels_.size() == 1;
     std::uint64_t tests = 0;
-    std::vector<Leaf> leaves;
+    std::vector<Parent> parents;
     BoxReach reach;
     for (std::uint32_t own = 0; own < levels_[0].size(); ++own) {
         const BoxBlock& block = levels_[0][own];
         const BoxLine bounds = block.bounds();
         if (bounds.is_empty()) continue;
         make_reach(bounds, reach);
-        leaves.clear();
-        tests += other.find_leaves(reach, is_self ? own : 0, leaves);
+        parents.clear();
+        if (is_one_block) {
+            parents.push_back({0, 1});
+        } else {
+            tests += other.find_parents(reach, is_self ? own : 0, parents);
+        }
         for (std::uint32_t lane = 0; lane < width; ++lane) {
             const BoxLine line = block.get(lane);
             if (line.is_empty()) continue;
             const SlotIndex slot = slots_[own * width + lane];
             make_reach(line, reach);
-            tests += leaves.size();
-            for (const Leaf& leaf : leaves) {
-                if (!overlaps(leaf.bounds, reach)) continue;
-                std::uint32_t bits = overlapping(other.levels_[0][leaf.block], reach);
-                tests += width;
-                if (is_self && leaf.block == own) bits &= ~std::uint32_t{1} << lane;
-                for (; bits != 0; bits &= bits - 1) {
-                    const auto partner = static_cast<std::uint32_t>(std::countr_zero(bits));
-                    found.push_back({slot, other.slots_[leaf.block * width + partner]});
+            for (const Parent& parent : parents) {
+                std::uint32_t leaves = parent.children;
+                if (!is_one_block) {
+                    leaves &= overlapping(other.levels_[1][parent.block], reach);
+                    tests += width;
+                }
+                for (; leaves != 0; leaves &= leaves - 1) {
+                    const std::uint32_t leaf =
+                        parent.block * width + static_cast<std::uint32_t>(std::countr_zero(leaves));
+                    std::uint32_t bits = overlapping(other.levels_[0][leaf], reach);
+                    tests += width;
+                    if (is_self && leaf == own) bits &= ~std::uint32_t{1} << lane;
+                    for (; bits != 0; bits &= bits - 1) {
+                        const auto partner = static_cast<std::uint32_t>(std::countr_zero(bits));
+                        found.push_back({slot, other.slots_[leaf * width + partner]});
+                    }
                 }
             }
         }

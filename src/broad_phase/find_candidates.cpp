@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/dispatch.hpp"
 #include "broad_phase/kept_candidates.hpp"
 
 namespace ecods {
@@ -124,7 +125,9 @@ void KeptCandidates::fatten_used_up(const ProxyTable& table) {
 bool KeptCandidates::were_candidates(SlotIndex a, SlotIndex b) const noexcept {
     const BoxLine& fat_a = has_flag(a, searching) ? old_fat_lines_[a] : fat_lines_[a];
     const BoxLine& fat_b = has_flag(b, searching) ? old_fat_lines_[b] : fat_lines_[b];
-    return overlap(fat_a, fat_b);
+    BoxReach reach;
+    make_reach(fat_a, reach);
+    return overlaps(fat_b, reach);
 }
 
 // Before boxes move: the candidates of those that do.
@@ -228,6 +231,7 @@ void KeptCandidates::search_all(std::span<const TreeItem> newcomers, bool must_s
 }
 
 // Makes the pairs that were found the candidates.
+ECODS_FOR_EACH_INSTRUCTION_SET
 void KeptCandidates::take_found(Update& update) {
     BoxReach reach;
     Candidate* write = candidates_.data();
@@ -235,9 +239,14 @@ void KeptCandidates::take_found(Update& update) {
         const auto [a, b] = candidate;
         make_reach(lines_[a], reach);
         const bool now = overlaps(lines_[b], reach);
-        if (now && !were_candidates(a, b)) update.began.push_back(ordered_pair(proxies_[a], proxies_[b]));
-        if (!has_flag(a, awake) && !has_flag(b, awake)) continue;
-        *write++ = {a, b | (now ? overlap_bit : 0)};
+        // Most that overlap did so before: no branch on `now` alone, which could not be foretold.
+        make_reach(has_flag(a, searching) ? old_fat_lines_[a] : fat_lines_[a], reach);
+        const bool before = overlaps(has_flag(b, searching) ? old_fat_lines_[b] : fat_lines_[b], reach);
+        if (now & !before) [[unlikely]] {
+            update.began.push_back(ordered_pair(proxies_[a], proxies_[b]));
+        }
+        *write = {a, b | (static_cast<SlotIndex>(now) * overlap_bit)};
+        write += ((flags_[a] | flags_[b]) & awake) != 0 ? 1 : 0;
     }
     candidates_.resize(static_cast<std::size_t>(write - candidates_.data()));
 }
