@@ -117,6 +117,11 @@ void BoxForest::set(SlotIndex slot, const BoxLine& line) {
     trees_[places_[slot].tree].set(places_[slot].position, line);
 }
 
+void BoxForest::prefetch(SlotIndex slot) const noexcept {
+    if (slot >= places_.size() || places_[slot].tree == no_tree) return;
+    trees_[places_[slot].tree].prefetch(places_[slot].position);
+}
+
 void BoxForest::remove(SlotIndex slot) {
     set(slot, {});
     if (slot < places_.size()) places_[slot] = {};

@@ -39,6 +39,7 @@ class BoxForest {
     // Of a slot that is in no tree: nothing.
     void set(SlotIndex slot, const BoxLine& line);
     void remove(SlotIndex slot);
+    void prefetch(SlotIndex slot) const noexcept;  // what set() and find() of its box will look at
 
     // Newcomers are not sorted by size, so there should not be too many.
     std::size_t newcomer_count() const noexcept;

@@ -47,6 +47,7 @@ class BoxTree {
     // Gives a position another box; an empty one takes its slot out for good. Cost: a block a level, less where bounds
     // stay.
     void set(std::size_t position, const BoxLine& line);
+    void prefetch(std::size_t position) const noexcept;
     BoxLine get(std::size_t position) const {
         return levels_[0][position / BoxBlock::width].get(position % BoxBlock::width);
     }

@@ -15,11 +15,16 @@ struct Node {
 // are eleven levels.
 using NodeStack = std::array<Node, 11 * 7 + 1>;
 
-ECODS_ALWAYS_INLINE void prefetch(const BoxBlock& block) noexcept {
+ECODS_ALWAYS_INLINE void prefetch_block(const BoxBlock& block) noexcept {
     for (const auto& row : block.ends) __builtin_prefetch(row.data());
 }
 
 }  // namespace
+
+void BoxTree::prefetch(std::size_t position) const noexcept {
+    prefetch_block(levels_[0][position / width]);
+    if (levels_.size() > 1) prefetch_block(levels_[1][position / width / width]);
+}
 
 ECODS_FOR_EACH_INSTRUCTION_SET
 std::uint64_t BoxTree::find(const BoxReach& reach, std::vector<SlotIndex>& found) const {
@@ -36,7 +41,7 @@ std::uint64_t BoxTree::find(const BoxReach& reach, std::vector<SlotIndex>& found
                 found.push_back(slots_[child]);
             } else {
                 stack[depth++] = {node.level - 1, child};
-                prefetch(levels_[node.level - 1][child]);
+                prefetch_block(levels_[node.level - 1][child]);
             }
         }
     }

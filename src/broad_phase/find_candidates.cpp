@@ -15,6 +15,9 @@ namespace {
 
 constexpr double back = 0.125;  // room for turning back, as a share of the room ahead
 
+// How many escaped boxes ahead memory is asked for.
+constexpr std::size_t prefetch_distance = 6;
+
 double share_behind(const KeptCandidates::Habits& habits, std::size_t axis) noexcept {
     return habits.turns[axis] || habits.direction[axis] == 0 ? 0.5 : back / (1 + back);
 }
@@ -75,9 +78,12 @@ BoxLine KeptCandidates::fatten(const Escaped& escaped, const Aabb& box) noexcept
             if (down[k] == up[k]) continue;
             const std::int8_t direction = up[k] > down[k] ? 1 : -1;
             // What turned before its room was used up will turn again, as what lies between two others does.
-            if (direction == -habits.direction[k]) habits.turns[k] = true;
+            if (direction == -habits.direction[k]) {
+                habits.turns[k] = true;
+                ++turn_counts_[k];
+            }
             habits.direction[k] = direction;
-            const double behind = habits.turns[k] ? 1 : back;
+            const double behind = habits.turns[k] || is_turning_common_[k] ? 1 : back;
             fat.min[k] -= std::min(room, horizon_ * std::max(down[k], -behind * down[k]));
             fat.max[k] += std::min(room, horizon_ * std::max(up[k], -behind * up[k]));
         }
@@ -91,11 +97,24 @@ BoxLine KeptCandidates::fatten(const Escaped& escaped, const Aabb& box) noexcept
     return line;
 }
 
+void KeptCandidates::prefetch(SlotIndex slot) const noexcept {
+    __builtin_prefetch(&proxies_[slot]);
+    __builtin_prefetch(&lines_[slot]);
+    __builtin_prefetch(&fat_lines_[slot]);
+    __builtin_prefetch(&old_fat_lines_[slot], 1);
+    __builtin_prefetch(&habits_[slot], 1);
+}
+
 // Gives the escaped boxes their new fat boxes. Returns those that are far from where they were, or new: in their old
 // place in the forest, they would stretch the bounds around it.
 std::vector<TreeItem> KeptCandidates::fatten_escaped(const ProxyTable& table) {
     std::vector<TreeItem> newcomers;
-    for (const Escaped& escaped : escaped_) {
+    for (std::size_t i = 0; i < escaped_.size(); ++i) {
+        if (i + 2 * prefetch_distance < escaped_.size()) prefetch(escaped_[i + 2 * prefetch_distance].slot);
+        if (i + prefetch_distance < escaped_.size()) {
+            __builtin_prefetch(&table.boxes()[proxies_[escaped_[i + prefetch_distance].slot]]);
+        }
+        const Escaped& escaped = escaped_[i];
         const SlotIndex slot = escaped.slot;
         const Aabb& box = table.boxes()[proxies_[slot]];
         const BoxLine fat = fatten(escaped, box);
@@ -105,6 +124,18 @@ std::vector<TreeItem> KeptCandidates::fatten_escaped(const ProxyTable& table) {
         if (old.is_empty() || !overlap(old, fat)) newcomers.push_back(tree_item(box, slot));
     }
     return newcomers;
+}
+
+// Which directions boxes often turn in, say because they lie in one layer. Room behind all of them costs about as much
+// as a search for one in this many of them in each update.
+void KeptCandidates::learn_turns() {
+    constexpr double rare = 512;
+    const double moves = static_cast<double>(awake_count_) * static_cast<double>(updates_since_search_);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        is_turning_common_[axis] = rare * static_cast<double>(turn_counts_[axis]) > moves;
+    }
+    turn_counts_ = {};
+    updates_since_search_ = 0;
 }
 
 // Of those that are still in their fat boxes: what would escape soon would ask for another rebuild then.
@@ -175,9 +206,15 @@ void KeptCandidates::wake_all(Update& update) {
 
 void KeptCandidates::search_escaped(std::span<const TreeItem> newcomers, Update& update) {
     for (const TreeItem& newcomer : newcomers) forest_.remove(newcomer.slot);
-    for (const Escaped& escaped : escaped_) forest_.set(escaped.slot, fat_lines_[escaped.slot]);
+    for (std::size_t i = 0; i < escaped_.size(); ++i) {
+        if (i + prefetch_distance < escaped_.size()) forest_.prefetch(escaped_[i + prefetch_distance].slot);
+        forest_.set(escaped_[i].slot, fat_lines_[escaped_[i].slot]);
+    }
     forest_.add(newcomers, fat_lines_);
-    for (const Escaped& escaped : escaped_) link(escaped.slot, update);
+    for (std::size_t i = 0; i < escaped_.size(); ++i) {
+        if (i + prefetch_distance < escaped_.size()) forest_.prefetch(escaped_[i + prefetch_distance].slot);
+        link(escaped_[i].slot, update);
+    }
     for (const Escaped& escaped : escaped_) {
         clear_flag(escaped.slot, searching);
         if (has_flag(escaped.slot, changed)) continue;
@@ -194,6 +231,10 @@ void KeptCandidates::link(SlotIndex slot, Update& update) {
     found_.clear();
     update.counts.box_tests += forest_.find(reach, found_);
     update.counts.box_tests += found_.size();
+    for (const SlotIndex partner : found_) {
+        __builtin_prefetch(&fat_lines_[partner]);
+        __builtin_prefetch(&lines_[partner]);
+    }
     make_reach(lines_[slot], reach);
     for (const SlotIndex partner : found_) {
         // Of two that escaped, the first does it.

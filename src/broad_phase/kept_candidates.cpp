@@ -45,13 +45,16 @@ void KeptCandidates::update(const ProxyTable& table, const ProxyChanges& changes
     filter(update);
     counts.escaped += escaped_.size();
     add(changes.added, table);
+    ++updates_since_search_;
     if (!escaped_.empty()) {
-        const std::vector<TreeItem> newcomers = fatten_escaped(table);
         searched_since_sort_ += escaped_.size();
         const std::size_t count = table.size();
         const bool is_worn = searched_since_sort_ > 4 * count || 4 * forest_.newcomer_count() > count + 64 ||
                              proxies_.size() > 2 * count + 64;
-        if (8 * escaped_.size() > count || is_worn) {
+        const bool many_escaped = 8 * escaped_.size() > count;
+        if (many_escaped) learn_turns();
+        const std::vector<TreeItem> newcomers = fatten_escaped(table);
+        if (many_escaped || is_worn) {
             search_all(newcomers, is_worn, update);
             ++counts.rebuilds;
         } else {

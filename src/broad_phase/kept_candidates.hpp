@@ -73,6 +73,8 @@ class KeptCandidates final : public PairFinder {
     // find_candidates.cpp
     BoxLine fatten(const Escaped& escaped, const Aabb& box) noexcept;
     std::vector<TreeItem> fatten_escaped(const ProxyTable& table);
+    void prefetch(SlotIndex slot) const noexcept;
+    void learn_turns();
     void fatten_used_up(const ProxyTable& table);
     void wake(const std::vector<ProxyIndex>& proxies, Update& update);
     void wake_all(Update& update);
@@ -109,6 +111,9 @@ class KeptCandidates final : public PairFinder {
     double search_work_ = 0;
     std::uint64_t overlapping_ = 0;  // candidates, at the last filtering
     std::size_t searched_since_sort_ = 0;
+    std::size_t updates_since_search_ = 0;  // of everything
+    std::array<std::uint64_t, 3> turn_counts_{};
+    std::array<bool, 3> is_turning_common_{};
     double tests_after_sort_ = 0;  // for each box, when everything was looked up
     bool is_worn_ = false;         // they became more
 
