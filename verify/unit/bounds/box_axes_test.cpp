@@ -169,6 +169,64 @@ TEST(BoxAxes, NeverSeparateRootsInExactContact) {
     }
 }
 
+// Far from the origin of their own coordinates, boxes are placed by sums that cancel: rounding is then larger than what
+// boxes are rounded outwards by, and only the bound saves what touches. Contact is exact, whatever the common pose.
+TEST(BoxAxes, NeverSeparateRootsInContactFarFromTheirOwnOrigins) {
+    scenes::Random random(31);
+    for (int exponent = 8; exponent <= 44; exponent += 4) {
+        for (int i = 0; i < 40; ++i) {
+            Pose pose;
+            pose.R = random.rotation().toRotationMatrix();
+            if (i % 4 == 3) pose.R += 0.3 * Mat3::NullaryExpr([&] { return random.uniform(-1, 1); });
+            const auto cube_at = [](const Vec3& offset) {
+                const auto cube = scenes::cube(0.5);
+                std::vector<Vec3> vertices(cube->vertices().begin(), cube->vertices().end());
+                for (Vec3& v : vertices) v += offset;
+                return Mesh::create(std::move(vertices), {cube->triangles().begin(), cube->triangles().end()});
+            };
+            Vec3 place, step;
+            for (int k = 0; k < 3; ++k) {
+                place[k] = std::floor(random.uniform(-1, 1) * std::ldexp(1, exponent));
+                pose.t[k] = random.uniform(-10, 10);
+                step[k] = static_cast<double>(random.below(3)) - 1;
+            }
+            if (step.isZero()) step[2] = 1;
+            const Body a(cube_at(place), pose), b(cube_at(place + step), pose);
+            const std::vector<TrianglePair> pairs = pairs_of(a, b);
+            ASSERT_FALSE(pairs.empty());
+            for (const TrianglePair& pair : pairs) {
+                ASSERT_TRUE(let_through_in_every_rounding_mode(a, b, pair.a, pair.b)) << exponent << " " << i;
+            }
+        }
+    }
+}
+
+// Flat boxes under poses with two nearly parallel columns: the box's own normals, as computed, undo such a pose less
+// precisely than their size tells, and a flat box has nothing to spare. The two share a corner.
+TEST(BoxAxes, NeverSeparateFlatBoxesUnderShearedPoses) {
+    scenes::Random random(37);
+    for (int i = 0; i < 3000; ++i) {
+        Pose pose;
+        pose.R = random.rotation().toRotationMatrix();
+        const auto k = static_cast<Eigen::Index>(random.below(3));
+        const double angle = std::ldexp(random.uniform(1, 2), -static_cast<int>(8 + random.below(8)));
+        pose.R.col((k + 1) % 3) = pose.R.col(k) + angle * pose.R.col((k + 1) % 3);
+        // Flat on one axis, in units of the frame; the second lies on one side of the corner that they share.
+        const auto flat = static_cast<Eigen::Index>(random.below(3));
+        const auto thin = [&](double up) {
+            Vec3 v;
+            for (double& x : v) x = random.uniform(-1, 1);
+            v[flat] = up;
+            return v;
+        };
+        const Vec3 shared = thin(0);
+        const double up = random.below(2) == 0 ? 0x1p-44 : -0x1p-44;
+        const Body a(Mesh::create({shared, thin(0), thin(0)}, {{0, 1, 2}}), pose);
+        const Body b(Mesh::create({shared, thin(up), thin(up)}, {{0, 1, 2}}), pose);
+        ASSERT_TRUE(let_through_in_every_rounding_mode(a, b, 0, 0)) << i;
+    }
+}
+
 // Each kind of axis separates something that no axis before it does.
 TEST(BoxAxes, AllFifteenAxesSeparateSomething) {
     scenes::Random random(21);

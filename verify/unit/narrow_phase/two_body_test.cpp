@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <thread>
 
 #include "ecods/error.hpp"
@@ -198,6 +199,33 @@ TEST(TwoBody, ARefittedShapeAnswersAsANewOne) {
         expect_right(*soft, random_pose(random, 0.3), ship, random_pose(random, 0.3), memory);
     }
     EXPECT_THROW(refit(ship, {{0, 0, 0}}), InvalidIndex);
+}
+
+// What the exact layer knows of a mesh, digits and units above all, is that of the new vertices: contacts of a cube
+// whose corners need all digits, refitted from one that needs few.
+TEST(TwoBody, ARefittedShapeIsMeasuredAnew) {
+    const MeshShape plain(scenes::cube(0.5));
+    scenes::Random random(34);
+    QueryMemory memory;
+    for (int i = 0; i < 200; ++i) {
+        std::vector<Vec3> vertices(plain.mesh().vertices().begin(), plain.mesh().vertices().end());
+        const double far = std::ldexp(1, static_cast<int>(random.below(60)));
+        for (Vec3& v : vertices) {
+            for (double& x : v) x = x * far + random.uniform(-0x1p-20, 0x1p-20) * random.uniform(0, 0x1p-20);
+        }
+        const auto soft = refit(plain, vertices);
+        // Its corners, edges and faces, and points an ulp beside them.
+        Vec3 point = vertices[random.below(8)];
+        if (i % 2 == 1) point = 0.5 * point + 0.5 * vertices[random.below(8)];
+        if (i % 3 == 2) point[0] = std::nextafter(point[0], 0.0);
+        const MeshShape needle(Mesh::create({point, 3 * point, point + Vec3(far, 0, 0)}, {{0, 1, 2}}));
+        Pose a, b;
+        a.t = b.t = Vec3(random.uniform(-1, 1), 0, 3);
+        b.t[i % 3] += std::ldexp(random.uniform(-1, 1), -static_cast<int>(random.below(50)));
+        expect_right(*soft, a, needle, a, memory);
+        expect_right(*soft, a, needle, b, memory);
+        expect_right(*soft, a, plain, b, memory);
+    }
 }
 
 }  // namespace
