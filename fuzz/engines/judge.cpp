@@ -1,0 +1,76 @@
+#include "fuzz/engines/judge.hpp"
+
+#include <cstdio>
+#include <memory>
+
+#include "harness/contained.hpp"
+#include "oracle/oracle.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+constexpr std::size_t failures_max = 8;
+constexpr std::size_t examples_max = 3;
+
+// Asks one query a turn, from `first` on. In the child.
+std::function<bench::Contained::Run()> asker(const EngineMaker& engine, const scenes::MeshPairs& pairs,
+                                             std::size_t first) {
+    return [&engine, &pairs, first]() -> bench::Contained::Run {
+        // Engines complain there about what they were asked.
+        if (std::freopen("/dev/null", "w", stderr) == nullptr) return {};
+        const std::shared_ptr<EngineUnderTest> made = engine.make(pairs.meshes);
+        return [made, &pairs, next = first]() mutable -> std::vector<double> {
+            const scenes::MeshQuery& query = pairs.queries[next++];
+            const bool forward = made->intersects(query);
+            return {static_cast<double>(forward), static_cast<double>(made->intersects({query.b, query.a}))};
+        };
+    };
+}
+
+void note_answer(Verdicts& verdicts, std::size_t query, bool forward, bool backward, bool truth) {
+    ++verdicts.answered;
+    verdicts.missed += truth && !forward;
+    verdicts.invented += !truth && forward;
+    verdicts.asymmetric += forward != backward;
+    if ((forward != truth || backward != truth) && verdicts.wrong.size() < examples_max) {
+        verdicts.wrong.push_back(query);
+    }
+}
+
+void note_failure(Verdicts& verdicts, const std::string& failure) {
+    ++(failure.starts_with("took longer") ? verdicts.hung : verdicts.crashed);
+    if (verdicts.first_failure.empty()) verdicts.first_failure = failure;
+}
+
+}  // namespace
+
+std::vector<bool> ask_oracle(const scenes::MeshPairs& pairs) {
+    std::vector<bool> truth;
+    for (const scenes::MeshQuery& query : pairs.queries) {
+        const auto posed = [&](const scenes::MeshAt& at) {
+            return oracle::OracleMesh(pairs.meshes[at.mesh_index].mesh, at.pose);
+        };
+        truth.push_back(oracle::intersects(posed(query.a), posed(query.b)));
+    }
+    return truth;
+}
+
+Verdicts judge(const EngineMaker& engine, const scenes::MeshPairs& pairs, const std::vector<bool>& truth,
+               std::chrono::seconds limit) {
+    Verdicts verdicts{.queries = truth.size()};
+    for (const bool hit : truth) verdicts.hits += hit;
+    std::unique_ptr<bench::Contained> child;
+    for (std::size_t query = 0; query < truth.size() && verdicts.crashed + verdicts.hung < failures_max; ++query) {
+        if (!child) child = std::make_unique<bench::Contained>(asker(engine, pairs, query), limit);
+        const bench::Outcome outcome = child->run();
+        if (outcome.is_right()) {
+            note_answer(verdicts, query, outcome.values[0] != 0, outcome.values[1] != 0, truth[query]);
+        } else {
+            note_failure(verdicts, outcome.failure);
+            child.reset();
+        }
+    }
+    return verdicts;
+}
+
+}  // namespace ecods::fuzz

@@ -1,0 +1,155 @@
+// ecods_fuzz_engine: how often collision libraries are wrong where it is hard to be right. `--help` tells the options.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "fuzz/engines/engine_under_test.hpp"
+#include "fuzz/engines/families.hpp"
+#include "fuzz/engines/judge.hpp"
+
+namespace {
+
+using namespace ecods;
+using namespace ecods::fuzz;
+
+struct Options {
+    std::vector<std::string> engines;
+    std::vector<std::string> families;
+    std::uint32_t seed = 1;
+    std::size_t runs = 200;
+    int limit = 5;
+    std::filesystem::path json;
+    bool lists = false;
+};
+
+// What was asked for by name; everything, when nothing was.
+template <class Thing>
+std::vector<Thing> chosen(const std::vector<Thing>& all, const std::vector<std::string>& names, const char* what) {
+    if (names.empty()) return all;
+    std::vector<Thing> result;
+    for (const std::string& name : names) {
+        const auto found = std::ranges::find(all, name, [](const Thing& thing) { return thing.name; });
+        if (found == all.end()) throw std::runtime_error(fmt::format("there is no {} '{}'; see --list", what, name));
+        result.push_back(*found);
+    }
+    return result;
+}
+
+nlohmann::json to_json(const Verdicts& v) {
+    return {{"queries", v.queries},     {"hits", v.hits},
+            {"answered", v.answered},   {"missed", v.missed},
+            {"invented", v.invented},   {"differs_when_swapped", v.asymmetric},
+            {"crashed", v.crashed},     {"hung", v.hung},
+            {"wrong_queries", v.wrong}, {"first_failure", v.first_failure}};
+}
+
+// "missed/invented", or "." for none of either; what is not about answers follows.
+std::string to_cell(const Verdicts& v) {
+    std::string text = v.missed + v.invented == 0 ? "." : fmt::format("{}/{}", v.missed, v.invented);
+    if (v.asymmetric > 0) text += fmt::format(" ~{}", v.asymmetric);
+    if (v.crashed > 0) text += fmt::format(" !{}", v.crashed);
+    if (v.hung > 0) text += fmt::format(" ...{}", v.hung);
+    return text;
+}
+
+void print_row(const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) fmt::print(fmt::runtime(i == 0 ? "{:<34}" : " {:>14}"), cells[i]);
+    fmt::print("\n");
+    std::fflush(stdout);
+}
+
+void add(Verdicts& sum, const Verdicts& more) {
+    sum.queries += more.queries;
+    sum.hits += more.hits;
+    sum.answered += more.answered;
+    sum.missed += more.missed;
+    sum.invented += more.invented;
+    sum.asymmetric += more.asymmetric;
+    sum.crashed += more.crashed;
+    sum.hung += more.hung;
+}
+
+void list(const std::vector<EngineMaker>& engines, const std::vector<EngineFamily>& families) {
+    for (const EngineMaker& engine : engines) fmt::print("engine {:<10} {}\n", engine.name, engine.use);
+    for (const EngineFamily& family : families) fmt::print("family '{}': {}\n", family.name, family.what);
+}
+
+int run(const Options& options) {
+    std::vector<EngineMaker> all = engines_under_test();
+    const bool has_canary = std::ranges::find(options.engines, "canary") != options.engines.end();
+    if (has_canary) all.push_back(canary_engine());
+    const auto engines = chosen(all, options.engines, "engine");
+    const auto families = chosen(engine_families(), options.families, "family");
+    if (options.lists) {
+        list(engines, families);
+        return 0;
+    }
+    nlohmann::json results = nlohmann::json::array();
+    std::vector<Verdicts> sums(engines.size());
+    bool is_right = true;
+    fmt::print(
+        "Wrong answers, missed/invented, of so many queries, of which so many touch. ~: answers that differ when "
+        "the two are\nswapped; !: crashes; ...: hangs.\n\n");
+    std::vector<std::string> header = {"family", "queries (hits)"};
+    for (const EngineMaker& engine : engines) header.push_back(engine.name);
+    print_row(header);
+    for (const EngineFamily& family : families) {
+        const scenes::MeshPairs pairs = family.make(options.runs, options.seed);
+        const std::vector<bool> truth = ask_oracle(pairs);
+        const auto hits = std::ranges::count(truth, true);
+        std::vector<std::string> row = {family.name, fmt::format("{} ({})", truth.size(), hits)};
+        for (std::size_t i = 0; i < engines.size(); ++i) {
+            const Verdicts verdicts = judge(engines[i], pairs, truth, std::chrono::seconds(options.limit));
+            is_right &= verdicts.is_right() || !engines[i].must_be_right;
+            add(sums[i], verdicts);
+            row.push_back(to_cell(verdicts));
+            auto& result = results.emplace_back(to_json(verdicts));
+            result["engine"] = engines[i].name;
+            result["family"] = family.name;
+        }
+        print_row(row);
+    }
+    std::vector<std::string> last = {"all", fmt::format("{} ({})", sums[0].queries, sums[0].hits)};
+    for (const Verdicts& sum : sums) last.push_back(to_cell(sum));
+    print_row(last);
+    if (!options.json.empty()) {
+        const nlohmann::json summary = {
+            {"seed", options.seed}, {"runs", options.runs}, {"right", is_right}, {"results", results}};
+        std::ofstream file(options.json);
+        file << summary.dump(2) << "\n";
+        if (!file) throw std::runtime_error("cannot write " + options.json.string());
+    }
+    return is_right ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Options options;
+    CLI::App app{
+        "Asks collision libraries whether two meshes touch, in scenes that are hard, and compares with an exact "
+        "oracle.\n"
+        "Each runs in a process of its own; what crashes or hangs is counted. Exit status 1: ECoDS was wrong."};
+    app.add_option("--engine", options.engines, "which (may be repeated; all but the canary if none is named)");
+    app.add_option("--family", options.families, "which scenes (likewise)");
+    app.add_option("--seed", options.seed, "of every family")->capture_default_str();
+    app.add_option("--runs", options.runs, "queries of each family")->check(CLI::PositiveNumber)->capture_default_str();
+    app.add_option("--limit", options.limit, "seconds after which a query hangs")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    app.add_option("--json", options.json, "where to write all figures, and which queries were wrong");
+    app.add_flag("--list", options.lists, "name engines and families, and ask nothing");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        return run(options);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "ecods_fuzz_engine: {}\n", error.what());
+        return 2;
+    }
+}
