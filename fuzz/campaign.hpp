@@ -1,36 +1,38 @@
-// Runs from consecutive seeds until enough is done or a check fails.
+// Runs from consecutive seeds, each in a process of its own, until enough is done or a check fails.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fuzz/run.hpp"
 
 namespace ecods::fuzz {
 
 struct CampaignOptions {
+    std::string profile = "motion";
     std::uint32_t seed = 1;
     std::uint32_t runs = 100;
-    double seconds = 0;   // if positive, in place of `runs`
-    bool canary = false;  // lie about one answer
+    double seconds = 0;         // if positive, in place of `runs`
+    std::uint32_t jobs = 1;     // processes at once
+    unsigned seconds_max = 60;  // of processor time, that a run may take
+    std::uint32_t failures_max = 1;
+    Canary canary = Canary::none;
 };
 
-class Campaign {
-  public:
-    explicit Campaign(const CampaignOptions& options) : options_(options) {}
-
-    bool goes_on() const { return options_.seconds > 0 ? seconds() < options_.seconds : runs_ < options_.runs; }
-    std::uint32_t next_seed() { return options_.seed + runs_++; }
-    std::uint32_t runs() const { return runs_; }
-    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
-  private:
-    using Clock = std::chrono::steady_clock;
-    CampaignOptions options_;
-    std::uint32_t runs_ = 0;
-    Clock::time_point start_ = Clock::now();
+struct CampaignReport {
+    std::uint32_t runs = 0;
+    double seconds = 0;
+    std::map<std::string, std::uint32_t> runs_of = {};  // by profile
+    Counters counters = {};                             // of runs that did not fail
+    std::vector<RunFailure> failures = {};              // ascending by seed
 };
 
-// Each prints a summary in JSON and gives the exit status: 1 if a check failed.
-int fuzz_motion(const CampaignOptions& options);
-int fuzz_pairs(const CampaignOptions& options);
+// Run i has seed + i, and where a name stands for several profiles, the seed tells which: so that runs are the same for
+// any number of jobs, and each can be had alone.
+CampaignReport run_campaign(const CampaignOptions& options);
+
+std::string to_json(const CampaignOptions& options, const CampaignReport& report);
 
 }  // namespace ecods::fuzz

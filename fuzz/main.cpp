@@ -1,23 +1,103 @@
 // ecods_fuzz: random input, every answer checked. `ecods_fuzz --help` tells the options.
-#include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <fstream>
 #include <string>
 
 #include "fuzz/campaign.hpp"
+#include "fuzz/motion/profile.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+constexpr int exit_held = 0;
+constexpr int exit_failed = 1;
+constexpr int exit_unusable = 2;
+
+struct Options {
+    CampaignOptions campaign;
+    bool lists_profiles = false;
+    std::string json_file;
+};
+
+void list_profiles() {
+    for (const Profile& profile : profiles()) fmt::print("{:<8} {}\n", profile.name, profile.about);
+    fmt::print("{:<8} {}\n", pairs_profile,
+               "pairs of posed triangles, 1000 a run, each by every path of the exact layer");
+    fmt::print("motion   all but pairs, in turns\nall      all of them, in turns\n");
+}
+
+void print(const RunFailure& failure) {
+    fmt::print(stderr, "ecods_fuzz: {}: seed {}, {}: {}: expected {}, got {}\n{}", failure.profile, failure.seed,
+               failure.where, failure.check, failure.expected, failure.got, failure.text);
+    fmt::print(stderr, "to see it again: ecods_fuzz --profile {} --seed {} --runs 1\n", failure.profile, failure.seed);
+}
+
+int run_campaign(const Options& options) {
+    const CampaignReport report = run_campaign(options.campaign);
+    const std::string json = to_json(options.campaign, report);
+    if (options.json_file.empty()) {
+        fmt::print("{}\n", json);
+    } else if (std::ofstream out(options.json_file); !(out << json << "\n")) {
+        fmt::print(stderr, "ecods_fuzz: {}: cannot be written\n", options.json_file);
+        return exit_unusable;
+    }
+    for (const RunFailure& failure : report.failures) print(failure);
+    return report.failures.empty() ? exit_held : exit_failed;
+}
+
+int run_program(int argc, char** argv) {
+    Options options;
+    CampaignOptions& campaign = options.campaign;
+    CLI::App app(
+        "Random input; every answer is checked by an exact oracle, and by what does not share its code. The same seed "
+        "is\n"
+        "the same run on every machine. Exit status: 0 if all held; 1 if a check failed, or a run crashed or hung; 2 "
+        "if\n"
+        "the command makes no sense.",
+        "ecods_fuzz");
+    app.add_option("--profile", campaign.profile, "What to fuzz: see --list-profiles")->capture_default_str();
+    app.add_flag("--list-profiles", options.lists_profiles, "Print the profiles, and end");
+    app.add_option("--seed", campaign.seed, "Of the first run; run i has seed + i")->capture_default_str();
+    app.add_option("--runs", campaign.runs, "How many runs")->capture_default_str();
+    app.add_option("--seconds", campaign.seconds, "How long, in place of --runs")->check(CLI::NonNegativeNumber);
+    app.add_option("--jobs", campaign.jobs, "Processes at once")->check(CLI::Range(1, 256))->capture_default_str();
+    app.add_option("--run-seconds", campaign.seconds_max, "Processor time after which a run hangs")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    app.add_option("--failures", campaign.failures_max, "After so many failures no run begins")->capture_default_str();
+    app.add_option("--json", options.json_file, "Write the summary to this file, in place of the output");
+    const std::map<std::string, Canary> canaries{
+        {"answer", Canary::answer}, {"crash", Canary::crash}, {"hang", Canary::hang}};
+    app.add_option("--canary", campaign.canary, "Go wrong on purpose, where a collision is: answer, crash or hang")
+        ->transform(CLI::CheckedTransformer(canaries))
+        ->expected(0, 1)
+        ->default_str("answer");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? exit_held : exit_unusable;
+    }
+    if (options.lists_profiles) {
+        list_profiles();
+        return exit_held;
+    }
+    if (profiles_of(campaign.profile).empty()) {
+        fmt::print(stderr, "ecods_fuzz: there is no profile {}: see --list-profiles\n", campaign.profile);
+        return exit_unusable;
+    }
+    return run_campaign(options);
+}
+
+}  // namespace
+}  // namespace ecods::fuzz
 
 int main(int argc, char** argv) {
-    ecods::fuzz::CampaignOptions options;
-    CLI::App app{
-        "Random input; every answer is checked by an exact oracle. Exit status 1: a check failed.\n"
-        "Profiles: motion (worlds in motion), pairs (pairs of posed triangles, 1000 a run)."};
-    std::string profile = "motion";
-    app.add_option("--profile", profile, "what to fuzz: motion or pairs")
-        ->check(CLI::IsMember({"motion", "pairs"}))
-        ->capture_default_str();
-    app.add_option("--seed", options.seed, "of the first run; run i has seed + i")->capture_default_str();
-    app.add_option("--runs", options.runs, "how many runs")->capture_default_str();
-    app.add_option("--seconds", options.seconds, "how long, in place of --runs")->check(CLI::NonNegativeNumber);
-    app.add_flag("--canary", options.canary, "lie about an answer: the campaign must fail");
-    CLI11_PARSE(app, argc, argv);
-    return profile == "pairs" ? ecods::fuzz::fuzz_pairs(options) : ecods::fuzz::fuzz_motion(options);
+    try {
+        return ecods::fuzz::run_program(argc, argv);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "ecods_fuzz: {}\n", error.what());
+        return ecods::fuzz::exit_unusable;
+    }
 }

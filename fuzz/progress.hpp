@@ -5,17 +5,17 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
-#include <string_view>
 
 namespace ecods::fuzz {
 
 class Progress {
   public:
-    void show(std::uint64_t runs, std::uint64_t count, std::string_view of_what) {
+    void show(std::uint64_t runs, std::uint64_t failures) {
         if (!is_terminal_ || Clock::now() - shown_ < std::chrono::milliseconds(200)) return;
         shown_ = Clock::now();
-        fmt::print(stderr, "\r{} runs, {} {}", runs, count, of_what);
+        fmt::print(stderr, "\r{} runs, {} failures", runs, failures);
     }
     ~Progress() {
         if (is_terminal_) fmt::print(stderr, "\r\x1b[K");

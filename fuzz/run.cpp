@@ -1,87 +1,101 @@
 #include "fuzz/run.hpp"
 
-#include <cmath>
-#include <exception>
+#include <fmt/format.h>
 
-#include "fuzz/bad_input.hpp"
-#include "fuzz/failure.hpp"
-#include "fuzz/meshes.hpp"
-#include "fuzz/motions.hpp"
-#include "fuzz/scene.hpp"
+#include <nlohmann/json.hpp>
+
+#include "fuzz/motion/generate.hpp"
+#include "fuzz/motion/profile.hpp"
+#include "fuzz/pairs/run.hpp"
 
 namespace ecods::fuzz {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunFailure, profile, seed, where, check, expected, got, text, trace, picture)
+
 namespace {
 
-Setting make_setting(scenes::Random& random, Counters& counters) {
-    Setting setting;
-    switch (random.below(8)) {
-        case 0:
-            // The smallest coordinates are multiples of the smallest subnormal.
-            ++counters["scene subnormal"];
-            setting.unit = std::ldexp(1.0, -1060);
-            break;
-        case 1:
-            ++counters["scene huge"];
-            setting.unit = std::ldexp(1.0, 900);
-            break;
-        case 2:
-            ++counters["scene far from the origin"];
-            setting.origin = Vec3(0x1p40, -0x1p45, 3e9);
-            break;
-        default:
-            ++counters["scene of unit size"];
-            break;
+RunReport run_motion(const Profile& profile, std::uint32_t seed, Canary canary) {
+    RunReport report;
+    try {
+        play(generate(profile, seed, report.counters), {.canary = canary}, report.counters);
+    } catch (const Failure& failure) {
+        report.failure = {.profile = std::string(profile.name),
+                          .seed = seed,
+                          .where = fmt::format("update {}", failure.update),
+                          .check = failure.check,
+                          .expected = failure.expected,
+                          .got = failure.got};
     }
-    for (int i = 0; i < 4; ++i) setting.meshes.push_back(make_mesh(setting.unit, random, counters));
-    setting.bodies_max = 2 + random.below(8);
-    return setting;
+    return report;
 }
 
-void run_frame(Scene& scene, const Setting& setting, const CheckOptions& options, scenes::Random& random,
-               Counters& counters) {
-    const bool rests = random.below(8) == 0;
-    const std::uint64_t tests = scene.worlds[1].statistics().two_body_tests;
-    if (!rests) {
-        for (std::uint32_t i = 0, count = 1 + random.below(4); i < count; ++i) {
-            change(scene, setting, random, counters);
-        }
+Counters counters_of(const PairCounts& counts) {
+    Counters counters;
+    counters["triangle pairs"] = counts.pairs;
+    for (const auto& [family, relations] : counts.relations) {
+        counters["families: " + family] = relations[0] + relations[1] + relations[2];
+        counters["triangle pairs: disjoint"] += relations[0];
+        counters["triangle pairs: touching"] += relations[1];
+        counters["triangle pairs: crossing"] += relations[2];
     }
-    if (random.below(4) == 0) give_bad_input(scene, random, counters);
-    scene.update();
-    ++counters["frames"];
-    if (rests) {
-        ++counters["frames at rest"];
-        require(scene.worlds[1].statistics().two_body_tests == tests, "rest", "a pair at rest was tested again");
+    for (const auto& [name, count] : counts.checks) counters["checked: triangle pairs, " + name] = count;
+    const exact::StageCounts& s = counts.stages;
+    counters["stages: triangle tests"] = s.triangle_tests;
+    counters["stages: filter"] = s.filter_passes;
+    counters["stages: filter, bound of the triangles"] = s.semi_static_passes;
+    counters["stages: plain double is exact"] = s.local_passes;
+    counters["stages: integers, one limb"] = s.one_limb;
+    counters["stages: integers, two limbs"] = s.two_limbs;
+    counters["stages: integers, more limbs"] = s.many_limbs;
+    return counters;
+}
+
+RunReport run_triangle_pairs(std::uint32_t seed, Canary canary) {
+    RunReport report;
+    PairCounts counts;
+    try {
+        run_pairs(seed, canary == Canary::answer, counts);
+    } catch (const Disagreement& found) {
+        report.failure = {.profile = pairs_profile,
+                          .seed = seed,
+                          .where = fmt::format("pair {} ({})", found.pair, found.family),
+                          .check = found.path,
+                          .expected = found.expected,
+                          .got = found.got,
+                          .text = found.text};
     }
-    check_frame(scene, options, random, counters);
+    report.counters = counters_of(counts);
+    return report;
 }
 
 }  // namespace
 
-void run(std::uint32_t seed, const CheckOptions& options, Counters& counters) {
-    scenes::Random random(seed);
-    Failure failure{.seed = seed};
-    try {
-        const Setting setting = make_setting(random, counters);
-        Scene scene;
-        for (std::size_t i = 0; i < setting.bodies_max; ++i) {
-            scene.create(setting.meshes[random.below(4)], random_pose(setting, random));
-        }
-        // A scene begins with an update, so that a frame at rest may be the first.
-        scene.update();
-        check_frame(scene, options, random, counters);
-        for (failure.frame = 1; failure.frame <= frames_per_run; ++failure.frame) {
-            run_frame(scene, setting, options, random, counters);
-        }
-        return;
-    } catch (const CheckFailed& error) {
-        failure.check = error.check;
-        failure.detail = error.what();
-    } catch (const std::exception& error) {
-        failure.check = "unexpected error";
-        failure.detail = error.what();
+std::vector<std::string> profiles_of(const std::string& name) {
+    std::vector<std::string> names;
+    const bool is_motion = name == "motion" || name == "all";
+    for (const Profile& profile : profiles()) {
+        if (is_motion || profile.name == name) names.emplace_back(profile.name);
     }
-    throw failure;
+    if (name == "all" || name == pairs_profile) names.emplace_back(pairs_profile);
+    return names;
+}
+
+RunReport run(const std::string& profile, std::uint32_t seed, Canary canary) {
+    if (profile == pairs_profile) return run_triangle_pairs(seed, canary);
+    return run_motion(*find_profile(profile), seed, canary);
+}
+
+std::string text_of(const RunReport& report) {
+    nlohmann::json json = {{"counters", report.counters}, {"failure", nullptr}};
+    if (report.failure) json["failure"] = *report.failure;
+    return json.dump();
+}
+
+RunReport report_of(const std::string& text) {
+    const auto json = nlohmann::json::parse(text);
+    RunReport report{json.at("counters").get<Counters>()};
+    if (!json.at("failure").is_null()) report.failure = json.at("failure").get<RunFailure>();
+    return report;
 }
 
 }  // namespace ecods::fuzz

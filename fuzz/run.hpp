@@ -1,24 +1,44 @@
-// One run of the fuzzer: a scene from a seed, in motion.
+// One run: a profile and a seed.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "fuzz/check_frame.hpp"
 #include "fuzz/counters.hpp"
+#include "fuzz/script/play.hpp"
 
 namespace ecods::fuzz {
 
-struct Failure {
+// The campaign of pairs of posed triangles, beside the profiles of worlds in motion.
+inline constexpr const char* pairs_profile = "pairs";
+
+struct RunFailure {
+    std::string profile;
     std::uint32_t seed = 0;
-    int frame = 0;
+    std::string where = {};  // in the run
     std::string check = {};
-    std::string detail = {};
+    std::string expected = {};
+    std::string got = {};
+    std::string text = {};   // what else there is to be shown
+    std::string trace = {};  // files that were written
+    std::string picture = {};
 };
 
-inline constexpr int frames_per_run = 40;
+struct RunReport {
+    Counters counters = {};
+    std::optional<RunFailure> failure = {};
+};
 
-// Throws Failure. The same seed is the same run, on every machine.
-void run(std::uint32_t seed, const CheckOptions& options, Counters& counters);
+// The profiles that a name stands for: one, or several that take turns by the seed. Empty if there is no such name.
+std::vector<std::string> profiles_of(const std::string& name);
+
+// Deterministic; it may crash or hang if the library does.
+RunReport run(const std::string& profile, std::uint32_t seed, Canary canary);
+
+// The same, in a process of its own.
+RunReport report_of(const std::string& text);  // as text_of() wrote it
+std::string text_of(const RunReport& report);
 
 }  // namespace ecods::fuzz

@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <utility>
+
+#include "fuzz/checks/checks.hpp"
+#include "fuzz/checks/text.hpp"
+#include "fuzz/failure.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+void require_relation(Relation got, Relation expected, const char* check) {
+    if (got != expected) throw CheckFailed(check, text(expected), text(got));
+}
+
+void require_triangles(World& world, BodyId a, BodyId b, const std::vector<TrianglePair>& expected, const char* check) {
+    std::vector<TrianglePair> got;
+    try {
+        got = world.touching_triangles(a, b);
+    } catch (const NotSupported&) {
+        // Tests of shapes of the caller's own need not give triangles.
+        if (world.shape(a)->kind() != ShapeKind::mesh() || world.shape(b)->kind() != ShapeKind::mesh()) return;
+        throw;
+    }
+    if (got == expected) return;
+    throw CheckFailed(check, text(std::span<const TrianglePair>(expected)), text(std::span<const TrianglePair>(got)));
+}
+
+void require_bodies(const std::vector<BodyId>& got, const std::vector<BodyId>& expected, const char* check) {
+    if (got == expected) return;
+    throw CheckFailed(check, text(std::span<const BodyId>(expected)), text(std::span<const BodyId>(got)));
+}
+
+const char* name_of(Relation relation) {
+    return relation == Relation::disjoint   ? "pairs: disjoint, boxes overlap"
+           : relation == Relation::touching ? "pairs: touching"
+                                            : "pairs: crossing";
+}
+
+}  // namespace
+
+void check_answers(World& world, const Truth& truth, Counters& counters) {
+    for (const auto& [ids, verdict, is_changed] : truth.pairs()) {
+        if (!is_changed) continue;
+        ++counters["checked: pairs against the oracle"];
+        counters["checked: triangle pairs that touch"] += verdict.triangles.size();
+        ++counters[name_of(verdict.relation)];
+        require_relation(world.relation(ids.a, ids.b), verdict.relation, "relation");
+        require_relation(world.relation(ids.b, ids.a), verdict.relation, "relation, swapped");
+        if (world.intersects(ids.b, ids.a) != (verdict.relation != Relation::disjoint)) {
+            throw CheckFailed("intersects", text(verdict.relation), "the contrary");
+        }
+        std::vector<TrianglePair> expected = verdict.triangles;
+        require_triangles(world, ids.a, ids.b, expected, "triangle pairs");
+        for (TrianglePair& pair : expected) std::swap(pair.a, pair.b);
+        std::ranges::sort(expected);
+        require_triangles(world, ids.b, ids.a, expected, "triangle pairs, swapped");
+    }
+}
+
+void check_queries(World& world, const Truth& truth, BodyId body, Counters& counters) {
+    ++counters["checked: queries with a copy of a body"];
+    const Aabb box = world.box(body);
+    std::vector<BodyId> expected;
+    for (const BodyId other : world.bodies()) {
+        if (oracle::boxes_overlap(box, world.box(other))) expected.push_back(other);
+    }
+    require_bodies(world.overlapping_bodies(box), expected, "bodies in a box");
+
+    // A body touches its copy.
+    expected.clear();
+    if (truth.knows(body)) expected.push_back(body);
+    for (const TruePair& pair : truth.pairs()) {
+        if (pair.verdict.relation == Relation::disjoint) continue;
+        if (pair.ids.a == body) expected.push_back(pair.ids.b);
+        if (pair.ids.b == body) expected.push_back(pair.ids.a);
+    }
+    std::ranges::sort(expected);
+    auto got = world.touching_bodies(*world.shape(body), world.pose(body));
+    std::erase_if(got, [&](BodyId found) { return !truth.knows(found); });
+    if (truth.knows(body)) require_bodies(got, expected, "bodies that a shape touches");
+}
+
+}  // namespace ecods::fuzz

@@ -1,0 +1,54 @@
+// What must hold of a world after an update, as functions that can be called on any world. Each throws CheckFailed.
+//
+// They ask the world through its public functions and trust none of its answers. What is expected comes from the oracle
+// (truth.hpp), from the world's own boxes compared all with all, or from a second world.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "ecods/world.hpp"
+#include "fuzz/checks/truth.hpp"
+#include "fuzz/counters.hpp"
+
+namespace ecods::fuzz {
+
+// The first half of completeness: the box of each body that changed contains its exact points.
+void check_boxes(const World& world, const Truth& truth, Counters& counters);
+
+// The second half: candidate pairs are those of all pairs over the stored boxes that are not filtered out, and what
+// statistics() counts is what is there.
+void check_candidates(World& world, Counters& counters);
+
+// Questions about pairs of which a body changed: relation, boolean and list of triangles are the oracle's, in both
+// orders.
+void check_answers(World& world, const Truth& truth, Counters& counters);
+
+// Queries with what is no body, here with a copy of a body and with its box.
+void check_queries(World& world, const Truth& truth, BodyId body, Counters& counters);
+
+// The colliding pairs are the oracle's that are not filtered out. Pairs of bodies that it does not know are passed
+// over.
+void check_collisions(const World& world, const std::vector<BodyPair>& expected, const Truth& truth);
+std::vector<BodyPair> true_collisions(const World& world, const Truth& truth);
+
+// The events lead from the collisions that were before to those that are.
+void check_events(const World& world, const std::vector<BodyPair>& before);
+
+// World::validate(): every invariant, and each verdict that was kept is that of a fresh test.
+void check_invariants(const World& world);
+
+// A world that is made anew, its bodies in an order that `order` tells, has the same digest, the same collisions and as
+// many candidates. `set_up` registers the tests of the caller's own shapes.
+struct FreshWorld {
+    WorldOptions options = {};
+    std::uint32_t order = 0;
+    std::function<void(World&)> set_up = [](World&) {};
+};
+void check_fresh_world(const World& world, const FreshWorld& fresh);
+
+// Two worlds that were told the same are the same: lists, boxes, digest, and counts of work but the broad phase's.
+void check_same(World& world, World& other, Counters& counters);
+
+}  // namespace ecods::fuzz

@@ -1,0 +1,61 @@
+#include <algorithm>
+#include <iterator>
+
+#include "fuzz/checks/checks.hpp"
+#include "fuzz/checks/text.hpp"
+#include "fuzz/failure.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+using Pairs = std::vector<BodyPair>;
+
+void require_pairs(std::span<const BodyPair> got, std::span<const BodyPair> expected, const char* check) {
+    if (!std::ranges::equal(got, expected)) throw CheckFailed(check, text(expected), text(got));
+}
+
+Pairs only_in_first(std::span<const BodyPair> first, std::span<const BodyPair> second) {
+    Pairs result;
+    std::ranges::set_difference(first, second, std::back_inserter(result));
+    return result;
+}
+
+}  // namespace
+
+Pairs true_collisions(const World& world, const Truth& truth) {
+    Pairs result;
+    for (const TruePair& pair : truth.pairs()) {
+        if (pair.verdict.relation == Relation::disjoint) continue;
+        const CollisionFilter& a = world.filter(pair.ids.a);
+        const CollisionFilter& b = world.filter(pair.ids.b);
+        if ((a.groups & b.mask) == 0 || (b.groups & a.mask) == 0) continue;
+        if (world.is_pair_enabled(pair.ids.a, pair.ids.b)) result.push_back(pair.ids);
+    }
+    return result;
+}
+
+void check_collisions(const World& world, const Pairs& expected, const Truth& truth) {
+    Pairs got;
+    std::ranges::copy_if(world.colliding_pairs(), std::back_inserter(got),
+                         [&](const BodyPair& pair) { return truth.knows(pair.a) && truth.knows(pair.b); });
+    require_pairs(got, expected, "colliding pairs");
+    if (world.statistics().colliding_count != world.colliding_pairs().size()) {
+        throw CheckFailed("colliding count", fmt::format("{}", world.colliding_pairs().size()),
+                          fmt::format("{}", world.statistics().colliding_count));
+    }
+}
+
+void check_events(const World& world, const Pairs& before) {
+    require_pairs(world.began(), only_in_first(world.colliding_pairs(), before), "pairs that began");
+    require_pairs(world.ended(), only_in_first(before, world.colliding_pairs()), "pairs that ended");
+}
+
+void check_invariants(const World& world) {
+    try {
+        world.validate();
+    } catch (const Error& error) {
+        throw CheckFailed("validate", "nothing to complain of", error.what());
+    }
+}
+
+}  // namespace ecods::fuzz

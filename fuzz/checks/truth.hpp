@@ -1,0 +1,58 @@
+// What is true of the bodies of a world, by the oracle.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "ecods/world.hpp"
+#include "oracle/oracle.hpp"
+
+namespace ecods::fuzz {
+
+// The mesh that a shape is, exactly. Null: the oracle knows nothing of this shape, and its body is left out.
+using MeshOf = std::function<std::shared_ptr<const Mesh>(const Shape&)>;
+std::shared_ptr<const Mesh> mesh_of_mesh_shape(const Shape& shape);
+
+// A body, and a pair of bodies, as they are when the world is looked at.
+struct TrueBody {
+    BodyId id;
+    std::shared_ptr<const Mesh> mesh;
+    Pose pose;
+    oracle::OracleMesh exact;
+    bool is_changed;  // since the last look
+};
+struct TruePair {
+    BodyPair ids;
+    oracle::Verdict verdict;
+    bool is_changed;  // one of the two is
+};
+
+// It is kept from frame to frame: only for pairs of which a body changed is the oracle asked, so that a world that lost
+// a verdict that it kept is found, too.
+class Truth {
+  public:
+    explicit Truth(MeshOf mesh_of = mesh_of_mesh_shape) : mesh_of_(std::move(mesh_of)) {}
+
+    // Reads shapes and poses out of the world; its lists need not be up to date. Cost: each body that changed against
+    // all boxes, and the oracle for those that overlap.
+    void look_at(const World& world);
+
+    std::span<const TrueBody> bodies() const noexcept { return bodies_; }  // ascending
+    bool knows(BodyId body) const noexcept { return find(body) != nullptr; }
+
+    // Pairs whose certified boxes overlap, ascending; all others are disjoint.
+    std::span<const TruePair> pairs() const noexcept { return pairs_; }
+
+  private:
+    const TrueBody* find(BodyId body) const noexcept;
+    void renew_bodies(const World& world);
+    void renew_pairs();
+
+    MeshOf mesh_of_;
+    std::vector<TrueBody> bodies_;
+    std::vector<TruePair> pairs_;
+};
+
+}  // namespace ecods::fuzz

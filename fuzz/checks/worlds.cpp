@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "fuzz/checks/checks.hpp"
+#include "fuzz/checks/text.hpp"
+#include "fuzz/failure.hpp"
+#include "scenes/random.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+template <class Number>
+void require_number(const char* check, Number got, Number expected) {
+    if (got != expected) throw CheckFailed(check, fmt::format("{:x}", expected), fmt::format("{:x}", got));
+}
+
+std::vector<BodyId> shuffled(std::vector<BodyId> bodies, std::uint32_t order) {
+    scenes::Random random(order);
+    for (std::size_t i = bodies.size(); i > 1; --i) {
+        std::swap(bodies[i - 1], bodies[random.below(static_cast<std::uint32_t>(i))]);
+    }
+    return bodies;
+}
+
+// Pairs that are switched off matter where boxes overlap, and are looked for there.
+void copy_switches(const World& from, World& to, const std::map<BodyId, BodyId>& ids) {
+    const auto bodies = from.bodies();
+    std::vector<Aabb> boxes;
+    for (const BodyId body : bodies) boxes.push_back(from.box(body));
+    for (const auto& [i, j] : oracle::overlapping_boxes(boxes)) {
+        if (from.is_pair_enabled(bodies[i], bodies[j])) continue;
+        to.set_pair_enabled(ids.at(bodies[i]), ids.at(bodies[j]), false);
+    }
+}
+
+}  // namespace
+
+void check_fresh_world(const World& world, const FreshWorld& fresh) {
+    World made(fresh.options);
+    fresh.set_up(made);
+    std::map<BodyId, BodyId> ids;
+    for (const BodyId body : shuffled(world.bodies(), fresh.order)) {
+        // A mesh that was refitted gets a new tree.
+        const auto mesh = mesh_of_mesh_shape(*world.shape(body));
+        const BodyId id =
+            mesh ? made.create_body(mesh, world.pose(body)) : made.create_body(world.shape(body), world.pose(body));
+        made.set_filter(id, world.filter(body));
+        ids[body] = id;
+    }
+    copy_switches(world, made, ids);
+    made.update();
+
+    std::vector<BodyPair> expected;
+    for (const BodyPair& pair : world.colliding_pairs()) {
+        const auto [a, b] = std::minmax(ids.at(pair.a), ids.at(pair.b));
+        expected.push_back({a, b});
+    }
+    std::ranges::sort(expected);
+    if (!std::ranges::equal(made.colliding_pairs(), expected)) {
+        throw CheckFailed("fresh world, collisions", text(made.colliding_pairs()),
+                          text(std::span<const BodyPair>(expected)));
+    }
+    require_number("fresh world, digest", world.digest(), made.digest());
+    const Statistics got = world.statistics();
+    const Statistics of_made = made.statistics();
+    require_number("fresh world, candidates", got.overlapping_count, of_made.overlapping_count);
+    require_number("fresh world, candidates filtered out", got.filtered_count, of_made.filtered_count);
+}
+
+void check_same(World& world, World& other, Counters& counters) {
+    ++counters["checked: worlds against one another"];
+    const auto require = [](bool holds, const char* what) {
+        if (!holds) throw CheckFailed("worlds that were told the same", std::string("the same ") + what, "another");
+    };
+    require(world.digest() == other.digest(), "digest");
+    require(std::ranges::equal(world.overlapping_pairs(), other.overlapping_pairs()), "candidates");
+    require(std::ranges::equal(world.colliding_pairs(), other.colliding_pairs()), "collisions");
+    require(std::ranges::equal(world.began(), other.began()), "began");
+    require(std::ranges::equal(world.ended(), other.ended()), "ended");
+    const auto bodies = world.bodies();
+    require(bodies == other.bodies(), "bodies");
+    for (const BodyId body : bodies) require(world.box(body) == other.box(body), "boxes");
+    const Statistics a = world.statistics();
+    const Statistics b = other.statistics();
+    require(a.moved_bodies == b.moved_bodies, "count of moved bodies");
+    require(a.two_body_tests == b.two_body_tests, "count of two-body tests");
+    require(a.cache_hits == b.cache_hits, "count of verdicts that were kept");
+    require(a.filtered_count == b.filtered_count, "count of pairs filtered out");
+}
+
+}  // namespace ecods::fuzz

@@ -1,0 +1,143 @@
+#include "fuzz/motion/changes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fuzz/motion/meshes.hpp"
+#include "fuzz/motion/poses.hpp"
+#include "fuzz/script/bad_calls.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+void destroy_and_create(Writing& w) {
+    // Its slot is used again at once, often at the same place.
+    const Label body = w.any_body();
+    const ModelBody old = w.model.bodies.at(body);
+    w.make(Destroy{body});
+    w.create(w.random.below(2) == 0 ? old.part : w.any_part(), old.pose);
+}
+
+void remove_many(Writing& w, bool in_order_of_insertion) {
+    std::vector<Label> bodies;
+    for (const auto& [label, body] : w.model.bodies) {
+        if (w.random.below(3) == 0) bodies.push_back(label);
+    }
+    if (!in_order_of_insertion) std::reverse(bodies.begin(), bodies.end());
+    for (const Label body : bodies) w.make(Destroy{body});
+    const bool comes_between = w.random.below(2) == 0;
+    if (comes_between) w.make(Update{});
+    for (std::size_t i = 0; i < bodies.size(); ++i) w.create(w.any_part(), any_pose(w.setting, w.random));
+}
+
+void shape_and_back(Writing& w) {
+    const Label body = w.any_body();
+    const Part old = w.model.bodies.at(body).part;
+    w.make(SetShape{body, w.any_part()});
+    if (w.random.below(3) == 0) w.make(Update{});
+    w.make(SetShape{body, old});
+}
+
+void refit_body(Writing& w) {
+    const Label body = w.any_body();
+    const Part& old = w.model.bodies.at(body).part;
+    if (old.kind != ShapeKind::mesh()) return;
+    w.make(SetShape{body, {deformed(*old.mesh, w.setting.unit, w.random)}, true});
+}
+
+void there_and_back(Writing& w) {
+    const Label body = w.any_body();
+    const Pose pose = w.model.bodies.at(body).pose;
+    w.make(SetPose{body, any_pose(w.setting, w.random)});
+    w.make(SetPose{body, pose});
+}
+
+void bulk(Writing& w, std::uint32_t Weights::*group, std::uint32_t one_in) {
+    SetPoses call;
+    for (const auto& [label, body] : w.model.bodies) {
+        if (w.random.below(one_in) != 0) continue;
+        // Now and then a body twice: the later pose holds.
+        for (std::uint32_t i = 0, count = w.random.below(8) == 0 ? 2 : 1; i < count; ++i) {
+            call.bodies.push_back(label);
+            call.poses.push_back(w.next_pose(label, group));
+        }
+    }
+    w.make(std::move(call));
+}
+
+void common_shift(Writing& w) {
+    SetPoses call;
+    const Pose shift = any_pose(w.setting, w.random);
+    for (const auto& [label, body] : w.model.bodies) {
+        call.bodies.push_back(label);
+        call.poses.push_back({body.pose.R, body.pose.t + (shift.t - w.setting.origin)});
+    }
+    w.make(std::move(call));
+}
+
+void set_filter(Writing& w) {
+    constexpr std::array<CollisionFilter, 6> filters = {
+        {{},
+         {.groups = 1, .mask = 2},
+         {.groups = 2, .mask = 3},
+         {.groups = 2, .mask = 1},
+         {.groups = 3, .mask = 0},
+         {.groups = std::uint64_t{1} << 63, .mask = ~std::uint64_t{0}}}};
+    const Label body = w.any_body();
+    // Half of them the default, lest all end up filtered out.
+    w.make(SetFilter{body, filters[w.random.below(2) == 0 ? 0 : w.random.below(6)]});
+}
+
+void set_pair(Writing& w) {
+    const Label a = w.any_body();
+    const Label b = w.any_body();
+    if (a == b) return;
+    w.make(SetPairEnabled{a, b, w.random.below(2) == 0});
+    if (w.random.below(6) == 0) w.make(SetPairEnabled{b, a, true});
+}
+
+void bad_call(Writing& w) {
+    static const std::vector<std::string> names = bad_call_names();
+    const std::string& name = names[w.random.below(static_cast<std::uint32_t>(names.size()))];
+    const Label body = w.any_body();
+    w.make(BadCall{name, body, w.random.below(1000)});
+}
+
+const std::array change_table = {
+    Change{"create", &Weights::life, [](Writing& w) { w.create(w.any_part(), any_pose(w.setting, w.random)); }},
+    Change{"destroy", &Weights::life, [](Writing& w) { w.make(Destroy{w.any_body()}); }},
+    Change{"destroy and create", &Weights::life, destroy_and_create},
+    Change{"removal in order of insertion", &Weights::life, [](Writing& w) { remove_many(w, true); }},
+    Change{"removal in reverse order", &Weights::life, [](Writing& w) { remove_many(w, false); }},
+    Change{"there and back", &Weights::jump, there_and_back},
+    Change{"shape change", &Weights::shape,
+           [](Writing& w) {
+               w.make(SetShape{w.any_body(), w.any_part()});
+           }},
+    Change{"shape change and back", &Weights::shape, shape_and_back},
+    Change{"refit", &Weights::shape, refit_body},
+    Change{"many poses: steps", &Weights::bulk, [](Writing& w) { bulk(w, &Weights::step, 2); }},
+    Change{"many poses: all step", &Weights::bulk, [](Writing& w) { bulk(w, &Weights::step, 1); }},
+    Change{"many poses: all jump", &Weights::bulk, [](Writing& w) { bulk(w, &Weights::jump, 1); }},
+    Change{"many poses: common shift", &Weights::bulk, common_shift},
+    Change{"filter", &Weights::filter, set_filter},
+    Change{"pair switched", &Weights::filter, set_pair},
+    Change{"user data", &Weights::filter,
+           [](Writing& w) {
+               w.make(SetUserData{w.any_body(), w.random.below(100)});
+           }},
+    Change{"tests registered again", &Weights::tests, [](Writing& w) { w.make(SetTests{}); }},
+    Change{"update that may throw", &Weights::tests, [](Writing& w) { w.make(Update{.fails = true}); }},
+    Change{"bad input", &Weights::misuse, bad_call},
+};
+
+}  // namespace
+
+std::span<const Change> changes() {
+    return change_table;
+}
+
+}  // namespace ecods::fuzz

@@ -1,0 +1,150 @@
+#include "fuzz/motion/generate.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fuzz/motion/changes.hpp"
+#include "fuzz/motion/meshes.hpp"
+#include "fuzz/motion/poses.hpp"
+#include "fuzz/user_shape.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+using Group = std::uint32_t Weights::*;
+
+constexpr Group groups[] = {&Weights::step,   &Weights::contact, &Weights::ulp,   &Weights::size,
+                            &Weights::jump,   &Weights::matrix,  &Weights::life,  &Weights::shape,
+                            &Weights::filter, &Weights::bulk,    &Weights::tests, &Weights::misuse};
+
+Group any_group(const Weights& weights, scenes::Random& random) {
+    std::uint32_t sum = 0;
+    for (const Group group : groups) sum += weights.*group;
+    std::uint32_t drawn = random.below(sum);
+    for (const Group group : groups) {
+        if (drawn < weights.*group) return group;
+        drawn -= weights.*group;
+    }
+    return groups[0];
+}
+
+template <class Item>
+const Item& any_of(std::span<const Item> items, Group group, scenes::Random& random) {
+    std::uint32_t count = 0;
+    for (const Item& item : items) count += item.group == group ? 1 : 0;
+    std::uint32_t drawn = random.below(count);
+    for (const Item& item : items) {
+        if (item.group == group && drawn-- == 0) return item;
+    }
+    return items.front();
+}
+
+template <class Item>
+std::uint32_t count_of(std::span<const Item> items, Group group) {
+    std::uint32_t count = 0;
+    for (const Item& item : items) count += item.group == group ? 1 : 0;
+    return count;
+}
+
+// A move or a change of some group.
+void make_change(Writing& w) {
+    if (w.model.bodies.empty()) return w.create(w.any_part(), any_pose(w.setting, w.random));
+    const Group group = any_group(w.setting.profile.weights, w.random);
+    const std::uint32_t move_count = count_of(moves(), group);
+    if (w.random.below(move_count + count_of(changes(), group)) < move_count) {
+        const Label body = w.any_body();
+        w.make(SetPose{body, w.next_pose(body, group)});
+        return;
+    }
+    const Change& change = any_of(changes(), group, w.random);
+    // About as many as at the beginning.
+    const bool is_full = w.model.bodies.size() > w.setting.body_count + 2;
+    if (is_full && change.name == std::string_view("create")) return w.make(Destroy{w.any_body()});
+    ++w.counters["changes: " + std::string(change.name)];
+    change.make(w);
+}
+
+}  // namespace
+
+void Writing::make(Call call) {
+    model.apply(call);
+    script.push_back(std::move(call));
+}
+
+void Writing::create(const Part& part, const Pose& pose) {
+    homes[model.next_label] = pose;
+    make(Create{model.next_label, part, pose});
+}
+
+Label Writing::any_body() {
+    const auto index = random.below(static_cast<std::uint32_t>(model.bodies.size()));
+    return std::next(model.bodies.begin(), index)->first;
+}
+
+const Part& Writing::any_part() {
+    return setting.parts[random.below(static_cast<std::uint32_t>(setting.parts.size()))];
+}
+
+Pose Writing::next_pose(Label body, Group group) {
+    const Move& move = any_of(moves(), group, random);
+    ++counters["motions: " + std::string(move.name)];
+    const Pose pose = move.next({model.bodies.at(body), model.bodies.at(any_body()), homes.at(body), setting, random});
+    // Where huge numbers met, it may have overflown.
+    return pose.R.allFinite() && pose.t.allFinite() ? pose : homes.at(body);
+}
+
+Setting make_setting(const Profile& profile, scenes::Random& random, Counters& counters) {
+    Setting setting{profile};
+    const std::uint32_t drawn = random.below(8);
+    if (profile.scale == Scale::far || (profile.scale == Scale::any && drawn == 0)) {
+        ++counters["scenes: far from the origin"];
+        for (double& x : setting.origin) {
+            x = (random.below(2) == 0 ? 1.5 : -1) * std::ldexp(1.0, static_cast<int>(random.below(56)));
+        }
+    } else if (profile.scale == Scale::any && drawn == 1) {
+        // The smallest coordinates are multiples of the smallest subnormal.
+        ++counters["scenes: subnormal"];
+        setting.unit = 0x1p-1060;
+    } else if (profile.scale == Scale::any && drawn == 2) {
+        ++counters["scenes: huge"];
+        setting.unit = 0x1p900;
+    } else {
+        ++counters["scenes: of unit size"];
+    }
+    const std::uint32_t lattice = random.below(3);
+    if (lattice == 1) setting.lattice = any_rotation(random);
+    if (lattice == 2) setting.lattice = signed_permutation(random);
+    for (int i = 0; i < 5; ++i) {
+        setting.parts.push_back({make_mesh(profile.meshes, setting.unit, random, counters)});
+    }
+    if (profile.has_user_shapes) {
+        setting.parts[1].kind = first_user_kind;
+        setting.parts[3].kind = second_user_kind;
+    }
+    setting.body_count = profile.bodies_min + random.below(profile.bodies_max - profile.bodies_min + 1);
+    return setting;
+}
+
+Script generate(const Profile& profile, std::uint32_t seed, Counters& counters) {
+    scenes::Random random(seed);
+    const Setting setting = make_setting(profile, random, counters);
+    Writing writing{setting, random, counters};
+    for (std::uint32_t i = 0; i < setting.body_count; ++i) {
+        const bool is_stacked = profile.layout == Layout::stacked;
+        const Part& part = writing.any_part();
+        writing.create(part, is_stacked ? stacked_pose(setting, i) : any_pose(setting, random));
+    }
+    writing.make(Update{});
+    for (std::uint32_t frame = 1; frame < profile.frames; ++frame) {
+        // Every eighth frame rests.
+        const std::uint32_t count = random.below(8) == 0 ? 0 : 1 + random.below(profile.changes_max);
+        for (std::uint32_t i = 0; i < count; ++i) make_change(writing);
+        writing.make(Update{});
+    }
+    return std::move(writing.script);
+}
+
+}  // namespace ecods::fuzz

@@ -1,0 +1,21 @@
+// Small meshes with hard geometry.
+#pragma once
+
+#include <memory>
+
+#include "ecods/mesh.hpp"
+#include "fuzz/counters.hpp"
+#include "fuzz/motion/profile.hpp"
+#include "scenes/random.hpp"
+
+namespace ecods::fuzz {
+
+// Of about the size `unit`. Hard: a lattice tetrahedron, a cube, a soup of lattice triangles, zero-area triangles, a
+// sliver, a tetrahedron of arbitrary doubles or of decimals; at most 12 triangles. Cubes: with edges of one unit, or of
+// one by two. Round: spheres and tori of 48 to 256 triangles.
+std::shared_ptr<const Mesh> make_mesh(Meshes menu, double unit, scenes::Random& random, Counters& counters);
+
+// The same triangles, with vertices that have moved: by a little, by their own size, or all into one plane.
+std::shared_ptr<const Mesh> deformed(const Mesh& mesh, double unit, scenes::Random& random);
+
+}  // namespace ecods::fuzz

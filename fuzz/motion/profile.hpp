@@ -1,0 +1,51 @@
+// Kinds of scenes, as a table: how many bodies of what, where, and what happens to them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace ecods::fuzz {
+
+// How often changes of a group are made, beside one another. The groups are told in poses.cpp and changes.cpp.
+struct Weights {
+    std::uint32_t step = 0;     // to somewhere near
+    std::uint32_t contact = 0;  // into exact contact, by construction
+    std::uint32_t ulp = 0;      // by a unit in the last place
+    std::uint32_t size = 0;     // larger, smaller, flat
+    std::uint32_t jump = 0;     // to anywhere
+    std::uint32_t matrix = 0;   // another matrix: permutations, integers, rotations, the other's
+    std::uint32_t life = 0;     // creation, destruction
+    std::uint32_t shape = 0;    // another shape, refits
+    std::uint32_t filter = 0;   // filters, pairs switched off and on, user data
+    std::uint32_t bulk = 0;     // many poses at once
+    std::uint32_t tests = 0;    // two-body tests that are registered again, or throw
+    std::uint32_t misuse = 0;   // bad input
+};
+
+enum class Meshes { hard, cubes, round };
+enum class Scale { unit, any, far };       // any: now and then subnormal, huge or far; far: always
+enum class Layout { scattered, stacked };  // stacked: a lattice of bodies that touch exactly
+
+struct Profile {
+    std::string_view name;
+    std::string_view about;
+    std::uint32_t bodies_min;
+    std::uint32_t bodies_max;
+    std::uint32_t frames;
+    std::uint32_t changes_max;  // of a frame that does not rest
+    double space;               // bodies lie within so many units of the middle, in each direction
+    Weights weights;
+    Meshes meshes = Meshes::hard;
+    Scale scale = Scale::unit;
+    Layout layout = Layout::scattered;
+    bool has_user_shapes = false;
+};
+
+// In the order in which --profile motion takes turns.
+std::span<const Profile> profiles();
+
+// Null if there is none of this name.
+const Profile* find_profile(std::string_view name);
+
+}  // namespace ecods::fuzz

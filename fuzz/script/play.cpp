@@ -1,0 +1,165 @@
+#include "fuzz/script/play.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include "fuzz/checks/checks.hpp"
+#include "fuzz/failure.hpp"
+#include "fuzz/script/bad_calls.hpp"
+#include "unit/world/thread_executor.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+constexpr std::array broad_phases = {BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune,
+                                     BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic};
+
+class Player {
+  public:
+    Player(const PlayOptions& options, Counters& counters) : options_(options), counters_(counters) {}
+
+    void make(const Call& call);
+    void count_queries();
+    std::size_t update_count() const noexcept { return update_count_; }
+
+  private:
+    void update(const Update& call);
+    void check();
+    void check_rest() const;
+    void check_tampering(const World& world);
+    void sing(std::vector<BodyPair>& expected) const;
+
+    PlayOptions options_;
+    Counters& counters_;
+    Scene scene_;
+    Truth truth_{mesh_of};
+    std::vector<BodyPair> colliding_;  // at the last update
+    std::uint64_t tests_ = 0;          // two-body tests up to then
+    bool is_resting_ = false;          // no call since
+    std::size_t update_count_ = 0;
+};
+
+void Player::make(const Call& call) {
+    if (const auto* bad = std::get_if<BadCall>(&call)) {
+        make_bad_call(*bad, scene_, counters_);
+    } else if (const auto* of_update = std::get_if<Update>(&call)) {
+        update(*of_update);
+    } else {
+        scene_.tell(call);
+        is_resting_ = false;
+    }
+}
+
+void Player::update(const Update& call) {
+    // One that did not throw was an update like any other.
+    const bool is_done = call.fails && !scene_.update_failing(counters_);
+    if (!is_done) scene_.tell(call);
+    if (is_resting_ && !call.fails) check_rest();
+    check();
+    if (call.digest && *call.digest != scene_.worlds[0].world().digest()) {
+        throw CheckFailed("digest of the trace", fmt::format("{:x}", *call.digest),
+                          fmt::format("{:x}", scene_.worlds[0].world().digest()));
+    }
+    is_resting_ = true;
+    ++update_count_;
+}
+
+void Player::check_rest() const {
+    for (const ToldWorld& told : scene_.worlds) {
+        const std::uint64_t tests = told.world().statistics().two_body_tests;
+        if (tests != tests_) {
+            throw CheckFailed("rest", fmt::format("{} two-body tests", tests_), fmt::format("{}", tests));
+        }
+    }
+}
+
+void Player::check() {
+    ++counters_["frames"];
+    if (is_resting_) ++counters_["frames at rest"];
+    World& first = scene_.worlds[0].world();
+    // Questions are the same code in all worlds: one is asked at a time.
+    World& asked = scene_.worlds[update_count_ % scene_.worlds.size()].world();
+    for (const ToldWorld& told : scene_.worlds) check_state(told, scene_.model);
+    truth_.look_at(first);
+    check_boxes(first, truth_, counters_);
+    check_answers(asked, truth_, counters_);
+    auto expected = true_collisions(first, truth_);
+    sing(expected);
+    for (ToldWorld& told : scene_.worlds) {
+        World& world = told.world();
+        check_candidates(world, counters_);
+        check_collisions(world, expected, truth_);
+        check_events(world, colliding_);
+        check_invariants(world);
+        if (&world != &first) check_same(first, world, counters_);
+        tests_ = world.statistics().two_body_tests;
+    }
+    const auto order = static_cast<std::uint32_t>(update_count_ + 1);
+    check_fresh_world(asked, {.options = {.broad_phase = broad_phases[order / 4 % 4],
+                                          .executor = std::make_shared<ThreadExecutor>(1 + order % 4)},
+                              .order = order,
+                              .set_up = [](World& world) { UserTests().add_to(world); }});
+    ++counters_["checked: against a fresh world"];
+    const auto bodies = asked.bodies();
+    if (!bodies.empty()) check_queries(asked, truth_, bodies[update_count_ % bodies.size()], counters_);
+    check_tampering(asked);
+    colliding_ = std::move(expected);
+}
+
+// A shape of the caller's own that changes under its body is found.
+void Player::check_tampering(const World& world) {
+    for (const BodyId body : world.bodies()) {
+        const auto* shape = dynamic_cast<const UserShape*>(world.shape(body).get());
+        if (shape == nullptr) continue;
+        bool is_found = false;
+        shape->tamper(update_count_ % 2 == 0 ? UserShape::Tampering::digest : UserShape::Tampering::box);
+        try {
+            world.validate();
+        } catch (const ShapeChanged& error) {
+            is_found = error.body == body && error.kind == shape->kind();
+        }
+        shape->tamper(UserShape::Tampering::none);
+        if (!is_found) throw CheckFailed("unreported change of a shape", "ShapeChanged of its body", "nothing");
+        ++counters_["checked: unreported change of a shape"];
+        return;
+    }
+}
+
+void Player::sing(std::vector<BodyPair>& expected) const {
+    if (options_.canary == Canary::none || expected.empty()) return;
+    if (options_.canary == Canary::crash) std::abort();
+    for (volatile bool goes_on = true; options_.canary == Canary::hang && goes_on;) {
+    }
+    expected.erase(expected.begin());
+}
+
+void Player::count_queries() {
+    const QueryCounts counts = scene_.worlds[0].world().statistics().queries;
+    counters_["stages: triangle tests"] += counts.triangle_tests;
+    counters_["stages: filter"] += counts.filter_passes;
+    counters_["stages: filter, bound of the triangles"] += counts.semi_static_passes;
+    counters_["stages: plain double is exact"] += counts.local_passes;
+    counters_["stages: integers, one limb"] += counts.one_limb;
+    counters_["stages: integers, two limbs"] += counts.two_limbs;
+    counters_["stages: integers, more limbs"] += counts.many_limbs;
+}
+
+}  // namespace
+
+void play(const Script& script, const PlayOptions& options, Counters& counters) {
+    Player player(options, counters);
+    try {
+        for (const Call& call : script) player.make(call);
+    } catch (const CheckFailed& error) {
+        throw Failure{player.update_count(), error.check, error.expected, error.got};
+    } catch (const std::exception& error) {
+        throw Failure{player.update_count(), "unexpected error", "none", error.what()};
+    }
+    player.count_queries();
+}
+
+}  // namespace ecods::fuzz

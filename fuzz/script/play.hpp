@@ -1,0 +1,37 @@
+// A script is run, and everything is checked after each of its updates.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "fuzz/counters.hpp"
+#include "fuzz/script/scene.hpp"
+#include "fuzz/script/script.hpp"
+
+namespace ecods::fuzz {
+
+// What goes wrong on purpose, to see that it is seen.
+enum class Canary {
+    none,
+    answer,  // the first true collision is taken for none
+    crash,   // at the first collision, the process aborts
+    hang,    // ... or does not go on
+};
+
+struct PlayOptions {
+    Canary canary = Canary::none;
+};
+
+// Where a check failed.
+struct Failure {
+    std::size_t update = 0;  // from 0: during it, or the calls before it
+    std::string check = {};
+    std::string expected = {};
+    std::string got = {};
+};
+
+// The same script is the same play, on every machine; what is random in the checks comes from the number of the update.
+// Throws Failure.
+void play(const Script& script, const PlayOptions& options, Counters& counters);
+
+}  // namespace ecods::fuzz

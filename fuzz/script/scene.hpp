@@ -1,0 +1,60 @@
+// Worlds that are told a script, all at once, and what they must be.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "ecods/world.hpp"
+#include "fuzz/counters.hpp"
+#include "fuzz/script/script.hpp"
+#include "fuzz/user_shape.hpp"
+
+namespace ecods::fuzz {
+
+// A world with the user-defined tests, and the ids of the bodies that it made.
+class ToldWorld {
+  public:
+    explicit ToldWorld(const WorldOptions& options);
+
+    // Makes one call; bad ones are not for here. Whatever the world throws passes through.
+    void tell(const Call& call);
+
+    World& world() noexcept { return world_; }
+    const World& world() const noexcept { return world_; }
+    const UserTests& tests() const noexcept { return tests_; }
+
+    // Also of a body that was destroyed. Null if none was created.
+    BodyId id(Label label) const { return label < ids_.size() ? ids_[label] : BodyId{}; }
+
+  private:
+    void set_shape(const SetShape& call);
+
+    UserTests tests_;
+    World world_;
+    std::vector<BodyId> ids_;  // by label
+};
+
+// One for each broad phase, and with no, two, three and four workers.
+class Scene {
+  public:
+    Scene();
+
+    // Every call goes to all worlds, which must answer alike.
+    void tell(const Call& call);
+
+    // An update in which user-defined tests throw, if one is needed: in all worlds, or in none. Whether it was thrown;
+    // the lists then stay as they were.
+    bool update_failing(Counters& counters);
+
+    std::array<ToldWorld, 4> worlds;
+    Model model;
+
+  private:
+    void require_same_ids(Label label) const;
+};
+
+// Poses, shapes, filters and data are what the world was told last; what was destroyed is gone.
+void check_state(const ToldWorld& told, const Model& model);
+
+}  // namespace ecods::fuzz

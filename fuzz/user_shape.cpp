@@ -1,0 +1,107 @@
+#include "fuzz/user_shape.hpp"
+
+#include <sstream>
+#include <vector>
+
+#include "world/trace_text.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+const MeshShape& mesh_shape_of(const Shape& shape) {
+    if (const auto* user = dynamic_cast<const UserShape*>(&shape)) return user->as_mesh_shape();
+    return dynamic_cast<const MeshShape&>(shape);
+}
+
+class UserTest final : public TwoBodyTest {
+  public:
+    UserTest(ShapeKind a, ShapeKind b, std::shared_ptr<const std::atomic<bool>> is_failing)
+        : a_(a), b_(b), is_failing_(std::move(is_failing)) {}
+
+    bool intersects(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const override {
+        require_order(a, b);
+        if (*is_failing_) throw TestFailed();
+        return ecods::intersects(posed(a), posed(b), memory);
+    }
+    Relation relation(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const override {
+        require_order(a, b);
+        return ecods::relation(posed(a), posed(b), memory);
+    }
+    std::vector<TrianglePair> touching_triangles(const PosedShape& a, const PosedShape& b,
+                                                 QueryMemory& memory) const override {
+        require_order(a, b);
+        if (b_ == second_user_kind) return TwoBodyTest::touching_triangles(a, b, memory);
+        return ecods::touching_triangles(posed(a), posed(b), memory);
+    }
+
+  private:
+    static PosedMesh posed(const PosedShape& body) { return {mesh_shape_of(body.shape), body.pose}; }
+    void require_order(const PosedShape& a, const PosedShape& b) const {
+        if (a.shape.kind() != a_ || b.shape.kind() != b_) throw std::logic_error("a test was given the wrong kinds");
+    }
+
+    ShapeKind a_, b_;
+    std::shared_ptr<const std::atomic<bool>> is_failing_;
+};
+
+}  // namespace
+
+Aabb UserShape::box(const Pose& pose) const {
+    Aabb box = mesh_.box(pose);
+    if (tampering_ == Tampering::box) box.max[1] = std::numeric_limits<double>::infinity();
+    return box;
+}
+
+std::uint64_t UserShape::digest() const noexcept {
+    return mesh_.digest() + kind_.value + (tampering_ == Tampering::digest ? 1 : 0);
+}
+
+std::shared_ptr<const Mesh> mesh_of(const Shape& shape) {
+    return mesh_shape_of(shape).mesh_ptr();
+}
+
+void UserTests::add_to(World& world) const {
+    const auto add = [&](ShapeKind a, ShapeKind b) {
+        world.set_test(a, b, std::make_shared<UserTest>(a, b, is_failing_));
+    };
+    add(ShapeKind::mesh(), first_user_kind);
+    add(ShapeKind::mesh(), second_user_kind);
+    add(first_user_kind, first_user_kind);
+    add(first_user_kind, second_user_kind);
+    add(second_user_kind, second_user_kind);
+}
+
+std::string write_user_shape(const Shape& shape) {
+    const auto mesh = mesh_of(shape);
+    std::string text = std::to_string(mesh->vertices().size());
+    for (const Vec3& vertex : mesh->vertices()) {
+        text.push_back(' ');
+        append(text, vertex);
+    }
+    for (const Triangle& triangle : mesh->triangles()) {
+        for (const std::uint32_t corner : triangle) text.append(" ").append(std::to_string(corner));
+    }
+    return text;
+}
+
+std::shared_ptr<const Mesh> read_user_mesh(std::string_view text) {
+    std::istringstream words{std::string(text)};
+    std::vector<Vec3> vertices;
+    std::vector<Triangle> triangles;
+    std::size_t vertex_count = 0;
+    words >> vertex_count;
+    std::string word;
+    for (std::size_t i = 0; i < vertex_count && words; ++i) {
+        Vec3& vertex = vertices.emplace_back();
+        for (double& x : vertex) {
+            words >> word;
+            const auto number = parse_hex_double(word);
+            if (!number) throw Error("no coordinate of a user-defined shape: " + word);
+            x = *number;
+        }
+    }
+    for (Triangle triangle; words >> triangle[0] >> triangle[1] >> triangle[2];) triangles.push_back(triangle);
+    return Mesh::create(std::move(vertices), std::move(triangles));
+}
+
+}  // namespace ecods::fuzz
