@@ -55,7 +55,12 @@ void BoxForest::build(std::span<Item> items, std::span<const BoxLine> lines) {
     const auto classes = choose_classes(items);
     const std::size_t count = items.empty() ? 0 : std::size_t{classes[exponent_count - 1]} + 1;
     std::vector<std::vector<TreeItem>> parts(count);
-    for (const Item& item : items) parts[classes[static_cast<std::size_t>(item.size_exponent)]].push_back(item.item);
+    largest_.assign(count, 0);
+    for (const Item& item : items) {
+        const std::size_t part = classes[static_cast<std::size_t>(item.size_exponent)];
+        parts[part].push_back(item.item);
+        largest_[part] = std::max(largest_[part], item.size_exponent);
+    }
     for (std::vector<TreeItem>& part : parts) plant(part, lines);
     class_count_ = trees_.size();
 }
@@ -90,10 +95,24 @@ void BoxForest::renumber() {
     }
 }
 
-void BoxForest::add(std::span<const TreeItem> newcomers, std::span<const BoxLine> lines) {
-    if (newcomers.empty()) return;
+bool BoxForest::insert(const Item& newcomer, std::span<const BoxLine> lines) {
+    for (std::uint32_t tree = 0; tree < class_count_; ++tree) {
+        if (largest_[tree] < newcomer.size_exponent) continue;
+        Place& place = places_[newcomer.item.slot];
+        if (!trees_[tree].insert(newcomer.item, lines[newcomer.item.slot], place.position)) return false;
+        place.tree = tree;
+        return true;
+    }
+    return false;
+}
+
+void BoxForest::add(std::span<const Item> newcomers, std::span<const BoxLine> lines) {
     if (places_.size() < lines.size()) places_.resize(lines.size());
-    std::vector<TreeItem> items(newcomers.begin(), newcomers.end());
+    std::vector<TreeItem> items;
+    for (const Item& newcomer : newcomers) {
+        if (!insert(newcomer, lines)) items.push_back(newcomer.item);
+    }
+    if (items.empty()) return;
     while (trees_.size() > class_count_ && trees_.back().alive_count() <= 3 * items.size()) {
         const BoxTree& tree = trees_.back();
         for (std::size_t position = 0; position < tree.size(); ++position) {

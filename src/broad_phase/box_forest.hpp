@@ -35,7 +35,9 @@ class BoxForest {
     // After build(), when the owner has put its lines in that order: slot numbers are positions in it from now on.
     void renumber();
 
-    void add(std::span<const TreeItem> newcomers, std::span<const BoxLine> lines);
+    // A newcomer takes the place of a box that was removed, if there is one close by; the others get trees of their
+    // own.
+    void add(std::span<const Item> newcomers, std::span<const BoxLine> lines);
     // Of a slot that is in no tree: nothing.
     void set(SlotIndex slot, const BoxLine& line);
     void remove(SlotIndex slot);
@@ -61,9 +63,11 @@ class BoxForest {
     };
 
     void plant(std::span<TreeItem> items, std::span<const BoxLine> lines);
+    bool insert(const Item& newcomer, std::span<const BoxLine> lines);
 
     std::vector<BoxTree> trees_;
     std::size_t class_count_ = 0;  // trees that are not for newcomers
+    std::vector<int> largest_;     // size exponent, by class
     std::vector<Place> places_;    // by slot
 };
 

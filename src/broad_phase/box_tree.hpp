@@ -44,6 +44,10 @@ class BoxTree {
     // Numbers the positions base, base + 1, ...: their owner has put its lines in the order of the tree.
     void renumber(SlotIndex base);
 
+    // Puts a box where another was taken out, close to where it belongs. Returns false when there is no such place.
+    // Cost: as find() of a point.
+    bool insert(const TreeItem& item, const BoxLine& line, std::uint32_t& position);
+
     // Gives a position another box; an empty one takes its slot out for good. Cost: a block a level, less where bounds
     // stay.
     void set(std::size_t position, const BoxLine& line);
@@ -73,6 +77,7 @@ class BoxTree {
         std::uint32_t children;
     };
 
+    bool take_hole(std::uint32_t block, SlotIndex slot, std::uint32_t& position) noexcept;
     std::uint64_t find_parents(const BoxReach& reach, std::uint32_t first, std::vector<Parent>& found) const;
 
     std::vector<std::vector<BoxBlock>> levels_;  // the boxes first, one block last

@@ -75,6 +75,43 @@ std::uint64_t BoxTree::find_parents(const BoxReach& reach, std::uint32_t first, 
     return tests;
 }
 
+bool BoxTree::take_hole(std::uint32_t block, SlotIndex slot, std::uint32_t& position) noexcept {
+    for (position = block * width; position < (block + 1) * width && position < size(); ++position) {
+        if (slots_[position] != no_slot) continue;
+        slots_[position] = slot;
+        ++alive_count_;
+        return true;
+    }
+    return false;
+}
+
+bool BoxTree::insert(const TreeItem& item, const BoxLine& line, std::uint32_t& position) {
+    if (alive_count_ == size() || levels_.size() == 1) return false;
+    const Vec3 centre(item.centre[0], item.centre[1], item.centre[2]);
+    BoxLine point;
+    make_box_line({.min = centre, .max = centre}, point);
+    BoxReach reach;
+    make_reach(point, reach);
+    std::vector<Parent> parents;
+    find_parents(reach, 0, parents);
+    for (const Parent& parent : parents) {
+        for (std::uint32_t leaves = parent.children; leaves != 0; leaves &= leaves - 1) {
+            const std::uint32_t leaf = parent.block * width + static_cast<std::uint32_t>(std::countr_zero(leaves));
+            if (!take_hole(leaf, item.slot, position)) continue;
+            set(position, line);
+            return true;
+        }
+    }
+    for (const Parent& parent : parents) {
+        for (std::uint32_t leaf = parent.block * width; leaf < (parent.block + 1) * width; ++leaf) {
+            if (!take_hole(leaf, item.slot, position)) continue;
+            set(position, line);
+            return true;
+        }
+    }
+    return false;
+}
+
 ECODS_FOR_EACH_INSTRUCTION_SET
 std::uint64_t BoxTree::join(const BoxTree& other, std::vector<std::array<SlotIndex, 2>>& found) const {
     const bool is_self = this == &other;

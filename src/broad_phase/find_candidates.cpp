@@ -107,8 +107,8 @@ void KeptCandidates::prefetch(SlotIndex slot) const noexcept {
 
 // Gives the escaped boxes their new fat boxes. Returns those that are far from where they were, or new: in their old
 // place in the forest, they would stretch the bounds around it.
-std::vector<TreeItem> KeptCandidates::fatten_escaped(const ProxyTable& table) {
-    std::vector<TreeItem> newcomers;
+std::vector<BoxForest::Item> KeptCandidates::fatten_escaped(const ProxyTable& table) {
+    std::vector<BoxForest::Item> newcomers;
     for (std::size_t i = 0; i < escaped_.size(); ++i) {
         if (i + 2 * prefetch_distance < escaped_.size()) prefetch(escaped_[i + 2 * prefetch_distance].slot);
         if (i + prefetch_distance < escaped_.size()) {
@@ -121,7 +121,7 @@ std::vector<TreeItem> KeptCandidates::fatten_escaped(const ProxyTable& table) {
         const BoxLine old = std::exchange(fat_lines_[slot], fat);
         old_fat_lines_[slot] = old;
         set_flag(slot, searching);
-        if (old.is_empty() || !overlap(old, fat)) newcomers.push_back(tree_item(box, slot));
+        if (old.is_empty() || !overlap(old, fat)) newcomers.push_back(BoxForest::make_item(box, slot));
     }
     return newcomers;
 }
@@ -204,8 +204,8 @@ void KeptCandidates::wake_all(Update& update) {
     }
 }
 
-void KeptCandidates::search_escaped(std::span<const TreeItem> newcomers, Update& update) {
-    for (const TreeItem& newcomer : newcomers) forest_.remove(newcomer.slot);
+void KeptCandidates::search_escaped(std::span<const BoxForest::Item> newcomers, Update& update) {
+    for (const BoxForest::Item& newcomer : newcomers) forest_.remove(newcomer.item.slot);
     for (std::size_t i = 0; i < escaped_.size(); ++i) {
         if (i + prefetch_distance < escaped_.size()) forest_.prefetch(escaped_[i + prefetch_distance].slot);
         forest_.set(escaped_[i].slot, fat_lines_[escaped_[i].slot]);
@@ -248,14 +248,14 @@ void KeptCandidates::link(SlotIndex slot, Update& update) {
     }
 }
 
-void KeptCandidates::search_all(std::span<const TreeItem> newcomers, bool must_sort, Update& update) {
+void KeptCandidates::search_all(std::span<const BoxForest::Item> newcomers, bool must_sort, Update& update) {
     fatten_used_up(update.table);
-    const bool do_sort =
-        must_sort || is_worn_ || 64 * (forest_.newcomer_count() + newcomers.size()) > update.table.size();
+    const bool do_sort = must_sort || is_worn_ || 64 * forest_.newcomer_count() > update.table.size() ||
+                         8 * newcomers.size() > update.table.size();
     if (do_sort) {
         sort_slots(update.table);
     } else {
-        for (const TreeItem& newcomer : newcomers) forest_.remove(newcomer.slot);
+        for (const BoxForest::Item& newcomer : newcomers) forest_.remove(newcomer.item.slot);
         forest_.refit(fat_lines_);
         forest_.add(newcomers, fat_lines_);
     }

@@ -53,7 +53,7 @@ void KeptCandidates::update(const ProxyTable& table, const ProxyChanges& changes
                              proxies_.size() > 2 * count + 64;
         const bool many_escaped = 8 * escaped_.size() > count;
         if (many_escaped) learn_turns();
-        const std::vector<TreeItem> newcomers = fatten_escaped(table);
+        const std::vector<BoxForest::Item> newcomers = fatten_escaped(table);
         if (many_escaped || is_worn) {
             search_all(newcomers, is_worn, update);
             ++counts.rebuilds;

@@ -72,15 +72,15 @@ class KeptCandidates final : public PairFinder {
 
     // find_candidates.cpp
     BoxLine fatten(const Escaped& escaped, const Aabb& box) noexcept;
-    std::vector<TreeItem> fatten_escaped(const ProxyTable& table);
+    std::vector<BoxForest::Item> fatten_escaped(const ProxyTable& table);
     void prefetch(SlotIndex slot) const noexcept;
     void learn_turns();
     void fatten_used_up(const ProxyTable& table);
     void wake(const std::vector<ProxyIndex>& proxies, Update& update);
     void wake_all(Update& update);
-    void search_escaped(std::span<const TreeItem> newcomers, Update& update);
+    void search_escaped(std::span<const BoxForest::Item> newcomers, Update& update);
     void link(SlotIndex slot, Update& update);
-    void search_all(std::span<const TreeItem> newcomers, bool must_sort, Update& update);
+    void search_all(std::span<const BoxForest::Item> newcomers, bool must_sort, Update& update);
     void sort_slots(const ProxyTable& table);
     void take_found(Update& update);
     bool were_candidates(SlotIndex a, SlotIndex b) const noexcept;
