@@ -229,8 +229,9 @@ void KeptCandidates::link(SlotIndex slot, Update& update) {
     BoxReach reach;
     make_reach(fat_lines_[slot], reach);
     found_.clear();
-    update.counts.box_tests += forest_.find(reach, found_);
-    update.counts.box_tests += found_.size();
+    const std::uint64_t tests = forest_.find(reach, found_) + found_.size();
+    update.counts.box_tests += tests;
+    if (!overlaps(old_fat_lines_[slot], reach)) jump_tests_ += tests;
     for (const SlotIndex partner : found_) {
         __builtin_prefetch(&fat_lines_[partner]);
         __builtin_prefetch(&lines_[partner]);

@@ -62,15 +62,17 @@ void KeptCandidates::update(const ProxyTable& table, const ProxyChanges& changes
         }
         escaped_.clear();
     }
-    adapt(filtered, counts.box_tests - searched_before);
+    adapt(filtered, counts.box_tests - searched_before - jump_tests_);
+    jump_tests_ = 0;
     put_to_sleep(changes.moved.size());
 }
 
 // Wide fat boxes make candidates that are filtered for nothing, in proportion to their width; narrow ones are escaped
 // from sooner, in inverse proportion. The sum is least where both cost the same. A test in a search costs more than
-// one in the filter, since it comes with sorting, linking and a new fat box.
+// one in the filter, since it comes with sorting, linking and a new fat box. Those for boxes that jumped do not count:
+// no room would have spared them.
 void KeptCandidates::adapt(std::uint64_t filtered, std::uint64_t searched) {
-    constexpr double search_cost = 4;
+    constexpr double search_cost = 3;
     constexpr double horizon_min = 2, horizon_max = 64;
     wasted_work_ += static_cast<double>(filtered - overlapping_);
     search_work_ += search_cost * static_cast<double>(searched);

@@ -109,6 +109,7 @@ class KeptCandidates final : public PairFinder {
     double horizon_ = 24;  // for how many updates a fat box leaves room
     double wasted_work_ = 0;
     double search_work_ = 0;
+    std::uint64_t jump_tests_ = 0;  // of an update, for boxes that are far from where they were
     std::uint64_t overlapping_ = 0;  // candidates, at the last filtering
     std::size_t searched_since_sort_ = 0;
     std::size_t updates_since_search_ = 0;  // of everything
