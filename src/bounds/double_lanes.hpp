@@ -10,6 +10,7 @@
 
 namespace ecods {
 
+typedef double Double2 __attribute__((vector_size(16)));
 typedef double Double4 __attribute__((vector_size(32)));
 
 // The fourth lane is zero.

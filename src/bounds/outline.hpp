@@ -17,6 +17,14 @@
 
 namespace ecods {
 
+struct OutlineGrid {
+    static constexpr int cell_count = 8;               // along an edge of the cube
+    static constexpr int side_count = cell_count + 1;  // grid points along it
+    static constexpr std::size_t face_size = side_count * side_count;
+    // By axis and corner p of the grid on the face where that coordinate is one: h(p) and h(-p).
+    static constexpr std::size_t direction_count = 3 * face_size * 2;
+};
+
 class Outline {
   public:
     // Cost: some hundred nanoseconds a vertex.
@@ -28,14 +36,10 @@ class Outline {
     Aabb box(const Pose& pose) const;
 
   private:
-    static constexpr int cell_count = 8;               // along an edge of the cube
-    static constexpr int side_count = cell_count + 1;  // grid points along it
-    static constexpr std::size_t face_size = side_count * side_count;
-
-    double reach(const Vec3& d) const;
-
     const TreeFrame& frame_;
-    std::array<float, 6 * face_size> support_;  // in units of the frame's scale; faces +x, -x, +y, ...
+    Vec3 v_max_;  // magnitudes of the coordinates of what is posed, and of all that is as far from it as the mesh
+    double v_max_of_all_;                                      // the largest of them
+    std::array<float, OutlineGrid::direction_count> support_;  // in units of the frame's scale
 };
 
 }  // namespace ecods

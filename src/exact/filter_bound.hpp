@@ -91,11 +91,16 @@ inline double orient2d_bound(const DifferenceBound& d, std::size_t i, std::size_
 // there are eight. A subnormal input that the processor takes for zero changes a product by less than 2^-1022 times the
 // other factor f; there are three, and one d. With f < 2^19 that is in sum below 2^-1001; for larger f, below 2^-1000
 // f.
+//
+// From the largest sum on any axis, and the largest magnitude of the factors R_ij and v_j.
+inline double point_error_bound(double sum_max, double factor_max) noexcept {
+    const double underflow = factor_max < 0x1p19 ? 0x1p-1000 : 0x1p-1000 + 0x1p-1000 * factor_max;
+    return 4.25 * two_u * sum_max + underflow;
+}
 inline double point_error_bound(const Mat3& R, const Vec3& v_max, const Vec3& d) noexcept {
     const double sum_max = (R.cwiseAbs() * v_max + d.cwiseAbs()).maxCoeff();
     const double factor_max = std::max(R.cwiseAbs().maxCoeff(), v_max.maxCoeff());
-    const double underflow = factor_max < 0x1p19 ? 0x1p-1000 : 0x1p-1000 + 0x1p-1000 * factor_max;
-    return 4.25 * two_u * sum_max + underflow;
+    return point_error_bound(sum_max, factor_max);
 }
 
 }  // namespace ecods::exact
