@@ -160,7 +160,7 @@ TEST(CommonUnit, GridsOfOneLength) {
         for (std::uint32_t t = 0; t < 12; ++t) {
             std::array<Relation, lane_count> relations{};
             for (std::uint32_t u = 0; u < 12; ++u) {
-                const std::uint32_t lane = u % lane_count, block = u / lane_count;
+                const std::uint32_t lane = u % lane_count, block = static_cast<std::uint32_t>(u / lane_count);
                 if (lane == 0) batches.relations(t, block, (1u << b.blocks[block].count) - 1, relations);
                 const Relation expected = oracle::triangle_triangle(a.pose, a.corners(t), b.pose, b.corners(u));
                 ASSERT_EQ(singles.relation(t, u), expected) << i << " " << t << " " << u;
