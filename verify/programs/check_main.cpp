@@ -95,8 +95,11 @@ int run(int argc, char** argv) {
     app.add_flag("--json", options.json, "Write JSON");
     app.add_flag("--oracle", options.oracle, "Check every answer, of all pairs of bodies, with CGAL's exact numbers");
     const std::map<std::string, BroadPhaseKind> kinds{{"brute_force", BroadPhaseKind::brute_force},
-                                                      {"sweep_and_prune", BroadPhaseKind::sweep_and_prune}};
-    app.add_option("--broad-phase", options.broad_phase, "brute_force or sweep_and_prune (the default)")
+                                                      {"sweep_and_prune", BroadPhaseKind::sweep_and_prune},
+                                                      {"kept_candidates", BroadPhaseKind::kept_candidates},
+                                                      {"automatic", BroadPhaseKind::automatic}};
+    app.add_option("--broad-phase", options.broad_phase,
+                   "brute_force, sweep_and_prune (the default), kept_candidates or automatic")
         ->transform(CLI::CheckedTransformer(kinds))
         ->type_name("KIND");
     try {
