@@ -1,6 +1,7 @@
 #include "broad_phase/kept_candidates.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "broad_phase/bytes_of.hpp"
 
@@ -45,39 +46,46 @@ void KeptCandidates::update(const ProxyTable& table, const ProxyChanges& changes
     filter(update);
     counts.escaped += escaped_.size();
     add(changes.added, table);
+    wasted_work_ += static_cast<double>(filtered - overlapping_);
     ++updates_since_search_;
+    if (wasted_work_ + search_work_ > 512 * static_cast<double>(used_count_)) adapt();
     if (!escaped_.empty()) {
-        searched_since_sort_ += escaped_.size();
         const std::size_t count = table.size();
         const bool is_worn = searched_since_sort_ > 4 * count || 4 * forest_.newcomer_count() > count + 64 ||
                              proxies_.size() > 2 * count + 64;
         const bool many_escaped = 8 * escaped_.size() > count;
-        if (many_escaped) learn_turns();
+        if (many_escaped) {
+            adapt();
+            learn_turns();
+        }
         const std::vector<BoxForest::Item> newcomers = fatten_escaped(table);
         if (many_escaped || is_worn) {
             search_all(newcomers, is_worn, update);
             ++counts.rebuilds;
         } else {
+            searched_since_sort_ += escaped_.size();
             search_escaped(newcomers, update);
         }
         escaped_.clear();
     }
-    adapt(filtered, counts.box_tests - searched_before - jump_tests_);
+    // A test in a search costs more than one in the filter, since it comes with sorting, linking and a new fat box.
+    // Those for boxes that jumped do not count: no room would have spared them.
+    constexpr double search_cost = 2;
+    search_work_ += search_cost * static_cast<double>(counts.box_tests - searched_before - jump_tests_);
     jump_tests_ = 0;
     put_to_sleep(changes.moved.size());
 }
 
 // Wide fat boxes make candidates that are filtered for nothing, in proportion to their width; narrow ones are escaped
-// from sooner, in inverse proportion. The sum is least where both cost the same. A test in a search costs more than
-// one in the filter, since it comes with sorting, linking and a new fat box. Those for boxes that jumped do not count:
-// no room would have spared them.
-void KeptCandidates::adapt(std::uint64_t filtered, std::uint64_t searched) {
-    constexpr double search_cost = 3;
+// from sooner, in inverse proportion. The sum is least where both cost the same, which is off by the root of their
+// ratio. Work is compared from one search of everything to the next, since most of it comes then.
+void KeptCandidates::adapt() {
+    constexpr std::size_t updates_min = 4;  // fewer are no motion to learn from
     constexpr double horizon_min = 2, horizon_max = 64;
-    wasted_work_ += static_cast<double>(filtered - overlapping_);
-    search_work_ += search_cost * static_cast<double>(searched);
-    if (wasted_work_ + search_work_ < 128 * static_cast<double>(proxies_.size())) return;
-    horizon_ = std::clamp(horizon_ * (search_work_ > wasted_work_ ? 1.25 : 0.8), horizon_min, horizon_max);
+    if (updates_since_search_ >= updates_min) {
+        horizon_ *= std::clamp(std::sqrt((search_work_ + 1) / (wasted_work_ + 1)), 0.5, 2.0);
+        horizon_ = std::clamp(horizon_, horizon_min, horizon_max);
+    }
     wasted_work_ = 0;
     search_work_ = 0;
 }

@@ -59,7 +59,7 @@ class KeptCandidates final : public PairFinder {
     void remove(const std::vector<ProxyIndex>& proxies, Update& update);
     void add(const std::vector<ProxyIndex>& proxies, const ProxyTable& table);
     SlotIndex take_slot();
-    void adapt(std::uint64_t filtered, std::uint64_t searched);
+    void adapt();
     void put_to_sleep(std::size_t moved_count);
 
     // filter_candidates.cpp
@@ -106,10 +106,10 @@ class KeptCandidates final : public PairFinder {
     std::size_t awake_count_ = 0;
     std::uint64_t rested_ = 0;  // updates that an awake box did not move in, summed
     double mean_extent_ = 0;
-    double horizon_ = 24;  // for how many updates a fat box leaves room
+    double horizon_ = 32;  // for how many updates a fat box leaves room
     double wasted_work_ = 0;
     double search_work_ = 0;
-    std::uint64_t jump_tests_ = 0;  // of an update, for boxes that are far from where they were
+    std::uint64_t jump_tests_ = 0;   // of an update, for boxes that are far from where they were
     std::uint64_t overlapping_ = 0;  // candidates, at the last filtering
     std::size_t searched_since_sort_ = 0;
     std::size_t updates_since_search_ = 0;  // of everything
