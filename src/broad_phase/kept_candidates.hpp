@@ -70,12 +70,14 @@ class KeptCandidates final : public PairFinder {
     void filter_changed(Update& update);
     void report(Candidate& candidate, Update& update);
 
-    // find_candidates.cpp
+    // fatten_boxes.cpp
     BoxLine fatten(const Escaped& escaped, const Aabb& box) noexcept;
     std::vector<BoxForest::Item> fatten_escaped(const ProxyTable& table);
     void prefetch(SlotIndex slot) const noexcept;
     void learn_turns();
     void fatten_used_up(const ProxyTable& table);
+
+    // find_candidates.cpp
     void wake(const std::vector<ProxyIndex>& proxies, Update& update);
     void wake_all(Update& update);
     void search_escaped(std::span<const BoxForest::Item> newcomers, Update& update);
