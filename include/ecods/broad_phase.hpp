@@ -37,12 +37,12 @@ enum class BroadPhaseKind : std::uint8_t {
     // pair.
     sweep_and_prune,
 
-    // For large and lively scenes. Each box is given room to move; pairs that overlap with that room are candidates,
-    // which are kept from update to update and tested again when one of the two moved. A box that left its room is
-    // looked up in trees over all boxes, one for each class of sizes; when many did at once, everything is looked up.
-    // How much room is adapted from counts. Work per update: a few tests for each box that moved. Memory: about 550
-    // bytes a box, 16 bytes a candidate (some more than there are pairs) and 8 to 16 a pair; twice that while boxes
-    // move.
+    // For large and lively scenes. Each box is given room to move; pairs that overlap with that room, and of which one
+    // is awake, are candidates, which are kept from update to update and tested at each one. A box that moves is awake
+    // until it has rested for some updates. One that left its room, or awoke, is looked up in trees over all boxes, one
+    // for each class of sizes; when many did at once, everything is looked up. How much room is adapted from counts.
+    // Work per update: a few tests for each box that moved, or did so lately. Memory: about 450 bytes a box, 8 bytes a
+    // candidate (some more than there are pairs) and 8 to 16 a pair; up to twice that while boxes move.
     kept_candidates,
 
     // sweep_and_prune while boxes are few or rest, kept_candidates else. Counts decide at each update, never clocks,
