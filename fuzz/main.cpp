@@ -3,10 +3,13 @@
 
 #include <CLI/CLI.hpp>
 #include <fstream>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "fuzz/campaign.hpp"
 #include "fuzz/motion/profile.hpp"
+#include "fuzz/record.hpp"
 
 namespace ecods::fuzz {
 namespace {
@@ -17,6 +20,8 @@ constexpr int exit_unusable = 2;
 
 struct Options {
     CampaignOptions campaign;
+    RecordOptions record{.folder = "ecods_fuzz_failures"};
+    std::vector<std::string> replays;
     bool lists_profiles = false;
     std::string json_file;
 };
@@ -34,8 +39,11 @@ void print(const RunFailure& failure) {
     fmt::print(stderr, "to see it again: ecods_fuzz --profile {} --seed {} --runs 1\n", failure.profile, failure.seed);
 }
 
-int run_campaign(const Options& options) {
-    const CampaignReport report = run_campaign(options.campaign);
+int run_campaign(Options& options) {
+    CampaignReport report = run_campaign(options.campaign);
+    options.record.canary = options.campaign.canary;
+    options.record.run_seconds = options.campaign.seconds_max;
+    for (RunFailure& failure : report.failures) record(failure, options.record);
     const std::string json = to_json(options.campaign, report);
     if (options.json_file.empty()) {
         fmt::print("{}\n", json);
@@ -45,6 +53,20 @@ int run_campaign(const Options& options) {
     }
     for (const RunFailure& failure : report.failures) print(failure);
     return report.failures.empty() ? exit_held : exit_failed;
+}
+
+int replay(const Options& options) {
+    Counters counters;
+    int failed_count = 0;
+    for (const std::string& file : options.replays) {
+        const auto failure = replay_trace(file, options.campaign.canary, counters);
+        if (!failure) continue;
+        ++failed_count;
+        fmt::print("{}: update {}: {}: expected {}, got {}\n", file, failure->update, failure->check, failure->expected,
+                   failure->got);
+    }
+    fmt::print("{} traces, {} updates, {} failed\n", options.replays.size(), counters["frames"], failed_count);
+    return failed_count == 0 ? exit_held : exit_failed;
 }
 
 int run_program(int argc, char** argv) {
@@ -68,6 +90,12 @@ int run_program(int argc, char** argv) {
         ->capture_default_str();
     app.add_option("--failures", campaign.failures_max, "After so many failures no run begins")->capture_default_str();
     app.add_option("--json", options.json_file, "Write the summary to this file, in place of the output");
+    app.add_option("--replay", options.replays, "Play traces with all checks, in place of a campaign");
+    app.add_option("--folder", options.record.folder, "Where traces and pictures of failures go")
+        ->capture_default_str();
+    app.add_option("--shrink-seconds", options.record.shrink_seconds, "How long a failure is shrunk; 0: not at all")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     const std::map<std::string, Canary> canaries{
         {"answer", Canary::answer}, {"crash", Canary::crash}, {"hang", Canary::hang}};
     app.add_option("--canary", campaign.canary, "Go wrong on purpose, where a collision is: answer, crash or hang")
@@ -83,6 +111,7 @@ int run_program(int argc, char** argv) {
         list_profiles();
         return exit_held;
     }
+    if (!options.replays.empty()) return replay(options);
     if (profiles_of(campaign.profile).empty()) {
         fmt::print(stderr, "ecods_fuzz: there is no profile {}: see --list-profiles\n", campaign.profile);
         return exit_unusable;

@@ -1,6 +1,7 @@
 #include "fuzz/script/script.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace ecods::fuzz {
 
@@ -28,30 +29,55 @@ void Model::apply(const Call& call) {
         call);
 }
 
+namespace {
+
+// Gives the bodies of calls, one after the other, their new labels. Whether a call is kept.
+class Renamer {
+  public:
+    bool operator()(Create& call) {
+        if (!labels_.emplace(call.body, next_).second) return false;
+        call.body = next_++;
+        return true;
+    }
+    bool operator()(Destroy& call) {
+        const Label old = call.body;
+        return rename(call.body) && labels_.erase(old) == 1;
+    }
+    bool operator()(SetPoses& call) {
+        SetPoses kept;
+        for (std::size_t i = 0; i < call.bodies.size(); ++i) {
+            if (!rename(call.bodies[i])) continue;
+            kept.bodies.push_back(call.bodies[i]);
+            kept.poses.push_back(call.poses[i]);
+        }
+        const bool is_kept = call.bodies.empty() || !kept.bodies.empty();
+        call = std::move(kept);
+        return is_kept;
+    }
+    bool operator()(SetPairEnabled& call) { return call.a != call.b && rename(call.a) && rename(call.b); }
+    bool operator()(SetTests&) { return true; }
+    bool operator()(Update&) { return true; }
+    bool operator()(auto& call) { return rename(call.body); }
+
+  private:
+    bool rename(Label& label) const {
+        const auto found = labels_.find(label);
+        if (found == labels_.end()) return false;
+        label = found->second;
+        return true;
+    }
+
+    std::map<Label, Label> labels_;  // of bodies that are there, to their new ones
+    Label next_ = 0;
+};
+
+}  // namespace
+
 Script repaired(const Script& script) {
     Script result;
-    Model model;
-    const auto is_here = [&](Label label) { return model.bodies.contains(label); };
+    Renamer renamer;
     for (Call call : script) {
-        const bool is_kept =
-            std::visit(Overloaded{[&](const Create& c) { return !is_here(c.body); },
-                                  [&](SetPoses& c) {
-                                      SetPoses kept;
-                                      for (std::size_t i = 0; i < c.bodies.size(); ++i) {
-                                          if (!is_here(c.bodies[i])) continue;
-                                          kept.bodies.push_back(c.bodies[i]);
-                                          kept.poses.push_back(c.poses[i]);
-                                      }
-                                      c = std::move(kept);
-                                      return !c.bodies.empty();
-                                  },
-                                  [&](const SetPairEnabled& c) { return is_here(c.a) && is_here(c.b) && c.a != c.b; },
-                                  [](const SetTests&) { return true; }, [](const Update&) { return true; },
-                                  [&](const auto& c) { return is_here(c.body); }},
-                       call);
-        if (!is_kept) continue;
-        model.apply(call);
-        result.push_back(std::move(call));
+        if (std::visit(renamer, call)) result.push_back(std::move(call));
     }
     return result;
 }

@@ -101,7 +101,7 @@ struct Model {
     void apply(const Call& call);
 };
 
-// Without calls for bodies that are not there, as they are left when calls are dropped.
+// Without calls for bodies that are not there, as they are left when calls are dropped; labels counted anew.
 Script repaired(const Script& script);
 
 }  // namespace ecods::fuzz

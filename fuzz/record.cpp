@@ -1,0 +1,115 @@
+#include "fuzz/record.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "fuzz/child.hpp"
+#include "fuzz/motion/generate.hpp"
+#include "fuzz/script/trace.hpp"
+#include "fuzz/shrink/shrink.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+// Plays in a process of its own.
+std::optional<Failure> failure_of(const Script& script, const RecordOptions& options) {
+    const auto work = [&]() -> std::string {
+        Counters counters;
+        try {
+            play(script, {.canary = options.canary}, counters);
+        } catch (const Failure& failure) {
+            return nlohmann::json{failure.update, failure.check, failure.expected, failure.got}.dump();
+        }
+        return "";
+    };
+    const ChildEnd end = run_in_child(work, options.run_seconds);
+    if (!end.how.empty()) return Failure{0, end.how, "an end", end.detail};
+    if (end.output.empty()) return std::nullopt;
+    const auto json = nlohmann::json::parse(end.output);
+    return Failure{json[0], json[1], json[2], json[3]};
+}
+
+// What comes after the update that failed has no part in it.
+Script until_update(const Script& script, std::size_t update) {
+    Script result;
+    std::size_t updates = 0;
+    for (const Call& call : script) {
+        result.push_back(call);
+        if (std::holds_alternative<Update>(call) && updates++ == update) break;
+    }
+    return result;
+}
+
+std::size_t count_bodies(const Script& script) {
+    std::size_t count = 0;
+    for (const Call& call : script) count += std::holds_alternative<Create>(call) ? 1 : 0;
+    return count;
+}
+
+std::ofstream open(const std::filesystem::path& file, std::ios::openmode mode) {
+    std::ofstream out(file, mode);
+    if (!out) throw std::runtime_error(file.string() + " cannot be written");
+    return out;
+}
+
+}  // namespace
+
+void record(RunFailure& failure, const RecordOptions& options) {
+    const Profile* profile = find_profile(failure.profile);
+    if (profile == nullptr) return;
+    Counters counters;
+    Script script = generate(*profile, failure.seed, counters);
+    std::optional<Failure> found = failure_of(script, options);
+    if (!found || found->check != failure.check) {
+        failure.text += "It did not happen again: no trace.\n";
+        return;
+    }
+    if (found->check != "crash" && found->check != "hang") script = until_update(script, found->update);
+    const auto fails = [&](const Script& shorter) {
+        const auto other = failure_of(shorter, options);
+        return other && other->check == failure.check;
+    };
+    const std::size_t calls = script.size();
+    if (options.shrink_seconds > 0) script = shrink(repaired(script), {fails, options.shrink_seconds});
+    found = failure_of(script, options).value_or(*found);
+
+    std::filesystem::create_directories(options.folder);
+    const auto stem = options.folder / fmt::format("{}-{}", failure.profile, failure.seed);
+    failure.trace = stem.string() + ".trace";
+    failure.picture = stem.string() + ".obj";
+    // The world may crash while it is traced: the file is then complete up to there.
+    run_in_child(
+        [&] {
+            auto out = open(failure.trace, std::ios::binary);
+            write_trace(script, out);
+            return std::string();
+        },
+        options.run_seconds);
+    {
+        auto out = open(failure.trace, std::ios::binary | std::ios::app);
+        write_failure(*found, out);
+    }
+    auto picture = open(failure.picture, std::ios::binary);
+    write_picture(script, picture);
+    failure.expected = found->expected;
+    failure.got = found->got;
+    failure.text += fmt::format("{} calls shrunk to {}, of {} bodies: {}\n", calls, script.size(), count_bodies(script),
+                                failure.trace);
+}
+
+std::optional<Failure> replay_trace(const std::filesystem::path& file, Canary canary, Counters& counters) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw std::runtime_error(file.string() + " cannot be opened");
+    const Script script = read_trace(in);
+    try {
+        play(script, {.canary = canary}, counters);
+    } catch (const Failure& failure) {
+        return failure;
+    }
+    return std::nullopt;
+}
+
+}  // namespace ecods::fuzz

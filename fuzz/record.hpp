@@ -1,0 +1,25 @@
+// A failure becomes files: the shortest trace that still fails, and a picture of the moment.
+#pragma once
+
+#include <filesystem>
+
+#include "fuzz/run.hpp"
+
+namespace ecods::fuzz {
+
+struct RecordOptions {
+    std::filesystem::path folder;
+    double shrink_seconds = 60;  // on the clock
+    unsigned run_seconds = 60;   // of processor time, that a run may take
+    Canary canary = Canary::none;
+};
+
+// Generates the run's script again, shrinks it to what fails the same check, writes PROFILE-SEED.trace and .obj, and
+// tells in the failure what they are, and what the short script's check expected and got. Pairs of triangles have their
+// numbers in the failure already.
+void record(RunFailure& failure, const RecordOptions& options);
+
+// Plays a trace with all checks, in this process. What failed, if anything.
+std::optional<Failure> replay_trace(const std::filesystem::path& file, Canary canary, Counters& counters);
+
+}  // namespace ecods::fuzz

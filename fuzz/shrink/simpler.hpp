@@ -1,0 +1,31 @@
+// Simpler numbers and meshes for a script.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "fuzz/script/script.hpp"
+
+namespace ecods::fuzz {
+
+// Ways to make a number rounder, from the coarsest on: zero, the nearest integer, the leading 1, 4, 10 or 26 bits.
+inline constexpr int roundness_count = 6;
+
+// Nothing gets more digits than it had: `x` itself where it is as round already.
+double rounder(double x, int roundness);
+
+// Calls `act` for every number of the script's poses and meshes: it may change it. Meshes that are shared stay shared;
+// identity matrices, which are as simple as can be, stay what they are.
+void for_each_number(Script& script, const std::function<void(double&)>& act);
+void for_each_pose(Script& script, const std::function<void(Pose&)>& act);
+
+// The distinct meshes, in order of appearance, and one in place of another.
+std::vector<std::shared_ptr<const Mesh>> meshes_of(const Script& script);
+void replace_mesh(Script& script, const Mesh* old, const std::shared_ptr<const Mesh>& mesh);
+
+// Without so many triangles from the given one on, and without vertices that are not used then. Null if none is left.
+std::shared_ptr<const Mesh> without_triangles(const Mesh& mesh, std::size_t begin, std::size_t count);
+
+}  // namespace ecods::fuzz

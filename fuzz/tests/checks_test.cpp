@@ -1,0 +1,135 @@
+// A check that cannot fail checks nothing: here each is given a world that is not what it should be.
+#include <gtest/gtest.h>
+
+#include "fuzz/checks/checks.hpp"
+#include "fuzz/failure.hpp"
+#include "fuzz/user_shape.hpp"
+#include "scenes/shapes.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+// Three cubes in a row, of which the first two touch.
+class Checks : public testing::Test {
+  protected:
+    Checks() {
+        for (const double x : {0.0, 1.0, 3.0}) ids.push_back(world.create_body(cube, at(x)));
+        world.update();
+        truth.look_at(world);
+    }
+    static Pose at(double x) {
+        Pose pose;
+        pose.t[0] = x;
+        return pose;
+    }
+    // What the check complains of; empty if of nothing.
+    template <class Check>
+    static std::string complaint(Check check) {
+        try {
+            check();
+        } catch (const CheckFailed& error) {
+            return error.check;
+        }
+        return "";
+    }
+
+    Pose across{Mat3::Identity(), Vec3(0.5, 0.25, 0.25)};  // where the first and the second cross
+    std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
+    World world;
+    std::vector<BodyId> ids;
+    Truth truth;
+    Counters counters;
+};
+
+TEST_F(Checks, NothingToComplainOf) {
+    const auto expected = true_collisions(world, truth);
+    EXPECT_EQ(expected, (std::vector<BodyPair>{{ids[0], ids[1]}}));
+    EXPECT_EQ(complaint([&] {
+                  check_boxes(world, truth, counters);
+                  check_candidates(world, counters);
+                  check_answers(world, truth, counters);
+                  check_queries(world, truth, ids[0], counters);
+                  check_collisions(world, expected, truth);
+                  check_events(world, {});
+                  check_invariants(world);
+                  check_fresh_world(world, {.order = 3});
+              }),
+              "");
+    EXPECT_EQ(counters["checked: pairs against the oracle"], 1U);
+}
+
+TEST_F(Checks, BoxesThatDoNotContainTheBody) {
+    World other;
+    for (const double x : {0.0, 1.0, 3.5}) other.create_body(cube, at(x));
+    EXPECT_EQ(complaint([&] { check_boxes(other, truth, counters); }), "box contains body");
+}
+
+TEST_F(Checks, ListsBeforeTheUpdate) {
+    world.set_pose(ids[2], at(2));
+    EXPECT_EQ(complaint([&] { check_candidates(world, counters); }), "candidate pairs");
+    truth.look_at(world);
+    EXPECT_EQ(complaint([&] { check_collisions(world, true_collisions(world, truth), truth); }), "colliding pairs");
+    EXPECT_EQ(complaint([&] { check_fresh_world(world, {}); }), "fresh world, collisions");
+    EXPECT_EQ(complaint([&] { check_invariants(world); }), "validate");
+}
+
+TEST_F(Checks, AnswersForOtherPoses) {
+    world.set_pose(ids[1], across);
+    EXPECT_EQ(complaint([&] { check_answers(world, truth, counters); }), "relation");
+    world.set_pose(ids[1], at(1));
+    world.set_shape(ids[1], Mesh::create({Vec3(-0.5, 0, 0)}, {{0, 0, 0}}));
+    EXPECT_EQ(complaint([&] { check_answers(world, truth, counters); }), "triangle pairs");
+    world.set_pose(ids[1], at(9));
+    EXPECT_EQ(complaint([&] { check_queries(world, truth, ids[0], counters); }), "bodies that a shape touches");
+}
+
+TEST_F(Checks, EventsFromAnotherPast) {
+    EXPECT_EQ(complaint([&] { check_events(world, {{ids[0], ids[1]}}); }), "pairs that began");
+    EXPECT_EQ(complaint([&] { check_events(world, {{ids[1], ids[2]}}); }), "pairs that ended");
+}
+
+TEST_F(Checks, WorldsThatWereToldSomethingElse) {
+    World other;
+    for (const double x : {0.0, 1.0, 3.5}) other.create_body(cube, at(x));
+    other.update();
+    EXPECT_EQ(complaint([&] { check_same(world, other, counters); }), "worlds that were told the same");
+}
+
+TEST_F(Checks, FiltersCount) {
+    world.set_pair_enabled(ids[0], ids[1], false);
+    EXPECT_EQ(complaint([&] { check_candidates(world, counters); }), "candidate pairs");
+    world.update();
+    EXPECT_EQ(complaint([&] {
+                  check_candidates(world, counters);
+                  check_collisions(world, true_collisions(world, truth), truth);
+                  check_fresh_world(world, {});
+              }),
+              "");
+    EXPECT_TRUE(world.colliding_pairs().empty());
+}
+
+TEST_F(Checks, ShapesThatTheOracleDoesNotKnowAreLeftOut) {
+    UserTests().add_to(world);
+    const BodyId user = world.create_body(std::make_shared<UserShape>(cube, first_user_kind), at(0.5));
+    world.update();
+    truth.look_at(world);
+    EXPECT_FALSE(truth.knows(user));
+    EXPECT_EQ(complaint([&] { check_collisions(world, true_collisions(world, truth), truth); }), "");
+    Truth knows_all(mesh_of);
+    knows_all.look_at(world);
+    EXPECT_EQ(true_collisions(world, knows_all).size(), 3U);
+    EXPECT_EQ(complaint([&] { check_collisions(world, true_collisions(world, knows_all), knows_all); }), "");
+}
+
+TEST_F(Checks, OnlyWhatChangedIsAskedAgain) {
+    truth.look_at(world);
+    ASSERT_EQ(truth.pairs().size(), 1U);
+    EXPECT_FALSE(truth.pairs()[0].is_changed);
+    world.set_pose(ids[0], across);
+    truth.look_at(world);
+    EXPECT_TRUE(truth.pairs()[0].is_changed);
+    EXPECT_EQ(truth.pairs()[0].verdict.relation, Relation::crossing);
+}
+
+}  // namespace
+}  // namespace ecods::fuzz

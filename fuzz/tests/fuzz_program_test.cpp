@@ -1,0 +1,99 @@
+// ecods_fuzz as its users run it: what goes wrong on purpose is found, shrunk, written, and seen again.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "unit/programs/program_test.hpp"
+
+namespace ecods::scenes {
+namespace {
+
+const std::string fuzz = ECODS_FUZZ_PROGRAM;
+const std::string replay = ECODS_REPLAY_PROGRAM;
+
+class FuzzProgramTest : public ProgramTest {
+  protected:
+    nlohmann::json campaign(const std::string& arguments, int status) {
+        const auto result = run_program(fuzz, arguments + " --folder " + path("failures").string());
+        EXPECT_EQ(result.status, status) << result.err;
+        return nlohmann::json::parse(result.out);
+    }
+    static std::string text_of(const std::string& file) {
+        std::ostringstream text;
+        text << std::ifstream(file).rdbuf();
+        return text.str();
+    }
+    static long count(const std::string& text, const std::string& what) {
+        long found = 0;
+        for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; ++at) ++found;
+        return found;
+    }
+};
+
+TEST_F(FuzzProgramTest, AWrongAnswerBecomesAShortTrace) {
+    const auto summary = campaign("--profile dense --seed 3 --runs 5 --canary", 1);
+    ASSERT_EQ(summary["failures"].size(), 1U);
+    const auto& failure = summary["failures"][0];
+    EXPECT_EQ(failure["check"], "colliding pairs");
+    EXPECT_EQ(failure["seed"], 3);
+    EXPECT_EQ(summary["runs"], 1);
+    const std::string file = failure["trace"];
+    const std::string trace = text_of(file);
+    EXPECT_EQ(count(trace, "\ncreate "), 2) << trace;
+    EXPECT_EQ(count(trace, "\nupdate "), 1) << trace;
+    EXPECT_EQ(count(trace, "\nset_"), 0) << trace;
+    EXPECT_EQ(count(trace, "\nt "), count(trace, "\nmesh ")) << trace;
+    EXPECT_EQ(count(trace, "\nnote check: colliding pairs\n"), 1) << trace;
+    EXPECT_EQ(count(text_of(failure["picture"]), "\nf "), 2);
+
+    EXPECT_EQ(run_program(replay, file).status, 0);
+    EXPECT_EQ(run_program(fuzz, "--replay " + file).status, 0);
+    const auto again = run_program(fuzz, "--canary --replay " + file);
+    EXPECT_EQ(again.status, 1);
+    EXPECT_NE(again.out.find("update 0: colliding pairs: expected"), std::string::npos) << again.out;
+}
+
+TEST_F(FuzzProgramTest, ACrashIsAFailure) {
+    const auto summary = campaign("--profile tiny --seed 2 --runs 5 --jobs 2 --canary crash", 1);
+    ASSERT_GE(summary["failures"].size(), 1U);
+    EXPECT_EQ(summary["failures"][0]["check"], "crash");
+    const std::string trace = text_of(summary["failures"][0]["trace"]);
+    EXPECT_EQ(count(trace, "\ncreate "), 2) << trace;
+}
+
+TEST_F(FuzzProgramTest, AHangIsAFailure) {
+    const auto summary =
+        campaign("--profile tiny --seed 2 --runs 1 --canary hang --run-seconds 1 --shrink-seconds 0", 1);
+    ASSERT_EQ(summary["failures"].size(), 1U);
+    EXPECT_EQ(summary["failures"][0]["check"], "hang");
+    EXPECT_FALSE(text_of(summary["failures"][0]["trace"]).empty());
+}
+
+TEST_F(FuzzProgramTest, JobsDoNotMatter) {
+    auto one = campaign("--profile motion --seed 4 --runs 8", 0);
+    auto three = campaign("--profile motion --seed 4 --runs 8 --jobs 3", 0);
+    for (const char* of_machine : {"seconds", "jobs"}) {
+        one.erase(of_machine);
+        three.erase(of_machine);
+    }
+    EXPECT_EQ(one, three);
+    EXPECT_EQ(one["failures"].size(), 0U);
+    EXPECT_EQ(one["runs"], 8);
+}
+
+TEST_F(FuzzProgramTest, ProfilesAreListed) {
+    const auto result = run_program(fuzz, "--list-profiles");
+    EXPECT_EQ(result.status, 0);
+    for (const char* name : {"tiny ", "stacks ", "pairs ", "motion ", "all "}) {
+        EXPECT_NE(result.out.find(name), std::string::npos) << name;
+    }
+}
+
+TEST_F(FuzzProgramTest, CommandsThatMakeNoSense) {
+    EXPECT_EQ(run_program(fuzz, "--profile nothing").status, 2);
+    EXPECT_EQ(run_program(fuzz, "--jobs 0").status, 2);
+    EXPECT_EQ(run_program(fuzz, "--replay " + path("none.trace").string()).status, 2);
+}
+
+}  // namespace
+}  // namespace ecods::scenes

@@ -1,0 +1,151 @@
+// Scripts: generated, repaired, written and read, shrunk.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "fuzz/motion/generate.hpp"
+#include "fuzz/script/trace.hpp"
+#include "fuzz/shrink/shrink.hpp"
+#include "fuzz/shrink/simpler.hpp"
+#include "scenes/shapes.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+std::string trace_of(const Script& script) {
+    std::ostringstream out;
+    write_trace(script, out);
+    return out.str();
+}
+
+Script small_script(std::string_view profile, std::uint32_t seed) {
+    Counters counters;
+    return generate(*find_profile(profile), seed, counters);
+}
+
+class ProfileTest : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Profiles, ProfileTest,
+                         testing::Values("tiny", "stacks", "far", "sizes", "shapes", "filters", "bad", "round"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST_P(ProfileTest, TracesAreReadAsTheyWereWritten) {
+    for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+        const std::string text = trace_of(small_script(GetParam(), seed));
+        std::istringstream in(text);
+        const Script read = read_trace(in);
+        EXPECT_EQ(trace_of(read), text);
+        Counters counters;
+        EXPECT_NO_THROW(play(read, {}, counters));  // compares digests, too
+    }
+}
+
+TEST_P(ProfileTest, RepairLeavesWhatIsWhole) {
+    const Script script = small_script(GetParam(), 4);
+    EXPECT_EQ(trace_of(repaired(script)), trace_of(script));
+}
+
+TEST(Generate, EveryMotionThatHurtsHappens) {
+    Counters counters;
+    for (const Profile& profile : profiles()) {
+        for (std::uint32_t seed = 1; seed <= 20 && profile.bodies_max < 100; ++seed) generate(profile, seed, counters);
+    }
+    for (const char* name : {"motions: size change",
+                             "motions: exact contact: face to face",
+                             "motions: exact contact: vertex onto a point of the other",
+                             "motions: one ulp",
+                             "motions: teleport",
+                             "motions: equal pose",
+                             "motions: permutation matrix",
+                             "motions: integer rotation",
+                             "motions: far from the origin",
+                             "meshes: sliver",
+                             "meshes: zero area",
+                             "scenes: subnormal",
+                             "scenes: huge",
+                             "scenes: far from the origin",
+                             "changes: removal in order of insertion",
+                             "changes: shape change",
+                             "changes: refit",
+                             "changes: bad input",
+                             "changes: filter",
+                             "changes: pair switched"}) {
+        EXPECT_GT(counters[name], 0U) << name;
+    }
+}
+
+TEST(Play, AWrongDigestOfATraceFails) {
+    Counters counters;
+    Script script = small_script("tiny", 1);
+    for (Call& call : script) {
+        if (auto* update = std::get_if<Update>(&call)) update->digest = 17;
+    }
+    try {
+        play(script, {}, counters);
+        FAIL();
+    } catch (const Failure& failure) {
+        EXPECT_EQ(failure.check, "digest of the trace");
+        EXPECT_EQ(failure.update, 0U);
+    }
+}
+
+TEST(Shrink, LeavesWhatTheFailureNeeds) {
+    // Fails while bodies 3 and 7 of some script are there, one of them moved to x >= 3, and an update comes after.
+    Script script;
+    for (Label label = 0; label < 10; ++label) script.emplace_back(Create{label, {scenes::cube(0.75)}, Pose()});
+    Pose moved;
+    moved.t = Vec3(4.7, 0.3, 1e-9);
+    script.emplace_back(SetPoses{{2, 7, 5}, {Pose(), moved, Pose()}});
+    script.emplace_back(Update{});
+    script.emplace_back(SetUserData{4, 2});
+    script.emplace_back(Update{});
+    const auto fails = [](const Script& tried) {
+        Model model;
+        bool is_updated = false;
+        double x = 0;
+        for (const Call& call : tried) {
+            model.apply(call);
+            is_updated = std::holds_alternative<Update>(call);
+            for (const auto& [label, body] : model.bodies) x = std::max(x, body.pose.t[0]);
+        }
+        return is_updated && model.bodies.size() >= 2 && x >= 3;
+    };
+    ASSERT_TRUE(fails(script));
+    const Script shrunk = shrink(script, {fails, 60});
+    ASSERT_EQ(shrunk.size(), 3U);
+    const auto meshes = meshes_of(shrunk);
+    for (const auto& mesh : meshes) {
+        EXPECT_EQ(mesh->triangles().size(), 1U);
+        for (const Vec3& vertex : mesh->vertices()) EXPECT_TRUE(vertex.isZero(0));
+    }
+    double x = 0;
+    for (const Call& call : shrunk) {
+        const auto* create = std::get_if<Create>(&call);
+        if (create == nullptr) continue;
+        EXPECT_TRUE(create->pose.t[1] == 0 && create->pose.t[2] == 0);
+        x = std::max(x, create->pose.t[0]);
+    }
+    EXPECT_EQ(x, 4);
+}
+
+TEST(Simpler, RoundNumbersHaveFewerDigits) {
+    EXPECT_EQ(rounder(4.7, 0), 0);
+    EXPECT_EQ(rounder(4.7, 1), 5);
+    EXPECT_EQ(rounder(4.7, 2), 4);
+    EXPECT_EQ(rounder(4.0, 1), 4);
+    EXPECT_EQ(rounder(0x1p-1074, 1), 0);
+    EXPECT_EQ(rounder(0x1.8p1000, 2), 0x1p1001);
+    EXPECT_EQ(rounder(0x1.fffffffffffffp1023, 2), 0x1.fffffffffffffp1023);  // infinity is no rounder number
+    EXPECT_FALSE(std::signbit(rounder(-0.3, 1)));
+}
+
+TEST(Simpler, TrianglesGoWithTheirVertices) {
+    const auto cube = scenes::cube(1);
+    const auto one = without_triangles(*cube, 1, 11);
+    ASSERT_TRUE(one);
+    EXPECT_EQ(one->triangles().size(), 1U);
+    EXPECT_EQ(one->vertices().size(), 3U);
+    EXPECT_FALSE(without_triangles(*cube, 0, 12));
+}
+
+}  // namespace
+}  // namespace ecods::fuzz
