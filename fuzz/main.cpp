@@ -22,6 +22,7 @@ struct Options {
     CampaignOptions campaign;
     RecordOptions record{.folder = "ecods_fuzz_failures"};
     std::vector<std::string> replays;
+    bool renews = false;
     bool lists_profiles = false;
     std::string json_file;
 };
@@ -59,7 +60,9 @@ int replay(const Options& options) {
     Counters counters;
     int failed_count = 0;
     for (const std::string& file : options.replays) {
-        const auto failure = replay_trace(file, options.campaign.canary, counters);
+        const auto failure =
+            replay_trace(file, {.canary = options.campaign.canary, .compares_digests = !options.renews}, counters);
+        if (!failure && options.renews) renew_trace(file);
         if (!failure) continue;
         ++failed_count;
         fmt::print("{}: update {}: {}: expected {}, got {}\n", file, failure->update, failure->check, failure->expected,
@@ -91,6 +94,7 @@ int run_program(int argc, char** argv) {
     app.add_option("--failures", campaign.failures_max, "After so many failures no run begins")->capture_default_str();
     app.add_option("--json", options.json_file, "Write the summary to this file, in place of the output");
     app.add_option("--replay", options.replays, "Play traces with all checks, in place of a campaign");
+    app.add_flag("--renew", options.renews, "Write traces that were played again, with the digests of this build");
     app.add_option("--folder", options.record.folder, "Where traces and pictures of failures go")
         ->capture_default_str();
     app.add_option("--shrink-seconds", options.record.shrink_seconds, "How long a failure is shrunk; 0: not at all")

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string>
 
 #include "fuzz/child.hpp"
 #include "fuzz/motion/generate.hpp"
@@ -55,6 +56,23 @@ std::ofstream open(const std::filesystem::path& file, std::ios::openmode mode) {
     return out;
 }
 
+Script script_of(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw std::runtime_error(file.string() + " cannot be opened");
+    return read_trace(in);
+}
+
+// The last lines of a trace, if they are notes; those that read_trace() understands are written with the calls.
+std::string notes_for_people(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string notes;
+    for (std::string line; std::getline(in, line);) {
+        const bool is_call = !line.starts_with("note ") || line.starts_with("note bad ") || line == "note tests";
+        notes = is_call ? "" : notes + line + "\n";
+    }
+    return notes;
+}
+
 }  // namespace
 
 void record(RunFailure& failure, const RecordOptions& options) {
@@ -100,16 +118,27 @@ void record(RunFailure& failure, const RecordOptions& options) {
                                 failure.trace);
 }
 
-std::optional<Failure> replay_trace(const std::filesystem::path& file, Canary canary, Counters& counters) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw std::runtime_error(file.string() + " cannot be opened");
-    const Script script = read_trace(in);
+std::optional<Failure> replay_trace(const std::filesystem::path& file, const ReplayOptions& options,
+                                    Counters& counters) {
+    Script script = script_of(file);
+    for (Call& call : script) {
+        if (auto* update = std::get_if<Update>(&call); update != nullptr && !options.compares_digests)
+            update->digest = {};
+    }
     try {
-        play(script, {.canary = canary}, counters);
+        play(script, {.canary = options.canary}, counters);
     } catch (const Failure& failure) {
         return failure;
     }
     return std::nullopt;
+}
+
+void renew_trace(const std::filesystem::path& file) {
+    const Script script = script_of(file);
+    const std::string notes = notes_for_people(file);
+    auto out = open(file, std::ios::binary);
+    write_trace(script, out);
+    out << notes;
 }
 
 }  // namespace ecods::fuzz

@@ -20,6 +20,15 @@ struct RecordOptions {
 void record(RunFailure& failure, const RecordOptions& options);
 
 // Plays a trace with all checks, in this process. What failed, if anything.
-std::optional<Failure> replay_trace(const std::filesystem::path& file, Canary canary, Counters& counters);
+struct ReplayOptions {
+    Canary canary = Canary::none;
+    bool compares_digests = true;
+};
+std::optional<Failure> replay_trace(const std::filesystem::path& file, const ReplayOptions& options,
+                                    Counters& counters);
+
+// Writes a trace again with the digests that this build gives, and with its notes behind it: for a trace that shows a
+// defect which is mended, and for one that was written by hand, without digests.
+void renew_trace(const std::filesystem::path& file);
 
 }  // namespace ecods::fuzz
