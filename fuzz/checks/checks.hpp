@@ -40,10 +40,12 @@ void check_events(const World& world, const std::vector<BodyPair>& before);
 void check_invariants(const World& world);
 
 // A world that is made anew, its bodies in an order that `order` tells, has the same digest, the same collisions and as
-// many candidates. `set_up` registers the tests of the caller's own shapes.
+// many candidates; but for the last, it may be called in another floating-point environment. `set_up` registers the
+// tests of the caller's own shapes.
 struct FreshWorld {
     WorldOptions options = {};
     std::uint32_t order = 0;
+    bool has_own_environment = false;
     std::function<void(World&)> set_up = [](World&) {};
 };
 void check_fresh_world(const World& world, const FreshWorld& fresh);

@@ -62,6 +62,8 @@ void check_fresh_world(const World& world, const FreshWorld& fresh) {
                           text(std::span<const BodyPair>(expected)));
     }
     require_number("fresh world, digest", world.digest(), made.digest());
+    // How tight boxes are depends on the rounding.
+    if (fresh.has_own_environment) return;
     const Statistics got = world.statistics();
     const Statistics of_made = made.statistics();
     require_number("fresh world, candidates", got.overlapping_count, of_made.overlapping_count);

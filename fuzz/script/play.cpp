@@ -4,11 +4,14 @@
 
 #include <array>
 #include <cstdlib>
+#include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/failure.hpp"
+#include "fuzz/pairs/float_mode.hpp"
 #include "fuzz/script/bad_calls.hpp"
 #include "unit/world/thread_executor.hpp"
 
@@ -30,6 +33,7 @@ class Player {
     void update(const Update& call);
     void check();
     void check_rest() const;
+    void check_fresh(const World& world);
     void check_tampering(const World& world);
     void sing(std::vector<BodyPair>& expected) const;
 
@@ -98,16 +102,24 @@ void Player::check() {
         if (&world != &first) check_same(first, world, counters_);
         tests_ = world.statistics().two_body_tests;
     }
-    const auto order = static_cast<std::uint32_t>(update_count_ + 1);
-    check_fresh_world(asked, {.options = {.broad_phase = broad_phases[order / 4 % 4],
-                                          .executor = std::make_shared<ThreadExecutor>(1 + order % 4)},
-                              .order = order,
-                              .set_up = [](World& world) { UserTests().add_to(world); }});
-    ++counters_["checked: against a fresh world"];
+    check_fresh(asked);
     const auto bodies = asked.bodies();
     if (!bodies.empty()) check_queries(asked, truth_, bodies[update_count_ % bodies.size()], counters_);
     check_tampering(asked);
     colliding_ = std::move(expected);
+}
+
+// With another broad phase, another number of workers, and every other time in another floating-point environment.
+void Player::check_fresh(const World& world) {
+    const auto order = static_cast<std::uint32_t>(update_count_ + 1);
+    const FloatMode& mode = float_modes[order % 2 == 0 ? order / 2 % float_modes.size() : 0];
+    ++counters_[std::string("checked: against a fresh world, ") + mode.name];
+    const InFloatMode in_mode(mode);
+    check_fresh_world(world, {.options = {.broad_phase = broad_phases[order / 4 % 4],
+                                          .executor = std::make_shared<ThreadExecutor>(1 + order % 4)},
+                              .order = order,
+                              .has_own_environment = &mode != float_modes.data(),
+                              .set_up = [](World& made) { UserTests().add_to(made); }});
 }
 
 // A shape of the caller's own that changes under its body is found.
