@@ -67,7 +67,8 @@ std::string notes_for_people(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::string notes;
     for (std::string line; std::getline(in, line);) {
-        const bool is_call = !line.starts_with("note ") || line.starts_with("note bad ") || line == "note tests";
+        const bool is_call = !line.starts_with("note ") || line.starts_with("note bad ") ||
+                             line.starts_with("note reserve ") || line == "note tests";
         notes = is_call ? "" : notes + line + "\n";
     }
     return notes;

@@ -8,6 +8,7 @@
 #include <functional>
 #include <vector>
 
+#include "ecods/replay.hpp"
 #include "ecods/world.hpp"
 #include "fuzz/checks/truth.hpp"
 #include "fuzz/counters.hpp"
@@ -52,5 +53,8 @@ void check_fresh_world(const World& world, const FreshWorld& fresh);
 
 // Two worlds that were told the same are the same: lists, boxes, digest, and counts of work but the broad phase's.
 void check_same(World& world, World& other, Counters& counters);
+
+// A trace that begins now, over an update at which nothing has moved, runs again without a difference.
+void check_trace(World& world, const TraceOptions& writing, const ReplayOptions& reading);
 
 }  // namespace ecods::fuzz

@@ -79,16 +79,16 @@ void common_shift(Writing& w) {
 }
 
 void set_filter(Writing& w) {
-    constexpr std::array<CollisionFilter, 6> filters = {
-        {{},
-         {.groups = 1, .mask = 2},
-         {.groups = 2, .mask = 3},
-         {.groups = 2, .mask = 1},
-         {.groups = 3, .mask = 0},
-         {.groups = std::uint64_t{1} << 63, .mask = ~std::uint64_t{0}}}};
+    constexpr std::array<CollisionFilter, 7> filters = {{{},
+                                                         {.groups = 1, .mask = 1},
+                                                         {.groups = 1, .mask = 2},
+                                                         {.groups = 2, .mask = 2},
+                                                         {.groups = 2, .mask = 3},
+                                                         {.groups = 3, .mask = 0},
+                                                         {.groups = std::uint64_t{1} << 63}}};
     const Label body = w.any_body();
-    // Half of them the default, lest all end up filtered out.
-    w.make(SetFilter{body, filters[w.random.below(2) == 0 ? 0 : w.random.below(6)]});
+    // A third of them the default, lest all end up filtered out.
+    w.make(SetFilter{body, filters[w.random.below(3) == 0 ? 0 : w.random.below(7)]});
 }
 
 void set_pair(Writing& w) {
@@ -123,6 +123,7 @@ const std::array change_table = {
     Change{"many poses: all step", &Weights::bulk, [](Writing& w) { bulk(w, &Weights::step, 1); }},
     Change{"many poses: all jump", &Weights::bulk, [](Writing& w) { bulk(w, &Weights::jump, 1); }},
     Change{"many poses: common shift", &Weights::bulk, common_shift},
+    Change{"room reserved", &Weights::bulk, [](Writing& w) { w.make(Reserve{w.random.below(200)}); }},
     Change{"filter", &Weights::filter, set_filter},
     Change{"pair switched", &Weights::filter, set_pair},
     Change{"user data", &Weights::filter,

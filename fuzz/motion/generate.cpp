@@ -8,6 +8,7 @@
 
 #include "fuzz/motion/changes.hpp"
 #include "fuzz/motion/meshes.hpp"
+#include "fuzz/motion/numbers.hpp"
 #include "fuzz/motion/poses.hpp"
 #include "fuzz/user_shape.hpp"
 

@@ -8,10 +8,6 @@
 
 namespace ecods::fuzz {
 
-// Numbers and matrices that poses are made of.
-Mat3 signed_permutation(scenes::Random& random);
-Mat3 any_rotation(scenes::Random& random);
-
 // A place in the scene, half of them on a lattice of half units; and a pose there.
 Vec3 any_place(const Setting& setting, scenes::Random& random);
 Pose any_pose(const Setting& setting, scenes::Random& random);

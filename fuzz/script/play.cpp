@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,7 +27,7 @@ class Player {
     Player(const PlayOptions& options, Counters& counters) : options_(options), counters_(counters) {}
 
     void make(const Call& call);
-    void count_queries();
+    void finish();
     std::size_t update_count() const noexcept { return update_count_; }
 
   private:
@@ -35,6 +36,8 @@ class Player {
     void check_rest() const;
     void check_fresh(const World& world);
     void check_tampering(const World& world);
+    void check_replay();
+    void count_queries();
     void sing(std::vector<BodyPair>& expected) const;
 
     PlayOptions options_;
@@ -149,6 +152,25 @@ void Player::sing(std::vector<BodyPair>& expected) const {
     expected.erase(expected.begin());
 }
 
+void Player::finish() {
+    count_queries();
+    check_replay();
+}
+
+// In another world than it was traced in.
+void Player::check_replay() {
+    ReplayOptions reading;
+    reading.broad_phase = broad_phases[(update_count_ + 1) % broad_phases.size()];
+    reading.validates = true;
+    reading.set_up = [](World& world) { UserTests().add_to(world); };
+    reading.read_shape = [](ShapeKind kind, std::string_view text) {
+        return std::make_shared<UserShape>(read_user_mesh(text), kind);
+    };
+    World& world = scene_.worlds[update_count_ % scene_.worlds.size()].world();
+    check_trace(world, {.write_shape = write_user_shape}, reading);
+    ++counters_["checked: trace and replay"];
+}
+
 void Player::count_queries() {
     const QueryCounts counts = scene_.worlds[0].world().statistics().queries;
     counters_["stages: triangle tests"] += counts.triangle_tests;
@@ -166,12 +188,12 @@ void play(const Script& script, const PlayOptions& options, Counters& counters) 
     Player player(options, counters);
     try {
         for (const Call& call : script) player.make(call);
+        player.finish();
     } catch (const CheckFailed& error) {
         throw Failure{player.update_count(), error.check, error.expected, error.got};
     } catch (const std::exception& error) {
         throw Failure{player.update_count(), "unexpected error", "none", error.what()};
     }
-    player.count_queries();
 }
 
 }  // namespace ecods::fuzz

@@ -98,10 +98,15 @@ void Reader::read_note() {
         fails_ = true;
     } else if (lines_.rest_is("tests")) {
         script_.emplace_back(SetTests{});
-    } else if (!lines_.at_end() && lines_.word("a note") == "bad") {
-        const Label of = body();
-        const auto choice = static_cast<std::uint32_t>(lines_.decimal("a choice", max_32));
-        script_.emplace_back(BadCall{std::string(lines_.rest()), of, choice});
+    } else if (!lines_.at_end()) {
+        const std::string kind(lines_.word("a note"));
+        if (kind == "reserve") {
+            script_.emplace_back(Reserve{lines_.decimal("a number of bodies", max_32)});
+        } else if (kind == "bad") {
+            const Label of = body();
+            const auto choice = static_cast<std::uint32_t>(lines_.decimal("a choice", max_32));
+            script_.emplace_back(BadCall{std::string(lines_.rest()), of, choice});
+        }
     }
 }
 

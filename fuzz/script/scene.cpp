@@ -32,26 +32,26 @@ ToldWorld::ToldWorld(const WorldOptions& options) : world_(options) {
 }
 
 void ToldWorld::tell(const Call& call) {
-    std::visit(Overloaded{[&](const Create& c) {
-                              ids_.resize(std::max(ids_.size(), c.body + 1));
-                              ids_[c.body] = c.part.kind == ShapeKind::mesh()
-                                                 ? world_.create_body(c.part.mesh, c.pose)
-                                                 : world_.create_body(user_shape(c.part), c.pose);
-                          },
-                          [&](const Destroy& c) { world_.destroy_body(id(c.body)); },
-                          [&](const SetPose& c) { world_.set_pose(id(c.body), c.pose); },
-                          [&](const SetPoses& c) {
-                              std::vector<BodyId> bodies;
-                              for (const Label label : c.bodies) bodies.push_back(id(label));
-                              world_.set_poses(bodies, c.poses);
-                          },
-                          [&](const SetShape& c) { set_shape(c); },
-                          [&](const SetFilter& c) { world_.set_filter(id(c.body), c.filter); },
-                          [&](const SetPairEnabled& c) { world_.set_pair_enabled(id(c.a), id(c.b), c.is_enabled); },
-                          [&](const SetUserData& c) { world_.set_user_data(id(c.body), c.data); },
-                          [&](const SetTests&) { tests_.add_to(world_); }, [](const BadCall&) {},
-                          [&](const Update&) { world_.update(); }},
-               call);
+    std::visit(
+        Overloaded{[&](const Create& c) {
+                       ids_.resize(std::max(ids_.size(), c.body + 1));
+                       ids_[c.body] = c.part.kind == ShapeKind::mesh() ? world_.create_body(c.part.mesh, c.pose)
+                                                                       : world_.create_body(user_shape(c.part), c.pose);
+                   },
+                   [&](const Destroy& c) { world_.destroy_body(id(c.body)); },
+                   [&](const SetPose& c) { world_.set_pose(id(c.body), c.pose); },
+                   [&](const SetPoses& c) {
+                       std::vector<BodyId> bodies;
+                       for (const Label label : c.bodies) bodies.push_back(id(label));
+                       world_.set_poses(bodies, c.poses);
+                   },
+                   [&](const SetShape& c) { set_shape(c); },
+                   [&](const SetFilter& c) { world_.set_filter(id(c.body), c.filter); },
+                   [&](const SetPairEnabled& c) { world_.set_pair_enabled(id(c.a), id(c.b), c.is_enabled); },
+                   [&](const SetUserData& c) { world_.set_user_data(id(c.body), c.data); },
+                   [&](const Reserve& c) { world_.reserve(c.count); }, [&](const SetTests&) { tests_.add_to(world_); },
+                   [](const BadCall&) {}, [&](const Update&) { world_.update(); }},
+        call);
 }
 
 void ToldWorld::set_shape(const SetShape& call) {

@@ -55,6 +55,7 @@ class Renamer {
         return is_kept;
     }
     bool operator()(SetPairEnabled& call) { return call.a != call.b && rename(call.a) && rename(call.b); }
+    bool operator()(Reserve&) { return true; }
     bool operator()(SetTests&) { return true; }
     bool operator()(Update&) { return true; }
     bool operator()(auto& call) { return rename(call.body); }

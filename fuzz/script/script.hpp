@@ -60,6 +60,9 @@ struct SetUserData {
     Label body;
     std::uint64_t data;
 };
+struct Reserve {
+    std::size_t count;
+};
 struct SetTests {};  // the tests of all user-defined shapes are registered again
 
 // A call that must be refused (bad_calls.hpp): which one, and where it may choose, what.
@@ -74,7 +77,7 @@ struct Update {
     std::optional<std::uint64_t> digest = {};  // as a trace has it
 };
 
-using Call = std::variant<Create, Destroy, SetPose, SetPoses, SetShape, SetFilter, SetPairEnabled, SetUserData,
+using Call = std::variant<Create, Destroy, SetPose, SetPoses, SetShape, SetFilter, SetPairEnabled, SetUserData, Reserve,
                           SetTests, BadCall, Update>;
 using Script = std::vector<Call>;
 

@@ -17,6 +17,7 @@ void tell(ToldWorld& told, const Call& call, std::ostream& out) {
         return;
     }
     if (const auto* shape = std::get_if<SetShape>(&call); shape != nullptr && shape->refits) out << "note refit\n";
+    if (const auto* reserve = std::get_if<Reserve>(&call)) fmt::print(out, "note reserve {}\n", reserve->count);
     if (std::holds_alternative<SetTests>(call)) out << "note tests\n";
     if (const auto* update = std::get_if<Update>(&call); update != nullptr && update->fails) {
         out << "note failing\n";

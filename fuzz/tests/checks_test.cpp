@@ -53,6 +53,7 @@ TEST_F(Checks, NothingToComplainOf) {
                   check_events(world, {});
                   check_invariants(world);
                   check_fresh_world(world, {.order = 3});
+                  check_trace(world, {}, {.broad_phase = BroadPhaseKind::sweep_and_prune});
               }),
               "");
     EXPECT_EQ(counters["checked: pairs against the oracle"], 1U);
@@ -93,6 +94,17 @@ TEST_F(Checks, WorldsThatWereToldSomethingElse) {
     for (const double x : {0.0, 1.0, 3.5}) other.create_body(cube, at(x));
     other.update();
     EXPECT_EQ(complaint([&] { check_same(world, other, counters); }), "worlds that were told the same");
+}
+
+TEST_F(Checks, TracesOfShapesThatAreReadAsOthers) {
+    UserTests().add_to(world);
+    world.create_body(std::make_shared<UserShape>(cube, first_user_kind), at(3.5));
+    ReplayOptions reading;
+    reading.set_up = [](World& made) { UserTests().add_to(made); };
+    reading.read_shape = [](ShapeKind kind, std::string_view) {
+        return std::make_shared<UserShape>(scenes::cube(9), kind);
+    };
+    EXPECT_EQ(complaint([&] { check_trace(world, {.write_shape = write_user_shape}, reading); }), "trace and replay");
 }
 
 TEST_F(Checks, FiltersCount) {

@@ -68,7 +68,8 @@ TEST(Generate, EveryMotionThatHurtsHappens) {
                              "changes: refit",
                              "changes: bad input",
                              "changes: filter",
-                             "changes: pair switched"}) {
+                             "changes: pair switched",
+                             "changes: room reserved"}) {
         EXPECT_GT(counters[name], 0U) << name;
     }
 }
