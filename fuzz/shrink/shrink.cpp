@@ -33,6 +33,7 @@ class Shrinker {
     void drop_calls();
     void drop_poses();
     void drop_triangles();
+    void share_meshes();
     void move_to_creation();
     void simplify_calls();
     void simplify_matrices();
@@ -123,6 +124,15 @@ void Shrinker::drop_triangles() {
                  replace_mesh(candidate, mesh().get(), smaller);
                  return candidate;
              });
+    }
+}
+
+void Shrinker::share_meshes() {
+    for (std::size_t m = 1; m < meshes_of(best_).size();) {
+        Script candidate = best_;
+        const auto meshes = meshes_of(best_);
+        replace_mesh(candidate, meshes[m].get(), meshes[0]);
+        if (!accept(candidate)) ++m;
     }
 }
 
@@ -220,6 +230,7 @@ Script Shrinker::run() {
         drop_calls();
         drop_poses();
         move_to_creation();
+        share_meshes();
         drop_triangles();
         simplify_calls();
         simplify_matrices();
