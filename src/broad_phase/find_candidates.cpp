@@ -60,10 +60,14 @@ void KeptCandidates::wake_all(Update& update) {
     update.counts.box_tests += forest_.find_pairs(candidates_);
     ++update.counts.rebuilds;
     BoxReach reach;
+    std::size_t overlapping = 0;
     for (Candidate& candidate : candidates_) {
         make_reach(lines_[candidate[0]], reach);
-        if (overlaps(lines_[candidate[1]], reach)) candidate[1] |= overlap_bit;
+        if (!overlaps(lines_[candidate[1]], reach)) continue;
+        candidate[1] |= overlap_bit;
+        ++overlapping;
     }
+    guess_horizon(overlapping);
 }
 
 void KeptCandidates::search_escaped(std::span<const BoxForest::Item> newcomers, Update& update) {

@@ -6,6 +6,11 @@
 #include "broad_phase/bytes_of.hpp"
 
 namespace ecods {
+namespace {
+
+constexpr double horizon_min = 2, horizon_max = 64;
+
+}  // namespace
 
 void KeptCandidates::build(const ProxyTable& table, BroadPhaseCounts& counts) {
     std::vector<ProxyIndex> present;
@@ -81,13 +86,21 @@ void KeptCandidates::update(const ProxyTable& table, const ProxyChanges& changes
 // ratio. Work is compared from one search of everything to the next, since most of it comes then.
 void KeptCandidates::adapt() {
     constexpr std::size_t updates_min = 4;  // fewer are no motion to learn from
-    constexpr double horizon_min = 2, horizon_max = 64;
     if (updates_since_search_ >= updates_min) {
         horizon_ *= std::clamp(std::sqrt((search_work_ + 1) / (wasted_work_ + 1)), 0.5, 2.0);
         horizon_ = std::clamp(horizon_, horizon_min, horizon_max);
     }
     wasted_work_ = 0;
     search_work_ = 0;
+}
+
+// Before anything is known of a motion: what is filtered for nothing grows with the pairs there are, and what a search
+// costs does not, so that the best horizon falls with the root of the pairs a box has. Measured, of boxes of like
+// sizes.
+void KeptCandidates::guess_horizon(std::size_t pair_count) {
+    constexpr double horizon_for_one_pair = 37;
+    const double pairs_per_box = static_cast<double>(pair_count + 1) / static_cast<double>(used_count_ + 1);
+    horizon_ = std::clamp(horizon_for_one_pair / std::sqrt(pairs_per_box), horizon_min, horizon_max);
 }
 
 // Boxes that rest cost as long as they are awake. To wake one again costs a search, so they are put to sleep when they

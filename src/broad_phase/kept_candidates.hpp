@@ -60,6 +60,7 @@ class KeptCandidates final : public PairFinder {
     void add(const std::vector<ProxyIndex>& proxies, const ProxyTable& table);
     SlotIndex take_slot();
     void adapt();
+    void guess_horizon(std::size_t pair_count);
     void put_to_sleep(std::size_t moved_count);
 
     // filter_candidates.cpp
@@ -108,7 +109,7 @@ class KeptCandidates final : public PairFinder {
     std::size_t awake_count_ = 0;
     std::uint64_t rested_ = 0;  // updates that an awake box did not move in, summed
     double mean_extent_ = 0;
-    double horizon_ = 32;  // for how many updates a fat box leaves room
+    double horizon_ = 24;  // for how many updates a fat box leaves room
     double wasted_work_ = 0;
     double search_work_ = 0;
     std::uint64_t jump_tests_ = 0;   // of an update, for boxes that are far from where they were
