@@ -98,7 +98,7 @@ void KeptCandidates::adapt() {
 // costs does not, so that the best horizon falls with the root of the pairs a box has. Measured, of boxes of like
 // sizes.
 void KeptCandidates::guess_horizon(std::size_t pair_count) {
-    constexpr double horizon_for_one_pair = 37;
+    constexpr double horizon_for_one_pair = 50;
     const double pairs_per_box = static_cast<double>(pair_count + 1) / static_cast<double>(used_count_ + 1);
     horizon_ = std::clamp(horizon_for_one_pair / std::sqrt(pairs_per_box), horizon_min, horizon_max);
 }
