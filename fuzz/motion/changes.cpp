@@ -33,6 +33,18 @@ void remove_many(Writing& w, bool in_order_of_insertion) {
     for (std::size_t i = 0; i < bodies.size(); ++i) w.create(w.any_part(), any_pose(w.setting, w.random));
 }
 
+// An ebb: few are left, sometimes none, and then as many as before come.
+void remove_most(Writing& w) {
+    std::vector<Label> bodies;
+    for (const auto& [label, body] : w.model.bodies) {
+        if (w.random.below(10) != 0) bodies.push_back(label);
+    }
+    for (const Label body : bodies) w.make(Destroy{body});
+    w.make(Update{});
+    w.make(Update{});
+    for (std::size_t i = 0; i < bodies.size(); ++i) w.create(w.any_part(), any_pose(w.setting, w.random));
+}
+
 void shape_and_back(Writing& w) {
     const Label body = w.any_body();
     const Part old = w.model.bodies.at(body).part;
@@ -112,6 +124,7 @@ const std::array change_table = {
     Change{"destroy and create", &Weights::life, destroy_and_create},
     Change{"removal in order of insertion", &Weights::life, [](Writing& w) { remove_many(w, true); }},
     Change{"removal in reverse order", &Weights::life, [](Writing& w) { remove_many(w, false); }},
+    Change{"removal of most", &Weights::life, remove_most},
     Change{"there and back", &Weights::jump, there_and_back},
     Change{"shape change", &Weights::shape,
            [](Writing& w) {

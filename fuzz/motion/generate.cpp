@@ -145,6 +145,7 @@ Script generate(const Profile& profile, std::uint32_t seed, Counters& counters) 
         for (std::uint32_t i = 0; i < count; ++i) make_change(writing);
         writing.make(Update{});
     }
+    for (const Call& call : writing.script) ++counters[std::string("calls: ") + name_of(call)];
     return std::move(writing.script);
 }
 

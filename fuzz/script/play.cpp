@@ -37,7 +37,7 @@ class Player {
     void check_fresh(const World& world);
     void check_tampering(const World& world);
     void check_replay();
-    void count_queries();
+    void count_work();
     void sing(std::vector<BodyPair>& expected) const;
 
     PlayOptions options_;
@@ -153,7 +153,7 @@ void Player::sing(std::vector<BodyPair>& expected) const {
 }
 
 void Player::finish() {
-    count_queries();
+    count_work();
     check_replay();
 }
 
@@ -171,7 +171,7 @@ void Player::check_replay() {
     ++counters_["checked: trace and replay"];
 }
 
-void Player::count_queries() {
+void Player::count_work() {
     const QueryCounts counts = scene_.worlds[0].world().statistics().queries;
     counters_["stages: triangle tests"] += counts.triangle_tests;
     counters_["stages: filter"] += counts.filter_passes;
@@ -180,6 +180,12 @@ void Player::count_queries() {
     counters_["stages: integers, one limb"] += counts.one_limb;
     counters_["stages: integers, two limbs"] += counts.two_limbs;
     counters_["stages: integers, more limbs"] += counts.many_limbs;
+    // What the broad phases went through, each in the world that it has to itself.
+    const auto of = [&](std::size_t i) { return scene_.worlds[i].world().statistics().broad_phase; };
+    counters_["broad phases: swaps of sweep and prune"] += of(1).swaps;
+    counters_["broad phases: boxes that left their room"] += of(2).escaped;
+    counters_["broad phases: rebuilds"] += of(2).rebuilds;
+    counters_["broad phases: switches of the automatic one"] += of(3).switches;
 }
 
 }  // namespace

@@ -1,9 +1,18 @@
 #include "fuzz/script/script.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace ecods::fuzz {
+
+const char* name_of(const Call& call) {
+    // By their places in the variant.
+    constexpr std::array<const char*, std::variant_size_v<Call>> names = {
+        "create_body",      "destroy_body",  "set_pose", "set_poses", "set_shape", "set_filter",
+        "set_pair_enabled", "set_user_data", "reserve",  "set_test",  "refused",   "update"};
+    return names[call.index()];
+}
 
 void Model::apply(const Call& call) {
     const auto with = [&](Label label, auto act) {

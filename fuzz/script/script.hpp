@@ -81,6 +81,9 @@ using Call = std::variant<Create, Destroy, SetPose, SetPoses, SetShape, SetFilte
                           SetTests, BadCall, Update>;
 using Script = std::vector<Call>;
 
+// As World has it: "set_pose".
+const char* name_of(const Call& call);
+
 // For std::visit.
 template <class... Functions>
 struct Overloaded : Functions... {

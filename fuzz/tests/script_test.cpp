@@ -64,6 +64,7 @@ TEST(Generate, EveryMotionThatHurtsHappens) {
                              "scenes: huge",
                              "scenes: far from the origin",
                              "changes: removal in order of insertion",
+                             "changes: removal of most",
                              "changes: shape change",
                              "changes: refit",
                              "changes: bad input",
