@@ -119,7 +119,8 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     app.add_option("--report", arguments.report, "Folder of the report")->capture_default_str();
     app.add_option("--engines", arguments.options.engines,
-                   "Engines whose name contains one of these (default: all), in the suites narrow, broad and system");
+                   "Engines of these names, or where none has the name, those whose name contains it (default: all); "
+                   "in the suites narrow, broad, system and memory");
     app.add_option("--sizes", arguments.options.sizes,
                    "Numbers of boxes (suite broad) and ships (suite system) to run, of those that the suite has");
     app.add_option("--json", arguments.json, "Also write all tables to this file");

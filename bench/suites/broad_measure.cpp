@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <limits>
+#include <memory>
 
 #include "harness/contained.hpp"
 #include "harness/stopwatch.hpp"
@@ -20,41 +22,101 @@ std::size_t count_difference(const std::vector<ProxyPair>& from, const std::vect
     return difference.size();
 }
 
-// Frames that are not timed: trees that are improved little by little, and lists that are kept, are not new any more.
-std::size_t warm_up_count(const scenes::MovingBoxes& boxes) {
-    return boxes.frames.size() / 3;
-}
-
-// Values of a turn: nanoseconds of the timed frames, missed, invented.
-Contained::Run start_frames(const BroadMaker& maker, const scenes::MovingBoxes& boxes, const BroadTruth& truth) {
-    return [&maker, &boxes, &truth, is_first = true]() mutable -> std::vector<double> {
-        std::unique_ptr<BroadEngine> engine = maker.set_up(boxes);
-        engine->run_frame({});
-        double ns = 0;
-        std::size_t missed = 0, invented = 0;
-        auto expected = truth.frames.begin();
-        for (std::size_t frame = 0; frame < boxes.frames.size(); ++frame) {
-            const Stopwatch watch;
-            engine->run_frame(boxes.frames[frame]);
-            if (frame >= warm_up_count(boxes)) ns += watch.nanoseconds();
-            if (!is_first || expected == truth.frames.end() || expected->first != frame) continue;
-            std::vector<ProxyPair> pairs(engine->pairs().begin(), engine->pairs().end());
-            std::sort(pairs.begin(), pairs.end());
-            missed += count_difference(expected->second, pairs);
-            invented += count_difference(pairs, expected->second);
-            ++expected;
-        }
-        is_first = false;
-        return {ns, static_cast<double>(missed), static_cast<double>(invented)};
-    };
-}
-
 std::vector<ProxyPair> exact_pairs(std::span<const Aabb> boxes) {
     if (boxes.size() > 10000) return overlapping_pairs_by_cgal(boxes);
     std::vector<ProxyPair> pairs;
     for (const auto& [a, b] : oracle::overlapping_boxes(boxes))
         pairs.push_back({static_cast<ProxyIndex>(a), static_cast<ProxyIndex>(b)});
     return pairs;
+}
+
+// Trees that are improved little by little, and lists that are kept, are not new any more when times are taken.
+struct Plan {
+    std::size_t untimed_count = 0;
+    std::size_t frame_count = 0;
+    double ns_max = std::numeric_limits<double>::infinity();
+};
+
+// A turn over the frames of one workload.
+class Turn {
+  public:
+    Turn(const BroadMaker& maker, const scenes::MovingBoxes& boxes, const Plan& plan)
+        : boxes_(boxes), plan_(plan), engine_(maker.set_up(boxes)) {
+        engine_->run_frame({});
+    }
+
+    // Runs the next frame; false when it was the last.
+    bool run_frame() {
+        const bool is_timed = frame_ >= plan_.untimed_count || ns_ > plan_.ns_max / 3;
+        const Stopwatch watch;
+        engine_->run_frame(boxes_.frames[frame_]);
+        const double ns = watch.nanoseconds();
+        ns_ += ns;
+        if (is_timed) {
+            ++timed_count_;
+            timed_ns_ += ns;
+        }
+        ++frame_;
+        return frame_ < plan_.frame_count && !ends_early();
+    }
+
+    std::size_t frame() const { return frame_ - 1; }  // that was run last
+    bool ends_early() const { return ns_ > plan_.ns_max && timed_count_ >= 3 && frame_ < plan_.frame_count; }
+    Plan same_again() const { return {.untimed_count = frame_ - timed_count_, .frame_count = frame_}; }
+    double nanoseconds_a_frame() const { return timed_ns_ / static_cast<double>(timed_count_); }
+    std::size_t timed_count() const { return timed_count_; }
+
+    std::vector<ProxyPair> pairs() const {
+        std::vector<ProxyPair> pairs(engine_->pairs().begin(), engine_->pairs().end());
+        std::sort(pairs.begin(), pairs.end());
+        return pairs;
+    }
+
+  private:
+    const scenes::MovingBoxes& boxes_;
+    Plan plan_;
+    std::unique_ptr<BroadEngine> engine_;
+    std::size_t frame_ = 0;
+    std::size_t timed_count_ = 0;
+    double ns_ = 0;
+    double timed_ns_ = 0;
+};
+
+std::vector<Aabb> boxes_after(const scenes::MovingBoxes& boxes, std::size_t frame) {
+    std::vector<Aabb> now = boxes.boxes;
+    for (std::size_t f = 0; f <= frame; ++f)
+        for (const scenes::BoxMove& move : boxes.frames[f]) now[move.index] = move.box;
+    return now;
+}
+
+// Values of a turn: nanoseconds of a frame, timed frames, whether it ended early, missed, invented.
+Contained::Run start_frames(const BroadMaker& maker, const scenes::MovingBoxes& boxes, const BroadTruth& truth,
+                            double seconds) {
+    const Plan first{boxes.frames.size() / 3, boxes.frames.size(), seconds * 1e9};
+    return [&maker, &boxes, &truth, plan = first, is_first = true]() mutable -> std::vector<double> {
+        Turn turn(maker, boxes, plan);
+        std::size_t missed = 0, invented = 0;
+        const auto check = [&](const std::vector<ProxyPair>& expected) {
+            const std::vector<ProxyPair> pairs = turn.pairs();
+            missed += count_difference(expected, pairs);
+            invented += count_difference(pairs, expected);
+        };
+        auto expected = truth.frames.begin();
+        for (bool goes_on = true; goes_on;) {
+            goes_on = turn.run_frame();
+            if (!is_first || expected == truth.frames.end()) continue;
+            if (expected->first == turn.frame()) {
+                check(expected->second);
+                ++expected;
+            } else if (!goes_on) {
+                check(exact_pairs(boxes_after(boxes, turn.frame())));
+            }
+        }
+        is_first = false;
+        plan = turn.same_again();
+        return {turn.nanoseconds_a_frame(), static_cast<double>(turn.timed_count()), turn.ends_early() ? 1.0 : 0.0,
+                static_cast<double>(missed), static_cast<double>(invented)};
+    };
 }
 
 }  // namespace
@@ -74,26 +136,29 @@ BroadTruth find_pairs(const scenes::MovingBoxes& boxes) {
 }
 
 std::vector<BroadRun> measure_broad(const scenes::MovingBoxes& boxes, const BroadTruth& truth,
-                                    std::span<const BroadMaker> makers, std::size_t repetition_count) {
+                                    std::span<const BroadMaker> makers, const BroadEffort& effort) {
     std::vector<Contained> children;
     children.reserve(makers.size());
     std::vector<BroadRun> runs(makers.size());
     for (std::size_t i = 0; i < makers.size(); ++i) {
         runs[i].name = makers[i].name;
         runs[i].is_ecods = makers[i].is_ecods;
-        children.emplace_back([&, i] { return start_frames(makers[i], boxes, truth); }, turn_limit);
+        const double seconds = makers[i].name == broad_yardstick ? 3 * effort.turn_seconds : effort.turn_seconds;
+        children.emplace_back([&, i, seconds] { return start_frames(makers[i], boxes, truth, seconds); }, turn_limit);
     }
-    const auto steps = static_cast<double>(boxes.boxes.size() * (boxes.frames.size() - warm_up_count(boxes)));
-    for (std::size_t repetition = 0; repetition < repetition_count; ++repetition) {
+    std::vector<bool> is_done(makers.size(), false);
+    for (std::size_t repetition = 0; repetition < effort.repetition_count; ++repetition) {
         for (std::size_t i = 0; i < makers.size(); ++i) {
+            if (is_done[i]) continue;
             const Outcome outcome = children[i].run();
             runs[i].failure = outcome.failure;
+            is_done[i] = !outcome.is_right() || (outcome.values[2] != 0 && makers[i].name != broad_yardstick);
             if (!outcome.is_right()) continue;
-            runs[i].ns.push_back(outcome.values[0] / steps);
-            if (repetition == 0) {
-                runs[i].missed = static_cast<std::size_t>(outcome.values[1]);
-                runs[i].invented = static_cast<std::size_t>(outcome.values[2]);
-            }
+            runs[i].ns.push_back(outcome.values[0] / static_cast<double>(boxes.boxes.size()));
+            runs[i].timed_count = static_cast<std::size_t>(outcome.values[1]);
+            if (repetition > 0) continue;
+            runs[i].missed = static_cast<std::size_t>(outcome.values[3]);
+            runs[i].invented = static_cast<std::size_t>(outcome.values[4]);
         }
     }
     return runs;

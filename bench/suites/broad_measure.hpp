@@ -14,10 +14,11 @@ namespace ecods::bench {
 struct BroadRun {
     std::string name;
     bool is_ecods = false;
-    std::vector<double> ns;    // per box and frame, the mean over the timed frames; one for each repetition
-    std::size_t missed = 0;    // pairs, over the frames that are checked
-    std::size_t invented = 0;  // pairs, one reported twice among them
-    std::string failure;       // when it crashed, hung or threw
+    std::vector<double> ns;       // per box and frame, the mean over the timed frames; one for each repetition
+    std::size_t timed_count = 0;  // frames of each repetition
+    std::size_t missed = 0;       // pairs, over the frames that are checked
+    std::size_t invented = 0;     // pairs, one reported twice among them
+    std::string failure;          // when it crashed, hung or threw
 };
 
 // The exact pairs of some frames: of the first, the middle and the last. Up to 10,000 boxes by comparing all of them,
@@ -28,9 +29,17 @@ struct BroadTruth {
 };
 BroadTruth find_pairs(const scenes::MovingBoxes& boxes);
 
+struct BroadEffort {
+    std::size_t repetition_count = 1;
+    double turn_seconds = 2;  // of processor time
+};
+
 // Engines take turns, each in a process of its own. A turn sets the engine up with the boxes at rest, runs a frame in
 // which nothing moves and the first third of the frames, and times the others; the first turn compares the pairs, too.
+// An engine that needs longer for its first turn than it may runs fewer frames, of which it still times the last two
+// thirds by time and at least three, and has one turn only; its pairs are compared in the last frame that it runs, too.
+// The yardstick may take three times as long, and has all its turns, over the frames of its first.
 std::vector<BroadRun> measure_broad(const scenes::MovingBoxes& boxes, const BroadTruth& truth,
-                                    std::span<const BroadMaker> makers, std::size_t repetition_count);
+                                    std::span<const BroadMaker> makers, const BroadEffort& effort);
 
 }  // namespace ecods::bench

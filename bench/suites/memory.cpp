@@ -45,8 +45,9 @@ Table triangle_table(const SuiteOptions& options) {
         build_workloads(options.is_quick() ? scenes::WorkloadSize::tiny : scenes::WorkloadSize::full);
     for (const scenes::NamedMesh& mesh : meshes)
         table.header.push_back(fmt::format("{} ({})", mesh.name, mesh.mesh->triangles().size()));
-    for (const NarrowMaker& maker : narrow_engines()) {
-        if (!options.wants(maker.name)) continue;
+    std::vector<NarrowMaker> makers = narrow_engines();
+    options.keep_wanted(makers);
+    for (const NarrowMaker& maker : makers) {
         std::vector<std::string> row = {maker.name};
         for (const scenes::NamedMesh& mesh : meshes) {
             const Outcome outcome =
@@ -69,8 +70,9 @@ Table box_table(const SuiteOptions& options) {
     const scenes::MovingBoxes dense = scenes::moving_boxes({.count = count, .frame_count = 3});
     const scenes::MovingBoxes sparse =
         scenes::moving_boxes({.layout = scenes::BoxLayout::sparse, .count = count, .frame_count = 3});
-    for (const BroadMaker& maker : broad_engines()) {
-        if (!options.wants(maker.name)) continue;
+    std::vector<BroadMaker> makers = broad_engines();
+    options.keep_wanted(makers);
+    for (const BroadMaker& maker : makers) {
         std::vector<std::string> row = {maker.name};
         for (const scenes::MovingBoxes* boxes : {&dense, &sparse}) {
             const Outcome outcome = allocated_by([&]() -> std::shared_ptr<void> {
@@ -92,8 +94,9 @@ Table body_table(const SuiteOptions& options) {
     const std::size_t few = options.is_quick() ? 32 : 512, many = 2 * few;
     table.title = "Heap bytes per body: ships at the calibrated density, after some frames";
     table.header = {"engine", "bytes/body", fmt::format("{} ships", few), fmt::format("{} ships", many)};
-    for (const EngineMaker& maker : all_engines()) {
-        if (!options.wants(maker.name)) continue;
+    std::vector<EngineMaker> makers = all_engines();
+    options.keep_wanted(makers);
+    for (const EngineMaker& maker : makers) {
         std::vector<double> bytes;
         std::string failure;
         for (const std::size_t ships : {few, many}) {

@@ -195,7 +195,7 @@ Table use_table(std::span<const NarrowMaker> makers) {
 
 SuiteResult run_narrow(const SuiteOptions& options) {
     std::vector<NarrowMaker> makers = narrow_engines();
-    std::erase_if(makers, [&](const NarrowMaker& maker) { return !options.wants(maker.name); });
+    options.keep_wanted(makers);
     const std::size_t repetition_count = options.repetition_count;
     SuiteResult result;
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "report/page.hpp"
@@ -17,17 +16,26 @@ struct SuiteOptions {
     std::size_t repetition_count = 3;  // times are medians over these
     bool has_pictures = true;
     bool is_long = false;              // largest sizes, too
-    std::vector<std::string> engines;  // engines whose name contains one of these; all when empty
+    std::vector<std::string> engines;  // see keep_wanted(); all when empty
     std::vector<std::size_t> sizes;    // numbers of boxes or bodies, where a suite has a choice; its own when empty
     std::filesystem::path folder;      // for pictures and what they are made from; exists
 
     // To see that all of it works: little data, once, no pictures.
     bool is_quick() const { return !has_pictures; }
 
-    bool wants(std::string_view engine) const {
-        return engines.empty() || std::any_of(engines.begin(), engines.end(), [&](const std::string& part) {
-                   return engine.find(part) != std::string_view::npos;
-               });
+    // Leaves the engines that are asked for: of each text in `engines` those that are named so; if none is, those whose
+    // name contains it.
+    template <class Maker>
+    void keep_wanted(std::vector<Maker>& makers) const {
+        if (engines.empty()) return;
+        const std::vector<Maker> all = makers;
+        std::erase_if(makers, [&](const Maker& maker) {
+            return std::none_of(engines.begin(), engines.end(), [&](const std::string& text) {
+                const bool is_a_name =
+                    std::any_of(all.begin(), all.end(), [&](const Maker& other) { return other.name == text; });
+                return is_a_name ? maker.name == text : maker.name.find(text) != std::string::npos;
+            });
+        });
     }
     bool wants(std::size_t size) const {
         return sizes.empty() || std::find(sizes.begin(), sizes.end(), size) != sizes.end();
