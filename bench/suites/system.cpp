@@ -33,11 +33,11 @@ std::vector<std::size_t> ship_counts(const Experiment& experiment, const SuiteOp
     return counts;
 }
 
-// Fewer frames of more ships, in which as much happens.
+// Fewer frames of more ships, in which as much happens; at least 20, so that what is done once in some frames is met.
 std::size_t frame_count(std::size_t ships, const SuiteOptions& options) {
     if (options.is_quick()) return 3;
-    return std::clamp<std::size_t>((options.is_long ? 16'000 : 6'400) / ships, 6,
-                                   std::max<std::size_t>(6, options.frame_count));
+    return std::clamp<std::size_t>((options.is_long ? 40'000 : 6'400) / ships,
+                                   std::min<std::size_t>(20, options.frame_count), options.frame_count);
 }
 
 std::size_t judged_count(std::size_t ships, const SuiteOptions& options) {
