@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "report/csv.hpp"
 #include "report/environment.hpp"
 #include "report/instruction_set.hpp"
 #include "report/json.hpp"
@@ -25,7 +26,9 @@ struct Arguments {
     SuiteOptions options;
     std::vector<std::string> suites;
     std::filesystem::path report = "build/report";
-    std::filesystem::path json;  // empty: none
+    std::filesystem::path json;  // these three: none when empty
+    std::filesystem::path csv;
+    std::filesystem::path results;
     std::string instruction_set = "native";
     bool is_quick = false;
 };
@@ -92,6 +95,8 @@ bool run(const Arguments& arguments, const std::string& command) {
     page.environment.rows.push_back({"whole run", fmt::format("{:.0f} s", seconds.count())});
     fmt::print("{}\n", verdict);
     if (!arguments.json.empty()) write_json(page, arguments.json);
+    if (!arguments.csv.empty()) write_csv(page, arguments.csv);
+    if (!arguments.results.empty()) write_csv(page, arguments.results / results_name(page));
     if (!arguments.is_quick) {
         const std::filesystem::path file = arguments.report / "index.html";
         write_page(page, file);
@@ -124,6 +129,9 @@ int main(int argc, char** argv) {
     app.add_option("--sizes", arguments.options.sizes,
                    "Numbers of boxes (suite broad) and ships (suite system) to run, of those that the suite has");
     app.add_option("--json", arguments.json, "Also write all tables to this file");
+    app.add_option("--csv", arguments.csv, "Also write all figures to this file, one in a line");
+    app.add_option("--results", arguments.results,
+                   "As --csv, into this folder, to a file named after the processor and the day");
     app.add_option("--instruction-set", arguments.instruction_set,
                    "Hide what lies beyond it from the C library and from all that asks it which version to run")
         ->check(CLI::IsMember({"native", "avx2", "baseline"}))

@@ -41,7 +41,9 @@ std::string commit() {
     const ProgramResult head = run_program({"git", "-C", ECODS_BENCH_SOURCE, "rev-parse", "--short=12", "HEAD"});
     if (head.status != 0) return "unknown";
     std::string text = head.output.substr(0, head.output.find('\n'));
-    const ProgramResult changes = run_program({"git", "-C", ECODS_BENCH_SOURCE, "status", "--porcelain"});
+    // Files of results change nothing that is measured.
+    const ProgramResult changes = run_program(
+        {"git", "-C", ECODS_BENCH_SOURCE, "status", "--porcelain", "--", ":/", ":(exclude,top)bench/results"});
     if (changes.status != 0 || !changes.output.empty()) text += ", with changes that are not committed";
     return text;
 }

@@ -1,0 +1,53 @@
+#include "report/csv.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace ecods::bench {
+namespace {
+
+Page page() {
+    Page page;
+    page.environment.rows = {{"command", "ecods_bench --csv x"},
+                             {"date", "2026-02-03 04:05 UTC"},
+                             {"processor", "Some(R) CPU @ 2.0GHz, 2 threads"}};
+    Table table;
+    table.title = "Boxes, \"dense\"";
+    table.text_columns = 2;
+    table.header = {"boxes", "engine", "ns", "errors"};
+    table.rows = {{"dense 1k", "A", "1.5", "0"}, {"dense 1k", "B", "", "3"}};
+    Table words;
+    words.text_columns = 2;
+    words.header = {"engine", "use"};
+    words.rows = {{"A", "so"}};
+    page.sections.push_back({"Boxes only", {}, {table, words}, {}});
+    return page;
+}
+
+TEST(Csv, ListsEveryNumberWithItsLabels) {
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "ecods_csv_test" / "out.csv";
+    write_csv(page(), file);
+    std::ifstream in(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    EXPECT_EQ(text,
+              "# command: ecods_bench --csv x; date: 2026-02-03 04:05 UTC; processor: Some(R) CPU @ 2.0GHz, 2 "
+              "threads;\n"
+              "section,table,row,column,value\n"
+              "Boxes only,\"Boxes, \"\"dense\"\"\",dense 1k | A,ns,1.5\n"
+              "Boxes only,\"Boxes, \"\"dense\"\"\",dense 1k | A,errors,0\n"
+              "Boxes only,\"Boxes, \"\"dense\"\"\",dense 1k | B,errors,3\n");
+    std::filesystem::remove_all(file.parent_path());
+}
+
+TEST(Csv, FilesAreNamedAfterMachineAndDay) {
+    EXPECT_EQ(results_name(page()), "Some-R-CPU-2-0GHz-2026-02-03.csv");
+}
+
+TEST(Csv, AFileThatCannotBeWrittenIsAnError) {
+    EXPECT_THROW(write_csv(page(), "/proc/none.csv"), std::exception);
+}
+
+}  // namespace
+}  // namespace ecods::bench
