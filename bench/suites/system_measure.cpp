@@ -14,6 +14,7 @@ namespace {
 
 using Hits = std::vector<IndexPair>;
 constexpr std::chrono::seconds turn_limit{300};
+constexpr double warm_up_ns = 20e6;
 
 std::size_t count_difference(const Hits& from, const Hits& what) {
     Hits difference;
@@ -21,9 +22,22 @@ std::size_t count_difference(const Hits& from, const Hits& what) {
     return difference.size();
 }
 
+// Some frames first, untimed: a core that another engine had takes milliseconds to be as quick as it is from then on,
+// and all frames of a quick engine are over in as many.
+void warm_up(const EngineMaker& maker, const scenes::Scene& scene) {
+    const std::unique_ptr<Engine> engine = maker.set_up(scene);
+    engine->run_frame({});
+    const Stopwatch watch;
+    for (const scenes::Frame& frame : scene.frames) {
+        if (watch.nanoseconds() > warm_up_ns) break;
+        engine->run_frame(frame.moves);
+    }
+}
+
 // Values of a turn: milliseconds of all frames after the first, calls, missed, invented.
 Contained::Run start_frames(const EngineMaker& maker, const scenes::Scene& scene, const SystemTruth& truth) {
     return [&, is_first = true]() mutable -> std::vector<double> {
+        warm_up(maker, scene);
         const std::unique_ptr<Engine> engine = maker.set_up(scene);
         double ms = 0, calls = 0;
         std::size_t missed = 0, invented = 0;
