@@ -91,5 +91,19 @@ TEST(Outline, IsInfiniteWhereItsBoundIs) {
     EXPECT_EQ(Outline(*sphere, frame).box(pose).max[0], std::numeric_limits<double>::infinity());
 }
 
+// Vertices that no triangle uses do not belong to the mesh.
+TEST(Outline, IsOfTheVerticesInUse) {
+    const auto ship = scenes::ship();
+    std::vector<Vec3> vertices(ship->vertices().begin(), ship->vertices().end());
+    vertices.emplace_back(100, -200, 300);
+    const auto more = Mesh::create(std::move(vertices), {ship->triangles().begin(), ship->triangles().end()});
+    scenes::Random random(19);
+    Pose pose;
+    pose.R = random.rotation().toRotationMatrix();
+    pose.t = Vec3(1, 2, 3);
+    const TreeFrame frame = fit_frame(*ship), frame_of_more = fit_frame(*more);
+    EXPECT_EQ(Outline(*more, frame_of_more).box(pose), Outline(*ship, frame).box(pose));
+}
+
 }  // namespace
 }  // namespace ecods

@@ -266,5 +266,63 @@ TEST(Trace, AnUpdateThatThrewSaysSo) {
     EXPECT_EQ(out.str().substr(lines_end + 1, 7), "update ");
 }
 
+// Numbers of shapes that are gone are forgotten, and no number is given twice.
+TEST(Trace, OfManyShapesThatComeAndGo) {
+    std::ostringstream out;
+    World world;
+    world.trace_to(out);
+    const BodyId stays = world.create_body(triangle, at(0));
+    for (int i = 0; i < 400; ++i) {
+        const double size = 1 + i;
+        const auto mesh = Mesh::create({{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}});
+        const BodyId comes = world.create_body(mesh, at(i % 7));
+        if (i % 10 == 0) world.set_shape(stays, i % 20 == 0 ? mesh : triangle);
+        world.update();
+        world.destroy_body(comes);
+    }
+    world.update();
+    world.end_trace();
+    const ReplayReport report = replay_text(out.str());
+    EXPECT_FALSE(report.difference) << report.difference->what;
+    EXPECT_EQ(report.update_count, 401u);
+}
+
+// A test cannot be written; that it was set stands there.
+TEST(Trace, NotesThatATestWasSet) {
+    class Never final : public TwoBodyTest {
+        bool intersects(const PosedShape&, const PosedShape&, QueryMemory&) const override { return false; }
+        Relation relation(const PosedShape&, const PosedShape&, QueryMemory&) const override {
+            return Relation::disjoint;
+        }
+    };
+    std::ostringstream out;
+    World world;
+    world.trace_to(out);
+    world.set_test(ShapeKind{1}, ShapeKind{2}, std::make_shared<Never>());
+    world.end_trace();
+    EXPECT_NE(out.str().find("\nnote "), std::string::npos);
+    EXPECT_EQ(replay_text(out.str()).update_count, 0u);
+}
+
+// A trace goes on when its world is moved.
+TEST(Trace, GoesWithItsWorld) {
+    std::ostringstream out;
+    World first;
+    first.trace_to(out);
+    const BodyId a = first.create_body(triangle, at(0));
+    World second = std::move(first);
+    second.create_body(triangle, at(0.5));
+    second.update();
+    World third;
+    third = std::move(second);
+    third.set_pose(a, at(9));
+    third.update();
+    EXPECT_EQ(third.ended().size(), 1u);
+    third.end_trace();
+    const ReplayReport report = replay_text(out.str());
+    EXPECT_FALSE(report.difference);
+    EXPECT_EQ(report.update_count, 2u);
+}
+
 }  // namespace
 }  // namespace ecods
