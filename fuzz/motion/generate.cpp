@@ -143,7 +143,9 @@ Script generate(const Profile& profile, std::uint32_t seed, Counters& counters) 
         // Every eighth frame rests.
         const std::uint32_t count = random.below(8) == 0 ? 0 : 1 + random.below(profile.changes_max);
         for (std::uint32_t i = 0; i < count; ++i) make_change(writing);
-        writing.make(Update{});
+        // The last is looked at.
+        const bool is_quiet = random.below(5) == 0 && frame + 1 < profile.frames;
+        writing.make(Update{.is_quiet = is_quiet});
     }
     for (const Call& call : writing.script) ++counters[std::string("calls: ") + name_of(call)];
     return std::move(writing.script);

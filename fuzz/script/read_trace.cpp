@@ -36,8 +36,9 @@ class Reader {
     std::map<std::uint64_t, Part> parts_;
     std::map<BodyId, Label> labels_;  // of bodies that are there
     Label next_label_ = 0;
-    bool refits_ = false;  // the next shape is a refit
-    bool fails_ = false;   // of the next update, tests throw
+    bool refits_ = false;    // the next shape is a refit
+    bool fails_ = false;     // of the next update, tests throw
+    bool is_quiet_ = false;  // the next update is
 };
 
 Script Reader::read() {
@@ -96,6 +97,8 @@ void Reader::read_note() {
         refits_ = true;
     } else if (lines_.rest_is("failing")) {
         fails_ = true;
+    } else if (lines_.rest_is("quiet")) {
+        is_quiet_ = true;
     } else if (lines_.rest_is("tests")) {
         script_.emplace_back(SetTests{});
     } else if (!lines_.at_end()) {
@@ -113,7 +116,7 @@ void Reader::read_note() {
 // An update that failed because tests threw is a part of the one that follows; of any other, and of a crash, what it
 // should have given is not known.
 void Reader::read_update() {
-    Update update{.fails = fails_};
+    Update update{.fails = fails_, .is_quiet = is_quiet_};
     if (lines_.rest_is("failed")) {
         if (!fails_) script_.emplace_back(update);
         return;
@@ -123,7 +126,7 @@ void Reader::read_update() {
         lines_.decimal("a number of pairs", max_64);
         lines_.require_end();
     }
-    fails_ = false;
+    fails_ = is_quiet_ = false;
     script_.emplace_back(update);
 }
 

@@ -74,6 +74,7 @@ struct BadCall {
 
 struct Update {
     bool fails = false;                        // tests of user-defined shapes throw
+    bool is_quiet = false;                     // nobody reads the lists, which is a check left out
     std::optional<std::uint64_t> digest = {};  // as a trace has it
 };
 

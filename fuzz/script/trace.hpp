@@ -1,7 +1,7 @@
 // Scripts as traces of a world (ecods/trace.hpp), both ways.
 //
 // What a trace does not hold stands in notes, which ecods_replay passes over: that a shape was a refit, room that was
-// reserved, calls that must be refused, tests that are registered again or throw.
+// reserved, calls that must be refused, tests that are registered again or throw, updates after which nobody looks.
 #pragma once
 
 #include <istream>

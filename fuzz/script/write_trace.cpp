@@ -19,7 +19,9 @@ void tell(ToldWorld& told, const Call& call, std::ostream& out) {
     if (const auto* shape = std::get_if<SetShape>(&call); shape != nullptr && shape->refits) out << "note refit\n";
     if (const auto* reserve = std::get_if<Reserve>(&call)) fmt::print(out, "note reserve {}\n", reserve->count);
     if (std::holds_alternative<SetTests>(call)) out << "note tests\n";
-    if (const auto* update = std::get_if<Update>(&call); update != nullptr && update->fails) {
+    const auto* update = std::get_if<Update>(&call);
+    if (update != nullptr && update->is_quiet) out << "note quiet\n";
+    if (update != nullptr && update->fails) {
         out << "note failing\n";
         told.tests().fail(true);
         try {

@@ -166,8 +166,9 @@ void Shrinker::simplify_calls() {
         if (auto* shape = std::get_if<SetShape>(&candidate[i]); shape != nullptr && shape->refits) {
             shape->refits = false;
             accept(candidate);
-        } else if (auto* update = std::get_if<Update>(&candidate[i]); update != nullptr && update->fails) {
-            update->fails = false;
+        } else if (auto* update = std::get_if<Update>(&candidate[i]);
+                   update != nullptr && (update->fails || update->is_quiet)) {
+            update->fails = update->is_quiet = false;
             accept(candidate);
         } else if (auto* create = std::get_if<Create>(&candidate[i]);
                    create != nullptr && create->part.kind != ShapeKind::mesh()) {
