@@ -1,5 +1,6 @@
 // ecods_bench: runs ECoDS and its peers on the same bits, checks every answer of ECoDS with the oracle, and writes a
-// report. Exit status: 0 when ECoDS was right throughout, 1 when it was not, 2 for an error.
+// report. Exit status: 0 when ECoDS was right throughout, 1 when it was not, 2 for an error; with --compare: 1 when
+// answers or counts of work differ.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -16,6 +17,8 @@
 #include "report/instruction_set.hpp"
 #include "report/json.hpp"
 #include "report/page.hpp"
+#include "suites/compare_builds.hpp"
+#include "suites/comparison.hpp"
 #include "suites/suite.hpp"
 
 namespace {
@@ -30,6 +33,8 @@ struct Arguments {
     std::filesystem::path csv;
     std::filesystem::path results;
     std::string instruction_set = "native";
+    std::vector<std::string> builds;  // two to be compared, or none
+    bool is_own = false;
     bool is_quick = false;
 };
 
@@ -105,6 +110,15 @@ bool run(const Arguments& arguments, const std::string& command) {
     return is_right;
 }
 
+bool compare(const Arguments& arguments) {
+    const BuildComparison result = compare_builds(arguments.builds.at(0), arguments.builds.at(1),
+                                                  arguments.options.repetition_count, arguments.is_quick);
+    print(result.table);
+    fmt::print("{}\n", result.is_same ? "Answers and counts of work are equal."
+                                      : "ANSWERS OR COUNTS OF WORK DIFFER: see the table.");
+    return result.is_same;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -119,9 +133,10 @@ int main(int argc, char** argv) {
     app.add_option("--frames", arguments.options.frame_count, "Frames of each room")
         ->check(CLI::Range(2, 100000))
         ->capture_default_str();
-    app.add_option("--repetitions", arguments.options.repetition_count, "Runs of each engine")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
+    const CLI::Option* repetitions = app.add_option("--repetitions", arguments.options.repetition_count,
+                                                    "Runs of each engine (with --compare: 9 unless given)")
+                                         ->check(CLI::Range(1, 1000))
+                                         ->capture_default_str();
     app.add_option("--report", arguments.report, "Folder of the report")->capture_default_str();
     app.add_option("--engines", arguments.options.engines,
                    "Engines of these names, or where none has the name, those whose name contains it (default: all); "
@@ -136,11 +151,19 @@ int main(int argc, char** argv) {
                    "Hide what lies beyond it from the C library and from all that asks it which version to run")
         ->check(CLI::IsMember({"native", "avx2", "baseline"}))
         ->capture_default_str();
+    app.add_option("--compare", arguments.builds,
+                   "Instead of all that: two builds of this program, OLD and NEW, in turns on small workloads, ECoDS "
+                   "alone. Answers and counts of work are compared exactly, and the exit status is 1 when any "
+                   "differ, better or worse; times by their ratios, which never enter the status")
+        ->expected(2)
+        ->check(CLI::ExistingFile);
+    app.add_flag("--own", arguments.is_own, "What --compare starts the two builds with: one line out for each line in");
     app.add_flag("--long", arguments.options.is_long,
                  "The largest sizes, more frames, and a mesh of ten million triangles");
     app.add_flag("--quick", arguments.is_quick, "A few frames, once, without report: to see that all of it works");
     CLI11_PARSE(app, argc, argv);
 
+    if (!arguments.builds.empty() && repetitions->count() == 0) arguments.options.repetition_count = 9;
     if (arguments.is_quick) {
         arguments.options.frame_count = std::min<std::size_t>(arguments.options.frame_count, 6);
         arguments.options.repetition_count = 1;
@@ -151,6 +174,11 @@ int main(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
     try {
         start_again_with(arguments.instruction_set, argv);
+        if (arguments.is_own) {
+            serve_own_work(arguments.is_quick);
+            return 0;
+        }
+        if (!arguments.builds.empty()) return compare(arguments) ? 0 : 1;
         return run(arguments, command) ? 0 : 1;
     } catch (const std::exception& error) {
         fmt::print(stderr, "ecods_bench: {}\n", error.what());

@@ -1,0 +1,212 @@
+#include "suites/own_work.hpp"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <deque>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ecods/two_body.hpp"
+#include "engines/broad_phase_kinds.hpp"
+#include "engines/engine.hpp"
+#include "harness/contained.hpp"
+#include "harness/stopwatch.hpp"
+#include "scenes/fitted_parts.hpp"
+#include "scenes/moving_boxes.hpp"
+#include "scenes/narrow_workloads.hpp"
+#include "scenes/room.hpp"
+#include "scenes/shapes.hpp"
+#include "scenes/ship.hpp"
+
+namespace ecods::bench {
+
+namespace {
+
+// FNV-1a, 64 bits.
+class Hash {
+  public:
+    void add(std::uint64_t value) {
+        for (int i = 0; i < 8; ++i) {
+            state_ = (state_ ^ (value & 255)) * 1099511628211u;
+            value >>= 8;
+        }
+    }
+    std::string text() const { return fmt::format("{:016x}", state_); }
+
+  private:
+    std::uint64_t state_ = 14695981039346656037u;
+};
+
+using Turn = std::function<OwnSample()>;
+
+struct OwnWorkload {
+    std::string name;
+    std::function<Turn()> set_up;  // at the first turn
+};
+
+void add_counts(std::map<std::string, std::uint64_t>& counts, const QueryCounts& of) {
+    counts["witness hits"] = of.witness_hits;
+    counts["node tests"] = of.box_tests;
+    counts["triangle pairs"] = of.triangle_tests;
+    counts["filter"] = of.filter_passes;
+    counts["semi-static"] = of.semi_static_passes;
+    counts["local"] = of.local_passes;
+    counts["one limb"] = of.one_limb;
+    counts["two limbs"] = of.two_limbs;
+    counts["many limbs"] = of.many_limbs;
+}
+
+void add_counts(std::map<std::string, std::uint64_t>& counts, const BroadPhaseCounts& of) {
+    counts["box tests"] = of.box_tests;
+    counts["swaps"] = of.swaps;
+    counts["candidates filtered"] = of.candidates_filtered;
+    counts["escaped"] = of.escaped;
+    counts["rebuilds"] = of.rebuilds;
+    counts["switches"] = of.switches;
+}
+
+// All queries with their work counted, then timed passes, for long enough to be told from noise.
+Turn start_queries(scenes::MeshPairs pairs) {
+    auto workload = std::make_shared<scenes::MeshPairs>(std::move(pairs));
+    auto shapes = std::make_shared<std::deque<MeshShape>>();
+    for (const scenes::NamedMesh& named : workload->meshes) shapes->emplace_back(named.mesh);
+    auto memory = std::make_shared<QueryMemory>();
+    return [workload, shapes, memory] {
+        const auto ask = [&](const scenes::MeshQuery& query) {
+            return intersects({(*shapes)[query.a.mesh_index], query.a.pose},
+                              {(*shapes)[query.b.mesh_index], query.b.pose}, *memory);
+        };
+        OwnSample sample;
+        Hash hash;
+        memory->reset_counts();
+        for (const scenes::MeshQuery& query : workload->queries) hash.add(ask(query) ? 1 : 0);
+        add_counts(sample.counts, memory->counts());
+        sample.answers = hash.text();
+        std::size_t passes = 0;
+        double ns = 0;
+        for (const Stopwatch watch; ns < 2e7; ns = watch.nanoseconds(), ++passes)
+            for (const scenes::MeshQuery& query : workload->queries) ask(query);
+        sample.ns = ns / static_cast<double>(passes * workload->queries.size());
+        return sample;
+    };
+}
+
+// All frames from the start; those after the first third are timed.
+Turn start_boxes(const scenes::MovingBoxesOptions& options, BroadPhaseKind kind) {
+    auto boxes = std::make_shared<scenes::MovingBoxes>(scenes::moving_boxes(options));
+    return [boxes, kind] {
+        const std::unique_ptr<BroadPhase> broad_phase = make_broad_phase(kind);
+        for (std::size_t i = 0; i < boxes->boxes.size(); ++i)
+            broad_phase->add(static_cast<ProxyIndex>(i), boxes->boxes[i]);
+        broad_phase->update();
+        OwnSample sample;
+        Hash hash;
+        const std::size_t untimed = boxes->frames.size() / 3;
+        for (std::size_t frame = 0; frame < boxes->frames.size(); ++frame) {
+            const Stopwatch watch;
+            for (const scenes::BoxMove& move : boxes->frames[frame]) broad_phase->move(move.index, move.box);
+            broad_phase->update();
+            const std::span<const ProxyPair> pairs = broad_phase->pairs();
+            if (frame >= untimed) sample.ns += watch.nanoseconds();
+            for (const ProxyPair& pair : pairs) hash.add(std::uint64_t{pair.a} << 32 | pair.b);
+        }
+        sample.ns /= static_cast<double>((boxes->frames.size() - untimed) * boxes->boxes.size());
+        add_counts(sample.counts, broad_phase->counts());
+        sample.answers = hash.text();
+        return sample;
+    };
+}
+
+// The report's room; frames after the first are timed.
+Turn start_room(const scenes::RoomOptions& options) {
+    auto scene = std::make_shared<scenes::Scene>(scenes::room(options));
+    return [scene] {
+        const std::unique_ptr<Engine> engine = set_up_world(*scene, BroadPhaseKind::automatic);
+        OwnSample sample;
+        Hash hash;
+        engine->run_frame({});
+        for (const scenes::Frame& frame : scene->frames) {
+            const Stopwatch watch;
+            engine->run_frame(frame.moves);
+            sample.ns += watch.nanoseconds();
+            for (const IndexPair& hit : engine->hits()) hash.add(std::uint64_t{hit.a} << 32 | hit.b);
+        }
+        sample.ns /= static_cast<double>(scene->frames.size());
+        const Statistics statistics = engine->statistics().value();
+        add_counts(sample.counts, statistics.broad_phase);
+        add_counts(sample.counts, statistics.queries);
+        sample.counts["two-body tests"] = statistics.two_body_tests;
+        sample.counts["cache hits"] = statistics.cache_hits;
+        sample.counts["visited pairs"] = statistics.visited_pairs;
+        sample.answers = hash.text();
+        return sample;
+    };
+}
+
+std::vector<OwnWorkload> own_workloads(bool is_quick) {
+    std::vector<OwnWorkload> list;
+    const std::size_t some = is_quick ? 4 : 100;
+    const auto add_mesh = [&](const std::string& name, const std::shared_ptr<const Mesh>& mesh) {
+        list.push_back({name + ", near", [=] { return start_queries(scenes::near_pairs(name, mesh, some, 1)); }});
+        list.push_back(
+            {name + ", random", [=] { return start_queries(scenes::random_pairs(name, mesh, 2 * some, 2)); }});
+    };
+    add_mesh("ship", scenes::ship());
+    add_mesh("torus 10k", scenes::torus(100, 50, 0.4));
+    list.push_back({"stacked bricks", [=] { return start_queries(scenes::stacked_bricks(some, 3)); }});
+    list.push_back({"splined shafts", [=] { return start_queries(scenes::splined_shafts(is_quick ? 2 : 20, 4)); }});
+
+    using scenes::BoxLayout;
+    using scenes::BoxMotion;
+    const std::size_t large = is_quick ? 2000 : 10'000, frame_count = is_quick ? 3 : 60;
+    const scenes::MovingBoxesOptions scenes_of_boxes[] = {
+        {BoxLayout::dense, BoxMotion::all, 1000, frame_count, 1},
+        {BoxLayout::dense, BoxMotion::all, large, frame_count, 1},
+        {BoxLayout::dense, BoxMotion::tenth, large, frame_count, 1},
+        {BoxLayout::dense, BoxMotion::teleport, large, frame_count, 1},
+        {BoxLayout::decades, BoxMotion::all, large, frame_count, 1}};
+    for (const scenes::MovingBoxesOptions& options : scenes_of_boxes) {
+        // Named by the scene with no frames, which costs little to make.
+        scenes::MovingBoxesOptions still = options;
+        still.frame_count = 0;
+        for (const NamedBroadPhase& named : broad_phase_kinds) {
+            const bool is_too_slow = named.kind == BroadPhaseKind::brute_force ||
+                                     (named.kind == BroadPhaseKind::sweep_and_prune && options.count > 1000 &&
+                                      options.motion == BoxMotion::teleport);
+            if (is_too_slow) continue;
+            list.push_back({scenes::moving_boxes(still).name + ", " + named.name,
+                            [options, kind = named.kind] { return start_boxes(options, kind); }});
+        }
+    }
+    for (const std::size_t ships : {std::size_t{32}, std::size_t{256}}) {
+        list.push_back({fmt::format("{} ships", ships), [ships, is_quick] {
+                            return start_room({.ship_count = ships,
+                                               .frame_count = is_quick ? 3u : 60u,
+                                               .side = scenes::calibrated_side_by_density(ships),
+                                               .seed = 10});
+                        }});
+    }
+    return list;
+}
+
+}  // namespace
+
+void serve_own_work(bool is_quick) {
+    pin_to_one_processor();
+    const std::vector<OwnWorkload> workloads = own_workloads(is_quick);
+    nlohmann::json names = nlohmann::json::array();
+    for (const OwnWorkload& workload : workloads) names.push_back(workload.name);
+    fmt::print("{}\n", names.dump());
+    std::fflush(stdout);
+    std::vector<Turn> turns(workloads.size());
+    for (std::size_t index = 0; std::cin >> index && index < workloads.size();) {
+        if (!turns[index]) turns[index] = workloads[index].set_up();
+        fmt::print("{}\n", to_line(turns[index]()));
+        std::fflush(stdout);
+    }
+}
+
+}  // namespace ecods::bench
