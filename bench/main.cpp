@@ -147,8 +147,10 @@ int main(int argc, char** argv) {
     app.add_option("--csv", arguments.csv, "Also write all figures to this file, one in a line");
     app.add_option("--results", arguments.results,
                    "As --csv, into this folder, to a file named after the processor and the day");
-    app.add_option("--instruction-set", arguments.instruction_set,
-                   "Hide what lies beyond it from the C library and from all that asks it which version to run")
+    app.add_option(
+           "--instruction-set", arguments.instruction_set,
+           "Hide what lies beyond it from the C library (its copying and mathematics) and from what asks it. Not "
+           "from ECoDS nor Embree, which ask the processor: their versions stay what they are")
         ->check(CLI::IsMember({"native", "avx2", "baseline"}))
         ->capture_default_str();
     app.add_option("--compare", arguments.builds,
