@@ -1,0 +1,93 @@
+// Boxes and their trees, one call at a time.
+#include <benchmark/benchmark.h>
+
+#include <vector>
+
+#include "bounds/box_axes.hpp"
+#include "bounds/outline.hpp"
+#include "scenes/random.hpp"
+#include "scenes/shapes.hpp"
+
+namespace {
+
+using namespace ecods;
+
+struct PosedTorus {
+    std::shared_ptr<const Mesh> mesh = scenes::torus(100, 50, 0.4);
+    WideTree tree = build_wide_tree(*mesh, fit_frame(*mesh));
+};
+
+const PosedTorus& posed_torus() {
+    static const PosedTorus made;
+    return made;
+}
+
+std::vector<Pose> poses(std::size_t count) {
+    scenes::Random random(1);
+    std::vector<Pose> list(count);
+    for (Pose& pose : list) {
+        pose.R = random.rotation();
+        pose.t = random.direction();
+    }
+    return list;
+}
+
+// Tori whose root boxes overlap, so that all fifteen axes are tried and both sets are made.
+void box_axes_bind(benchmark::State& state) {
+    const WideTree& tree = posed_torus().tree;
+    const std::vector<Pose> list = poses(256);
+    BoxAxes axes;
+    std::size_t i = 0;
+    for (auto _ : state) {
+        const Pose &a = list[i % list.size()], &b = list[(i + 1) % list.size()];
+        benchmark::DoNotOptimize(axes.bind({tree, a.R}, {tree, b.R}, 0.1 * (b.t - a.t)));
+        ++i;
+    }
+}
+BENCHMARK(box_axes_bind);
+
+// Eight boxes against eight, of any two nodes.
+void near_lanes_of_nodes(benchmark::State& state) {
+    const WideTree& tree = posed_torus().tree;
+    const std::vector<Pose> list = poses(2);
+    BoxAxes axes;
+    benchmark::DoNotOptimize(axes.bind({tree, list[0].R}, {tree, list[1].R}, 0.1 * list[1].t));
+    std::size_t i = 0, j = 0;
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(near_lanes(axes.sets(), tree.nodes[i], tree.nodes[j]));
+        if (++i == tree.nodes.size()) {
+            i = 0;
+            j = (j + 1) % tree.nodes.size();
+        }
+    }
+}
+BENCHMARK(near_lanes_of_nodes);
+
+// Eight triangles against eight.
+void near_lanes_of_leaves(benchmark::State& state) {
+    const WideTree& tree = posed_torus().tree;
+    const std::vector<Pose> list = poses(2);
+    BoxAxes axes;
+    benchmark::DoNotOptimize(axes.bind({tree, list[0].R}, {tree, list[1].R}, 0.1 * list[1].t));
+    std::size_t i = 0, j = 0;
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(near_lanes(axes.sets(), tree.leaves[i], tree.leaves[j]));
+        if (++i == tree.leaves.size()) {
+            i = 0;
+            j = (j + 1) % tree.leaves.size();
+        }
+    }
+}
+BENCHMARK(near_lanes_of_leaves);
+
+// The box of a body at a pose.
+void outline_box(benchmark::State& state) {
+    const PosedTorus& torus = posed_torus();
+    const Outline outline(*torus.mesh, torus.tree.frame);
+    const std::vector<Pose> list = poses(256);
+    std::size_t i = 0;
+    for (auto _ : state) benchmark::DoNotOptimize(outline.box(list[i++ % list.size()]));
+}
+BENCHMARK(outline_box);
+
+}  // namespace
