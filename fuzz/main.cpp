@@ -1,7 +1,12 @@
 // ecods_fuzz: random input, every answer checked. `ecods_fuzz --help` tells the options.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <string>
@@ -72,7 +77,20 @@ int replay(const Options& options) {
     return failed_count == 0 ? exit_held : exit_failed;
 }
 
+// Other engines are asked by a program of its own, which has them linked: all options are for it.
+bool is_for_engines(int argc, char** argv) {
+    return std::any_of(argv + 1, argv + argc, [](std::string_view option) { return option.starts_with("--engine"); });
+}
+int run_engines(char** argv) {
+    std::string program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "engines/ecods_fuzz_engine";
+    argv[0] = program.data();
+    execv(program.c_str(), argv);
+    fmt::print(stderr, "ecods_fuzz: {}: {}\n", program, std::strerror(errno));
+    return exit_unusable;
+}
+
 int run_program(int argc, char** argv) {
+    if (is_for_engines(argc, argv)) return run_engines(argv);
     Options options;
     CampaignOptions& campaign = options.campaign;
     CLI::App app(
@@ -80,7 +98,8 @@ int run_program(int argc, char** argv) {
         "is\n"
         "the same run on every machine. Exit status: 0 if all held; 1 if a check failed, or a run crashed or hung; 2 "
         "if\n"
-        "the command makes no sense.",
+        "the command makes no sense.\n"
+        "--engine NAME has another library answer hard questions: see ecods_fuzz_engine --help.",
         "ecods_fuzz");
     app.add_option("--profile", campaign.profile, "What to fuzz: see --list-profiles")->capture_default_str();
     app.add_flag("--list-profiles", options.lists_profiles, "Print the profiles, and end");
