@@ -11,11 +11,13 @@
 #endif
 #endif
 
+// A build with ECODS_BASELINE_ONLY has the plain versions and no others: what it answers is compared with the rest.
+//
 // Versions differ in width only: nothing is contracted (-ffp-contract=off), so every version gives the same bits.
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(ECODS_BASELINE_ONLY)
 #define ECODS_CAN_DISPATCH 1  // by hand: functions with a target, and __builtin_cpu_supports
 #endif
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(ECODS_IS_SANITIZED)
+#if defined(ECODS_CAN_DISPATCH) && defined(__gnu_linux__) && !defined(ECODS_IS_SANITIZED)
 #define ECODS_FOR_EACH_INSTRUCTION_SET __attribute__((target_clones("default", "avx2", "avx512f")))
 #else
 #define ECODS_FOR_EACH_INSTRUCTION_SET

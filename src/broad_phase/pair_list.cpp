@@ -21,7 +21,7 @@ const ProxyPair* find_from(const ProxyPair* first, const ProxyPair* last, const 
         first += step;
         step *= 2;
     }
-    return std::lower_bound(first, std::min(first + step + 1, last), pair, is_before);
+    return std::lower_bound(first, first + std::min(step + 1, last - first), pair, is_before);
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ void World::Impl::collect_pairs() {
         }
     }
     std::ranges::sort(switched);
-    switched.erase(std::ranges::unique(switched).begin(), switched.end());
+    switched.erase(std::unique(switched.begin(), switched.end()), switched.end());
     statistics.visited_pairs += switched.size();
     for (const ProxyPair pair : switched) {
         const VerdictIndex index = verdicts.find(pair);

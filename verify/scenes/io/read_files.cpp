@@ -1,4 +1,5 @@
-#include <set>
+#include <map>
+#include <string>
 
 #include "scenes/io/extension.hpp"
 #include "scenes/io/gltf_file.hpp"
@@ -21,19 +22,26 @@ Scene read_any_file(const std::filesystem::path& file) {
     throw ReadError(file, "", "unknown kind of file; known are .obj, .off, .ply, .stl, .gltf, .glb and .json");
 }
 
-std::string unused_name(const std::string& name, const std::set<std::string>& names) {
-    std::string candidate = name;
-    for (int i = 2; names.contains(candidate); ++i) candidate = name + " (" + std::to_string(i) + ")";
+// Names that were given, and for each the number that was tried last for another body of that name.
+using Names = std::map<std::string, int>;
+
+std::string unused_name(const std::string& name, Names& names) {
+    const auto known = names.find(name);
+    if (known == names.end()) return name;
+    std::string candidate;
+    do {
+        candidate = name + " (" + std::to_string(++known->second) + ")";
+    } while (names.contains(candidate));
     return candidate;
 }
 
-void append(Scene& scene, Scene part, std::set<std::string>& names) {
+void append(Scene& scene, Scene part, Names& names) {
     const std::size_t first_mesh = scene.meshes.size();
     const std::size_t first_body = scene.bodies.size();
     for (NamedMesh& mesh : part.meshes) scene.meshes.push_back(std::move(mesh));
     for (SceneBody& body : part.bodies) {
         body.name = unused_name(body.name, names);
-        names.insert(body.name);
+        names.emplace(body.name, 1);
         body.mesh_index += first_mesh;
         scene.bodies.push_back(std::move(body));
     }
@@ -49,7 +57,7 @@ void append(Scene& scene, Scene part, std::set<std::string>& names) {
 
 Scene read_files(std::span<const std::filesystem::path> files) {
     Scene scene;
-    std::set<std::string> names;
+    Names names;
     for (const std::filesystem::path& file : files) append(scene, read_any_file(file), names);
     return scene;
 }
