@@ -1,6 +1,7 @@
 // What every engine of the broad phase offers: boxes are taken in once, then frames of moves are run one by one.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -32,12 +33,14 @@ struct BroadMaker {
     std::size_t count_max = std::numeric_limits<std::size_t>::max();  // of boxes, in runs of the usual length
     // With the boxes at rest. Not timed.
     std::function<std::unique_ptr<BroadEngine>(const scenes::MovingBoxes& boxes)> set_up;
+    std::chrono::seconds limit{300};  // for a turn, by the clock on the wall: one that takes longer hangs
 };
 
 std::unique_ptr<BroadEngine> set_up_broad_ecods(BroadPhaseKind kind, const scenes::MovingBoxes& boxes);
 std::unique_ptr<BroadEngine> set_up_broad_fcl_tree(const scenes::MovingBoxes& boxes);
 std::unique_ptr<BroadEngine> set_up_broad_fcl_tree_moved(const scenes::MovingBoxes& boxes);
 std::unique_ptr<BroadEngine> set_up_broad_fcl_array(const scenes::MovingBoxes& boxes);
+std::unique_ptr<BroadEngine> set_up_broad_fcl_sweep(const scenes::MovingBoxes& boxes);
 std::unique_ptr<BroadEngine> set_up_broad_bullet_dbvt(const scenes::MovingBoxes& boxes);
 std::unique_ptr<BroadEngine> set_up_broad_bullet_sweep(const scenes::MovingBoxes& boxes);
 std::unique_ptr<BroadEngine> set_up_broad_ode(const scenes::MovingBoxes& boxes);
@@ -47,6 +50,7 @@ std::unique_ptr<BroadEngine> set_up_broad_cgal(const scenes::MovingBoxes& boxes)
 // All of the above, ECoDS once for each kind. The one that ratios are taken to is FCL DynamicAABBTree.
 std::vector<BroadMaker> broad_engines();
 constexpr const char* broad_yardstick = "FCL DynamicAABBTree";
+constexpr const char* broad_fcl_sweep = "FCL SaP (unsound)";
 
 // The pairs of closed boxes that overlap, ascending, by CGAL's box intersection: for checking large scenes.
 std::vector<ProxyPair> overlapping_pairs_by_cgal(std::span<const Aabb> boxes);

@@ -1,4 +1,6 @@
-// FCL's dynamic trees of boxes. Objects are boxes that do not turn, so that FCL's bounds are the very boxes given.
+// FCL's dynamic trees of boxes, and its sweep and prune. Objects are boxes that do not turn, so that FCL's bounds are
+// the very boxes given.
+#include <fcl/broadphase/broadphase_SaP.h>
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
 #include <fcl/geometry/shape/box.h>
@@ -82,6 +84,10 @@ std::unique_ptr<BroadEngine> set_up_broad_fcl_tree_moved(const scenes::MovingBox
 
 std::unique_ptr<BroadEngine> set_up_broad_fcl_array(const scenes::MovingBoxes& boxes) {
     return std::make_unique<BroadFcl<fcl::DynamicAABBTreeCollisionManager_Arrayd, Update::all>>(boxes);
+}
+
+std::unique_ptr<BroadEngine> set_up_broad_fcl_sweep(const scenes::MovingBoxes& boxes) {
+    return std::make_unique<BroadFcl<fcl::SaPCollisionManagerd, Update::all>>(boxes);
 }
 
 }  // namespace ecods::bench

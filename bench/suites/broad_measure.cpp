@@ -1,7 +1,6 @@
 #include "suites/broad_measure.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -13,8 +12,6 @@
 namespace ecods::bench {
 
 namespace {
-
-constexpr std::chrono::seconds turn_limit{300};
 
 std::size_t count_difference(const std::vector<ProxyPair>& from, const std::vector<ProxyPair>& what) {
     std::vector<ProxyPair> difference;
@@ -144,7 +141,8 @@ std::vector<BroadRun> measure_broad(const scenes::MovingBoxes& boxes, const Broa
         runs[i].name = makers[i].name;
         runs[i].is_ecods = makers[i].is_ecods;
         const double seconds = makers[i].name == broad_yardstick ? 3 * effort.turn_seconds : effort.turn_seconds;
-        children.emplace_back([&, i, seconds] { return start_frames(makers[i], boxes, truth, seconds); }, turn_limit);
+        children.emplace_back([&, i, seconds] { return start_frames(makers[i], boxes, truth, seconds); },
+                              makers[i].limit);
     }
     std::vector<bool> is_done(makers.size(), false);
     for (std::size_t repetition = 0; repetition < effort.repetition_count; ++repetition) {
