@@ -14,7 +14,7 @@ namespace {
 constexpr const char* style = R"(
 :root { color-scheme: light; }
 body { font: 16px/1.5 Georgia, "Times New Roman", serif; color: #1b1b1b; background: #fff; margin: 0 auto;
-       max-width: 62rem; padding: 1.2rem; }
+       max-width: 68rem; padding: 1.2rem; }
 h1 { font-size: 1.7rem; line-height: 1.2; margin: .5rem 0 1rem; }
 h2 { font-size: 1.25rem; margin: 2.6rem 0 .6rem; border-top: 1px solid #999; padding-top: 1rem; }
 p { margin: .5rem 0; max-width: 46rem; }
@@ -27,14 +27,17 @@ td { white-space: nowrap; }
 thead th { border-bottom: 1.5px solid #333; vertical-align: bottom; }
 th:first-child, td:first-child { padding-left: 0; }
 .text { text-align: left; }
-.wrap td { white-space: normal; }
+.group td { border-top: 2px solid #aaa; }
+.words td + td { white-space: normal; }
 .note { font-size: .85rem; color: #444; margin: .15rem 0; }
 figure { margin: 1.2rem 0; }
 figure img, figure svg { width: 100%; height: auto; display: block; }
 figure img { border: 1px solid #bbb; box-sizing: border-box; }
 figcaption { font-size: .9rem; color: #333; margin-top: .4rem; }
-@media (max-width: 40rem) { body { font-size: 15px; padding: .7rem; } table { font-size: 12px; }
-                            th, td { padding: .2rem .45rem; } }
+@media screen and (max-width: 44rem) {
+  body { font-size: 15px; padding: .7rem; } table { font-size: 12px; } th, td { padding: .2rem .45rem; }
+  .chart { overflow-x: auto; } .chart img { min-width: 46rem; }  /* else the letters in it are too small to be read */
+}
 @media print { body { max-width: none; padding: 0; font-size: 10.5pt; } table { font-size: 8.5pt; }
                .table { overflow: visible; } figure, tr { break-inside: avoid; } h2 { break-after: avoid; }
                td { white-space: normal; } }
@@ -65,8 +68,9 @@ std::string to_html(const Picture& picture) {
         html += "<p>No picture: " + escape_html(picture.failure) + "</p>";
     } else {
         // SVG goes in as an image, too: identifiers of several plots in one page would clash.
-        const char* type = picture.file.extension() == ".svg" ? "svg+xml" : "png";
-        html += fmt::format("<img alt=\"{}\" src=\"data:image/{};base64,{}\">", escape_html(picture.caption), type,
+        const bool is_chart = picture.file.extension() == ".svg";
+        html += fmt::format("<div class=\"{}\"><img alt=\"{}\" src=\"data:image/{};base64,{}\"></div>",
+                            is_chart ? "chart" : "picture", escape_html(picture.caption), is_chart ? "svg+xml" : "png",
                             base64(read_all(picture.file)));
     }
     return html + "<figcaption>" + escape_html(picture.caption) + "</figcaption></figure>\n";
@@ -87,8 +91,7 @@ void write_page(const Page& page, const std::filesystem::path& file) {
         for (const Table& table : section.tables) out << to_html(table);
         for (const Picture& picture : section.pictures) out << to_html(picture);
     }
-    out << "<h2>Where and how this was measured</h2>\n<div class=\"wrap\">" << to_html(page.environment) << "</div>\n"
-        << "</body></html>\n";
+    out << "<h2>Where and how this was measured</h2>\n" << to_html(page.environment) << "</body></html>\n";
     out.close();
     if (!out) throw std::runtime_error("cannot write " + file.string());
 }

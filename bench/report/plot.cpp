@@ -37,8 +37,9 @@ Picture plot_times(std::span<const Run> runs, const std::filesystem::path& folde
     }
     table.close();
 
-    // Dark to light, so that the curves differ in grey, too.
-    const std::vector<std::string> colours = {"#8c1c13", "#d1682e", "#555555", "#1d4e89", "#5b9bd5"};
+    // Curves differ in marks and dashes, not in colour alone.
+    const std::vector<std::string> colours = {"#111111", "#8c1c13", "#d1682e", "#1d4e89",
+                                              "#5b9bd5", "#7a7a7a", "#b08fb0"};
     std::ofstream out(script);
     out << "set terminal svg size 1000,520 font 'DejaVu Sans,15' background '#ffffff'\n"
         << fmt::format("set output '{}'\n", picture.string())
@@ -46,7 +47,7 @@ Picture plot_times(std::span<const Run> runs, const std::filesystem::path& folde
         << "set ytics (" << tics() << ")\n"
         << "set xlabel 'frame'\nset ylabel 'milliseconds per frame'\n"
         << "set grid ytics lc rgb '#cccccc'\nset border 3\nset tics nomirror\n"
-        << "set key outside right center spacing 1.4 samplen 3\n"
+        << "set key outside top left horizontal Left reverse spacing 1.3 samplen 4 width 2\n"
         << fmt::format("set xrange [0:{}]\n", frame_count) << "plot ";
     for (std::size_t i = 0; i < runs.size(); ++i)
         out << fmt::format(

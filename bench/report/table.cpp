@@ -52,20 +52,35 @@ std::string escape_html(const std::string& text) {
 }
 
 std::string to_html(const Table& table) {
-    const auto row_of = [&](const std::vector<std::string>& cells, const char* tag) {
-        std::string html = "<tr>";
+    const auto row_of = [&](const std::vector<std::string>& cells, const char* tag, bool begins_group) {
+        std::string html = begins_group ? "<tr class=\"group\">" : "<tr>";
         for (std::size_t c = 0; c < cells.size(); ++c)
             html += fmt::format("<{0}{1}>{2}</{0}>", tag, c < table.text_columns ? " class=\"text\"" : "",
                                 escape_html(cells[c]));
         return html + "</tr>\n";
     };
-    std::string html = "<div class=\"table\"><table>\n";
+    // A table of words alone has lines that may be broken, and each of its rows stands for itself.
+    const bool is_words = table.text_columns >= table.header.size();
+    std::string html = fmt::format("<div class=\"table{}\"><table>\n", is_words ? " words" : "");
     if (!table.title.empty()) html += "<caption>" + escape_html(table.title) + "</caption>\n";
-    html += "<thead>" + row_of(table.header, "th") + "</thead>\n<tbody>\n";
-    for (const std::vector<std::string>& row : table.rows) html += row_of(row, "td");
+    html += "<thead>" + row_of(table.header, "th", false) + "</thead>\n<tbody>\n";
+    const std::vector<std::string>* previous = nullptr;
+    for (const std::vector<std::string>& row : table.rows) {
+        // Several rows for one thing, engines for a workload say, belong together.
+        const bool begins_group =
+            table.text_columns > 1 && !is_words && previous != nullptr && previous->front() != row.front();
+        html += row_of(row, "td", begins_group);
+        previous = &row;
+    }
     html += "</tbody></table></div>\n";
-    for (const std::string& note : table.notes) html += "<p class=\"note\">" + escape_html(note) + "</p>\n";
-    return html;
+    // Lines of one sentence, which the terminal needs, are one paragraph here.
+    bool is_open = false;
+    for (const std::string& note : table.notes) {
+        html += (is_open ? " " : "<p class=\"note\">") + escape_html(note);
+        is_open = !note.ends_with('.') && !note.ends_with(':');
+        if (!is_open) html += "</p>\n";
+    }
+    return is_open ? html + "</p>\n" : html;
 }
 
 }  // namespace ecods::bench

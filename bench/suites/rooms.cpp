@@ -61,7 +61,7 @@ Picture draw_room(const RoomCase& room_case, const scenes::Scene& scene, const T
                     .angle = 54,
                     .room_half_side = half};
     return draw(scene, bodies, view, folder,
-                fmt::format("{}, frame {}: {} pairs collide; their {} ships are orange.", room_case.title, frame,
+                fmt::format("{}, frame {}. Colliding pairs: {}; their {} ships are orange.", room_case.title, frame,
                             truth.hits[frame].size(), coloured));
 }
 

@@ -9,8 +9,9 @@
 namespace ecods::bench {
 namespace {
 
-// Dark to light, so that they differ in grey, too. The last engine is ECoDS.
+// Curves differ in marks and dashes, bars in hatching, for print without colours. The last engine is ECoDS.
 constexpr const char* colours[] = {"#b9b9b9", "#8c1c13", "#d1682e", "#5b9bd5", "#111111"};
+constexpr int hatching[] = {3, 1, 4, 2, 3};  // gnuplot: full, crossed, strokes, dense
 
 Picture draw(const std::filesystem::path& picture, const std::filesystem::path& script, const std::string& caption) {
     const ProgramResult result = run_program({"gnuplot", script.string()});
@@ -103,12 +104,12 @@ Picture plot_wrong_bars(std::span<const std::string> groups, std::span<const std
     out << "set terminal svg size 1000,430 font 'DejaVu Sans,14' background '#ffffff'\n"
         << fmt::format("set output '{}'\n", picture.string())
         << "set style data histogram\nset style histogram clustered gap 1.5\nset boxwidth 0.9\n"
-        << "set style fill solid 1 border rgb '#333333'\nset yrange [0:*]\nset ylabel 'wrong answers, percent'\n"
+        << "set style fill pattern border rgb '#333333'\nset yrange [0:*]\nset ylabel 'wrong answers, percent'\n"
         << "set grid ytics lt 1 lc rgb '#dddddd'\nset border 3\nset tics nomirror\nset xtics scale 0\nset bmargin 4\n"
         << "set key outside top center horizontal samplen 2 width 2\nplot ";
     for (std::size_t e = 0; e < engines.size(); ++e) {
-        out << fmt::format("{}'{}' using {}:xtic(1) lc rgb '{}' title '{}'", e == 0 ? "" : ", \\\n     ", data.string(),
-                           e + 2, colours[e], engines[e]);
+        out << fmt::format("{}'{}' using {}:xtic(1) fs pattern {} lc rgb '{}' title '{}'", e == 0 ? "" : ", \\\n     ",
+                           data.string(), e + 2, hatching[e], colours[e], engines[e]);
     }
     out << "\n";
     out.close();
