@@ -61,6 +61,7 @@ SuiteResult run_broad(const SuiteOptions& options);       // boxes only: time of
 SuiteResult run_system(const SuiteOptions& options);      // the report's two experiments
 SuiteResult run_memory(const SuiteOptions& options);      // bytes for a triangle, a box, a body
 SuiteResult run_predicates(const SuiteOptions& options);  // triangle pairs: what exactness costs
+SuiteResult run_hard_cases(const SuiteOptions& options);  // reported failures: who is right
 SuiteResult run_stability(const SuiteOptions& options);   // hard triangle pairs: who is wrong, and how often
 
 // In the order in which they run.

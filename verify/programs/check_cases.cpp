@@ -1,27 +1,17 @@
 #include "check_cases.hpp"
 
 #include <algorithm>
-#include <memory>
 
 #include "ecods/error.hpp"
 #include "ecods/two_body.hpp"
 #include "oracle/oracle.hpp"
-#include "scenes/io/json_place.hpp"
+#include "scenes/io/hard_case_file.hpp"
 
 namespace ecods::check {
 namespace {
 
-using scenes::JsonPlace;
-
-struct Body {
-    std::shared_ptr<const Mesh> mesh;
-    Pose pose;
-};
-
-Body read_body(const std::filesystem::path& file, const JsonPlace& place, const char* name) {
-    return {scenes::read_inline_mesh(file, place.at("shapes").at(name)),
-            scenes::read_pose(place.at("transforms").at(name))};
-}
+using scenes::HardCase;
+using Body = HardCase::Body;
 
 // Every way of asking the library about the pair.
 struct Answer {
@@ -58,33 +48,21 @@ bool oracle_agrees(const Body& a, const Body& b, const Answer& answer) {
            oracle::touching_triangles(mesh_a, mesh_b) == answer.triangles;
 }
 
-CaseAnswer run_case(const std::filesystem::path& file, const JsonPlace& place, bool with_oracle) {
-    const Body a = read_body(file, place, "A");
-    const Body b = read_body(file, place, "B");
-    const JsonPlace expected = place.at("expected_true_answer");
-    const bool expected_intersects = expected.at("surfaces_intersect_exact_affine").boolean();
-    const std::size_t expected_pairs = expected.at("n_pairs_exact_affine").index();
-
-    const Answer answer = ask(a, b);
-    CaseAnswer result{place.at("id").text(), answer.intersects, answer.triangles.size(), false};
-    result.is_ok = answer.intersects == expected_intersects && answer.triangles.size() == expected_pairs &&
-                   answer.is_consistent() && is_mirrored(answer, ask(b, a)) &&
-                   (!with_oracle || oracle_agrees(a, b, answer));
+CaseAnswer run_case(const HardCase& hard, bool with_oracle) {
+    const Answer answer = ask(hard.a, hard.b);
+    CaseAnswer result{hard.id, answer.intersects, answer.triangles.size(), false};
+    result.is_ok = answer.intersects == hard.intersects && answer.triangles.size() == hard.triangle_pair_count &&
+                   answer.is_consistent() && is_mirrored(answer, ask(hard.b, hard.a)) &&
+                   (!with_oracle || oracle_agrees(hard.a, hard.b, answer));
     return result;
 }
 
 }  // namespace
 
 CasesReport run_cases(const std::filesystem::path& file, bool with_oracle) {
-    const nlohmann::json document = scenes::read_json(file);
-    CasesReport report;
-    for (const JsonPlace& place : JsonPlace(file, document).at("cases").elements()) {
-        if (place.at("shapes").find("A")) {
-            report.cases.push_back(run_case(file, place, with_oracle));
-        } else {
-            ++report.skipped;
-        }
-    }
+    const scenes::HardCases known = scenes::read_hard_cases(file);
+    CasesReport report{.cases = {}, .skipped = known.skipped};
+    for (const HardCase& hard : known.cases) report.cases.push_back(run_case(hard, with_oracle));
     return report;
 }
 

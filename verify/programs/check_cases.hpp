@@ -1,9 +1,4 @@
-// Known configurations with their exact answers.
-//
-// A file of cases is JSON: {"cases": [{"id": ..., "shapes": {"A": mesh, "B": mesh}, "transforms": {"A": pose, "B":
-// pose}, "expected_true_answer": {"surfaces_intersect_exact_affine": bool, "n_pairs_exact_affine": count}}, ...]},
-// where a mesh is {"vertices", "triangles"} and a pose is {"R", "t"}; other keys are ignored. Cases without a shape
-// "A", such as sequences of moves described in words, are skipped.
+// Known configurations with their exact answers (verify/scenes/io/hard_case_file.hpp), asked in every way.
 #pragma once
 
 #include <cstdint>
