@@ -250,9 +250,10 @@ struct Kernel {
     // point_error for delta. With E the extents of the two triangles, enlarged by e = v E + 2 delta, it is
     //     (30 v ExEyEz + 6 (ex Ey Ez + Ex ey Ez + Ex Ey ez)) (1 + 2^-10)
     //   = (48 v ExEyEz + 12 (dx Ey Ez + Ex dy Ez + Ex Ey dz)) (1 + 2^-10),    d = delta;
-    // 49 and 12.5 cover the last factor and their own evaluation. Underflow: products of three lose 2^-126 times
-    // extents, which are below 2^101 where delta is finite, but those that matter here are near one: coordinates that
-    // decide are below 4 in size, or delta is above 2^-20 of them; 2^-100 is added.
+    // 49 and 12.5 cover the last factor and their own evaluation. Overflow: not for extents below 2^40, and others are
+    // not judged. (An infinity would be harmless, but a mode that rounds down turns only the determinants into one, and
+    // the bound into the largest float.) Underflow: products of three lose 2^-126 times extents, but those that matter
+    // here are near one: coordinates that decide are below 4 in size, or delta is above 2^-20 of them; 2^-100 is added.
     ECODS_ALWAYS_INLINE static Ints find_near_planes(const std::array<float, 4>& delta, const Corners& x,
                                                      const Spans& x_spans, const Corners& y, const Spans& y_spans,
                                                      std::size_t part, std::uint32_t rows) noexcept {
@@ -288,10 +289,12 @@ struct Kernel {
                                (max(first[0], max(first[1], first[2])) < -bound) |
                                (min(second[0], min(second[1], second[2])) > bound) |
                                (max(second[0], max(second[1], second[2])) < -bound);
-            near |= ~apart & (1 << i);
+            const Ints is_judged = (ex < extent_max) & (ey < extent_max) & (ez < extent_max);
+            near |= ~(apart & is_judged) & (1 << i);
         }
         return near;
     }
+    static constexpr float extent_max = 0x1p40f;
 };
 
 using Sets = std::array<AxisSet, 2>;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
 #include <thread>
 
@@ -225,6 +226,27 @@ TEST(TwoBody, ARefittedShapeIsMeasuredAnew) {
         expect_right(*soft, a, needle, a, memory);
         expect_right(*soft, a, needle, b, memory);
         expect_right(*soft, a, plain, b, memory);
+    }
+}
+
+// Found by the fuzzer: a body 2^60 times smaller at a corner of the other. Volumes of the two overflow in floats, and
+// where a mode rounds down, in one direction only.
+TEST(TwoBody, BodiesOfFarDifferentSizesTouchInEveryRoundingMode) {
+    const auto mesh = Mesh::create({Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(1, 0.5, 0x1p-47)}, {{0, 1, 2}});
+    Pose large, small;
+    large.t = Vec3(0x1.ffffffffefd2fp+36, -0x1.5b3bc30666664p-4, -0x1.392c0ce56666ep+2);
+    small.R << 0, 0, -0x1p-61, 0, -0x1p-60, 0, -0x1p-61, 0, 0;
+    small.t = Vec3(0x1.ffffffffffd2fp+36, 0x1.a9310f3e66667p-2, -0x1.392c0ce566666p+2);
+    ASSERT_TRUE(oracle::intersects({mesh, large}, {mesh, small}));
+    const MeshShape shape(mesh);
+    QueryMemory memory;
+    for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        std::fesetround(mode);
+        const bool there = intersects({shape, large}, {shape, small}, memory);
+        const bool back = intersects({shape, small}, {shape, large}, memory);
+        std::fesetround(FE_TONEAREST);
+        EXPECT_TRUE(there) << mode;
+        EXPECT_TRUE(back) << mode;
     }
 }
 
