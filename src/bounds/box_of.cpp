@@ -24,12 +24,13 @@ class BoxBuilder {
         v_max_ = v_max_.cwiseMax(v.cwiseAbs());
     }
 
-    // Outwards by the error of a rounded vertex, and to the next double for the subtraction itself. Where that error
-    // is not finite, neither is the box: no sum of magnitudes overflowed means that no coordinate did.
+    // Outwards by the error of a rounded vertex, and to the next double for the subtraction itself. An error below
+    // 2^960 means that no sum of magnitudes, of which it is 4.25 2^-52, overflowed, and so no coordinate did; else the
+    // box is infinite. Not by asking for infinities: a mode that rounds down makes large numbers of some.
     Aabb finish() const {
         const double delta = exact::point_error_bound(pose_.R, v_max_, pose_.t);
         Aabb box{Vec3::Constant(-infinity), Vec3::Constant(infinity)};
-        if (!(delta < infinity)) return box;
+        if (!(delta < 0x1p960)) return box;
         for (int k = 0; k < 3; ++k) {
             box.min[k] = next_down(min_[static_cast<std::size_t>(k)] - delta);
             box.max[k] = next_up(max_[static_cast<std::size_t>(k)] + delta);

@@ -129,7 +129,14 @@ Aabb Outline::box(const Pose& pose) const {
     const Double4 center = R * load(frame_.center.data()) + t;  // as pose_point has it
     const Matrix4 size = absolute(R);
     const double sum_max = largest(size * load(v_max_.data()) + absolute(t));
-    const double delta = exact::point_error_bound(sum_max, std::max(largest(size), v_max_of_all_));
+    const double size_max = largest(size);
+    // Below these nothing overflows: the reach is at most 3 size_max in units of the scale, and below 1.5 sum_max.
+    // Asked for in advance, because a mode that rounds down makes a large number of what is infinite in others.
+    if (!(sum_max < 0x1p1020 && size_max < 0x1p1000)) {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        return {Vec3::Constant(-infinity), Vec3::Constant(infinity)};
+    }
+    const double delta = exact::point_error_bound(sum_max, std::max(size_max, v_max_of_all_));
     const Double4 oriented =
         absolute(R * load(frame_.axes)) * load(frame_.half.data()) + 16 * double_u * row_sums(size);
     const Reaches h = reaches(support_, R.column[0], R.column[1], R.column[2]);
@@ -141,11 +148,6 @@ Aabb Outline::box(const Pose& pose) const {
     for (int k = 0; k < 3; ++k) {
         box.max[k] = next_up(max[k]);
         box.min[k] = next_down(min[k]);
-    }
-    // NaN comes with numbers that are too large only.
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (!(sum(absolute(max)) + sum(absolute(min)) < infinity)) {
-        return {Vec3::Constant(-infinity), Vec3::Constant(infinity)};
     }
     return box;
 }

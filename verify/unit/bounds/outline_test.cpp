@@ -91,6 +91,27 @@ TEST(Outline, IsInfiniteWhereItsBoundIs) {
     EXPECT_EQ(Outline(*sphere, frame).box(pose).max[0], std::numeric_limits<double>::infinity());
 }
 
+// Rounding down makes large numbers of some infinities.
+TEST(Outline, ContainsBodiesNearTheEndOfTheRange) {
+    const auto sphere = scaled(*scenes::sphere(12, 8), Vec3::Constant(0x1p-40), Vec3::Zero());
+    const auto few = scaled(*scenes::cube(1), Vec3(0x1p600, 0x1p600, 1), Vec3(0x1p1023, -0x1p1020, 0));
+    const TreeFrame frame = fit_frame(*sphere);
+    const Outline outline(*sphere, frame);
+    Pose turned;
+    turned.R.setConstant(1.7e308);
+    Pose stretched;
+    stretched.R << 2.5, 1, 0, 0, 1, 0, 0, 0, 1;
+    stretched.t = Vec3(-0x1.8p1023, 0, 0);
+    const oracle::OracleMesh exact_sphere(sphere, turned), exact_few(few, stretched);
+    for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        std::fesetround(mode);
+        const Aabb round_box = outline.box(turned), few_box = box_of(*few, stretched);
+        std::fesetround(FE_TONEAREST);
+        EXPECT_TRUE(oracle::box_contains(round_box, exact_sphere)) << mode;
+        EXPECT_TRUE(oracle::box_contains(few_box, exact_few)) << mode;
+    }
+}
+
 // Vertices that no triangle uses do not belong to the mesh.
 TEST(Outline, IsOfTheVerticesInUse) {
     const auto ship = scenes::ship();
