@@ -168,9 +168,8 @@ ECODS_ALWAYS_INLINE void set_floats(AxisSet& set, const ExactSet& exact, Project
 
 // The number of an axis that separates the roots, or -1 and the sets. Looks at the normals of b before those of a, or
 // at the edges before the normals of b, if the axis `preferred` is one of them.
-ECODS_FOR_EACH_INSTRUCTION_SET
-int bind_sets(std::array<AxisSet, 2>& sets, const PosedTree& a, const PosedTree& b, const Vec3& difference,
-              int preferred) noexcept {
+ECODS_ALWAYS_INLINE int bind_sets(std::array<AxisSet, 2>& sets, const PosedTree& a, const PosedTree& b,
+                                  const Vec3& difference, int preferred) noexcept {
     const Edges edges_a(a.tree.frame, a.R), edges_b(b.tree.frame, b.R);
     const RootBox root_a(a.tree), root_b(b.tree);
     const Double4 d = load(difference.data());
@@ -201,7 +200,7 @@ int bind_sets(std::array<AxisSet, 2>& sets, const PosedTree& a, const PosedTree&
 }  // namespace
 
 int BoxAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d, int first) {
-    if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) return bind_sets(sets_, a, b, d, first);
+    if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) return dispatch<bind_sets>(sets_, a, b, d, first);
     // Nothing is separated from what has no bounds.
     constexpr float unbounded = std::numeric_limits<float>::infinity();
     for (AxisSet& set : sets_) {

@@ -90,8 +90,4 @@ std::uint64_t near_lanes(const std::array<AxisSet, 2>& sets, const WideNode& x, 
 std::uint64_t near_lanes(const std::array<AxisSet, 2>& sets, const TreeLeaf& x, const WideNode& y) noexcept;
 std::uint64_t near_lanes(const std::array<AxisSet, 2>& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept;
 
-// The same in the registers that every x86-64 has; near_lanes uses wider ones where there are some. The bits are equal.
-std::uint64_t near_lanes_four_wide(const std::array<AxisSet, 2>& sets, const WideNode& x, const WideNode& y) noexcept;
-std::uint64_t near_lanes_four_wide(const std::array<AxisSet, 2>& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept;
-
 }  // namespace ecods

@@ -309,13 +309,12 @@ template <class X, class Y>
 __attribute__((target("avx2"))) std::uint64_t eight_wide(const Sets& sets, const X& x, const Y& y) noexcept {
     return Kernel<EightWide>::near_lanes(sets, x, y);
 }
-const bool has_eight = __builtin_cpu_supports("avx2");
 #endif
 
 template <class X, class Y>
 std::uint64_t widest(const Sets& sets, const X& x, const Y& y) noexcept {
 #if ECODS_CAN_DISPATCH
-    if (has_eight) return eight_wide(sets, x, y);
+    if (instruction_set() != InstructionSet::baseline) return eight_wide(sets, x, y);
 #endif
     return four_wide(sets, x, y);
 }
@@ -333,13 +332,6 @@ std::uint64_t near_lanes(const Sets& sets, const TreeLeaf& x, const WideNode& y)
 }
 std::uint64_t near_lanes(const Sets& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept {
     return widest(sets, x, y);
-}
-
-std::uint64_t near_lanes_four_wide(const Sets& sets, const WideNode& x, const WideNode& y) noexcept {
-    return four_wide(sets, x, y);
-}
-std::uint64_t near_lanes_four_wide(const Sets& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept {
-    return four_wide(sets, x, y);
 }
 
 }  // namespace ecods

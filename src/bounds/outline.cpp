@@ -21,8 +21,8 @@ constexpr std::size_t face_size = OutlineGrid::face_size, direction_count = Outl
 using Row = std::array<float, direction_count>;
 
 // reach[k] = max(reach[k], direction k . y).
-ECODS_FOR_EACH_INSTRUCTION_SET
-void include(const Row& x, const Row& y, const Row& z, const std::array<float, 3>& point, Row& reach) noexcept {
+ECODS_ALWAYS_INLINE void include(const Row& x, const Row& y, const Row& z, const std::array<float, 3>& point,
+                                 Row& reach) noexcept {
     for (std::size_t k = 0; k < direction_count; ++k) {
         const float at = (x[k] * point[0] + y[k] * point[1]) + z[k] * point[2];
         reach[k] = at > reach[k] ? at : reach[k];
@@ -103,8 +103,8 @@ Outline::Outline(const Mesh& mesh, const TreeFrame& frame) : frame_(frame) {
     support_.fill(-std::numeric_limits<float>::infinity());
     const auto include_vertex = [&](const Vec3& v) {
         const Vec3 y = (v - frame.center) / frame.scale;
-        include(directions[0], directions[1], directions[2],
-                {static_cast<float>(y[0]), static_cast<float>(y[1]), static_cast<float>(y[2])}, support_);
+        const std::array<float, 3> point{static_cast<float>(y[0]), static_cast<float>(y[1]), static_cast<float>(y[2])};
+        dispatch<include>(directions[0], directions[1], directions[2], point, support_);
     };
     if (mesh.uses_all_vertices()) {
         for (const Vec3& v : mesh.vertices()) include_vertex(v);
@@ -122,8 +122,7 @@ Outline::Outline(const Mesh& mesh, const TreeFrame& frame) : frame_(frame) {
 // coordinates are below |center| + 2 scale: that bound's term for underflow covers the reach, too. The oriented box
 // reaches |R axes| half from the center: both products are off by 3.01 u' sqrt(3) |R| 1, below 16 u' |R| 1 in units of
 // the scale. What is added to the center meets three roundings, 4 u' is more than they are, and the sum one.
-ECODS_FOR_EACH_INSTRUCTION_SET
-Aabb Outline::box(const Pose& pose) const {
+ECODS_ALWAYS_INLINE Aabb Outline::box_wide(const Pose& pose) const {
     const Matrix4 R = load(pose.R);
     const Double4 t = load(pose.t.data());
     const Double4 center = R * load(frame_.center.data()) + t;  // as pose_point has it
@@ -150,6 +149,10 @@ Aabb Outline::box(const Pose& pose) const {
         box.min[k] = next_down(min[k]);
     }
     return box;
+}
+
+Aabb Outline::box(const Pose& pose) const {
+    return dispatch<&Outline::box_wide>(*this, pose);
 }
 
 }  // namespace ecods

@@ -36,6 +36,8 @@ class Outline {
     Aabb box(const Pose& pose) const;
 
   private:
+    Aabb box_wide(const Pose& pose) const;
+
     const TreeFrame& frame_;
     Vec3 v_max_;  // magnitudes of the coordinates of what is posed, and of all that is as far from it as the mesh
     double v_max_of_all_;                                      // the largest of them

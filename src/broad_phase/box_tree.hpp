@@ -78,6 +78,8 @@ class BoxTree {
     };
 
     bool take_hole(std::uint32_t block, SlotIndex slot, std::uint32_t& position) noexcept;
+    std::uint64_t find_wide(const BoxReach& reach, std::vector<SlotIndex>& found) const;
+    std::uint64_t join_wide(const BoxTree& other, std::vector<std::array<SlotIndex, 2>>& found) const;
     std::uint64_t find_parents(const BoxReach& reach, std::uint32_t first, std::vector<Parent>& found) const;
 
     std::vector<std::vector<BoxBlock>> levels_;  // the boxes first, one block last

@@ -26,8 +26,7 @@ void BoxTree::prefetch(std::size_t position) const noexcept {
     if (levels_.size() > 1) prefetch_block(levels_[1][position / width / width]);
 }
 
-ECODS_FOR_EACH_INSTRUCTION_SET
-std::uint64_t BoxTree::find(const BoxReach& reach, std::vector<SlotIndex>& found) const {
+ECODS_ALWAYS_INLINE std::uint64_t BoxTree::find_wide(const BoxReach& reach, std::vector<SlotIndex>& found) const {
     std::uint64_t tests = 0;
     NodeStack stack;
     std::size_t depth = 0;
@@ -48,9 +47,13 @@ std::uint64_t BoxTree::find(const BoxReach& reach, std::vector<SlotIndex>& found
     return tests;
 }
 
+std::uint64_t BoxTree::find(const BoxReach& reach, std::vector<SlotIndex>& found) const {
+    return dispatch<&BoxTree::find_wide>(*this, reach, found);
+}
+
 // The blocks of bounds on level 1, with the children, from `first` on, whose bounds overlap. Not of a single block.
-ECODS_FOR_EACH_INSTRUCTION_SET
-std::uint64_t BoxTree::find_parents(const BoxReach& reach, std::uint32_t first, std::vector<Parent>& found) const {
+ECODS_ALWAYS_INLINE std::uint64_t BoxTree::find_parents(const BoxReach& reach, std::uint32_t first,
+                                                        std::vector<Parent>& found) const {
     std::uint64_t tests = 0;
     NodeStack stack;
     std::size_t depth = 0;
@@ -93,7 +96,7 @@ bool BoxTree::insert(const TreeItem& item, const BoxLine& line, std::uint32_t& p
     BoxReach reach;
     make_reach(point, reach);
     std::vector<Parent> parents;
-    find_parents(reach, 0, parents);
+    dispatch<&BoxTree::find_parents>(*this, reach, 0U, parents);
     for (const Parent& parent : parents) {
         for (std::uint32_t leaves = parent.children; leaves != 0; leaves &= leaves - 1) {
             const std::uint32_t leaf = parent.block * width + static_cast<std::uint32_t>(std::countr_zero(leaves));
@@ -112,8 +115,8 @@ bool BoxTree::insert(const TreeItem& item, const BoxLine& line, std::uint32_t& p
     return false;
 }
 
-ECODS_FOR_EACH_INSTRUCTION_SET
-std::uint64_t BoxTree::join(const BoxTree& other, std::vector<std::array<SlotIndex, 2>>& found) const {
+ECODS_ALWAYS_INLINE std::uint64_t BoxTree::join_wide(const BoxTree& other,
+                                                     std::vector<std::array<SlotIndex, 2>>& found) const {
     const bool is_self = this == &other;
     const bool is_one_block = other.levels_.size() == 1;
     std::uint64_t tests = 0;
@@ -156,6 +159,10 @@ std::uint64_t BoxTree::join(const BoxTree& other, std::vector<std::array<SlotInd
         }
     }
     return tests;
+}
+
+std::uint64_t BoxTree::join(const BoxTree& other, std::vector<std::array<SlotIndex, 2>>& found) const {
+    return dispatch<&BoxTree::join_wide>(*this, other, found);
 }
 
 }  // namespace ecods

@@ -10,8 +10,7 @@ constexpr std::size_t prefetch_distance = 12;
 
 }  // namespace
 
-ECODS_FOR_EACH_INSTRUCTION_SET
-void KeptCandidates::move_all(const ProxyTable& table) {
+ECODS_ALWAYS_INLINE void KeptCandidates::move_all_wide(const ProxyTable& table) {
     const Aabb* const boxes = table.boxes().data();
     const std::size_t count = proxies_.size();
     for (std::size_t slot = 0; slot < count; ++slot) {
@@ -29,8 +28,8 @@ void KeptCandidates::move_all(const ProxyTable& table) {
     }
 }
 
-ECODS_FOR_EACH_INSTRUCTION_SET
-void KeptCandidates::move_some(const std::vector<ProxyIndex>& proxies, const ProxyTable& table) {
+ECODS_ALWAYS_INLINE void KeptCandidates::move_some_wide(const std::vector<ProxyIndex>& proxies,
+                                                        const ProxyTable& table) {
     for (std::size_t i = 0; i < proxies.size(); ++i) {
         if (i + prefetch_distance < proxies.size()) {
             const SlotIndex ahead = slots_[proxies[i + prefetch_distance]];
@@ -47,14 +46,22 @@ void KeptCandidates::move_some(const std::vector<ProxyIndex>& proxies, const Pro
     }
 }
 
+void KeptCandidates::move_all(const ProxyTable& table) {
+    dispatch<&KeptCandidates::move_all_wide>(*this, table);
+}
+
+void KeptCandidates::move_some(const std::vector<ProxyIndex>& proxies, const ProxyTable& table) {
+    dispatch<&KeptCandidates::move_some_wide>(*this, proxies, table);
+}
+
 void KeptCandidates::filter(Update& update) {
     overlapping_ = 0;
     update.counts.candidates_filtered += candidates_.size();
     if (changed_slots_.empty()) {
-        filter_unchanged(update);
+        dispatch<&KeptCandidates::filter_unchanged>(*this, update);
         return;
     }
-    filter_changed(update);
+    dispatch<&KeptCandidates::filter_changed>(*this, update);
     for (const SlotIndex slot : changed_slots_) {
         clear_flag(slot, changed);
         if (lines_[slot].is_empty()) free_slots_.push_back(slot);
@@ -70,8 +77,7 @@ void KeptCandidates::report(Candidate& candidate, Update& update) {
     (began ? update.began : update.ended).push_back(pair);
 }
 
-ECODS_FOR_EACH_INSTRUCTION_SET
-void KeptCandidates::filter_unchanged(Update& update) {
+ECODS_ALWAYS_INLINE void KeptCandidates::filter_unchanged(Update& update) {
     const BoxLine* const lines = lines_.data();
     Candidate* const candidates = candidates_.data();
     const std::size_t count = candidates_.size();
@@ -93,8 +99,7 @@ void KeptCandidates::filter_unchanged(Update& update) {
 
 // The same, and those that are none any more go. They do not overlap; those of a box that went may have done so, which
 // has been reported.
-ECODS_FOR_EACH_INSTRUCTION_SET
-void KeptCandidates::filter_changed(Update& update) {
+ECODS_ALWAYS_INLINE void KeptCandidates::filter_changed(Update& update) {
     const BoxLine* const lines = lines_.data();
     const std::uint8_t* const flags = flags_.data();
     Candidate* const candidates = candidates_.data();

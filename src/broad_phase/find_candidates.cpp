@@ -133,14 +133,13 @@ void KeptCandidates::search_all(std::span<const BoxForest::Item> newcomers, bool
     const double tests_per_box = static_cast<double>(tests) / static_cast<double>(update.table.size() + 1);
     if (do_sort) tests_after_sort_ = tests_per_box;
     is_worn_ = tests_per_box > 1.25 * tests_after_sort_;
-    take_found(update);
+    dispatch<&KeptCandidates::take_found>(*this, update);
     for (std::uint8_t& flags : flags_) flags &= static_cast<std::uint8_t>(~(searching | changed));
     changed_slots_.clear();
 }
 
 // Makes the pairs that were found the candidates.
-ECODS_FOR_EACH_INSTRUCTION_SET
-void KeptCandidates::take_found(Update& update) {
+ECODS_ALWAYS_INLINE void KeptCandidates::take_found(Update& update) {
     BoxReach reach;
     Candidate* write = candidates_.data();
     for (const Candidate candidate : candidates_) {

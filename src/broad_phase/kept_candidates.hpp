@@ -66,6 +66,8 @@ class KeptCandidates final : public PairFinder {
     // filter_candidates.cpp
     void move_all(const ProxyTable& table);
     void move_some(const std::vector<ProxyIndex>& proxies, const ProxyTable& table);
+    void move_all_wide(const ProxyTable& table);
+    void move_some_wide(const std::vector<ProxyIndex>& proxies, const ProxyTable& table);
     void filter(Update& update);
     void filter_unchanged(Update& update);
     void filter_changed(Update& update);

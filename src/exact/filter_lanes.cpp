@@ -30,29 +30,8 @@ ECODS_ALWAYS_INLINE void find_beyond(const Vector& a, const Vector& b, const Vec
     mask |= ((a > bound) & (b > bound) & (c > bound)) | ((a < -bound) & (b < -bound) & (c < -bound));
 }
 
-}  // namespace
-
-std::vector<TriangleBlock> make_blocks(const Mesh& mesh, std::span<const std::uint32_t> order) {
-    std::vector<TriangleBlock> blocks;
-    blocks.reserve((order.size() + lane_count - 1) / lane_count);
-    for (std::size_t begin = 0; begin < order.size(); begin += lane_count) {
-        TriangleBlock& block = blocks.emplace_back();
-        block.count = static_cast<std::uint32_t>(std::min(lane_count, order.size() - begin));
-        for (std::size_t lane = 0; lane < lane_count; ++lane) {
-            block.indices[lane] = order[begin + std::min<std::size_t>(lane, block.count - 1)];
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                const Vec3& v = mesh.vertices()[mesh.triangles()[block.indices[lane]][corner]];
-                for (std::size_t k = 0; k < 3; ++k) {
-                    block.local.corners[corner][k][lane] = v[static_cast<Eigen::Index>(k)];
-                }
-            }
-        }
-    }
-    return blocks;
-}
-
-ECODS_FOR_EACH_INSTRUCTION_SET
-void pose_lanes(const Mat3& R, const Vec3& d, const TriangleLanes& local, TriangleLanes& posed) noexcept {
+ECODS_ALWAYS_INLINE void pose_wide(const Mat3& R, const Vec3& d, const TriangleLanes& local,
+                                   TriangleLanes& posed) noexcept {
     for (std::size_t corner = 0; corner < 3; ++corner) {
         for (std::size_t half = 0; half < 2; ++half) {
             const auto& v = local.corners[corner];
@@ -65,17 +44,8 @@ void pose_lanes(const Mat3& R, const Vec3& d, const TriangleLanes& local, Triang
     }
 }
 
-void divide_lanes(const Vec3& unit, TriangleLanes& posed) noexcept {
-    for (auto& corner : posed.corners) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            for (double& x : corner[k]) x /= unit[static_cast<Eigen::Index>(k)];
-        }
-    }
-}
-
-ECODS_FOR_EACH_INSTRUCTION_SET
-std::uint32_t filter_planes(const std::array<Point, 3>& one, const TriangleLanes& eight, double bound,
-                            LaneTrace& trace) noexcept {
+ECODS_ALWAYS_INLINE std::uint32_t filter_wide(const std::array<Point, 3>& one, const TriangleLanes& eight, double bound,
+                                              LaneTrace& trace) noexcept {
     const PlainNormal m = plain_normal(one[0], one[1], one[2]);
     std::uint32_t disjoint = 0;
     for (std::size_t half = 0; half < 2; ++half) {
@@ -108,6 +78,44 @@ std::uint32_t filter_planes(const std::array<Point, 3>& one, const TriangleLanes
         disjoint |= static_cast<std::uint32_t>(beyond[0] | beyond[1] | beyond[2] | beyond[3]) << (half * width);
     }
     return disjoint;
+}
+
+}  // namespace
+
+std::vector<TriangleBlock> make_blocks(const Mesh& mesh, std::span<const std::uint32_t> order) {
+    std::vector<TriangleBlock> blocks;
+    blocks.reserve((order.size() + lane_count - 1) / lane_count);
+    for (std::size_t begin = 0; begin < order.size(); begin += lane_count) {
+        TriangleBlock& block = blocks.emplace_back();
+        block.count = static_cast<std::uint32_t>(std::min(lane_count, order.size() - begin));
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            block.indices[lane] = order[begin + std::min<std::size_t>(lane, block.count - 1)];
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const Vec3& v = mesh.vertices()[mesh.triangles()[block.indices[lane]][corner]];
+                for (std::size_t k = 0; k < 3; ++k) {
+                    block.local.corners[corner][k][lane] = v[static_cast<Eigen::Index>(k)];
+                }
+            }
+        }
+    }
+    return blocks;
+}
+
+void pose_lanes(const Mat3& R, const Vec3& d, const TriangleLanes& local, TriangleLanes& posed) noexcept {
+    dispatch<pose_wide>(R, d, local, posed);
+}
+
+void divide_lanes(const Vec3& unit, TriangleLanes& posed) noexcept {
+    for (auto& corner : posed.corners) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (double& x : corner[k]) x /= unit[static_cast<Eigen::Index>(k)];
+        }
+    }
+}
+
+std::uint32_t filter_planes(const std::array<Point, 3>& one, const TriangleLanes& eight, double bound,
+                            LaneTrace& trace) noexcept {
+    return dispatch<filter_wide>(one, eight, bound, trace);
 }
 
 }  // namespace ecods::exact

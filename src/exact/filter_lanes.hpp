@@ -1,7 +1,7 @@
 // The filter for one triangle against eight at once.
 //
 // Lane by lane the operations are those of filter.hpp, in the same order, so the answers are, too. The loop over lanes
-// is left to the compiler, for each instruction set; the processor's own is picked when the program starts.
+// is left to the compiler, for each instruction set (base/dispatch.hpp).
 #pragma once
 
 #include <array>

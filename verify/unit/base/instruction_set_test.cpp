@@ -1,0 +1,92 @@
+#include "base/instruction_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <thread>
+
+#include "base/dispatch.hpp"
+#include "environment/instruction_sets.hpp"
+
+namespace ecods {
+namespace {
+
+using environment::InstructionSetLimit;
+using environment::supported_instruction_sets;
+
+TEST(InstructionSet, IsTheWidestUnlessLimited) {
+    EXPECT_EQ(instruction_set(), supported_instruction_set());
+    for (const InstructionSet set : supported_instruction_sets()) {
+        const InstructionSetLimit limit(set);
+        EXPECT_EQ(instruction_set(), set);
+    }
+    EXPECT_EQ(instruction_set(), supported_instruction_set());
+}
+
+TEST(InstructionSet, WhatIsNotSupportedIsNotUsed) {
+    const InstructionSetLimit limit(InstructionSet::avx512);
+    EXPECT_EQ(instruction_set(), supported_instruction_set());
+    EXPECT_EQ(supported_instruction_sets().front(), InstructionSet::baseline);
+    EXPECT_EQ(supported_instruction_sets().back(), supported_instruction_set());
+#if ECODS_CAN_DISPATCH
+    EXPECT_EQ(supported_instruction_set() >= InstructionSet::avx2, __builtin_cpu_supports("avx2") != 0);
+    EXPECT_EQ(supported_instruction_set() == InstructionSet::avx512, __builtin_cpu_supports("avx512f") != 0);
+#else
+    EXPECT_EQ(supported_instruction_set(), InstructionSet::baseline);
+#endif
+}
+
+TEST(InstructionSet, IsOneForAllThreads) {
+    const InstructionSetLimit limit(InstructionSet::baseline);
+    InstructionSet seen = InstructionSet::avx512;
+    std::thread([&] { seen = instruction_set(); }).join();
+    EXPECT_EQ(seen, InstructionSet::baseline);
+}
+
+// Where the version that this was inlined into goes back to, which is another place for each.
+ECODS_ALWAYS_INLINE const void* place_of_call(int) noexcept {
+    return __builtin_return_address(0);
+}
+
+const void* place_now() {
+    const void* const place = dispatch<place_of_call>(0);
+    asm volatile("" : : "r"(place));  // something is left to do: the version is called and not jumped to
+    return place;
+}
+
+TEST(Dispatch, HasAVersionForEachInstructionSet) {
+    std::set<const void*> places;
+    for (const InstructionSet set : supported_instruction_sets()) {
+        const InstructionSetLimit limit(set);
+        places.insert(place_now());
+    }
+    EXPECT_EQ(places.size(), supported_instruction_sets().size());
+}
+
+class Sum {
+  public:
+    ECODS_ALWAYS_INLINE int& add(int x) noexcept { return sum_ += x; }
+    ECODS_ALWAYS_INLINE int get() const noexcept { return sum_; }
+
+  private:
+    int sum_ = 0;
+};
+
+ECODS_ALWAYS_INLINE int& larger(int& a, int& b) noexcept {
+    return a > b ? a : b;
+}
+
+TEST(Dispatch, HandsOverArgumentsAndResultsAsTheyAre) {
+    for (const InstructionSet set : supported_instruction_sets()) {
+        const InstructionSetLimit limit(set);
+        Sum sum;
+        dispatch<&Sum::add>(sum, 3) += 4;
+        const Sum& same = sum;
+        EXPECT_EQ(dispatch<&Sum::get>(same), 7) << environment::name(set);
+        int a = 1, b = 2;
+        EXPECT_EQ(&dispatch<larger>(a, b), &b) << environment::name(set);
+    }
+}
+
+}  // namespace
+}  // namespace ecods
