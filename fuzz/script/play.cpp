@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "environment/instruction_sets.hpp"
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/failure.hpp"
 #include "fuzz/pairs/float_mode.hpp"
@@ -39,6 +40,7 @@ class Player {
     void check_tampering(const World& world);
     void check_replay();
     void count_work();
+    void count_instruction_sets();
     void sing(std::vector<BodyPair>& expected) const;
 
     PlayOptions options_;
@@ -65,7 +67,10 @@ void Player::make(const Call& call) {
 void Player::update(const Update& call) {
     // One that did not throw was an update like any other.
     const bool is_done = call.fails && !scene_.update_failing(counters_);
-    if (!is_done) scene_.tell(call);
+    if (!is_done) {
+        count_instruction_sets();
+        scene_.tell(call);
+    }
     if (is_resting_ && !call.fails) check_rest();
     if (call.is_quiet) {
         pass_over();
@@ -102,11 +107,17 @@ void Player::check() {
     if (is_resting_) ++counters_["frames at rest"];
     World& first = scene_.worlds[0].world();
     // Questions are the same code in all worlds: one is asked at a time.
-    World& asked = scene_.worlds[update_count_ % scene_.worlds.size()].world();
+    const std::size_t number = update_count_ % scene_.worlds.size();
+    World& asked = scene_.worlds[number].world();
     for (const ToldWorld& told : scene_.worlds) check_state(told, scene_.model);
     truth_.look_at(first);
     check_boxes(first, truth_, counters_);
-    check_answers(asked, truth_, counters_);
+    const InstructionSet set = scene_.instruction_set(number);
+    {
+        const environment::InstructionSetLimit limit(set);
+        check_answers(asked, truth_, counters_);
+    }
+    ++counters_[std::string("checked: answers with instructions of ") + environment::name(set)];
     auto expected = true_collisions(first, truth_);
     sing(expected);
     for (ToldWorld& told : scene_.worlds) {
@@ -182,6 +193,13 @@ void Player::check_replay() {
     World& world = scene_.worlds[update_count_ % scene_.worlds.size()].world();
     check_trace(world, {.write_shape = write_user_shape}, reading);
     ++counters_["checked: trace and replay"];
+}
+
+// What a world is told with narrow instructions is compared with what another is told with wide ones (check_same).
+void Player::count_instruction_sets() {
+    for (std::size_t i = 0; i < scene_.worlds.size(); ++i) {
+        ++counters_[std::string("updates with instructions of ") + environment::name(scene_.instruction_set(i))];
+    }
 }
 
 void Player::count_work() {

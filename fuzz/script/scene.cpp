@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "environment/instruction_sets.hpp"
 #include "fuzz/checks/text.hpp"
 #include "fuzz/failure.hpp"
 #include "unit/world/thread_executor.hpp"
@@ -73,9 +74,20 @@ Scene::Scene()
           ToldWorld({.broad_phase = BroadPhaseKind::automatic, .executor = std::make_shared<ThreadExecutor>(4)})} {}
 
 void Scene::tell(const Call& call) {
-    for (ToldWorld& each : worlds) each.tell(call);
+    for (std::size_t i = 0; i < worlds.size(); ++i) {
+        const environment::InstructionSetLimit limit(instruction_set(i));
+        worlds[i].tell(call);
+    }
+    if (std::holds_alternative<Update>(call)) ++round_;
     if (const auto* create = std::get_if<Create>(&call)) require_same_ids(create->body);
     model.apply(call);
+}
+
+InstructionSet Scene::instruction_set(std::size_t world) const {
+    const auto sets = environment::supported_instruction_sets();
+    const std::size_t narrower_count = sets.size() - 1;
+    if (world == 0 || round_ % 2 == 0 || narrower_count == 0) return sets.back();
+    return sets[(world + round_ / 2) % narrower_count];
 }
 
 void Scene::require_same_ids(Label label) const {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/instruction_set.hpp"
 #include "ecods/world.hpp"
 #include "fuzz/counters.hpp"
 #include "fuzz/script/script.hpp"
@@ -35,13 +36,17 @@ class ToldWorld {
     std::vector<BodyId> ids_;  // by label
 };
 
-// One for each broad phase, and with no, two, three and four workers.
+// One for each broad phase, and with no, two, three and four workers. The first uses the widest instructions that the
+// processor supports; every other round, from an update to the next, the others use narrower ones.
 class Scene {
   public:
     Scene();
 
-    // Every call goes to all worlds, which must answer alike.
+    // Every call goes to all worlds, which must answer alike. An update ends a round.
     void tell(const Call& call);
+
+    // What a world may use in this round, for calls and for questions.
+    InstructionSet instruction_set(std::size_t world) const;
 
     // An update in which user-defined tests throw, if one is needed: in all worlds, or in none. Whether it was thrown;
     // the lists then stay as they were.
@@ -52,6 +57,8 @@ class Scene {
 
   private:
     void require_same_ids(Label label) const;
+
+    std::size_t round_ = 0;
 };
 
 // Poses, shapes, filters and data are what the world was told last; what was destroyed is gone.

@@ -7,10 +7,12 @@
 #include <map>
 #include <optional>
 
+#include "base/instruction_set.hpp"
 #include "check_cases.hpp"
 #include "check_oracle.hpp"
 #include "check_print.hpp"
 #include "check_scene.hpp"
+#include "environment/instruction_sets.hpp"
 #include "scenes/io/scene_file.hpp"
 
 namespace ecods::check {
@@ -26,6 +28,7 @@ struct Options {
     bool json = false;
     bool oracle = false;
     BroadPhaseKind broad_phase = BroadPhaseKind::sweep_and_prune;
+    InstructionSet instruction_set = supported_instruction_set();
 };
 
 // One line on a terminal, rewritten; nothing elsewhere.
@@ -102,6 +105,13 @@ int run(int argc, char** argv) {
                    "brute_force, sweep_and_prune (the default), kept_candidates or automatic")
         ->transform(CLI::CheckedTransformer(kinds))
         ->type_name("KIND");
+    std::map<std::string, InstructionSet> sets;
+    for (const InstructionSet set : environment::supported_instruction_sets()) sets[environment::name(set)] = set;
+    app.add_option("--instruction-set", options.instruction_set,
+                   "Use no wider instructions than these, of those that the processor has: baseline, avx2, avx512 (the "
+                   "default is the widest). Answers are the same")
+        ->transform(CLI::CheckedTransformer(sets))
+        ->type_name("SET");
     try {
         app.parse(argc, argv);
         if (options.files.empty() == options.cases.empty()) {
@@ -110,6 +120,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? exit_ok : exit_unreadable;
     }
+    limit_instruction_set(options.instruction_set);
     return options.cases.empty() ? check_files(options) : check_cases(options);
 }
 
