@@ -50,11 +50,12 @@ class FindingBroadPhase final : public BroadPhase {
             return;
         }
         const std::uint64_t swaps_before = counts_.swaps;
-        counts_.moved += changes.added.size() + changes.moved.size();
+        const std::size_t moved_count = changes.moved.size();
+        counts_.moved += changes.added.size() + moved_count;
         finder_->update(table_, changes, pairs_, counts_);
         pairs_.end_update();
         table_.settle();
-        if (kind_ == BroadPhaseKind::automatic) choose(changes.moved.size(), counts_.swaps - swaps_before);
+        if (kind_ == BroadPhaseKind::automatic) choose(moved_count, counts_.swaps - swaps_before);
     }
 
     const std::vector<ProxyPair>& pairs() override { return pairs_.sorted(); }

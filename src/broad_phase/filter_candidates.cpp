@@ -8,6 +8,13 @@ namespace {
 // How many boxes ahead memory is asked for.
 constexpr std::size_t prefetch_distance = 12;
 
+// How many candidates ahead, of a number of them.
+constexpr std::size_t prefetch_candidates = 24;
+struct Part {
+    std::size_t end;
+    std::size_t ahead;
+};
+
 }  // namespace
 
 ECODS_ALWAYS_INLINE void KeptCandidates::move_all_wide(const ProxyTable& table) {
@@ -28,8 +35,7 @@ ECODS_ALWAYS_INLINE void KeptCandidates::move_all_wide(const ProxyTable& table) 
     }
 }
 
-ECODS_ALWAYS_INLINE void KeptCandidates::move_some_wide(const std::vector<ProxyIndex>& proxies,
-                                                        const ProxyTable& table) {
+ECODS_ALWAYS_INLINE void KeptCandidates::move_some_wide(std::span<const ProxyIndex> proxies, const ProxyTable& table) {
     for (std::size_t i = 0; i < proxies.size(); ++i) {
         if (i + prefetch_distance < proxies.size()) {
             const SlotIndex ahead = slots_[proxies[i + prefetch_distance]];
@@ -50,7 +56,7 @@ void KeptCandidates::move_all(const ProxyTable& table) {
     dispatch<&KeptCandidates::move_all_wide>(*this, table);
 }
 
-void KeptCandidates::move_some(const std::vector<ProxyIndex>& proxies, const ProxyTable& table) {
+void KeptCandidates::move_some(std::span<const ProxyIndex> proxies, const ProxyTable& table) {
     dispatch<&KeptCandidates::move_some_wide>(*this, proxies, table);
 }
 
@@ -83,15 +89,18 @@ ECODS_ALWAYS_INLINE void KeptCandidates::filter_unchanged(Update& update) {
     const std::size_t count = candidates_.size();
     std::uint64_t overlapping = 0;
     BoxReach reach;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t ahead = i + 2 * prefetch_distance;
-        __builtin_prefetch(&lines[candidates[ahead < count ? ahead : i][1] & ~overlap_bit]);
-        const auto [owner, entry] = candidates[i];
-        make_reach(lines[owner], reach);
-        const bool now = overlaps(lines[entry & ~overlap_bit], reach);
-        overlapping += now ? 1 : 0;
-        if (now != (entry >= overlap_bit)) [[unlikely]] {
-            report(candidates[i], update);
+    const Part parts[] = {{count - std::min(count, prefetch_candidates), prefetch_candidates}, {count, 0}};
+    std::size_t i = 0;
+    for (const Part& part : parts) {
+        for (; i < part.end; ++i) {
+            __builtin_prefetch(&lines[candidates[i + part.ahead][1] & ~overlap_bit]);
+            const auto [owner, entry] = candidates[i];
+            make_reach(lines[owner], reach);
+            const bool now = overlaps(lines[entry & ~overlap_bit], reach);
+            overlapping += entry / overlap_bit;
+            if (now != (entry >= overlap_bit)) [[unlikely]] {
+                report(candidates[i], update);
+            }
         }
     }
     overlapping_ = overlapping;
@@ -107,25 +116,29 @@ ECODS_ALWAYS_INLINE void KeptCandidates::filter_changed(Update& update) {
     const std::size_t count = candidates_.size();
     std::uint64_t overlapping = 0;
     BoxReach reach;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t ahead = i + 2 * prefetch_distance;
-        __builtin_prefetch(&lines[candidates[ahead < count ? ahead : i][1] & ~overlap_bit]);
-        const auto [owner, entry] = candidates[i];
-        const SlotIndex partner = entry & ~overlap_bit;
-        if (((flags[owner] | flags[partner]) & changed) != 0) [[unlikely]] {
-            make_reach(fat_lines_[owner], reach);
-            if (!overlaps(fat_lines_[partner], reach) || fat_lines_[owner].is_empty()) continue;
+    const Part parts[] = {{count - std::min(count, prefetch_candidates), prefetch_candidates}, {count, 0}};
+    std::size_t i = 0;
+    for (const Part& part : parts) {
+        for (; i < part.end; ++i) {
+            __builtin_prefetch(&lines[candidates[i + part.ahead][1] & ~overlap_bit]);
+            const Candidate candidate = candidates[i];
+            const auto [owner, entry] = candidate;
+            const SlotIndex partner = entry & ~overlap_bit;
+            if (((flags[owner] | flags[partner]) & changed) != 0) [[unlikely]] {
+                make_reach(fat_lines_[owner], reach);
+                if (!overlaps(fat_lines_[partner], reach) || fat_lines_[owner].is_empty()) continue;
+            }
+            make_reach(lines[owner], reach);
+            const bool now = overlaps(lines[partner], reach);
+            overlapping += entry / overlap_bit;
+            *write = candidate;
+            if (now != (entry >= overlap_bit)) [[unlikely]] {
+                report(*write, update);
+            }
+            ++write;
         }
-        make_reach(lines[owner], reach);
-        const bool now = overlaps(lines[partner], reach);
-        overlapping += now ? 1 : 0;
-        *write = candidates[i];
-        if (now != (entry >= overlap_bit)) [[unlikely]] {
-            report(*write, update);
-        }
-        ++write;
     }
-    candidates_.resize(static_cast<std::size_t>(write - candidates));
+    candidates_.resize(static_cast<std::size_t>(write - candidates_.data()));
     overlapping_ = overlapping;
 }
 

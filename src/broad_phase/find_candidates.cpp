@@ -24,7 +24,7 @@ bool KeptCandidates::were_candidates(SlotIndex a, SlotIndex b) const noexcept {
 }
 
 // Before boxes move: the candidates of those that do.
-void KeptCandidates::wake(const std::vector<ProxyIndex>& proxies, Update& update) {
+void KeptCandidates::wake(std::span<const ProxyIndex> proxies, Update& update) {
     if (awake_count_ == used_count_ && proxies.size() == used_count_) return;
     std::vector<SlotIndex> woken;
     for (const ProxyIndex proxy : proxies) {

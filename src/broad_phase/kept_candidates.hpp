@@ -65,9 +65,9 @@ class KeptCandidates final : public PairFinder {
 
     // filter_candidates.cpp
     void move_all(const ProxyTable& table);
-    void move_some(const std::vector<ProxyIndex>& proxies, const ProxyTable& table);
+    void move_some(std::span<const ProxyIndex> proxies, const ProxyTable& table);
     void move_all_wide(const ProxyTable& table);
-    void move_some_wide(const std::vector<ProxyIndex>& proxies, const ProxyTable& table);
+    void move_some_wide(std::span<const ProxyIndex> proxies, const ProxyTable& table);
     void filter(Update& update);
     void filter_unchanged(Update& update);
     void filter_changed(Update& update);
@@ -81,7 +81,7 @@ class KeptCandidates final : public PairFinder {
     void fatten_used_up(const ProxyTable& table);
 
     // find_candidates.cpp
-    void wake(const std::vector<ProxyIndex>& proxies, Update& update);
+    void wake(std::span<const ProxyIndex> proxies, Update& update);
     void wake_all(Update& update);
     void search_escaped(std::span<const BoxForest::Item> newcomers, Update& update);
     void link(SlotIndex slot, Update& update);

@@ -28,17 +28,11 @@ void ProxyTable::require_present(ProxyIndex proxy) const {
     if (!is_present(proxy)) throw_misuse(Error("proxy " + std::to_string(proxy) + " is not present"));
 }
 
-void ProxyTable::enqueue(ProxyIndex proxy) {
-    if (has(proxy, queued)) return;
-    queue_.push_back(proxy);
-    states_[proxy] |= queued;
-}
-
 void ProxyTable::reserve(std::size_t count) {
     states_.reserve(count);
     boxes_.reserve(count);
+    queued_at_.reserve(count);
     queue_.reserve(count);
-    changes_.moved.reserve(count);
 }
 
 void ProxyTable::add(ProxyIndex proxy, const Aabb& box) {
@@ -48,8 +42,10 @@ void ProxyTable::add(ProxyIndex proxy, const Aabb& box) {
         const std::size_t count = std::size_t{proxy} + 1;
         boxes_.resize(count);
         states_.resize(count);
+        queued_at_.resize(count);
     }
     enqueue(proxy);
+    has_moves_only_ = false;
     states_[proxy] |= present;
     boxes_[proxy] = box;
     ++size_;
@@ -62,11 +58,7 @@ void ProxyTable::move(ProxyIndex proxy, const Aabb& box) {
     }
     Aabb& current = boxes_[proxy];
     if (is_same(current, box)) return;
-    std::uint8_t& state = states_[proxy];
-    if ((state & queued) == 0) {
-        queue_.push_back(proxy);
-        state |= queued;
-    }
+    enqueue(proxy);
     current = box;
 }
 
@@ -78,6 +70,7 @@ void ProxyTable::remove(ProxyIndex proxy) {
     }
     states_[proxy] &= static_cast<std::uint8_t>(~(present | settled));
     --size_;
+    has_moves_only_ = false;
 }
 
 const Aabb& ProxyTable::box(ProxyIndex proxy) const {
@@ -86,33 +79,41 @@ const Aabb& ProxyTable::box(ProxyIndex proxy) const {
 }
 
 std::size_t ProxyTable::bytes() const noexcept {
-    return bytes_of(states_, boxes_, queue_, changes_.added, changes_.moved, changes_.removed);
+    return bytes_of(states_, boxes_, queued_at_, queue_, moved_, changes_.added, changes_.removed);
 }
 
 const ProxyChanges& ProxyTable::collect() {
     changes_.added.clear();
-    changes_.moved.resize(queue_.size());
-    ProxyIndex* moved = changes_.moved.data();
+    changes_.moved = queue_;
+    if (has_moves_only_) return changes_;
+    moved_.clear();
     for (const ProxyIndex proxy : queue_) {
-        *moved = proxy;
         const unsigned state = states_[proxy] & (present | settled);
-        if (state == (present | settled)) [[likely]] {
-            ++moved;
+        if (state == (present | settled)) {
+            moved_.push_back(proxy);
         } else if (state == present) {
             changes_.added.push_back(proxy);
         }
     }
-    changes_.moved.resize(static_cast<std::size_t>(moved - changes_.moved.data()));
+    changes_.moved = moved_;
     return changes_;
 }
 
 void ProxyTable::settle() {
-    for (const ProxyIndex proxy : changes_.removed) states_[proxy] &= static_cast<std::uint8_t>(~removed);
-    for (const ProxyIndex proxy : queue_) {
-        states_[proxy] = has(proxy, present) ? present | settled : 0;
+    if (!has_moves_only_) {
+        for (const ProxyIndex proxy : changes_.removed) states_[proxy] &= static_cast<std::uint8_t>(~removed);
+        for (const ProxyIndex proxy : queue_) {
+            states_[proxy] = has(proxy, present) ? present | settled : 0;
+        }
+        changes_.removed.clear();
+        has_moves_only_ = true;
     }
     queue_.clear();
-    changes_.removed.clear();
+    changes_.moved = {};
+    if (++turn_ == 0) {  // turns are numbered anew: those of long ago must not be taken for later ones
+        std::fill(queued_at_.begin(), queued_at_.end(), 0);
+        turn_ = 1;
+    }
 }
 
 }  // namespace ecods

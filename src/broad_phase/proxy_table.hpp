@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "ecods/broad_phase.hpp"
@@ -12,9 +13,9 @@ namespace ecods {
 // A proxy that is removed and added again between two updates is both: the old one is in `removed`, the new one
 // in `added`.
 struct ProxyChanges {
-    std::vector<ProxyIndex> added;    // present, and not so at the last update
-    std::vector<ProxyIndex> moved;    // present at both times, and given another box in between
-    std::vector<ProxyIndex> removed;  // present at the last update, and gone since
+    std::vector<ProxyIndex> added;      // present, and not so at the last update
+    std::span<const ProxyIndex> moved;  // present at both times, and given another box in between
+    std::vector<ProxyIndex> removed;    // present at the last update, and gone since
 
     bool empty() const noexcept { return added.empty() && moved.empty() && removed.empty(); }
 };
@@ -54,20 +55,28 @@ class ProxyTable {
         present = 1,  // a box of this number is here
         settled = 2,  // and the last update saw it
         removed = 4,  // the last update saw a box of this number that is gone
-        queued = 8,   // the number is in queue_
     };
 
     bool has(ProxyIndex proxy, unsigned flag) const noexcept {
         return proxy < states_.size() && (states_[proxy] & flag) != 0;
     }
     void require_present(ProxyIndex proxy) const;
-    void enqueue(ProxyIndex proxy);
+    void enqueue(ProxyIndex proxy) {
+        if (queued_at_[proxy] == turn_) return;
+        queue_.push_back(proxy);
+        queued_at_[proxy] = turn_;
+    }
 
     // By proxy.
     std::vector<std::uint8_t> states_;
     std::vector<Aabb> boxes_;
+    std::vector<std::uint32_t> queued_at_;  // the turn in which it was put into queue_ last
 
-    std::vector<ProxyIndex> queue_;  // added or moved since settle(), each once
+    // Turns end with settle(). In most there are moves and nothing else, and nothing is done for each of them then.
+    std::uint32_t turn_ = 1;
+    bool has_moves_only_ = true;
+    std::vector<ProxyIndex> queue_;  // added or moved in this turn, each once
+    std::vector<ProxyIndex> moved_;  // those of them that moved, where there are others
     ProxyChanges changes_;           // `removed` is kept as it happens, the others are made by collect()
     std::size_t size_ = 0;
 };

@@ -10,6 +10,10 @@ namespace {
 
 using Proxies = std::vector<ProxyIndex>;
 
+Proxies list_of(std::span<const ProxyIndex> proxies) {
+    return {proxies.begin(), proxies.end()};
+}
+
 const Aabb a = make_cube(0, 0, 0), b = make_cube(1, 0, 0);
 
 TEST(ProxyTable, TellsWhatChangedSinceItSettled) {
@@ -27,7 +31,7 @@ TEST(ProxyTable, TellsWhatChangedSinceItSettled) {
     table.remove(3);
     table.add(2, b);
     const ProxyChanges& changes = table.collect();
-    EXPECT_EQ(changes.moved, (Proxies{7, 1})) << "each once, in the order of the calls";
+    EXPECT_EQ(list_of(changes.moved), (Proxies{7, 1})) << "each once, in the order of the calls";
     EXPECT_EQ(changes.removed, (Proxies{3}));
     EXPECT_EQ(changes.added, (Proxies{2}));
     EXPECT_TRUE(table.is_removed(3));
@@ -75,7 +79,7 @@ TEST(ProxyTable, OnlyAnotherBoxIsAMoveAndBitsTell) {
         double& end = k < 3 ? box.min[k] : box.max[k - 3];
         end = k < 3 ? -0.0 : std::nextafter(end, 2);
         table.move(0, box);
-        EXPECT_EQ(table.collect().moved, (Proxies{0})) << k;
+        EXPECT_EQ(list_of(table.collect().moved), (Proxies{0})) << k;
         EXPECT_EQ(std::signbit(table.box(0).min[0]), true);
         table.settle();
     }
