@@ -7,6 +7,7 @@
 
 #include "harness/contained.hpp"
 #include "harness/stopwatch.hpp"
+#include "harness/touch_pages.hpp"
 #include "oracle/oracle.hpp"
 
 namespace ecods::bench {
@@ -45,8 +46,10 @@ class Turn {
     // Runs the next frame; false when it was the last.
     bool run_frame() {
         const bool is_timed = frame_ >= plan_.untimed_count || ns_ > plan_.ns_max / 3;
+        const std::span<const scenes::BoxMove> moves = boxes_.frames[frame_];
+        touch_pages(moves);
         const Stopwatch watch;
-        engine_->run_frame(boxes_.frames[frame_]);
+        engine_->run_frame(moves);
         const double ns = watch.nanoseconds();
         ns_ += ns;
         if (is_timed) {

@@ -7,6 +7,7 @@
 #include "harness/contained.hpp"
 #include "harness/judge.hpp"
 #include "harness/stopwatch.hpp"
+#include "harness/touch_pages.hpp"
 
 namespace ecods::bench {
 
@@ -42,11 +43,12 @@ Contained::Run start_frames(const EngineMaker& maker, const scenes::Scene& scene
         double ms = 0, calls = 0;
         std::size_t missed = 0, invented = 0;
         for (std::size_t frame = 0; frame <= scene.frames.size(); ++frame) {
+            const std::span<const scenes::Move> moves =
+                frame == 0 ? std::span<const scenes::Move>() : scene.frames[frame - 1].moves;
+            touch_pages(moves);
             const Stopwatch watch;
-            if (frame == 0) {
-                engine->run_frame({});
-            } else {
-                engine->run_frame(scene.frames[frame - 1].moves);
+            engine->run_frame(moves);
+            if (frame > 0) {
                 ms += watch.nanoseconds() / 1e6;
                 calls += static_cast<double>(engine->candidate_count());
             }
