@@ -16,6 +16,7 @@ constexpr double float_u = 0x1p-23;
 constexpr double underflow = 0x1p-100;
 constexpr double sum_max = 0x1p100;
 constexpr double factor_max = 0x1p900;
+constexpr double world_max = 0x1p1000;
 constexpr double unit_distance_max = 0x1p-40;  // beyond, margins would suffer
 
 struct RootBox {
@@ -81,7 +82,8 @@ struct ExactSet {
         a = N * edges_a.edges;
         b = N * edges_b.edges;
         offset = N * ((edges_b.origin - edges_a.origin) + d);
-        w = N_size * (((edges_a.size + edges_b.size) + (edges_a.origin_size + edges_b.origin_size)) + d_size);
+        const Double4 world = ((edges_a.size + edges_b.size) + (edges_a.origin_size + edges_b.origin_size)) + d_size;
+        w = N_size * world;
         s = (row_sums(absolute(a)) + row_sums(absolute(b))) + absolute(offset);
         const double factor = ((edges_a.factor + edges_b.factor) + sum(d_size)) * sum(row_sums(N_size));
         const Matrix4& own = own_tree == Own::a ? a : b;
@@ -91,7 +93,8 @@ struct ExactSet {
         if (!is_unit) e = Double4{};
         margin = (32 * double_u * (s + w) + 2 * e) + underflow;
         // In this form NaN is not bounded.
-        if (!(sum(s) < sum_max && sum(w) < sum_max && factor < factor_max)) margin += infinity;
+        const bool is_bounded = sum(world) < world_max && sum(s) < sum_max && sum(w) < sum_max && factor < factor_max;
+        if (!is_bounded) margin += infinity;
     }
 
     ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return margin[0] < infinity; }

@@ -33,8 +33,10 @@
 // sum |n'_k| (...)_k, and P^T n' as computed adds 6.1 u' sum |n'_k| s_k. Hence 32 u' (s + w) for a row of either kind.
 //
 // Underflow: a hundred operations lose 2^-1022 each (subnormals taken for zero included) times a factor of at most
-// 2^900, which is checked, else the margin is infinite: below 2^-100; floats lose 2^-126 each. Overflow to infinity: s
-// and w are required to be below 2^100, else the margin is infinite and the row never separates; NaN fails that, too.
+// 2^900, which is checked, else the margin is infinite: below 2^-100; floats lose 2^-126 each. Overflow: s and w are
+// required to be below 2^100, else the margin is infinite and the row never separates; NaN fails that, too. A mode that
+// rounds down makes large numbers of infinities, and a short axis would hide them: so what w is made of before N comes
+// to it, which no coordinate of the world exceeds, is required to be below 2^1000 in sum.
 #pragma once
 
 #include <array>

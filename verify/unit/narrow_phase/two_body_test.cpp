@@ -229,6 +229,29 @@ TEST(TwoBody, ARefittedShapeIsMeasuredAnew) {
     }
 }
 
+// The large body reaches beyond all doubles, the other is so flat that axes of the world are tried: with a mode that
+// rounds down, a large number must not be taken for where the large body ends.
+TEST(TwoBody, BodiesBeyondTheRangeOfDoublesTouchInEveryRoundingMode) {
+    const auto large =
+        Mesh::create({Vec3(-0x1p600, -0x1p600, 0), Vec3(0x1p600, -0x1p600, 0), Vec3(0, 0x1p600, 0)}, {{0, 1, 2}});
+    const auto small = Mesh::create({Vec3(0, 0, -1), Vec3(1, 0, -1), Vec3(0, 0, 1)}, {{0, 1, 2}});
+    Pose beyond, flat;
+    beyond.R *= 0x1p600;
+    flat.R(1, 1) = 0;
+    flat.t = Vec3(0x1.fp1023, 0, 0);
+    ASSERT_EQ(oracle::relation({large, beyond}, {small, flat}), Relation::crossing);
+    const MeshShape a(large), b(small);
+    QueryMemory memory;
+    for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        std::fesetround(mode);
+        const Relation there = relation({a, beyond}, {b, flat}, memory);
+        const Relation back = relation({b, flat}, {a, beyond}, memory);
+        std::fesetround(FE_TONEAREST);
+        EXPECT_EQ(there, Relation::crossing) << mode;
+        EXPECT_EQ(back, Relation::crossing) << mode;
+    }
+}
+
 // Found by the fuzzer: a body 2^60 times smaller at a corner of the other. Volumes of the two overflow in floats, and
 // where a mode rounds down, in one direction only.
 TEST(TwoBody, BodiesOfFarDifferentSizesTouchInEveryRoundingMode) {
