@@ -1,5 +1,6 @@
 #include "fuzz/motion/generate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <string>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "fuzz/motion/changes.hpp"
+#include "fuzz/motion/extremes.hpp"
 #include "fuzz/motion/meshes.hpp"
 #include "fuzz/motion/numbers.hpp"
 #include "fuzz/motion/poses.hpp"
@@ -17,9 +19,9 @@ namespace {
 
 using Group = std::uint32_t Weights::*;
 
-constexpr Group groups[] = {&Weights::step,   &Weights::contact, &Weights::ulp,   &Weights::size,
-                            &Weights::jump,   &Weights::matrix,  &Weights::life,  &Weights::shape,
-                            &Weights::filter, &Weights::bulk,    &Weights::tests, &Weights::misuse};
+constexpr Group groups[] = {&Weights::step,   &Weights::contact, &Weights::ulp,    &Weights::size,   &Weights::jump,
+                            &Weights::matrix, &Weights::life,    &Weights::shape,  &Weights::filter, &Weights::bulk,
+                            &Weights::tests,  &Weights::misuse,  &Weights::extreme};
 
 Group any_group(const Weights& weights, scenes::Random& random) {
     std::uint32_t sum = 0;
@@ -112,6 +114,9 @@ Setting make_setting(const Profile& profile, scenes::Random& random, Counters& c
     } else if (profile.scale == Scale::any && drawn == 2) {
         ++counters["scenes: huge"];
         setting.unit = 0x1p900;
+    } else if (profile.scale == Scale::extreme) {
+        ++counters["scenes: of extremes"];
+        setting.unit = std::min(extreme_unit(random), 0x1p900);
     } else {
         ++counters["scenes: of unit size"];
     }
@@ -119,7 +124,8 @@ Setting make_setting(const Profile& profile, scenes::Random& random, Counters& c
     if (lattice == 1) setting.lattice = any_rotation(random);
     if (lattice == 2) setting.lattice = signed_permutation(random);
     for (int i = 0; i < 5; ++i) {
-        setting.parts.push_back({make_mesh(profile.meshes, setting.unit, random, counters)});
+        const double unit = profile.scale == Scale::extreme ? extreme_unit(random) : setting.unit;
+        setting.parts.push_back({make_mesh(profile.meshes, unit, random, counters)});
     }
     if (profile.has_user_shapes) {
         setting.parts[1].kind = first_user_kind;

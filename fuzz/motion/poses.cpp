@@ -7,7 +7,9 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
+#include "fuzz/motion/extremes.hpp"
 #include "fuzz/motion/numbers.hpp"
 
 namespace ecods::fuzz {
@@ -168,7 +170,12 @@ const std::array move_table = {
 }  // namespace
 
 std::span<const Move> moves() {
-    return move_table;
+    static const std::vector<Move> all = [] {
+        std::vector<Move> both(move_table.begin(), move_table.end());
+        both.insert(both.end(), extreme_moves().begin(), extreme_moves().end());
+        return both;
+    }();
+    return all;
 }
 
 Vec3 any_place(const Setting& setting, Random& random) {

@@ -140,6 +140,23 @@ constexpr std::array table = {
             .changes_max = 300,
             .space = 24,
             .weights = {.step = 50, .jump = 5, .life = 1, .bulk = 2}},
+    Profile{.name = "extremes",
+            .about = "from the smallest subnormal to beyond the largest double: sizes far apart, overflow, flat bodies",
+            .bodies_min = 2,
+            .bodies_max = 7,
+            .frames = 24,
+            .changes_max = 3,
+            .space = 2,
+            .weights = {.step = 2,
+                        .contact = 4,
+                        .ulp = 1,
+                        .size = 1,
+                        .jump = 1,
+                        .matrix = 1,
+                        .life = 1,
+                        .shape = 1,
+                        .extreme = 12},
+            .scale = Scale::extreme},
 };
 
 }  // namespace

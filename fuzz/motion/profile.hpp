@@ -7,7 +7,8 @@
 
 namespace ecods::fuzz {
 
-// How often changes of a group are made, beside one another. The groups are told in poses.cpp and changes.cpp.
+// How often changes of a group are made, beside one another. The groups are told in poses.cpp, extremes.cpp
+// and changes.cpp.
 struct Weights {
     std::uint32_t step = 0;     // to somewhere near
     std::uint32_t contact = 0;  // into exact contact, by construction
@@ -21,10 +22,17 @@ struct Weights {
     std::uint32_t bulk = 0;     // many poses at once
     std::uint32_t tests = 0;    // two-body tests that are registered again, or throw
     std::uint32_t misuse = 0;   // bad input
+    std::uint32_t extreme = 0;  // to the ends of the range of doubles
 };
 
 enum class Meshes { hard, cubes, round };
-enum class Scale { unit, any, far };       // any: now and then subnormal, huge or far; far: always
+enum class Scale {
+    unit,
+    any,
+    far,
+    extreme
+};                                         // any: now and then subnormal, huge or far; far: always; extreme: each
+                                           // mesh has a size of its own
 enum class Layout { scattered, stacked };  // stacked: a lattice of bodies that touch exactly
 
 struct Profile {

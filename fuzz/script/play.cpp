@@ -37,6 +37,7 @@ class Player {
     void check();
     void check_rest() const;
     void check_fresh(const World& world);
+    void check_fresh_in(const FloatMode& mode, const World& world);
     void check_tampering(const World& world);
     void check_replay();
     void count_work();
@@ -113,11 +114,14 @@ void Player::check() {
     truth_.look_at(first);
     check_boxes(first, truth_, counters_);
     const InstructionSet set = scene_.instruction_set(number);
+    const FloatMode& mode = float_modes[update_count_ / 2 % float_modes.size()];
     {
         const environment::InstructionSetLimit limit(set);
+        const InFloatMode in_mode(mode);
         check_answers(asked, truth_, counters_);
     }
     ++counters_[std::string("checked: answers with instructions of ") + environment::name(set)];
+    ++counters_[std::string("checked: answers, ") + mode.name];
     auto expected = true_collisions(first, truth_);
     sing(expected);
     for (ToldWorld& told : scene_.worlds) {
@@ -136,10 +140,18 @@ void Player::check() {
     colliding_ = std::move(expected);
 }
 
-// With another broad phase, another number of workers, and every other time in another floating-point environment.
+// In the environment of every program as it starts, and in another one: by turns where worlds are large.
 void Player::check_fresh(const World& world) {
+    constexpr std::size_t large_min = 100;
+    const bool is_large = world.statistics().body_count >= large_min;
+    if (!is_large || update_count_ % 2 == 0) check_fresh_in(float_modes[0], world);
+    if (!is_large) check_fresh_in(float_modes[1 + update_count_ % (float_modes.size() - 1)], world);
+    if (is_large && update_count_ % 2 == 1) check_fresh_in(float_modes[update_count_ / 2 % float_modes.size()], world);
+}
+
+// With another broad phase and another number of workers each time.
+void Player::check_fresh_in(const FloatMode& mode, const World& world) {
     const auto order = static_cast<std::uint32_t>(update_count_ + 1);
-    const FloatMode& mode = float_modes[order % 2 == 0 ? order / 2 % float_modes.size() : 0];
     ++counters_[std::string("checked: against a fresh world, ") + mode.name];
     const InFloatMode in_mode(mode);
     check_fresh_world(world, {.options = {.broad_phase = broad_phases[order / 4 % 4],
