@@ -210,28 +210,24 @@ TEST(BoxAxes, NeverSeparateRootsInContactFarFromTheirOwnOrigins) {
     }
 }
 
-// Flat boxes under poses with two nearly parallel columns: the box's own normals, as computed, undo such a pose less
-// precisely than their size tells, and a flat box has nothing to spare. The two share a corner.
+// A flat box under a pose with two nearly parallel columns and a short third: the box's own normals, as computed, undo
+// such a pose less precisely than their size tells, and a flat box has nothing to spare. A tiny triangle goes through
+// the large one, near a corner.
 TEST(BoxAxes, NeverSeparateFlatBoxesUnderShearedPoses) {
     scenes::Random random(37);
-    for (int i = 0; i < 3000; ++i) {
-        Pose pose;
-        pose.R = random.rotation().toRotationMatrix();
-        const auto k = static_cast<Eigen::Index>(random.below(3));
-        const double angle = std::ldexp(random.uniform(1, 2), -static_cast<int>(8 + random.below(8)));
-        pose.R.col((k + 1) % 3) = pose.R.col(k) + angle * pose.R.col((k + 1) % 3);
-        // Flat on one axis, in units of the frame; the second lies on one side of the corner that they share.
-        const auto flat = static_cast<Eigen::Index>(random.below(3));
-        const auto thin = [&](double up) {
-            Vec3 v;
-            for (double& x : v) x = random.uniform(-1, 1);
-            v[flat] = up;
-            return v;
-        };
-        const Vec3 shared = thin(0);
-        const double up = random.below(2) == 0 ? 0x1p-44 : -0x1p-44;
-        const Body a(Mesh::create({shared, thin(0), thin(0)}, {{0, 1, 2}}), pose);
-        const Body b(Mesh::create({shared, thin(up), thin(up)}, {{0, 1, 2}}), pose);
+    constexpr double r = 1 - 0x1p-10, tiny = 0x1p-49;
+    const auto flat = Mesh::create({Vec3(-r, -r, 0), Vec3(r, r, 0), Vec3(-r, r, 0)}, {{0, 1, 2}});
+    for (int i = 0; i < 1000; ++i) {
+        const Mat3 Q = random.rotation().toRotationMatrix();
+        Pose sheared, there;
+        const double angle = std::exp2(random.uniform(-12, -9)), length = std::exp2(random.uniform(-1, 1));
+        sheared.R.col(0) = Q.col(0);
+        sheared.R.col(1) = length * (Q.col(0) + angle * Q.col(1));
+        sheared.R.col(2) = std::exp2(random.uniform(-3, 0)) * Q.col(2);
+        there.t = sheared.R * (i % 2 == 0 ? Vec3(0.998, 0.9985, 0) : Vec3(-0.9985, -0.998, 0));
+        const auto through = Mesh::create({tiny * Q.col(2), -tiny * Q.col(2), tiny * Q.col(0)}, {{0, 1, 2}});
+        ASSERT_TRUE(oracle::intersects({flat, sheared}, {through, there}));
+        const Body a(flat, sheared), b(through, there);
         ASSERT_TRUE(let_through_in_every_rounding_mode(a, b, 0, 0)) << i;
     }
 }
