@@ -1,0 +1,24 @@
+// Doubles as integers, so that their order cannot depend on the floating-point environment.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+namespace ecods {
+
+// An integer that orders as the double does, infinities included; -0.0 and 0.0 have one key. Only bits are looked at:
+// with denormals-are-zero set, a comparison of doubles would take subnormals for equal.
+constexpr std::int64_t key_of(double x) noexcept {
+    const auto bits = std::bit_cast<std::int64_t>(x);
+    const std::int64_t sign = bits >> 63;  // all ones below zero
+    return ((bits & std::numeric_limits<std::int64_t>::max()) ^ sign) - sign;
+}
+
+// The double that has this key.
+constexpr double double_of(std::int64_t key) noexcept {
+    const std::int64_t sign = key >> 63;
+    return std::bit_cast<double>(((key ^ sign) - sign) | (sign & std::numeric_limits<std::int64_t>::min()));
+}
+
+}  // namespace ecods
