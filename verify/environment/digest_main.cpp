@@ -1,4 +1,6 @@
-// usage: digest_main CORPUS     prints a digest of the answers on the corpus, for each rounding mode and flush-to-zero
+// usage: digest_main CORPUS     prints a digest of the answers on the corpus, for each instruction set that the build
+// has
+//                               and the processor supports, rounding mode and flush-to-zero
 //
 // Built by verify/environment/check in many ways, from the sources of the exact layer, without any other library.
 
@@ -17,6 +19,7 @@
 #include "ecods/mesh.hpp"
 #include "ecods/predicates.hpp"
 #include "environment/corpus.hpp"
+#include "environment/instruction_sets.hpp"
 #include "exact/body_pair.hpp"
 
 namespace {
@@ -47,9 +50,13 @@ std::uint64_t digest(const std::vector<std::array<Body, 2>>& pairs) {
     exact::BodyPair bodies;
     for (const auto& [a, b] : pairs) {
         const exact::MeshExtent extent_a = exact::measure(*a.mesh), extent_b = exact::measure(*b.mesh);
-        bodies.bind({a.mesh.get(), &extent_a, &a.pose}, {b.mesh.get(), &extent_b, &b.pose});
+        const auto blocks = exact::make_blocks(*b.mesh, std::array<std::uint32_t, 1>{0});
+        bodies.bind({a.mesh.get(), &extent_a, &a.pose}, {b.mesh.get(), &extent_b, &b.pose, blocks});
         const auto add = [&](auto answer) { result = combine(result, static_cast<std::uint64_t>(answer) & 0xff); };
-        add(bodies.relation(0, 0));
+        // In a batch, which is compiled for several instruction sets; one by one it must be the same.
+        std::array<Relation, exact::lane_count> in_batch{};
+        bodies.relations(0, 0, 1, in_batch);
+        add(bodies.relation(0, 0) == in_batch[0] ? static_cast<int>(in_batch[0]) : 0xff);
         add(triangle_triangle({a.pose, a.corners}, {b.pose, b.corners}));
         add(triangle_triangle(a.corners, b.corners));
         add(orient3d(a.corners[0], a.corners[1], b.corners[0], b.corners[1]));
@@ -61,19 +68,7 @@ std::uint64_t digest(const std::vector<std::array<Body, 2>>& pairs) {
     return result;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    std::ifstream file(argc == 2 ? argv[1] : "", std::ios::binary);
-    std::vector<std::array<Body, 2>> pairs;
-    environment::PairRecord record;
-    while (file.read(reinterpret_cast<char*>(record.data()), sizeof record)) {
-        pairs.push_back({read_body(record.data()), read_body(record.data() + environment::doubles_per_body)});
-    }
-    if (pairs.empty()) {
-        std::fputs("usage: digest_main CORPUS\n", stderr);
-        return 2;
-    }
+void print_digests(const std::vector<std::array<Body, 2>>& pairs) {
     for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
         for (const bool flush : {false, true}) {
 #if defined(__SSE2__)
@@ -90,5 +85,24 @@ int main(int argc, char** argv) {
 #endif
             std::printf("%016llx\n", static_cast<unsigned long long>(result));
         }
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::ifstream file(argc == 2 ? argv[1] : "", std::ios::binary);
+    std::vector<std::array<Body, 2>> pairs;
+    environment::PairRecord record;
+    while (file.read(reinterpret_cast<char*>(record.data()), sizeof record)) {
+        pairs.push_back({read_body(record.data()), read_body(record.data() + environment::doubles_per_body)});
+    }
+    if (pairs.empty()) {
+        std::fputs("usage: digest_main CORPUS\n", stderr);
+        return 2;
+    }
+    for (const InstructionSet set : environment::supported_instruction_sets()) {
+        limit_instruction_set(set);
+        print_digests(pairs);
     }
 }
