@@ -6,15 +6,23 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "base/instruction_set.hpp"
 #include "engines/broad_engine.hpp"
 
 namespace ecods::bench {
 
 namespace {
 
+// No wider instructions than ECoDS is limited to.
+const char* configuration() {
+    if (instruction_set() == supported_instruction_set()) return "threads=1,user_threads=1";
+    return instruction_set() == InstructionSet::avx2 ? "threads=1,user_threads=1,max_isa=avx2"
+                                                     : "threads=1,user_threads=1,max_isa=sse2";
+}
+
 class BroadEmbree final : public BroadEngine {
   public:
-    explicit BroadEmbree(const scenes::MovingBoxes& boxes) : device_(rtcNewDevice("threads=1,user_threads=1")) {
+    explicit BroadEmbree(const scenes::MovingBoxes& boxes) : device_(rtcNewDevice(configuration())) {
         if (device_ == nullptr) throw std::runtime_error("Embree gives no device");
         for (const Aabb& box : boxes.boxes) boxes_.push_back(to_embree(box));
         scene_ = rtcNewScene(device_);

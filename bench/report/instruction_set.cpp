@@ -5,22 +5,27 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "base/instruction_set.hpp"
+#include "environment/instruction_sets.hpp"
+
 namespace ecods::bench {
 
 namespace {
 
 constexpr const char* variable = "GLIBC_TUNABLES";
 
-std::string tunables_for(const std::string& instruction_set) {
+std::string tunables_for(InstructionSet set) {
     const std::string beyond_avx2 = "-AVX512F,-AVX512VL,-AVX512BW,-AVX512CD,-AVX512DQ";
-    return "glibc.cpu.hwcaps=" + (instruction_set == "avx2" ? beyond_avx2 : beyond_avx2 + ",-AVX2,-AVX,-FMA,-BMI2");
+    return "glibc.cpu.hwcaps=" + (set == InstructionSet::avx2 ? beyond_avx2 : beyond_avx2 + ",-AVX2,-AVX,-FMA,-BMI2");
 }
 
 }  // namespace
 
-void start_again_with(const std::string& instruction_set, char** arguments) {
-    if (instruction_set == "native") return;
-    const std::string tunables = tunables_for(instruction_set);
+void use_instruction_set(const std::string& name, char** arguments) {
+    if (name == "native") return;
+    const InstructionSet set = name == "avx2" ? InstructionSet::avx2 : InstructionSet::baseline;
+    limit_instruction_set(set);
+    const std::string tunables = tunables_for(set);
     const char* now = std::getenv(variable);
     if (now != nullptr && now == tunables) return;
     setenv(variable, tunables.c_str(), 1);
@@ -29,9 +34,10 @@ void start_again_with(const std::string& instruction_set, char** arguments) {
 }
 
 std::string instruction_set_in_use() {
+    const std::string own = environment::name(instruction_set());
     const char* now = std::getenv(variable);
-    if (now == nullptr) return "native";
-    return std::string("the C library's: ") + now + "; that of ECoDS and of Embree: native";
+    if (now == nullptr) return "native (ECoDS: " + own + ")";
+    return "ECoDS and Embree: " + own + ", the C library: " + now;
 }
 
 }  // namespace ecods::bench

@@ -1,17 +1,17 @@
-// Which instructions the program may use.
+// Which instructions the engines may use.
 #pragma once
 
 #include <string>
 
 namespace ecods::bench {
 
-// Replaces this process by itself with GLIBC_TUNABLES set such that the C library, and every choice that asks it, sees
-// no instructions beyond the set: "avx2" or "baseline". Does nothing for "native", or when that is the set already.
-// Nothing is hidden from code that asks the processor itself, as the resolvers that compilers make do: ECoDS and Embree
-// among it, which run the same versions as ever. Throws std::runtime_error when the program cannot be started again.
-void start_again_with(const std::string& instruction_set, char** arguments);
+// Limits ECoDS, Embree (which follows ECoDS: engines/broad_embree.cpp) and the C library to a set of instructions,
+// "avx2" or "baseline"; does nothing for "native". The other engines are built for the baseline, whatever is asked for.
+// For the C library (its copying and mathematics) this process is replaced by itself with GLIBC_TUNABLES set, unless
+// they are so already. Throws std::runtime_error when the program cannot be started again.
+void use_instruction_set(const std::string& name, char** arguments);
 
-// What is hidden, or "native".
+// What was asked for, and what ECoDS uses then.
 std::string instruction_set_in_use();
 
 }  // namespace ecods::bench

@@ -46,7 +46,7 @@ std::string verdict(const std::vector<double>& ratios) {
 
 class Build {
   public:
-    Build(const std::string& program, bool is_quick) : talk_(arguments(program, is_quick)) {
+    Build(const std::string& program, const std::vector<std::string>& options) : talk_(arguments(program, options)) {
         try {
             names_ = parse_names(talk_.read_line());
         } catch (const std::exception& error) {
@@ -64,9 +64,9 @@ class Build {
     }
 
   private:
-    static std::vector<std::string> arguments(const std::string& program, bool is_quick) {
+    static std::vector<std::string> arguments(const std::string& program, const std::vector<std::string>& options) {
         std::vector<std::string> list = {program, "--own"};
-        if (is_quick) list.push_back("--quick");
+        list.insert(list.end(), options.begin(), options.end());
         return list;
     }
 
@@ -106,8 +106,8 @@ BuildComparison compare_samples(const std::vector<PairedSamples>& all) {
 }
 
 BuildComparison compare_builds(const std::string& before, const std::string& after, std::size_t repetition_count,
-                               bool is_quick) {
-    Build old_build(before, is_quick), new_build(after, is_quick);
+                               const std::vector<std::string>& options) {
+    Build old_build(before, options), new_build(after, options);
     std::vector<PairedSamples> all;
     for (const std::string& name : old_build.names()) all.push_back({name, {}, {}});
     for (const std::string& name : new_build.names())

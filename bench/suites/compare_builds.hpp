@@ -27,9 +27,9 @@ struct BuildComparison {
 // enter is_same: on a machine that others use as well they cannot be relied on.
 BuildComparison compare_samples(const std::vector<PairedSamples>& all);
 
-// Starts both programs with --own and lets them take turns, workload by workload, the order changing from turn to turn.
-// Throws std::runtime_error when one of them cannot be started, ends early or has no --own.
+// Starts both programs with --own and `options` and lets them take turns, workload by workload, the order changing from
+// turn to turn. Throws std::runtime_error when one of them cannot be started, ends early or has no --own.
 BuildComparison compare_builds(const std::string& before, const std::string& after, std::size_t repetition_count,
-                               bool is_quick);
+                               const std::vector<std::string>& options);
 
 }  // namespace ecods::bench
