@@ -22,6 +22,11 @@ double spread_in_percent(std::vector<double> values) {
     return 100 * (quantile(0.75) - quantile(0.25)) / quantile(0.5);
 }
 
+std::string medians_of(std::size_t repetition_count) {
+    if (repetition_count == 1) return "one repetition";
+    return "medians of " + std::to_string(repetition_count) + " interleaved repetitions";
+}
+
 double times_as_fast(std::span<const double> times, std::span<const double> yardstick_times) {
     std::vector<double> ratios;
     for (std::size_t i = 0; i < std::min(times.size(), yardstick_times.size()); ++i)

@@ -115,9 +115,10 @@ SuiteResult run_broad(const SuiteOptions& options) {
     table.header = {"boxes",     "engine",    "ns/box/frame", "spread %", "frames",
                     "times FCL", "pairs/box", "missed",       "invented"};
     table.notes = {
-        fmt::format("Processor time: means over the last two thirds of the frames, medians of {} interleaved "
-                    "repetitions (100k: 1), each engine in a process of its own.",
-                    options.repetition_count),
+        fmt::format("Processor time: means over the last two thirds of the frames, {}{}; each engine in a process of "
+                    "its own.",
+                    medians_of(options.repetition_count),
+                    options.is_long || options.repetition_count == 1 ? "" : " (100k: one)"),
         fmt::format("Frames: so many were timed. An engine that needs more than {:.0f} s for all of them is timed over "
                     "fewer, and once ({}: {:.0f} s, and as often as the others).",
                     turn_seconds(options), broad_yardstick, 3 * turn_seconds(options)),
@@ -127,8 +128,8 @@ SuiteResult run_broad(const SuiteOptions& options) {
         fmt::format("The full list of pairs is delivered in every frame. Times FCL: how many times as fast as {}.",
                     broad_yardstick),
         fmt::format(
-            "Warning: {} loses and invents pairs once boxes change size, be it by the rounding of their centres "
-            "as here; with bodies that turn it crashes or does not end, too. It is no yardstick.",
+            "Warning: {} was seen to lose and invent pairs of boxes that keep their size but for the rounding of "
+            "their ends, and with bodies that turn to crash or not to end, too. It is no yardstick.",
             broad_fcl_sweep),
         "Missed, invented: pairs in the first, middle and last frame that the engine runs, against all pairs (100k: "
         "CGAL's box intersection)."};

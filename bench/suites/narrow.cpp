@@ -113,9 +113,9 @@ Table empty_table(const std::string& title, std::size_t repetition_count) {
                     "missed",   "invented", "box tests", "triangle tests", "judged"};
     table.notes = {
         fmt::format(
-            "Processor time: medians of {} interleaved repetitions, each of one pass over the queries untimed and "
-            "then 20 ms of them, each engine pinned in a process of its own; spread: quartile distance.",
-            repetition_count),
+            "Processor time: {}; first one pass over the queries untimed, then 20 ms of them; each engine pinned in a "
+            "process of its own. Spread: quartile distance.",
+            medians_of(repetition_count)),
         fmt::format("Times FCL: how many times as fast as {}, in the same repetition. Judged: so many answers were "
                     "checked by the oracle; the others by ECoDS.",
                     narrow_yardstick)};

@@ -9,6 +9,7 @@
 #include <chrono>
 
 #include "harness/progress.hpp"
+#include "harness/statistics.hpp"
 #include "oracle/oracle.hpp"
 #include "scenes/shapes.hpp"
 #include "suites/comparison.hpp"
@@ -171,10 +172,8 @@ Tables empty_tables(std::size_t repetition_count) {
     tables.ratios.title = "What exactness costs: ratios of these times";
     tables.ratios.header = {"scene",   "ECoDS/plain",   "quartiles",   "must",    "aim",
                             "reached", "batches/plain", "Epeck/ECoDS", "10 times"};
-    tables.ratios.notes = {
-        fmt::format("Medians of {} interleaved repetitions after a warm-up; must and aim are for pairs "
-                    "asked one by one.",
-                    repetition_count)};
+    tables.ratios.notes = {fmt::format("Ratios: {} after a warm-up. Must and aim are for pairs asked one by one.",
+                                       medians_of(repetition_count))};
     tables.wrong.title = "Wrong answers on these pairs";
     tables.wrong.header = {
         "scene",      "pairs", "plain double", "%", "Epick", "%", "Epeck", "ECoDS by batches", "asked of the oracle",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "harness/statistics.hpp"
 #include "report/plot.hpp"
 #include "report/povray.hpp"
 #include "scenes/ship.hpp"
@@ -81,10 +82,10 @@ SuiteResult run_rooms(const SuiteOptions& options) {
         Section section{room_case.title, {room_case.text}, {comparison.table, work}, {}};
         if (options.has_pictures) {
             section.pictures.push_back(draw_room(room_case, scene, comparison.truth, options.folder));
-            section.pictures.push_back(plot_times(
-                comparison.runs, options.folder, room_case.name + "-times",
-                fmt::format("{}: milliseconds per frame, medians of {} repetitions. The scale is logarithmic.",
-                            room_case.title, options.repetition_count)));
+            section.pictures.push_back(
+                plot_times(comparison.runs, options.folder, room_case.name + "-times",
+                           fmt::format("{}: milliseconds per frame, {}. The scale is logarithmic.", room_case.title,
+                                       medians_of(options.repetition_count))));
         }
         result.sections.push_back(std::move(section));
     }

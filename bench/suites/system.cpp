@@ -101,9 +101,9 @@ Table time_table(const Experiment& experiment, const std::vector<Size>& sizes, s
         }
         table.rows.push_back(std::move(row));
     }
-    table.notes = {fmt::format("Processor time: medians of {} interleaved repetitions, each after 20 ms untimed, each "
-                               "engine pinned in a process of its own.",
-                               repetition_count),
+    table.notes = {fmt::format("Processor time: {}; 20 ms untimed before each; each engine pinned in a process of its "
+                               "own.",
+                               medians_of(repetition_count)),
                    "Judged: frames checked by the oracle; the others by ECoDS, whose broad phases must agree."};
     return table;
 }
