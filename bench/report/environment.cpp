@@ -70,9 +70,9 @@ Table environment(const std::string& command) {
         {"system", system_name()},
         {"compiler", ECODS_BENCH_COMPILER},
         {"libraries",
-         fmt::format("ECoDS {}.{}.{}, FCL {}, CGAL {} (oracle), Eigen {}.{}.{}, GSL {}", ECODS_VERSION_MAJOR,
-                     ECODS_VERSION_MINOR, ECODS_VERSION_PATCH, FCL_VERSION, ECODS_BENCH_CGAL, EIGEN_WORLD_VERSION,
-                     EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, GSL_VERSION)},
+         fmt::format("ECoDS {}.{}.{}, FCL {}, {}, CGAL {} (oracle, too), Eigen {}.{}.{}, GSL {}", ECODS_VERSION_MAJOR,
+                     ECODS_VERSION_MINOR, ECODS_VERSION_PATCH, FCL_VERSION, ECODS_BENCH_PEERS, ECODS_BENCH_CGAL,
+                     EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, GSL_VERSION)},
     };
     return table;
 }

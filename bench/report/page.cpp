@@ -34,6 +34,7 @@ figure { margin: 1.2rem 0; }
 figure img, figure svg { width: 100%; height: auto; display: block; }
 figure img { border: 1px solid #bbb; box-sizing: border-box; }
 figcaption { font-size: .9rem; color: #333; margin-top: .4rem; }
+.origin { display: block; font: 11px/1.4 "DejaVu Sans", Verdana, sans-serif; color: #666; overflow-wrap: anywhere; }
 @media screen and (max-width: 44rem) {
   body { font-size: 15px; padding: .7rem; } table { font-size: 12px; } th, td { padding: .2rem .45rem; }
   .chart { overflow-x: auto; } .chart img { min-width: 46rem; }  /* else the letters in it are too small to be read */
@@ -62,7 +63,17 @@ std::string base64(const std::string& bytes) {
     return text;
 }
 
-std::string to_html(const Picture& picture) {
+// What made the figures of this page: for whoever takes one of them out of it.
+std::string origin(const Page& page) {
+    std::string text;
+    for (const std::vector<std::string>& row : page.environment.rows) {
+        if (row.front() == "command" || row.front() == "commit" || row.front() == "date")
+            text += (text.empty() ? "" : "; ") + row.front() + ": " + row.at(1);
+    }
+    return text;
+}
+
+std::string to_html(const Picture& picture, const std::string& origin) {
     std::string html = "<figure>";
     if (!picture.failure.empty()) {
         html += "<p>No picture: " + escape_html(picture.failure) + "</p>";
@@ -73,7 +84,8 @@ std::string to_html(const Picture& picture) {
                             is_chart ? "chart" : "picture", escape_html(picture.caption), is_chart ? "svg+xml" : "png",
                             base64(read_all(picture.file)));
     }
-    return html + "<figcaption>" + escape_html(picture.caption) + "</figcaption></figure>\n";
+    return html + "<figcaption>" + escape_html(picture.caption) + " <span class=\"origin\">" + escape_html(origin) +
+           "</span></figcaption></figure>\n";
 }
 
 }  // namespace
@@ -89,7 +101,7 @@ void write_page(const Page& page, const std::filesystem::path& file) {
         out << "<h2>" << escape_html(section.title) << "</h2>\n";
         for (const std::string& text : section.paragraphs) out << "<p>" << escape_html(text) << "</p>\n";
         for (const Table& table : section.tables) out << to_html(table);
-        for (const Picture& picture : section.pictures) out << to_html(picture);
+        for (const Picture& picture : section.pictures) out << to_html(picture, origin(page));
     }
     out << "<h2>Where and how this was measured</h2>\n" << to_html(page.environment) << "</body></html>\n";
     out.close();

@@ -79,7 +79,7 @@ SuiteResult run_hard_cases(const SuiteOptions& options) {
     }
     table.rows.push_back(std::move(totals));
     table.notes = {"Each with its source in verify/hard_cases/hard_cases.json. Both orders of arguments are asked.",
-                   "ODE (0.16) crashes on meshes of a single triangle."};
+                   "Crashed: the engine's process ended by a signal; each case is asked in a process of its own."};
     print(table);
     result.sections.push_back({"Hard cases",
                                {"Configurations that were reported to other libraries as wrong answers, or that were "

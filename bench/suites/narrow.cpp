@@ -139,7 +139,7 @@ Table gap_table(std::span<const Measured> all) {
     }
     table.notes = {
         "Half of the poses have the gap, half are as deep. Adjacent doubles: the two positions on a line between "
-        "which contact begins.",
+        "which contact begins; a gap of 1e-16 lies between these. Exact contact: the stacked bricks above.",
         "Judged: answers checked by the oracle."};
     return table;
 }
