@@ -48,8 +48,8 @@ struct ReplayReport {
 // before and after, or what validate() finds. An update without a result, or that failed, is run and not compared.
 //
 // Throws InvalidTrace where the text is no trace, or where a call that it holds is refused; NotSupported for a shape of
-// the caller's own without a reader. Whatever the text is: memory and time are in proportion to its length, and to the
-// work of the updates in it.
+// the caller's own without a reader; ExecutorFailed as World::update does. Whatever the text is: memory and time are in
+// proportion to its length, and to the work of the updates in it.
 ReplayReport replay(std::istream& trace, const ReplayOptions& options = {});
 
 }  // namespace ecods

@@ -5,6 +5,7 @@
 #include <cfenv>
 #include <cmath>
 #include <thread>
+#include <utility>
 
 #include "ecods/error.hpp"
 #include "oracle/oracle.hpp"
@@ -271,6 +272,22 @@ TEST(TwoBody, BodiesOfFarDifferentSizesTouchInEveryRoundingMode) {
         EXPECT_TRUE(there) << mode;
         EXPECT_TRUE(back) << mode;
     }
+}
+
+TEST(TwoBody, AMemoryThatWasMovedGoesOn) {
+    const auto cube = scenes::cube(1);
+    const MeshShape shape(cube);
+    QueryMemory memory;
+    Pose there;
+    there.t = Vec3(2, 0, 0);
+    EXPECT_TRUE(intersects({shape, Pose()}, {shape, there}, memory));
+    QueryMemory moved = std::move(memory);
+    EXPECT_EQ(moved.counts().queries, 1u);
+    EXPECT_TRUE(intersects({shape, Pose()}, {shape, there}, moved));
+    memory = std::move(moved);
+    EXPECT_EQ(memory.counts().queries, 2u);
+    there.t[0] = 2.5;
+    EXPECT_FALSE(intersects({shape, Pose()}, {shape, there}, memory));
 }
 
 }  // namespace

@@ -181,5 +181,21 @@ TEST(Replay, AStreamThatFailsIsRefused) {
     EXPECT_THROW(replay(in), InvalidTrace);
 }
 
+// Works for nobody.
+class IdleExecutor final : public Executor {
+  public:
+    std::size_t worker_count() const noexcept override { return 2; }
+    void run(std::size_t, const std::function<void(std::size_t, std::size_t)>&) override {}
+};
+
+// Not the trace's fault.
+TEST(Replay, AnExecutorThatFailsIsTold) {
+    std::string text = head + mesh;
+    for (int i = 1; i <= 40; ++i) text += "create " + std::to_string(i) + ".0 1" + pose;
+    text += "update\n";
+    EXPECT_EQ(replay_text(text).colliding_count, 40u * 39 / 2);
+    EXPECT_THROW(replay_text(text, {.executor = std::make_shared<IdleExecutor>()}), ExecutorFailed);
+}
+
 }  // namespace
 }  // namespace ecods

@@ -324,5 +324,23 @@ TEST(Trace, GoesWithItsWorld) {
     EXPECT_EQ(report.update_count, 2u);
 }
 
+// Meshes that are gone leave the writer's memory, and a new one at the address of an old one is not taken for it.
+TEST(Trace, ManyMeshesComeAndGo) {
+    std::ostringstream out;
+    World world;
+    world.trace_to(out);
+    const BodyId body = world.create_body(scenes::cube(1), at(0));
+    const BodyId other = world.create_body(scenes::cube(1), at(0));
+    for (int i = 1; i <= 300; ++i) {
+        world.set_shape(body, scenes::cube(0.01 * i));
+        world.set_pose(other, at(1 + 0.01 * i + (i % 2 == 0 ? 0 : 0x1p-40)));
+        world.update();
+    }
+    world.end_trace();
+    const ReplayReport report = replay_text(out.str());
+    EXPECT_FALSE(report.difference);
+    EXPECT_EQ(report.update_count, 300u);
+}
+
 }  // namespace
 }  // namespace ecods
