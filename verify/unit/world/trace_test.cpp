@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <vector>
 
 #include "ecods/replay.hpp"
 #include "ecods/world.hpp"
@@ -331,8 +332,12 @@ TEST(Trace, ManyMeshesComeAndGo) {
     world.trace_to(out);
     const BodyId body = world.create_body(scenes::cube(1), at(0));
     const BodyId other = world.create_body(scenes::cube(1), at(0));
+    std::vector<std::shared_ptr<const Mesh>> kept;
     for (int i = 1; i <= 300; ++i) {
-        world.set_shape(body, scenes::cube(0.01 * i));
+        // All at addresses of their own, for a while.
+        if (i == 150) kept.clear();
+        kept.push_back(scenes::cube(0.01 * i));
+        world.set_shape(body, kept.back());
         world.set_pose(other, at(1 + 0.01 * i + (i % 2 == 0 ? 0 : 0x1p-40)));
         world.update();
     }
