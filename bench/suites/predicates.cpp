@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 
 #include "harness/progress.hpp"
 #include "harness/statistics.hpp"
+#include "harness/stopwatch.hpp"
 #include "oracle/oracle.hpp"
 #include "scenes/shapes.hpp"
 #include "suites/comparison.hpp"
@@ -26,10 +26,9 @@ struct Timed {
 
 template <class Decide>
 Timed timed(const PredicateScene& scene, Decide&& decide) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     Timed result{decide(scene), 0};
-    const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
-    result.ns = time.count() / static_cast<double>(result.answers.size());
+    result.ns = stopwatch.nanoseconds() / static_cast<double>(result.answers.size());
     return result;
 }
 
@@ -167,13 +166,13 @@ Tables empty_tables(std::size_t repetition_count) {
     tables.times.notes = {
         "Pairs are those whose boxes overlap, few for each body. Plain double: the same code, its signs at face value.",
         "Epick: CGAL's filtered kernel on rounded vertices, so it answers another question. Epeck: its exact kernel on "
-        "exactly",
-        "transformed points."};
+        "exactly transformed points."};
     tables.ratios.title = "What exactness costs: ratios of these times";
     tables.ratios.header = {"scene",   "ECoDS/plain",   "quartiles",   "must",    "aim",
                             "reached", "batches/plain", "Epeck/ECoDS", "10 times"};
-    tables.ratios.notes = {fmt::format("Ratios: {} after a warm-up. Must and aim are for pairs asked one by one.",
-                                       medians_of(repetition_count))};
+    tables.ratios.notes = {
+        fmt::format("Of processor times: {} after a warm-up. Must and aim are for pairs asked one by one.",
+                    medians_of(repetition_count))};
     tables.wrong.title = "Wrong answers on these pairs";
     tables.wrong.header = {
         "scene",      "pairs", "plain double", "%", "Epick", "%", "Epeck", "ECoDS by batches", "asked of the oracle",

@@ -4,13 +4,13 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "ecods/predicates.hpp"
 #include "exact/plain_signs.hpp"
 #include "exact/pose_point.hpp"
 #include "harness/progress.hpp"
+#include "harness/stopwatch.hpp"
 #include "oracle/oracle.hpp"
 #include "suites/comparison.hpp"
 #include "suites/stability_engines.hpp"
@@ -50,10 +50,9 @@ std::vector<Answers> time_engines(std::span<const PosedPair> pairs, std::size_t 
     std::vector<std::vector<double>> times(engines().size());
     for (std::size_t repetition = 0; repetition < repetition_count; ++repetition) {
         for (std::size_t e = 0; e < engines().size(); ++e) {
-            const auto start = std::chrono::steady_clock::now();
+            const Stopwatch stopwatch;
             answers[e] = engines()[e].answer(pairs);
-            const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
-            times[e].push_back(time.count() / static_cast<double>(pairs.size()));
+            times[e].push_back(stopwatch.nanoseconds() / static_cast<double>(pairs.size()));
         }
     }
     for (std::vector<double>& of_engine : times) {
@@ -183,13 +182,12 @@ Table make_table(std::span<const StabilityFamily> families, std::span<const Meas
         table.rows.push_back(std::move(row));
     }
     table.notes = {
-        fmt::format(
-            "{} pairs in each row; times are medians, transforms included. Wrong: not the answer of ECoDS, whose",
-            families.front().pairs.size()),
-        "answers were checked as often as the last columns say, by the oracle and where a recipe knows the answer.",
+        fmt::format("{} pairs in each row; times are medians of processor time, transforms included. Wrong: not the "
+                    "answer of ECoDS, whose answers were checked as often as the last columns say, by the oracle and "
+                    "where a recipe knows the answer.",
+                    families.front().pairs.size()),
         "Double: world vertices rounded, then the code of ECoDS without filter and exact stage; float: the same, all "
-        "in",
-        "float. FCL 0.7: its triangle test, and Epick: CGAL's, both on the same rounded world vertices. Where Epick",
+        "in float. FCL 0.7: its triangle test, and Epick: CGAL's, both on the same rounded world vertices. Where Epick "
         "refuses, it counts as wrong. Each pair is asked once, by itself: ECoDS caches nothing here."};
     return table;
 }

@@ -96,8 +96,10 @@ Table time_table(const Experiment& experiment, const std::vector<Size>& sizes, s
         for (const std::string& name : names) {
             const SystemRun* run = size.find(name);
             row.push_back(run == nullptr ? "" : fmt::format("{:.4f}", median(run->ms)));
-            if (run != nullptr && yardstick != nullptr && run != yardstick)
-                row.back() += fmt::format(" ({:.1f})", times_as_fast(run->ms, yardstick->ms));
+            if (run != nullptr && yardstick != nullptr && run != yardstick) {
+                const double times = times_as_fast(run->ms, yardstick->ms);
+                row.back() += fmt::format(" ({:.{}f})", times, times < 1 ? 2 : 1);
+            }
         }
         table.rows.push_back(std::move(row));
     }
