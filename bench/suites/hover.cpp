@@ -85,10 +85,11 @@ SuiteResult run_hover(const SuiteOptions& options) {
             table.rows.push_back(std::move(row));
         }
     }
-    table.notes = {fmt::format("Sums over {} frames, the first of which has all bodies new. The run fails unless the "
-                               "two-body tests are the candidate",
-                               options.frame_count + 1),
-                   "pairs with a moved ship (counted by the benchmark itself), and the cache answers all others."};
+    table.notes = {
+        fmt::format("Sums over {} frames, the first of which has all bodies new. The run fails unless the "
+                    "two-body tests are the candidate pairs with a moved ship (counted by the benchmark "
+                    "itself), and the cache answers all others.",
+                    options.frame_count + 1)};
     print(table);
     result.sections.push_back(
         {"What the manager spares",
