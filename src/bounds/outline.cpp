@@ -74,17 +74,16 @@ ECODS_ALWAYS_INLINE Reaches reaches(const Row& support, Double4 x, Double4 y, Do
         const float* const h = &support[2 * static_cast<std::size_t>(at)];
         return Double2{h[0], h[1]};
     };
-    Reaches result{};
-    for (int k = 0; k < 3; ++k) {
-        const Double2 h = (first_share[k] * table(first[k]) + across_share[k] * table(across[k])) +
-                          low[k] * table(first[k] + side_count + 1);
-        const bool is_negative = d[k] < 0;
-        result.along[k] = h[is_negative ? 1 : 0];
-        result.against[k] = h[is_negative ? 0 : 1];
-    }
-    result.along = is_tiny ? 4 * m : m * (result.along + 512 * double_u);
-    result.against = is_tiny ? 4 * m : m * (result.against + 512 * double_u);
-    return result;
+    const auto both = [&](int k) {
+        return (first_share[k] * table(first[k]) + across_share[k] * table(across[k])) +
+               low[k] * table(first[k] + side_count + 1);
+    };
+    const Double2 h[3] = {both(0), both(1), both(2)};
+    const Double4 up = {h[0][0], h[1][0], h[2][0], 0}, down = {h[0][1], h[1][1], h[2][1], 0};
+    const auto is_negative = d < none;
+    const Double4 along = is_negative ? down : up, against = is_negative ? up : down;
+    return {.along = is_tiny ? 4 * m : m * (along + 512 * double_u),
+            .against = is_tiny ? 4 * m : m * (against + 512 * double_u)};
 }
 
 }  // namespace

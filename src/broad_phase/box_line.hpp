@@ -113,6 +113,12 @@ struct alignas(64) BoxBlock {
         if (!line.is_empty()) line.ends[3] = line.ends[7] = -1;
         return line;
     }
+    // Whether get(index) is this, end by end: what get() has put together cannot be compared as fast.
+    bool has(std::size_t index, const BoxLine& line) const noexcept {
+        bool is_same = true;
+        for (std::size_t row = 0; row < 6; ++row) is_same &= ends[row][index] == line.ends[lane_of(row)];
+        return is_same;
+    }
     // The smallest box that contains all.
     BoxLine bounds() const noexcept {
         BoxLine line;

@@ -97,7 +97,7 @@ void BoxTree::set(std::size_t position, const BoxLine& line) {
     BoxLine bounds = line;
     for (std::vector<BoxBlock>& level : levels_) {
         BoxBlock& block = level[position / width];
-        if (block.get(position % width) == bounds) return;
+        if (block.has(position % width, bounds)) return;
         block.set(position % width, bounds);
         bounds = block.bounds();
         position /= width;

@@ -59,12 +59,11 @@ BoxLine KeptCandidates::fatten(const Escaped& escaped, const Aabb& box) noexcept
     const double largest = (box.max - box.min).maxCoeff();
     const double room = 0.5 * (largest < mean_extent_ ? mean_extent_ : largest);
     if (!(room <= std::numeric_limits<double>::max())) return lines_[escaped.slot];
-    const KeyBox before = key_box(escaped.before);
     Vec3 down, up;  // how far each side moved out
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<Eigen::Index>(axis);
-        down[k] = double_of(before.min[axis]) - box.min[k];
-        up[k] = box.max[k] - double_of(before.max[axis]);
+        down[k] = double_of(escaped.before.ends[axis]) - box.min[k];
+        up[k] = box.max[k] - double_of(~escaped.before.ends[axis + 4]);
     }
     Aabb fat = box;
     Habits& habits = habits_[escaped.slot];

@@ -1,9 +1,8 @@
 #include "ecods/shape.hpp"
 
-#include <mutex>
-#include <optional>
 #include <utility>
 
+#include "base/lazy.hpp"
 #include "bounds/outline.hpp"
 #include "ecods/error.hpp"
 #include "narrow_phase/mesh_tree.hpp"
@@ -16,13 +15,11 @@ constexpr std::size_t vertices_posed_max = 32;
 
 }  // namespace
 
-// All that a mesh's shape has beside the mesh, each part made when it is asked for first: written once under a flag,
-// the same whoever comes first.
+// All that a mesh's shape has beside the mesh, each part the same whoever asks for it first.
 struct MeshShape::Parts {
-    std::once_flag frame_once, outline_once, tree_once;
-    TreeFrame frame;
-    std::optional<Outline> outline;
-    std::unique_ptr<const Tree> tree;
+    Lazy<TreeFrame> frame;
+    Lazy<Outline> outline;
+    Lazy<std::unique_ptr<const Tree>> tree;
 };
 
 MeshShape::MeshShape(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), parts_(std::make_unique<Parts>()) {
@@ -32,21 +29,18 @@ MeshShape::MeshShape(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)),
 MeshShape::~MeshShape() = default;
 
 const TreeFrame& MeshShape::frame() const {
-    std::call_once(parts_->frame_once, [this] { parts_->frame = fit_frame(*mesh_); });
-    return parts_->frame;
+    return parts_->frame.get([this] { return fit_frame(*mesh_); });
 }
 
 Aabb MeshShape::box(const Pose& pose) const {
     if (mesh_->vertices().size() <= vertices_posed_max || !frame().is_bounded) return box_of(*mesh_, pose);
-    std::call_once(parts_->outline_once, [this] { parts_->outline.emplace(*mesh_, frame()); });
-    return parts_->outline->box(pose);
+    return parts_->outline.get([this] { return Outline(*mesh_, frame()); }).box(pose);
 }
 
 const MeshShape::Tree& MeshShape::tree() const {
-    std::call_once(parts_->tree_once, [this] {
-        parts_->tree = std::make_unique<const Tree>(Tree{exact::measure(*mesh_), build_wide_tree(*mesh_, frame())});
+    return *parts_->tree.get([this] {
+        return std::make_unique<const Tree>(Tree{exact::measure(*mesh_), build_wide_tree(*mesh_, frame())});
     });
-    return *parts_->tree;
 }
 
 std::size_t MeshShape::tree_bytes() const {
@@ -63,9 +57,8 @@ std::shared_ptr<const MeshShape> refit(const MeshShape& shape, std::vector<Vec3>
 
 // Before anyone else has the shape.
 void MeshShape::take_tree(const MeshShape& model) {
-    std::call_once(parts_->tree_once, [&] {
-        parts_->tree =
-            std::make_unique<const Tree>(Tree{exact::measure(*mesh_), refit_wide_tree(model.tree().boxes, *mesh_)});
+    parts_->tree.get([&] {
+        return std::make_unique<const Tree>(Tree{exact::measure(*mesh_), refit_wide_tree(model.tree().boxes, *mesh_)});
     });
 }
 

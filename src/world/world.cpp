@@ -8,11 +8,11 @@
 
 namespace ecods {
 
-void require_valid(const Pose& pose, BodyId body, ListIndex index) {
+void require_valid(const Pose& pose, BodyId body, const ListIndex& index) {
     if (const auto bad = find_invalid(pose)) throw InvalidPose(bad->row, bad->column, bad->value, body, index);
 }
 
-Aabb box_for(const Shape& shape, const Pose& pose, BodyId body, ListIndex index) {
+Aabb box_for(const Shape& shape, const Pose& pose, BodyId body, const ListIndex& index) {
     const Aabb box = shape.box(pose);
     for (int axis = 0; axis < 3; ++axis) {
         if (box.min[axis] <= box.max[axis]) continue;
@@ -48,7 +48,7 @@ bool World::Impl::is_alive(BodyId body) const noexcept {
            slots[body.slot - 1].generation == body.generation;
 }
 
-ProxyIndex World::Impl::require(BodyId body, ListIndex index) const {
+ProxyIndex World::Impl::require(BodyId body, const ListIndex& index) const {
     if (!is_alive(body)) throw_misuse(StaleBody(body, index));
     return body.slot - 1;
 }

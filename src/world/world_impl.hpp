@@ -45,7 +45,7 @@ struct World::Impl {
 
     // ---- bodies
     bool is_alive(BodyId body) const noexcept;
-    ProxyIndex require(BodyId body, ListIndex index = {}) const;  // throws StaleBody
+    ProxyIndex require(BodyId body, const ListIndex& index = {}) const;  // throws StaleBody
     ProxyPair require_pair(BodyId a, BodyId b) const;             // ... and SameBody; ascending
     BodyId id_of(ProxyIndex proxy) const { return {proxy + 1, slots[proxy].generation}; }
     BodyPair ids_of(ProxyPair pair) const { return {id_of(pair.a), id_of(pair.b)}; }
@@ -120,8 +120,8 @@ struct World::Impl {
 };
 
 // The shape's box, checked: what enters the broad phase must be ordered.
-Aabb box_for(const Shape& shape, const Pose& pose, BodyId body = {}, ListIndex index = {});
-void require_valid(const Pose& pose, BodyId body = {}, ListIndex index = {});
+Aabb box_for(const Shape& shape, const Pose& pose, BodyId body = {}, const ListIndex& index = {});
+void require_valid(const Pose& pose, BodyId body = {}, const ListIndex& index = {});
 void require_usable(const std::shared_ptr<const Shape>& shape);  // throws NullArgument, and
 void require_mesh_kind(const Shape& shape);                      // NotSupported: the kind of meshes, but no MeshShape
 

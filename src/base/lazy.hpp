@@ -1,0 +1,32 @@
+// A value that is made when it is asked for first.
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+
+namespace ecods {
+
+// Many threads may ask at once: one makes the value, and the others wait for it. If making it throws, the next one that
+// asks tries again. Asking for what is there costs a load.
+template <class T>
+class Lazy {
+  public:
+    template <class Make>
+    const T& get(Make&& make) {
+        if (const T* value = made_.load(std::memory_order_acquire)) return *value;
+        const std::lock_guard lock(mutex_);
+        if (!value_) {
+            value_.emplace(make());
+            made_.store(&*value_, std::memory_order_release);
+        }
+        return *value_;
+    }
+
+  private:
+    std::atomic<const T*> made_ = nullptr;
+    std::mutex mutex_;
+    std::optional<T> value_;
+};
+
+}  // namespace ecods
