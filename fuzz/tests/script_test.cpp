@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "environment/instruction_sets.hpp"
 #include "fuzz/motion/generate.hpp"
 #include "fuzz/script/trace.hpp"
 #include "fuzz/shrink/shrink.hpp"
@@ -42,6 +43,17 @@ TEST_P(ProfileTest, TracesAreReadAsTheyWereWritten) {
 TEST_P(ProfileTest, RepairLeavesWhatIsWhole) {
     const Script script = small_script(GetParam(), 4);
     EXPECT_EQ(trace_of(repaired(script)), trace_of(script));
+}
+
+TEST(Play, WorldsAreToldAndAskedWithEveryInstructionSet) {
+    Counters counters;
+    for (std::uint32_t seed = 1; seed <= 3; ++seed) play(small_script("tiny", seed), {}, counters);
+    for (const InstructionSet set : environment::supported_instruction_sets()) {
+        const std::string name = environment::name(set);
+        EXPECT_GT(counters["updates with instructions of " + name], 0U);
+        EXPECT_GT(counters["checked: answers with instructions of " + name], 0U);
+    }
+    EXPECT_EQ(instruction_set(), supported_instruction_set()) << "afterwards it is as it was";
 }
 
 TEST(Generate, EveryMotionThatHurtsHappens) {
