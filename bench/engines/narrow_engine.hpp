@@ -29,6 +29,9 @@ class NarrowEngine {
     // The same query, with its work counted. Not timed; nothing where the engine does not count.
     virtual std::optional<NarrowWork> work(const scenes::MeshQuery& /*query*/) { return std::nullopt; }
 
+    // How far apart the two are. Not timed; nothing where the engine does not report it.
+    virtual std::optional<double> distance(const scenes::MeshQuery& /*query*/) { return std::nullopt; }
+
     // All pairs of triangles that touch, in any order. Timed. Only for engines with `has_lists`.
     virtual void list(const scenes::MeshQuery& /*query*/, std::vector<TrianglePair>& pairs) { pairs.clear(); }
 };

@@ -2,8 +2,10 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/detail/traversal/collision/mesh_collision_traversal_node.h>
 #include <fcl/narrowphase/detail/traversal/collision_node.h>
+#include <fcl/narrowphase/distance.h>
 
 #include <limits>
+#include <type_traits>
 
 #include "engines/fcl_bodies.hpp"
 #include "engines/narrow_engine.hpp"
@@ -47,6 +49,15 @@ class NarrowFcl final : public NarrowEngine {
         fcl::detail::collide(&node);
         return NarrowWork{static_cast<std::uint64_t>(node.num_bv_tests),
                           static_cast<std::uint64_t>(node.num_leaf_tests)};
+    }
+
+    // For trees of OBB there is none.
+    std::optional<double> distance(const scenes::MeshQuery& query) override {
+        if constexpr (!std::is_same_v<Volume, fcl::OBBRSSd>) return std::nullopt;
+        fcl::DistanceResultd result;
+        fcl::distance(models_[query.a.mesh_index].get(), to_fcl(query.a.pose), models_[query.b.mesh_index].get(),
+                      to_fcl(query.b.pose), fcl::DistanceRequestd(), result);
+        return result.min_distance;
     }
 
     void list(const scenes::MeshQuery& query, std::vector<TrianglePair>& pairs) override {

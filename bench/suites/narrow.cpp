@@ -9,6 +9,7 @@
 #include "scenes/narrow_workloads.hpp"
 #include "suites/comparison.hpp"
 #include "suites/narrow_builds.hpp"
+#include "suites/narrow_distances.hpp"
 #include "suites/narrow_measure.hpp"
 #include "suites/suite.hpp"
 
@@ -216,6 +217,10 @@ SuiteResult run_narrow(const SuiteOptions& options) {
     print(table);
     const Table gaps = gap_table(std::span(all).subspan(workload_count));
     print(gaps);
+    std::vector<NarrowTruth> truth_of_gaps;
+    for (std::size_t i = workload_count; i < all.size(); ++i) truth_of_gaps.push_back(all[i].truth);
+    const Table distances = distance_table(std::span(workloads).subspan(workload_count), truth_of_gaps, makers);
+    if (!distances.rows.empty()) print(distances);
 
     std::vector<NarrowMaker> listing = makers;
     std::erase_if(listing, [](const NarrowMaker& maker) { return !maker.has_lists; });
@@ -249,7 +254,10 @@ SuiteResult run_narrow(const SuiteOptions& options) {
                                              "Speed against error. The better engine is lower and further left."));
     }
     if (!chart.pictures.empty()) result.sections.push_back(std::move(chart));
-    result.sections.push_back({"Two meshes", {}, {table, gaps, list, builds, use_table(makers)}, {}});
+    std::vector<Table> tables = {table, gaps};
+    if (!distances.rows.empty()) tables.push_back(distances);
+    tables.insert(tables.end(), {list, builds, use_table(makers)});
+    result.sections.push_back({"Two meshes", {}, std::move(tables), {}});
     return result;
 }
 
