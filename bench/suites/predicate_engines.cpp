@@ -70,7 +70,7 @@ Answers decide_by_batches(const PredicateScene& scene) {
     for_each_task(scene, bodies, [&](const PredicateTask& task) {
         // Pairs are ascending, so those of one triangle and one block are next to each other, in the order of lanes.
         for (auto begin = task.pairs.begin(); begin != task.pairs.end();) {
-            const std::uint32_t block = begin->b / exact::lane_count;
+            const auto block = static_cast<std::uint32_t>(begin->b / exact::lane_count);
             std::uint32_t lanes = 0;
             auto end = begin;
             for (; end != task.pairs.end() && end->a == begin->a && end->b / exact::lane_count == block; ++end) {
