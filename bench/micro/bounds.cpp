@@ -46,37 +46,30 @@ void box_axes_bind(benchmark::State& state) {
 }
 BENCHMARK(box_axes_bind);
 
-// Eight boxes against eight, of any two nodes.
-void near_lanes_of_nodes(benchmark::State& state) {
-    const WideTree& tree = posed_torus().tree;
+template <class List>
+void near_lanes_of_all(benchmark::State& state, const WideTree& tree, const List& parts) {
     const std::vector<Pose> list = poses(2);
     BoxAxes axes;
     benchmark::DoNotOptimize(axes.bind({tree, list[0].R}, {tree, list[1].R}, 0.1 * list[1].t));
     std::size_t i = 0, j = 0;
     for (auto _ : state) {
-        benchmark::DoNotOptimize(near_lanes(axes.sets(), tree.nodes[i], tree.nodes[j]));
-        if (++i == tree.nodes.size()) {
+        benchmark::DoNotOptimize(near_lanes(axes.sets(), parts[i], parts[j]));
+        if (++i == parts.size()) {
             i = 0;
-            j = (j + 1) % tree.nodes.size();
+            j = (j + 1) % parts.size();
         }
     }
+}
+
+// Eight boxes against eight, of any two nodes.
+void near_lanes_of_nodes(benchmark::State& state) {
+    near_lanes_of_all(state, posed_torus().tree, posed_torus().tree.nodes);
 }
 BENCHMARK(near_lanes_of_nodes);
 
 // Eight triangles against eight.
 void near_lanes_of_leaves(benchmark::State& state) {
-    const WideTree& tree = posed_torus().tree;
-    const std::vector<Pose> list = poses(2);
-    BoxAxes axes;
-    benchmark::DoNotOptimize(axes.bind({tree, list[0].R}, {tree, list[1].R}, 0.1 * list[1].t));
-    std::size_t i = 0, j = 0;
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(near_lanes(axes.sets(), tree.leaves[i], tree.leaves[j]));
-        if (++i == tree.leaves.size()) {
-            i = 0;
-            j = (j + 1) % tree.leaves.size();
-        }
-    }
+    near_lanes_of_all(state, posed_torus().tree, posed_torus().tree.leaves);
 }
 BENCHMARK(near_lanes_of_leaves);
 

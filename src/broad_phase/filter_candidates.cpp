@@ -1,4 +1,6 @@
 // Boxes that moved, and what that means for the candidates there are.
+#include <algorithm>
+
 #include "base/dispatch.hpp"
 #include "broad_phase/kept_candidates.hpp"
 
@@ -60,21 +62,6 @@ void KeptCandidates::move_some(std::span<const ProxyIndex> proxies, const ProxyT
     dispatch<&KeptCandidates::move_some_wide>(*this, proxies, table);
 }
 
-void KeptCandidates::filter(Update& update) {
-    overlapping_ = 0;
-    update.counts.candidates_filtered += candidates_.size();
-    if (changed_slots_.empty()) {
-        dispatch<&KeptCandidates::filter_unchanged>(*this, update);
-        return;
-    }
-    dispatch<&KeptCandidates::filter_changed>(*this, update);
-    for (const SlotIndex slot : changed_slots_) {
-        clear_flag(slot, changed);
-        if (lines_[slot].is_empty()) free_slots_.push_back(slot);
-    }
-    changed_slots_.clear();
-}
-
 // A candidate began or ceased to overlap.
 void KeptCandidates::report(Candidate& candidate, Update& update) {
     const bool began = (candidate[1] & overlap_bit) == 0;
@@ -83,32 +70,10 @@ void KeptCandidates::report(Candidate& candidate, Update& update) {
     (began ? update.began : update.ended).push_back(pair);
 }
 
-ECODS_ALWAYS_INLINE void KeptCandidates::filter_unchanged(Update& update) {
-    const BoxLine* const lines = lines_.data();
-    Candidate* const candidates = candidates_.data();
-    const std::size_t count = candidates_.size();
-    std::uint64_t overlapping = 0;
-    BoxReach reach;
-    const Part parts[] = {{count - std::min(count, prefetch_candidates), prefetch_candidates}, {count, 0}};
-    std::size_t i = 0;
-    for (const Part& part : parts) {
-        for (; i < part.end; ++i) {
-            __builtin_prefetch(&lines[candidates[i + part.ahead][1] & ~overlap_bit]);
-            const auto [owner, entry] = candidates[i];
-            make_reach(lines[owner], reach);
-            const bool now = overlaps(lines[entry & ~overlap_bit], reach);
-            overlapping += entry / overlap_bit;
-            if (now != (entry >= overlap_bit)) [[unlikely]] {
-                report(candidates[i], update);
-            }
-        }
-    }
-    overlapping_ = overlapping;
-}
-
-// The same, and those that are none any more go. They do not overlap; those of a box that went may have done so, which
-// has been reported.
-ECODS_ALWAYS_INLINE void KeptCandidates::filter_changed(Update& update) {
+// Where fat boxes changed, candidates that are none any more go. They do not overlap; those of a box that went may have
+// done so, which has been reported.
+template <bool have_some_gone>
+ECODS_ALWAYS_INLINE void KeptCandidates::filter_wide(Update& update) {
     const BoxLine* const lines = lines_.data();
     const std::uint8_t* const flags = flags_.data();
     Candidate* const candidates = candidates_.data();
@@ -124,22 +89,38 @@ ECODS_ALWAYS_INLINE void KeptCandidates::filter_changed(Update& update) {
             const Candidate candidate = candidates[i];
             const auto [owner, entry] = candidate;
             const SlotIndex partner = entry & ~overlap_bit;
-            if (((flags[owner] | flags[partner]) & changed) != 0) [[unlikely]] {
-                make_reach(fat_lines_[owner], reach);
-                if (!overlaps(fat_lines_[partner], reach) || fat_lines_[owner].is_empty()) continue;
+            if constexpr (have_some_gone) {
+                if (((flags[owner] | flags[partner]) & changed) != 0) [[unlikely]] {
+                    make_reach(fat_lines_[owner], reach);
+                    if (!overlaps(fat_lines_[partner], reach) || fat_lines_[owner].is_empty()) continue;
+                }
+                *write = candidate;
             }
             make_reach(lines[owner], reach);
             const bool now = overlaps(lines[partner], reach);
             overlapping += entry / overlap_bit;
-            *write = candidate;
             if (now != (entry >= overlap_bit)) [[unlikely]] {
-                report(*write, update);
+                report(have_some_gone ? *write : candidates[i], update);
             }
-            ++write;
+            if constexpr (have_some_gone) ++write;
         }
     }
-    candidates_.resize(static_cast<std::size_t>(write - candidates_.data()));
+    if constexpr (have_some_gone) candidates_.resize(static_cast<std::size_t>(write - candidates));
     overlapping_ = overlapping;
+}
+
+void KeptCandidates::filter(Update& update) {
+    update.counts.candidates_filtered += candidates_.size();
+    if (changed_slots_.empty()) {
+        dispatch<&KeptCandidates::filter_wide<false>>(*this, update);
+        return;
+    }
+    dispatch<&KeptCandidates::filter_wide<true>>(*this, update);
+    for (const SlotIndex slot : changed_slots_) {
+        clear_flag(slot, changed);
+        if (lines_[slot].is_empty()) free_slots_.push_back(slot);
+    }
+    changed_slots_.clear();
 }
 
 }  // namespace ecods

@@ -69,8 +69,8 @@ class KeptCandidates final : public PairFinder {
     void move_all_wide(const ProxyTable& table);
     void move_some_wide(std::span<const ProxyIndex> proxies, const ProxyTable& table);
     void filter(Update& update);
-    void filter_unchanged(Update& update);
-    void filter_changed(Update& update);
+    template <bool have_some_gone>
+    void filter_wide(Update& update);
     void report(Candidate& candidate, Update& update);
 
     // fatten_boxes.cpp
@@ -115,7 +115,7 @@ class KeptCandidates final : public PairFinder {
     double wasted_work_ = 0;
     double search_work_ = 0;
     std::uint64_t jump_tests_ = 0;   // of an update, for boxes that are far from where they were
-    std::uint64_t overlapping_ = 0;  // candidates, at the last filtering
+    std::uint64_t overlapping_ = 0;  // candidates that did so before the last filtering
     std::size_t searched_since_sort_ = 0;
     std::size_t updates_since_search_ = 0;  // of everything
     std::array<std::uint64_t, 3> turn_counts_{};

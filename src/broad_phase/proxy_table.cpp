@@ -41,8 +41,8 @@ void ProxyTable::add(ProxyIndex proxy, const Aabb& box) {
     if (proxy >= end()) {
         const std::size_t count = std::size_t{proxy} + 1;
         boxes_.resize(count);
-        states_.resize(count);
         queued_at_.resize(count);
+        states_.resize(count);  // last: where memory ends before, end() is what it was
     }
     enqueue(proxy);
     has_moves_only_ = false;

@@ -46,7 +46,7 @@ struct World::Impl {
     // ---- bodies
     bool is_alive(BodyId body) const noexcept;
     ProxyIndex require(BodyId body, const ListIndex& index = {}) const;  // throws StaleBody
-    ProxyPair require_pair(BodyId a, BodyId b) const;             // ... and SameBody; ascending
+    ProxyPair require_pair(BodyId a, BodyId b) const;                    // ... and SameBody; ascending
     BodyId id_of(ProxyIndex proxy) const { return {proxy + 1, slots[proxy].generation}; }
     BodyPair ids_of(ProxyPair pair) const { return {id_of(pair.a), id_of(pair.b)}; }
     std::shared_ptr<const Shape> shape_of(const std::shared_ptr<const Mesh>& mesh);
