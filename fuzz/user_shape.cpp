@@ -3,7 +3,7 @@
 #include <sstream>
 #include <vector>
 
-#include "world/trace_text.hpp"
+#include "trace/trace_text.hpp"
 
 namespace ecods::fuzz {
 namespace {
@@ -27,11 +27,11 @@ class UserTest final : public TwoBodyTest {
         require_order(a, b);
         return ecods::relation(posed(a), posed(b), memory);
     }
-    std::vector<TrianglePair> touching_triangles(const PosedShape& a, const PosedShape& b,
+    std::vector<TrianglePair> intersecting_triangles(const PosedShape& a, const PosedShape& b,
                                                  QueryMemory& memory) const override {
         require_order(a, b);
-        if (b_ == second_user_kind) return TwoBodyTest::touching_triangles(a, b, memory);
-        return ecods::touching_triangles(posed(a), posed(b), memory);
+        if (b_ == second_user_kind) return TwoBodyTest::intersecting_triangles(a, b, memory);
+        return ecods::intersecting_triangles(posed(a), posed(b), memory);
     }
 
   private:

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "base/instruction_set.hpp"
+#include "simd/instruction_set.hpp"
 #include "engines/broad_engine.hpp"
 
 namespace ecods::bench {

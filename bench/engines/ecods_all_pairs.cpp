@@ -1,6 +1,6 @@
 // ECoDS without its manager: every pair of bodies is given to the two-body query, every frame. What the report calls
 // pair-wise testing.
-#include "ecods/two_body.hpp"
+#include "ecods/intersection.hpp"
 #include "engines/engine.hpp"
 
 namespace ecods::bench {

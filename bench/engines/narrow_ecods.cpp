@@ -1,7 +1,7 @@
-// ECoDS without a world: intersects() and touching_triangles() of two posed meshes.
+// ECoDS without a world: intersects() and intersecting_triangles() of two posed meshes.
 #include <memory>
 
-#include "ecods/two_body.hpp"
+#include "ecods/intersection.hpp"
 #include "engines/narrow_engine.hpp"
 
 namespace ecods::bench {
@@ -26,7 +26,7 @@ class NarrowEcods final : public NarrowEngine {
     }
 
     void list(const scenes::MeshQuery& query, std::vector<TrianglePair>& pairs) override {
-        pairs = touching_triangles(posed(query.a), posed(query.b), memory_);
+        pairs = intersecting_triangles(posed(query.a), posed(query.b), memory_);
     }
 
   private:

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "bounds/box_axes.hpp"
-#include "bounds/outline.hpp"
+#include "bvh/separating_axes.hpp"
+#include "bounds/support_table.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 
@@ -14,7 +14,7 @@ using namespace ecods;
 
 struct PosedTorus {
     std::shared_ptr<const Mesh> mesh = scenes::torus(100, 50, 0.4);
-    WideTree tree = build_wide_tree(*mesh, fit_frame(*mesh));
+    MeshBvh tree = build_mesh_bvh(*mesh, fit_frame(*mesh));
 };
 
 const PosedTorus& posed_torus() {
@@ -34,9 +34,9 @@ std::vector<Pose> poses(std::size_t count) {
 
 // Tori whose root boxes overlap, so that all fifteen axes are tried and both sets are made.
 void box_axes_bind(benchmark::State& state) {
-    const WideTree& tree = posed_torus().tree;
+    const MeshBvh& tree = posed_torus().tree;
     const std::vector<Pose> list = poses(256);
-    BoxAxes axes;
+    SeparatingAxes axes;
     std::size_t i = 0;
     for (auto _ : state) {
         const Pose &a = list[i % list.size()], &b = list[(i + 1) % list.size()];
@@ -47,13 +47,13 @@ void box_axes_bind(benchmark::State& state) {
 BENCHMARK(box_axes_bind);
 
 template <class List>
-void near_lanes_of_all(benchmark::State& state, const WideTree& tree, const List& parts) {
+void near_lanes_of_all(benchmark::State& state, const MeshBvh& tree, const List& parts) {
     const std::vector<Pose> list = poses(2);
-    BoxAxes axes;
+    SeparatingAxes axes;
     benchmark::DoNotOptimize(axes.bind({tree, list[0].R}, {tree, list[1].R}, 0.1 * list[1].t));
     std::size_t i = 0, j = 0;
     for (auto _ : state) {
-        benchmark::DoNotOptimize(near_lanes(axes.sets(), parts[i], parts[j]));
+        benchmark::DoNotOptimize(overlap_mask(axes.sets(), parts[i], parts[j]));
         if (++i == parts.size()) {
             i = 0;
             j = (j + 1) % parts.size();
@@ -76,10 +76,10 @@ BENCHMARK(near_lanes_of_leaves);
 // The box of a body at a pose.
 void outline_box(benchmark::State& state) {
     const PosedTorus& torus = posed_torus();
-    const Outline outline(*torus.mesh, torus.tree.frame);
+    const SupportTable support_table(*torus.mesh, torus.tree.frame);
     const std::vector<Pose> list = poses(256);
     std::size_t i = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(outline.box(list[i++ % list.size()]));
+    for (auto _ : state) benchmark::DoNotOptimize(support_table.box(list[i++ % list.size()]));
 }
 BENCHMARK(outline_box);
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ecods/predicates.hpp"
-#include "exact/body_pair.hpp"
+#include "exact/simplex/body_pair.hpp"
 #include "scenes/random.hpp"
 #include "scenes/ship.hpp"
 

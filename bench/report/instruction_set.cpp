@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "base/instruction_set.hpp"
+#include "simd/instruction_set.hpp"
 #include "environment/instruction_sets.hpp"
 
 namespace ecods::bench {

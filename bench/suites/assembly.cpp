@@ -53,7 +53,7 @@ class Assembly {
     bool agrees(const TrueHit& hit) {
         const BodyId a = ids_[hit.pair.a], b = ids_[hit.pair.b];
         return world_.relation(a, b) == hit.contact->relation &&
-               world_.touching_triangles(a, b) == hit.contact->triangles;
+               world_.intersecting_triangles(a, b) == hit.contact->triangles;
     }
 
   private:

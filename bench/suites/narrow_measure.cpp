@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "ecods/two_body.hpp"
+#include "ecods/intersection.hpp"
 #include "harness/contained.hpp"
 #include "harness/stopwatch.hpp"
 #include "oracle/oracle.hpp"
@@ -189,10 +189,10 @@ ListTruth find_lists(const scenes::MeshPairs& workload, std::size_t judged_count
     for (std::size_t i = 0; i < workload.queries.size(); ++i) {
         const auto& [a, b] = workload.queries[i];
         truth.lists.push_back(
-            touching_triangles({shapes[a.mesh_index], a.pose}, {shapes[b.mesh_index], b.pose}, memory));
+            intersecting_triangles({shapes[a.mesh_index], a.pose}, {shapes[b.mesh_index], b.pose}, memory));
         if (!is_chosen(i, workload.queries.size(), std::min(judged_count, workload.queries.size()))) continue;
         ++truth.judged_count;
-        auto exact = oracle::touching_triangles(for_oracle(workload, a), for_oracle(workload, b));
+        auto exact = oracle::intersecting_triangles(for_oracle(workload, a), for_oracle(workload, b));
         if (exact != truth.lists.back()) ++truth.wrong_count;
         truth.lists.back() = std::move(exact);
     }

@@ -9,7 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "ecods/two_body.hpp"
+#include "ecods/intersection.hpp"
 #include "engines/broad_phase_kinds.hpp"
 #include "engines/engine.hpp"
 #include "harness/contained.hpp"

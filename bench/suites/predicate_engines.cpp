@@ -3,8 +3,8 @@
 #include <array>
 #include <numeric>
 
-#include "exact/pose_point.hpp"
-#include "exact/triangle_pair.hpp"
+#include "exact/point/pose_point.hpp"
+#include "exact/simplex/triangle_pair.hpp"
 
 namespace ecods::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "exact/body_pair.hpp"
+#include "exact/simplex/body_pair.hpp"
 #include "suites/predicate_scenes.hpp"
 
 namespace ecods::bench {

@@ -1,9 +1,9 @@
 #include "suites/stability_engines.hpp"
 
 #include "ecods/predicates.hpp"
-#include "exact/plain_signs.hpp"
-#include "exact/pose_point.hpp"
-#include "exact/triangle_pair.hpp"
+#include "exact/sign/plain_signs.hpp"
+#include "exact/point/pose_point.hpp"
+#include "exact/simplex/triangle_pair.hpp"
 
 namespace ecods::bench {
 namespace {

@@ -15,7 +15,7 @@ void require_relation(Relation got, Relation expected, const char* check) {
 void require_triangles(World& world, BodyId a, BodyId b, const std::vector<TrianglePair>& expected, const char* check) {
     std::vector<TrianglePair> got;
     try {
-        got = world.touching_triangles(a, b);
+        got = world.intersecting_triangles(a, b);
     } catch (const NotSupported&) {
         // Tests of shapes of the caller's own need not give triangles.
         if (world.shape(a)->kind() != ShapeKind::mesh() || world.shape(b)->kind() != ShapeKind::mesh()) return;
@@ -75,7 +75,7 @@ void check_queries(World& world, const Truth& truth, BodyId body, Counters& coun
         if (pair.ids.b == body) expected.push_back(pair.ids.a);
     }
     std::ranges::sort(expected);
-    auto got = world.touching_bodies(*world.shape(body), world.pose(body));
+    auto got = world.intersecting_bodies(*world.shape(body), world.pose(body));
     std::erase_if(got, [&](BodyId found) { return !truth.knows(found); });
     if (truth.knows(body)) require_bodies(got, expected, "bodies that a shape touches");
 }

@@ -7,7 +7,7 @@
 
 #include "ecods/mesh.hpp"
 #include "ecods/predicates.hpp"
-#include "exact/body_pair.hpp"
+#include "exact/simplex/body_pair.hpp"
 #include "fuzz/pairs/float_mode.hpp"
 #include "scenes/hard_pairs.hpp"
 

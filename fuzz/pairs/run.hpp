@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "exact/body_pair.hpp"
+#include "exact/simplex/body_pair.hpp"
 #include "fuzz/counters.hpp"
 
 namespace ecods::fuzz {

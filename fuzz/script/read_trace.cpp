@@ -6,8 +6,8 @@
 #include "ecods/error.hpp"
 #include "fuzz/script/trace.hpp"
 #include "fuzz/user_shape.hpp"
-#include "world/trace_lines.hpp"
-#include "world/trace_text.hpp"
+#include "trace/trace_lines.hpp"
+#include "trace/trace_text.hpp"
 
 namespace ecods::fuzz {
 namespace {

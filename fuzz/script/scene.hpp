@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "base/instruction_set.hpp"
+#include "simd/instruction_set.hpp"
 #include "ecods/world.hpp"
 #include "fuzz/counters.hpp"
 #include "fuzz/script/script.hpp"

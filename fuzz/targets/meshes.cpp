@@ -1,7 +1,7 @@
 // Questions about two meshes, against the oracle: in both orders, with witnesses of whatever kind, and after a refit.
 #include <algorithm>
 
-#include "ecods/two_body.hpp"
+#include "ecods/intersection.hpp"
 #include "fuzz/targets/bytes.hpp"
 #include "fuzz/targets/require.hpp"
 #include "oracle/oracle.hpp"
@@ -22,10 +22,10 @@ void check(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory, PairWitn
     require(intersects(a, b, memory, witness) == hit, "the same with the witness that was just left");
     require(relation(a, b, memory) == expected.relation, "the relation of two meshes");
     require(relation(b, a, memory) == expected.relation, "the relation of two meshes, swapped");
-    require(touching_triangles(a, b, memory) == expected.triangles, "the triangles that touch");
+    require(intersecting_triangles(a, b, memory) == expected.triangles, "the triangles that touch");
     for (TrianglePair& pair : expected.triangles) std::swap(pair.a, pair.b);
     std::ranges::sort(expected.triangles);
-    require(touching_triangles(b, a, memory) == expected.triangles, "the triangles that touch, swapped");
+    require(intersecting_triangles(b, a, memory) == expected.triangles, "the triangles that touch, swapped");
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ class Session {
         const oracle::Verdict expected = oracle::verdict(a.exact(), b.exact());
         for (World& world : worlds_) {
             require(world.relation(a.id, b.id) == expected.relation, "the relation of two bodies");
-            require(world.touching_triangles(a.id, b.id) == expected.triangles, "the triangles of two bodies");
+            require(world.intersecting_triangles(a.id, b.id) == expected.triangles, "the triangles of two bodies");
         }
     }
 

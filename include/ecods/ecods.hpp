@@ -5,7 +5,7 @@
 #include "ecods/mesh.hpp"        // what a body is made of
 #include "ecods/pose.hpp"        // where it is
 #include "ecods/error.hpp"       // what can go wrong
-#include "ecods/two_body.hpp"    // questions about two bodies, without a world
+#include "ecods/intersection.hpp"    // questions about two bodies, without a world
 #include "ecods/predicates.hpp"  // exact signs, and how two triangles meet
 #include "ecods/shape.hpp"       // shapes of the caller's own
 #include "ecods/collision_filter.hpp"  // which bodies are meant to meet at all

@@ -61,7 +61,7 @@ Sign orient3d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, con
 // Symmetric in its arguments and in the order of the corners. Zero-area triangles are the segments or points that
 // they span. Proper triangles that meet in one point only are touching; a segment may cross a triangle in one.
 // Source: Guigue and Devillers, Fast and Robust Triangle-Triangle Overlap Test Using Orientation Predicates, 2003,
-// derived again (src/exact/triangle_pair.hpp).
+// derived again (src/exact/simplex/triangle_pair.hpp).
 Relation triangle_triangle(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) noexcept;
 Relation triangle_triangle(const PosedTriangle& a, const PosedTriangle& b) noexcept;
 

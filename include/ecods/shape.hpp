@@ -13,7 +13,7 @@
 
 namespace ecods {
 
-struct TreeFrame;  // of the implementation
+struct LocalFrame;  // of the implementation
 
 // The base of all shapes. A shape is immutable while a body has it: a changed shape is a new one, given to the
 // body by World::set_shape.
@@ -62,7 +62,7 @@ class MeshShape final : public Shape {
   private:
     friend std::shared_ptr<const MeshShape> refit(const MeshShape& shape, std::vector<Vec3> vertices);
 
-    const TreeFrame& frame() const;
+    const LocalFrame& frame() const;
     void take_tree(const MeshShape& model);
 
     struct Parts;
@@ -112,7 +112,7 @@ class TwoBodyTest {
     virtual Relation relation(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const = 0;
 
     // Optional: the pairs of triangles that touch, ascending. The default throws NotSupported.
-    virtual std::vector<TrianglePair> touching_triangles(const PosedShape& a, const PosedShape& b,
+    virtual std::vector<TrianglePair> intersecting_triangles(const PosedShape& a, const PosedShape& b,
                                                          QueryMemory& memory) const;
 };
 

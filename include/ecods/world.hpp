@@ -7,7 +7,7 @@
 //     for (BodyPair pair : world.colliding_pairs()) ...
 //
 // The world owns poses, shapes and boxes. Changes (create, destroy, set) take effect at once for questions about a
-// pair (relation, touching_triangles), and at update() for the lists. There is nothing else to call, and no call
+// pair (relation, intersecting_triangles), and at update() for the lists. There is nothing else to call, and no call
 // whose omission makes an answer wrong.
 //
 // What it costs: memory of 213 bytes a body, 55 to 66 bytes a pair whose boxes overlap and 16 for each list that the
@@ -38,7 +38,7 @@
 #include "ecods/predicates.hpp"
 #include "ecods/shape.hpp"
 #include "ecods/trace.hpp"
-#include "ecods/two_body.hpp"
+#include "ecods/intersection.hpp"
 
 namespace ecods {
 
@@ -159,10 +159,10 @@ class World {
     // ---- answers for one pair, as of now
 
     // Either order of arguments. Throw StaleBody, SameBody, NotSupported. They change no answer, but work in the
-    // world's query memory, hence are not const. (From many threads, use the functions of two_body.hpp.)
+    // world's query memory, hence are not const. (From many threads, use the functions of intersection.hpp.)
     bool intersects(BodyId a, BodyId b);
     Relation relation(BodyId a, BodyId b);
-    std::vector<TrianglePair> touching_triangles(BodyId a, BodyId b);
+    std::vector<TrianglePair> intersecting_triangles(BodyId a, BodyId b);
 
     // ---- answers about what is no body, as of now; ascending
 
@@ -173,9 +173,9 @@ class World {
     // Bodies that share a point with a mesh or shape at a pose. Exact. With a filter, only bodies that it may meet.
     // Throw as create_body does. Cost: as above, and a two-body test for each box that overlaps. A Mesh that no body
     // has gets a new tree each time: keep a MeshShape to ask with it again.
-    std::vector<BodyId> touching_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
+    std::vector<BodyId> intersecting_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
                                         const CollisionFilter* filter = nullptr);
-    std::vector<BodyId> touching_bodies(const Shape& shape, const Pose& pose, const CollisionFilter* filter = nullptr);
+    std::vector<BodyId> intersecting_bodies(const Shape& shape, const Pose& pose, const CollisionFilter* filter = nullptr);
 
     // ---- a record of every call that changes the world (trace.hpp)
 

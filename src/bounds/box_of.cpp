@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "bounds/next.hpp"
+#include "base/next.hpp"
 #include "ecods/aabb.hpp"
-#include "exact/filter_bound.hpp"
-#include "exact/pose_point.hpp"
+#include "exact/sign/filter_bound.hpp"
+#include "exact/point/pose_point.hpp"
 
 namespace ecods {
 namespace {

@@ -2,11 +2,11 @@
 
 #include "broad_phase/brute_force.hpp"
 #include "broad_phase/choose_finder.hpp"
-#include "broad_phase/kept_candidates.hpp"
+#include "broad_phase/candidates/kept_candidates.hpp"
 #include "broad_phase/pair_finder.hpp"
-#include "broad_phase/pair_list.hpp"
-#include "broad_phase/proxy_table.hpp"
-#include "broad_phase/sweep_and_prune.hpp"
+#include "broad_phase/changes/pair_list.hpp"
+#include "broad_phase/changes/proxy_table.hpp"
+#include "broad_phase/sweep/sweep_and_prune.hpp"
 #include "broad_phase/validate_pairs.hpp"
 
 namespace ecods {

@@ -1,7 +1,7 @@
 #include "broad_phase/brute_force.hpp"
 
-#include "broad_phase/bytes_of.hpp"
-#include "broad_phase/key_box.hpp"
+#include "base/bytes_of.hpp"
+#include "geometry/key_box.hpp"
 
 namespace ecods {
 

@@ -2,16 +2,16 @@
 
 #include <vector>
 
-#include "broad_phase/box_forest.hpp"
+#include "broad_phase/boxes/box_forest.hpp"
 
 namespace ecods {
 
 std::uint64_t find_pairs_of(std::span<const ProxyIndex> chosen, const ProxyTable& table, ProxyPairs& found) {
-    std::vector<BoxLine> lines(chosen.size());  // slots are places in `chosen`
+    std::vector<PackedBox> lines(chosen.size());  // slots are places in `chosen`
     std::vector<BoxForest::Item> items(chosen.size());
     for (SlotIndex slot = 0; slot < chosen.size(); ++slot) {
         const Aabb& box = table.boxes()[chosen[slot]];
-        make_box_line(box, lines[slot]);
+        make_packed_box(box, lines[slot]);
         items[slot] = BoxForest::make_item(box, slot);
     }
     BoxForest forest;
@@ -25,11 +25,11 @@ std::uint64_t find_pairs_of(std::span<const ProxyIndex> chosen, const ProxyTable
     std::vector<std::uint8_t> is_chosen(table.end());
     for (const ProxyIndex proxy : chosen) is_chosen[proxy] = 1;
     std::vector<SlotIndex> overlapping;
-    BoxLine line;
+    PackedBox line;
     BoxReach reach;
     for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
         if (is_chosen[proxy] != 0 || !table.is_present(proxy)) continue;
-        make_box_line(table.boxes()[proxy], line);
+        make_packed_box(table.boxes()[proxy], line);
         make_reach(line, reach);
         overlapping.clear();
         tests += forest.find(reach, overlapping);

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
-#include "broad_phase/pair_list.hpp"
-#include "broad_phase/proxy_table.hpp"
+#include "broad_phase/changes/pair_list.hpp"
+#include "broad_phase/changes/proxy_table.hpp"
 
 namespace ecods {
 

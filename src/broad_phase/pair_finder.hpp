@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "broad_phase/pair_list.hpp"
-#include "broad_phase/proxy_table.hpp"
+#include "broad_phase/changes/pair_list.hpp"
+#include "broad_phase/changes/proxy_table.hpp"
 #include "ecods/broad_phase.hpp"
 
 namespace ecods {

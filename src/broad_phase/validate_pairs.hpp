@@ -1,8 +1,8 @@
 // The check that a broad phase answered what it should.
 #pragma once
 
-#include "broad_phase/pair_list.hpp"
-#include "broad_phase/proxy_table.hpp"
+#include "broad_phase/changes/pair_list.hpp"
+#include "broad_phase/changes/proxy_table.hpp"
 
 namespace ecods {
 

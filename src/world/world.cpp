@@ -3,7 +3,7 @@
 
 #include "base/misuse.hpp"
 #include "geometry/find_invalid.hpp"
-#include "narrow_phase/mesh_mesh_test.hpp"
+#include "query/intersection/mesh_mesh_test.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {

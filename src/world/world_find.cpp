@@ -1,4 +1,4 @@
-#include "broad_phase/key_box.hpp"
+#include "geometry/key_box.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -24,12 +24,12 @@ std::vector<BodyId> World::overlapping_bodies(const Aabb& box) const {
     return result;
 }
 
-std::vector<BodyId> World::touching_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
+std::vector<BodyId> World::intersecting_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
                                            const CollisionFilter* filter) {
-    return touching_bodies(*impl_->shape_of(mesh), pose, filter);
+    return intersecting_bodies(*impl_->shape_of(mesh), pose, filter);
 }
 
-std::vector<BodyId> World::touching_bodies(const Shape& shape, const Pose& pose, const CollisionFilter* filter) {
+std::vector<BodyId> World::intersecting_bodies(const Shape& shape, const Pose& pose, const CollisionFilter* filter) {
     Impl& w = *impl_;
     require_mesh_kind(shape);
     require_valid(pose);

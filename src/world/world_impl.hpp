@@ -10,9 +10,9 @@
 
 #include "ecods/world.hpp"
 #include "world/disabled_pairs.hpp"
-#include "world/room_for.hpp"
+#include "base/make_room.hpp"
 #include "world/sorted_pairs.hpp"
-#include "world/trace_writer.hpp"
+#include "trace/trace_writer.hpp"
 #include "world/two_body_tests.hpp"
 #include "world/verdict_cache.hpp"
 

@@ -45,13 +45,13 @@ Relation World::relation(BodyId a, BodyId b) {
                                });
 }
 
-std::vector<TrianglePair> World::touching_triangles(BodyId a, BodyId b) {
+std::vector<TrianglePair> World::intersecting_triangles(BodyId a, BodyId b) {
     Impl& w = *impl_;
     const ProxyPair pair = w.require_pair(a, b);
     const OrderedTest test = w.test_of(pair);
     auto triangles = test.ask(w.slots[pair.a].posed(), w.slots[pair.b].posed(),
                               [&](const TwoBodyTest& t, const PosedShape& x, const PosedShape& y) {
-                                  return t.touching_triangles(x, y, w.memories[0]);
+                                  return t.intersecting_triangles(x, y, w.memories[0]);
                               });
     if (test.swapped != (a.slot - 1 != pair.a)) {
         for (TrianglePair& t : triangles) std::swap(t.a, t.b);

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <string>
 
-#include "broad_phase/key_box.hpp"
+#include "geometry/key_box.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {

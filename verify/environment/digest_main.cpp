@@ -20,7 +20,7 @@
 #include "ecods/predicates.hpp"
 #include "environment/corpus.hpp"
 #include "environment/instruction_sets.hpp"
-#include "exact/body_pair.hpp"
+#include "exact/simplex/body_pair.hpp"
 
 namespace {
 

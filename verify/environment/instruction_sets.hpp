@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/instruction_set.hpp"
+#include "simd/instruction_set.hpp"
 
 namespace ecods::environment {
 

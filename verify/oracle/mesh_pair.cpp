@@ -134,7 +134,7 @@ Verdict verdict(const OracleMesh& a, const OracleMesh& b) {
     return verdict;
 }
 
-std::vector<TrianglePair> touching_triangles(const OracleMesh& a, const OracleMesh& b) {
+std::vector<TrianglePair> intersecting_triangles(const OracleMesh& a, const OracleMesh& b) {
     std::vector<TrianglePair> pairs;
     PairWalk walk(a.impl(), b.impl());
     while (walk.next()) pairs.push_back(walk.pair());

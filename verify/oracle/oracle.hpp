@@ -57,7 +57,7 @@ bool intersects(const OracleMesh& a, const OracleMesh& b);
 Relation relation(const OracleMesh& a, const OracleMesh& b);
 
 // All pairs of triangles that share a point, ascending.
-std::vector<TrianglePair> touching_triangles(const OracleMesh& a, const OracleMesh& b);
+std::vector<TrianglePair> intersecting_triangles(const OracleMesh& a, const OracleMesh& b);
 
 // Both at once, at the cost of the list.
 struct Verdict {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ecods/error.hpp"
-#include "ecods/two_body.hpp"
+#include "ecods/intersection.hpp"
 #include "oracle/oracle.hpp"
 #include "scenes/io/hard_case_file.hpp"
 
@@ -31,7 +31,7 @@ Answer ask(const Body& a, const Body& b) {
     const PosedMesh posed_b{shape_b, b.pose};
     QueryMemory memory;
     return {intersects(posed_a, posed_b, memory), relation(posed_a, posed_b, memory),
-            touching_triangles(posed_a, posed_b, memory)};
+            intersecting_triangles(posed_a, posed_b, memory)};
 }
 
 bool is_mirrored(const Answer& answer, const Answer& other) {
@@ -45,7 +45,7 @@ bool oracle_agrees(const Body& a, const Body& b, const Answer& answer) {
     const oracle::OracleMesh mesh_a(a.mesh, a.pose);
     const oracle::OracleMesh mesh_b(b.mesh, b.pose);
     return oracle::relation(mesh_a, mesh_b) == answer.relation &&
-           oracle::touching_triangles(mesh_a, mesh_b) == answer.triangles;
+           oracle::intersecting_triangles(mesh_a, mesh_b) == answer.triangles;
 }
 
 CaseAnswer run_case(const HardCase& hard, bool with_oracle) {

@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "base/instruction_set.hpp"
+#include "simd/instruction_set.hpp"
 #include "check_cases.hpp"
 #include "check_oracle.hpp"
 #include "check_print.hpp"

@@ -66,7 +66,7 @@ void OracleJudge::check_pair(SceneWorld& world, const FrameAnswer& answer, std::
     // Pairs that are not listed are asked about, too.
     const Relation relation = is_listed ? listed->relation : world.world().relation(world.id(a), world.id(b));
     const std::vector<TrianglePair> triangles =
-        is_listed ? listed->triangles : world.world().touching_triangles(world.id(a), world.id(b));
+        is_listed ? listed->triangles : world.world().intersecting_triangles(world.id(a), world.id(b));
     report_.triangle_pairs += std::max(triangles.size(), exact.triangles.size());
     if (relation != exact.relation) {
         differ(answer, bodies, fmt::format("{}, but exactly {}", name_of(relation), name_of(exact.relation)));

@@ -38,7 +38,7 @@ FrameAnswer SceneWorld::answer() {
     const std::vector<BodyPair> colliding(world_.colliding_pairs().begin(), world_.colliding_pairs().end());
     for (const BodyPair& pair : colliding) {
         answer.colliding.push_back({body_of(pair.a), body_of(pair.b), world_.relation(pair.a, pair.b),
-                                    world_.touching_triangles(pair.a, pair.b)});
+                                    world_.intersecting_triangles(pair.a, pair.b)});
     }
     return answer;
 }

@@ -1,4 +1,4 @@
-# The minor of two differences, as src/exact/plain_signs.hpp computes it: a difference of two products.
+# The minor of two differences, as src/exact/sign/plain_signs.hpp computes it: a difference of two products.
 #
 # Each operation is (a op b)(1 + e), |e| <= 2^-52: any rounding mode. The differences are scaled by their bounds to
 # |x|, |y| <= 1; the minor is homogeneous in each of them, so the bound scales with Ei Ej.

@@ -1,4 +1,4 @@
-# The determinant of three differences, as src/exact/plain_signs.hpp computes it: a normal of three minors, then a dot
+# The determinant of three differences, as src/exact/sign/plain_signs.hpp computes it: a normal of three minors, then a dot
 # product with the third difference.
 #
 # Each operation is (a op b)(1 + e), |e| <= 2^-52: any rounding mode. The differences are scaled by their bounds to

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "ecods/shape.hpp"
-#include "ecods/two_body.hpp"
+#include "ecods/intersection.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::scenes {

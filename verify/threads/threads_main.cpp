@@ -70,14 +70,14 @@ bool shared_shapes_answer_alike() {
     QueryMemory memory;
     const MeshShape c(make_mesh()), d(make_mesh());
     for (int i = 0; i < 25; ++i)
-        first[static_cast<std::size_t>(i)] = touching_triangles({c, pose_of(0)}, {d, pose_of(i)}, memory);
+        first[static_cast<std::size_t>(i)] = intersecting_triangles({c, pose_of(0)}, {d, pose_of(i)}, memory);
     run_in_threads(4, [&](int) {
         QueryMemory own;
         const Pose pose_a = pose_of(0);
         for (int i = 0; i < 25; ++i) {
             const Pose pose_b = pose_of(i);
             const auto& expected = first[static_cast<std::size_t>(i)];
-            if (touching_triangles({a, pose_a}, {b, pose_b}, own) != expected) ++wrong;
+            if (intersecting_triangles({a, pose_a}, {b, pose_b}, own) != expected) ++wrong;
             if (intersects({a, pose_a}, {b, pose_b}, own) == expected.empty()) ++wrong;
             if (!contains(a.box(pose_b), Aabb{pose_b.t, pose_b.t})) ++wrong;
         }

@@ -26,7 +26,7 @@ const std::map<std::string, int, std::less<>> header_ranks = {
     {"predicates.hpp", 2},
     {"aabb.hpp", 3},
     {"shape.hpp", 4},
-    {"two_body.hpp", 4},
+    {"intersection.hpp", 4},
     {"broad_phase.hpp", 5},
     {"collision_filter.hpp", 6},
     {"executor.hpp", 6},

@@ -12,7 +12,7 @@ int main() {
         world.set_pose(b, {.R = ecods::Mat3::Identity(), .t = {x, 0, 0}});
         world.update();
         std::cout << "at " << x << ": " << world.colliding_pairs().size() << " pair, " << world.began().size()
-                  << " began, " << world.touching_triangles(a, b).size() << " triangle pairs\n";
+                  << " began, " << world.intersecting_triangles(a, b).size() << " triangle pairs\n";
     }
     try {
         world.set_pose(a, {.R = ecods::Mat3::Identity() / 0.0, .t = {}});

@@ -1,4 +1,4 @@
-#include "broad_phase/box_forest.hpp"
+#include "broad_phase/boxes/box_forest.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 struct PlantedForest {
     std::vector<Aabb> boxes;
-    std::vector<BoxLine> lines;
+    std::vector<PackedBox> lines;
     BoxForest forest;
 
     PlantedForest(std::size_t count, Spread spread) : boxes(random_boxes(count, spread)), lines(lines_of(boxes)) {
@@ -28,7 +28,7 @@ struct PlantedForest {
             lines.resize(slot + 1);
         }
         boxes[slot] = box;
-        make_box_line(box, lines[slot]);
+        make_packed_box(box, lines[slot]);
         return BoxForest::make_item(box, slot);
     }
     std::uint64_t expect_all_found() const {
@@ -111,7 +111,7 @@ TEST(BoxForest, OrderIsThatOfTheSlotsAfterwards) {
     std::vector<SlotIndex> order;
     planted.forest.append_order(order);
     ASSERT_EQ(order.size(), 500u);
-    std::vector<BoxLine> lines;
+    std::vector<PackedBox> lines;
     for (const SlotIndex slot : order) lines.push_back(planted.lines[slot]);
     planted.forest.renumber();
     planted.lines = lines;
@@ -122,7 +122,7 @@ TEST(BoxForest, OrderIsThatOfTheSlotsAfterwards) {
 TEST(BoxForest, LargeBoxesDoNotSpoilTheTreeOfSmallOnes) {
     std::vector<Aabb> boxes = random_boxes(4000, Spread::cube);
     for (std::size_t i = 0; i < boxes.size(); i += 20) boxes[i].max = boxes[i].min + Vec3::Constant(30);
-    const std::vector<BoxLine> lines = lines_of(boxes);
+    const std::vector<PackedBox> lines = lines_of(boxes);
     std::vector<BoxForest::Item> items;
     for (SlotIndex slot = 0; slot < boxes.size(); ++slot) items.push_back(BoxForest::make_item(boxes[slot], slot));
     BoxForest forest;

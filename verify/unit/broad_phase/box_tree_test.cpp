@@ -1,4 +1,4 @@
-#include "broad_phase/box_tree.hpp"
+#include "broad_phase/boxes/box_tree.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ constexpr std::size_t sizes[] = {1, 2, 7, 8, 9, 63, 64, 65, 100, 511, 513, 700};
 
 struct Planted {
     std::vector<Aabb> boxes;
-    std::vector<BoxLine> lines;
+    std::vector<PackedBox> lines;
     BoxTree tree;
 
     Planted(std::size_t count, Spread spread, std::uint32_t seed = 1) : boxes(random_boxes(count, spread, seed)) {
@@ -29,8 +29,8 @@ struct Planted {
         EXPECT_NO_THROW(tree.validate());
         BoxReach reach;
         for (std::size_t i = 0; i < boxes.size(); i += stride) {
-            BoxLine line;
-            make_box_line(boxes[i], line);
+            PackedBox line;
+            make_packed_box(boxes[i], line);
             make_reach(line, reach);
             std::vector<SlotIndex> found;
             EXPECT_GT(tree.find(reach, found), 0u);
@@ -78,7 +78,7 @@ TEST(BoxTree, BoxesChangeAndGo) {
     const std::vector<Aabb> others = random_boxes(300, Spread::cube, 2);
     for (SlotIndex slot = 0; slot < 300; slot += 3) {
         planted.boxes[slot] = others[slot];
-        make_box_line(others[slot], planted.lines[slot]);
+        make_packed_box(others[slot], planted.lines[slot]);
         planted.tree.set(planted.position_of(slot), planted.lines[slot]);
     }
     planted.expect_all_found(7);

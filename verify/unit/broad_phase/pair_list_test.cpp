@@ -1,4 +1,4 @@
-#include "broad_phase/pair_list.hpp"
+#include "broad_phase/changes/pair_list.hpp"
 
 #include <gtest/gtest.h>
 

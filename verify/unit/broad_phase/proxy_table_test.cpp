@@ -1,4 +1,4 @@
-#include "broad_phase/proxy_table.hpp"
+#include "broad_phase/changes/proxy_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "broad_phase/box_line.hpp"
-#include "broad_phase/box_tree.hpp"
+#include "broad_phase/boxes/packed_box.hpp"
+#include "broad_phase/boxes/box_tree.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::test {
@@ -33,9 +33,9 @@ inline std::vector<Aabb> random_boxes(std::size_t count, Spread spread, std::uin
     return boxes;
 }
 
-inline std::vector<BoxLine> lines_of(const std::vector<Aabb>& boxes) {
-    std::vector<BoxLine> lines(boxes.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) make_box_line(boxes[i], lines[i]);
+inline std::vector<PackedBox> lines_of(const std::vector<Aabb>& boxes) {
+    std::vector<PackedBox> lines(boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) make_packed_box(boxes[i], lines[i]);
     return lines;
 }
 
@@ -54,14 +54,14 @@ inline std::vector<SlotPair> sorted(std::vector<SlotPair> pairs) {
 }
 
 // By the numbers, not the lanes.
-inline std::vector<SlotIndex> overlapping_slots(const BoxLine& line, const std::vector<BoxLine>& lines) {
+inline std::vector<SlotIndex> overlapping_slots(const PackedBox& line, const std::vector<PackedBox>& lines) {
     std::vector<SlotIndex> found;
     for (SlotIndex slot = 0; slot < lines.size(); ++slot) {
         if (!lines[slot].is_empty() && overlap(line, lines[slot])) found.push_back(slot);
     }
     return found;
 }
-inline std::vector<SlotPair> overlapping_slot_pairs(const std::vector<BoxLine>& lines) {
+inline std::vector<SlotPair> overlapping_slot_pairs(const std::vector<PackedBox>& lines) {
     std::vector<SlotPair> found;
     for (SlotIndex a = 0; a < lines.size(); ++a) {
         for (SlotIndex b = a + 1; b < lines.size(); ++b) {

@@ -1,6 +1,6 @@
 // The cached path of the narrow phase gives the answers of the plain one, by each of its stages.
 
-#include "exact/body_pair.hpp"
+#include "exact/simplex/body_pair.hpp"
 
 #include <gtest/gtest.h>
 

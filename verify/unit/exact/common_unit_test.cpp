@@ -1,13 +1,13 @@
 // Points whose coordinates are short multiples of one length on each axis: counted in these lengths, plain double is
 // exact.
 
-#include "exact/common_unit.hpp"
+#include "exact/number/common_unit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "exact/body_pair.hpp"
+#include "exact/simplex/body_pair.hpp"
 #include "oracle/oracle.hpp"
 #include "scenes/random.hpp"
 

@@ -1,7 +1,7 @@
 // Signs by the bound of each determinant's own products are those of integers, on points of every width that are nearly
 // degenerate, or exactly.
 
-#include "exact/difference_signs.hpp"
+#include "exact/sign/difference_signs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "exact/dyadic.hpp"
+#include "exact/number/dyadic.hpp"
 
 #include <gtest/gtest.h>
 

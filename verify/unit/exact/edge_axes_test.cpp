@@ -1,7 +1,7 @@
 // Triangles of no area beside an edge of another: kept apart by the filter where they are clear of it, and never where
 // they touch.
 
-#include "exact/edge_axes.hpp"
+#include "exact/sign/edge_axes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "ecods/mesh.hpp"
-#include "exact/body_pair.hpp"
-#include "exact/mixed_signs.hpp"
+#include "exact/simplex/body_pair.hpp"
+#include "exact/sign/filtered_signs.hpp"
 #include "oracle/oracle.hpp"
 #include "scenes/random.hpp"
 

@@ -4,7 +4,7 @@
 // searched for: coordinates, and the rounding mode, are changed wherever that makes the error larger. Each test demands
 // of the search, too, that it comes within some factor of the bound: a bound that is too small by more is found.
 
-#include "exact/filter_bound.hpp"
+#include "exact/sign/filter_bound.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +18,9 @@
 #include <regex>
 #include <string>
 
-#include "exact/dyadic.hpp"
-#include "exact/plain_signs.hpp"
-#include "exact/pose_point.hpp"
+#include "exact/number/dyadic.hpp"
+#include "exact/sign/plain_signs.hpp"
+#include "exact/point/pose_point.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::exact {

@@ -1,13 +1,13 @@
 // The kernels against each other and against arithmetic of the boost library, at the limits of their widths.
 
-#include "exact/kernel.hpp"
+#include "exact/number/kernel.hpp"
 
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include "exact/kernel_signs.hpp"
-#include "exact/with_kernel.hpp"
+#include "exact/sign/kernel_signs.hpp"
+#include "exact/point/integer_width.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::exact {

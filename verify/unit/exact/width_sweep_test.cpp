@@ -9,7 +9,7 @@
 
 #include "ecods/mesh.hpp"
 #include "ecods/predicates.hpp"
-#include "exact/body_pair.hpp"
+#include "exact/simplex/body_pair.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::exact {

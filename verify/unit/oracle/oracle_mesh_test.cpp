@@ -51,13 +51,13 @@ void expect_all_pairs(const std::shared_ptr<const Mesh>& a, const Pose& pose_a, 
     }
     const OracleMesh mesh_a(a, pose_a);
     const OracleMesh mesh_b(b, pose_b);
-    EXPECT_TRUE(touching_triangles(mesh_a, mesh_b) == expected);
+    EXPECT_TRUE(intersecting_triangles(mesh_a, mesh_b) == expected);
     EXPECT_TRUE(verdict(mesh_a, mesh_b).triangles == expected);
     EXPECT_EQ(verdict(mesh_a, mesh_b).relation, strongest);
     EXPECT_EQ(relation(mesh_a, mesh_b), strongest);
     EXPECT_EQ(relation(mesh_b, mesh_a), strongest);
     EXPECT_EQ(intersects(mesh_a, mesh_b), strongest != Relation::disjoint);
-    EXPECT_EQ(touching_triangles(mesh_b, mesh_a).size(), expected.size());
+    EXPECT_EQ(intersecting_triangles(mesh_b, mesh_a).size(), expected.size());
 }
 
 TEST(OracleMesh, FindsAllPairsOfTriangles) {
@@ -87,7 +87,7 @@ TEST(OracleMesh, DisjointMeshesHaveNoPairs) {
     const OracleMesh b(mesh, above);
     EXPECT_EQ(relation(a, b), Relation::disjoint);
     EXPECT_FALSE(intersects(a, b));
-    EXPECT_TRUE(touching_triangles(a, b).empty());
+    EXPECT_TRUE(intersecting_triangles(a, b).empty());
     EXPECT_EQ(relation(a, a), Relation::touching);  // coplanar
 }
 

@@ -6,7 +6,7 @@
 
 #include "ecods/world.hpp"
 #include "scenes/shapes.hpp"
-#include "world_fixture.hpp"
+#include "unit/world/world_fixture.hpp"
 
 namespace ecods {
 namespace {
@@ -78,14 +78,14 @@ TEST_F(WorldErrorTest, BodyThatIsNotThere) {
         EXPECT_THROW(world.box(bad), StaleBody);
         EXPECT_THROW(world.intersects(bad, a), StaleBody);
         EXPECT_THROW(world.relation(a, bad), StaleBody);
-        EXPECT_THROW(world.touching_triangles(bad, bad), StaleBody);
+        EXPECT_THROW(world.intersecting_triangles(bad, bad), StaleBody);
     }
 }
 
 TEST_F(WorldErrorTest, OneBodyTwice) {
     EXPECT_THROW(world.intersects(a, a), SameBody);
     EXPECT_THROW(world.relation(b, b), SameBody);
-    EXPECT_THROW(world.touching_triangles(a, a), SameBody);
+    EXPECT_THROW(world.intersecting_triangles(a, a), SameBody);
 }
 
 TEST_F(WorldErrorTest, NullMeshShapeOrTest) {

@@ -8,7 +8,7 @@
 #include "ecods/world.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
-#include "world_fixture.hpp"
+#include "unit/world/world_fixture.hpp"
 
 namespace ecods {
 namespace {
@@ -51,12 +51,12 @@ TEST_P(WorldFindTest, ABoxThatIsNoneIsAnError) {
 
 TEST_P(WorldFindTest, TouchingIsExact) {
     const BodyId a = world.create_body(cube, at(0)), b = world.create_body(cube, at(std::nextafter(2.0, 3.0)));
-    EXPECT_EQ(world.touching_bodies(cube, at(1)), (Bodies{a})) << "b is one step of the last place away";
-    EXPECT_EQ(world.touching_bodies(cube, at(1.125)), (Bodies{b}));
-    EXPECT_EQ(world.touching_bodies(MeshShape(scenes::cube(3)), at(0)), Bodies()) << "inside is not touching";
-    EXPECT_EQ(world.touching_bodies(MeshShape(cube), at(1, 1, 1)), (Bodies{a}));
+    EXPECT_EQ(world.intersecting_bodies(cube, at(1)), (Bodies{a})) << "b is one step of the last place away";
+    EXPECT_EQ(world.intersecting_bodies(cube, at(1.125)), (Bodies{b}));
+    EXPECT_EQ(world.intersecting_bodies(MeshShape(scenes::cube(3)), at(0)), Bodies()) << "inside is not touching";
+    EXPECT_EQ(world.intersecting_bodies(MeshShape(cube), at(1, 1, 1)), (Bodies{a}));
     world.destroy_body(a);
-    EXPECT_EQ(world.touching_bodies(cube, at(1)), Bodies());
+    EXPECT_EQ(world.intersecting_bodies(cube, at(1)), Bodies());
     world.update();
     world.validate();
 }
@@ -66,9 +66,9 @@ TEST_P(WorldFindTest, AFilterIsAskedFirst) {
     world.set_filter(a, {.groups = 2});
     const CollisionFilter second{.groups = 1, .mask = 2};
     const std::uint64_t queries = world.statistics().queries.queries;
-    EXPECT_EQ(world.touching_bodies(cube, at(0.25), &second), (Bodies{a}));
+    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25), &second), (Bodies{a}));
     EXPECT_EQ(world.statistics().queries.queries, queries + 1) << "b was not tested";
-    EXPECT_EQ(world.touching_bodies(cube, at(0.25)), (Bodies{a, b}));
+    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25)), (Bodies{a, b}));
 }
 
 TEST_P(WorldFindTest, TheAnswersAreThoseOfABodyThere) {
@@ -78,7 +78,7 @@ TEST_P(WorldFindTest, TheAnswersAreThoseOfABodyThere) {
     }
     for (int i = 0; i < 20; ++i) {
         const Pose pose = at(random.uniform(0, 4), random.uniform(0, 4), random.uniform(0, 4));
-        const Bodies touching = world.touching_bodies(cube, pose);
+        const Bodies touching = world.intersecting_bodies(cube, pose);
         const Bodies in_box = world.overlapping_bodies(box_of(*cube, pose));
         const BodyId there = world.create_body(cube, pose);
         world.update();
@@ -107,10 +107,10 @@ TEST_P(WorldFindTest, BadArguments) {
         ShapeKind kind_;
     };
     world.create_body(cube, at(0));
-    EXPECT_THROW(world.touching_bodies(std::shared_ptr<const Mesh>(), at(0)), NullArgument);
-    EXPECT_THROW(world.touching_bodies(cube, at(std::numeric_limits<double>::infinity())), InvalidPose);
-    EXPECT_THROW(world.touching_bodies(Other({5}), at(0)), MissingTest);
-    EXPECT_THROW(world.touching_bodies(Other(ShapeKind::mesh()), at(0)), NotSupported);
+    EXPECT_THROW(world.intersecting_bodies(std::shared_ptr<const Mesh>(), at(0)), NullArgument);
+    EXPECT_THROW(world.intersecting_bodies(cube, at(std::numeric_limits<double>::infinity())), InvalidPose);
+    EXPECT_THROW(world.intersecting_bodies(Other({5}), at(0)), MissingTest);
+    EXPECT_THROW(world.intersecting_bodies(Other(ShapeKind::mesh()), at(0)), NotSupported);
 }
 
 }  // namespace

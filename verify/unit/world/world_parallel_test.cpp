@@ -7,8 +7,8 @@
 #include "ecods/world.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
-#include "thread_executor.hpp"
-#include "world_fixture.hpp"
+#include "unit/world/thread_executor.hpp"
+#include "unit/world/world_fixture.hpp"
 
 namespace ecods {
 namespace {

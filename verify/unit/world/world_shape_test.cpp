@@ -7,7 +7,7 @@
 
 #include "ecods/world.hpp"
 #include "scenes/shapes.hpp"
-#include "world_fixture.hpp"
+#include "unit/world/world_fixture.hpp"
 
 namespace ecods {
 namespace {
@@ -90,7 +90,7 @@ TEST_P(WorldShapeTest, AHalfSpaceAmongMeshes) {
     EXPECT_EQ(world.relation(plane, first), Relation::touching);
     EXPECT_EQ(world.relation(first, plane), Relation::touching);
     EXPECT_EQ(world.relation(plane, above), Relation::disjoint);
-    EXPECT_THROW(world.touching_triangles(plane, first), NotSupported);
+    EXPECT_THROW(world.intersecting_triangles(plane, first), NotSupported);
     world.validate();
 
     // A second half space has no test against the first.

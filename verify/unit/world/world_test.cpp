@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "scenes/shapes.hpp"
-#include "world_fixture.hpp"
+#include "unit/world/world_fixture.hpp"
 
 namespace ecods {
 namespace {
@@ -132,8 +132,8 @@ TEST_P(WorldTest, SetShapeChangesTheAnswer) {
 
 TEST_P(WorldTest, TouchingTrianglesFollowTheOrderOfArguments) {
     const BodyId a = world.create_body(cube, at(0)), b = world.create_body(cube, at(1, 1, 1));
-    const auto ab = world.touching_triangles(a, b);
-    auto ba = world.touching_triangles(b, a);
+    const auto ab = world.intersecting_triangles(a, b);
+    auto ba = world.intersecting_triangles(b, a);
     ASSERT_FALSE(ab.empty());
     EXPECT_TRUE(std::ranges::is_sorted(ab));
     EXPECT_TRUE(std::ranges::is_sorted(ba));

@@ -5,7 +5,7 @@
 #include "ecods/world.hpp"
 #include "scenes/room.hpp"
 #include "scenes/shapes.hpp"
-#include "world_fixture.hpp"
+#include "unit/world/world_fixture.hpp"
 
 namespace ecods {
 namespace {

@@ -1,0 +1,74 @@
+// Questions about two bodies. No World is needed.
+//
+// Each answer is exact for the real points R v + t, and depends on the bits of meshes and poses alone: swapping
+// the bodies gives the same answer (and swapped triangle pairs). A pose must be finite (validate(Pose)); a query does
+// not check it.
+//
+// Thread safety: shapes are immutable, so queries may run from many threads, each with a QueryMemory of its own.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "ecods/ids.hpp"
+#include "ecods/pose.hpp"
+#include "ecods/predicates.hpp"
+#include "ecods/shape.hpp"
+
+namespace ecods {
+
+// What queries did, as counts. Counts are exact: the same input gives the same counts.
+struct QueryCounts {
+    std::uint64_t queries = 0;             // two-body queries of meshes
+    std::uint64_t witness_hits = 0;        // of these, decided by what decided last time
+    std::uint64_t box_tests = 0;           // pairs of tree nodes, up to eight boxes against eight each
+    std::uint64_t triangle_tests = 0;      // pairs of triangles
+    std::uint64_t filter_passes = 0;       // of these, decided by the bound of the body pair
+    std::uint64_t semi_static_passes = 0;  // ... by the bound of the triangle pair
+    std::uint64_t local_passes = 0;        // ... because both bodies have one pose or short coordinates
+    std::uint64_t one_limb = 0;            // ... by integers of one limb (60 bits)
+    std::uint64_t two_limbs = 0;           // ... of two limbs (125 bits)
+    std::uint64_t many_limbs = 0;          // ... of more
+
+    QueryCounts& operator+=(const QueryCounts& other) noexcept;
+};
+
+// The memory that queries work in: stacks, rounded vertices, exact vertices. It grows to what the largest query
+// needed and is then used again without allocation. It holds no answer: a query gives the same with a new one.
+class QueryMemory {
+  public:
+    QueryMemory();
+    ~QueryMemory();
+    QueryMemory(QueryMemory&&) noexcept;
+    QueryMemory& operator=(QueryMemory&&) noexcept;
+
+    const QueryCounts& counts() const noexcept;
+    void reset_counts() noexcept;
+
+    struct State;  // of the implementation
+    State& state() noexcept { return *state_; }
+
+  private:
+    std::unique_ptr<State> state_;
+};
+
+// A mesh at a pose. Both are referred to, not copied.
+struct PosedMesh {
+    const MeshShape& shape;
+    const Pose& pose;
+};
+
+// Whether the bodies share a point; stops at the first one found.
+bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory);
+
+// The same, for a pair that was asked about before and has moved little: tries the witness first, and leaves a new one.
+bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory, PairWitness& witness);
+
+// Disjoint, touching or crossing: the strongest relation of any two of their triangles. Stops at the first crossing.
+Relation relation(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory);
+
+// Every pair of triangles that share a point, ascending.
+std::vector<TrianglePair> intersecting_triangles(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory);
+
+}  // namespace ecods

@@ -1,0 +1,43 @@
+// The frame that a mesh's tree has its boxes in.
+#pragma once
+
+#include <array>
+
+#include "ecods/mesh.hpp"
+
+namespace ecods {
+
+// Coordinates y, of the size of one: the point of the mesh is center + map y, exactly. The columns of `map` are
+// orthogonal up to rounding and of one length, a power of two. |y| <= 1 on each axis for every point of the mesh.
+struct LocalFrame {
+    Mat3 axes = Mat3::Identity();  // map over the scale
+    Mat3 map = Mat3::Identity();
+    Vec3 center = Vec3::Zero();
+    Vec3 map_size = Vec3::Ones();  // |map| 1
+    double size_max = 1;           // the largest of 1, |map| and |center|
+    double scale = 1;              // a power of two
+    Vec3 half = Vec3::Ones();      // |y| <= half for every point: the oriented box
+    bool is_bounded = true;        // false: coordinates too large for a frame; every box is infinite
+
+    // What brings v to y: inverse * (v - center), with an error of at most coordinate_error.
+    Mat3 inverse = Mat3::Identity();
+    Vec3 coordinates(const Vec3& v) const { return inverse * (v - center); }
+};
+
+// Bounds the error of y = inverse * (v - center) as computed, on each axis, in any rounding mode. Let F = map / scale,
+// and |F^T F - I| <= tau entry by entry. A point of the mesh has |F^T (v - center)| <= scale on each axis, so |v -
+// center| <= 1.01 sqrt(3) scale. With u' = 2^-52, the difference has an error of u', products and sums one of 3.01 u',
+// relative to at most 1.01 sqrt(3): below 8 u'. inverse = F^T / scale is not that of map: F^-1 - F^T = (I - F^T F) F^-1
+// has entries below 3.1 tau, which adds 3 * 3.1 tau * 1.01 sqrt(3) < 16.3 tau. Underflow in the difference is harmless:
+// the scale is at least 2^-900. In sum below 2^-43.
+inline constexpr double frame_tau_max = 0x1p-48;  // |F^T F - I|, entry by entry, of the columns over the scale
+inline constexpr double coordinate_error = 0x1p-43;
+
+// The box of the mesh: along its own axes or, where that box has at most nine tenths of the surface, along the
+// principal axes of its triangles. Cost: one pass.
+LocalFrame fit_frame(const Mesh& mesh);
+
+// The same axes for other vertices of the same mesh.
+LocalFrame refit_frame(const LocalFrame& frame, const Mesh& mesh);
+
+}  // namespace ecods

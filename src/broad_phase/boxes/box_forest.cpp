@@ -1,0 +1,203 @@
+#include "broad_phase/boxes/box_forest.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <string>
+
+#include "base/bytes_of.hpp"
+#include "ecods/error.hpp"
+
+namespace ecods {
+namespace {
+
+constexpr int exponent_count = 2048;  // of doubles
+constexpr int class_width = 3;        // powers of two
+
+// The tree of each size. Sizes of which there are few join the next larger ones that there are: small boxes in a
+// tree of large ones do no harm, only the reverse does.
+std::array<std::uint8_t, exponent_count> choose_classes(std::span<const BoxForest::Item> items) {
+    std::array<std::uint32_t, exponent_count> counts{};
+    for (const auto& item : items) ++counts[static_cast<std::size_t>(item.size_exponent)];
+    const std::size_t enough = items.size() / 32 + 1;
+    std::array<std::uint8_t, exponent_count> classes{};
+    std::uint8_t current = 0;
+    std::size_t in_class = 0;
+    int first = 0;  // the smallest size in the class
+    for (int exponent = 0; exponent < exponent_count; ++exponent) {
+        if (counts[exponent] > 0) {
+            if (in_class == 0) first = exponent;
+            if (exponent >= first + class_width) {
+                if (in_class >= enough) {
+                    ++current;
+                    in_class = 0;
+                }
+                first = exponent;
+            }
+            in_class += counts[exponent];
+        }
+        classes[exponent] = current;
+    }
+    return classes;
+}
+
+}  // namespace
+
+BoxForest::Item BoxForest::make_item(const Aabb& box, SlotIndex slot) noexcept {
+    double extent = 0;
+    for (int axis = 0; axis < 3; ++axis) extent = std::max(extent, box.max[axis] - box.min[axis]);
+    const int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(extent) >> 52) % exponent_count;
+    return {.item = tree_item(box, slot), .size_exponent = exponent};
+}
+
+void BoxForest::build(std::span<Item> items, std::span<const PackedBox> lines) {
+    trees_.clear();
+    places_.assign(lines.size(), {});
+    const auto classes = choose_classes(items);
+    const std::size_t count = items.empty() ? 0 : std::size_t{classes[exponent_count - 1]} + 1;
+    std::vector<std::vector<TreeItem>> parts(count);
+    largest_.assign(count, 0);
+    for (const Item& item : items) {
+        const std::size_t part = classes[static_cast<std::size_t>(item.size_exponent)];
+        parts[part].push_back(item.item);
+        largest_[part] = std::max(largest_[part], item.size_exponent);
+    }
+    for (std::vector<TreeItem>& part : parts) plant(part, lines);
+    class_count_ = trees_.size();
+}
+
+void BoxForest::plant(std::span<TreeItem> items, std::span<const PackedBox> lines) {
+    const auto tree_index = static_cast<std::uint32_t>(trees_.size());
+    BoxTree& tree = trees_.emplace_back();
+    tree.build(items, lines);
+    for (std::uint32_t position = 0; position < tree.size(); ++position) {
+        places_[tree.slot(position)] = {tree_index, position};
+    }
+}
+
+void BoxForest::refit(std::span<const PackedBox> lines) {
+    for (BoxTree& tree : trees_) tree.refit(lines);
+}
+
+void BoxForest::append_order(std::vector<SlotIndex>& order) const {
+    for (const BoxTree& tree : trees_) {
+        for (std::size_t position = 0; position < tree.size(); ++position) order.push_back(tree.slot(position));
+    }
+}
+
+void BoxForest::renumber() {
+    SlotIndex base = 0;
+    places_.clear();
+    for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
+        trees_[tree].renumber(base);
+        for (std::uint32_t position = 0; position < trees_[tree].size(); ++position)
+            places_.push_back({tree, position});
+        base += static_cast<SlotIndex>(trees_[tree].size());
+    }
+}
+
+bool BoxForest::insert(const Item& newcomer, std::span<const PackedBox> lines) {
+    for (std::uint32_t tree = 0; tree < class_count_; ++tree) {
+        if (largest_[tree] < newcomer.size_exponent) continue;
+        Place& place = places_[newcomer.item.slot];
+        if (!trees_[tree].insert(newcomer.item, lines[newcomer.item.slot], place.position)) return false;
+        place.tree = tree;
+        return true;
+    }
+    return false;
+}
+
+void BoxForest::add(std::span<const Item> newcomers, std::span<const PackedBox> lines) {
+    if (places_.size() < lines.size()) places_.resize(lines.size());
+    std::vector<TreeItem> items;
+    for (const Item& newcomer : newcomers) {
+        if (!insert(newcomer, lines)) items.push_back(newcomer.item);
+    }
+    if (items.empty()) return;
+    while (trees_.size() > class_count_ && trees_.back().alive_count() <= 3 * items.size()) {
+        const BoxTree& tree = trees_.back();
+        for (std::size_t position = 0; position < tree.size(); ++position) {
+            if (tree.get(position).is_empty()) continue;
+            const PackedBox& line = lines[tree.slot(position)];
+            const KeyBox keys = key_box(line);
+            Aabb box;
+            for (int axis = 0; axis < 3; ++axis) {
+                box.min[axis] = double_of(keys.min[axis]);
+                box.max[axis] = double_of(keys.max[axis]);
+            }
+            items.push_back(tree_item(box, tree.slot(position)));
+        }
+        trees_.pop_back();
+    }
+    plant(items, lines);
+}
+
+void BoxForest::set(SlotIndex slot, const PackedBox& line) {
+    if (slot >= places_.size() || places_[slot].tree == no_tree) return;
+    trees_[places_[slot].tree].set(places_[slot].position, line);
+}
+
+void BoxForest::prefetch(SlotIndex slot) const noexcept {
+    if (slot >= places_.size() || places_[slot].tree == no_tree) return;
+    trees_[places_[slot].tree].prefetch(places_[slot].position);
+}
+
+void BoxForest::remove(SlotIndex slot) {
+    set(slot, {});
+    if (slot < places_.size()) places_[slot] = {};
+}
+
+std::size_t BoxForest::newcomer_count() const noexcept {
+    std::size_t count = 0;
+    for (std::size_t i = class_count_; i < trees_.size(); ++i) count += trees_[i].alive_count();
+    return count;
+}
+
+std::uint64_t BoxForest::find(const BoxReach& reach, std::vector<SlotIndex>& found) const {
+    std::uint64_t tests = 0;
+    for (const BoxTree& tree : trees_) tests += tree.find(reach, found);
+    return tests;
+}
+
+std::uint64_t BoxForest::find_pairs(std::vector<std::array<SlotIndex, 2>>& found) const {
+    std::uint64_t tests = 0;
+    for (std::size_t small = 0; small < trees_.size(); ++small) {
+        for (std::size_t large = small; large < trees_.size(); ++large) {
+            tests += trees_[small].join(trees_[large], found);
+        }
+    }
+    return tests;
+}
+
+std::size_t BoxForest::bytes() const noexcept {
+    std::size_t sum = bytes_of(trees_, places_);
+    for (const BoxTree& tree : trees_) sum += tree.bytes();
+    return sum;
+}
+
+void BoxForest::validate(std::span<const PackedBox> lines) const {
+    std::vector<int> seen(lines.size());
+    for (const BoxTree& tree : trees_) {
+        tree.validate();
+        for (std::size_t position = 0; position < tree.size(); ++position) {
+            if (tree.get(position).is_empty()) continue;
+            const SlotIndex slot = tree.slot(position);
+            if (slot >= lines.size() || tree.get(position) != lines[slot]) {
+                throw BrokenInvariant("box forest: a tree has another box than slot " + std::to_string(slot));
+            }
+            ++seen[slot];
+        }
+    }
+    for (std::size_t slot = 0; slot < lines.size(); ++slot) {
+        if (seen[slot] != (lines[slot].is_empty() ? 0 : 1)) {
+            throw BrokenInvariant("box forest: slot " + std::to_string(slot) + " is in " + std::to_string(seen[slot]) +
+                                  " places");
+        }
+        const Place place = lines[slot].is_empty() ? Place{} : places_[slot];
+        if (!lines[slot].is_empty() &&
+            (place.tree >= trees_.size() || trees_[place.tree].slot(place.position) != slot)) {
+            throw BrokenInvariant("box forest: the place of slot " + std::to_string(slot) + " is another's");
+        }
+    }
+}
+
+}  // namespace ecods

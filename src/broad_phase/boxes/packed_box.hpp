@@ -1,0 +1,145 @@
+// Boxes as the processor likes them: one in a cache line, or eight in a block, to be compared all lanes at once.
+//
+// Everything here is integers (key_box.hpp) and comparisons, so it means the same on every instruction set. Vectors
+// are of four numbers: wider ones are taken apart into single numbers where the registers are narrower.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "simd/inline.hpp"
+#include "geometry/key_box.hpp"
+
+namespace ecods {
+
+typedef std::int64_t KeyLanes __attribute__((vector_size(32), may_alias));
+
+// A box as eight numbers: the minima, -1, the complements of the maxima, -1. A complement reverses the order, so that
+// of each number the smaller reaches farther: containment, union and overlap are the same operation on all lanes.
+struct alignas(64) PackedBox {
+    static constexpr std::int64_t unreachable = std::numeric_limits<std::int64_t>::max();
+
+    std::array<std::int64_t, 8> ends = {unreachable, unreachable, unreachable, unreachable,
+                                        unreachable, unreachable, unreachable, unreachable};  // the empty box
+
+    friend bool operator==(const PackedBox&, const PackedBox&) = default;
+    bool is_empty() const noexcept { return ends[0] == unreachable; }
+};
+
+// How far the ends of another box may be for the two to overlap: lane by lane, theirs <= these.
+struct alignas(64) BoxReach {
+    std::array<std::int64_t, 8> ends;
+};
+
+ECODS_ALWAYS_INLINE const KeyLanes& lanes(const std::int64_t* first) noexcept {
+    return *reinterpret_cast<const KeyLanes*>(first);
+}
+ECODS_ALWAYS_INLINE KeyLanes& lanes(std::int64_t* first) noexcept {
+    return *reinterpret_cast<KeyLanes*>(first);
+}
+
+// The bits that are set in any lane.
+ECODS_ALWAYS_INLINE std::int64_t any_lane(const KeyLanes& all) noexcept {
+    typedef std::int64_t Half __attribute__((vector_size(16)));
+    const Half half = __builtin_shufflevector(all, all, 0, 1) | __builtin_shufflevector(all, all, 2, 3);
+    return half[0] | half[1];
+}
+
+inline PackedBox packed_box(const KeyBox& box) noexcept {
+    return {{box.min[0], box.min[1], box.min[2], -1, ~box.max[0], ~box.max[1], ~box.max[2], -1}};
+}
+inline KeyBox key_box(const PackedBox& line) noexcept {
+    return {{line.ends[0], line.ends[1], line.ends[2]}, {~line.ends[4], ~line.ends[5], ~line.ends[6]}};
+}
+
+// packed_box(key_box(box)), without taking it apart.
+ECODS_ALWAYS_INLINE void make_packed_box(const Aabb& box, PackedBox& line) noexcept {
+    static_assert(sizeof(Aabb) == 6 * sizeof(double));
+    typedef std::int64_t Loose __attribute__((vector_size(32), may_alias, aligned(8)));
+    const double* first = box.min.data();
+    constexpr std::int64_t rest = std::numeric_limits<std::int64_t>::max();
+    const KeyLanes bits[2] = {*reinterpret_cast<const Loose*>(first), *reinterpret_cast<const Loose*>(first + 2)};
+    const KeyLanes signs[2] = {bits[0] < 0, bits[1] < 0};
+    const KeyLanes mins = ((bits[0] & rest) ^ signs[0]) - signs[0];
+    const KeyLanes maxs = ((bits[1] & rest) ^ signs[1]) - signs[1];
+    const KeyLanes ones = {-1, -1, -1, -1};
+    lanes(&line.ends[0]) = __builtin_shufflevector(mins, ones, 0, 1, 2, 4);
+    lanes(&line.ends[4]) = __builtin_shufflevector(~maxs, ones, 1, 2, 3, 4);
+}
+
+ECODS_ALWAYS_INLINE void make_reach(const PackedBox& line, BoxReach& reach) noexcept {
+    lanes(&reach.ends[0]) = ~lanes(&line.ends[4]);
+    lanes(&reach.ends[4]) = ~lanes(&line.ends[0]);
+}
+
+// Whether the closed boxes share a point. An empty box overlaps none.
+ECODS_ALWAYS_INLINE bool overlaps(const PackedBox& line, const BoxReach& reach) noexcept {
+    return any_lane((lanes(&line.ends[0]) > lanes(&reach.ends[0])) | (lanes(&line.ends[4]) > lanes(&reach.ends[4]))) ==
+           0;
+}
+inline bool overlap(const PackedBox& a, const PackedBox& b) noexcept {
+    return overlap(key_box(a), key_box(b));
+}
+
+ECODS_ALWAYS_INLINE bool contains(const PackedBox& outer, const PackedBox& inner) noexcept {
+    return any_lane((lanes(&outer.ends[0]) > lanes(&inner.ends[0])) |
+                    (lanes(&outer.ends[4]) > lanes(&inner.ends[4]))) == 0;
+}
+
+inline void enlarge(PackedBox& line, const PackedBox& by) noexcept {
+    for (std::size_t k = 0; k < 8; ++k) line.ends[k] = std::min(line.ends[k], by.ends[k]);
+}
+
+// Eight boxes, end by end.
+struct alignas(64) BoxBlock {
+    static constexpr std::uint32_t width = 8;
+
+    std::array<std::array<std::int64_t, width>, 6> ends;
+
+    BoxBlock() noexcept {
+        for (auto& row : ends) row.fill(PackedBox::unreachable);
+    }
+    static constexpr std::size_t lane_of(std::size_t row) noexcept { return row < 3 ? row : row + 1; }
+
+    void set(std::size_t index, const PackedBox& line) noexcept {
+        for (std::size_t row = 0; row < 6; ++row) ends[row][index] = line.ends[lane_of(row)];
+    }
+    PackedBox get(std::size_t index) const noexcept {
+        PackedBox line;
+        for (std::size_t row = 0; row < 6; ++row) line.ends[lane_of(row)] = ends[row][index];
+        if (!line.is_empty()) line.ends[3] = line.ends[7] = -1;
+        return line;
+    }
+    // Whether get(index) is this, end by end: what get() has put together cannot be compared as fast.
+    bool has(std::size_t index, const PackedBox& line) const noexcept {
+        bool is_same = true;
+        for (std::size_t row = 0; row < 6; ++row) is_same &= ends[row][index] == line.ends[lane_of(row)];
+        return is_same;
+    }
+    // The smallest box that contains all.
+    PackedBox bounds() const noexcept {
+        PackedBox line;
+        for (std::size_t row = 0; row < 6; ++row) {
+            line.ends[lane_of(row)] = *std::min_element(ends[row].begin(), ends[row].end());
+        }
+        if (!line.is_empty()) line.ends[3] = line.ends[7] = -1;
+        return line;
+    }
+};
+
+// One bit for each of the eight that overlaps.
+ECODS_ALWAYS_INLINE std::uint32_t overlapping(const BoxBlock& block, const BoxReach& reach) noexcept {
+    KeyLanes beyond[2] = {};
+    for (std::size_t row = 0; row < 6; ++row) {
+        const std::int64_t end = reach.ends[BoxBlock::lane_of(row)];
+        beyond[0] |= lanes(&block.ends[row][0]) > end;
+        beyond[1] |= lanes(&block.ends[row][4]) > end;
+    }
+    const KeyLanes bits[2] = {{1, 2, 4, 8}, {16, 32, 64, 128}};
+    return static_cast<std::uint32_t>(any_lane((~beyond[0] & bits[0]) | (~beyond[1] & bits[1])));
+}
+
+}  // namespace ecods

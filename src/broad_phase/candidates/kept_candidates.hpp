@@ -1,0 +1,131 @@
+// The broad phase for large and lively scenes: pairs that may overlap for a while, kept and filtered.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "broad_phase/boxes/box_forest.hpp"
+#include "broad_phase/pair_finder.hpp"
+
+namespace ecods {
+
+// Each box lies in a fat one, which leaves room for it to go on as it does. As long as boxes stay in their fat boxes,
+// only those can overlap whose fat boxes do. A box that moves is awake, and so it stays until it has rested for a
+// while. Pairs whose fat boxes overlap, one of the two awake, are the candidates; an update tests all of them in one
+// go, and nothing else. A box that escaped gets a new fat box and looks for new candidates in trees of fat boxes, as
+// one that awakes does in its old fat box; when many did, all is done anew at once. Boxes are kept in slots, numbered
+// so that neighbours are close in memory.
+//
+// Right whatever the fat boxes are, as long as they contain their boxes; how fat they are is a matter of speed.
+class KeptCandidates final : public PairFinder {
+  public:
+    // How a box moved when it last escaped, by axis.
+    struct Habits {
+        std::array<std::int8_t, 3> direction{};  // 1 up, -1 down, 0 not known
+        std::array<bool, 3> turns{};
+    };
+
+    void build(const ProxyTable& table, BroadPhaseCounts& counts) override;
+    void update(const ProxyTable& table, const ProxyChanges& changes, PairList& pairs,
+                BroadPhaseCounts& counts) override;
+    void reserve(std::size_t count) override;
+    std::size_t bytes() const noexcept override;
+    void validate(const ProxyTable& table) const override;
+
+  private:
+    // What an update hands from step to step.
+    struct Update {
+        const ProxyTable& table;
+        ProxyPairs& began;
+        ProxyPairs& ended;
+        BroadPhaseCounts& counts;
+    };
+    struct Escaped {
+        SlotIndex slot;
+        PackedBox before;
+    };
+    enum : std::uint8_t {
+        awake = 1,
+        moved = 2,     // since boxes were last put to sleep
+        changed = 4,   // its fat box did, or it went: some of its candidates may be none any more
+        searching = 8  // during an update: its old fat box is in old_fat_lines_
+    };
+    // Two slots; in the second one, this bit says that they overlapped when they were last tested.
+    using Candidate = std::array<SlotIndex, 2>;
+    static constexpr SlotIndex overlap_bit = SlotIndex{1} << 31;
+
+    // kept_candidates.cpp
+    void remove(const std::vector<ProxyIndex>& proxies, Update& update);
+    void add(const std::vector<ProxyIndex>& proxies, const ProxyTable& table);
+    SlotIndex take_slot();
+    void adapt();
+    void guess_horizon(std::size_t pair_count);
+    void put_to_sleep(std::size_t moved_count);
+
+    // filter_candidates.cpp
+    void move_all(const ProxyTable& table);
+    void move_some(std::span<const ProxyIndex> proxies, const ProxyTable& table);
+    void move_all_wide(const ProxyTable& table);
+    void move_some_wide(std::span<const ProxyIndex> proxies, const ProxyTable& table);
+    void filter(Update& update);
+    template <bool have_some_gone>
+    void filter_wide(Update& update);
+    void report(Candidate& candidate, Update& update);
+
+    // fatten_boxes.cpp
+    PackedBox fatten(const Escaped& escaped, const Aabb& box) noexcept;
+    std::vector<BoxForest::Item> fatten_escaped(const ProxyTable& table);
+    void prefetch(SlotIndex slot) const noexcept;
+    void learn_turns();
+    void fatten_used_up(const ProxyTable& table);
+
+    // find_candidates.cpp
+    void wake(std::span<const ProxyIndex> proxies, Update& update);
+    void wake_all(Update& update);
+    void search_escaped(std::span<const BoxForest::Item> newcomers, Update& update);
+    void link(SlotIndex slot, Update& update);
+    void search_all(std::span<const BoxForest::Item> newcomers, bool must_sort, Update& update);
+    void sort_slots(const ProxyTable& table);
+    void take_found(Update& update);
+    bool were_candidates(SlotIndex a, SlotIndex b) const noexcept;
+    bool has_flag(SlotIndex slot, unsigned flag) const noexcept { return (flags_[slot] & flag) != 0; }
+    void set_flag(SlotIndex slot, unsigned flag) noexcept { flags_[slot] |= static_cast<std::uint8_t>(flag); }
+    void clear_flag(SlotIndex slot, unsigned flag) noexcept { flags_[slot] &= static_cast<std::uint8_t>(~flag); }
+
+    // By slot. A free slot has empty boxes.
+    std::vector<PackedBox> lines_;
+    std::vector<PackedBox> fat_lines_;
+    std::vector<PackedBox> old_fat_lines_;
+    std::vector<ProxyIndex> proxies_;
+    std::vector<std::uint8_t> flags_;
+    std::vector<Habits> habits_;
+
+    std::vector<Candidate> candidates_;
+    std::vector<SlotIndex> slots_;  // by proxy
+    std::vector<SlotIndex> free_slots_;
+    std::vector<SlotIndex> changed_slots_;  // those with the flag
+    BoxForest forest_;                      // of fat boxes
+
+    std::size_t used_count_ = 0;  // slots that are not free
+    std::size_t awake_count_ = 0;
+    std::uint64_t rested_ = 0;  // updates that an awake box did not move in, summed
+    double mean_extent_ = 0;
+    double horizon_ = 24;  // for how many updates a fat box leaves room
+    double wasted_work_ = 0;
+    double search_work_ = 0;
+    std::uint64_t jump_tests_ = 0;   // of an update, for boxes that are far from where they were
+    std::uint64_t overlapping_ = 0;  // candidates that did so before the last filtering
+    std::size_t searched_since_sort_ = 0;
+    std::size_t updates_since_search_ = 0;  // of everything
+    std::array<std::uint64_t, 3> turn_counts_{};
+    std::array<bool, 3> is_turning_common_{};
+    double tests_after_sort_ = 0;  // for each box, when everything was looked up
+    bool is_worn_ = false;         // they became more
+
+    // Working memory of an update.
+    std::vector<Escaped> escaped_;
+    std::vector<SlotIndex> found_;
+};
+
+}  // namespace ecods

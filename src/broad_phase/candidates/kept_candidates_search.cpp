@@ -1,0 +1,196 @@
+// The candidates of boxes that awoke, came, or left their fat boxes.
+#include <limits>
+#include <span>
+#include <type_traits>
+
+#include "simd/dispatch.hpp"
+#include "broad_phase/candidates/kept_candidates.hpp"
+
+namespace ecods {
+namespace {
+
+// How many escaped boxes ahead memory is asked for.
+constexpr std::size_t prefetch_distance = 6;
+
+}  // namespace
+
+// Whether the two were a candidate before fat boxes changed, if one of them was awake.
+bool KeptCandidates::were_candidates(SlotIndex a, SlotIndex b) const noexcept {
+    const PackedBox& fat_a = has_flag(a, searching) ? old_fat_lines_[a] : fat_lines_[a];
+    const PackedBox& fat_b = has_flag(b, searching) ? old_fat_lines_[b] : fat_lines_[b];
+    BoxReach reach;
+    make_reach(fat_a, reach);
+    return overlaps(fat_b, reach);
+}
+
+// Before boxes move: the candidates of those that do.
+void KeptCandidates::wake(std::span<const ProxyIndex> proxies, Update& update) {
+    if (awake_count_ == used_count_ && proxies.size() == used_count_) return;
+    std::vector<SlotIndex> woken;
+    for (const ProxyIndex proxy : proxies) {
+        const SlotIndex slot = slots_[proxy];
+        if (!has_flag(slot, awake)) woken.push_back(slot);
+        set_flag(slot, moved);
+    }
+    if (8 * woken.size() > used_count_ + 64) {
+        wake_all(update);
+        return;
+    }
+    BoxReach reach;
+    for (const SlotIndex slot : woken) {
+        make_reach(fat_lines_[slot], reach);
+        found_.clear();
+        update.counts.box_tests += forest_.find(reach, found_);
+        make_reach(lines_[slot], reach);
+        for (const SlotIndex partner : found_) {
+            if (partner == slot || has_flag(partner, awake)) continue;
+            candidates_.push_back({slot, partner | (overlaps(lines_[partner], reach) ? overlap_bit : 0)});
+        }
+        set_flag(slot, awake);
+    }
+    awake_count_ += woken.size();
+}
+
+void KeptCandidates::wake_all(Update& update) {
+    for (SlotIndex slot = 0; slot < lines_.size(); ++slot) {
+        if (!lines_[slot].is_empty()) set_flag(slot, awake);
+    }
+    awake_count_ = used_count_;
+    candidates_.clear();
+    update.counts.box_tests += forest_.find_pairs(candidates_);
+    ++update.counts.rebuilds;
+    BoxReach reach;
+    std::size_t overlapping = 0;
+    for (Candidate& candidate : candidates_) {
+        make_reach(lines_[candidate[0]], reach);
+        if (!overlaps(lines_[candidate[1]], reach)) continue;
+        candidate[1] |= overlap_bit;
+        ++overlapping;
+    }
+    guess_horizon(overlapping);
+}
+
+void KeptCandidates::search_escaped(std::span<const BoxForest::Item> newcomers, Update& update) {
+    for (const BoxForest::Item& newcomer : newcomers) forest_.remove(newcomer.item.slot);
+    for (std::size_t i = 0; i < escaped_.size(); ++i) {
+        if (i + prefetch_distance < escaped_.size()) forest_.prefetch(escaped_[i + prefetch_distance].slot);
+        forest_.set(escaped_[i].slot, fat_lines_[escaped_[i].slot]);
+    }
+    forest_.add(newcomers, fat_lines_);
+    for (std::size_t i = 0; i < escaped_.size(); ++i) {
+        if (i + prefetch_distance < escaped_.size()) forest_.prefetch(escaped_[i + prefetch_distance].slot);
+        link(escaped_[i].slot, update);
+    }
+    for (const Escaped& escaped : escaped_) {
+        clear_flag(escaped.slot, searching);
+        if (has_flag(escaped.slot, changed)) continue;
+        set_flag(escaped.slot, changed);
+        changed_slots_.push_back(escaped.slot);
+    }
+}
+
+// Adds the candidates of a box with a new fat box. What is known of those that it had is right already, and one that is
+// new and overlaps did not do so before: it would have been a candidate.
+void KeptCandidates::link(SlotIndex slot, Update& update) {
+    BoxReach reach;
+    make_reach(fat_lines_[slot], reach);
+    found_.clear();
+    const std::uint64_t tests = forest_.find(reach, found_) + found_.size();
+    update.counts.box_tests += tests;
+    if (!overlaps(old_fat_lines_[slot], reach)) jump_tests_ += tests;
+    for (const SlotIndex partner : found_) {
+        __builtin_prefetch(&fat_lines_[partner]);
+        __builtin_prefetch(&lines_[partner]);
+    }
+    make_reach(lines_[slot], reach);
+    for (const SlotIndex partner : found_) {
+        // Of two that escaped, the first does it.
+        if (partner == slot || (has_flag(partner, searching) && partner < slot)) continue;
+        if (were_candidates(slot, partner)) continue;
+        const bool now = overlaps(lines_[partner], reach);
+        if (now) update.began.push_back(ordered_pair(proxies_[slot], proxies_[partner]));
+        if (has_flag(slot, awake) || has_flag(partner, awake)) {
+            candidates_.push_back({slot, partner | (now ? overlap_bit : 0)});
+        }
+    }
+}
+
+void KeptCandidates::search_all(std::span<const BoxForest::Item> newcomers, bool must_sort, Update& update) {
+    fatten_used_up(update.table);
+    const bool do_sort = must_sort || is_worn_ || 64 * forest_.newcomer_count() > update.table.size() ||
+                         8 * newcomers.size() > update.table.size();
+    if (do_sort) {
+        sort_slots(update.table);
+    } else {
+        for (const BoxForest::Item& newcomer : newcomers) forest_.remove(newcomer.item.slot);
+        forest_.refit(fat_lines_);
+        forest_.add(newcomers, fat_lines_);
+    }
+    candidates_.clear();
+    const std::uint64_t tests = forest_.find_pairs(candidates_) + candidates_.size();
+    update.counts.box_tests += tests;
+    // Boxes drift away from those that they are in a block with. Sorting costs about as much as half of the tests.
+    const double tests_per_box = static_cast<double>(tests) / static_cast<double>(update.table.size() + 1);
+    if (do_sort) tests_after_sort_ = tests_per_box;
+    is_worn_ = tests_per_box > 1.25 * tests_after_sort_;
+    dispatch<&KeptCandidates::take_found>(*this, update);
+    for (std::uint8_t& flags : flags_) flags &= static_cast<std::uint8_t>(~(searching | changed));
+    changed_slots_.clear();
+}
+
+// Makes the pairs that were found the candidates.
+ECODS_ALWAYS_INLINE void KeptCandidates::take_found(Update& update) {
+    BoxReach reach;
+    Candidate* write = candidates_.data();
+    for (const Candidate candidate : candidates_) {
+        const auto [a, b] = candidate;
+        make_reach(lines_[a], reach);
+        const bool now = overlaps(lines_[b], reach);
+        // Most that overlap did so before: no branch on `now` alone, which could not be foretold.
+        make_reach(has_flag(a, searching) ? old_fat_lines_[a] : fat_lines_[a], reach);
+        const bool before = overlaps(has_flag(b, searching) ? old_fat_lines_[b] : fat_lines_[b], reach);
+        if (now & !before) [[unlikely]] {
+            update.began.push_back(ordered_pair(proxies_[a], proxies_[b]));
+        }
+        *write = {a, b | (static_cast<SlotIndex>(now) * overlap_bit)};
+        write += ((flags_[a] | flags_[b]) & awake) != 0 ? 1 : 0;
+    }
+    candidates_.resize(static_cast<std::size_t>(write - candidates_.data()));
+}
+
+// Plants the forest anew and puts everything that is kept by slot in its order.
+void KeptCandidates::sort_slots(const ProxyTable& table) {
+    std::vector<BoxForest::Item> items;
+    items.reserve(table.size());
+    double sum = 0;
+    for (SlotIndex slot = 0; slot < proxies_.size(); ++slot) {
+        if (lines_[slot].is_empty()) continue;
+        const Aabb& box = table.boxes()[proxies_[slot]];
+        items.push_back(BoxForest::make_item(box, slot));
+        const double extent = (box.max - box.min).maxCoeff();
+        if (extent < std::numeric_limits<double>::max()) sum += extent / static_cast<double>(table.size());
+    }
+    mean_extent_ = sum;
+    forest_.build(items, fat_lines_);
+    std::vector<SlotIndex> order;
+    order.reserve(items.size());
+    forest_.append_order(order);
+    forest_.renumber();
+
+    const auto reorder = [&order](auto& values) {
+        std::remove_reference_t<decltype(values)> ordered(order.size());
+        for (SlotIndex slot = 0; slot < order.size(); ++slot) ordered[slot] = values[order[slot]];
+        values = std::move(ordered);
+    };
+    reorder(lines_);
+    reorder(fat_lines_);
+    reorder(old_fat_lines_);
+    reorder(proxies_);
+    reorder(flags_);
+    reorder(habits_);
+    for (SlotIndex slot = 0; slot < order.size(); ++slot) slots_[proxies_[slot]] = slot;
+    free_slots_.clear();
+    searched_since_sort_ = 0;
+}
+
+}  // namespace ecods

@@ -1,0 +1,119 @@
+#include "broad_phase/changes/proxy_table.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include "simd/inline.hpp"
+#include "base/misuse.hpp"
+#include "base/bytes_of.hpp"
+
+namespace ecods {
+namespace {
+
+typedef std::int64_t Two __attribute__((vector_size(16), may_alias, aligned(8)));
+
+// Bits, not numbers: a move from 0.0 to -0.0 changes what box() returns, and finds the same pairs again.
+ECODS_ALWAYS_INLINE bool is_same(const Aabb& a, const Aabb& b) {
+    static_assert(sizeof(Aabb) == 3 * sizeof(Two));
+    const Two* x = reinterpret_cast<const Two*>(a.min.data());
+    const Two* y = reinterpret_cast<const Two*>(b.min.data());
+    const Two different = (x[0] ^ y[0]) | (x[1] ^ y[1]) | (x[2] ^ y[2]);
+    return (different[0] | different[1]) == 0;
+}
+
+}  // namespace
+
+void ProxyTable::require_present(ProxyIndex proxy) const {
+    if (!is_present(proxy)) throw_misuse(Error("proxy " + std::to_string(proxy) + " is not present"));
+}
+
+void ProxyTable::reserve(std::size_t count) {
+    states_.reserve(count);
+    boxes_.reserve(count);
+    queued_at_.reserve(count);
+    queue_.reserve(count);
+}
+
+void ProxyTable::add(ProxyIndex proxy, const Aabb& box) {
+    if (is_present(proxy)) throw_misuse(Error("proxy " + std::to_string(proxy) + " is present already"));
+    if (proxy >= limit) throw_misuse(Error("proxy " + std::to_string(proxy) + " is out of range"));
+    if (proxy >= end()) {
+        const std::size_t count = std::size_t{proxy} + 1;
+        boxes_.resize(count);
+        queued_at_.resize(count);
+        states_.resize(count);  // last: where memory ends before, end() is what it was
+    }
+    enqueue(proxy);
+    has_moves_only_ = false;
+    states_[proxy] |= present;
+    boxes_[proxy] = box;
+    ++size_;
+}
+
+void ProxyTable::move(ProxyIndex proxy, const Aabb& box) {
+    if (!is_present(proxy)) [[unlikely]] {
+        require_present(proxy);
+        return;
+    }
+    Aabb& current = boxes_[proxy];
+    if (is_same(current, box)) return;
+    enqueue(proxy);
+    current = box;
+}
+
+void ProxyTable::remove(ProxyIndex proxy) {
+    require_present(proxy);
+    if (has(proxy, settled)) {
+        changes_.removed.push_back(proxy);
+        states_[proxy] |= removed;
+    }
+    states_[proxy] &= static_cast<std::uint8_t>(~(present | settled));
+    --size_;
+    has_moves_only_ = false;
+}
+
+const Aabb& ProxyTable::box(ProxyIndex proxy) const {
+    require_present(proxy);
+    return boxes_[proxy];
+}
+
+std::size_t ProxyTable::bytes() const noexcept {
+    return bytes_of(states_, boxes_, queued_at_, queue_, moved_, changes_.added, changes_.removed);
+}
+
+const ProxyChanges& ProxyTable::collect() {
+    changes_.added.clear();
+    changes_.moved = queue_;
+    if (has_moves_only_) return changes_;
+    moved_.clear();
+    for (const ProxyIndex proxy : queue_) {
+        const unsigned state = states_[proxy] & (present | settled);
+        if (state == (present | settled)) {
+            moved_.push_back(proxy);
+        } else if (state == present) {
+            changes_.added.push_back(proxy);
+        }
+    }
+    changes_.moved = moved_;
+    return changes_;
+}
+
+void ProxyTable::settle() {
+    if (!has_moves_only_) {
+        for (const ProxyIndex proxy : changes_.removed) states_[proxy] &= static_cast<std::uint8_t>(~removed);
+        for (const ProxyIndex proxy : queue_) {
+            states_[proxy] = has(proxy, present) ? present | settled : 0;
+        }
+        changes_.removed.clear();
+        has_moves_only_ = true;
+    }
+    queue_.clear();
+    changes_.moved = {};
+    if (++turn_ == 0) {  // turns are numbered anew: those of long ago must not be taken for later ones
+        std::fill(queued_at_.begin(), queued_at_.end(), 0);
+        turn_ = 1;
+    }
+}
+
+}  // namespace ecods

@@ -1,0 +1,43 @@
+// Boxes as they are now and as they were at the update before.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "base/bytes_of.hpp"
+#include "geometry/key_box.hpp"
+#include "broad_phase/changes/proxy_table.hpp"
+
+namespace ecods {
+
+class BoxHistory {
+  public:
+    void reserve(std::size_t count) {
+        now_.reserve(count);
+        before_.reserve(count);
+    }
+
+    // Takes the boxes of these proxies over from the table.
+    void advance(std::span<const ProxyIndex> proxies, const ProxyTable& table) {
+        if (now_.size() < table.end()) {
+            now_.resize(table.end());
+            before_.resize(table.end());
+        }
+        for (const ProxyIndex proxy : proxies) now_[proxy] = key_box(table.boxes()[proxy]);
+    }
+    // Ends an update.
+    void settle(std::span<const ProxyIndex> proxies) {
+        for (const ProxyIndex proxy : proxies) before_[proxy] = now_[proxy];
+    }
+
+    const KeyBox& now(ProxyIndex proxy) const noexcept { return now_[proxy]; }
+    const KeyBox& before(ProxyIndex proxy) const noexcept { return before_[proxy]; }
+    std::size_t bytes() const noexcept { return bytes_of(now_, before_); }
+
+  private:
+    std::vector<KeyBox> now_;
+    std::vector<KeyBox> before_;
+};
+
+}  // namespace ecods

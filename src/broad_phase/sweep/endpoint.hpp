@@ -1,0 +1,39 @@
+// The ends of boxes on one axis.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/key_box.hpp"
+#include "ecods/broad_phase.hpp"
+
+namespace ecods {
+
+// The order is total: by coordinate; at equal coordinates a minimum before a maximum, since boxes are closed; then by
+// proxy. So the order of a list is a function of the boxes alone, and an end can be found by binary search.
+struct Endpoint {
+    static constexpr std::uint32_t max_bit = std::uint32_t{1} << 31;
+
+    std::int64_t key = 0;
+    std::uint32_t tag = 0;  // the proxy; max_bit when it is the maximum
+
+    bool is_max() const noexcept { return (tag & max_bit) != 0; }
+    ProxyIndex proxy() const noexcept { return tag & ~max_bit; }
+
+    friend constexpr bool operator<(const Endpoint& a, const Endpoint& b) noexcept {
+        return a.key < b.key || (a.key == b.key && a.tag < b.tag);
+    }
+};
+
+// The ends of all boxes on one axis, ascending.
+using EndpointList = std::vector<Endpoint>;
+
+inline Endpoint min_end(const KeyBox& box, ProxyIndex proxy, int axis) noexcept {
+    return {box.min[axis], proxy};
+}
+inline Endpoint max_end(const KeyBox& box, ProxyIndex proxy, int axis) noexcept {
+    return {box.max[axis], proxy | Endpoint::max_bit};
+}
+
+}  // namespace ecods

@@ -1,0 +1,135 @@
+#include "broad_phase/sweep/sweep_and_prune.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "base/bytes_of.hpp"
+#include "broad_phase/sweep/endpoints_edit.hpp"
+#include "broad_phase/find_pairs.hpp"
+#include "broad_phase/sweep/endpoints_sort.hpp"
+#include "ecods/error.hpp"
+
+namespace ecods {
+namespace {
+
+std::vector<ProxyIndex> present_in(const ProxyTable& table) {
+    std::vector<ProxyIndex> present;
+    present.reserve(table.size());
+    for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
+        if (table.is_present(proxy)) present.push_back(proxy);
+    }
+    return present;
+}
+
+void end_removed(const ProxyPairs& pairs, const ProxyTable& table, ProxyPairs& ended) {
+    for (const ProxyPair& pair : pairs) {
+        if (table.is_removed(pair.a) || table.is_removed(pair.b)) ended.push_back(pair);
+    }
+}
+
+}  // namespace
+
+void SweepAndPrune::build(const ProxyTable& table, BroadPhaseCounts&) {
+    const std::vector<ProxyIndex> present = present_in(table);
+    boxes_.advance(present, table);
+    boxes_.settle(present);
+    for (int axis = 0; axis < 3; ++axis) insert_ends(axes_[axis], axis, present, boxes_);
+}
+
+void SweepAndPrune::reserve(std::size_t count) {
+    boxes_.reserve(count);
+    for (EndpointList& ends : axes_) ends.reserve(2 * count);
+}
+
+void SweepAndPrune::update(const ProxyTable& table, const ProxyChanges& changes, PairList& pairs,
+                           BroadPhaseCounts& counts) {
+    if (!changes.removed.empty()) {
+        end_removed(pairs.sorted(), table, pairs.ended);
+        for (EndpointList& ends : axes_) remove_ends(ends, table);
+    }
+    const auto removed_count = static_cast<std::ptrdiff_t>(pairs.ended.size());
+    boxes_.advance(changes.moved, table);
+    boxes_.advance(changes.added, table);
+    const bool tracked = sort_axes(changes, pairs, counts);
+    if (!changes.added.empty()) {
+        for (int axis = 0; axis < 3; ++axis) insert_ends(axes_[axis], axis, changes.added, boxes_);
+    }
+    if (tracked) {
+        if (!changes.added.empty()) counts.box_tests += find_pairs_of(changes.added, table, pairs.began);
+        normalise(pairs.began);
+        normalise(pairs.ended);
+    } else {
+        ProxyPairs found;
+        counts.box_tests += find_pairs_of(present_in(table), table, found);
+        sort_pairs(found);
+        pairs.began.clear();
+        pairs.ended.erase(pairs.ended.begin() + removed_count, pairs.ended.end());
+        pairs.replace(found);
+    }
+    boxes_.settle(changes.moved);
+    boxes_.settle(changes.added);
+}
+
+// Returns whether all changes of pairs were seen. If not, the lists are sorted nevertheless.
+bool SweepAndPrune::sort_axes(const ProxyChanges& changes, PairList& pairs, BroadPhaseCounts& counts) {
+    if (changes.moved.empty()) return true;
+    // When boxes jump, ends pass a large part of a list each, and starting from scratch is cheaper: sorting the lists
+    // and finding the pairs anew cost about as much as so many swaps for each end of one list.
+    constexpr std::uint64_t swaps_per_end_max = 128;
+    SortState state{.boxes = boxes_,
+                    .began = pairs.began,
+                    .ended = pairs.ended,
+                    .swaps_max = swaps_per_end_max * axes_[0].size(),
+                    .positions = std::move(positions_)};
+    bool tracked = true;
+    for (int axis = 0; axis < 3 && tracked; ++axis) {
+        tracked = sort_axis(axes_[axis], axis, changes.moved, state);
+    }
+    counts.swaps += state.swaps;
+    counts.box_tests += state.box_tests;
+    positions_ = std::move(state.positions);
+    if (!tracked) {
+        for (int axis = 0; axis < 3; ++axis) sort_axis_anew(axes_[axis], axis, boxes_);
+    }
+    return tracked;
+}
+
+std::size_t SweepAndPrune::bytes() const noexcept {
+    return boxes_.bytes() + bytes_of(axes_[0], axes_[1], axes_[2], positions_);
+}
+
+namespace {
+
+void validate_axis(const EndpointList& ends, int axis, const ProxyTable& table) {
+    const std::string name = "sweep and prune, axis " + std::to_string(axis) + ": ";
+    if (ends.size() != 2 * table.size()) throw BrokenInvariant(name + "the number of ends is wrong");
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const Endpoint& end = ends[i];
+        const std::string whose = name + "an end of proxy " + std::to_string(end.proxy());
+        // Together with the number of ends: each box present has its two ends, once.
+        if (i > 0 && !(ends[i - 1] < end)) throw BrokenInvariant(whose + " is out of order");
+        if (!table.is_present(end.proxy())) throw BrokenInvariant(whose + ", which is not present");
+        const KeyBox box = key_box(table.box(end.proxy()));
+        if (end.key != (end.is_max() ? box.max[axis] : box.min[axis])) {
+            throw BrokenInvariant(whose + " is not where its box ends");
+        }
+    }
+}
+
+}  // namespace
+
+void SweepAndPrune::validate(const ProxyTable& table) const {
+    for (int axis = 0; axis < 3; ++axis) validate_axis(axes_[axis], axis, table);
+    for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
+        if (!table.is_present(proxy)) continue;
+        const KeyBox box = key_box(table.box(proxy));
+        if (boxes_.now(proxy) != box || boxes_.before(proxy) != box) {
+            throw BrokenInvariant("sweep and prune: the box of proxy " + std::to_string(proxy) + " is another's");
+        }
+    }
+}
+
+}  // namespace ecods

@@ -1,0 +1,33 @@
+// The ECoDS report's broad phase: three lists of box ends, kept sorted.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "broad_phase/sweep/box_history.hpp"
+#include "broad_phase/sweep/endpoint.hpp"
+#include "broad_phase/pair_finder.hpp"
+
+namespace ecods {
+
+// The report keeps, for each pair of boxes, on how many axes they overlap. The same knowledge is in the boxes of the
+// last update and of this one, so nothing is kept for a pair: memory is for the boxes, and the list of the pairs.
+class SweepAndPrune final : public PairFinder {
+  public:
+    void build(const ProxyTable& table, BroadPhaseCounts& counts) override;
+    void update(const ProxyTable& table, const ProxyChanges& changes, PairList& pairs,
+                BroadPhaseCounts& counts) override;
+    void reserve(std::size_t count) override;
+    std::size_t bytes() const noexcept override;
+    void validate(const ProxyTable& table) const override;
+
+  private:
+    bool sort_axes(const ProxyChanges& changes, PairList& pairs, BroadPhaseCounts& counts);
+
+    BoxHistory boxes_;
+    std::array<EndpointList, 3> axes_;
+    std::vector<std::uint32_t> positions_;  // working memory of sort_axis
+};
+
+}  // namespace ecods

@@ -1,0 +1,78 @@
+// Vectors and matrices of three dimensions in registers of four doubles, for code that is compiled for several
+// instruction sets (base/dispatch.hpp). Products of matrices and vectors add from left to right.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "simd/inline.hpp"
+#include "ecods/pose.hpp"
+
+namespace ecods {
+
+typedef double Double2 __attribute__((vector_size(16)));
+typedef double Double4 __attribute__((vector_size(32)));
+
+// The fourth lane is zero.
+ECODS_ALWAYS_INLINE Double4 load(const double* v) noexcept {
+    return Double4{v[0], v[1], v[2], 0};
+}
+
+ECODS_ALWAYS_INLINE Double4 absolute(Double4 v) noexcept {
+    typedef std::int64_t Long4 __attribute__((vector_size(32)));
+    return reinterpret_cast<Double4>(reinterpret_cast<Long4>(v) & 0x7fffffffffffffff);
+}
+
+ECODS_ALWAYS_INLINE double sum(Double4 v) noexcept {
+    return (v[0] + v[1]) + v[2];
+}
+
+ECODS_ALWAYS_INLINE double dot(Double4 a, Double4 b) noexcept {
+    return sum(a * b);
+}
+
+ECODS_ALWAYS_INLINE double largest(Double4 v) noexcept {
+    const double m = v[0] > v[1] ? v[0] : v[1];
+    return m > v[2] ? m : v[2];
+}
+
+ECODS_ALWAYS_INLINE Double4 cross(Double4 a, Double4 b) noexcept {
+    const Double4 c = a * __builtin_shufflevector(b, b, 1, 2, 0, 3) - __builtin_shufflevector(a, a, 1, 2, 0, 3) * b;
+    return __builtin_shufflevector(c, c, 1, 2, 0, 3);
+}
+
+struct Matrix4 {
+    Double4 column[3];
+};
+
+ECODS_ALWAYS_INLINE Matrix4 load(const Mat3& m) noexcept {
+    return {{load(m.data()), load(m.data() + 3), load(m.data() + 6)}};
+}
+
+ECODS_ALWAYS_INLINE Matrix4 transpose(const Matrix4& m) noexcept {
+    return {{Double4{m.column[0][0], m.column[1][0], m.column[2][0], 0},
+             Double4{m.column[0][1], m.column[1][1], m.column[2][1], 0},
+             Double4{m.column[0][2], m.column[1][2], m.column[2][2], 0}}};
+}
+
+ECODS_ALWAYS_INLINE Matrix4 absolute(const Matrix4& m) noexcept {
+    return {{absolute(m.column[0]), absolute(m.column[1]), absolute(m.column[2])}};
+}
+
+ECODS_ALWAYS_INLINE double largest(const Matrix4& m) noexcept {
+    return std::max({largest(m.column[0]), largest(m.column[1]), largest(m.column[2])});
+}
+
+ECODS_ALWAYS_INLINE Double4 row_sums(const Matrix4& m) noexcept {
+    return (m.column[0] + m.column[1]) + m.column[2];
+}
+
+ECODS_ALWAYS_INLINE Double4 operator*(const Matrix4& m, Double4 v) noexcept {
+    return (m.column[0] * v[0] + m.column[1] * v[1]) + m.column[2] * v[2];
+}
+
+ECODS_ALWAYS_INLINE Matrix4 operator*(const Matrix4& a, const Matrix4& b) noexcept {
+    return {{a * b.column[0], a * b.column[1], a * b.column[2]}};
+}
+
+}  // namespace ecods

@@ -1,0 +1,338 @@
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <utility>
+
+#include "bvh/box_lanes.hpp"
+#include "bvh/slabs.hpp"
+#include "bvh/mesh_bvh.hpp"
+
+namespace ecods {
+namespace {
+
+// A triangle and its box. The number of the triangle is in the lane that boxes have to spare.
+struct Item {
+    FrameBox box;
+
+    Item() = default;
+    Item(const FrameBox& around, std::uint32_t triangle) : box(around) { box.min[3] = std::bit_cast<float>(triangle); }
+
+    Float4 middle() const noexcept { return box.min + box.max; }  // twice
+    std::uint32_t triangle() const noexcept {
+        const float lane = box.min[3];
+        return std::bit_cast<std::uint32_t>(lane);
+    }
+};
+static_assert(sizeof(Item) == 32);
+
+using Items = std::vector<Item>;
+
+// A run of items, and its box.
+struct Part {
+    std::uint32_t begin;
+    std::uint32_t end;
+    FrameBox box;
+
+    std::uint32_t size() const noexcept { return end - begin; }
+};
+
+// What a part costs to visit: leaves of eight are tested whole.
+float visits(std::uint32_t count) noexcept {
+    return static_cast<float>((count + tree_width - 1) / tree_width);
+}
+
+// Splits parts in two where the surface area heuristic says.
+class Splitter {
+  public:
+    explicit Splitter(Items& items) : items_(items) {}
+
+    // The two halves of `part`, neither of them empty.
+    std::array<Part, 2> split(const Part& part) {
+        const std::uint32_t middle = part.size() <= sweep_max ? split_by_sweep(part) : split_by_bins(part);
+        return {box_of(part.begin, middle), box_of(middle, part.end)};
+    }
+
+    Part box_of(std::uint32_t begin, std::uint32_t end) const {
+        Part part{begin, end, {}};
+        for (std::uint32_t i = begin; i < end; ++i) part.box.include(items_[i].box);
+        return part;
+    }
+
+  private:
+    static constexpr std::uint32_t sweep_max = 64;  // above it, sorting costs more than it gains
+    static constexpr std::size_t bin_count = 16;
+
+    struct Bin {
+        FrameBox box;
+        std::uint32_t count = 0;
+    };
+
+    // Every way to cut the items in their order on some axis.
+    std::uint32_t split_by_sweep(const Part& part) {
+        const std::uint32_t count = part.size();
+        float best = FrameBox::infinity;
+        std::uint32_t best_size = count / 2;
+        int best_axis = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            sort(part, axis);
+            std::array<float, sweep_max + 1> left_cost;
+            FrameBox box;
+            for (std::uint32_t i = 0; i < count; ++i) {
+                box.include(items_[part.begin + i].box);
+                left_cost[i + 1] = box.surface() * visits(i + 1);
+            }
+            box = {};
+            for (std::uint32_t i = count - 1; i > 0; --i) {
+                box.include(items_[part.begin + i].box);
+                const float cost = left_cost[i] + box.surface() * visits(count - i);
+                // Flat parts may cost nothing wherever they are cut: then in the middle.
+                if (cost < best || (cost == best && best == 0 && i >= count / 2)) {
+                    best = cost;
+                    best_size = i;
+                    best_axis = axis;
+                }
+            }
+        }
+        if (best_axis != 2) sort(part, best_axis);
+        return part.begin + best_size;
+    }
+
+    void sort(const Part& part, int axis) {
+        std::sort(items_.begin() + part.begin, items_.begin() + part.end, [axis](const Item& a, const Item& b) {
+            const float x = a.middle()[axis], y = b.middle()[axis];
+            return x < y || (x == y && a.triangle() < b.triangle());
+        });
+    }
+
+    // Cuts between bins of equal width. Middles that are all the same, and those of infinite boxes, are cut in half.
+    std::uint32_t split_by_bins(const Part& part) {
+        FrameBox middles;
+        for (std::uint32_t i = part.begin; i < part.end; ++i) {
+            const Float4 middle = items_[i].middle();
+            middles.include({middle, middle});
+        }
+        const Float4 size = middles.max - middles.min;
+        const Float4 factor = static_cast<float>(bin_count) * 0.999f / size;  // the largest falls into the last bin
+
+        std::array<std::array<Bin, bin_count>, 3> bins{};
+        const auto bin_of = [&](const Item& item, int axis) {
+            const float x = (item.middle()[axis] - middles.min[axis]) * factor[axis];
+            return std::min(static_cast<std::size_t>(x), bin_count - 1);
+        };
+        std::array<bool, 3> is_wide;
+        for (int axis = 0; axis < 3; ++axis) {
+            is_wide[static_cast<std::size_t>(axis)] = factor[axis] > 0 && factor[axis] < FrameBox::infinity;
+        }
+        for (std::uint32_t i = part.begin; i < part.end; ++i) {
+            for (int axis = 0; axis < 3; ++axis) {
+                if (!is_wide[static_cast<std::size_t>(axis)]) continue;
+                Bin& bin = bins[static_cast<std::size_t>(axis)][bin_of(items_[i], axis)];
+                bin.box.include(items_[i].box);
+                ++bin.count;
+            }
+        }
+        float best = FrameBox::infinity;
+        int best_axis = -1;
+        std::size_t best_bin = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!is_wide[static_cast<std::size_t>(axis)]) continue;
+            const auto& row = bins[static_cast<std::size_t>(axis)];
+            std::array<float, bin_count> left_cost;
+            Bin sum;
+            const auto add = [&](const Bin& bin) {
+                sum.box.include(bin.box);
+                sum.count += bin.count;
+                return sum.count == 0 ? 0 : sum.box.surface() * visits(sum.count);
+            };
+            for (std::size_t b = 0; b + 1 < bin_count; ++b) left_cost[b + 1] = add(row[b]);
+            sum = {};
+            for (std::size_t b = bin_count - 1; b > 0; --b) {
+                const float cost = add(row[b]) + left_cost[b];
+                if (sum.count != 0 && sum.count != part.size() && cost < best) {
+                    best = cost;
+                    best_axis = axis;
+                    best_bin = b;
+                }
+            }
+        }
+        if (best_axis < 0) return part.begin + part.size() / 2;
+        const auto middle = std::partition(items_.begin() + part.begin, items_.begin() + part.end,
+                                           [&](const Item& item) { return bin_of(item, best_axis) < best_bin; });
+        return static_cast<std::uint32_t>(middle - items_.begin());
+    }
+
+    Items& items_;
+};
+
+// How many of some roots are in which half.
+struct Share {
+    std::uint8_t left = 0;  // both 0: the part is one root
+    std::uint8_t right = 0;
+};
+
+// A node of the binary tree that the wide one is made from.
+struct BinaryNode {
+    FrameBox box;
+    std::uint32_t begin;                  // items of a leaf
+    std::uint32_t count;                  // 0: inner
+    std::uint32_t child;                  // of an inner node; the other follows it
+    Share children;                       // of an inner node: its children, if it becomes a wide node
+    std::array<float, tree_width> cost;   // [k - 1]: of the part as at most k roots
+    std::array<Share, tree_width> share;  // [k - 1]: how that is done
+};
+
+class Builder {
+  public:
+    Builder(const Mesh& mesh, const LocalFrame& frame) : mesh_(mesh) {
+        tree_.frame = frame;
+        items_.resize(mesh.triangles().size());
+        for (std::uint32_t i = 0; i < items_.size(); ++i) {
+            items_[i] = Item(box_of(mesh, mesh.triangles()[i], tree_.frame), i);
+        }
+    }
+
+    MeshBvh build() {
+        split_in_two();
+        find_costs();
+        widen();
+        set_root(tree_, binary_[0].box);
+        tree_.built_cost = tree_cost(tree_);
+        return std::move(tree_);
+    }
+
+  private:
+    void split_in_two() {
+        Splitter splitter(items_);
+        binary_.reserve(items_.size() / 3 + 1);
+        binary_.emplace_back();
+        std::vector<std::pair<Part, std::uint32_t>> open{
+            {splitter.box_of(0, static_cast<std::uint32_t>(items_.size())), 0}};
+        while (!open.empty()) {
+            const auto [part, index] = open.back();
+            open.pop_back();
+            BinaryNode& node = binary_[index];
+            node.box = part.box;
+            node.begin = part.begin;
+            node.count = part.size() <= tree_width ? part.size() : 0;
+            if (node.count != 0) continue;
+            node.child = static_cast<std::uint32_t>(binary_.size());
+            for (const Part& half : splitter.split(part)) {
+                open.emplace_back(half, static_cast<std::uint32_t>(binary_.size()));
+                binary_.emplace_back();
+            }
+        }
+    }
+
+    // From the leaves up, what a part costs as one to eight roots: a root, a leaf or a wide node, is visited with a
+    // probability proportional to its surface.
+    void find_costs() {
+        for (std::size_t i = binary_.size(); i-- > 0;) {
+            BinaryNode& node = binary_[i];
+            node.share = {};
+            if (node.count != 0) {
+                node.cost.fill(node.box.surface());
+                continue;
+            }
+            for (std::size_t k = 2; k <= tree_width; ++k) share_out(node, k);
+            node.children = node.share[tree_width - 1];
+            node.cost[0] = node.box.surface() + node.cost[tree_width - 1];
+            for (std::size_t k = 1; k < tree_width; ++k) {
+                if (node.cost[k - 1] > node.cost[k]) continue;
+                node.cost[k] = node.cost[k - 1];  // fewer than allowed
+                node.share[k] = node.share[k - 1];
+            }
+        }
+    }
+
+    // The best way to have `count` roots in the two halves of a node.
+    void share_out(BinaryNode& node, std::size_t count) {
+        const BinaryNode& left = binary_[node.child];
+        const BinaryNode& right = binary_[node.child + 1];
+        for (std::size_t l = 1; l < count; ++l) {
+            const float cost = left.cost[l - 1] + right.cost[count - l - 1];
+            if (l > 1 && !(cost < node.cost[count - 1])) continue;
+            node.cost[count - 1] = cost;
+            node.share[count - 1] = {static_cast<std::uint8_t>(l), static_cast<std::uint8_t>(count - l)};
+        }
+    }
+
+    struct Open {
+        std::uint32_t binary;
+        std::uint32_t parent;
+        std::size_t lane;
+    };
+    static constexpr std::uint32_t no_parent = ~0u;
+
+    void widen() {
+        tree_.leaves.reserve(binary_.size() / 2 + 1);
+        std::vector<Open> open{{0, no_parent, 0}};
+        while (!open.empty()) {
+            const Open next = open.back();
+            open.pop_back();
+            const BinaryNode& top = binary_[next.binary];
+            const TreeRef ref = top.count != 0 ? TreeRef::leaf(tree_.leaves.size()) : TreeRef::node(tree_.nodes.size());
+            (next.parent == no_parent ? tree_.root : tree_.nodes[next.parent].child[next.lane]) = ref;
+            if (top.count != 0) {
+                add_leaf(top);
+                continue;
+            }
+            std::array<std::uint32_t, tree_width> roots;
+            const std::size_t count = find_roots(top, roots);
+            BvhNode& node = tree_.nodes.emplace_back();
+            node.count = static_cast<std::uint32_t>(count);
+            for (std::size_t lane = 0; lane < tree_width; ++lane) {
+                set_lane(node, lane, binary_[roots[std::min(lane, count - 1)]].box);
+            }
+            for (std::size_t lane = count; lane-- > 0;) open.push_back({roots[lane], ref.index(), lane});
+        }
+        tree_.nodes.shrink_to_fit();
+        tree_.leaves.shrink_to_fit();
+        set_corners_and_slabs(tree_, mesh_);
+    }
+
+    // The parts that become the children of the wide node for `top`, from left to right.
+    std::size_t find_roots(const BinaryNode& top, std::array<std::uint32_t, tree_width>& roots) const {
+        struct Some {
+            std::uint32_t node;
+            std::size_t count;
+        };
+        std::array<Some, tree_width> parts;  // each becomes one root at least, so there are at most eight
+        std::size_t part_count = 0, root_count = 0;
+        const auto divide = [&](const BinaryNode& node, Share share) {
+            parts[part_count++] = {node.child + 1, share.right};
+            parts[part_count++] = {node.child, share.left};
+        };
+        divide(top, top.children);
+        while (part_count > 0) {
+            const Some part = parts[--part_count];
+            const BinaryNode& node = binary_[part.node];
+            const Share share = node.share[part.count - 1];
+            if (share.left == 0)
+                roots[root_count++] = part.node;
+            else
+                divide(node, share);
+        }
+        return root_count;
+    }
+
+    void add_leaf(const BinaryNode& part) {
+        TreeLeaf& leaf = tree_.leaves.emplace_back();
+        leaf.count = part.count;
+        for (std::uint32_t lane = 0; lane < tree_width; ++lane) {
+            leaf.triangle[lane] = items_[part.begin + std::min(lane, part.count - 1)].triangle();
+        }
+    }
+
+    const Mesh& mesh_;
+    MeshBvh tree_;
+    Items items_;
+    std::vector<BinaryNode> binary_;
+};
+
+}  // namespace
+
+MeshBvh build_mesh_bvh(const Mesh& mesh, const LocalFrame& frame) {
+    return Builder(mesh, frame).build();
+}
+
+}  // namespace ecods

@@ -1,0 +1,337 @@
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+#include "simd/dispatch.hpp"
+#include "simd/inline.hpp"
+#include "bvh/separating_axes.hpp"
+
+namespace ecods {
+namespace {
+
+// Registers that every x86-64 has, and wider ones.
+struct FourWide {
+    static constexpr std::size_t width = 4;
+    typedef float Floats __attribute__((vector_size(16), may_alias));
+    typedef std::int32_t Ints __attribute__((vector_size(16), may_alias));
+    typedef std::uint64_t Words __attribute__((vector_size(16), may_alias));
+    typedef std::uint8_t Bytes __attribute__((vector_size(4), may_alias));
+};
+struct EightWide {
+    static constexpr std::size_t width = 8;
+    typedef float Floats __attribute__((vector_size(32), may_alias));
+    typedef std::int32_t Ints __attribute__((vector_size(32), may_alias));
+    typedef std::uint64_t Words __attribute__((vector_size(32), may_alias));
+    typedef std::uint8_t Bytes __attribute__((vector_size(8), may_alias));
+};
+
+// All of this is compiled for both. Operations and their order are the same in every lane, so the bits are, too.
+template <class Registers>
+struct Kernel {
+    using Floats = typename Registers::Floats;
+    using Ints = typename Registers::Ints;
+    static constexpr std::size_t width = Registers::width;
+    static constexpr std::size_t part_count = tree_width / width;
+
+    using Sets = std::array<AxisSet, 2>;
+
+    ECODS_ALWAYS_INLINE static const Floats& load(const FloatLanes& lanes, std::size_t part) noexcept {
+        return reinterpret_cast<const Floats&>(lanes[part * width]);
+    }
+    ECODS_ALWAYS_INLINE static void store(FloatLanes& lanes, std::size_t part, Floats v) noexcept {
+        reinterpret_cast<Floats&>(lanes[part * width]) = v;
+    }
+    ECODS_ALWAYS_INLINE static Floats min(Floats a, Floats b) noexcept { return a < b ? a : b; }
+    ECODS_ALWAYS_INLINE static Floats max(Floats a, Floats b) noexcept { return a > b ? a : b; }
+
+    // The ends of eight boxes or triangles on three axes.
+    struct Spans {
+        alignas(32) std::array<FloatLanes, 3> low;
+        alignas(32) std::array<FloatLanes, 3> high;
+    };
+    // Corners of eight triangles in the coordinates of three axes.
+    struct Corners {
+        alignas(32) std::array<std::array<FloatLanes, 3>, 3> at;  // by corner and axis
+    };
+
+    ECODS_ALWAYS_INLINE static void project(const Projection& p, const BvhNode& node, Spans& spans) noexcept {
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t part = 0; part < part_count; ++part) {
+                Floats middle, reach;
+                if (p.is_unit) {
+                    middle = load(node.center[k], part);
+                    reach = load(node.half[k], part);
+                } else {
+                    middle = (p.p[0][k] * load(node.center[0], part) + p.p[1][k] * load(node.center[1], part)) +
+                             p.p[2][k] * load(node.center[2], part);
+                    reach = (p.size[0][k] * load(node.half[0], part) + p.size[1][k] * load(node.half[1], part)) +
+                            p.size[2][k] * load(node.half[2], part);
+                }
+                middle = middle + p.shift[k];
+                reach = reach + p.margin[k];
+                store(spans.low[k], part, middle - reach);
+                store(spans.high[k], part, middle + reach);
+            }
+        }
+    }
+
+    ECODS_ALWAYS_INLINE static void pose(const Projection& p, const TreeLeaf& leaf, Corners& corners) noexcept {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto& y = leaf.corner[c];
+            for (std::size_t k = 0; k < 3; ++k) {
+                for (std::size_t part = 0; part < part_count; ++part) {
+                    const Floats z = p.is_unit ? load(y[k], part)
+                                               : (p.p[0][k] * load(y[0], part) + p.p[1][k] * load(y[1], part)) +
+                                                     p.p[2][k] * load(y[2], part);
+                    store(corners.at[c][k], part, z + p.shift[k]);
+                }
+            }
+        }
+    }
+
+    ECODS_ALWAYS_INLINE static void span(const Projection& p, const Corners& corners, Spans& spans) noexcept {
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t part = 0; part < part_count; ++part) {
+                const Floats a = load(corners.at[0][k], part), b = load(corners.at[1][k], part),
+                             c = load(corners.at[2][k], part);
+                store(spans.low[k], part, min(a, min(b, c)) - p.margin[k]);
+                store(spans.high[k], part, max(a, max(b, c)) + p.margin[k]);
+            }
+        }
+    }
+
+    // Nodes have no corners.
+    ECODS_ALWAYS_INLINE static void place(const Projection& p, const BvhNode& node, Corners&, Spans& spans) noexcept {
+        project(p, node, spans);
+    }
+    ECODS_ALWAYS_INLINE static void place(const Projection& p, const TreeLeaf& leaf, Corners& corners,
+                                          Spans& spans) noexcept {
+        pose(p, leaf, corners);
+        span(p, corners, spans);
+    }
+
+    // Lane j keeps bit i of `rows` unless spans i of x and j of y are apart. NaN compares false: not apart.
+    ECODS_ALWAYS_INLINE static Ints find_near(const Spans& x, const Spans& y, std::size_t part,
+                                              std::uint32_t rows) noexcept {
+        Ints near{};
+        for (; rows != 0; rows &= rows - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(rows));
+            Ints apart = (x.low[0][i] > load(y.high[0], part)) | (x.high[0][i] < load(y.low[0], part));
+            for (std::size_t k = 1; k < 3; ++k) {
+                apart |= (x.low[k][i] > load(y.high[k], part)) | (x.high[k][i] < load(y.low[k], part));
+            }
+            near |= ~apart & (1 << i);
+        }
+        return near;
+    }
+
+    // All bits of all lanes.
+    ECODS_ALWAYS_INLINE static std::uint32_t bits_of(const Ints (&lanes)[part_count]) noexcept {
+        Ints any = lanes[0];
+        for (std::size_t part = 1; part < part_count; ++part) any |= lanes[part];
+        const auto words = reinterpret_cast<typename Registers::Words>(any);
+        std::uint64_t bits = words[0] | words[1];
+        if constexpr (width == 8) bits |= words[2] | words[3];
+        return static_cast<std::uint32_t>(bits | bits >> 32);
+    }
+
+    // Bits i of lanes j to bits 8 j + i.
+    ECODS_ALWAYS_INLINE static void collect(const Ints& near, std::size_t part, std::uint64_t& pairs) noexcept {
+        typename Registers::Bytes bytes = __builtin_convertvector(near, typename Registers::Bytes);
+        std::uint64_t word = 0;
+        std::memcpy(&word, &bytes, sizeof bytes);
+        pairs |= word << (8 * part * width);
+    }
+
+    // The ends of what is in the lanes on an axis: m . y.
+    ECODS_ALWAYS_INLINE static void find_ends(const BvhNode& node, const std::array<float, 3>& m, std::size_t part,
+                                              Floats& low, Floats& high) noexcept {
+        const Floats middle =
+            (m[0] * load(node.center[0], part) + m[1] * load(node.center[1], part)) + m[2] * load(node.center[2], part);
+        const Floats reach = (std::abs(m[0]) * load(node.half[0], part) + std::abs(m[1]) * load(node.half[1], part)) +
+                             std::abs(m[2]) * load(node.half[2], part);
+        low = middle - reach;
+        high = middle + reach;
+    }
+    ECODS_ALWAYS_INLINE static void find_ends(const TreeLeaf& leaf, const std::array<float, 3>& m, std::size_t part,
+                                              Floats& low, Floats& high) noexcept {
+        const auto at = [&](std::size_t c) {
+            const auto& y = leaf.corner[c];
+            return (m[0] * load(y[0], part) + m[1] * load(y[1], part)) + m[2] * load(y[2], part);
+        };
+        const Floats a = at(0), b = at(1), c = at(2);
+        low = min(a, min(b, c));
+        high = max(a, max(b, c));
+    }
+
+    // The lanes of `other`, placed by `p`, that are not certainly beyond the slab. The slab's tree is on axes of its
+    // own in this set; `shift` is 1 if the other's tree is the shifted one, -1 if the slab's is.
+    //
+    // Bound: the slab's normal n is a vector in the coordinates N x. The other's projection there is n . (P y + q),
+    // computed as (P^T n) . y + n . q. For a corner there are the errors of converting P and q, of y, and 3.01 v s for
+    // each of three products of vectors, 3 v s for sums: below 14 v s + 13 u' w + e, in sum |n_k| (...)_k. A box adds a
+    // reach with two products, and the ends: below 23 v s + 20 u' w + 2 e. Three times point_error is 24 v s + 48 u' w
+    // + 3 e.
+    template <class Other>
+    ECODS_ALWAYS_INLINE static void find_in_slab(const AxisSet& set, const Slab& slab, const Projection& p,
+                                                 const Other& other, float shift, Ints (&lanes)[part_count]) noexcept {
+        const auto& n = slab.normal;
+        // The fourth lane of m is n . q.
+        const auto row = [](const std::array<float, 4>& r) { return FourWide::Floats{r[0], r[1], r[2], r[3]}; };
+        const auto& rows = set.b.row;  // for q
+        const FourWide::Floats m4 = (n[0] * row(p.row[0]) + n[1] * row(p.row[1])) + n[2] * row(p.row[2]);
+        const std::array<float, 3> m{m4[0], m4[1], m4[2]};
+        const float q = shift * ((n[0] * rows[0][3] + n[1] * rows[1][3]) + n[2] * rows[2][3]);
+        const float margin = 3 * ((std::abs(n[0]) * set.point_error[0] + std::abs(n[1]) * set.point_error[1]) +
+                                  std::abs(n[2]) * set.point_error[2]);
+        const float slab_low = (slab.low - margin) - q, slab_high = (slab.high + margin) - q;
+        for (std::size_t part = 0; part < part_count; ++part) {
+            Floats low, high;
+            find_ends(other, m, part, low, high);
+            lanes[part] = ~((low > slab_high) | (high < slab_low));
+        }
+    }
+
+    // Bit i of lane i.
+    ECODS_ALWAYS_INLINE static Ints lane_bits(std::size_t part) noexcept {
+        Ints bits{};
+        for (std::size_t i = 0; i < width; ++i) bits[i] = 1 << (part * width + i);
+        return bits;
+    }
+
+    template <class X, class Y>
+    ECODS_ALWAYS_INLINE static std::uint64_t overlap_mask(const Sets& sets, const X& x, const Y& y) noexcept {
+        // Most pairs that a box lets pass end here: flat parts of smooth surfaces, above each other.
+        Ints near[part_count], lanes[part_count];
+        std::uint32_t rows = x.lanes();
+        if (sets[0].a.is_unit) {
+            find_in_slab(sets[0], x.slab, sets[0].b, y, 1, near);
+            if (bits_of(near) == 0) return 0;
+        } else {
+            for (Ints& all : near) all = ~Ints{};
+        }
+        if (sets[1].b.is_unit) {
+            find_in_slab(sets[1], y.slab, sets[1].a, x, -1, lanes);
+            for (std::size_t part = 0; part < part_count; ++part) lanes[part] &= lane_bits(part);
+            rows &= bits_of(lanes);
+            if (rows == 0) return 0;
+        }
+
+        Corners corners_x, corners_y, other;
+        Spans spans_x, spans_y, other_x, other_y;
+        place(sets[0].a, x, corners_x, spans_x);
+        place(sets[0].b, y, corners_y, spans_y);
+        for (std::size_t part = 0; part < part_count; ++part) near[part] &= find_near(spans_x, spans_y, part, rows);
+        rows = bits_of(near);
+        if (rows == 0) return 0;
+
+        place(sets[1].a, x, other, other_x);
+        place(sets[1].b, y, other, other_y);
+        for (std::size_t part = 0; part < part_count; ++part) near[part] &= find_near(other_x, other_y, part, rows);
+        rows = bits_of(near);
+        if (rows == 0) return 0;
+
+        std::uint64_t pairs = 0;
+        for (std::size_t part = 0; part < part_count; ++part) {
+            if constexpr (std::is_same_v<X, TreeLeaf> && std::is_same_v<Y, TreeLeaf>) {
+                near[part] &= find_near_planes(sets[0].point_error, corners_x, spans_x, corners_y, spans_y, part, rows);
+            }
+            collect(near[part], part, pairs);
+        }
+        return pairs & ~std::uint64_t{0} >> (64 - tree_width * y.count);
+    }
+
+    // Lane j keeps bit i of `rows` unless all corners of triangle i of x are certainly on one side of the plane of
+    // triangle j of y, or the other way round. Coordinates are images of those of the world under one linear map: what
+    // a plane separates there is disjoint here.
+    //
+    // Bound: that of exact/filter_bound.hpp, whose derivation holds for any unit roundoff, with v = 2^-23 for u' and
+    // point_error for delta. With E the extents of the two triangles, enlarged by e = v E + 2 delta, it is
+    //     (30 v ExEyEz + 6 (ex Ey Ez + Ex ey Ez + Ex Ey ez)) (1 + 2^-10)
+    //   = (48 v ExEyEz + 12 (dx Ey Ez + Ex dy Ez + Ex Ey dz)) (1 + 2^-10),    d = delta;
+    // 49 and 12.5 cover the last factor and their own evaluation. Overflow: not for extents below 2^40, and others are
+    // not judged. (An infinity would be harmless, but a mode that rounds down turns only the determinants into one, and
+    // the bound into the largest float.) Underflow: products of three lose 2^-126 times extents, but those that matter
+    // here are near one: coordinates that decide are below 4 in size, or delta is above 2^-20 of them; 2^-100 is added.
+    ECODS_ALWAYS_INLINE static Ints find_near_planes(const std::array<float, 4>& delta, const Corners& x,
+                                                     const Spans& x_spans, const Corners& y, const Spans& y_spans,
+                                                     std::size_t part, std::uint32_t rows) noexcept {
+        Floats q[3][3];
+        for (std::size_t c = 0; c < 3; ++c) {
+            for (std::size_t k = 0; k < 3; ++k) q[c][k] = load(y.at[c][k], part);
+        }
+        const Floats q1[3] = {q[1][0] - q[0][0], q[1][1] - q[0][1], q[1][2] - q[0][2]};
+        const Floats q2[3] = {q[2][0] - q[0][0], q[2][1] - q[0][1], q[2][2] - q[0][2]};
+        const Floats mx = q1[1] * q2[2] - q1[2] * q2[1], my = q1[2] * q2[0] - q1[0] * q2[2],
+                     mz = q1[0] * q2[1] - q1[1] * q2[0];
+        Ints near{};
+        for (; rows != 0; rows &= rows - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(rows));
+            const auto p = [&](std::size_t c, std::size_t k) { return x.at[c][k][i]; };
+            const auto extent = [&](std::size_t k) -> Floats {
+                const Floats low = x_spans.low[k][i] + Floats{}, high = x_spans.high[k][i] + Floats{};
+                return max(high, load(y_spans.high[k], part)) - min(low, load(y_spans.low[k], part));
+            };
+            const Floats ex = extent(0), ey = extent(1), ez = extent(2);
+            const Floats bound = ex * ey * (49 * 0x1p-23f * ez + 12.5f * delta[2]) +
+                                 ez * (12.5f * delta[0] * ey + 12.5f * delta[1] * ex) + 0x1p-100f;
+
+            const float u0 = p(1, 0) - p(0, 0), u1 = p(1, 1) - p(0, 1), u2 = p(1, 2) - p(0, 2);
+            const float w0 = p(2, 0) - p(0, 0), w1 = p(2, 1) - p(0, 1), w2 = p(2, 2) - p(0, 2);
+            const float nx = u1 * w2 - u2 * w1, ny = u2 * w0 - u0 * w2, nz = u0 * w1 - u1 * w0;
+            Floats first[3], second[3];
+            for (std::size_t c = 0; c < 3; ++c) {
+                first[c] = (nx * (q[c][0] - p(0, 0)) + ny * (q[c][1] - p(0, 1))) + nz * (q[c][2] - p(0, 2));
+                second[c] = (mx * (p(c, 0) - q[0][0]) + my * (p(c, 1) - q[0][1])) + mz * (p(c, 2) - q[0][2]);
+            }
+            const Ints apart = (min(first[0], min(first[1], first[2])) > bound) |
+                               (max(first[0], max(first[1], first[2])) < -bound) |
+                               (min(second[0], min(second[1], second[2])) > bound) |
+                               (max(second[0], max(second[1], second[2])) < -bound);
+            const Ints is_judged = (ex < extent_max) & (ey < extent_max) & (ez < extent_max);
+            near |= ~(apart & is_judged) & (1 << i);
+        }
+        return near;
+    }
+    static constexpr float extent_max = 0x1p40f;
+};
+
+using Sets = std::array<AxisSet, 2>;
+
+template <class X, class Y>
+std::uint64_t four_wide(const Sets& sets, const X& x, const Y& y) noexcept {
+    return Kernel<FourWide>::overlap_mask(sets, x, y);
+}
+
+#if ECODS_CAN_DISPATCH
+template <class X, class Y>
+__attribute__((target("avx2"))) std::uint64_t eight_wide(const Sets& sets, const X& x, const Y& y) noexcept {
+    return Kernel<EightWide>::overlap_mask(sets, x, y);
+}
+#endif
+
+template <class X, class Y>
+std::uint64_t widest(const Sets& sets, const X& x, const Y& y) noexcept {
+#if ECODS_CAN_DISPATCH
+    if (instruction_set() != InstructionSet::baseline) return eight_wide(sets, x, y);
+#endif
+    return four_wide(sets, x, y);
+}
+
+}  // namespace
+
+std::uint64_t overlap_mask(const Sets& sets, const BvhNode& x, const BvhNode& y) noexcept {
+    return widest(sets, x, y);
+}
+std::uint64_t overlap_mask(const Sets& sets, const BvhNode& x, const TreeLeaf& y) noexcept {
+    return widest(sets, x, y);
+}
+std::uint64_t overlap_mask(const Sets& sets, const TreeLeaf& x, const BvhNode& y) noexcept {
+    return widest(sets, x, y);
+}
+std::uint64_t overlap_mask(const Sets& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept {
+    return widest(sets, x, y);
+}
+
+}  // namespace ecods

@@ -1,0 +1,95 @@
+// Certain disjointness of the boxes of two posed trees, for any two affine poses.
+//
+// Whatever vector n is taken for an axis, exact disjointness of the projections on n proves that two boxes are
+// disjoint: n itself needs no accuracy, only the projections need a bound. Axes come in sets of three: the normals of
+// the faces of one tree's boxes, which for a sheared pose are not the edges; where a pose is so flat that normals mean
+// nothing, the axes of the world. A zero axis never separates.
+//
+// With trees' frames v = center + map y, and coordinates of the world relative to the first body's translation, the
+// boxes are
+//     A y + o_a,  |y - y_a| <= h_a,   A = R_a map_a,  o_a = R_a center_a,
+//     B y + o_b,  |y - y_b| <= h_b,   B = R_b map_b,  o_b = R_b center_b + d,    d = t_b - t_a.
+// With the axes as the rows of N, P_a = N A, P_b = N B and q = N (o_b - o_a), row k separates exactly when
+//     |P_a y_a - P_b y_b - q|  >  |P_a| h_a + |P_b| h_b      in row k.
+//
+// Bound. Let u' = 2^-52 (doubles, any rounding mode) and w_a = |N| |R_a| |map_a| 1, w_b likewise,
+// w_d = |N| (|R_a| |center_a| + |R_b| |center_b| + |d|). Products of two and three matrices make P_a off by 6.1 u' w_a
+// and P_b by 6.1 u' w_b in sum over a row; q by 8.2 u' w_d, the rounding of d as a difference included. All |y| and h
+// are at most 1 + 2^-22, so
+//     |P_a y_a|, |P_a| h_a: 6.2 u' w_a each; likewise b; q: 8.2 u' w_d.   In sum 12.4 u' (w_a + w_b) + 8.2 u' w_d,
+// and with the roundings of the sums w themselves (relative 10 u') below 13 u' w, w = w_a + w_b + w_d.
+//
+// In floats let v = 2^-23, S_a = |P_a| 1 and S_b = |P_b| 1, and s = S_a + S_b + |q|, in one row.
+//   Corners of triangles, P y + q: converting P and q is worth v s; the error of y (corner_error) 1.01 v S; products
+//   and sums 3.01 v S; adding q v s. With the errors of P and q below 7 v s + 13 u' w; a bound of 8 v s + 16 u' w has
+//   room for its own evaluation. Boxes, exact in y: converting P and products and sums 4.01 v S for the middle and as
+//   much for the reach; q, its addition, that of the margin, and the two ends v s each: below 14 v s for both boxes.
+//   Ends of triangles are no worse. A margin of 16 v s + 16 u' w is enough for all. Where a tree's boxes are on its own
+//   normals, P is the identity but for rounding, and is taken for it: with e the sum of |P - I| over the row, corners
+//   are off by e more, middle and reach of boxes by 2 e.
+//
+// Doubles (for the roots) have no conversions: below 15 u' s + 13 u' w. For the products of edges,
+// n' = column of P_a x column of P_b is taken in the coordinates N x; its projections have the bounds of the rows in
+// sum |n'_k| (...)_k, and P^T n' as computed adds 6.1 u' sum |n'_k| s_k. Hence 32 u' (s + w) for a row of either kind.
+//
+// Underflow: a hundred operations lose 2^-1022 each (subnormals taken for zero included) times a factor of at most
+// 2^900, which is checked, else the margin is infinite: below 2^-100; floats lose 2^-126 each. Overflow: s and w are
+// required to be below 2^100, else the margin is infinite and the row never separates; NaN fails that, too. A mode that
+// rounds down makes large numbers of infinities, and a short axis would hide them: so what w is made of before N comes
+// to it, which no coordinate of the world exceeds, is required to be below 2^1000 in sum.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "bvh/mesh_bvh.hpp"
+#include "ecods/pose.hpp"
+
+namespace ecods {
+
+// A tree at a pose. Both are referred to.
+struct PosedTree {
+    const MeshBvh& tree;
+    const Mat3& R;
+};
+
+// What brings one tree's coordinates to three axes.
+struct Projection {
+    std::array<std::array<float, 4>, 3> p;     // columns; rows are axes, the fourth is zero
+    std::array<std::array<float, 4>, 3> size;  // |p|
+    std::array<std::array<float, 4>, 3> row;   // of p, with the shift as the fourth
+    std::array<float, 4> shift;                // added to p y
+    std::array<float, 4> margin;               // added to the reach of boxes
+    bool is_unit;                              // p is the identity
+};
+
+// Three axes, and both trees' boxes on them.
+struct AxisSet {
+    Projection a, b;                   // shift and margin are zero for a
+    std::array<float, 4> point_error;  // of a corner of either
+};
+
+inline constexpr int root_axis_count = 15;
+
+class SeparatingAxes {
+  public:
+    // The number of an axis that certainly separates the roots: 0 to 2 the normals of a's faces, 3 to 5 of b's, 6 to 14
+    // the products of their edges. -1 if none is known to; then the sets are ready for overlap_mask. `d`: fl(t_b - t_a).
+    // The axis `first` is tried before the others, if there is one of that number.
+    int bind(const PosedTree& a, const PosedTree& b, const Vec3& d, int first = -1);
+
+    const std::array<AxisSet, 2>& sets() const noexcept { return sets_; }
+
+  private:
+    std::array<AxisSet, 2> sets_;
+};
+
+// Bit 8 j + i is set unless what is in lane i of x, in the first tree, and in lane j of y, in the second, is certainly
+// disjoint: boxes and triangles by the six axes, and of two leaves the triangles by each other's planes, too. Lanes
+// that only repeat another are never set.
+std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const BvhNode& x, const BvhNode& y) noexcept;
+std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const BvhNode& x, const TreeLeaf& y) noexcept;
+std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const TreeLeaf& x, const BvhNode& y) noexcept;
+std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept;
+
+}  // namespace ecods

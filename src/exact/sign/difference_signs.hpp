@@ -1,0 +1,121 @@
+// Signs for triangle_pair.hpp where points, and differences of points, are doubles without a rounding error.
+//
+// Each determinant then has a bound of its own, made of the magnitudes of its products; and where all products are zero
+// it is zero for certain. So axis-aligned bodies seldom need integers, whatever the length of their coordinates.
+//
+// Bound. In any rounding mode fl(a op b) = (a op b)(1 + e), |e| <= u' = 2^-52. Each of the six products of three
+// differences meets at most five such factors: two products, the difference of the minor, two sums. So the error is at
+// most ((1 + u')^5 - 1) p, with p the sum of the products' magnitudes. p is computed by the same operations on
+// magnitudes, hence low by a factor of no less than (1 - u')^5, and its product with 6 u' by another 1 - u'. Since
+// ((1 + u')^5 - 1) (1 - u')^-6 < 5.0001 u', 6 u' p as computed is a bound. A minor's two products meet two factors
+// each, and ((1 + u')^2 - 1) (1 - u')^-3 < 2.0001 u': 3 u' p. Fused multiply-add leaves factors out; the bounds stay.
+//
+// Range. Differences are multiples of 2^low below 2^(high + 3), with low >= -300 and high <= 200 (body_pair.cpp), and
+// so all products are multiples of 2^(3 low) >= 2^-900 below 2^612, rounded or not: nothing underflows or overflows,
+// and p is zero only if every product is.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "base/arithmetic.hpp"
+#include "exact/sign/filter.hpp"
+#include "exact/number/kernel.hpp"
+#include "exact/sign/kernel_signs.hpp"
+#include "exact/sign/plain_signs.hpp"
+
+namespace ecods::exact {
+
+// Sums of the magnitudes of products, in place of the differences in plain_signs.hpp.
+inline PlainNormal permanent_normal(const Point& a, const Point& b, const Point& c) noexcept {
+    const double x1 = std::abs(b[0] - a[0]), y1 = std::abs(b[1] - a[1]), z1 = std::abs(b[2] - a[2]);
+    const double x2 = std::abs(c[0] - a[0]), y2 = std::abs(c[1] - a[1]), z2 = std::abs(c[2] - a[2]);
+    return {y1 * z2 + z1 * y2, z1 * x2 + x1 * z2, x1 * y2 + y1 * x2};
+}
+
+inline double permanent_side(const PlainNormal& n, const Point& a, const Point& p) noexcept {
+    return (n.x * std::abs(p[0] - a[0]) + n.y * std::abs(p[1] - a[1])) + n.z * std::abs(p[2] - a[2]);
+}
+
+inline double permanent_2d(const Point& a, const Point& b, const Point& c, int axis) noexcept {
+    const auto i = static_cast<std::size_t>((axis + 1) % 3), j = static_cast<std::size_t>((axis + 2) % 3);
+    return std::abs(b[i] - a[i]) * std::abs(c[j] - a[j]) + std::abs(b[j] - a[j]) * std::abs(c[i] - a[i]);
+}
+
+inline constexpr double determinant_error = 6 * two_u;  // times p
+inline constexpr double minor_error = 3 * two_u;
+
+class DifferenceSigns {
+  public:
+    // Coordinates times `scale`, a power of two, are integers below 2^53.
+    DifferenceSigns(const SixRounded& points, double scale) noexcept : points_(points), scale_(scale) {}
+
+    // All three corners at once, whatever they need: which of them are in the plane is not foreseen by the processor.
+    Sides sides(int triangle) noexcept {
+        const int own = 3 * triangle;
+        const int other = 3 - own;
+        const PlainNormal n = plain_normal(at(own), at(own + 1), at(own + 2));
+        const PlainNormal m = permanent_normal(at(own), at(own + 1), at(own + 2));
+        Sides result;
+        bool is_open = false;
+        for (int i = 0; i < 3; ++i) {
+            const double permanent = permanent_side(m, at(own), at(other + i));
+            const int s = certain_sign(plain_side(n, at(own), at(other + i)), determinant_error * permanent);
+            result[static_cast<std::size_t>(i)] = s;
+            is_open |= (s == 0) & (permanent != 0);
+        }
+        return is_open ? integers().sides(triangle) : result;
+    }
+
+    int orient3d(int a, int b, int c, int d) noexcept {
+        const double permanent = permanent_side(permanent_normal(at(a), at(b), at(c)), at(a), at(d));
+        const int s = certain_sign(plain_orient3d(at(a), at(b), at(c), at(d)), determinant_error * permanent);
+        return s != 0 || permanent == 0 ? s : integers().orient3d(a, b, c, d);
+    }
+
+    int orient2d(int a, int b, int c, int axis) noexcept {
+        const double permanent = permanent_2d(at(a), at(b), at(c), axis);
+        const int s = certain_sign(plain_orient2d(at(a), at(b), at(c), axis), minor_error * permanent);
+        return s != 0 || permanent == 0 ? s : integers().orient2d(a, b, c, axis);
+    }
+
+    int compare(int a, int b, int axis) const noexcept {
+        const auto k = static_cast<std::size_t>(axis);
+        return (at(a)[k] > at(b)[k]) - (at(a)[k] < at(b)[k]);
+    }
+
+    // An axis on which the normal is certainly not zero, if there is one.
+    int normal_axis(int triangle) noexcept {
+        const int own = 3 * triangle;
+        const PlainNormal n = plain_normal(at(own), at(own + 1), at(own + 2));
+        const PlainNormal p = permanent_normal(at(own), at(own + 1), at(own + 2));
+        if (std::abs(n.x) > minor_error * p.x) return 0;
+        if (std::abs(n.y) > minor_error * p.y) return 1;
+        if (std::abs(n.z) > minor_error * p.z) return 2;
+        return p.x == 0 && p.y == 0 && p.z == 0 ? -1 : integers().normal_axis(triangle);
+    }
+
+    bool has_used_integers() const noexcept { return has_kernel_; }
+
+  private:
+    const Point& at(int point) const noexcept { return points_[static_cast<std::size_t>(point)]; }
+
+    KernelSigns<OneLimbKernel> integers() noexcept {
+        if (!has_kernel_) {
+            for (std::size_t i = 0; i < 6; ++i) {
+                for (std::size_t k = 0; k < 3; ++k) {
+                    kernel_.points[i][k] = static_cast<std::int64_t>(points_[i][k] * scale_);
+                }
+            }
+            has_kernel_ = true;
+        }
+        return KernelSigns<OneLimbKernel>(kernel_);
+    }
+
+    const SixRounded& points_;
+    double scale_;
+    bool has_kernel_ = false;
+    OneLimbKernel kernel_;
+};
+
+}  // namespace ecods::exact

@@ -1,0 +1,37 @@
+// Triangles that may have no area, kept apart by a plane along an edge of each.
+//
+// The plane of a triangle that is a segment is not known from rounded points: all its determinants are open, and every
+// pair with such a triangle whose boxes meet would go to integers. Real meshes have such triangles. Disjoint convex
+// polygons that no plane of theirs separates are separated by the cross product of an edge of each (Gottschalk, Lin and
+// Manocha, OBBTree, SIGGRAPH 1996, section 5), which is clear of zero for most.
+#pragma once
+
+#include <algorithm>
+
+#include "exact/sign/plain_signs.hpp"
+
+namespace ecods::exact {
+
+// Whether the cross product of an edge of each triangle certainly separates them. `bound`: orient3d_bound of these
+// points.
+//
+// Projections on n = u x e are taken from the beginning p of the edge u. The ends of u are at 0, exactly, and so is the
+// difference of the ends of e; the projections of other points x are det(u, e, x - p), a determinant of three
+// differences of the six points, which is off by no more than the bound. So the two intervals are disjoint if as
+// computed one begins more than twice the bound behind the end of the other; asking for four times the bound covers the
+// rounding of that difference. An infinite bound separates nothing.
+inline bool edges_separate(const SixRounded& w, double bound) noexcept {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Point &p = w[i], &q = w[(i + 1) % 3], &r = w[(i + 2) % 3];
+        for (std::size_t j = 0; j < 3; ++j) {
+            const Point &a = w[3 + j], &b = w[3 + (j + 1) % 3], &c = w[3 + (j + 2) % 3];
+            const PlainNormal n = plain_cross(p, q, a, b);
+            const double third = plain_side(n, p, r), edge = plain_side(n, p, a), fourth = plain_side(n, p, c);
+            if (std::min(edge, fourth) - std::max(third, 0.0) > 4 * bound) return true;
+            if (std::min(third, 0.0) - std::max(edge, fourth) > 4 * bound) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace ecods::exact

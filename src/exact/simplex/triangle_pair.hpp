@@ -1,0 +1,129 @@
+// How two triangles meet, decided from signs alone.
+//
+// The decision is written once, for any provider of signs:
+//
+//     sides(triangle)          signs of the other triangle's corners against the plane of `triangle` (0 or 1)
+//     orient3d(a, b, c, d)     sign of det(b - a, c - a, d - a)
+//     orient2d(a, b, c, axis)  the same in the projection along an axis
+//     compare(a, b, axis)      sign of a - b on an axis
+//     normal_axis(triangle)    an axis on which the triangle's normal is not zero, or -1 if its area is zero
+//
+// Points 0 to 2 are the corners of the first triangle, 3 to 5 those of the second. If the provider's signs are exact,
+// so is the decision.
+//
+// Proper triangles in different planes (Guigue and Devillers 2003, derived again). Let the corners of each be on both
+// closed sides of the other's plane. Both triangles then meet the line L of the two planes in closed intervals. Name
+// the corners of the first p1, q1, r1 such that p1 is alone on its side: q1 and r1 are on the opposite closed side. L
+// meets the first triangle between its edges p1q1 and p1r1, and the second between p2q2 and p2r2. Swap q2 and
+// r2 if p1 is on the negative side of the second plane, and q1 and r1 if p2 is on the negative side of the first: then
+// both intervals are named in the same direction along L, and they share a point exactly when neither ends before the
+// other begins. That the end on p1r1 is not before the beginning on p2q2 is a sign of orient3d of the two edges, and so
+// is the other comparison. They share an open interval exactly when both comparisons are strict.
+//
+// Relative interiors then share a point exactly when each triangle has corners strictly on both sides (else the part of
+// it on L is on its boundary) and both comparisons are strict.
+#pragma once
+
+#include <array>
+#include <utility>
+
+#include "ecods/predicates.hpp"
+#include "exact/simplex/segment_pair.hpp"
+
+namespace ecods::exact {
+
+using Sides = std::array<int, 3>;
+
+inline bool all_positive(const Sides& s) noexcept {
+    return s[0] > 0 && s[1] > 0 && s[2] > 0;
+}
+inline bool all_negative(const Sides& s) noexcept {
+    return s[0] < 0 && s[1] < 0 && s[2] < 0;
+}
+inline bool all_zero(const Sides& s) noexcept {
+    return s[0] == 0 && s[1] == 0 && s[2] == 0;
+}
+inline bool strictly_on_both(const Sides& s) noexcept {
+    return (s[0] > 0 || s[1] > 0 || s[2] > 0) && (s[0] < 0 || s[1] < 0 || s[2] < 0);
+}
+
+// The corner that is alone on its side, and whether that side is the negative one.
+struct Apex {
+    int corner;
+    bool negative;
+};
+
+// `s` is not all positive, all negative or all zero.
+inline Apex find_apex(const Sides& s) noexcept {
+    const int positive_count = (s[0] > 0) + (s[1] > 0) + (s[2] > 0);
+    const int negative_count = (s[0] < 0) + (s[1] < 0) + (s[2] < 0);
+    // With one positive corner the other two are on the closed negative side, and the other way round. Otherwise one
+    // corner is in the plane and the other two are strictly on one side: the one in the plane is on the opposite one.
+    const int wanted = positive_count == 1 ? 1 : negative_count == 1 ? -1 : 0;
+    const bool negative = wanted < 0 || (wanted == 0 && positive_count > 0);
+    return {s[0] == wanted ? 0 : s[1] == wanted ? 1 : 2, negative};
+}
+
+// The five corners that the two comparisons along L are about.
+struct EdgeComparison {
+    int p1, q1, r1, p2, q2, r2;
+};
+
+inline EdgeComparison name_corners(const Sides& first, const Sides& second) noexcept {
+    const Apex a = find_apex(first);
+    const Apex b = find_apex(second);
+    EdgeComparison e{a.corner,     (a.corner + 1) % 3,     (a.corner + 2) % 3,
+                     3 + b.corner, 3 + (b.corner + 1) % 3, 3 + (b.corner + 2) % 3};
+    if (a.negative) std::swap(e.q2, e.r2);
+    if (b.negative) std::swap(e.q1, e.r1);
+    return e;
+}
+
+// Two proper triangles in one plane, seen along an axis on which that plane's normal is not zero. Two convex polygons
+// are disjoint exactly when all of one is strictly on the outer side of an edge of the other.
+template <class Signs>
+Relation coplanar_pair(Signs& signs, int axis) {
+    for (int triangle = 0; triangle < 2; ++triangle) {
+        const int own = 3 * triangle;
+        const int other = 3 - own;
+        const int turn = signs.orient2d(own, own + 1, own + 2, axis);
+        for (int edge = 0; edge < 3; ++edge) {
+            const int from = own + edge;
+            const int to = own + (edge + 1) % 3;
+            bool outside = true;
+            for (int corner = 0; corner < 3 && outside; ++corner) {
+                outside = signs.orient2d(from, to, other + corner, axis) * turn < 0;
+            }
+            if (outside) return Relation::disjoint;
+        }
+    }
+    return Relation::touching;
+}
+
+// At least one of the triangles' corners are all in the other's plane (a zero-area triangle has every plane).
+template <class Signs>
+Relation flat_pair(Signs& signs) {
+    const int axis = signs.normal_axis(1);
+    if (axis < 0 || signs.normal_axis(0) < 0) return degenerate_pair(signs);
+    return coplanar_pair(signs, axis);
+}
+
+template <class Signs>
+Relation triangle_pair(Signs& signs) {
+    const Sides first = signs.sides(1);
+    if (all_positive(first) || all_negative(first)) return Relation::disjoint;
+    if (all_zero(first)) return flat_pair(signs);
+    const Sides second = signs.sides(0);
+    if (all_positive(second) || all_negative(second)) return Relation::disjoint;
+    if (all_zero(second)) return flat_pair(signs);
+
+    const EdgeComparison e = name_corners(first, second);
+    const int begin = signs.orient3d(e.q1, e.p2, e.p1, e.q2);
+    if (begin > 0) return Relation::disjoint;
+    const int end = signs.orient3d(e.p1, e.p2, e.r1, e.r2);
+    if (end > 0) return Relation::disjoint;
+    const bool strict = begin < 0 && end < 0 && strictly_on_both(first) && strictly_on_both(second);
+    return strict ? Relation::crossing : Relation::touching;
+}
+
+}  // namespace ecods::exact

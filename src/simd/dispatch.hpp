@@ -1,0 +1,60 @@
+// One function, compiled for several instruction sets; which of them runs is asked at each call.
+//
+// Versions differ in width only: nothing is contracted (-ffp-contract=off), so every version gives the same bits.
+#pragma once
+
+#include <type_traits>
+#include <utility>
+
+#include "simd/inline.hpp"
+#include "simd/instruction_set.hpp"
+
+// A build with ECODS_BASELINE_ONLY has the plain versions and no others: what it answers is compared with the rest.
+#if defined(__x86_64__) && !defined(ECODS_BASELINE_ONLY)
+#define ECODS_CAN_DISPATCH 1
+#else
+#define ECODS_CAN_DISPATCH 0
+#endif
+
+namespace ecods {
+
+// body(arguments...), or where it is a member, (first of arguments.*body)(the others...).
+template <auto body, class First, class... Rest>
+ECODS_ALWAYS_INLINE decltype(auto) call(First&& first, Rest&&... rest) {
+    if constexpr (std::is_member_function_pointer_v<decltype(body)>) {
+        return (first.*body)(std::forward<Rest>(rest)...);
+    } else {
+        return body(std::forward<First>(first), std::forward<Rest>(rest)...);
+    }
+}
+
+// The versions. What is always inlined is compiled for the function that it ends up in; these three never are, so that
+// a caller holds nothing but the choice.
+template <auto body, class... Arguments>
+[[gnu::noinline]] decltype(auto) on_baseline(Arguments&&... arguments) {
+    return call<body>(std::forward<Arguments>(arguments)...);
+}
+#if ECODS_CAN_DISPATCH
+template <auto body, class... Arguments>
+[[gnu::noinline, gnu::target("avx2")]] decltype(auto) on_avx2(Arguments&&... arguments) {
+    return call<body>(std::forward<Arguments>(arguments)...);
+}
+template <auto body, class... Arguments>
+[[gnu::noinline, gnu::target("avx512f")]] decltype(auto) on_avx512(Arguments&&... arguments) {
+    return call<body>(std::forward<Arguments>(arguments)...);
+}
+#endif
+
+// Calls `body`, which must be ECODS_ALWAYS_INLINE and so must all be that it leaves its loops to, compiled for the
+// instruction set in use. Cost: a load and a branch or two.
+template <auto body, class... Arguments>
+ECODS_ALWAYS_INLINE decltype(auto) dispatch(Arguments&&... arguments) {
+#if ECODS_CAN_DISPATCH
+    const InstructionSet set = instruction_set();
+    if (set == InstructionSet::avx2) return on_avx2<body>(std::forward<Arguments>(arguments)...);
+    if (set == InstructionSet::avx512) return on_avx512<body>(std::forward<Arguments>(arguments)...);
+#endif
+    return on_baseline<body>(std::forward<Arguments>(arguments)...);
+}
+
+}  // namespace ecods

@@ -1,0 +1,29 @@
+#include "simd/instruction_set.hpp"
+
+#include <algorithm>
+
+#include "simd/dispatch.hpp"
+
+namespace ecods {
+
+constinit std::atomic<InstructionSet> instruction_set_in_use = InstructionSet::baseline;
+
+InstructionSet supported_instruction_set() noexcept {
+#if ECODS_CAN_DISPATCH
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("avx512f")) return InstructionSet::avx512;
+    if (__builtin_cpu_supports("avx2")) return InstructionSet::avx2;
+#endif
+    return InstructionSet::baseline;
+}
+
+void limit_instruction_set(InstructionSet widest) noexcept {
+    instruction_set_in_use.store(std::min(widest, supported_instruction_set()), std::memory_order_relaxed);
+}
+
+namespace {
+
+[[maybe_unused]] const bool is_unlimited = (limit_instruction_set(InstructionSet::avx512), true);
+
+}  // namespace
+}  // namespace ecods

@@ -1,0 +1,98 @@
+#include "trace/trace_lines.hpp"
+
+#include <algorithm>
+
+#include "ecods/error.hpp"
+#include "trace/trace_text.hpp"
+
+namespace ecods {
+namespace {
+
+// What a message shows of a word: it may be anything, of any length.
+std::string quoted(std::string_view word) {
+    std::string shown = "'";
+    for (const char c : word.substr(0, 40)) shown.push_back(c >= ' ' && c <= '~' ? c : '?');
+    return shown.append(word.size() > 40 ? "...'" : "'");
+}
+
+}  // namespace
+
+bool TraceLines::next() {
+    if (!std::getline(in_, text_)) {
+        if (!in_.eof()) throw InvalidTrace(number_ + 1, "cannot be read");
+        return false;
+    }
+    ++number_;
+    left_ = text_;
+    return true;
+}
+
+std::string_view TraceLines::word(const char* what) {
+    if (left_.empty()) fail(std::string(what) + " is missing");
+    const std::size_t end = std::min(left_.find(' '), left_.size());
+    const std::string_view word = left_.substr(0, end);
+    left_.remove_prefix(std::min(end + 1, left_.size()));
+    return word;
+}
+
+std::uint64_t TraceLines::hex(const char* what) {
+    const std::string_view found = word(what);
+    if (const auto number = parse_hex(found)) return *number;
+    fail(quoted(found) + " is no hexadecimal number: " + what);
+}
+
+std::uint64_t TraceLines::decimal(const char* what, std::uint64_t max) {
+    const std::string_view found = word(what);
+    if (const auto number = parse_decimal(found, max)) return *number;
+    fail(quoted(found) + " is no number up to " + std::to_string(max) + ": " + what);
+}
+
+BodyId TraceLines::body() {
+    const std::string_view found = word("a body");
+    if (const auto body = parse_body(found)) return *body;
+    fail(quoted(found) + " is no body");
+}
+
+double TraceLines::coordinate() {
+    const std::string_view found = word("a coordinate");
+    if (const auto number = parse_hex_double(found)) return *number;
+    fail(quoted(found) + " is no finite hexadecimal floating-point number");
+}
+
+Vec3 TraceLines::point() {
+    const double x = coordinate();
+    const double y = coordinate();
+    return {x, y, coordinate()};
+}
+
+Pose TraceLines::pose() {
+    Pose pose;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) pose.R(row, column) = coordinate();
+        pose.t[row] = coordinate();
+    }
+    return pose;
+}
+
+std::string_view TraceLines::rest() {
+    const std::string_view rest = left_;
+    left_ = {};
+    return rest;
+}
+
+void TraceLines::require_end() {
+    if (!at_end()) fail(quoted(left_) + " is too much");
+}
+
+void TraceLines::require_next(std::string_view first_word) {
+    if (!next())
+        throw InvalidTrace(number_ + 1, "the trace ends where a line '" + std::string(first_word) + " ...' belongs");
+    const std::string_view found = word("a line");
+    if (found != first_word) fail(quoted(found) + " is where a line '" + std::string(first_word) + " ...' belongs");
+}
+
+void TraceLines::fail(const std::string& reason) const {
+    throw InvalidTrace(number_, reason);
+}
+
+}  // namespace ecods

@@ -1,0 +1,112 @@
+#include "trace/trace_text.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "geometry/find_invalid.hpp"
+
+namespace ecods {
+namespace {
+
+// By value of the enumerator.
+static_assert(static_cast<int>(BroadPhaseKind::brute_force) == 0 && static_cast<int>(BroadPhaseKind::automatic) == 3);
+constexpr std::array<std::string_view, 4> broad_phase_names = {"brute_force", "sweep_and_prune", "kept_candidates",
+                                                               "automatic"};
+
+template <class Number, class... How>
+void append_chars(std::string& text, Number x, How... how) {
+    std::array<char, 40> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, how...).ptr;
+    text.append(buffer.data(), end);
+}
+
+template <class Number, class... How>
+std::optional<Number> parse_chars(std::string_view word, How... how) {
+    Number number{};
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number, how...);
+    if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+    return number;
+}
+
+}  // namespace
+
+// to_chars writes no 0x, and depends on no locale. The shortest hexadecimal is exact.
+void append_hex(std::string& text, double x) {
+    if (std::signbit(x)) text.push_back('-');
+    text.append("0x");
+    append_chars(text, std::abs(x), std::chars_format::hex);
+}
+
+void append_hex(std::string& text, std::uint64_t x) {
+    append_chars(text, x, 16);
+}
+
+void append(std::string& text, std::uint64_t x) {
+    append_chars(text, x);
+}
+
+void append(std::string& text, BodyId body) {
+    append_chars(text, body.slot);
+    text.push_back('.');
+    append_chars(text, body.generation);
+}
+
+void append(std::string& text, const Vec3& point) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (axis != 0) text.push_back(' ');
+        append_hex(text, point[axis]);
+    }
+}
+
+void append(std::string& text, const Pose& pose) {
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            if (row + column != 0) text.push_back(' ');
+            append_hex(text, column == 3 ? pose.t[row] : pose.R(row, column));
+        }
+    }
+}
+
+std::optional<double> parse_hex_double(std::string_view word) {
+    const bool is_negative = word.starts_with('-');
+    if (is_negative) word.remove_prefix(1);
+    if (!word.starts_with("0x")) return std::nullopt;
+    word.remove_prefix(2);
+    if (word.starts_with('-')) return std::nullopt;
+    const auto number = parse_chars<double>(word, std::chars_format::hex);
+    if (!number || !is_finite(*number)) return std::nullopt;
+    return is_negative ? -*number : *number;
+}
+
+std::optional<std::uint64_t> parse_hex(std::string_view word) {
+    return parse_chars<std::uint64_t>(word, 16);
+}
+
+std::optional<std::uint64_t> parse_decimal(std::string_view word, std::uint64_t max) {
+    const auto number = parse_chars<std::uint64_t>(word);
+    return number && *number <= max ? number : std::nullopt;
+}
+
+std::optional<BodyId> parse_body(std::string_view word) {
+    const std::size_t dot = word.find('.');
+    if (dot == std::string_view::npos) return std::nullopt;
+    const auto slot = parse_chars<std::uint32_t>(word.substr(0, dot));
+    const auto generation = parse_chars<std::uint32_t>(word.substr(dot + 1));
+    if (!slot || *slot == 0 || !generation) return std::nullopt;
+    return BodyId{*slot, *generation};
+}
+
+std::string name_of(BroadPhaseKind kind) {
+    return std::string(broad_phase_names.at(static_cast<std::size_t>(kind)));
+}
+
+std::optional<BroadPhaseKind> parse_broad_phase(std::string_view word) {
+    for (std::size_t i = 0; i < broad_phase_names.size(); ++i) {
+        if (broad_phase_names[i] == word) return static_cast<BroadPhaseKind>(i);
+    }
+    return std::nullopt;
+}
+
+}  // namespace ecods

@@ -1,0 +1,130 @@
+// The box of an support_table contains the exact body, and is not much larger than it need be.
+
+#include "bounds/support_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+
+#include "oracle/oracle.hpp"
+#include "scenes/random.hpp"
+#include "scenes/shapes.hpp"
+#include "scenes/ship.hpp"
+
+namespace ecods {
+namespace {
+
+std::shared_ptr<const Mesh> scaled(const Mesh& mesh, const Vec3& factor, const Vec3& shift) {
+    std::vector<Vec3> vertices;
+    for (const Vec3& v : mesh.vertices()) vertices.push_back(v.cwiseProduct(factor) + shift);
+    return Mesh::create(std::move(vertices), {mesh.triangles().begin(), mesh.triangles().end()});
+}
+
+struct Excess {
+    double mean = 0;  // of the sides, over the half diagonal of the body
+    double max = 0;
+};
+
+// Boxes of random affine poses: contain the body in every rounding mode.
+Excess measure(const std::shared_ptr<const Mesh>& mesh, double shear) {
+    const LocalFrame frame = fit_frame(*mesh);
+    const SupportTable support_table(*mesh, frame);
+    scenes::Random random(17);
+    Excess excess;
+    constexpr int pose_count = 150;
+    for (int i = 0; i < pose_count; ++i) {
+        Pose pose;
+        pose.R = random.rotation().toRotationMatrix();
+        for (int k = 0; k < 9; ++k) pose.R.data()[k] += shear * random.uniform(-1, 1);
+        for (int k = 0; k < 3; ++k) pose.t[k] = random.uniform(-1000, 1000);
+        if (i == 0) pose.R.setZero();
+        if (i == 1) pose.R = Mat3::Identity();
+        const oracle::OracleMesh exact(mesh, pose);
+        const Aabb tight = exact.outer_box();
+        for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+            std::fesetround(mode);
+            const Aabb box = support_table.box(pose);
+            std::fesetround(FE_TONEAREST);
+            EXPECT_TRUE(oracle::box_contains(box, exact)) << i;
+            const Vec3 outside = (tight.min - box.min).cwiseMax(box.max - tight.max);
+            const double size = std::max(0.5 * (tight.max - tight.min).norm(), 0x1p-900);
+            if (i == 0) continue;
+            excess.mean += outside.mean() / size / (4 * (pose_count - 1));
+            excess.max = std::max(excess.max, outside.maxCoeff() / size);
+        }
+    }
+    return excess;
+}
+
+TEST(SupportTable, ContainsTheBodyAndIsTight) {
+    for (const double shear : {0.0, 0.5}) {
+        const Excess ship = measure(scenes::ship(), shear), sphere = measure(scenes::sphere(24, 12), shear),
+                     torus = measure(scenes::torus(30, 20, 0.25), shear);
+        EXPECT_LT(ship.mean, 0.03);
+        EXPECT_LT(ship.max, 0.125);
+        EXPECT_LT(sphere.mean, 0.01);
+        EXPECT_LT(sphere.max, 0.02);
+        EXPECT_LT(torus.mean, 0.01);
+        EXPECT_LT(torus.max, 0.06);
+    }
+}
+
+TEST(SupportTable, RodsAndPlatesAreTightByTheirOrientedBox) {
+    const auto rod = scaled(*scenes::sphere(12, 8), Vec3(10, 0.01, 0.01), Vec3(1, 2, 3));
+    EXPECT_LT(measure(rod, 0).max, 0.01);
+    const auto plate = scaled(*scenes::sphere(12, 8), Vec3(10, 8, 0), Vec3(1, 2, 3));
+    EXPECT_LT(measure(plate, 0).max, 0.125);
+}
+
+TEST(SupportTable, ContainsBodiesOfEverySize) {
+    for (const double scale : {0x1p-1060, 0x1p-500, 1e-12, 1e12, 0x1p500}) {
+        measure(scaled(*scenes::ship(), Vec3::Constant(scale), Vec3(0, 3 * scale, 0)), 0.1);
+    }
+    measure(scaled(*scenes::ship(), Vec3::Constant(1e-6), Vec3(1e6, 0, 1)), 0.1);
+}
+
+TEST(SupportTable, IsInfiniteWhereItsBoundIs) {
+    const auto sphere = scenes::sphere(12, 8);
+    const LocalFrame frame = fit_frame(*sphere);
+    Pose pose;
+    pose.R *= 1.7e308;
+    EXPECT_EQ(SupportTable(*sphere, frame).box(pose).max[0], std::numeric_limits<double>::infinity());
+}
+
+// Rounding down makes large numbers of some infinities.
+TEST(SupportTable, ContainsBodiesNearTheEndOfTheRange) {
+    const auto sphere = scaled(*scenes::sphere(12, 8), Vec3::Constant(0x1p-40), Vec3::Zero());
+    const auto few = scaled(*scenes::cube(1), Vec3(0x1p600, 0x1p600, 1), Vec3(0x1p1023, -0x1p1020, 0));
+    const LocalFrame frame = fit_frame(*sphere);
+    const SupportTable support_table(*sphere, frame);
+    Pose turned;
+    turned.R.setConstant(1.7e308);
+    Pose stretched;
+    stretched.R << 2.5, 1, 0, 0, 1, 0, 0, 0, 1;
+    stretched.t = Vec3(-0x1.8p1023, 0, 0);
+    const oracle::OracleMesh exact_sphere(sphere, turned), exact_few(few, stretched);
+    for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        std::fesetround(mode);
+        const Aabb round_box = support_table.box(turned), few_box = box_of(*few, stretched);
+        std::fesetround(FE_TONEAREST);
+        EXPECT_TRUE(oracle::box_contains(round_box, exact_sphere)) << mode;
+        EXPECT_TRUE(oracle::box_contains(few_box, exact_few)) << mode;
+    }
+}
+
+// Vertices that no triangle uses do not belong to the mesh.
+TEST(SupportTable, IsOfTheVerticesInUse) {
+    const auto ship = scenes::ship();
+    std::vector<Vec3> vertices(ship->vertices().begin(), ship->vertices().end());
+    vertices.emplace_back(100, -200, 300);
+    const auto more = Mesh::create(std::move(vertices), {ship->triangles().begin(), ship->triangles().end()});
+    scenes::Random random(19);
+    Pose pose;
+    pose.R = random.rotation().toRotationMatrix();
+    pose.t = Vec3(1, 2, 3);
+    const LocalFrame frame = fit_frame(*ship), frame_of_more = fit_frame(*more);
+    EXPECT_EQ(SupportTable(*more, frame_of_more).box(pose), SupportTable(*ship, frame).box(pose));
+}
+
+}  // namespace
+}  // namespace ecods

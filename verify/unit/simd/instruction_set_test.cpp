@@ -1,0 +1,90 @@
+#include "simd/instruction_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <thread>
+
+#include "simd/dispatch.hpp"
+#include "environment/instruction_sets.hpp"
+
+namespace ecods {
+namespace {
+
+using environment::InstructionSetLimit;
+using environment::supported_instruction_sets;
+
+TEST(InstructionSet, IsTheWidestUnlessLimited) {
+    EXPECT_EQ(instruction_set(), supported_instruction_set());
+    for (const InstructionSet set : supported_instruction_sets()) {
+        const InstructionSetLimit limit(set);
+        EXPECT_EQ(instruction_set(), set);
+    }
+    EXPECT_EQ(instruction_set(), supported_instruction_set());
+}
+
+TEST(InstructionSet, WhatIsNotSupportedIsNotUsed) {
+    const InstructionSetLimit limit(InstructionSet::avx512);
+    EXPECT_EQ(instruction_set(), supported_instruction_set());
+    EXPECT_EQ(supported_instruction_sets().front(), InstructionSet::baseline);
+    EXPECT_EQ(supported_instruction_sets().back(), supported_instruction_set());
+#if ECODS_CAN_DISPATCH
+    EXPECT_EQ(supported_instruction_set() >= InstructionSet::avx2, __builtin_cpu_supports("avx2") != 0);
+    EXPECT_EQ(supported_instruction_set() == InstructionSet::avx512, __builtin_cpu_supports("avx512f") != 0);
+#else
+    EXPECT_EQ(supported_instruction_set(), InstructionSet::baseline);
+#endif
+}
+
+TEST(InstructionSet, IsOneForAllThreads) {
+    const InstructionSetLimit limit(InstructionSet::baseline);
+    InstructionSet seen = InstructionSet::avx512;
+    std::thread([&] { seen = instruction_set(); }).join();
+    EXPECT_EQ(seen, InstructionSet::baseline);
+}
+
+#if ECODS_CAN_DISPATCH
+// Where this is in the program, which is another place in each version.
+ECODS_ALWAYS_INLINE const void* own_place(int) noexcept {
+    const void* place;
+    asm volatile("lea 0(%%rip), %0" : "=r"(place));
+    return place;
+}
+
+TEST(Dispatch, HasAVersionForEachInstructionSet) {
+    std::set<const void*> places;
+    for (const InstructionSet set : supported_instruction_sets()) {
+        const InstructionSetLimit limit(set);
+        places.insert(dispatch<own_place>(0));
+    }
+    EXPECT_EQ(places.size(), supported_instruction_sets().size());
+}
+#endif
+
+class Sum {
+  public:
+    ECODS_ALWAYS_INLINE int& add(int x) noexcept { return sum_ += x; }
+    ECODS_ALWAYS_INLINE int get() const noexcept { return sum_; }
+
+  private:
+    int sum_ = 0;
+};
+
+ECODS_ALWAYS_INLINE int& larger(int& a, int& b) noexcept {
+    return a > b ? a : b;
+}
+
+TEST(Dispatch, HandsOverArgumentsAndResultsAsTheyAre) {
+    for (const InstructionSet set : supported_instruction_sets()) {
+        const InstructionSetLimit limit(set);
+        Sum sum;
+        dispatch<&Sum::add>(sum, 3) += 4;
+        const Sum& same = sum;
+        EXPECT_EQ(dispatch<&Sum::get>(same), 7) << environment::name(set);
+        int a = 1, b = 2;
+        EXPECT_EQ(&dispatch<larger>(a, b), &b) << environment::name(set);
+    }
+}
+
+}  // namespace
+}  // namespace ecods
