@@ -14,7 +14,7 @@ inline constexpr ShapeKind first_user_kind{3};
 inline constexpr ShapeKind second_user_kind{7};
 inline constexpr ShapeKind kind_without_tests{9};
 
-// Immutable, but for what must never happen: a change that nobody is told of. Then its digest is another, or its box.
+// Immutable, but for what must never happen: a change that nobody reports. Then its digest is another, or its box.
 class UserShape final : public Shape {
   public:
     enum class Tampering : int { none, digest, box };

@@ -51,7 +51,7 @@ struct FreshWorld {
 };
 void check_fresh_world(const World& world, const FreshWorld& fresh);
 
-// Two worlds that were told the same are the same: lists, boxes, digest, and counts of work but the broad phase's.
+// Two worlds that were given the same calls are the same: lists, boxes, digest, and counts of work but the broad phase's.
 void check_same(World& world, World& other, Counters& counters);
 
 // A trace that begins now, over an update at which nothing has moved, runs again without a difference.

@@ -73,7 +73,7 @@ void check_fresh_world(const World& world, const FreshWorld& fresh) {
 void check_same(World& world, World& other, Counters& counters) {
     ++counters["checked: worlds against one another"];
     const auto require = [](bool holds, const char* what) {
-        if (!holds) throw CheckFailed("worlds that were told the same", std::string("the same ") + what, "another");
+        if (!holds) throw CheckFailed("worlds given the same calls", std::string("the same ") + what, "another");
     };
     require(world.digest() == other.digest(), "digest");
     require(std::ranges::equal(world.overlapping_pairs(), other.overlapping_pairs()), "candidates");

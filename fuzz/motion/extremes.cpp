@@ -46,7 +46,7 @@ const Vec3& any_vertex(const Mesh& mesh, Random& random) {
     return mesh.vertices()[random.below(static_cast<std::uint32_t>(mesh.vertices().size()))];
 }
 
-// A vertex onto one of the other's, as well as doubles can tell; or both bodies' origins at one place.
+// A vertex onto one of the other's, as near as doubles come; or both bodies' origins at one place.
 Pose beside_other(const PoseContext& c, const Mat3& matrix) {
     if (c.random.below(3) == 0) return {matrix, c.other.pose.t};
     const Vec3 own = matrix * any_vertex(*c.body.part.mesh, c.random);

@@ -7,7 +7,7 @@
 
 namespace ecods::fuzz {
 
-// How often changes of a group are made, beside one another. The groups are told in poses.cpp, extremes.cpp
+// How often changes of a group are made, beside one another. The groups are described in poses.cpp, extremes.cpp
 // and changes.cpp.
 struct Weights {
     std::uint32_t step = 0;     // to somewhere near

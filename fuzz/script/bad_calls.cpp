@@ -24,7 +24,7 @@ class BoxlessShape final : public Shape {
 
 // What a bad call has at hand.
 struct Hand {
-    ToldWorld& told;
+    ScriptedWorld& scripted;
     World& world;
     BodyId body;   // alive
     BodyId stale;  // destroyed, or null
@@ -159,16 +159,16 @@ void make_bad_call(const BadCall& call, Scene& scene, Counters& counters) {
     if (kind == kinds.end()) throw Error("there is no bad call of the name " + call.name);
     const auto body = scene.model.bodies.find(call.body);
     if (body == scene.model.bodies.end()) return;
-    for (ToldWorld& told : scene.worlds) {
+    for (ScriptedWorld& scripted : scene.worlds) {
         // Some body that is gone, if one is.
         Label gone = scene.model.next_label == 0 ? 0 : call.choice % scene.model.next_label;
-        const BodyId stale = scene.model.bodies.contains(gone) ? BodyId{} : told.id(gone);
-        const Hand hand{told, told.world(), told.id(call.body), stale, body->second, call.choice};
-        const Kept before(told.world());
+        const BodyId stale = scene.model.bodies.contains(gone) ? BodyId{} : scripted.id(gone);
+        const Hand hand{scripted, scripted.world(), scripted.id(call.body), stale, body->second, call.choice};
+        const Kept before(scripted.world());
         std::string got;
         if (!kind->is_refused(kind->call, hand, got))
             throw CheckFailed("bad call", std::string(call.name) + " is refused", got);
-        if (!(before == Kept(told.world())))
+        if (!(before == Kept(scripted.world())))
             throw CheckFailed("bad call", "nothing has changed", call.name + " changed the world");
     }
     ++counters["bad calls: " + call.name];

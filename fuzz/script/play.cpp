@@ -15,6 +15,7 @@
 #include "fuzz/failure.hpp"
 #include "fuzz/pairs/float_mode.hpp"
 #include "fuzz/script/bad_calls.hpp"
+#include "fuzz/script/schedule.hpp"
 #include "unit/world/thread_executor.hpp"
 
 namespace ecods::fuzz {
@@ -52,6 +53,7 @@ class Player {
     std::uint64_t tests_ = 0;          // two-body tests up to then
     bool is_resting_ = false;          // no call since
     std::size_t update_count_ = 0;
+    std::size_t check_count_ = 0;  // updates whose lists were read
 };
 
 void Player::make(const Call& call) {
@@ -60,7 +62,7 @@ void Player::make(const Call& call) {
     } else if (const auto* of_update = std::get_if<Update>(&call)) {
         update(*of_update);
     } else {
-        scene_.tell(call);
+        scene_.apply(call);
         is_resting_ = false;
     }
 }
@@ -70,7 +72,7 @@ void Player::update(const Update& call) {
     const bool is_done = call.fails && !scene_.update_failing(counters_);
     if (!is_done) {
         count_instruction_sets();
-        scene_.tell(call);
+        scene_.apply(call);
     }
     if (is_resting_ && !call.fails) check_rest();
     if (call.is_quiet) {
@@ -95,8 +97,8 @@ void Player::pass_over() {
 }
 
 void Player::check_rest() const {
-    for (const ToldWorld& told : scene_.worlds) {
-        const std::uint64_t tests = told.world().statistics().two_body_tests;
+    for (const ScriptedWorld& scripted : scene_.worlds) {
+        const std::uint64_t tests = scripted.world().statistics().two_body_tests;
         if (tests != tests_) {
             throw CheckFailed("rest", fmt::format("{} two-body tests", tests_), fmt::format("{}", tests));
         }
@@ -108,24 +110,24 @@ void Player::check() {
     if (is_resting_) ++counters_["frames at rest"];
     World& first = scene_.worlds[0].world();
     // Questions are the same code in all worlds: one is asked at a time.
-    const std::size_t number = update_count_ % scene_.worlds.size();
-    World& asked = scene_.worlds[number].world();
-    for (const ToldWorld& told : scene_.worlds) check_state(told, scene_.model);
+    const auto sets = environment::supported_instruction_sets();
+    const Turn turn = scheduled_turn(check_count_++, scene_.worlds.size(), sets.size(), float_modes.size());
+    World& asked = scene_.worlds[turn.world].world();
+    for (const ScriptedWorld& scripted : scene_.worlds) check_state(scripted, scene_.model);
     truth_.look_at(first);
     check_boxes(first, truth_, counters_);
-    const InstructionSet set = scene_.instruction_set(number);
-    const FloatMode& mode = float_modes[update_count_ / 2 % float_modes.size()];
+    const FloatMode& mode = float_modes[turn.mode];
     {
-        const environment::InstructionSetLimit limit(set);
+        const environment::InstructionSetLimit limit(sets[turn.set]);
         const InFloatMode in_mode(mode);
         check_answers(asked, truth_, counters_);
     }
-    ++counters_[std::string("checked: answers with instructions of ") + environment::name(set)];
+    ++counters_[std::string("checked: answers with instructions of ") + environment::name(sets[turn.set])];
     ++counters_[std::string("checked: answers, ") + mode.name];
     auto expected = true_collisions(first, truth_);
     sing(expected);
-    for (ToldWorld& told : scene_.worlds) {
-        World& world = told.world();
+    for (ScriptedWorld& scripted : scene_.worlds) {
+        World& world = scripted.world();
         check_candidates(world, counters_);
         check_collisions(world, expected, truth_);
         check_events(world, colliding_);
@@ -207,7 +209,7 @@ void Player::check_replay() {
     ++counters_["checked: trace and replay"];
 }
 
-// What a world is told with narrow instructions is compared with what another is told with wide ones (check_same).
+// A world that was updated with narrow instructions is compared with one that was updated with wide ones (check_same).
 void Player::count_instruction_sets() {
     for (std::size_t i = 0; i < scene_.worlds.size(); ++i) {
         ++counters_[std::string("updates with instructions of ") + environment::name(scene_.instruction_set(i))];

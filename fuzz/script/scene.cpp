@@ -6,6 +6,7 @@
 #include "environment/instruction_sets.hpp"
 #include "fuzz/checks/text.hpp"
 #include "fuzz/failure.hpp"
+#include "fuzz/script/schedule.hpp"
 #include "unit/world/thread_executor.hpp"
 
 namespace ecods::fuzz {
@@ -28,11 +29,11 @@ void require(bool holds, const char* what, Label label) {
 
 }  // namespace
 
-ToldWorld::ToldWorld(const WorldOptions& options) : world_(options) {
+ScriptedWorld::ScriptedWorld(const WorldOptions& options) : world_(options) {
     tests_.add_to(world_);
 }
 
-void ToldWorld::tell(const Call& call) {
+void ScriptedWorld::apply(const Call& call) {
     std::visit(
         Overloaded{[&](const Create& c) {
                        ids_.resize(std::max(ids_.size(), c.body + 1));
@@ -55,7 +56,7 @@ void ToldWorld::tell(const Call& call) {
         call);
 }
 
-void ToldWorld::set_shape(const SetShape& call) {
+void ScriptedWorld::set_shape(const SetShape& call) {
     const BodyId body = id(call.body);
     if (call.part.kind != ShapeKind::mesh()) return world_.set_shape(body, user_shape(call.part));
     const auto* old = dynamic_cast<const MeshShape*>(world_.shape(body).get());
@@ -68,15 +69,17 @@ void ToldWorld::set_shape(const SetShape& call) {
 
 Scene::Scene()
     : worlds{
-          ToldWorld({.broad_phase = BroadPhaseKind::brute_force}),
-          ToldWorld({.broad_phase = BroadPhaseKind::sweep_and_prune, .executor = std::make_shared<ThreadExecutor>(2)}),
-          ToldWorld({.broad_phase = BroadPhaseKind::kept_candidates, .executor = std::make_shared<ThreadExecutor>(3)}),
-          ToldWorld({.broad_phase = BroadPhaseKind::automatic, .executor = std::make_shared<ThreadExecutor>(4)})} {}
+          ScriptedWorld({.broad_phase = BroadPhaseKind::brute_force}),
+          ScriptedWorld(
+              {.broad_phase = BroadPhaseKind::sweep_and_prune, .executor = std::make_shared<ThreadExecutor>(2)}),
+          ScriptedWorld(
+              {.broad_phase = BroadPhaseKind::kept_candidates, .executor = std::make_shared<ThreadExecutor>(3)}),
+          ScriptedWorld({.broad_phase = BroadPhaseKind::automatic, .executor = std::make_shared<ThreadExecutor>(4)})} {}
 
-void Scene::tell(const Call& call) {
+void Scene::apply(const Call& call) {
     for (std::size_t i = 0; i < worlds.size(); ++i) {
         const environment::InstructionSetLimit limit(instruction_set(i));
-        worlds[i].tell(call);
+        worlds[i].apply(call);
     }
     if (std::holds_alternative<Update>(call)) ++round_;
     if (const auto* create = std::get_if<Create>(&call)) require_same_ids(create->body);
@@ -85,21 +88,21 @@ void Scene::tell(const Call& call) {
 
 InstructionSet Scene::instruction_set(std::size_t world) const {
     const auto sets = environment::supported_instruction_sets();
-    const std::size_t narrower_count = sets.size() - 1;
-    if (world == 0 || round_ % 2 == 0 || narrower_count == 0) return sets.back();
-    return sets[(world + round_ / 2) % narrower_count];
+    return sets[scheduled_set(round_, world, sets.size())];
 }
 
 void Scene::require_same_ids(Label label) const {
     const BodyId expected = worlds[0].id(label);
-    for (const ToldWorld& each : worlds) {
+    for (const ScriptedWorld& each : worlds) {
         if (each.id(label) != expected) throw CheckFailed("ids", text(expected), text(each.id(label)));
     }
 }
 
 bool Scene::update_failing(Counters& counters) {
     std::optional<bool> has_thrown;
-    for (ToldWorld& each : worlds) {
+    for (std::size_t i = 0; i < worlds.size(); ++i) {
+        const environment::InstructionSetLimit limit(instruction_set(i));
+        ScriptedWorld& each = worlds[i];
         const World& world = each.world();
         const std::vector<BodyPair> before(world.colliding_pairs().begin(), world.colliding_pairs().end());
         bool throws = false;
@@ -120,14 +123,14 @@ bool Scene::update_failing(Counters& counters) {
     return *has_thrown;
 }
 
-void check_state(const ToldWorld& told, const Model& model) {
-    const World& world = told.world();
+void check_state(const ScriptedWorld& scripted, const Model& model) {
+    const World& world = scripted.world();
     if (world.statistics().body_count != model.bodies.size()) {
         throw CheckFailed("state", fmt::format("{} bodies", model.bodies.size()),
                           fmt::format("{}", world.statistics().body_count));
     }
     for (Label label = 0; label < model.next_label; ++label) {
-        const BodyId id = told.id(label);
+        const BodyId id = scripted.id(label);
         const auto found = model.bodies.find(label);
         require(!id || world.is_alive(id) == (found != model.bodies.end()), "life", label);
         if (found == model.bodies.end()) continue;

@@ -1,4 +1,4 @@
-// Worlds that are told a script, all at once, and what they must be.
+// Worlds to which a script is applied, all at once, and what they must be.
 #pragma once
 
 #include <array>
@@ -14,12 +14,12 @@
 namespace ecods::fuzz {
 
 // A world with the user-defined tests, and the ids of the bodies that it made.
-class ToldWorld {
+class ScriptedWorld {
   public:
-    explicit ToldWorld(const WorldOptions& options);
+    explicit ScriptedWorld(const WorldOptions& options);
 
     // Makes one call; bad ones are not for here. Whatever the world throws passes through.
-    void tell(const Call& call);
+    void apply(const Call& call);
 
     World& world() noexcept { return world_; }
     const World& world() const noexcept { return world_; }
@@ -36,23 +36,23 @@ class ToldWorld {
     std::vector<BodyId> ids_;  // by label
 };
 
-// One for each broad phase, and with no, two, three and four workers. The first uses the widest instructions that the
-// processor supports; every other round, from an update to the next, the others use narrower ones.
+// One for each broad phase, and with no, two, three and four workers. All use every instruction set that the processor
+// supports, by turns (schedule.hpp).
 class Scene {
   public:
     Scene();
 
     // Every call goes to all worlds, which must answer alike. An update ends a round.
-    void tell(const Call& call);
+    void apply(const Call& call);
 
-    // What a world may use in this round, for calls and for questions.
+    // With which a world's calls are made in this round.
     InstructionSet instruction_set(std::size_t world) const;
 
     // An update in which user-defined tests throw, if one is needed: in all worlds, or in none. Whether it was thrown;
     // the lists then stay as they were.
     bool update_failing(Counters& counters);
 
-    std::array<ToldWorld, 4> worlds;
+    std::array<ScriptedWorld, 4> worlds;
     Model model;
 
   private:
@@ -61,7 +61,7 @@ class Scene {
     std::size_t round_ = 0;
 };
 
-// Poses, shapes, filters and data are what the world was told last; what was destroyed is gone.
-void check_state(const ToldWorld& told, const Model& model);
+// Poses, shapes, filters and data are those that were set last; what was destroyed is gone.
+void check_state(const ScriptedWorld& scripted, const Model& model);
 
 }  // namespace ecods::fuzz

@@ -1,5 +1,5 @@
-// What a world is told, as plain data: made by the generator, played with checks, shrunk, written as a trace and read
-// from one.
+// The calls that a world is given, as plain data: made by the generator, played with checks, shrunk, written as a trace
+// and read from one.
 #pragma once
 
 #include <cstdint>
@@ -93,7 +93,7 @@ struct Overloaded : Functions... {
 template <class... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;
 
-// What was told so far: the bodies as they must be.
+// The calls so far: the bodies as they must be.
 struct ModelBody {
     Part part;
     Pose pose;

@@ -15,7 +15,7 @@ namespace ecods::fuzz {
 // Runs the script in a world by brute force that is traced. If the world throws, or crashes, the trace ends there.
 void write_trace(const Script& script, std::ostream& out);
 
-// Notes behind a trace that tell which check failed.
+// Notes behind a trace that say which check failed.
 void write_failure(const Failure& failure, std::ostream& out);
 
 // Of any trace, if its user-defined shapes are those of user_shape.hpp. Throws InvalidTrace.

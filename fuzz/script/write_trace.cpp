@@ -11,9 +11,9 @@
 namespace ecods::fuzz {
 namespace {
 
-void tell(ToldWorld& told, const Call& call, std::ostream& out) {
+void apply(ScriptedWorld& scripted, const Call& call, std::ostream& out) {
     if (const auto* bad = std::get_if<BadCall>(&call)) {
-        fmt::print(out, "note bad {} {} {}\n", text(told.id(bad->body)), bad->choice, bad->name);
+        fmt::print(out, "note bad {} {} {}\n", text(scripted.id(bad->body)), bad->choice, bad->name);
         return;
     }
     if (const auto* shape = std::get_if<SetShape>(&call); shape != nullptr && shape->refits) out << "note refit\n";
@@ -23,16 +23,16 @@ void tell(ToldWorld& told, const Call& call, std::ostream& out) {
     if (update != nullptr && update->is_quiet) out << "note quiet\n";
     if (update != nullptr && update->fails) {
         out << "note failing\n";
-        told.tests().fail(true);
+        scripted.tests().fail(true);
         try {
-            told.world().update();
-            told.tests().fail(false);
+            scripted.world().update();
+            scripted.tests().fail(false);
             return;
         } catch (const TestFailed&) {
-            told.tests().fail(false);
+            scripted.tests().fail(false);
         }
     }
-    told.tell(call);
+    scripted.apply(call);
 }
 
 // A note is one line.
@@ -44,11 +44,11 @@ std::string one_line(std::string text) {
 }  // namespace
 
 void write_trace(const Script& script, std::ostream& out) {
-    ToldWorld told({.broad_phase = BroadPhaseKind::brute_force});
-    told.world().trace_to(out, {.write_shape = write_user_shape});
+    ScriptedWorld scripted({.broad_phase = BroadPhaseKind::brute_force});
+    scripted.world().trace_to(out, {.write_shape = write_user_shape});
     try {
-        for (const Call& call : script) tell(told, call, out);
-        told.world().end_trace();
+        for (const Call& call : script) apply(scripted, call, out);
+        scripted.world().end_trace();
     } catch (const std::exception& error) {
         fmt::print(out, "note here the world threw: {}\n", one_line(error.what()));
     }

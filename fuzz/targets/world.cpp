@@ -1,6 +1,6 @@
 // Calls of a world against the naive model: every pair of bodies asked of the oracle at every update.
 //
-// Two worlds are told the same, one of them with brute force; the first writes a trace, which is run again at the end.
+// Two worlds are given the same calls, one of them with brute force; the first writes a trace, which is run again at the end.
 #include <algorithm>
 #include <limits>
 #include <sstream>

@@ -93,7 +93,7 @@ TEST_F(Checks, WorldsThatWereToldSomethingElse) {
     World other;
     for (const double x : {0.0, 1.0, 3.5}) other.create_body(cube, at(x));
     other.update();
-    EXPECT_EQ(complaint([&] { check_same(world, other, counters); }), "worlds that were told the same");
+    EXPECT_EQ(complaint([&] { check_same(world, other, counters); }), "worlds given the same calls");
 }
 
 TEST_F(Checks, TracesOfShapesThatAreReadAsOthers) {

@@ -1,6 +1,7 @@
 // Scripts: generated, repaired, written and read, shrunk.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "environment/instruction_sets.hpp"
@@ -45,13 +46,21 @@ TEST_P(ProfileTest, RepairLeavesWhatIsWhole) {
     EXPECT_EQ(trace_of(repaired(script)), trace_of(script));
 }
 
-TEST(Play, WorldsAreToldAndAskedWithEveryInstructionSet) {
+// On this processor, whichever sets it has: the schedule is the one that schedule_test.cpp checks for all numbers of
+// sets.
+TEST(Play, WorldsAreUpdatedAndAskedEquallyOftenWithEveryInstructionSet) {
+    constexpr std::uint32_t script_count = 3;
     Counters counters;
-    for (std::uint32_t seed = 1; seed <= 3; ++seed) play(small_script("tiny", seed), {}, counters);
-    for (const InstructionSet set : environment::supported_instruction_sets()) {
-        const std::string name = environment::name(set);
-        EXPECT_GT(counters["updates with instructions of " + name], 0U);
-        EXPECT_GT(counters["checked: answers with instructions of " + name], 0U);
+    for (std::uint32_t seed = 1; seed <= script_count; ++seed) play(small_script("tiny", seed), {}, counters);
+    for (const std::string of : {"updates with instructions of ", "checked: answers with instructions of "}) {
+        std::vector<std::uint64_t> counts;
+        for (const InstructionSet set : environment::supported_instruction_sets()) {
+            counts.push_back(counters[of + environment::name(set)]);
+        }
+        const auto [least, most] = std::ranges::minmax(counts);
+        EXPECT_GT(least, 0U) << of;
+        // Each script begins with the first turn.
+        EXPECT_LE(most - least, script_count) << of;
     }
     EXPECT_EQ(instruction_set(), supported_instruction_set()) << "afterwards it is as it was";
 }
