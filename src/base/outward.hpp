@@ -1,6 +1,12 @@
-// Single precision, rounded outwards: what a tree's boxes are made of. By bits: no rounding mode takes part.
+// Doubles narrowed to single precision: outwards, which is how a tree's boxes are made, and to nearest.
+//
+// By the bits of the double: no rounding mode takes part, and no optimiser. That is needed. A conversion to float and
+// back is one that compilers drop: g++ 12, vectorising straight-line code, computes with the double that was not
+// rounded (with -O3, in places with -O2). A float compared with the double that it came from would then always equal
+// it, and a box could end inside what it is to contain.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -9,38 +15,76 @@
 
 namespace ecods {
 
-// The least float above x; infinity stays. Not for NaN.
-constexpr float next_up(float x) noexcept {
-    const std::uint32_t bits = std::bit_cast<std::uint32_t>(x);
-    if (bits == 0x7f800000u) return x;
-    if (bits << 1 == 0) return std::bit_cast<float>(std::uint32_t{1});
-    return std::bit_cast<float>(bits >> 31 ? bits - 1 : bits + 1);
-}
-
-// The greatest float below x; -infinity stays. Not for NaN.
-constexpr float next_down(float x) noexcept {
-    return -next_up(-x);
-}
-
 // The least normal float, which no processor takes for zero.
 inline constexpr float float_min = std::numeric_limits<float>::min();
 
-// A float that is not below x, whichever way the conversion rounds. Results below the normal ones become the least
-// normal one, or zero.
-inline float round_up(double x) noexcept {
-    if (x > -static_cast<double>(float_min) && x <= 0) return 0;
-    if (x > 0 && x < static_cast<double>(float_min)) return float_min;
-    const float f = static_cast<float>(x);
-    return static_cast<double>(f) < x ? next_up(f) : f;
+// The magnitude of a number is its bits without the sign. Magnitudes order as the numbers do.
+inline constexpr std::uint32_t float_infinity_magnitude = 0x7f800000u;
+inline constexpr std::uint32_t float_min_magnitude = std::bit_cast<std::uint32_t>(float_min);
+inline constexpr std::uint32_t float_max_magnitude = float_infinity_magnitude - 1;
+inline constexpr std::uint64_t double_infinity_magnitude = 0x7ff0000000000000u;
+
+// A double has 29 bits more behind the point, and a bias of the exponent that is greater by 1023 - 127.
+inline constexpr int narrowed_bits = 29;
+inline constexpr std::uint64_t narrowed_mask = (std::uint64_t{1} << narrowed_bits) - 1;
+inline constexpr std::uint64_t narrowed_bias = std::uint64_t{1023 - 127} << 52;
+
+// The magnitude of the double that equals a normal float.
+constexpr std::uint64_t widened(std::uint32_t magnitude) noexcept {
+    return (std::uint64_t{magnitude} << narrowed_bits) + narrowed_bias;
 }
 
-// A float that is not above x. Not by two negations: a compiler may drop them around a conversion, as if it rounded to
-// nearest.
-inline float round_down(double x) noexcept {
-    if (x >= 0 && x < static_cast<double>(float_min)) return 0;
-    if (x < 0 && x > -static_cast<double>(float_min)) return -float_min;
-    const float f = static_cast<float>(x);
-    return static_cast<double>(f) > x ? next_down(f) : f;
+constexpr std::uint64_t magnitude_of(double x) noexcept {
+    return std::bit_cast<std::uint64_t>(x) << 1 >> 1;
+}
+
+constexpr bool has_sign(double x) noexcept {
+    return std::bit_cast<std::uint64_t>(x) >> 63 != 0;
+}
+
+// The greatest magnitude of a float that is not above that of a double: zero or normal.
+constexpr std::uint32_t narrowed_inwards(std::uint64_t magnitude) noexcept {
+    if (magnitude < widened(float_min_magnitude)) return 0;
+    if (magnitude > widened(float_max_magnitude)) {
+        return magnitude == double_infinity_magnitude ? float_infinity_magnitude : float_max_magnitude;
+    }
+    return static_cast<std::uint32_t>((magnitude - narrowed_bias) >> narrowed_bits);
+}
+
+// The least that is not below it. A carry out of the fraction goes on into the exponent, as it should.
+constexpr std::uint32_t narrowed_outwards(std::uint64_t magnitude) noexcept {
+    if (magnitude == 0) return 0;
+    if (magnitude < widened(float_min_magnitude)) return float_min_magnitude;
+    if (magnitude > widened(float_max_magnitude)) return float_infinity_magnitude;
+    return static_cast<std::uint32_t>((magnitude - narrowed_bias + narrowed_mask) >> narrowed_bits);
+}
+
+// The negative of a float that is given by its magnitude; of zero, zero.
+constexpr float negated(std::uint32_t magnitude) noexcept {
+    return std::bit_cast<float>(magnitude == 0 ? 0 : magnitude | 0x80000000u);
+}
+
+// The least float, zero or normal or infinite, that is not below x. Not for NaN.
+constexpr float round_up(double x) noexcept {
+    const std::uint64_t magnitude = magnitude_of(x);
+    return has_sign(x) ? negated(narrowed_inwards(magnitude)) : std::bit_cast<float>(narrowed_outwards(magnitude));
+}
+
+// The greatest that is not above x. Not for NaN.
+constexpr float round_down(double x) noexcept {
+    const std::uint64_t magnitude = magnitude_of(x);
+    return has_sign(x) ? negated(narrowed_outwards(magnitude)) : std::bit_cast<float>(narrowed_inwards(magnitude));
+}
+
+// The float nearest to x, the even one of two; zero where it would be below the normal ones. Not for NaN. For floats
+// that are read as doubles afterwards.
+constexpr float round_to_nearest(double x) noexcept {
+    const std::uint64_t magnitude = magnitude_of(x);
+    if (magnitude < widened(float_min_magnitude)) return 0;
+    const std::uint64_t is_odd = magnitude >> narrowed_bits & 1;
+    const std::uint64_t rounded = (magnitude - narrowed_bias + (narrowed_mask >> 1) + is_odd) >> narrowed_bits;
+    const auto narrowed = static_cast<std::uint32_t>(std::min<std::uint64_t>(rounded, float_infinity_magnitude));
+    return has_sign(x) ? negated(narrowed) : std::bit_cast<float>(narrowed);
 }
 
 }  // namespace ecods

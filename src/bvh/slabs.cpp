@@ -24,7 +24,7 @@ void set_corners(TreeLeaf& leaf, const Mesh& mesh, const LocalFrame& frame) {
             // Without bounds no coordinate is used.
             const Vec3 y = frame.is_bounded ? frame.coordinates(v) : Vec3(0, 0, 0);
             for (std::size_t k = 0; k < 3; ++k) {
-                leaf.corner[corner][k][lane] = static_cast<float>(y[static_cast<Eigen::Index>(k)]);
+                leaf.corner[corner][k][lane] = round_to_nearest(y[static_cast<Eigen::Index>(k)]);
             }
         }
     }
@@ -48,7 +48,7 @@ Slab slab_of(std::span<const TreeLeaf> leaves, const Vec3& area) {
     Slab slab{};
     if (length > 0) {
         for (std::size_t k = 0; k < 3; ++k) {
-            slab.normal[k] = static_cast<float>(area[static_cast<Eigen::Index>(k)] / length);
+            slab.normal[k] = round_to_nearest(area[static_cast<Eigen::Index>(k)] / length);
         }
     }
     const auto& n = slab.normal;
