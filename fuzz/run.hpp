@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/counters.hpp"
+#include "fuzz/base/counters.hpp"
 #include "fuzz/script/play.hpp"
 
 namespace ecods::fuzz {

@@ -11,7 +11,7 @@
 #include "ecods/replay.hpp"
 #include "ecods/world.hpp"
 #include "fuzz/checks/truth.hpp"
-#include "fuzz/counters.hpp"
+#include "fuzz/base/counters.hpp"
 
 namespace ecods::fuzz {
 

@@ -3,7 +3,7 @@
 
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/checks/text.hpp"
-#include "fuzz/failure.hpp"
+#include "fuzz/base/failure.hpp"
 
 namespace ecods::fuzz {
 

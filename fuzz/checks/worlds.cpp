@@ -4,7 +4,7 @@
 
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/checks/text.hpp"
-#include "fuzz/failure.hpp"
+#include "fuzz/base/failure.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::fuzz {

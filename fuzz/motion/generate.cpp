@@ -12,7 +12,7 @@
 #include "fuzz/motion/meshes.hpp"
 #include "fuzz/motion/numbers.hpp"
 #include "fuzz/motion/poses.hpp"
-#include "fuzz/user_shape.hpp"
+#include "fuzz/base/user_shape.hpp"
 
 namespace ecods::fuzz {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "fuzz/counters.hpp"
+#include "fuzz/base/counters.hpp"
 #include "fuzz/motion/profile.hpp"
 #include "fuzz/script/script.hpp"
 

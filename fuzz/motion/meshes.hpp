@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "ecods/mesh.hpp"
-#include "fuzz/counters.hpp"
+#include "fuzz/base/counters.hpp"
 #include "fuzz/motion/profile.hpp"
 #include "scenes/random.hpp"
 

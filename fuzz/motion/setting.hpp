@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "fuzz/counters.hpp"
+#include "fuzz/base/counters.hpp"
 #include "fuzz/motion/profile.hpp"
 #include "fuzz/script/script.hpp"
 #include "scenes/random.hpp"

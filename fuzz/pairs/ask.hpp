@@ -8,7 +8,7 @@
 #include "ecods/mesh.hpp"
 #include "ecods/predicates.hpp"
 #include "exact/simplex/body_pair.hpp"
-#include "fuzz/pairs/float_mode.hpp"
+#include "fuzz/base/float_mode.hpp"
 #include "scenes/hard_pairs.hpp"
 
 namespace ecods::fuzz {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "exact/simplex/body_pair.hpp"
-#include "fuzz/counters.hpp"
+#include "fuzz/base/counters.hpp"
 
 namespace ecods::fuzz {
 

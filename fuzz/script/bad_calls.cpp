@@ -6,7 +6,7 @@
 #include <span>
 
 #include "fuzz/checks/text.hpp"
-#include "fuzz/failure.hpp"
+#include "fuzz/base/failure.hpp"
 
 namespace ecods::fuzz {
 namespace {

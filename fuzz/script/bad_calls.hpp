@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/counters.hpp"
+#include "fuzz/base/counters.hpp"
 #include "fuzz/script/scene.hpp"
 
 namespace ecods::fuzz {

@@ -12,11 +12,11 @@
 
 #include "environment/instruction_sets.hpp"
 #include "fuzz/checks/checks.hpp"
-#include "fuzz/failure.hpp"
-#include "fuzz/pairs/float_mode.hpp"
+#include "fuzz/base/failure.hpp"
+#include "fuzz/base/float_mode.hpp"
 #include "fuzz/script/bad_calls.hpp"
 #include "fuzz/script/schedule.hpp"
-#include "unit/world/thread_executor.hpp"
+#include "scenes/thread_executor.hpp"
 
 namespace ecods::fuzz {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "fuzz/counters.hpp"
+#include "fuzz/base/counters.hpp"
 #include "fuzz/script/scene.hpp"
 #include "fuzz/script/script.hpp"
 

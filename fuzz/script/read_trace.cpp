@@ -5,7 +5,7 @@
 
 #include "ecods/error.hpp"
 #include "fuzz/script/trace.hpp"
-#include "fuzz/user_shape.hpp"
+#include "fuzz/base/user_shape.hpp"
 #include "trace/trace_lines.hpp"
 #include "trace/trace_text.hpp"
 

@@ -5,9 +5,9 @@
 
 #include "environment/instruction_sets.hpp"
 #include "fuzz/checks/text.hpp"
-#include "fuzz/failure.hpp"
+#include "fuzz/base/failure.hpp"
 #include "fuzz/script/schedule.hpp"
-#include "unit/world/thread_executor.hpp"
+#include "scenes/thread_executor.hpp"
 
 namespace ecods::fuzz {
 namespace {

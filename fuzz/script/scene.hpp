@@ -7,9 +7,9 @@
 
 #include "simd/instruction_set.hpp"
 #include "ecods/world.hpp"
-#include "fuzz/counters.hpp"
+#include "fuzz/base/counters.hpp"
 #include "fuzz/script/script.hpp"
-#include "fuzz/user_shape.hpp"
+#include "fuzz/base/user_shape.hpp"
 
 namespace ecods::fuzz {
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "fuzz/checks/checks.hpp"
-#include "fuzz/failure.hpp"
-#include "fuzz/user_shape.hpp"
+#include "fuzz/base/failure.hpp"
+#include "fuzz/base/user_shape.hpp"
 #include "scenes/shapes.hpp"
 
 namespace ecods::fuzz {

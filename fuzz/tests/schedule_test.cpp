@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "fuzz/pairs/float_mode.hpp"
+#include "fuzz/base/float_mode.hpp"
 
 namespace ecods::fuzz {
 namespace {

@@ -3,58 +3,32 @@
 #include <algorithm>
 #include <functional>
 #include <regex>
-#include <set>
 #include <sstream>
 
+#include "tidy/edges.hpp"
 #include "tidy/text_rules.hpp"
 
 namespace ecods::tidy {
 namespace {
 
-// The layers, from the bottom.
-const std::map<std::string, int, std::less<>> layer_ranks = {
-    {"base", 0}, {"geometry", 1}, {"exact", 2}, {"bounds", 3}, {"narrow_phase", 4}, {"broad_phase", 5}, {"world", 6},
+// Where third parties may be used, by how their headers begin. Those that are not here may be used by everything but
+// the library.
+const std::vector<std::pair<std::string_view, std::vector<std::string_view>>> third_party_places = {
+    {"CGAL/", {"verify/oracle", "verify/unit", "bench/engines", "bench/suites"}},
+    {"fcl/", {"bench/engines", "bench/report", "bench/suites", "fuzz/engines"}},
+    {"gmp", {"verify/oracle", "verify/unit", "fuzz/targets"}},
+    {"BulletCollision/", {"bench/engines"}},
+    {"bt", {"bench/engines"}},
+    {"ode/", {"bench/engines"}},
+    {"embree3/", {"bench/engines"}},
 };
 
-// A public header belongs to the layer that implements it; ecods.hpp is all of them.
-const std::map<std::string, int, std::less<>> header_ranks = {
-    {"ids.hpp", 0},
-    {"error.hpp", 0},
-    {"version.hpp", 0},
-    {"pose.hpp", 1},
-    {"mesh.hpp", 1},
-    {"predicates.hpp", 2},
-    {"aabb.hpp", 3},
-    {"shape.hpp", 4},
-    {"intersection.hpp", 4},
-    {"broad_phase.hpp", 5},
-    {"collision_filter.hpp", 6},
-    {"executor.hpp", 6},
-    {"trace.hpp", 6},
-    {"world.hpp", 6},
-    {"replay.hpp", 6},
-    {"ecods.hpp", 7},
-};
-
-// What the oracle may know of the library.
-const std::set<std::string, std::less<>> plain_data = {"aabb.hpp", "error.hpp", "ids.hpp",
-                                                       "mesh.hpp", "pose.hpp",  "predicates.hpp"};
-
-template <class Ranks>
-std::optional<int> find_rank(const Ranks& ranks, std::string_view name) {
-    const auto at = ranks.find(name);
-    if (at == ranks.end()) return std::nullopt;
-    return at->second;
+bool is_below(std::string_view file, std::string_view folder) {
+    return file.starts_with(folder) && file.size() > folder.size() && file[folder.size()] == '/';
 }
 
-// The part of a path after a leading folder, or nothing when it does not lead there.
-std::optional<std::string_view> below(std::string_view path, std::string_view folder) {
-    if (!path.starts_with(folder)) return std::nullopt;
-    return path.substr(folder.size());
-}
-
-std::string_view first_part(std::string_view path) {
-    return path.substr(0, path.find('/'));
+bool is_library(std::string_view file) {
+    return is_below(file, "src") || is_below(file, "include");
 }
 
 // Standard headers have neither a folder nor an ending: <vector>, <cmath>.
@@ -62,46 +36,29 @@ bool is_standard(std::string_view path) {
     return path.find_first_of("/.") == std::string_view::npos;
 }
 
-std::optional<std::string> check_third_party(std::string_view path, bool may_use_highway) {
-    if (is_standard(path) || path.starts_with("Eigen/")) return std::nullopt;
-    if (may_use_highway && path.starts_with("hwy/")) return std::nullopt;
-    return "uses a third party that the installed library does not";
-}
-
-std::optional<std::string> check_public_header(int rank, const Include& include) {
-    if (include.is_angled) return check_third_party(include.path, false);
-    const auto header = below(include.path, "ecods/");
-    if (!header) return "a public header includes public headers only";
-    const auto other = find_rank(header_ranks, *header);
-    if (!other) return "includes a public header without a rank";
-    if (*other > rank) return "includes a higher layer";
-    return std::nullopt;
-}
-
-std::optional<std::string> check_source(std::string_view layer, int rank, const Include& include) {
-    if (include.is_angled) return check_third_party(include.path, true);
-    if (const auto header = below(include.path, "ecods/")) {
-        const auto other = find_rank(header_ranks, *header);
-        if (!other) return "includes a public header without a rank";
-        if (*other > rank) return "includes a higher layer";
-        return std::nullopt;
+std::optional<std::string> check_third_party(std::string_view file, std::string_view path) {
+    if (is_library(file)) {
+        if (is_standard(path) || path.starts_with("Eigen/")) return std::nullopt;
+        return "uses a third party that the installed library does not";
     }
-    const std::string_view other_layer = first_part(include.path);
-    const auto other = find_rank(layer_ranks, other_layer);
-    if (!other) return "includes what is neither a layer nor public (paths start at src)";
-    if (*other > rank) return "includes a higher layer";
-    if (*other == rank && other_layer != layer) return "includes another layer of its own rank";
-    return std::nullopt;
-}
-
-std::optional<std::string> check_oracle(const Include& include) {
-    const std::string_view path = include.path;
-    if (const auto header = below(path, "ecods/")) {
-        if (!plain_data.contains(*header)) return "the oracle uses public headers of plain data only";
-    } else if (layer_ranks.contains(first_part(path)) || path.find("src/") != std::string_view::npos) {
-        return "the oracle shares no code with src";
+    for (const auto& [beginning, places] : third_party_places) {
+        if (!path.starts_with(beginning)) continue;
+        const bool is_place =
+            std::ranges::any_of(places, [&](std::string_view place) { return is_below(file, place); });
+        if (!is_place) return "uses a third party outside its places";
     }
     return std::nullopt;
+}
+
+bool may_include(const Room& room, std::string_view target) {
+    const Room* other = find_room(target);
+    if (other == &room) return true;
+    const bool is_public = is_below(target, "include");
+    return std::ranges::any_of(room.below, [&](std::string_view name) {
+        if (name == "include") return is_public;
+        if (name == "include/plain") return is_plain_header(target);
+        return other != nullptr && other->folder == name;
+    });
 }
 
 }  // namespace
@@ -120,26 +77,43 @@ std::vector<Include> find_includes(std::string_view text) {
     return includes;
 }
 
-std::optional<std::string> check_include(std::string_view file, const Include& include) {
-    if (const auto header = below(file, "include/ecods/")) {
-        return check_public_header(find_rank(header_ranks, *header).value_or(-1), include);
+std::optional<std::string> resolve(const Files& files, std::string_view file, const Include& include) {
+    const std::string own_folder(file.substr(0, file.rfind('/') + 1));
+    for (const std::string& place : {own_folder, std::string("src/"), std::string("include/"), std::string("verify/"),
+                                     std::string(), std::string("bench/")}) {
+        const bool is_own_of_library = is_library(file) && place == own_folder;
+        const auto found = files.find(place + include.path);
+        if (found != files.end() && !is_own_of_library) return *found;
     }
-    if (const auto source = below(file, "src/")) {
-        const std::string_view layer = first_part(*source);
-        return check_source(layer, find_rank(layer_ranks, layer).value_or(-1), include);
+    return std::nullopt;
+}
+
+std::optional<std::string> check_include(const Files& files, std::string_view file, const Include& include) {
+    const Room* room = find_room(file);
+    if (room == nullptr) return "is in no room";
+    if (include.is_angled && !include.path.starts_with("ecods/")) return check_third_party(file, include.path);
+    const auto target = resolve(files, file, include);
+    if (!target) return "includes a file that there is not (paths start at a root)";
+    if (is_below(file, "include") && !is_below(*target, "include"))
+        return "a public header includes public headers only";
+    if (!may_include(*room, *target)) {
+        return "includes a room that the table does not allow to " + std::string(room->folder);
     }
-    if (file.starts_with("verify/oracle/")) return check_oracle(include);
     return std::nullopt;
 }
 
 std::optional<std::string> check_place(std::string_view file) {
-    if (!file.ends_with(".hpp") && !file.ends_with(".cpp")) return std::nullopt;
-    if (const auto header = below(file, "include/")) {
-        const auto name = below(*header, "ecods/");
-        if (!name || !header_ranks.contains(*name)) return "is a public header without a rank";
-    }
-    if (const auto source = below(file, "src/")) {
-        if (!layer_ranks.contains(first_part(*source))) return "is in no layer";
+    if (find_room(file) == nullptr) return "is in no room of the table";
+    return std::nullopt;
+}
+
+std::optional<std::string> check_rooms() {
+    std::set<std::string_view> known = {"include/plain"};
+    for (const Room& room : rooms()) {
+        for (const std::string_view below : room.below) {
+            if (!known.contains(below)) return std::string(room.folder) + " names " + std::string(below);
+        }
+        if (!known.insert(room.folder).second) return std::string(room.folder) + " is there twice";
     }
     return std::nullopt;
 }

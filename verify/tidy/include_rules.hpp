@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,17 +19,24 @@ struct Include {
 // The include directives of a source text, in order. Those in comments do not count.
 std::vector<Include> find_includes(std::string_view text);
 
-// What is wrong with a file of include/ecods, src or verify/oracle including another; nothing when all is well. Paths
-// are relative to the repository's root. Files elsewhere may include what they like.
-//
-// * A file includes files of lower rank, files of its own layer, and public headers up to its own rank.
-// * A public header includes public headers only.
-// * The oracle shares no code with src, and of the public headers uses those of plain data.
-// * Of third parties, include and src use Eigen; src also Highway (hwy).
-std::optional<std::string> check_include(std::string_view file, const Include& include);
+// All source files of the repository, by their path from its root.
+using Files = std::set<std::string, std::less<>>;
 
-// What is wrong with the file itself: a folder of src or a public header that has no rank.
+// The file that an include of `file` names: one of its own folder, or a path from the root, src, include, verify or
+// bench. Nothing: none of `files`.
+std::optional<std::string> resolve(const Files& files, std::string_view file, const Include& include);
+
+// What is wrong with a file including another, or nothing. Files include their own room and the rooms that edges.cpp
+// allows; include and src use no third party but Eigen, and the other third parties have the places that
+// include_rules.cpp lists.
+std::optional<std::string> check_include(const Files& files, std::string_view file, const Include& include);
+
+// What is wrong with the place of the file itself: it is in no room.
 std::optional<std::string> check_place(std::string_view file);
+
+// What is wrong with the table of rooms, or nothing: a row that names itself, a row below it, or a room that there is
+// not.
+std::optional<std::string> check_rooms();
 
 // The files of a cycle of includes, or none. The graph maps each file to those that it includes.
 std::vector<std::string> find_cycle(const std::map<std::string, std::vector<std::string>>& graph);

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <set>
 
+#include "tidy/edges.hpp"
 #include "tidy/include_rules.hpp"
 #include "tidy/text_rules.hpp"
 
@@ -59,30 +60,45 @@ TEST(Tree, TopLevelFoldersAreTheAgreedOnes) {
     for (const auto& folder : folders) EXPECT_TRUE(fs::is_directory(root / folder)) << folder;
 }
 
-TEST(Tree, FilesIncludeNoHigherLayer) {
+Files all_files() {
+    const auto files = sources_in(folders);
+    return {files.begin(), files.end()};
+}
+
+TEST(Tree, RoomsAreInOrder) {
+    EXPECT_EQ(check_rooms().value_or(""), "");
+}
+
+TEST(Tree, FilesIncludeOnlyRoomsThatTheTableAllows) {
+    const Files files = all_files();
     int count = 0;
-    for (const auto& file : sources_in({"include", "src", "verify/oracle"})) {
+    for (const auto& file : files) {
         if (const auto wrong = check_place(file)) ADD_FAILURE() << file << " " << *wrong;
         for (const Include& include : find_includes(read(root / file))) {
-            if (const auto wrong = check_include(file, include)) {
+            if (const auto wrong = check_include(files, file, include)) {
                 ADD_FAILURE() << file << ":" << include.line << ": " << include.path << ": " << *wrong;
             }
             ++count;
         }
     }
-    EXPECT_GT(count, 50) << "the files were not found";
+    EXPECT_GT(count, 1000) << "the files were not found";
+}
+
+TEST(Tree, EveryRoomIsUsed) {
+    const Files files = all_files();
+    for (const Room& room : rooms()) {
+        const bool has_file = std::ranges::any_of(files, [&](const auto& file) { return find_room(file) == &room; });
+        EXPECT_TRUE(has_file) << room.folder;
+    }
 }
 
 TEST(Tree, IncludesMakeNoCycle) {
+    const Files files = all_files();
     std::map<std::string, std::vector<std::string>> graph;
-    for (const auto& file : sources_in({"include", "src"})) {
+    for (const auto& file : files) {
         auto& includes = graph[file];
         for (const Include& include : find_includes(read(root / file))) {
-            for (const std::string place : {"include/", "src/"}) {
-                if (!include.is_angled && fs::exists(root / (place + include.path))) {
-                    includes.push_back(place + include.path);
-                }
-            }
+            if (auto target = resolve(files, file, include)) includes.push_back(std::move(*target));
         }
     }
     std::string cycle;
@@ -93,6 +109,13 @@ TEST(Tree, IncludesMakeNoCycle) {
 TEST(Tree, NoFileIsLong) {
     for (const auto& file : sources_in(folders)) {
         EXPECT_LE(count_lines(read(root / file)), lines_max) << file;
+    }
+}
+
+TEST(Tree, VectorTypesAreSpelledInOneRoom) {
+    for (const auto& file : sources_in(folders)) {
+        if (file.starts_with("src/simd/") || file.starts_with("verify/tidy/")) continue;
+        EXPECT_EQ(without_comments(read(root / file)).find("vector_size"), std::string::npos) << file;
     }
 }
 

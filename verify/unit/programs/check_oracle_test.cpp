@@ -1,5 +1,5 @@
 // The judge must notice wrong answers, of each kind. The library gives none, so they are made here.
-#include "check_oracle.hpp"
+#include "programs/check_oracle.hpp"
 
 #include <gtest/gtest.h>
 

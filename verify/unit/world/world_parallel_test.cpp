@@ -7,7 +7,7 @@
 #include "ecods/world.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
-#include "unit/world/thread_executor.hpp"
+#include "scenes/thread_executor.hpp"
 #include "unit/world/world_fixture.hpp"
 
 namespace ecods {

@@ -1,4 +1,4 @@
-#include "fuzz/user_shape.hpp"
+#include "fuzz/base/user_shape.hpp"
 
 #include <sstream>
 #include <vector>

@@ -1,0 +1,157 @@
+#include "tidy/edges.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace ecods::tidy {
+namespace {
+
+// The public headers, each in the lowest room that uses its words.
+const std::map<std::string_view, std::string_view> header_rooms = {
+    {"error.hpp", "src/base"},
+    {"ids.hpp", "src/base"},
+    {"version.hpp", "src/base"},
+    {"collision_filter.hpp", "src/base"},
+    {"instruction_set.hpp", "src/simd"},
+    {"aabb.hpp", "src/geometry"},
+    {"mesh.hpp", "src/geometry"},
+    {"pose.hpp", "src/geometry"},
+    {"predicates.hpp", "src/exact/sign"},
+    {"shape.hpp", "src/query/shape"},
+    {"intersection.hpp", "src/query/intersection"},
+    {"broad_phase.hpp", "src/broad_phase/changes"},
+    {"trace.hpp", "src/trace"},
+    {"executor.hpp", "src/world"},
+    {"world.hpp", "src/world"},
+    {"replay.hpp", "src/trace/replay"},
+    {"ecods.hpp", "include"},
+};
+
+const std::set<std::string_view> plain_headers = {"aabb.hpp", "error.hpp", "ids.hpp",
+                                                  "mesh.hpp", "pose.hpp",  "predicates.hpp"};
+
+constexpr std::string_view public_folder = "include/ecods/";
+
+}  // namespace
+
+const std::vector<Room>& rooms() {
+    static const std::vector<Room> table = {
+        // The library.
+        {"src/base", {}},
+        {"src/simd", {"src/base"}},
+        {"src/geometry", {"src/base", "src/simd"}},
+        {"src/exact/number", {"src/base"}},
+        {"src/exact/point", {"src/base", "src/simd", "src/geometry", "src/exact/number"}},
+        {"src/exact/sign", {"src/base", "src/simd", "src/geometry", "src/exact/number", "src/exact/point"}},
+        {"src/exact/simplex",
+         {"src/base", "src/simd", "src/geometry", "src/exact/number", "src/exact/point", "src/exact/sign"}},
+        {"src/bounds",
+         {"src/base", "src/simd", "src/geometry", "src/exact/number", "src/exact/point", "src/exact/sign"}},
+        {"src/bvh", {"src/base", "src/simd", "src/geometry", "src/bounds"}},
+        {"src/query/shape", {"src/base", "src/geometry", "src/exact/point", "src/exact/sign", "src/bounds", "src/bvh"}},
+        {"src/query/intersection",
+         {"src/base", "src/simd", "src/geometry", "src/exact/point", "src/exact/sign", "src/exact/simplex", "src/bvh",
+          "src/query/shape"}},
+        {"src/broad_phase/changes", {"src/base", "src/simd", "src/geometry"}},
+        {"src/broad_phase/boxes", {"src/base", "src/simd", "src/geometry", "src/bvh"}},
+        {"src/broad_phase/sweep",
+         {"src/base", "src/simd", "src/geometry", "src/broad_phase/changes", "src/broad_phase/boxes"}},
+        {"src/broad_phase/candidates",
+         {"src/base", "src/simd", "src/geometry", "src/broad_phase/changes", "src/broad_phase/boxes"}},
+        {"src/broad_phase",
+         {"src/base", "src/geometry", "src/broad_phase/changes", "src/broad_phase/sweep",
+          "src/broad_phase/candidates"}},
+        {"src/trace", {"src/base", "src/geometry", "src/query/shape", "src/broad_phase/changes"}},
+        {"src/world",
+         {"src/base", "src/geometry", "src/exact/sign", "src/query/shape", "src/query/intersection",
+          "src/broad_phase/changes", "src/trace"}},
+        {"src/trace/replay", {"src/base", "src/geometry", "src/trace", "src/world"}},
+        {"include",
+         {"src/base", "src/simd", "src/geometry", "src/exact/sign", "src/query/shape", "src/query/intersection",
+          "src/broad_phase/changes", "src/trace", "src/world", "src/trace/replay"}},
+
+        // What checks it, and is not installed.
+        {"verify/process", {}},
+        {"verify/oracle", {"include/plain"}},
+        {"verify/scenes", {"include"}},
+        {"verify/exhaustive", {"include", "verify/oracle"}},
+        {"verify/environment", {"include", "src/base", "src/simd", "src/exact/simplex", "verify/scenes"}},
+        {"verify/threads", {"include"}},
+        {"verify/programs",
+         {"include", "src/simd", "verify/process", "verify/oracle", "verify/scenes", "verify/environment"}},
+        {"verify/tidy", {}},
+        {"verify/consumer", {"include"}},
+        {"verify/unit/base", {"include", "src/base", "src/simd", "verify/environment"}},
+        {"verify/unit/simd", {"include", "src/base", "src/simd", "verify/environment"}},
+        {"verify/unit/geometry", {"include", "src/base", "src/geometry", "verify/scenes"}},
+        {"verify/unit/exact",
+         {"include", "src/base", "src/simd", "src/geometry", "src/exact/number", "src/exact/point", "src/exact/sign",
+          "src/exact/simplex", "verify/oracle", "verify/scenes", "verify/environment"}},
+        {"verify/unit/bounds", {"include", "src/base", "src/bounds", "verify/oracle", "verify/scenes"}},
+        {"verify/unit/bvh", {"include", "src/base", "src/bvh", "verify/oracle", "verify/scenes", "verify/environment"}},
+        {"verify/unit/query", {"include", "verify/oracle", "verify/scenes", "verify/environment"}},
+        {"verify/unit/broad_phase",
+         {"include", "src/base", "src/geometry", "src/broad_phase/changes", "src/broad_phase/boxes",
+          "src/broad_phase/sweep", "src/broad_phase/candidates", "src/broad_phase", "verify/scenes"}},
+        {"verify/unit/world", {"include", "src/base", "src/world", "verify/oracle", "verify/scenes"}},
+        {"verify/unit/trace", {"include", "src/trace", "verify/scenes", "verify/unit/world"}},
+        {"verify/unit/oracle", {"include", "verify/oracle", "verify/scenes", "verify/exhaustive"}},
+        {"verify/unit/scenes", {"include", "verify/oracle", "verify/scenes"}},
+        {"verify/unit/process", {"verify/process"}},
+        {"verify/unit/programs", {"include", "verify/process", "verify/scenes", "verify/programs"}},
+        {"verify/property", {"include", "verify/scenes", "verify/environment", "verify/unit/broad_phase"}},
+
+        // What tries to prove it wrong.
+        {"fuzz/base", {"include", "src/trace", "verify/process"}},
+        {"fuzz/pairs", {"include", "src/exact/simplex", "verify/oracle", "verify/scenes", "fuzz/base"}},
+        {"fuzz/checks", {"include", "verify/oracle", "verify/scenes", "fuzz/base"}},
+        {"fuzz/script",
+         {"include", "src/simd", "src/trace", "verify/scenes", "verify/environment", "fuzz/base", "fuzz/checks"}},
+        {"fuzz/motion", {"include", "verify/scenes", "fuzz/base", "fuzz/script"}},
+        {"fuzz/shrink", {"include", "fuzz/script"}},
+        {"fuzz/targets", {"include", "verify/oracle", "verify/scenes"}},
+        {"fuzz/tests",
+         {"include", "verify/scenes", "verify/environment", "verify/unit/programs", "fuzz/base", "fuzz/checks",
+          "fuzz/script", "fuzz/motion", "fuzz/shrink"}},
+        {"fuzz", {"include", "verify/process", "fuzz/base", "fuzz/pairs", "fuzz/script", "fuzz/motion", "fuzz/shrink"}},
+
+        // What measures it.
+        {"bench/engines", {"include", "src/simd", "verify/scenes"}},
+        {"bench/harness", {"include", "verify/process", "verify/oracle", "bench/engines"}},
+        {"bench/report",
+         {"include", "src/simd", "verify/process", "verify/scenes", "verify/environment", "bench/harness"}},
+        {"bench/suites",
+         {"include", "src/exact/point", "src/exact/sign", "src/exact/simplex", "verify/process", "verify/oracle",
+          "verify/scenes", "bench/engines", "bench/harness", "bench/report"}},
+        {"bench/micro", {"include", "src/exact/simplex", "src/bounds", "src/bvh", "verify/scenes"}},
+        {"bench", {"include", "verify/process", "bench/report", "bench/suites"}},
+        {"fuzz/engines",
+         {"include", "verify/process", "verify/oracle", "verify/scenes", "bench/engines", "bench/harness"}},
+    };
+    return table;
+}
+
+const Room* find_room(std::string_view file) {
+    std::string_view place = file;
+    if (file.starts_with(public_folder)) {
+        const auto at = header_rooms.find(file.substr(public_folder.size()));
+        if (at == header_rooms.end()) return nullptr;
+        place = at->second;
+    } else if (file.starts_with("include/")) {
+        return nullptr;
+    }
+    const Room* found = nullptr;
+    for (const Room& room : rooms()) {
+        const bool leads_there =
+            place.starts_with(room.folder) && (place.size() == room.folder.size() || place[room.folder.size()] == '/');
+        if (leads_there && (found == nullptr || room.folder.size() > found->folder.size())) found = &room;
+    }
+    return found;
+}
+
+bool is_plain_header(std::string_view file) {
+    return file.starts_with(public_folder) && plain_headers.contains(file.substr(public_folder.size()));
+}
+
+}  // namespace ecods::tidy
