@@ -1,7 +1,6 @@
 #include "suites/predicate_engines.hpp"
 
 #include <array>
-#include <numeric>
 
 #include "exact/point/pose_point.hpp"
 #include "exact/simplex/triangle_pair.hpp"
@@ -9,33 +8,20 @@
 namespace ecods::bench {
 namespace {
 
-// What depends on the mesh only; the library makes it once, with the tree.
-struct Prepared {
-    exact::MeshExtent extent;
-    std::vector<exact::TriangleBlock> blocks;
-
-    explicit Prepared(const Mesh& mesh) : extent(exact::measure(mesh)) {
-        std::vector<std::uint32_t> order(mesh.triangles().size());
-        std::iota(order.begin(), order.end(), 0u);
-        blocks = exact::make_blocks(mesh, order);
-    }
-};
-
 // Binds the bodies of each task in turn and has `answer` decide its pairs. What depends on meshes only is made when a
 // scene is first seen.
 template <class Answer>
 void for_each_task(const PredicateScene& scene, exact::BodyPair& bodies, Answer&& answer) {
     static thread_local const PredicateScene* prepared_scene = nullptr;
-    static thread_local std::vector<Prepared> prepared;
+    static thread_local std::vector<exact::MeshExtent> extents;
     if (prepared_scene != &scene) {
-        prepared.clear();
-        for (const PredicateBody& body : scene.bodies) prepared.emplace_back(*body.mesh);
+        extents.clear();
+        for (const PredicateBody& body : scene.bodies) extents.push_back(exact::measure(*body.mesh));
         prepared_scene = &scene;
     }
     for (const PredicateTask& task : scene.tasks) {
         const auto side = [&](std::size_t i) {
-            return exact::BodySide{scene.bodies[i].mesh.get(), &prepared[i].extent, &scene.bodies[i].pose,
-                                   prepared[i].blocks};
+            return exact::BodySide{scene.bodies[i].mesh.get(), &extents[i], &scene.bodies[i].pose};
         };
         bodies.bind(side(task.a), side(task.b));
         answer(task);
@@ -60,29 +46,6 @@ Answers decide_exactly(const PredicateScene& scene, exact::StageCounts* counts) 
         }
     });
     if (counts != nullptr) *counts = bodies.counts();
-    return answers;
-}
-
-Answers decide_by_batches(const PredicateScene& scene) {
-    Answers answers;
-    answers.reserve(scene.pair_count());
-    exact::BodyPair& bodies = shared_pair();
-    for_each_task(scene, bodies, [&](const PredicateTask& task) {
-        // Pairs are ascending, so those of one triangle and one block are next to each other, in the order of lanes.
-        for (auto begin = task.pairs.begin(); begin != task.pairs.end();) {
-            const auto block = static_cast<std::uint32_t>(begin->b / exact::lane_count);
-            std::uint32_t lanes = 0;
-            auto end = begin;
-            for (; end != task.pairs.end() && end->a == begin->a && end->b / exact::lane_count == block; ++end) {
-                lanes |= 1u << end->b % exact::lane_count;
-            }
-            std::array<Relation, exact::lane_count> relations;
-            bodies.relations(begin->a, block, lanes, relations);
-            for (; begin != end; ++begin) {
-                answers.push_back(relations[begin->b % exact::lane_count] != Relation::disjoint);
-            }
-        }
-    });
     return answers;
 }
 

@@ -16,9 +16,6 @@ using Answers = std::vector<std::uint8_t>;
 // The library's exact layer; `counts` says which stage decided.
 Answers decide_exactly(const PredicateScene& scene, exact::StageCounts* counts = nullptr);
 
-// The same by batches: one triangle against up to eight of a block.
-Answers decide_by_batches(const PredicateScene& scene);
-
 // The same code without filter and exact stage: plain double, taken at face value.
 Answers decide_plainly(const PredicateScene& scene);
 

@@ -37,23 +37,15 @@ struct MeshPair {
 // The triangles of one mesh against those of the other, as a pair on its own.
 scenes::PosedPair triangle_pair_of(const MeshPair& meshes, std::uint32_t a, std::uint32_t b);
 
-// What a BodyPair wants to know of two meshes, for as long as it is asked about them. Blocks hold the triangles from
-// the last to the first.
+// The extents of two meshes, for as long as a BodyPair is asked about them.
 class BoundMeshes {
   public:
     explicit BoundMeshes(const MeshPair& meshes);
     void bind(exact::BodyPair& bodies, const MeshPair& meshes, bool is_swapped) const;
 
-    // The blocks of the mesh that is bound second.
-    const std::vector<exact::TriangleBlock>& second_blocks(bool is_swapped) const {
-        return is_swapped ? blocks_a_ : blocks_b_;
-    }
-
   private:
     exact::MeshExtent extent_a_;
     exact::MeshExtent extent_b_;
-    std::vector<exact::TriangleBlock> blocks_a_;
-    std::vector<exact::TriangleBlock> blocks_b_;
 };
 
 }  // namespace ecods::fuzz

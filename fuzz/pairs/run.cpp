@@ -116,39 +116,19 @@ class Run {
         return Mesh::create(std::move(vertices), std::move(triangles));
     }
 
-    struct Found {
-        const char* path;
-        std::vector<Relation> relations;  // of triangle i of mesh a with j of mesh b, at i * count + j
-    };
-
-    // Asks one by one, and by eight at once for some of the lanes.
-    std::array<Found, 2> ask_meshes(const MeshPair& meshes, const BoundMeshes& bound, const FloatMode& mode,
-                                    bool is_swapped) {
+    // The relations of triangle i of mesh a with j of mesh b, at i * count + j.
+    std::vector<Relation> ask_meshes(const MeshPair& meshes, const BoundMeshes& bound, const FloatMode& mode,
+                                     bool is_swapped) {
         const InFloatMode in_mode(mode);
         const auto count = static_cast<std::uint32_t>(meshes.a->triangles().size());
-        const auto at = [&](std::uint32_t first, std::uint32_t second) {
-            return is_swapped ? second * count + first : first * count + second;
-        };
-        std::array<Found, 2> found{{{"BodyPair, triangles of larger meshes, ", std::vector<Relation>(count * count)},
-                                    {"BodyPair, eight at once, ", std::vector<Relation>(count * count)}}};
+        std::vector<Relation> relations(count * count);
         bound.bind(bodies_, meshes, is_swapped);
         for (std::uint32_t i = 0; i < count; ++i) {
-            for (std::uint32_t j = 0; j < count; ++j) found[0].relations[at(i, j)] = bodies_.relation(i, j);
-        }
-        // Without what the first questions prepared.
-        bound.bind(bodies_, meshes, is_swapped);
-        const auto& blocks = bound.second_blocks(is_swapped);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            for (std::uint32_t block = 0; block < blocks.size(); ++block) {
-                const std::uint32_t all = (1u << blocks[block].count) - 1, some = random_.below(all + 1);
-                std::array<Relation, exact::lane_count> lanes{};
-                for (const std::uint32_t mask : {some, all & ~some}) bodies_.relations(i, block, mask, lanes);
-                for (std::uint32_t lane = 0; lane < blocks[block].count; ++lane) {
-                    found[1].relations[at(i, blocks[block].indices[lane])] = lanes[lane];
-                }
+            for (std::uint32_t j = 0; j < count; ++j) {
+                relations[i * count + j] = is_swapped ? bodies_.relation(j, i) : bodies_.relation(i, j);
             }
         }
-        return found;
+        return relations;
     }
 
     void check_meshes(HardFamily family, PosedPair pair) {
@@ -167,13 +147,12 @@ class Run {
         const BoundMeshes bound(meshes);
         const FloatMode& mode = float_modes[random_.below(float_modes.size())];
         for (const bool is_swapped : {false, true}) {
-            const auto found = ask_meshes(meshes, bound, mode, is_swapped);
+            const std::vector<Relation> relations = ask_meshes(meshes, bound, mode, is_swapped);
             for (std::uint32_t i = 0; i < count * count; ++i) {
-                for (const auto& [path, relations] : found) {
-                    if (relations[i] == expected[i]) continue;
-                    require(false, triangle_pair_of(meshes, i / count, i % count), std::string(path) + mode.name,
-                            name(expected[i]), relations[i]);
-                }
+                if (relations[i] == expected[i]) continue;
+                require(false, triangle_pair_of(meshes, i / count, i % count),
+                        std::string("BodyPair, triangles of larger meshes, ") + mode.name, name(expected[i]),
+                        relations[i]);
             }
         }
         counts_.checks["triangle pairs of larger meshes"] += count * count;

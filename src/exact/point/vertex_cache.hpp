@@ -1,4 +1,4 @@
-// Values made for vertices (or blocks of triangles) of one mesh, kept in a small memory of fixed size.
+// Values made for vertices of one mesh, kept in a small memory of fixed size.
 #pragma once
 
 #include <cstdint>

@@ -1,16 +1,14 @@
 #include "exact/simplex/body_pair.hpp"
 
 #include <algorithm>
-#include <bit>
 
+#include "exact/point/pose_point.hpp"
 #include "exact/sign/difference_signs.hpp"
 #include "exact/sign/edge_axes.hpp"
 #include "exact/sign/filter.hpp"
 #include "exact/sign/filter_bound.hpp"
-#include "exact/sign/filter_lanes.hpp"
-#include "exact/sign/kernel_signs.hpp"
 #include "exact/sign/filtered_signs.hpp"
-#include "exact/point/pose_point.hpp"
+#include "exact/sign/kernel_signs.hpp"
 #include "exact/sign/regular.hpp"
 #include "geometry/same_bits.hpp"
 
@@ -46,7 +44,6 @@ void BodyPair::bind(const BodySide& a, const BodySide& b) {
 void BodyPair::forget_points() noexcept {
     for (Side& side : sides_) {
         side.rounded.clear();
-        side.blocks.clear();
         side.one_limb.clear();
         side.two_limbs.clear();
     }
@@ -80,10 +77,6 @@ ECODS_ALWAYS_INLINE const Point& BodyPair::rounded_point(Side& side, std::uint32
     return side.rounded.get(vertex, [&](Point& p) { pose(side, vertex, p); });
 }
 
-std::array<Point, 3> BodyPair::rounded_triangle(Side& side, const Triangle& triangle) {
-    return {rounded_point(side, triangle[0]), rounded_point(side, triangle[1]), rounded_point(side, triangle[2])};
-}
-
 Relation BodyPair::relation(std::uint32_t a, std::uint32_t b) {
     ++counts_.triangle_tests;
     const Triangle& ta = sides_[0].body.mesh->triangles()[a];
@@ -98,41 +91,6 @@ Relation BodyPair::relation(std::uint32_t a, std::uint32_t b) {
     FilterTrace trace;
     const FilterAnswer answer = filter(points, static_bound_, trace);
     return decide(ta, tb, points, answer, trace);
-}
-
-void BodyPair::relations(std::uint32_t a, std::uint32_t block, std::uint32_t lanes,
-                         std::array<Relation, lane_count>& relations) {
-    Side& side = sides_[1];
-    const TriangleBlock& b = side.body.blocks[block];
-    const TriangleLanes& eight = side.blocks.get(block, [&](TriangleLanes& posed) {
-        pose_lanes(side.body.pose->R, side.offset, b.local, posed);
-        if (is_counted_) divide_lanes(unit_, posed);
-    });
-    const Triangle& ta = sides_[0].body.mesh->triangles()[a];
-    const std::array<Point, 3> one = rounded_triangle(sides_[0], ta);
-    // An open lane may show that plain double is exact, from then on and in other units: these points stay as they are.
-    const bool is_plain = plain_is_exact_;
-    const double bound = is_plain ? 0 : static_bound_;
-    LaneTrace traces;
-    const std::uint32_t disjoint = filter_planes(one, eight, bound, traces) & lanes;
-
-    const auto disjoint_count = static_cast<std::uint64_t>(std::popcount(disjoint));
-    counts_.triangle_tests += static_cast<std::uint64_t>(std::popcount(lanes));
-    (is_plain ? counts_.local_passes : counts_.filter_passes) += disjoint_count;
-    for (std::uint32_t rest = disjoint; rest != 0; rest &= rest - 1) {
-        relations[static_cast<std::size_t>(std::countr_zero(rest))] = Relation::disjoint;
-    }
-    for (std::uint32_t rest = lanes & ~disjoint; rest != 0; rest &= rest - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-        const SixRounded points{one[0], one[1], one[2], eight.at(lane, 0), eight.at(lane, 1), eight.at(lane, 2)};
-        if (is_plain) {
-            relations[lane] = decide_plainly(points);
-            continue;
-        }
-        const FilterTrace trace = traces.at(lane);
-        const Triangle& tb = side.body.mesh->triangles()[b.indices[lane]];
-        relations[lane] = decide(ta, tb, points, filter_again(points, bound, trace), trace);
-    }
 }
 
 // Counts what the filter decided, and decides the rest.

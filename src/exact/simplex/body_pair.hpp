@@ -8,18 +8,16 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/predicates.hpp"
-#include "exact/sign/filter.hpp"
-#include "exact/sign/filter_lanes.hpp"
 #include "exact/number/limbs.hpp"
-#include "exact/point/mesh_extent.hpp"
-#include "exact/sign/plain_signs.hpp"
-#include "exact/point/vertex_cache.hpp"
 #include "exact/point/integer_width.hpp"
+#include "exact/point/mesh_extent.hpp"
+#include "exact/point/vertex_cache.hpp"
+#include "exact/sign/filter.hpp"
+#include "exact/sign/plain_signs.hpp"
 
 namespace ecods::exact {
 
@@ -34,12 +32,11 @@ struct StageCounts {
     std::uint64_t many_limbs = 0;
 };
 
-// One of the two bodies: the mesh, what is known of it, and its pose; blocks of its triangles if batches are asked for.
+// One of the two bodies: the mesh, what is known of it, and its pose.
 struct BodySide {
     const Mesh* mesh;
     const MeshExtent* extent;
     const Pose* pose;
-    std::span<const TriangleBlock> blocks = {};
 };
 
 class BodyPair {
@@ -52,11 +49,6 @@ class BodyPair {
     // The exact relation of triangle `a` of the first mesh and `b` of the second.
     Relation relation(std::uint32_t a, std::uint32_t b);
 
-    // The same of triangle `a` with the triangles of one block of the second mesh, for the lanes whose bits are set in
-    // `lanes`; other places of `relations` are left as they are. The second side must have blocks.
-    void relations(std::uint32_t a, std::uint32_t block, std::uint32_t lanes,
-                   std::array<Relation, lane_count>& relations);
-
     const StageCounts& counts() const noexcept { return counts_; }
     void reset_counts() noexcept { counts_ = {}; }
 
@@ -68,7 +60,6 @@ class BodyPair {
         BodySide body{};
         Vec3 offset = Vec3::Zero();  // fl(t - t0)
         VertexCache<Point> rounded;
-        VertexCache<TriangleLanes, 64> blocks;
         VertexCache<OneLimbPoint> one_limb;
         VertexCache<TwoLimbPoint> two_limbs;
     };
@@ -79,7 +70,6 @@ class BodyPair {
     void forget_points() noexcept;
     void pose(const Side& side, std::uint32_t vertex, Point& p) const;
     const Point& rounded_point(Side& side, std::uint32_t vertex);
-    std::array<Point, 3> rounded_triangle(Side& side, const Triangle& triangle);
     Relation decide(const Triangle& a, const Triangle& b, const SixRounded& points, FilterAnswer answer,
                     const FilterTrace& trace);
     TwoLimbPoint exact_point(const Side& side, std::uint32_t vertex) const;

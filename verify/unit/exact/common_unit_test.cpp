@@ -68,7 +68,6 @@ struct Body {
     std::shared_ptr<const Mesh> mesh;
     MeshExtent extent;
     Pose pose;
-    std::vector<TriangleBlock> blocks;
 
     // At these places in the world, which R and t reach without rounding.
     Body(const Mat3& R, const Vec3& t, std::vector<Vec3> places, const std::vector<Triangle>& triangles) {
@@ -77,15 +76,12 @@ struct Body {
         for (Vec3& p : places) p = R.transpose() * (p - t);
         mesh = Mesh::create(std::move(places), triangles);
         extent = measure(*mesh);
-        std::vector<std::uint32_t> order(triangles.size());
-        for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-        blocks = make_blocks(*mesh, order);
     }
     std::array<Vec3, 3> corners(std::uint32_t triangle) const {
         const Triangle& t = mesh->triangles()[triangle];
         return {mesh->vertices()[t[0]], mesh->vertices()[t[1]], mesh->vertices()[t[2]]};
     }
-    BodySide side() const { return {mesh.get(), &extent, &pose, blocks}; }
+    BodySide side() const { return {mesh.get(), &extent, &pose}; }
 };
 
 // Triangles with a vertex of the other one in their interior, of every size: from short in units, past the limit, to
@@ -125,7 +121,7 @@ TEST(CommonUnit, AnswersDoNotDependOnTheSize) {
     EXPECT_GT(one_limb[24], 300u);
 }
 
-// Cubes of a length with 40 digits, side by side under permutation matrices: by pairs and by batches.
+// Cubes of a length with 40 digits, side by side under permutation matrices.
 TEST(CommonUnit, GridsOfOneLength) {
     Random random(72);
     for (int i = 0; i < 60; ++i) {
@@ -154,20 +150,15 @@ TEST(CommonUnit, GridsOfOneLength) {
         };
         const Vec3 cell = integers(random, 4);
         const Body a = cube_at(cell), b = cube_at(cell + integers(random, 2));
-        BodyPair singles, batches;
-        singles.bind(a.side(), b.side());
-        batches.bind(a.side(), b.side());
+        BodyPair bodies;
+        bodies.bind(a.side(), b.side());
         for (std::uint32_t t = 0; t < 12; ++t) {
-            std::array<Relation, lane_count> relations{};
             for (std::uint32_t u = 0; u < 12; ++u) {
-                const std::uint32_t lane = u % lane_count, block = static_cast<std::uint32_t>(u / lane_count);
-                if (lane == 0) batches.relations(t, block, (1u << b.blocks[block].count) - 1, relations);
                 const Relation expected = oracle::triangle_triangle(a.pose, a.corners(t), b.pose, b.corners(u));
-                ASSERT_EQ(singles.relation(t, u), expected) << i << " " << t << " " << u;
-                ASSERT_EQ(relations[lane], expected) << i << " " << t << " " << u;
+                ASSERT_EQ(bodies.relation(t, u), expected) << i << " " << t << " " << u;
             }
         }
-        const StageCounts& counts = singles.counts();
+        const StageCounts& counts = bodies.counts();
         if (i % 4 != 3) {
             EXPECT_EQ(counts.filter_passes + counts.local_passes, counts.triangle_tests) << i;
         } else {

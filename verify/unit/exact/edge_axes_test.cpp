@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "ecods/mesh.hpp"
-#include "exact/simplex/body_pair.hpp"
 #include "exact/sign/filtered_signs.hpp"
+#include "exact/simplex/body_pair.hpp"
 #include "oracle/oracle.hpp"
 #include "scenes/random.hpp"
 
@@ -44,7 +44,7 @@ Asked ask(const Pose& pose_a, const Corners& a, const Pose& pose_b, const Corner
                mesh_b = Mesh::create({b.begin(), b.end()}, {{0, 1, 2}});
     const MeshExtent extent_a = measure(*mesh_a), extent_b = measure(*mesh_b);
     BodyPair bodies;
-    bodies.bind({mesh_a.get(), &extent_a, &pose_a, {}}, {mesh_b.get(), &extent_b, &pose_b, {}});
+    bodies.bind({mesh_a.get(), &extent_a, &pose_a}, {mesh_b.get(), &extent_b, &pose_b});
     const Relation relation = bodies.relation(0, 0);
     return {relation, bodies.counts().semi_static_passes};
 }

@@ -39,7 +39,7 @@ TEST(FarFrame, ErrorsOfEitherBodyCount) {
         ASSERT_EQ(triangle_triangle({pose, corners}, {identity, face}), expected) << i;
         const auto mesh_b = Mesh::create({corners.begin(), corners.end()}, {{0, 1, 2}});
         const MeshExtent extent_b = measure(*mesh_b);
-        const BodySide a{mesh_a.get(), &extent_a, &identity, {}}, b{mesh_b.get(), &extent_b, &pose, {}};
+        const BodySide a{mesh_a.get(), &extent_a, &identity}, b{mesh_b.get(), &extent_b, &pose};
         bodies.bind(a, b);
         ASSERT_EQ(bodies.relation(0, 0), expected) << i;
         bodies.bind(b, a);

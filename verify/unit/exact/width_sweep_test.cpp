@@ -70,7 +70,7 @@ class Widths {
         const auto mesh_a = Mesh::create({a.begin(), a.end()}, {{0, 1, 2}});
         const auto mesh_b = Mesh::create({mirrored.begin(), mirrored.end()}, {{0, 1, 2}});
         const MeshExtent extent_a = measure(*mesh_a), extent_b = measure(*mesh_b);
-        bodies_.bind({mesh_a.get(), &extent_a, &pose_a, {}}, {mesh_b.get(), &extent_b, &pose_b, {}});
+        bodies_.bind({mesh_a.get(), &extent_a, &pose_a}, {mesh_b.get(), &extent_b, &pose_b});
         ASSERT_EQ(bodies_.relation(0, 0), expected);
     }
     const StageCounts& counts() const { return bodies_.counts(); }
@@ -135,7 +135,7 @@ TEST(WidthSweep, PosedPointsThatAreNoDoubles) {
         const auto mesh_a = Mesh::create(a, {{0, 1, 2}}), mesh_b = Mesh::create(b, {{0, 1, 2}});
         const MeshExtent extent_a = measure(*mesh_a), extent_b = measure(*mesh_b);
         BodyPair bodies;
-        bodies.bind({mesh_a.get(), &extent_a, &sheared, {}}, {mesh_b.get(), &extent_b, &moved, {}});
+        bodies.bind({mesh_a.get(), &extent_a, &sheared}, {mesh_b.get(), &extent_b, &moved});
         return bodies.relation(0, 0);
     };
     EXPECT_EQ(relation({3, 3, 0}), Relation::touching);
