@@ -25,7 +25,7 @@ void Truth::renew_bodies(const World& world) {
     for (const BodyId id : world.bodies()) {
         const auto mesh = mesh_of_(*world.shape(id));
         if (!mesh) continue;
-        const Pose& pose = world.pose(id);
+        const Pose pose = world.pose(id);
         const TrueBody* known = find(id);
         if (known != nullptr && known->mesh == mesh && known->pose == pose) {
             bodies.push_back(*known);

@@ -1,6 +1,7 @@
 // Calls of a world against the naive model: every pair of bodies asked of the oracle at every update.
 //
-// Two worlds are given the same calls, one of them with brute force; the first writes a trace, which is run again at the end.
+// Two worlds are given the same calls, one of them with brute force; the first writes a trace, which is run again at
+// the end.
 #include <algorithm>
 #include <limits>
 #include <sstream>
@@ -94,8 +95,8 @@ class Session {
         ModelBody& body = any_body();
         std::vector<Vec3> vertices(body.mesh->vertices().begin(), body.mesh->vertices().end());
         vertices[bytes_.byte() % vertices.size()] = bytes_.point();
-        const auto& shape = static_cast<const MeshShape&>(*worlds_[0].shape(body.id));
-        const auto soft = refit(shape, std::move(vertices));
+        const auto shape = worlds_[0].shape(body.id);
+        const auto soft = refit(static_cast<const MeshShape&>(*shape), std::move(vertices));
         body.set_mesh(soft->mesh_ptr());
         for (World& world : worlds_) world.set_shape(body.id, soft);
     }

@@ -80,7 +80,7 @@ class BroadPhase {
     virtual void add(ProxyIndex proxy, const Aabb& box) = 0;
     virtual void move(ProxyIndex proxy, const Aabb& box) = 0;  // `proxy` must be present
     virtual void remove(ProxyIndex proxy) = 0;                 // `proxy` must be present
-    virtual const Aabb& box(ProxyIndex proxy) const = 0;       // `proxy` must be present
+    virtual Aabb box(ProxyIndex proxy) const = 0;              // `proxy` must be present
     virtual std::size_t size() const noexcept = 0;             // boxes present
 
     // Room for `count` boxes of numbers below that, so that adding them allocates little.

@@ -33,12 +33,12 @@
 #include "ecods/error.hpp"
 #include "ecods/executor.hpp"
 #include "ecods/ids.hpp"
+#include "ecods/intersection.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/predicates.hpp"
 #include "ecods/shape.hpp"
 #include "ecods/trace.hpp"
-#include "ecods/intersection.hpp"
 
 namespace ecods {
 
@@ -100,9 +100,9 @@ class World {
     void set_shape(BodyId body, std::shared_ptr<const Shape> shape);
 
     bool is_alive(BodyId body) const noexcept;
-    const Pose& pose(BodyId body) const;
-    const std::shared_ptr<const Shape>& shape(BodyId body) const;
-    const Aabb& box(BodyId body) const;  // contains the exact body; of the pose and shape set last
+    Pose pose(BodyId body) const;
+    std::shared_ptr<const Shape> shape(BodyId body) const;
+    Aabb box(BodyId body) const;  // contains the exact body; of the pose and shape set last
 
     // A number of the caller's, kept with the body; 0 at first. It reaches no answer and no digest.
     void set_user_data(BodyId body, std::uint64_t data);
@@ -122,7 +122,7 @@ class World {
     // pair are answered regardless: they are about geometry.
 
     void set_filter(BodyId body, const CollisionFilter& filter);
-    const CollisionFilter& filter(BodyId body) const;
+    CollisionFilter filter(BodyId body) const;
 
     // Switches one pair off, or on again. Either order of arguments. It is forgotten when one of the two is destroyed.
     // Throws SameBody. Cost: logarithmic in the pairs that are off.
@@ -174,8 +174,9 @@ class World {
     // Throw as create_body does. Cost: as above, and a two-body test for each box that overlaps. A Mesh that no body
     // has gets a new tree each time: keep a MeshShape to ask with it again.
     std::vector<BodyId> intersecting_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
-                                        const CollisionFilter* filter = nullptr);
-    std::vector<BodyId> intersecting_bodies(const Shape& shape, const Pose& pose, const CollisionFilter* filter = nullptr);
+                                            const CollisionFilter* filter = nullptr);
+    std::vector<BodyId> intersecting_bodies(const Shape& shape, const Pose& pose,
+                                            const CollisionFilter* filter = nullptr);
 
     // ---- a record of every call that changes the world (trace.hpp)
 

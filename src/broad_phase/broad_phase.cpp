@@ -1,11 +1,11 @@
 #include "ecods/broad_phase.hpp"
 
 #include "broad_phase/brute_force.hpp"
-#include "broad_phase/choose_finder.hpp"
 #include "broad_phase/candidates/kept_candidates.hpp"
-#include "broad_phase/pair_finder.hpp"
 #include "broad_phase/changes/pair_list.hpp"
 #include "broad_phase/changes/proxy_table.hpp"
+#include "broad_phase/choose_finder.hpp"
+#include "broad_phase/pair_finder.hpp"
 #include "broad_phase/sweep/sweep_and_prune.hpp"
 #include "broad_phase/validate_pairs.hpp"
 
@@ -38,7 +38,7 @@ class FindingBroadPhase final : public BroadPhase {
     void add(ProxyIndex proxy, const Aabb& box) override { table_.add(proxy, box); }
     void move(ProxyIndex proxy, const Aabb& box) override { table_.move(proxy, box); }
     void remove(ProxyIndex proxy) override { table_.remove(proxy); }
-    const Aabb& box(ProxyIndex proxy) const override { return table_.box(proxy); }
+    Aabb box(ProxyIndex proxy) const override { return table_.box(proxy); }
     std::size_t size() const noexcept override { return table_.size(); }
 
     void update() override {

@@ -99,15 +99,15 @@ bool World::is_alive(BodyId body) const noexcept {
     return impl_->is_alive(body);
 }
 
-const Pose& World::pose(BodyId body) const {
+Pose World::pose(BodyId body) const {
     return impl_->slots[impl_->require(body)].pose;
 }
 
-const std::shared_ptr<const Shape>& World::shape(BodyId body) const {
+std::shared_ptr<const Shape> World::shape(BodyId body) const {
     return impl_->slots[impl_->require(body)].shape;
 }
 
-const Aabb& World::box(BodyId body) const {
+Aabb World::box(BodyId body) const {
     return impl_->boxes[impl_->require(body)];
 }
 

@@ -12,7 +12,7 @@ void World::set_filter(BodyId body, const CollisionFilter& filter) {
     if (w.trace) w.trace->set_filter(body, filter);
 }
 
-const CollisionFilter& World::filter(BodyId body) const {
+CollisionFilter World::filter(BodyId body) const {
     return impl_->slots[impl_->require(body)].filter;
 }
 

@@ -37,8 +37,8 @@ class SceneWorld {
 
     World& world() noexcept { return world_; }
     BodyId id(std::size_t body) const { return ids_[body]; }
-    const Pose& pose(std::size_t body) const { return world_.pose(ids_[body]); }
-    const Aabb& box(std::size_t body) const { return world_.box(ids_[body]); }
+    Pose pose(std::size_t body) const { return world_.pose(ids_[body]); }
+    Aabb box(std::size_t body) const { return world_.box(ids_[body]); }
 
     // The bodies that the last next_frame() created or moved, ascending.
     const std::vector<std::size_t>& moved() const noexcept { return moved_; }

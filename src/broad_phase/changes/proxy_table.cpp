@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <string>
 
-#include "simd/inline.hpp"
-#include "base/misuse.hpp"
 #include "base/bytes_of.hpp"
+#include "base/misuse.hpp"
+#include "simd/inline.hpp"
 
 namespace ecods {
 namespace {
@@ -38,6 +38,7 @@ void ProxyTable::reserve(std::size_t count) {
 void ProxyTable::add(ProxyIndex proxy, const Aabb& box) {
     if (is_present(proxy)) throw_misuse(Error("proxy " + std::to_string(proxy) + " is present already"));
     if (proxy >= limit) throw_misuse(Error("proxy " + std::to_string(proxy) + " is out of range"));
+    const Aabb added = box;  // which may be one of boxes_: growing would take it away
     if (proxy >= end()) {
         const std::size_t count = std::size_t{proxy} + 1;
         boxes_.resize(count);
@@ -47,7 +48,7 @@ void ProxyTable::add(ProxyIndex proxy, const Aabb& box) {
     enqueue(proxy);
     has_moves_only_ = false;
     states_[proxy] |= present;
-    boxes_[proxy] = box;
+    boxes_[proxy] = added;
     ++size_;
 }
 

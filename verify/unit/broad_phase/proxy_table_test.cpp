@@ -85,6 +85,15 @@ TEST(ProxyTable, OnlyAnotherBoxIsAMoveAndBitsTell) {
     }
 }
 
+TEST(ProxyTable, ABoxOfTheTableItselfCanBeAdded) {
+    ProxyTable table;
+    table.add(0, b);
+    for (ProxyIndex proxy = 1; proxy < 40; ++proxy) {
+        table.add(proxy, table.box(proxy / 2));
+        EXPECT_EQ(table.box(proxy), b) << proxy;
+    }
+}
+
 TEST(ProxyTable, WrongNumbersAreErrorsAndChangeNothing) {
     ProxyTable table;
     table.add(5, a);
