@@ -12,11 +12,13 @@
 #include <string>
 #include <vector>
 
+#include "programs/command_line.hpp"
 #include "report/csv.hpp"
 #include "report/environment.hpp"
 #include "report/instruction_set.hpp"
 #include "report/json.hpp"
 #include "report/page.hpp"
+#include "suites/asked.hpp"
 #include "suites/compare_builds.hpp"
 #include "suites/comparison.hpp"
 #include "suites/suite.hpp"
@@ -36,6 +38,7 @@ struct Arguments {
     std::vector<std::string> builds;  // two to be compared, or none
     bool is_own = false;
     bool is_quick = false;
+    bool has_report = true;
 };
 
 Page make_page(const std::string& command) {
@@ -46,9 +49,8 @@ Page make_page(const std::string& command) {
         "are "
         "computed once. The oracle, CGAL's exact kernel on exactly transformed points, which shares no code with "
         "ECoDS, "
-        "judges every pair of bodies in every frame. Missed: a hit of the oracle that the engine does not report. "
-        "Invented: "
-        "reported without being a hit.",
+        "judges every pair of bodies in every frame. False negative (\"false -\"): a hit of the oracle that the engine "
+        "does not report. False positive (\"false +\"): reported without being a hit.",
         "In the suites of two meshes, boxes and growing numbers of ships each engine runs in a process of its own, in "
         "turns with the others; times are processor times. For the rooms and the assembly below, times are "
         "milliseconds per frame: the mean over the frames after the first of the median over the repetitions, one "
@@ -77,12 +79,12 @@ Table join(const std::vector<Table>& comparisons) {
 
 bool run(const Arguments& arguments, const std::string& command) {
     const auto start = std::chrono::steady_clock::now();
-    if (!arguments.is_quick) std::filesystem::create_directories(arguments.options.folder);
+    const std::vector<Suite> suites = asked_suites(all_suites(), arguments.suites, arguments.options);
+    if (arguments.has_report) std::filesystem::create_directories(arguments.options.folder);
     Page page = make_page(command);
     bool is_right = true;
     std::vector<Table> comparisons;
-    for (const Suite& suite : all_suites()) {
-        if (std::find(arguments.suites.begin(), arguments.suites.end(), suite.name) == arguments.suites.end()) continue;
+    for (const Suite& suite : suites) {
         SuiteResult result = suite.run(arguments.options);
         is_right &= result.is_right;
         std::move(result.sections.begin(), result.sections.end(), std::back_inserter(page.sections));
@@ -93,16 +95,15 @@ bool run(const Arguments& arguments, const std::string& command) {
         fmt::print("{}\n", to_text(all));
         page.sections.insert(page.sections.begin(), Section{"Engines on all scenes", {}, {all}, {}});
     }
-    const std::string verdict = is_right ? "Every answer of ECoDS is the oracle's: 0 missed, 0 invented."
-                                         : "ECoDS ANSWERED WRONGLY: see the tables.";
-    page.summary.insert(page.summary.begin(), verdict);
+    const std::string words = verdict(suites, arguments.options, is_right);
+    page.summary.insert(page.summary.begin(), words);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     page.environment.rows.push_back({"whole run", fmt::format("{:.0f} s", seconds.count())});
-    fmt::print("{}\n", verdict);
+    fmt::print("{}\n", words);
     if (!arguments.json.empty()) write_json(page, arguments.json);
     if (!arguments.csv.empty()) write_csv(page, arguments.csv);
     if (!arguments.results.empty()) write_csv(page, arguments.results / results_name(page));
-    if (!arguments.is_quick) {
+    if (arguments.has_report) {
         const std::filesystem::path file = arguments.report / "index.html";
         write_page(page, file);
         fmt::print("report: {}\n", file.string());
@@ -123,29 +124,23 @@ bool compare(const Arguments& arguments) {
     return result.is_same;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    Arguments arguments;
-    std::vector<std::string> suite_names;
-    for (const Suite& suite : all_suites()) suite_names.push_back(suite.name);
-    arguments.suites = suite_names;
-
-    CLI::App app("Runs ECoDS and its peers on the same scenes, checks every answer of ECoDS, writes a report.");
+void add_options(CLI::App& app, Arguments& arguments) {
+    SuiteOptions& options = arguments.options;
+    for (const Suite& suite : all_suites()) arguments.suites.push_back(suite.name);
     app.add_option("--suite", arguments.suites, "Which suites to run (default: all)")
-        ->check(CLI::IsMember(suite_names));
-    app.add_option("--frames", arguments.options.frame_count, "Frames of each room")
+        ->check(CLI::IsMember(arguments.suites));
+    app.add_option("--frames", options.frame_count, "Frames of each room")
         ->check(CLI::Range(2, 100000))
         ->capture_default_str();
-    const CLI::Option* repetitions = app.add_option("--repetitions", arguments.options.repetition_count,
-                                                    "Runs of each engine (with --compare: 9 unless given)")
-                                         ->check(CLI::Range(1, 1000))
-                                         ->capture_default_str();
+    app.add_option("--repetitions", options.repetition_count, "Runs of each engine (with --compare: 9 unless given)")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
     app.add_option("--report", arguments.report, "Folder of the report")->capture_default_str();
-    app.add_option("--engines", arguments.options.engines,
+    app.add_option("--engines", options.engines,
                    "Engines of these names, or where none has the name, those whose name contains it (default: all); "
-                   "in the suites narrow, broad, system and memory");
-    app.add_option("--sizes", arguments.options.sizes,
+                   "in the suites narrow, broad, system, memory and hard_cases. Of these, suites without one are left "
+                   "out");
+    app.add_option("--sizes", options.sizes,
                    "Numbers of boxes (suite broad) and ships (suite system) to run, of those that the suite has");
     app.add_option("--json", arguments.json, "Also write all tables to this file");
     app.add_option("--csv", arguments.csv, "Also write all figures to this file, one in a line");
@@ -162,18 +157,36 @@ int main(int argc, char** argv) {
         ->expected(2)
         ->check(CLI::ExistingFile);
     app.add_flag("--own", arguments.is_own, "What --compare starts the two builds with: one line out for each line in");
-    app.add_flag("--long", arguments.options.is_long,
-                 "The largest sizes, more frames, and a mesh of ten million triangles");
-    app.add_flag("--quick", arguments.is_quick, "A few frames, once, without report: to see that all of it works");
-    CLI11_PARSE(app, argc, argv);
+    app.add_flag("--long", options.is_long, "The largest sizes, more frames, and a mesh of ten million triangles");
+    app.add_flag("--quick", arguments.is_quick,
+                 "A few frames, once, without pictures, and without report unless --report is given: to see that all "
+                 "of it works");
+}
 
-    if (!arguments.builds.empty() && repetitions->count() == 0) arguments.options.repetition_count = 9;
+// What follows from the options together.
+void settle(const CLI::App& app, Arguments& arguments) {
+    SuiteOptions& options = arguments.options;
+    if (!arguments.builds.empty() && app.count("--repetitions") == 0) options.repetition_count = 9;
     if (arguments.is_quick) {
-        arguments.options.frame_count = std::min<std::size_t>(arguments.options.frame_count, 6);
-        arguments.options.repetition_count = 1;
-        arguments.options.has_pictures = false;
+        options.frame_count = std::min<std::size_t>(options.frame_count, 6);
+        options.repetition_count = 1;
+        options.has_pictures = false;
+        arguments.has_report = app.count("--report") > 0;
     }
-    arguments.options.folder = arguments.report / "parts";
+    options.folder = arguments.report / "parts";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Arguments arguments;
+    CLI::App app(
+        "Runs ECoDS and its peers on the same scenes, checks every answer of ECoDS, writes a report.\n"
+        "Exit status: 0; 1 if ECoDS was wrong, or with --compare if answers or counts of work differ; 2 for an error.",
+        "ecods_bench");
+    add_options(app, arguments);
+    if (const auto status = ecods::programs::parse(app, argc, argv)) return *status;
+    settle(app, arguments);
     std::string command = std::filesystem::path(argv[0]).filename().string();
     for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
     try {

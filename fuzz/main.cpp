@@ -1,4 +1,4 @@
-// ecods_fuzz: random input, every answer checked. `ecods_fuzz --help` tells the options.
+// ecods_fuzz: random input, every answer checked. `ecods_fuzz --help` lists the options.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -15,6 +15,7 @@
 #include "fuzz/campaign.hpp"
 #include "fuzz/motion/profile.hpp"
 #include "fuzz/record.hpp"
+#include "programs/command_line.hpp"
 
 namespace ecods::fuzz {
 namespace {
@@ -121,15 +122,11 @@ int run_program(int argc, char** argv) {
         ->capture_default_str();
     const std::map<std::string, Canary> canaries{
         {"answer", Canary::answer}, {"crash", Canary::crash}, {"hang", Canary::hang}};
-    app.add_option("--canary", campaign.canary, "Go wrong on purpose, where a collision is: answer, crash or hang")
-        ->transform(CLI::CheckedTransformer(canaries))
+    programs::add_choice(app, "--canary", campaign.canary, canaries,
+                         "Go wrong on purpose, where a collision is; answer, if nothing is named")
         ->expected(0, 1)
         ->default_str("answer");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? exit_held : exit_unusable;
-    }
+    if (const auto status = programs::parse(app, argc, argv)) return *status;
     if (options.lists_profiles) {
         list_profiles();
         return exit_held;

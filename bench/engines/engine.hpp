@@ -57,6 +57,9 @@ std::unique_ptr<Engine> set_up_fcl_all_pairs(const scenes::Scene& scene);    // 
 
 // All of the above, the world once for each broad phase.
 std::vector<EngineMaker> all_engines();
+
+// Without those that ask about all pairs of ECoDS, which is too slow for many ships.
+std::vector<EngineMaker> system_engines();
 constexpr const char* scene_yardstick = "FCL, DynamicAABBTree";
 
 }  // namespace ecods::bench

@@ -1,12 +1,38 @@
 #include "suites/suite.hpp"
 
+#include "engines/broad_engine.hpp"
+#include "engines/engine.hpp"
+#include "engines/narrow_engine.hpp"
+
 namespace ecods::bench {
 
+namespace {
+
+template <class Maker>
+void append(std::vector<EngineName>& names, const std::vector<Maker>& makers) {
+    for (const Maker& maker : makers) names.push_back({maker.name, maker.is_ecods});
+}
+
+template <class... Maker>
+std::vector<EngineName> names_of(const std::vector<Maker>&... makers) {
+    std::vector<EngineName> names;
+    (append(names, makers), ...);
+    return names;
+}
+
+}  // namespace
+
 std::vector<Suite> all_suites() {
-    return {{"narrow", run_narrow},        {"broad", run_broad},           {"system", run_system},
-            {"rooms", run_rooms},          {"hover", run_hover},           {"assembly", run_assembly},
-            {"memory", run_memory},        {"predicates", run_predicates}, {"stability", run_stability},
-            {"hard_cases", run_hard_cases}};
+    return {{"narrow", run_narrow, names_of(narrow_engines())},
+            {"broad", run_broad, names_of(broad_engines())},
+            {"system", run_system, names_of(system_engines())},
+            {"rooms", run_rooms},
+            {"hover", run_hover},
+            {"assembly", run_assembly},
+            {"memory", run_memory, names_of(narrow_engines(), broad_engines(), all_engines()), false},
+            {"predicates", run_predicates},
+            {"stability", run_stability},
+            {"hard_cases", run_hard_cases, names_of(narrow_engines())}};
 }
 
 }  // namespace ecods::bench

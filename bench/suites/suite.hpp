@@ -48,9 +48,17 @@ struct SuiteResult {
     bool is_right = true;            // every answer of ECoDS was the oracle's, and every count what it must be
 };
 
+// An engine that --engines may choose.
+struct EngineName {
+    std::string name;
+    bool is_ecods = false;
+};
+
 struct Suite {
     std::string name;
     SuiteResult (*run)(const SuiteOptions& options) = nullptr;
+    std::vector<EngineName> engines = {};  // of which it runs those that are wanted; none: always all of its own
+    bool is_judged = true;                 // whether its engines give answers, which the oracle judges
 };
 
 SuiteResult run_rooms(const SuiteOptions& options);       // all ships move: ECoDS beside FCL and all pairs

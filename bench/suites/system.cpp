@@ -63,11 +63,10 @@ Size run_size(const Experiment& experiment, std::size_t ships, const SuiteOption
          .frame_count = frame_count(ships, options),
          .side = experiment.keeps_density ? scenes::calibrated_side_by_density(ships) : scenes::calibrated_side(),
          .seed = 10});
-    std::vector<EngineMaker> makers = all_engines();
+    std::vector<EngineMaker> makers = system_engines();
     options.keep_wanted(makers);
-    std::erase_if(makers, [&](const EngineMaker& maker) {
-        return maker.name == "ECoDS, all pairs" || (maker.name == "FCL, all pairs" && ships > all_pairs_max);
-    });
+    std::erase_if(makers,
+                  [&](const EngineMaker& maker) { return maker.name == "FCL, all pairs" && ships > all_pairs_max; });
     Size size{ships, find_hits(scene, judged_count(ships, options), experiment.title), {}};
     size.runs = measure_systems(scene, size.truth, makers, options.repetition_count);
     return size;

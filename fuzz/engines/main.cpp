@@ -1,4 +1,4 @@
-// ecods_fuzz_engine: how often collision libraries are wrong where it is hard to be right. `--help` tells the options.
+// ecods_fuzz_engine: how often collision libraries are wrong where it is hard to be right. `--help` lists the options.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +12,7 @@
 #include "fuzz/engines/engine_under_test.hpp"
 #include "fuzz/engines/families.hpp"
 #include "fuzz/engines/judge.hpp"
+#include "programs/command_line.hpp"
 
 namespace {
 
@@ -135,7 +136,9 @@ int main(int argc, char** argv) {
     CLI::App app{
         "Asks collision libraries whether two meshes touch, in scenes that are hard, and compares with an exact "
         "oracle.\n"
-        "Each runs in a process of its own; what crashes or hangs is counted. Exit status 1: ECoDS was wrong."};
+        "Each runs in a process of its own; what crashes or hangs is counted. Exit status: 0; 1 if ECoDS was wrong; 2 "
+        "for an\nerror.",
+        "ecods_fuzz_engine"};
     app.add_option("--engine", options.engines, "which (may be repeated; all but the canary if none is named)");
     app.add_option("--family", options.families, "which scenes (likewise)");
     app.add_option("--seed", options.seed, "of every family")->capture_default_str();
@@ -145,7 +148,7 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     app.add_option("--json", options.json, "where to write all figures, and which queries were wrong");
     app.add_flag("--list", options.lists, "name engines and families, and ask nothing");
-    CLI11_PARSE(app, argc, argv);
+    if (const auto status = ecods::programs::parse(app, argc, argv)) return *status;
     try {
         return run(options);
     } catch (const std::exception& error) {

@@ -9,6 +9,7 @@ namespace ecods::scenes {
 namespace {
 
 const std::string fuzz = ECODS_FUZZ_PROGRAM;
+const std::string engines = ECODS_FUZZ_ENGINE_PROGRAM;
 const std::string replay = ECODS_REPLAY_PROGRAM;
 
 class FuzzProgramTest : public ProgramTest {
@@ -81,6 +82,11 @@ TEST_F(FuzzProgramTest, JobsDoNotMatter) {
     EXPECT_EQ(one["runs"], 8);
 }
 
+TEST_F(FuzzProgramTest, HelpAndVersion) {
+    expect_help_and_version(fuzz);
+    expect_help_and_version(engines);
+}
+
 TEST_F(FuzzProgramTest, ProfilesAreListed) {
     const auto result = run_program(fuzz, "--list-profiles");
     EXPECT_EQ(result.status, 0);
@@ -93,6 +99,9 @@ TEST_F(FuzzProgramTest, CommandsThatMakeNoSense) {
     EXPECT_EQ(run_program(fuzz, "--profile nothing").status, 2);
     EXPECT_EQ(run_program(fuzz, "--jobs 0").status, 2);
     EXPECT_EQ(run_program(fuzz, "--replay " + path("none.trace").string()).status, 2);
+    EXPECT_EQ(run_program(fuzz, "--canary crush").status, 2);
+    EXPECT_EQ(run_program(fuzz, "--engine nosuch").status, 2);
+    EXPECT_EQ(run_program(engines, "--engine nosuch").status, 2);
 }
 
 }  // namespace

@@ -7,13 +7,14 @@
 #include <map>
 #include <optional>
 
-#include "simd/instruction_set.hpp"
 #include "check_cases.hpp"
 #include "check_oracle.hpp"
 #include "check_print.hpp"
 #include "check_scene.hpp"
+#include "command_line.hpp"
 #include "environment/instruction_sets.hpp"
 #include "scenes/io/scene_file.hpp"
+#include "simd/instruction_set.hpp"
 
 namespace ecods::check {
 namespace {
@@ -97,29 +98,18 @@ int run(int argc, char** argv) {
     app.add_option("--cases", options.cases, "Check the known answers in this file (.json) instead");
     app.add_flag("--json", options.json, "Write JSON");
     app.add_flag("--oracle", options.oracle, "Check every answer, of all pairs of bodies, with CGAL's exact numbers");
-    const std::map<std::string, BroadPhaseKind> kinds{{"brute_force", BroadPhaseKind::brute_force},
-                                                      {"sweep_and_prune", BroadPhaseKind::sweep_and_prune},
-                                                      {"kept_candidates", BroadPhaseKind::kept_candidates},
-                                                      {"automatic", BroadPhaseKind::automatic}};
-    app.add_option("--broad-phase", options.broad_phase,
-                   "brute_force, sweep_and_prune (the default), kept_candidates or automatic")
-        ->transform(CLI::CheckedTransformer(kinds))
-        ->type_name("KIND");
+    programs::add_broad_phase(app, options.broad_phase, "Which broad phase; sweep_and_prune is the default");
     std::map<std::string, InstructionSet> sets;
     for (const InstructionSet set : environment::supported_instruction_sets()) sets[environment::name(set)] = set;
-    app.add_option("--instruction-set", options.instruction_set,
-                   "Use no wider instructions than these, of those that the processor has: baseline, avx2, avx512 (the "
-                   "default is the widest). Answers are the same")
-        ->transform(CLI::CheckedTransformer(sets))
-        ->type_name("SET");
-    try {
-        app.parse(argc, argv);
+    programs::add_choice(app, "--instruction-set", options.instruction_set, sets,
+                         "Use no wider instructions than these, of those that the processor has (the default is the "
+                         "widest). Answers are the same");
+    app.callback([&] {
         if (options.files.empty() == options.cases.empty()) {
             throw CLI::ValidationError("ecods_check", "files to read, or --cases with one file, are expected");
         }
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? exit_ok : exit_unreadable;
-    }
+    });
+    if (const auto status = programs::parse(app, argc, argv)) return *status;
     limit_instruction_set(options.instruction_set);
     return options.cases.empty() ? check_files(options) : check_cases(options);
 }

@@ -1,12 +1,12 @@
-// ecods_replay: runs the trace of a world again. `ecods_replay --help` tells the options.
+// ecods_replay: runs the trace of a world again. `ecods_replay --help` lists the options.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "command_line.hpp"
 #include "ecods/error.hpp"
 #include "ecods/replay.hpp"
 
@@ -51,20 +51,13 @@ int run(int argc, char** argv) {
         "line; 2 if the file cannot be read.",
         "ecods_replay");
     app.add_option("TRACE", options.file, "The file to run")->required();
-    const std::map<std::string, BroadPhaseKind> kinds{{"brute_force", BroadPhaseKind::brute_force},
-                                                      {"sweep_and_prune", BroadPhaseKind::sweep_and_prune},
-                                                      {"kept_candidates", BroadPhaseKind::kept_candidates},
-                                                      {"automatic", BroadPhaseKind::automatic}};
-    app.add_option("--broad-phase", options.replay.broad_phase, "In place of the one in the trace")
-        ->transform(CLI::CheckedTransformer(kinds))
-        ->type_name("KIND");
+    BroadPhaseKind broad_phase{};
+    const CLI::Option* has_broad_phase =
+        programs::add_broad_phase(app, broad_phase, "In place of the one in the trace");
     app.add_flag("--validate", options.replay.validates, "Check every invariant after each update (slow)");
     app.add_flag("--json", options.json, "Write JSON");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? exit_same : exit_unreadable;
-    }
+    if (const auto status = programs::parse(app, argc, argv)) return *status;
+    if (*has_broad_phase) options.replay.broad_phase = broad_phase;
     std::ifstream in(options.file, std::ios::binary);
     if (!in) {
         fmt::print(stderr, "ecods_replay: {}: cannot be opened\n", options.file);

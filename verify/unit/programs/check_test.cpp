@@ -117,6 +117,15 @@ TEST_F(Check, MisuseIsStatus2) {
     EXPECT_NE(help.out.find("--oracle"), std::string::npos);
 }
 
+TEST_F(Check, HelpAndVersion) {
+    expect_help_and_version(ECODS_CHECK_PROGRAM);
+    const std::string help = run("--help").out;
+    EXPECT_NE(help.find("{automatic,brute_force,kept_candidates,sweep_and_prune}"), std::string::npos) << help;
+    for (const char* bytes : {"1", "$(printf '\\001')"}) {
+        EXPECT_EQ(run("--broad-phase " + std::string(bytes) + " " + scene()).status, 2) << "names alone are taken";
+    }
+}
+
 TEST_F(Check, KnownCases) {
     const Result good = run("--cases " + cases(true, 1));
     EXPECT_EQ(good.status, 0);

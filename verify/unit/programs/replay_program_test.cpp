@@ -38,6 +38,10 @@ TEST_F(Replay, ATraceRunsAsTraced) {
     }
 }
 
+TEST_F(Replay, HelpAndVersion) {
+    expect_help_and_version(ECODS_REPLAY_PROGRAM);
+}
+
 TEST_F(Replay, TheFirstFrameThatDiffersIsNamed) {
     std::string text = trace();
     const std::size_t at = text.find("0x1p-2");  // the second frame's pose
