@@ -29,7 +29,7 @@ void TraceWriter::guarded(Act act) noexcept {
     if (has_failed_) return;
     try {
         act();
-        has_failed_ = !out_->good();
+        has_failed_ |= !out_->good();  // which a call within this one may have set, though the stream is good
     } catch (...) {
         has_failed_ = true;
     }

@@ -18,13 +18,12 @@ class ThreadExecutor final : public Executor {
     void run(std::size_t task_count, const std::function<void(std::size_t, std::size_t)>& task) override {
         ++runs;
         std::atomic<std::size_t> next = 0;
-        std::vector<std::thread> threads;
+        std::vector<std::jthread> threads;  // which are joined, also if one of them cannot be made
         for (std::size_t worker = 0; worker < worker_count_; ++worker) {
             threads.emplace_back([&, worker] {
                 for (std::size_t i = next++; i < task_count; i = next++) task(i, worker);
             });
         }
-        for (std::thread& thread : threads) thread.join();
     }
 
     int runs = 0;

@@ -1,0 +1,90 @@
+// A call is made again and again in fresh copies of one scene, each time with another allocation that fails.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <new>
+#include <string>
+
+#include "allocation/failing_allocations.hpp"
+
+namespace ecods::allocation {
+
+struct Failures {
+    std::uint64_t allocations = 0;  // that failed
+    std::uint64_t defects = 0;
+    std::string first = {};  // of the defects
+
+    void add(std::uint64_t number, const std::string& defect) {
+        if (defects++ == 0) first = "allocation " + std::to_string(number) + ": " + defect;
+    }
+};
+
+// Of one kind of scene: `make` makes it, always the same; `difference` says in what one differs from another, and is
+// empty if in nothing; `after_failure` likewise, if a failure leaves something unspecified; `go_on` works with it
+// afterwards, as a program would.
+template <class Scene>
+struct Trial {
+    std::function<Scene()> make;
+    std::function<void(Scene&)> call;
+    std::function<std::string(Scene& expected, Scene& got)> difference;
+    std::function<void(Scene&)> go_on = [](Scene&) {};
+    std::function<std::string(Scene& expected, Scene& got)> after_failure = difference;
+};
+
+// Whether the call threw. Anything but std::bad_alloc is a defect.
+template <class Scene>
+bool runs_out_of_memory(const Trial<Scene>& trial, Scene& scene, std::uint64_t number, Shortage shortage,
+                        Failures& failures) {
+    const FailingAllocation failing(number, shortage);
+    try {
+        trial.call(scene);
+    } catch (const std::bad_alloc&) {
+        return true;
+    } catch (const std::exception& error) {
+        failures.add(number, std::string("another error: ") + error.what());
+        return true;
+    }
+    return false;
+}
+
+// For each allocation of the call: it fails once, and it and all after it fail. Each time the scene is then as one in
+// which nothing was called; the same call succeeds; and both that scene and its future are those of one in which
+// nothing failed. A call may also succeed in spite of the failure, with the same consequences.
+template <class Scene>
+void fail_each_allocation(const Trial<Scene>& trial, Failures& failures) {
+    std::uint64_t count = 0;
+    Scene after = trial.make();
+    {
+        const CountedAllocations counted;
+        trial.call(after);
+        count = counted.count();
+    }
+    Scene future = trial.make();
+    trial.call(future);
+    trial.go_on(future);
+    for (const Shortage shortage : {Shortage::once, Shortage::lasting}) {
+        for (std::uint64_t number = 0; number < count; ++number) {
+            ++failures.allocations;
+            try {
+                Scene scene = trial.make();
+                Scene before = trial.make();
+                const auto require_same = [&](const auto& difference, Scene& expected, const char* when) {
+                    const std::string found = difference(expected, scene);
+                    if (!found.empty()) failures.add(number, std::string(when) + ": " + found);
+                };
+                if (runs_out_of_memory(trial, scene, number, shortage, failures)) {
+                    require_same(trial.after_failure, before, "after the failure");
+                    trial.call(scene);
+                }
+                require_same(trial.difference, after, "after the call");
+                trial.go_on(scene);
+                require_same(trial.difference, future, "later");
+            } catch (const std::exception& error) {
+                failures.add(number, std::string("later: ") + error.what());
+            }
+        }
+    }
+}
+
+}  // namespace ecods::allocation

@@ -1,0 +1,41 @@
+// All that can be asked of a World without changing it, to see whether a call has.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ecods/world.hpp"
+
+namespace ecods::allocation {
+
+struct BodyState {
+    BodyId id;
+    Pose pose;
+    ShapeKind kind;
+    std::uint64_t shape_digest;
+    Aabb box;
+    CollisionFilter filter;
+    std::uint64_t user_data;
+    std::vector<BodyId> switched_off_with;
+
+    friend bool operator==(const BodyState&, const BodyState&) = default;
+};
+
+struct WorldState {
+    std::vector<BodyState> bodies;
+    std::vector<BodyPair> overlapping, colliding, began, ended;
+    std::uint64_t digest;
+    std::size_t overlapping_count, filtered_count;
+
+    friend bool operator==(const WorldState&, const WorldState&) = default;
+};
+
+// Bodies, and lists as of the last update. Which pairs are switched off is asked of `switches_max` bodies at most,
+// since that is quadratic.
+WorldState state_of(World& world, std::size_t switches_max = 64);
+
+// The first thing in which two states differ, for people; empty if in nothing.
+std::string difference(const WorldState& expected, const WorldState& got);
+
+}  // namespace ecods::allocation

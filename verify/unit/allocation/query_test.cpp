@@ -1,0 +1,109 @@
+// What needs no World, out of memory at any point: meshes, shapes, refits, questions about two bodies.
+#include <gtest/gtest.h>
+
+#include "allocation/each_allocation.hpp"
+#include "ecods/intersection.hpp"
+#include "scenes/shapes.hpp"
+
+namespace ecods::allocation {
+namespace {
+
+// Two spheres of a size at which queries use all their memory, with trees that nobody has made yet.
+struct Pair {
+    explicit Pair(double distance) { pose_b.t[0] = distance; }
+
+    PosedMesh first() const { return {*a, pose_a}; }
+    PosedMesh second() const { return {*b, pose_b}; }
+
+    std::shared_ptr<const MeshShape> a = std::make_shared<MeshShape>(scenes::sphere(12, 8));
+    std::shared_ptr<const MeshShape> b = std::make_shared<MeshShape>(scenes::torus(12, 8, 0.25));
+    Pose pose_a, pose_b;
+    QueryMemory memory;
+    PairWitness witness;
+    std::string answer = {};
+};
+
+std::string number(std::size_t value) {
+    return std::to_string(value);
+}
+
+std::string text(Relation relation) {
+    return number(static_cast<std::size_t>(relation));
+}
+
+struct Question {
+    const char* name;
+    void (*ask)(Pair&);
+};
+
+const Question questions[] = {
+    {"intersects", [](Pair& p) { p.answer = number(intersects(p.first(), p.second(), p.memory)); }},
+    {"intersects, with a witness",
+     [](Pair& p) { p.answer = number(intersects(p.first(), p.second(), p.memory, p.witness)); }},
+    {"relation", [](Pair& p) { p.answer = text(relation(p.first(), p.second(), p.memory)); }},
+    {"intersecting_triangles",
+     [](Pair& p) { p.answer = number(intersecting_triangles(p.first(), p.second(), p.memory).size()); }},
+    {"MeshShape::box", [](Pair& p) { p.answer = number(p.a->box(p.pose_b).min.allFinite()); }},
+    {"MeshShape::tree_bytes", [](Pair& p) { p.answer = number(p.a->tree_bytes()); }},
+    {"refit without a tree",
+     [](Pair& p) {
+         const auto vertices = p.a->mesh().vertices();
+         p.answer = number(refit(*p.a, {vertices.begin(), vertices.end()})->digest());
+     }},
+    {"refit with a tree",
+     [](Pair& p) {
+         const auto vertices = p.b->mesh().vertices();
+         p.b->tree_bytes();
+         p.answer = number(refit(*p.b, {vertices.begin(), vertices.end()})->tree_bytes());
+     }},
+    {"Mesh::create and a shape of it",
+     [](Pair& p) {
+         const auto mesh = scenes::cube(0.5);
+         p.answer = number(std::make_shared<MeshShape>(mesh)->tree_bytes());
+     }},
+};
+
+void go_on(Pair& p) {
+    for (int step = 0; step < 3; ++step) {
+        p.pose_b.t[0] += 0.125;
+        p.answer += number(intersects(p.first(), p.second(), p.memory, p.witness));
+        p.answer += text(relation(p.second(), p.first(), p.memory)) + " ";
+        p.answer += number(intersecting_triangles(p.first(), p.second(), p.memory).size());
+    }
+}
+
+TEST(QueryOutOfMemory, EveryQuestionIsAnsweredTheNextTime) {
+    for (const Question& question : questions) {
+        Failures failures;
+        // Deep in one another, and at distance 2 in contact, decided by exact numbers.
+        for (const double distance : {0.75, 2.0, 2.25, 9.0}) {
+            fail_each_allocation<Pair>(
+                {.make = [=] { return Pair(distance); },
+                 .call = question.ask,
+                 .difference = [](Pair& x,
+                                  Pair& y) { return x.answer == y.answer ? "" : y.answer + " for " + x.answer; },
+                 .go_on = go_on},
+                failures);
+        }
+        EXPECT_EQ(failures.defects, 0u) << question.name << "; first: " << failures.first;
+    }
+}
+
+// A shape that two bodies share is asked on while one question failed to make its tree.
+TEST(QueryOutOfMemory, ASharedShapeKeepsWhatItHas) {
+    Failures failures;
+    fail_each_allocation<Pair>({.make =
+                                    [] {
+                                        Pair pair(0.75);
+                                        pair.b = pair.a;
+                                        return pair;
+                                    },
+                                .call = [](Pair& p) { p.answer = text(relation(p.first(), p.second(), p.memory)); },
+                                .difference = [](Pair& x, Pair& y) { return x.answer == y.answer ? "" : y.answer; },
+                                .go_on = go_on},
+                               failures);
+    EXPECT_EQ(failures.defects, 0u) << failures.first;
+}
+
+}  // namespace
+}  // namespace ecods::allocation

@@ -1,0 +1,123 @@
+// Every call of World but update(): out of memory at any point, it changes nothing.
+#include <array>
+
+#include "ecods/replay.hpp"
+#include "unit/allocation/scene.hpp"
+
+namespace ecods::allocation {
+namespace {
+
+template <class List>
+std::string text_of(const List& list) {
+    std::string text;
+    for (const auto& each : list) text += std::to_string(each) + " ";
+    return text;
+}
+
+std::string slots_of(const std::vector<BodyId>& bodies) {
+    std::vector<std::uint32_t> slots;
+    for (const BodyId body : bodies) slots.push_back(body.slot);
+    return text_of(slots);
+}
+
+struct WorldCall {
+    const char* name;
+    void (*make)(Scene&);
+};
+
+const std::array calls = {
+    WorldCall{"create_body of a mesh", [](Scene& s) { s.ids.push_back(s.world.create_body(s.mesh, at(2))); }},
+    WorldCall{"create_body of a new mesh",
+              [](Scene& s) { s.ids.push_back(s.world.create_body(tetrahedron(), at(2))); }},
+    WorldCall{"create_body of a shape",
+              [](Scene& s) { s.ids.push_back(s.world.create_body(std::make_shared<Ball>(1), at(2))); }},
+    WorldCall{"destroy_body", [](Scene& s) { s.world.destroy_body(s.ids[10]); }},
+    WorldCall{"set_pose", [](Scene& s) { s.move(9, 0.25); }},
+    WorldCall{"set_poses",
+              [](Scene& s) {
+                  const std::vector<BodyId> bodies = {s.ids[0], s.ids[1], s.ids[9], s.ids[0]};
+                  s.world.set_poses(bodies, std::vector<Pose>{at(1), at(2), at(3), at(4)});
+              }},
+    WorldCall{"set_shape to a mesh", [](Scene& s) { s.world.set_shape(s.ids[1], tetrahedron()); }},
+    WorldCall{"set_shape to another kind", [](Scene& s) { s.world.set_shape(s.ids[1], std::make_shared<Ball>(0.75)); }},
+    WorldCall{"set_filter", [](Scene& s) { s.world.set_filter(s.ids[1], {.groups = 4}); }},
+    WorldCall{"set_pair_enabled, off", [](Scene& s) { s.world.set_pair_enabled(s.ids[0], s.ids[1], false); }},
+    WorldCall{"set_pair_enabled, on", [](Scene& s) { s.world.set_pair_enabled(s.ids[9], s.ids[10], true); }},
+    WorldCall{"set_test", [](Scene& s) { s.world.set_test(ball_kind, ball_kind, std::make_shared<BoxTest>()); }},
+    WorldCall{"set_test of new kinds",
+              [](Scene& s) { s.world.set_test(ShapeKind{8}, ball_kind, std::make_shared<BoxTest>()); }},
+    WorldCall{"set_user_data", [](Scene& s) { s.world.set_user_data(s.ids[0], 77); }},
+    WorldCall{"reserve", [](Scene& s) { s.world.reserve(500); }},
+    WorldCall{"overlapping_pairs", [](Scene& s) { s.answer = std::to_string(s.world.overlapping_pairs().size()); }},
+    WorldCall{"intersects", [](Scene& s) { s.answer = s.world.intersects(s.ids[0], s.ids[1]) ? "yes" : "no"; }},
+    WorldCall{"relation",
+              [](Scene& s) { s.answer = std::to_string(static_cast<int>(s.world.relation(s.ids[0], s.ids[1]))); }},
+    WorldCall{"intersecting_triangles",
+              [](Scene& s) { s.answer = std::to_string(s.world.intersecting_triangles(s.ids[0], s.ids[1]).size()); }},
+    WorldCall{"overlapping_bodies",
+              [](Scene& s) {
+                  s.answer = slots_of(s.world.overlapping_bodies({.min = Vec3(0, 0, 0), .max = Vec3(4, 4, 4)}));
+              }},
+    WorldCall{"intersecting_bodies, mesh",
+              [](Scene& s) { s.answer = slots_of(s.world.intersecting_bodies(s.mesh, at(1))); }},
+    WorldCall{"intersecting_bodies, new mesh",
+              [](Scene& s) { s.answer = slots_of(s.world.intersecting_bodies(tetrahedron(), at(1))); }},
+    WorldCall{"intersecting_bodies, shape",
+              [](Scene& s) { s.answer = slots_of(s.world.intersecting_bodies(Ball(1), at(1))); }},
+    WorldCall{"bodies", [](Scene& s) { s.answer = slots_of(s.world.bodies()); }},
+    WorldCall{"statistics", [](Scene& s) { s.answer = std::to_string(s.world.statistics().body_count); }},
+    WorldCall{"digest", [](Scene& s) { s.answer = std::to_string(s.world.digest()); }},
+};
+
+class WorldOutOfMemory : public testing::TestWithParam<BroadPhaseKind> {
+  protected:
+    Trial<Scene> trial_of(void (*call)(Scene&), Stage stage, std::size_t body_count = 32) const {
+        return {.make = [=, this] { return Scene({.broad_phase = GetParam()}, stage, body_count); },
+                .call = call,
+                .difference = [](Scene& a, Scene& b) { return difference(a, b); },
+                .go_on = [](Scene& scene) { scene.go_on(); }};
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(BroadPhases, WorldOutOfMemory,
+                         testing::Values(BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune,
+                                         BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic));
+
+TEST_P(WorldOutOfMemory, EveryCallThenChangesNothing) {
+    std::uint64_t allocations = 0;
+    for (const WorldCall& call : calls) {
+        Failures failures;
+        for (const Stage stage : stages) {
+            fail_each_allocation(trial_of(call.make, stage), failures);
+        }
+        expect_none(failures, call.name);
+        allocations += failures.allocations;
+    }
+    EXPECT_GE(allocations, 500u);
+}
+
+TEST_P(WorldOutOfMemory, ValidateOnlyLooks) {
+    Trial<Scene> trial = trial_of([](Scene& s) { s.world.validate(); }, Stage::running, 20);
+    const auto make = trial.make;
+    trial.make = [make] {
+        Scene scene = make();
+        scene.world.update();
+        return scene;
+    };
+    Failures failures;
+    fail_each_allocation(trial, failures);
+    expect_none(failures, "validate");
+}
+
+TEST(WorldOutOfMemory, AWorldThatIsNotMade) {
+    Failures failures;
+    fail_each_allocation<std::unique_ptr<World>>(
+        {.make = [] { return nullptr; },
+         .call = [](std::unique_ptr<World>& world) { world = std::make_unique<World>(); },
+         .difference = [](auto& a, auto& b) { return (a == nullptr) == (b == nullptr) ? "" : "a world"; }},
+        failures);
+    expect_none(failures, "World()");
+}
+
+}  // namespace
+}  // namespace ecods::allocation
