@@ -5,11 +5,11 @@
 #include <limits>
 #include <vector>
 
-#include "simd/dispatch.hpp"
-#include "bvh/double_lanes.hpp"
 #include "base/next.hpp"
 #include "base/outward.hpp"
+#include "bounds/double4.hpp"
 #include "exact/sign/filter_bound.hpp"
+#include "simd/dispatch.hpp"
 
 namespace ecods {
 namespace {
@@ -58,8 +58,8 @@ ECODS_ALWAYS_INLINE Reaches reaches(const Row& support, Double4 x, Double4 y, Do
         const Double4 at = coordinate * to_cells + cell_count / 2, end = none + cell_count;
         return at > none ? (at < end ? at : end) : none;
     };
-    typedef std::int32_t Int4 __attribute__((vector_size(16)));
-    const auto whole = [](Double4 at) { return __builtin_convertvector(__builtin_convertvector(at, Int4), Double4); };
+    using Int4 = Vec<std::int32_t, 4>;
+    const auto whole = [](Double4 at) { return convert<Double4>(convert<Int4>(at)); };
     const Double4 at_i = place(by_axis(y, z, x)), at_j = place(by_axis(z, x, y));
     const Double4 last = none + (cell_count - 1), floor_i = whole(at_i), floor_j = whole(at_j);
     const Double4 i = floor_i < last ? floor_i : last, j = floor_j < last ? floor_j : last;
@@ -68,8 +68,8 @@ ECODS_ALWAYS_INLINE Reaches reaches(const Row& support, Double4 x, Double4 y, Do
     // Each cell is cut along its diagonal.
     const Double4 low = f < g ? f : g, high = f < g ? g : f;
     const Double4 first_share = 1 - high, across_share = high - low;
-    const Int4 first = __builtin_convertvector(start + side_count * j + i, Int4);
-    const Int4 across = first + __builtin_convertvector(f < g ? none + side_count : one, Int4);
+    const Int4 first = convert<Int4>(start + side_count * j + i);
+    const Int4 across = first + convert<Int4>(f < g ? none + side_count : one);
     const auto table = [&](int at) {
         const float* const h = &support[2 * static_cast<std::size_t>(at)];
         return Double2{h[0], h[1]};
@@ -122,11 +122,11 @@ SupportTable::SupportTable(const Mesh& mesh, const LocalFrame& frame) : frame_(f
 // reaches |R axes| half from the center: both products are off by 3.01 u' sqrt(3) |R| 1, below 16 u' |R| 1 in units of
 // the scale. What is added to the center meets three roundings, 4 u' is more than they are, and the sum one.
 ECODS_ALWAYS_INLINE Aabb SupportTable::box_wide(const Pose& pose) const {
-    const Matrix4 R = load(pose.R);
-    const Double4 t = load(pose.t.data());
-    const Double4 center = R * load(frame_.center.data()) + t;  // as pose_point has it
+    const Matrix4 R = load3(pose.R);
+    const Double4 t = load3(pose.t.data());
+    const Double4 center = R * load3(frame_.center.data()) + t;  // as pose_point has it
     const Matrix4 size = absolute(R);
-    const double sum_max = largest(size * load(v_max_.data()) + absolute(t));
+    const double sum_max = largest(size * load3(v_max_.data()) + absolute(t));
     const double size_max = largest(size);
     // Below these nothing overflows: the reach is at most 3 size_max in units of the scale, and below 1.5 sum_max.
     // Asked for in advance, because a mode that rounds down makes a large number of what is infinite in others.
@@ -136,7 +136,7 @@ ECODS_ALWAYS_INLINE Aabb SupportTable::box_wide(const Pose& pose) const {
     }
     const double delta = exact::point_error_bound(sum_max, std::max(size_max, v_max_of_all_));
     const Double4 oriented =
-        absolute(R * load(frame_.axes)) * load(frame_.half.data()) + 16 * double_u * row_sums(size);
+        absolute(R * load3(frame_.axes)) * load3(frame_.half.data()) + 16 * double_u * row_sums(size);
     const Reaches h = reaches(support_, R.column[0], R.column[1], R.column[2]);
     const auto outwards = [&](Double4 units) {
         return ((units < oriented ? units : oriented) * frame_.scale + delta) * (1 + 4 * double_u);

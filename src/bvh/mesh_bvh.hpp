@@ -70,7 +70,7 @@ struct MeshBvh {
     TreeRef root;
     std::array<float, 3> root_center{};
     std::array<float, 3> root_half{};
-    std::vector<BvhNode> nodes;   // parents before children
+    std::vector<BvhNode> nodes;    // parents before children
     std::vector<TreeLeaf> leaves;  // from left to right
     double built_cost = 0;         // tree_cost when it was built
 

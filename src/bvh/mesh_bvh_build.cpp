@@ -3,9 +3,9 @@
 #include <bit>
 #include <utility>
 
-#include "bvh/box_lanes.hpp"
-#include "bvh/slabs.hpp"
+#include "bvh/frame_box.hpp"
 #include "bvh/mesh_bvh.hpp"
+#include "bvh/slabs.hpp"
 
 namespace ecods {
 namespace {

@@ -1,49 +1,30 @@
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <type_traits>
 
-#include "simd/dispatch.hpp"
-#include "simd/inline.hpp"
 #include "bvh/separating_axes.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/vec.hpp"
 
 namespace ecods {
 namespace {
 
-// Registers that every x86-64 has, and wider ones.
-struct FourWide {
-    static constexpr std::size_t width = 4;
-    typedef float Floats __attribute__((vector_size(16), may_alias));
-    typedef std::int32_t Ints __attribute__((vector_size(16), may_alias));
-    typedef std::uint64_t Words __attribute__((vector_size(16), may_alias));
-    typedef std::uint8_t Bytes __attribute__((vector_size(4), may_alias));
-};
-struct EightWide {
-    static constexpr std::size_t width = 8;
-    typedef float Floats __attribute__((vector_size(32), may_alias));
-    typedef std::int32_t Ints __attribute__((vector_size(32), may_alias));
-    typedef std::uint64_t Words __attribute__((vector_size(32), may_alias));
-    typedef std::uint8_t Bytes __attribute__((vector_size(8), may_alias));
-};
-
-// All of this is compiled for both. Operations and their order are the same in every lane, so the bits are, too.
-template <class Registers>
+// For registers of `width` floats: four, which every x86-64 has, or eight. Operations and their order are the same in
+// every lane, so the bits are, too.
+template <std::size_t width>
 struct Kernel {
-    using Floats = typename Registers::Floats;
-    using Ints = typename Registers::Ints;
-    static constexpr std::size_t width = Registers::width;
+    using Floats = Vec<float, width>;
+    using Ints = Vec<std::int32_t, width>;
     static constexpr std::size_t part_count = tree_width / width;
 
     using Sets = std::array<AxisSet, 2>;
 
-    ECODS_ALWAYS_INLINE static const Floats& load(const FloatLanes& lanes, std::size_t part) noexcept {
-        return reinterpret_cast<const Floats&>(lanes[part * width]);
+    ECODS_ALWAYS_INLINE static Floats load(const FloatLanes& lanes, std::size_t part) noexcept {
+        return ecods::load<Floats>(&lanes[part * width]);
     }
     ECODS_ALWAYS_INLINE static void store(FloatLanes& lanes, std::size_t part, Floats v) noexcept {
-        reinterpret_cast<Floats&>(lanes[part * width]) = v;
+        ecods::store(&lanes[part * width], v);
     }
-    ECODS_ALWAYS_INLINE static Floats min(Floats a, Floats b) noexcept { return a < b ? a : b; }
-    ECODS_ALWAYS_INLINE static Floats max(Floats a, Floats b) noexcept { return a > b ? a : b; }
 
     // The ends of eight boxes or triangles on three axes.
     struct Spans {
@@ -130,18 +111,12 @@ struct Kernel {
     ECODS_ALWAYS_INLINE static std::uint32_t bits_of(const Ints (&lanes)[part_count]) noexcept {
         Ints any = lanes[0];
         for (std::size_t part = 1; part < part_count; ++part) any |= lanes[part];
-        const auto words = reinterpret_cast<typename Registers::Words>(any);
-        std::uint64_t bits = words[0] | words[1];
-        if constexpr (width == 8) bits |= words[2] | words[3];
-        return static_cast<std::uint32_t>(bits | bits >> 32);
+        return static_cast<std::uint32_t>(any_bits(any));
     }
 
     // Bits i of lanes j to bits 8 j + i.
     ECODS_ALWAYS_INLINE static void collect(const Ints& near, std::size_t part, std::uint64_t& pairs) noexcept {
-        typename Registers::Bytes bytes = __builtin_convertvector(near, typename Registers::Bytes);
-        std::uint64_t word = 0;
-        std::memcpy(&word, &bytes, sizeof bytes);
-        pairs |= word << (8 * part * width);
+        pairs |= low_bytes(near) << (8 * part * width);
     }
 
     // The ends of what is in the lanes on an axis: m . y.
@@ -178,9 +153,9 @@ struct Kernel {
                                                  const Other& other, float shift, Ints (&lanes)[part_count]) noexcept {
         const auto& n = slab.normal;
         // The fourth lane of m is n . q.
-        const auto row = [](const std::array<float, 4>& r) { return FourWide::Floats{r[0], r[1], r[2], r[3]}; };
+        const auto row = [](const std::array<float, 4>& r) { return Vec<float, 4>{r[0], r[1], r[2], r[3]}; };
         const auto& rows = set.b.row;  // for q
-        const FourWide::Floats m4 = (n[0] * row(p.row[0]) + n[1] * row(p.row[1])) + n[2] * row(p.row[2]);
+        const Vec<float, 4> m4 = (n[0] * row(p.row[0]) + n[1] * row(p.row[1])) + n[2] * row(p.row[2]);
         const std::array<float, 3> m{m4[0], m4[1], m4[2]};
         const float q = shift * ((n[0] * rows[0][3] + n[1] * rows[1][3]) + n[2] * rows[2][3]);
         const float margin = 3 * ((std::abs(n[0]) * set.point_error[0] + std::abs(n[1]) * set.point_error[1]) +
@@ -191,13 +166,6 @@ struct Kernel {
             find_ends(other, m, part, low, high);
             lanes[part] = ~((low > slab_high) | (high < slab_low));
         }
-    }
-
-    // Bit i of lane i.
-    ECODS_ALWAYS_INLINE static Ints lane_bits(std::size_t part) noexcept {
-        Ints bits{};
-        for (std::size_t i = 0; i < width; ++i) bits[i] = 1 << (part * width + i);
-        return bits;
     }
 
     template <class X, class Y>
@@ -213,7 +181,8 @@ struct Kernel {
         }
         if (sets[1].b.is_unit) {
             find_in_slab(sets[1], y.slab, sets[1].a, x, -1, lanes);
-            for (std::size_t part = 0; part < part_count; ++part) lanes[part] &= lane_bits(part);
+            for (std::size_t part = 0; part < part_count; ++part)
+                lanes[part] &= lane_bits<Ints>(static_cast<int>(part * width));
             rows &= bits_of(lanes);
             if (rows == 0) return 0;
         }
@@ -300,23 +269,8 @@ struct Kernel {
 using Sets = std::array<AxisSet, 2>;
 
 template <class X, class Y>
-std::uint64_t four_wide(const Sets& sets, const X& x, const Y& y) noexcept {
-    return Kernel<FourWide>::overlap_mask(sets, x, y);
-}
-
-#if ECODS_CAN_DISPATCH
-template <class X, class Y>
-__attribute__((target("avx2"))) std::uint64_t eight_wide(const Sets& sets, const X& x, const Y& y) noexcept {
-    return Kernel<EightWide>::overlap_mask(sets, x, y);
-}
-#endif
-
-template <class X, class Y>
 std::uint64_t widest(const Sets& sets, const X& x, const Y& y) noexcept {
-#if ECODS_CAN_DISPATCH
-    if (instruction_set() != InstructionSet::baseline) return eight_wide(sets, x, y);
-#endif
-    return four_wide(sets, x, y);
+    return dispatch_by_width<Kernel<4>::overlap_mask<X, Y>, Kernel<8>::overlap_mask<X, Y>>(sets, x, y);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <cstring>
 #include <limits>
 
+#include "bounds/double4.hpp"
 #include "simd/dispatch.hpp"
-#include "bvh/double_lanes.hpp"
 
 namespace ecods {
 namespace {
@@ -38,11 +38,11 @@ struct Edges {
     double factor;        // above every number that a rounding error of these is multiplied by
 
     ECODS_ALWAYS_INLINE Edges(const LocalFrame& frame, const Mat3& pose_R) {
-        const Matrix4 R = load(pose_R);
+        const Matrix4 R = load3(pose_R);
         const Matrix4 R_size = absolute(R);
-        const Double4 center = load(frame.center.data());
-        edges = R * load(frame.map);
-        size = R_size * load(frame.map_size.data());
+        const Double4 center = load3(frame.center.data());
+        edges = R * load3(frame.map);
+        size = R_size * load3(frame.map_size.data());
         origin = R * center;
         origin_size = R_size * absolute(center);
         factor = (1 + sum(row_sums(R_size))) * frame.size_max;
@@ -76,7 +76,7 @@ struct DoubleAxes {
     bool is_unit;
 
     ECODS_ALWAYS_INLINE DoubleAxes(const Matrix4& N, const Edges& edges_a, const Edges& edges_b, Double4 d,
-                                 Own own_tree) {
+                                   Own own_tree) {
         const Matrix4 N_size = absolute(N);
         const Double4 d_size = absolute(d);
         a = N * edges_a.edges;
@@ -136,8 +136,7 @@ ECODS_ALWAYS_INLINE int separating_edges(const DoubleAxes& set, const RootBox& x
 }
 
 ECODS_ALWAYS_INLINE std::array<float, 4> to_floats(Double4 v) noexcept {
-    typedef float Float4 __attribute__((vector_size(16)));
-    const Float4 f = __builtin_convertvector(v, Float4);
+    const Vec<float, 4> f = convert<Vec<float, 4>>(v);
     std::array<float, 4> result;
     std::memcpy(&result, &f, sizeof f);
     return result;
@@ -175,7 +174,7 @@ ECODS_ALWAYS_INLINE int bind_sets(std::array<AxisSet, 2>& sets, const PosedTree&
                                   const Vec3& difference, int preferred) noexcept {
     const Edges edges_a(a.tree.frame, a.R), edges_b(b.tree.frame, b.R);
     const RootBox root_a(a.tree), root_b(b.tree);
-    const Double4 d = load(difference.data());
+    const Double4 d = load3(difference.data());
     if (preferred >= 3 && preferred < 6) {
         const DoubleAxes second(axes_of(edges_b, edges_a), edges_a, edges_b, d, Own::b);
         const int face = separating_face(second, root_b, second.b, root_a, second.a, -1);

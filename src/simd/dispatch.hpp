@@ -57,4 +57,16 @@ ECODS_ALWAYS_INLINE decltype(auto) dispatch(Arguments&&... arguments) {
     return on_baseline<body>(std::forward<Arguments>(arguments)...);
 }
 
+// As dispatch, for bodies that are written for a width of registers: `four_wide` for registers of four floats, which
+// every x86-64 has, `eight_wide` for those of eight.
+template <auto four_wide, auto eight_wide, class... Arguments>
+ECODS_ALWAYS_INLINE decltype(auto) dispatch_by_width(Arguments&&... arguments) {
+#if ECODS_CAN_DISPATCH
+    if (instruction_set() != InstructionSet::baseline) {
+        return on_avx2<eight_wide>(std::forward<Arguments>(arguments)...);
+    }
+#endif
+    return on_baseline<four_wide>(std::forward<Arguments>(arguments)...);
+}
+
 }  // namespace ecods

@@ -1,7 +1,6 @@
-// Boxes as the processor likes them: one in a cache line, or eight in a block, to be compared all lanes at once.
+// Boxes packed for vector registers: one per cache line, or eight per block, end by end.
 //
-// Everything here is integers (key_box.hpp) and comparisons, so it means the same on every instruction set. Vectors
-// are of four numbers: wider ones are taken apart into single numbers where the registers are narrower.
+// Everything here is integers (geometry/key_box.hpp) and comparisons, so it means the same on every instruction set.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +9,12 @@
 #include <cstdint>
 #include <limits>
 
-#include "simd/inline.hpp"
 #include "geometry/key_box.hpp"
+#include "simd/vec.hpp"
 
 namespace ecods {
 
-typedef std::int64_t KeyLanes __attribute__((vector_size(32), may_alias));
+using KeyLanes = Vec<std::int64_t, 4>;
 
 // A box as eight numbers: the minima, -1, the complements of the maxima, -1. A complement reverses the order, so that
 // of each number the smaller reaches farther: containment, union and overlap are the same operation on all lanes.
@@ -34,18 +33,8 @@ struct alignas(64) BoxReach {
     std::array<std::int64_t, 8> ends;
 };
 
-ECODS_ALWAYS_INLINE const KeyLanes& lanes(const std::int64_t* first) noexcept {
-    return *reinterpret_cast<const KeyLanes*>(first);
-}
-ECODS_ALWAYS_INLINE KeyLanes& lanes(std::int64_t* first) noexcept {
-    return *reinterpret_cast<KeyLanes*>(first);
-}
-
-// The bits that are set in any lane.
-ECODS_ALWAYS_INLINE std::int64_t any_lane(const KeyLanes& all) noexcept {
-    typedef std::int64_t Half __attribute__((vector_size(16)));
-    const Half half = __builtin_shufflevector(all, all, 0, 1) | __builtin_shufflevector(all, all, 2, 3);
-    return half[0] | half[1];
+ECODS_ALWAYS_INLINE KeyLanes lanes(const std::int64_t* first) noexcept {
+    return load<KeyLanes>(first);
 }
 
 inline PackedBox packed_box(const KeyBox& box) noexcept {
@@ -58,35 +47,32 @@ inline KeyBox key_box(const PackedBox& line) noexcept {
 // packed_box(key_box(box)), without taking it apart.
 ECODS_ALWAYS_INLINE void make_packed_box(const Aabb& box, PackedBox& line) noexcept {
     static_assert(sizeof(Aabb) == 6 * sizeof(double));
-    typedef std::int64_t Loose __attribute__((vector_size(32), may_alias, aligned(8)));
-    const double* first = box.min.data();
+    const auto* first = reinterpret_cast<const std::int64_t*>(box.min.data());  // read as vectors, which may alias
     constexpr std::int64_t rest = std::numeric_limits<std::int64_t>::max();
-    const KeyLanes bits[2] = {*reinterpret_cast<const Loose*>(first), *reinterpret_cast<const Loose*>(first + 2)};
+    const KeyLanes bits[2] = {load_anywhere<KeyLanes>(first), load_anywhere<KeyLanes>(first + 2)};
     const KeyLanes signs[2] = {bits[0] < 0, bits[1] < 0};
     const KeyLanes mins = ((bits[0] & rest) ^ signs[0]) - signs[0];
     const KeyLanes maxs = ((bits[1] & rest) ^ signs[1]) - signs[1];
     const KeyLanes ones = {-1, -1, -1, -1};
-    lanes(&line.ends[0]) = __builtin_shufflevector(mins, ones, 0, 1, 2, 4);
-    lanes(&line.ends[4]) = __builtin_shufflevector(~maxs, ones, 1, 2, 3, 4);
+    store(&line.ends[0], shuffle<0, 1, 2, 4>(mins, ones));
+    store(&line.ends[4], shuffle<1, 2, 3, 4>(~maxs, ones));
 }
 
 ECODS_ALWAYS_INLINE void make_reach(const PackedBox& line, BoxReach& reach) noexcept {
-    lanes(&reach.ends[0]) = ~lanes(&line.ends[4]);
-    lanes(&reach.ends[4]) = ~lanes(&line.ends[0]);
+    store(&reach.ends[0], ~lanes(&line.ends[4]));
+    store(&reach.ends[4], ~lanes(&line.ends[0]));
 }
 
 // Whether the closed boxes share a point. An empty box overlaps none.
 ECODS_ALWAYS_INLINE bool overlaps(const PackedBox& line, const BoxReach& reach) noexcept {
-    return any_lane((lanes(&line.ends[0]) > lanes(&reach.ends[0])) | (lanes(&line.ends[4]) > lanes(&reach.ends[4]))) ==
-           0;
+    return !any((lanes(&line.ends[0]) > lanes(&reach.ends[0])) | (lanes(&line.ends[4]) > lanes(&reach.ends[4])));
 }
 inline bool overlap(const PackedBox& a, const PackedBox& b) noexcept {
     return overlap(key_box(a), key_box(b));
 }
 
 ECODS_ALWAYS_INLINE bool contains(const PackedBox& outer, const PackedBox& inner) noexcept {
-    return any_lane((lanes(&outer.ends[0]) > lanes(&inner.ends[0])) |
-                    (lanes(&outer.ends[4]) > lanes(&inner.ends[4]))) == 0;
+    return !any((lanes(&outer.ends[0]) > lanes(&inner.ends[0])) | (lanes(&outer.ends[4]) > lanes(&inner.ends[4])));
 }
 
 inline void enlarge(PackedBox& line, const PackedBox& by) noexcept {
@@ -138,8 +124,8 @@ ECODS_ALWAYS_INLINE std::uint32_t overlapping(const BoxBlock& block, const BoxRe
         beyond[0] |= lanes(&block.ends[row][0]) > end;
         beyond[1] |= lanes(&block.ends[row][4]) > end;
     }
-    const KeyLanes bits[2] = {{1, 2, 4, 8}, {16, 32, 64, 128}};
-    return static_cast<std::uint32_t>(any_lane((~beyond[0] & bits[0]) | (~beyond[1] & bits[1])));
+    return static_cast<std::uint32_t>(
+        any_bits((~beyond[0] & lane_bits<KeyLanes>(0)) | (~beyond[1] & lane_bits<KeyLanes>(4))));
 }
 
 }  // namespace ecods

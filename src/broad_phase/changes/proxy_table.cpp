@@ -6,20 +6,19 @@
 
 #include "base/bytes_of.hpp"
 #include "base/misuse.hpp"
-#include "simd/inline.hpp"
+#include "simd/vec.hpp"
 
 namespace ecods {
 namespace {
 
-typedef std::int64_t Two __attribute__((vector_size(16), may_alias, aligned(8)));
-
 // Bits, not numbers: a move from 0.0 to -0.0 changes what box() returns, and finds the same pairs again.
 ECODS_ALWAYS_INLINE bool is_same(const Aabb& a, const Aabb& b) {
+    using Two = Vec<std::int64_t, 2>;
     static_assert(sizeof(Aabb) == 3 * sizeof(Two));
-    const Two* x = reinterpret_cast<const Two*>(a.min.data());
-    const Two* y = reinterpret_cast<const Two*>(b.min.data());
-    const Two different = (x[0] ^ y[0]) | (x[1] ^ y[1]) | (x[2] ^ y[2]);
-    return (different[0] | different[1]) == 0;
+    const auto* x = reinterpret_cast<const std::int64_t*>(a.min.data());  // read as vectors, which may alias
+    const auto* y = reinterpret_cast<const std::int64_t*>(b.min.data());
+    const auto different = [&](int k) -> Two { return load_anywhere<Two>(x + 2 * k) ^ load_anywhere<Two>(y + 2 * k); };
+    return !any(different(0) | different(1) | different(2));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <cfenv>
 #include <cmath>
 
-#include "bvh/box_lanes.hpp"
+#include "bvh/frame_box.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"

@@ -1,26 +1,20 @@
 // Vectors and matrices of three dimensions in registers of four doubles, for code that is compiled for several
-// instruction sets (base/dispatch.hpp). Products of matrices and vectors add from left to right.
+// instruction sets (simd/dispatch.hpp). Products of matrices and vectors add from left to right.
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 
-#include "simd/inline.hpp"
 #include "ecods/pose.hpp"
+#include "simd/vec.hpp"
 
 namespace ecods {
 
-typedef double Double2 __attribute__((vector_size(16)));
-typedef double Double4 __attribute__((vector_size(32)));
+using Double2 = Vec<double, 2>;
+using Double4 = Vec<double, 4>;
 
 // The fourth lane is zero.
-ECODS_ALWAYS_INLINE Double4 load(const double* v) noexcept {
+ECODS_ALWAYS_INLINE Double4 load3(const double* v) noexcept {
     return Double4{v[0], v[1], v[2], 0};
-}
-
-ECODS_ALWAYS_INLINE Double4 absolute(Double4 v) noexcept {
-    typedef std::int64_t Long4 __attribute__((vector_size(32)));
-    return reinterpret_cast<Double4>(reinterpret_cast<Long4>(v) & 0x7fffffffffffffff);
 }
 
 ECODS_ALWAYS_INLINE double sum(Double4 v) noexcept {
@@ -37,16 +31,16 @@ ECODS_ALWAYS_INLINE double largest(Double4 v) noexcept {
 }
 
 ECODS_ALWAYS_INLINE Double4 cross(Double4 a, Double4 b) noexcept {
-    const Double4 c = a * __builtin_shufflevector(b, b, 1, 2, 0, 3) - __builtin_shufflevector(a, a, 1, 2, 0, 3) * b;
-    return __builtin_shufflevector(c, c, 1, 2, 0, 3);
+    const Double4 c = a * shuffle<1, 2, 0, 3>(b) - shuffle<1, 2, 0, 3>(a) * b;
+    return shuffle<1, 2, 0, 3>(c);
 }
 
 struct Matrix4 {
     Double4 column[3];
 };
 
-ECODS_ALWAYS_INLINE Matrix4 load(const Mat3& m) noexcept {
-    return {{load(m.data()), load(m.data() + 3), load(m.data() + 6)}};
+ECODS_ALWAYS_INLINE Matrix4 load3(const Mat3& m) noexcept {
+    return {{load3(m.data()), load3(m.data() + 3), load3(m.data() + 6)}};
 }
 
 ECODS_ALWAYS_INLINE Matrix4 transpose(const Matrix4& m) noexcept {

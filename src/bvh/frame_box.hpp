@@ -10,17 +10,11 @@
 #include "base/next.hpp"
 #include "base/outward.hpp"
 #include "bvh/mesh_bvh.hpp"
+#include "simd/vec.hpp"
 
 namespace ecods {
 
-typedef float Float4 __attribute__((vector_size(16)));
-
-inline Float4 min4(Float4 a, Float4 b) noexcept {
-    return a < b ? a : b;
-}
-inline Float4 max4(Float4 a, Float4 b) noexcept {
-    return a > b ? a : b;
-}
+using Float4 = Vec<float, 4>;
 
 struct FrameBox {
     static constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -29,8 +23,8 @@ struct FrameBox {
     Float4 max{-infinity, -infinity, -infinity, -infinity};
 
     void include(const FrameBox& box) noexcept {
-        min = min4(min, box.min);
-        max = max4(max, box.max);
+        min = ecods::min(min, box.min);
+        max = ecods::max(max, box.max);
     }
     // Half of the surface.
     float surface() const noexcept {
