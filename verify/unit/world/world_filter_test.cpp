@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "ecods/world.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
@@ -103,6 +105,23 @@ TEST_P(WorldFilterTest, APairIsSwitchedOffAndOn) {
     EXPECT_EQ(list(world.began()), (Pairs{ab}));
     EXPECT_EQ(tests(), before + 2);
     EXPECT_EQ(list(world.overlapping_pairs()), (Pairs{ab, ac, bc}));
+}
+
+TEST_P(WorldFilterTest, OnePairOfABodyIsSwitchedOnWhileAnotherStaysOff) {
+    for (const auto& [on, off] : {std::pair(ac, bc), {bc, ac}, {ab, bc}, {ac, ab}}) {
+        world.set_pair_enabled(on.a, on.b, false);
+        world.set_pair_enabled(off.a, off.b, false);
+        world.set_pair_enabled(on.b, on.a, true);
+        EXPECT_TRUE(world.is_pair_enabled(on.a, on.b));
+        EXPECT_FALSE(world.is_pair_enabled(off.a, off.b));
+        EXPECT_FALSE(world.is_pair_enabled(off.b, off.a));
+        world.update();
+        EXPECT_EQ(list(world.overlapping_pairs()).size(), 2u);
+        EXPECT_EQ(std::ranges::count(world.colliding_pairs(), off), 0);
+        world.set_pair_enabled(off.a, off.b, true);
+        world.update();
+        EXPECT_EQ(list(world.colliding_pairs()), (Pairs{ab, ac, bc}));
+    }
 }
 
 TEST_P(WorldFilterTest, OffAndOnBetweenUpdatesIsNoEventAndOneTestAtMost) {

@@ -71,6 +71,19 @@ TEST_P(WorldFindTest, AFilterIsAskedFirst) {
     EXPECT_EQ(world.intersecting_bodies(cube, at(0.25)), (Bodies{a, b}));
 }
 
+// Each must be in a group that the other's mask names: here one of the two is not.
+TEST_P(WorldFindTest, AFilterIsAskedInBothDirections) {
+    const BodyId a = world.create_body(cube, at(0)), b = world.create_body(cube, at(0.5));
+    world.set_filter(a, {.groups = 2, .mask = 4});
+    world.set_filter(b, {.groups = 4, .mask = 1});
+    const CollisionFilter meets_a_only_one_way{.groups = 1, .mask = 2};
+    const CollisionFilter is_met_by_b_only_one_way{.groups = 1, .mask = 3};
+    const CollisionFilter meets_b{.groups = 1, .mask = 4};
+    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25), &meets_a_only_one_way), Bodies{});
+    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25), &is_met_by_b_only_one_way), Bodies{});
+    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25), &meets_b), (Bodies{b}));
+}
+
 TEST_P(WorldFindTest, TheAnswersAreThoseOfABodyThere) {
     scenes::Random random(5);
     for (int i = 0; i < 60; ++i) {

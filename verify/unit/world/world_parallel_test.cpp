@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <stdexcept>
+#include <thread>
 
 #include "ecods/world.hpp"
 #include "scenes/random.hpp"
@@ -199,6 +201,34 @@ TEST_F(BrokenExecutor, InventsATask) {
 TEST_F(BrokenExecutor, InventsAWorker) {
     executor->script = [](std::size_t task_count, const Task& task) {
         for (std::size_t i = 0; i < task_count; ++i) task(i, i == 1 ? 2 : 0);
+    };
+    expect_failure<ExecutorFailed>();
+}
+
+// The first test that is run goes on until it is released.
+class SlowTest final : public TwoBodyTest {
+  public:
+    bool intersects(const PosedShape&, const PosedShape&, QueryMemory&) const override {
+        if (!has_begun.exchange(true)) is_released.wait(false);
+        return true;
+    }
+    Relation relation(const PosedShape&, const PosedShape&, QueryMemory&) const override { return Relation::touching; }
+
+    mutable std::atomic<bool> has_begun = false;
+    std::atomic<bool> is_released = false;
+};
+
+TEST_F(BrokenExecutor, RunsTwoTasksAtOnceAsOneWorker) {
+    const auto test = std::make_shared<SlowTest>();
+    world.set_test(ball_kind, ball_kind, test);
+    executor->script = [&](std::size_t task_count, const Task& task) {
+        std::thread slow([&] { task(0, 1); });
+        while (!test->has_begun) std::this_thread::yield();
+        task(1, 1);
+        test->is_released = true;
+        test->is_released.notify_all();
+        slow.join();
+        for (std::size_t i = 2; i < task_count; ++i) task(i, 0);
     };
     expect_failure<ExecutorFailed>();
 }

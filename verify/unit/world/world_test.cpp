@@ -161,6 +161,21 @@ TEST_P(WorldTest, DigestIsOfTheSceneNotOfItsHistory) {
     EXPECT_NE(world.digest(), other.digest());
 }
 
+TEST_P(WorldTest, DigestIsOfEveryEntryOfAPose) {
+    const BodyId a = world.create_body(cube, at(0));
+    world.update();
+    std::vector<std::uint64_t> digests = {world.digest()};
+    for (int entry = 0; entry < 12; ++entry) {
+        Pose pose;
+        (entry < 9 ? pose.R(entry / 3, entry % 3) : pose.t[entry - 9]) = 0.5;
+        world.set_pose(a, pose);
+        world.update();
+        digests.push_back(world.digest());
+    }
+    std::ranges::sort(digests);
+    EXPECT_EQ(std::ranges::adjacent_find(digests), digests.end());
+}
+
 TEST_P(WorldTest, ManyTouchingCubesAreListedAscending) {
     constexpr int n = 4;
     for (int i = 0; i < n * n * n; ++i) world.create_body(cube, at(i % n, i / n % n, i / n / n));
