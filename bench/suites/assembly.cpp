@@ -32,11 +32,6 @@ const char* name_of(Relation relation) {
     return "?";
 }
 
-// Nodes of the model have no names, its meshes do.
-std::string part_name(const scenes::Scene& scene, std::size_t body) {
-    return fmt::format("{} ({})", scene.meshes[scene.bodies[body].mesh_index].name, scene.bodies[body].name);
-}
-
 // The scene in a World, frame by frame.
 class Assembly {
   public:
@@ -128,7 +123,7 @@ Table meetings_table(const scenes::Scene& scene, const std::map<IndexPair, Meeti
         for (const scenes::Move& move : frame.moves) is_moving[move.body_index] = true;
     for (const auto& [pair, meeting] : meetings) {
         if ((is_moving[pair.a] || is_moving[pair.b]) != moves) continue;
-        std::vector<std::string> row = {part_name(scene, pair.a), part_name(scene, pair.b), name_of(meeting.at_rest),
+        std::vector<std::string> row = {scene.bodies[pair.a].name, scene.bodies[pair.b].name, name_of(meeting.at_rest),
                                         fmt::format("{}", meeting.triangles_at_rest)};
         if (moves)
             for (const std::size_t count : {meeting.touching_frames, meeting.crossing_frames, meeting.triangles_max})

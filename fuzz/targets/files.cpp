@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -50,6 +51,12 @@ void read_trace(const std::string& text) {
     }
 }
 
+std::set<std::string> names_of(const scenes::Scene& scene) {
+    std::set<std::string> names;
+    for (const scenes::SceneBody& body : scene.bodies) names.insert(body.name);
+    return names;
+}
+
 void read_scene(const std::string& text, const char* ending) {
     static const Folder folder;
     const std::filesystem::path file = folder.path() / (std::string("input") + ending);
@@ -64,8 +71,10 @@ void read_scene(const std::string& text, const char* ending) {
                 ecods::fuzz::require(move.body_index < scene.bodies.size(), "a move is of a body");
             }
         }
-    } catch (const scenes::ReadError& error) {
-        ecods::fuzz::require(!error.text.empty(), "an error says what is wrong");
+        ecods::fuzz::require(names_of(scene).size() == scene.bodies.size(), "no two bodies have one name");
+    } catch (const scenes::ReadErrors& errors) {
+        ecods::fuzz::require(errors.errors.size() == 1, "an error for the file that cannot be read");
+        ecods::fuzz::require(!errors.errors[0].text.empty(), "an error says what is wrong");
     }
 }
 

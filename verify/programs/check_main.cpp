@@ -41,6 +41,7 @@ void show_progress(std::size_t frame, std::size_t frame_count) {
 
 int check_files(const Options& options) {
     const scenes::Scene scene = scenes::read_files(options.files);
+    for (const std::string& note : scene.notes) fmt::print(stderr, "ecods_check: {}\n", note);
     SceneWorld world(scene, options.broad_phase);
     OracleJudge judge(scene);
     nlohmann::ordered_json json = to_json(scene);
@@ -90,8 +91,8 @@ int run(int argc, char** argv) {
     Options options;
     CLI::App app(
         "Says which bodies of some files touch and which cross: exactly.\n\n"
-        "Files are meshes (.obj, .off, .ply, .stl: a body each), assemblies (.gltf, .glb: a body for each node) and\n"
-        "scenes (.json); all of them together are one scene.\n\n"
+        "Files are meshes (.off, .ply: a body each; .obj, .stl: a body for each object, group or solid), assemblies\n"
+        "(.gltf, .glb: a body for each node with a mesh) and scenes (.json); all of them together are one scene.\n\n"
         "Exit status: 0, or 1 if an answer is not the expected one, or 2 if the input cannot be read.",
         "ecods_check");
     app.add_option("FILE", options.files, "Files to read");
@@ -120,6 +121,9 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     try {
         return ecods::check::run(argc, argv);
+    } catch (const ecods::scenes::ReadErrors& errors) {
+        for (const auto& error : errors.errors) fmt::print(stderr, "ecods_check: {}\n", error.what());
+        return ecods::check::exit_unreadable;
     } catch (const std::exception& error) {
         fmt::print(stderr, "ecods_check: {}\n", error.what());
         return ecods::check::exit_unreadable;

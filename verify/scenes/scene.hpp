@@ -40,6 +40,7 @@ struct Scene {
     std::vector<NamedMesh> meshes;
     std::vector<SceneBody> bodies;
     std::vector<Frame> frames;
+    std::vector<std::string> notes;  // "FILE: TEXT": what a file has, and the scene has not
 };
 
 }  // namespace ecods::scenes

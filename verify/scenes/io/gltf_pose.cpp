@@ -5,35 +5,45 @@
 namespace ecods::scenes {
 namespace {
 
-void check(const GltfModel& model, const std::string& place, const std::vector<double>& values, std::size_t size) {
-    if (!values.empty() && values.size() != size)
-        model.fail(place, "this should have " + std::to_string(size) + " numbers");
+// The numbers of a member, or nothing if there is none.
+template <int Size>
+std::optional<Eigen::Matrix<double, Size, 1>> numbers(const JsonPlace& node, const char* key) {
+    const auto member = node.find(key);
+    if (!member) return std::nullopt;
+    Eigen::Matrix<double, Size, 1> values;
+    const auto elements = member->elements(Size);
+    for (int i = 0; i < Size; ++i) values[i] = elements[static_cast<std::size_t>(i)].number();
+    return values;
+}
+
+Pose pose_of_matrix(const JsonPlace& place, const Eigen::Matrix<double, 16, 1>& values) {
+    const auto matrix = Eigen::Map<const Eigen::Matrix4d>(values.data());  // by columns, as Eigen has it
+    if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) place.fail("the last row is not 0 0 0 1");
+    return {matrix.topLeftCorner<3, 3>(), matrix.topRightCorner<3, 1>()};
 }
 
 }  // namespace
 
-Pose local_pose(const GltfModel& model, const std::string& place, const tinygltf::Node& node) {
-    check(model, place + ".matrix", node.matrix, 16);
-    check(model, place + ".translation", node.translation, 3);
-    check(model, place + ".rotation", node.rotation, 4);
-    check(model, place + ".scale", node.scale, 3);
+Pose local_pose(const JsonPlace& node) {
+    const auto translation = numbers<3>(node, "translation");
+    const auto rotation = numbers<4>(node, "rotation");
+    const auto scale = numbers<3>(node, "scale");
+    if (const auto matrix = numbers<16>(node, "matrix")) {
+        if (translation || rotation || scale)
+            node.fail("a matrix and a translation, rotation or scale exclude another");
+        return pose_of_matrix(node.at("matrix"), *matrix);
+    }
     Pose pose;
-    if (!node.matrix.empty()) {
-        const auto matrix = Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());  // by columns, as Eigen has it
-        if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
-            model.fail(place + ".matrix", "the last row is not 0 0 0 1");
-        pose.R = matrix.topLeftCorner<3, 3>();
-        pose.t = matrix.topRightCorner<3, 1>();
-        return pose;
-    }
-    if (!node.rotation.empty()) {
-        const Eigen::Quaterniond rotation(Eigen::Map<const Eigen::Vector4d>(node.rotation.data()));  // x, y, z, w
-        if (!(rotation.norm() > 0)) model.fail(place + ".rotation", "the quaternion is zero");
+    if (rotation) {
+        const Eigen::Quaterniond quaternion(*rotation);  // x, y, z, w
+        const double norm = quaternion.norm();
+        if (!(norm > 0)) node.at("rotation").fail("the quaternion is zero");
+        if (norm > 0x1p500) node.at("rotation").fail("the quaternion is too large");
         // Files store it in single precision; normalised in double, the matrix is a rotation to the last bits.
-        pose.R = rotation.normalized().toRotationMatrix();
+        pose.R = quaternion.normalized().toRotationMatrix();
     }
-    if (!node.scale.empty()) pose.R *= Eigen::Map<const Vec3>(node.scale.data()).asDiagonal();
-    if (!node.translation.empty()) pose.t = Eigen::Map<const Vec3>(node.translation.data());
+    if (scale) pose.R *= scale->asDiagonal();
+    if (translation) pose.t = *translation;
     return pose;
 }
 

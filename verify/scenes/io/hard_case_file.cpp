@@ -1,5 +1,6 @@
 #include "scenes/io/hard_case_file.hpp"
 
+#include "scenes/io/json_file.hpp"
 #include "scenes/io/json_place.hpp"
 
 namespace ecods::scenes {

@@ -23,17 +23,23 @@ std::optional<JsonPlace> JsonPlace::find(const std::string& key) const {
 }
 
 std::vector<JsonPlace> JsonPlace::elements() const {
-    if (!value_->is_array()) fail("a list is expected");
     std::vector<JsonPlace> places;
-    for (std::size_t i = 0; i < value_->size(); ++i) {
-        places.emplace_back(*file_, (*value_)[i], fmt::format("{}[{}]", path_, i));
-    }
+    for (std::size_t i = 0; i < size(); ++i) places.push_back(element(i));
     return places;
 }
 
 std::vector<JsonPlace> JsonPlace::elements(std::size_t count) const {
     if (!value_->is_array() || value_->size() != count) fail(fmt::format("a list of {} is expected", count));
     return elements();
+}
+
+std::size_t JsonPlace::size() const {
+    if (!value_->is_array()) fail("a list is expected");
+    return value_->size();
+}
+
+JsonPlace JsonPlace::element(std::size_t index) const {
+    return JsonPlace(*file_, (*value_)[index], fmt::format("{}[{}]", path_, index));
 }
 
 std::string JsonPlace::text() const {
@@ -47,10 +53,17 @@ double JsonPlace::number() const {
 }
 
 std::uint32_t JsonPlace::index() const {
-    const bool is_index =
-        value_->is_number_unsigned() && value_->get<std::uint64_t>() <= std::numeric_limits<std::uint32_t>::max();
-    if (!is_index) fail("an index is expected");
-    return value_->get<std::uint32_t>();
+    if (!value_->is_number_unsigned()) fail("an index is expected");
+    const auto value = value_->get<std::uint64_t>();
+    if (value > std::numeric_limits<std::uint32_t>::max()) fail(fmt::format("{} is beyond 32 bits", value));
+    return static_cast<std::uint32_t>(value);
+}
+
+std::uint64_t JsonPlace::count() const {
+    if (!value_->is_number_unsigned()) fail("a whole number is expected");
+    const auto value = value_->get<std::uint64_t>();
+    if (value >> 53 != 0) fail(fmt::format("{} is beyond 53 bits", value));
+    return value;
 }
 
 bool JsonPlace::boolean() const {
@@ -75,19 +88,6 @@ void JsonPlace::check_keys(std::initializer_list<const char*> known) const {
 
 void JsonPlace::fail(const std::string& text) const {
     throw ReadError(*file_, path_, text);
-}
-
-nlohmann::json read_json(const std::filesystem::path& file) {
-    const std::string bytes = read_bytes(file);
-    try {
-        return nlohmann::json::parse(bytes);
-    } catch (const nlohmann::json::parse_error& error) {
-        const std::size_t end = std::min(error.byte, bytes.size());
-        const auto line = 1 + std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-        throw ReadError(file, fmt::format("line {}", line), "this is not JSON");
-    } catch (const nlohmann::json::exception& error) {
-        throw ReadError(file, "", error.what());  // a number beyond the largest double
-    }
 }
 
 Pose read_pose(const JsonPlace& place) {

@@ -25,10 +25,13 @@ class JsonPlace {
     std::optional<JsonPlace> find(const std::string& key) const;  // a member that may exist
     std::vector<JsonPlace> elements() const;                      // of an array
     std::vector<JsonPlace> elements(std::size_t count) const;     // of an array of this size
+    std::size_t size() const;                                     // of an array
+    JsonPlace element(std::size_t index) const;                   // of an array that has it
 
-    std::string text() const;  // not empty
-    double number() const;     // the nearest double
-    std::uint32_t index() const;
+    std::string text() const;     // not empty
+    double number() const;        // the nearest double
+    std::uint32_t index() const;  // a whole number of 32 bits
+    std::uint64_t count() const;  // a whole number of 53 bits, as many as every program reads alike
     bool boolean() const;
     Vec3 point() const;
 
@@ -38,15 +41,13 @@ class JsonPlace {
     [[noreturn]] void fail(const std::string& text) const;
 
     const std::string& path() const noexcept { return path_; }
+    const nlohmann::json& value() const noexcept { return *value_; }
 
   private:
     const std::filesystem::path* file_;
     const nlohmann::json* value_;
     std::string path_;
 };
-
-// Parses a file. Throws ReadError with the line.
-nlohmann::json read_json(const std::filesystem::path& file);
 
 // {"R": [[...], [...], [...]], "t": [...]}: three rows and a translation, each of which may be left out.
 Pose read_pose(const JsonPlace& place);

@@ -6,6 +6,7 @@
 
 #include "scenes/io/extension.hpp"
 #include "scenes/io/mesh_soup.hpp"
+#include "scenes/io/read_bytes.hpp"
 
 namespace ecods::scenes {
 namespace {
@@ -22,6 +23,12 @@ Reader reader_of(const std::filesystem::path& file) {
     return nullptr;
 }
 
+MeshSoup read_soup(const std::filesystem::path& file) {
+    const Reader reader = reader_of(file);
+    if (reader == nullptr) throw ReadError(file, "", "unknown kind of mesh file; known are .obj, .off, .ply and .stl");
+    return reader(file, read_bytes(file));
+}
+
 }  // namespace
 
 bool is_mesh_file(const std::filesystem::path& file) {
@@ -29,9 +36,11 @@ bool is_mesh_file(const std::filesystem::path& file) {
 }
 
 std::shared_ptr<const Mesh> read_mesh_file(const std::filesystem::path& file) {
-    const Reader reader = reader_of(file);
-    if (reader == nullptr) throw ReadError(file, "", "unknown kind of mesh file; known are .obj, .off, .ply and .stl");
-    return make_mesh(file, "", reader(file, read_bytes(file)));
+    return make_mesh(file, "", read_soup(file));
+}
+
+std::vector<NamedMesh> read_mesh_parts(const std::filesystem::path& file) {
+    return make_part_meshes(file, read_soup(file));
 }
 
 }  // namespace ecods::scenes

@@ -3,10 +3,12 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "ecods/mesh.hpp"
 #include "scenes/io/text_file.hpp"
+#include "scenes/scene.hpp"
 
 namespace ecods::scenes {
 
@@ -14,8 +16,20 @@ struct MeshSoup {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
 
+    // Parts have names, perhaps equal ones. From its first triangle to the next run's, a run belongs to one part; what
+    // comes before all runs, to a part without a name.
+    struct Run {
+        std::size_t first_triangle = 0;
+        std::size_t part = 0;  // in part_names
+    };
+    std::vector<std::string> part_names;
+    std::vector<Run> runs;
+
     // Cuts the polygon into a fan around its first corner. Three corners at least, which are valid indices.
     void add_polygon(std::span<const std::uint32_t> corners);
+
+    // Triangles from now on belong to this part.
+    void begin_run(std::size_t part) { runs.push_back({triangles.size(), part}); }
 };
 
 // One per format; the text is the whole file. Throw ReadError. A soup may come out empty.
@@ -24,7 +38,11 @@ MeshSoup read_off(const std::filesystem::path& file, std::string_view text);
 MeshSoup read_ply(const std::filesystem::path& file, std::string_view text);
 MeshSoup read_stl(const std::filesystem::path& file, std::string_view text);
 
-// The mesh of a soup. Throws ReadError at `place`, also for what Mesh::create refuses.
+// The mesh of a soup, of all its parts. Throws ReadError at `place`, also for what Mesh::create refuses.
 std::shared_ptr<const Mesh> make_mesh(const std::filesystem::path& file, const std::string& place, MeshSoup soup);
+
+// A mesh for each part that has triangles, in the order of their first triangles. If that is one, it is the mesh of the
+// soup; of several, each has the vertices that its triangles use, in the soup's order.
+std::vector<NamedMesh> make_part_meshes(const std::filesystem::path& file, MeshSoup soup);
 
 }  // namespace ecods::scenes

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ecods::scenes {
@@ -34,6 +36,8 @@ PlyType type_named(const LineReader& reader, std::size_t index) {
 
 PlyFormat format_named(const LineReader& reader) {
     if (reader.words().size() < 2 || reader.words()[0] != "format") reader.fail("the format should be here");
+    if (reader.words().size() < 3 || reader.words()[2] != "1.0") reader.fail("the version of the format is not 1.0");
+    reader.require_end(3);
     const std::string_view word = reader.words()[1];
     if (word == "ascii") return PlyFormat::text;
     if (word == "binary_little_endian") return PlyFormat::little_endian;
@@ -41,22 +45,47 @@ PlyFormat format_named(const LineReader& reader) {
     reader.fail("unknown format");
 }
 
-PlyElement read_element(const LineReader& reader) {
+void add_element(const LineReader& reader, PlyHeader& header) {
     if (reader.words().size() < 3) reader.fail("the element is incomplete");
+    reader.require_end(3);
     const std::int64_t count = reader.integer(2);
     if (count < 0) reader.fail("a count is negative");
-    return {std::string(reader.words()[1]), count, {}};
+    const std::string name(reader.words()[1]);
+    if (name == "tristrips") reader.fail("tristrips are not supported");
+    for (const PlyElement& element : header.elements) {
+        if (element.name == name) reader.fail("the element " + shown(name) + " is given twice");
+    }
+    header.elements.push_back({name, count, {}});
 }
 
-PlyProperty read_property(const LineReader& reader) {
+void add_property(const LineReader& reader, PlyHeader& header) {
+    if (header.elements.empty()) reader.fail("a property belongs to no element");
     PlyProperty property;
     property.is_list = reader.words().size() > 1 && reader.words()[1] == "list";
     const std::size_t type = property.is_list ? 3 : 1;
     property.type = type_named(reader, type);
     if (property.is_list) property.length_type = type_named(reader, 2);
     if (reader.words().size() <= type + 1) reader.fail("the property is incomplete");
+    reader.require_end(type + 2);
     property.name = reader.words()[type + 1];
-    return property;
+    auto& properties = header.elements.back().properties;
+    for (const PlyProperty& other : properties) {
+        if (other.name == property.name) reader.fail("the property " + shown(property.name) + " is given twice");
+    }
+    properties.push_back(std::move(property));
+}
+
+void check_vertex(const LineReader& reader, const PlyElement& vertex) {
+    for (const std::string_view axis : {"x", "y", "z"}) {
+        if (find_property(vertex, {axis}, false) < 0) reader.fail("a vertex has no x, y or z");
+    }
+}
+
+void check_face(const LineReader& reader, const PlyElement& face) {
+    const bool has_indices = find_property(face, {"vertex_indices"}, true) >= 0;
+    const bool has_index = find_property(face, {"vertex_index"}, true) >= 0;
+    if (!has_indices && !has_index) reader.fail("a face has no vertex_indices");
+    if (has_indices && has_index) reader.fail("a face has both vertex_indices and vertex_index");
 }
 
 void check_elements(const LineReader& reader, const PlyHeader& header) {
@@ -65,23 +94,51 @@ void check_elements(const LineReader& reader, const PlyHeader& header) {
     for (const PlyElement& element : header.elements) {
         if (element.name == "vertex") {
             has_vertex = true;
-            for (const std::string_view axis : {"x", "y", "z"}) {
-                if (find_property(element, {axis}, false) < 0) reader.fail("a vertex has no x, y or z");
-            }
+            check_vertex(reader, element);
         } else if (element.name == "face") {
             if (!has_vertex) reader.fail("faces come before vertices");
             has_face = true;
-            if (find_property(element, {"vertex_indices", "vertex_index"}, true) < 0)
-                reader.fail("a face has no vertex_indices");
+            check_face(reader, element);
         }
     }
     if (!has_vertex || !has_face) reader.fail("the file has no vertices, or no faces");
+}
+
+bool is_comment(const LineReader& reader) {
+    const auto& words = reader.words();
+    return words[0] == "comment" || words[0] == "obj_info" ||
+           (words.size() > 1 && words[0] == "Created" && words[1] == "by");
 }
 
 }  // namespace
 
 std::size_t size_of(PlyType type) noexcept {
     return types[static_cast<std::size_t>(type)].size;
+}
+
+bool has_value(PlyType type, double value) noexcept {
+    const auto is_whole_in = [&](double min, double max) {
+        return value >= min && value <= max && value == std::floor(value);
+    };
+    switch (type) {
+        case PlyType::int8:
+            return is_whole_in(-0x1p7, 0x1p7 - 1);
+        case PlyType::uint8:
+            return is_whole_in(0, 0x1p8 - 1);
+        case PlyType::int16:
+            return is_whole_in(-0x1p15, 0x1p15 - 1);
+        case PlyType::uint16:
+            return is_whole_in(0, 0x1p16 - 1);
+        case PlyType::int32:
+            return is_whole_in(-0x1p31, 0x1p31 - 1);
+        case PlyType::uint32:
+            return is_whole_in(0, 0x1p32 - 1);
+        case PlyType::float32:
+            return !std::isfinite(value) || std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max());
+        case PlyType::float64:
+            return true;
+    }
+    return false;
 }
 
 double value_of(PlyType type, std::uint64_t bits) noexcept {
@@ -121,6 +178,7 @@ PlyHeader read_ply_header(const std::filesystem::path& file, std::string_view te
     PlyHeader header;
     reader.require_line("ply");
     if (reader.words()[0] != "ply") reader.fail("the file does not begin with ply");
+    reader.require_end(1);
     reader.require_line("the format");
     header.format = format_named(reader);
     while (true) {
@@ -128,16 +186,17 @@ PlyHeader read_ply_header(const std::filesystem::path& file, std::string_view te
         const std::string_view word = reader.words()[0];
         if (word == "end_header") break;
         if (word == "element") {
-            header.elements.push_back(read_element(reader));
+            add_element(reader, header);
         } else if (word == "property") {
-            if (header.elements.empty()) reader.fail("a property belongs to no element");
-            header.elements.back().properties.push_back(read_property(reader));
-        } else if (word != "comment" && word != "obj_info") {
+            add_property(reader, header);
+        } else if (!is_comment(reader)) {
             reader.fail("this is not a line of a PLY header");
         }
     }
+    reader.require_end(1);
     check_elements(reader, header);
     header.size = reader.position();
+    header.line_count = reader.line();
     return header;
 }
 

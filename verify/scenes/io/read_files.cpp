@@ -1,47 +1,41 @@
-#include <map>
 #include <string>
 
+#include "scenes/io/body_names.hpp"
 #include "scenes/io/extension.hpp"
 #include "scenes/io/gltf_file.hpp"
 #include "scenes/io/mesh_file.hpp"
+#include "scenes/io/read_bytes.hpp"
 #include "scenes/io/scene_file.hpp"
 
 namespace ecods::scenes {
 namespace {
 
+// A body for each part, named as the part is, or else as the file is.
+Scene scene_of_parts(const std::filesystem::path& file) {
+    Scene scene;
+    std::vector<NamedMesh> parts = read_mesh_parts(file);
+    const bool is_one = parts.size() == 1;
+    for (NamedMesh& part : parts) {
+        if (is_one || part.name.empty()) part.name = file.stem().string();
+        scene.bodies.push_back({part.name, scene.meshes.size(), {}});
+        scene.meshes.push_back(std::move(part));
+    }
+    return scene;
+}
+
 Scene read_any_file(const std::filesystem::path& file) {
     if (is_gltf_file(file)) return read_gltf_file(file);
-    if (is_mesh_file(file)) {
-        const std::string name = file.stem().string();
-        Scene scene;
-        scene.meshes.push_back({name, read_mesh_file(file)});
-        scene.bodies.push_back({name, 0, {}});
-        return scene;
-    }
+    if (is_mesh_file(file)) return scene_of_parts(file);
     if (lower_extension(file) == ".json") return read_scene_file(file);
+    require_regular_file(file);
     throw ReadError(file, "", "unknown kind of file; known are .obj, .off, .ply, .stl, .gltf, .glb and .json");
 }
 
-// Names that were given, and for each the number that was tried last for another body of that name.
-using Names = std::map<std::string, int>;
-
-std::string unused_name(const std::string& name, Names& names) {
-    const auto known = names.find(name);
-    if (known == names.end()) return name;
-    std::string candidate;
-    do {
-        candidate = name + " (" + std::to_string(++known->second) + ")";
-    } while (names.contains(candidate));
-    return candidate;
-}
-
-void append(Scene& scene, Scene part, Names& names) {
+void append(Scene& scene, Scene part) {
     const std::size_t first_mesh = scene.meshes.size();
     const std::size_t first_body = scene.bodies.size();
     for (NamedMesh& mesh : part.meshes) scene.meshes.push_back(std::move(mesh));
     for (SceneBody& body : part.bodies) {
-        body.name = unused_name(body.name, names);
-        names.emplace(body.name, 1);
         body.mesh_index += first_mesh;
         scene.bodies.push_back(std::move(body));
     }
@@ -51,14 +45,27 @@ void append(Scene& scene, Scene part, Names& names) {
             scene.frames[i].moves.push_back({move.body_index + first_body, move.pose});
         }
     }
+    for (std::string& note : part.notes) scene.notes.push_back(std::move(note));
 }
 
 }  // namespace
 
 Scene read_files(std::span<const std::filesystem::path> files) {
     Scene scene;
-    Names names;
-    for (const std::filesystem::path& file : files) append(scene, read_any_file(file), names);
+    std::vector<BodyOrigin> origins;
+    std::vector<ReadError> errors;
+    for (const std::filesystem::path& file : files) {
+        try {
+            Scene part = read_any_file(file);
+            const bool is_file = is_mesh_file(file) && part.bodies.size() == 1;
+            origins.insert(origins.end(), part.bodies.size(), {file.string(), is_file});
+            append(scene, std::move(part));
+        } catch (const ReadError& error) {
+            errors.push_back(error);
+        }
+    }
+    if (!errors.empty()) throw ReadErrors(std::move(errors));
+    make_names_unique(scene, origins);
     return scene;
 }
 

@@ -5,40 +5,56 @@
 #include <string>
 
 #include "scenes/io/mesh_soup.hpp"
+#include "scenes/io/parse_number.hpp"
 #include "scenes/io/ply_header.hpp"
 
 namespace ecods::scenes {
 namespace {
 
-// Reads values one by one, wherever lines end.
+// Reads values one by one. In text every item has a line of its own.
 class PlyValues {
   public:
     PlyValues(const std::filesystem::path& file, std::string_view text, const PlyHeader& header)
-        : file_(file), text_(text.substr(header.size)), format_(header.format), reader_(file, text_, {}) {}
+        : file_(file),
+          text_(text.substr(header.size)),
+          format_(header.format),
+          reader_(file, text_, {}, header.line_count) {}
 
-    void set_place(const std::string& element, std::int64_t index) {
+    void begin_item(const std::string& element, std::int64_t index) {
         element_ = &element;
         index_ = index;
+        word_ = 0;
+        if (format_ == PlyFormat::text && !reader_.next_line()) fail("the file ends here");
     }
 
-    double next(PlyType type) { return format_ == PlyFormat::text ? next_word() : next_bytes(type); }
+    double next(PlyType type) { return format_ == PlyFormat::text ? next_word(type) : next_bytes(type); }
+
+    void end_item() const {
+        if (word_ < reader_.words().size()) fail("the line has more values than properties");
+    }
+
+    void end_file() {
+        if (format_ == PlyFormat::text && reader_.next_line()) reader_.fail("the file goes on behind the last element");
+        if (format_ != PlyFormat::text && position_ < text_.size())
+            throw ReadError(file_, "", fmt::format("{} bytes follow the last element", text_.size() - position_));
+    }
 
     // Whether `count` more values can be in the file at all.
     bool has_room(double count) const { return count <= static_cast<double>(text_.size()); }
 
     [[noreturn]] void fail(const std::string& text) const {
-        throw ReadError(file_, fmt::format("{} {}", *element_, index_), text);
+        const std::string item = fmt::format("{} {}", *element_, index_);
+        throw ReadError(file_, format_ == PlyFormat::text ? fmt::format("line {}, {}", reader_.line(), item) : item,
+                        text);
     }
 
   private:
-    double next_word() {
-        if (word_ == reader_.words().size()) {
-            if (!reader_.next_line()) fail("the file ends here");
-            word_ = 0;
-        }
+    double next_word(PlyType type) {
+        if (word_ == reader_.words().size()) fail("the line has fewer values than properties");
+        const std::string_view word = reader_.words()[word_++];
         double value = 0;
-        if (!parse_number(reader_.words()[word_], value)) fail("this is not a number");
-        ++word_;
+        if (!parse_number(word, value)) fail(fmt::format("'{}' is not a number", shown(word)));
+        if (!has_value(type, value)) fail(fmt::format("{} is not a value of the property's type", shown(word)));
         return value;
     }
 
@@ -127,12 +143,14 @@ MeshSoup read_ply(const std::filesystem::path& file, std::string_view text) {
         // Without properties an item has no bytes, and its count could be anything.
         if (element.properties.empty()) continue;
         for (std::int64_t i = 0; i < element.count; ++i) {
-            values.set_place(element.name, i);
+            values.begin_item(element.name, i);
             read_item(values, element, item);
+            values.end_item();
             if (is_vertex) add_vertex(soup, values, {item.numbers[x], item.numbers[y], item.numbers[z]});
             if (is_face) add_face(soup, values, item.lists[corners]);
         }
     }
+    values.end_file();
     return soup;
 }
 

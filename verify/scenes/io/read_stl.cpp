@@ -53,47 +53,87 @@ std::string lower(std::string_view word) {
     return text;
 }
 
-MeshSoup read_text(const std::filesystem::path& file, std::string_view text) {
-    MeshSoup soup;
-    std::size_t corners = 0;  // of the facet so far
-    bool is_in_facet = false;
-    bool is_in_solid = false;
-    LineReader reader(file, text, {});
-    while (reader.next_line()) {
-        const std::string word = lower(reader.words()[0]);
-        if (word == "solid" || word == "endsolid") {
-            if (is_in_facet || is_in_solid == (word == "solid")) reader.fail(word + " is out of place");
-            is_in_solid = word == "solid";
+// Line by line: each says which may follow it.
+class TextReader {
+  public:
+    TextReader(const std::filesystem::path& file, std::string_view text) : reader_(file, text, {}) {}
+
+    MeshSoup read() {
+        while (reader_.next_line()) read_line(lower(reader_.words()[0]));
+        if (place_ != Place::file) reader_.fail("the file ends before endsolid");
+        return std::move(soup_);
+    }
+
+  private:
+    enum class Place { file, solid, facet, loop, behind_loop };
+
+    void read_line(const std::string& word) {
+        if (word == "solid") {
+            go(word, Place::file, Place::solid);
+            begin_solid();
+        } else if (word == "endsolid") {
+            go(word, Place::solid, Place::file);
         } else if (word == "facet") {
-            if (!is_in_solid || is_in_facet) reader.fail("facet is out of place");
-            is_in_facet = true;
-            corners = 0;
+            go(word, Place::solid, Place::facet);
+            read_normal();
+        } else if (word == "outer") {
+            go(word, Place::facet, Place::loop);
+            if (reader_.words().size() < 2 || lower(reader_.words()[1]) != "loop") reader_.fail("outer is not a loop");
+            reader_.require_end(2);
+            corners_ = 0;
         } else if (word == "vertex") {
-            if (!is_in_facet) reader.fail("vertex is out of place");
-            soup.vertices.push_back(reader.point(1));
-            ++corners;
+            go(word, Place::loop, Place::loop);
+            soup_.vertices.push_back(reader_.point(1));
+            reader_.require_end(4);
+            ++corners_;
+        } else if (word == "endloop") {
+            go(word, Place::loop, Place::behind_loop);
+            reader_.require_end(1);
+            if (corners_ != 3) reader_.fail("a facet does not have three corners");
+            add_triangle(soup_);
         } else if (word == "endfacet") {
-            if (!is_in_facet || corners != 3) reader.fail("a facet does not have three corners");
-            add_triangle(soup);
-            is_in_facet = false;
-        } else if (word != "outer" && word != "endloop") {
-            reader.fail("this is not a line of an STL file");
+            go(word, Place::behind_loop, Place::solid);
+            reader_.require_end(1);
+        } else {
+            reader_.fail("this is not a line of an STL file");
         }
     }
-    if (is_in_solid) reader.fail("the file ends before endsolid");
-    return soup;
-}
+
+    void go(const std::string& word, Place from, Place to) {
+        if (place_ != from) reader_.fail(word + " is out of place");
+        place_ = to;
+    }
+
+    // Every solid is a part, those that are named alike too.
+    void begin_solid() {
+        const std::string name = reader_.name(1);
+        soup_.part_names.push_back(name.empty() ? fmt::format("solid {}", soup_.part_names.size() + 1) : name);
+        soup_.begin_run(soup_.part_names.size() - 1);
+    }
+
+    // Its numbers are not looked at: some programs write "-1.#IND" there.
+    void read_normal() {
+        if (reader_.words().size() < 5 || lower(reader_.words()[1]) != "normal") reader_.fail("a facet has no normal");
+        reader_.require_end(5);
+    }
+
+    LineReader reader_;
+    MeshSoup soup_;
+    Place place_ = Place::file;
+    std::size_t corners_ = 0;  // of the loop so far
+};
 
 }  // namespace
 
 MeshSoup read_stl(const std::filesystem::path& file, std::string_view text) {
-    // Binary files may begin with "solid", too; their size tells them.
+    // Binary files may begin with "solid", too; their size gives them away.
     if (text.size() >= header_size) {
         const std::size_t triangle_count = little_endian<std::uint32_t>(text, 80);
         if (text.size() == header_size + triangle_count * triangle_size) return read_binary(file, text, triangle_count);
     }
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
-    if (begin != std::string_view::npos && lower(text.substr(begin, 5)) == "solid") return read_text(file, text);
+    if (begin != std::string_view::npos && lower(text.substr(begin, 5)) == "solid")
+        return TextReader(file, text).read();
     throw ReadError(file, "",
                     "neither a text STL (no solid) nor a binary one (the size does not fit the triangle count)");
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "scenes/io/json_file.hpp"
 #include "scenes/io/json_place.hpp"
 #include "scenes/io/mesh_file.hpp"
 

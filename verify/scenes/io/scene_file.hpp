@@ -17,10 +17,11 @@
 //       ]
 //     }
 //
-// A mesh comes from a file (relative to the scene file) or is given inline. A pose maps v to R v + t, R by rows; what
-// is left out is the identity or zero. "frames" may be left out; the poses of "bodies" are frame 0, and each frame
-// moves some bodies and leaves the others where they are. Numbers become the nearest doubles. Names are unique. Unknown
-// keys are errors, but for those that begin with "_", which are comments.
+// A mesh comes from a file (all of its parts as one; read_bytes.hpp says which files) or is given inline. A pose maps v
+// to R v + t, R by rows; what is left out is the identity or zero. "frames" may be left out; the poses of "bodies" are
+// frame 0, and each frame moves some bodies and leaves the others where they are. Numbers become the nearest doubles.
+// Names are unique, and so are the keys of an object. Unknown keys are errors, but for those that begin with "_", which
+// are comments.
 #pragma once
 
 #include <filesystem>
@@ -34,9 +35,11 @@ namespace ecods::scenes {
 // Reads a scene file. Throws ReadError with the line, or with the place such as "bodies[3].pose.R".
 Scene read_scene_file(const std::filesystem::path& file);
 
-// Reads any files into one scene, by extension: mesh files (a body each, at the identity, named after the file), glTF
-// assemblies, and scene files (.json). Frames of several files run side by side. A name that is taken gets " (2)",
-// " (3)" ... behind it. Throws ReadError.
+// Reads any files into one scene, by extension: mesh files, glTF assemblies and scene files (.json). A mesh file is a
+// body at the identity, named after the file; one of several parts (objects and groups of OBJ, solids of STL: see
+// mesh_file.hpp) is a body for each, named after the part. Frames of several files run side by side. Bodies of several
+// paths that would have one name are named after their paths, "a/part.obj" or "a/assembly.obj: part"; those of one path
+// that is given twice get " (2)" and so on. Throws ReadErrors with an error for every file that cannot be read.
 Scene read_files(std::span<const std::filesystem::path> files);
 
 }  // namespace ecods::scenes

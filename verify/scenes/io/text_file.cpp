@@ -2,40 +2,27 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
+
+#include "scenes/io/parse_number.hpp"
 
 namespace ecods::scenes {
 namespace {
 
 constexpr std::string_view blanks = " \t\v\f";
 
-// Binary junk is not printed in full.
+}  // namespace
+
 std::string shown(std::string_view word) {
     std::string text;
     for (const char c : word.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';
     return word.size() > 40 ? text + "..." : text;
 }
 
-}  // namespace
-
-std::string read_bytes(const std::filesystem::path& file) {
-    std::error_code error;
-    const auto status = std::filesystem::status(file, error);
-    if (!std::filesystem::exists(status)) throw ReadError(file, "", "no such file");
-    // A directory has no bytes, and a pipe might never end.
-    if (!std::filesystem::is_regular_file(status)) throw ReadError(file, "", "not a regular file");
-    std::ifstream stream(file, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (!stream) throw ReadError(file, "", "cannot be read");
-    return bytes;
-}
-
 bool LineReader::next_line() {
     words_.clear();
+    comment_ = {};
     while (position_ < text_.size()) {
         const bool continues = split_line();
         if (!words_.empty() && !continues) return true;
@@ -49,12 +36,15 @@ bool LineReader::split_line() {
     std::string_view rest = text_.substr(position_, end - position_);
     position_ = std::min(text_.size(), end + (text_.substr(end, 2) == "\r\n" ? 2 : 1));
     ++line_;
-    if (syntax_.comment != '\0') rest = rest.substr(0, rest.find(syntax_.comment));
-    const bool continues = syntax_.continuation != '\0' && rest.ends_with(syntax_.continuation);
+    bool continues = syntax_.continuation != '\0' && rest.ends_with(syntax_.continuation);
     if (continues) rest.remove_suffix(1);
     for (std::size_t begin = rest.find_first_not_of(blanks); begin != std::string_view::npos;
          begin = rest.find_first_not_of(blanks)) {
         rest.remove_prefix(begin);
+        if (syntax_.comment != '\0' && rest[0] == syntax_.comment) {
+            comment_ = rest.substr(0, rest.find_last_not_of(blanks) + 1);
+            return false;
+        }
         words_.push_back(rest.substr(0, rest.find_first_of(blanks)));
         rest.remove_prefix(words_.back().size());
     }
@@ -84,23 +74,24 @@ Vec3 LineReader::point(std::size_t index) const {
     return {number(index), number(index + 1), number(index + 2)};
 }
 
+void LineReader::require_end(std::size_t word_count) const {
+    if (words_.size() > word_count) fail(fmt::format("'{}' is one word too many", shown(words_[word_count])));
+}
+
+std::string LineReader::name(std::size_t index) const {
+    std::string name;
+    for (std::size_t i = index; i < words_.size(); ++i) {
+        if (!name.empty()) name += ' ';
+        name += words_[i];
+    }
+    const bool is_number_sign = comment_.size() > 1 && blanks.find(comment_[1]) == std::string_view::npos;
+    if (!is_number_sign) return name;
+    if (!name.empty()) name += ' ';
+    return name.append(comment_);
+}
+
 void LineReader::fail(const std::string& text) const {
     throw ReadError(file_, fmt::format("line {}", line_), text);
-}
-
-bool parse_number(std::string_view word, double& value) {
-    if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
-    const char* end = word.data() + word.size();
-    const auto result = std::from_chars(word.data(), end, value);
-    if (result.ptr != end || word.empty()) return false;
-    // from_chars gives no value out of range, and does not say on which side. Below, zero is the nearest double.
-    if (result.ec == std::errc::result_out_of_range) value = std::strtod(std::string(word).c_str(), nullptr);
-    return result.ec != std::errc::invalid_argument;
-}
-
-bool parse_integer(std::string_view word, std::int64_t& value) {
-    const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-    return result.ec == std::errc() && result.ptr == word.data() + word.size();
 }
 
 }  // namespace ecods::scenes

@@ -1,4 +1,4 @@
-// A file in memory, and its text line by line.
+// Text line by line.
 #pragma once
 
 #include <cstddef>
@@ -13,21 +13,19 @@
 
 namespace ecods::scenes {
 
-// The bytes of a regular file. Throws ReadError (no such file, not a regular file, not readable).
-std::string read_bytes(const std::filesystem::path& file);
-
 // Splits text into lines and lines into words, and names the line in errors. Refers to the text. Lines end with LF,
 // CR LF or CR.
 class LineReader {
   public:
     // What a format allows besides words; '\0' is nothing.
     struct Syntax {
-        char comment = '\0';       // from here on, a line is dropped
+        char comment = '\0';       // a word that begins with it begins a comment, which ends with the line
         char continuation = '\0';  // at the end of a line, the next belongs to it
     };
 
-    LineReader(const std::filesystem::path& file, std::string_view text, Syntax syntax)
-        : file_(file), text_(text), syntax_(syntax) {}
+    // The text begins after `lines_before` lines of the file.
+    LineReader(const std::filesystem::path& file, std::string_view text, Syntax syntax, std::size_t lines_before = 0)
+        : file_(file), text_(text), syntax_(syntax), line_(lines_before) {}
 
     // Goes to the next line that has a word, and splits it at blanks. False at the end of the text.
     bool next_line();
@@ -36,13 +34,20 @@ class LineReader {
     void require_line(const std::string& expected);
 
     const std::vector<std::string_view>& words() const noexcept { return words_; }
-    std::size_t line() const noexcept { return line_; }          // 1-based; 0 before the first
+    std::size_t line() const noexcept { return line_; }          // 1-based; lines_before, before the first
     std::size_t position() const noexcept { return position_; }  // of the first byte after the line
 
     // Word `index` as a finite double, to the last bit; as a whole number; as three coordinates from there on.
     double number(std::size_t index) const;
     std::int64_t integer(std::size_t index) const;
     Vec3 point(std::size_t index) const;
+
+    // It is an error if the line has more words than that: nothing on it is passed over in silence.
+    void require_end(std::size_t word_count) const;
+
+    // The words from `index` on, with single blanks between them. A comment is taken for a part of the name ("part #3")
+    // unless a blank follows its sign: a name that is cut could become that of another part.
+    std::string name(std::size_t index) const;
 
     [[noreturn]] void fail(const std::string& text) const;
 
@@ -53,13 +58,12 @@ class LineReader {
     std::string_view text_;
     Syntax syntax_;
     std::size_t position_ = 0;
-    std::size_t line_ = 0;
+    std::size_t line_;
     std::vector<std::string_view> words_;
+    std::string_view comment_;  // behind the words, its sign included
 };
 
-// The double nearest to a decimal; infinity beyond the largest one. "nan" and "inf" are numbers, too. False if the word
-// is not one as a whole.
-bool parse_number(std::string_view word, double& value);
-bool parse_integer(std::string_view word, std::int64_t& value);
+// A word for a message. Binary junk is not printed in full.
+std::string shown(std::string_view word);
 
 }  // namespace ecods::scenes

@@ -107,6 +107,32 @@ TEST_F(Check, UnreadableInputIsStatus2) {
     EXPECT_EQ(run("--cases " + bad).status, 2);
 }
 
+TEST_F(Check, EveryFileThatCannotBeReadIsNamed) {
+    const std::string one = path("one.obj").string();
+    const std::string two = path("two.stl").string();
+    const Result result = run(one + " " + scene() + " " + two);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err, "ecods_check: " + one + ": no such file\necods_check: " + two + ": no such file\n");
+}
+
+TEST_F(Check, SaysWhatItLeavesOut) {
+    const std::string models = "/usr/share/assimp/models/glTF2/";
+    const std::string cube = models + "glTF-Sample-Models/AnimatedMorphCube-glTF/AnimatedMorphCube.gltf";
+    const Result result = run(cube);
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.out, "frame 0: 1 body, 0 pairs with overlapping boxes, 0 colliding\n");
+    EXPECT_EQ(result.err, "ecods_check: " + cube + ": left out: 1 animation; bodies are where their nodes rest\n" +
+                              "ecods_check: " + cube +
+                              ": left out: morph targets of 1 mesh; their weights are zero at rest\n");
+}
+
+TEST_F(Check, ReadsObjectsAsBodies) {
+    const std::string file =
+        write("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -1\nv 1 1 1\no base\nf 1 2 3\no blade\nf 1 4 5\n").string();
+    EXPECT_NE(run(file).out.find("crossing  base | blade  (1 triangle pair)"), std::string::npos) << run(file).out;
+}
+
 TEST_F(Check, MisuseIsStatus2) {
     EXPECT_EQ(run("").status, 2);
     EXPECT_EQ(run("--unknown " + scene()).status, 2);

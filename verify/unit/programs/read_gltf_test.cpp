@@ -1,69 +1,12 @@
 // glTF assemblies: poses, primitives, and each kind of bad input.
-#include <bit>
 #include <cmath>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <random>
 
-#include "file_test.hpp"
-#include "scenes/io/gltf_file.hpp"
+#include "gltf_test.hpp"
 
 namespace ecods::scenes {
 namespace {
-
-using Json = nlohmann::json;
-
-template <class T>
-std::string bytes_of(std::initializer_list<T> values) {
-    std::string bytes;
-    for (const T& value : values) bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-    return bytes;
-}
-
-class ReadGltf : public FileTest {
-  protected:
-    // Five points and the indices 0 to 4 as bytes, in data.bin; one node.
-    static std::string data() {
-        return bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0.1F, 2, 2, 2}) +
-               bytes_of<std::uint8_t>({0, 1, 2, 3, 4});
-    }
-
-    static Json model() {
-        return {{"asset", {{"version", "2.0"}}},
-                {"buffers", {{{"uri", "data.bin"}, {"byteLength", 65}}}},
-                {"bufferViews",
-                 {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", 60}},
-                  {{"buffer", 0}, {"byteOffset", 60}, {"byteLength", 5}}}},
-                {"accessors",
-                 {{{"bufferView", 0}, {"componentType", 5126}, {"count", 5}, {"type", "VEC3"}},
-                  {{"bufferView", 1}, {"componentType", 5121}, {"count", 3}, {"type", "SCALAR"}}}},
-                {"meshes", {{{"name", "m"}, {"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}}}}}}},
-                {"nodes", {{{"name", "part"}, {"mesh", 0}}}},
-                {"scenes", {{{"nodes", {0}}}}},
-                {"scene", 0}};
-    }
-
-    Scene read(const Json& json) {
-        write("data.bin", data());
-        return read_gltf_file(write("m.gltf", json.dump()));
-    }
-
-    void expect_bad(const Json& json, const std::string& place, const std::string& text) {
-        write("data.bin", data());
-        const auto file = write("m.gltf", json.dump());
-        expect_error([&] { read_gltf_file(file); }, file, place, text);
-    }
-
-    static std::string binary(const Json& json, std::string buffer) {
-        std::string text = json.dump();
-        text.resize((text.size() + 3) / 4 * 4, ' ');
-        buffer.resize((buffer.size() + 3) / 4 * 4, '\0');
-        const auto size = [](std::size_t bytes) { return static_cast<std::uint32_t>(bytes); };
-        return "glTF" +
-               bytes_of<std::uint32_t>({2, size(28 + text.size() + buffer.size()), size(text.size()), 0x4E4F534A}) +
-               text + bytes_of<std::uint32_t>({size(buffer.size()), 0x004E4942}) + buffer;
-    }
-};
 
 TEST_F(ReadGltf, ReadsANode) {
     const Scene scene = read(model());
@@ -98,8 +41,8 @@ TEST_F(ReadGltf, AccumulatesPosesInDouble) {
     const Scene scene = read(json);
     ASSERT_EQ(scene.bodies.size(), 2U);
     ASSERT_EQ(scene.meshes.size(), 1U);
-    EXPECT_EQ(scene.bodies[0].name, "node 1");
-    EXPECT_EQ(scene.bodies[1].name, "node 1 (node 2)");
+    EXPECT_EQ(scene.bodies[0].name, "m");
+    EXPECT_EQ(scene.bodies[1].name, "node 1");
     Mat3 expected;
     expected << std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1;
     expected = Vec3(2, 2, 3).asDiagonal() * expected;
@@ -143,16 +86,16 @@ TEST_F(ReadGltf, NamesThePlaceOfBadNodes) {
     expect_bad(json, "nodes[0]", "reached twice");
     json = model();
     json["nodes"][0]["children"] = {7};
-    expect_bad(json, "nodes[7]", "does not exist");
+    expect_bad(json, "nodes[0].children[0]", "nodes[7] does not exist");
     json = model();
     json["nodes"][0]["mesh"] = 3;
-    expect_bad(json, "nodes[0].mesh", "does not exist");
+    expect_bad(json, "nodes[0].mesh", "meshes[3] does not exist");
     json = model();
     json["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 2};
     expect_bad(json, "nodes[0].matrix", "the last row is not 0 0 0 1");
     json = model();
     json["nodes"][0]["matrix"] = {1, 0, 0};
-    expect_bad(json, "nodes[0].matrix", "should have 16 numbers");
+    expect_bad(json, "nodes[0].matrix", "a list of 16 is expected");
     json = model();
     json["nodes"][0]["rotation"] = {0, 0, 0, 0};
     expect_bad(json, "nodes[0].rotation", "the quaternion is zero");
@@ -170,10 +113,10 @@ TEST_F(ReadGltf, NamesThePlaceOfBadGeometry) {
     const std::string primitive = "meshes[0].primitives[0]";
     Json json = model();
     json["accessors"][1]["count"] = 6;
-    expect_bad(json, primitive + ".indices", "reaches beyond its buffer view");
+    expect_bad(json, "accessors[1]", "reaches beyond its buffer view");
     json = model();
     json["accessors"][0]["count"] = 1000000000000LL;
-    expect_bad(json, primitive + ".attributes.POSITION", "reaches beyond its buffer view");
+    expect_bad(json, "accessors[0]", "reaches beyond its buffer view");
     json = model();
     json["accessors"][1]["count"] = 2;
     expect_bad(json, primitive, "no multiple of three");
@@ -182,24 +125,24 @@ TEST_F(ReadGltf, NamesThePlaceOfBadGeometry) {
     expect_bad(json, primitive + ".indices", "index 2 is out of range: there are 2 vertices");
     json = model();
     json["bufferViews"][0]["byteLength"] = 70;
-    expect_bad(json, primitive + ".attributes.POSITION", "reaches beyond its buffer");
+    expect_bad(json, "bufferViews[0]", "reaches beyond its buffer");
     json = model();
     json["bufferViews"][0]["buffer"] = 9;
-    expect_bad(json, primitive + ".attributes.POSITION", "buffer");
+    expect_bad(json, "bufferViews[0].buffer", "buffers[9] does not exist");
     json = model();
     json["accessors"][0]["componentType"] = 5123;
-    expect_bad(json, primitive + ".attributes.POSITION", "not three single-precision numbers");
+    expect_bad(json, primitive + ".attributes.POSITION", "VEC3 of componentType 5123 does not fit");
     json = model();
     json["accessors"][0]["sparse"] = {{"count", 1},
                                       {"indices", {{"bufferView", 1}, {"byteOffset", 0}, {"componentType", 5121}}},
                                       {"values", {{"bufferView", 0}, {"byteOffset", 0}}}};
-    expect_bad(json, primitive + ".attributes.POSITION", "sparse");
+    expect_bad(json, "accessors[0]", "sparse");
     json = model();
     json["meshes"][0]["primitives"][0]["mode"] = 1;
     expect_bad(json, primitive + ".mode", "points or lines");
     json = model();
     json["meshes"][0]["primitives"][0]["attributes"] = {{"NORMAL", 0}};
-    expect_bad(json, primitive, "there is no POSITION");
+    expect_bad(json, primitive + ".attributes", "\"POSITION\" is missing");
     json = model();
     json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
     expect_bad(json, "extensionsUsed", "KHR_draco_mesh_compression is not supported");
@@ -224,9 +167,9 @@ TEST_F(ReadGltf, RefusesWhatIsNoGltf) {
         EXPECT_THROW(read_gltf_file(file), ReadError) << text;
     }
     const auto deep = write("deep.gltf", "{\"extras\": " + std::string(200000, '[') + std::string(200000, ']') + "}");
-    expect_error([&] { read_gltf_file(deep); }, deep, "", "nested too deeply");
+    expect_error([&] { read_gltf_file(deep); }, deep, "", "there is no asset.version");
     const auto no_buffer = write("alone.gltf", model().dump());
-    expect_error([&] { read_gltf_file(no_buffer); }, no_buffer, "", "not a valid glTF file");
+    expect_error([&] { read_gltf_file(no_buffer); }, no_buffer, "buffers[0].uri", "data.bin: no such file");
 }
 
 TEST_F(ReadGltf, SurvivesDamage) {

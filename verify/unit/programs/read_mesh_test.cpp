@@ -182,7 +182,7 @@ TEST_F(ReadMesh, ReadsSeveralSolidsOfTextStl) {
     EXPECT_EQ(mesh->triangles().size(), 2U);
     EXPECT_EQ(mesh->vertices().size(), 6U);
     expect_bad("m.stl", solid.substr(0, solid.size() - 13), "line 8", "the file ends before endsolid");
-    expect_bad("m.stl", replaced(solid, "vertex 1 0 0\n", ""), "line 7", "does not have three corners");
+    expect_bad("m.stl", replaced(solid, "vertex 1 0 0\n", ""), "line 6", "does not have three corners");
     expect_bad("m.stl", replaced(solid, "vertex 1 0 0", "vertex 1 zero 0"), "line 5", "'zero' is not a finite number");
     expect_bad("m.stl", replaced(solid, "vertex 1 0 0", "vertex 1 0"), "line 5", "a number is missing");
     expect_bad("m.stl", replaced(solid, "outer loop", "inner loop"), "line 3", "not a line of an STL file");
@@ -209,7 +209,7 @@ TEST_F(ReadMesh, NamesTheLineOfBadObj) {
                std::string("\x7f"
                            "ELF\x01\x02\x00\x00",
                            8),
-               "line 1", "not a line of an OBJ file");
+               "line 1", "does not begin a line of an OBJ file");
 }
 
 TEST_F(ReadMesh, NamesTheLineOfBadOff) {
@@ -240,23 +240,24 @@ TEST_F(ReadMesh, NamesThePlaceOfBadPly) {
     expect_bad("m.ply", replaced(good, "property double z\n", ""), "line 8", "a vertex has no x, y or z");
     expect_bad("m.ply", replaced(good, "vertex_indices", "corners"), "line 9", "a face has no vertex_indices");
     expect_bad("m.ply", replaced(good, "end_header", "header_end"), "line 9", "not a line of a PLY header");
-    expect_bad("m.ply", header + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n", "vertex 1", "not a finite number");
-    expect_bad("m.ply", header + "0 0 0\n1 one 0\n0 1 0\n3 0 1 2\n", "vertex 1", "not a number");
-    expect_bad("m.ply", header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "face 0", "index -1 is out of range");
-    expect_bad("m.ply", header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n", "face 0", "1.5 is not an index");
-    expect_bad("m.ply", header + "0 0 0\n1 0 0\n0 1 0\n-1 0 1\n", "face 0", "impossible length");
-    expect_bad("m.ply", header + "0 0 0\n1 0 0\n0 1 0\n4000000000 0 1\n", "face 0", "impossible length");
-    expect_bad("m.ply", header + "0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "face 0", "fewer than three corners");
-    expect_bad("m.ply", header + "0 0 0\n1 0 0\n", "vertex 2", "the file ends here");
+    expect_bad("m.ply", header + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n", "line 11, vertex 1", "not a finite number");
+    expect_bad("m.ply", header + "0 0 0\n1 one 0\n0 1 0\n3 0 1 2\n", "line 11, vertex 1", "'one' is not a number");
+    expect_bad("m.ply", header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "line 13, face 0", "index -1 is out of range");
+    expect_bad("m.ply", header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n", "line 13, face 0", "1.5 is not a value");
+    expect_bad("m.ply", header + "0 0 0\n1 0 0\n0 1 0\n-1 0 1\n", "line 13, face 0", "-1 is not a value");
+    expect_bad("m.ply", header + "0 0 0\n1 0 0\n0 1 0\n4000000000 0 1\n", "line 13, face 0",
+               "4000000000 is not a value");
+    expect_bad("m.ply", header + "0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "line 13, face 0", "fewer than three corners");
+    expect_bad("m.ply", header + "0 0 0\n1 0 0\n", "line 11, vertex 2", "the file ends here");
     expect_bad("m.ply", replaced(header, "face 1", "face 0") + "0 0 0\n1 0 0\n0 1 0\n", "", "there is no triangle");
-    expect_bad("m.ply", replaced(good, "vertex 3", "vertex 300000000000"), "vertex 4", "the file ends here");
+    expect_bad("m.ply", replaced(good, "vertex 3", "vertex 300000000000"), "line 13, vertex 3", "more values");
 }
 
 TEST_F(ReadMesh, RefusesWhatIsNoMeshFile) {
     const auto missing = path("missing.obj");
     expect_error([&] { read_mesh_file(missing); }, missing, "", "no such file");
     std::filesystem::create_directory(path("folder.obj"));
-    expect_error([&] { read_mesh_file(path("folder.obj")); }, path("folder.obj"), "", "not a regular file");
+    expect_error([&] { read_mesh_file(path("folder.obj")); }, path("folder.obj"), "", "is a folder");
     expect_bad("m.txt", "v 0 0 0", "", "unknown kind of mesh file");
     EXPECT_TRUE(is_mesh_file("a/b.STL"));
     EXPECT_FALSE(is_mesh_file("a/obj"));

@@ -70,7 +70,8 @@ TEST_F(EngineMotion, RodsStayOnTheirPins) {
         double sign;
         std::string rod, pin;
     };
-    for (const Side& side : {Side{1, "node 74", "node 6"}, Side{-1, "node 73", "node 3"}}) {
+    for (const Side& side : {Side{1, "rod_123-699_0_Parts_1 (node 74)", "body_24 (node 6)"},
+                             Side{-1, "rod_123-699_0_Parts_1 (node 73)", "body_24 (node 3)"}}) {
         const Vec3 small_end(side.sign * 164.6863, 0, 0), big_end = side.sign * Vec3(27.61788, 23.09221, 0);
         for (const Frame& frame : engine_.frames) {
             Vec3 rod_small = Vec3::Zero(), rod_big = Vec3::Zero(), pin = Vec3::Zero();
