@@ -1,4 +1,4 @@
-# One step of the consumer tests. usage: cmake -D STEP=install|cmake|pkg_config|readme -D ... -P run_consumer.cmake
+# One step of the consumer tests. usage: cmake -D STEP=install|cmake|pkg_config|parts|flags|readme -D ... -P run_consumer.cmake
 cmake_minimum_required(VERSION 3.25)
 
 set(prefix ${WORK_DIR}/prefix)
@@ -18,6 +18,24 @@ function(run_and_check program)
   if(NOT output STREQUAL expected)
     message(FATAL_ERROR "expected:\n${expected}got:\n${output}")
   endif()
+endfunction()
+
+# Configures the project as a user would who wants these parts of it and has not got these packages.
+function(configure parts packages)
+  set(options "")
+  foreach(part PROGRAMS TESTS FUZZ BENCH)
+    if(part IN_LIST parts)
+      list(APPEND options -D ECODS_${part}=ON)
+    else()
+      list(APPEND options -D ECODS_${part}=OFF)
+    endif()
+  endforeach()
+  foreach(package ${packages})
+    list(APPEND options -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+  endforeach()
+  file(REMOVE_RECURSE ${WORK_DIR}/parts)
+  run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/../.. -B ${WORK_DIR}/parts -G ${GENERATOR} --no-warn-unused-cli
+      -D CMAKE_CXX_COMPILER=${COMPILER} ${options})
 endfunction()
 
 # A library that is built with a sanitizer needs it in the programs that link it.
@@ -45,9 +63,35 @@ elseif(STEP STREQUAL "pkg_config")
   if(NOT "-I${prefix}/include" IN_LIST options)
     message(FATAL_ERROR "the options do not name the installed headers: ${output}")
   endif()
-  run(${COMPILER} -std=c++20 ${flags} ${CMAKE_CURRENT_LIST_DIR}/project/main.cpp -o ${WORK_DIR}/by_pkg_config
+  run(${COMPILER} ${flags} ${CMAKE_CURRENT_LIST_DIR}/project/main.cpp -o ${WORK_DIR}/by_pkg_config
       ${options} -Wl,-rpath,${prefix}/${LIBDIR})
   run_and_check(${WORK_DIR}/by_pkg_config)
+elseif(STEP STREQUAL "parts")
+  set(peers fcl benchmark embree)
+  set(checks GTest CGAL GSL)
+  configure("" "${peers};${checks};CLI11;fmt;nlohmann_json")
+  configure("PROGRAMS" "${peers};${checks}")
+  configure("TESTS" "${peers};CLI11")
+  configure("PROGRAMS;TESTS" "${peers}")
+  configure("FUZZ" "${peers};GTest")
+  configure("BENCH" "GTest")
+elseif(STEP STREQUAL "flags")
+  # However they are given; and a flag that only resembles them is not refused.
+  foreach(option CMAKE_CXX_FLAGS=-ffast-math CMAKE_CXX_FLAGS=-Ofast CMAKE_CXX_FLAGS=-fassociative-math
+                 CMAKE_CXX_FLAGS_RELEASE=-ffinite-math-only CMAKE_CXX_FLAGS=-fno-associative-math)
+    file(REMOVE_RECURSE ${WORK_DIR}/flags)
+    execute_process(COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/../.. -B ${WORK_DIR}/flags -G ${GENERATOR}
+                            -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=Release -D ${option}
+                            -D ECODS_PROGRAMS=OFF -D ECODS_TESTS=OFF -D ECODS_FUZZ=OFF -D ECODS_BENCH=OFF
+                    RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE errors)
+    string(REGEX REPLACE ".*=" "" flag ${option})
+    string(FIND "${errors}" "ECoDS cannot be built with ${flag}:" place)
+    if(flag STREQUAL "-fno-associative-math" AND NOT result EQUAL 0)
+      message(FATAL_ERROR "refused: ${flag}\n${errors}")
+    elseif(NOT flag STREQUAL "-fno-associative-math" AND place EQUAL -1)
+      message(FATAL_ERROR "not refused: ${option}\n${errors}")
+    endif()
+  endforeach()
 elseif(STEP STREQUAL "readme")
   file(READ ${CMAKE_CURRENT_LIST_DIR}/../../README.md readme)
   foreach(part project/main.cpp expected.txt)

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "check_oracle.hpp"
 #include "ecods/error.hpp"
 #include "ecods/intersection.hpp"
-#include "oracle/oracle.hpp"
 #include "scenes/io/hard_case_file.hpp"
 
 namespace ecods::check {
@@ -41,19 +41,12 @@ bool is_mirrored(const Answer& answer, const Answer& other) {
     return answer.intersects == other.intersects && answer.relation == other.relation && answer.triangles == swapped;
 }
 
-bool oracle_agrees(const Body& a, const Body& b, const Answer& answer) {
-    const oracle::OracleMesh mesh_a(a.mesh, a.pose);
-    const oracle::OracleMesh mesh_b(b.mesh, b.pose);
-    return oracle::relation(mesh_a, mesh_b) == answer.relation &&
-           oracle::intersecting_triangles(mesh_a, mesh_b) == answer.triangles;
-}
-
 CaseAnswer run_case(const HardCase& hard, bool with_oracle) {
     const Answer answer = ask(hard.a, hard.b);
     CaseAnswer result{hard.id, answer.intersects, answer.triangles.size(), false};
     result.is_ok = answer.intersects == hard.intersects && answer.triangles.size() == hard.triangle_pair_count &&
                    answer.is_consistent() && is_mirrored(answer, ask(hard.b, hard.a)) &&
-                   (!with_oracle || oracle_agrees(hard.a, hard.b, answer));
+                   (!with_oracle || oracle_agrees(hard, answer.relation, answer.triangles));
     return result;
 }
 

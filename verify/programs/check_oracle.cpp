@@ -3,10 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 #include "check_print.hpp"
+#include "oracle/oracle.hpp"
 
 namespace ecods::check {
+
+struct OracleJudge::State {
+    std::vector<std::optional<oracle::OracleMesh>> meshes;                    // by body
+    std::vector<bool> has_moved;                                              // by body, in this frame
+    std::map<std::pair<std::size_t, std::size_t>, oracle::Verdict> verdicts;  // of pairs whose certified boxes overlap
+
+    const oracle::Verdict& verdict(std::size_t a, std::size_t b);
+};
+
+OracleJudge::OracleJudge(const scenes::Scene& scene) : scene_(scene), state_(std::make_unique<State>()) {}
+
+OracleJudge::~OracleJudge() = default;
 
 void OracleJudge::check_frame(SceneWorld& world, const FrameAnswer& answer) {
     pose_meshes(world);
@@ -17,11 +32,11 @@ void OracleJudge::check_frame(SceneWorld& world, const FrameAnswer& answer) {
 }
 
 void OracleJudge::pose_meshes(SceneWorld& world) {
-    meshes_.resize(scene_.bodies.size());
-    has_moved_.assign(scene_.bodies.size(), false);
+    state_->meshes.resize(scene_.bodies.size());
+    state_->has_moved.assign(scene_.bodies.size(), false);
     for (const std::size_t body : world.moved()) {
-        meshes_[body].emplace(scene_.meshes[scene_.bodies[body].mesh_index].mesh, world.pose(body));
-        has_moved_[body] = true;
+        state_->meshes[body].emplace(scene_.meshes[scene_.bodies[body].mesh_index].mesh, world.pose(body));
+        state_->has_moved[body] = true;
     }
 }
 
@@ -30,7 +45,7 @@ void OracleJudge::check_boxes(const SceneWorld& world, const FrameAnswer& answer
     for (std::size_t body = 0; body < scene_.bodies.size(); ++body) boxes.push_back(world.box(body));
     for (const std::size_t body : world.moved()) {
         ++report_.boxes;
-        if (!oracle::box_contains(boxes[body], *meshes_[body])) {
+        if (!oracle::box_contains(boxes[body], *state_->meshes[body])) {
             differ(answer, scene_.bodies[body].name, "the stored box does not contain the body");
         }
     }
@@ -39,21 +54,21 @@ void OracleJudge::check_boxes(const SceneWorld& world, const FrameAnswer& answer
     }
 }
 
-const oracle::Verdict& OracleJudge::verdict(std::size_t a, std::size_t b) {
+const oracle::Verdict& OracleJudge::State::verdict(std::size_t a, std::size_t b) {
     static const oracle::Verdict disjoint;
-    const oracle::OracleMesh& mesh_a = *meshes_[a];
-    const oracle::OracleMesh& mesh_b = *meshes_[b];
+    const oracle::OracleMesh& mesh_a = *meshes[a];
+    const oracle::OracleMesh& mesh_b = *meshes[b];
     if (!oracle::boxes_overlap(mesh_a.outer_box(), mesh_b.outer_box())) {
-        verdicts_.erase({a, b});
+        verdicts.erase({a, b});
         return disjoint;
     }
-    const auto [entry, is_new] = verdicts_.try_emplace({a, b});
-    if (is_new || has_moved_[a] || has_moved_[b]) entry->second = oracle::verdict(mesh_a, mesh_b);
+    const auto [entry, is_new] = verdicts.try_emplace({a, b});
+    if (is_new || has_moved[a] || has_moved[b]) entry->second = oracle::verdict(mesh_a, mesh_b);
     return entry->second;
 }
 
 void OracleJudge::check_pair(SceneWorld& world, const FrameAnswer& answer, std::size_t a, std::size_t b) {
-    const oracle::Verdict& exact = verdict(a, b);
+    const oracle::Verdict& exact = state_->verdict(a, b);
     ++report_.body_pairs;
     const auto listed = std::find_if(answer.colliding.begin(), answer.colliding.end(),
                                      [&](const PairAnswer& pair) { return pair.a == a && pair.b == b; });
@@ -79,6 +94,12 @@ void OracleJudge::check_pair(SceneWorld& world, const FrameAnswer& answer, std::
 
 void OracleJudge::differ(const FrameAnswer& answer, const std::string& bodies, const std::string& text) {
     report_.differences.push_back(fmt::format("frame {}: {}: {}", answer.frame, bodies, text));
+}
+
+bool oracle_agrees(const scenes::HardCase& hard, Relation relation, const std::vector<TrianglePair>& triangles) {
+    const oracle::OracleMesh a(hard.a.mesh, hard.a.pose);
+    const oracle::OracleMesh b(hard.b.mesh, hard.b.pose);
+    return oracle::relation(a, b) == relation && oracle::intersecting_triangles(a, b) == triangles;
 }
 
 }  // namespace ecods::check

@@ -55,6 +55,20 @@ TEST_F(Check, PrintsEachFrame) {
     }
 }
 
+TEST_F(Check, WithoutTheOracleItIsRefusedAndNothingElseIs) {
+    const std::string program = ECODS_CHECK_WITHOUT_ORACLE;
+    EXPECT_EQ(run_program(program, scene()).out, run(scene()).out);
+    EXPECT_EQ(run_program(program, "--cases " + cases(true, 1)).status, 0);
+    for (const std::string& arguments : {scene(), "--cases " + cases(true, 1)}) {
+        const Result result = run_program(program, "--oracle " + arguments);
+        EXPECT_EQ(result.status, 2);
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(result.err,
+                  "ecods_check: --oracle: this program was built without the oracle (CMake's ECODS_ORACLE, which needs "
+                  "CGAL)\n");
+    }
+}
+
 // However close: how many boxes overlap is not promised, but the answer is.
 TEST_F(Check, AnswersExactly) {
     const std::string a = write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").string();
