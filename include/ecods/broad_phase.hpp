@@ -1,4 +1,5 @@
-// Which boxes overlap. Boxes only: a broad phase never sees a triangle.
+// Which boxes overlap, and which boxes a box, a segment or a ball meets. Boxes only: a broad phase never sees a
+// triangle.
 //
 // All broad phases give the same pairs for the same boxes, always: those whose closed boxes share a point. They differ
 // in cost. A caller normally picks one in WorldOptions and never touches this interface; it is public so that it can be
@@ -11,6 +12,8 @@
 #include <vector>
 
 #include "ecods/aabb.hpp"
+#include "ecods/ball.hpp"
+#include "ecods/segment.hpp"
 
 namespace ecods {
 
@@ -68,6 +71,13 @@ struct BroadPhaseCounts {
     std::uint64_t switches = 0;
 };
 
+// What the calls of find() of a broad phase did since it was made, as counts.
+struct FindCounts {
+    std::uint64_t calls = 0;
+    std::uint64_t box_tests = 0;  // of the box, segment or ball against a box, or against what bounds some boxes
+    std::uint64_t refreshed = 0;  // boxes that came or changed, and that the trees were brought up to date for
+};
+
 class BroadPhase {
   public:
     virtual ~BroadPhase() = default;
@@ -97,6 +107,19 @@ class BroadPhase {
     // when its number was used again before the update and the new box makes the same pair: it is then in both.
     virtual const std::vector<ProxyPair>& began() const noexcept = 0;
     virtual const std::vector<ProxyPair>& ended() const noexcept = 0;
+
+    // The boxes that share a point with this box, segment or ball, ascending: boxes as they are now, whether update()
+    // has been called since or not. Decided exactly; all broad phases give the same. Throws InvalidBox, InvalidSegment
+    // or InvalidBall. Safe from many threads, as long as no call that is not const runs.
+    //
+    // Cost: brute_force and sweep_and_prune, and the others while they have few boxes, test all boxes. kept_candidates
+    // and automatic make trees at the first such call (n log n, and about 150 bytes a box); from then on a call costs a
+    // few tests for each box that it finds or that is close by, and for each level of the trees, and one for each box
+    // that came or changed since the call before.
+    virtual std::vector<ProxyIndex> find(const Aabb& box) const = 0;
+    virtual std::vector<ProxyIndex> find(const Segment& segment) const = 0;
+    virtual std::vector<ProxyIndex> find(const Ball& ball) const = 0;
+    virtual FindCounts find_counts() const noexcept = 0;
 
     virtual const BroadPhaseCounts& counts() const noexcept = 0;
 

@@ -14,5 +14,7 @@
 #include "ecods/replay.hpp"      // which is run again
 #include "ecods/broad_phase.hpp" // which boxes overlap
 #include "ecods/aabb.hpp"
+#include "ecods/segment.hpp"
+#include "ecods/ball.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/version.hpp"

@@ -135,6 +135,25 @@ class InvalidBox final : public Error {
     ListIndex index;
 };
 
+// An end of a segment has a coordinate that is NaN or infinite.
+class InvalidSegment final : public Error {
+  public:
+    InvalidSegment(int end, int axis, double value);
+
+    int end;   // 0 or 1
+    int axis;  // 0 to 2
+    double value;
+};
+
+// The center of a ball has a coordinate that is NaN or infinite, or its radius is NaN or negative.
+class InvalidBall final : public Error {
+  public:
+    InvalidBall(int axis, double value);
+
+    int axis;  // 0 to 2; 3 for the radius
+    double value;
+};
+
 // A user-defined shape is not what it was when its body was given it: its box or its digest has changed. (A changed
 // shape is a new one, given by World::set_shape.) Thrown by validate() only.
 class ShapeChanged final : public Error {

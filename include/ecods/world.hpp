@@ -167,7 +167,7 @@ class World {
     // ---- answers about what is no body, as of now; ascending
 
     // Bodies whose boxes share a point with this one: a superset of those that reach into it. Throws InvalidBox. Cost:
-    // one pass over the boxes of all bodies, which lie side by side.
+    // that of BroadPhase::find.
     std::vector<BodyId> overlapping_bodies(const Aabb& box) const;
 
     // Bodies that share a point with a mesh or shape at a pose. Exact. With a filter, only bodies that it may meet.

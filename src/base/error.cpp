@@ -110,6 +110,20 @@ InvalidBox::InvalidBox(int axis_index, double box_min, double box_max)
       min(box_min),
       max(box_max) {}
 
+InvalidSegment::InvalidSegment(int end_index, int axis_index, double bad_value)
+    : Error("segment: end " + std::to_string(end_index) + ", axis " + std::to_string(axis_index) + ": coordinate is " +
+            text(bad_value) + ", not finite"),
+      end(end_index),
+      axis(axis_index),
+      value(bad_value) {}
+
+InvalidBall::InvalidBall(int axis_index, double bad_value)
+    : Error(axis_index == 3 ? "ball: the radius is " + text(bad_value)
+                            : "ball: center, axis " + std::to_string(axis_index) + ": coordinate is " +
+                                  text(bad_value) + ", not finite"),
+      axis(axis_index),
+      value(bad_value) {}
+
 ShapeChanged::ShapeChanged(BodyId of_body, ShapeKind of_kind, const std::string& what_changed)
     : Error(text(of_body) + ": its shape, of kind " + std::to_string(of_kind.value) + ", changed its " + what_changed +
             " while the body had it"),

@@ -3,8 +3,8 @@
 
 #include "base/next.hpp"
 #include "ecods/aabb.hpp"
-#include "exact/sign/filter_bound.hpp"
 #include "exact/point/pose_point.hpp"
+#include "exact/sign/filter_bound.hpp"
 
 namespace ecods {
 namespace {

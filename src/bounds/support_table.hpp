@@ -40,7 +40,7 @@ class SupportTable {
 
     const LocalFrame& frame_;
     Vec3 v_max_;  // magnitudes of the coordinates of what is posed, and of all that is as far from it as the mesh
-    double v_max_of_all_;                                      // the largest of them
+    double v_max_of_all_;                                           // the largest of them
     std::array<float, SupportTableGrid::direction_count> support_;  // in units of the frame's scale
 };
 

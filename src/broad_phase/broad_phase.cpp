@@ -1,5 +1,12 @@
 #include "ecods/broad_phase.hpp"
 
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+
+#include "bounds/ball_bounds.hpp"
+#include "bounds/segment_bounds.hpp"
+#include "broad_phase/box_index.hpp"
 #include "broad_phase/brute_force.hpp"
 #include "broad_phase/candidates/kept_candidates.hpp"
 #include "broad_phase/changes/pair_list.hpp"
@@ -8,6 +15,8 @@
 #include "broad_phase/pair_finder.hpp"
 #include "broad_phase/sweep/sweep_and_prune.hpp"
 #include "broad_phase/validate_pairs.hpp"
+#include "ecods/error.hpp"
+#include "geometry/key_box.hpp"
 
 namespace ecods {
 namespace {
@@ -25,6 +34,27 @@ std::unique_ptr<PairFinder> make_finder(BroadPhaseKind kind) {
     return std::make_unique<SweepAndPrune>();
 }
 
+// A box, prepared as SegmentBounds and BallBounds are.
+class BoxBounds {
+  public:
+    explicit BoxBounds(const Aabb& box) : keys_(key_box(box)) { make_reach(packed_box(keys_), reach_); }
+
+    const BoxReach& reach() const noexcept { return reach_; }
+    bool meets(const Aabb& box) const noexcept { return overlap(keys_, key_box(box)); }
+
+  private:
+    KeyBox keys_;
+    BoxReach reach_;
+};
+
+const BoxReach& for_trees(const BoxBounds& bounds) {
+    return bounds.reach();
+}
+template <class Bounds>
+const Bounds& for_trees(const Bounds& bounds) {
+    return bounds;
+}
+
 // The boxes, the pairs, and something that finds them.
 class FindingBroadPhase final : public BroadPhase {
   public:
@@ -35,9 +65,18 @@ class FindingBroadPhase final : public BroadPhase {
         table_.reserve(count);
         finder_->reserve(count);
     }
-    void add(ProxyIndex proxy, const Aabb& box) override { table_.add(proxy, box); }
-    void move(ProxyIndex proxy, const Aabb& box) override { table_.move(proxy, box); }
-    void remove(ProxyIndex proxy) override { table_.remove(proxy); }
+    void add(ProxyIndex proxy, const Aabb& box) override {
+        table_.add(proxy, box);
+        note(proxy);
+    }
+    void move(ProxyIndex proxy, const Aabb& box) override {
+        table_.move(proxy, box);
+        note(proxy);
+    }
+    void remove(ProxyIndex proxy) override {
+        table_.remove(proxy);
+        note(proxy);
+    }
     Aabb box(ProxyIndex proxy) const override { return table_.box(proxy); }
     std::size_t size() const noexcept override { return table_.size(); }
 
@@ -61,16 +100,88 @@ class FindingBroadPhase final : public BroadPhase {
     const std::vector<ProxyPair>& pairs() override { return pairs_.sorted(); }
     const std::vector<ProxyPair>& began() const noexcept override { return pairs_.began; }
     const std::vector<ProxyPair>& ended() const noexcept override { return pairs_.ended; }
+    std::vector<ProxyIndex> find(const Aabb& box) const override {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(box.min[axis] <= box.max[axis])) throw InvalidBox(axis, box.min[axis], box.max[axis]);
+        }
+        return find_all(BoxBounds(box));
+    }
+    std::vector<ProxyIndex> find(const Segment& segment) const override {
+        ecods::validate(segment);
+        return find_all(SegmentBounds(segment));
+    }
+    std::vector<ProxyIndex> find(const Ball& ball) const override {
+        ecods::validate(ball);
+        return find_all(BallBounds(ball));
+    }
+    FindCounts find_counts() const noexcept override {
+        return {.calls = find_calls_.load(std::memory_order_relaxed),
+                .box_tests = find_tests_.load(std::memory_order_relaxed),
+                .refreshed = find_refreshed_.load(std::memory_order_relaxed)};
+    }
+
     const BroadPhaseCounts& counts() const noexcept override { return counts_; }
-    std::size_t bytes() const noexcept override { return table_.bytes() + pairs_.bytes() + finder_->bytes(); }
+    std::size_t bytes() const noexcept override {
+        const std::lock_guard lock(index_mutex_);
+        return table_.bytes() + pairs_.bytes() + finder_->bytes() + (index_ ? index_->bytes() : 0);
+    }
 
     void validate() const override {
         finder_->validate(table_);
+        {
+            const std::lock_guard lock(index_mutex_);
+            if (index_) index_->validate(table_);
+        }
         PairList pairs = pairs_;
         validate_pairs(table_, pairs.sorted(), pairs_.began, pairs_.ended);
     }
 
   private:
+    // Up to here testing all boxes costs no more than trees do.
+    static constexpr std::size_t scanned_max = 64;
+
+    bool has_trees() const noexcept {
+        return (kind_ == BroadPhaseKind::kept_candidates || kind_ == BroadPhaseKind::automatic) &&
+               table_.size() > scanned_max;
+    }
+
+    // The index is made and brought up to date by the questions, which are const. Nothing else reads it, and what is
+    // not const does not run beside them: so a question that finds it up to date needs no lock.
+    void note(ProxyIndex proxy) noexcept {
+        if (!index_) return;
+        index_->note(proxy);
+        index_is_current_.store(false, std::memory_order_relaxed);
+    }
+    const BoxIndex& current_index() const {
+        if (index_is_current_.load(std::memory_order_acquire)) return *index_;
+        const std::lock_guard lock(index_mutex_);
+        if (!index_is_current_.load(std::memory_order_relaxed)) {
+            if (!index_) index_ = std::make_unique<BoxIndex>();
+            find_refreshed_.fetch_add(index_->refresh(table_), std::memory_order_relaxed);
+            index_is_current_.store(true, std::memory_order_release);
+        }
+        return *index_;
+    }
+
+    template <class Bounds>
+    std::vector<ProxyIndex> find_all(const Bounds& bounds) const {
+        std::vector<ProxyIndex> found;
+        std::uint64_t tests = 0;
+        if (has_trees()) {
+            tests = current_index().find(for_trees(bounds), found) + found.size();
+            std::erase_if(found, [&](ProxyIndex proxy) { return !bounds.meets(table_.boxes()[proxy]); });
+            std::sort(found.begin(), found.end());
+        } else {
+            tests = table_.size();
+            for (ProxyIndex proxy = 0; proxy < table_.end(); ++proxy) {
+                if (table_.is_present(proxy) && bounds.meets(table_.boxes()[proxy])) found.push_back(proxy);
+            }
+        }
+        find_calls_.fetch_add(1, std::memory_order_relaxed);
+        find_tests_.fetch_add(tests, std::memory_order_relaxed);
+        return found;
+    }
+
     void choose(std::size_t moved, std::uint64_t swaps) {
         const BroadPhaseKind wanted = chooser_.choose({.size = table_.size(), .moved = moved, .swaps = swaps});
         if (wanted == running_) return;
@@ -87,6 +198,11 @@ class FindingBroadPhase final : public BroadPhase {
     PairList pairs_;
     std::unique_ptr<PairFinder> finder_;
     BroadPhaseCounts counts_;
+
+    mutable std::mutex index_mutex_;
+    mutable std::unique_ptr<BoxIndex> index_;
+    mutable std::atomic<bool> index_is_current_ = false;
+    mutable std::atomic<std::uint64_t> find_calls_ = 0, find_tests_ = 0, find_refreshed_ = 0;
 };
 
 }  // namespace

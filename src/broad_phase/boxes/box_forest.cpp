@@ -61,11 +61,11 @@ void BoxForest::build(std::span<Item> items, std::span<const PackedBox> lines) {
         parts[part].push_back(item.item);
         largest_[part] = std::max(largest_[part], item.size_exponent);
     }
-    for (std::vector<TreeItem>& part : parts) plant(part, lines);
+    for (std::vector<TreeItem>& part : parts) build_tree(part, lines);
     class_count_ = trees_.size();
 }
 
-void BoxForest::plant(std::span<TreeItem> items, std::span<const PackedBox> lines) {
+void BoxForest::build_tree(std::span<TreeItem> items, std::span<const PackedBox> lines) {
     const auto tree_index = static_cast<std::uint32_t>(trees_.size());
     BoxTree& tree = trees_.emplace_back();
     tree.build(items, lines);
@@ -117,18 +117,11 @@ void BoxForest::add(std::span<const Item> newcomers, std::span<const PackedBox> 
         const BoxTree& tree = trees_.back();
         for (std::size_t position = 0; position < tree.size(); ++position) {
             if (tree.get(position).is_empty()) continue;
-            const PackedBox& line = lines[tree.slot(position)];
-            const KeyBox keys = key_box(line);
-            Aabb box;
-            for (int axis = 0; axis < 3; ++axis) {
-                box.min[axis] = double_of(keys.min[axis]);
-                box.max[axis] = double_of(keys.max[axis]);
-            }
-            items.push_back(tree_item(box, tree.slot(position)));
+            items.push_back(tree_item(box_of(lines[tree.slot(position)]), tree.slot(position)));
         }
         trees_.pop_back();
     }
-    plant(items, lines);
+    build_tree(items, lines);
 }
 
 void BoxForest::set(SlotIndex slot, const PackedBox& line) {
@@ -150,12 +143,6 @@ std::size_t BoxForest::newcomer_count() const noexcept {
     std::size_t count = 0;
     for (std::size_t i = class_count_; i < trees_.size(); ++i) count += trees_[i].alive_count();
     return count;
-}
-
-std::uint64_t BoxForest::find(const BoxReach& reach, std::vector<SlotIndex>& found) const {
-    std::uint64_t tests = 0;
-    for (const BoxTree& tree : trees_) tests += tree.find(reach, found);
-    return tests;
 }
 
 std::uint64_t BoxForest::find_pairs(std::vector<std::array<SlotIndex, 2>>& found) const {

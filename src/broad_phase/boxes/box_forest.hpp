@@ -47,7 +47,12 @@ class BoxForest {
     std::size_t newcomer_count() const noexcept;
 
     // As those of BoxTree. find_pairs: all pairs that overlap, each once.
-    std::uint64_t find(const BoxReach& reach, std::vector<SlotIndex>& found) const;
+    template <class Bounds>
+    std::uint64_t find(const Bounds& bounds, std::vector<SlotIndex>& found) const {
+        std::uint64_t tests = 0;
+        for (const BoxTree& tree : trees_) tests += tree.find(bounds, found);
+        return tests;
+    }
     std::uint64_t find_pairs(std::vector<std::array<SlotIndex, 2>>& found) const;
 
     std::size_t bytes() const noexcept;
@@ -62,7 +67,7 @@ class BoxForest {
         std::uint32_t position = 0;
     };
 
-    void plant(std::span<TreeItem> items, std::span<const PackedBox> lines);
+    void build_tree(std::span<TreeItem> items, std::span<const PackedBox> lines);
     bool insert(const Item& newcomer, std::span<const PackedBox> lines);
 
     std::vector<BoxTree> trees_;

@@ -16,10 +16,10 @@ using SlotIndex = std::uint32_t;
 
 constexpr SlotIndex no_slot = ~SlotIndex{0};
 
-// A box to be put into a tree. The centre is where it is sorted to: a good choice makes queries fast, and any other,
+// A box to be put into a tree. The center is where it is sorted to: a good choice makes queries fast, and any other,
 // equal ones included, is as right. No coordinate may be NaN.
 struct TreeItem {
-    std::array<double, 3> centre;
+    std::array<double, 3> center;
     SlotIndex slot;
 };
 
@@ -58,6 +58,11 @@ class BoxTree {
 
     // Appends the slots of the boxes that overlap. Returns the number of box tests.
     std::uint64_t find(const BoxReach& reach, std::vector<SlotIndex>& found) const;
+
+    // Appends the slots of the boxes that doubles do not prove to be apart from a segment (SegmentBounds) or a ball
+    // (BallBounds). Returns the number of box tests.
+    template <class Bounds>
+    std::uint64_t find(const Bounds& bounds, std::vector<SlotIndex>& found) const;
 
     // Appends the pairs of slots that overlap, one of this tree, the other of `other`, which may be the same tree. Best
     // when the other's boxes are not the smaller ones. Returns the number of box tests.

@@ -4,8 +4,8 @@
 #include <limits>
 #include <string>
 
-#include "broad_phase/boxes/box_tree.hpp"
 #include "base/bytes_of.hpp"
+#include "broad_phase/boxes/box_tree.hpp"
 #include "ecods/error.hpp"
 
 namespace ecods {
@@ -13,12 +13,12 @@ namespace {
 
 // The widest spread tells where to split. An infinite spread is one like any other.
 int choose_axis(std::span<const TreeItem> items) {
-    std::array<double, 3> min = items[0].centre;
+    std::array<double, 3> min = items[0].center;
     std::array<double, 3> max = min;
     for (const TreeItem& item : items) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            min[axis] = std::min(min[axis], item.centre[axis]);
-            max[axis] = std::max(max[axis], item.centre[axis]);
+            min[axis] = std::min(min[axis], item.center[axis]);
+            max[axis] = std::max(max[axis], item.center[axis]);
         }
     }
     int best = 0;
@@ -42,7 +42,7 @@ void order(std::span<TreeItem> items) {
         const int axis = choose_axis(items);
         const std::size_t half = std::bit_floor((items.size() - 1) / BoxBlock::width) * BoxBlock::width;
         std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
-                         [axis](const TreeItem& a, const TreeItem& b) { return a.centre[axis] < b.centre[axis]; });
+                         [axis](const TreeItem& a, const TreeItem& b) { return a.center[axis] < b.center[axis]; });
         stack[depth++] = items.subspan(half);
         items = items.first(half);
     }
@@ -51,10 +51,10 @@ void order(std::span<TreeItem> items) {
 }  // namespace
 
 TreeItem tree_item(const Aabb& box, SlotIndex slot) noexcept {
-    TreeItem item{.centre = {}, .slot = slot};
+    TreeItem item{.center = {}, .slot = slot};
     for (int axis = 0; axis < 3; ++axis) {
-        const double centre = 0.5 * box.min[axis] + 0.5 * box.max[axis];
-        item.centre[axis] = std::abs(centre) <= std::numeric_limits<double>::max() ? centre : 0;
+        const double center = 0.5 * box.min[axis] + 0.5 * box.max[axis];
+        item.center[axis] = std::abs(center) <= std::numeric_limits<double>::max() ? center : 0;
     }
     return item;
 }

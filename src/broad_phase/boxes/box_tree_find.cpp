@@ -1,23 +1,69 @@
 #include <bit>
 
-#include "simd/dispatch.hpp"
+#include "bounds/ball_bounds.hpp"
+#include "bounds/segment_bounds.hpp"
 #include "broad_phase/boxes/box_tree.hpp"
+#include "bvh/walk_one.hpp"
+#include "simd/dispatch.hpp"
 
 namespace ecods {
 namespace {
 
-struct Node {
+ECODS_ALWAYS_INLINE void prefetch_block(const BoxBlock& block) noexcept {
+    for (const auto& row : block.ends) __builtin_prefetch(row.data());
+}
+
+constexpr std::uint32_t width = BoxBlock::width;
+
+// A block: on level 0 of boxes, on others of bounds of blocks.
+struct TreeNode {
     std::uint32_t level;
     std::uint32_t block;
 };
 
-// A node has at most eight children, of which all but one wait while that one is followed down: with 2^32 boxes there
-// are eleven levels.
-using NodeStack = std::array<Node, 11 * 7 + 1>;
+// What a walk sees of a tree: its blocks from the root down to level `bottom`.
+template <std::uint32_t bottom>
+class LevelsView {
+  public:
+    using Node = TreeNode;
+    // A node has at most eight children, of which all but one wait while that one is followed down: with 2^32 boxes
+    // there are eleven levels.
+    static constexpr std::size_t stack_size = 11 * (width - 1) + 1;
 
-ECODS_ALWAYS_INLINE void prefetch_block(const BoxBlock& block) noexcept {
-    for (const auto& row : block.ends) __builtin_prefetch(row.data());
-}
+    ECODS_ALWAYS_INLINE explicit LevelsView(const std::vector<std::vector<BoxBlock>>& levels) : levels_(levels) {}
+
+    ECODS_ALWAYS_INLINE Node root() const noexcept { return {static_cast<std::uint32_t>(levels_.size() - 1), 0}; }
+    ECODS_ALWAYS_INLINE bool is_bottom(const Node& node) const noexcept { return node.level == bottom; }
+    ECODS_ALWAYS_INLINE const BoxBlock& block(const Node& node) const noexcept {
+        return levels_[node.level][node.block];
+    }
+    ECODS_ALWAYS_INLINE Node child(const Node& node, std::uint32_t lane) const noexcept {
+        const Node child{node.level - 1, node.block * width + lane};
+        if constexpr (bottom == 0) prefetch_block(block(child));
+        return child;
+    }
+
+  private:
+    const std::vector<std::vector<BoxBlock>>& levels_;
+};
+
+// Appends the slots of the lanes of blocks of boxes.
+class SlotResult {
+  public:
+    ECODS_ALWAYS_INLINE SlotResult(const std::vector<SlotIndex>& slots, std::vector<SlotIndex>& found)
+        : slots_(slots), found_(found) {}
+
+    ECODS_ALWAYS_INLINE bool operator()(const TreeNode& node, std::uint32_t lanes) {
+        for (; lanes != 0; lanes &= lanes - 1) {
+            found_.push_back(slots_[node.block * width + static_cast<std::uint32_t>(std::countr_zero(lanes))]);
+        }
+        return true;
+    }
+
+  private:
+    const std::vector<SlotIndex>& slots_;
+    std::vector<SlotIndex>& found_;
+};
 
 }  // namespace
 
@@ -27,23 +73,13 @@ void BoxTree::prefetch(std::size_t position) const noexcept {
 }
 
 ECODS_ALWAYS_INLINE std::uint64_t BoxTree::find_wide(const BoxReach& reach, std::vector<SlotIndex>& found) const {
+    const LevelsView<0> view(levels_);
     std::uint64_t tests = 0;
-    NodeStack stack;
-    std::size_t depth = 0;
-    stack[depth++] = {static_cast<std::uint32_t>(levels_.size() - 1), 0};
-    while (depth > 0) {
-        const Node node = stack[--depth];
+    const auto bound = [&](const TreeNode& node) {
         tests += width;
-        for (std::uint32_t bits = overlapping(levels_[node.level][node.block], reach); bits != 0; bits &= bits - 1) {
-            const std::uint32_t child = node.block * width + static_cast<std::uint32_t>(std::countr_zero(bits));
-            if (node.level == 0) {
-                found.push_back(slots_[child]);
-            } else {
-                stack[depth++] = {node.level - 1, child};
-                prefetch_block(levels_[node.level - 1][child]);
-            }
-        }
-    }
+        return overlapping(view.block(node), reach);
+    };
+    walk_one(view, bound, SlotResult(slots_, found));
     return tests;
 }
 
@@ -51,30 +87,47 @@ std::uint64_t BoxTree::find(const BoxReach& reach, std::vector<SlotIndex>& found
     return dispatch<&BoxTree::find_wide>(*this, reach, found);
 }
 
+template <class Bounds>
+std::uint64_t BoxTree::find(const Bounds& bounds, std::vector<SlotIndex>& found) const {
+    const LevelsView<0> view(levels_);
+    PackedBox around;
+    make_packed_box(bounds.box(), around);
+    BoxReach reach;
+    make_reach(around, reach);
+    std::uint64_t tests = 0;
+    const auto bound = [&](const TreeNode& node) {
+        tests += width;
+        std::uint32_t lanes = overlapping(view.block(node), reach);
+        for (std::uint32_t rest = lanes; rest != 0; rest &= rest - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+            if (bounds.judge(box_of(view.block(node).get(lane))) == BoxVerdict::apart) lanes ^= rest & -rest;
+        }
+        return lanes;
+    };
+    walk_one(view, bound, SlotResult(slots_, found));
+    return tests;
+}
+template std::uint64_t BoxTree::find(const SegmentBounds&, std::vector<SlotIndex>&) const;
+template std::uint64_t BoxTree::find(const BallBounds&, std::vector<SlotIndex>&) const;
+
 // The blocks of bounds on level 1, with the children, from `first` on, whose bounds overlap. Not of a single block.
 ECODS_ALWAYS_INLINE std::uint64_t BoxTree::find_parents(const BoxReach& reach, std::uint32_t first,
                                                         std::vector<Parent>& found) const {
+    const LevelsView<1> view(levels_);
     std::uint64_t tests = 0;
-    NodeStack stack;
-    std::size_t depth = 0;
-    stack[depth++] = {static_cast<std::uint32_t>(levels_.size() - 1), 0};
-    while (depth > 0) {
-        const Node node = stack[--depth];
-        std::uint32_t bits = overlapping(levels_[node.level][node.block], reach);
+    const auto bound = [&](const TreeNode& node) {
         tests += width;
-        const std::uint32_t child = node.block * width;
-        if (node.level == 1) {
-            if (child < first) bits &= first - child < width ? ~std::uint32_t{0} << (first - child) : 0;
-            if (bits != 0) found.push_back({node.block, bits});
-            continue;
-        }
-        for (; bits != 0; bits &= bits - 1) {
-            const std::uint32_t next = child + static_cast<std::uint32_t>(std::countr_zero(bits));
-            // The last block of boxes below it.
-            if (((std::uint64_t{next} + 1) << (3 * (node.level - 1))) <= first) continue;
-            stack[depth++] = {node.level - 1, next};
-        }
-    }
+        std::uint32_t lanes = overlapping(view.block(node), reach);
+        // The first child that has a block from `first` on below it: it holds 8^(level - 1) blocks.
+        const std::uint32_t begin = first >> (3 * (node.level - 1)), child = node.block * width;
+        if (child < begin) lanes &= begin - child < width ? ~std::uint32_t{0} << (begin - child) : 0;
+        return lanes;
+    };
+    const auto result = [&](const TreeNode& node, std::uint32_t lanes) {
+        if (lanes != 0) found.push_back({node.block, lanes});
+        return true;
+    };
+    walk_one(view, bound, result);
     return tests;
 }
 
@@ -90,9 +143,9 @@ bool BoxTree::take_hole(std::uint32_t block, SlotIndex slot, std::uint32_t& posi
 
 bool BoxTree::insert(const TreeItem& item, const PackedBox& line, std::uint32_t& position) {
     if (alive_count_ == size() || levels_.size() == 1) return false;
-    const Vec3 centre(item.centre[0], item.centre[1], item.centre[2]);
+    const Vec3 center(item.center[0], item.center[1], item.center[2]);
     PackedBox point;
-    make_packed_box({.min = centre, .max = centre}, point);
+    make_packed_box({.min = center, .max = center}, point);
     BoxReach reach;
     make_reach(point, reach);
     std::vector<Parent> parents;

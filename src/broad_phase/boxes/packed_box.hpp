@@ -44,6 +44,16 @@ inline KeyBox key_box(const PackedBox& line) noexcept {
     return {{line.ends[0], line.ends[1], line.ends[2]}, {~line.ends[4], ~line.ends[5], ~line.ends[6]}};
 }
 
+// The box of which this is the packed one, which must not be empty.
+inline Aabb box_of(const PackedBox& line) noexcept {
+    Aabb box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.min[static_cast<Eigen::Index>(axis)] = double_of(line.ends[axis]);
+        box.max[static_cast<Eigen::Index>(axis)] = double_of(~line.ends[axis + 4]);
+    }
+    return box;
+}
+
 // packed_box(key_box(box)), without taking it apart.
 ECODS_ALWAYS_INLINE void make_packed_box(const Aabb& box, PackedBox& line) noexcept {
     static_assert(sizeof(Aabb) == 6 * sizeof(double));
