@@ -1,19 +1,18 @@
 #include "ecods/intersection.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <array>
+#include <cstdint>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "bvh/separating_axes.hpp"
+#include "bvh/walk_two.hpp"
 #include "exact/simplex/body_pair.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
-
-struct NodePair {
-    TreeRef a;
-    TreeRef b;
-};
 
 struct QueryMemory::State {
     exact::BodyPair pair;
@@ -61,21 +60,51 @@ void add_stages(QueryCounts& counts, const exact::StageCounts& stages) {
     counts.many_limbs += stages.many_limbs;
 }
 
-// The pairs of lanes that overlap_mask returned.
-class Lanes {
+// The bound of the walk: boxes and triangles that an axis or a plane certainly separates do not matter.
+class OverlapBound {
   public:
-    explicit Lanes(std::uint64_t pairs) : pairs_(pairs) {}
-    bool more() const noexcept { return pairs_ != 0; }
-    void next() noexcept { pairs_ &= pairs_ - 1; }
-    std::size_t i() const noexcept { return static_cast<std::size_t>(std::countr_zero(pairs_)) % tree_width; }
-    std::size_t j() const noexcept { return static_cast<std::size_t>(std::countr_zero(pairs_)) / tree_width; }
+    OverlapBound(const std::array<AxisSet, 2>& sets, QueryCounts& counts) : sets_(sets), counts_(counts) {}
+
+    template <class X, class Y>
+    std::uint64_t operator()(const X& x, const Y& y) {
+        ++counts_.box_tests;
+        return overlap_mask(sets_, x, y);
+    }
+
+    // A heuristic for deep penetration: when many pairs of children overlap, the pair with the nearest centers is
+    // visited first, since it nearly always intersects. Only the order of the walk depends on it.
+    void order(const BvhNode& x, const BvhNode& y, LanePairs pairs, std::span<NodePair> children) const {
+        constexpr std::size_t crowd_min = 4;
+        if (pairs.size() < crowd_min) return;
+        const Projection& p = sets_[0].b;
+        std::array<FloatLanes, 3> middle;
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t j = 0; j < tree_width; ++j) {
+                middle[k][j] =
+                    ((p.p[0][k] * y.center[0][j] + p.p[1][k] * y.center[1][j]) + p.p[2][k] * y.center[2][j]) +
+                    p.shift[k];
+            }
+        }
+        std::size_t at = 0, closest = 0;
+        float least = std::numeric_limits<float>::infinity();
+        for (; pairs.more(); pairs.next(), ++at) {
+            float distance = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const float d = x.center[k][pairs.i()] - middle[k][pairs.j()];
+                distance += d * d;
+            }
+            if (distance < least) {
+                least = distance;
+                closest = at;
+            }
+        }
+        std::swap(children[closest], children.back());
+    }
 
   private:
-    std::uint64_t pairs_;
+    const std::array<AxisSet, 2>& sets_;
+    QueryCounts& counts_;
 };
-
-// So many pairs of children of two nodes that are near each other mean that the bodies are, too.
-constexpr int crowd_min = 4;
 
 // One query: the two bodies, and the memory that it works in.
 class Query {
@@ -103,39 +132,11 @@ class Query {
     // Calls visit(i, j) for pairs of triangles, among them every pair that shares a point, until it returns false.
     // After bind_axes.
     template <class Visit>
-    void visit_near_pairs(Visit&& visit);
-
-  private:
-    // Bodies that are deep in each other have a contact nearly everywhere, and the boxes whose middles are closest are
-    // nearly always in each other: the pair just pushed for them comes next. Only the order of the search depends on
-    // it.
-    void bring_closest_to_top(const BvhNode& x, const BvhNode& y, std::uint64_t near) {
-        const Projection& p = state_.axes.sets()[0].b;
-        std::array<FloatLanes, 3> middle;
-        for (std::size_t k = 0; k < 3; ++k) {
-            for (std::size_t j = 0; j < tree_width; ++j) {
-                middle[k][j] =
-                    ((p.p[0][k] * y.center[0][j] + p.p[1][k] * y.center[1][j]) + p.p[2][k] * y.center[2][j]) +
-                    p.shift[k];
-            }
-        }
-        auto& stack = state_.stack;
-        std::size_t at = stack.size() - static_cast<std::size_t>(std::popcount(near)), closest = at;
-        float least = std::numeric_limits<float>::infinity();
-        for (Lanes lanes(near); lanes.more(); lanes.next(), ++at) {
-            float distance = 0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const float d = x.center[k][lanes.i()] - middle[k][lanes.j()];
-                distance += d * d;
-            }
-            if (distance < least) {
-                least = distance;
-                closest = at;
-            }
-        }
-        std::swap(stack[closest], stack.back());
+    void visit_near_pairs(Visit&& visit) {
+        walk_two(tree_a_.boxes, tree_b_.boxes, state_.stack, OverlapBound(state_.axes.sets(), state_.counts), visit);
     }
 
+  private:
     // Only the queries that come to triangles pay for this.
     void bind_pair() {
         state_.pair.reset_counts();
@@ -149,47 +150,6 @@ class Query {
     QueryMemory::State& state_;
     bool pair_is_bound_ = false;
 };
-
-template <class Visit>
-void Query::visit_near_pairs(Visit&& visit) {
-    const MeshBvh& a = tree_a_.boxes;
-    const MeshBvh& b = tree_b_.boxes;
-    const auto& sets = state_.axes.sets();
-    auto& stack = state_.stack;
-    stack.assign(1, NodePair{a.root, b.root});
-    while (!stack.empty()) {
-        const NodePair top = stack.back();
-        stack.pop_back();
-        ++state_.counts.box_tests;
-        if (top.a.is_leaf() && top.b.is_leaf()) {
-            const TreeLeaf& x = a.leaves[top.a.index()];
-            const TreeLeaf& y = b.leaves[top.b.index()];
-            for (Lanes lanes(overlap_mask(sets, x, y)); lanes.more(); lanes.next()) {
-                if (!visit(x.triangle[lanes.i()], y.triangle[lanes.j()])) return;
-            }
-        } else if (top.a.is_leaf()) {
-            const BvhNode& y = b.nodes[top.b.index()];
-            const std::uint64_t near = overlap_mask(sets, a.leaves[top.a.index()], y);
-            for (std::size_t j = 0; j < y.count; ++j) {
-                if (near >> (tree_width * j) & 0xff) stack.push_back({top.a, y.child[j]});
-            }
-        } else if (top.b.is_leaf()) {
-            const BvhNode& x = a.nodes[top.a.index()];
-            const std::uint64_t near = overlap_mask(sets, x, b.leaves[top.b.index()]);
-            for (std::size_t i = 0; i < x.count; ++i) {
-                if (near >> i & 0x0101010101010101u) stack.push_back({x.child[i], top.b});
-            }
-        } else {
-            const BvhNode& x = a.nodes[top.a.index()];
-            const BvhNode& y = b.nodes[top.b.index()];
-            const std::uint64_t near = overlap_mask(sets, x, y);
-            for (Lanes lanes(near); lanes.more(); lanes.next()) {
-                stack.push_back({x.child[lanes.i()], y.child[lanes.j()]});
-            }
-            if (std::popcount(near) >= crowd_min) bring_closest_to_top(x, y, near);
-        }
-    }
-}
 
 // A witness is a pair of triangles, or no triangle and the number of an axis.
 bool holds_triangles(const PairWitness& witness, const PosedMesh& a, const PosedMesh& b) {

@@ -225,6 +225,24 @@ TEST(BallBox, BallsTouchFacesEdgesAndCorners) {
     EXPECT_GT(tally.undecided, 10000);
 }
 
+// Gaps of 3 and 4 between numbers whose digits lie far apart: too wide for short integers.
+TEST(BallBox, BallsTouchFarFromTheOrigin) {
+    Tally tally;
+    for (const double scale : {0x1p-950, 1.0, 0x1p900}) {
+        for (int wide = 8; wide < 48; ++wide) {
+            const double unit = std::ldexp(1.0, wide - 52), x = std::ldexp(1.0, wide);
+            const Aabb touched{Vec3(-x, -1, -1) * scale, Vec3(x, 1 + 0x1p-52, 1) * scale};
+            Ball ball{Vec3(x + 3 * unit, (1 + 0x1p-52) + 4 * unit, 0.5) * scale, 5 * unit * scale};
+            check<BallBounds>(ball, touched, tally);
+            ball.radius = std::nextafter(ball.radius, 0);
+            check<BallBounds>(ball, touched, tally);
+            if (HasFatalFailure()) return;
+        }
+    }
+    EXPECT_EQ(tally.meeting, 120);
+    EXPECT_EQ(tally.apart, 120);
+}
+
 TEST(SegmentBox, EndsMustBeFinite) {
     EXPECT_NO_THROW(validate(Segment{Vec3(1, 2, 3), Vec3(1, 2, 3)}));
     try {
