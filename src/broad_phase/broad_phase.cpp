@@ -12,6 +12,7 @@
 #include "broad_phase/changes/pair_list.hpp"
 #include "broad_phase/changes/proxy_table.hpp"
 #include "broad_phase/choose_finder.hpp"
+#include "broad_phase/find_pairs.hpp"
 #include "broad_phase/pair_finder.hpp"
 #include "broad_phase/sweep/sweep_and_prune.hpp"
 #include "broad_phase/validate_pairs.hpp"
@@ -58,12 +59,15 @@ const Bounds& for_trees(const Bounds& bounds) {
 // The boxes, the pairs, and something that finds them.
 class FindingBroadPhase final : public BroadPhase {
   public:
-    explicit FindingBroadPhase(BroadPhaseKind kind) : kind_(kind), finder_(make_finder(kind)) {}
+    explicit FindingBroadPhase(BroadPhaseKind kind)
+        : kind_(kind),
+          running_(kind == BroadPhaseKind::automatic ? BroadPhaseKind::sweep_and_prune : kind),
+          finder_(make_finder(running_)) {}
 
     BroadPhaseKind kind() const noexcept override { return kind_; }
     void reserve(std::size_t count) override {
         table_.reserve(count);
-        finder_->reserve(count);
+        if (finder_) finder_->reserve(count);
     }
     void add(ProxyIndex proxy, const Aabb& box) override {
         table_.add(proxy, box);
@@ -80,21 +84,32 @@ class FindingBroadPhase final : public BroadPhase {
     Aabb box(ProxyIndex proxy) const override { return table_.box(proxy); }
     std::size_t size() const noexcept override { return table_.size(); }
 
+    // A failure leaves the table and the list of pairs as they were. The finder, which may have changed in part, is
+    // dropped: the next update looks everything up.
     void update() override {
-        ++counts_.updates;
-        pairs_.begin_update();
         const ProxyChanges& changes = table_.collect();
+        pairs_.begin_update();
+        const BroadPhaseCounts before = counts_;
+        ++counts_.updates;
         if (changes.empty()) {
             table_.settle();  // of what came and went in between
             return;
         }
-        const std::uint64_t swaps_before = counts_.swaps;
         const std::size_t moved_count = changes.moved.size();
         counts_.moved += changes.added.size() + moved_count;
-        finder_->update(table_, changes, pairs_, counts_);
-        pairs_.end_update();
+        try {
+            finder_ ? finder_->update(table_, changes, pairs_, counts_) : find_pairs_again(changes);
+            pairs_.end_update();
+        } catch (...) {
+            finder_ = nullptr;
+            pairs_.drop_update();
+            counts_ = before;
+            throw;
+        }
+        // Nothing below throws.
         table_.settle();
-        if (kind_ == BroadPhaseKind::automatic) choose(moved_count, counts_.swaps - swaps_before);
+        if (kind_ == BroadPhaseKind::automatic) choose(moved_count, counts_.swaps - before.swaps);
+        if (!finder_) build_finder();
     }
 
     const std::vector<ProxyPair>& pairs() override { return pairs_.sorted(); }
@@ -123,11 +138,11 @@ class FindingBroadPhase final : public BroadPhase {
     const BroadPhaseCounts& counts() const noexcept override { return counts_; }
     std::size_t bytes() const noexcept override {
         const std::lock_guard lock(index_mutex_);
-        return table_.bytes() + pairs_.bytes() + finder_->bytes() + (index_ ? index_->bytes() : 0);
+        return table_.bytes() + pairs_.bytes() + (finder_ ? finder_->bytes() : 0) + (index_ ? index_->bytes() : 0);
     }
 
     void validate() const override {
-        finder_->validate(table_);
+        if (finder_) finder_->validate(table_);
         {
             const std::lock_guard lock(index_mutex_);
             if (index_) index_->validate(table_);
@@ -182,21 +197,48 @@ class FindingBroadPhase final : public BroadPhase {
         return found;
     }
 
-    void choose(std::size_t moved, std::uint64_t swaps) {
+    // The pairs, without a finder.
+    void find_pairs_again(const ProxyChanges& changes) {
+        if (!changes.removed.empty()) {
+            for (const ProxyPair& pair : pairs_.sorted()) {
+                if (table_.is_removed(pair.a) || table_.is_removed(pair.b)) pairs_.ended.push_back(pair);
+            }
+        }
+        std::vector<ProxyIndex> present;
+        present.reserve(table_.size());
+        for (ProxyIndex proxy = 0; proxy < table_.end(); ++proxy) {
+            if (table_.is_present(proxy)) present.push_back(proxy);
+        }
+        ProxyPairs found;
+        counts_.box_tests += find_pairs_of(present, table_, found);
+        sort_pairs(found);
+        pairs_.replace(found);
+    }
+
+    void choose(std::size_t moved, std::uint64_t swaps) noexcept {
         const BroadPhaseKind wanted = chooser_.choose({.size = table_.size(), .moved = moved, .swaps = swaps});
         if (wanted == running_) return;
         running_ = wanted;
-        finder_ = make_finder(wanted);
-        finder_->build(table_, counts_);
+        finder_ = nullptr;
         ++counts_.switches;
     }
 
+    // The update is complete by now: one that finds no memory for a finder leaves it to the next update.
+    void build_finder() noexcept {
+        try {
+            auto made = make_finder(running_);
+            made->build(table_, counts_);
+            finder_ = std::move(made);
+        } catch (const std::bad_alloc&) {
+        }
+    }
+
     BroadPhaseKind kind_;
-    BroadPhaseKind running_ = BroadPhaseKind::sweep_and_prune;  // when automatic
+    BroadPhaseKind running_;  // another than kind_ when that is automatic
     ChooseFinder chooser_;
     ProxyTable table_;
     PairList pairs_;
-    std::unique_ptr<PairFinder> finder_;
+    std::unique_ptr<PairFinder> finder_;  // null after a failure
     BroadPhaseCounts counts_;
 
     mutable std::mutex index_mutex_;

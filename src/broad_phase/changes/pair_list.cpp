@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/bytes_of.hpp"
+#include "base/make_room.hpp"
 
 namespace ecods {
 namespace {
@@ -63,28 +64,42 @@ void PairList::begin_update() {
 }
 
 void PairList::log_events() {
+    make_room(log_, ended.size() + began.size());
     for (const ProxyPair& pair : ended) log_.push_back({pair, order_});
     for (const ProxyPair& pair : began) log_.push_back({pair, order_ + 1});
     order_ += 2;
+    is_pending_ = false;
     // A pass over the list is paid for by a proportional number of events.
     constexpr std::size_t log_min = 1024;
     if (log_.size() > list_.size() / 4 + log_min) apply_log();
 }
 
 void PairList::end_update() {
-    sort_pairs(began);
-    sort_pairs(ended);
+    if (is_replaced_) {
+        list_.swap(spare_);
+    } else {
+        sort_pairs(began);
+        sort_pairs(ended);
+    }
     is_pending_ = !is_replaced_;
     is_replaced_ = false;
+}
+
+void PairList::drop_update() noexcept {
+    began.clear();
+    ended.clear();
+    is_pending_ = is_replaced_ = false;
 }
 
 void PairList::replace(ProxyPairs& found) {
     sort_pairs(ended);
     apply_log();
-    patch(ended, {});
-    std::set_difference(found.begin(), found.end(), list_.begin(), list_.end(), std::back_inserter(began), is_before);
-    std::set_difference(list_.begin(), list_.end(), found.begin(), found.end(), std::back_inserter(ended), is_before);
-    list_.swap(found);
+    if (!ended.empty()) make_patched(ended, {});
+    const ProxyPairs& kept = ended.empty() ? list_ : spare_;
+    std::set_difference(found.begin(), found.end(), kept.begin(), kept.end(), std::back_inserter(began), is_before);
+    std::set_difference(kept.begin(), kept.end(), found.begin(), found.end(), std::back_inserter(ended), is_before);
+    sort_pairs(ended);
+    spare_.swap(found);
     is_replaced_ = true;
 }
 
@@ -107,15 +122,20 @@ void PairList::apply_log() {
         gone.push_back(log_[i].pair);
         if (log_[i].order % 2 == 1) come.push_back(log_[i].pair);
     }
+    patch(gone, come);
     log_.clear();
     order_ = 0;
-    patch(gone, come);
 }
 
 // The list without `gone`, which need not all be in it, and with `come`; both are ascending. What lies between two
 // changes is copied as a block.
 void PairList::patch(const ProxyPairs& gone, const ProxyPairs& come) {
     if (gone.empty() && come.empty()) return;
+    make_patched(gone, come);
+    list_.swap(spare_);
+}
+
+void PairList::make_patched(const ProxyPairs& gone, const ProxyPairs& come) {
     spare_.resize(list_.size() + come.size());
     const ProxyPair* read = list_.data();
     const ProxyPair* const read_end = read + list_.size();
@@ -138,7 +158,6 @@ void PairList::patch(const ProxyPairs& gone, const ProxyPairs& come) {
     }
     write = std::copy(read, read_end, write);
     spare_.resize(static_cast<std::size_t>(write - spare_.data()));
-    list_.swap(spare_);
 }
 
 std::size_t PairList::bytes() const noexcept {

@@ -30,7 +30,8 @@ void normalise(ProxyPairs& pairs);
 // else is done until somebody asks.
 class PairList {
   public:
-    // Forgets the events of the last update, in began and ended; their effect is kept.
+    // Forgets the events of the last update, in began and ended; their effect is kept. Out of memory, here and in all
+    // below, the list is what it was.
     void begin_update();
 
     // Where an update puts the pairs that come and go, in any order, each once. A pair may be in both: then it ended
@@ -41,9 +42,12 @@ class PairList {
     // steps for each event since the last pass.
     void end_update();
 
+    // In place of end_update, for an update that failed: there were no events.
+    void drop_update() noexcept;
+
     // For those that have found all pairs anew, during an update: `found`, ascending, is what is here now. `ended`
-    // holds what ended for another reason, and does so still; the differences are added to both lists of events. The
-    // old list is left in `found`.
+    // holds what ended for another reason, and does so still; the differences are added to both lists of events. What
+    // is left in `found` is memory to be used again.
     void replace(ProxyPairs& found);
 
     // The pairs, ascending. Cost: one pass if there were events since it was asked last, else nothing.
@@ -61,13 +65,14 @@ class PairList {
     void log_events();
     void apply_log();
     void patch(const ProxyPairs& gone, const ProxyPairs& come);
+    void make_patched(const ProxyPairs& gone, const ProxyPairs& come);
 
     ProxyPairs list_;
-    ProxyPairs spare_;         // where the next list_ is made
+    ProxyPairs spare_;         // where the next list_ is made, so that making it may fail
     std::vector<Change> log_;  // events that list_ lacks, of updates before the last
     std::uint32_t order_ = 0;
     bool is_pending_ = false;   // list_ lacks began and ended, too
-    bool is_replaced_ = false;  // during an update: list_ has what it found
+    bool is_replaced_ = false;  // during an update: spare_ has what it found
 };
 
 }  // namespace ecods
