@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "ecods/export.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
 
@@ -18,17 +19,17 @@ struct Aabb {
 };
 
 // Whether the closed boxes share a point. Exact: comparisons only.
-bool overlap(const Aabb& a, const Aabb& b) noexcept;
+ECODS_API bool overlap(const Aabb& a, const Aabb& b) noexcept;
 
 // Whether `inner` is a subset of `outer`. Exact.
-bool contains(const Aabb& outer, const Aabb& inner) noexcept;
+ECODS_API bool contains(const Aabb& outer, const Aabb& inner) noexcept;
 
 // The smallest box that contains both.
-Aabb merge(const Aabb& a, const Aabb& b) noexcept;
+ECODS_API Aabb merge(const Aabb& a, const Aabb& b) noexcept;
 
 // A box that contains the exact posed mesh, and exceeds the tightest one on each side by no more than
 // 18 u (|R| v_max + |t|), where u = 2^-53 and v_max are the largest coordinates in magnitude (infinite where that
 // overflows). Cost: one pass over the vertices in use.
-Aabb box_of(const Mesh& mesh, const Pose& pose);
+ECODS_API Aabb box_of(const Mesh& mesh, const Pose& pose);
 
 }  // namespace ecods

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ecods/aabb.hpp"
+#include "ecods/export.hpp"
 #include "ecods/pose.hpp"
 
 namespace ecods {
@@ -15,9 +16,9 @@ struct Ball {
 
 // Whether the closed ball and the closed box share a point, for the real numbers that the doubles are: exact in any
 // rounding mode. Sides of the box may be infinite. What is no ball makes the answer meaningless.
-bool overlap(const Ball& ball, const Aabb& box) noexcept;
+ECODS_API bool overlap(const Ball& ball, const Aabb& box) noexcept;
 
 // Throws InvalidBall if a coordinate of the center is not finite, or the radius is negative or a NaN.
-void validate(const Ball& ball);
+ECODS_API void validate(const Ball& ball);
 
 }  // namespace ecods

@@ -13,6 +13,7 @@
 
 #include "ecods/aabb.hpp"
 #include "ecods/ball.hpp"
+#include "ecods/export.hpp"
 #include "ecods/segment.hpp"
 
 namespace ecods {
@@ -78,7 +79,7 @@ struct FindCounts {
     std::uint64_t refreshed = 0;  // boxes that came or changed, and that the trees were brought up to date for
 };
 
-class BroadPhase {
+class ECODS_API BroadPhase {
   public:
     virtual ~BroadPhase() = default;
 
@@ -133,6 +134,6 @@ class BroadPhase {
     virtual void validate() const = 0;
 };
 
-std::unique_ptr<BroadPhase> make_broad_phase(BroadPhaseKind kind);
+ECODS_API std::unique_ptr<BroadPhase> make_broad_phase(BroadPhaseKind kind);
 
 }  // namespace ecods

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "ecods/export.hpp"
+
 namespace ecods {
 
 // A body is in groups, and its mask names the groups that it meets. Two bodies may meet if each is in a group that the

@@ -1,20 +1,23 @@
 // Everything. The headers are the manual; read them in this order.
 #pragma once
 
-#include "ecods/world.hpp"       // many moving bodies: which of them touch?
-#include "ecods/mesh.hpp"        // what a body is made of
-#include "ecods/pose.hpp"        // where it is
-#include "ecods/error.hpp"       // what can go wrong
-#include "ecods/intersection.hpp"    // questions about two bodies, without a world
-#include "ecods/predicates.hpp"  // exact signs, and how two triangles meet
-#include "ecods/shape.hpp"       // shapes of the caller's own
+// clang-format off
+#include "ecods/world.hpp"             // many moving bodies: which of them touch?
+#include "ecods/mesh.hpp"              // what a body is made of
+#include "ecods/pose.hpp"              // where it is
+#include "ecods/error.hpp"             // what can go wrong
+#include "ecods/intersection.hpp"      // questions about two bodies, without a world
+#include "ecods/predicates.hpp"        // exact signs, and how two triangles meet
+#include "ecods/shape.hpp"             // shapes of the caller's own
 #include "ecods/collision_filter.hpp"  // which bodies are meant to meet at all
-#include "ecods/executor.hpp"    // where work in parallel runs
-#include "ecods/trace.hpp"       // a record of every call that changed a world
-#include "ecods/replay.hpp"      // which is run again
-#include "ecods/broad_phase.hpp" // which boxes overlap
-#include "ecods/aabb.hpp"
-#include "ecods/segment.hpp"
-#include "ecods/ball.hpp"
-#include "ecods/ids.hpp"
+#include "ecods/executor.hpp"          // where work in parallel runs
+#include "ecods/trace.hpp"             // a record of every call that changed a world
+#include "ecods/replay.hpp"            // which is run again
+#include "ecods/broad_phase.hpp"       // which boxes overlap
+#include "ecods/aabb.hpp"              // boxes
+#include "ecods/segment.hpp"           // segments
+#include "ecods/ball.hpp"              // balls
+#include "ecods/ids.hpp"               // names of bodies, pairs of them and of triangles
+#include "ecods/instruction_set.hpp"   // which of the processor's instructions are used
 #include "ecods/version.hpp"
+// clang-format on

@@ -12,18 +12,19 @@
 #include <stdexcept>
 #include <string>
 
+#include "ecods/export.hpp"
 #include "ecods/ids.hpp"
 
 namespace ecods {
 
 // The common base: catch this to catch them all.
-class Error : public std::runtime_error {
+class ECODS_API Error : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
 // A vertex coordinate is NaN or infinite.
-class InvalidVertex final : public Error {
+class ECODS_API InvalidVertex final : public Error {
   public:
     InvalidVertex(std::size_t vertex, int axis, double value);
 
@@ -33,7 +34,7 @@ class InvalidVertex final : public Error {
 };
 
 // A triangle names a vertex that does not exist.
-class InvalidIndex final : public Error {
+class ECODS_API InvalidIndex final : public Error {
   public:
     InvalidIndex(std::size_t triangle, int corner, std::size_t value, std::size_t vertex_count);
 
@@ -44,13 +45,13 @@ class InvalidIndex final : public Error {
 };
 
 // A mesh has no triangle. (It would have no point, and be disjoint from everything, which nobody means.)
-class EmptyMesh final : public Error {
+class ECODS_API EmptyMesh final : public Error {
   public:
     EmptyMesh();
 };
 
 // A mesh has more vertices or triangles than 32-bit indices can name.
-class MeshTooLarge final : public Error {
+class ECODS_API MeshTooLarge final : public Error {
   public:
     MeshTooLarge(std::size_t vertex_count, std::size_t triangle_count);
 
@@ -62,7 +63,7 @@ class MeshTooLarge final : public Error {
 using ListIndex = std::optional<std::size_t>;
 
 // An entry of a pose is NaN or infinite.
-class InvalidPose final : public Error {
+class ECODS_API InvalidPose final : public Error {
   public:
     // row and column of the 3x4 matrix [R t]; column 3 is the translation.
     InvalidPose(int row, int column, double value, BodyId body = {}, ListIndex index = {});
@@ -75,7 +76,7 @@ class InvalidPose final : public Error {
 };
 
 // Two lists that belong together, entry by entry, have different lengths.
-class LengthMismatch final : public Error {
+class ECODS_API LengthMismatch final : public Error {
   public:
     LengthMismatch(std::size_t body_count, std::size_t pose_count);
 
@@ -84,13 +85,13 @@ class LengthMismatch final : public Error {
 };
 
 // A null mesh, shape or test was given.
-class NullArgument final : public Error {
+class ECODS_API NullArgument final : public Error {
   public:
     explicit NullArgument(const std::string& argument);
 };
 
 // An id that names no body of this world: null, destroyed, or another world's.
-class StaleBody final : public Error {
+class ECODS_API StaleBody final : public Error {
   public:
     explicit StaleBody(BodyId body, ListIndex index = {});
 
@@ -99,7 +100,7 @@ class StaleBody final : public Error {
 };
 
 // One body was given where a pair was asked for.
-class SameBody final : public Error {
+class ECODS_API SameBody final : public Error {
   public:
     explicit SameBody(BodyId body);
 
@@ -107,7 +108,7 @@ class SameBody final : public Error {
 };
 
 // Two kinds of shape are in one world, and no test for the two is registered.
-class MissingTest final : public Error {
+class ECODS_API MissingTest final : public Error {
   public:
     MissingTest(ShapeKind a, ShapeKind b);
 
@@ -116,13 +117,13 @@ class MissingTest final : public Error {
 };
 
 // A test was asked for something that it does not offer, such as triangles of a shape without any.
-class NotSupported final : public Error {
+class ECODS_API NotSupported final : public Error {
   public:
     using Error::Error;
 };
 
 // A box with a NaN or with a minimum above its maximum, out of a user-defined shape or as an argument.
-class InvalidBox final : public Error {
+class ECODS_API InvalidBox final : public Error {
   public:
     InvalidBox(ShapeKind kind, int axis, double min, double max, BodyId body = {}, ListIndex index = {});
     InvalidBox(int axis, double min, double max);  // an argument
@@ -136,7 +137,7 @@ class InvalidBox final : public Error {
 };
 
 // An end of a segment has a coordinate that is NaN or infinite.
-class InvalidSegment final : public Error {
+class ECODS_API InvalidSegment final : public Error {
   public:
     InvalidSegment(int end, int axis, double value);
 
@@ -146,7 +147,7 @@ class InvalidSegment final : public Error {
 };
 
 // The center of a ball has a coordinate that is NaN or infinite, or its radius is NaN or negative.
-class InvalidBall final : public Error {
+class ECODS_API InvalidBall final : public Error {
   public:
     InvalidBall(int axis, double value);
 
@@ -156,7 +157,7 @@ class InvalidBall final : public Error {
 
 // A user-defined shape is not what it was when its body was given it: its box or its digest has changed. (A changed
 // shape is a new one, given by World::set_shape.) Thrown by validate() only.
-class ShapeChanged final : public Error {
+class ECODS_API ShapeChanged final : public Error {
   public:
     ShapeChanged(BodyId body, ShapeKind kind, const std::string& what_changed);
 
@@ -165,19 +166,19 @@ class ShapeChanged final : public Error {
 };
 
 // An Executor did not run each task once, or ran two at once as the same worker.
-class ExecutorFailed final : public Error {
+class ECODS_API ExecutorFailed final : public Error {
   public:
     using Error::Error;
 };
 
 // The stream of a trace failed while the world wrote to it, and the trace ends there. Thrown by World::end_trace only.
-class TraceFailed final : public Error {
+class ECODS_API TraceFailed final : public Error {
   public:
     TraceFailed();
 };
 
 // A text is not a trace, or holds a call that a World refuses.
-class InvalidTrace final : public Error {
+class ECODS_API InvalidTrace final : public Error {
   public:
     InvalidTrace(std::size_t line, const std::string& reason);
 
@@ -186,7 +187,7 @@ class InvalidTrace final : public Error {
 
 // An invariant does not hold: a defect in this library (or memory overwritten from outside). Thrown by
 // validate() only.
-class BrokenInvariant final : public Error {
+class ECODS_API BrokenInvariant final : public Error {
   public:
     using Error::Error;
 };
@@ -195,6 +196,6 @@ class BrokenInvariant final : public Error {
 // debugger or a log sees the place. The default does nothing. Returns the handler that was set before. Setting
 // it is safe from any thread; null restores the default.
 using MisuseHandler = void (*)(const Error&);
-MisuseHandler set_misuse_handler(MisuseHandler handler) noexcept;
+ECODS_API MisuseHandler set_misuse_handler(MisuseHandler handler) noexcept;
 
 }  // namespace ecods

@@ -7,9 +7,11 @@
 #include <cstddef>
 #include <functional>
 
+#include "ecods/export.hpp"
+
 namespace ecods {
 
-class Executor {
+class ECODS_API Executor {
   public:
     virtual ~Executor() = default;
 

@@ -6,6 +6,9 @@
 
 #include <compare>
 #include <cstdint>
+#include <iosfwd>
+
+#include "ecods/export.hpp"
 
 namespace ecods {
 
@@ -44,5 +47,11 @@ struct ShapeKind {
     static constexpr ShapeKind mesh() noexcept { return {}; }
     friend constexpr auto operator<=>(const ShapeKind&, const ShapeKind&) = default;
 };
+
+// As traces and messages write them: "3.1" (slot and generation), "(3.1, 12.0)", "(7, 2)"; "mesh" or "kind 7".
+ECODS_API std::ostream& operator<<(std::ostream& out, BodyId body);
+ECODS_API std::ostream& operator<<(std::ostream& out, const BodyPair& pair);
+ECODS_API std::ostream& operator<<(std::ostream& out, const TrianglePair& pair);
+ECODS_API std::ostream& operator<<(std::ostream& out, ShapeKind kind);
 
 }  // namespace ecods

@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "ecods/export.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/predicates.hpp"
@@ -31,12 +32,12 @@ struct QueryCounts {
     std::uint64_t two_limbs = 0;           // ... of two limbs (125 bits)
     std::uint64_t many_limbs = 0;          // ... of more
 
-    QueryCounts& operator+=(const QueryCounts& other) noexcept;
+    ECODS_API QueryCounts& operator+=(const QueryCounts& other) noexcept;
 };
 
 // The memory that queries work in: stacks, rounded vertices, exact vertices. It grows to what the largest query
 // needed and is then used again without allocation. It holds no answer: a query gives the same with a new one.
-class QueryMemory {
+class ECODS_API QueryMemory {
   public:
     QueryMemory();
     ~QueryMemory();
@@ -46,7 +47,7 @@ class QueryMemory {
     const QueryCounts& counts() const noexcept;
     void reset_counts() noexcept;
 
-    struct State;  // of the implementation
+    struct ECODS_HIDDEN State;  // of the implementation
     State& state() noexcept { return *state_; }
 
   private:
@@ -60,15 +61,15 @@ struct PosedMesh {
 };
 
 // Whether the bodies share a point; stops at the first one found.
-bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory);
+ECODS_API bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory);
 
 // The same, for a pair that was asked about before and has moved little: tries the witness first, and leaves a new one.
-bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory, PairWitness& witness);
+ECODS_API bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory, PairWitness& witness);
 
 // Disjoint, touching or crossing: the strongest relation of any two of their triangles. Stops at the first crossing.
-Relation relation(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory);
+ECODS_API Relation relation(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory);
 
 // Every pair of triangles that share a point, ascending.
-std::vector<TrianglePair> intersecting_triangles(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory);
+ECODS_API std::vector<TrianglePair> intersecting_triangles(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory);
 
 }  // namespace ecods

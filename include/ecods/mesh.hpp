@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "ecods/export.hpp"
 #include "ecods/pose.hpp"
 
 namespace ecods {
@@ -18,7 +19,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 // A soup of closed triangles: immutable once made, shared by any number of bodies, worlds and threads. It
 // need not be closed, connected or manifold, and is a surface: a small body inside a hollow one does not touch
 // it. Vertices that no triangle uses do not belong to it.
-class Mesh {
+class ECODS_API Mesh {
   public:
     // Takes the lists over. Throws EmptyMesh, InvalidVertex, InvalidIndex or MeshTooLarge. Cost: one pass.
     static std::shared_ptr<const Mesh> create(std::vector<Vec3> vertices, std::vector<Triangle> triangles);

@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include "ecods/export.hpp"
+
 namespace ecods {
 
 // Points, differences and sizes, in the unit that the caller chose for lengths. No unit is preferred: an answer
@@ -26,6 +28,6 @@ struct Pose {
 static_assert(alignof(Pose) == alignof(double) && sizeof(Pose) == 12 * sizeof(double));
 
 // Throws InvalidPose for the first entry, row by row of [R t], that is NaN or infinite.
-void validate(const Pose& pose);
+ECODS_API void validate(const Pose& pose);
 
 }  // namespace ecods

@@ -15,7 +15,9 @@
 
 #include <array>
 #include <cstdint>
+#include <iosfwd>
 
+#include "ecods/export.hpp"
 #include "ecods/pose.hpp"
 
 namespace ecods {
@@ -35,6 +37,10 @@ enum class Relation : std::uint8_t {
     crossing = 2,
 };
 
+// "negative", "zero", "positive"; "disjoint", "touching", "crossing".
+ECODS_API std::ostream& operator<<(std::ostream& out, Sign sign);
+ECODS_API std::ostream& operator<<(std::ostream& out, Relation relation);
+
 // A point of a body: R v + t. The pose is referred to, not copied.
 struct PosedPoint {
     const Pose& pose;
@@ -48,21 +54,21 @@ struct PosedTriangle {
 };
 
 // The sign of det(b - a, c - a): positive when a, b, c make a left turn, zero when they are on one line.
-Sign orient2d(const Vec2& a, const Vec2& b, const Vec2& c) noexcept;
+ECODS_API Sign orient2d(const Vec2& a, const Vec2& b, const Vec2& c) noexcept;
 
 // The sign of det(b - a, c - a, d - a): positive when d is on the side of the plane abc to which
 // (b - a) x (c - a) points, zero when the four points are in one plane. (Shewchuk's orient3d has the other sign.)
-Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) noexcept;
+ECODS_API Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) noexcept;
 
 // orient2d of the posed points seen along an axis: of their coordinates (axis + 1) mod 3 and (axis + 2) mod 3.
-Sign orient2d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, int axis) noexcept;
-Sign orient3d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, const PosedPoint& d) noexcept;
+ECODS_API Sign orient2d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, int axis) noexcept;
+ECODS_API Sign orient3d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, const PosedPoint& d) noexcept;
 
 // Symmetric in its arguments and in the order of the corners. Zero-area triangles are the segments or points that
 // they span. Proper triangles that meet in one point only are touching; a segment may cross a triangle in one.
 // Source: Guigue and Devillers, Fast and Robust Triangle-Triangle Overlap Test Using Orientation Predicates, 2003,
 // derived again (src/exact/simplex/triangle_pair.hpp).
-Relation triangle_triangle(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) noexcept;
-Relation triangle_triangle(const PosedTriangle& a, const PosedTriangle& b) noexcept;
+ECODS_API Relation triangle_triangle(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) noexcept;
+ECODS_API Relation triangle_triangle(const PosedTriangle& a, const PosedTriangle& b) noexcept;
 
 }  // namespace ecods

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "ecods/export.hpp"
 #include "ecods/trace.hpp"
 #include "ecods/world.hpp"
 
@@ -50,6 +51,6 @@ struct ReplayReport {
 // Throws InvalidTrace where the text is no trace, or where a call that it holds is refused; NotSupported for a shape of
 // the caller's own without a reader; ExecutorFailed as World::update does. Whatever the text is: memory and time are in
 // proportion to its length, and to the work of the updates in it.
-ReplayReport replay(std::istream& trace, const ReplayOptions& options = {});
+ECODS_API ReplayReport replay(std::istream& trace, const ReplayOptions& options = {});
 
 }  // namespace ecods

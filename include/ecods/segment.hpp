@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ecods/aabb.hpp"
+#include "ecods/export.hpp"
 #include "ecods/pose.hpp"
 
 namespace ecods {
@@ -14,9 +15,9 @@ struct Segment {
 
 // Whether the closed segment and the closed box share a point, for the real numbers that the doubles are: exact in any
 // rounding mode. Sides of the box may be infinite. An end that is not finite makes the answer meaningless.
-bool overlap(const Segment& segment, const Aabb& box) noexcept;
+ECODS_API bool overlap(const Segment& segment, const Aabb& box) noexcept;
 
 // Throws InvalidSegment if a coordinate of an end is not finite.
-void validate(const Segment& segment);
+ECODS_API void validate(const Segment& segment);
 
 }  // namespace ecods

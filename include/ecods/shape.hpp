@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ecods/aabb.hpp"
+#include "ecods/export.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
@@ -17,7 +18,7 @@ struct LocalFrame;  // of the implementation
 
 // The base of all shapes. A shape is immutable while a body has it: a changed shape is a new one, given to the
 // body by World::set_shape.
-class Shape {
+class ECODS_API Shape {
   public:
     virtual ~Shape() = default;
 
@@ -36,7 +37,7 @@ class Shape {
 //
 // Cost: the box of a pose a constant, after about 0.1 microseconds a vertex the first time; the tree about a
 // microsecond a triangle (n log n), when a query first needs it.
-class MeshShape final : public Shape {
+class ECODS_API MeshShape final : public Shape {
   public:
     // Throws NullArgument.
     explicit MeshShape(std::shared_ptr<const Mesh> mesh);
@@ -56,7 +57,7 @@ class MeshShape final : public Shape {
     // Memory of the tree, beside vertices and triangles. Makes the tree if there is none yet.
     std::size_t tree_bytes() const;
 
-    struct Tree;  // of the implementation
+    struct ECODS_HIDDEN Tree;  // of the implementation
     const Tree& tree() const;
 
   private:
@@ -65,7 +66,7 @@ class MeshShape final : public Shape {
     const LocalFrame& frame() const;
     void take_tree(const MeshShape& model);
 
-    struct Parts;
+    struct ECODS_HIDDEN Parts;
     std::shared_ptr<const Mesh> mesh_;
     std::unique_ptr<Parts> parts_;
 };
@@ -74,7 +75,7 @@ class MeshShape final : public Shape {
 // with new boxes, unless it has grown bad (its surfaces half as much again as when it was built): then it is built
 // anew. Give it to a body by World::set_shape. Answers are exact either way. Throws InvalidVertex, or InvalidIndex if
 // there are too few vertices. Cost: some passes over the triangles.
-std::shared_ptr<const MeshShape> refit(const MeshShape& shape, std::vector<Vec3> vertices);
+ECODS_API std::shared_ptr<const MeshShape> refit(const MeshShape& shape, std::vector<Vec3> vertices);
 
 // A shape at a pose. Both are referred to, not copied.
 struct PosedShape {
@@ -96,7 +97,7 @@ struct PairWitness {
 
 // The test of two bodies, for one pair of kinds. A World calls it for candidate pairs only, with the shape of the first
 // kind first. It must be a function of its arguments: verdicts are kept while neither body changes.
-class TwoBodyTest {
+class ECODS_API TwoBodyTest {
   public:
     virtual ~TwoBodyTest() = default;
 
@@ -113,7 +114,7 @@ class TwoBodyTest {
 
     // Optional: the pairs of triangles that touch, ascending. The default throws NotSupported.
     virtual std::vector<TrianglePair> intersecting_triangles(const PosedShape& a, const PosedShape& b,
-                                                         QueryMemory& memory) const;
+                                                             QueryMemory& memory) const;
 };
 
 }  // namespace ecods

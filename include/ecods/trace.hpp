@@ -30,6 +30,7 @@
 #include <functional>
 #include <string>
 
+#include "ecods/export.hpp"
 #include "ecods/shape.hpp"
 
 namespace ecods {

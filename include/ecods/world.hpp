@@ -32,6 +32,7 @@
 #include "ecods/collision_filter.hpp"
 #include "ecods/error.hpp"
 #include "ecods/executor.hpp"
+#include "ecods/export.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/intersection.hpp"
 #include "ecods/mesh.hpp"
@@ -70,7 +71,7 @@ struct Statistics {
     std::size_t memory_bytes = 0;
 };
 
-class World {
+class ECODS_API World {
   public:
     explicit World(const WorldOptions& options = {});
     ~World();
@@ -204,7 +205,7 @@ class World {
     std::uint64_t digest() const;
 
   private:
-    struct Impl;
+    struct ECODS_HIDDEN Impl;
     std::unique_ptr<Impl> impl_;
 };
 

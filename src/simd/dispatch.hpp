@@ -50,7 +50,7 @@ template <auto body, class... Arguments>
 template <auto body, class... Arguments>
 ECODS_ALWAYS_INLINE decltype(auto) dispatch(Arguments&&... arguments) {
 #if ECODS_CAN_DISPATCH
-    const InstructionSet set = instruction_set();
+    const InstructionSet set = read_instruction_set();
     if (set == InstructionSet::avx2) return on_avx2<body>(std::forward<Arguments>(arguments)...);
     if (set == InstructionSet::avx512) return on_avx512<body>(std::forward<Arguments>(arguments)...);
 #endif

@@ -1,6 +1,7 @@
 #include "simd/instruction_set.hpp"
 
 #include <algorithm>
+#include <ostream>
 
 #include "simd/dispatch.hpp"
 
@@ -17,8 +18,16 @@ InstructionSet supported_instruction_set() noexcept {
     return InstructionSet::baseline;
 }
 
+InstructionSet instruction_set() noexcept {
+    return read_instruction_set();
+}
+
 void limit_instruction_set(InstructionSet widest) noexcept {
     instruction_set_in_use.store(std::min(widest, supported_instruction_set()), std::memory_order_relaxed);
+}
+
+std::ostream& operator<<(std::ostream& out, InstructionSet set) {
+    return out << (set == InstructionSet::baseline ? "baseline" : set == InstructionSet::avx2 ? "avx2" : "avx512");
 }
 
 namespace {

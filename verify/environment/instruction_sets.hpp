@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "simd/instruction_set.hpp"
+#include "ecods/instruction_set.hpp"
 
 namespace ecods::environment {
 

@@ -12,9 +12,9 @@
 #include "check_print.hpp"
 #include "check_scene.hpp"
 #include "command_line.hpp"
+#include "ecods/instruction_set.hpp"
 #include "environment/instruction_sets.hpp"
 #include "scenes/io/scene_file.hpp"
-#include "simd/instruction_set.hpp"
 
 namespace ecods::check {
 namespace {

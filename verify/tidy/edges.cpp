@@ -10,6 +10,7 @@ namespace {
 // The public headers, each in the lowest room that uses its words.
 const std::map<std::string_view, std::string_view> header_rooms = {
     {"error.hpp", "src/base"},
+    {"export.hpp", "src/base"},
     {"ids.hpp", "src/base"},
     {"version.hpp", "src/base"},
     {"collision_filter.hpp", "src/base"},

@@ -1,0 +1,39 @@
+#include "ecods/ids.hpp"
+
+#include <ostream>
+#include <string>
+
+namespace ecods {
+namespace {
+
+std::string text(BodyId body) {
+    return std::to_string(body.slot).append(".").append(std::to_string(body.generation));
+}
+
+std::string text(const std::string& a, const std::string& b) {
+    return std::string("(").append(a).append(", ").append(b).append(")");
+}
+
+}  // namespace
+
+// Each is written as one string: a width set on the stream is for all of it, and a locale that groups digits has no
+// say.
+
+std::ostream& operator<<(std::ostream& out, BodyId body) {
+    return out << text(body);
+}
+
+std::ostream& operator<<(std::ostream& out, const BodyPair& pair) {
+    return out << text(text(pair.a), text(pair.b));
+}
+
+std::ostream& operator<<(std::ostream& out, const TrianglePair& pair) {
+    return out << text(std::to_string(pair.a), std::to_string(pair.b));
+}
+
+std::ostream& operator<<(std::ostream& out, ShapeKind kind) {
+    return out << (kind == ShapeKind::mesh() ? std::string("mesh")
+                                             : std::string("kind ").append(std::to_string(kind.value)));
+}
+
+}  // namespace ecods

@@ -1,0 +1,17 @@
+#include <ostream>
+
+#include "ecods/predicates.hpp"
+
+namespace ecods {
+
+std::ostream& operator<<(std::ostream& out, Sign sign) {
+    return out << (sign == Sign::zero ? "zero" : sign == Sign::positive ? "positive" : "negative");
+}
+
+std::ostream& operator<<(std::ostream& out, Relation relation) {
+    return out << (relation == Relation::disjoint   ? "disjoint"
+                   : relation == Relation::touching ? "touching"
+                                                    : "crossing");
+}
+
+}  // namespace ecods
