@@ -22,9 +22,18 @@ bool is_mesh_file(const std::filesystem::path& file);
 // locale plays no part.
 //
 // Coordinates are the doubles nearest to the decimals in the file, bit for bit; those of binary files are taken as
-// they are. Polygons are cut into fans around their first corner. Vertices keep their order. Normals, colours,
-// textures, points, lines and curves are ignored. Refused, as they would add to the surface: free-form surfaces and
-// other files in OBJ, weights of vertices other than 1, tristrips in PLY.
+// they are. Polygons are cut into fans around their first corner. Vertices keep their order.
+//
+// OBJ: "v x y z", perhaps with a weight, which must be 1, or with the three numbers of a colour; "f" with corners i,
+// i/t, i//n or i/t/n. Normals, texture, smoothing, materials, points, lines and curves are ignored. Free-form surfaces
+// and lines that read other files or run commands are errors.
+// OFF: a vertex has what the header says (COFF: a colour of three or four numbers, NOFF: a normal, STOFF: texture
+// coordinates); behind the corners of a face, a colour may have one, three or four numbers.
+// PLY: version 1.0; in text, each item has a line of its own, and values are of their declared types. Other elements
+// and properties are ignored, but tristrips are an error. A line "Created by ..." in the header is a comment: Blender
+// 2.4 forgot to say so.
+// STL: in text, each line stands where the format has it; binary if the size is that of a binary file. Normals and
+// attributes are not looked at.
 //
 // The readers are the project's own, because those of the libraries at hand do not serve: CGAL's accept damaged files
 // (a face "1 2 x" has two corners), allocate what a header claims and name no line; Assimp's round to float.
@@ -33,9 +42,10 @@ std::shared_ptr<const Mesh> read_mesh_file(const std::filesystem::path& file);
 // Reads each part of the file as a mesh of its own, in the order of their first triangles; the same errors. A mesh is
 // named as its part is, or "" if that has no name; names may be equal.
 //
-// OBJ: "o NAME" begins an object, and "g NAME" a group in it; an object, a group, and a group of an object ("object/
-// group") are parts. A line without a name, and each "o", ends the group. Parts that are named alike are one, wherever
-// their faces stand: groups may be interleaved. Several names in one line are one name.
+// OBJ: "o NAME" begins an object and "g NAME" a group in it. A part is an object, a group, or a group of an object,
+// named "object/group" unless both have one name. The faces of one object and group are one part wherever they stand:
+// groups may be interleaved. A new object begins without a group; "o" or "g" without a name ends the object or the
+// group. Several names behind one "g" are one name. A "#" begins a comment where a blank follows: "part #3" is a name.
 // STL: each solid is a part, those named alike too; the second without a name is "solid 2".
 // OFF and PLY: one part without a name.
 //

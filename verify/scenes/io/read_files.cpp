@@ -10,7 +10,7 @@
 namespace ecods::scenes {
 namespace {
 
-// A body for each part, named as the part is, or else as the file is.
+// A body for each part, named as the part is; as the file is, where that has no name or is the only one.
 Scene scene_of_parts(const std::filesystem::path& file) {
     Scene scene;
     std::vector<NamedMesh> parts = read_mesh_parts(file);
