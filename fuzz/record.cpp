@@ -46,7 +46,7 @@ Script until_update(const Script& script, std::size_t update) {
 
 std::size_t count_bodies(const Script& script) {
     std::size_t count = 0;
-    for (const Call& call : script) count += std::holds_alternative<Create>(call) ? 1 : 0;
+    for (const Call& call : script) count += created_body(call) ? 1 : 0;
     return count;
 }
 

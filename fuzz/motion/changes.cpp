@@ -57,7 +57,7 @@ void refit_body(Writing& w) {
     const Label body = w.any_body();
     const Part& old = w.model.bodies.at(body).part;
     if (old.kind != ShapeKind::mesh()) return;
-    w.make(SetShape{body, {deformed(*old.mesh, w.setting.unit, w.random)}, true});
+    w.make(SetShape{body, {deformed(*old.mesh, w.setting.unit, w.random), ShapeKind::mesh(), true}});
 }
 
 void there_and_back(Writing& w) {
@@ -90,7 +90,8 @@ void common_shift(Writing& w) {
     w.make(std::move(call));
 }
 
-void set_filter(Writing& w) {
+// A third of them the default, lest all end up filtered out.
+CollisionFilter any_filter(scenes::Random& random) {
     constexpr std::array<CollisionFilter, 7> filters = {{{},
                                                          {.groups = 1, .mask = 1},
                                                          {.groups = 1, .mask = 2},
@@ -98,9 +99,12 @@ void set_filter(Writing& w) {
                                                          {.groups = 2, .mask = 3},
                                                          {.groups = 3, .mask = 0},
                                                          {.groups = std::uint64_t{1} << 63}}};
+    return filters[random.below(3) == 0 ? 0 : random.below(7)];
+}
+
+void set_filter(Writing& w) {
     const Label body = w.any_body();
-    // A third of them the default, lest all end up filtered out.
-    w.make(SetFilter{body, filters[w.random.below(3) == 0 ? 0 : w.random.below(7)]});
+    w.make(SetFilter{body, any_filter(w.random)});
 }
 
 void set_pair(Writing& w) {
@@ -115,7 +119,46 @@ void bad_call(Writing& w) {
     static const std::vector<std::string> names = bad_call_names();
     const std::string& name = names[w.random.below(static_cast<std::uint32_t>(names.size()))];
     const Label body = w.any_body();
-    w.make(BadCall{name, body, w.random.below(1000)});
+    w.make(BadCall{body, w.random.below(1000), name});
+}
+
+// The visitor that draws the fields of a call. A pair may be one body twice: then there is no call.
+struct FieldDrawer {
+    Writing& w;
+    Label last = 0;
+    bool is_possible = true;
+
+    void created(Label& body) const { body = w.model.next_label; }
+    void destroyed(Label& body) const { body = w.any_body(); }
+    void body(Label& body) { last = body = w.any_body(); }
+    void other_body(Label& body) {
+        body = w.any_body();
+        is_possible = body != last;
+    }
+    void shape(Part& part) const { part = w.any_part(); }
+    void pose(Pose& pose) const { pose = any_pose(w.setting, w.random); }
+    void posed_bodies(std::vector<Label>& bodies, std::vector<Pose>& poses) const {
+        for (std::uint32_t i = 0, count = w.random.below(4); i < count; ++i) {
+            bodies.push_back(w.any_body());
+            poses.push_back(any_pose(w.setting, w.random));
+        }
+    }
+    void filter(CollisionFilter& filter) const { filter = any_filter(w.random); }
+    void flag(bool& flag) const { flag = w.random.below(2) == 0; }
+    void data(std::uint64_t& data) const { data = w.random.below(100) * 0x100000001u; }
+};
+
+void any_call(Writing& w) {
+    using Row = calls::Call<InScript>;
+    Row call;
+    calls::emplace_row(call, w.random.below(static_cast<std::uint32_t>(std::variant_size_v<Row>)));
+    std::visit(
+        [&](auto& row) {
+            FieldDrawer drawer{w};
+            row.fields(drawer, row);
+            if (drawer.is_possible) w.make(std::move(row));
+        },
+        call);
 }
 
 const std::array change_table = {
@@ -141,11 +184,12 @@ const std::array change_table = {
     Change{"pair switched", &Weights::filter, set_pair},
     Change{"user data", &Weights::filter,
            [](Writing& w) {
-               w.make(SetUserData{w.any_body(), w.random.below(100)});
+               w.make(SetUserData{w.any_body(), w.random.below(100) * 0x100000001u});
            }},
     Change{"tests registered again", &Weights::tests, [](Writing& w) { w.make(SetTests{}); }},
     Change{"update that may throw", &Weights::tests, [](Writing& w) { w.make(Update{.fails = true}); }},
     Change{"bad input", &Weights::misuse, bad_call},
+    Change{"any call", &Weights::any, any_call},
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ using Group = std::uint32_t Weights::*;
 
 constexpr Group groups[] = {&Weights::step,   &Weights::contact, &Weights::ulp,    &Weights::size,   &Weights::jump,
                             &Weights::matrix, &Weights::life,    &Weights::shape,  &Weights::filter, &Weights::bulk,
-                            &Weights::tests,  &Weights::misuse,  &Weights::extreme};
+                            &Weights::tests,  &Weights::misuse,  &Weights::extreme, &Weights::any};
 
 Group any_group(const Weights& weights, scenes::Random& random) {
     std::uint32_t sum = 0;
@@ -74,11 +74,11 @@ void make_change(Writing& w) {
 
 void Writing::make(Call call) {
     model.apply(call);
+    if (const auto body = created_body(call)) homes[*body] = model.bodies.at(*body).pose;
     script.push_back(std::move(call));
 }
 
 void Writing::create(const Part& part, const Pose& pose) {
-    homes[model.next_label] = pose;
     make(Create{model.next_label, part, pose});
 }
 
@@ -153,7 +153,7 @@ Script generate(const Profile& profile, std::uint32_t seed, Counters& counters) 
         const bool is_quiet = random.below(5) == 0 && frame + 1 < profile.frames;
         writing.make(Update{.is_quiet = is_quiet});
     }
-    for (const Call& call : writing.script) ++counters[std::string("calls: ") + name_of(call)];
+    for (const Call& call : writing.script) ++counters["calls: " + std::string(name_of(call))];
     return std::move(writing.script);
 }
 

@@ -23,6 +23,7 @@ struct Weights {
     std::uint32_t tests = 0;    // two-body tests that are registered again, or throw
     std::uint32_t misuse = 0;   // bad input
     std::uint32_t extreme = 0;  // to the ends of the range of doubles
+    std::uint32_t any = 0;      // any call of the table (trace/calls.hpp), its fields drawn at random
 };
 
 enum class Meshes { hard, cubes, round };

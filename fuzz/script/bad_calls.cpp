@@ -155,8 +155,8 @@ std::vector<std::string> bad_call_names() {
 }
 
 void make_bad_call(const BadCall& call, Scene& scene, Counters& counters) {
-    const auto kind = std::ranges::find(kinds, call.name, &BadCallKind::name);
-    if (kind == kinds.end()) throw Error("there is no bad call of the name " + call.name);
+    const auto kind = std::ranges::find(kinds, call.kind, &BadCallKind::name);
+    if (kind == kinds.end()) throw Error("there is no bad call of the kind " + call.kind);
     const auto body = scene.model.bodies.find(call.body);
     if (body == scene.model.bodies.end()) return;
     for (ScriptedWorld& scripted : scene.worlds) {
@@ -167,11 +167,11 @@ void make_bad_call(const BadCall& call, Scene& scene, Counters& counters) {
         const Kept before(scripted.world());
         std::string got;
         if (!kind->is_refused(kind->call, hand, got))
-            throw CheckFailed("bad call", std::string(call.name) + " is refused", got);
+            throw CheckFailed("bad call", call.kind + " is refused", got);
         if (!(before == Kept(scripted.world())))
-            throw CheckFailed("bad call", "nothing has changed", call.name + " changed the world");
+            throw CheckFailed("bad call", "nothing has changed", call.kind + " changed the world");
     }
-    ++counters["bad calls: " + call.name];
+    ++counters["bad calls: " + call.kind];
 }
 
 }  // namespace ecods::fuzz

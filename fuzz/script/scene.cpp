@@ -29,42 +29,57 @@ void require(bool holds, const char* what, Label label) {
 
 }  // namespace
 
+BodyId PartWorld::create_body(const Part& part, const Pose& pose) {
+    return part.kind == ShapeKind::mesh() ? create_body(part.mesh, pose) : create_body(user_shape(part), pose);
+}
+
+void PartWorld::set_shape(BodyId body, const Part& part) {
+    if (part.kind != ShapeKind::mesh()) return set_shape(body, user_shape(part));
+    const auto old = std::dynamic_pointer_cast<const MeshShape>(shape(body));
+    if (!part.refits || !old || !std::ranges::equal(old->mesh().triangles(), part.mesh->triangles())) {
+        return set_shape(body, part.mesh);
+    }
+    const auto vertices = part.mesh->vertices();
+    set_shape(body, std::static_pointer_cast<const Shape>(refit(*old, {vertices.begin(), vertices.end()})));
+}
+
 ScriptedWorld::ScriptedWorld(const WorldOptions& options) : world_(options) {
     tests_.add_to(world_);
 }
 
 void ScriptedWorld::apply(const Call& call) {
-    std::visit(
-        Overloaded{[&](const Create& c) {
-                       ids_.resize(std::max(ids_.size(), c.body + 1));
-                       ids_[c.body] = c.part.kind == ShapeKind::mesh() ? world_.create_body(c.part.mesh, c.pose)
-                                                                       : world_.create_body(user_shape(c.part), c.pose);
-                   },
-                   [&](const Destroy& c) { world_.destroy_body(id(c.body)); },
-                   [&](const SetPose& c) { world_.set_pose(id(c.body), c.pose); },
-                   [&](const SetPoses& c) {
-                       std::vector<BodyId> bodies;
-                       for (const Label label : c.bodies) bodies.push_back(id(label));
-                       world_.set_poses(bodies, c.poses);
-                   },
-                   [&](const SetShape& c) { set_shape(c); },
-                   [&](const SetFilter& c) { world_.set_filter(id(c.body), c.filter); },
-                   [&](const SetPairEnabled& c) { world_.set_pair_enabled(id(c.a), id(c.b), c.is_enabled); },
-                   [&](const SetUserData& c) { world_.set_user_data(id(c.body), c.data); },
-                   [&](const Reserve& c) { world_.reserve(c.count); }, [&](const SetTests&) { tests_.add_to(world_); },
-                   [](const BadCall&) {}, [&](const Update&) { world_.update(); }},
-        call);
+    std::visit(Overloaded{[&](const Reserve& c) { world_.reserve(c.count); },
+                          [&](const SetTests&) { tests_.add_to(world_); }, [](const BadCall&) {},
+                          [&](const Update&) { world_.update(); },
+                          [&]<template <class> class Row>(const Row<InScript>& row) { make(row); }},
+               call);
 }
 
-void ScriptedWorld::set_shape(const SetShape& call) {
-    const BodyId body = id(call.body);
-    if (call.part.kind != ShapeKind::mesh()) return world_.set_shape(body, user_shape(call.part));
-    const auto* old = dynamic_cast<const MeshShape*>(world_.shape(body).get());
-    if (!call.refits || old == nullptr || !std::ranges::equal(old->mesh().triangles(), call.part.mesh->triangles())) {
-        return world_.set_shape(body, call.part.mesh);
-    }
-    const auto vertices = call.part.mesh->vertices();
-    world_.set_shape(body, std::static_pointer_cast<const Shape>(refit(*old, {vertices.begin(), vertices.end()})));
+namespace {
+
+struct InPartWorld {
+    using Body = BodyId;
+    using Shape = Part;
+    template <class Item>
+    using List = std::vector<Item>;
+};
+
+}  // namespace
+
+template <template <class> class Row>
+void ScriptedWorld::make(const Row<InScript>& scripted) {
+    auto call = calls::renamed<InPartWorld>(
+        scripted, [&](Label label) { return id(label); }, [](const Part& part) { return part; });
+    call.make(world_);
+
+    struct KeepIds : calls::NoField {
+        std::vector<BodyId>& ids;
+        void created(const Label& label, const BodyId& made) const {
+            ids.resize(std::max(ids.size(), label + 1));
+            ids[label] = made;
+        }
+    };
+    Row<InScript>::fields(KeepIds{{}, ids_}, scripted, call);
 }
 
 Scene::Scene()
@@ -82,7 +97,7 @@ void Scene::apply(const Call& call) {
         worlds[i].apply(call);
     }
     if (std::holds_alternative<Update>(call)) ++round_;
-    if (const auto* create = std::get_if<Create>(&call)) require_same_ids(create->body);
+    if (const auto body = created_body(call)) require_same_ids(*body);
     model.apply(call);
 }
 

@@ -13,6 +13,16 @@
 
 namespace ecods::fuzz {
 
+// A world that takes the parts of a script for shapes.
+class PartWorld : public World {
+  public:
+    using World::World;
+    using World::create_body;
+    using World::set_shape;
+    BodyId create_body(const Part& part, const Pose& pose);
+    void set_shape(BodyId body, const Part& part);
+};
+
 // A world with the user-defined tests, and the ids of the bodies that it made.
 class ScriptedWorld {
   public:
@@ -29,10 +39,11 @@ class ScriptedWorld {
     BodyId id(Label label) const { return label < ids_.size() ? ids_[label] : BodyId{}; }
 
   private:
-    void set_shape(const SetShape& call);
+    template <template <class> class Row>
+    void make(const Row<InScript>& scripted);
 
     UserTests tests_;
-    World world_;
+    PartWorld world_;
     std::vector<BodyId> ids_;  // by label
 };
 

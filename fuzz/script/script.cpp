@@ -1,18 +1,32 @@
 #include "fuzz/script/script.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace ecods::fuzz {
 
-const char* name_of(const Call& call) {
-    // By their places in the variant.
-    constexpr std::array<const char*, std::variant_size_v<Call>> names = {
-        "create_body",      "destroy_body",  "set_pose", "set_poses", "set_shape", "set_filter",
-        "set_pair_enabled", "set_user_data", "reserve",  "set_test",  "refused",   "update"};
-    return names[call.index()];
+std::string_view name_of(const Call& call) {
+    return std::visit([](const auto& row) { return row.name; }, call);
 }
+
+std::optional<Label> created_body(const Call& call) {
+    struct Created : NoField {
+        std::optional<Label> label = {};
+        void created(const Label& body) { label = body; }
+    } created;
+    std::visit([&](const auto& row) { row.fields(created, row); }, call);
+    return created.label;
+}
+
+namespace {
+
+// The part itself, however the body came to it.
+Part whole(Part part) {
+    part.refits = false;
+    return part;
+}
+
+}  // namespace
 
 void Model::apply(const Call& call) {
     const auto with = [&](Label label, auto act) {
@@ -21,7 +35,7 @@ void Model::apply(const Call& call) {
     };
     std::visit(
         Overloaded{[&](const Create& c) {
-                       bodies[c.body] = {.part = c.part, .pose = c.pose};
+                       bodies[c.body] = {.part = whole(c.shape), .pose = c.pose};
                        next_label = std::max(next_label, c.body + 1);
                    },
                    [&](const Destroy& c) { bodies.erase(c.body); },
@@ -31,54 +45,58 @@ void Model::apply(const Call& call) {
                            with(c.bodies[i], [&](ModelBody& body) { body.pose = c.poses[i]; });
                        }
                    },
-                   [&](const SetShape& c) { with(c.body, [&](ModelBody& body) { body.part = c.part; }); },
+                   [&](const SetShape& c) { with(c.body, [&](ModelBody& body) { body.part = whole(c.shape); }); },
                    [&](const SetFilter& c) { with(c.body, [&](ModelBody& body) { body.filter = c.filter; }); },
                    [&](const SetUserData& c) { with(c.body, [&](ModelBody& body) { body.user_data = c.data; }); },
-                   [](const auto&) {}},
+                   // No body is another afterwards.
+                   [](const SetPairEnabled&) {}, [](const Reserve&) {}, [](const SetTests&) {}, [](const BadCall&) {},
+                   [](const Update&) {}},
         call);
 }
 
 namespace {
 
-// Gives the bodies of calls, one after the other, their new labels. Whether a call is kept.
-class Renamer {
+// The visitor that gives the bodies of calls, one call after the other, their new labels.
+class Renamer : public NoField {
   public:
-    bool operator()(Create& call) {
-        if (!labels_.emplace(call.body, next_).second) return false;
-        call.body = next_++;
-        return true;
+    bool is_kept = true;  // the call, so far
+
+    void created(Label& label) {
+        is_kept = is_kept && labels_.emplace(label, next_).second;
+        if (is_kept) label = next_++;
     }
-    bool operator()(Destroy& call) {
-        const Label old = call.body;
-        return rename(call.body) && labels_.erase(old) == 1;
+    void destroyed(Label& label) {
+        const Label old = label;
+        body(label);
+        labels_.erase(old);
     }
-    bool operator()(SetPoses& call) {
-        SetPoses kept;
-        for (std::size_t i = 0; i < call.bodies.size(); ++i) {
-            if (!rename(call.bodies[i])) continue;
-            kept.bodies.push_back(call.bodies[i]);
-            kept.poses.push_back(call.poses[i]);
+    void body(Label& label) {
+        last_ = label;
+        const auto found = labels_.find(label);
+        is_kept = is_kept && found != labels_.end();
+        if (is_kept) label = found->second;
+    }
+    void other_body(Label& label) {
+        is_kept = is_kept && label != last_;
+        body(label);
+    }
+    void posed_bodies(std::vector<Label>& bodies, std::vector<Pose>& poses) {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const auto found = labels_.find(bodies[i]);
+            if (found == labels_.end()) continue;
+            bodies[count] = found->second;
+            poses[count++] = poses[i];
         }
-        const bool is_kept = call.bodies.empty() || !kept.bodies.empty();
-        call = std::move(kept);
-        return is_kept;
+        is_kept = is_kept && (count > 0 || bodies.empty());
+        bodies.resize(count);
+        poses.resize(count);
     }
-    bool operator()(SetPairEnabled& call) { return call.a != call.b && rename(call.a) && rename(call.b); }
-    bool operator()(Reserve&) { return true; }
-    bool operator()(SetTests&) { return true; }
-    bool operator()(Update&) { return true; }
-    bool operator()(auto& call) { return rename(call.body); }
 
   private:
-    bool rename(Label& label) const {
-        const auto found = labels_.find(label);
-        if (found == labels_.end()) return false;
-        label = found->second;
-        return true;
-    }
-
     std::map<Label, Label> labels_;  // of bodies that are there, to their new ones
     Label next_ = 0;
+    Label last_ = 0;  // before it was renamed
 };
 
 }  // namespace
@@ -87,7 +105,9 @@ Script repaired(const Script& script) {
     Script result;
     Renamer renamer;
     for (Call call : script) {
-        if (std::visit(renamer, call)) result.push_back(std::move(call));
+        renamer.is_kept = true;
+        std::visit([&](auto& row) { row.fields(renamer, row); }, call);
+        if (renamer.is_kept) result.push_back(std::move(call));
     }
     return result;
 }

@@ -1,5 +1,5 @@
 // The calls that a world is given, as plain data: made by the generator, played with checks, shrunk, written as a trace
-// and read from one.
+// and read from one. They are the rows of trace/calls.hpp, where bodies are labels and shapes are parts, and a few more.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -14,76 +15,89 @@
 #include "ecods/ids.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
+#include "trace/calls.hpp"
 
 namespace ecods::fuzz {
 
-// A body by the number of bodies that were created before it. A script knows no ids, so that calls can be dropped.
-using Label = std::size_t;
+// A script knows no ids, so that calls can be dropped.
+using calls::Label;
 
 // What a body is made of. Kinds other than that of meshes are user_shape.hpp's.
 struct Part {
     std::shared_ptr<const Mesh> mesh;
     ShapeKind kind = ShapeKind::mesh();
+    bool refits = false;  // by refit() of the shape that the body has, if that is a mesh of the same triangles
 };
 
-struct Create {
-    Label body;
-    Part part;
-    Pose pose;
+struct InScript {
+    using Body = Label;
+    using Shape = Part;
+    template <class Item>
+    using List = std::vector<Item>;
 };
-struct Destroy {
-    Label body;
-};
-struct SetPose {
-    Label body;
-    Pose pose;
-};
-struct SetPoses {
-    std::vector<Label> bodies;  // as many as poses
-    std::vector<Pose> poses;
-};
-struct SetShape {
-    Label body;
-    Part part;
-    bool refits = false;  // if the body is a mesh of the same triangles, by refit()
-};
-struct SetFilter {
-    Label body;
-    CollisionFilter filter;
-};
-struct SetPairEnabled {
-    Label a;
-    Label b;
-    bool is_enabled;
-};
-struct SetUserData {
-    Label body;
-    std::uint64_t data;
-};
+using Create = calls::Create<InScript>;
+using Destroy = calls::Destroy<InScript>;
+using SetPose = calls::SetPose<InScript>;
+using SetPoses = calls::SetPoses<InScript>;
+using SetShape = calls::SetShape<InScript>;
+using SetFilter = calls::SetFilter<InScript>;
+using SetPairEnabled = calls::SetPairEnabled<InScript>;
+using SetUserData = calls::SetUserData<InScript>;
+
+// ---- calls that a trace does not hold. They stand in its notes, which ecods_replay passes over.
+
 struct Reserve {
-    std::size_t count;
+    static constexpr std::string_view name = "reserve";
+    std::uint32_t count;
+    static void fields(auto&& each, auto&... call) { each.number(call.count...); }
 };
-struct SetTests {};  // the tests of all user-defined shapes are registered again
+
+// The tests of all user-defined shapes are registered again.
+struct SetTests {
+    static constexpr std::string_view name = "tests";
+    static void fields(auto&&, auto&...) {}
+};
 
 // A call that must be refused (bad_calls.hpp): which one, and where it may choose, what.
 struct BadCall {
-    std::string name;
+    static constexpr std::string_view name = "bad";
     Label body;
-    std::uint32_t choice = 0;
+    std::uint32_t choice;
+    std::string kind;
+    static void fields(auto&& each, auto&... call) {
+        each.body(call.body...);
+        each.number(call.choice...);
+        each.text(call.kind...);
+    }
 };
+using NoteCall = std::variant<Reserve, SetTests, BadCall>;
 
 struct Update {
+    static constexpr std::string_view name = "update";
     bool fails = false;                        // tests of user-defined shapes throw
     bool is_quiet = false;                     // nobody reads the lists, which is a check left out
     std::optional<std::uint64_t> digest = {};  // as a trace has it
+    static void fields(auto&& each, auto&... call) {
+        each.option(call.fails...);
+        each.option(call.is_quiet...);
+    }
 };
 
-using Call = std::variant<Create, Destroy, SetPose, SetPoses, SetShape, SetFilter, SetPairEnabled, SetUserData, Reserve,
-                          SetTests, BadCall, Update>;
+using Call = calls::Call<InScript, Reserve, SetTests, BadCall, Update>;
 using Script = std::vector<Call>;
 
-// As World has it: "set_pose".
-const char* name_of(const Call& call);
+// Visits no field of any of them.
+struct NoField : calls::NoField {
+    void number(auto&...) const noexcept {}
+    void text(auto&...) const noexcept {}
+    void option(auto&...) const noexcept {}
+};
+
+// "set_pose"
+std::string_view name_of(const Call& call);
+
+// The body that the call makes, if it makes one.
+std::optional<Label> created_body(const Call& call);
 
 // For std::visit.
 template <class... Functions>
@@ -108,7 +122,7 @@ struct Model {
     void apply(const Call& call);
 };
 
-// Without calls for bodies that are not there, as they are left when calls are dropped; labels counted anew.
+// Without calls for bodies that are not there, which remain when calls are dropped; labels are counted again.
 Script repaired(const Script& script);
 
 }  // namespace ecods::fuzz

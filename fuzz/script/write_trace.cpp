@@ -11,18 +11,49 @@
 namespace ecods::fuzz {
 namespace {
 
-void apply(ScriptedWorld& scripted, const Call& call, std::ostream& out) {
-    if (const auto* bad = std::get_if<BadCall>(&call)) {
-        fmt::print(out, "note bad {} {} {}\n", text(scripted.id(bad->body)), bad->choice, bad->name);
-        return;
+// Writes the notes that go before a call, or hold it.
+class NoteWriter : public NoField {
+  public:
+    NoteWriter(const ScriptedWorld& scripted, std::ostream& out) : scripted_(scripted), out_(out) {}
+
+    void write(const Call& call) {
+        std::visit(Overloaded{[&](const Update& update) {
+                                  if (update.is_quiet) out_ << "note quiet\n";
+                                  if (update.fails) out_ << "note failing\n";
+                              },
+                              [&](const auto& row) {
+                                  row.fields(*this, row);
+                                  if (is_in<NoteCall>(row)) fmt::print(out_, "note {}{}\n", row.name, text_);
+                              }},
+                   call);
     }
-    if (const auto* shape = std::get_if<SetShape>(&call); shape != nullptr && shape->refits) out << "note refit\n";
-    if (const auto* reserve = std::get_if<Reserve>(&call)) fmt::print(out, "note reserve {}\n", reserve->count);
-    if (std::holds_alternative<SetTests>(call)) out << "note tests\n";
+
+    void shape(const Part& part) const {
+        if (part.refits) out_ << "note refit\n";
+    }
+    void body(const Label& label) { text_ += fmt::format(" {}", fuzz::text(scripted_.id(label))); }
+    void number(const std::uint32_t& number) { text_ += fmt::format(" {}", number); }
+    void text(const std::string& text) { text_ += fmt::format(" {}", text); }
+
+  private:
+    template <class... Rows, class Row>
+    static constexpr bool is_one_of(const std::variant<Rows...>*, const Row*) {
+        return (std::is_same_v<Rows, Row> || ...);
+    }
+    template <class AnyCall, class Row>
+    static constexpr bool is_in(const Row& row) {
+        return is_one_of(static_cast<const AnyCall*>(nullptr), &row);
+    }
+
+    const ScriptedWorld& scripted_;
+    std::ostream& out_;
+    std::string text_;
+};
+
+void apply(ScriptedWorld& scripted, const Call& call, std::ostream& out) {
+    NoteWriter(scripted, out).write(call);
     const auto* update = std::get_if<Update>(&call);
-    if (update != nullptr && update->is_quiet) out << "note quiet\n";
     if (update != nullptr && update->fails) {
-        out << "note failing\n";
         scripted.tests().fail(true);
         try {
             scripted.world().update();

@@ -66,7 +66,7 @@ void Shrinker::drop(Count count, Without without) {
 }
 
 void Shrinker::drop_bodies() {
-    const auto is_create = [](const Call& call) { return std::holds_alternative<Create>(call); };
+    const auto is_create = [](const Call& call) { return created_body(call).has_value(); };
     drop([&] { return static_cast<std::size_t>(std::ranges::count_if(best_, is_create)); },
          [&](std::size_t begin, std::size_t count) {
              Script candidate = best_;
@@ -141,39 +141,17 @@ void Shrinker::move_to_creation() {
     for (std::size_t i = best_.size(); i-- > 0 && !is_out_of_time();) {
         if (i >= best_.size()) continue;
         Script candidate = best_;
-        const auto create_of = [&](Label label) {
-            for (Call& call : candidate) {
-                if (auto* create = std::get_if<Create>(&call); create != nullptr && create->body == label)
-                    return create;
-            }
-            return static_cast<Create*>(nullptr);
-        };
-        if (const auto* move = std::get_if<SetPose>(&best_[i])) {
-            create_of(move->body)->pose = move->pose;
-        } else if (const auto* shape = std::get_if<SetShape>(&best_[i])) {
-            create_of(shape->body)->part = shape->part;
-        } else {
-            continue;
-        }
-        candidate.erase(candidate.begin() + static_cast<std::ptrdiff_t>(i));
-        accept(candidate);
+        if (fields_to_creation(candidate, i)) accept(candidate);
     }
 }
 
 void Shrinker::simplify_calls() {
-    for (std::size_t i = 0; i < best_.size(); ++i) {
-        Script candidate = best_;
-        if (auto* shape = std::get_if<SetShape>(&candidate[i]); shape != nullptr && shape->refits) {
-            shape->refits = false;
-            accept(candidate);
-        } else if (auto* update = std::get_if<Update>(&candidate[i]);
-                   update != nullptr && (update->fails || update->is_quiet)) {
-            update->fails = update->is_quiet = false;
-            accept(candidate);
-        } else if (auto* create = std::get_if<Create>(&candidate[i]);
-                   create != nullptr && create->part.kind != ShapeKind::mesh()) {
-            create->part.kind = ShapeKind::mesh();
-            accept(candidate);
+    for (std::size_t call = 0; call < best_.size() && !is_out_of_time(); ++call) {
+        for (std::size_t field = 0;;) {
+            Script candidate = best_;
+            if (!simplify_field(candidate[call], field)) break;
+            if (!accept(candidate)) ++field;
+            if (call >= best_.size()) return;
         }
     }
 }

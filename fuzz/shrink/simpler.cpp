@@ -6,17 +6,52 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace ecods::fuzz {
 namespace {
 
-void for_each_part(Script& script, const std::function<void(Part&)>& act) {
-    for (Call& call : script) {
-        if (auto* create = std::get_if<Create>(&call)) act(create->part);
-        if (auto* shape = std::get_if<SetShape>(&call)) act(shape->part);
-    }
+template <class Visitor>
+void visit_fields(Call& call, Visitor&& visitor) {
+    std::visit([&](auto& row) { row.fields(visitor, row); }, call);
 }
+
+struct PartVisitor : NoField {
+    const std::function<void(Part&)>& act;
+    void shape(Part& part) const { act(part); }
+};
+
+void for_each_part(Script& script, const std::function<void(Part&)>& act) {
+    for (Call& call : script) visit_fields(call, PartVisitor{{}, act});
+}
+
+struct PoseVisitor : NoField {
+    const std::function<void(Pose&)>& act;
+    void pose(Pose& pose) const { act(pose); }
+    void posed_bodies(auto&, std::vector<Pose>& poses) const { std::ranges::for_each(poses, act); }
+};
+
+// Gives one field, of those that are not at their simplest, its simplest value.
+struct FieldSimplifier : NoField {
+    std::size_t index;
+    bool has_changed = false;
+
+    void shape(Part& part) {
+        offer(part.refits, false);
+        offer(part.kind, ShapeKind::mesh());
+    }
+    void filter(CollisionFilter& filter) { offer(filter, CollisionFilter()); }
+    void data(std::uint64_t& data) { offer(data, std::uint64_t{0}); }
+    void option(bool& option) { offer(option, false); }
+
+    template <class Field>
+    void offer(Field& field, const Field& simplest) {
+        if (field == simplest || index-- != 0) return;
+        field = simplest;
+        has_changed = true;
+    }
+};
 
 // Bits from the first to the last that is set.
 int digits(double x) {
@@ -32,6 +67,39 @@ double leading_bits(double x, int count) {
     return std::ldexp(std::round(std::ldexp(mantissa, count)), exponent - count);
 }
 
+// The fields that a call sets of one body.
+struct FieldsOfBody : NoField {
+    std::optional<Label> of = {};
+    std::optional<Part> part_set = {};
+    std::optional<Pose> pose_set = {};
+    std::optional<CollisionFilter> filter_set = {};
+    std::optional<std::uint64_t> data_set = {};
+
+    void body(const Label& body) { of = body; }
+    void shape(const Part& part) { part_set = part; }
+    void pose(const Pose& pose) { pose_set = pose; }
+    void filter(const CollisionFilter& filter) { filter_set = filter; }
+    void data(const std::uint64_t& data) { data_set = data; }
+};
+
+// Sets those of them that a call has.
+struct FieldSetter : NoField {
+    const FieldsOfBody& fields;
+    bool has_set = false;
+
+    void shape(Part& part) { set(part, fields.part_set); }
+    void pose(Pose& pose) { set(pose, fields.pose_set); }
+    void filter(CollisionFilter& filter) { set(filter, fields.filter_set); }
+    void data(std::uint64_t& data) { set(data, fields.data_set); }
+
+    template <class Field>
+    void set(Field& field, const std::optional<Field>& value) {
+        if (!value) return;
+        field = *value;
+        has_set = true;
+    }
+};
+
 }  // namespace
 
 double rounder(double x, int roundness) {
@@ -43,12 +111,27 @@ double rounder(double x, int roundness) {
     return std::isfinite(y) && digits(y) < digits(x) ? y + 0.0 : x;
 }
 
-void for_each_pose(Script& script, const std::function<void(Pose&)>& act) {
-    for (Call& call : script) {
-        if (auto* create = std::get_if<Create>(&call)) act(create->pose);
-        if (auto* move = std::get_if<SetPose>(&call)) act(move->pose);
-        if (auto* moves = std::get_if<SetPoses>(&call)) std::ranges::for_each(moves->poses, act);
+bool simplify_field(Call& call, std::size_t index) {
+    FieldSimplifier simplifier{{}, index};
+    visit_fields(call, simplifier);
+    return simplifier.has_changed;
+}
+
+bool fields_to_creation(Script& script, std::size_t call) {
+    FieldsOfBody fields;
+    visit_fields(script[call], fields);
+    if (!fields.of) return false;
+    FieldSetter setter{{}, fields};
+    for (Call& creation : script) {
+        if (created_body(creation) == fields.of) visit_fields(creation, setter);
     }
+    if (!setter.has_set) return false;
+    script.erase(script.begin() + static_cast<std::ptrdiff_t>(call));
+    return true;
+}
+
+void for_each_pose(Script& script, const std::function<void(Pose&)>& act) {
+    for (Call& call : script) visit_fields(call, PoseVisitor{{}, act});
 }
 
 void for_each_number(Script& script, const std::function<void(double&)>& act) {

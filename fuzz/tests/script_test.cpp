@@ -95,8 +95,12 @@ TEST(Generate, EveryMotionThatHurtsHappens) {
                              "changes: bad input",
                              "changes: filter",
                              "changes: pair switched",
-                             "changes: room reserved"}) {
+                             "changes: room reserved",
+                             "changes: any call"}) {
         EXPECT_GT(counters[name], 0U) << name;
+    }
+    for (const std::string_view name : calls::row_names<Call>) {
+        EXPECT_GT(counters["calls: " + std::string(name)], 0U) << name;
     }
 }
 

@@ -1,9 +1,9 @@
 #include "trace/trace_lines.hpp"
 
 #include <algorithm>
+#include <new>
 
 #include "ecods/error.hpp"
-#include "trace/trace_text.hpp"
 
 namespace ecods {
 namespace {
@@ -18,9 +18,22 @@ std::string quoted(std::string_view word) {
 }  // namespace
 
 bool TraceLines::next() {
-    if (!std::getline(in_, text_)) {
-        if (!in_.eof()) throw InvalidTrace(number_ + 1, "cannot be read");
-        return false;
+    text_.clear();
+    left_ = {};
+    if (in_.eof()) return false;
+    if (!in_) throw InvalidTrace(number_ + 1, "cannot be read");
+    constexpr auto end = std::istream::traits_type::eof();
+    std::streambuf& buffer = *in_.rdbuf();
+    try {
+        for (auto c = buffer.sbumpc(); c != '\n'; c = buffer.sbumpc()) {
+            if (c == end && text_.empty()) return false;
+            if (c == end) break;
+            text_.push_back(std::istream::traits_type::to_char_type(c));
+        }
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (...) {
+        throw InvalidTrace(number_ + 1, "cannot be read");
     }
     ++number_;
     left_ = text_;
@@ -47,7 +60,7 @@ std::uint64_t TraceLines::decimal(const char* what, std::uint64_t max) {
     fail(quoted(found) + " is no number up to " + std::to_string(max) + ": " + what);
 }
 
-BodyId TraceLines::body() {
+TracedBody TraceLines::body() {
     const std::string_view found = word("a body");
     if (const auto body = parse_body(found)) return *body;
     fail(quoted(found) + " is no body");
@@ -72,6 +85,11 @@ Pose TraceLines::pose() {
         pose.t[row] = coordinate();
     }
     return pose;
+}
+
+CollisionFilter TraceLines::filter() {
+    const std::uint64_t groups = hex("groups");
+    return {.groups = groups, .mask = hex("a mask")};
 }
 
 std::string_view TraceLines::rest() {

@@ -1,4 +1,4 @@
-// A trace read line by line, word by word. Whatever is not as it must be is an InvalidTrace with its line.
+// A trace read line by line, word by word. Text that is not as it must be is an InvalidTrace with its line.
 #pragma once
 
 #include <cstddef>
@@ -7,25 +7,28 @@
 #include <string>
 #include <string_view>
 
-#include "ecods/ids.hpp"
+#include "ecods/collision_filter.hpp"
 #include "ecods/pose.hpp"
+#include "trace/trace_text.hpp"
 
 namespace ecods {
 
 class TraceLines {
   public:
-    explicit TraceLines(std::istream& in) : in_(in) {}
+    explicit TraceLines(std::istream& in, std::size_t lines_before = 0) : in_(in), number_(lines_before) {}
 
-    // Goes to the next line. False behind the last.
+    // Goes to the next line. False behind the last. Reads from the stream's buffer: no flag, width or locale of the
+    // stream has a part in it, and where memory runs out, that is what is thrown.
     bool next();
 
-    // The next word of the line. `what` says what it should have been, should it be missing or something else.
+    // The next word of the line. `what` names it in the error that is thrown where it is missing or another.
     std::string_view word(const char* what);
     std::uint64_t hex(const char* what);
     std::uint64_t decimal(const char* what, std::uint64_t max);
-    BodyId body();
+    TracedBody body();
     Vec3 point();
     Pose pose();
+    CollisionFilter filter();
 
     std::string_view rest();  // of the line, which is then at its end
     bool rest_is(std::string_view text) const noexcept { return left_ == text; }
@@ -44,7 +47,7 @@ class TraceLines {
     std::istream& in_;
     std::string text_;
     std::string_view left_;  // of text_
-    std::size_t number_ = 0;
+    std::size_t number_;
 };
 
 }  // namespace ecods

@@ -47,6 +47,14 @@ void append(std::string& text, std::uint64_t x) {
     append_chars(text, x);
 }
 
+void append(std::string& text, Hex x) {
+    append_hex(text, x.value);
+}
+
+void append(std::string& text, std::string_view word) {
+    text.append(word);
+}
+
 void append(std::string& text, BodyId body) {
     append_chars(text, body.slot);
     text.push_back('.');
@@ -89,17 +97,17 @@ std::optional<std::uint64_t> parse_decimal(std::string_view word, std::uint64_t 
     return number && *number <= max ? number : std::nullopt;
 }
 
-std::optional<BodyId> parse_body(std::string_view word) {
+std::optional<TracedBody> parse_body(std::string_view word) {
     const std::size_t dot = word.find('.');
     if (dot == std::string_view::npos) return std::nullopt;
     const auto slot = parse_chars<std::uint32_t>(word.substr(0, dot));
     const auto generation = parse_chars<std::uint32_t>(word.substr(dot + 1));
     if (!slot || *slot == 0 || !generation) return std::nullopt;
-    return BodyId{*slot, *generation};
+    return TracedBody{*slot, *generation};
 }
 
-std::string name_of(BroadPhaseKind kind) {
-    return std::string(broad_phase_names.at(static_cast<std::size_t>(kind)));
+std::string_view name_of(BroadPhaseKind kind) noexcept {
+    return broad_phase_names[static_cast<std::size_t>(kind)];
 }
 
 std::optional<BroadPhaseKind> parse_broad_phase(std::string_view word) {

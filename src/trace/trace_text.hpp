@@ -14,20 +14,36 @@ namespace ecods {
 
 inline constexpr std::string_view trace_header = "ecods-trace 1";
 
+struct Hex {
+    std::uint64_t value;
+};
+
 void append_hex(std::string& text, double x);
 void append_hex(std::string& text, std::uint64_t x);
 void append(std::string& text, std::uint64_t x);  // decimal
+void append(std::string& text, Hex x);
+void append(std::string& text, std::string_view word);
 void append(std::string& text, BodyId body);
 void append(std::string& text, const Vec3& point);
 void append(std::string& text, const Pose& pose);
+
+// A body as a trace names it: by what the id was in the world that wrote it, which is no id of another world.
+struct TracedBody {
+    std::uint32_t slot = 0;
+    std::uint32_t generation = 0;
+    friend constexpr bool operator==(const TracedBody&, const TracedBody&) = default;
+};
+constexpr TracedBody traced(BodyId body) noexcept {
+    return {body.slot, body.generation};
+}
 
 // Nothing where the whole word is not what is asked for.
 std::optional<double> parse_hex_double(std::string_view word);  // finite
 std::optional<std::uint64_t> parse_hex(std::string_view word);
 std::optional<std::uint64_t> parse_decimal(std::string_view word, std::uint64_t max);
-std::optional<BodyId> parse_body(std::string_view word);
+std::optional<TracedBody> parse_body(std::string_view word);
 
-std::string name_of(BroadPhaseKind kind);
+std::string_view name_of(BroadPhaseKind kind) noexcept;
 std::optional<BroadPhaseKind> parse_broad_phase(std::string_view word);
 
 }  // namespace ecods

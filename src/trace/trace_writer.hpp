@@ -11,15 +11,14 @@
 #include <unordered_map>
 
 #include "ecods/broad_phase.hpp"
-#include "ecods/collision_filter.hpp"
-#include "ecods/ids.hpp"
-#include "ecods/pose.hpp"
 #include "ecods/trace.hpp"
+#include "trace/calls.hpp"
+#include "trace/trace_text.hpp"
 
 namespace ecods {
 
-// Calls are written after they succeeded, so writing them must not throw: a failure ends the writing, and is told by
-// has_failed().
+// Calls are written after they succeeded, so writing them must not throw: a failure ends the writing, and has_failed()
+// says so. Text reaches the stream as it is: no flag, width or locale of the stream has a part in it.
 class TraceWriter {
   public:
     TraceWriter(std::ostream& out, TraceOptions options);
@@ -29,14 +28,17 @@ class TraceWriter {
     std::uint64_t number_of(const std::shared_ptr<const Shape>& shape);
 
     void begin(BroadPhaseKind kind, std::size_t slot_count) noexcept;
-    void create(BodyId body, std::uint64_t number, const Pose& pose) noexcept;
-    void destroy(BodyId body) noexcept;
-    void set_pose(BodyId body, const Pose& pose) noexcept;
-    void set_poses(std::span<const BodyId> bodies, std::span<const Pose> poses) noexcept;
-    void set_shape(BodyId body, std::uint64_t number) noexcept;
-    void set_filter(BodyId body, const CollisionFilter& filter) noexcept;
-    void set_pair_enabled(BodyId a, BodyId b, bool is_enabled) noexcept;
-    void set_user_data(BodyId body, std::uint64_t data) noexcept;
+
+    // A call, as one of the rows of calls.hpp: write<calls::SetPose>(body, pose).
+    template <template <class> class Row, class... Arguments>
+    void write(const Arguments&... arguments) noexcept {
+        const Row<calls::Tracing> call{arguments...};
+        guarded([&] {
+            put_words(call.name);
+            call.fields(FieldWriter{*this}, call);
+            end_line();
+        });
+    }
     void note(std::string_view text) noexcept;
 
     // An update is announced before it runs: the file is complete up to there, should the program not be there after.
@@ -48,24 +50,61 @@ class TraceWriter {
     bool has_failed() const noexcept { return has_failed_; }
 
   private:
+    // The visitor that writes the fields of a call.
+    struct FieldWriter {
+        TraceWriter& writer;
+
+        void created(BodyId body) const { writer.put_words(body); }
+        void destroyed(BodyId body) const { writer.put_words(body); }
+        void body(BodyId body) const { writer.put_words(body); }
+        void other_body(BodyId body) const { writer.put_words(body); }
+        void shape(std::uint64_t number) const { writer.put_words(number); }
+        void pose(const Pose& pose) const { writer.put_words(pose); }
+        void posed_bodies(std::span<const BodyId> bodies, std::span<const Pose> poses) const;
+        void filter(const CollisionFilter& filter) const { writer.put_words(Hex{filter.groups}, Hex{filter.mask}); }
+        void flag(bool flag) const { writer.put_words(std::uint64_t{flag}); }
+        void data(std::uint64_t data) const { writer.put_words(Hex{data}); }
+    };
+
+    // Does nothing after a failure, and takes what `act` throws for one.
     template <class Act>
-    void guarded(Act act) noexcept;
+    void guarded(Act act) noexcept {
+        if (has_failed_) return;
+        try {
+            text_.clear();
+            act();
+            has_failed_ = !out_->good();
+        } catch (...) {
+            has_failed_ = true;
+        }
+    }
     template <class... Words>
-    void put_line(const Words&... words) noexcept;
+    void put_words(const Words&... words) {
+        ((append(text_, words), text_.push_back(' ')), ...);
+    }
+    template <class... Words>
+    void put_line(const Words&... words) noexcept {
+        guarded([&] {
+            put_words(words...);
+            end_line();
+        });
+    }
+    void end_line();
+    void put_text();
     void put_mesh(const Mesh& mesh, std::uint64_t number) noexcept;
     std::string text_of(const Shape& shape) const;
 
-    // What has a number, by its address; which may be used again once what was there is gone.
+    // A mesh or shape that has a number, known by its address; which may be used again once the object is gone.
     struct Numbered {
-        std::weak_ptr<const void> what;
+        std::weak_ptr<const void> object;
         std::uint64_t number = 0;
     };
     std::ostream* out_;
     TraceOptions options_;
     std::unordered_map<const void*, Numbered> numbers_;
-    std::size_t numbers_max_ = 64;  // when that many are known, forget what is gone
+    std::size_t numbers_max_ = 64;  // when that many are known, forget those that are gone
     std::uint64_t last_number_ = 0;
-    std::string text_;  // working memory
+    std::string text_;  // of the line that is under way
     bool has_failed_ = false;
 };
 

@@ -117,7 +117,7 @@ std::uint64_t World::user_data(BodyId body) const {
 
 void World::set_user_data(BodyId body, std::uint64_t data) {
     impl_->slots[impl_->require(body)].user_data = data;
-    if (impl_->trace) impl_->trace->set_user_data(body, data);
+    if (impl_->trace) impl_->trace->write<calls::SetUserData>(body, data);
 }
 
 std::vector<BodyId> World::bodies() const {

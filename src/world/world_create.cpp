@@ -37,7 +37,7 @@ BodyId World::create_body(std::shared_ptr<const Shape> shape, const Pose& pose) 
     slot.user_data = 0;
     w.boxes[proxy] = box;
     w.mark_changed(proxy, Change::body);
-    if (w.trace) w.trace->create(w.id_of(proxy), number, pose);
+    if (w.trace) w.trace->write<calls::Create>(w.id_of(proxy), number, pose);
     return w.id_of(proxy);
 }
 
@@ -54,7 +54,7 @@ void World::destroy_body(BodyId body) {
     w.free_slots.push_back(proxy);
     w.disabled.forget(proxy);
     w.candidates_are_dirty = true;
-    if (w.trace) w.trace->destroy(body);
+    if (w.trace) w.trace->write<calls::Destroy>(body);
 }
 
 void World::reserve(std::size_t body_count) {

@@ -9,7 +9,7 @@ void World::set_filter(BodyId body, const CollisionFilter& filter) {
     make_room(w.changed);
     w.slots[proxy].filter = filter;
     w.mark_changed(proxy, Change::filter);
-    if (w.trace) w.trace->set_filter(body, filter);
+    if (w.trace) w.trace->write<calls::SetFilter>(body, filter);
 }
 
 CollisionFilter World::filter(BodyId body) const {
@@ -22,7 +22,7 @@ void World::set_pair_enabled(BodyId a, BodyId b, bool is_enabled) {
     make_room(w.switched);
     if (!(is_enabled ? w.disabled.erase(pair) : w.disabled.insert(pair))) return;
     w.switched.push_back(pair);
-    if (w.trace) w.trace->set_pair_enabled(a, b, is_enabled);
+    if (w.trace) w.trace->write<calls::SetPairEnabled>(a, b, is_enabled);
 }
 
 bool World::is_pair_enabled(BodyId a, BodyId b) const {

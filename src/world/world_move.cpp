@@ -18,7 +18,7 @@ void World::set_pose(BodyId body, const Pose& pose) {
     slot.pose = pose;
     w.boxes[proxy] = box;
     w.mark_changed(proxy, Change::body);
-    if (w.trace) w.trace->set_pose(body, pose);
+    if (w.trace) w.trace->write<calls::SetPose>(body, pose);
 }
 
 // Everything that can fail is done before a body moves; should the broad phase run out of memory half-way, what it was
@@ -56,7 +56,7 @@ void World::set_poses(std::span<const BodyId> bodies, std::span<const Pose> pose
         w.boxes[proxy] = boxes[i];
         w.mark_changed(proxy, Change::body);
     }
-    if (w.trace) w.trace->set_poses(bodies, poses);
+    if (w.trace) w.trace->write<calls::SetPoses>(bodies, poses);
 }
 
 }  // namespace ecods

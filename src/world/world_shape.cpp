@@ -27,7 +27,7 @@ void World::set_shape(BodyId body, std::shared_ptr<const Shape> shape) {
     w.put_shape(slot, std::move(shape));
     w.boxes[proxy] = box;
     w.mark_changed(proxy, Change::body);
-    if (w.trace) w.trace->set_shape(body, number);
+    if (w.trace) w.trace->write<calls::SetShape>(body, number);
 }
 
 void World::set_test(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test) {

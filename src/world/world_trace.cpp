@@ -13,12 +13,12 @@ void World::trace_to(std::ostream& out, TraceOptions options) {
     trace->begin(w.broad_phase->kind(), w.slots.size());
     for (const BodyId body : bodies) {
         const Slot& slot = w.slots[body.slot - 1];
-        trace->create(body, trace->number_of(slot.shape), slot.pose);
-        if (slot.filter != CollisionFilter()) trace->set_filter(body, slot.filter);
-        if (slot.user_data != 0) trace->set_user_data(body, slot.user_data);
+        trace->write<calls::Create>(body, trace->number_of(slot.shape), slot.pose);
+        if (slot.filter != CollisionFilter()) trace->write<calls::SetFilter>(body, slot.filter);
+        if (slot.user_data != 0) trace->write<calls::SetUserData>(body, slot.user_data);
     }
     for (const ProxyPair pair : w.disabled.list()) {
-        trace->set_pair_enabled(w.id_of(pair.a), w.id_of(pair.b), false);
+        trace->write<calls::SetPairEnabled>(w.id_of(pair.a), w.id_of(pair.b), false);
     }
     w.trace = std::move(trace);
 }

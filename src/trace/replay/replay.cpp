@@ -2,18 +2,13 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <utility>
 #include <vector>
 
-#include "trace/trace_lines.hpp"
-#include "trace/trace_text.hpp"
+#include "trace/trace_reader.hpp"
 
 namespace ecods {
 namespace {
-
-constexpr std::uint64_t max_32 = ~std::uint32_t{0};
-constexpr std::uint64_t max_64 = ~std::uint64_t{0};
 
 using Pairs = std::vector<BodyPair>;
 
@@ -29,55 +24,44 @@ std::string hex_text(std::uint64_t number) {
     return text;
 }
 
+// Makes the calls of a trace in a world of its own.
 class Replayer {
   public:
-    Replayer(std::istream& in, const ReplayOptions& options) : lines_(in), options_(options), world_(read_head()) {
+    Replayer(std::istream& in, const ReplayOptions& options)
+        : reader_(in),
+          options_(options),
+          world_({.broad_phase = options.broad_phase.value_or(reader_.broad_phase()), .executor = options.executor}) {
         if (options_.set_up) options_.set_up(world_);
     }
     ReplayReport run();
 
   private:
-    WorldOptions read_head();
-    void run_line();
-    void run_call(std::string_view name);
+    void take(const TracedCall& call);
+    void take(const TracedUpdate& update);
+    void take(const TracedMesh& mesh) { shapes_.push_back(std::make_shared<const MeshShape>(mesh.mesh)); }
+    void take(const TracedShape& shape);
+    void take(const TracedNote&) {}
 
-    void read_mesh();
-    void read_shape();
-    void create();
-    void set_poses();
-    void set_pair_enabled();
-    void update();
+    template <template <class> class Row>
+    void make(const Row<calls::InOrder>& traced);
+    void keep_id(calls::Label label, BodyId made);
     void compare_events(const Pairs& before, const Pairs& after);
-
-    const std::shared_ptr<const Shape>& shape();
-    BodyId body();
     void differ(std::string what);
 
-    TraceLines lines_;
+    TraceReader reader_;
     const ReplayOptions& options_;
-    bool ids_must_repeat_ = false;  // before world_, whose options set it
     World world_;
-    std::map<std::uint64_t, std::shared_ptr<const Shape>> shapes_;  // by number
-    std::map<BodyId, BodyId> ids_;                                  // of the trace, to those here
+    std::vector<std::shared_ptr<const Shape>> shapes_;  // by their order in the trace
+    std::vector<BodyId> ids_;                           // by label
     ReplayReport report_;
 };
 
-WorldOptions Replayer::read_head() {
-    if (!lines_.next() || lines_.rest() != trace_header) {
-        throw InvalidTrace(1, "a trace begins with '" + std::string(trace_header) + "'");
-    }
-    lines_.require_next("world");
-    const auto kind = parse_broad_phase(lines_.word("a broad phase"));
-    if (!kind) lines_.fail("there is no such broad phase");
-    ids_must_repeat_ = lines_.decimal("a number of bodies", max_64) == 0;
-    lines_.require_end();
-    return {.broad_phase = options_.broad_phase.value_or(*kind), .executor = options_.executor};
-}
-
 ReplayReport Replayer::run() {
-    while (!report_.difference && lines_.next()) {
+    while (!report_.difference) {
+        const auto item = reader_.next();
+        if (!item) break;
         try {
-            run_line();
+            std::visit([&](const auto& one) { take(one); }, *item);
         } catch (const InvalidTrace&) {
             throw;
         } catch (const NotSupported&) {
@@ -85,162 +69,64 @@ ReplayReport Replayer::run() {
         } catch (const ExecutorFailed&) {
             throw;
         } catch (const Error& error) {
-            lines_.fail(error.what());
+            reader_.fail(error.what());
+        }
+        if (std::holds_alternative<TracedCall>(*item) || std::holds_alternative<TracedUpdate>(*item)) {
+            ++report_.call_count;
         }
     }
-    report_.body_count = ids_.size();
+    report_.body_count = reader_.names().bodies.size();
     report_.colliding_count = world_.colliding_pairs().size();
     return std::move(report_);
 }
 
-void Replayer::run_line() {
-    const std::string_view name = lines_.word("a call");
-    if (name == "mesh") {
-        read_mesh();
-    } else if (name == "shape") {
-        read_shape();
-    } else if (name == "note") {
-        lines_.rest();
-    } else {
-        run_call(name);
-        lines_.require_end();
-        ++report_.call_count;
-    }
-}
-
-void Replayer::run_call(std::string_view name) {
-    if (name == "create") return create();
-    if (name == "set_poses") return set_poses();
-    if (name == "set_pair_enabled") return set_pair_enabled();
-    if (name == "update") return update();
-    if (name == "destroy") {
-        const BodyId traced = lines_.body();
-        const auto found = ids_.find(traced);
-        if (found == ids_.end()) lines_.fail("there is no such body");
-        world_.destroy_body(found->second);
-        ids_.erase(found);
-    } else if (name == "set_pose") {
-        const BodyId moved = body();
-        world_.set_pose(moved, lines_.pose());
-    } else if (name == "set_shape") {
-        const BodyId changed = body();
-        world_.set_shape(changed, shape());
-    } else if (name == "set_filter") {
-        const BodyId filtered = body();
-        const std::uint64_t groups = lines_.hex("groups");
-        world_.set_filter(filtered, {.groups = groups, .mask = lines_.hex("a mask")});
-    } else if (name == "set_user_data") {
-        const BodyId named = body();
-        world_.set_user_data(named, lines_.hex("user data"));
-    } else {
-        lines_.fail("there is no such call");
-    }
-}
-
-// ---- what bodies are made of. Nothing is reserved for what is announced: only what is there takes memory.
-
-void Replayer::read_mesh() {
-    const std::uint64_t number = lines_.decimal("a number", max_64);
-    const std::uint64_t vertex_count = lines_.decimal("a number of vertices", max_32);
-    const std::uint64_t triangle_count = lines_.decimal("a number of triangles", max_32);
-    lines_.require_end();
-    std::vector<Vec3> vertices;
-    for (std::uint64_t i = 0; i < vertex_count; ++i) {
-        lines_.require_next("v");
-        vertices.push_back(lines_.point());
-        lines_.require_end();
-    }
-    std::vector<Triangle> triangles;
-    for (std::uint64_t i = 0; i < triangle_count; ++i) {
-        lines_.require_next("t");
-        Triangle triangle;
-        for (std::uint32_t& vertex : triangle) vertex = static_cast<std::uint32_t>(lines_.decimal("a vertex", max_32));
-        triangles.push_back(triangle);
-        lines_.require_end();
-    }
-    auto mesh = std::make_shared<const MeshShape>(Mesh::create(std::move(vertices), std::move(triangles)));
-    if (!shapes_.emplace(number, std::move(mesh)).second) lines_.fail("the number of this mesh is taken");
-}
-
-void Replayer::read_shape() {
-    const std::uint64_t number = lines_.decimal("a number", max_64);
-    const ShapeKind kind{static_cast<std::uint32_t>(lines_.decimal("a kind", max_32))};
+void Replayer::take(const TracedShape& shape) {
     if (!options_.read_shape) {
-        throw NotSupported("line " + std::to_string(lines_.number()) + ": a shape of kind " +
-                           std::to_string(kind.value) + " cannot be read: ReplayOptions::read_shape is not set");
+        throw NotSupported("line " + std::to_string(reader_.line()) + ": a shape of kind " +
+                           std::to_string(shape.kind.value) + " cannot be read: ReplayOptions::read_shape is not set");
     }
-    auto shape = options_.read_shape(kind, lines_.rest());
-    if (!shape || shape->kind() != kind) lines_.fail("ReplayOptions::read_shape gave no shape of this kind");
-    if (!shapes_.emplace(number, std::move(shape)).second) lines_.fail("the number of this shape is taken");
+    auto made = options_.read_shape(shape.kind, shape.text);
+    if (!made || made->kind() != shape.kind) reader_.fail("ReplayOptions::read_shape gave no shape of this kind");
+    shapes_.push_back(std::move(made));
 }
 
-const std::shared_ptr<const Shape>& Replayer::shape() {
-    const auto found = shapes_.find(lines_.decimal("a mesh or shape", max_64));
-    if (found == shapes_.end()) lines_.fail("there is no such mesh or shape");
-    return found->second;
+void Replayer::take(const TracedCall& call) {
+    std::visit([&](const auto& row) { make(row); }, call);
 }
 
-// ---- calls
+template <template <class> class Row>
+void Replayer::make(const Row<calls::InOrder>& traced) {
+    auto call = calls::renamed<calls::InWorld>(
+        traced, [&](calls::Label label) { return ids_[label]; }, [&](std::size_t index) { return shapes_[index]; });
+    call.make(world_);
 
-BodyId Replayer::body() {
-    const auto found = ids_.find(lines_.body());
-    if (found == ids_.end()) lines_.fail("there is no such body");
-    return found->second;
+    struct KeepIds : calls::NoField {
+        Replayer& replayer;
+        void created(const calls::Label& label, const BodyId& made) const { replayer.keep_id(label, made); }
+    };
+    Row<calls::InOrder>::fields(KeepIds{{}, *this}, traced, call);
 }
 
-void Replayer::create() {
-    const BodyId traced = lines_.body();
-    if (ids_.contains(traced)) lines_.fail("this body is here already");
-    const auto& of = shape();
-    const BodyId made = world_.create_body(of, lines_.pose());
-    ids_.emplace(traced, made);
-    if (ids_must_repeat_ && made != traced) {
-        std::string text = "the new body is ";
-        append(text, made);
-        differ(text);
-    }
+void Replayer::keep_id(calls::Label label, BodyId made) {
+    ids_.push_back(made);
+    if (!reader_.begins_empty() || traced(made) == reader_.names().created[label]) return;
+    std::string text = "the new body is ";
+    append(text, made);
+    differ(text);
 }
 
-void Replayer::set_poses() {
-    const std::uint64_t count = lines_.decimal("a number of poses", max_64);
-    lines_.require_end();
-    std::vector<BodyId> bodies;
-    std::vector<Pose> poses;
-    for (std::uint64_t i = 0; i < count; ++i) {
-        lines_.require_next("p");
-        bodies.push_back(body());
-        poses.push_back(lines_.pose());
-        lines_.require_end();
-    }
-    world_.set_poses(bodies, poses);
-}
-
-void Replayer::set_pair_enabled() {
-    const BodyId a = body();
-    const BodyId b = body();
-    if (a == b) lines_.fail("a pair is two bodies");
-    world_.set_pair_enabled(a, b, lines_.decimal("0 or 1", 1) == 1);
-}
-
-void Replayer::update() {
-    std::optional<std::pair<std::uint64_t, std::uint64_t>> expected;
-    if (!lines_.at_end()) {
-        if (lines_.rest_is("failed")) {
-            lines_.rest();
-        } else {
-            const std::uint64_t digest = lines_.hex("a digest");
-            expected.emplace(digest, lines_.decimal("a number of pairs", max_64));
-        }
-    }
-    lines_.require_end();
+void Replayer::take(const TracedUpdate& update) {
     const Pairs before(world_.colliding_pairs().begin(), world_.colliding_pairs().end());
     world_.update();
     const Pairs after(world_.colliding_pairs().begin(), world_.colliding_pairs().end());
-    if (expected && world_.digest() != expected->first) {
-        differ("the digest is " + hex_text(world_.digest()) + " and was " + hex_text(expected->first) + "; " +
-               std::to_string(after.size()) + " pairs collide and " + std::to_string(expected->second) + " did");
-    } else if (expected && after.size() != expected->second) {
-        differ(std::to_string(after.size()) + " pairs collide and " + std::to_string(expected->second) + " did");
+    const auto& expected = update.result;
+    if (expected && world_.digest() != expected->digest) {
+        differ("the digest is " + hex_text(world_.digest()) + " and was " + hex_text(expected->digest) + "; " +
+               std::to_string(after.size()) + " pairs collide and " + std::to_string(expected->colliding_count) +
+               " did");
+    } else if (expected && after.size() != expected->colliding_count) {
+        differ(std::to_string(after.size()) + " pairs collide and " + std::to_string(expected->colliding_count) +
+               " did");
     }
     compare_events(before, after);
     if (options_.validates) {
@@ -261,7 +147,7 @@ void Replayer::compare_events(const Pairs& before, const Pairs& after) {
 void Replayer::differ(std::string what) {
     if (report_.difference) return;
     report_.difference = {
-        .update = report_.update_count, .call = report_.call_count, .line = lines_.number(), .what = std::move(what)};
+        .update = report_.update_count, .call = report_.call_count, .line = reader_.line(), .what = std::move(what)};
 }
 
 }  // namespace

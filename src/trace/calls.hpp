@@ -1,0 +1,248 @@
+// The table of calls: a call of World that a trace holds is one row, a struct with its name in the text, its arguments,
+// the function of World that it is, and its fields in the order of the text. Writer, reader, replay, the fuzzer's
+// scripts and their shrinking are made of these rows; src/README.md says how to add one.
+//
+// The same row serves under several Names, types that say what stands for a body, for a shape and for a list: ids and
+// numbers of shapes while a trace is written, the order of creation when it is read, and in a fuzzer's script meshes in
+// place of shapes.
+//
+// `fields` hands each field to a visitor, by the kind of the field:
+//
+//     created    a body that comes with the call            pose, filter
+//     destroyed  a body that is gone after it               flag       true or false
+//     body       any other; other_body: another than that   data       64 bits of the caller's own
+//     shape                                                 posed_bodies   as many bodies as poses
+//
+// Given several calls of one row, it hands over the same field of each: so one is copied to another, under other names.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "ecods/collision_filter.hpp"
+#include "ecods/ids.hpp"
+#include "ecods/pose.hpp"
+#include "ecods/shape.hpp"
+
+namespace ecods::calls {
+
+// A body by the number of bodies that were created before it.
+using Label = std::size_t;
+
+// ---- names
+
+// While a trace is written.
+struct Tracing {
+    using Body = BodyId;
+    using Shape = std::uint64_t;  // its number in the text
+    template <class Item>
+    using List = std::span<const Item>;
+};
+
+// As a trace is read.
+struct InOrder {
+    using Body = Label;
+    using Shape = std::size_t;  // the number of meshes and shapes before it in the text
+    template <class Item>
+    using List = std::vector<Item>;
+};
+
+// In a World.
+struct InWorld {
+    using Body = BodyId;
+    using Shape = std::shared_ptr<const ecods::Shape>;
+    template <class Item>
+    using List = std::vector<Item>;
+};
+
+// ---- rows
+
+template <class Names>
+struct Create {
+    static constexpr std::string_view name = "create";
+    typename Names::Body body;  // the result
+    typename Names::Shape shape;
+    Pose pose;
+
+    static void fields(auto&& each, auto&... call) {
+        each.created(call.body...);
+        each.shape(call.shape...);
+        each.pose(call.pose...);
+    }
+    void make(auto& world) { body = world.create_body(shape, pose); }
+};
+
+template <class Names>
+struct Destroy {
+    static constexpr std::string_view name = "destroy";
+    typename Names::Body body;
+
+    static void fields(auto&& each, auto&... call) { each.destroyed(call.body...); }
+    void make(auto& world) const { world.destroy_body(body); }
+};
+
+template <class Names>
+struct SetPose {
+    static constexpr std::string_view name = "set_pose";
+    typename Names::Body body;
+    Pose pose;
+
+    static void fields(auto&& each, auto&... call) {
+        each.body(call.body...);
+        each.pose(call.pose...);
+    }
+    void make(auto& world) const { world.set_pose(body, pose); }
+};
+
+template <class Names>
+struct SetPoses {
+    static constexpr std::string_view name = "set_poses";
+    typename Names::template List<typename Names::Body> bodies;
+    typename Names::template List<Pose> poses;
+
+    static void fields(auto&& each, auto&... call) { each.posed_bodies(call.bodies..., call.poses...); }
+    void make(auto& world) const { world.set_poses(bodies, poses); }
+};
+
+template <class Names>
+struct SetShape {
+    static constexpr std::string_view name = "set_shape";
+    typename Names::Body body;
+    typename Names::Shape shape;
+
+    static void fields(auto&& each, auto&... call) {
+        each.body(call.body...);
+        each.shape(call.shape...);
+    }
+    void make(auto& world) const { world.set_shape(body, shape); }
+};
+
+template <class Names>
+struct SetFilter {
+    static constexpr std::string_view name = "set_filter";
+    typename Names::Body body;
+    CollisionFilter filter;
+
+    static void fields(auto&& each, auto&... call) {
+        each.body(call.body...);
+        each.filter(call.filter...);
+    }
+    void make(auto& world) const { world.set_filter(body, filter); }
+};
+
+template <class Names>
+struct SetPairEnabled {
+    static constexpr std::string_view name = "set_pair_enabled";
+    typename Names::Body a;
+    typename Names::Body b;
+    bool is_enabled;
+
+    static void fields(auto&& each, auto&... call) {
+        each.body(call.a...);
+        each.other_body(call.b...);
+        each.flag(call.is_enabled...);
+    }
+    void make(auto& world) const { world.set_pair_enabled(a, b, is_enabled); }
+};
+
+template <class Names>
+struct SetUserData {
+    static constexpr std::string_view name = "set_user_data";
+    typename Names::Body body;
+    std::uint64_t data;
+
+    static void fields(auto&& each, auto&... call) {
+        each.body(call.body...);
+        each.data(call.data...);
+    }
+    void make(auto& world) const { world.set_user_data(body, data); }
+};
+
+// ---- the table
+
+template <class Names, class... Others>
+using Call = std::variant<Create<Names>, Destroy<Names>, SetPose<Names>, SetPoses<Names>, SetShape<Names>,
+                          SetFilter<Names>, SetPairEnabled<Names>, SetUserData<Names>, Others...>;
+
+// The names of the rows, by their places in a Call.
+template <class AnyCall>
+inline constexpr int row_names = 0;
+template <class... Rows>
+inline constexpr std::array<std::string_view, sizeof...(Rows)> row_names<std::variant<Rows...>> = {Rows::name...};
+
+// The row with this index, its arguments empty.
+template <class AnyCall, std::size_t... indices>
+void emplace_row(AnyCall& call, std::size_t index, std::index_sequence<indices...>) {
+    ((indices == index ? void(call.template emplace<indices>()) : void()), ...);
+}
+template <class AnyCall>
+void emplace_row(AnyCall& call, std::size_t index) {
+    emplace_row(call, index, std::make_index_sequence<std::variant_size_v<AnyCall>>());
+}
+
+// The row with this name, its arguments empty. False if there is none: the call is then what it was.
+template <class AnyCall>
+bool emplace_row(AnyCall& call, std::string_view name) {
+    const auto& names = row_names<AnyCall>;
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end()) return false;
+    emplace_row(call, static_cast<std::size_t>(found - names.begin()));
+    return true;
+}
+
+// ---- visitors
+
+// Visits no field: for visitors of a few kinds to derive from.
+struct NoField {
+    void created(auto&...) const noexcept {}
+    void destroyed(auto&...) const noexcept {}
+    void body(auto&...) const noexcept {}
+    void other_body(auto&...) const noexcept {}
+    void shape(auto&...) const noexcept {}
+    void pose(auto&...) const noexcept {}
+    void posed_bodies(auto&...) const noexcept {}
+    void filter(auto&...) const noexcept {}
+    void flag(auto&...) const noexcept {}
+    void data(auto&...) const noexcept {}
+};
+
+// Copies fields. `body_of` and `shape_of` say which body and which shape of the other call a name stands for. A body that
+// the call makes has a name under labels only; an id it gets when the call is made.
+template <class BodyOf, class ShapeOf>
+struct CopyFields {
+    BodyOf body_of;
+    ShapeOf shape_of;
+
+    void created(const auto&, auto&) const noexcept {}
+    void created(const Label& from, Label& to) const noexcept { to = from; }
+    void destroyed(const auto& from, auto& to) const { to = body_of(from); }
+    void body(const auto& from, auto& to) const { to = body_of(from); }
+    void other_body(const auto& from, auto& to) const { to = body_of(from); }
+    void shape(const auto& from, auto& to) const { to = shape_of(from); }
+    void posed_bodies(const auto& from, auto& to, const auto& from_poses, auto& to_poses) const {
+        for (const auto& each : from) to.push_back(body_of(each));
+        to_poses = from_poses;
+    }
+    void pose(const auto& from, auto& to) const { to = from; }
+    void filter(const auto& from, auto& to) const { to = from; }
+    void flag(const auto& from, auto& to) const { to = from; }
+    void data(const auto& from, auto& to) const { to = from; }
+};
+
+// The same call under other names.
+template <class To, template <class> class Row, class From, class BodyOf, class ShapeOf>
+Row<To> renamed(const Row<From>& call, BodyOf body_of, ShapeOf shape_of) {
+    Row<To> result{};
+    Row<To>::fields(CopyFields<BodyOf, ShapeOf>{body_of, shape_of}, call, result);
+    return result;
+}
+
+}  // namespace ecods::calls

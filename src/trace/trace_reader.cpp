@@ -1,0 +1,147 @@
+#include "trace/trace_reader.hpp"
+
+#include <utility>
+
+#include "ecods/error.hpp"
+
+namespace ecods {
+namespace {
+
+constexpr std::uint64_t max_32 = ~std::uint32_t{0};
+constexpr std::uint64_t max_64 = ~std::uint64_t{0};
+
+}  // namespace
+
+// ---- fields. Nothing is reserved for a count that the text announces: only items that are there take memory.
+
+decltype(TracedNames::bodies)::iterator FieldReader::known_body() {
+    const auto found = names_.bodies.find(lines_.body());
+    if (found == names_.bodies.end()) lines_.fail("there is no such body");
+    return found;
+}
+
+void FieldReader::created(calls::Label& body) {
+    body = names_.created.size();
+    const TracedBody name = lines_.body();
+    if (!names_.bodies.emplace(name, body).second) lines_.fail("this body is here already");
+    names_.created.push_back(name);
+}
+
+void FieldReader::destroyed(calls::Label& body) {
+    const auto found = known_body();
+    body = found->second;
+    names_.bodies.erase(found);
+}
+
+void FieldReader::other_body(calls::Label& body) {
+    body = known_body()->second;
+    if (body == last_body_) lines_.fail("a pair is two bodies");
+}
+
+void FieldReader::shape(std::size_t& shape) {
+    const auto found = names_.shapes.find(lines_.decimal("a mesh or shape", max_64));
+    if (found == names_.shapes.end()) lines_.fail("there is no such mesh or shape");
+    shape = found->second;
+}
+
+void FieldReader::posed_bodies(std::vector<calls::Label>& bodies, std::vector<Pose>& poses) {
+    const std::uint64_t count = lines_.decimal("a number of poses", max_64);
+    lines_.require_end();
+    for (std::uint64_t i = 0; i < count; ++i) {
+        lines_.require_next("p");
+        bodies.push_back(known_body()->second);
+        poses.push_back(lines_.pose());
+        lines_.require_end();
+    }
+}
+
+// ---- lines
+
+TraceReader::TraceReader(std::istream& in) : lines_(in) {
+    if (!lines_.next() || lines_.rest() != trace_header) {
+        throw InvalidTrace(1, "a trace begins with '" + std::string(trace_header) + "'");
+    }
+    lines_.require_next("world");
+    const auto kind = parse_broad_phase(lines_.word("a broad phase"));
+    if (!kind) lines_.fail("there is no such broad phase");
+    broad_phase_ = *kind;
+    begins_empty_ = lines_.decimal("a number of bodies", max_64) == 0;
+    lines_.require_end();
+}
+
+std::optional<TraceItem> TraceReader::next() {
+    if (!lines_.next()) return std::nullopt;
+    try {
+        TraceItem item = read_item();
+        lines_.require_end();
+        return item;
+    } catch (const InvalidTrace&) {
+        throw;
+    } catch (const Error& error) {
+        lines_.fail(error.what());
+    }
+}
+
+TraceItem TraceReader::read_item() {
+    const std::string_view name = lines_.word("a call");
+    if (name == "note") return TracedNote{std::string(lines_.rest())};
+    if (name == "update") return read_update();
+    if (name == "mesh") return read_mesh();
+    if (name == "shape") return read_shape();
+    TracedCall call;
+    if (!calls::emplace_row(call, name)) lines_.fail("there is no such call");
+    std::visit([&](auto& row) { row.fields(FieldReader(lines_, names_), row); }, call);
+    return call;
+}
+
+TracedUpdate TraceReader::read_update() {
+    TracedUpdate update;
+    if (lines_.rest_is("failed")) {
+        lines_.rest();
+        update.has_failed = true;
+    } else if (!lines_.at_end()) {
+        const std::uint64_t digest = lines_.hex("a digest");
+        update.result = {digest, lines_.decimal("a number of pairs", max_64)};
+    }
+    return update;
+}
+
+TracedMesh TraceReader::read_mesh() {
+    const std::uint64_t number = lines_.decimal("a number", max_64);
+    const std::uint64_t vertex_count = lines_.decimal("a number of vertices", max_32);
+    const std::uint64_t triangle_count = lines_.decimal("a number of triangles", max_32);
+    lines_.require_end();
+    std::vector<Vec3> vertices;
+    for (std::uint64_t i = 0; i < vertex_count; ++i) {
+        lines_.require_next("v");
+        vertices.push_back(lines_.point());
+        lines_.require_end();
+    }
+    std::vector<Triangle> triangles;
+    for (std::uint64_t i = 0; i < triangle_count; ++i) {
+        lines_.require_next("t");
+        Triangle triangle;
+        for (std::uint32_t& vertex : triangle) vertex = static_cast<std::uint32_t>(lines_.decimal("a vertex", max_32));
+        triangles.push_back(triangle);
+        lines_.require_end();
+    }
+    auto mesh = Mesh::create(std::move(vertices), std::move(triangles));
+    number_next_shape(number, "mesh");
+    return {std::move(mesh)};
+}
+
+TracedShape TraceReader::read_shape() {
+    const std::uint64_t number = lines_.decimal("a number", max_64);
+    const ShapeKind kind{static_cast<std::uint32_t>(lines_.decimal("a kind", max_32))};
+    std::string text(lines_.rest());
+    number_next_shape(number, "shape");
+    return {kind, std::move(text)};
+}
+
+void TraceReader::number_next_shape(std::uint64_t number, const char* kind) {
+    if (!names_.shapes.emplace(number, names_.shapes.size()).second) {
+        lines_.fail(std::string("the number of this ") + kind + " is taken");
+    }
+}
+
+}  // namespace ecods

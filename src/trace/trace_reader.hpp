@@ -1,0 +1,118 @@
+// The reading end of a trace: its lines as data, one after the other, consistent in themselves. Bodies and shapes are
+// known when they are named; a list has as many items as it says. Text that is not so is an InvalidTrace.
+#pragma once
+
+#include <cstdint>
+#include <istream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include "ecods/broad_phase.hpp"
+#include "ecods/mesh.hpp"
+#include "trace/calls.hpp"
+#include "trace/trace_lines.hpp"
+#include "trace/trace_text.hpp"
+
+namespace ecods {
+
+using TracedCall = calls::Call<calls::InOrder>;
+
+struct TracedUpdate {
+    struct Result {
+        std::uint64_t digest;
+        std::uint64_t colliding_count;
+    };
+    std::optional<Result> result;  // none of an update that failed or crashed
+    bool has_failed = false;
+};
+
+// A mesh, or a shape of the caller's own: each has the next index in calls::InOrder.
+struct TracedMesh {
+    std::shared_ptr<const Mesh> mesh;
+};
+struct TracedShape {
+    ShapeKind kind;
+    std::string text;
+};
+
+struct TracedNote {
+    std::string text;
+};
+
+using TraceItem = std::variant<TracedCall, TracedUpdate, TracedMesh, TracedShape, TracedNote>;
+
+// What bodies and shapes of a trace are called so far.
+struct TracedNames {
+    struct BodyHash {
+        std::size_t operator()(const TracedBody& body) const noexcept {
+            return std::hash<std::uint64_t>()(std::uint64_t{body.generation} << 32 | body.slot);
+        }
+    };
+    std::unordered_map<TracedBody, calls::Label, BodyHash> bodies;  // alive
+    std::vector<TracedBody> created;                                // by label
+    std::unordered_map<std::uint64_t, std::size_t> shapes;          // by number
+};
+
+// The visitor that reads the fields of a call.
+class FieldReader {
+  public:
+    FieldReader(TraceLines& lines, TracedNames& names) : lines_(lines), names_(names) {}
+
+    void created(calls::Label& body);
+    void destroyed(calls::Label& body);
+    void body(calls::Label& body) { last_body_ = body = known_body()->second; }
+    void other_body(calls::Label& body);
+    void shape(std::size_t& shape);
+    void pose(Pose& pose) { pose = lines_.pose(); }
+    void posed_bodies(std::vector<calls::Label>& bodies, std::vector<Pose>& poses);
+    void filter(CollisionFilter& filter) { filter = lines_.filter(); }
+    void flag(bool& flag) { flag = lines_.decimal("0 or 1", 1) == 1; }
+    void data(std::uint64_t& data) { data = lines_.hex("user data"); }
+
+  protected:
+    TraceLines& lines() noexcept { return lines_; }
+
+  private:
+    decltype(TracedNames::bodies)::iterator known_body();
+
+    TraceLines& lines_;
+    TracedNames& names_;
+    calls::Label last_body_ = 0;
+};
+
+class TraceReader {
+  public:
+    // Reads the head.
+    explicit TraceReader(std::istream& in);
+
+    BroadPhaseKind broad_phase() const noexcept { return broad_phase_; }
+    bool begins_empty() const noexcept { return begins_empty_; }  // no id was given before the first line
+
+    // The next item; nothing at the end. A mesh that Mesh::create refuses is an InvalidTrace, too.
+    std::optional<TraceItem> next();
+
+    std::size_t line() const noexcept { return lines_.number(); }  // of the item, from 1; of a list its last
+    [[noreturn]] void fail(const std::string& reason) const { lines_.fail(reason); }
+
+    // For notes that hold fields.
+    TracedNames& names() noexcept { return names_; }
+
+  private:
+    TraceItem read_item();
+    TracedUpdate read_update();
+    TracedMesh read_mesh();
+    TracedShape read_shape();
+    void number_next_shape(std::uint64_t number, const char* kind);
+
+    TraceLines lines_;
+    TracedNames names_;
+    BroadPhaseKind broad_phase_;
+    bool begins_empty_;
+};
+
+}  // namespace ecods
