@@ -7,20 +7,20 @@
 #include <utility>
 #include <vector>
 
+#include "fuzz/base/user_shape.hpp"
 #include "fuzz/motion/changes.hpp"
 #include "fuzz/motion/extremes.hpp"
 #include "fuzz/motion/meshes.hpp"
 #include "fuzz/motion/numbers.hpp"
 #include "fuzz/motion/poses.hpp"
-#include "fuzz/base/user_shape.hpp"
 
 namespace ecods::fuzz {
 namespace {
 
 using Group = std::uint32_t Weights::*;
 
-constexpr Group groups[] = {&Weights::step,   &Weights::contact, &Weights::ulp,    &Weights::size,   &Weights::jump,
-                            &Weights::matrix, &Weights::life,    &Weights::shape,  &Weights::filter, &Weights::bulk,
+constexpr Group groups[] = {&Weights::step,   &Weights::contact, &Weights::ulp,     &Weights::size,   &Weights::jump,
+                            &Weights::matrix, &Weights::life,    &Weights::shape,   &Weights::filter, &Weights::bulk,
                             &Weights::tests,  &Weights::misuse,  &Weights::extreme, &Weights::any};
 
 Group any_group(const Weights& weights, scenes::Random& random) {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <span>
 
-#include "fuzz/checks/text.hpp"
 #include "fuzz/base/failure.hpp"
+#include "fuzz/checks/text.hpp"
 
 namespace ecods::fuzz {
 namespace {
@@ -166,8 +166,7 @@ void make_bad_call(const BadCall& call, Scene& scene, Counters& counters) {
         const Hand hand{scripted, scripted.world(), scripted.id(call.body), stale, body->second, call.choice};
         const Kept before(scripted.world());
         std::string got;
-        if (!kind->is_refused(kind->call, hand, got))
-            throw CheckFailed("bad call", call.kind + " is refused", got);
+        if (!kind->is_refused(kind->call, hand, got)) throw CheckFailed("bad call", call.kind + " is refused", got);
         if (!(before == Kept(scripted.world())))
             throw CheckFailed("bad call", "nothing has changed", call.kind + " changed the world");
     }

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "ecods/error.hpp"
-#include "fuzz/script/trace.hpp"
 #include "fuzz/base/user_shape.hpp"
+#include "fuzz/script/trace.hpp"
 #include "trace/trace_reader.hpp"
 
 namespace ecods::fuzz {

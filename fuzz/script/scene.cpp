@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "environment/instruction_sets.hpp"
-#include "fuzz/checks/text.hpp"
 #include "fuzz/base/failure.hpp"
+#include "fuzz/checks/text.hpp"
 #include "fuzz/script/schedule.hpp"
 #include "scenes/thread_executor.hpp"
 
@@ -48,11 +48,11 @@ ScriptedWorld::ScriptedWorld(const WorldOptions& options) : world_(options) {
 }
 
 void ScriptedWorld::apply(const Call& call) {
-    std::visit(Overloaded{[&](const Reserve& c) { world_.reserve(c.count); },
-                          [&](const SetTests&) { tests_.add_to(world_); }, [](const BadCall&) {},
-                          [&](const Update&) { world_.update(); },
-                          [&]<template <class> class Row>(const Row<InScript>& row) { make(row); }},
-               call);
+    std::visit(
+        Overloaded{[&](const Reserve& c) { world_.reserve(c.count); }, [&](const SetTests&) { tests_.add_to(world_); },
+                   [](const BadCall&) {}, [&](const Update&) { world_.update(); },
+                   [&]<template <class> class Row>(const Row<InScript>& row) { make(row); }},
+        call);
 }
 
 namespace {

@@ -5,20 +5,20 @@
 #include <memory>
 #include <vector>
 
-#include "simd/instruction_set.hpp"
 #include "ecods/world.hpp"
 #include "fuzz/base/counters.hpp"
-#include "fuzz/script/script.hpp"
 #include "fuzz/base/user_shape.hpp"
+#include "fuzz/script/script.hpp"
+#include "simd/instruction_set.hpp"
 
 namespace ecods::fuzz {
 
 // A world that takes the parts of a script for shapes.
 class PartWorld : public World {
   public:
-    using World::World;
     using World::create_body;
     using World::set_shape;
+    using World::World;
     BodyId create_body(const Part& part, const Pose& pose);
     void set_shape(BodyId body, const Part& part);
 };

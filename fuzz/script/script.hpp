@@ -1,5 +1,6 @@
 // The calls that a world is given, as plain data: made by the generator, played with checks, shrunk, written as a trace
-// and read from one. They are the rows of trace/calls.hpp, where bodies are labels and shapes are parts, and a few more.
+// and read from one. They are the rows of trace/calls.hpp, where bodies are labels and shapes are parts, and a few
+// more.
 #pragma once
 
 #include <cstdint>

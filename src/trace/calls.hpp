@@ -214,8 +214,8 @@ struct NoField {
     void data(auto&...) const noexcept {}
 };
 
-// Copies fields. `body_of` and `shape_of` say which body and which shape of the other call a name stands for. A body that
-// the call makes has a name under labels only; an id it gets when the call is made.
+// Copies fields. `body_of` and `shape_of` say which body and which shape of the other call a name stands for. A body
+// that the call makes has a name under labels only; an id it gets when the call is made.
 template <class BodyOf, class ShapeOf>
 struct CopyFields {
     BodyOf body_of;

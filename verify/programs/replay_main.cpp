@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fstream>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -48,7 +49,7 @@ int run(int argc, char** argv) {
     CLI::App app(
         "Runs the trace of a world again (World::trace_to), and compares what every update gives with what it gave.\n"
         "Exit status: 0 if all is as traced; 1 if not: the first update that differs is named, with its call and\n"
-        "line; 2 if the file cannot be read.",
+        "line; 2 if the file cannot be read, or memory runs out.",
         "ecods_replay");
     app.add_option("TRACE", options.file, "The file to run")->required();
     BroadPhaseKind broad_phase{};
@@ -69,6 +70,9 @@ int run(int argc, char** argv) {
         return report.difference ? exit_differs : exit_same;
     } catch (const Error& error) {
         fmt::print(stderr, "ecods_replay: {}: {}\n", options.file, error.what());
+        return exit_unreadable;
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "ecods_replay: {}: out of memory\n", options.file);
         return exit_unreadable;
     }
 }

@@ -72,5 +72,17 @@ TEST_F(Replay, WhatCannotBeReadIsStatusTwoWithItsLine) {
     EXPECT_NE(shape.err.find("line 3: a shape of kind 3"), std::string::npos) << shape.err;
 }
 
+// One line of a gigabyte, in a process that may have a quarter of it. (Sanitizers take more than that for themselves.)
+TEST_F(Replay, OutOfMemorySaysSo) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "a sanitizer takes its own memory";
+#endif
+    const auto file = write("large.txt", "ecods-trace 1\nworld brute_force 0\nnote ");
+    std::filesystem::resize_file(file, std::uintmax_t{1} << 30);
+    const auto result = run_program("ulimit -v 262144 && " ECODS_REPLAY_PROGRAM, file.string());
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.err, "ecods_replay: " + file.string() + ": out of memory\n");
+}
+
 }  // namespace
 }  // namespace ecods::scenes
