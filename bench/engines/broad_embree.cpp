@@ -6,8 +6,8 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "simd/instruction_set.hpp"
 #include "engines/broad_engine.hpp"
+#include "simd/instruction_set.hpp"
 
 namespace ecods::bench {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "bvh/separating_axes.hpp"
 #include "bounds/support_table.hpp"
+#include "bvh/separating_axes.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 

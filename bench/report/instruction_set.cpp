@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "simd/instruction_set.hpp"
 #include "environment/instruction_sets.hpp"
+#include "simd/instruction_set.hpp"
 
 namespace ecods::bench {
 

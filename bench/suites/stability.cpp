@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "ecods/predicates.hpp"
-#include "exact/sign/plain_signs.hpp"
 #include "exact/point/pose_point.hpp"
+#include "exact/sign/plain_signs.hpp"
 #include "harness/progress.hpp"
 #include "harness/stopwatch.hpp"
 #include "oracle/oracle.hpp"

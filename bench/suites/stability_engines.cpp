@@ -1,8 +1,8 @@
 #include "suites/stability_engines.hpp"
 
 #include "ecods/predicates.hpp"
-#include "exact/sign/plain_signs.hpp"
 #include "exact/point/pose_point.hpp"
+#include "exact/sign/plain_signs.hpp"
 #include "exact/simplex/triangle_pair.hpp"
 
 namespace ecods::bench {

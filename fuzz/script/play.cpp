@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "environment/instruction_sets.hpp"
-#include "fuzz/checks/checks.hpp"
 #include "fuzz/base/failure.hpp"
 #include "fuzz/base/float_mode.hpp"
+#include "fuzz/checks/checks.hpp"
 #include "fuzz/script/bad_calls.hpp"
 #include "fuzz/script/schedule.hpp"
 #include "scenes/thread_executor.hpp"

@@ -1,9 +1,9 @@
 // A check that cannot fail checks nothing: here each is given a world that is not what it should be.
 #include <gtest/gtest.h>
 
-#include "fuzz/checks/checks.hpp"
 #include "fuzz/base/failure.hpp"
 #include "fuzz/base/user_shape.hpp"
+#include "fuzz/checks/checks.hpp"
 #include "scenes/shapes.hpp"
 
 namespace ecods::fuzz {

@@ -98,8 +98,8 @@ class ECODS_API BroadPhase {
     virtual void reserve(std::size_t count) = 0;
 
     // Makes `pairs()` the pairs of boxes that overlap now. An update before which nothing changed costs a constant.
-    // Out of memory (std::bad_alloc), pairs() stays what it was, began() and ended() are empty, and the next update finds
-    // all that changed since the last one that succeeded.
+    // Out of memory (std::bad_alloc), pairs() stays what it was, began() and ended() are empty, and the next update
+    // finds all that changed since the last one that succeeded.
     virtual void update() = 0;
 
     // The pairs as of the last update, ascending. Valid until the next call that is not const. The list is brought up

@@ -6,7 +6,7 @@
 #include <limits>
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || __FINITE_MATH_ONLY__
-#error "ECoDS cannot be compiled with -ffast-math or a part of it: the filter's proof is about the operations as written."
+#error "ECoDS cannot be compiled with -ffast-math or parts of it: the filter's proof is about operations as written."
 #endif
 #if !defined(__GNUC__) || !defined(__SIZEOF_INT128__)
 #error "ECoDS needs the GNU extensions of g++ and clang (__int128, vectors), on a 64-bit processor."

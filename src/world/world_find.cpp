@@ -9,7 +9,7 @@ std::vector<BodyId> World::overlapping_bodies(const Aabb& box) const {
 }
 
 std::vector<BodyId> World::intersecting_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
-                                           const CollisionFilter* filter) {
+                                               const CollisionFilter* filter) {
     return intersecting_bodies(*impl_->shape_of(mesh), pose, filter);
 }
 

@@ -8,11 +8,11 @@
 #include <unordered_map>
 #include <vector>
 
-#include "ecods/world.hpp"
-#include "world/disabled_pairs.hpp"
 #include "base/make_room.hpp"
-#include "world/sorted_pairs.hpp"
+#include "ecods/world.hpp"
 #include "trace/trace_writer.hpp"
+#include "world/disabled_pairs.hpp"
+#include "world/sorted_pairs.hpp"
 #include "world/two_body_tests.hpp"
 #include "world/verdict_cache.hpp"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <optional>
 
-#include "ecods/shape.hpp"
 #include "ecods/intersection.hpp"
+#include "ecods/shape.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::scenes {

@@ -1,8 +1,8 @@
 // Boxes that moved, and what that means for the candidates there are.
 #include <algorithm>
 
-#include "simd/dispatch.hpp"
 #include "broad_phase/candidates/kept_candidates.hpp"
+#include "simd/dispatch.hpp"
 
 namespace ecods {
 namespace {

@@ -19,8 +19,8 @@ double share_behind(const KeptCandidates::Habits& habits, std::size_t axis) noex
 }
 
 // Enlarges `fat` by the room that there was around a box, turned to where that one went.
-void turn_room(const PackedBox& packed_box, const PackedBox& old_line, const KeptCandidates::Habits& habits, double limit,
-               Aabb& fat) noexcept {
+void turn_room(const PackedBox& packed_box, const PackedBox& old_line, const KeptCandidates::Habits& habits,
+               double limit, Aabb& fat) noexcept {
     const KeyBox box = key_box(packed_box);
     const KeyBox old = key_box(old_line);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -36,7 +36,8 @@ void turn_room(const PackedBox& packed_box, const PackedBox& old_line, const Kep
 }
 
 // Whether the room ahead is nearly used up.
-bool is_about_to_escape(const PackedBox& line, const PackedBox& fat_line, const KeptCandidates::Habits& habits) noexcept {
+bool is_about_to_escape(const PackedBox& line, const PackedBox& fat_line,
+                        const KeptCandidates::Habits& habits) noexcept {
     constexpr double left = 0.125;
     const KeyBox box = key_box(line);
     const KeyBox fat = key_box(fat_line);

@@ -3,8 +3,8 @@
 #include <span>
 #include <type_traits>
 
-#include "simd/dispatch.hpp"
 #include "broad_phase/candidates/kept_candidates.hpp"
+#include "simd/dispatch.hpp"
 
 namespace ecods {
 namespace {

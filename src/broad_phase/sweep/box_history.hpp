@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/bytes_of.hpp"
-#include "geometry/key_box.hpp"
 #include "broad_phase/changes/proxy_table.hpp"
+#include "geometry/key_box.hpp"
 
 namespace ecods {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/key_box.hpp"
 #include "ecods/broad_phase.hpp"
+#include "geometry/key_box.hpp"
 
 namespace ecods {
 

@@ -3,9 +3,9 @@
 
 #include <span>
 
+#include "broad_phase/changes/proxy_table.hpp"
 #include "broad_phase/sweep/box_history.hpp"
 #include "broad_phase/sweep/endpoint.hpp"
-#include "broad_phase/changes/proxy_table.hpp"
 
 namespace ecods {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "broad_phase/changes/pair_list.hpp"
 #include "broad_phase/sweep/box_history.hpp"
 #include "broad_phase/sweep/endpoint.hpp"
-#include "broad_phase/changes/pair_list.hpp"
 
 namespace ecods {
 

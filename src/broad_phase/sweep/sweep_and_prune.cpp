@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/bytes_of.hpp"
-#include "broad_phase/sweep/endpoints_edit.hpp"
 #include "broad_phase/find_pairs.hpp"
+#include "broad_phase/sweep/endpoints_edit.hpp"
 #include "broad_phase/sweep/endpoints_sort.hpp"
 #include "ecods/error.hpp"
 

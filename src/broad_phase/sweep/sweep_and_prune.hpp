@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "broad_phase/pair_finder.hpp"
 #include "broad_phase/sweep/box_history.hpp"
 #include "broad_phase/sweep/endpoint.hpp"
-#include "broad_phase/pair_finder.hpp"
 
 namespace ecods {
 

@@ -1,10 +1,10 @@
 // Six posed points, rounded for the filter, with the bound on their error.
 #pragma once
 
+#include "exact/point/integer_width.hpp"
+#include "exact/point/pose_point.hpp"
 #include "exact/sign/filter_bound.hpp"
 #include "exact/sign/plain_signs.hpp"
-#include "exact/point/pose_point.hpp"
-#include "exact/point/integer_width.hpp"
 
 namespace ecods::exact {
 

@@ -19,8 +19,8 @@
 #include <cmath>
 
 #include "base/arithmetic.hpp"
-#include "exact/sign/filter.hpp"
 #include "exact/number/kernel.hpp"
+#include "exact/sign/filter.hpp"
 #include "exact/sign/kernel_signs.hpp"
 #include "exact/sign/plain_signs.hpp"
 

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simd/inline.hpp"
 #include "exact/sign/plain_signs.hpp"
 #include "exact/simplex/triangle_pair.hpp"
+#include "simd/inline.hpp"
 
 namespace ecods::exact {
 

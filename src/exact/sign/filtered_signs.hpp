@@ -64,7 +64,7 @@ class FilteredSigns {
   public:
     // `trace`: the sides of planes, as the filter computed them.
     FilteredSigns(const SixRounded& points, const PairBound& bound, const FilterTrace& trace,
-               const Kernel& kernel) noexcept
+                  const Kernel& kernel) noexcept
         : points_(points), bound_(bound), trace_(trace), kernel_(kernel), filter_(points, bound), exact_(kernel) {}
 
     std::array<int, 3> sides(int triangle) const noexcept {

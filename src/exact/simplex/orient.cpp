@@ -1,10 +1,10 @@
 #include <cmath>
 
 #include "ecods/predicates.hpp"
-#include "exact/sign/kernel_signs.hpp"
-#include "exact/sign/filtered_signs.hpp"
-#include "exact/point/rounded_points.hpp"
 #include "exact/point/integer_width.hpp"
+#include "exact/point/rounded_points.hpp"
+#include "exact/sign/filtered_signs.hpp"
+#include "exact/sign/kernel_signs.hpp"
 
 namespace ecods {
 namespace {

@@ -1,9 +1,9 @@
 #include "ecods/predicates.hpp"
+#include "exact/point/integer_width.hpp"
+#include "exact/point/rounded_points.hpp"
 #include "exact/sign/filter.hpp"
 #include "exact/sign/filtered_signs.hpp"
-#include "exact/point/rounded_points.hpp"
 #include "exact/simplex/triangle_pair.hpp"
-#include "exact/point/integer_width.hpp"
 
 namespace ecods {
 namespace {

@@ -22,7 +22,7 @@ class MeshMeshTest final : public TwoBodyTest {
         return ecods::relation(as_mesh(a), as_mesh(b), memory);
     }
     std::vector<TrianglePair> intersecting_triangles(const PosedShape& a, const PosedShape& b,
-                                                 QueryMemory& memory) const override {
+                                                     QueryMemory& memory) const override {
         return ecods::intersecting_triangles(as_mesh(a), as_mesh(b), memory);
     }
 };

@@ -68,7 +68,7 @@ bool TwoBodyTest::intersects_again(const PosedShape& a, const PosedShape& b, Que
 }
 
 std::vector<TrianglePair> TwoBodyTest::intersecting_triangles(const PosedShape& a, const PosedShape& b,
-                                                          QueryMemory& /*memory*/) const {
+                                                              QueryMemory& /*memory*/) const {
     throw NotSupported("the test of shape kinds " + std::to_string(a.shape.kind().value) + " and " +
                        std::to_string(b.shape.kind().value) + " has no triangles to list");
 }

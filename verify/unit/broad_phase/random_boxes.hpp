@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "broad_phase/boxes/packed_box.hpp"
 #include "broad_phase/boxes/box_tree.hpp"
+#include "broad_phase/boxes/packed_box.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::test {

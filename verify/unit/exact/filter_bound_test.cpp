@@ -19,8 +19,8 @@
 #include <string>
 
 #include "exact/number/dyadic.hpp"
-#include "exact/sign/plain_signs.hpp"
 #include "exact/point/pose_point.hpp"
+#include "exact/sign/plain_signs.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::exact {

@@ -6,8 +6,8 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include "exact/sign/kernel_signs.hpp"
 #include "exact/point/integer_width.hpp"
+#include "exact/sign/kernel_signs.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::exact {

@@ -5,8 +5,8 @@
 #include <set>
 #include <thread>
 
-#include "simd/dispatch.hpp"
 #include "environment/instruction_sets.hpp"
+#include "simd/dispatch.hpp"
 
 namespace ecods {
 namespace {
