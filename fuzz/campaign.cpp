@@ -1,5 +1,6 @@
 #include "fuzz/campaign.hpp"
 
+#include <fmt/format.h>
 #include <poll.h>
 
 #include <algorithm>
@@ -7,8 +8,8 @@
 #include <list>
 #include <nlohmann/json.hpp>
 
-#include "fuzz/child.hpp"
-#include "fuzz/progress.hpp"
+#include "process/contained.hpp"
+#include "process/progress.hpp"
 
 namespace ecods::fuzz {
 namespace {
@@ -18,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 struct Job {
     std::string profile;
     std::uint32_t seed;
-    Child child;
+    process::Contained child;
 };
 
 class Campaign {
@@ -49,23 +50,24 @@ void Campaign::begin_job() {
     const std::string& profile = profiles_[seed % profiles_.size()];
     const Canary canary = options_.canary;
     jobs_.push_back(
-        {profile, seed, Child([=] { return text_of(fuzz::run(profile, seed, canary)); }, options_.seconds_max)});
+        {profile, seed, contained([=] { return text_of(fuzz::run(profile, seed, canary)); }, options_.seconds_max)});
+    jobs_.back().child.begin();
 }
 
 void Campaign::take_in(Job& job) {
-    const ChildEnd end = job.child.end();
+    const process::Outcome outcome = job.child.end();
     ++report_.runs;
     ++report_.runs_of[job.profile];
     RunReport report;
-    if (end.how.empty()) {
-        report = report_of(end.output);
+    if (outcome.is_right()) {
+        report = report_of(outcome.text);
     } else {
         report.failure = {.profile = job.profile,
                           .seed = job.seed,
                           .where = "somewhere",
-                          .check = end.how,
+                          .check = check_of(outcome),
                           .expected = "an end",
-                          .got = end.detail};
+                          .got = outcome.failure};
     }
     for (const auto& [name, count] : report.counters) report_.counters[name] += count;
     if (report.failure) report_.failures.push_back(*report.failure);
@@ -78,7 +80,7 @@ void Campaign::wait() const {
 }
 
 CampaignReport Campaign::run() {
-    Progress progress;
+    process::Progress progress;
     while (goes_on() || !jobs_.empty()) {
         while (goes_on() && jobs_.size() < std::max(options_.jobs, 1U)) begin_job();
         wait();
@@ -90,7 +92,7 @@ CampaignReport Campaign::run() {
             take_in(*job);
             job = jobs_.erase(job);
         }
-        progress.show(report_.runs, report_.failures.size());
+        progress.show(fmt::format("{} runs, {} failures", report_.runs, report_.failures.size()));
     }
     std::ranges::sort(report_.failures, {}, &RunFailure::seed);
     report_.seconds = seconds();

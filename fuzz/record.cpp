@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "fuzz/child.hpp"
 #include "fuzz/motion/generate.hpp"
 #include "fuzz/script/trace.hpp"
 #include "fuzz/shrink/shrink.hpp"
+#include "process/contained.hpp"
 
 namespace ecods::fuzz {
 namespace {
@@ -26,10 +26,10 @@ std::optional<Failure> failure_of(const Script& script, const RecordOptions& opt
         }
         return "";
     };
-    const ChildEnd end = run_in_child(work, options.run_seconds);
-    if (!end.how.empty()) return Failure{0, end.how, "an end", end.detail};
-    if (end.output.empty()) return std::nullopt;
-    const auto json = nlohmann::json::parse(end.output);
+    const process::Outcome outcome = contained(work, options.run_seconds).run();
+    if (!outcome.is_right()) return Failure{0, check_of(outcome), "an end", outcome.failure};
+    if (outcome.text.empty()) return std::nullopt;
+    const auto json = nlohmann::json::parse(outcome.text);
     return Failure{json[0], json[1], json[2], json[3]};
 }
 
@@ -100,13 +100,14 @@ void record(RunFailure& failure, const RecordOptions& options) {
     failure.trace = stem.string() + ".trace";
     failure.picture = stem.string() + ".obj";
     // The world may crash while it is traced: the file is then complete up to there.
-    run_in_child(
+    contained(
         [&] {
             auto out = open(failure.trace, std::ios::binary);
             write_trace(script, out);
             return std::string();
         },
-        options.run_seconds);
+        options.run_seconds)
+        .run();
     {
         auto out = open(failure.trace, std::ios::binary | std::ios::app);
         write_failure(*found, out);

@@ -85,6 +85,16 @@ RunReport run(const std::string& profile, std::uint32_t seed, Canary canary) {
     return run_motion(*find_profile(profile), seed, canary);
 }
 
+process::Contained contained(std::function<std::string()> work, unsigned seconds_max) {
+    const std::chrono::seconds seconds(seconds_max);
+    return {[work = std::move(work)] { return process::Contained::Run(work); },
+            process::Limits{.clock = 20 * seconds, .processor = seconds, .is_pinned = false}};
+}
+
+std::string check_of(const process::Outcome& outcome) {
+    return outcome.end == process::End::hung ? "hang" : "crash";
+}
+
 std::string text_of(const RunReport& report) {
     nlohmann::json json = {{"counters", report.counters}, {"failure", nullptr}};
     if (report.failure) json["failure"] = *report.failure;

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "fuzz/base/counters.hpp"
 #include "fuzz/script/play.hpp"
+#include "process/contained.hpp"
 
 namespace ecods::fuzz {
 
@@ -37,7 +39,14 @@ std::vector<std::string> profiles_of(const std::string& name);
 // Deterministic; it may crash or hang if the library does.
 RunReport run(const std::string& profile, std::uint32_t seed, Canary canary);
 
-// The same, in a process of its own.
+// Work in a process of its own, in one turn: more processor time than that, or twenty times that time on the clock, is
+// a hang.
+process::Contained contained(std::function<std::string()> work, unsigned seconds_max);
+
+// The check that failed when work did not return: "hang" or "crash".
+std::string check_of(const process::Outcome& outcome);
+
+// Between processes.
 RunReport report_of(const std::string& text);  // as text_of() wrote it
 std::string text_of(const RunReport& report);
 

@@ -9,8 +9,8 @@
 #include <optional>
 #include <thread>
 
-#include "harness/progress.hpp"
 #include "oracle/oracle.hpp"
+#include "process/progress.hpp"
 
 namespace ecods::bench {
 
@@ -95,7 +95,7 @@ std::vector<FrameTruth> judge_all(const Judge& judge, const std::string& label) 
     std::atomic<std::size_t> next = 0;
     std::exception_ptr failure;
     std::mutex failure_mutex;
-    Progress progress(label + ": frames judged by the oracle", frames.size());
+    process::Progress progress(label + ": frames judged by the oracle", frames.size());
     const auto work = [&] {
         try {
             for (std::size_t frame = next++; frame < frames.size(); frame = next++) {

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "harness/progress.hpp"
+#include "process/progress.hpp"
 
 namespace ecods::bench {
 
@@ -57,7 +57,7 @@ std::vector<Run> measure(const scenes::Scene& scene, std::span<const EngineMaker
     using Times = std::vector<std::vector<double>>;  // [frame][repetition]
     std::vector<Times> times(engines.size(), Times(scene.frames.size() + 1));
 
-    Progress progress(label + ": runs", repetition_count * engines.size());
+    process::Progress progress(label + ": runs", repetition_count * engines.size());
     for (std::size_t repetition = 0; repetition < repetition_count; ++repetition) {
         for (std::size_t i = 0; i < engines.size(); ++i) {
             repeat(scene, engines[i], runs[i], times[i]);

@@ -11,8 +11,8 @@
 #include <thread>
 
 #include "ecods/version.hpp"
+#include "process/program.hpp"
 #include "report/instruction_set.hpp"
-#include "report/run_program.hpp"
 
 namespace ecods::bench {
 
@@ -38,13 +38,14 @@ std::string system_name() {
 }
 
 std::string commit() {
-    const ProgramResult head = run_program({"git", "-C", ECODS_BENCH_SOURCE, "rev-parse", "--short=12", "HEAD"});
+    const process::ProgramResult head =
+        process::run_program({"git", "-C", ECODS_BENCH_SOURCE, "rev-parse", "--short=12", "HEAD"});
     if (head.status != 0) return "unknown";
-    std::string text = head.output.substr(0, head.output.find('\n'));
+    std::string text = head.out.substr(0, head.out.find('\n'));
     // Files of results change nothing that is measured.
-    const ProgramResult changes = run_program(
+    const process::ProgramResult changes = process::run_program(
         {"git", "-C", ECODS_BENCH_SOURCE, "status", "--porcelain", "--", ":/", ":(exclude,top)bench/results"});
-    if (changes.status != 0 || !changes.output.empty()) text += ", with changes that are not committed";
+    if (changes.status != 0 || !changes.out.empty()) text += ", with changes that are not committed";
     return text;
 }
 

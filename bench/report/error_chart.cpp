@@ -6,7 +6,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "report/run_program.hpp"
+#include "process/program.hpp"
 
 namespace ecods::bench {
 
@@ -67,8 +67,8 @@ Picture plot_errors(std::span<const ErrorPanel> panels, std::span<const std::str
         out << fmt::format("{}NaN {} title '{}'", e == 0 ? "" : ", ", style(e), engines[e]);
     out << "\nunset multiplot\n";
     out.close();
-    const ProgramResult result = run_program({"gnuplot", script.string()});
-    return {picture, caption, result.status == 0 ? "" : "gnuplot failed: " + result.output};
+    const process::ProgramResult result = process::run_program({"gnuplot", script.string()});
+    return {picture, caption, result.status == 0 ? "" : "gnuplot failed: " + result.text()};
 }
 
 }  // namespace ecods::bench

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "report/run_program.hpp"
+#include "process/program.hpp"
 
 namespace ecods::bench {
 
@@ -42,8 +42,8 @@ Picture plot_growth(std::span<const GrowthPanel> panels, const std::filesystem::
     }
     out << "unset multiplot\n";
     out.close();
-    const ProgramResult result = run_program({"gnuplot", script.string()});
-    return {picture, caption, result.status == 0 ? "" : "gnuplot failed: " + result.output};
+    const process::ProgramResult result = process::run_program({"gnuplot", script.string()});
+    return {picture, caption, result.status == 0 ? "" : "gnuplot failed: " + result.text()};
 }
 
 }  // namespace ecods::bench

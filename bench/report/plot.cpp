@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "report/run_program.hpp"
+#include "process/program.hpp"
 
 namespace ecods::bench {
 
@@ -58,8 +58,8 @@ Picture plot_times(std::span<const Run> runs, const std::filesystem::path& folde
     out << "\n";
     out.close();
 
-    const ProgramResult result = run_program({"gnuplot", script.string()});
-    return {picture, caption, result.status == 0 ? "" : "gnuplot failed: " + result.output};
+    const process::ProgramResult result = process::run_program({"gnuplot", script.string()});
+    return {picture, caption, result.status == 0 ? "" : "gnuplot failed: " + result.text()};
 }
 
 }  // namespace ecods::bench

@@ -7,7 +7,7 @@
 #include <array>
 #include <fstream>
 
-#include "report/run_program.hpp"
+#include "process/program.hpp"
 
 namespace ecods::bench {
 
@@ -160,11 +160,11 @@ Picture draw(const scenes::Scene& scene, const std::vector<PaintedBody>& bodies,
     if (!out) return {picture, caption, "cannot write " + script.string()};
 
     std::filesystem::remove(picture);
-    const ProgramResult result =
-        run_program({"povray", "+I" + script.string(), "+O" + picture.string(), "+FN", fmt::format("+W{}", view.width),
-                     fmt::format("+H{}", view.height), "+A0.2", "+R2", "-D", "-GA"});
+    const process::ProgramResult result = process::run_program(
+        {"povray", "+I" + script.string(), "+O" + picture.string(), "+FN", fmt::format("+W{}", view.width),
+         fmt::format("+H{}", view.height), "+A0.2", "+R2", "-D", "-GA"});
     const bool is_made = result.status == 0 && std::filesystem::exists(picture);
-    return {picture, caption, is_made ? "" : "POV-Ray failed: " + result.output};
+    return {picture, caption, is_made ? "" : "POV-Ray failed: " + result.text()};
 }
 
 }  // namespace ecods::bench

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "ecods/world.hpp"
-#include "harness/progress.hpp"
+#include "process/progress.hpp"
 #include "report/plot.hpp"
 #include "report/povray.hpp"
 #include "scenes/engine_motion.hpp"
@@ -70,7 +70,7 @@ ContactCheck check_contacts(const scenes::Scene& scene, const Truth& truth) {
     Assembly assembly(scene);
     ContactCheck check;
     std::map<IndexPair, const Contact*> last;
-    Progress progress("contacts asked of ECoDS: frames", truth.hits.size());
+    process::Progress progress("contacts asked of ECoDS: frames", truth.hits.size());
     for (std::size_t frame = 0; frame < truth.hits.size(); ++frame) {
         if (frame > 0) assembly.apply(scene.frames[frame - 1]);
         for (const TrueHit& hit : truth.hits[frame]) {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "harness/progress.hpp"
 #include "harness/statistics.hpp"
+#include "process/progress.hpp"
 #include "suites/broad_measure.hpp"
 #include "suites/broad_swaps.hpp"
 #include "suites/comparison.hpp"
@@ -135,7 +135,7 @@ SuiteResult run_broad(const SuiteOptions& options) {
         "CGAL's box intersection)."};
     const std::vector<MovingBoxesOptions> list = workloads(options);
     {
-        Progress progress("broad", list.size());
+        process::Progress progress("broad", list.size());
         for (const MovingBoxesOptions& workload : list) {
             const scenes::MovingBoxes boxes = scenes::moving_boxes(workload);
             const BroadTruth truth = find_pairs(boxes);

@@ -5,10 +5,10 @@
 #include <limits>
 #include <memory>
 
-#include "harness/contained.hpp"
 #include "harness/stopwatch.hpp"
 #include "harness/touch_pages.hpp"
 #include "oracle/oracle.hpp"
+#include "process/contained.hpp"
 
 namespace ecods::bench {
 
@@ -90,8 +90,8 @@ std::vector<Aabb> boxes_after(const scenes::MovingBoxes& boxes, std::size_t fram
 }
 
 // Values of a turn: nanoseconds of a frame, timed frames, whether it ended early, missed, invented.
-Contained::Run start_frames(const BroadMaker& maker, const scenes::MovingBoxes& boxes, const BroadTruth& truth,
-                            double seconds) {
+process::Contained::Run start_frames(const BroadMaker& maker, const scenes::MovingBoxes& boxes, const BroadTruth& truth,
+                                     double seconds) {
     const Plan first{boxes.frames.size() / 3, boxes.frames.size(), seconds * 1e9};
     return [&maker, &boxes, &truth, plan = first, is_first = true]() mutable -> std::vector<double> {
         Turn turn(maker, boxes, plan);
@@ -137,7 +137,7 @@ BroadTruth find_pairs(const scenes::MovingBoxes& boxes) {
 
 std::vector<BroadRun> measure_broad(const scenes::MovingBoxes& boxes, const BroadTruth& truth,
                                     std::span<const BroadMaker> makers, const BroadEffort& effort) {
-    std::vector<Contained> children;
+    std::vector<process::Contained> children;
     children.reserve(makers.size());
     std::vector<BroadRun> runs(makers.size());
     for (std::size_t i = 0; i < makers.size(); ++i) {
@@ -151,7 +151,7 @@ std::vector<BroadRun> measure_broad(const scenes::MovingBoxes& boxes, const Broa
     for (std::size_t repetition = 0; repetition < effort.repetition_count; ++repetition) {
         for (std::size_t i = 0; i < makers.size(); ++i) {
             if (is_done[i]) continue;
-            const Outcome outcome = children[i].run();
+            const process::Outcome outcome = children[i].run();
             runs[i].failure = outcome.failure;
             is_done[i] = !outcome.is_right() || (outcome.values[2] != 0 && makers[i].name != broad_yardstick);
             if (!outcome.is_right()) continue;

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
-#include "harness/conversation.hpp"
-#include "harness/progress.hpp"
 #include "harness/statistics.hpp"
+#include "process/program.hpp"
+#include "process/progress.hpp"
 
 namespace ecods::bench {
 
@@ -70,7 +70,7 @@ class Build {
         return list;
     }
 
-    Conversation talk_;
+    process::Conversation talk_;
     std::vector<std::string> names_;
 };
 
@@ -112,7 +112,7 @@ BuildComparison compare_builds(const std::string& before, const std::string& aft
     for (const std::string& name : old_build.names()) all.push_back({name, {}, {}});
     for (const std::string& name : new_build.names())
         if (!old_build.has(name)) all.push_back({name, {}, {}});
-    Progress progress("two builds", all.size() * repetition_count);
+    process::Progress progress("two builds", all.size() * repetition_count);
     for (std::size_t repetition = 0; repetition < repetition_count; ++repetition) {
         for (PairedSamples& pair : all) {
             if (repetition % 2 == 0) old_build.run(pair.workload, pair.before);

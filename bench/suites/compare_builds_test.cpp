@@ -4,8 +4,6 @@
 
 #include <stdexcept>
 
-#include "harness/conversation.hpp"
-
 namespace ecods::bench {
 namespace {
 
@@ -61,16 +59,6 @@ TEST(CompareBuilds, LinesAreReadAsWritten) {
     EXPECT_THROW(parse_sample("usage: ..."), std::runtime_error);
     EXPECT_THROW(parse_sample("{\"ns\": \"fast\"}"), std::runtime_error);
     EXPECT_THROW(parse_names("{}"), std::runtime_error);
-}
-
-TEST(Conversation, LineByLine) {
-    Conversation cat({"cat"});
-    EXPECT_EQ(cat.ask("one"), "one");
-    EXPECT_EQ(cat.ask("two"), "two");
-    Conversation echo({"echo", "once"});
-    EXPECT_EQ(echo.read_line(), "once");
-    EXPECT_THROW(echo.read_line(), std::runtime_error);
-    EXPECT_THROW(Conversation({"/no/such/program"}), std::runtime_error);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <chrono>
 
 #include "engines/narrow_engine.hpp"
-#include "harness/contained.hpp"
-#include "harness/progress.hpp"
+#include "process/contained.hpp"
+#include "process/progress.hpp"
 #include "scenes/io/hard_case_file.hpp"
 #include "suites/comparison.hpp"
 #include "suites/suite.hpp"
@@ -25,7 +25,7 @@ struct Verdict {
 
 // Both orders of arguments, in a process of its own: some of these end it.
 Verdict ask(const NarrowMaker& maker, const HardCase& hard) {
-    const auto start = [&]() -> Contained::Run {
+    const auto start = [&]() -> process::Contained::Run {
         const std::vector<scenes::NamedMesh> meshes{{"A", hard.a.mesh}, {"B", hard.b.mesh}};
         std::shared_ptr<NarrowEngine> engine = maker.set_up(meshes);
         return [engine, &hard] {
@@ -33,7 +33,7 @@ Verdict ask(const NarrowMaker& maker, const HardCase& hard) {
             return std::vector<double>{engine->query({a, b}) ? 1.0 : 0.0, engine->query({b, a}) ? 1.0 : 0.0};
         };
     };
-    const Outcome outcome = Contained(start, answer_limit).run();
+    const process::Outcome outcome = process::Contained(start, answer_limit).run();
     if (!outcome.is_right()) return {outcome.failure, false};
     const bool there = outcome.values[0] != 0, back = outcome.values[1] != 0;
     if (there != back) return {"differs when swapped", false};
@@ -56,7 +56,7 @@ SuiteResult run_hard_cases(const SuiteOptions& options) {
     table.text_columns = 2 + makers.size();
     std::vector<std::string> totals = {fmt::format("right, of {}", cases.size()), ""};
     SuiteResult result;
-    Progress progress("hard cases", makers.size());
+    process::Progress progress("hard cases", makers.size());
     std::vector<std::vector<std::string>> columns;
     for (const NarrowMaker& maker : makers) {
         table.header.push_back(maker.name);

@@ -5,7 +5,7 @@
 
 #include "ecods/world.hpp"
 #include "harness/judge.hpp"
-#include "harness/progress.hpp"
+#include "process/progress.hpp"
 #include "scenes/room.hpp"
 #include "suites/comparison.hpp"
 #include "suites/suite.hpp"

@@ -6,8 +6,8 @@
 #include "engines/broad_engine.hpp"
 #include "engines/engine.hpp"
 #include "engines/narrow_engine.hpp"
-#include "harness/contained.hpp"
 #include "harness/heap.hpp"
+#include "process/contained.hpp"
 #include "scenes/narrow_workloads.hpp"
 #include "scenes/room.hpp"
 #include "suites/comparison.hpp"
@@ -20,10 +20,10 @@ namespace {
 constexpr std::chrono::seconds limit{300};
 
 // What `make` has allocated when it returns what must stay alive; why not, when it fails.
-Outcome allocated_by(const std::function<std::shared_ptr<void>()>& make) {
-    Contained child(
+process::Outcome allocated_by(const std::function<std::shared_ptr<void>()>& make) {
+    process::Contained child(
         [&make] {
-            return Contained::Run([&make]() -> std::vector<double> {
+            return process::Contained::Run([&make]() -> std::vector<double> {
                 const double before = heap_bytes();
                 const std::shared_ptr<void> kept = make();
                 return {heap_bytes() - before};
@@ -33,7 +33,7 @@ Outcome allocated_by(const std::function<std::shared_ptr<void>()>& make) {
     return child.run();
 }
 
-std::string per(const Outcome& outcome, std::size_t count) {
+std::string per(const process::Outcome& outcome, std::size_t count) {
     return outcome.is_right() ? fmt::format("{:.1f}", outcome.values[0] / static_cast<double>(count)) : outcome.failure;
 }
 
@@ -50,7 +50,7 @@ Table triangle_table(const SuiteOptions& options) {
     for (const NarrowMaker& maker : makers) {
         std::vector<std::string> row = {maker.name};
         for (const scenes::NamedMesh& mesh : meshes) {
-            const Outcome outcome =
+            const process::Outcome outcome =
                 allocated_by([&]() -> std::shared_ptr<void> { return maker.set_up(std::span(&mesh, 1)); });
             row.push_back(per(outcome, mesh.mesh->triangles().size()));
         }
@@ -75,7 +75,7 @@ Table box_table(const SuiteOptions& options) {
     for (const BroadMaker& maker : makers) {
         std::vector<std::string> row = {maker.name};
         for (const scenes::MovingBoxes* boxes : {&dense, &sparse}) {
-            const Outcome outcome = allocated_by([&]() -> std::shared_ptr<void> {
+            const process::Outcome outcome = allocated_by([&]() -> std::shared_ptr<void> {
                 std::shared_ptr<BroadEngine> engine = maker.set_up(*boxes);
                 engine->run_frame({});
                 for (const std::vector<scenes::BoxMove>& frame : boxes->frames) engine->run_frame(frame);
@@ -102,7 +102,7 @@ Table body_table(const SuiteOptions& options) {
         for (const std::size_t ships : {few, many}) {
             const scenes::Scene scene = scenes::room(
                 {.ship_count = ships, .frame_count = 3, .side = scenes::calibrated_side_by_density(ships), .seed = 10});
-            const Outcome outcome = allocated_by([&]() -> std::shared_ptr<void> {
+            const process::Outcome outcome = allocated_by([&]() -> std::shared_ptr<void> {
                 std::shared_ptr<Engine> engine = maker.set_up(scene);
                 engine->run_frame({});
                 for (const scenes::Frame& frame : scene.frames) engine->run_frame(frame.moves);

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "harness/progress.hpp"
 #include "harness/statistics.hpp"
+#include "process/progress.hpp"
 #include "report/error_chart.hpp"
 #include "scenes/narrow_workloads.hpp"
 #include "suites/comparison.hpp"
@@ -206,7 +206,7 @@ SuiteResult run_narrow(const SuiteOptions& options) {
     Table table = empty_table("Two meshes: do they touch?", repetition_count);
     std::vector<Measured> all;
     {
-        Progress progress("narrow", workloads.size());
+        process::Progress progress("narrow", workloads.size());
         for (const MeshPairs& workload : workloads) {
             all.push_back(measure_one(workload, makers, options));
             result.is_right &= all.back().is_right();

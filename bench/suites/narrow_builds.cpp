@@ -4,9 +4,9 @@
 
 #include <chrono>
 
-#include "harness/contained.hpp"
 #include "harness/statistics.hpp"
 #include "harness/stopwatch.hpp"
+#include "process/contained.hpp"
 
 namespace ecods::bench {
 
@@ -15,7 +15,7 @@ namespace {
 constexpr std::chrono::seconds build_limit{300};
 
 // A turn: one build, from the mesh's lists to the first query that could be asked.
-Contained::Run start_builds(const NarrowMaker& maker, const scenes::NamedMesh& mesh) {
+process::Contained::Run start_builds(const NarrowMaker& maker, const scenes::NamedMesh& mesh) {
     return [&maker, &mesh]() -> std::vector<double> {
         const Stopwatch watch;
         const std::unique_ptr<NarrowEngine> engine = maker.set_up(std::span(&mesh, 1));
@@ -35,11 +35,11 @@ Table build_table(const std::vector<scenes::NamedMesh>& meshes, std::span<const 
         const auto count = static_cast<double>(mesh.mesh->triangles().size());
         std::vector<std::string> row = {mesh.name, fmt::format("{}", mesh.mesh->triangles().size())};
         for (const NarrowMaker& maker : makers) {
-            Contained child([&] { return start_builds(maker, mesh); }, build_limit);
+            process::Contained child([&] { return start_builds(maker, mesh); }, build_limit);
             std::vector<double> ns;
             std::string failure;
             for (std::size_t i = 0; i < repetition_count && failure.empty(); ++i) {
-                const Outcome outcome = child.run();
+                const process::Outcome outcome = child.run();
                 failure = outcome.failure;
                 if (outcome.is_right()) ns.push_back(outcome.values[0] / count);
             }

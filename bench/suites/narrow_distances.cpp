@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "harness/contained.hpp"
+#include "process/contained.hpp"
 
 namespace ecods::bench {
 
@@ -14,7 +14,7 @@ namespace {
 constexpr std::chrono::seconds distance_limit{120};
 
 // A turn: the distances of all queries, or nothing from an engine that has none.
-Contained::Run start_distances(const NarrowMaker& maker, const scenes::MeshPairs& workload) {
+process::Contained::Run start_distances(const NarrowMaker& maker, const scenes::MeshPairs& workload) {
     std::shared_ptr<NarrowEngine> engine = maker.set_up(workload.meshes);
     return [engine, &workload]() {
         std::vector<double> distances;
@@ -40,7 +40,7 @@ double radius_of(const Mesh& mesh) {
 }
 
 std::vector<std::string> row_of(const NarrowMaker& maker, const scenes::MeshPairs& workload, const NarrowTruth& truth,
-                                const Outcome& outcome) {
+                                const process::Outcome& outcome) {
     if (!outcome.is_right()) return {maker.name, workload.name, outcome.failure, "", ""};
     std::size_t zero_count = 0, positive_count = 0;
     double most = 0;
@@ -67,8 +67,8 @@ Table distance_table(std::span<const scenes::MeshPairs> workloads, std::span<con
     table.header = {"engine", "gap in radii", "0 where apart", "more than 0 where they touch", "most where apart"};
     for (const NarrowMaker& maker : makers) {
         for (std::size_t i = 0; i < workloads.size(); ++i) {
-            Contained child([&] { return start_distances(maker, workloads[i]); }, distance_limit);
-            const Outcome outcome = child.run();
+            process::Contained child([&] { return start_distances(maker, workloads[i]); }, distance_limit);
+            const process::Outcome outcome = child.run();
             if (outcome.is_right() && outcome.values.empty()) break;
             table.rows.push_back(row_of(maker, workloads[i], truth[i], outcome));
         }

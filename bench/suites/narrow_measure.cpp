@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "ecods/intersection.hpp"
-#include "harness/contained.hpp"
 #include "harness/stopwatch.hpp"
 #include "oracle/oracle.hpp"
+#include "process/contained.hpp"
 
 namespace ecods::bench {
 
@@ -38,7 +38,7 @@ double microseconds_a_pass(const Pass& pass) {
     return us / static_cast<double>(passes);
 }
 
-Contained::Run start_queries(const NarrowMaker& maker, const scenes::MeshPairs& workload) {
+process::Contained::Run start_queries(const NarrowMaker& maker, const scenes::MeshPairs& workload) {
     std::shared_ptr<NarrowEngine> engine = maker.set_up(workload.meshes);
     return [engine, &workload, is_first = true]() mutable {
         std::vector<double> values(head_size + workload.queries.size());
@@ -61,7 +61,7 @@ Contained::Run start_queries(const NarrowMaker& maker, const scenes::MeshPairs& 
 }
 
 // A turn: all lists. Values: microseconds, pairs, missed, invented.
-Contained::Run start_lists(const NarrowMaker& maker, const scenes::MeshPairs& workload, const Lists& truth) {
+process::Contained::Run start_lists(const NarrowMaker& maker, const scenes::MeshPairs& workload, const Lists& truth) {
     std::shared_ptr<NarrowEngine> engine = maker.set_up(workload.meshes);
     return [engine, &workload, &truth]() {
         std::vector<double> values(4);
@@ -110,8 +110,8 @@ std::vector<Run> name_runs(std::span<const NarrowMaker> makers) {
 }
 
 template <class Start>
-std::vector<Contained> contain(std::span<const NarrowMaker> makers, const Start& start) {
-    std::vector<Contained> children;
+std::vector<process::Contained> contain(std::span<const NarrowMaker> makers, const Start& start) {
+    std::vector<process::Contained> children;
     children.reserve(makers.size());
     for (const NarrowMaker& maker : makers) children.emplace_back([&maker, start] { return start(maker); }, turn_limit);
     return children;
@@ -122,12 +122,12 @@ std::vector<Contained> contain(std::span<const NarrowMaker> makers, const Start&
 std::vector<NarrowRun> measure_narrow(const scenes::MeshPairs& workload, std::span<const NarrowMaker> makers,
                                       std::size_t repetition_count) {
     const auto start = [&workload](const NarrowMaker& maker) { return start_queries(maker, workload); };
-    std::vector<Contained> children = contain(makers, start);
+    std::vector<process::Contained> children = contain(makers, start);
     std::vector<NarrowRun> runs = name_runs<NarrowRun>(makers);
     for (std::size_t repetition = 0; repetition <= repetition_count; ++repetition) {
         for (std::size_t i = 0; i < makers.size(); ++i) {
             if (makers[i].is_slow && repetition > 1) continue;
-            const Outcome outcome = children[i].run();
+            const process::Outcome outcome = children[i].run();
             NarrowRun& run = runs[i];
             run.failure = outcome.failure;
             if (!outcome.is_right()) continue;
@@ -147,11 +147,11 @@ std::vector<NarrowRun> measure_narrow(const scenes::MeshPairs& workload, std::sp
 std::vector<ListRun> measure_lists(const scenes::MeshPairs& workload, const Lists& truth,
                                    std::span<const NarrowMaker> makers, std::size_t repetition_count) {
     const auto start = [&](const NarrowMaker& maker) { return start_lists(maker, workload, truth); };
-    std::vector<Contained> children = contain(makers, start);
+    std::vector<process::Contained> children = contain(makers, start);
     std::vector<ListRun> runs = name_runs<ListRun>(makers);
     for (std::size_t repetition = 0; repetition <= repetition_count; ++repetition) {
         for (std::size_t i = 0; i < makers.size(); ++i) {
-            const Outcome outcome = children[i].run();
+            const process::Outcome outcome = children[i].run();
             ListRun& run = runs[i];
             run.failure = outcome.failure;
             if (!outcome.is_right()) continue;

@@ -12,8 +12,8 @@
 #include "ecods/intersection.hpp"
 #include "engines/broad_phase_kinds.hpp"
 #include "engines/engine.hpp"
-#include "harness/contained.hpp"
 #include "harness/stopwatch.hpp"
+#include "process/contained.hpp"
 #include "scenes/fitted_parts.hpp"
 #include "scenes/moving_boxes.hpp"
 #include "scenes/narrow_workloads.hpp"
@@ -195,7 +195,7 @@ std::vector<OwnWorkload> own_workloads(bool is_quick) {
 }  // namespace
 
 void serve_own_work(bool is_quick) {
-    pin_to_one_processor();
+    process::pin_to_one_processor();
     const std::vector<OwnWorkload> workloads = own_workloads(is_quick);
     nlohmann::json names = nlohmann::json::array();
     for (const OwnWorkload& workload : workloads) names.push_back(workload.name);

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <array>
 
-#include "harness/progress.hpp"
 #include "harness/statistics.hpp"
 #include "harness/stopwatch.hpp"
 #include "oracle/oracle.hpp"
+#include "process/progress.hpp"
 #include "scenes/shapes.hpp"
 #include "suites/comparison.hpp"
 #include "suites/predicate_engines.hpp"
@@ -228,7 +228,7 @@ SuiteResult run_predicates(const SuiteOptions& options) {
     SuiteResult result;
     Tables tables = empty_tables(repetition_count);
     {
-        Progress progress("predicates", scenes.size() + 1);
+        process::Progress progress("predicates", scenes.size() + 1);
         for (const PredicateScene& scene : scenes) {
             const Price price = find_price(scene, repetition_count);
             const Timed epick = timed(scene, decide_by_epick);

@@ -9,9 +9,9 @@
 #include "ecods/predicates.hpp"
 #include "exact/point/pose_point.hpp"
 #include "exact/sign/plain_signs.hpp"
-#include "harness/progress.hpp"
 #include "harness/stopwatch.hpp"
 #include "oracle/oracle.hpp"
+#include "process/progress.hpp"
 #include "suites/comparison.hpp"
 #include "suites/stability_engines.hpp"
 #include "suites/stability_families.hpp"
@@ -251,7 +251,7 @@ SuiteResult run_stability(const SuiteOptions& options) {
     SuiteResult result;
     std::vector<Measured> measured;
     {
-        Progress progress("stability", families.size());
+        process::Progress progress("stability", families.size());
         for (const StabilityFamily& family : families) {
             measured.push_back(measure_family(family, options.is_quick() ? 1 : 5, options.is_quick() ? 100 : 2000));
             result.is_right &= measured.back().ecods_wrong == 0;

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "report/run_program.hpp"
+#include "process/program.hpp"
 
 namespace ecods::bench {
 namespace {
@@ -14,8 +14,8 @@ constexpr const char* colours[] = {"#b9b9b9", "#8c1c13", "#d1682e", "#5b9bd5", "
 constexpr int hatching[] = {3, 1, 4, 2, 3};  // gnuplot: full, crossed, strokes, dense
 
 Picture draw(const std::filesystem::path& picture, const std::filesystem::path& script, const std::string& caption) {
-    const ProgramResult result = run_program({"gnuplot", script.string()});
-    return {picture, caption, result.status == 0 ? "" : "gnuplot failed: " + result.output};
+    const process::ProgramResult result = process::run_program({"gnuplot", script.string()});
+    return {picture, caption, result.status == 0 ? "" : "gnuplot failed: " + result.text()};
 }
 
 // For gnuplot, lines of about a bar group's width.

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 
-#include "harness/progress.hpp"
 #include "harness/statistics.hpp"
+#include "process/progress.hpp"
 #include "report/growth_plot.hpp"
 #include "scenes/room.hpp"
 #include "suites/comparison.hpp"
@@ -173,7 +173,7 @@ Section run_experiment(const Experiment& experiment, const SuiteOptions& options
     std::vector<Size> sizes;
     const std::vector<std::size_t> counts = ship_counts(experiment, options);
     {
-        Progress progress(experiment.title, counts.size());
+        process::Progress progress(experiment.title, counts.size());
         for (const std::size_t ships : counts) {
             const Size& size = sizes.emplace_back(run_size(experiment, ships, options));
             is_right &= size.truth.wrong_count == 0;

@@ -4,10 +4,10 @@
 #include <chrono>
 #include <iterator>
 
-#include "harness/contained.hpp"
 #include "harness/judge.hpp"
 #include "harness/stopwatch.hpp"
 #include "harness/touch_pages.hpp"
+#include "process/contained.hpp"
 
 namespace ecods::bench {
 
@@ -36,7 +36,7 @@ void warm_up(const EngineMaker& maker, const scenes::Scene& scene) {
 }
 
 // Values of a turn: milliseconds of all frames after the first, calls, missed, invented.
-Contained::Run start_frames(const EngineMaker& maker, const scenes::Scene& scene, const SystemTruth& truth) {
+process::Contained::Run start_frames(const EngineMaker& maker, const scenes::Scene& scene, const SystemTruth& truth) {
     return [&, is_first = true]() mutable -> std::vector<double> {
         warm_up(maker, scene);
         const std::unique_ptr<Engine> engine = maker.set_up(scene);
@@ -92,7 +92,7 @@ SystemTruth find_hits(const scenes::Scene& scene, std::size_t judged_count, cons
 
 std::vector<SystemRun> measure_systems(const scenes::Scene& scene, const SystemTruth& truth,
                                        std::span<const EngineMaker> makers, std::size_t repetition_count) {
-    std::vector<Contained> children;
+    std::vector<process::Contained> children;
     children.reserve(makers.size());
     std::vector<SystemRun> runs(makers.size());
     for (std::size_t i = 0; i < makers.size(); ++i) {
@@ -103,7 +103,7 @@ std::vector<SystemRun> measure_systems(const scenes::Scene& scene, const SystemT
     const auto frames = static_cast<double>(scene.frames.size());
     for (std::size_t repetition = 0; repetition < repetition_count; ++repetition) {
         for (std::size_t i = 0; i < makers.size(); ++i) {
-            const Outcome outcome = children[i].run();
+            const process::Outcome outcome = children[i].run();
             runs[i].failure = outcome.failure;
             if (!outcome.is_right()) continue;
             runs[i].calls = outcome.values[1] / frames;

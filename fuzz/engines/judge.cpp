@@ -2,9 +2,10 @@
 
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 
-#include "harness/contained.hpp"
 #include "oracle/oracle.hpp"
+#include "process/contained.hpp"
 
 namespace ecods::fuzz {
 namespace {
@@ -13,11 +14,11 @@ constexpr std::size_t failures_max = 8;
 constexpr std::size_t examples_max = 3;
 
 // Asks one query a turn, from `first` on. In the child.
-std::function<bench::Contained::Run()> asker(const EngineMaker& engine, const scenes::MeshPairs& pairs,
-                                             std::size_t first) {
-    return [&engine, &pairs, first]() -> bench::Contained::Run {
+std::function<process::Contained::Run()> asker(const EngineMaker& engine, const scenes::MeshPairs& pairs,
+                                               std::size_t first) {
+    return [&engine, &pairs, first]() -> process::Contained::Run {
         // Engines complain there about what they were asked.
-        if (std::freopen("/dev/null", "w", stderr) == nullptr) return {};
+        if (std::freopen("/dev/null", "w", stderr) == nullptr) throw std::runtime_error("no /dev/null");
         const std::shared_ptr<EngineUnderTest> made = engine.make(pairs.meshes);
         return [made, &pairs, next = first]() mutable -> std::vector<double> {
             const scenes::MeshQuery& query = pairs.queries[next++];
@@ -37,9 +38,9 @@ void note_answer(Verdicts& verdicts, std::size_t query, bool forward, bool backw
     }
 }
 
-void note_failure(Verdicts& verdicts, const std::string& failure) {
-    ++(failure.starts_with("took longer") ? verdicts.hung : verdicts.crashed);
-    if (verdicts.first_failure.empty()) verdicts.first_failure = failure;
+void note_failure(Verdicts& verdicts, const process::Outcome& outcome) {
+    ++(outcome.end == process::End::hung ? verdicts.hung : verdicts.crashed);
+    if (verdicts.first_failure.empty()) verdicts.first_failure = outcome.failure;
 }
 
 }  // namespace
@@ -59,14 +60,14 @@ Verdicts judge(const EngineMaker& engine, const scenes::MeshPairs& pairs, const 
                std::chrono::seconds limit) {
     Verdicts verdicts{.queries = truth.size()};
     for (const bool hit : truth) verdicts.hits += hit;
-    std::unique_ptr<bench::Contained> child;
+    std::unique_ptr<process::Contained> child;
     for (std::size_t query = 0; query < truth.size() && verdicts.crashed + verdicts.hung < failures_max; ++query) {
-        if (!child) child = std::make_unique<bench::Contained>(asker(engine, pairs, query), limit);
-        const bench::Outcome outcome = child->run();
+        if (!child) child = std::make_unique<process::Contained>(asker(engine, pairs, query), limit);
+        const process::Outcome outcome = child->run();
         if (outcome.is_right()) {
             note_answer(verdicts, query, outcome.values[0] != 0, outcome.values[1] != 0, truth[query]);
         } else {
-            note_failure(verdicts, outcome.failure);
+            note_failure(verdicts, outcome);
             child.reset();
         }
     }

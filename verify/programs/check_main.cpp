@@ -1,6 +1,5 @@
 // ecods_check: which bodies of some files touch, and which cross.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -14,6 +13,7 @@
 #include "command_line.hpp"
 #include "ecods/instruction_set.hpp"
 #include "environment/instruction_sets.hpp"
+#include "process/progress.hpp"
 #include "scenes/io/scene_file.hpp"
 
 namespace ecods::check {
@@ -32,29 +32,25 @@ struct Options {
     InstructionSet instruction_set = supported_instruction_set();
 };
 
-// One line on a terminal, rewritten; nothing elsewhere.
-void show_progress(std::size_t frame, std::size_t frame_count) {
-    static const bool is_terminal = isatty(STDERR_FILENO) != 0;
-    if (is_terminal && frame_count > 1)
-        fmt::print(stderr, "\rframe {} of {}\x1b[K{}", frame, frame_count - 1, frame + 1 == frame_count ? "\n" : "");
-}
-
 int check_files(const Options& options) {
     const scenes::Scene scene = scenes::read_files(options.files);
     for (const std::string& note : scene.notes) fmt::print(stderr, "ecods_check: {}\n", note);
     SceneWorld world(scene, options.broad_phase);
     OracleJudge judge(scene);
     nlohmann::ordered_json json = to_json(scene);
+    process::Progress progress;
     for (std::size_t frame = 0; world.next_frame(); ++frame) {
-        show_progress(frame, scene.frames.size() + 1);
+        if (!scene.frames.empty()) progress.show(fmt::format("frame {} of {}", frame, scene.frames.size()));
         const FrameAnswer answer = world.answer();
         if (options.oracle) judge.check_frame(world, answer);
         if (options.json) {
             json["frames"].push_back(to_json(scene, answer));
         } else {
+            progress.wipe();
             print_frame(stdout, scene, answer);
         }
     }
+    progress.wipe();
     if (options.oracle && options.json) json["oracle"] = to_json(judge.report());
     if (options.oracle && !options.json) print_report(stdout, judge.report());
     if (options.json) fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));

@@ -1,42 +1,22 @@
 // Programs as their users run them: a process, its output and its exit status.
 #pragma once
 
-#include <sys/wait.h>
-
-#include <array>
-#include <cstdio>
 #include <filesystem>
-#include <sstream>
 #include <string>
 
 #include "ecods/version.hpp"
 #include "file_test.hpp"
+#include "process/program.hpp"
 
 namespace ecods::scenes {
 
-struct ProgramResult {
-    int status = -1;
-    std::string out;
-    std::string err;
-};
+using process::ProgramResult;
 
 class ProgramTest : public FileTest {
   protected:
+    // Arguments are a shell's.
     ProgramResult run_program(const std::string& program, const std::string& arguments) const {
-        const std::string errors = path("stderr.txt").string();
-        const std::string command = program + " " + arguments + " 2>" + errors;
-        ProgramResult result;
-        std::FILE* pipe = popen(command.c_str(), "r");
-        std::array<char, 4096> buffer{};
-        for (std::size_t size = 0; (size = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
-            result.out.append(buffer.data(), size);
-        }
-        const int status = pclose(pipe);
-        result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-        std::ostringstream text;
-        text << std::ifstream(errors).rdbuf();
-        result.err = text.str();
-        return result;
+        return process::run_program({"sh", "-c", program + " " + arguments});
     }
 
     // What every program does when it is asked about itself.
