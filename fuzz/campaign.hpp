@@ -29,8 +29,8 @@ struct CampaignReport {
     std::vector<RunFailure> failures = {};              // ascending by seed
 };
 
-// Run i has seed + i, and where a name stands for several profiles, the seed tells which: so that runs are the same for
-// any number of jobs, and each can be had alone.
+// Run i has seed + i, and where a name stands for several profiles, the seed decides which: so that runs are the same
+// for any number of jobs, and each can be had alone.
 CampaignReport run_campaign(const CampaignOptions& options);
 
 std::string to_json(const CampaignOptions& options, const CampaignReport& report);

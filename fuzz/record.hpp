@@ -15,7 +15,7 @@ struct RecordOptions {
 };
 
 // Generates the run's script again, shrinks it to what fails the same check, writes PROFILE-SEED.trace and .obj, and
-// tells in the failure what they are, and what the short script's check expected and got. Pairs of triangles have their
+// says in the failure what they are, and what the short script's check expected and got. Pairs of triangles have their
 // numbers in the failure already.
 void record(RunFailure& failure, const RecordOptions& options);
 
@@ -28,7 +28,7 @@ std::optional<Failure> replay_trace(const std::filesystem::path& file, const Rep
                                     Counters& counters);
 
 // Writes a trace again with the digests that this build gives, and with its notes behind it: for a trace that shows a
-// defect which is mended, and for one that was written by hand, without digests.
+// defect which is corrected, and for one that was written by hand, without digests.
 void renew_trace(const std::filesystem::path& file);
 
 }  // namespace ecods::fuzz

@@ -27,8 +27,9 @@ std::vector<BroadMaker> broad_engines() {
         {"FCL tree, moved only", "update() of the moved objects, the rest the same", false, 10000,
          set_up_broad_fcl_tree_moved},
         {"FCL DynamicAABBTree_Array", "as the first", false, 1000, set_up_broad_fcl_array},
-        {broad_fcl_sweep, "SaPCollisionManager, as the first. NOT TO BE RELIED ON: it loses and invents pairs", false,
-         10000, set_up_broad_fcl_sweep, std::chrono::seconds(30)},
+        {broad_fcl_sweep,
+         "SaPCollisionManager, as the first. NOT TO BE RELIED ON: it loses pairs and reports false ones", false, 10000,
+         set_up_broad_fcl_sweep, std::chrono::seconds(30)},
         {"Bullet Dbvt",
          "btDbvtBroadphase: setAabb(), calculateOverlappingPairs(), then its pairs, whose boxes are tested as its "
          "dispatcher does; float",

@@ -15,8 +15,8 @@ namespace ecods::bench {
 
 namespace {
 
-// How the manager is told of moves: all of it is refitted, or the boxes that moved are named and put in anew. The first
-// is faster while all move a little, the second when few do, or when some jump.
+// How the manager learns of moves: all of it is refitted, or the boxes that moved are named and inserted again. The
+// first is faster while all move a little, the second when few do, or when some jump.
 enum class Update { all, moved };
 
 template <class Manager, Update update>

@@ -145,12 +145,12 @@ Errors compare(std::span<const std::vector<IndexPair>> reported, const Truth& tr
         std::vector<IndexPair> difference;
         std::set_difference(expected.begin(), expected.end(), reported[frame].begin(), reported[frame].end(),
                             std::back_inserter(difference));
-        errors.missed += difference.size();
+        errors.false_negatives += difference.size();
         difference.clear();
-        // A pair reported twice is invented once: the lists are multisets.
+        // A pair reported twice is a false positive once: the lists are multisets.
         std::set_difference(reported[frame].begin(), reported[frame].end(), expected.begin(), expected.end(),
                             std::back_inserter(difference));
-        errors.invented += difference.size();
+        errors.false_positives += difference.size();
     }
     return errors;
 }

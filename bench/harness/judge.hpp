@@ -40,8 +40,8 @@ enum class Detail { hits_only, contacts };
 Truth ask_oracle(const scenes::Scene& scene, Detail detail, const std::string& label);
 
 struct Errors {
-    std::size_t missed = 0;    // hits of the oracle that the engine does not report
-    std::size_t invented = 0;  // reported without being hits
+    std::size_t false_negatives = 0;  // hits of the oracle that the engine does not report
+    std::size_t false_positives = 0;  // reported without being hits
 };
 
 // Summed over the frames.

@@ -7,7 +7,7 @@
 
 namespace ecods::bench {
 
-// RFC 4180 with plain line ends, and with a line before it that begins with # and tells command, date, commit, machine,
+// RFC 4180 with plain line ends, and with a line before it that begins with # and holds command, date, commit, machine,
 // compiler and versions. The columns: section, table, row (its text cells, joined by " | "), column, value. Values are
 // the cells that the page shows; empty cells are left out. Makes the folder. Throws std::runtime_error when the file
 // cannot be written.

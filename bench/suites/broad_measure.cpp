@@ -89,17 +89,17 @@ std::vector<Aabb> boxes_after(const scenes::MovingBoxes& boxes, std::size_t fram
     return now;
 }
 
-// Values of a turn: nanoseconds of a frame, timed frames, whether it ended early, missed, invented.
+// Values of a turn: nanoseconds of a frame, timed frames, whether it ended early, false negatives, false positives.
 process::Contained::Run start_frames(const BroadMaker& maker, const scenes::MovingBoxes& boxes, const BroadTruth& truth,
                                      double seconds) {
     const Plan first{boxes.frames.size() / 3, boxes.frames.size(), seconds * 1e9};
     return [&maker, &boxes, &truth, plan = first, is_first = true]() mutable -> std::vector<double> {
         Turn turn(maker, boxes, plan);
-        std::size_t missed = 0, invented = 0;
+        std::size_t false_negatives = 0, false_positives = 0;
         const auto check = [&](const std::vector<ProxyPair>& expected) {
             const std::vector<ProxyPair> pairs = turn.pairs();
-            missed += count_difference(expected, pairs);
-            invented += count_difference(pairs, expected);
+            false_negatives += count_difference(expected, pairs);
+            false_positives += count_difference(pairs, expected);
         };
         auto expected = truth.frames.begin();
         for (bool goes_on = true; goes_on;) {
@@ -115,7 +115,7 @@ process::Contained::Run start_frames(const BroadMaker& maker, const scenes::Movi
         is_first = false;
         plan = turn.same_again();
         return {turn.nanoseconds_a_frame(), static_cast<double>(turn.timed_count()), turn.ends_early() ? 1.0 : 0.0,
-                static_cast<double>(missed), static_cast<double>(invented)};
+                static_cast<double>(false_negatives), static_cast<double>(false_positives)};
     };
 }
 
@@ -158,8 +158,8 @@ std::vector<BroadRun> measure_broad(const scenes::MovingBoxes& boxes, const Broa
             runs[i].ns.push_back(outcome.values[0] / static_cast<double>(boxes.boxes.size()));
             runs[i].timed_count = static_cast<std::size_t>(outcome.values[1]);
             if (repetition > 0) continue;
-            runs[i].missed = static_cast<std::size_t>(outcome.values[3]);
-            runs[i].invented = static_cast<std::size_t>(outcome.values[4]);
+            runs[i].false_negatives = static_cast<std::size_t>(outcome.values[3]);
+            runs[i].false_positives = static_cast<std::size_t>(outcome.values[4]);
         }
     }
     return runs;

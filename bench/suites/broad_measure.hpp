@@ -14,11 +14,11 @@ namespace ecods::bench {
 struct BroadRun {
     std::string name;
     bool is_ecods = false;
-    std::vector<double> ns;       // per box and frame, the mean over the timed frames; one for each repetition
-    std::size_t timed_count = 0;  // frames of each repetition
-    std::size_t missed = 0;       // pairs, over the frames that are checked
-    std::size_t invented = 0;     // pairs, one reported twice among them
-    std::string failure;          // when it crashed, hung or threw
+    std::vector<double> ns;           // per box and frame, the mean over the timed frames; one for each repetition
+    std::size_t timed_count = 0;      // frames of each repetition
+    std::size_t false_negatives = 0;  // pairs, over the frames that are checked
+    std::size_t false_positives = 0;  // pairs, one reported twice among them
+    std::string failure;              // when it crashed, hung or threw
 };
 
 // The exact pairs of some frames: of the first, the middle and the last. Up to 10,000 boxes by comparing all of them,

@@ -27,7 +27,7 @@ std::string count_changes(const OwnSample& before, const OwnSample& after) {
     std::string text;
     for (const std::string& name : names) {
         const auto old_count = before.counts.find(name), new_count = after.counts.find(name);
-        // A count that only one build keeps tells nothing about work.
+        // A count that only one build keeps says nothing about work.
         if (old_count == before.counts.end() || new_count == after.counts.end()) continue;
         if (old_count->second == new_count->second) continue;
         text += fmt::format("{}{} {} -> {}", text.empty() ? "" : "; ", name, old_count->second, new_count->second);

@@ -27,15 +27,15 @@ Comparison compare_engines(const scenes::Scene& scene, const std::string& title,
     result.truth = ask_oracle(scene, detail, title);
 
     result.table.title = title;
-    result.table.header = {"engine", "ms/frame", "candidate pairs/frame", "hits/frame", "missed", "invented"};
+    result.table.header = {"engine", "ms/frame", "candidate pairs/frame", "hits/frame", "false -", "false +"};
     const std::size_t frame_count = scene.frames.size() + 1;
     for (const Run& run : result.runs) {
         const Errors errors = compare(run.hits, result.truth);
-        if (run.is_ecods && errors.missed + errors.invented > 0) result.is_right = false;
+        if (run.is_ecods && errors.false_negatives + errors.false_positives > 0) result.is_right = false;
         result.table.rows.push_back({run.name, fmt::format("{:.4f}", run.mean_ms()),
                                      per_frame(run.candidate_count, frame_count),
-                                     per_frame(hit_count(run), frame_count), fmt::format("{}", errors.missed),
-                                     fmt::format("{}", errors.invented)});
+                                     per_frame(hit_count(run), frame_count), fmt::format("{}", errors.false_negatives),
+                                     fmt::format("{}", errors.false_positives)});
     }
     result.table.notes = {
         fmt::format("{} frames. The oracle judged {} pairs of bodies in {:.1f} s: {} by triangles, the "

@@ -14,8 +14,8 @@ namespace ecods::bench {
 struct Comparison {
     std::vector<Run> runs;
     Truth truth;
-    Table table;           // engine, ms per frame, candidate pairs, hits, missed, invented
-    bool is_right = true;  // ECoDS missed and invented nothing
+    Table table;           // engine, ms per frame, candidate pairs, hits, false negatives and positives
+    bool is_right = true;  // no wrong answer of ECoDS
 };
 
 Comparison compare_engines(const scenes::Scene& scene, const std::string& title, const SuiteOptions& options,

@@ -38,7 +38,7 @@ Verdict ask(const NarrowMaker& maker, const HardCase& hard) {
     const bool there = outcome.values[0] != 0, back = outcome.values[1] != 0;
     if (there != back) return {"differs when swapped", false};
     if (there == hard.intersects) return {"right", true};
-    return {there ? "invented" : "missed", false};
+    return {there ? "false positive" : "false negative", false};
 }
 
 }  // namespace

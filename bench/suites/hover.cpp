@@ -59,7 +59,7 @@ SuiteResult run_hover(const SuiteOptions& options) {
     Table table;
     table.title = "What the manager spares: some ships move, the others hover";
     table.header = {"scene",          "moved bodies", "candidate pairs", "of these, with a moved ship",
-                    "two-body tests", "cache hits",   "missed",          "invented"};
+                    "two-body tests", "cache hits",   "false -",         "false +"};
     for (const std::size_t ship_count : {32, 256}) {
         for (const double share : {1.0, 0.25, 0.0}) {
             const scenes::Scene scene = scenes::room({.ship_count = ship_count,
@@ -75,12 +75,12 @@ SuiteResult run_hover(const SuiteOptions& options) {
             const Errors errors = compare(counts.hits, ask_oracle(scene, Detail::hits_only, name));
             const Statistics& s = counts.statistics;
             result.is_right &= s.two_body_tests == counts.moved_candidates &&
-                               s.two_body_tests + s.cache_hits == counts.candidates && errors.missed == 0 &&
-                               errors.invented == 0;
+                               s.two_body_tests + s.cache_hits == counts.candidates && errors.false_negatives == 0 &&
+                               errors.false_positives == 0;
             std::vector<std::string> row = {name};
             for (const std::uint64_t count :
                  {s.moved_bodies, counts.candidates, counts.moved_candidates, s.two_body_tests, s.cache_hits,
-                  std::uint64_t{errors.missed}, std::uint64_t{errors.invented}})
+                  std::uint64_t{errors.false_negatives}, std::uint64_t{errors.false_positives}})
                 row.push_back(fmt::format("{}", count));
             table.rows.push_back(std::move(row));
         }

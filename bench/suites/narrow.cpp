@@ -42,19 +42,19 @@ struct Measured {
     NarrowTruth truth;
     std::vector<NarrowRun> runs;
 
-    // Wrong answers of a run: missed, invented.
+    // Wrong answers of a run: false negatives, false positives.
     std::pair<std::size_t, std::size_t> errors(const NarrowRun& run) const {
-        std::size_t missed = 0, invented = 0;
+        std::size_t false_negatives = 0, false_positives = 0;
         for (std::size_t i = 0; i < run.answers.size(); ++i) {
-            if (truth.answers[i] && !run.answers[i]) ++missed;
-            if (!truth.answers[i] && run.answers[i]) ++invented;
+            if (truth.answers[i] && !run.answers[i]) ++false_negatives;
+            if (!truth.answers[i] && run.answers[i]) ++false_positives;
         }
-        return {missed, invented};
+        return {false_negatives, false_positives};
     }
 
     double wrong_share(const NarrowRun& run) const {
-        const auto [missed, invented] = errors(run);
-        return static_cast<double>(missed + invented) / static_cast<double>(run.answers.size());
+        const auto [false_negatives, false_positives] = errors(run);
+        return static_cast<double>(false_negatives + false_positives) / static_cast<double>(run.answers.size());
     }
 
     bool is_right() const {
@@ -90,7 +90,7 @@ void add_rows(Table& table, const Measured& measured) {
             table.rows.push_back(std::move(row));
             continue;
         }
-        const auto [missed, invented] = measured.errors(run);
+        const auto [false_negatives, false_positives] = measured.errors(run);
         const auto per_query = [&](std::uint64_t work) {
             return run.has_work ? fmt::format("{:.1f}", static_cast<double>(work) / count) : std::string();
         };
@@ -98,8 +98,8 @@ void add_rows(Table& table, const Measured& measured) {
                  fmt::format("{:.2f}", median(run.us)),
                  run.us.size() < 2 ? std::string() : fmt::format("{:.0f}", spread_in_percent(run.us)),
                  ratio_text(times_as_fast(run.us, yardstick_of(measured.runs))),
-                 fmt::format("{} / {}", hits, measured.workload.queries.size()), fmt::format("{}", missed),
-                 fmt::format("{}", invented), per_query(run.work.box_tests), per_query(run.work.triangle_tests),
+                 fmt::format("{} / {}", hits, measured.workload.queries.size()), fmt::format("{}", false_negatives),
+                 fmt::format("{}", false_positives), per_query(run.work.box_tests), per_query(run.work.triangle_tests),
                  fmt::format("{}", measured.truth.judged_count)})
             row.push_back(std::move(cell));
         table.rows.push_back(std::move(row));
@@ -110,8 +110,8 @@ Table empty_table(const std::string& title, std::size_t repetition_count) {
     Table table;
     table.title = title;
     table.text_columns = 2;
-    table.header = {"workload", "engine",   "us/query",  "spread %",       "times FCL", "hits",
-                    "missed",   "invented", "box tests", "triangle tests", "judged"};
+    table.header = {"workload", "engine",  "us/query",  "spread %",       "times FCL", "hits",
+                    "false -",  "false +", "box tests", "triangle tests", "judged"};
     table.notes = {
         fmt::format(
             "Processor time: {}; first one pass over the queries untimed, then 20 ms of them; each engine pinned in a "
@@ -126,15 +126,15 @@ Table empty_table(const std::string& title, std::size_t repetition_count) {
 // Wrong answers by gap, one column for each engine.
 Table gap_table(std::span<const Measured> all) {
     Table table;
-    table.title = "Ships at controlled gaps: answers missed / invented";
+    table.title = "Ships at controlled gaps: false negatives / false positives";
     table.header = {"gap in radii", "queries", "judged"};
     for (const NarrowRun& run : all.front().runs) table.header.push_back(run.name);
     for (const Measured& measured : all) {
         std::vector<std::string> row = {measured.workload.name, fmt::format("{}", measured.workload.queries.size()),
                                         fmt::format("{}", measured.truth.judged_count)};
         for (const NarrowRun& run : measured.runs) {
-            const auto [missed, invented] = measured.errors(run);
-            row.push_back(run.failure.empty() ? fmt::format("{} / {}", missed, invented) : run.failure);
+            const auto [false_negatives, false_positives] = measured.errors(run);
+            row.push_back(run.failure.empty() ? fmt::format("{} / {}", false_negatives, false_positives) : run.failure);
         }
         table.rows.push_back(std::move(row));
     }
@@ -148,7 +148,7 @@ Table gap_table(std::span<const Measured> all) {
 Table list_table(const MeshPairs& workload, const ListTruth& truth, const std::vector<ListRun>& runs) {
     Table table;
     table.title = "All pairs of triangles that touch: " + workload.name;
-    table.header = {"engine", "us/query", "times FCL", "pairs/query", "missed pairs", "invented pairs"};
+    table.header = {"engine", "us/query", "times FCL", "pairs/query", "false -", "false +"};
     std::vector<double> yardstick;
     for (const ListRun& run : runs)
         if (run.name == narrow_yardstick) yardstick = run.us;
@@ -160,7 +160,7 @@ Table list_table(const MeshPairs& workload, const ListTruth& truth, const std::v
         table.rows.push_back({run.name, fmt::format("{:.2f}", median(run.us)),
                               ratio_text(times_as_fast(run.us, yardstick)),
                               fmt::format("{:.2f}", run.pair_count / static_cast<double>(workload.queries.size())),
-                              fmt::format("{:.0f}", run.missed), fmt::format("{:.0f}", run.invented)});
+                              fmt::format("{:.0f}", run.false_negatives), fmt::format("{:.0f}", run.false_positives)});
     }
     table.notes = {fmt::format("{} queries. FCL with contacts on, as many as there are. The oracle checked {} lists.",
                                workload.queries.size(), truth.judged_count)};
@@ -230,7 +230,7 @@ SuiteResult run_narrow(const SuiteOptions& options) {
     print(list);
     result.is_right &= lists.wrong_count == 0;
     for (const ListRun& run : list_runs)
-        result.is_right &= !run.is_ecods || (run.failure.empty() && run.missed + run.invented == 0);
+        result.is_right &= !run.is_ecods || (run.failure.empty() && run.false_negatives + run.false_positives == 0);
 
     const Table builds = build_table(build_workloads(size_of(options)), makers, repetition_count);
     print(builds);

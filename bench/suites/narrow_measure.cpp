@@ -18,7 +18,7 @@ namespace {
 constexpr std::chrono::seconds turn_limit{120};
 
 // Timed passes over the queries go on for so long. A few queries of a microsecond each, after another engine had the
-// core, would tell how long it takes to wake it.
+// core, would measure how long it takes to wake it.
 constexpr double turn_us_min = 20000;
 
 // A turn: all queries once, untimed, then in timed passes. Values: microseconds a pass, whether work was counted, box
@@ -60,7 +60,7 @@ process::Contained::Run start_queries(const NarrowMaker& maker, const scenes::Me
     };
 }
 
-// A turn: all lists. Values: microseconds, pairs, missed, invented.
+// A turn: all lists. Values: microseconds, pairs, false negatives, false positives.
 process::Contained::Run start_lists(const NarrowMaker& maker, const scenes::MeshPairs& workload, const Lists& truth) {
     std::shared_ptr<NarrowEngine> engine = maker.set_up(workload.meshes);
     return [engine, &workload, &truth]() {
@@ -157,8 +157,8 @@ std::vector<ListRun> measure_lists(const scenes::MeshPairs& workload, const List
             if (!outcome.is_right()) continue;
             if (repetition > 0) run.us.push_back(outcome.values[0] / static_cast<double>(workload.queries.size()));
             run.pair_count = outcome.values[1];
-            run.missed = outcome.values[2];
-            run.invented = outcome.values[3];
+            run.false_negatives = outcome.values[2];
+            run.false_positives = outcome.values[3];
         }
     }
     return runs;

@@ -29,9 +29,9 @@ struct ListRun {
     std::string name;
     bool is_ecods = false;
     std::vector<double> us;
-    double pair_count = 0;  // listed, of all queries
-    double missed = 0;      // pairs of triangles
-    double invented = 0;    // listed twice counts
+    double pair_count = 0;       // listed, of all queries
+    double false_negatives = 0;  // pairs of triangles
+    double false_positives = 0;  // listed twice counts
     std::string failure;
 };
 

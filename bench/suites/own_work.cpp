@@ -68,7 +68,7 @@ void add_counts(std::map<std::string, std::uint64_t>& counts, const BroadPhaseCo
     counts["switches"] = of.switches;
 }
 
-// All queries with their work counted, then timed passes, for long enough to be told from noise.
+// All queries with their work counted, then timed passes, for long enough to rise above noise.
 Turn start_queries(scenes::MeshPairs pairs) {
     auto workload = std::make_shared<scenes::MeshPairs>(std::move(pairs));
     auto shapes = std::make_shared<std::deque<MeshShape>>();

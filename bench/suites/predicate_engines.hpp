@@ -9,7 +9,7 @@
 
 namespace ecods::bench {
 
-// The answers of all tasks' pairs in order, 1 for a shared point. Each poses what it needs anew: transforms are
+// The answers of all tasks' pairs in order, 1 for a shared point. Each poses for itself what it needs: transforms are
 // included.
 using Answers = std::vector<std::uint8_t>;
 

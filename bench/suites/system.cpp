@@ -111,7 +111,7 @@ Table time_table(const Experiment& experiment, const std::vector<Size>& sizes, s
 
 Table work_table(const Experiment& experiment, const std::vector<Size>& sizes) {
     Table table;
-    table.title = experiment.title + ": calls of the two-body test per frame, and pairs missed / invented";
+    table.title = experiment.title + ": calls of the two-body test per frame, and false negatives / false positives";
     table.header = {"ships"};
     const std::vector<std::string> names = engine_names(sizes);
     for (const std::string& name : names) table.header.push_back(name);
@@ -119,7 +119,9 @@ Table work_table(const Experiment& experiment, const std::vector<Size>& sizes) {
         std::vector<std::string> row = {fmt::format("{}", size.ships)};
         for (const std::string& name : names) {
             const SystemRun* run = size.find(name);
-            row.push_back(run == nullptr ? "" : fmt::format("{:.1f}, {} / {}", run->calls, run->missed, run->invented));
+            row.push_back(run == nullptr
+                              ? ""
+                              : fmt::format("{:.1f}, {} / {}", run->calls, run->false_negatives, run->false_positives));
         }
         for (const SystemRun& run : size.runs)
             if (!run.failure.empty()) row.front() += fmt::format(" ({} {})", run.name, run.failure);
@@ -128,7 +130,7 @@ Table work_table(const Experiment& experiment, const std::vector<Size>& sizes) {
     return table;
 }
 
-// One curve for each engine, by what `value` tells of a run.
+// One curve for each engine, by the `value` of a run.
 template <class Value>
 std::vector<GrowthCurve> curves_of(const std::vector<Size>& sizes, const Value& value) {
     std::vector<GrowthCurve> curves;
@@ -178,7 +180,7 @@ Section run_experiment(const Experiment& experiment, const SuiteOptions& options
             const Size& size = sizes.emplace_back(run_size(experiment, ships, options));
             is_right &= size.truth.wrong_count == 0;
             for (const SystemRun& run : size.runs)
-                is_right &= !run.is_ecods || (run.failure.empty() && run.missed + run.invented == 0);
+                is_right &= !run.is_ecods || (run.failure.empty() && run.false_negatives + run.false_positives == 0);
             progress.step();
         }
     }

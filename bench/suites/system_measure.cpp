@@ -35,13 +35,13 @@ void warm_up(const EngineMaker& maker, const scenes::Scene& scene) {
     }
 }
 
-// Values of a turn: milliseconds of all frames after the first, calls, missed, invented.
+// Values of a turn: milliseconds of all frames after the first, calls, false negatives, false positives.
 process::Contained::Run start_frames(const EngineMaker& maker, const scenes::Scene& scene, const SystemTruth& truth) {
     return [&, is_first = true]() mutable -> std::vector<double> {
         warm_up(maker, scene);
         const std::unique_ptr<Engine> engine = maker.set_up(scene);
         double ms = 0, calls = 0;
-        std::size_t missed = 0, invented = 0;
+        std::size_t false_negatives = 0, false_positives = 0;
         for (std::size_t frame = 0; frame <= scene.frames.size(); ++frame) {
             const std::span<const scenes::Move> moves =
                 frame == 0 ? std::span<const scenes::Move>() : scene.frames[frame - 1].moves;
@@ -54,11 +54,11 @@ process::Contained::Run start_frames(const EngineMaker& maker, const scenes::Sce
             }
             if (!is_first) continue;
             const Hits hits = engine->hits();
-            missed += count_difference(truth.hits[frame], hits);
-            invented += count_difference(hits, truth.hits[frame]);
+            false_negatives += count_difference(truth.hits[frame], hits);
+            false_positives += count_difference(hits, truth.hits[frame]);
         }
         is_first = false;
-        return {ms, calls, static_cast<double>(missed), static_cast<double>(invented)};
+        return {ms, calls, static_cast<double>(false_negatives), static_cast<double>(false_positives)};
     };
 }
 
@@ -109,8 +109,8 @@ std::vector<SystemRun> measure_systems(const scenes::Scene& scene, const SystemT
             runs[i].calls = outcome.values[1] / frames;
             runs[i].ms.push_back(outcome.values[0] / frames);
             if (repetition == 0) {
-                runs[i].missed = static_cast<std::size_t>(outcome.values[2]);
-                runs[i].invented = static_cast<std::size_t>(outcome.values[3]);
+                runs[i].false_negatives = static_cast<std::size_t>(outcome.values[2]);
+                runs[i].false_positives = static_cast<std::size_t>(outcome.values[3]);
             }
         }
     }

@@ -15,8 +15,8 @@ struct SystemRun {
     bool is_ecods = false;
     std::vector<double> ms;  // per frame, the mean over the frames after the first; one for each repetition
     double calls = 0;        // of the two-body test, per frame
-    std::size_t missed = 0;
-    std::size_t invented = 0;
+    std::size_t false_negatives = 0;
+    std::size_t false_positives = 0;
     std::string failure;  // when it crashed, hung or threw
 };
 
@@ -29,7 +29,7 @@ struct SystemTruth {
 };
 SystemTruth find_hits(const scenes::Scene& scene, std::size_t judged_count, const std::string& label);
 
-// Engines take turns, each in a process of its own, with a scene set up anew in each turn. The first turn checks the
+// Engines take turns, each in a process of its own, with a fresh scene in each turn. The first turn checks the
 // answers, too.
 std::vector<SystemRun> measure_systems(const scenes::Scene& scene, const SystemTruth& truth,
                                        std::span<const EngineMaker> makers, std::size_t repetition_count);

@@ -4,7 +4,7 @@
 // 1. Write a file beside this one with a class derived from EngineUnderTest, and a function that makes one (rounded.cpp
 //    is the shortest example). Use the engine as its documentation advises; an answer must not depend on those before.
 // 2. Add a line with its name to the table in engines.cpp, and the file and the engine's library to CMakeLists.txt.
-// 3. `ecods_fuzz_engine --engine NAME` then tells what it misses and what it invents, family by family.
+// 3. `ecods_fuzz_engine --engine NAME` then counts its false negatives and false positives, family by family.
 // An engine may crash, hang or throw: it runs in a process of its own and is started again behind the query that did
 // it. An engine of the benchmark (bench/engines/narrow_engine.hpp) needs no file here: peers.cpp hands them all on.
 #pragma once

@@ -30,8 +30,8 @@ std::function<process::Contained::Run()> asker(const EngineMaker& engine, const 
 
 void note_answer(Verdicts& verdicts, std::size_t query, bool forward, bool backward, bool truth) {
     ++verdicts.answered;
-    verdicts.missed += truth && !forward;
-    verdicts.invented += !truth && forward;
+    verdicts.false_negatives += truth && !forward;
+    verdicts.false_positives += !truth && forward;
     verdicts.asymmetric += forward != backward;
     if ((forward != truth || backward != truth) && verdicts.wrong.size() < examples_max) {
         verdicts.wrong.push_back(query);

@@ -43,16 +43,22 @@ std::vector<Thing> chosen(const std::vector<Thing>& all, const std::vector<std::
 }
 
 nlohmann::json to_json(const Verdicts& v) {
-    return {{"queries", v.queries},     {"hits", v.hits},
-            {"answered", v.answered},   {"missed", v.missed},
-            {"invented", v.invented},   {"differs_when_swapped", v.asymmetric},
-            {"crashed", v.crashed},     {"hung", v.hung},
-            {"wrong_queries", v.wrong}, {"first_failure", v.first_failure}};
+    return {{"queries", v.queries},
+            {"hits", v.hits},
+            {"answered", v.answered},
+            {"false_negatives", v.false_negatives},
+            {"false_positives", v.false_positives},
+            {"differs_when_swapped", v.asymmetric},
+            {"crashed", v.crashed},
+            {"hung", v.hung},
+            {"wrong_queries", v.wrong},
+            {"first_failure", v.first_failure}};
 }
 
-// "missed/invented", or "." for none of either; what is not about answers follows.
+// "false negatives/false positives", or "." for none of either; what is not about answers follows.
 std::string to_cell(const Verdicts& v) {
-    std::string text = v.missed + v.invented == 0 ? "." : fmt::format("{}/{}", v.missed, v.invented);
+    std::string text =
+        v.false_negatives + v.false_positives == 0 ? "." : fmt::format("{}/{}", v.false_negatives, v.false_positives);
     if (v.asymmetric > 0) text += fmt::format(" ~{}", v.asymmetric);
     if (v.crashed > 0) text += fmt::format(" !{}", v.crashed);
     if (v.hung > 0) text += fmt::format(" ...{}", v.hung);
@@ -69,8 +75,8 @@ void add(Verdicts& sum, const Verdicts& more) {
     sum.queries += more.queries;
     sum.hits += more.hits;
     sum.answered += more.answered;
-    sum.missed += more.missed;
-    sum.invented += more.invented;
+    sum.false_negatives += more.false_negatives;
+    sum.false_positives += more.false_positives;
     sum.asymmetric += more.asymmetric;
     sum.crashed += more.crashed;
     sum.hung += more.hung;
@@ -95,7 +101,8 @@ int run(const Options& options) {
     std::vector<Verdicts> sums(engines.size());
     bool is_right = true;
     fmt::print(
-        "Wrong answers, missed/invented, of so many queries, of which so many touch. ~: answers that differ when "
+        "Wrong answers, false negatives/false positives, of so many queries, of which so many touch. ~: answers that "
+        "differ when "
         "the two are\nswapped; !: crashes; ...: hangs.\n\n");
     std::vector<std::string> header = {"family", "queries (hits)"};
     for (const EngineMaker& engine : engines) header.push_back(engine.name);

@@ -228,7 +228,7 @@ void Player::count_work() {
     // What the broad phases went through, each in the world that it has to itself.
     const auto of = [&](std::size_t i) { return scene_.worlds[i].world().statistics().broad_phase; };
     counters_["broad phases: swaps of sweep and prune"] += of(1).swaps;
-    counters_["broad phases: boxes that left their room"] += of(2).escaped;
+    counters_["broad phases: boxes that left their margin"] += of(2).escaped;
     counters_["broad phases: rebuilds"] += of(2).rebuilds;
     counters_["broad phases: switches of the automatic one"] += of(3).switches;
 }
