@@ -120,7 +120,9 @@ const std::vector<Room>& rooms() {
         {"fuzz/tests",
          {"include", "verify/scenes", "verify/environment", "verify/unit/programs", "fuzz/base", "fuzz/checks",
           "fuzz/script", "fuzz/motion", "fuzz/shrink"}},
-        {"fuzz", {"include", "verify/process", "fuzz/base", "fuzz/pairs", "fuzz/script", "fuzz/motion", "fuzz/shrink"}},
+        {"fuzz",
+         {"include", "verify/process", "verify/programs", "fuzz/base", "fuzz/pairs", "fuzz/script", "fuzz/motion",
+          "fuzz/shrink"}},
 
         // What measures it.
         {"bench/engines", {"include", "src/simd", "verify/scenes"}},
@@ -131,9 +133,11 @@ const std::vector<Room>& rooms() {
          {"include", "src/exact/point", "src/exact/sign", "src/exact/simplex", "verify/process", "verify/oracle",
           "verify/scenes", "bench/engines", "bench/harness", "bench/report"}},
         {"bench/micro", {"include", "src/exact/simplex", "src/bounds", "src/bvh", "verify/scenes"}},
-        {"bench", {"include", "verify/process", "bench/report", "bench/suites"}},
+        {"bench",
+         {"include", "verify/process", "verify/programs", "verify/unit/programs", "bench/report", "bench/suites"}},
         {"fuzz/engines",
-         {"include", "verify/process", "verify/oracle", "verify/scenes", "bench/engines", "bench/harness"}},
+         {"include", "verify/process", "verify/programs", "verify/oracle", "verify/scenes", "bench/engines",
+          "bench/harness"}},
     };
     return table;
 }
