@@ -40,7 +40,7 @@ void check_events(const World& world, const std::vector<BodyPair>& before);
 // World::validate(): every invariant, and each verdict that was kept is that of a fresh test.
 void check_invariants(const World& world);
 
-// A world that is made anew, its bodies in an order that `order` tells, has the same digest, the same collisions and as
+// A fresh world, its bodies in the order that `order` stands for, has the same digest, the same collisions and as
 // many candidates; but for the last, it may be called in another floating-point environment. `set_up` registers the
 // tests of the caller's own shapes.
 struct FreshWorld {
