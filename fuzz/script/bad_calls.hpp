@@ -1,4 +1,4 @@
-// Calls that must be refused, and leave no trace.
+// Calls that must be refused, and change nothing.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace ecods::fuzz {
 std::vector<std::string> bad_call_names();
 
 // Makes the call in every world. Throws CheckFailed unless the typed error comes and the worlds stay as they were; and
-// Error if there is no call of this name.
+// Error if there is no call of this kind.
 void make_bad_call(const BadCall& call, Scene& scene, Counters& counters);
 
 }  // namespace ecods::fuzz

@@ -43,7 +43,7 @@ class Player {
     void check_replay();
     void count_work();
     void count_instruction_sets();
-    void sing(std::vector<BodyPair>& expected) const;
+    void plant_canary(std::vector<BodyPair>& expected) const;
 
     PlayOptions options_;
     Counters& counters_;
@@ -125,7 +125,7 @@ void Player::check() {
     ++counters_[std::string("checked: answers with instructions of ") + environment::name(sets[turn.set])];
     ++counters_[std::string("checked: answers, ") + mode.name];
     auto expected = true_collisions(first, truth_);
-    sing(expected);
+    plant_canary(expected);
     for (ScriptedWorld& scripted : scene_.worlds) {
         World& world = scripted.world();
         check_candidates(world, counters_);
@@ -182,7 +182,7 @@ void Player::check_tampering(const World& world) {
     }
 }
 
-void Player::sing(std::vector<BodyPair>& expected) const {
+void Player::plant_canary(std::vector<BodyPair>& expected) const {
     if (options_.canary == Canary::none || expected.empty()) return;
     if (options_.canary == Canary::crash) std::abort();
     for (volatile bool goes_on = true; options_.canary == Canary::hang && goes_on;) {

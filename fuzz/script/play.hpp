@@ -10,7 +10,7 @@
 
 namespace ecods::fuzz {
 
-// What goes wrong on purpose, to see that it is seen.
+// A lie that the checks must find.
 enum class Canary {
     none,
     answer,  // the first true collision is taken for none
@@ -30,8 +30,8 @@ struct Failure {
     std::string got = {};
 };
 
-// The same script is the same play, on every machine; what is random in the checks comes from the number of the update.
-// Throws Failure.
+// The same script is the same play, on every machine; the checks take their random numbers from the number of the
+// update. Throws Failure.
 void play(const Script& script, const PlayOptions& options, Counters& counters);
 
 }  // namespace ecods::fuzz

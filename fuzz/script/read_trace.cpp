@@ -93,8 +93,8 @@ void Reader::take(const TracedNote& note) {
         call);
 }
 
-// An update that failed because tests threw is a part of the one that follows; of any other, and of a crash, what it
-// should have given is not known.
+// An update that failed because tests threw is a part of the one that follows; of any other, and of a crash, the
+// result that it should have had is not known.
 void Reader::take(const TracedUpdate& traced) {
     Update update{.fails = fails_, .is_quiet = is_quiet_};
     if (traced.has_failed) {

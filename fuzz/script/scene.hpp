@@ -1,4 +1,4 @@
-// Worlds to which a script is applied, all at once, and what they must be.
+// Worlds to which a script is applied, all at once, and their state as it must be.
 #pragma once
 
 #include <array>
@@ -28,14 +28,14 @@ class ScriptedWorld {
   public:
     explicit ScriptedWorld(const WorldOptions& options);
 
-    // Makes one call; bad ones are not for here. Whatever the world throws passes through.
+    // Makes one call, but for bad ones, which bad_calls.hpp makes. An exception of the world passes through.
     void apply(const Call& call);
 
     World& world() noexcept { return world_; }
     const World& world() const noexcept { return world_; }
     const UserTests& tests() const noexcept { return tests_; }
 
-    // Also of a body that was destroyed. Null if none was created.
+    // The id of a body, even of a destroyed one. Null if none was created.
     BodyId id(Label label) const { return label < ids_.size() ? ids_[label] : BodyId{}; }
 
   private:
@@ -47,7 +47,7 @@ class ScriptedWorld {
     std::vector<BodyId> ids_;  // by label
 };
 
-// One for each broad phase, and with no, two, three and four workers. All use every instruction set that the processor
+// A world for each broad phase, with no, two, three and four workers. All use every instruction set that the processor
 // supports, by turns (schedule.hpp).
 class Scene {
   public:
@@ -56,11 +56,11 @@ class Scene {
     // Every call goes to all worlds, which must answer alike. An update ends a round.
     void apply(const Call& call);
 
-    // With which a world's calls are made in this round.
+    // The instruction set with which a world's calls are made in this round.
     InstructionSet instruction_set(std::size_t world) const;
 
-    // An update in which user-defined tests throw, if one is needed: in all worlds, or in none. Whether it was thrown;
-    // the lists then stay as they were.
+    // Makes an update in which every user-defined test throws. True if one was needed and so the update threw, in all
+    // worlds; the lists then stay as they were.
     bool update_failing(Counters& counters);
 
     std::array<ScriptedWorld, 4> worlds;
@@ -72,7 +72,8 @@ class Scene {
     std::size_t round_ = 0;
 };
 
-// Poses, shapes, filters and data are those that were set last; what was destroyed is gone.
+// Checks that poses, shapes, filters and data are those that were set last, and that destroyed bodies are gone. Throws
+// CheckFailed.
 void check_state(const ScriptedWorld& scripted, const Model& model);
 
 }  // namespace ecods::fuzz

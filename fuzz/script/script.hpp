@@ -23,7 +23,7 @@ namespace ecods::fuzz {
 // A script knows no ids, so that calls can be dropped.
 using calls::Label;
 
-// What a body is made of. Kinds other than that of meshes are user_shape.hpp's.
+// The shape of a body. Kinds other than that of meshes are user_shape.hpp's.
 struct Part {
     std::shared_ptr<const Mesh> mesh;
     ShapeKind kind = ShapeKind::mesh();
@@ -59,7 +59,7 @@ struct SetTests {
     static void fields(auto&&, auto&...) {}
 };
 
-// A call that must be refused (bad_calls.hpp): which one, and where it may choose, what.
+// A call that must be refused (bad_calls.hpp): its kind, and a number from which it draws where it may choose.
 struct BadCall {
     static constexpr std::string_view name = "bad";
     Label body;
@@ -108,7 +108,7 @@ struct Overloaded : Functions... {
 template <class... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;
 
-// The calls so far: the bodies as they must be.
+// The bodies as they must be after the calls so far.
 struct ModelBody {
     Part part;
     Pose pose;

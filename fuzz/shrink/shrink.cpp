@@ -24,8 +24,8 @@ class Shrinker {
         return std::chrono::duration<double>(Clock::now() - start_).count() > options_.seconds_max;
     }
 
-    // Drops the first half of the items, the second, the first quarter, ..., each alone; keeps what still fails. Both
-    // functions look at the best script so far.
+    // Drops the first half of the items, the second, the first quarter, ..., each alone; keeps each result that still
+    // fails. Both functions look at the best script so far.
     template <class Count, class Without>
     void drop(Count count, Without without);
 

@@ -13,11 +13,11 @@ namespace ecods::fuzz {
 // Ways to make a number rounder, from the coarsest on: zero, the nearest integer, the leading 1, 4, 10 or 26 bits.
 inline constexpr int roundness_count = 6;
 
-// Nothing gets more digits than it had: `x` itself where it is as round already.
+// Returns `x` itself where the result would have as many digits, or more.
 double rounder(double x, int roundness);
 
 // Calls `act` for every number of the script's poses and meshes: it may change it. Meshes that are shared stay shared;
-// identity matrices, which are as simple as can be, stay what they are.
+// identity matrices, the simplest ones, are left alone.
 void for_each_number(Script& script, const std::function<void(double&)>& act);
 void for_each_pose(Script& script, const std::function<void(Pose&)>& act);
 
@@ -29,11 +29,13 @@ bool simplify_field(Call& call, std::size_t index);
 // False, and nothing has changed, if there is none.
 bool fields_to_creation(Script& script, std::size_t call);
 
-// The distinct meshes, in order of appearance, and one in place of another.
+// The distinct meshes, in order of appearance.
 std::vector<std::shared_ptr<const Mesh>> meshes_of(const Script& script);
+// Puts one mesh in place of another, everywhere.
 void replace_mesh(Script& script, const Mesh* old, const std::shared_ptr<const Mesh>& mesh);
 
-// Without so many triangles from the given one on, and without vertices that are not used then. Null if none is left.
+// The mesh without `count` triangles from `begin` on, and without the vertices that no other uses. Null if no triangle
+// is left.
 std::shared_ptr<const Mesh> without_triangles(const Mesh& mesh, std::size_t begin, std::size_t count);
 
 }  // namespace ecods::fuzz

@@ -1,4 +1,4 @@
-// A trace is run again: every update must give what it gave when the trace was written.
+// Runs a trace again: every update must have the result that it had when the trace was written.
 #pragma once
 
 #include <cstddef>

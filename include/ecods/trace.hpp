@@ -1,8 +1,8 @@
 // A record of the calls that changed a World, to be run again by replay.hpp. A bug report is a file.
 //
-// World::trace_to starts it, with what is in the world at that moment. From then on every call that changed something
-// is written, one line each, in the order of the calls; a call that threw is not, as it changed nothing. Numbers are
-// written without loss. The text, version 1:
+// World::trace_to starts it, with the bodies that are in the world at that moment. From then on every call that changed
+// something is written, one line each, in the order of the calls; a call that threw is not, as it changed nothing.
+// Numbers are written without loss. The text, version 1:
 //
 //     ecods-trace 1
 //     world sweep_and_prune 0                   broad phase; places for bodies that were used before
@@ -22,7 +22,7 @@
 //     update 0123456789abcdef 5                 digest, colliding pairs
 //     note any text
 //
-// A body is written as slot and generation. "update" stands in the file before the update runs, and what it gave is
+// A body is written as slot and generation. "update" stands in the file before the update runs, and its result is
 // added after: of a program that crashes, the last line is "update" alone. Of an update that threw it is "update
 // failed". reserve() is not written: it changes no answer. set_test cannot be, and leaves a note.
 #pragma once

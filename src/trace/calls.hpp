@@ -188,7 +188,7 @@ void emplace_row(AnyCall& call, std::size_t index) {
     emplace_row(call, index, std::make_index_sequence<std::variant_size_v<AnyCall>>());
 }
 
-// The row with this name, its arguments empty. False if there is none: the call is then what it was.
+// The row with this name, its arguments empty. False, and the call is unchanged, if there is none.
 template <class AnyCall>
 bool emplace_row(AnyCall& call, std::string_view name) {
     const auto& names = row_names<AnyCall>;

@@ -18,7 +18,7 @@ class TraceLines {
     explicit TraceLines(std::istream& in, std::size_t lines_before = 0) : in_(in), number_(lines_before) {}
 
     // Goes to the next line. False behind the last. Reads from the stream's buffer: no flag, width or locale of the
-    // stream has a part in it, and where memory runs out, that is what is thrown.
+    // stream has a part in it, and where memory runs out, std::bad_alloc is thrown.
     bool next();
 
     // The next word of the line. `what` names it in the error that is thrown where it is missing or another.

@@ -27,7 +27,7 @@ void append(std::string& text, BodyId body);
 void append(std::string& text, const Vec3& point);
 void append(std::string& text, const Pose& pose);
 
-// A body as a trace names it: by what the id was in the world that wrote it, which is no id of another world.
+// A body as a trace names it: slot and generation in the world that wrote the trace. It is no id of any other world.
 struct TracedBody {
     std::uint32_t slot = 0;
     std::uint32_t generation = 0;
@@ -37,7 +37,7 @@ constexpr TracedBody traced(BodyId body) noexcept {
     return {body.slot, body.generation};
 }
 
-// Nothing where the whole word is not what is asked for.
+// Nothing unless the whole word is such a number or name.
 std::optional<double> parse_hex_double(std::string_view word);  // finite
 std::optional<std::uint64_t> parse_hex(std::string_view word);
 std::optional<std::uint64_t> parse_decimal(std::string_view word, std::uint64_t max);

@@ -66,7 +66,7 @@ class TraceWriter {
         void data(std::uint64_t data) const { writer.put_words(Hex{data}); }
     };
 
-    // Does nothing after a failure, and takes what `act` throws for one.
+    // Does nothing after a failure. An exception that `act` throws is a failure, too.
     template <class Act>
     void guarded(Act act) noexcept {
         if (has_failed_) return;
