@@ -101,7 +101,7 @@ std::optional<TracedBody> parse_body(std::string_view word) {
     const std::size_t dot = word.find('.');
     if (dot == std::string_view::npos) return std::nullopt;
     const auto slot = parse_chars<std::uint32_t>(word.substr(0, dot));
-    const auto generation = parse_chars<std::uint16_t>(word.substr(dot + 1));
+    const auto generation = parse_chars<std::uint32_t>(word.substr(dot + 1));
     if (!slot || *slot == 0 || !generation) return std::nullopt;
     return TracedBody{*slot, *generation};
 }
