@@ -13,7 +13,7 @@ class NarrowEcods final : public NarrowEngine {
     explicit NarrowEcods(std::span<const scenes::NamedMesh> meshes) {
         for (const scenes::NamedMesh& named : meshes) {
             shapes_.push_back(std::make_unique<MeshShape>(named.mesh));
-            shapes_.back()->tree();
+            shapes_.back()->tree_bytes();  // makes the tree
         }
     }
 
@@ -30,7 +30,7 @@ class NarrowEcods final : public NarrowEngine {
     }
 
   private:
-    PosedMesh posed(const scenes::MeshAt& at) const { return {*shapes_[at.mesh_index], at.pose}; }
+    Posed<MeshShape> posed(const scenes::MeshAt& at) const { return {*shapes_[at.mesh_index], at.pose}; }
 
     std::vector<std::unique_ptr<MeshShape>> shapes_;
     QueryMemory memory_;

@@ -18,26 +18,26 @@ class UserTest final : public TwoBodyTest {
     UserTest(ShapeKind a, ShapeKind b, std::shared_ptr<const std::atomic<bool>> is_failing)
         : a_(a), b_(b), is_failing_(std::move(is_failing)) {}
 
-    bool intersects(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const override {
+    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
         require_order(a, b);
         if (*is_failing_) throw TestFailed();
         return ecods::intersects(posed(a), posed(b), memory);
     }
-    Relation relation(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const override {
+    Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
         require_order(a, b);
         return ecods::relation(posed(a), posed(b), memory);
     }
-    std::vector<TrianglePair> intersecting_triangles(const PosedShape& a, const PosedShape& b,
-                                                     QueryMemory& memory) const override {
+    std::vector<TrianglePair> intersecting_triangles(const Posed<Shape>& a, const Posed<Shape>& b,
+                                                 QueryMemory& memory) const override {
         require_order(a, b);
         if (b_ == second_user_kind) return TwoBodyTest::intersecting_triangles(a, b, memory);
         return ecods::intersecting_triangles(posed(a), posed(b), memory);
     }
 
   private:
-    static PosedMesh posed(const PosedShape& body) { return {mesh_shape_of(body.shape), body.pose}; }
-    void require_order(const PosedShape& a, const PosedShape& b) const {
-        if (a.shape.kind() != a_ || b.shape.kind() != b_) throw std::logic_error("a test was given the wrong kinds");
+    static Posed<MeshShape> posed(const Posed<Shape>& body) { return {mesh_shape_of(*body.what), body.pose}; }
+    void require_order(const Posed<Shape>& a, const Posed<Shape>& b) const {
+        if (a.what->kind() != a_ || b.what->kind() != b_) throw std::logic_error("a test was given the wrong kinds");
     }
 
     ShapeKind a_, b_;

@@ -7,6 +7,7 @@
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/text.hpp"
 #include "fuzz/script/schedule.hpp"
+#include "scenes/numbers_of.hpp"
 #include "scenes/thread_executor.hpp"
 
 namespace ecods::fuzz {
@@ -107,9 +108,9 @@ InstructionSet Scene::instruction_set(std::size_t world) const {
 }
 
 void Scene::require_same_ids(Label label) const {
-    const BodyId expected = worlds[0].id(label);
+    const BodyId expected = numbers_of(worlds[0].id(label));
     for (const ScriptedWorld& each : worlds) {
-        if (each.id(label) != expected) throw CheckFailed("ids", text(expected), text(each.id(label)));
+        if (numbers_of(each.id(label)) != expected) throw CheckFailed("ids", text(expected), text(each.id(label)));
     }
 }
 

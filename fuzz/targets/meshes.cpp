@@ -11,9 +11,9 @@ namespace {
 using namespace ecods;
 using ecods::fuzz::require;
 
-void check(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory, PairWitness& witness) {
-    const oracle::OracleMesh exact_a(a.shape.mesh_ptr(), a.pose), exact_b(b.shape.mesh_ptr(), b.pose);
-    require(oracle::box_contains(a.shape.box(a.pose), exact_a), "a box contains its body");
+void check(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness) {
+    const oracle::OracleMesh exact_a(a.what->mesh_ptr(), a.pose), exact_b(b.what->mesh_ptr(), b.pose);
+    require(oracle::box_contains(a.what->box(a.pose), exact_a), "a box contains its body");
     oracle::Verdict expected = oracle::verdict(exact_a, exact_b);
     const bool hit = !expected.triangles.empty();
     require(intersects(a, b, memory) == hit, "whether two meshes share a point");

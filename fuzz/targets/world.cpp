@@ -11,6 +11,7 @@
 #include "fuzz/targets/bytes.hpp"
 #include "fuzz/targets/model.hpp"
 #include "fuzz/targets/require.hpp"
+#include "scenes/numbers_of.hpp"
 
 namespace ecods::fuzz {
 namespace {
@@ -58,8 +59,9 @@ class Session {
     void create() {
         const auto mesh = any_mesh();
         const Pose pose = bytes_.pose();
-        const BodyId id = worlds_[0].create_body(mesh, pose);
-        require(worlds_[1].create_body(mesh, pose) == id, "two worlds give the same ids");
+        // As written down: each world takes it for its own.
+        const BodyId id = numbers_of(worlds_[0].create_body(mesh, pose));
+        require(numbers_of(worlds_[1].create_body(mesh, pose)) == id, "two worlds give the same ids");
         model_.bodies.push_back({.id = id, .mesh = mesh, .pose = pose});
     }
 
@@ -182,10 +184,11 @@ class Session {
             for (ModelBody& body : model_.bodies) {
                 require(oracle::box_contains(world.box(body.id), body.exact()), "a box contains its body");
             }
-            require(std::ranges::equal(world.overlapping_pairs(), model_.overlapping(world)), "overlapping pairs");
-            require(std::ranges::equal(world.colliding_pairs(), model_.colliding()), "colliding pairs");
-            require(std::ranges::equal(world.began(), model_.began()), "the pairs that began");
-            require(std::ranges::equal(world.ended(), model_.ended()), "the pairs that ended");
+            require(std::ranges::equal(numbers_of(world.overlapping_pairs()), model_.overlapping(world)),
+                    "overlapping pairs");
+            require(std::ranges::equal(numbers_of(world.colliding_pairs()), model_.colliding()), "colliding pairs");
+            require(std::ranges::equal(numbers_of(world.began()), model_.began()), "the pairs that began");
+            require(std::ranges::equal(numbers_of(world.ended()), model_.ended()), "the pairs that ended");
             world.validate();
         }
         require(worlds_[0].digest() == worlds_[1].digest(), "the digests of two worlds");

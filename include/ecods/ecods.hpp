@@ -1,10 +1,14 @@
 // Everything. The headers are the manual; read them in this order.
+//
+// Words. *Overlap* is said of boxes; *intersect* of sets that share a point, one that they only touch in included; *touch*
+// and *cross* of how they do; *collide* of the pairs in a world's lists; *disjoint* of sets that share none.
 #pragma once
 
 // clang-format off
 #include "ecods/world.hpp"             // many moving bodies: which of them touch?
 #include "ecods/mesh.hpp"              // what a body is made of
 #include "ecods/pose.hpp"              // where it is
+#include "ecods/posed.hpp"             // a thing at a pose
 #include "ecods/error.hpp"             // what can go wrong
 #include "ecods/intersection.hpp"      // questions about two bodies, without a world
 #include "ecods/predicates.hpp"        // exact signs, and how two triangles meet

@@ -50,6 +50,15 @@ class ECODS_API EmptyMesh final : public Error {
     EmptyMesh();
 };
 
+// Numbers in the caller's memory do not make whole vertices, or whole triangles (Mesh::create).
+class ECODS_API InvalidLayout final : public Error {
+  public:
+    InvalidLayout(std::size_t count, std::size_t stride);
+
+    std::size_t count;   // of numbers
+    std::size_t stride;  // from one vertex, or one triangle, to the next
+};
+
 // A mesh has more vertices or triangles than 32-bit indices can name.
 class ECODS_API MeshTooLarge final : public Error {
   public:
@@ -65,7 +74,8 @@ using ListIndex = std::optional<std::size_t>;
 // An entry of a pose is NaN or infinite.
 class ECODS_API InvalidPose final : public Error {
   public:
-    // row and column of the 3x4 matrix [R t]; column 3 is the translation.
+    // Row and column of the 3x4 matrix [R t]; column 3 is the translation. Row 3 is the last one of a 4x4 matrix, which
+    // must be 0 0 0 1 (Pose::from_matrix).
     InvalidPose(int row, int column, double value, BodyId body = {}, ListIndex index = {});
 
     int row;
@@ -90,13 +100,25 @@ class ECODS_API NullArgument final : public Error {
     explicit NullArgument(const std::string& argument);
 };
 
-// An id that names no body of this world: null, destroyed, or another world's.
+// An id that names no body of this world: null, of a destroyed body, or of another world.
 class ECODS_API StaleBody final : public Error {
   public:
     explicit StaleBody(BodyId body, ListIndex index = {});
 
     BodyId body;
     ListIndex index;
+};
+
+// A world was asked that was moved from. It can be assigned to and destroyed, and has no body; every other call throws.
+class ECODS_API MovedFromWorld final : public Error {
+  public:
+    MovedFromWorld();
+};
+
+// A body was to be made of a mesh and of a shape at once (BodyOptions).
+class ECODS_API MeshAndShape final : public Error {
+  public:
+    MeshAndShape();
 };
 
 // One body was given where a pair was asked for.
@@ -116,10 +138,15 @@ class ECODS_API MissingTest final : public Error {
     ShapeKind b;
 };
 
-// A test was asked for something that it does not offer, such as triangles of a shape without any.
+// Two shapes were asked a question that the test of their kinds does not answer, or a shape cannot be used in this way.
 class ECODS_API NotSupported final : public Error {
   public:
-    using Error::Error;
+    NotSupported(Question question, ShapeKind a, ShapeKind b);
+    using Error::Error;  // not about two shapes
+
+    std::optional<Question> question = {};
+    ShapeKind a = {};  // with `question`: the kinds, in the order in which their test is registered
+    ShapeKind b = {};
 };
 
 // A box with a NaN or with a minimum above its maximum, out of a user-defined shape or as an argument.
@@ -128,7 +155,7 @@ class ECODS_API InvalidBox final : public Error {
     InvalidBox(ShapeKind kind, int axis, double min, double max, BodyId body = {}, ListIndex index = {});
     InvalidBox(int axis, double min, double max);  // an argument
 
-    ShapeKind kind;  // of the shape that gave it; that of meshes, which give none such, for an argument
+    ShapeKind kind;  // of the shape that returned the box; mesh() if the box was an argument
     int axis;
     double min;
     double max;
@@ -192,7 +219,7 @@ class ECODS_API BrokenInvariant final : public Error {
     using Error::Error;
 };
 
-// Called before StaleBody or SameBody, the two mistakes that are a program's own, is thrown, so that a
+// Called before StaleBody, SameBody or MovedFromWorld, mistakes that are a program's own, is thrown, so that a
 // debugger or a log sees the place. The default does nothing. Returns the handler that was set before. Setting
 // it is safe from any thread; null restores the default.
 using MisuseHandler = void (*)(const Error&);

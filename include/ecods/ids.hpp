@@ -12,15 +12,28 @@
 
 namespace ecods {
 
-// Names one body of one World, from its creation to its destruction. The slot of a destroyed body is used
-// again with a new generation, so an id that outlives its body is recognised (StaleBody) and never
-// names the newcomer. Order is by slot, then by generation; it is the order in which pairs are listed.
+// Names one body of one World, from its creation to its destruction. The slot of a destroyed body is used again with a
+// new generation, so an id that outlives its body is recognised (StaleBody) and never names another body: a slot whose
+// generations are used up is never used again (after 65,536 bodies; it keeps its memory). An id that another world gave
+// is recognised as well, by the number of its world, of which there are 65,535: worlds are numbered as they are made,
+// and then from 1 again.
+//
+// The number of the world is no part of what a program writes down: it reaches no trace, no digest and no message. An
+// id that is made of slot and generation alone, as they were written, has world 0 and is taken for an id of the world
+// that it is given to.
 struct BodyId {
     std::uint32_t slot = 0;        // 1-based; 0 is null
-    std::uint32_t generation = 0;  // how often the slot was used before
+    std::uint16_t generation = 0;  // how often the slot was used before
+    std::uint16_t world = 0;
 
     constexpr explicit operator bool() const noexcept { return slot != 0; }
-    friend constexpr auto operator<=>(const BodyId&, const BodyId&) = default;
+
+    // By slot, then by generation, which is the order in which pairs are listed; then by world.
+    constexpr std::uint64_t rank() const noexcept {
+        return std::uint64_t{slot} << 32 | std::uint32_t{generation} << 16 | world;
+    }
+    friend constexpr bool operator==(const BodyId&, const BodyId&) = default;
+    friend constexpr auto operator<=>(const BodyId& a, const BodyId& b) { return a.rank() <=> b.rank(); }
 };
 
 // Two bodies, the smaller id first. Lists of pairs are ascending and hold a pair once.
@@ -38,6 +51,9 @@ struct TrianglePair {
 
     friend constexpr auto operator<=>(const TrianglePair&, const TrianglePair&) = default;
 };
+
+// The questions about two bodies that a test may leave unanswered (shape.hpp).
+enum class Question : std::uint8_t { relation, intersecting_triangles };
 
 // The kind of a shape, by which a World picks the test for two bodies. Kind 0 is the triangle mesh; all
 // other values are the caller's.

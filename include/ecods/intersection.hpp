@@ -13,7 +13,7 @@
 
 #include "ecods/export.hpp"
 #include "ecods/ids.hpp"
-#include "ecods/pose.hpp"
+#include "ecods/posed.hpp"
 #include "ecods/predicates.hpp"
 #include "ecods/shape.hpp"
 
@@ -47,29 +47,24 @@ class ECODS_API QueryMemory {
     const QueryCounts& counts() const noexcept;
     void reset_counts() noexcept;
 
-    struct ECODS_HIDDEN State;  // of the implementation
-    State& state() noexcept { return *state_; }
-
   private:
+    friend struct QueryMemoryAccess;
+
+    struct ECODS_HIDDEN State;
     std::unique_ptr<State> state_;
 };
 
-// A mesh at a pose. Both are referred to, not copied.
-struct PosedMesh {
-    const MeshShape& shape;
-    const Pose& pose;
-};
-
 // Whether the bodies share a point; stops at the first one found.
-ECODS_API bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory);
+ECODS_API bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory);
 
 // The same, for a pair that was asked about before and has moved little: tries the witness first, and leaves a new one.
-ECODS_API bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory, PairWitness& witness);
+ECODS_API bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness);
 
 // Disjoint, touching or crossing: the strongest relation of any two of their triangles. Stops at the first crossing.
-ECODS_API Relation relation(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory);
+ECODS_API Relation relation(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory);
 
 // Every pair of triangles that share a point, ascending.
-ECODS_API std::vector<TrianglePair> intersecting_triangles(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory);
+ECODS_API std::vector<TrianglePair> intersecting_triangles(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
+                                                 QueryMemory& memory);
 
 }  // namespace ecods

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <memory>
+#include <ranges>
 #include <span>
 #include <vector>
 
@@ -16,6 +18,12 @@ namespace ecods {
 // is the segment or the point that it spans, and so is any other triangle of zero area.
 using Triangle = std::array<std::uint32_t, 3>;
 
+// Numbers of one of two types that lie side by side: a std::vector, a std::span, an array.
+template <class Range, class First, class Second>
+concept NumbersOf = std::ranges::contiguous_range<const Range> && std::ranges::sized_range<const Range> &&
+                    (std::same_as<std::ranges::range_value_t<Range>, First> ||
+                     std::same_as<std::ranges::range_value_t<Range>, Second>);
+
 // A soup of closed triangles: immutable once made, shared by any number of bodies, worlds and threads. It
 // need not be closed, connected or manifold, and is a surface: a small body inside a hollow one does not touch
 // it. Vertices that no triangle uses do not belong to it.
@@ -23,6 +31,17 @@ class ECODS_API Mesh {
   public:
     // Takes the lists over. Throws EmptyMesh, InvalidVertex, InvalidIndex or MeshTooLarge. Cost: one pass.
     static std::shared_ptr<const Mesh> create(std::vector<Vec3> vertices, std::vector<Triangle> triangles);
+
+    // The same from numbers in the caller's memory, which are copied: of each vertex three coordinates side by side,
+    // and `stride` numbers from one vertex to the next; three indices a triangle. What follows the last vertex may be
+    // left out. Floats are taken exactly. Throws InvalidLayout, too, where the numbers do not make whole vertices and
+    // triangles; an index beyond 32 bits is an InvalidIndex as any other that is too large.
+    template <NumbersOf<float, double> Coordinates, NumbersOf<std::uint32_t, std::uint64_t> Indices>
+    static std::shared_ptr<const Mesh> create(const Coordinates& coordinates, const Indices& indices,
+                                              std::size_t stride = 3) {
+        return create_from(std::span<const std::ranges::range_value_t<Coordinates>>(coordinates),
+                           std::span<const std::ranges::range_value_t<Indices>>(indices), stride);
+    }
 
     std::span<const Vec3> vertices() const noexcept { return vertices_; }
     std::span<const Triangle> triangles() const noexcept { return triangles_; }
@@ -34,6 +53,14 @@ class ECODS_API Mesh {
     std::uint64_t digest() const noexcept { return digest_; }
 
   private:
+    static std::shared_ptr<const Mesh> create_from(std::span<const double> coordinates,
+                                                   std::span<const std::uint32_t> indices, std::size_t stride);
+    static std::shared_ptr<const Mesh> create_from(std::span<const double> coordinates,
+                                                   std::span<const std::uint64_t> indices, std::size_t stride);
+    static std::shared_ptr<const Mesh> create_from(std::span<const float> coordinates,
+                                                   std::span<const std::uint32_t> indices, std::size_t stride);
+    static std::shared_ptr<const Mesh> create_from(std::span<const float> coordinates,
+                                                   std::span<const std::uint64_t> indices, std::size_t stride);
     Mesh(std::vector<Vec3> vertices, std::vector<Triangle> triangles);
 
     std::vector<Vec3> vertices_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cstdint>
 
@@ -21,7 +22,25 @@ struct Pose {
     Mat3 R = Mat3::Identity();
     Vec3 t = Vec3::Zero();
 
+    // q is taken as given, not normalised: R is what Eigen's toRotationMatrix() computes from it, sums and products of
+    // its coefficients, each rounded. That R is then the pose, as for any other R: not exactly orthogonal in general.
+    static Pose from_quaternion(const Eigen::Quaterniond& q, const Vec3& t) {
+        return from_quaternion(q.w(), q.x(), q.y(), q.z(), t);
+    }
+    static Pose from_isometry(const Eigen::Isometry3d& m) { return {m.linear(), m.translation()}; }
+
+    // Throws InvalidPose unless the last row is 0 0 0 1. Nothing is rounded.
+    static Pose from_matrix(const Eigen::Matrix4d& m) {
+        require_last_row(m(3, 0), m(3, 1), m(3, 2), m(3, 3));
+        return {m.topLeftCorner<3, 3>(), m.topRightCorner<3, 1>()};
+    }
+
     friend bool operator==(const Pose& a, const Pose& b) { return a.R == b.R && a.t == b.t; }
+
+  private:
+    // Numbers, not Eigen's types of 32 bytes and more: how those are aligned depends on how the caller is compiled.
+    ECODS_API static Pose from_quaternion(double w, double x, double y, double z, const Vec3& t);
+    ECODS_API static void require_last_row(double x, double y, double z, double w);
 };
 
 // Library and caller must agree on the layout whatever instruction set each is compiled for.

@@ -10,11 +10,10 @@
 #include "ecods/ids.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/posed.hpp"
 #include "ecods/predicates.hpp"
 
 namespace ecods {
-
-struct LocalFrame;  // of the implementation
 
 // The base of all shapes. A shape is immutable while a body has it: a changed shape is a new one, given to the
 // body by World::set_shape.
@@ -57,14 +56,8 @@ class ECODS_API MeshShape final : public Shape {
     // Memory of the tree, beside vertices and triangles. Makes the tree if there is none yet.
     std::size_t tree_bytes() const;
 
-    struct ECODS_HIDDEN Tree;  // of the implementation
-    const Tree& tree() const;
-
   private:
-    friend std::shared_ptr<const MeshShape> refit(const MeshShape& shape, std::vector<Vec3> vertices);
-
-    const LocalFrame& frame() const;
-    void take_tree(const MeshShape& model);
+    friend struct MeshShapeAccess;
 
     struct ECODS_HIDDEN Parts;
     std::shared_ptr<const Mesh> mesh_;
@@ -76,12 +69,6 @@ class ECODS_API MeshShape final : public Shape {
 // anew. Give it to a body by World::set_shape. Answers are exact either way. Throws InvalidVertex, or InvalidIndex if
 // there are too few vertices. Cost: some passes over the triangles.
 ECODS_API std::shared_ptr<const MeshShape> refit(const MeshShape& shape, std::vector<Vec3> vertices);
-
-// A shape at a pose. Both are referred to, not copied.
-struct PosedShape {
-    const Shape& shape;
-    const Pose& pose;
-};
 
 class QueryMemory;
 
@@ -102,18 +89,21 @@ class ECODS_API TwoBodyTest {
     virtual ~TwoBodyTest() = default;
 
     // Whether the shapes share a point.
-    virtual bool intersects(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const = 0;
+    virtual bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const = 0;
 
     // Optional: the same for a pair that was tested before and has moved little, as bodies of a World do; `witness` is
     // what the last call left. It must not change the answer. The default does not use it.
-    virtual bool intersects_again(const PosedShape& a, const PosedShape& b, QueryMemory& memory,
+    virtual bool intersects_again(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory,
                                   PairWitness& witness) const;
 
-    // Disjoint, touching or crossing; disjoint exactly when intersects() is false.
-    virtual Relation relation(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const = 0;
+    // Optional questions: a test overrides those that it answers. The others throw NotSupported, with the kinds and the
+    // question, and so does World where it is asked one of them.
 
-    // Optional: the pairs of triangles that touch, ascending. The default throws NotSupported.
-    virtual std::vector<TrianglePair> intersecting_triangles(const PosedShape& a, const PosedShape& b,
+    // Disjoint, touching or crossing; disjoint exactly when intersects() is false.
+    virtual Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const;
+
+    // The pairs of triangles that share a point, ascending.
+    virtual std::vector<TrianglePair> intersecting_triangles(const Posed<Shape>& a, const Posed<Shape>& b,
                                                              QueryMemory& memory) const;
 };
 

@@ -18,12 +18,18 @@
 //
 // The world does not move bodies, respond to contacts, or draw.
 //
-// Thread safety: const calls may run beside each other; every other call needs the world alone.
+// Lifetimes: a span is valid until the next call that is not const; everything else is returned by value. Arguments may
+// be the world's own answers. A world that was moved from can be assigned to and destroyed; every other call throws
+// MovedFromWorld, but is_alive(), which is false.
+//
+// Thread safety: const calls may run beside each other, each with a QueryMemory of its own where it takes one; every
+// other call needs the world alone.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <span>
 #include <vector>
@@ -52,10 +58,19 @@ struct WorldOptions {
     std::shared_ptr<Executor> executor = nullptr;
 };
 
+// A body to be. Either a mesh or a shape is needed.
+struct BodyOptions {
+    std::shared_ptr<const Mesh> mesh = nullptr;  // bodies given the same Mesh share its tree
+    std::shared_ptr<const Shape> shape = nullptr;
+    Pose pose = {};
+    CollisionFilter filter = {};
+    std::uint64_t user_data = 0;
+};
+
 // What the world did, as counts. `updates` to `visited_pairs` sum over the world's life; the rest is of now.
 struct Statistics {
     std::uint64_t updates = 0;
-    std::uint64_t moved_bodies = 0;    // bodies that were new, or had another pose or shape, at an update
+    std::uint64_t moved_bodies = 0;    // bodies that were new, or were given another pose or shape, at an update
     std::uint64_t two_body_tests = 0;  // candidate pairs given to a two-body test at updates
     std::uint64_t cache_hits = 0;      // candidate pairs whose verdict was kept at updates
     std::uint64_t visited_pairs = 0;   // pairs that updates looked at: began, ended, or of a body that changed
@@ -80,8 +95,9 @@ class ECODS_API World {
 
     // ---- bodies
 
-    // Makes a body. Throws NullArgument, InvalidPose, InvalidBox, or MissingTest when a body of another kind is here
-    // and no test for the two kinds is. Bodies given the same Mesh share its tree.
+    // Makes a body. Throws NullArgument, MeshAndShape, InvalidPose, InvalidBox, or MissingTest when a body of another
+    // kind is here and no test for the two kinds is.
+    BodyId create_body(const BodyOptions& options);
     BodyId create_body(std::shared_ptr<const Mesh> mesh, const Pose& pose);
     BodyId create_body(std::shared_ptr<const Shape> shape, const Pose& pose);
 
@@ -151,16 +167,20 @@ class ECODS_API World {
     std::span<const BodyPair> overlapping_pairs();
 
     // Pairs that share a point. Exact.
-    std::span<const BodyPair> colliding_pairs() const noexcept;
+    std::span<const BodyPair> colliding_pairs() const;
 
     // Pairs that began and ended to collide with the last update. A destroyed body's collisions end.
-    std::span<const BodyPair> began() const noexcept;
-    std::span<const BodyPair> ended() const noexcept;
+    std::span<const BodyPair> began() const;
+    std::span<const BodyPair> ended() const;
 
     // ---- answers for one pair, as of now
 
-    // Either order of arguments. Throw StaleBody, SameBody, NotSupported. They change no answer, but work in the
-    // world's query memory, hence are not const. (From many threads, use the functions of intersection.hpp.)
+    // Either order of arguments. Throw StaleBody, SameBody, NotSupported. They change no answer, and work in the memory
+    // that they are given, or else in the world's own, which is why those forms are not const.
+    bool intersects(BodyId a, BodyId b, QueryMemory& memory) const;
+    Relation relation(BodyId a, BodyId b, QueryMemory& memory) const;
+    std::vector<TrianglePair> intersecting_triangles(BodyId a, BodyId b, QueryMemory& memory) const;
+
     bool intersects(BodyId a, BodyId b);
     Relation relation(BodyId a, BodyId b);
     std::vector<TrianglePair> intersecting_triangles(BodyId a, BodyId b);
@@ -171,13 +191,19 @@ class ECODS_API World {
     // that of BroadPhase::find.
     std::vector<BodyId> overlapping_bodies(const Aabb& box) const;
 
-    // Bodies that share a point with a mesh or shape at a pose. Exact. With a filter, only bodies that it may meet.
-    // Throw as create_body does. Cost: as above, and a two-body test for each box that overlaps. A Mesh that no body
-    // has gets a new tree each time: keep a MeshShape to ask with it again.
+    // Bodies that share a point with a mesh or shape at a pose. Exact. Filters of bodies do not count, as the question
+    // is about geometry; with a filter of its own, only bodies that it may meet. Throw as create_body does. Cost: as
+    // above, and a two-body test for each box that overlaps. A Mesh that no body has gets a new tree each time: keep a
+    // MeshShape to ask with it again.
     std::vector<BodyId> intersecting_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
-                                            const CollisionFilter* filter = nullptr);
+                                            QueryMemory& memory, std::optional<CollisionFilter> filter = {}) const;
+    std::vector<BodyId> intersecting_bodies(const Shape& shape, const Pose& pose, QueryMemory& memory,
+                                            std::optional<CollisionFilter> filter = {}) const;
+
+    std::vector<BodyId> intersecting_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
+                                            std::optional<CollisionFilter> filter = {});
     std::vector<BodyId> intersecting_bodies(const Shape& shape, const Pose& pose,
-                                            const CollisionFilter* filter = nullptr);
+                                            std::optional<CollisionFilter> filter = {});
 
     // ---- a record of every call that changes the world (trace.hpp)
 
@@ -206,7 +232,10 @@ class ECODS_API World {
 
   private:
     struct ECODS_HIDDEN Impl;
-    std::unique_ptr<Impl> impl_;
+    ECODS_HIDDEN Impl& impl();  // throw MovedFromWorld
+    ECODS_HIDDEN const Impl& impl() const;
+
+    std::unique_ptr<Impl> impl_;  // null: moved from
 };
 
 }  // namespace ecods

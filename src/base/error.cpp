@@ -31,7 +31,18 @@ std::string place_text(BodyId body, ListIndex index) {
 
 std::string pose_entry(int row, int column) {
     const std::string r = std::to_string(row);
+    if (row == 3) return "(3, " + std::to_string(column) + ")";
     return column == 3 ? "t[" + r + "]" : "R(" + r + ", " + std::to_string(column) + ")";
+}
+
+std::string name_of(Question question) {
+    switch (question) {
+        case Question::relation:
+            return "relation";
+        case Question::intersecting_triangles:
+            return "intersecting_triangles";
+    }
+    return "question " + std::to_string(static_cast<int>(question));
 }
 
 std::string interval(double min, double max) {
@@ -60,6 +71,12 @@ InvalidIndex::InvalidIndex(std::size_t triangle_index, int corner_index, std::si
 
 EmptyMesh::EmptyMesh() : Error("mesh has no triangles") {}
 
+InvalidLayout::InvalidLayout(std::size_t number_count, std::size_t number_stride)
+    : Error(std::to_string(number_count) + " numbers, " + std::to_string(number_stride) +
+            " from one to the next, do not hold three for each vertex or triangle"),
+      count(number_count),
+      stride(number_stride) {}
+
 MeshTooLarge::MeshTooLarge(std::size_t vertices, std::size_t triangles)
     : Error("mesh has " + std::to_string(vertices) + " vertices and " + std::to_string(triangles) +
             " triangles, more than 32-bit indices can name"),
@@ -68,7 +85,7 @@ MeshTooLarge::MeshTooLarge(std::size_t vertices, std::size_t triangles)
 
 InvalidPose::InvalidPose(int row_index, int column_index, double bad_value, BodyId of_body, ListIndex list_index)
     : Error(place_text(of_body, list_index) + "pose entry " + pose_entry(row_index, column_index) + " is " +
-            text(bad_value) + ", not finite"),
+            text(bad_value) + (row_index == 3 ? ", where the last row of a matrix is 0 0 0 1" : ", not finite")),
       row(row_index),
       column(column_index),
       value(bad_value),
@@ -85,11 +102,22 @@ NullArgument::NullArgument(const std::string& argument) : Error(argument + " is 
 StaleBody::StaleBody(BodyId stale, ListIndex list_index)
     : Error(entry_text(list_index) + text(stale) + " is not alive in this world"), body(stale), index(list_index) {}
 
+MovedFromWorld::MovedFromWorld() : Error("the world was moved from") {}
+
+MeshAndShape::MeshAndShape() : Error("a body was given both a mesh and a shape") {}
+
 SameBody::SameBody(BodyId same) : Error(text(same) + " was given twice where a pair was asked for"), body(same) {}
 
 MissingTest::MissingTest(ShapeKind first, ShapeKind second)
     : Error("no two-body test is registered for shape kinds " + std::to_string(first.value) + " and " +
             std::to_string(second.value)),
+      a(first),
+      b(second) {}
+
+NotSupported::NotSupported(Question asked, ShapeKind first, ShapeKind second)
+    : Error("the test of shape kinds " + std::to_string(first.value) + " and " + std::to_string(second.value) +
+            " does not answer " + name_of(asked)),
+      question(asked),
       a(first),
       b(second) {}
 

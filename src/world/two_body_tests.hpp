@@ -15,7 +15,7 @@ struct OrderedTest {
     bool swapped;  // whether the shape of the second kind asked for comes first
 
     template <class Ask>
-    auto ask(const PosedShape& a, const PosedShape& b, Ask&& question) const {
+    auto ask(const Posed<Shape>& a, const Posed<Shape>& b, Ask&& question) const {
         return swapped ? question(*test, b, a) : question(*test, a, b);
     }
 };

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <atomic>
+#include <limits>
 #include <utility>
 
 #include "base/misuse.hpp"
@@ -32,8 +34,19 @@ void require_mesh_kind(const Shape& shape) {
     }
 }
 
+namespace {
+
+// Numbers the worlds of this process from 1, and from 1 again after the largest number that an id can hold.
+std::uint16_t next_world_number() noexcept {
+    static std::atomic<std::uint32_t> count = 0;
+    constexpr std::uint32_t number_max = std::numeric_limits<std::uint16_t>::max();
+    return static_cast<std::uint16_t>(count.fetch_add(1, std::memory_order_relaxed) % number_max + 1);
+}
+
+}  // namespace
+
 World::Impl::Impl(const WorldOptions& options)
-    : broad_phase(make_broad_phase(options.broad_phase)), executor(options.executor) {
+    : number(next_world_number()), broad_phase(make_broad_phase(options.broad_phase)), executor(options.executor) {
     tests.set(ShapeKind::mesh(), ShapeKind::mesh(), make_mesh_mesh_test());
     memories.resize(executor ? std::max<std::size_t>(1, executor->worker_count()) : 1);
 }
@@ -45,7 +58,7 @@ World& World::operator=(World&&) noexcept = default;
 
 bool World::Impl::is_alive(BodyId body) const noexcept {
     return body && body.slot <= slots.size() && slots[body.slot - 1].is_alive() &&
-           slots[body.slot - 1].generation == body.generation;
+           slots[body.slot - 1].generation == body.generation && (body.world == number || body.world == 0);
 }
 
 ProxyIndex World::Impl::require(BodyId body, const ListIndex& index) const {
@@ -68,11 +81,15 @@ std::shared_ptr<const Shape> World::Impl::shape_of(const std::shared_ptr<const M
         std::erase_if(mesh_shapes, [](const auto& entry) { return entry.second.expired(); });
         mesh_shapes_max = 2 * mesh_shapes.size() + 16;
     }
-    std::weak_ptr<const MeshShape>& known = mesh_shapes[mesh.get()];
-    if (auto shape = known.lock()) return shape;
+    if (auto shape = known_shape_of(mesh)) return shape;
     auto shape = std::make_shared<const MeshShape>(mesh);
-    known = shape;
+    mesh_shapes[mesh.get()] = shape;
     return shape;
+}
+
+std::shared_ptr<const MeshShape> World::Impl::known_shape_of(const std::shared_ptr<const Mesh>& mesh) const {
+    const auto known = mesh_shapes.find(mesh.get());
+    return known == mesh_shapes.end() ? nullptr : known->second.lock();
 }
 
 // A body of `kind` comes into the world, in place of `replaced` if that is not null.
@@ -95,35 +112,51 @@ void World::Impl::mark_changed(ProxyIndex proxy, Change change) noexcept {
     known = std::max(known, change);
 }
 
+World::Impl& World::impl() {
+    if (!impl_) throw_misuse(MovedFromWorld());
+    return *impl_;
+}
+
+const World::Impl& World::impl() const {
+    if (!impl_) throw_misuse(MovedFromWorld());
+    return *impl_;
+}
+
 bool World::is_alive(BodyId body) const noexcept {
-    return impl_->is_alive(body);
+    return impl_ && impl_->is_alive(body);
 }
 
 Pose World::pose(BodyId body) const {
-    return impl_->slots[impl_->require(body)].pose;
+    const Impl& w = impl();
+    return w.slots[w.require(body)].pose;
 }
 
 std::shared_ptr<const Shape> World::shape(BodyId body) const {
-    return impl_->slots[impl_->require(body)].shape;
+    const Impl& w = impl();
+    return w.slots[w.require(body)].shape;
 }
 
 Aabb World::box(BodyId body) const {
-    return impl_->boxes[impl_->require(body)];
+    const Impl& w = impl();
+    return w.boxes[w.require(body)];
 }
 
 std::uint64_t World::user_data(BodyId body) const {
-    return impl_->slots[impl_->require(body)].user_data;
+    const Impl& w = impl();
+    return w.slots[w.require(body)].user_data;
 }
 
 void World::set_user_data(BodyId body, std::uint64_t data) {
-    impl_->slots[impl_->require(body)].user_data = data;
-    if (impl_->trace) impl_->trace->write<calls::SetUserData>(body, data);
+    Impl& w = impl();
+    w.slots[w.require(body)].user_data = data;
+    if (w.trace) w.trace->write<calls::SetUserData>(body, data);
 }
 
 std::vector<BodyId> World::bodies() const {
+    const Impl& w = impl();
     std::vector<BodyId> result;
-    for (ProxyIndex proxy = 0; proxy < impl_->slots.size(); ++proxy) {
-        if (impl_->slots[proxy].is_alive()) result.push_back(impl_->id_of(proxy));
+    for (ProxyIndex proxy = 0; proxy < w.slots.size(); ++proxy) {
+        if (w.slots[proxy].is_alive()) result.push_back(w.id_of(proxy));
     }
     return result;
 }

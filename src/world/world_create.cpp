@@ -5,15 +5,21 @@
 namespace ecods {
 
 BodyId World::create_body(std::shared_ptr<const Mesh> mesh, const Pose& pose) {
-    return create_body(impl_->shape_of(mesh), pose);
+    return create_body({.mesh = std::move(mesh), .pose = pose});
 }
 
 BodyId World::create_body(std::shared_ptr<const Shape> shape, const Pose& pose) {
-    Impl& w = *impl_;
+    return create_body({.shape = std::move(shape), .pose = pose});
+}
+
+BodyId World::create_body(const BodyOptions& options) {
+    Impl& w = impl();
+    if (options.mesh && options.shape) throw MeshAndShape();
+    std::shared_ptr<const Shape> shape = options.mesh ? w.shape_of(options.mesh) : options.shape;
     require_usable(shape);
-    require_valid(pose);
+    require_valid(options.pose);
     w.require_tests_for(shape->kind(), nullptr);
-    const Aabb box = box_for(*shape, pose);
+    const Aabb box = box_for(*shape, options.pose);
     const std::uint64_t number = w.traced_number(shape);
 
     if (w.free_slots.empty()) {
@@ -32,17 +38,17 @@ BodyId World::create_body(std::shared_ptr<const Shape> shape, const Pose& pose) 
     ++kind_count;
     Slot& slot = w.slots[proxy];
     w.put_shape(slot, std::move(shape));
-    slot.pose = pose;
-    slot.filter = {};
-    slot.user_data = 0;
+    slot.pose = options.pose;
+    slot.filter = options.filter;
+    slot.user_data = options.user_data;
     w.boxes[proxy] = box;
     w.mark_changed(proxy, Change::body);
-    if (w.trace) w.trace->write<calls::Create>(w.id_of(proxy), number, pose);
+    if (w.trace) w.trace_body(proxy, number);
     return w.id_of(proxy);
 }
 
 void World::destroy_body(BodyId body) {
-    Impl& w = *impl_;
+    Impl& w = impl();
     const ProxyIndex proxy = w.require(body);
     make_room(w.free_slots);
     w.broad_phase->remove(proxy);
@@ -50,15 +56,19 @@ void World::destroy_body(BodyId body) {
     Slot& slot = w.slots[proxy];
     --w.kind_counts[slot.kind];
     slot.shape.reset();
-    ++slot.generation;
-    w.free_slots.push_back(proxy);
+    if (slot.generation != Slot::generation_max) {
+        ++slot.generation;
+        w.free_slots.push_back(proxy);
+    } else {
+        ++w.retired_count;
+    }
     w.disabled.forget(proxy);
     w.candidates_are_dirty = true;
     if (w.trace) w.trace->write<calls::Destroy>(body);
 }
 
 void World::reserve(std::size_t body_count) {
-    Impl& w = *impl_;
+    Impl& w = impl();
     w.slots.reserve(body_count);
     w.boxes.reserve(body_count);
     w.changes.reserve(body_count);

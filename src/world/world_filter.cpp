@@ -3,7 +3,7 @@
 namespace ecods {
 
 void World::set_filter(BodyId body, const CollisionFilter& filter) {
-    Impl& w = *impl_;
+    Impl& w = impl();
     const ProxyIndex proxy = w.require(body);
     if (w.slots[proxy].filter == filter) return;
     make_room(w.changed);
@@ -13,11 +13,12 @@ void World::set_filter(BodyId body, const CollisionFilter& filter) {
 }
 
 CollisionFilter World::filter(BodyId body) const {
-    return impl_->slots[impl_->require(body)].filter;
+    const Impl& w = impl();
+    return w.slots[w.require(body)].filter;
 }
 
 void World::set_pair_enabled(BodyId a, BodyId b, bool is_enabled) {
-    Impl& w = *impl_;
+    Impl& w = impl();
     const ProxyPair pair = w.require_pair(a, b);
     make_room(w.switched);
     if (!(is_enabled ? w.disabled.erase(pair) : w.disabled.insert(pair))) return;
@@ -26,7 +27,8 @@ void World::set_pair_enabled(BodyId a, BodyId b, bool is_enabled) {
 }
 
 bool World::is_pair_enabled(BodyId a, BodyId b) const {
-    return !impl_->disabled.contains(impl_->require_pair(a, b));
+    const Impl& w = impl();
+    return !w.disabled.contains(w.require_pair(a, b));
 }
 
 }  // namespace ecods

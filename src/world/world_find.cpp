@@ -3,34 +3,49 @@
 namespace ecods {
 
 std::vector<BodyId> World::overlapping_bodies(const Aabb& box) const {
+    const Impl& w = impl();
     std::vector<BodyId> result;
-    for (const ProxyIndex proxy : impl_->broad_phase->find(box)) result.push_back(impl_->id_of(proxy));
+    for (const ProxyIndex proxy : w.broad_phase->find(box)) result.push_back(w.id_of(proxy));
+    return result;
+}
+
+std::vector<BodyId> World::intersecting_bodies(const Shape& shape, const Pose& pose, QueryMemory& memory,
+                                               std::optional<CollisionFilter> filter) const {
+    const Impl& w = impl();
+    require_mesh_kind(shape);
+    require_valid(pose);
+    w.require_tests_for(shape.kind(), nullptr);
+    const Posed<Shape> asked(shape, pose);
+    std::vector<BodyId> result;
+    for (const ProxyIndex proxy : w.broad_phase->find(box_for(shape, pose))) {
+        const Slot& slot = w.slots[proxy];
+        if (filter && !may_meet(*filter, slot.filter)) continue;
+        const bool is_intersecting =
+            w.tests.find(shape.kind(), slot.kind)
+                .ask(asked, slot.posed(), [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) {
+                    return t.intersects(a, b, memory);
+                });
+        if (is_intersecting) result.push_back(w.id_of(proxy));
+    }
     return result;
 }
 
 std::vector<BodyId> World::intersecting_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
-                                               const CollisionFilter* filter) {
-    return intersecting_bodies(*impl_->shape_of(mesh), pose, filter);
+                                               QueryMemory& memory, std::optional<CollisionFilter> filter) const {
+    if (!mesh) throw NullArgument("mesh");
+    const auto known = impl().known_shape_of(mesh);
+    return known ? intersecting_bodies(*known, pose, memory, filter)
+                 : intersecting_bodies(MeshShape(mesh), pose, memory, filter);
 }
 
-std::vector<BodyId> World::intersecting_bodies(const Shape& shape, const Pose& pose, const CollisionFilter* filter) {
-    Impl& w = *impl_;
-    require_mesh_kind(shape);
-    require_valid(pose);
-    w.require_tests_for(shape.kind(), nullptr);
-    const PosedShape asked{shape, pose};
-    std::vector<BodyId> result;
-    for (const ProxyIndex proxy : w.broad_phase->find(box_for(shape, pose))) {
-        const Slot& slot = w.slots[proxy];
-        if (filter != nullptr && !may_meet(*filter, slot.filter)) continue;
-        const bool is_touching =
-            w.tests.find(shape.kind(), slot.kind)
-                .ask(asked, slot.posed(), [&](const TwoBodyTest& t, const PosedShape& a, const PosedShape& b) {
-                    return t.intersects(a, b, w.memories[0]);
-                });
-        if (is_touching) result.push_back(w.id_of(proxy));
-    }
-    return result;
+std::vector<BodyId> World::intersecting_bodies(const Shape& shape, const Pose& pose,
+                                               std::optional<CollisionFilter> filter) {
+    return intersecting_bodies(shape, pose, impl().memories[0], filter);
+}
+
+std::vector<BodyId> World::intersecting_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
+                                               std::optional<CollisionFilter> filter) {
+    return intersecting_bodies(mesh, pose, impl().memories[0], filter);
 }
 
 }  // namespace ecods

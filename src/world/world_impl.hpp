@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <exception>
+#include <limits>
 #include <map>
 #include <memory>
 #include <unordered_map>
@@ -22,13 +23,16 @@ namespace ecods {
 enum class Change : std::uint8_t {
     none = 0,
     filter = 1,  // its filter alone: verdicts hold where the pair was not filtered out and is not now
-    body = 2,    // itself: its verdicts are void
+    test = 2,    // the test of its kind: its verdicts are void, though it did not move
+    body = 3,    // itself: its verdicts are void
 };
 
 // A place for a body. Slot numbers are the broad phase's proxies; id.slot is one more. What updates look at much lies
 // apart: its box in `boxes`, and what changed in `changes`.
 struct Slot {
-    std::uint32_t generation = 0;
+    static constexpr std::uint16_t generation_max = std::numeric_limits<std::uint16_t>::max();
+
+    std::uint16_t generation = 0;
     ShapeKind kind;
     std::shared_ptr<const Shape> shape;  // null: free
     Pose pose;
@@ -37,7 +41,7 @@ struct Slot {
     std::uint64_t shape_digest = 0;
 
     bool is_alive() const noexcept { return shape != nullptr; }
-    PosedShape posed() const noexcept { return {*shape, pose}; }
+    Posed<Shape> posed() const noexcept { return {*shape, pose}; }
 };
 
 struct World::Impl {
@@ -47,9 +51,10 @@ struct World::Impl {
     bool is_alive(BodyId body) const noexcept;
     ProxyIndex require(BodyId body, const ListIndex& index = {}) const;  // throws StaleBody
     ProxyPair require_pair(BodyId a, BodyId b) const;                    // ... and SameBody; ascending
-    BodyId id_of(ProxyIndex proxy) const { return {proxy + 1, slots[proxy].generation}; }
+    BodyId id_of(ProxyIndex proxy) const { return {proxy + 1, slots[proxy].generation, number}; }
     BodyPair ids_of(ProxyPair pair) const { return {id_of(pair.a), id_of(pair.b)}; }
     std::shared_ptr<const Shape> shape_of(const std::shared_ptr<const Mesh>& mesh);
+    std::shared_ptr<const MeshShape> known_shape_of(const std::shared_ptr<const Mesh>& mesh) const;  // or null
     void require_tests_for(ShapeKind kind, const Shape* replaced) const;  // throws MissingTest
     void put_shape(Slot& slot, std::shared_ptr<const Shape> shape) noexcept;
     void mark_changed(ProxyIndex proxy, Change change) noexcept;  // room in `changed` must have been made
@@ -76,14 +81,17 @@ struct World::Impl {
     std::uint64_t digest() const;
 
     // The number of a shape in the trace, written before a call that brings it in; 0 without a trace.
+    void trace_body(ProxyIndex proxy, std::uint64_t shape_number) noexcept;  // as the calls that make it
     std::uint64_t traced_number(const std::shared_ptr<const Shape>& shape) {
         return trace ? trace->number_of(shape) : 0;
     }
 
+    const std::uint16_t number;  // of this world, for its ids
     std::vector<Slot> slots;
     std::vector<Aabb> boxes;      // by proxy
     std::vector<Change> changes;  // by proxy; if not none, listed in `changed`, also when its body is destroyed
     std::vector<ProxyIndex> free_slots;
+    std::size_t retired_count = 0;  // slots that were used once for each generation: neither free nor used
     std::map<ShapeKind, std::size_t> kind_counts;  // of living bodies
     std::unordered_map<const Mesh*, std::weak_ptr<const MeshShape>> mesh_shapes;
     std::size_t mesh_shapes_max = 16;  // when that many are known, forget those that are gone

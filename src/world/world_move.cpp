@@ -6,7 +6,7 @@
 namespace ecods {
 
 void World::set_pose(BodyId body, const Pose& pose) {
-    Impl& w = *impl_;
+    Impl& w = impl();
     const ProxyIndex proxy = w.require(body);
     require_valid(pose, body);
     Slot& slot = w.slots[proxy];
@@ -24,7 +24,7 @@ void World::set_pose(BodyId body, const Pose& pose) {
 // Everything that can fail is done before a body moves; should the broad phase run out of memory half-way, what it was
 // told already is taken back, which needs none.
 void World::set_poses(std::span<const BodyId> bodies, std::span<const Pose> poses) {
-    Impl& w = *impl_;
+    Impl& w = impl();
     if (bodies.size() != poses.size()) throw LengthMismatch(bodies.size(), poses.size());
     std::vector<Aabb> boxes;
     boxes.reserve(bodies.size());

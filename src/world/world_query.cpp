@@ -19,39 +19,40 @@ std::uint64_t digest_of(const Slot& slot) {
 }  // namespace
 
 std::span<const BodyPair> World::overlapping_pairs() {
-    impl_->build_overlapping();
-    return impl_->overlapping;
+    Impl& w = impl();
+    w.build_overlapping();
+    return w.overlapping;
 }
-std::span<const BodyPair> World::colliding_pairs() const noexcept {
-    return impl_->colliding;
+std::span<const BodyPair> World::colliding_pairs() const {
+    return impl().colliding;
 }
-std::span<const BodyPair> World::began() const noexcept {
-    return impl_->began;
+std::span<const BodyPair> World::began() const {
+    return impl().began;
 }
-std::span<const BodyPair> World::ended() const noexcept {
-    return impl_->ended;
-}
-
-bool World::intersects(BodyId a, BodyId b) {
-    return impl_->test(impl_->require_pair(a, b), impl_->memories[0]);
+std::span<const BodyPair> World::ended() const {
+    return impl().ended;
 }
 
-Relation World::relation(BodyId a, BodyId b) {
-    Impl& w = *impl_;
+bool World::intersects(BodyId a, BodyId b, QueryMemory& memory) const {
+    const Impl& w = impl();
+    return w.test(w.require_pair(a, b), memory);
+}
+
+Relation World::relation(BodyId a, BodyId b, QueryMemory& memory) const {
+    const Impl& w = impl();
     const ProxyPair pair = w.require_pair(a, b);
-    return w.test_of(pair).ask(w.slots[pair.a].posed(), w.slots[pair.b].posed(),
-                               [&](const TwoBodyTest& t, const PosedShape& x, const PosedShape& y) {
-                                   return t.relation(x, y, w.memories[0]);
-                               });
+    return w.test_of(pair).ask(
+        w.slots[pair.a].posed(), w.slots[pair.b].posed(),
+        [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) { return t.relation(x, y, memory); });
 }
 
-std::vector<TrianglePair> World::intersecting_triangles(BodyId a, BodyId b) {
-    Impl& w = *impl_;
+std::vector<TrianglePair> World::intersecting_triangles(BodyId a, BodyId b, QueryMemory& memory) const {
+    const Impl& w = impl();
     const ProxyPair pair = w.require_pair(a, b);
     const OrderedTest test = w.test_of(pair);
     auto triangles = test.ask(w.slots[pair.a].posed(), w.slots[pair.b].posed(),
-                              [&](const TwoBodyTest& t, const PosedShape& x, const PosedShape& y) {
-                                  return t.intersecting_triangles(x, y, w.memories[0]);
+                              [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) {
+                                  return t.intersecting_triangles(x, y, memory);
                               });
     if (test.swapped != (a.slot - 1 != pair.a)) {
         for (TrianglePair& t : triangles) std::swap(t.a, t.b);
@@ -60,12 +61,22 @@ std::vector<TrianglePair> World::intersecting_triangles(BodyId a, BodyId b) {
     return triangles;
 }
 
+bool World::intersects(BodyId a, BodyId b) {
+    return intersects(a, b, impl().memories[0]);
+}
+Relation World::relation(BodyId a, BodyId b) {
+    return relation(a, b, impl().memories[0]);
+}
+std::vector<TrianglePair> World::intersecting_triangles(BodyId a, BodyId b) {
+    return intersecting_triangles(a, b, impl().memories[0]);
+}
+
 Statistics World::statistics() const {
-    const Impl& w = *impl_;
+    const Impl& w = impl();
     Statistics statistics = w.statistics;
     statistics.broad_phase = w.broad_phase->counts();
     for (const QueryMemory& memory : w.memories) statistics.queries += memory.counts();
-    statistics.body_count = w.slots.size() - w.free_slots.size();
+    statistics.body_count = w.slots.size() - w.free_slots.size() - w.retired_count;
     statistics.overlapping_count = w.verdicts.enabled_count();
     statistics.filtered_count = w.verdicts.size() - w.verdicts.enabled_count();
     statistics.colliding_count = w.colliding.size();
@@ -97,7 +108,7 @@ std::uint64_t World::Impl::digest() const {
 }
 
 std::uint64_t World::digest() const {
-    return impl_->digest();
+    return impl().digest();
 }
 
 }  // namespace ecods

@@ -5,12 +5,12 @@
 namespace ecods {
 
 void World::set_shape(BodyId body, std::shared_ptr<const Mesh> mesh) {
-    impl_->require(body);
-    set_shape(body, impl_->shape_of(mesh));
+    impl().require(body);
+    set_shape(body, impl().shape_of(mesh));
 }
 
 void World::set_shape(BodyId body, std::shared_ptr<const Shape> shape) {
-    Impl& w = *impl_;
+    Impl& w = impl();
     const ProxyIndex proxy = w.require(body);
     require_usable(shape);
     Slot& slot = w.slots[proxy];
@@ -31,13 +31,13 @@ void World::set_shape(BodyId body, std::shared_ptr<const Shape> shape) {
 }
 
 void World::set_test(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test) {
-    Impl& w = *impl_;
+    Impl& w = impl();
     if (!test) throw NullArgument("test");
     w.changed.reserve(w.slots.size());
     w.tests.set(a, b, std::move(test));
     for (ProxyIndex proxy = 0; proxy < w.slots.size(); ++proxy) {
         const Slot& slot = w.slots[proxy];
-        if (slot.is_alive() && (slot.kind == a || slot.kind == b)) w.mark_changed(proxy, Change::body);
+        if (slot.is_alive() && (slot.kind == a || slot.kind == b)) w.mark_changed(proxy, Change::test);
     }
     if (w.trace) w.trace->note("the test of two kinds of shape was set");
 }

@@ -62,14 +62,14 @@ class ExecutorWatch {
 bool World::Impl::test(ProxyPair pair, QueryMemory& memory) const {
     return test_of(pair).ask(
         slots[pair.a].posed(), slots[pair.b].posed(),
-        [&](const TwoBodyTest& t, const PosedShape& a, const PosedShape& b) { return t.intersects(a, b, memory); });
+        [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) { return t.intersects(a, b, memory); });
 }
 
 // Each verdict is at one worker, so its witness is, too.
 bool World::Impl::test_again(VerdictIndex verdict, QueryMemory& memory) {
     const ProxyPair pair = verdicts[verdict].proxies();
     return test_of(pair).ask(slots[pair.a].posed(), slots[pair.b].posed(),
-                             [&](const TwoBodyTest& t, const PosedShape& a, const PosedShape& b) {
+                             [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) {
                                  return t.intersects_again(a, b, memory, verdicts.witness(verdict));
                              });
 }

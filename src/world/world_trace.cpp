@@ -4,18 +4,31 @@
 
 namespace ecods {
 
+namespace {
+
+// Writes the calls that make a body.
+void trace_body(TraceWriter& trace, BodyId body, const Slot& slot, std::uint64_t shape_number) noexcept {
+    trace.write<calls::Create>(body, shape_number, slot.pose);
+    if (slot.filter != CollisionFilter()) trace.write<calls::SetFilter>(body, slot.filter);
+    if (slot.user_data != 0) trace.write<calls::SetUserData>(body, slot.user_data);
+}
+
+}  // namespace
+
+void World::Impl::trace_body(ProxyIndex proxy, std::uint64_t shape_number) noexcept {
+    ecods::trace_body(*trace, id_of(proxy), slots[proxy], shape_number);
+}
+
 // What is here is written as the calls that make it.
 void World::trace_to(std::ostream& out, TraceOptions options) {
-    Impl& w = *impl_;
+    Impl& w = impl();
     w.trace.reset();
     auto trace = std::make_unique<TraceWriter>(out, std::move(options));
     const auto bodies = this->bodies();
     trace->begin(w.broad_phase->kind(), w.slots.size());
     for (const BodyId body : bodies) {
-        const Slot& slot = w.slots[body.slot - 1];
-        trace->write<calls::Create>(body, trace->number_of(slot.shape), slot.pose);
-        if (slot.filter != CollisionFilter()) trace->write<calls::SetFilter>(body, slot.filter);
-        if (slot.user_data != 0) trace->write<calls::SetUserData>(body, slot.user_data);
+        const ProxyIndex proxy = body.slot - 1;
+        trace_body(*trace, body, w.slots[proxy], trace->number_of(w.slots[proxy].shape));
     }
     for (const ProxyPair pair : w.disabled.list()) {
         trace->write<calls::SetPairEnabled>(w.id_of(pair.a), w.id_of(pair.b), false);
@@ -24,7 +37,7 @@ void World::trace_to(std::ostream& out, TraceOptions options) {
 }
 
 void World::end_trace() {
-    const auto trace = std::exchange(impl_->trace, nullptr);
+    const auto trace = std::exchange(impl().trace, nullptr);
     if (!trace) return;
     trace->flush();
     if (trace->has_failed()) throw TraceFailed();

@@ -5,7 +5,7 @@
 namespace ecods {
 
 void World::update() {
-    Impl& w = *impl_;
+    Impl& w = impl();
     if (!w.trace) return w.update();
     w.trace->begin_update();
     try {
@@ -100,7 +100,7 @@ void World::Impl::collect_pair(VerdictIndex index) {
         if (verdict.is_enabled) pair_tests.push_back({index, Answer::filtered_out});
         return;
     }
-    const bool is_void = changes[pair.a] == Change::body || changes[pair.b] == Change::body;
+    const bool is_void = changes[pair.a] >= Change::test || changes[pair.b] >= Change::test;
     if (is_void || !verdict.is_enabled) pair_tests.push_back({index, Answer::none});
 }
 

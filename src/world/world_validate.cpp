@@ -49,7 +49,7 @@ void require_unchanged(const Slot& slot, const Aabb& box, BodyId body) {
 }  // namespace
 
 void World::validate() const {
-    const Impl& w = *impl_;
+    const Impl& w = impl();
     std::size_t alive_count = 0;
     for (ProxyIndex proxy = 0; proxy < w.slots.size(); ++proxy) {
         const Slot& slot = w.slots[proxy];
@@ -59,7 +59,7 @@ void World::validate() const {
         require(w.boxes[proxy] == w.broad_phase->box(proxy), "the broad phase has another box than its body");
     }
     require(alive_count == w.broad_phase->size(), "the broad phase has another number of bodies");
-    require(alive_count + w.free_slots.size() == w.slots.size(), "a slot is neither free nor used");
+    require(alive_count + w.free_slots.size() + w.retired_count == w.slots.size(), "a slot is neither free nor used");
     w.broad_phase->validate();
     w.verdicts.validate();
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scenes/numbers_of.hpp"
+
 namespace ecods::allocation {
 namespace {
 
@@ -30,7 +32,7 @@ std::string difference(const char* list, const std::vector<BodyPair>& expected, 
 }  // namespace
 
 WorldState state_of(World& world, std::size_t switches_max) {
-    const auto list = [](std::span<const BodyPair> pairs) { return std::vector<BodyPair>(pairs.begin(), pairs.end()); };
+    const auto list = [](std::span<const BodyPair> pairs) { return numbers_of(pairs); };
     WorldState state{.bodies = {},
                      .overlapping = list(world.overlapping_pairs()),
                      .colliding = list(world.colliding_pairs()),
@@ -42,7 +44,7 @@ WorldState state_of(World& world, std::size_t switches_max) {
     const auto bodies = world.bodies();
     for (const BodyId body : bodies) {
         const Shape& shape = *world.shape(body);
-        BodyState& made = state.bodies.emplace_back(BodyState{.id = body,
+        BodyState& made = state.bodies.emplace_back(BodyState{.id = numbers_of(body),
                                                               .pose = world.pose(body),
                                                               .kind = shape.kind(),
                                                               .shape_digest = shape.digest(),
@@ -52,7 +54,8 @@ WorldState state_of(World& world, std::size_t switches_max) {
                                                               .switched_off_with = {}});
         if (bodies.size() > switches_max) continue;
         for (const BodyId other : bodies) {
-            if (other != body && !world.is_pair_enabled(body, other)) made.switched_off_with.push_back(other);
+            if (other != body && !world.is_pair_enabled(body, other))
+                made.switched_off_with.push_back(numbers_of(other));
         }
     }
     return state;

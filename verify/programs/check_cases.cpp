@@ -27,8 +27,8 @@ struct Answer {
 Answer ask(const Body& a, const Body& b) {
     const MeshShape shape_a(a.mesh);
     const MeshShape shape_b(b.mesh);
-    const PosedMesh posed_a{shape_a, a.pose};
-    const PosedMesh posed_b{shape_b, b.pose};
+    const Posed<MeshShape> posed_a{shape_a, a.pose};
+    const Posed<MeshShape> posed_b{shape_b, b.pose};
     QueryMemory memory;
     return {intersects(posed_a, posed_b, memory), relation(posed_a, posed_b, memory),
             intersecting_triangles(posed_a, posed_b, memory)};

@@ -3,6 +3,7 @@
 
 #include "ecods/world.hpp"
 #include "environment/instruction_sets.hpp"
+#include "scenes/numbers_of.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
@@ -22,9 +23,8 @@ struct Frame {
     friend bool operator==(const Frame&, const Frame&) = default;
 };
 
-template <class List>
-std::vector<BodyPair> copy(const List& list) {
-    return {list.begin(), list.end()};
+std::vector<BodyPair> copy(std::span<const BodyPair> list) {
+    return numbers_of(list);
 }
 
 Frame look_at(World& world) {

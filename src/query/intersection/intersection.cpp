@@ -10,6 +10,7 @@
 #include "bvh/separating_axes.hpp"
 #include "bvh/walk_two.hpp"
 #include "exact/simplex/body_pair.hpp"
+#include "query/intersection/mesh_mesh_test.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
@@ -19,6 +20,11 @@ struct QueryMemory::State {
     SeparatingAxes axes;
     std::vector<NodePair> stack;
     QueryCounts counts;
+};
+
+struct QueryMemoryAccess {
+    using State = QueryMemory::State;
+    static State& state(QueryMemory& memory) noexcept { return *memory.state_; }
 };
 
 QueryMemory::QueryMemory() : state_(std::make_unique<State>()) {}
@@ -106,11 +112,24 @@ class OverlapBound {
     QueryCounts& counts_;
 };
 
+// A mesh at a pose, both referred to: for the length of a query nothing is copied.
+struct MeshAt {
+    MeshAt(const Posed<MeshShape>& posed) : shape(*posed.what), pose(posed.pose) {}
+    MeshAt(const Posed<Shape>& posed) : shape(static_cast<const MeshShape&>(*posed.what)), pose(posed.pose) {}
+
+    const MeshShape& shape;
+    const Pose& pose;
+};
+
 // One query: the two bodies, and the memory that it works in.
 class Query {
   public:
-    Query(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory)
-        : a_(a), b_(b), tree_a_(a.shape.tree()), tree_b_(b.shape.tree()), state_(memory.state()) {
+    Query(const MeshAt& a, const MeshAt& b, QueryMemory& memory)
+        : a_(a),
+          b_(b),
+          tree_a_(MeshShapeAccess::tree(a.shape)),
+          tree_b_(MeshShapeAccess::tree(b.shape)),
+          state_(QueryMemoryAccess::state(memory)) {
         ++state_.counts.queries;
     }
     Query(const Query&) = delete;
@@ -144,15 +163,15 @@ class Query {
         pair_is_bound_ = true;
     }
 
-    PosedMesh a_, b_;
-    const MeshShape::Tree& tree_a_;
-    const MeshShape::Tree& tree_b_;
-    QueryMemory::State& state_;
+    MeshAt a_, b_;
+    const MeshTree& tree_a_;
+    const MeshTree& tree_b_;
+    QueryMemoryAccess::State& state_;
     bool pair_is_bound_ = false;
 };
 
 // A witness is a pair of triangles, or no triangle and the number of an axis.
-bool holds_triangles(const PairWitness& witness, const PosedMesh& a, const PosedMesh& b) {
+bool holds_triangles(const PairWitness& witness, const MeshAt& a, const MeshAt& b) {
     return witness.a < a.shape.mesh().triangles().size() && witness.b < b.shape.mesh().triangles().size();
 }
 int axis_of(const PairWitness& witness) {
@@ -162,16 +181,9 @@ PairWitness witness_of(int axis) {
     return {PairWitness::none, static_cast<std::uint32_t>(axis)};
 }
 
-}  // namespace
-
-bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory) {
-    PairWitness witness;
-    return intersects(a, b, memory, witness);
-}
-
-bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory, PairWitness& witness) {
+bool find_contact(const MeshAt& a, const MeshAt& b, QueryMemory& memory, PairWitness& witness) {
     Query query(a, b, memory);
-    QueryCounts& counts = memory.state().counts;
+    QueryCounts& counts = QueryMemoryAccess::state(memory).counts;
     if (holds_triangles(witness, a, b) && query.relation_of(witness.a, witness.b) != Relation::disjoint) {
         ++counts.witness_hits;
         return true;
@@ -193,7 +205,7 @@ bool intersects(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory, Pai
     return found;
 }
 
-Relation relation(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory) {
+Relation find_relation(const MeshAt& a, const MeshAt& b, QueryMemory& memory) {
     Query query(a, b, memory);
     Relation strongest = Relation::disjoint;
     if (query.bind_axes() >= 0) return strongest;
@@ -204,7 +216,7 @@ Relation relation(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory) {
     return strongest;
 }
 
-std::vector<TrianglePair> intersecting_triangles(const PosedMesh& a, const PosedMesh& b, QueryMemory& memory) {
+std::vector<TrianglePair> find_triangles(const MeshAt& a, const MeshAt& b, QueryMemory& memory) {
     std::vector<TrianglePair> pairs;
     Query query(a, b, memory);
     if (query.bind_axes() >= 0) return pairs;
@@ -214,6 +226,49 @@ std::vector<TrianglePair> intersecting_triangles(const PosedMesh& a, const Posed
     });
     std::ranges::sort(pairs);
     return pairs;
+}
+
+class MeshMeshTest final : public TwoBodyTest {
+  public:
+    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
+        PairWitness witness;
+        return find_contact(a, b, memory, witness);
+    }
+    bool intersects_again(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory,
+                          PairWitness& witness) const override {
+        return find_contact(a, b, memory, witness);
+    }
+    Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
+        return find_relation(a, b, memory);
+    }
+    std::vector<TrianglePair> intersecting_triangles(const Posed<Shape>& a, const Posed<Shape>& b,
+                                                     QueryMemory& memory) const override {
+        return find_triangles(a, b, memory);
+    }
+};
+
+}  // namespace
+
+std::shared_ptr<const TwoBodyTest> make_mesh_mesh_test() {
+    return std::make_shared<MeshMeshTest>();
+}
+
+bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {
+    PairWitness witness;
+    return find_contact(a, b, memory, witness);
+}
+
+bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness) {
+    return find_contact(a, b, memory, witness);
+}
+
+Relation relation(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {
+    return find_relation(a, b, memory);
+}
+
+std::vector<TrianglePair> intersecting_triangles(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
+                                                 QueryMemory& memory) {
+    return find_triangles(a, b, memory);
 }
 
 }  // namespace ecods

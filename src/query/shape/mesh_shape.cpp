@@ -19,7 +19,7 @@ constexpr std::size_t vertices_posed_max = 32;
 struct MeshShape::Parts {
     Lazy<LocalFrame> frame;
     Lazy<SupportTable> support_table;
-    Lazy<std::unique_ptr<const Tree>> tree;
+    Lazy<std::unique_ptr<const MeshTree>> tree;
 };
 
 MeshShape::MeshShape(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), parts_(std::make_unique<Parts>()) {
@@ -28,49 +28,56 @@ MeshShape::MeshShape(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)),
 
 MeshShape::~MeshShape() = default;
 
-const LocalFrame& MeshShape::frame() const {
-    return parts_->frame.get([this] { return fit_frame(*mesh_); });
+const LocalFrame& MeshShapeAccess::frame(const MeshShape& shape) {
+    return shape.parts_->frame.get([&] { return fit_frame(shape.mesh()); });
 }
 
-Aabb MeshShape::box(const Pose& pose) const {
-    if (mesh_->vertices().size() <= vertices_posed_max || !frame().is_bounded) return box_of(*mesh_, pose);
-    return parts_->support_table.get([this] { return SupportTable(*mesh_, frame()); }).box(pose);
-}
-
-const MeshShape::Tree& MeshShape::tree() const {
-    return *parts_->tree.get([this] {
-        return std::make_unique<const Tree>(Tree{exact::measure(*mesh_), build_mesh_bvh(*mesh_, frame())});
+const MeshTree& MeshShapeAccess::tree(const MeshShape& shape) {
+    return *shape.parts_->tree.get([&] {
+        return std::make_unique<const MeshTree>(
+            MeshTree{exact::measure(shape.mesh()), build_mesh_bvh(shape.mesh(), frame(shape))});
     });
 }
 
+void MeshShapeAccess::refit_tree(const MeshShape& shape, const MeshShape& model) {
+    shape.parts_->tree.get([&] {
+        return std::make_unique<const MeshTree>(
+            MeshTree{exact::measure(shape.mesh()), refit_mesh_bvh(tree(model).boxes, shape.mesh())});
+    });
+}
+
+Aabb MeshShape::box(const Pose& pose) const {
+    if (mesh_->vertices().size() <= vertices_posed_max) return box_of(*mesh_, pose);
+    const LocalFrame& frame = MeshShapeAccess::frame(*this);
+    if (!frame.is_bounded) return box_of(*mesh_, pose);
+    return parts_->support_table.get([&] { return SupportTable(*mesh_, frame); }).box(pose);
+}
+
 std::size_t MeshShape::tree_bytes() const {
-    return sizeof(Tree) - sizeof(MeshBvh) + tree().boxes.bytes();
+    const MeshTree& tree = MeshShapeAccess::tree(*this);
+    return sizeof(MeshTree) - sizeof(MeshBvh) + tree.boxes.bytes();
 }
 
 std::shared_ptr<const MeshShape> refit(const MeshShape& shape, std::vector<Vec3> vertices) {
     const auto triangles = shape.mesh().triangles();
     auto mesh = Mesh::create(std::move(vertices), {triangles.begin(), triangles.end()});
-    auto result = std::make_shared<MeshShape>(std::move(mesh));
-    result->take_tree(shape);
+    auto result = std::make_shared<const MeshShape>(std::move(mesh));
+    MeshShapeAccess::refit_tree(*result, shape);
     return result;
 }
 
-// Before anyone else has the shape.
-void MeshShape::take_tree(const MeshShape& model) {
-    parts_->tree.get([&] {
-        return std::make_unique<const Tree>(Tree{exact::measure(*mesh_), refit_mesh_bvh(model.tree().boxes, *mesh_)});
-    });
-}
-
-bool TwoBodyTest::intersects_again(const PosedShape& a, const PosedShape& b, QueryMemory& memory,
+bool TwoBodyTest::intersects_again(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory,
                                    PairWitness& /*witness*/) const {
     return intersects(a, b, memory);
 }
 
-std::vector<TrianglePair> TwoBodyTest::intersecting_triangles(const PosedShape& a, const PosedShape& b,
+Relation TwoBodyTest::relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& /*memory*/) const {
+    throw NotSupported(Question::relation, a.what->kind(), b.what->kind());
+}
+
+std::vector<TrianglePair> TwoBodyTest::intersecting_triangles(const Posed<Shape>& a, const Posed<Shape>& b,
                                                               QueryMemory& /*memory*/) const {
-    throw NotSupported("the test of shape kinds " + std::to_string(a.shape.kind().value) + " and " +
-                       std::to_string(b.shape.kind().value) + " has no triangles to list");
+    throw NotSupported(Question::intersecting_triangles, a.what->kind(), b.what->kind());
 }
 
 }  // namespace ecods

@@ -1,15 +1,27 @@
-// What a query needs of a mesh, made once.
+// The data that queries need of a mesh, made once.
 #pragma once
 
+#include <memory>
+
+#include "bounds/local_frame.hpp"
 #include "bvh/mesh_bvh.hpp"
 #include "ecods/shape.hpp"
 #include "exact/point/mesh_extent.hpp"
 
 namespace ecods {
 
-struct MeshShape::Tree {
+struct MeshTree {
     exact::MeshExtent extent;
     MeshBvh boxes;
+};
+
+// The library's own way to the parts of a MeshShape. Each part is made when it is asked for first.
+struct MeshShapeAccess {
+    static const LocalFrame& frame(const MeshShape& shape);
+    static const MeshTree& tree(const MeshShape& shape);
+
+    // Makes the tree of a shape that nobody has seen yet from that of `model`, which has the same triangles.
+    static void refit_tree(const MeshShape& shape, const MeshShape& model);
 };
 
 }  // namespace ecods

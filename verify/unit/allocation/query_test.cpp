@@ -12,8 +12,8 @@ namespace {
 struct Pair {
     explicit Pair(double distance) { pose_b.t[0] = distance; }
 
-    PosedMesh first() const { return {*a, pose_a}; }
-    PosedMesh second() const { return {*b, pose_b}; }
+    Posed<MeshShape> first() const { return {*a, pose_a}; }
+    Posed<MeshShape> second() const { return {*b, pose_b}; }
 
     std::shared_ptr<const MeshShape> a = std::make_shared<MeshShape>(scenes::sphere(12, 8));
     std::shared_ptr<const MeshShape> b = std::make_shared<MeshShape>(scenes::torus(12, 8, 0.25));

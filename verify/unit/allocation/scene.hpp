@@ -35,12 +35,12 @@ class Ball final : public Shape {
 // Boxes are all that it looks at.
 class BoxTest final : public TwoBodyTest {
   public:
-    bool intersects(const PosedShape& a, const PosedShape& b, QueryMemory&) const override {
-        const Aabb x = a.shape.box(a.pose);
-        const Aabb y = b.shape.box(b.pose);
+    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory&) const override {
+        const Aabb x = a.what->box(a.pose);
+        const Aabb y = b.what->box(b.pose);
         return (x.min.array() <= y.max.array()).all() && (y.min.array() <= x.max.array()).all();
     }
-    Relation relation(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const override {
+    Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
         return intersects(a, b, memory) ? Relation::crossing : Relation::disjoint;
     }
 };

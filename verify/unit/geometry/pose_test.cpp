@@ -48,5 +48,44 @@ TEST(Pose, SameBitsIsFinerThanEqual) {
     EXPECT_FALSE(same_bits(a, b));
 }
 
+TEST(Pose, IsMadeOfWhatOthersHave) {
+    const Eigen::Quaterniond q(0.5, -0.5, 0.5, 0.5);
+    const Vec3 t(1, -2, 3);
+    const Pose turned = Pose::from_quaternion(q, t);
+    EXPECT_EQ(turned.R, q.toRotationMatrix());
+    EXPECT_EQ(turned.t, t);
+    // Taken as given.
+    const Eigen::Quaterniond twice(1, 1, 0, 0);
+    EXPECT_EQ(Pose::from_quaternion(twice, t).R, (Mat3() << 1, 0, 0, 0, -1, -2, 0, 2, -1).finished());
+
+    Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
+    isometry.linear() = turned.R;
+    isometry.translation() = t;
+    EXPECT_EQ(Pose::from_isometry(isometry), turned);
+    EXPECT_EQ(Pose::from_matrix(isometry.matrix()), turned);
+}
+
+TEST(Pose, TheLastRowOfAMatrixIsChecked) {
+    const double tiny = std::numeric_limits<double>::denorm_min(), nan = std::numeric_limits<double>::quiet_NaN();
+    for (int column = 0; column < 4; ++column) {
+        const double right = column == 3 ? 1 : 0;
+        for (const double bad : {right + 1, std::nextafter(right, 2), right == 0 ? -tiny : -1.0, nan}) {
+            Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+            matrix(3, column) = bad;
+            try {
+                Pose::from_matrix(matrix);
+                FAIL() << column << " " << bad;
+            } catch (const InvalidPose& error) {
+                EXPECT_EQ(error.row, 3);
+                EXPECT_EQ(error.column, column);
+                EXPECT_NE(std::string(error.what()).find("(3, " + std::to_string(column) + ")"), std::string::npos);
+            }
+        }
+    }
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+    matrix(3, 1) = -0.0;
+    EXPECT_EQ(Pose::from_matrix(matrix), Pose());
+}
+
 }  // namespace
 }  // namespace ecods

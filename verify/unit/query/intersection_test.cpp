@@ -27,7 +27,7 @@ Pose random_pose(scenes::Random& random, double reach) {
 void expect_right(const MeshShape& a, const Pose& pose_a, const MeshShape& b, const Pose& pose_b, QueryMemory& memory) {
     const oracle::OracleMesh exact_a(a.mesh_ptr(), pose_a), exact_b(b.mesh_ptr(), pose_b);
     const auto expected = oracle::intersecting_triangles(exact_a, exact_b);
-    const PosedMesh x{a, pose_a}, y{b, pose_b};
+    const Posed<MeshShape> x{a, pose_a}, y{b, pose_b};
     ASSERT_EQ(intersecting_triangles(x, y, memory), expected);
     ASSERT_EQ(intersects(x, y, memory), !expected.empty());
     ASSERT_EQ(intersects(y, x, memory), !expected.empty());
@@ -153,7 +153,7 @@ TEST(TwoBody, NoWitnessChangesAnAnswer) {
     std::array<int, 2> counts{};
     for (int i = 0; i < 2000; ++i) {
         const Pose a = random_pose(random, 0.8), b = random_pose(random, 0.8);
-        const PosedMesh x{ship, a}, y{torus, b};
+        const Posed<MeshShape> x{ship, a}, y{torus, b};
         const bool expected = intersects(x, y, memory);
         ++counts[expected];
         ASSERT_EQ(intersects(x, y, memory, kept), expected);

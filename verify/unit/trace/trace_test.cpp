@@ -206,11 +206,11 @@ class Ball final : public Shape {
 
 class BallTest final : public TwoBodyTest {
   public:
-    bool intersects(const PosedShape& a, const PosedShape& b, QueryMemory&) const override {
+    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory&) const override {
         if (a.pose.t.x() < -100) throw std::runtime_error("a test that fails");
         return (a.pose.t - b.pose.t).norm() <= 2;
     }
-    Relation relation(const PosedShape&, const PosedShape&, QueryMemory&) const override { return Relation::touching; }
+    Relation relation(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override { return Relation::touching; }
 };
 
 void add_ball_test(World& world) {
@@ -291,8 +291,8 @@ TEST(Trace, OfManyShapesThatComeAndGo) {
 // A test cannot be written; that it was set stands there.
 TEST(Trace, NotesThatATestWasSet) {
     class Never final : public TwoBodyTest {
-        bool intersects(const PosedShape&, const PosedShape&, QueryMemory&) const override { return false; }
-        Relation relation(const PosedShape&, const PosedShape&, QueryMemory&) const override {
+        bool intersects(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override { return false; }
+        Relation relation(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override {
             return Relation::disjoint;
         }
     };

@@ -15,7 +15,8 @@ BodyPairs random_pairs(std::uint32_t count, scenes::Random& random) {
     std::set<BodyPair> pairs;
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t a = 1 + random.below(6);
-        pairs.insert(BodyPair{BodyId{a, random.below(2)}, BodyId{a + 1 + random.below(6), 0}});
+        pairs.insert(
+            BodyPair{BodyId{a, static_cast<std::uint16_t>(random.below(2))}, BodyId{a + 1 + random.below(6), 0}});
     }
     return {pairs.begin(), pairs.end()};
 }

@@ -12,7 +12,7 @@ namespace {
 
 using Model = std::map<ProxyPair, Verdict>;
 
-BodyPair bodies_of(ProxyPair pair, std::uint32_t generation) {
+BodyPair bodies_of(ProxyPair pair, std::uint16_t generation) {
     return {{pair.a + 1, generation}, {pair.b + 1, generation}};
 }
 
@@ -69,7 +69,7 @@ TEST(VerdictCache, IsAMapWithLists) {
             const bool removes = random.below(4000) < static_cast<std::uint32_t>(step);
             if (known == model.end() && !removes) {
                 cache.reserve(cache.size() + 1, proxy_end);
-                const BodyPair bodies = bodies_of(pair, random.below(3));
+                const BodyPair bodies = bodies_of(pair, static_cast<std::uint16_t>(random.below(3)));
                 cache.add(bodies);
                 model[pair].bodies = bodies;
             } else if (known != model.end() && removes) {

@@ -67,7 +67,7 @@ TEST_F(WorldErrorTest, PoseThatIsNotFinite) {
 }
 
 TEST_F(WorldErrorTest, BodyThatIsNotThere) {
-    const BodyId unknown{99, 0}, null, other_generation{a.slot, a.generation + 1};
+    const BodyId unknown{99, 0}, null, other_generation{a.slot, static_cast<std::uint16_t>(a.generation + 1)};
     for (const BodyId bad : {unknown, null, other_generation}) {
         EXPECT_FALSE(world.is_alive(bad));
         EXPECT_THROW(world.destroy_body(bad), StaleBody);
@@ -128,8 +128,10 @@ TEST_F(WorldErrorTest, ShapeThatTakesTheKindOfMeshes) {
 
 class NoTest final : public TwoBodyTest {
   public:
-    bool intersects(const PosedShape&, const PosedShape&, QueryMemory&) const override { return false; }
-    Relation relation(const PosedShape&, const PosedShape&, QueryMemory&) const override { return Relation::disjoint; }
+    bool intersects(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override { return false; }
+    Relation relation(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override {
+        return Relation::disjoint;
+    }
 };
 
 TEST_F(WorldErrorTest, BoxThatIsNoBox) {

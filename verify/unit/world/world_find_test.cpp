@@ -66,7 +66,7 @@ TEST_P(WorldFindTest, AFilterIsAskedFirst) {
     world.set_filter(a, {.groups = 2});
     const CollisionFilter second{.groups = 1, .mask = 2};
     const std::uint64_t queries = world.statistics().queries.queries;
-    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25), &second), (Bodies{a}));
+    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25), second), (Bodies{a}));
     EXPECT_EQ(world.statistics().queries.queries, queries + 1) << "b was not tested";
     EXPECT_EQ(world.intersecting_bodies(cube, at(0.25)), (Bodies{a, b}));
 }
@@ -79,9 +79,9 @@ TEST_P(WorldFindTest, AFilterIsAskedInBothDirections) {
     const CollisionFilter meets_a_only_one_way{.groups = 1, .mask = 2};
     const CollisionFilter is_met_by_b_only_one_way{.groups = 1, .mask = 3};
     const CollisionFilter meets_b{.groups = 1, .mask = 4};
-    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25), &meets_a_only_one_way), Bodies{});
-    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25), &is_met_by_b_only_one_way), Bodies{});
-    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25), &meets_b), (Bodies{b}));
+    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25), meets_a_only_one_way), Bodies{});
+    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25), is_met_by_b_only_one_way), Bodies{});
+    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25), meets_b), (Bodies{b}));
 }
 
 TEST_P(WorldFindTest, TheAnswersAreThoseOfABodyThere) {

@@ -72,10 +72,10 @@ class Wall final : public Shape {
 
 class BoxesMeet final : public TwoBodyTest {
   public:
-    bool intersects(const PosedShape& a, const PosedShape& b, QueryMemory&) const override {
-        return overlap(a.shape.box(a.pose), b.shape.box(b.pose));
+    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory&) const override {
+        return overlap(a.what->box(a.pose), b.what->box(b.pose));
     }
-    Relation relation(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const override {
+    Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
         return intersects(a, b, memory) ? Relation::touching : Relation::disjoint;
     }
 };

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ecods/world.hpp"
+#include "scenes/numbers_of.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
@@ -31,10 +32,10 @@ TEST_P(WorldMoveTest, ManyPosesAreThoseOneByOne) {
     std::vector<Pose> poses;
     for (int i = 0; i < 5; ++i) poses.push_back(at(i));
     world.set_poses(bodies, poses);
-    for (int i = 0; i < 5; ++i) other.set_pose(bodies[i], poses[i]);
+    for (int i = 0; i < 5; ++i) other.set_pose(numbers_of(bodies[i]), poses[i]);
     world.update();
     other.update();
-    EXPECT_EQ(list(world.colliding_pairs()), list(other.colliding_pairs()));
+    EXPECT_EQ(numbers_of(world.colliding_pairs()), numbers_of(other.colliding_pairs()));
     EXPECT_EQ(world.colliding_pairs().size(), 4u);
     EXPECT_EQ(world.digest(), other.digest());
     // The first had its pose already.

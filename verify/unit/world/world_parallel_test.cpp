@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "ecods/world.hpp"
+#include "scenes/numbers_of.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/thread_executor.hpp"
@@ -46,10 +47,10 @@ Film film(const std::shared_ptr<Executor>& executor) {
     Film result;
     for (int frame = 0; frame < 6; ++frame) {
         world.update();
-        result.lists.push_back(list(world.colliding_pairs()));
-        result.lists.push_back(list(world.overlapping_pairs()));
-        result.lists.push_back(list(world.began()));
-        result.lists.push_back(list(world.ended()));
+        result.lists.push_back(numbers_of(world.colliding_pairs()));
+        result.lists.push_back(numbers_of(world.overlapping_pairs()));
+        result.lists.push_back(numbers_of(world.began()));
+        result.lists.push_back(numbers_of(world.ended()));
         result.counts.push_back(counts(world));
         result.digests.push_back(world.digest());
         for (int i = 0; i < 100; ++i) world.set_pose(bodies[random.below(250)], pose());
@@ -94,12 +95,14 @@ class Ball final : public Shape {
 // All balls whose boxes overlap touch; those at negative x fail, and say where they are.
 class BallTest final : public TwoBodyTest {
   public:
-    bool intersects(const PosedShape& a, const PosedShape& b, QueryMemory&) const override {
+    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory&) const override {
         ++calls;
         if (fails && a.pose.t.x() < 0) throw std::runtime_error(std::to_string(a.pose.t.x()));
         return a.pose.t != b.pose.t;
     }
-    Relation relation(const PosedShape&, const PosedShape&, QueryMemory&) const override { return Relation::touching; }
+    Relation relation(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override {
+        return Relation::touching;
+    }
 
     std::atomic<bool> fails = false;
     mutable std::atomic<int> calls = 0;
@@ -208,11 +211,11 @@ TEST_F(BrokenExecutor, InventsAWorker) {
 // The first test that is run goes on until it is released.
 class SlowTest final : public TwoBodyTest {
   public:
-    bool intersects(const PosedShape&, const PosedShape&, QueryMemory&) const override {
+    bool intersects(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override {
         if (!has_begun.exchange(true)) is_released.wait(false);
         return true;
     }
-    Relation relation(const PosedShape&, const PosedShape&, QueryMemory&) const override { return Relation::touching; }
+    Relation relation(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override { return Relation::touching; }
 
     mutable std::atomic<bool> has_begun = false;
     std::atomic<bool> is_released = false;

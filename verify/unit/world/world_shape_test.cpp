@@ -42,16 +42,16 @@ class PointShape final : public Shape {
 // Registered with the half space first; meshes must be posed by translation only.
 class HalfSpaceMeshTest final : public TwoBodyTest {
   public:
-    bool intersects(const PosedShape& plane, const PosedShape& mesh, QueryMemory&) const override {
+    bool intersects(const Posed<Shape>& plane, const Posed<Shape>& mesh, QueryMemory&) const override {
         if (fails) throw std::runtime_error("a test that fails");
         ++calls;
-        const double height = dynamic_cast<const HalfSpace&>(plane.shape).height();
-        for (const Vec3& v : dynamic_cast<const MeshShape&>(mesh.shape).mesh().vertices()) {
+        const double height = dynamic_cast<const HalfSpace&>(*plane.what).height();
+        for (const Vec3& v : dynamic_cast<const MeshShape&>(*mesh.what).mesh().vertices()) {
             if (v.z() + mesh.pose.t.z() <= height) return true;
         }
         return false;
     }
-    Relation relation(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const override {
+    Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
         return intersects(a, b, memory) ? Relation::touching : Relation::disjoint;
     }
 
@@ -61,10 +61,10 @@ class HalfSpaceMeshTest final : public TwoBodyTest {
 
 class HalfSpacePointTest final : public TwoBodyTest {
   public:
-    bool intersects(const PosedShape& plane, const PosedShape& point, QueryMemory&) const override {
-        return point.pose.t.z() <= dynamic_cast<const HalfSpace&>(plane.shape).height();
+    bool intersects(const Posed<Shape>& plane, const Posed<Shape>& point, QueryMemory&) const override {
+        return point.pose.t.z() <= dynamic_cast<const HalfSpace&>(*plane.what).height();
     }
-    Relation relation(const PosedShape& a, const PosedShape& b, QueryMemory& memory) const override {
+    Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
         return intersects(a, b, memory) ? Relation::crossing : Relation::disjoint;
     }
 };
@@ -99,6 +99,46 @@ TEST_P(WorldShapeTest, AHalfSpaceAmongMeshes) {
     world.set_shape(plane, std::make_shared<HalfSpace>(-1));
     world.update();
     EXPECT_EQ(list(world.colliding_pairs()), (std::vector<BodyPair>{{first, second}}));
+    world.validate();
+}
+
+// A test that answers nothing but whether there is a contact.
+class ContactOnly final : public TwoBodyTest {
+  public:
+    bool intersects(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override { return true; }
+};
+
+TEST_P(WorldShapeTest, AQuestionThatATestDoesNotAnswerIsNamed) {
+    world.set_test(plane_kind, ShapeKind::mesh(), std::make_shared<ContactOnly>());
+    const BodyId mesh = world.create_body(cube, at(0));
+    const BodyId plane = world.create_body(std::make_shared<HalfSpace>(0), Pose());
+    EXPECT_TRUE(world.intersects(mesh, plane));
+    const auto expect_named = [&](Question question, auto call) {
+        try {
+            call();
+            FAIL();
+        } catch (const NotSupported& error) {
+            EXPECT_EQ(error.question, question);
+            EXPECT_EQ(error.a, plane_kind);
+            EXPECT_EQ(error.b, ShapeKind::mesh());
+        }
+    };
+    expect_named(Question::relation, [&] { world.relation(mesh, plane); });
+    expect_named(Question::intersecting_triangles, [&] { world.intersecting_triangles(mesh, plane); });
+}
+
+// The verdicts are found again, and nobody has moved.
+TEST_P(WorldShapeTest, AnotherTestIsNoMotion) {
+    world.set_test(plane_kind, ShapeKind::mesh(), plane_mesh);
+    world.create_body(cube, at(0, 0, 0.75));
+    world.create_body(std::make_shared<HalfSpace>(0.5), Pose());
+    world.update();
+    EXPECT_EQ(world.statistics().moved_bodies, 2u);
+    EXPECT_EQ(world.colliding_pairs().size(), 1u);
+    world.set_test(plane_kind, ShapeKind::mesh(), std::make_shared<HalfSpaceMeshTest>());
+    world.update();
+    EXPECT_EQ(world.statistics().moved_bodies, 2u);
+    EXPECT_EQ(world.statistics().two_body_tests, 2u);
     world.validate();
 }
 
@@ -167,8 +207,8 @@ TEST_P(WorldShapeTest, APairThatPartsAndMeetsWhileUpdatesFailGoesOn) {
 TEST_P(WorldShapeTest, AReplacedTestIsAskedAnew) {
     class Never final : public TwoBodyTest {
       public:
-        bool intersects(const PosedShape&, const PosedShape&, QueryMemory&) const override { return false; }
-        Relation relation(const PosedShape&, const PosedShape&, QueryMemory&) const override {
+        bool intersects(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override { return false; }
+        Relation relation(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override {
             return Relation::disjoint;
         }
     };

@@ -1,0 +1,19 @@
+// A thing at a pose.
+#pragma once
+
+#include "ecods/pose.hpp"
+
+namespace ecods {
+
+// The set of the real points R v + t for the points v of `what`. The pose is a copy; `what` is referred to and must
+// outlive this: a Posed may be returned, stored and copied wherever the thing itself stays.
+template <class T>
+struct Posed {
+    Posed(const T& thing, const Pose& at) : what(&thing), pose(at) {}
+    Posed(const T&& thing, const Pose& at) = delete;  // a temporary, which would be gone
+
+    const T* what;  // never null
+    Pose pose;
+};
+
+}  // namespace ecods

@@ -1,0 +1,163 @@
+// Which body an id names, and when it names none.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sstream>
+
+#include "ecods/replay.hpp"
+#include "scenes/numbers_of.hpp"
+#include "scenes/shapes.hpp"
+#include "unit/world/world_fixture.hpp"
+
+namespace ecods {
+namespace {
+
+const std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
+
+// Each call of a world that takes an id, one after the other; the world must be none of this id.
+void expect_stale(World& world, BodyId stale, BodyId own) {
+    QueryMemory memory;
+    EXPECT_FALSE(world.is_alive(stale));
+    EXPECT_THROW(world.pose(stale), StaleBody);
+    EXPECT_THROW(world.shape(stale), StaleBody);
+    EXPECT_THROW(world.box(stale), StaleBody);
+    EXPECT_THROW(world.filter(stale), StaleBody);
+    EXPECT_THROW(world.user_data(stale), StaleBody);
+    EXPECT_THROW(world.set_pose(stale, at(1)), StaleBody);
+    EXPECT_THROW(world.set_poses(std::vector{own, stale}, std::vector{at(1), at(2)}), StaleBody);
+    EXPECT_THROW(world.set_shape(stale, cube), StaleBody);
+    EXPECT_THROW(world.set_filter(stale, {}), StaleBody);
+    EXPECT_THROW(world.set_user_data(stale, 1), StaleBody);
+    EXPECT_THROW(world.set_pair_enabled(own, stale, false), StaleBody);
+    EXPECT_THROW(world.is_pair_enabled(stale, own), StaleBody);
+    EXPECT_THROW(world.intersects(own, stale), StaleBody);
+    EXPECT_THROW(world.relation(stale, own, memory), StaleBody);
+    EXPECT_THROW(world.intersecting_triangles(stale, own), StaleBody);
+    EXPECT_THROW(world.destroy_body(stale), StaleBody);
+    EXPECT_EQ(world.pose(own), at(0));
+}
+
+TEST(WorldId, OfAnotherWorldIsRecognised) {
+    World first, second;
+    const BodyId a = first.create_body(cube, at(0)), b = second.create_body(cube, at(0));
+    EXPECT_NE(a, b);
+    EXPECT_EQ(numbers_of(a), numbers_of(b));
+    expect_stale(first, b, a);
+    expect_stale(second, a, b);
+    // The number goes where the world goes.
+    World moved = std::move(first);
+    EXPECT_TRUE(moved.is_alive(a));
+    expect_stale(moved, b, a);
+}
+
+TEST(WorldId, WrittenWithoutItsWorldIsOfTheWorldThatItIsGivenTo) {
+    World first, second;
+    const BodyId a = first.create_body(cube, at(0)), b = second.create_body(cube, at(7));
+    const BodyId written{a.slot, a.generation};
+    EXPECT_EQ(first.pose(written), at(0));
+    EXPECT_EQ(second.pose(written), at(7));
+    second.destroy_body(written);
+    EXPECT_FALSE(second.is_alive(b));
+}
+
+TEST(WorldId, EqualsAnotherOnlyOfItsWorldAndIsOrderedBySlotFirst) {
+    EXPECT_NE((BodyId{1, 2, 3}), (BodyId{1, 2, 4}));
+    EXPECT_LT((BodyId{1, 2, 9}), (BodyId{1, 3, 1}));
+    EXPECT_LT((BodyId{1, 9, 9}), (BodyId{2, 0, 0}));
+    EXPECT_LT((BodyId{0xffff'fffe, 9, 9}), (BodyId{0xffff'ffff, 0, 0}));
+    EXPECT_EQ(sizeof(BodyId), 8u);
+}
+
+// The number of a world is in no text and in no digest: two worlds that do the same write the same.
+TEST(WorldId, ReachesNoTrace) {
+    std::string texts[2];
+    for (std::string& text : texts) {
+        World world;
+        std::ostringstream out;
+        world.trace_to(out);
+        const BodyId a = world.create_body({.mesh = cube, .pose = at(0), .filter = {.groups = 2}, .user_data = 5});
+        world.create_body(cube, at(0.5));
+        world.update();
+        world.destroy_body(a);
+        world.update();
+        world.end_trace();
+        text = out.str();
+        try {
+            world.destroy_body(a);
+        } catch (const StaleBody& error) {
+            text += error.what();
+        }
+    }
+    EXPECT_EQ(texts[0], texts[1]);
+    EXPECT_NE(texts[0].find("body 1.0 is not alive"), std::string::npos) << texts[0];
+}
+
+// 65,536 bodies in one slot use its generations up; it is left alone from then on, so that no id comes twice.
+TEST(WorldId, NeverNamesABodyOfLater) {
+    World world;
+    const BodyId first = world.create_body(cube, at(0));
+    world.destroy_body(first);
+    std::set<BodyId> ids{first};
+    for (int i = 0; i < 65'540; ++i) {
+        const BodyId id = world.create_body(cube, at(0));
+        ASSERT_TRUE(ids.insert(id).second) << i;
+        ASSERT_FALSE(world.is_alive(first));
+        world.destroy_body(id);
+    }
+    EXPECT_EQ(ids.rbegin()->slot, 2u);
+    EXPECT_EQ(world.statistics().body_count, 0u);
+    world.update();
+    world.validate();
+    const BodyId last = world.create_body(cube, at(0));
+    EXPECT_EQ(last.slot, 2u);
+    world.update();
+    EXPECT_EQ(world.statistics().body_count, 1u);
+    EXPECT_EQ(world.bodies(), std::vector<BodyId>{last});
+    world.validate();
+}
+
+TEST(WorldId, NoneIsAliveInAWorldThatWasMovedFrom) {
+    World world;
+    const BodyId a = world.create_body(cube, at(0)), b = world.create_body(cube, at(1));
+    World other = std::move(world);
+    QueryMemory memory;
+    std::ostringstream out;
+    EXPECT_FALSE(world.is_alive(a));
+    EXPECT_THROW(world.create_body(cube, at(0)), MovedFromWorld);
+    EXPECT_THROW(world.destroy_body(a), MovedFromWorld);
+    EXPECT_THROW(world.set_pose(a, at(0)), MovedFromWorld);
+    EXPECT_THROW(world.set_poses({}, {}), MovedFromWorld);
+    EXPECT_THROW(world.set_shape(a, cube), MovedFromWorld);
+    EXPECT_THROW(world.pose(a), MovedFromWorld);
+    EXPECT_THROW(world.shape(a), MovedFromWorld);
+    EXPECT_THROW(world.box(a), MovedFromWorld);
+    EXPECT_THROW(world.user_data(a), MovedFromWorld);
+    EXPECT_THROW(world.set_user_data(a, 1), MovedFromWorld);
+    EXPECT_THROW(world.bodies(), MovedFromWorld);
+    EXPECT_THROW(world.reserve(1), MovedFromWorld);
+    EXPECT_THROW(world.set_filter(a, {}), MovedFromWorld);
+    EXPECT_THROW(world.filter(a), MovedFromWorld);
+    EXPECT_THROW(world.set_pair_enabled(a, b, false), MovedFromWorld);
+    EXPECT_THROW(world.is_pair_enabled(a, b), MovedFromWorld);
+    EXPECT_THROW(world.set_test(ShapeKind(), ShapeKind(), nullptr), MovedFromWorld);
+    EXPECT_THROW(world.update(), MovedFromWorld);
+    EXPECT_THROW(world.overlapping_pairs(), MovedFromWorld);
+    EXPECT_THROW(world.colliding_pairs(), MovedFromWorld);
+    EXPECT_THROW(world.began(), MovedFromWorld);
+    EXPECT_THROW(world.ended(), MovedFromWorld);
+    EXPECT_THROW(world.intersects(a, b), MovedFromWorld);
+    EXPECT_THROW(world.relation(a, b, memory), MovedFromWorld);
+    EXPECT_THROW(world.intersecting_triangles(a, b), MovedFromWorld);
+    EXPECT_THROW(world.overlapping_bodies(other.box(a)), MovedFromWorld);
+    EXPECT_THROW(world.intersecting_bodies(cube, at(0)), MovedFromWorld);
+    EXPECT_THROW(world.trace_to(out), MovedFromWorld);
+    EXPECT_THROW(world.end_trace(), MovedFromWorld);
+    EXPECT_THROW(world.statistics(), MovedFromWorld);
+    EXPECT_THROW(world.validate(), MovedFromWorld);
+    EXPECT_THROW(world.digest(), MovedFromWorld);
+    world = std::move(other);
+    EXPECT_EQ(world.pose(a), at(0));
+}
+
+}  // namespace
+}  // namespace ecods
