@@ -73,9 +73,9 @@ inline constexpr int root_axis_count = 15;
 
 class SeparatingAxes {
   public:
-    // The number of an axis that certainly separates the roots: 0 to 2 the normals of a's faces, 3 to 5 of b's, 6 to 14
-    // the products of their edges. -1 if none is known to; then the sets are ready for overlap_mask. `d`: fl(t_b -
-    // t_a). The axis `first` is tried before the others, if there is one of that number.
+    // Returns the number of an axis that certainly separates the roots: 0 to 2 for the normals of a's faces, 3 to 5 for
+    // b's, 6 to 14 for the cross products of their edges. Returns -1 if none is known to; then the sets are ready for
+    // overlap_mask. `d` is fl(t_b - t_a). The group of the axis `first` is tried first; -1 has no preference.
     int bind(const PosedTree& a, const PosedTree& b, const Vec3& d, int first = -1);
 
     const std::array<AxisSet, 2>& sets() const noexcept { return sets_; }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/assert.hpp"
 #include "broad_phase/boxes/packed_box.hpp"
 
 namespace ecods {
@@ -37,9 +38,12 @@ class BoxTree {
     // Orders the items. lines[item.slot] is the box. Cost: n log n.
     void build(std::span<TreeItem> items, std::span<const PackedBox> lines);
 
-    std::size_t size() const noexcept { return slots_.size(); }              // positions, empty ones included
-    std::size_t alive_count() const noexcept { return alive_count_; }        // positions that hold a box
-    SlotIndex slot(std::size_t position) const { return slots_[position]; }  // or no_slot
+    std::size_t size() const noexcept { return slots_.size(); }        // positions, empty ones included
+    std::size_t alive_count() const noexcept { return alive_count_; }  // positions that hold a box
+    SlotIndex slot(std::size_t position) const {                       // or no_slot
+        ECODS_ASSERT(position < size());
+        return slots_[position];
+    }
 
     // Sets every position's box to lines[its slot]; the order stays. Cost: n.
     void refit(std::span<const PackedBox> lines);
@@ -56,6 +60,7 @@ class BoxTree {
     void set(std::size_t position, const PackedBox& line);
     void prefetch(std::size_t position) const noexcept;
     PackedBox get(std::size_t position) const {
+        ECODS_ASSERT(position / BoxBlock::width < levels_[0].size());
         return levels_[0][position / BoxBlock::width].get(position % BoxBlock::width);
     }
 

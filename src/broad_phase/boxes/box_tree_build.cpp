@@ -90,6 +90,8 @@ void BoxTree::renumber(SlotIndex base) {
 }
 
 void BoxTree::set(std::size_t position, const PackedBox& line) {
+    ECODS_ASSERT(position < size());
+    ECODS_ASSERT(line.is_empty() || slots_[position] != no_slot);
     if (line.is_empty() && slots_[position] != no_slot) {
         slots_[position] = no_slot;
         --alive_count_;

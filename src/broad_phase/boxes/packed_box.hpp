@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/assert.hpp"
 #include "geometry/key_box.hpp"
 #include "simd/vec.hpp"
 
@@ -46,6 +47,7 @@ inline KeyBox key_box(const PackedBox& line) noexcept {
 
 // The box of which this is the packed one, which must not be empty.
 inline Aabb box_of(const PackedBox& line) noexcept {
+    ECODS_ASSERT(!line.is_empty());
     Aabb box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         box.min[static_cast<Eigen::Index>(axis)] = double_of(line.ends[axis]);
@@ -101,6 +103,7 @@ struct alignas(64) BoxBlock {
     static constexpr std::size_t lane_of(std::size_t row) noexcept { return row < 3 ? row : row + 1; }
 
     void set(std::size_t index, const PackedBox& line) noexcept {
+        ECODS_ASSERT(index < width);
         for (std::size_t row = 0; row < 6; ++row) ends[row][index] = line.ends[lane_of(row)];
     }
     PackedBox get(std::size_t index) const noexcept {
