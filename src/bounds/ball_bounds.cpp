@@ -6,8 +6,10 @@
 #include <limits>
 
 #include "base/arithmetic.hpp"
+#include "base/assert.hpp"
 #include "base/double_key.hpp"
 #include "exact/number/dyadic.hpp"
+#include "geometry/find_invalid.hpp"
 
 namespace ecods {
 namespace {
@@ -76,7 +78,9 @@ bool is_within(const std::array<Gap, 3>& gaps, double radius) noexcept {
 // c - r is off by u' (|c| + r), and so is what is subtracted from it: 4 u' (|c| + r) covers both, and 2^-1000 what
 // underflow loses.
 BallBounds::BallBounds(const Ball& ball) noexcept : ball_(ball), square_(ball.radius * ball.radius) {
+    ECODS_ASSERT(key_of(ball.radius) >= 0);
     for (int k = 0; k < 3; ++k) {
+        ECODS_ASSERT(is_finite(ball.center[k]));
         const double margin = 4 * two_u * (std::abs(ball.center[k]) + ball.radius) + 0x1p-1000;
         box_.min[k] = ball.radius < infinity ? (ball.center[k] - ball.radius) - margin : -infinity;
         box_.max[k] = ball.radius < infinity ? (ball.center[k] + ball.radius) + margin : infinity;

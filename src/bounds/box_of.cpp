@@ -9,8 +9,8 @@
 namespace ecods {
 namespace {
 
-// The box of rounded vertices and the largest coordinates of the vertices themselves. A NaN is never taken up by min
-// and max as they are written here; it can only come with an infinity, which is seen to at the end.
+// The box of rounded vertices, and the largest coordinates of the vertices themselves. std::min and std::max in this
+// argument order ignore NaN. NaN arises only with overflow, which finish() handles.
 class BoxBuilder {
   public:
     explicit BoxBuilder(const Pose& pose) : pose_(pose) {}
@@ -24,9 +24,10 @@ class BoxBuilder {
         v_max_ = v_max_.cwiseMax(v.cwiseAbs());
     }
 
-    // Outwards by the error of a rounded vertex, and to the next double for the subtraction itself. An error below
-    // 2^960 means that no sum of magnitudes, of which it is 4.25 2^-52, overflowed, and so no coordinate did; else the
-    // box is infinite. Not by asking for infinities: a mode that rounds down makes large numbers of some.
+    // Returns the box enlarged by the error of a rounded vertex, and to the next double for the subtraction itself. The
+    // error is 4.25 2^-52 of a sum of magnitudes: below 2^960 it proves that neither the sum nor a coordinate
+    // overflowed; otherwise the box is infinite. Infinities themselves prove nothing: a mode that rounds down turns
+    // some of them into large numbers.
     Aabb finish() const {
         const double delta = exact::point_error_bound(pose_.R, v_max_, pose_.t);
         Aabb box{Vec3::Constant(-infinity), Vec3::Constant(infinity)};

@@ -8,7 +8,7 @@
 namespace ecods {
 namespace {
 
-// Beyond this, differences of coordinates and what is made of them may overflow.
+// Beyond this, differences of coordinates, and products of them with the frame, may overflow.
 constexpr double coordinate_max = 0x1p900;
 constexpr double scale_min = 0x1p-900;
 
@@ -82,7 +82,7 @@ LocalFrame frame_along(const Mesh& mesh, const Mat3& axes, const Vec3& near) {
         reaches = reaches.cwiseMax((axes.transpose() * (v - frame.center)).cwiseAbs());
     });
     const double reach = reaches.maxCoeff();
-    // A power of two above the reach, with room for the error of coordinates.
+    // A power of two above the reach, with a margin for the error of coordinates.
     int exponent = 0;
     const double fraction = std::frexp(reach, &exponent);
     const double scale =

@@ -1,4 +1,4 @@
-// The frame that a mesh's tree has its boxes in.
+// The local frame of a mesh: the coordinates in which its tree's boxes are aligned.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 namespace ecods {
 
-// Coordinates y, of the size of one: the point of the mesh is center + map y, exactly. The columns of `map` are
-// orthogonal up to rounding and of one length, a power of two. |y| <= 1 on each axis for every point of the mesh.
+// Coordinates y of a point of the mesh are defined by point = center + map y, exactly. The columns of `map` are
+// orthogonal up to rounding and have one length, a power of two. |y| <= 1 on each axis for every point of the mesh.
 struct LocalFrame {
     Mat3 axes = Mat3::Identity();  // map over the scale
     Mat3 map = Mat3::Identity();
@@ -19,7 +19,7 @@ struct LocalFrame {
     Vec3 half = Vec3::Ones();      // |y| <= half for every point: the oriented box
     bool is_bounded = true;        // false: coordinates too large for a frame; every box is infinite
 
-    // What brings v to y: inverse * (v - center), with an error of at most coordinate_error.
+    // The coordinates of v, with an error of at most coordinate_error on each axis.
     Mat3 inverse = Mat3::Identity();
     Vec3 coordinates(const Vec3& v) const { return inverse * (v - center); }
 };
@@ -29,15 +29,15 @@ struct LocalFrame {
 // center| <= 1.01 sqrt(3) scale. With u' = 2^-52, the difference has an error of u', products and sums one of 3.01 u',
 // relative to at most 1.01 sqrt(3): below 8 u'. inverse = F^T / scale is not that of map: F^-1 - F^T = (I - F^T F) F^-1
 // has entries below 3.1 tau, which adds 3 * 3.1 tau * 1.01 sqrt(3) < 16.3 tau. Underflow in the difference is harmless:
-// the scale is at least 2^-900. In sum below 2^-43.
+// the scale is at least 2^-900. The total is below 2^-43.
 inline constexpr double frame_tau_max = 0x1p-48;  // |F^T F - I|, entry by entry, of the columns over the scale
 inline constexpr double coordinate_error = 0x1p-43;
 
-// The box of the mesh: along its own axes or, where that box has at most nine tenths of the surface, along the
-// principal axes of its triangles. Cost: one pass.
+// Fits a frame to the mesh: along the coordinate axes, or along the principal axes of the triangles where the box has
+// at most nine tenths of the surface then. Cost: one pass.
 LocalFrame fit_frame(const Mesh& mesh);
 
-// The same axes for other vertices of the same mesh.
+// The frame with the same axes for other vertices of the same mesh. Cost: one pass.
 LocalFrame refit_frame(const LocalFrame& frame, const Mesh& mesh);
 
 }  // namespace ecods

@@ -5,8 +5,10 @@
 #include <limits>
 
 #include "base/arithmetic.hpp"
+#include "base/assert.hpp"
 #include "base/double_key.hpp"
 #include "ecods/predicates.hpp"
+#include "geometry/find_invalid.hpp"
 
 namespace ecods {
 namespace {
@@ -28,6 +30,7 @@ double greater(double a, double b) noexcept {
 SegmentBounds::SegmentBounds(const Segment& segment) noexcept : segment_(segment), direction_(segment.b - segment.a) {
     double extent = 0;
     for (int k = 0; k < 3; ++k) {
+        ECODS_ASSERT(is_finite(segment.a[k]) && is_finite(segment.b[k]));
         box_.min[k] = lesser(segment.a[k], segment.b[k]);
         box_.max[k] = greater(segment.a[k], segment.b[k]);
         sign_[static_cast<std::size_t>(k)] = compare(segment.b[k], segment.a[k]);

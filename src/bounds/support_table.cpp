@@ -117,10 +117,10 @@ SupportTable::SupportTable(const Mesh& mesh, const LocalFrame& frame) : frame_(f
     v_max_of_all_ = v_max_.maxCoeff();
 }
 
-// The center is posed with the error of a point (exact/filter_bound.hpp), and so would any point of the mesh be, whose
-// coordinates are below |center| + 2 scale: that bound's term for underflow covers the reach, too. The oriented box
+// The center is posed with the error of a point (exact/sign/filter_bound.hpp), as any point of the mesh would be, whose
+// coordinates are below |center| + 2 scale: the bound's term for underflow covers the reach, too. The oriented box
 // reaches |R axes| half from the center: both products are off by 3.01 u' sqrt(3) |R| 1, below 16 u' |R| 1 in units of
-// the scale. What is added to the center meets three roundings, 4 u' is more than they are, and the sum one.
+// the scale. The reach that is added to the center has three roundings, below 4 u', and the sum has one.
 ECODS_ALWAYS_INLINE Aabb SupportTable::box_wide(const Pose& pose) const {
     const Matrix4 R = load3(pose.R);
     const Double4 t = load3(pose.t.data());
@@ -128,8 +128,8 @@ ECODS_ALWAYS_INLINE Aabb SupportTable::box_wide(const Pose& pose) const {
     const Matrix4 size = absolute(R);
     const double sum_max = largest(size * load3(v_max_.data()) + absolute(t));
     const double size_max = largest(size);
-    // Below these nothing overflows: the reach is at most 3 size_max in units of the scale, and below 1.5 sum_max.
-    // Asked for in advance, because a mode that rounds down makes a large number of what is infinite in others.
+    // Below these limits nothing overflows: the reach is at most 3 size_max in units of the scale, and below 1.5
+    // sum_max. Checked in advance, because a mode that rounds down turns infinities into large numbers.
     if (!(sum_max < 0x1p1020 && size_max < 0x1p1000)) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         return {Vec3::Constant(-infinity), Vec3::Constant(infinity)};

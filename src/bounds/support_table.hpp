@@ -1,12 +1,12 @@
-// The box of a posed mesh, in a constant time.
+// The box of a posed mesh in constant time, from a table of the support function.
 //
 // The support function h(d) = max d . v over the points v of a mesh gives the box of every pose: on axis i it reaches
 // from (R center + t)_i - h(-r_i) to (R center + t)_i + h(r_i), r_i being row i of R, and points relative to the
 // center. h is convex and positively homogeneous, so values at the corners p_k of a triangle on the surface of the unit
 // cube bound it on the whole cone over that triangle:
 //     d = m (l_0 p_0 + l_1 p_1 + l_2 p_2),  l_k >= 0   implies   h(d) <= m (l_0 h(p_0) + l_1 h(p_1) + l_2 h(p_2)).
-// A table of h on a grid over the cube is all that is kept of the mesh, and the oriented box of the tree's frame, which
-// is the better one for rods and plates.
+// Kept of the mesh are a table of h on a grid over the cube, and the oriented box of its local frame, which is tighter
+// for rods and plates.
 #pragma once
 
 #include <array>
@@ -30,17 +30,17 @@ class SupportTable {
     // Cost: some hundred nanoseconds a vertex.
     SupportTable(const Mesh& mesh, const LocalFrame& frame);
 
-    // Contains the exact body. For a ball it is less than 1.6 % of the radius too large on each side; in general no
-    // side is further off than an eighth of the mesh's half diagonal, and none than the oriented box is. Infinite where
-    // numbers are too large for the bound.
+    // Returns a box that contains the exact body. On each side it is loose by at most an eighth of the mesh's half
+    // diagonal (1.6 % of the radius for a ball), and never looser than the oriented box. Infinite where numbers are too
+    // large for the bound.
     Aabb box(const Pose& pose) const;
 
   private:
     Aabb box_wide(const Pose& pose) const;
 
     const LocalFrame& frame_;
-    Vec3 v_max_;  // magnitudes of the coordinates of what is posed, and of all that is as far from it as the mesh
-    double v_max_of_all_;                                           // the largest of them
+    Vec3 v_max_;           // upper bounds of |coordinate| of the center and of every point of the mesh
+    double v_max_of_all_;  // the largest of them
     std::array<float, SupportTableGrid::direction_count> support_;  // in units of the frame's scale
 };
 

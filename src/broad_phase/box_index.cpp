@@ -50,7 +50,7 @@ std::uint64_t BoxIndex::refresh(const ProxyTable& table) {
             const std::size_t count = noted_.size();
             catch_up(table);
             const bool is_degraded =
-                4 * forest_.newcomer_count() > table.size() + 64 || escaped_since_build_ > table.size() + 64;
+                4 * forest_.unsorted_count() > table.size() + 64 || escaped_since_build_ > table.size() + 64;
             if (!is_degraded) return count;
         }
         build(table);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/assert.hpp"
 #include "broad_phase/boxes/box_forest.hpp"
 #include "broad_phase/changes/proxy_table.hpp"
 
@@ -26,6 +27,7 @@ class BoxIndex {
     // Appends the proxies whose fat boxes overlap; as those of BoxTree. After refresh().
     template <class Bounds>
     std::uint64_t find(const Bounds& bounds, std::vector<ProxyIndex>& found) const {
+        ECODS_ASSERT(is_built_ && noted_.empty());
         return forest_.find(bounds, found);
     }
 

@@ -1,7 +1,7 @@
 // Every box against every other.
 #pragma once
 
-#include "broad_phase/pair_finder.hpp"
+#include "broad_phase/changes/pair_finder.hpp"
 
 namespace ecods {
 

@@ -1,4 +1,4 @@
-// Boxes in frame coordinates while a tree is made: four floats side by side, of which three count.
+// Boxes in frame coordinates, for building and refitting trees: vectors of four floats, of which three are used.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ struct FrameBox {
     }
 };
 
-// Contains the triangle, whose corners' coordinates are off by at most coordinate_error.
+// A box that contains the triangle: its corners as computed, which are off by at most coordinate_error, and that error.
 inline FrameBox box_of(const Mesh& mesh, const Triangle& triangle, const LocalFrame& frame) {
     FrameBox box;
     if (!frame.is_bounded) {

@@ -1,8 +1,9 @@
-// A tree of boxes over the triangles of a mesh, eight children a node.
+// The bounding volume hierarchy of a mesh: boxes over its triangles, eight children per node.
 //
-// Boxes are along the axes of the tree's frame, so they are oriented boxes of the mesh: RAPID's OBB tree (Gottschalk,
-// Lin and Manocha, OBBTree, SIGGRAPH 1996) with one orientation for all of its boxes, which is what lets two nodes be
-// tested against each other eight by eight. Numbers are floats, rounded outwards: a box contains what it stands for.
+// Boxes are aligned with the local frame of the mesh, so they are oriented boxes of the body: RAPID's OBB tree
+// (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996) with one orientation for all boxes of a tree. Because of that,
+// two nodes are tested against each other eight by eight. Numbers are floats, rounded outwards: a box contains its
+// triangles.
 #pragma once
 
 #include <array>
@@ -33,15 +34,15 @@ class TreeRef {
     std::uint32_t bits_ = 0;
 };
 
-// Neighbours in a smooth surface lie in a thin slab along their mean normal, which boxes know nothing of: for all of
-// their points y, low <= normal . y <= high, exactly. The normal has a length of about one, or is zero.
+// A slab along the mean normal of some triangles: low <= normal . y <= high for all of their points y, exactly. On a
+// smooth surface it is much thinner than their box. The normal has a length of about one, or is zero.
 struct Slab {
     std::array<float, 3> normal;
     float low;
     float high;
 };
 
-// Eight boxes, what is in them, and the slab of it all. Lanes from `count` on repeat the last one.
+// Eight children with their boxes, and the slab of all of their triangles. Lanes from `count` on repeat the last one.
 struct alignas(32) BvhNode {
     std::array<FloatLanes, 3> center;
     std::array<FloatLanes, 3> half;  // box: |y - center| <= half on each axis
@@ -62,7 +63,8 @@ struct alignas(32) TreeLeaf {
     std::uint32_t lanes() const noexcept { return (1u << count) - 1; }
 };
 
-// A coordinate of size at most one as a float, rounded in any mode, after the error of its computation.
+// Bounds the error of a leaf's corner, on each axis: that of computing a coordinate of size at most one, and of
+// rounding it to a float in any mode.
 inline constexpr double corner_error = 0x1p-23 + coordinate_error;
 
 struct MeshBvh {
@@ -72,24 +74,26 @@ struct MeshBvh {
     std::array<float, 3> root_half{};
     std::vector<BvhNode> nodes;    // parents before children
     std::vector<TreeLeaf> leaves;  // from left to right
-    double built_cost = 0;         // tree_cost when it was built
+    double built_cost = 0;         // tree_cost just after build_mesh_bvh
 
     std::size_t bytes() const noexcept {
         return sizeof(*this) + nodes.capacity() * sizeof(BvhNode) + leaves.capacity() * sizeof(TreeLeaf);
     }
 };
 
-// A binary tree by the surface area heuristic (Goldsmith and Salmon 1987) over bins (Wald 2007), with the count of
-// leaves of eight in place of the count of triangles; made eight wide so that the surfaces of the nodes that stay are
-// least in sum (Ylitie, Karras and Laine, Efficient incoherent ray traversal on GPUs through compressed wide BVHs, HPG
-// 2017, section 3). Cost: n log n; no recursion.
+// Builds a binary tree by the surface area heuristic (Goldsmith and Salmon 1987) over bins (Wald 2007), counting leaves
+// of eight in place of triangles, and collapses it to eight children per node such that the sum of the surfaces of the
+// remaining nodes is least (Ylitie, Karras and Laine, Efficient incoherent ray traversal on GPUs through compressed
+// wide BVHs, HPG 2017, section 3). Cost: n log n; no recursion.
 MeshBvh build_mesh_bvh(const Mesh& mesh, const LocalFrame& frame);
 
-// The tree of other vertices: the same triangles in the same nodes, new boxes. Built anew if its cost is more than
-// half above what it was when it was built. `mesh` must have the triangles of the tree's mesh. Cost: one pass.
+// Returns the tree of a mesh with the same triangles and other vertices: the same triangles in the same nodes, with new
+// boxes. Where that makes tree_cost more than 1.5 times what it was when the tree was built, it builds a new tree
+// instead. `mesh` must have the triangles of the tree's mesh. Cost: one pass, or that of build_mesh_bvh.
 MeshBvh refit_mesh_bvh(const MeshBvh& tree, const Mesh& mesh);
 
-// The sum of the surfaces of all boxes over that of the root's, in frame coordinates: what a random query visits.
+// The sum of the surfaces of all boxes, divided by the root's, in frame coordinates: the expected number of boxes that
+// a random query visits.
 double tree_cost(const MeshBvh& tree) noexcept;
 
 }  // namespace ecods

@@ -10,12 +10,14 @@
 namespace ecods {
 namespace {
 
-// A triangle and its box. The number of the triangle is in the lane that boxes have to spare.
-struct Item {
+// A triangle's index and its box, which has a lane to spare for the index.
+struct PrimitiveRef {
     FrameBox box;
 
-    Item() = default;
-    Item(const FrameBox& around, std::uint32_t triangle) : box(around) { box.min[3] = std::bit_cast<float>(triangle); }
+    PrimitiveRef() = default;
+    PrimitiveRef(const FrameBox& around, std::uint32_t triangle) : box(around) {
+        box.min[3] = std::bit_cast<float>(triangle);
+    }
 
     Float4 middle() const noexcept { return box.min + box.max; }  // twice
     std::uint32_t triangle() const noexcept {
@@ -23,12 +25,12 @@ struct Item {
         return std::bit_cast<std::uint32_t>(lane);
     }
 };
-static_assert(sizeof(Item) == 32);
+static_assert(sizeof(PrimitiveRef) == 32);
 
-using Items = std::vector<Item>;
+using PrimitiveRefs = std::vector<PrimitiveRef>;
 
-// A run of items, and its box.
-struct Part {
+// A range of triangles in the order of the builder, and its box.
+struct Range {
     std::uint32_t begin;
     std::uint32_t end;
     FrameBox box;
@@ -36,7 +38,7 @@ struct Part {
     std::uint32_t size() const noexcept { return end - begin; }
 };
 
-// What a part costs to visit: leaves of eight are tested whole.
+// The leaves that this many triangles need: the cost of visiting them, since a leaf is tested whole.
 float visits(std::uint32_t count) noexcept {
     return static_cast<float>((count + tree_width - 1) / tree_width);
 }
@@ -44,16 +46,16 @@ float visits(std::uint32_t count) noexcept {
 // Splits parts in two where the surface area heuristic says.
 class Splitter {
   public:
-    explicit Splitter(Items& items) : items_(items) {}
+    explicit Splitter(PrimitiveRefs& items) : items_(items) {}
 
     // The two halves of `part`, neither of them empty.
-    std::array<Part, 2> split(const Part& part) {
+    std::array<Range, 2> split(const Range& part) {
         const std::uint32_t middle = part.size() <= sweep_max ? split_by_sweep(part) : split_by_bins(part);
         return {box_of(part.begin, middle), box_of(middle, part.end)};
     }
 
-    Part box_of(std::uint32_t begin, std::uint32_t end) const {
-        Part part{begin, end, {}};
+    Range box_of(std::uint32_t begin, std::uint32_t end) const {
+        Range part{begin, end, {}};
         for (std::uint32_t i = begin; i < end; ++i) part.box.include(items_[i].box);
         return part;
     }
@@ -68,7 +70,7 @@ class Splitter {
     };
 
     // Every way to cut the items in their order on some axis.
-    std::uint32_t split_by_sweep(const Part& part) {
+    std::uint32_t split_by_sweep(const Range& part) {
         const std::uint32_t count = part.size();
         float best = FrameBox::infinity;
         std::uint32_t best_size = count / 2;
@@ -97,15 +99,16 @@ class Splitter {
         return part.begin + best_size;
     }
 
-    void sort(const Part& part, int axis) {
-        std::sort(items_.begin() + part.begin, items_.begin() + part.end, [axis](const Item& a, const Item& b) {
-            const float x = a.middle()[axis], y = b.middle()[axis];
-            return x < y || (x == y && a.triangle() < b.triangle());
-        });
+    void sort(const Range& part, int axis) {
+        std::sort(items_.begin() + part.begin, items_.begin() + part.end,
+                  [axis](const PrimitiveRef& a, const PrimitiveRef& b) {
+                      const float x = a.middle()[axis], y = b.middle()[axis];
+                      return x < y || (x == y && a.triangle() < b.triangle());
+                  });
     }
 
     // Cuts between bins of equal width. Middles that are all the same, and those of infinite boxes, are cut in half.
-    std::uint32_t split_by_bins(const Part& part) {
+    std::uint32_t split_by_bins(const Range& part) {
         FrameBox middles;
         for (std::uint32_t i = part.begin; i < part.end; ++i) {
             const Float4 middle = items_[i].middle();
@@ -115,7 +118,7 @@ class Splitter {
         const Float4 factor = static_cast<float>(bin_count) * 0.999f / size;  // the largest falls into the last bin
 
         std::array<std::array<Bin, bin_count>, 3> bins{};
-        const auto bin_of = [&](const Item& item, int axis) {
+        const auto bin_of = [&](const PrimitiveRef& item, int axis) {
             const float x = (item.middle()[axis] - middles.min[axis]) * factor[axis];
             return std::min(static_cast<std::size_t>(x), bin_count - 1);
         };
@@ -156,16 +159,17 @@ class Splitter {
             }
         }
         if (best_axis < 0) return part.begin + part.size() / 2;
-        const auto middle = std::partition(items_.begin() + part.begin, items_.begin() + part.end,
-                                           [&](const Item& item) { return bin_of(item, best_axis) < best_bin; });
+        const auto middle =
+            std::partition(items_.begin() + part.begin, items_.begin() + part.end,
+                           [&](const PrimitiveRef& item) { return bin_of(item, best_axis) < best_bin; });
         return static_cast<std::uint32_t>(middle - items_.begin());
     }
 
-    Items& items_;
+    PrimitiveRefs& items_;
 };
 
 // How many of some roots are in which half.
-struct Share {
+struct Split {
     std::uint8_t left = 0;  // both 0: the part is one root
     std::uint8_t right = 0;
 };
@@ -173,12 +177,12 @@ struct Share {
 // A node of the binary tree that the wide one is made from.
 struct BinaryNode {
     FrameBox box;
-    std::uint32_t begin;                  // items of a leaf
-    std::uint32_t count;                  // 0: inner
-    std::uint32_t child;                  // of an inner node; the other follows it
-    Share children;                       // of an inner node: its children, if it becomes a wide node
-    std::array<float, tree_width> cost;   // [k - 1]: of the part as at most k roots
-    std::array<Share, tree_width> share;  // [k - 1]: how that is done
+    std::uint32_t begin;                     // items of a leaf
+    std::uint32_t count;                     // 0: inner
+    std::uint32_t child;                     // of an inner node; the other follows it
+    Split children;                          // of an inner node: its children, if it becomes a wide node
+    std::array<float, tree_width> cost;      // [k - 1]: of the part as at most k roots
+    std::array<Split, tree_width> split_at;  // [k - 1]: how that is done
 };
 
 class Builder {
@@ -187,12 +191,12 @@ class Builder {
         tree_.frame = frame;
         items_.resize(mesh.triangles().size());
         for (std::uint32_t i = 0; i < items_.size(); ++i) {
-            items_[i] = Item(box_of(mesh, mesh.triangles()[i], tree_.frame), i);
+            items_[i] = PrimitiveRef(box_of(mesh, mesh.triangles()[i], tree_.frame), i);
         }
     }
 
     MeshBvh build() {
-        split_in_two();
+        build_binary();
         find_costs();
         widen();
         set_root(tree_, binary_[0].box);
@@ -201,11 +205,11 @@ class Builder {
     }
 
   private:
-    void split_in_two() {
+    void build_binary() {
         Splitter splitter(items_);
         binary_.reserve(items_.size() / 3 + 1);
         binary_.emplace_back();
-        std::vector<std::pair<Part, std::uint32_t>> open{
+        std::vector<std::pair<Range, std::uint32_t>> open{
             {splitter.box_of(0, static_cast<std::uint32_t>(items_.size())), 0}};
         while (!open.empty()) {
             const auto [part, index] = open.back();
@@ -216,47 +220,47 @@ class Builder {
             node.count = part.size() <= tree_width ? part.size() : 0;
             if (node.count != 0) continue;
             node.child = static_cast<std::uint32_t>(binary_.size());
-            for (const Part& half : splitter.split(part)) {
+            for (const Range& half : splitter.split(part)) {
                 open.emplace_back(half, static_cast<std::uint32_t>(binary_.size()));
                 binary_.emplace_back();
             }
         }
     }
 
-    // From the leaves up, what a part costs as one to eight roots: a root, a leaf or a wide node, is visited with a
-    // probability proportional to its surface.
+    // Finds from the leaves up what each binary node costs if it becomes one to eight roots: leaves or eight-wide
+    // nodes, each visited with a probability proportional to its surface.
     void find_costs() {
         for (std::size_t i = binary_.size(); i-- > 0;) {
             BinaryNode& node = binary_[i];
-            node.share = {};
+            node.split_at = {};
             if (node.count != 0) {
                 node.cost.fill(node.box.surface());
                 continue;
             }
-            for (std::size_t k = 2; k <= tree_width; ++k) share_out(node, k);
-            node.children = node.share[tree_width - 1];
+            for (std::size_t k = 2; k <= tree_width; ++k) find_splits(node, k);
+            node.children = node.split_at[tree_width - 1];
             node.cost[0] = node.box.surface() + node.cost[tree_width - 1];
             for (std::size_t k = 1; k < tree_width; ++k) {
                 if (node.cost[k - 1] > node.cost[k]) continue;
                 node.cost[k] = node.cost[k - 1];  // fewer than allowed
-                node.share[k] = node.share[k - 1];
+                node.split_at[k] = node.split_at[k - 1];
             }
         }
     }
 
     // The best way to have `count` roots in the two halves of a node.
-    void share_out(BinaryNode& node, std::size_t count) {
+    void find_splits(BinaryNode& node, std::size_t count) {
         const BinaryNode& left = binary_[node.child];
         const BinaryNode& right = binary_[node.child + 1];
         for (std::size_t l = 1; l < count; ++l) {
             const float cost = left.cost[l - 1] + right.cost[count - l - 1];
             if (l > 1 && !(cost < node.cost[count - 1])) continue;
             node.cost[count - 1] = cost;
-            node.share[count - 1] = {static_cast<std::uint8_t>(l), static_cast<std::uint8_t>(count - l)};
+            node.split_at[count - 1] = {static_cast<std::uint8_t>(l), static_cast<std::uint8_t>(count - l)};
         }
     }
 
-    struct Open {
+    struct Pending {
         std::uint32_t binary;
         std::uint32_t parent;
         std::size_t lane;
@@ -265,9 +269,9 @@ class Builder {
 
     void widen() {
         tree_.leaves.reserve(binary_.size() / 2 + 1);
-        std::vector<Open> open{{0, no_parent, 0}};
+        std::vector<Pending> open{{0, no_parent, 0}};
         while (!open.empty()) {
-            const Open next = open.back();
+            const Pending next = open.back();
             open.pop_back();
             const BinaryNode& top = binary_[next.binary];
             const TreeRef ref = top.count != 0 ? TreeRef::leaf(tree_.leaves.size()) : TreeRef::node(tree_.nodes.size());
@@ -290,27 +294,27 @@ class Builder {
         set_corners_and_slabs(tree_, mesh_);
     }
 
-    // The parts that become the children of the wide node for `top`, from left to right.
+    // Collects the binary nodes that become the children of the eight-wide node for `top`, from left to right.
     std::size_t find_roots(const BinaryNode& top, std::array<std::uint32_t, tree_width>& roots) const {
-        struct Some {
+        struct Subtree {
             std::uint32_t node;
             std::size_t count;
         };
-        std::array<Some, tree_width> parts;  // each becomes one root at least, so there are at most eight
+        std::array<Subtree, tree_width> parts;  // each becomes one root at least, so there are at most eight
         std::size_t part_count = 0, root_count = 0;
-        const auto divide = [&](const BinaryNode& node, Share share) {
-            parts[part_count++] = {node.child + 1, share.right};
-            parts[part_count++] = {node.child, share.left};
+        const auto divide = [&](const BinaryNode& node, Split split_at) {
+            parts[part_count++] = {node.child + 1, split_at.right};
+            parts[part_count++] = {node.child, split_at.left};
         };
         divide(top, top.children);
         while (part_count > 0) {
-            const Some part = parts[--part_count];
+            const Subtree part = parts[--part_count];
             const BinaryNode& node = binary_[part.node];
-            const Share share = node.share[part.count - 1];
-            if (share.left == 0)
+            const Split split_at = node.split_at[part.count - 1];
+            if (split_at.left == 0)
                 roots[root_count++] = part.node;
             else
-                divide(node, share);
+                divide(node, split_at);
         }
         return root_count;
     }
@@ -325,7 +329,7 @@ class Builder {
 
     const Mesh& mesh_;
     MeshBvh tree_;
-    Items items_;
+    PrimitiveRefs items_;
     std::vector<BinaryNode> binary_;
 };
 

@@ -26,7 +26,7 @@ double tree_cost(const MeshBvh& tree) noexcept {
     return sum / surface_of(static_cast<double>(half[0]), static_cast<double>(half[1]), static_cast<double>(half[2]));
 }
 
-// Parents are before their children, so backwards every box is there when it is asked for.
+// Goes backwards: parents are before their children, so that each box is made before it is read.
 MeshBvh refit_mesh_bvh(const MeshBvh& tree, const Mesh& mesh) {
     MeshBvh result = tree;
     result.frame = refit_frame(tree.frame, mesh);
@@ -49,7 +49,7 @@ MeshBvh refit_mesh_bvh(const MeshBvh& tree, const Mesh& mesh) {
     }
     set_corners_and_slabs(result, mesh);
     set_root(result, box_at(result.root));
-    // Written so that a cost that is not a number, as that of infinite boxes is, keeps the tree.
+    // A NaN, the cost of infinite boxes, compares false and keeps the tree.
     if (tree_cost(result) > cost_growth_max * result.built_cost) return build_mesh_bvh(mesh, fit_frame(mesh));
     return result;
 }

@@ -92,7 +92,8 @@ struct Kernel {
         span(p, corners, spans);
     }
 
-    // Lane j keeps bit i of `rows` unless spans i of x and j of y are apart. NaN compares false: not apart.
+    // Returns in lane j those bits i of `rows` for which span i of x and span j of y are not apart on any axis. NaN
+    // compares false: not apart.
     ECODS_ALWAYS_INLINE static Ints find_near(const Spans& x, const Spans& y, std::size_t part,
                                               std::uint32_t rows) noexcept {
         Ints near{};
@@ -119,7 +120,7 @@ struct Kernel {
         pairs |= low_bytes(near) << (8 * part * width);
     }
 
-    // The ends of what is in the lanes on an axis: m . y.
+    // The least and largest m . y of each lane's box or triangle.
     ECODS_ALWAYS_INLINE static void find_ends(const BvhNode& node, const std::array<float, 3>& m, std::size_t part,
                                               Floats& low, Floats& high) noexcept {
         const Floats middle =
@@ -140,8 +141,9 @@ struct Kernel {
         high = max(a, max(b, c));
     }
 
-    // The lanes of `other`, placed by `p`, that are not certainly beyond the slab. The slab's tree is on axes of its
-    // own in this set; `shift` is 1 if the other's tree is the shifted one, -1 if the slab's is.
+    // Sets the lanes of `other`, projected by `p`, that are not certainly beyond the slab of a node of the other tree.
+    // The set must have the axes of the slab's tree; `shift` is 1 if the other tree is the shifted one, -1 if the
+    // slab's is.
     //
     // Bound: the slab's normal n is a vector in the coordinates N x. The other's projection there is n . (P y + q),
     // computed as (P^T n) . y + n . q. For a corner there are the errors of converting P and q, of y, and 3.01 v s for
@@ -170,7 +172,8 @@ struct Kernel {
 
     template <class X, class Y>
     ECODS_ALWAYS_INLINE static std::uint64_t overlap_mask(const Sets& sets, const X& x, const Y& y) noexcept {
-        // Most pairs that a box lets pass end here: flat parts of smooth surfaces, above each other.
+        // Slabs first: they separate most pairs whose boxes overlap, nearly flat parts of smooth surfaces above each
+        // other.
         Ints near[part_count], lanes[part_count];
         std::uint32_t rows = x.lanes();
         if (sets[0].a.is_unit) {
@@ -211,9 +214,9 @@ struct Kernel {
         return pairs & ~std::uint64_t{0} >> (64 - tree_width * y.count);
     }
 
-    // Lane j keeps bit i of `rows` unless all corners of triangle i of x are certainly on one side of the plane of
-    // triangle j of y, or the other way round. Coordinates are images of those of the world under one linear map: what
-    // a plane separates there is disjoint here.
+    // Returns in lane j those bits i of `rows` for which neither plane is proven to separate triangle i of x from
+    // triangle j of y, by having all corners of the other triangle strictly on one side. Coordinates are the world's
+    // under one linear map, so triangles separated there are disjoint in the world.
     //
     // Bound: that of exact/filter_bound.hpp, whose derivation holds for any unit roundoff, with v = 2^-23 for u' and
     // point_error for delta. With E the extents of the two triangles, enlarged by e = v E + 2 delta, it is

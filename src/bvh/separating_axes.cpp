@@ -29,7 +29,7 @@ struct RootBox {
                static_cast<double>(tree.root_half[2]), 0} {}
 };
 
-// A tree's boxes in the world, with the sums that the bound is made of.
+// The edges and the center of a tree's boxes in the world, with the sums that enter the bound.
 struct Edges {
     Matrix4 edges;        // R map
     Double4 size;         // |R| |map| 1
@@ -64,7 +64,7 @@ ECODS_ALWAYS_INLINE Matrix4 axes_of(const Edges& own, const Edges& other) noexce
     return {{Double4{factor, 0, 0, 0}, Double4{0, factor, 0, 0}, Double4{0, 0, factor, 0}}};
 }
 
-// The tree whose normals the axes are.
+// Which tree the axes are the face normals of.
 enum class Own { a, b };
 
 // Three axes in doubles.
@@ -100,8 +100,8 @@ struct DoubleAxes {
     ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return margin[0] < infinity; }
 };
 
-// Which of the three faces separates, or -1. `x` is the box of the tree whose normals they are, and `p` brings the
-// other box `y` to them.
+// Returns which of the three face normals separates the boxes, or -1. `x` is the box of the tree that the normals
+// belong to; `p` maps the coordinates of the other box `y` to them.
 ECODS_ALWAYS_INLINE int separating_face(const DoubleAxes& set, const RootBox& x, const Matrix4& own, const RootBox& y,
                                         const Matrix4& p, double sign) noexcept {
     const Double4 x_center = set.is_unit ? x.center : own * x.center;
@@ -114,8 +114,8 @@ ECODS_ALWAYS_INLINE int separating_face(const DoubleAxes& set, const RootBox& x,
     return -1;
 }
 
-// Which of the nine products of edges separates, or -1: those of edge i of a with the three of b, side by side. Edge i
-// of a is the axis i, so a product has two coordinates, k = i + 1 and l = i + 2.
+// Returns which of the nine cross products of edges separates the boxes, or -1. Edge i of a is tested with the three of
+// b at once. Edge i of a is the axis i, so a product has two coordinates, k = i + 1 and l = i + 2.
 ECODS_ALWAYS_INLINE int separating_edges(const DoubleAxes& set, const RootBox& x, const RootBox& y) noexcept {
     if (!set.is_unit) return -1;
     const Matrix4 rows = transpose(set.b);
@@ -157,7 +157,7 @@ ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Matrix4& P
     projection.is_unit = false;
 }
 
-// The last factor makes up for the conversion of bounds.
+// The last factor covers the rounding of the bounds to floats.
 ECODS_ALWAYS_INLINE void set_floats(AxisSet& set, const DoubleAxes& exact, Projection& own) noexcept {
     set_projection(set.a, exact.a, Double4{});
     set_projection(set.b, exact.b, exact.offset);
@@ -168,8 +168,8 @@ ECODS_ALWAYS_INLINE void set_floats(AxisSet& set, const DoubleAxes& exact, Proje
     set.point_error = to_floats((8 * in_float + in_double + exact.e) * (1 + 0x1p-22) + unbounded);
 }
 
-// The number of an axis that separates the roots, or -1 and the sets. Looks at the normals of b before those of a, or
-// at the edges before the normals of b, if the axis `preferred` is one of them.
+// Returns the number of an axis that separates the roots, or sets the sets and returns -1. Tests the normals of b
+// before those of a, or the edges before the normals of b, if the axis `preferred` is one of them.
 ECODS_ALWAYS_INLINE int bind_sets(std::array<AxisSet, 2>& sets, const PosedTree& a, const PosedTree& b,
                                   const Vec3& difference, int preferred) noexcept {
     const Edges edges_a(a.tree.frame, a.R), edges_b(b.tree.frame, b.R);
@@ -203,7 +203,7 @@ ECODS_ALWAYS_INLINE int bind_sets(std::array<AxisSet, 2>& sets, const PosedTree&
 
 int SeparatingAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d, int first) {
     if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) return dispatch<bind_sets>(sets_, a, b, d, first);
-    // Nothing is separated from what has no bounds.
+    // A tree without bounds is never separated.
     constexpr float unbounded = std::numeric_limits<float>::infinity();
     for (AxisSet& set : sets_) {
         set = {};

@@ -1,9 +1,9 @@
 // Certain disjointness of the boxes of two posed trees, for any two affine poses.
 //
-// Whatever vector n is taken for an axis, exact disjointness of the projections on n proves that two boxes are
-// disjoint: n itself needs no accuracy, only the projections need a bound. Axes come in sets of three: the normals of
-// the faces of one tree's boxes, which for a sheared pose are not the edges; where a pose is so flat that normals mean
-// nothing, the axes of the world. A zero axis never separates.
+// Two boxes are disjoint if their exact projections on some vector n are. Any n is sound: it needs no accuracy, only
+// the projections need a bound. Axes come in sets of three: the face normals of one tree's boxes, which under a sheared
+// pose are not the directions of their edges; or the axes of the world, where a pose is too flat for normals to mean
+// anything. A zero axis never separates.
 //
 // With trees' frames v = center + map y, and coordinates of the world relative to the first body's translation, the
 // boxes are
@@ -22,7 +22,7 @@
 // In floats let v = 2^-23, S_a = |P_a| 1 and S_b = |P_b| 1, and s = S_a + S_b + |q|, in one row.
 //   Corners of triangles, P y + q: converting P and q is worth v s; the error of y (corner_error) 1.01 v S; products
 //   and sums 3.01 v S; adding q v s. With the errors of P and q below 7 v s + 13 u' w; a bound of 8 v s + 16 u' w has
-//   room for its own evaluation. Boxes, exact in y: converting P and products and sums 4.01 v S for the middle and as
+//   margin for its own evaluation. Boxes, exact in y: converting P and products and sums 4.01 v S for the middle and as
 //   much for the reach; q, its addition, that of the margin, and the two ends v s each: below 14 v s for both boxes.
 //   Ends of triangles are no worse. A margin of 16 v s + 16 u' w is enough for all. Where a tree's boxes are on its own
 //   normals, P is the identity but for rounding, and is taken for it: with e the sum of |P - I| over the row, corners
@@ -33,10 +33,10 @@
 // sum |n'_k| (...)_k, and P^T n' as computed adds 6.1 u' sum |n'_k| s_k. Hence 32 u' (s + w) for a row of either kind.
 //
 // Underflow: a hundred operations lose 2^-1022 each (subnormals taken for zero included) times a factor of at most
-// 2^900, which is checked, else the margin is infinite: below 2^-100; floats lose 2^-126 each. Overflow: s and w are
-// required to be below 2^100, else the margin is infinite and the row never separates; NaN fails that, too. A mode that
-// rounds down makes large numbers of infinities, and a short axis would hide them: so what w is made of before N comes
-// to it, which no coordinate of the world exceeds, is required to be below 2^1000 in sum.
+// 2^900, which is checked (otherwise the margin is infinite): below 2^-100; floats lose 2^-126 each. Overflow: s and w
+// are required to be below 2^100; otherwise, and for NaN, the margin is infinite and the row never separates. A mode
+// that rounds down turns infinities into large numbers, which a short axis would hide: so the sum of magnitudes before
+// the projection by N, an upper bound on every world coordinate, is required to be below 2^1000.
 #pragma once
 
 #include <array>
@@ -47,13 +47,13 @@
 
 namespace ecods {
 
-// A tree at a pose. Both are referred to.
+// A tree at a pose, by reference.
 struct PosedTree {
     const MeshBvh& tree;
     const Mat3& R;
 };
 
-// What brings one tree's coordinates to three axes.
+// The map from one tree's coordinates to three axes.
 struct Projection {
     std::array<std::array<float, 4>, 3> p;     // columns; rows are axes, the fourth is zero
     std::array<std::array<float, 4>, 3> size;  // |p|
@@ -73,9 +73,9 @@ inline constexpr int root_axis_count = 15;
 
 class SeparatingAxes {
   public:
-    // The number of an axis that certainly separates the roots: 0 to 2 the normals of a's faces, 3 to 5 of b's, 6 to 14
-    // the products of their edges. -1 if none is known to; then the sets are ready for overlap_mask. `d`: fl(t_b -
-    // t_a). The axis `first` is tried before the others, if there is one of that number.
+    // Returns the number of an axis that certainly separates the roots: 0 to 2 for the normals of a's faces, 3 to 5 for
+    // b's, 6 to 14 for the cross products of their edges. Returns -1 if none is known to; then the sets are ready for
+    // overlap_mask. `d` is fl(t_b - t_a). The group of the axis `first` is tried first; -1 has no preference.
     int bind(const PosedTree& a, const PosedTree& b, const Vec3& d, int first = -1);
 
     const std::array<AxisSet, 2>& sets() const noexcept { return sets_; }
@@ -84,9 +84,9 @@ class SeparatingAxes {
     std::array<AxisSet, 2> sets_;
 };
 
-// Bit 8 j + i is set unless what is in lane i of x, in the first tree, and in lane j of y, in the second, is certainly
-// disjoint: boxes and triangles by the six axes, and of two leaves the triangles by each other's planes, too. Lanes
-// that only repeat another are never set.
+// Returns a mask of the pairs of lanes that may overlap: bit 8 j + i is clear if lane i of x, of the first tree, and
+// lane j of y, of the second, are proven disjoint, by one of the six face normals or a slab, or for the triangles of
+// two leaves by the plane of one of them. Bits of lanes that repeat another are clear.
 std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const BvhNode& x, const BvhNode& y) noexcept;
 std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const BvhNode& x, const TreeLeaf& y) noexcept;
 std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const TreeLeaf& x, const BvhNode& y) noexcept;

@@ -21,7 +21,7 @@ void set_corners(TreeLeaf& leaf, const Mesh& mesh, const LocalFrame& frame) {
     for (std::size_t lane = 0; lane < tree_width; ++lane) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const Vec3& v = mesh.vertices()[mesh.triangles()[leaf.triangle[lane]][corner]];
-            // Without bounds no coordinate is used.
+            // A frame without bounds has no coordinates, and none is read.
             const Vec3 y = frame.is_bounded ? frame.coordinates(v) : Vec3(0, 0, 0);
             for (std::size_t k = 0; k < 3; ++k) {
                 leaf.corner[corner][k][lane] = round_to_nearest(y[static_cast<Eigen::Index>(k)]);
@@ -40,9 +40,9 @@ Vec3 area_of(const TreeLeaf& leaf) {
     return sum;
 }
 
-// The slab along `area` of what is in the leaves. Any normal will do. Its products with corners are off by
-// 3.01 u' sum |normal| |y| <= 3.01 u' sqrt(3) (1 + 2^-22), and by corner_error sum |normal| for the corners themselves:
-// below 2 corner_error.
+// A slab along `area` that contains the triangles of the leaves; any normal is sound. Its products with corners are off
+// by 3.01 u' sum |normal| |y| <= 3.01 u' sqrt(3) (1 + 2^-22), and by corner_error sum |normal| for the corners
+// themselves: below 2 corner_error.
 Slab slab_of(std::span<const TreeLeaf> leaves, const Vec3& area) {
     const double length = area.norm();
     Slab slab{};
@@ -69,7 +69,7 @@ Slab slab_of(std::span<const TreeLeaf> leaves, const Vec3& area) {
     return slab;
 }
 
-// The leaves below a node are next to each other.
+// The leaves below a node, which are neighbours in the tree's list, and the sum of their areas.
 struct LeafRange {
     std::size_t begin, end;
     Vec3 area;

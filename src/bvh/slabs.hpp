@@ -1,12 +1,12 @@
-// What leaves and nodes know of the triangles in them, beyond boxes.
+// Leaf corners, and a slab (one-normal k-DOP) for each node and leaf.
 #pragma once
 
 #include "bvh/mesh_bvh.hpp"
 
 namespace ecods {
 
-// Sets the corners of all leaves, for the triangles that are there already, and the slabs of leaves and nodes. Leaves
-// must be in the order of the tree. Cost: one pass over the triangles a level.
+// Sets the corners of all leaves and the slabs of all leaves and nodes, from the triangles that the leaves name. Leaves
+// must be in the order of the tree. Cost: one pass over the triangles per level.
 void set_corners_and_slabs(MeshBvh& tree, const Mesh& mesh);
 
 }  // namespace ecods

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/assert.hpp"
 #include "simd/inline.hpp"
 
 namespace ecods {
@@ -29,6 +30,7 @@ ECODS_ALWAYS_INLINE void walk_one(const Tree& tree, Bound&& bound, Result&& resu
             continue;
         }
         for (; lanes != 0; lanes &= lanes - 1) {
+            ECODS_ASSERT(depth < Tree::stack_size);
             stack[depth++] = tree.child(node, static_cast<std::uint32_t>(std::countr_zero(lanes)));
         }
     }

@@ -13,8 +13,8 @@ namespace {
 constexpr int exponent_count = 2048;  // of doubles
 constexpr int class_width = 3;        // powers of two
 
-// The tree of each size. Sizes of which there are few join the next larger ones that there are: small boxes in a
-// tree of large ones do no harm, only the reverse does.
+// The number of the tree for each size. Sizes with few boxes share the tree of the next larger sizes in use: small
+// boxes in a tree of large ones do no harm, large ones in a tree of small ones do.
 std::array<std::uint8_t, exponent_count> choose_classes(std::span<const BoxForest::Item> items) {
     std::array<std::uint32_t, exponent_count> counts{};
     for (const auto& item : items) ++counts[static_cast<std::size_t>(item.size_exponent)];
@@ -51,7 +51,7 @@ BoxForest::Item BoxForest::make_item(const Aabb& box, SlotIndex slot) noexcept {
 
 void BoxForest::build(std::span<Item> items, std::span<const PackedBox> lines) {
     trees_.clear();
-    places_.assign(lines.size(), {});
+    positions_.assign(lines.size(), {});
     const auto classes = choose_classes(items);
     const std::size_t count = items.empty() ? 0 : std::size_t{classes[exponent_count - 1]} + 1;
     std::vector<std::vector<TreeItem>> parts(count);
@@ -70,7 +70,7 @@ void BoxForest::build_tree(std::span<TreeItem> items, std::span<const PackedBox>
     BoxTree& tree = trees_.emplace_back();
     tree.build(items, lines);
     for (std::uint32_t position = 0; position < tree.size(); ++position) {
-        places_[tree.slot(position)] = {tree_index, position};
+        positions_[tree.slot(position)] = {tree_index, position};
     }
 }
 
@@ -86,60 +86,60 @@ void BoxForest::append_order(std::vector<SlotIndex>& order) const {
 
 void BoxForest::renumber() {
     SlotIndex base = 0;
-    places_.clear();
+    positions_.clear();
     for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
         trees_[tree].renumber(base);
         for (std::uint32_t position = 0; position < trees_[tree].size(); ++position)
-            places_.push_back({tree, position});
+            positions_.push_back({tree, position});
         base += static_cast<SlotIndex>(trees_[tree].size());
     }
 }
 
-bool BoxForest::insert(const Item& newcomer, std::span<const PackedBox> lines) {
+bool BoxForest::insert(const Item& item, std::span<const PackedBox> lines) {
     for (std::uint32_t tree = 0; tree < class_count_; ++tree) {
-        if (largest_[tree] < newcomer.size_exponent) continue;
-        Place& place = places_[newcomer.item.slot];
-        if (!trees_[tree].insert(newcomer.item, lines[newcomer.item.slot], place.position)) return false;
-        place.tree = tree;
+        if (largest_[tree] < item.size_exponent) continue;
+        Position& position = positions_[item.item.slot];
+        if (!trees_[tree].insert(item.item, lines[item.item.slot], position.index)) return false;
+        position.tree = tree;
         return true;
     }
     return false;
 }
 
-void BoxForest::add(std::span<const Item> newcomers, std::span<const PackedBox> lines) {
-    if (places_.size() < lines.size()) places_.resize(lines.size());
-    std::vector<TreeItem> items;
-    for (const Item& newcomer : newcomers) {
-        if (!insert(newcomer, lines)) items.push_back(newcomer.item);
+void BoxForest::add(std::span<const Item> items, std::span<const PackedBox> lines) {
+    if (positions_.size() < lines.size()) positions_.resize(lines.size());
+    std::vector<TreeItem> unsorted;
+    for (const Item& item : items) {
+        if (!insert(item, lines)) unsorted.push_back(item.item);
     }
-    if (items.empty()) return;
-    while (trees_.size() > class_count_ && trees_.back().alive_count() <= 3 * items.size()) {
+    if (unsorted.empty()) return;
+    while (trees_.size() > class_count_ && trees_.back().alive_count() <= 3 * unsorted.size()) {
         const BoxTree& tree = trees_.back();
         for (std::size_t position = 0; position < tree.size(); ++position) {
             if (tree.get(position).is_empty()) continue;
-            items.push_back(tree_item(box_of(lines[tree.slot(position)]), tree.slot(position)));
+            unsorted.push_back(tree_item(box_of(lines[tree.slot(position)]), tree.slot(position)));
         }
         trees_.pop_back();
     }
-    build_tree(items, lines);
+    build_tree(unsorted, lines);
 }
 
 void BoxForest::set(SlotIndex slot, const PackedBox& line) {
-    if (slot >= places_.size() || places_[slot].tree == no_tree) return;
-    trees_[places_[slot].tree].set(places_[slot].position, line);
+    if (slot >= positions_.size() || positions_[slot].tree == no_tree) return;
+    trees_[positions_[slot].tree].set(positions_[slot].index, line);
 }
 
 void BoxForest::prefetch(SlotIndex slot) const noexcept {
-    if (slot >= places_.size() || places_[slot].tree == no_tree) return;
-    trees_[places_[slot].tree].prefetch(places_[slot].position);
+    if (slot >= positions_.size() || positions_[slot].tree == no_tree) return;
+    trees_[positions_[slot].tree].prefetch(positions_[slot].index);
 }
 
 void BoxForest::remove(SlotIndex slot) {
     set(slot, {});
-    if (slot < places_.size()) places_[slot] = {};
+    if (slot < positions_.size()) positions_[slot] = {};
 }
 
-std::size_t BoxForest::newcomer_count() const noexcept {
+std::size_t BoxForest::unsorted_count() const noexcept {
     std::size_t count = 0;
     for (std::size_t i = class_count_; i < trees_.size(); ++i) count += trees_[i].alive_count();
     return count;
@@ -156,7 +156,7 @@ std::uint64_t BoxForest::find_pairs(std::vector<std::array<SlotIndex, 2>>& found
 }
 
 std::size_t BoxForest::bytes() const noexcept {
-    std::size_t sum = bytes_of(trees_, places_);
+    std::size_t sum = bytes_of(trees_, positions_);
     for (const BoxTree& tree : trees_) sum += tree.bytes();
     return sum;
 }
@@ -176,13 +176,13 @@ void BoxForest::validate(std::span<const PackedBox> lines) const {
     }
     for (std::size_t slot = 0; slot < lines.size(); ++slot) {
         if (seen[slot] != (lines[slot].is_empty() ? 0 : 1)) {
-            throw BrokenInvariant("box forest: slot " + std::to_string(slot) + " is in " + std::to_string(seen[slot]) +
-                                  " places");
+            throw BrokenInvariant("box forest: slot " + std::to_string(slot) + " is at " + std::to_string(seen[slot]) +
+                                  " positions");
         }
-        const Place place = lines[slot].is_empty() ? Place{} : places_[slot];
+        const Position position = lines[slot].is_empty() ? Position{} : positions_[slot];
         if (!lines[slot].is_empty() &&
-            (place.tree >= trees_.size() || trees_[place.tree].slot(place.position) != slot)) {
-            throw BrokenInvariant("box forest: the place of slot " + std::to_string(slot) + " is another's");
+            (position.tree >= trees_.size() || trees_[position.tree].slot(position.index) != slot)) {
+            throw BrokenInvariant("box forest: the position of slot " + std::to_string(slot) + " is another's");
         }
     }
 }

@@ -11,69 +11,74 @@
 
 namespace ecods {
 
-// One tree for each class of sizes, a factor of eight wide, and a few for newcomers, each more than three times as
-// large as the next: few to look into, and a newcomer is sorted again at most a few times for each time that the number
-// of newcomers quadruples.
+// One tree for each class of sizes, a factor of eight wide, and a few trees of unsorted boxes: those that came later,
+// whatever their size. Each of these is more than three times as large as the next, so there are few to search, and a
+// box is moved to another of them a few times for each time that their number quadruples.
 class BoxForest {
   public:
-    // A box and where it is. Only lines[slot] decides what it overlaps.
+    // A box to be put into a tree: its slot, center and size. Only lines[slot] decides which boxes it overlaps.
     struct Item {
         TreeItem item;
         int size_exponent;
     };
     static Item make_item(const Aabb& box, SlotIndex slot) noexcept;
 
-    // Starts anew with these. The items are reordered. Cost: n log n.
+    // Makes the forest one of these boxes alone. Reorders `items`. Cost: n log n.
     void build(std::span<Item> items, std::span<const PackedBox> lines);
 
     // Gives every slot that is in a tree the box that it has now. Cost: n.
     void refit(std::span<const PackedBox> lines);
 
-    // The slots in the order of the trees after build(): neighbours are close to each other.
+    // Appends the slots in the order of the trees after build(), in which neighbours are close to each other.
     void append_order(std::vector<SlotIndex>& order) const;
 
-    // After build(), when the owner has put its lines in that order: slot numbers are positions in it from now on.
+    // Makes slots the positions in that order. Called after build(), when the owner has put its lines into that order.
     void renumber();
 
-    // A newcomer takes the place of a box that was removed, if there is one close by; the others get trees of their
-    // own.
-    void add(std::span<const Item> newcomers, std::span<const PackedBox> lines);
-    // Of a slot that is in no tree: nothing.
+    // Adds boxes: each takes the position of a removed box close to it, if there is one; the others get an unsorted
+    // tree.
+    void add(std::span<const Item> items, std::span<const PackedBox> lines);
+
+    // Gives a slot another box, or removes it. Nothing happens if the slot is in no tree.
     void set(SlotIndex slot, const PackedBox& line);
     void remove(SlotIndex slot);
-    void prefetch(SlotIndex slot) const noexcept;  // what set() and find() of its box will look at
 
-    // Newcomers are not sorted by size, so there should not be too many.
-    std::size_t newcomer_count() const noexcept;
+    // Asks for the memory that set() of this slot, and find() of its box, will read.
+    void prefetch(SlotIndex slot) const noexcept;
 
-    // As those of BoxTree. find_pairs: all pairs that overlap, each once.
+    // Boxes in unsorted trees. Searches slow down as they become many: then build().
+    std::size_t unsorted_count() const noexcept;
+
+    // As BoxTree::find, over all trees.
     template <class Bounds>
     std::uint64_t find(const Bounds& bounds, std::vector<SlotIndex>& found) const {
         std::uint64_t tests = 0;
         for (const BoxTree& tree : trees_) tests += tree.find(bounds, found);
         return tests;
     }
+
+    // Appends all pairs of slots whose boxes overlap, each once. Returns the number of box tests.
     std::uint64_t find_pairs(std::vector<std::array<SlotIndex, 2>>& found) const;
 
     std::size_t bytes() const noexcept;
 
-    // Throws BrokenInvariant unless each slot with a line that is not empty is in exactly one place, with that box.
+    // Throws BrokenInvariant unless each slot with a line that is not empty is at exactly one position, with that box.
     void validate(std::span<const PackedBox> lines) const;
 
   private:
     static constexpr std::uint32_t no_tree = ~std::uint32_t{0};
-    struct Place {
+    struct Position {
         std::uint32_t tree = no_tree;
-        std::uint32_t position = 0;
+        std::uint32_t index = 0;  // in the tree
     };
 
     void build_tree(std::span<TreeItem> items, std::span<const PackedBox> lines);
-    bool insert(const Item& newcomer, std::span<const PackedBox> lines);
+    bool insert(const Item& item, std::span<const PackedBox> lines);
 
     std::vector<BoxTree> trees_;
-    std::size_t class_count_ = 0;  // trees that are not for newcomers
-    std::vector<int> largest_;     // size exponent, by class
-    std::vector<Place> places_;    // by slot
+    std::size_t class_count_ = 0;      // trees before the unsorted ones
+    std::vector<int> largest_;         // size exponent, by class
+    std::vector<Position> positions_;  // by slot
 };
 
 }  // namespace ecods

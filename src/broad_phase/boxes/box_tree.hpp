@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/assert.hpp"
 #include "broad_phase/boxes/packed_box.hpp"
 
 namespace ecods {
@@ -16,8 +17,8 @@ using SlotIndex = std::uint32_t;
 
 constexpr SlotIndex no_slot = ~SlotIndex{0};
 
-// A box to be put into a tree. The center is where it is sorted to: a good choice makes queries fast, and any other,
-// equal ones included, is as right. No coordinate may be NaN.
+// A box to be put into a tree. Boxes are sorted by `center`: a good choice makes queries fast, any choice is correct,
+// equal centers included. No coordinate may be NaN.
 struct TreeItem {
     std::array<double, 3> center;
     SlotIndex slot;
@@ -25,34 +26,41 @@ struct TreeItem {
 
 TreeItem tree_item(const Aabb& box, SlotIndex slot) noexcept;
 
-// Boxes in the order of a kd-tree, eight in a block, the bounds of eight blocks in a block, and so on, so that the
-// tree is its levels and no pointers. Splitting by rank makes it hold for any distribution: clusters, lines, far
-// outliers. It does not hold for mixed sizes: one large box in each block of small ones spoils it. Its users keep a
-// tree for each class of sizes.
+// Boxes in the order of a kd-tree, eight per block; above them the bounds of eight blocks per block, and so on: the
+// tree is an array for each level, without pointers. Splitting by rank keeps it balanced for any distribution:
+// clusters, lines, far outliers. Mixed sizes spoil it, since one large box makes the bounds of a block of small ones
+// large: users keep a tree for each class of sizes.
+//
+// It shares with the tree of a mesh (bvh/mesh_bvh.hpp) the walk of one tree. Their builders have nothing in common:
+// that one weighs surfaces and gives nodes any number of children, this one is made again many times a second.
 class BoxTree {
   public:
     // Orders the items. lines[item.slot] is the box. Cost: n log n.
     void build(std::span<TreeItem> items, std::span<const PackedBox> lines);
 
-    std::size_t size() const noexcept { return slots_.size(); }              // positions, of which some may be empty
-    std::size_t alive_count() const noexcept { return alive_count_; }        // those that are not
-    SlotIndex slot(std::size_t position) const { return slots_[position]; }  // or no_slot
+    std::size_t size() const noexcept { return slots_.size(); }        // positions, empty ones included
+    std::size_t alive_count() const noexcept { return alive_count_; }  // positions that hold a box
+    SlotIndex slot(std::size_t position) const {                       // or no_slot
+        ECODS_ASSERT(position < size());
+        return slots_[position];
+    }
 
-    // Gives every position that has a slot the box that it has now; the order stays. Cost: n.
+    // Sets every position's box to lines[its slot]; the order stays. Cost: n.
     void refit(std::span<const PackedBox> lines);
 
-    // Numbers the positions base, base + 1, ...: their owner has put its lines in the order of the tree.
+    // Makes the slots base, base + 1, ... by position: the owner has put its lines into the order of the tree.
     void renumber(SlotIndex base);
 
-    // Puts a box where another was taken out, close to where it belongs. Returns false when there is no such place.
-    // Cost: as find() of a point.
+    // Puts a box at an empty position near its center, and returns true, or finds none and returns false. Cost: as
+    // find() of a point.
     bool insert(const TreeItem& item, const PackedBox& line, std::uint32_t& position);
 
-    // Gives a position another box; an empty one takes its slot out for good. Cost: a block a level, less where bounds
-    // stay.
+    // Sets a position's box; an empty box also removes the slot. Cost: a block per level, up to the first whose bounds
+    // stay the same.
     void set(std::size_t position, const PackedBox& line);
     void prefetch(std::size_t position) const noexcept;
     PackedBox get(std::size_t position) const {
+        ECODS_ASSERT(position / BoxBlock::width < levels_[0].size());
         return levels_[0][position / BoxBlock::width].get(position % BoxBlock::width);
     }
 
@@ -64,8 +72,8 @@ class BoxTree {
     template <class Bounds>
     std::uint64_t find(const Bounds& bounds, std::vector<SlotIndex>& found) const;
 
-    // Appends the pairs of slots that overlap, one of this tree, the other of `other`, which may be the same tree. Best
-    // when the other's boxes are not the smaller ones. Returns the number of box tests.
+    // Appends the pairs of slots that overlap, one of this tree and one of `other`, which may be the same tree. Fastest
+    // when the boxes of `other` are the larger ones. Returns the number of box tests.
     std::uint64_t join(const BoxTree& other, std::vector<std::array<SlotIndex, 2>>& found) const;
 
     std::size_t bytes() const noexcept;
@@ -76,7 +84,7 @@ class BoxTree {
   private:
     static constexpr std::uint32_t width = BoxBlock::width;
 
-    // A block of bounds, and some of its lanes.
+    // A block on level 1, and lanes of it.
     struct Parent {
         std::uint32_t block;
         std::uint32_t children;
@@ -87,7 +95,7 @@ class BoxTree {
     std::uint64_t join_wide(const BoxTree& other, std::vector<std::array<SlotIndex, 2>>& found) const;
     std::uint64_t find_parents(const BoxReach& reach, std::uint32_t first, std::vector<Parent>& found) const;
 
-    std::vector<std::vector<BoxBlock>> levels_;  // the boxes first, one block last
+    std::vector<std::vector<BoxBlock>> levels_;  // level 0: boxes; the last: one block
     std::vector<SlotIndex> slots_;               // by position
     std::size_t alive_count_ = 0;
 };

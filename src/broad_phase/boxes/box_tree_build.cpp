@@ -11,7 +11,7 @@
 namespace ecods {
 namespace {
 
-// The widest spread tells where to split. An infinite spread is one like any other.
+// The axis on which centers spread most. Spreads may overflow to infinity.
 int choose_axis(std::span<const TreeItem> items) {
     std::array<double, 3> min = items[0].center;
     std::array<double, 3> max = min;
@@ -28,8 +28,8 @@ int choose_axis(std::span<const TreeItem> items) {
     return best;
 }
 
-// Splits until a block is left. The first part always is a power of two of blocks, so that eight blocks that share a
-// parent are what three splits made.
+// Sorts the items into the order of the tree: splits by rank until a block is left. The first part of each split is a
+// power of two of blocks, so that the eight blocks of a parent are the result of three splits.
 void order(std::span<TreeItem> items) {
     std::array<std::span<TreeItem>, 32> stack;  // second parts, each at most half as long as the one below
     std::size_t depth = 0;
@@ -90,6 +90,8 @@ void BoxTree::renumber(SlotIndex base) {
 }
 
 void BoxTree::set(std::size_t position, const PackedBox& line) {
+    ECODS_ASSERT(position < size());
+    ECODS_ASSERT(line.is_empty() || slots_[position] != no_slot);
     if (line.is_empty() && slots_[position] != no_slot) {
         slots_[position] = no_slot;
         --alive_count_;

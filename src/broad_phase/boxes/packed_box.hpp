@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/assert.hpp"
 #include "geometry/key_box.hpp"
 #include "simd/vec.hpp"
 
@@ -16,8 +17,8 @@ namespace ecods {
 
 using KeyLanes = Vec<std::int64_t, 4>;
 
-// A box as eight numbers: the minima, -1, the complements of the maxima, -1. A complement reverses the order, so that
-// of each number the smaller reaches farther: containment, union and overlap are the same operation on all lanes.
+// A box as eight numbers: the minima, -1, the complements of the maxima, -1. Complements reverse the order, so that in
+// every lane the smaller number reaches farther: containment, union and overlap are one operation for all lanes.
 struct alignas(64) PackedBox {
     static constexpr std::int64_t unreachable = std::numeric_limits<std::int64_t>::max();
 
@@ -28,7 +29,7 @@ struct alignas(64) PackedBox {
     bool is_empty() const noexcept { return ends[0] == unreachable; }
 };
 
-// How far the ends of another box may be for the two to overlap: lane by lane, theirs <= these.
+// A box prepared for overlap tests: another one overlaps it if in every lane its end is at most this one's.
 struct alignas(64) BoxReach {
     std::array<std::int64_t, 8> ends;
 };
@@ -46,6 +47,7 @@ inline KeyBox key_box(const PackedBox& line) noexcept {
 
 // The box of which this is the packed one, which must not be empty.
 inline Aabb box_of(const PackedBox& line) noexcept {
+    ECODS_ASSERT(!line.is_empty());
     Aabb box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         box.min[static_cast<Eigen::Index>(axis)] = double_of(line.ends[axis]);
@@ -54,7 +56,7 @@ inline Aabb box_of(const PackedBox& line) noexcept {
     return box;
 }
 
-// packed_box(key_box(box)), without taking it apart.
+// packed_box(key_box(box)), by vectors.
 ECODS_ALWAYS_INLINE void make_packed_box(const Aabb& box, PackedBox& line) noexcept {
     static_assert(sizeof(Aabb) == 6 * sizeof(double));
     const auto* first = reinterpret_cast<const std::int64_t*>(box.min.data());  // read as vectors, which may alias
@@ -101,6 +103,7 @@ struct alignas(64) BoxBlock {
     static constexpr std::size_t lane_of(std::size_t row) noexcept { return row < 3 ? row : row + 1; }
 
     void set(std::size_t index, const PackedBox& line) noexcept {
+        ECODS_ASSERT(index < width);
         for (std::size_t row = 0; row < 6; ++row) ends[row][index] = line.ends[lane_of(row)];
     }
     PackedBox get(std::size_t index) const noexcept {
@@ -109,7 +112,7 @@ struct alignas(64) BoxBlock {
         if (!line.is_empty()) line.ends[3] = line.ends[7] = -1;
         return line;
     }
-    // Whether get(index) is this, end by end: what get() has put together cannot be compared as fast.
+    // get(index) == line, faster.
     bool has(std::size_t index, const PackedBox& line) const noexcept {
         bool is_same = true;
         for (std::size_t row = 0; row < 6; ++row) is_same &= ends[row][index] == line.ends[lane_of(row)];
@@ -126,7 +129,7 @@ struct alignas(64) BoxBlock {
     }
 };
 
-// One bit for each of the eight that overlaps.
+// Bit i is set if box i overlaps.
 ECODS_ALWAYS_INLINE std::uint32_t overlapping(const BoxBlock& block, const BoxReach& reach) noexcept {
     KeyLanes beyond[2] = {};
     for (std::size_t row = 0; row < 6; ++row) {

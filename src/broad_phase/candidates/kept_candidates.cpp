@@ -56,7 +56,7 @@ void KeptCandidates::update(const ProxyTable& table, const ProxyChanges& changes
     if (wasted_work_ + search_work_ > 512 * static_cast<double>(used_count_)) adapt();
     if (!escaped_.empty()) {
         const std::size_t count = table.size();
-        const bool is_worn = searched_since_sort_ > 4 * count || 4 * forest_.newcomer_count() > count + 64 ||
+        const bool is_worn = searched_since_sort_ > 4 * count || 4 * forest_.unsorted_count() > count + 64 ||
                              proxies_.size() > 2 * count + 64;
         const bool many_escaped = 8 * escaped_.size() > count;
         if (many_escaped) {

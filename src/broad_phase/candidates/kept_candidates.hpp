@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "broad_phase/boxes/box_forest.hpp"
-#include "broad_phase/pair_finder.hpp"
+#include "broad_phase/changes/pair_finder.hpp"
 
 namespace ecods {
 

@@ -117,7 +117,7 @@ void KeptCandidates::link(SlotIndex slot, Update& update) {
 
 void KeptCandidates::search_all(std::span<const BoxForest::Item> newcomers, bool must_sort, Update& update) {
     fatten_used_up(update.table);
-    const bool do_sort = must_sort || is_worn_ || 64 * forest_.newcomer_count() > update.table.size() ||
+    const bool do_sort = must_sort || is_worn_ || 64 * forest_.unsorted_count() > update.table.size() ||
                          8 * newcomers.size() > update.table.size();
     if (do_sort) {
         sort_slots(update.table);

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/bytes_of.hpp"
-#include "broad_phase/find_pairs.hpp"
 #include "broad_phase/sweep/endpoints_edit.hpp"
 #include "broad_phase/sweep/endpoints_sort.hpp"
+#include "broad_phase/sweep/find_pairs.hpp"
 #include "ecods/error.hpp"
 
 namespace ecods {

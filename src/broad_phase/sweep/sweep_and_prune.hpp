@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "broad_phase/pair_finder.hpp"
+#include "broad_phase/changes/pair_finder.hpp"
 #include "broad_phase/sweep/box_history.hpp"
 #include "broad_phase/sweep/endpoint.hpp"
 

@@ -60,7 +60,7 @@ TEST(BoxForest, AnEmptyOneFindsNothing) {
     forest.find_pairs(pairs);
     EXPECT_TRUE(pairs.empty());
     EXPECT_NO_THROW(forest.validate({}));
-    EXPECT_EQ(forest.newcomer_count(), 0u);
+    EXPECT_EQ(forest.unsorted_count(), 0u);
 }
 
 TEST(BoxForest, BoxesComeChangeAndGo) {
@@ -102,7 +102,7 @@ TEST(BoxForest, MostThatJumpAmongOthersAreNoNewcomers) {
         for (SlotIndex slot = first; slot < first + 100; ++slot) jumped.push_back(planted.place(slot, others[slot]));
         planted.forest.add(jumped, planted.lines);
     }
-    EXPECT_LT(planted.forest.newcomer_count(), 500u);
+    EXPECT_LT(planted.forest.unsorted_count(), 500u);
     planted.expect_all_found();
 }
 

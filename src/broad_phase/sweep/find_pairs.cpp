@@ -1,4 +1,4 @@
-#include "broad_phase/find_pairs.hpp"
+#include "broad_phase/sweep/find_pairs.hpp"
 
 #include <vector>
 

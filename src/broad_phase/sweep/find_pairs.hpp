@@ -1,4 +1,4 @@
-// Finding pairs of boxes that have no past.
+// Overlapping pairs from scratch, without temporal coherence.
 #pragma once
 
 #include <cstdint>
