@@ -8,7 +8,7 @@
 #include "base/next.hpp"
 #include "base/outward.hpp"
 #include "bounds/double4.hpp"
-#include "exact/sign/filter_bound.hpp"
+#include "exact/point/point.hpp"
 #include "simd/dispatch.hpp"
 
 namespace ecods {
@@ -117,7 +117,7 @@ SupportTable::SupportTable(const Mesh& mesh, const LocalFrame& frame) : frame_(f
     v_max_of_all_ = v_max_.maxCoeff();
 }
 
-// The center is posed with the error of a point (exact/filter_bound.hpp), and so would any point of the mesh be, whose
+// The center is posed with the error of a point (exact/point/point.hpp), and so would any point of the mesh be, whose
 // coordinates are below |center| + 2 scale: that bound's term for underflow covers the reach, too. The oriented box
 // reaches |R axes| half from the center: both products are off by 3.01 u' sqrt(3) |R| 1, below 16 u' |R| 1 in units of
 // the scale. What is added to the center meets three roundings, 4 u' is more than they are, and the sum one.

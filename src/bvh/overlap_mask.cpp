@@ -215,8 +215,8 @@ struct Kernel {
     // triangle j of y, or the other way round. Coordinates are images of those of the world under one linear map: what
     // a plane separates there is disjoint here.
     //
-    // Bound: that of exact/filter_bound.hpp, whose derivation holds for any unit roundoff, with v = 2^-23 for u' and
-    // point_error for delta. With E the extents of the two triangles, enlarged by e = v E + 2 delta, it is
+    // Bound: that of exact/sign/filter_bound.hpp, whose derivation holds for any unit roundoff, with v = 2^-23 for u'
+    // and point_error for delta. With E the extents of the two triangles, enlarged by e = v E + 2 delta, it is
     //     (30 v ExEyEz + 6 (ex Ey Ez + Ex ey Ez + Ex Ey ez)) (1 + 2^-10)
     //   = (48 v ExEyEz + 12 (dx Ey Ez + Ex dy Ez + Ex Ey dz)) (1 + 2^-10),    d = delta;
     // 49 and 12.5 cover the last factor and their own evaluation. Overflow: not for extents below 2^40, and others are
