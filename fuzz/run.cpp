@@ -39,14 +39,8 @@ Counters counters_of(const PairCounts& counts) {
         counters["triangle pairs: crossing"] += relations[2];
     }
     for (const auto& [name, count] : counts.checks) counters["checked: triangle pairs, " + name] = count;
-    const exact::StageCounts& s = counts.stages;
-    counters["stages: triangle tests"] = s.triangle_tests;
-    counters["stages: filter"] = s.filter_passes;
-    counters["stages: filter, bound of the triangles"] = s.semi_static_passes;
-    counters["stages: plain double is exact"] = s.local_passes;
-    counters["stages: integers, one limb"] = s.one_limb;
-    counters["stages: integers, two limbs"] = s.two_limbs;
-    counters["stages: integers, more limbs"] = s.many_limbs;
+    counters["stages: triangle tests"] = counts.stages.triangle_tests;
+    for (const Stage& stage : stages) counters[std::string("stages: ") + stage.name] = counts.stages.*stage.count;
     return counters;
 }
 

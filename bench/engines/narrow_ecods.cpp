@@ -22,7 +22,7 @@ class NarrowEcods final : public NarrowEngine {
     std::optional<NarrowWork> work(const scenes::MeshQuery& query) override {
         memory_.reset_counts();
         intersects(posed(query.a), posed(query.b), memory_);
-        return NarrowWork{memory_.counts().box_tests, memory_.counts().triangle_tests};
+        return NarrowWork{memory_.counts().box_tests, memory_.counts().stages.triangle_tests};
     }
 
     void list(const scenes::MeshQuery& query, std::vector<TrianglePair>& pairs) override {

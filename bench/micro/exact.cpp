@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ecods/predicates.hpp"
-#include "exact/simplex/body_pair.hpp"
+#include "query/intersection/triangle_relations.hpp"
 #include "scenes/random.hpp"
 #include "scenes/ship.hpp"
 
@@ -57,7 +57,7 @@ void triangle_pairs(benchmark::State& state, double moved_by, bool is_turned) {
     Pose a, b;
     b.t = {moved_by, 0, 0};
     if (is_turned) b.R = scenes::Random(3).rotation();
-    exact::BodyPair pair;
+    TriangleRelations pair;
     pair.bind({ship.get(), &extent, &a}, {ship.get(), &extent, &b});
     const auto count = static_cast<std::uint32_t>(ship->triangles().size());
     std::uint32_t i = 0, j = 0;

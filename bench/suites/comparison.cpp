@@ -53,9 +53,10 @@ Table work_table(const std::vector<Run>& runs, const std::string& title) {
         if (!run.statistics) continue;
         const Statistics& s = *run.statistics;
         std::vector<std::string> row = {run.name};
-        for (const std::uint64_t count : {s.moved_bodies, s.two_body_tests, s.cache_hits, s.broad_phase.box_tests,
-                                          s.broad_phase.swaps, s.queries.box_tests, s.queries.triangle_tests,
-                                          s.queries.one_limb + s.queries.two_limbs + s.queries.many_limbs})
+        for (const std::uint64_t count :
+             {s.moved_bodies, s.two_body_tests, s.cache_hits, s.broad_phase.box_tests, s.broad_phase.swaps,
+              s.queries.box_tests, s.queries.stages.triangle_tests,
+              s.queries.stages.one_limb + s.queries.stages.two_limbs + s.queries.stages.many_limbs})
             row.push_back(fmt::format("{}", count));
         table.rows.push_back(std::move(row));
     }

@@ -50,13 +50,8 @@ struct OwnWorkload {
 void add_counts(std::map<std::string, std::uint64_t>& counts, const QueryCounts& of) {
     counts["witness hits"] = of.witness_hits;
     counts["node tests"] = of.box_tests;
-    counts["triangle pairs"] = of.triangle_tests;
-    counts["filter"] = of.filter_passes;
-    counts["semi-static"] = of.semi_static_passes;
-    counts["local"] = of.local_passes;
-    counts["one limb"] = of.one_limb;
-    counts["two limbs"] = of.two_limbs;
-    counts["many limbs"] = of.many_limbs;
+    counts["triangle pairs"] = of.stages.triangle_tests;
+    for (const Stage& stage : stages) counts[stage.name] = of.stages.*stage.count;
 }
 
 void add_counts(std::map<std::string, std::uint64_t>& counts, const BroadPhaseCounts& of) {

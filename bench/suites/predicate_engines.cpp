@@ -2,7 +2,9 @@
 
 #include <array>
 
-#include "exact/point/pose_point.hpp"
+#include "exact/point/point.hpp"
+#include "exact/point/vertex_cache.hpp"
+#include "exact/sign/plain_signs.hpp"
 #include "exact/simplex/triangle_pair.hpp"
 
 namespace ecods::bench {
@@ -11,7 +13,7 @@ namespace {
 // Binds the bodies of each task in turn and has `answer` decide its pairs. What depends on meshes only is made when a
 // scene is first seen.
 template <class Answer>
-void for_each_task(const PredicateScene& scene, exact::BodyPair& bodies, Answer&& answer) {
+void for_each_task(const PredicateScene& scene, TriangleRelations& bodies, Answer&& answer) {
     static thread_local const PredicateScene* prepared_scene = nullptr;
     static thread_local std::vector<exact::MeshExtent> extents;
     if (prepared_scene != &scene) {
@@ -21,25 +23,25 @@ void for_each_task(const PredicateScene& scene, exact::BodyPair& bodies, Answer&
     }
     for (const PredicateTask& task : scene.tasks) {
         const auto side = [&](std::size_t i) {
-            return exact::BodySide{scene.bodies[i].mesh.get(), &extents[i], &scene.bodies[i].pose};
+            return exact::BodyRef{scene.bodies[i].mesh.get(), &extents[i], &scene.bodies[i].pose};
         };
         bodies.bind(side(task.a), side(task.b));
         answer(task);
     }
 }
 
-exact::BodyPair& shared_pair() {
-    static thread_local exact::BodyPair bodies;
+TriangleRelations& shared_pair() {
+    static thread_local TriangleRelations bodies;
     bodies.reset_counts();
     return bodies;
 }
 
 }  // namespace
 
-Answers decide_exactly(const PredicateScene& scene, exact::StageCounts* counts) {
+Answers decide_exactly(const PredicateScene& scene, StageCounts* counts) {
     Answers answers;
     answers.reserve(scene.pair_count());
-    exact::BodyPair& bodies = shared_pair();
+    TriangleRelations& bodies = shared_pair();
     for_each_task(scene, bodies, [&](const PredicateTask& task) {
         for (const TrianglePair pair : task.pairs) {
             answers.push_back(bodies.relation(pair.a, pair.b) != Relation::disjoint);
@@ -59,7 +61,7 @@ Answers decide_plainly(const PredicateScene& scene) {
         const Vec3 offsets[2] = {Vec3::Zero(), bodies[1]->pose.t - bodies[0]->pose.t};
         for (auto& cache : caches) cache.clear();
         for (const TrianglePair pair : task.pairs) {
-            SixRounded points;
+            Points<6> points;
             for (std::size_t side = 0; side < 2; ++side) {
                 const PredicateBody& body = *bodies[side];
                 const Triangle& triangle = body.mesh->triangles()[side == 0 ? pair.a : pair.b];

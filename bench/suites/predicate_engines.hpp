@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "exact/simplex/body_pair.hpp"
+#include "query/intersection/triangle_relations.hpp"
 #include "suites/predicate_scenes.hpp"
 
 namespace ecods::bench {
@@ -14,7 +14,7 @@ namespace ecods::bench {
 using Answers = std::vector<std::uint8_t>;
 
 // The library's exact layer; `counts` says which stage decided.
-Answers decide_exactly(const PredicateScene& scene, exact::StageCounts* counts = nullptr);
+Answers decide_exactly(const PredicateScene& scene, StageCounts* counts = nullptr);
 
 // The same code without filter and exact stage: plain double, taken at face value.
 Answers decide_plainly(const PredicateScene& scene);

@@ -55,8 +55,8 @@ Spread spread(std::vector<double> values) {
 struct Price {
     Answers plain, exact;
     Spread plain_ns, exact_ns;
-    Spread exact_ratio;         // to plain double of the same repetition
-    exact::StageCounts counts;  // of one pass
+    Spread exact_ratio;  // to plain double of the same repetition
+    StageCounts counts;  // of one pass
 };
 
 Price find_price(const PredicateScene& scene, std::size_t repetition_count) {
@@ -200,11 +200,10 @@ void add_rows(Tables& tables, const PredicateScene& scene, const Price& price, c
                                  percent(static_cast<double>(epick_wrong), all),
                                  fmt::format("{}", count_differences(epeck.answers, price.exact)),
                                  fmt::format("{}", checked.pair_count), fmt::format("{}", checked.wrong)});
-    const exact::StageCounts& c = price.counts;
     std::vector<std::string> row{scene.name};
-    for (const std::uint64_t n :
-         {c.filter_passes, c.semi_static_passes, c.local_passes, c.one_limb, c.two_limbs, c.many_limbs}) {
-        row.push_back(percent(static_cast<double>(n), static_cast<double>(c.triangle_tests)));
+    for (const Stage& stage : stages) {
+        const auto tests = static_cast<double>(price.counts.triangle_tests);
+        row.push_back(percent(static_cast<double>(price.counts.*stage.count), tests));
     }
     tables.stages.rows.push_back(std::move(row));
 }

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "ecods/predicates.hpp"
-#include "exact/point/pose_point.hpp"
+#include "exact/point/point.hpp"
 #include "exact/sign/plain_signs.hpp"
 #include "harness/stopwatch.hpp"
 #include "oracle/oracle.hpp"

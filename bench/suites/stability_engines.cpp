@@ -1,7 +1,7 @@
 #include "suites/stability_engines.hpp"
 
 #include "ecods/predicates.hpp"
-#include "exact/point/pose_point.hpp"
+#include "exact/point/point.hpp"
 #include "exact/sign/plain_signs.hpp"
 #include "exact/simplex/triangle_pair.hpp"
 
@@ -18,10 +18,9 @@ class FloatSigns {
   public:
     explicit FloatSigns(const SixFloats& points) : points_(points) {}
 
-    std::array<int, 3> sides(int triangle) const {
-        const int own = 3 * triangle, other = 3 - own;
-        const FloatVector n = normal(own, own + 1, own + 2);
-        return {side(n, own, other), side(n, own, other + 1), side(n, own, other + 2)};
+    std::array<int, 3> sides(int plane, int points) const {
+        const FloatVector n = normal(plane, plane + 1, plane + 2);
+        return {side(n, plane, points), side(n, plane, points + 1), side(n, plane, points + 2)};
     }
     int orient3d(int a, int b, int c, int d) const { return side(normal(a, b, c), a, d); }
     int orient2d(int a, int b, int c, int axis) const {
@@ -30,8 +29,8 @@ class FloatSigns {
         return sign_of(ab[i] * ac[j] - ab[j] * ac[i]);
     }
     int compare(int a, int b, int axis) const { return sign_of(at(a)[axis] - at(b)[axis]); }
-    int normal_axis(int triangle) const {
-        const FloatVector n = normal(3 * triangle, 3 * triangle + 1, 3 * triangle + 2);
+    int normal_axis(int plane) const {
+        const FloatVector n = normal(plane, plane + 1, plane + 2);
         return n[0] != 0 ? 0 : n[1] != 0 ? 1 : n[2] != 0 ? 2 : -1;
     }
 
@@ -66,7 +65,7 @@ Answers answer_by_ecods(std::span<const PosedPair> pairs) {
 
 Answers answer_in_double(std::span<const PosedPair> pairs) {
     return answer_each(pairs, [](const PosedPair& pair) {
-        exact::SixRounded points;
+        exact::Points<6> points;
         for (std::size_t i = 0; i < 3; ++i) {
             points[i] = exact::pose_point(pair.pose_a.R, pair.a[i], pair.pose_a.t);
             points[3 + i] = exact::pose_point(pair.pose_b.R, pair.b[i], pair.pose_b.t);

@@ -16,7 +16,8 @@ std::array<Vec3, 3> corners_of(const Mesh& mesh, std::uint32_t triangle) {
 
 }  // namespace
 
-Answer ask_all_paths(const scenes::PosedPair& pair, Relation expected, const FloatMode& mode, exact::BodyPair& bodies) {
+Answer ask_all_paths(const scenes::PosedPair& pair, Relation expected, const FloatMode& mode,
+                     TriangleRelations& bodies) {
     const InFloatMode in_mode(mode);
     const PosedTriangle a{pair.pose_a, pair.a}, b{pair.pose_b, pair.b};
     if (const Relation r = triangle_triangle(a, b); r != expected) return {"triangle_triangle", r};
@@ -24,11 +25,11 @@ Answer ask_all_paths(const scenes::PosedPair& pair, Relation expected, const Flo
     const MeshPair meshes{one_triangle(pair.a), one_triangle(pair.b), pair.pose_a, pair.pose_b};
     const BoundMeshes bound(meshes);
     bound.bind(bodies, meshes, false);
-    if (const Relation r = bodies.relation(0, 0); r != expected) return {"BodyPair", r};
+    if (const Relation r = bodies.relation(0, 0); r != expected) return {"TriangleRelations", r};
     // A second time: what the first question prepared is used.
-    if (const Relation r = bodies.relation(0, 0); r != expected) return {"BodyPair, again", r};
+    if (const Relation r = bodies.relation(0, 0); r != expected) return {"TriangleRelations, again", r};
     bound.bind(bodies, meshes, true);
-    if (const Relation r = bodies.relation(0, 0); r != expected) return {"BodyPair, swapped", r};
+    if (const Relation r = bodies.relation(0, 0); r != expected) return {"TriangleRelations, swapped", r};
     return {};
 }
 
@@ -54,9 +55,9 @@ scenes::PosedPair triangle_pair_of(const MeshPair& meshes, std::uint32_t a, std:
 BoundMeshes::BoundMeshes(const MeshPair& meshes)
     : extent_a_(exact::measure(*meshes.a)), extent_b_(exact::measure(*meshes.b)) {}
 
-void BoundMeshes::bind(exact::BodyPair& bodies, const MeshPair& meshes, bool is_swapped) const {
-    const exact::BodySide a{meshes.a.get(), &extent_a_, &meshes.pose_a};
-    const exact::BodySide b{meshes.b.get(), &extent_b_, &meshes.pose_b};
+void BoundMeshes::bind(TriangleRelations& bodies, const MeshPair& meshes, bool is_swapped) const {
+    const exact::BodyRef a{meshes.a.get(), &extent_a_, &meshes.pose_a};
+    const exact::BodyRef b{meshes.b.get(), &extent_b_, &meshes.pose_b};
     is_swapped ? bodies.bind(b, a) : bodies.bind(a, b);
 }
 

@@ -7,8 +7,8 @@
 
 #include "ecods/mesh.hpp"
 #include "ecods/predicates.hpp"
-#include "exact/simplex/body_pair.hpp"
 #include "fuzz/base/float_mode.hpp"
+#include "query/intersection/triangle_relations.hpp"
 #include "scenes/hard_pairs.hpp"
 
 namespace ecods::fuzz {
@@ -21,7 +21,8 @@ struct Answer {
 
 // Asks everything in the given mode: the predicate and the cached path of the narrow phase, arguments in both orders.
 // `bodies` may have been used before; it must not matter.
-Answer ask_all_paths(const scenes::PosedPair& pair, Relation expected, const FloatMode& mode, exact::BodyPair& bodies);
+Answer ask_all_paths(const scenes::PosedPair& pair, Relation expected, const FloatMode& mode,
+                     TriangleRelations& bodies);
 
 // The predicate alone, in all 36 orders of corners and both of arguments.
 Answer ask_all_orders(const scenes::PosedPair& pair, Relation expected);
@@ -37,11 +38,11 @@ struct MeshPair {
 // The triangles of one mesh against those of the other, as a pair on its own.
 scenes::PosedPair triangle_pair_of(const MeshPair& meshes, std::uint32_t a, std::uint32_t b);
 
-// The extents of two meshes, for as long as a BodyPair is asked about them.
+// The extents of two meshes, for as long as a TriangleRelations is asked about them.
 class BoundMeshes {
   public:
     explicit BoundMeshes(const MeshPair& meshes);
-    void bind(exact::BodyPair& bodies, const MeshPair& meshes, bool is_swapped) const;
+    void bind(TriangleRelations& bodies, const MeshPair& meshes, bool is_swapped) const;
 
   private:
     exact::MeshExtent extent_a_;

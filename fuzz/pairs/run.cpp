@@ -23,17 +23,7 @@ Relation ask_oracle(const PosedPair& pair) {
 class Run {
   public:
     Run(std::uint32_t seed, bool lie, PairCounts& counts) : random_(seed), seed_(seed), lie_(lie), counts_(counts) {}
-    ~Run() {
-        const exact::StageCounts& c = bodies_.counts();
-        exact::StageCounts& sum = counts_.stages;
-        sum.triangle_tests += c.triangle_tests;
-        sum.filter_passes += c.filter_passes;
-        sum.semi_static_passes += c.semi_static_passes;
-        sum.local_passes += c.local_passes;
-        sum.one_limb += c.one_limb;
-        sum.two_limbs += c.two_limbs;
-        sum.many_limbs += c.many_limbs;
-    }
+    ~Run() { counts_.stages += bodies_.counts(); }
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
 
@@ -151,7 +141,7 @@ class Run {
             for (std::uint32_t i = 0; i < count * count; ++i) {
                 if (relations[i] == expected[i]) continue;
                 require(false, triangle_pair_of(meshes, i / count, i % count),
-                        std::string("BodyPair, triangles of larger meshes, ") + mode.name, name(expected[i]),
+                        std::string("TriangleRelations, triangles of larger meshes, ") + mode.name, name(expected[i]),
                         relations[i]);
             }
         }
@@ -164,7 +154,7 @@ class Run {
     PairCounts& counts_;
     std::uint64_t index_ = 0;
     std::string_view family_;
-    exact::BodyPair bodies_;
+    TriangleRelations bodies_;
 };
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "exact/simplex/body_pair.hpp"
 #include "fuzz/base/counters.hpp"
+#include "query/intersection/triangle_relations.hpp"
 
 namespace ecods::fuzz {
 
@@ -15,7 +15,7 @@ struct PairCounts {
     std::uint64_t pairs = 0;
     std::map<std::string, std::array<std::uint64_t, 3>> relations;  // by family, as the oracle has them
     Counters checks;                                                // by kind, how often it was made
-    exact::StageCounts stages;                                      // of all questions to body pairs
+    StageCounts stages;                                             // of all questions to body pairs
 };
 
 // The library, the oracle and the recipe of a pair do not agree.

@@ -217,14 +217,9 @@ void Player::count_instruction_sets() {
 }
 
 void Player::count_work() {
-    const QueryCounts counts = scene_.worlds[0].world().statistics().queries;
+    const StageCounts counts = scene_.worlds[0].world().statistics().queries.stages;
     counters_["stages: triangle tests"] += counts.triangle_tests;
-    counters_["stages: filter"] += counts.filter_passes;
-    counters_["stages: filter, bound of the triangles"] += counts.semi_static_passes;
-    counters_["stages: plain double is exact"] += counts.local_passes;
-    counters_["stages: integers, one limb"] += counts.one_limb;
-    counters_["stages: integers, two limbs"] += counts.two_limbs;
-    counters_["stages: integers, more limbs"] += counts.many_limbs;
+    for (const Stage& stage : stages) counters_[std::string("stages: ") + stage.name] += counts.*stage.count;
     // What the broad phases went through, each in the world that it has to itself.
     const auto of = [&](std::size_t i) { return scene_.worlds[i].world().statistics().broad_phase; };
     counters_["broad phases: swaps of sweep and prune"] += of(1).swaps;

@@ -7,6 +7,7 @@
 // Thread safety: shapes are immutable, so queries may run from many threads, each with a QueryMemory of its own.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -19,11 +20,8 @@
 
 namespace ecods {
 
-// What queries did, as counts. Counts are exact: the same input gives the same counts.
-struct QueryCounts {
-    std::uint64_t queries = 0;             // two-body queries of meshes
-    std::uint64_t witness_hits = 0;        // of these, decided by what decided last time
-    std::uint64_t box_tests = 0;           // pairs of tree nodes, up to eight boxes against eight each
+// How many pairs of triangles were decided, and by which stage. Counts are exact: the same input gives the same counts.
+struct StageCounts {
     std::uint64_t triangle_tests = 0;      // pairs of triangles
     std::uint64_t filter_passes = 0;       // of these, decided by the bound of the body pair
     std::uint64_t semi_static_passes = 0;  // ... by the bound of the triangle pair
@@ -32,7 +30,35 @@ struct QueryCounts {
     std::uint64_t two_limbs = 0;           // ... of two limbs (125 bits)
     std::uint64_t many_limbs = 0;          // ... of more
 
+    ECODS_API StageCounts& operator+=(const StageCounts& other) noexcept;
+    friend bool operator==(const StageCounts&, const StageCounts&) = default;
+};
+
+// A stage's name in reports, and its count.
+struct Stage {
+    const char* name;
+    std::uint64_t StageCounts::*count;
+};
+
+// The stages that decide, from the cheapest to the dearest: their counts add up to triangle_tests.
+inline constexpr std::array<Stage, 6> stages{{
+    {"filter", &StageCounts::filter_passes},
+    {"semi-static", &StageCounts::semi_static_passes},
+    {"local", &StageCounts::local_passes},
+    {"one limb", &StageCounts::one_limb},
+    {"two limbs", &StageCounts::two_limbs},
+    {"many limbs", &StageCounts::many_limbs},
+}};
+
+// The work of queries as exact counts.
+struct QueryCounts {
+    std::uint64_t queries = 0;       // two-body queries of meshes
+    std::uint64_t witness_hits = 0;  // of these, decided by what decided last time
+    std::uint64_t box_tests = 0;     // pairs of tree nodes, up to eight boxes against eight each
+    StageCounts stages;              // of the pairs of triangles that the trees left over
+
     ECODS_API QueryCounts& operator+=(const QueryCounts& other) noexcept;
+    friend bool operator==(const QueryCounts&, const QueryCounts&) = default;
 };
 
 // The memory that queries work in: stacks, rounded vertices, exact vertices. It grows to what the largest query

@@ -6,9 +6,8 @@
 // check). No function throws or allocates; for coordinates so far apart in scale that their integers need thousands of
 // bits, one uses up to 64 KiB of stack.
 //
-// Method: a floating-point filter with a proven bound, then integers of the width that the coordinates really
-// need (DESIGN: two stages, no third). Names as in Shewchuk, Adaptive Precision Floating-Point Arithmetic
-// and Fast Robust Geometric Predicates, 1997.
+// Method: a floating-point filter with a proven bound, then integers of the width that the coordinates really need.
+// Names as in Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997.
 #pragma once
 
 #include <Eigen/Core>
@@ -41,15 +40,15 @@ enum class Relation : std::uint8_t {
 ECODS_API std::ostream& operator<<(std::ostream& out, Sign sign);
 ECODS_API std::ostream& operator<<(std::ostream& out, Relation relation);
 
-// A point of a body: R v + t. The pose is referred to, not copied.
+// The point R v + t of a body.
 struct PosedPoint {
-    const Pose& pose;
+    Pose pose;
     Vec3 v;
 };
 
-// The corners of a triangle of a body.
+// The triangle of a body whose corners are R v + t.
 struct PosedTriangle {
-    const Pose& pose;
+    Pose pose;
     std::array<Vec3, 3> corners;
 };
 
@@ -60,7 +59,8 @@ ECODS_API Sign orient2d(const Vec2& a, const Vec2& b, const Vec2& c) noexcept;
 // (b - a) x (c - a) points, zero when the four points are in one plane. (Shewchuk's orient3d has the other sign.)
 ECODS_API Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) noexcept;
 
-// orient2d of the posed points seen along an axis: of their coordinates (axis + 1) mod 3 and (axis + 2) mod 3.
+// orient2d of the posed points seen along an axis, 0 to 2: of their coordinates (axis + 1) mod 3 and (axis + 2) mod 3.
+// The points may be of any bodies.
 ECODS_API Sign orient2d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, int axis) noexcept;
 ECODS_API Sign orient3d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, const PosedPoint& d) noexcept;
 

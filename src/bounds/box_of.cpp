@@ -3,8 +3,7 @@
 
 #include "base/next.hpp"
 #include "ecods/aabb.hpp"
-#include "exact/point/pose_point.hpp"
-#include "exact/sign/filter_bound.hpp"
+#include "exact/point/point.hpp"
 
 namespace ecods {
 namespace {

@@ -8,7 +8,7 @@
 #include "base/next.hpp"
 #include "base/outward.hpp"
 #include "bounds/double4.hpp"
-#include "exact/sign/filter_bound.hpp"
+#include "exact/point/point.hpp"
 #include "simd/dispatch.hpp"
 
 namespace ecods {
@@ -117,7 +117,7 @@ SupportTable::SupportTable(const Mesh& mesh, const LocalFrame& frame) : frame_(f
     v_max_of_all_ = v_max_.maxCoeff();
 }
 
-// The center is posed with the error of a point (exact/sign/filter_bound.hpp), as any point of the mesh would be, whose
+// The center is posed with the error of a point (exact/point/point.hpp), as any point of the mesh would be, whose
 // coordinates are below |center| + 2 scale: the bound's term for underflow covers the reach, too. The oriented box
 // reaches |R axes| half from the center: both products are off by 3.01 u' sqrt(3) |R| 1, below 16 u' |R| 1 in units of
 // the scale. The reach that is added to the center has three roundings, below 4 u', and the sum has one.

@@ -218,8 +218,8 @@ struct Kernel {
     // triangle j of y, by having all corners of the other triangle strictly on one side. Coordinates are the world's
     // under one linear map, so triangles separated there are disjoint in the world.
     //
-    // Bound: that of exact/filter_bound.hpp, whose derivation holds for any unit roundoff, with v = 2^-23 for u' and
-    // point_error for delta. With E the extents of the two triangles, enlarged by e = v E + 2 delta, it is
+    // Bound: that of exact/sign/filter_bound.hpp, whose derivation holds for any unit roundoff, with v = 2^-23 for u'
+    // and point_error for delta. With E the extents of the two triangles, enlarged by e = v E + 2 delta, it is
     //     (30 v ExEyEz + 6 (ex Ey Ez + Ex ey Ez + Ex Ey ez)) (1 + 2^-10)
     //   = (48 v ExEyEz + 12 (dx Ey Ez + Ex dy Ez + Ex Ey dz)) (1 + 2^-10),    d = delta;
     // 49 and 12.5 cover the last factor and their own evaluation. Overflow: not for extents below 2^40, and others are

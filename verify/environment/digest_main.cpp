@@ -18,7 +18,7 @@
 #include "ecods/mesh.hpp"
 #include "ecods/predicates.hpp"
 #include "environment/corpus.hpp"
-#include "exact/simplex/body_pair.hpp"
+#include "query/intersection/triangle_relations.hpp"
 
 namespace {
 
@@ -45,7 +45,7 @@ Body read_body(const double* in) {
 
 std::uint64_t digest(const std::vector<std::array<Body, 2>>& pairs) {
     std::uint64_t result = 0;
-    exact::BodyPair bodies;
+    TriangleRelations bodies;
     for (const auto& [a, b] : pairs) {
         const exact::MeshExtent extent_a = exact::measure(*a.mesh), extent_b = exact::measure(*b.mesh);
         bodies.bind({a.mesh.get(), &extent_a, &a.pose}, {b.mesh.get(), &extent_b, &b.pose});

@@ -1,4 +1,4 @@
-# A coordinate of a posed point, as src/exact/point/pose_point.hpp computes it: three products and a translation.
+# A coordinate of a posed point, as src/exact/point/point.hpp computes it: three products and a translation.
 #
 # Each operation is (a op b)(1 + e), |e| <= 2^-52: any rounding mode. The translation d itself is a rounded difference
 # of two, d = (t - t0)(1 + g); here t stands for t - t0. Terms are scaled by S = |p0| + |p1| + |p2| + |t|, with

@@ -37,11 +37,16 @@ Frame look_at(World& world) {
                 world.digest()};
     for (const BodyId body : world.bodies()) frame.boxes.push_back(world.box(body));
     const Statistics s = world.statistics();
-    frame.counts = {s.two_body_tests,        s.cache_hits,
-                    s.broad_phase.box_tests, s.broad_phase.candidates_filtered,
-                    s.broad_phase.escaped,   s.broad_phase.rebuilds,
-                    s.queries.box_tests,     s.queries.triangle_tests,
-                    s.queries.filter_passes, s.queries.one_limb + s.queries.two_limbs + s.queries.many_limbs};
+    frame.counts = {s.two_body_tests,
+                    s.cache_hits,
+                    s.broad_phase.box_tests,
+                    s.broad_phase.candidates_filtered,
+                    s.broad_phase.escaped,
+                    s.broad_phase.rebuilds,
+                    s.queries.box_tests,
+                    s.queries.stages.triangle_tests,
+                    s.queries.stages.filter_passes,
+                    s.queries.stages.one_limb + s.queries.stages.two_limbs + s.queries.stages.many_limbs};
     return frame;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/arithmetic.hpp"
+#include "base/assert.hpp"
 #include "exact/number/limbs.hpp"
 
 namespace ecods::exact {
@@ -22,6 +23,7 @@ constexpr int mantissa_bits = 53;
 constexpr Dyadic decode(double x) noexcept {
     const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
     const int biased = static_cast<int>((bits >> 52) & 0x7ff);
+    ECODS_ASSERT(biased != 0x7ff);
     std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
     if (biased != 0) fraction |= std::uint64_t{1} << 52;
     if (fraction == 0) return {};
@@ -63,7 +65,7 @@ struct BitRange {
     }
 };
 
-// A difference of two doubles, m * 2^e; digits() is its range.
+// The difference m * 2^e of two doubles.
 struct DyadicDifference {
     Int128 m = 0;
     int e = 0;
@@ -75,11 +77,14 @@ struct DyadicDifference {
         range.include(e + trailing_zeros(size), e + bit_width(size));
         return range;
     }
-    // As a multiple of 2^low, which must divide it; the result must fit.
-    constexpr Int128 at(int low) const noexcept { return m == 0 ? 0 : e >= low ? m << (e - low) : m >> (low - e); }
+    // How many times 2^low it is. 2^low must divide it, and the result must fit.
+    constexpr Int128 at(int low) const noexcept {
+        ECODS_ASSERT(m == 0 || (digits().low >= low && digits().high - low <= 127));
+        return m == 0 ? 0 : e >= low ? m << (e - low) : m >> (low - e);
+    }
 };
 
-// a - b, unless the two are too far apart for 127 bits and a sign.
+// a - b, or nothing if the two are too far apart for 127 bits and a sign.
 constexpr std::optional<DyadicDifference> subtract(const Dyadic& a, const Dyadic& b) noexcept {
     BitRange both;
     both.include(a);

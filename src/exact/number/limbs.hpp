@@ -5,28 +5,32 @@
 #include <bit>
 #include <cstdint>
 
+#include "base/assert.hpp"
+
 namespace ecods::exact {
 
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 Uint128;
 
-// As std::bit_width and std::countr_zero, which need not know these types. The latter is for x > 0.
+// std::bit_width and std::countr_zero for 128 bits, which the standard ones may not take. trailing_zeros needs x > 0.
 constexpr int bit_width(Uint128 x) noexcept {
     const auto high = static_cast<std::uint64_t>(x >> 64);
     return static_cast<int>(high != 0 ? 64 + std::bit_width(high) : std::bit_width(static_cast<std::uint64_t>(x)));
 }
 constexpr int trailing_zeros(Uint128 x) noexcept {
+    ECODS_ASSERT(x > 0);
     const auto low = static_cast<std::uint64_t>(x);
     return low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(x >> 64));
 }
 
 inline constexpr std::uint64_t all_ones = ~std::uint64_t{0};
 
-// Two's complement.
+// An integer in two's complement.
 template <int L>
 using Limbs = std::array<std::uint64_t, static_cast<std::size_t>(L)>;
 
-// Sign and magnitude. `negative` is 0 or all_ones, so that it can be used as a mask; zero may have either.
+// An integer as sign and magnitude. `negative` is 0 or all_ones, so that it can be used as a mask; zero may have
+// either.
 template <int L>
 struct Magnitude {
     Limbs<L> limbs;
@@ -63,7 +67,7 @@ inline Magnitude<L> magnitude(const Limbs<L>& a) noexcept {
     return result;
 }
 
-// a * b, which always fits. Leading zero limbs of wide numbers are common and skipped.
+// a * b, which always fits. Long numbers often have leading zero limbs, which are skipped.
 template <int A, int B>
 inline Limbs<A + B> multiply(const Limbs<A>& a, const Limbs<B>& b) noexcept {
     Limbs<A + B> product{};
@@ -87,7 +91,7 @@ inline bool is_zero(const Limbs<L>& a) noexcept {
     return any == 0;
 }
 
-// -1, 0 or 1.
+// The sign of a number: -1, 0 or 1.
 template <int L>
 inline int sign(const Limbs<L>& a) noexcept {
     return (a[L - 1] >> 63) ? -1 : !is_zero<L>(a);
@@ -102,7 +106,7 @@ inline int sign(Int128 a) noexcept {
     return (a > 0) - (a < 0);
 }
 
-// Two's complement of 256 bits.
+// An integer of 256 bits in two's complement.
 struct Int256 {
     Uint128 low;
     Int128 high;
@@ -132,7 +136,7 @@ inline Int256 multiply_halves(Uint128 a, Uint128 b) noexcept {
             static_cast<Int128>(p11 + (p01 >> 64) + (p10 >> 64) + (middle >> 64))};
 }
 
-// As an unsigned number, a negative one counts 2^128 more: what that adds to the high half is taken off again.
+// The product of the bits of `a` and b, less 2^128 b for a negative `a`, whose bits count 2^128 too much.
 inline Int256 multiply_unsigned(Int128 a, Uint128 b) noexcept {
     Int256 p = multiply_halves(static_cast<Uint128>(a), b);
     p.high = static_cast<Int128>(static_cast<Uint128>(p.high) - (static_cast<Uint128>(a >> 127) & b));
@@ -146,13 +150,13 @@ inline Int256 multiply(Int128 a, Int128 b) noexcept {
     return p;
 }
 
-// The limb at position i of a number that goes on with its sign.
+// The limb at position i, beyond the last one that of an extended sign.
 template <int L>
 inline std::uint64_t limb_at(const Limbs<L>& a, int i) noexcept {
     return i < L ? a[static_cast<std::size_t>(i)] : (a[L - 1] >> 63) ? all_ones : 0;
 }
 
-// Limbs `M` of a >> shift, the sign kept. The result must fit.
+// a >> shift with its sign, in M limbs. The result must fit.
 template <int M, int L>
 inline Limbs<M> shift_right(const Limbs<L>& a, int shift) noexcept {
     const int skip = shift / 64;
@@ -169,6 +173,7 @@ inline Limbs<M> shift_right(const Limbs<L>& a, int shift) noexcept {
 // sum += term * 2^shift. The result must fit.
 template <int L>
 inline void add_shifted(Limbs<L>& sum, Int128 term, int shift) noexcept {
+    ECODS_ASSERT(shift >= 0);
     const int skip = shift / 64;
     const int bits = shift % 64;
     const std::uint64_t low = static_cast<std::uint64_t>(term);

@@ -1,4 +1,4 @@
-// What the exact layer wants to know of a mesh once, whatever its pose.
+// The pose-independent data of a mesh for exact questions: its box, bit ranges and common units.
 #pragma once
 
 #include <array>
@@ -9,16 +9,16 @@
 
 namespace ecods::exact {
 
-// Of the vertices that triangles use, on each axis.
+// The extent of the vertices that triangles use, by axis.
 struct MeshExtent {
-    Vec3 center;     // of their box, rounded
-    Vec3 half;       // of its size, rounded
-    Vec3 magnitude;  // their largest coordinates in magnitude
-    std::array<BitRange, 3> digits;
-    std::array<CommonUnit, 3> units;  // of which they are multiples
+    Vec3 center;                      // of the vertices' box, rounded
+    Vec3 half;                        // half the size of that box, rounded
+    Vec3 magnitude;                   // the largest magnitude of a coordinate
+    std::array<BitRange, 3> digits;   // the bits of all coordinates
+    std::array<CommonUnit, 3> units;  // of which all coordinates are multiples
 };
 
-// One pass over the triangles.
+// Cost: one pass over the triangles.
 MeshExtent measure(const Mesh& mesh);
 
 }  // namespace ecods::exact

@@ -1,4 +1,4 @@
-// Values made for vertices of one mesh, kept in a small memory of fixed size.
+// A cache of fixed size for values of one mesh's vertices.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace ecods::exact {
 
-// Direct-mapped: the entry of a vertex holds the value of the vertex of that entry that was asked for last.
+// Direct-mapped: of all vertices with one remainder, the one that was asked for last has its value in the entry.
 // The default size makes 32 KiB of rounded points: a level 1 cache.
 template <class Value, std::size_t size = 1024>
 class VertexCache {

@@ -1,4 +1,4 @@
-// Signs for triangle_pair.hpp where points, and differences of points, are doubles without a rounding error.
+// Signs of determinants of N points that are doubles without a rounding error, as are the differences of any two.
 //
 // Each determinant then has a bound of its own, made of the magnitudes of its products; and where all products are zero
 // it is zero for certain. So axis-aligned bodies seldom need integers, whatever the length of their coordinates.
@@ -10,9 +10,9 @@
 // ((1 + u')^5 - 1) (1 - u')^-6 < 5.0001 u', 6 u' p as computed is a bound. A minor's two products meet two factors
 // each, and ((1 + u')^2 - 1) (1 - u')^-3 < 2.0001 u': 3 u' p. Fused multiply-add leaves factors out; the bounds stay.
 //
-// Range. Differences are multiples of 2^low below 2^(high + 3), with low >= -300 and high <= 200 (body_pair.cpp), and
-// so all products are multiples of 2^(3 low) >= 2^-900 below 2^612, rounded or not: nothing underflows or overflows,
-// and p is zero only if every product is.
+// Range. Differences are multiples of 2^low below 2^(high + 3), with low >= -300 and high <= 200 (Frame, in
+// exact/point/frame.cpp), and so all products are multiples of 2^(3 low) >= 2^-900 below 2^612, rounded or not: nothing
+// underflows or overflows, and p is zero only if every product is.
 #pragma once
 
 #include <array>
@@ -20,8 +20,9 @@
 
 #include "base/arithmetic.hpp"
 #include "exact/number/kernel.hpp"
-#include "exact/sign/filter.hpp"
-#include "exact/sign/kernel_signs.hpp"
+#include "exact/point/integer_points.hpp"
+#include "exact/point/point.hpp"
+#include "exact/sign/exact_signs.hpp"
 #include "exact/sign/plain_signs.hpp"
 
 namespace ecods::exact {
@@ -34,7 +35,7 @@ inline PlainNormal permanent_normal(const Point& a, const Point& b, const Point&
 }
 
 inline double permanent_side(const PlainNormal& n, const Point& a, const Point& p) noexcept {
-    return (n.x * std::abs(p[0] - a[0]) + n.y * std::abs(p[1] - a[1])) + n.z * std::abs(p[2] - a[2]);
+    return (n[0] * std::abs(p[0] - a[0]) + n[1] * std::abs(p[1] - a[1])) + n[2] * std::abs(p[2] - a[2]);
 }
 
 inline double permanent_2d(const Point& a, const Point& b, const Point& c, int axis) noexcept {
@@ -45,26 +46,25 @@ inline double permanent_2d(const Point& a, const Point& b, const Point& c, int a
 inline constexpr double determinant_error = 6 * two_u;  // times p
 inline constexpr double minor_error = 3 * two_u;
 
+template <std::size_t N>
 class DifferenceSigns {
   public:
-    // Coordinates times `scale`, a power of two, are integers below 2^53.
-    DifferenceSigns(const SixRounded& points, double scale) noexcept : points_(points), scale_(scale) {}
+    // Coordinates times `scale`, a power of two, are integers below 2^52. The points must outlive the signs.
+    DifferenceSigns(const Points<N>& points, double scale) noexcept : points_(points), scale_(scale) {}
 
-    // All three corners at once, whatever they need: which of them are in the plane is not foreseen by the processor.
-    Sides sides(int triangle) noexcept {
-        const int own = 3 * triangle;
-        const int other = 3 - own;
-        const PlainNormal n = plain_normal(at(own), at(own + 1), at(own + 2));
-        const PlainNormal m = permanent_normal(at(own), at(own + 1), at(own + 2));
+    // All three points at once, without a branch for each: which of them are in the plane cannot be predicted.
+    Sides sides(int plane, int points) noexcept {
+        const PlainNormal n = plain_normal(at(plane), at(plane + 1), at(plane + 2));
+        const PlainNormal m = permanent_normal(at(plane), at(plane + 1), at(plane + 2));
         Sides result;
         bool is_open = false;
         for (int i = 0; i < 3; ++i) {
-            const double permanent = permanent_side(m, at(own), at(other + i));
-            const int s = certain_sign(plain_side(n, at(own), at(other + i)), determinant_error * permanent);
+            const double permanent = permanent_side(m, at(plane), at(points + i));
+            const int s = certain_sign(plain_side(n, at(plane), at(points + i)), determinant_error * permanent);
             result[static_cast<std::size_t>(i)] = s;
             is_open |= (s == 0) & (permanent != 0);
         }
-        return is_open ? integers().sides(triangle) : result;
+        return is_open ? integers().sides(plane, points) : result;
     }
 
     int orient3d(int a, int b, int c, int d) noexcept {
@@ -79,43 +79,40 @@ class DifferenceSigns {
         return s != 0 || permanent == 0 ? s : integers().orient2d(a, b, c, axis);
     }
 
-    int compare(int a, int b, int axis) const noexcept {
-        const auto k = static_cast<std::size_t>(axis);
-        return (at(a)[k] > at(b)[k]) - (at(a)[k] < at(b)[k]);
-    }
+    int compare(int a, int b, int axis) const noexcept { return PlainArithmetic::compare(at(a), at(b), axis); }
 
     // An axis on which the normal is certainly not zero, if there is one.
-    int normal_axis(int triangle) noexcept {
-        const int own = 3 * triangle;
-        const PlainNormal n = plain_normal(at(own), at(own + 1), at(own + 2));
-        const PlainNormal p = permanent_normal(at(own), at(own + 1), at(own + 2));
-        if (std::abs(n.x) > minor_error * p.x) return 0;
-        if (std::abs(n.y) > minor_error * p.y) return 1;
-        if (std::abs(n.z) > minor_error * p.z) return 2;
-        return p.x == 0 && p.y == 0 && p.z == 0 ? -1 : integers().normal_axis(triangle);
+    int normal_axis(int plane) noexcept {
+        const PlainNormal n = plain_normal(at(plane), at(plane + 1), at(plane + 2));
+        const PlainNormal p = permanent_normal(at(plane), at(plane + 1), at(plane + 2));
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (std::abs(n[axis]) > minor_error * p[axis]) return static_cast<int>(axis);
+        }
+        return p[0] == 0 && p[1] == 0 && p[2] == 0 ? -1 : integers().normal_axis(plane);
     }
 
-    bool has_used_integers() const noexcept { return has_kernel_; }
+    bool has_used_integers() const noexcept { return has_integers_; }
 
   private:
-    const Point& at(int point) const noexcept { return points_[static_cast<std::size_t>(point)]; }
+    const Point& at(int i) const noexcept { return points_[static_cast<std::size_t>(i)]; }
 
-    KernelSigns<OneLimbKernel> integers() noexcept {
-        if (!has_kernel_) {
-            for (std::size_t i = 0; i < 6; ++i) {
+    // The points as integers, made when a sign first needs them.
+    ExactSigns<OneLimbKernel, N> integers() noexcept {
+        if (!has_integers_) {
+            for (std::size_t i = 0; i < N; ++i) {
                 for (std::size_t k = 0; k < 3; ++k) {
-                    kernel_.points[i][k] = static_cast<std::int64_t>(points_[i][k] * scale_);
+                    integers_.at[i][k] = static_cast<std::int64_t>(points_[i][k] * scale_);
                 }
             }
-            has_kernel_ = true;
+            has_integers_ = true;
         }
-        return KernelSigns<OneLimbKernel>(kernel_);
+        return ExactSigns(integers_);
     }
 
-    const SixRounded& points_;
+    const Points<N>& points_;
     double scale_;
-    bool has_kernel_ = false;
-    OneLimbKernel kernel_;
+    bool has_integers_ = false;
+    IntegerPoints<OneLimbKernel, N> integers_;
 };
 
 }  // namespace ecods::exact

@@ -1,84 +1,71 @@
-// Signs from the filter where its bound allows, else from an integer kernel, for the decision in triangle_pair.hpp.
+// Signs from the filter where its bound allows, otherwise from an integer kernel.
 #pragma once
 
 #include <array>
+#include <cmath>
 
-#include "exact/sign/filter.hpp"
+#include "base/assert.hpp"
+#include "exact/point/point.hpp"
+#include "exact/sign/exact_signs.hpp"
 #include "exact/sign/filter_bound.hpp"
-#include "exact/sign/kernel_signs.hpp"
 #include "exact/sign/plain_signs.hpp"
 
 namespace ecods::exact {
 
-// Bounds for the determinants of one pair of triangles.
-struct PairBound {
-    double orient3d;
-    std::array<double, 3> orient2d;  // by the axis of projection
-};
-
-inline PairBound pair_bound(const SixRounded& points, double delta) noexcept {
-    std::array<double, 3> extent;
-    for (std::size_t k = 0; k < 3; ++k) {
-        double min = points[0][k], max = points[0][k];
-        for (std::size_t i = 1; i < 6; ++i) {
-            min = std::min(min, points[i][k]);
-            max = std::max(max, points[i][k]);
-        }
-        extent[k] = max - min;
-    }
-    const DifferenceBound d = difference_bound(extent, delta);
-    return {orient3d_bound(d), {orient2d_bound(d, 1, 2), orient2d_bound(d, 2, 0), orient2d_bound(d, 0, 1)}};
-}
-
-// The axis of the largest component of the rounded normal, where the filter works best, or -1 if that component may be
-// zero.
-inline int certain_normal_axis(const SixRounded& points, int triangle, const PairBound& bound) noexcept {
-    const Point* const own = &points[static_cast<std::size_t>(3 * triangle)];
+// The axis of the largest component of the rounded normal of points plane, plane + 1 and plane + 2, where the filter
+// works best, or -1 if that component may be zero.
+template <std::size_t N>
+int certain_normal_axis(const Points<N>& points, int plane, const DeterminantBounds& bounds) noexcept {
+    ECODS_ASSERT(plane >= 0 && static_cast<std::size_t>(plane) + 2 < N);
+    const Point* const own = &points[static_cast<std::size_t>(plane)];
     const PlainNormal n = plain_normal(own[0], own[1], own[2]);
-    const std::array<double, 3> size{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
+    const std::array<double, 3> size{std::abs(n[0]), std::abs(n[1]), std::abs(n[2])};
     const std::size_t largest = size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : (size[1] > size[2] ? 1 : 2);
-    return size[largest] > bound.orient2d[largest] ? static_cast<int>(largest) : -1;
+    return size[largest] > bounds.orient2d[largest] ? static_cast<int>(largest) : -1;
 }
 
-// Signs of single determinants, 0 where the filter leaves them open.
+// Signs of single determinants of rounded points, 0 where the filter leaves them open.
+template <std::size_t N>
 class FilterSigns {
   public:
-    FilterSigns(const SixRounded& points, const PairBound& bound) noexcept : points_(points), bound_(bound) {}
+    // The arguments must outlive the signs.
+    FilterSigns(const Points<N>& points, const DeterminantBounds& bounds) noexcept : points_(points), bounds_(bounds) {}
 
-    int orient3d(int a, int b, int c, int d) const noexcept {
-        return certain_sign(plain_orient3d(at(a), at(b), at(c), at(d)), bound_.orient3d);
-    }
-    int orient2d(int a, int b, int c, int axis) const noexcept {
-        return certain_sign(plain_orient2d(at(a), at(b), at(c), axis), bound_.orient2d[static_cast<std::size_t>(axis)]);
-    }
-
-  private:
-    const Point& at(int point) const noexcept { return points_[static_cast<std::size_t>(point)]; }
-
-    const SixRounded& points_;
-    const PairBound& bound_;
-};
-
-template <class Kernel>
-class FilteredSigns {
-  public:
-    // `trace`: the sides of planes, as the filter computed them.
-    FilteredSigns(const SixRounded& points, const PairBound& bound, const FilterTrace& trace,
-                  const Kernel& kernel) noexcept
-        : points_(points), bound_(bound), trace_(trace), kernel_(kernel), filter_(points, bound), exact_(kernel) {}
-
-    std::array<int, 3> sides(int triangle) const noexcept {
-        const int own = 3 * triangle;
-        const int other = 3 - own;
-        Sides result = (triangle == 1 ? trace_.first : trace_.second).certain_signs(bound_.orient3d);
-        if (result[0] != 0 && result[1] != 0 && result[2] != 0) return result;
-        const auto normal = kernel_.normal(own, own + 1, own + 2);
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (result[i] == 0) result[i] = kernel_.side(normal, own, other + static_cast<int>(i));
+    Sides sides(int plane, int points) const noexcept {
+        const PlainNormal n = plain_normal(at(plane), at(plane + 1), at(plane + 2));
+        Sides result;
+        for (int i = 0; i < 3; ++i) {
+            const double side = plain_side(n, at(plane), at(points + i));
+            result[static_cast<std::size_t>(i)] = certain_sign(side, bounds_.orient3d);
         }
         return result;
     }
+    int orient3d(int a, int b, int c, int d) const noexcept {
+        return certain_sign(plain_orient3d(at(a), at(b), at(c), at(d)), bounds_.orient3d);
+    }
+    int orient2d(int a, int b, int c, int axis) const noexcept {
+        return certain_sign(plain_orient2d(at(a), at(b), at(c), axis),
+                            bounds_.orient2d[static_cast<std::size_t>(axis)]);
+    }
+    int normal_axis(int plane) const noexcept { return certain_normal_axis(points_, plane, bounds_); }
 
+  private:
+    const Point& at(int i) const noexcept { return points_[static_cast<std::size_t>(i)]; }
+
+    const Points<N>& points_;
+    const DeterminantBounds& bounds_;
+};
+
+// The filter's signs, and where it leaves one open, that of the same points as integers.
+template <class Kernel, std::size_t N>
+class FilteredSigns {
+  public:
+    // The arguments must outlive the signs.
+    FilteredSigns(const Points<N>& points, const DeterminantBounds& bounds,
+                  const IntegerPoints<Kernel, N>& integers) noexcept
+        : filter_(points, bounds), integers_(integers), exact_(integers) {}
+
+    Sides sides(int plane, int points) const noexcept { return complete(filter_.sides(plane, points), plane, points); }
     int orient3d(int a, int b, int c, int d) const noexcept {
         const int s = filter_.orient3d(a, b, c, d);
         return s != 0 ? s : exact_.orient3d(a, b, c, d);
@@ -88,19 +75,29 @@ class FilteredSigns {
         return s != 0 ? s : exact_.orient2d(a, b, c, axis);
     }
     int compare(int a, int b, int axis) const noexcept { return exact_.compare(a, b, axis); }
+    int normal_axis(int plane) const noexcept {
+        const int axis = filter_.normal_axis(plane);
+        return axis >= 0 ? axis : exact_.normal_axis(plane);
+    }
 
-    int normal_axis(int triangle) const noexcept {
-        const int axis = certain_normal_axis(points_, triangle, bound_);
-        return axis >= 0 ? axis : exact_.normal_axis(triangle);
+    // Replaces sides that are 0 by those of the integers.
+    Sides complete(Sides sides, int plane, int points) const noexcept {
+        if (sides[0] != 0 && sides[1] != 0 && sides[2] != 0) return sides;
+        const auto at = [&](int i) -> const auto& {
+            return integers_.at[static_cast<std::size_t>(i)];
+        };
+        const auto normal = Kernel::normal(at(plane), at(plane + 1), at(plane + 2));
+        for (int i = 0; i < 3; ++i) {
+            int& side = sides[static_cast<std::size_t>(i)];
+            if (side == 0) side = Kernel::side(normal, at(plane), at(points + i));
+        }
+        return sides;
     }
 
   private:
-    const SixRounded& points_;
-    const PairBound& bound_;
-    const FilterTrace& trace_;
-    const Kernel& kernel_;
-    FilterSigns filter_;
-    KernelSigns<Kernel> exact_;
+    FilterSigns<N> filter_;
+    const IntegerPoints<Kernel, N>& integers_;
+    ExactSigns<Kernel, N> exact_;
 };
 
 }  // namespace ecods::exact

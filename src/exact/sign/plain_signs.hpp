@@ -1,20 +1,17 @@
 // Determinants in plain double, and signs that take them at face value.
 //
-// The functions are what the filter's bounds are about: their order of operations is that of the proofs.
+// The filter's bounds are about these functions: their order of operations is that of the proofs.
 #pragma once
 
 #include <array>
 
+#include "exact/point/point.hpp"
+#include "exact/sign/exact_signs.hpp"
 #include "simd/inline.hpp"
 
 namespace ecods::exact {
 
-using Point = std::array<double, 3>;
-using SixRounded = std::array<Point, 6>;
-
-struct PlainNormal {
-    double x, y, z;
-};
+using PlainNormal = std::array<double, 3>;
 
 // (b - a) x (d - c)
 ECODS_ALWAYS_INLINE PlainNormal plain_cross(const Point& a, const Point& b, const Point& c, const Point& d) noexcept {
@@ -28,7 +25,7 @@ ECODS_ALWAYS_INLINE PlainNormal plain_normal(const Point& a, const Point& b, con
 }
 
 ECODS_ALWAYS_INLINE double plain_side(const PlainNormal& n, const Point& a, const Point& p) noexcept {
-    return (n.x * (p[0] - a[0]) + n.y * (p[1] - a[1])) + n.z * (p[2] - a[2]);
+    return (n[0] * (p[0] - a[0]) + n[1] * (p[1] - a[1])) + n[2] * (p[2] - a[2]);
 }
 
 // det(b - a, c - a, d - a)
@@ -45,43 +42,35 @@ inline int sign_of(double x) noexcept {
     return (x > 0) - (x < 0);
 }
 
-// 1 or -1 if the sign is certain, else 0. A NaN is not certain.
+// 1 or -1 if the sign is certain, otherwise 0. A NaN is not certain.
 inline int certain_sign(double x, double bound) noexcept {
     return (x > bound) - (x < -bound);
 }
 
-// Signs for triangle_pair.hpp that are right only where every operation is exact.
-class PlainSigns {
-  public:
-    explicit PlainSigns(const SixRounded& points) noexcept : points_(points) {}
+// The same functions as those of an integer kernel (exact/number/kernel.hpp), for points of which plain double computes
+// every determinant without a rounding error.
+struct PlainArithmetic {
+    using Point = exact::Point;
+    using Normal = PlainNormal;
 
-    std::array<int, 3> sides(int triangle) const noexcept {
-        const int own = 3 * triangle;
-        const int other = 3 - own;
-        const PlainNormal n = plain_normal(at(own), at(own + 1), at(own + 2));
-        return {sign_of(plain_side(n, at(own), at(other))), sign_of(plain_side(n, at(own), at(other + 1))),
-                sign_of(plain_side(n, at(own), at(other + 2)))};
+    static Normal normal(const Point& a, const Point& b, const Point& c) noexcept { return plain_normal(a, b, c); }
+    static int side(const Normal& normal, const Point& a, const Point& p) noexcept {
+        return sign_of(plain_side(normal, a, p));
     }
-    int orient3d(int a, int b, int c, int d) const noexcept {
-        return sign_of(plain_orient3d(at(a), at(b), at(c), at(d)));
+    static int orient2d(const Point& a, const Point& b, const Point& c, int axis) noexcept {
+        return sign_of(plain_orient2d(a, b, c, axis));
     }
-    int orient2d(int a, int b, int c, int axis) const noexcept {
-        return sign_of(plain_orient2d(at(a), at(b), at(c), axis));
-    }
-    int compare(int a, int b, int axis) const noexcept {
+    static int compare(const Point& a, const Point& b, int axis) noexcept {
         const auto k = static_cast<std::size_t>(axis);
-        return (at(a)[k] > at(b)[k]) - (at(a)[k] < at(b)[k]);
+        return (a[k] > b[k]) - (a[k] < b[k]);
     }
-    int normal_axis(int triangle) const noexcept {
-        const int own = 3 * triangle;
-        const PlainNormal n = plain_normal(at(own), at(own + 1), at(own + 2));
-        return n.x != 0 ? 0 : n.y != 0 ? 1 : n.z != 0 ? 2 : -1;
-    }
+    static bool is_zero(double minor) noexcept { return minor == 0; }
+};
 
-  private:
-    const Point& at(int point) const noexcept { return points_[static_cast<std::size_t>(point)]; }
-
-    const SixRounded& points_;
+template <std::size_t N>
+class PlainSigns : public ExactSigns<PlainArithmetic, N> {
+  public:
+    explicit PlainSigns(const Points<N>& points) noexcept : ExactSigns<PlainArithmetic, N>(points) {}
 };
 
 }  // namespace ecods::exact

@@ -1,8 +1,10 @@
-// Zero-area triangles: the segments and points that they span, decided from signs alone (see triangle_pair.hpp).
+// Zero-area triangles: the segments and points that they span, decided from signs alone (see triangle_pair.hpp). A
+// triangle is named by the first of its three corners.
 #pragma once
 
 #include <array>
 
+#include "base/assert.hpp"
 #include "ecods/predicates.hpp"
 
 namespace ecods::exact {
@@ -13,7 +15,7 @@ struct Segment {
     int b;
 };
 
-// -1, 0 or 1: the order of two points by x, then y, then z. Along a line it is an order of the line's points.
+// The order of two points by x, then y, then z, as -1, 0 or 1. Restricted to a line it orders the points along it.
 template <class Signs>
 int compare_lexicographically(Signs& signs, int a, int b) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -24,8 +26,7 @@ int compare_lexicographically(Signs& signs, int a, int b) {
 
 // The segment or point that a zero-area triangle spans: its extreme corners.
 template <class Signs>
-Segment find_segment(Signs& signs, int triangle) {
-    const int first = 3 * triangle;
+Segment find_segment(Signs& signs, int first) {
     Segment s{first, first};
     for (int corner = first + 1; corner < first + 3; ++corner) {
         if (compare_lexicographically(signs, corner, s.a) < 0) s.a = corner;
@@ -48,7 +49,7 @@ template <class Signs>
 bool segments_meet(Signs& signs, Segment s, Segment t) {
     if (is_on_segment(signs, s.a, t) || is_on_segment(signs, s.b, t)) return true;
     if (is_on_segment(signs, t.a, s) || is_on_segment(signs, t.b, s)) return true;
-    // No end is on the other segment. What is left is a proper crossing, in one plane.
+    // No end is on the other segment: they can only cross properly, in one plane.
     if (signs.orient3d(s.a, s.b, t.a, t.b) != 0) return false;
     // A projection in which some sign is not zero is one in which the plane, or the line, is not seen edge-on: the
     // segments cross properly exactly if they do so there.
@@ -60,11 +61,11 @@ bool segments_meet(Signs& signs, Segment s, Segment t) {
     return false;
 }
 
-// `triangle` is proper, and the segment lies in its plane, seen along an axis on which the normal is not zero.
+// The triangle is proper, and the segment lies in its plane, seen along an axis on which the normal is not zero.
 template <class Signs>
-bool meets_in_plane(Signs& signs, Segment s, int triangle, int axis) {
-    const int first = 3 * triangle;
+bool meets_in_plane(Signs& signs, Segment s, int first, int axis) {
     const int turn = signs.orient2d(first, first + 1, first + 2, axis);
+    ECODS_ASSERT(turn != 0);
     const auto is_inside = [&](int p) {
         for (int edge = 0; edge < 3; ++edge) {
             if (signs.orient2d(first + edge, first + (edge + 1) % 3, p, axis) * turn < 0) return false;
@@ -80,13 +81,12 @@ bool meets_in_plane(Signs& signs, Segment s, int triangle, int axis) {
 
 // A segment or point against a proper triangle. Crossing: the open segment meets the open triangle in one point.
 template <class Signs>
-Relation segment_triangle(Signs& signs, Segment s, int triangle) {
-    const int first = 3 * triangle;
+Relation segment_triangle(Signs& signs, Segment s, int first) {
     const int side_a = signs.orient3d(first, first + 1, first + 2, s.a);
     const int side_b = signs.orient3d(first, first + 1, first + 2, s.b);
     if (side_a * side_b > 0) return Relation::disjoint;
     if (side_a == 0 && side_b == 0) {
-        const bool meets = meets_in_plane(signs, s, triangle, signs.normal_axis(triangle));
+        const bool meets = meets_in_plane(signs, s, first, signs.normal_axis(first));
         return meets ? Relation::touching : Relation::disjoint;
     }
     // The segment's line meets the plane in one point of the segment. It is in the closed triangle exactly when the
@@ -106,13 +106,13 @@ Relation segment_triangle(Signs& signs, Segment s, int triangle) {
 template <class Signs>
 Relation degenerate_pair(Signs& signs) {
     const bool first_is_flat = signs.normal_axis(0) < 0;
-    const bool second_is_flat = signs.normal_axis(1) < 0;
+    const bool second_is_flat = signs.normal_axis(3) < 0;
     if (first_is_flat && second_is_flat) {
-        const bool meet = segments_meet(signs, find_segment(signs, 0), find_segment(signs, 1));
+        const bool meet = segments_meet(signs, find_segment(signs, 0), find_segment(signs, 3));
         return meet ? Relation::touching : Relation::disjoint;
     }
-    return first_is_flat ? segment_triangle(signs, find_segment(signs, 0), 1)
-                         : segment_triangle(signs, find_segment(signs, 1), 0);
+    return first_is_flat ? segment_triangle(signs, find_segment(signs, 0), 3)
+                         : segment_triangle(signs, find_segment(signs, 3), 0);
 }
 
 }  // namespace ecods::exact

@@ -1,15 +1,8 @@
 // How two triangles meet, decided from signs alone.
 //
-// The decision is written once, for any provider of signs:
-//
-//     sides(triangle)          signs of the other triangle's corners against the plane of `triangle` (0 or 1)
-//     orient3d(a, b, c, d)     sign of det(b - a, c - a, d - a)
-//     orient2d(a, b, c, axis)  the same in the projection along an axis
-//     compare(a, b, axis)      sign of a - b on an axis
-//     normal_axis(triangle)    an axis on which the triangle's normal is not zero, or -1 if its area is zero
-//
-// Points 0 to 2 are the corners of the first triangle, 3 to 5 those of the second. If the provider's signs are exact,
-// so is the decision.
+// The decision is written once, for any provider of signs (exact/sign/exact_signs.hpp). Points 0 to 2 are the corners
+// of the first triangle, 3 to 5 those of the second: a triangle is named by the first of its corners. If the provider's
+// signs are exact, so is the decision.
 //
 // Proper triangles in different planes (Guigue and Devillers 2003, derived again). Let the corners of each be on both
 // closed sides of the other's plane. Both triangles then meet the line L of the two planes in closed intervals. Name
@@ -20,19 +13,19 @@
 // other begins. That the end on p1r1 is not before the beginning on p2q2 is a sign of orient3d of the two edges, and so
 // is the other comparison. They share an open interval exactly when both comparisons are strict.
 //
-// Relative interiors then share a point exactly when each triangle has corners strictly on both sides (else the part of
-// it on L is on its boundary) and both comparisons are strict.
+// Relative interiors then share a point exactly when each triangle has corners strictly on both sides (otherwise the
+// part of it on L is on its boundary) and both comparisons are strict.
 #pragma once
 
 #include <array>
 #include <utility>
 
+#include "base/assert.hpp"
 #include "ecods/predicates.hpp"
+#include "exact/sign/exact_signs.hpp"
 #include "exact/simplex/segment_pair.hpp"
 
 namespace ecods::exact {
-
-using Sides = std::array<int, 3>;
 
 inline bool all_positive(const Sides& s) noexcept {
     return s[0] > 0 && s[1] > 0 && s[2] > 0;
@@ -55,6 +48,7 @@ struct Apex {
 
 // `s` is not all positive, all negative or all zero.
 inline Apex find_apex(const Sides& s) noexcept {
+    ECODS_ASSERT(!all_positive(s) && !all_negative(s) && !all_zero(s));
     const int positive_count = (s[0] > 0) + (s[1] > 0) + (s[2] > 0);
     const int negative_count = (s[0] < 0) + (s[1] < 0) + (s[2] < 0);
     // With one positive corner the other two are on the closed negative side, and the other way round. Otherwise one
@@ -83,10 +77,10 @@ inline EdgeComparison name_corners(const Sides& first, const Sides& second) noex
 // are disjoint exactly when all of one is strictly on the outer side of an edge of the other.
 template <class Signs>
 Relation coplanar_pair(Signs& signs, int axis) {
-    for (int triangle = 0; triangle < 2; ++triangle) {
-        const int own = 3 * triangle;
+    for (const int own : {0, 3}) {
         const int other = 3 - own;
         const int turn = signs.orient2d(own, own + 1, own + 2, axis);
+        ECODS_ASSERT(turn != 0);
         for (int edge = 0; edge < 3; ++edge) {
             const int from = own + edge;
             const int to = own + (edge + 1) % 3;
@@ -103,17 +97,17 @@ Relation coplanar_pair(Signs& signs, int axis) {
 // At least one of the triangles' corners are all in the other's plane (a zero-area triangle has every plane).
 template <class Signs>
 Relation flat_pair(Signs& signs) {
-    const int axis = signs.normal_axis(1);
+    const int axis = signs.normal_axis(3);
     if (axis < 0 || signs.normal_axis(0) < 0) return degenerate_pair(signs);
     return coplanar_pair(signs, axis);
 }
 
 template <class Signs>
 Relation triangle_pair(Signs& signs) {
-    const Sides first = signs.sides(1);
+    const Sides first = signs.sides(3, 0);
     if (all_positive(first) || all_negative(first)) return Relation::disjoint;
     if (all_zero(first)) return flat_pair(signs);
-    const Sides second = signs.sides(0);
+    const Sides second = signs.sides(0, 3);
     if (all_positive(second) || all_negative(second)) return Relation::disjoint;
     if (all_zero(second)) return flat_pair(signs);
 

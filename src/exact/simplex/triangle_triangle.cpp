@@ -1,8 +1,8 @@
 #include "ecods/predicates.hpp"
-#include "exact/point/integer_width.hpp"
-#include "exact/point/rounded_points.hpp"
-#include "exact/sign/filter.hpp"
-#include "exact/sign/filtered_signs.hpp"
+#include "exact/point/integer_points.hpp"
+#include "exact/point/posed_points.hpp"
+#include "exact/sign/filter_bound.hpp"
+#include "exact/simplex/triangle_filter.hpp"
 #include "exact/simplex/triangle_pair.hpp"
 
 namespace ecods {
@@ -12,10 +12,10 @@ using namespace exact;
 
 const Pose identity;
 
-Relation decide(const SixPoints& exact, const RoundedPoints& rounded) noexcept {
-    const PairBound bound = pair_bound(rounded.points, rounded.delta);
+Relation decide(const PosedPoints<6>& exact, const RoundedPoints<6>& rounded) noexcept {
+    const DeterminantBounds bounds = determinant_bounds(rounded.points, rounded.delta);
     FilterTrace trace;
-    switch (filter(rounded.points, bound.orient3d, trace)) {
+    switch (filter(rounded.points, bounds.orient3d, trace)) {
         case FilterAnswer::disjoint:
             return Relation::disjoint;
         case FilterAnswer::crossing:
@@ -23,14 +23,14 @@ Relation decide(const SixPoints& exact, const RoundedPoints& rounded) noexcept {
         case FilterAnswer::unknown:
             break;
     }
-    return with_kernel(exact, [&](const auto& kernel) {
-        FilteredSigns signs(rounded.points, bound, trace, kernel);
+    return with_integers(exact, [&](const auto& integers) {
+        TracedSigns signs(rounded.points, bounds, trace, integers);
         return triangle_pair(signs);
     });
 }
 
-SixPoints six(const Pose& pose_a, const std::array<Vec3, 3>& a, const Pose& pose_b,
-              const std::array<Vec3, 3>& b) noexcept {
+PosedPoints<6> six(const Pose& pose_a, const std::array<Vec3, 3>& a, const Pose& pose_b,
+                   const std::array<Vec3, 3>& b) noexcept {
     return {PointRef{&pose_a, &a[0]}, PointRef{&pose_a, &a[1]}, PointRef{&pose_a, &a[2]},
             PointRef{&pose_b, &b[0]}, PointRef{&pose_b, &b[1]}, PointRef{&pose_b, &b[2]}};
 }
@@ -38,12 +38,12 @@ SixPoints six(const Pose& pose_a, const std::array<Vec3, 3>& a, const Pose& pose
 }  // namespace
 
 Relation triangle_triangle(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) noexcept {
-    const SixPoints points = six(identity, a, identity, b);
+    const PosedPoints<6> points = six(identity, a, identity, b);
     return decide(points, plain_points(points));
 }
 
 Relation triangle_triangle(const PosedTriangle& a, const PosedTriangle& b) noexcept {
-    const SixPoints points = six(a.pose, a.corners, b.pose, b.corners);
+    const PosedPoints<6> points = six(a.pose, a.corners, b.pose, b.corners);
     return decide(points, round_points(points));
 }
 

@@ -9,14 +9,14 @@
 
 #include "bvh/separating_axes.hpp"
 #include "bvh/walk_two.hpp"
-#include "exact/simplex/body_pair.hpp"
 #include "query/intersection/mesh_mesh_test.hpp"
+#include "query/intersection/triangle_relations.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
 
 struct QueryMemory::State {
-    exact::BodyPair pair;
+    TriangleRelations pair;
     SeparatingAxes axes;
     std::vector<NodePair> stack;
     QueryCounts counts;
@@ -39,32 +39,21 @@ void QueryMemory::reset_counts() noexcept {
     state_->counts = {};
 }
 
+StageCounts& StageCounts::operator+=(const StageCounts& other) noexcept {
+    triangle_tests += other.triangle_tests;
+    for (const Stage& stage : ecods::stages) this->*stage.count += other.*stage.count;
+    return *this;
+}
+
 QueryCounts& QueryCounts::operator+=(const QueryCounts& other) noexcept {
     queries += other.queries;
     witness_hits += other.witness_hits;
     box_tests += other.box_tests;
-    triangle_tests += other.triangle_tests;
-    filter_passes += other.filter_passes;
-    semi_static_passes += other.semi_static_passes;
-    local_passes += other.local_passes;
-    one_limb += other.one_limb;
-    two_limbs += other.two_limbs;
-    many_limbs += other.many_limbs;
+    stages += other.stages;
     return *this;
 }
 
 namespace {
-
-// Takes over what the exact layer counted during one query.
-void add_stages(QueryCounts& counts, const exact::StageCounts& stages) {
-    counts.triangle_tests += stages.triangle_tests;
-    counts.filter_passes += stages.filter_passes;
-    counts.semi_static_passes += stages.semi_static_passes;
-    counts.local_passes += stages.local_passes;
-    counts.one_limb += stages.one_limb;
-    counts.two_limbs += stages.two_limbs;
-    counts.many_limbs += stages.many_limbs;
-}
 
 // The bound of the walk: boxes and triangles that an axis or a plane certainly separates do not matter.
 class OverlapBound {
@@ -135,7 +124,7 @@ class Query {
     Query(const Query&) = delete;
     Query& operator=(const Query&) = delete;
     ~Query() {
-        if (pair_is_bound_) add_stages(state_.counts, state_.pair.counts());
+        if (pair_is_bound_) state_.counts.stages += state_.pair.counts();
     }
 
     Relation relation_of(std::uint32_t i, std::uint32_t j) {

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "exact/simplex/body_pair.hpp"
 #include "oracle/oracle.hpp"
+#include "query/intersection/triangle_relations.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::exact {
@@ -81,14 +81,14 @@ struct Body {
         const Triangle& t = mesh->triangles()[triangle];
         return {mesh->vertices()[t[0]], mesh->vertices()[t[1]], mesh->vertices()[t[2]]};
     }
-    BodySide side() const { return {mesh.get(), &extent, &pose}; }
+    BodyRef side() const { return {mesh.get(), &extent, &pose}; }
 };
 
 // Triangles with a vertex of the other one in their interior, of every size: from short in units, past the limit, to
 // numbers that need more than the digits of a double.
 TEST(CommonUnit, AnswersDoNotDependOnTheSize) {
     Random random(71);
-    BodyPair bodies;
+    TriangleRelations bodies;
     std::array<std::uint64_t, 25> plain{}, one_limb{};
     for (int bits = 2; bits < 25; ++bits) {
         bodies.reset_counts();
@@ -150,7 +150,7 @@ TEST(CommonUnit, GridsOfOneLength) {
         };
         const Vec3 cell = integers(random, 4);
         const Body a = cube_at(cell), b = cube_at(cell + integers(random, 2));
-        BodyPair bodies;
+        TriangleRelations bodies;
         bodies.bind(a.side(), b.side());
         for (std::uint32_t t = 0; t < 12; ++t) {
             for (std::uint32_t u = 0; u < 12; ++u) {

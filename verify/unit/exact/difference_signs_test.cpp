@@ -43,20 +43,20 @@ TEST(DifferenceSigns, AreThoseOfIntegers) {
     for (int i = 0; i < 60000; ++i) {
         const int bits = 3 + i % 47;
         const int low = static_cast<int>(random.below(400)) - 300;
-        OneLimbKernel kernel;
-        kernel.points = six_points(random, bits);
-        SixRounded points;
+        const IntegerPoints<OneLimbKernel, 6> integers{six_points(random, bits)};
+        Points<6> points;
         for (std::size_t p = 0; p < 6; ++p) {
             for (std::size_t k = 0; k < 3; ++k) {
-                points[p][k] = std::ldexp(static_cast<double>(kernel.points[p][k]), low);
+                points[p][k] = std::ldexp(static_cast<double>(integers.at[p][k]), low);
             }
         }
-        const KernelSigns<OneLimbKernel> expected(kernel);
+        const ExactSigns expected(integers);
         DifferenceSigns signs(points, std::ldexp(1.0, -low));
-        for (int triangle = 0; triangle < 2; ++triangle) {
-            ASSERT_EQ(DifferenceSigns(points, std::ldexp(1.0, -low)).sides(triangle), expected.sides(triangle)) << i;
-            const int axis = signs.normal_axis(triangle), own = 3 * triangle;
-            ASSERT_EQ(axis < 0, expected.normal_axis(triangle) < 0) << i;
+        for (const int own : {0, 3}) {
+            DifferenceSigns fresh(points, std::ldexp(1.0, -low));
+            ASSERT_EQ(fresh.sides(own, 3 - own), expected.sides(own, 3 - own)) << i;
+            const int axis = signs.normal_axis(own);
+            ASSERT_EQ(axis < 0, expected.normal_axis(own) < 0) << i;
             ASSERT_TRUE(axis < 0 || expected.orient2d(own, own + 1, own + 2, axis) != 0) << i;
         }
         ASSERT_EQ(signs.orient3d(0, 1, 3, 4), expected.orient3d(0, 1, 3, 4)) << i;
@@ -75,12 +75,12 @@ TEST(DifferenceSigns, AreThoseOfIntegers) {
 // Where every product has a factor of zero there is nothing to ask integers for, whatever the other factors.
 TEST(DifferenceSigns, AxisAlignedFacesNeedNoIntegers) {
     const double x = 0.1, y = 0.7, z = 1.3;
-    const SixRounded points{Point{0, 0, z}, Point{x, 0, z}, Point{0, y, z},
-                            Point{0, y, z}, Point{x, y, z}, Point{x, y, -z}};
+    const Points<6> points{Point{0, 0, z}, Point{x, 0, z}, Point{0, y, z},
+                           Point{0, y, z}, Point{x, y, z}, Point{x, y, -z}};
     DifferenceSigns signs(points, 0x1p55);
-    EXPECT_EQ(signs.sides(0), (Sides{0, 0, -1}));
+    EXPECT_EQ(signs.sides(0, 3), (Sides{0, 0, -1}));
     EXPECT_EQ(signs.normal_axis(0), 2);
-    EXPECT_EQ(signs.normal_axis(1), 1);
+    EXPECT_EQ(signs.normal_axis(3), 1);
     EXPECT_EQ(signs.orient2d(0, 1, 2, 0), 0);
     EXPECT_FALSE(signs.has_used_integers());
 }

@@ -1,7 +1,7 @@
 // Triangles of no area beside an edge of another: kept apart by the filter where they are clear of it, and never where
 // they touch.
 
-#include "exact/sign/edge_axes.hpp"
+#include "exact/simplex/edge_axes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "ecods/mesh.hpp"
-#include "exact/sign/filtered_signs.hpp"
-#include "exact/simplex/body_pair.hpp"
+#include "exact/sign/filter_bound.hpp"
 #include "oracle/oracle.hpp"
+#include "query/intersection/triangle_relations.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::exact {
@@ -43,7 +43,7 @@ Asked ask(const Pose& pose_a, const Corners& a, const Pose& pose_b, const Corner
     const auto mesh_a = Mesh::create({a.begin(), a.end()}, {{0, 1, 2}}),
                mesh_b = Mesh::create({b.begin(), b.end()}, {{0, 1, 2}});
     const MeshExtent extent_a = measure(*mesh_a), extent_b = measure(*mesh_b);
-    BodyPair bodies;
+    TriangleRelations bodies;
     bodies.bind({mesh_a.get(), &extent_a, &pose_a}, {mesh_b.get(), &extent_b, &pose_b});
     const Relation relation = bodies.relation(0, 0);
     return {relation, bodies.counts().semi_static_passes};
@@ -78,12 +78,12 @@ TEST(EdgeAxes, SegmentsAreKeptApartAndNeverLost) {
     EXPECT_GT(counts[static_cast<std::size_t>(Relation::crossing)], 500);
 }
 
-double bound_of(const SixRounded& w) {
-    return pair_bound(w, 0).orient3d;
+double bound_of(const Points<6>& w) {
+    return determinant_bounds(w, 0).orient3d;
 }
 
 // Triangles with an edge of each across the other at a multiple of `gap`, and third corners anywhere.
-SixRounded crossed_edges(double gap, scenes::Random& random) {
+Points<6> crossed_edges(double gap, scenes::Random& random) {
     const auto point = [](const Vec3& x) { return Point{x[0], x[1], x[2]}; };
     const Vec3 u = random.direction(), e = random.direction(), middle = random.direction();
     const Vec3 n = u.cross(e).normalized();
@@ -97,7 +97,7 @@ SixRounded crossed_edges(double gap, scenes::Random& random) {
     return {x[0], x[1], x[2], y[0], y[1], y[2]};
 }
 
-Relation relation_of(const SixRounded& w) {
+Relation relation_of(const Points<6>& w) {
     const auto at = [&](std::size_t i) { return Vec3(w[i][0], w[i][1], w[i][2]); };
     return oracle::triangle_triangle({}, {at(0), at(1), at(2)}, {}, {at(3), at(4), at(5)});
 }
@@ -106,7 +106,7 @@ TEST(EdgeAxes, OnlyDisjointTrianglesAreSeparated) {
     scenes::Random random(12);
     int separated_count = 0, contact_count = 0;
     for (int i = 0; i < 10000; ++i) {
-        const SixRounded w = crossed_edges(i % 2 == 0 ? 0x1p-53 : 0.1, random);
+        const Points<6> w = crossed_edges(i % 2 == 0 ? 0x1p-53 : 0.1, random);
         const bool is_contact = relation_of(w) != Relation::disjoint;
         contact_count += is_contact;
         if (!edges_separate(w, bound_of(w))) continue;

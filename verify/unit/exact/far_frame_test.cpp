@@ -7,8 +7,8 @@
 
 #include "ecods/mesh.hpp"
 #include "ecods/predicates.hpp"
-#include "exact/simplex/body_pair.hpp"
 #include "oracle/oracle.hpp"
+#include "query/intersection/triangle_relations.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::exact {
@@ -21,7 +21,7 @@ TEST(FarFrame, ErrorsOfEitherBodyCount) {
     const std::array<Vec3, 3> face{Vec3(-8, -8, 0), Vec3(8, -8, 0), Vec3(0, 8, 0)};
     const auto mesh_a = Mesh::create({face.begin(), face.end()}, {{0, 1, 2}});
     const MeshExtent extent_a = measure(*mesh_a);
-    BodyPair bodies;
+    TriangleRelations bodies;
     std::array<int, 3> counts{};
     for (int i = 0; i < 2000; ++i) {
         Pose pose;
@@ -39,7 +39,7 @@ TEST(FarFrame, ErrorsOfEitherBodyCount) {
         ASSERT_EQ(triangle_triangle({pose, corners}, {identity, face}), expected) << i;
         const auto mesh_b = Mesh::create({corners.begin(), corners.end()}, {{0, 1, 2}});
         const MeshExtent extent_b = measure(*mesh_b);
-        const BodySide a{mesh_a.get(), &extent_a, &identity}, b{mesh_b.get(), &extent_b, &pose};
+        const BodyRef a{mesh_a.get(), &extent_a, &identity}, b{mesh_b.get(), &extent_b, &pose};
         bodies.bind(a, b);
         ASSERT_EQ(bodies.relation(0, 0), expected) << i;
         bodies.bind(b, a);

@@ -19,7 +19,7 @@
 #include <string>
 
 #include "exact/number/dyadic.hpp"
-#include "exact/point/pose_point.hpp"
+#include "exact/point/point.hpp"
 #include "exact/sign/plain_signs.hpp"
 #include "scenes/random.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include "exact/point/integer_width.hpp"
-#include "exact/sign/kernel_signs.hpp"
+#include "exact/point/integer_points.hpp"
+#include "exact/sign/exact_signs.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::exact {
@@ -78,11 +78,11 @@ int orient2d(const SixBig& p, std::size_t a, std::size_t b, std::size_t c, std::
 }
 
 template <class Kernel>
-void expect_right(const Kernel& kernel, const SixBig& p) {
-    const KernelSigns<Kernel> signs(kernel);
-    for (int triangle = 0; triangle < 2; ++triangle) {
-        const auto sides = signs.sides(triangle);
-        const std::size_t own = triangle == 0 ? 0 : 3, other = 3 - own;
+void expect_right(const IntegerPoints<Kernel, 6>& points, const SixBig& p) {
+    const ExactSigns signs(points);
+    for (const std::size_t own : {0u, 3u}) {
+        const std::size_t other = 3 - own;
+        const Sides sides = signs.sides(static_cast<int>(own), static_cast<int>(other));
         for (std::size_t i = 0; i < 3; ++i) ASSERT_EQ(sides[i], orient3d(p, own, own + 1, own + 2, other + i));
     }
     ASSERT_EQ(signs.orient3d(1, 4, 2, 5), orient3d(p, 1, 4, 2, 5));
@@ -101,9 +101,9 @@ TEST(Kernel, OneLimb) {
     for (int i = 0; i < 20000; ++i) {
         const int bits = i % 2 == 0 ? OneLimbKernel::coordinate_bits : 1 + i % OneLimbKernel::coordinate_bits;
         const SixBig p = points(random, bits);
-        OneLimbKernel kernel;
+        IntegerPoints<OneLimbKernel, 6> kernel;
         for (std::size_t q = 0; q < 6; ++q) {
-            for (std::size_t k = 0; k < 3; ++k) kernel.points[q][k] = static_cast<std::int64_t>(p[q][k]);
+            for (std::size_t k = 0; k < 3; ++k) kernel.at[q][k] = static_cast<std::int64_t>(p[q][k]);
         }
         expect_right(kernel, p);
     }
@@ -115,9 +115,9 @@ void check_limbs(int runs) {
     for (int i = 0; i < runs; ++i) {
         const int bits = i % 2 == 0 ? LimbKernel<L>::coordinate_bits : 1 + i % LimbKernel<L>::coordinate_bits;
         const SixBig p = points(random, bits);
-        LimbKernel<L> kernel;
+        IntegerPoints<LimbKernel<L>, 6> kernel;
         for (std::size_t q = 0; q < 6; ++q) {
-            for (std::size_t k = 0; k < 3; ++k) kernel.points[q][k] = to_limbs<L>(p[q][k]);
+            for (std::size_t k = 0; k < 3; ++k) kernel.at[q][k] = to_limbs<L>(p[q][k]);
         }
         expect_right(kernel, p);
     }
@@ -128,11 +128,11 @@ TEST(Kernel, TwoLimbs) {
     for (int i = 0; i < 20000; ++i) {
         const int bits = i % 2 == 0 ? TwoLimbKernel::coordinate_bits : 1 + i % TwoLimbKernel::coordinate_bits;
         const SixBig p = points(random, bits);
-        TwoLimbKernel kernel;
+        IntegerPoints<TwoLimbKernel, 6> kernel;
         for (std::size_t q = 0; q < 6; ++q) {
             for (std::size_t k = 0; k < 3; ++k) {
                 const Limbs<2> x = to_limbs<2>(p[q][k]);
-                kernel.points[q][k] = static_cast<Int128>(Uint128{x[1]} << 64 | x[0]);
+                kernel.at[q][k] = static_cast<Int128>(Uint128{x[1]} << 64 | x[0]);
             }
         }
         expect_right(kernel, p);

@@ -9,7 +9,7 @@
 
 #include "ecods/mesh.hpp"
 #include "ecods/predicates.hpp"
-#include "exact/simplex/body_pair.hpp"
+#include "query/intersection/triangle_relations.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::exact {
@@ -76,7 +76,7 @@ class Widths {
     const StageCounts& counts() const { return bodies_.counts(); }
 
   private:
-    BodyPair bodies_;
+    TriangleRelations bodies_;
 };
 
 TEST(WidthSweep, AnswersDoNotDependOnTheWidth) {
@@ -134,7 +134,7 @@ TEST(WidthSweep, PosedPointsThatAreNoDoubles) {
         const std::vector<Vec3> b{tip, tip + Vec3(4, 0, 1), tip + Vec3(4, 0, -1)};
         const auto mesh_a = Mesh::create(a, {{0, 1, 2}}), mesh_b = Mesh::create(b, {{0, 1, 2}});
         const MeshExtent extent_a = measure(*mesh_a), extent_b = measure(*mesh_b);
-        BodyPair bodies;
+        TriangleRelations bodies;
         bodies.bind({mesh_a.get(), &extent_a, &sheared}, {mesh_b.get(), &extent_b, &moved});
         return bodies.relation(0, 0);
     };

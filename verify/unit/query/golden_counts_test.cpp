@@ -40,7 +40,8 @@ TEST(NarrowPhase, WorkIsWhatItWas) {
                                memory);
         }
         const QueryCounts& counts = memory.counts();
-        const Golden actual{workload.name.c_str(), counts.queries, hits, counts.box_tests, counts.triangle_tests};
+        const Golden actual{workload.name.c_str(), counts.queries, hits, counts.box_tests,
+                            counts.stages.triangle_tests};
         ASSERT_LT(at, std::size(golden)) << actual;
         EXPECT_STREQ(actual.workload, golden[at].workload);
         EXPECT_TRUE(actual.queries == golden[at].queries && actual.hits == golden[at].hits &&

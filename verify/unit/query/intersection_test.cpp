@@ -116,11 +116,17 @@ TEST(TwoBody, CountsAddUpAndRepeat) {
     intersecting_triangles({ship, a}, {ship, b}, second);
     const QueryCounts& x = first.counts();
     EXPECT_EQ(x.queries, 1u);
-    EXPECT_EQ(x.triangle_tests,
-              x.filter_passes + x.semi_static_passes + x.local_passes + x.one_limb + x.two_limbs + x.many_limbs);
+    std::uint64_t decided = 0;
+    for (const Stage& stage : stages) decided += x.stages.*stage.count;
+    EXPECT_EQ(x.stages.triangle_tests, decided);
     EXPECT_EQ(x.box_tests, second.counts().box_tests);
-    EXPECT_EQ(x.triangle_tests, second.counts().triangle_tests);
-    EXPECT_EQ(x.filter_passes, second.counts().filter_passes);
+    EXPECT_EQ(x.stages, second.counts().stages);
+    // Counts of counts: each once.
+    QueryCounts sum = x;
+    sum += x;
+    EXPECT_EQ(sum.queries, 2u);
+    EXPECT_EQ(sum.stages.triangle_tests, 2 * x.stages.triangle_tests);
+    for (const Stage& stage : stages) EXPECT_EQ(sum.stages.*stage.count, 2 * (x.stages.*stage.count)) << stage.name;
 }
 
 // The tree is built by whichever thread comes first; each thread has a memory of its own.

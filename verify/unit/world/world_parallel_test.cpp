@@ -19,9 +19,11 @@ namespace {
 std::vector<std::uint64_t> counts(const World& world) {
     const Statistics s = world.statistics();
     const QueryCounts& q = s.queries;
-    return {s.updates,         s.moved_bodies,       s.two_body_tests, s.cache_hits, s.visited_pairs, s.body_count,
-            s.colliding_count, s.overlapping_count,  s.filtered_count, q.queries,    q.box_tests,     q.triangle_tests,
-            q.filter_passes,   q.semi_static_passes, q.local_passes,   q.one_limb,   q.two_limbs,     q.many_limbs};
+    std::vector<std::uint64_t> result{s.updates,        s.moved_bodies, s.two_body_tests,  s.cache_hits,
+                                      s.visited_pairs,  s.body_count,   s.colliding_count, s.overlapping_count,
+                                      s.filtered_count, q.queries,      q.box_tests,       q.stages.triangle_tests};
+    for (const Stage& stage : stages) result.push_back(q.stages.*stage.count);
+    return result;
 }
 
 // A crowd in which some move, many collide, and some are filtered out; what it did, frame by frame.

@@ -69,7 +69,7 @@ TEST(WorldWork, OneBodyOfAHundredThousandCostsWhatThatBodyCosts) {
                                           after.two_body_tests - before.two_body_tests,
                                           after.visited_pairs - before.visited_pairs,
                                           after.queries.box_tests - before.queries.box_tests,
-                                          after.queries.triangle_tests - before.queries.triangle_tests,
+                                          after.queries.stages.triangle_tests - before.queries.stages.triangle_tests,
                                           after.broad_phase.moved - before.broad_phase.moved,
                                           after.broad_phase.box_tests - before.broad_phase.box_tests,
                                           after.broad_phase.swaps - before.broad_phase.swaps};

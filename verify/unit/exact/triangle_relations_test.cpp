@@ -1,6 +1,6 @@
 // The cached path of the narrow phase gives the answers of the plain one, by each of its stages.
 
-#include "exact/simplex/body_pair.hpp"
+#include "query/intersection/triangle_relations.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@ std::shared_ptr<const Mesh> one_triangle(const std::array<Vec3, 3>& corners) {
     return Mesh::create({corners.begin(), corners.end()}, {{0, 1, 2}});
 }
 
-TEST(BodyPair, AgreesWithThePredicateOnEveryFamily) {
+TEST(TriangleRelations, AgreesWithThePredicateOnEveryFamily) {
     scenes::Random random(11);
-    BodyPair bodies;
+    TriangleRelations bodies;
     for (const scenes::HardFamily family : scenes::hard_families()) {
         for (int i = 0; i < 3000; ++i) {
             const scenes::PosedPair pair = scenes::make_pair(family, random);
@@ -42,12 +42,12 @@ TEST(BodyPair, AgreesWithThePredicateOnEveryFamily) {
 }
 
 // Meshes with more vertices than the caches hold, so that entries are replaced.
-TEST(BodyPair, CachesMayOverflow) {
+TEST(TriangleRelations, CachesMayOverflow) {
     const auto mesh = scenes::sphere(60, 60);
     const MeshExtent extent = measure(*mesh);
     Pose pose_a, pose_b;
     pose_b.t = Vec3(0.5, 0.25, 0.125);
-    BodyPair bodies;
+    TriangleRelations bodies;
     bodies.bind({mesh.get(), &extent, &pose_a}, {mesh.get(), &extent, &pose_b});
     const auto corners = [&](std::size_t t) {
         const Triangle& triangle = mesh->triangles()[t];
@@ -63,12 +63,12 @@ TEST(BodyPair, CachesMayOverflow) {
 
 // Both bodies under the same bits of a regular pose: decided where they were modelled. Short coordinates: in plain
 // double.
-TEST(BodyPair, ShortcutsAreTaken) {
+TEST(TriangleRelations, ShortcutsAreTaken) {
     const auto cube = scenes::cube(0.5);
     const MeshExtent extent = measure(*cube);
     Pose a, b;
     b.t = Vec3(1, 0, 0);
-    BodyPair bodies;
+    TriangleRelations bodies;
     bodies.bind({cube.get(), &extent, &a}, {cube.get(), &extent, &b});
     for (std::uint32_t i = 0; i < 12; ++i) {
         for (std::uint32_t j = 0; j < 12; ++j) bodies.relation(i, j);

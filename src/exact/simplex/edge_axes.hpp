@@ -8,19 +8,20 @@
 
 #include <algorithm>
 
+#include "exact/point/point.hpp"
 #include "exact/sign/plain_signs.hpp"
 
 namespace ecods::exact {
 
-// Whether the cross product of an edge of each triangle certainly separates them. `bound`: orient3d_bound of these
-// points.
+// Whether the cross product of an edge of each triangle certainly separates them. Points 0 to 2 are the corners of the
+// first triangle, 3 to 5 those of the second; `bound` is one for every orient3d of them.
 //
 // Projections on n = u x e are taken from the beginning p of the edge u. The ends of u are at 0, exactly, and so is the
 // difference of the ends of e; the projections of other points x are det(u, e, x - p), a determinant of three
 // differences of the six points, which is off by no more than the bound. So the two intervals are disjoint if as
 // computed one begins more than twice the bound behind the end of the other; asking for four times the bound covers the
 // rounding of that difference. An infinite bound separates nothing.
-inline bool edges_separate(const SixRounded& w, double bound) noexcept {
+inline bool edges_separate(const Points<6>& w, double bound) noexcept {
     for (std::size_t i = 0; i < 3; ++i) {
         const Point &p = w[i], &q = w[(i + 1) % 3], &r = w[(i + 2) % 3];
         for (std::size_t j = 0; j < 3; ++j) {

@@ -1,19 +1,24 @@
-// The hot path: a pair of triangles decided by plain doubles and one bound.
+// The hot path: a pair of triangles decided by plain doubles and one bound. Points 0 to 2 are the corners of the first
+// triangle, 3 to 5 those of the second.
 //
-// A bound is either finite, and then no coordinate is large enough for a NaN or infinity to arise (filter_bound.hpp),
-// or infinite, and then no comparison with it succeeds. So minima and maxima need no care about NaN.
+// A bound is either finite, and then no coordinate is large enough for a NaN or infinity to arise
+// (exact/sign/filter_bound.hpp), or infinite, and then no comparison with it succeeds. So minima and maxima need no
+// care about NaN.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
+#include "exact/point/point.hpp"
+#include "exact/sign/exact_signs.hpp"
+#include "exact/sign/filtered_signs.hpp"
 #include "exact/sign/plain_signs.hpp"
 #include "exact/simplex/triangle_pair.hpp"
 #include "simd/inline.hpp"
 
 namespace ecods::exact {
 
-// The filter never certifies touching: a zero is beyond it.
+// The filter never certifies touching: it cannot tell a zero from a small number.
 enum class FilterAnswer { disjoint, crossing, unknown };
 
 // The values of one plane's determinant at three corners.
@@ -26,19 +31,19 @@ struct PlaneSides {
     ECODS_ALWAYS_INLINE bool are_certain(double bound) const noexcept {
         return std::min({std::abs(a), std::abs(b), std::abs(c)}) > bound;
     }
-    // 1 or -1 where the sign is certain, else 0.
+    // 1 or -1 where the sign is certain, otherwise 0.
     ECODS_ALWAYS_INLINE Sides certain_signs(double bound) const noexcept {
         return {certain_sign(a, bound), certain_sign(b, bound), certain_sign(c, bound)};
     }
 };
 
-ECODS_ALWAYS_INLINE PlaneSides plane_sides(const SixRounded& w, std::size_t own, std::size_t other) noexcept {
+ECODS_ALWAYS_INLINE PlaneSides plane_sides(const Points<6>& w, std::size_t own, std::size_t other) noexcept {
     const PlainNormal n = plain_normal(w[own], w[own + 1], w[own + 2]);
     return {plain_side(n, w[own], w[other]), plain_side(n, w[own], w[other + 1]), plain_side(n, w[own], w[other + 2])};
 }
 
 // The two comparisons along the line of the planes, for sides that are all certain.
-inline FilterAnswer filter_edges(const SixRounded& w, const Sides& first, const Sides& second, double bound) noexcept {
+inline FilterAnswer filter_edges(const Points<6>& w, const Sides& first, const Sides& second, double bound) noexcept {
     const EdgeComparison e = name_corners(first, second);
     const auto at = [&](int i) -> const Point& { return w[static_cast<std::size_t>(i)]; };
     const double begin = plain_orient3d(at(e.q1), at(e.p2), at(e.p1), at(e.q2));
@@ -48,14 +53,14 @@ inline FilterAnswer filter_edges(const SixRounded& w, const Sides& first, const 
     return begin < -bound && end < -bound ? FilterAnswer::crossing : FilterAnswer::unknown;
 }
 
-// What the filter found out before it gave up, for the stages after it.
+// The determinants that the filter computed before it gave up, for the stages after it.
 struct FilterTrace {
     PlaneSides first;   // corners of the first triangle against the plane of the second
     PlaneSides second;  // set unless `first` decided
 };
 
-// `bound` is one for every determinant of these points.
-ECODS_ALWAYS_INLINE FilterAnswer filter(const SixRounded& w, double bound, FilterTrace& trace) noexcept {
+// Tries to decide by `bound`, which must hold for every orient3d of these points.
+ECODS_ALWAYS_INLINE FilterAnswer filter(const Points<6>& w, double bound, FilterTrace& trace) noexcept {
     trace.first = plane_sides(w, 3, 0);
     if (trace.first.are_beyond(bound)) return FilterAnswer::disjoint;
     trace.second = plane_sides(w, 0, 3);
@@ -64,11 +69,31 @@ ECODS_ALWAYS_INLINE FilterAnswer filter(const SixRounded& w, double bound, Filte
     return filter_edges(w, trace.first.certain_signs(bound), trace.second.certain_signs(bound), bound);
 }
 
-// The same with another bound for determinants that are known.
-inline FilterAnswer filter_again(const SixRounded& w, double bound, const FilterTrace& trace) noexcept {
+// The same with another bound, for determinants that have been computed.
+inline FilterAnswer filter_again(const Points<6>& w, double bound, const FilterTrace& trace) noexcept {
     if (trace.first.are_beyond(bound) || trace.second.are_beyond(bound)) return FilterAnswer::disjoint;
     if (!trace.first.are_certain(bound) || !trace.second.are_certain(bound)) return FilterAnswer::unknown;
     return filter_edges(w, trace.first.certain_signs(bound), trace.second.certain_signs(bound), bound);
 }
+
+// FilteredSigns of two triangles, with sides from a trace in which both planes are set.
+template <class Kernel>
+class TracedSigns : public FilteredSigns<Kernel, 6> {
+  public:
+    // The arguments must outlive the signs.
+    TracedSigns(const Points<6>& points, const DeterminantBounds& bounds, const FilterTrace& trace,
+                const IntegerPoints<Kernel, 6>& integers) noexcept
+        : FilteredSigns<Kernel, 6>(points, bounds, integers), trace_(trace), bound_(bounds.orient3d) {}
+
+    // Of two triangles there are only these: `points` is the other triangle.
+    Sides sides(int plane, int points) const noexcept {
+        ECODS_ASSERT((plane == 0 && points == 3) || (plane == 3 && points == 0));
+        return this->complete((plane == 3 ? trace_.first : trace_.second).certain_signs(bound_), plane, points);
+    }
+
+  private:
+    const FilterTrace& trace_;
+    double bound_;
+};
 
 }  // namespace ecods::exact

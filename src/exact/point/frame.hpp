@@ -1,0 +1,169 @@
+// A common frame for the points of any number of posed meshes.
+//
+// Everything is relative to the translation t0 of the first body: points are R v + (t - t0). Bounds then grow with the
+// distance of the bodies from each other, not from the origin.
+//
+// Vertices are posed when they are asked for, rounded or as integers, and kept in small caches of fixed size, so no
+// question pays for the size of a mesh. The length of the exact coordinates is measured once for all bodies, when the
+// first question needs it, and decides which arithmetic gives exact signs.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/assert.hpp"
+#include "ecods/mesh.hpp"
+#include "ecods/pose.hpp"
+#include "exact/number/dyadic.hpp"
+#include "exact/number/kernel.hpp"
+#include "exact/point/integer_points.hpp"
+#include "exact/point/mesh_extent.hpp"
+#include "exact/point/point.hpp"
+#include "exact/point/posed_points.hpp"
+#include "exact/point/vertex_cache.hpp"
+#include "simd/inline.hpp"
+
+namespace ecods::exact {
+
+// A mesh at a pose, by reference; `extent` is that of the mesh.
+struct BodyRef {
+    const Mesh* mesh;
+    const MeshExtent* extent;
+    const Pose* pose;
+};
+
+// A vertex of one of the bodies of a frame.
+struct VertexRef {
+    std::size_t body;
+    std::uint32_t vertex;
+};
+
+// The arithmetic that gives exact signs for all points of a frame: from the dearest to the cheapest.
+enum class Arithmetic : std::uint8_t {
+    unknown,      // not measured yet
+    many_limbs,   // integers of more than two limbs
+    two_limbs,    // integers of two limbs
+    one_limb,     // integers of one limb
+    differences,  // rounded points are exact, and so are their differences
+    plain,        // plain double makes no rounding error in any determinant
+};
+
+class Frame {
+  public:
+    // Replaces all bodies. There must be at least one, and everything that they refer to must outlive the questions.
+    // Cost: constant for each body. Memory: 128 KiB a body, kept for the bodies of later calls.
+    void bind(std::span<const BodyRef> bodies);
+
+    const BodyRef& body(std::size_t i) const noexcept { return bodies_[i].ref; }
+
+    // Bounds for rounded points until find_arithmetic is called: of the error of a coordinate, and of the difference of
+    // two points by axis.
+    double delta() const noexcept { return delta_; }
+    const Vec3& extent() const noexcept { return extent_; }
+
+    // Measures digits unless that has been done. Afterwards rounded points may be in other units: those of before must
+    // not be mixed with those of after. Cost: constant for each body.
+    void find_arithmetic() noexcept {
+        if (arithmetic_ == Arithmetic::unknown) [[unlikely]]
+            measure_digits();
+    }
+    Arithmetic arithmetic() const noexcept { return arithmetic_; }
+
+    // The rounded point of a vertex. Valid until the next call for the same body.
+    const Point& rounded(std::size_t body, std::uint32_t vertex);
+    template <std::size_t N>
+    Points<N> rounded(const std::array<VertexRef, N>& vertices) {
+        Points<N> points;
+        for (std::size_t i = 0; i < N; ++i) points[i] = rounded(vertices[i].body, vertices[i].vertex);
+        return points;
+    }
+
+    // The power of two that makes integers below 2^52 of rounded points. Only where arithmetic() is `differences`.
+    double to_integers() const noexcept {
+        ECODS_ASSERT(arithmetic_ == Arithmetic::differences);
+        return to_integers_;
+    }
+
+    // Calls `use` with the vertices' points as IntegerPoints<Kernel, N>, of any kernel that holds them, and returns its
+    // result. Only where arithmetic() is one of integers.
+    template <std::size_t N, class Use>
+    auto with_integers(const std::array<VertexRef, N>& vertices, Use&& use);
+
+  private:
+    struct Body {
+        BodyRef ref{};
+        Vec3 offset = Vec3::Zero();                    // fl(t - t0)
+        std::array<DyadicDifference, 3> difference{};  // t - t0
+        TwoLimbKernel::Point exact_offset{};           // t - t0 in units of 2^exact_low_
+        VertexCache<Point> rounded;
+        VertexCache<OneLimbKernel::Point> one_limb;
+        VertexCache<TwoLimbKernel::Point> two_limbs;
+    };
+
+    std::span<Body> bodies() noexcept { return {bodies_.data(), body_count_}; }
+    std::span<const Body> bodies() const noexcept { return {bodies_.data(), body_count_}; }
+    void forget_points() noexcept;
+    void find_bounds() noexcept;
+    void measure_digits() noexcept;
+    bool find_differences(BitRange& digits) noexcept;
+    BitRange digits_of_products() const noexcept;
+    bool points_are_doubles(const BitRange& digits) const noexcept;
+    bool are_short(const Vec3& unit) const noexcept;
+    Vec3 common_unit() const noexcept;
+    void count_in(const Vec3& unit) noexcept;
+    TwoLimbKernel::Point exact_point(const Body& body, std::uint32_t vertex) const noexcept;
+    const OneLimbKernel::Point& one_limb(std::size_t body, std::uint32_t vertex);
+    const TwoLimbKernel::Point& two_limbs(std::size_t body, std::uint32_t vertex);
+
+    std::vector<Body> bodies_;  // the first body_count_ are bound; the others keep their memory
+    std::size_t body_count_ = 0;
+    Vec3 extent_ = Vec3::Zero();
+    double delta_ = 0;
+    Arithmetic arithmetic_ = Arithmetic::unknown;
+    bool is_counted_ = false;  // whether rounded points are divided by unit_
+    Vec3 unit_ = Vec3::Ones();
+    int exact_low_ = 0;  // integer points are multiples of 2^exact_low_
+    double to_integers_ = 1;
+};
+
+// Divides coordinates by the unit of their axis. Exact if they are multiples of it and the quotients are doubles, since
+// a quotient is rounded correctly.
+inline void divide(Point& p, const Vec3& unit) noexcept {
+    for (std::size_t k = 0; k < 3; ++k) p[k] /= unit[static_cast<Eigen::Index>(k)];
+}
+
+ECODS_ALWAYS_INLINE const Point& Frame::rounded(std::size_t body, std::uint32_t vertex) {
+    ECODS_ASSERT(body < body_count_);
+    Body& of = bodies_[body];
+    return of.rounded.get(vertex, [&](Point& p) {
+        p = pose_point(of.ref.pose->R, of.ref.mesh->vertices()[vertex], of.offset);
+        if (is_counted_) divide(p, unit_);
+    });
+}
+
+template <std::size_t N, class Use>
+auto Frame::with_integers(const std::array<VertexRef, N>& vertices, Use&& use) {
+    ECODS_ASSERT(arithmetic_ == Arithmetic::one_limb || arithmetic_ == Arithmetic::two_limbs ||
+                 arithmetic_ == Arithmetic::many_limbs);
+    if (arithmetic_ == Arithmetic::one_limb) {
+        IntegerPoints<OneLimbKernel, N> points;
+        for (std::size_t i = 0; i < N; ++i) points.at[i] = one_limb(vertices[i].body, vertices[i].vertex);
+        return use(points);
+    }
+    if (arithmetic_ == Arithmetic::two_limbs) {
+        IntegerPoints<TwoLimbKernel, N> points;
+        for (std::size_t i = 0; i < N; ++i) points.at[i] = two_limbs(vertices[i].body, vertices[i].vertex);
+        return use_narrowest(points, use);
+    }
+    PosedPoints<N> points;
+    for (std::size_t i = 0; i < N; ++i) {
+        const BodyRef& of = bodies_[vertices[i].body].ref;
+        points[i] = {of.pose, &of.mesh->vertices()[vertices[i].vertex]};
+    }
+    return exact::with_integers(points, use);
+}
+
+}  // namespace ecods::exact

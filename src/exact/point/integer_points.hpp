@@ -1,0 +1,178 @@
+// N posed points as integers, in the narrowest kernel that holds them: complete for every finite double.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <type_traits>
+
+#include "ecods/pose.hpp"
+#include "exact/number/dyadic.hpp"
+#include "exact/number/kernel.hpp"
+#include "exact/point/posed_points.hpp"
+
+namespace ecods::exact {
+
+// Points for an integer kernel. All are multiplied by one power of two, and moved by one vector: no sign changes.
+template <class Kernel, std::size_t N>
+struct IntegerPoints {
+    std::array<typename Kernel::Point, N> at;
+};
+
+// The range of the digits of all terms of R v + t - t0, before they are added up.
+template <std::size_t N>
+BitRange digits_of(const PosedPoints<N>& points) noexcept {
+    BitRange range;
+    for (const PointRef& p : points) {
+        for (int column = 0; column < 3; ++column) {
+            BitRange r;
+            for (int row = 0; row < 3; ++row) r.include(decode(p.pose->R(row, column)));
+            BitRange v;
+            v.include(decode((*p.v)[column]));
+            range.include(r * v);
+        }
+        for (int row = 0; row < 3; ++row) range.include(decode(p.pose->t[row]));
+    }
+    return range;
+}
+
+// A coordinate is a sum of three products and two translations, each below 2^high: three more bits. A difference of two
+// coordinates needs one more. A kernel of L limbs takes coordinates of 64 L - 3 bits and a sign.
+constexpr int sum_bits = 3 + 1 + 3;
+static_assert(64 * 4 - sum_bits + 4 <= LimbKernel<4>::coordinate_bits);
+
+// Products of doubles are multiples of 2^-2148 and below 2^2048.
+constexpr int limb_count_max = 66;
+static_assert(2048 + 2148 + sum_bits <= 64 * limb_count_max);
+
+// The points R v + t - t0, as multiples of 2^low. Far from the origin they are much shorter than R v + t.
+template <int L, std::size_t N>
+IntegerPoints<LimbKernel<L>, N> evaluate(const PosedPoints<N>& points, int low) noexcept {
+    IntegerPoints<LimbKernel<L>, N> result{};
+    const Pose& base = *points[0].pose;
+    for (std::size_t i = 0; i < N; ++i) {
+        const Pose& pose = *points[i].pose;
+        for (int row = 0; row < 3; ++row) {
+            Limbs<L>& sum = result.at[i][static_cast<std::size_t>(row)];
+            for (int column = 0; column < 3; ++column) {
+                const Dyadic r = decode(pose.R(row, column));
+                const Dyadic v = decode((*points[i].v)[column]);
+                if (r.m != 0 && v.m != 0) add_shifted<L>(sum, Int128{r.m} * v.m, r.e + v.e - low);
+            }
+            if (&pose == &base) continue;
+            const Dyadic t = decode(pose.t[row]);
+            const Dyadic t0 = decode(base.t[row]);
+            if (t.m != 0) add_shifted<L>(sum, t.m, t.e - low);
+            if (t0.m != 0) add_shifted<L>(sum, -t0.m, t0.e - low);
+        }
+    }
+    return result;
+}
+
+// Replaces points by their differences from the first one, and returns the range of the digits of these.
+template <int L, std::size_t N>
+BitRange relate_to_first(IntegerPoints<LimbKernel<L>, N>& points) noexcept {
+    const std::array<Limbs<L>, 3> first = points.at[0];
+    Limbs<L> any{};
+    for (auto& point : points.at) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            point[axis] = subtract<L>(point[axis], first[axis]);
+            const Magnitude<L> m = magnitude<L>(point[axis]);
+            for (std::size_t i = 0; i < L; ++i) any[i] |= m.limbs[i];
+        }
+    }
+    BitRange range;
+    for (int i = 0; i < L; ++i) {
+        const std::uint64_t limb = any[static_cast<std::size_t>(i)];
+        if (limb == 0) continue;
+        range.include(64 * i + std::countr_zero(limb), 64 * i + static_cast<int>(std::bit_width(limb)));
+    }
+    return range;
+}
+
+// One coordinate for another kernel. The value must fit.
+template <int L>
+void assign(std::int64_t& to, const Limbs<L>& from, int shift) noexcept {
+    to = static_cast<std::int64_t>(shift_right<1, L>(from, shift)[0]);
+}
+template <int L>
+void assign(Int128& to, const Limbs<L>& from, int shift) noexcept {
+    const Limbs<2> x = shift_right<2, L>(from, shift);
+    to = static_cast<Int128>(Uint128{x[1]} << 64 | x[0]);
+}
+template <int L, std::size_t M>
+void assign(std::array<std::uint64_t, M>& to, const Limbs<L>& from, int shift) noexcept {
+    to = shift_right<static_cast<int>(M), L>(from, shift);
+}
+
+// The points divided by 2^shift, which must divide them, for a kernel that must hold the quotients.
+template <class Kernel, int L, std::size_t N>
+IntegerPoints<Kernel, N> narrow(const IntegerPoints<LimbKernel<L>, N>& points, int shift) noexcept {
+    IntegerPoints<Kernel, N> result;
+    for (std::size_t i = 0; i < N; ++i) {
+        for (std::size_t axis = 0; axis < 3; ++axis) assign<L>(result.at[i][axis], points.at[i][axis], shift);
+    }
+    return result;
+}
+
+// Calls `use` with the points in the narrowest kernel that holds them: zeros that all differences end in are stripped.
+template <int L, std::size_t N, class Use>
+auto use_narrowest(IntegerPoints<LimbKernel<L>, N>& points, Use&& use) {
+    const BitRange range = relate_to_first<L>(points);
+    const int shift = range.empty() ? 0 : range.low;
+    const int width = range.width();
+    if (width <= OneLimbKernel::coordinate_bits) return use(narrow<OneLimbKernel, L>(points, shift));
+    if (width <= TwoLimbKernel::coordinate_bits) return use(narrow<TwoLimbKernel, L>(points, shift));
+    if (width <= LimbKernel<4>::coordinate_bits) return use(narrow<LimbKernel<4>, L>(points, shift));
+    if constexpr (L > 4) {
+        if (width <= LimbKernel<8>::coordinate_bits) return use(narrow<LimbKernel<8>, L>(points, shift));
+    }
+    if constexpr (L > 8) {
+        if (width <= LimbKernel<20>::coordinate_bits) return use(narrow<LimbKernel<20>, L>(points, shift));
+    }
+    // In as many limbs as before: `sum_bits` has left the bits that a kernel's determinants need.
+    return use(narrow<LimbKernel<L>, L>(points, shift));
+}
+
+// The same for points whose differences have at most TwoLimbKernel::coordinate_bits.
+template <std::size_t N, class Use>
+auto use_narrowest(const IntegerPoints<TwoLimbKernel, N>& points, Use&& use) {
+    IntegerPoints<TwoLimbKernel, N> two;
+    Uint128 leading = 0;   // has as many bits as the largest magnitude; that of -2^k may count as 2^k - 1
+    Uint128 trailing = 0;  // ends in as many zeros as all coordinates do
+    for (std::size_t i = 0; i < N; ++i) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Int128 x = points.at[i][axis] - points.at[0][axis];
+            two.at[i][axis] = x;
+            leading |= static_cast<Uint128>(x ^ (x >> 127));
+            trailing |= static_cast<Uint128>(x);
+        }
+    }
+    const int shift = trailing == 0 ? 0 : trailing_zeros(trailing);
+    if (bit_width(leading) + 1 - shift > OneLimbKernel::coordinate_bits) return use(two);
+    IntegerPoints<OneLimbKernel, N> one;
+    for (std::size_t i = 0; i < N; ++i) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            one.at[i][axis] = static_cast<std::int64_t>(two.at[i][axis] >> shift);
+        }
+    }
+    return use(one);
+}
+
+// Calls `use` with the points as IntegerPoints<Kernel, N> of the narrowest kernel that holds them, and returns what it
+// returns. `use` must take every kernel.
+template <std::size_t N, class Use>
+auto with_integers(const PosedPoints<N>& points, Use&& use) {
+    const BitRange range = digits_of(points);
+    const int low = range.empty() ? 0 : range.low;
+    const int bits = range.width() + sum_bits;
+    const auto at_width = [&]<int L>(std::integral_constant<int, L>) {
+        auto in_limbs = evaluate<L>(points, low);
+        return use_narrowest<L>(in_limbs, use);
+    };
+    if (bits <= 64 * 4) return at_width(std::integral_constant<int, 4>{});
+    if (bits <= 64 * 8) return at_width(std::integral_constant<int, 8>{});
+    if (bits <= 64 * 20) return at_width(std::integral_constant<int, 20>{});
+    return at_width(std::integral_constant<int, limb_count_max>{});
+}
+
+}  // namespace ecods::exact

@@ -1,0 +1,54 @@
+// N points, each of any body, by reference; and the same points rounded, with the bound on their error.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "ecods/pose.hpp"
+#include "exact/point/point.hpp"
+
+namespace ecods::exact {
+
+// The point R v + t of a body, by reference.
+struct PointRef {
+    const Pose* pose;
+    const Vec3* v;
+};
+
+// Points of up to N bodies. Relative to the translation t0 of the first one's pose they are R v + t - t0.
+template <std::size_t N>
+using PosedPoints = std::array<PointRef, N>;
+
+template <std::size_t N>
+struct RoundedPoints {
+    Points<N> points;
+    double delta;  // every coordinate differs from the exact one by no more
+};
+
+template <std::size_t N>
+RoundedPoints<N> round_points(const PosedPoints<N>& exact) noexcept {
+    RoundedPoints<N> result{{}, 0};
+    for (std::size_t i = 0; i < N; ++i) {
+        const Pose& pose = *exact[i].pose;
+        const Vec3 offset = pose.t - exact[0].pose->t;
+        result.points[i] = pose_point(pose.R, *exact[i].v, offset);
+        result.delta = std::max(result.delta, point_error_bound(pose.R, exact[i].v->cwiseAbs(), offset));
+    }
+    return result;
+}
+
+// The same where every pose is the identity: rounded points are the exact ones.
+template <std::size_t N>
+RoundedPoints<N> plain_points(const PosedPoints<N>& exact) noexcept {
+    RoundedPoints<N> result{{}, 0};
+    for (std::size_t i = 0; i < N; ++i) {
+        const Vec3& v = *exact[i].v;
+        result.points[i] = {v[0], v[1], v[2]};
+    }
+    // Subnormal coordinates may be taken for zero.
+    result.delta = 0x1p-1000;
+    return result;
+}
+
+}  // namespace ecods::exact

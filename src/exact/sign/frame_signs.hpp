@@ -1,0 +1,46 @@
+// Exact signs of any number of points of a frame's bodies, by the cheapest way that gives them.
+#pragma once
+
+#include <array>
+
+#include "exact/point/frame.hpp"
+#include "exact/sign/difference_signs.hpp"
+#include "exact/sign/exact_signs.hpp"
+#include "exact/sign/filter_bound.hpp"
+#include "exact/sign/filtered_signs.hpp"
+#include "exact/sign/plain_signs.hpp"
+
+namespace ecods::exact {
+
+// A bound of the error of orient3d for all rounded points of a frame, until Frame::find_arithmetic is called.
+inline double orient3d_bound(const Frame& frame) noexcept {
+    const Vec3& extent = frame.extent();
+    return orient3d_bound(difference_bound({extent[0], extent[1], extent[2]}, frame.delta()));
+}
+
+// Calls `ask` with a provider of exact signs of the vertices' points, point i being that of vertices[i], and returns
+// its result. `ask` must take every provider of this folder.
+//
+// Cost: it finds a bound for these very points, and makes integers of them whether they are needed or not. A question
+// that the filter mostly decides should try the plain determinants with orient3d_bound(frame) first, as
+// query/intersection does.
+template <std::size_t N, class Ask>
+auto with_signs(Frame& frame, const std::array<VertexRef, N>& vertices, Ask&& ask) {
+    frame.find_arithmetic();
+    const Points<N> points = frame.rounded(vertices);
+    if (frame.arithmetic() == Arithmetic::plain) {
+        PlainSigns<N> signs(points);
+        return ask(signs);
+    }
+    if (frame.arithmetic() == Arithmetic::differences) {
+        DifferenceSigns<N> signs(points, frame.to_integers());
+        return ask(signs);
+    }
+    const DeterminantBounds bounds = determinant_bounds(points, frame.delta());
+    return frame.with_integers(vertices, [&](const auto& integers) {
+        FilteredSigns signs(points, bounds, integers);
+        return ask(signs);
+    });
+}
+
+}  // namespace ecods::exact
