@@ -1,8 +1,8 @@
 #include <utility>
 
+#include "fuzz/base/failure.hpp"
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/checks/text.hpp"
-#include "fuzz/base/failure.hpp"
 
 namespace ecods::fuzz {
 

@@ -10,8 +10,8 @@
 
 #include "ecods/replay.hpp"
 #include "ecods/world.hpp"
-#include "fuzz/checks/truth.hpp"
 #include "fuzz/base/counters.hpp"
+#include "fuzz/checks/truth.hpp"
 
 namespace ecods::fuzz {
 
@@ -51,7 +51,8 @@ struct FreshWorld {
 };
 void check_fresh_world(const World& world, const FreshWorld& fresh);
 
-// Two worlds that were given the same calls are the same: lists, boxes, digest, and counts of work but the broad phase's.
+// Two worlds that were given the same calls are the same: lists, boxes, digest, and counts of work but the broad
+// phase's.
 void check_same(World& world, World& other, Counters& counters);
 
 // A trace that begins now, over an update at which nothing has moved, runs again without a difference.

@@ -2,9 +2,9 @@
 #include <map>
 #include <utility>
 
+#include "fuzz/base/failure.hpp"
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/checks/text.hpp"
-#include "fuzz/base/failure.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::fuzz {

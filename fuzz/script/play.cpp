@@ -14,6 +14,7 @@
 #include "environment/instruction_sets.hpp"
 #include "fuzz/base/failure.hpp"
 #include "fuzz/base/float_mode.hpp"
+#include "fuzz/checks/box_questions.hpp"
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/script/bad_calls.hpp"
 #include "fuzz/script/manners.hpp"
@@ -52,6 +53,7 @@ class Player {
     Counters& counters_;
     Scene scene_;
     Truth truth_{mesh_of};
+    BoxQuestions questions_;
     std::optional<Manner> manner_;     // of the next call
     std::vector<BodyPair> colliding_;  // at the last update
     std::uint64_t tests_ = 0;          // two-body tests up to then
@@ -149,6 +151,8 @@ void Player::check() {
     check_fresh(asked);
     const auto bodies = asked.bodies();
     if (!bodies.empty()) check_queries(asked, truth_, bodies[update_count_ % bodies.size()], counters_);
+    questions_.follow(first);
+    questions_.check(static_cast<std::uint32_t>(update_count_), counters_);
     check_tampering(asked);
     colliding_ = std::move(expected);
 }
