@@ -77,7 +77,18 @@ void check_queries(World& world, const Truth& truth, BodyId body, Counters& coun
     std::ranges::sort(expected);
     auto got = world.intersecting_bodies(*world.shape(body), world.pose(body));
     std::erase_if(got, [&](BodyId found) { return !truth.knows(found); });
-    if (truth.knows(body)) require_bodies(got, expected, "bodies that a shape touches");
+    if (!truth.knows(body)) return;
+    require_bodies(got, expected, "bodies that a shape touches");
+
+    // With a filter, only those that name it and that it names.
+    const CollisionFilter filter = world.filter(body);
+    std::erase_if(expected, [&](BodyId other) {
+        const CollisionFilter of_other = world.filter(other);
+        return (filter.groups & of_other.mask) == 0 || (of_other.groups & filter.mask) == 0;
+    });
+    got = world.intersecting_bodies(*world.shape(body), world.pose(body), &filter);
+    std::erase_if(got, [&](BodyId found) { return !truth.knows(found); });
+    require_bodies(got, expected, "bodies that a shape touches and may meet");
 }
 
 }  // namespace ecods::fuzz

@@ -107,6 +107,35 @@ void set_filter(Writing& w) {
     w.make(SetFilter{body, any_filter(w.random)});
 }
 
+// Several pairs of one body are switched off, and one of them on again.
+void set_pairs_of_a_body(Writing& w) {
+    const Label body = w.any_body();
+    std::vector<Label> partners;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        const Label partner = w.any_body();
+        if (partner == body) continue;
+        w.make(SetPairEnabled{partner, body, false});
+        partners.push_back(partner);
+    }
+    if (!partners.empty()) w.make(SetPairEnabled{body, partners.front(), true});
+}
+
+// What a body gets is what another has.
+void clone(Writing& w) {
+    const Part part = w.model.bodies.at(w.any_body()).part;
+    w.create(part, w.model.bodies.at(w.any_body()).pose);
+}
+
+void poses_in_turn(Writing& w) {
+    SetPoses call;
+    for (const auto& [label, body] : w.model.bodies) {
+        call.bodies.push_back(label);
+        call.poses.push_back(body.pose);
+    }
+    std::rotate(call.poses.begin(), std::next(call.poses.begin()), call.poses.end());
+    w.make(std::move(call));
+}
+
 void set_pair(Writing& w) {
     const Label a = w.any_body();
     const Label b = w.any_body();
@@ -182,9 +211,24 @@ const std::array change_table = {
     Change{"room reserved", &Weights::bulk, [](Writing& w) { w.make(Reserve{w.random.below(200)}); }},
     Change{"filter", &Weights::filter, set_filter},
     Change{"pair switched", &Weights::filter, set_pair},
+    Change{"pairs of a body switched", &Weights::filter, set_pairs_of_a_body},
     Change{"user data", &Weights::filter,
            [](Writing& w) {
                w.make(SetUserData{w.any_body(), w.random.below(100) * 0x100000001u});
+           }},
+    Change{"clone", &Weights::own, clone},
+    Change{"pose of another", &Weights::own,
+           [](Writing& w) {
+               w.make(SetPose{w.any_body(), w.model.bodies.at(w.any_body()).pose});
+           }},
+    Change{"poses in turn", &Weights::own, poses_in_turn},
+    Change{"shape of another", &Weights::own,
+           [](Writing& w) {
+               w.make(SetShape{w.any_body(), w.model.bodies.at(w.any_body()).part});
+           }},
+    Change{"filter of another", &Weights::own,
+           [](Writing& w) {
+               w.make(SetFilter{w.any_body(), w.model.bodies.at(w.any_body()).filter});
            }},
     Change{"tests registered again", &Weights::tests, [](Writing& w) { w.make(SetTests{}); }},
     Change{"update that may throw", &Weights::tests, [](Writing& w) { w.make(Update{.fails = true}); }},

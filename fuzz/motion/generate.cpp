@@ -13,6 +13,7 @@
 #include "fuzz/motion/meshes.hpp"
 #include "fuzz/motion/numbers.hpp"
 #include "fuzz/motion/poses.hpp"
+#include "fuzz/script/manners.hpp"
 
 namespace ecods::fuzz {
 namespace {
@@ -21,7 +22,7 @@ using Group = std::uint32_t Weights::*;
 
 constexpr Group groups[] = {&Weights::step,   &Weights::contact, &Weights::ulp,     &Weights::size,   &Weights::jump,
                             &Weights::matrix, &Weights::life,    &Weights::shape,   &Weights::filter, &Weights::bulk,
-                            &Weights::tests,  &Weights::misuse,  &Weights::extreme, &Weights::any};
+                            &Weights::tests,  &Weights::misuse,  &Weights::extreme, &Weights::own,    &Weights::any};
 
 Group any_group(const Weights& weights, scenes::Random& random) {
     std::uint32_t sum = 0;
@@ -73,6 +74,12 @@ void make_change(Writing& w) {
 }  // namespace
 
 void Writing::make(Call call) {
+    const std::uint32_t one_in = setting.profile.manner_one_in;
+    if (one_in != 0 && random.below(one_in) == 0) {
+        static const std::vector<std::string> manners = manner_names();
+        const std::string& manner = manners[random.below(static_cast<std::uint32_t>(manners.size()))];
+        script.push_back(Manner{random.below(10000), manner});
+    }
     model.apply(call);
     if (const auto body = created_body(call)) homes[*body] = model.bodies.at(*body).pose;
     script.push_back(std::move(call));

@@ -23,6 +23,7 @@ struct Weights {
     std::uint32_t tests = 0;    // two-body tests that are registered again, or throw
     std::uint32_t misuse = 0;   // bad input
     std::uint32_t extreme = 0;  // to the ends of the range of doubles
+    std::uint32_t own = 0;      // what other bodies have: their poses, shapes, filters
     std::uint32_t any = 0;      // any call of the table (trace/calls.hpp), its fields drawn at random
 };
 
@@ -49,6 +50,7 @@ struct Profile {
     Scale scale = Scale::unit;
     Layout layout = Layout::scattered;
     bool has_user_shapes = false;
+    std::uint32_t manner_one_in = 0;  // of so many calls, one is made in a manner (script/manners.hpp); 0: none
 };
 
 // In the order in which --profile motion takes turns.

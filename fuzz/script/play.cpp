@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,8 +14,10 @@
 #include "environment/instruction_sets.hpp"
 #include "fuzz/base/failure.hpp"
 #include "fuzz/base/float_mode.hpp"
+#include "fuzz/checks/box_questions.hpp"
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/script/bad_calls.hpp"
+#include "fuzz/script/manners.hpp"
 #include "fuzz/script/schedule.hpp"
 #include "scenes/thread_executor.hpp"
 
@@ -33,6 +36,7 @@ class Player {
     std::size_t update_count() const noexcept { return update_count_; }
 
   private:
+    void apply(const Call& call);
     void update(const Update& call);
     void pass_over();
     void check();
@@ -49,6 +53,8 @@ class Player {
     Counters& counters_;
     Scene scene_;
     Truth truth_{mesh_of};
+    BoxQuestions questions_;
+    std::optional<Manner> manner_;     // of the next call
     std::vector<BodyPair> colliding_;  // at the last update
     std::uint64_t tests_ = 0;          // two-body tests up to then
     bool is_resting_ = false;          // no call since
@@ -59,12 +65,19 @@ class Player {
 void Player::make(const Call& call) {
     if (const auto* bad = std::get_if<BadCall>(&call)) {
         make_bad_call(*bad, scene_, counters_);
+    } else if (const auto* manner = std::get_if<Manner>(&call)) {
+        manner_ = *manner;
     } else if (const auto* of_update = std::get_if<Update>(&call)) {
         update(*of_update);
     } else {
-        scene_.apply(call);
+        apply(call);
         is_resting_ = false;
     }
+}
+
+void Player::apply(const Call& call) {
+    if (!manner_) return scene_.apply(call);
+    make_in_manner(*std::exchange(manner_, std::nullopt), call, scene_, counters_);
 }
 
 void Player::update(const Update& call) {
@@ -72,7 +85,7 @@ void Player::update(const Update& call) {
     const bool is_done = call.fails && !scene_.update_failing(counters_);
     if (!is_done) {
         count_instruction_sets();
-        scene_.apply(call);
+        apply(call);
     }
     if (is_resting_ && !call.fails) check_rest();
     if (call.is_quiet) {
@@ -138,6 +151,8 @@ void Player::check() {
     check_fresh(asked);
     const auto bodies = asked.bodies();
     if (!bodies.empty()) check_queries(asked, truth_, bodies[update_count_ % bodies.size()], counters_);
+    questions_.follow(first);
+    questions_.check(static_cast<std::uint32_t>(update_count_), counters_);
     check_tampering(asked);
     colliding_ = std::move(expected);
 }

@@ -30,17 +30,52 @@ void require(bool holds, const char* what, Label label) {
 
 }  // namespace
 
-BodyId PartWorld::create_body(const Part& part, const Pose& pose) {
-    return part.kind == ShapeKind::mesh() ? create_body(part.mesh, pose) : create_body(user_shape(part), pose);
+// Null if there is none, or if own answers are not to be used.
+template <class Is>
+BodyId PartWorld::find_body(Is is) const {
+    if (!uses_own_answers_) return {};
+    const auto all = bodies();
+    const auto found = std::ranges::find_if(all, is);
+    return found == all.end() ? BodyId{} : *found;
+}
+
+BodyId PartWorld::body_at(const Pose& at) const {
+    return find_body([&](BodyId body) { return pose(body) == at; });
+}
+
+// Only of shapes that the world makes itself: others would be new ones without own answers.
+BodyId PartWorld::body_of(const Part& part) const {
+    if (part.kind != ShapeKind::mesh() || refitted_.contains(part.mesh)) return {};
+    return find_body(
+        [&](BodyId body) { return shape(body)->kind() == part.kind && mesh_of(*shape(body)) == part.mesh; });
+}
+
+void PartWorld::set_pose(BodyId body, const Pose& to) {
+    const BodyId there = body_at(to);
+    there ? World::set_pose(body, pose(there)) : World::set_pose(body, to);
+}
+
+void PartWorld::set_filter(BodyId body, const CollisionFilter& to) {
+    const BodyId with = find_body([&](BodyId other) { return filter(other) == to; });
+    with ? World::set_filter(body, filter(with)) : World::set_filter(body, to);
+}
+
+BodyId PartWorld::create_body(const Part& part, const Pose& at) {
+    const BodyId alike = body_of(part), there = body_at(at);
+    if (alike && there) return create_body(shape(alike), pose(there));
+    const Pose own = there ? pose(there) : at;
+    return part.kind == ShapeKind::mesh() ? create_body(part.mesh, own) : create_body(user_shape(part), own);
 }
 
 void PartWorld::set_shape(BodyId body, const Part& part) {
+    if (const BodyId alike = body_of(part)) return set_shape(body, shape(alike));
     if (part.kind != ShapeKind::mesh()) return set_shape(body, user_shape(part));
     const auto old = std::dynamic_pointer_cast<const MeshShape>(shape(body));
     if (!part.refits || !old || !std::ranges::equal(old->mesh().triangles(), part.mesh->triangles())) {
         return set_shape(body, part.mesh);
     }
     const auto vertices = part.mesh->vertices();
+    refitted_.insert(part.mesh);
     set_shape(body, std::static_pointer_cast<const Shape>(refit(*old, {vertices.begin(), vertices.end()})));
 }
 
@@ -49,9 +84,10 @@ ScriptedWorld::ScriptedWorld(const WorldOptions& options) : world_(options) {
 }
 
 void ScriptedWorld::apply(const Call& call) {
+    if (const auto body = created_body(call)) ids_.resize(std::max(ids_.size(), *body + 1));
     std::visit(
         Overloaded{[&](const Reserve& c) { world_.reserve(c.count); }, [&](const SetTests&) { tests_.add_to(world_); },
-                   [](const BadCall&) {}, [&](const Update&) { world_.update(); },
+                   [](const BadCall&) {}, [](const Manner&) {}, [&](const Update&) { world_.update(); },
                    [&]<template <class> class Row>(const Row<InScript>& row) { make(row); }},
         call);
 }
@@ -75,10 +111,7 @@ void ScriptedWorld::make(const Row<InScript>& scripted) {
 
     struct KeepIds : calls::NoField {
         std::vector<BodyId>& ids;
-        void created(const Label& label, const BodyId& made) const {
-            ids.resize(std::max(ids.size(), label + 1));
-            ids[label] = made;
-        }
+        void created(const Label& label, const BodyId& made) const { ids[label] = made; }
     };
     Row<InScript>::fields(KeepIds{{}, ids_}, scripted, call);
 }
@@ -93,9 +126,13 @@ Scene::Scene()
           ScriptedWorld({.broad_phase = BroadPhaseKind::automatic, .executor = std::make_shared<ThreadExecutor>(4)})} {}
 
 void Scene::apply(const Call& call) {
+    apply(call, [&](ScriptedWorld& scripted) { scripted.apply(call); });
+}
+
+void Scene::apply(const Call& call, const std::function<void(ScriptedWorld&)>& make) {
     for (std::size_t i = 0; i < worlds.size(); ++i) {
         const environment::InstructionSetLimit limit(instruction_set(i));
-        worlds[i].apply(call);
+        make(worlds[i]);
     }
     if (std::holds_alternative<Update>(call)) ++round_;
     if (const auto body = created_body(call)) require_same_ids(*body);
@@ -139,6 +176,25 @@ bool Scene::update_failing(Counters& counters) {
     return *has_thrown;
 }
 
+namespace {
+
+// Of few bodies all pairs are looked at, of many those that are off.
+void check_switches(const ScriptedWorld& scripted, const Model& model) {
+    constexpr std::size_t few = 40;
+    const auto check = [&](Label a, Label b) {
+        const bool is_enabled = !model.switched_off.contains({a, b});
+        if (scripted.world().is_pair_enabled(scripted.id(b), scripted.id(a)) == is_enabled) return;
+        throw CheckFailed("state", fmt::format("the pair {}-{} switched {}", a, b, is_enabled ? "on" : "off"), "not");
+    };
+    for (const auto& [a, b] : model.switched_off) check(a, b);
+    if (model.bodies.size() > few) return;
+    for (auto a = model.bodies.begin(); a != model.bodies.end(); ++a) {
+        for (auto b = std::next(a); b != model.bodies.end(); ++b) check(a->first, b->first);
+    }
+}
+
+}  // namespace
+
 void check_state(const ScriptedWorld& scripted, const Model& model) {
     const World& world = scripted.world();
     if (world.statistics().body_count != model.bodies.size()) {
@@ -157,6 +213,7 @@ void check_state(const ScriptedWorld& scripted, const Model& model) {
         require(world.filter(id) == body.filter, "filter", label);
         require(world.user_data(id) == body.user_data, "user data", label);
     }
+    check_switches(scripted, model);
 }
 
 }  // namespace ecods::fuzz

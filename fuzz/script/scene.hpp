@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "ecods/world.hpp"
@@ -21,6 +23,20 @@ class PartWorld : public World {
     using World::World;
     BodyId create_body(const Part& part, const Pose& pose);
     void set_shape(BodyId body, const Part& part);
+    void set_pose(BodyId body, const Pose& pose);
+    void set_filter(BodyId body, const CollisionFilter& filter);
+
+    // From now on, or no more, an argument that is also what the world answers of some body is that answer.
+    void use_own_answers(bool uses) noexcept { uses_own_answers_ = uses; }
+
+  private:
+    template <class Is>
+    BodyId find_body(Is is) const;
+    BodyId body_at(const Pose& pose) const;
+    BodyId body_of(const Part& part) const;
+
+    bool uses_own_answers_ = false;
+    std::set<std::shared_ptr<const Mesh>> refitted_;
 };
 
 // A world with the user-defined tests, and the ids of the bodies that it made.
@@ -31,7 +47,7 @@ class ScriptedWorld {
     // Makes one call, but for bad ones, which bad_calls.hpp makes. An exception of the world passes through.
     void apply(const Call& call);
 
-    World& world() noexcept { return world_; }
+    PartWorld& world() noexcept { return world_; }
     const World& world() const noexcept { return world_; }
     const UserTests& tests() const noexcept { return tests_; }
 
@@ -53,8 +69,9 @@ class Scene {
   public:
     Scene();
 
-    // Every call goes to all worlds, which must answer alike. An update ends a round.
+    // Every call goes to all worlds, which must answer alike. An update ends a round. `make` makes it in one of them.
     void apply(const Call& call);
+    void apply(const Call& call, const std::function<void(ScriptedWorld&)>& make);
 
     // The instruction set with which a world's calls are made in this round.
     InstructionSet instruction_set(std::size_t world) const;

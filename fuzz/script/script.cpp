@@ -38,7 +38,11 @@ void Model::apply(const Call& call) {
                        bodies[c.body] = {.part = whole(c.shape), .pose = c.pose};
                        next_label = std::max(next_label, c.body + 1);
                    },
-                   [&](const Destroy& c) { bodies.erase(c.body); },
+                   [&](const Destroy& c) {
+                       bodies.erase(c.body);
+                       std::erase_if(switched_off,
+                                     [&](const auto& pair) { return pair.first == c.body || pair.second == c.body; });
+                   },
                    [&](const SetPose& c) { with(c.body, [&](ModelBody& body) { body.pose = c.pose; }); },
                    [&](const SetPoses& c) {
                        for (std::size_t i = 0; i < c.bodies.size(); ++i) {
@@ -48,8 +52,13 @@ void Model::apply(const Call& call) {
                    [&](const SetShape& c) { with(c.body, [&](ModelBody& body) { body.part = whole(c.shape); }); },
                    [&](const SetFilter& c) { with(c.body, [&](ModelBody& body) { body.filter = c.filter; }); },
                    [&](const SetUserData& c) { with(c.body, [&](ModelBody& body) { body.user_data = c.data; }); },
+                   [&](const SetPairEnabled& c) {
+                       const std::pair pair = std::minmax({c.a, c.b});
+                       if (c.is_enabled) switched_off.erase(pair);
+                       if (!c.is_enabled && bodies.contains(c.a) && bodies.contains(c.b)) switched_off.insert(pair);
+                   },
                    // No body is another afterwards.
-                   [](const SetPairEnabled&) {}, [](const Reserve&) {}, [](const SetTests&) {}, [](const BadCall&) {},
+                   [](const Reserve&) {}, [](const SetTests&) {}, [](const BadCall&) {}, [](const Manner&) {},
                    [](const Update&) {}},
         call);
 }

@@ -7,8 +7,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -71,7 +73,17 @@ struct BadCall {
         each.text(call.kind...);
     }
 };
-using NoteCall = std::variant<Reserve, SetTests, BadCall>;
+// How the call that follows is made (manners.hpp).
+struct Manner {
+    static constexpr std::string_view name = "manner";
+    std::uint32_t choice;
+    std::string kind;
+    static void fields(auto&& each, auto&... call) {
+        each.number(call.choice...);
+        each.text(call.kind...);
+    }
+};
+using NoteCall = std::variant<Reserve, SetTests, BadCall, Manner>;
 
 struct Update {
     static constexpr std::string_view name = "update";
@@ -84,7 +96,7 @@ struct Update {
     }
 };
 
-using Call = calls::Call<InScript, Reserve, SetTests, BadCall, Update>;
+using Call = calls::Call<InScript, Reserve, SetTests, BadCall, Manner, Update>;
 using Script = std::vector<Call>;
 
 // Visits no field of any of them.
@@ -118,6 +130,7 @@ struct ModelBody {
 struct Model {
     std::map<Label, ModelBody> bodies = {};
     Label next_label = 0;
+    std::set<std::pair<Label, Label>> switched_off = {};  // the smaller label first
 
     // Nothing happens to bodies that are not there.
     void apply(const Call& call);

@@ -82,7 +82,7 @@ TEST(TraceOutOfMemory, OneThatIsUnderWay) {
     }
 }
 
-TEST(TraceOutOfMemory, DISABLED_OneThatIsRunAgain) {
+TEST(TraceOutOfMemory, OneThatIsRunAgain) {
     Scene traced({}, Stage::running);
     traced.world.trace_to(*traced.trace, writing);
     traced.go_on();
