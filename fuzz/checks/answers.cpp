@@ -86,7 +86,7 @@ void check_queries(World& world, const Truth& truth, BodyId body, Counters& coun
         const CollisionFilter of_other = world.filter(other);
         return (filter.groups & of_other.mask) == 0 || (of_other.groups & filter.mask) == 0;
     });
-    got = world.intersecting_bodies(*world.shape(body), world.pose(body), &filter);
+    got = world.intersecting_bodies(*world.shape(body), world.pose(body), filter);
     std::erase_if(got, [&](BodyId found) { return !truth.knows(found); });
     require_bodies(got, expected, "bodies that a shape touches and may meet");
 }
