@@ -28,7 +28,7 @@ class UserTest final : public TwoBodyTest {
         return ecods::relation(posed(a), posed(b), memory);
     }
     std::vector<TrianglePair> intersecting_triangles(const Posed<Shape>& a, const Posed<Shape>& b,
-                                                 QueryMemory& memory) const override {
+                                                     QueryMemory& memory) const override {
         require_order(a, b);
         if (b_ == second_user_kind) return TwoBodyTest::intersecting_triangles(a, b, memory);
         return ecods::intersecting_triangles(posed(a), posed(b), memory);

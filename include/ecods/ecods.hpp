@@ -1,7 +1,7 @@
 // Everything. The headers are the manual; read them in this order.
 //
-// Words. *Overlap* is said of boxes; *intersect* of sets that share a point, one that they only touch in included; *touch*
-// and *cross* of how they do; *collide* of the pairs in a world's lists; *disjoint* of sets that share none.
+// Words. *Overlap* is said of boxes; *intersect* of sets that share a point, one that they only touch in included;
+// *touch* and *cross* of how they do; *collide* of the pairs in a world's lists; *disjoint* of sets that share none.
 #pragma once
 
 // clang-format off

@@ -84,13 +84,14 @@ class ECODS_API QueryMemory {
 ECODS_API bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory);
 
 // The same, for a pair that was asked about before and has moved little: tries the witness first, and leaves a new one.
-ECODS_API bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness);
+ECODS_API bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory,
+                          PairWitness& witness);
 
 // Disjoint, touching or crossing: the strongest relation of any two of their triangles. Stops at the first crossing.
 ECODS_API Relation relation(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory);
 
 // Every pair of triangles that share a point, ascending.
 ECODS_API std::vector<TrianglePair> intersecting_triangles(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
-                                                 QueryMemory& memory);
+                                                           QueryMemory& memory);
 
 }  // namespace ecods

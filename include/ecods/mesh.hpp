@@ -21,8 +21,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 // Numbers of one of two types that lie side by side: a std::vector, a std::span, an array.
 template <class Range, class First, class Second>
 concept NumbersOf = std::ranges::contiguous_range<const Range> && std::ranges::sized_range<const Range> &&
-                    (std::same_as<std::ranges::range_value_t<Range>, First> ||
-                     std::same_as<std::ranges::range_value_t<Range>, Second>);
+    (std::same_as<std::ranges::range_value_t<Range>, First> || std::same_as<std::ranges::range_value_t<Range>, Second>);
 
 // A soup of closed triangles: immutable once made, shared by any number of bodies, worlds and threads. It
 // need not be closed, connected or manifold, and is a surface: a small body inside a hollow one does not touch

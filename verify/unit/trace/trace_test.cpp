@@ -210,7 +210,9 @@ class BallTest final : public TwoBodyTest {
         if (a.pose.t.x() < -100) throw std::runtime_error("a test that fails");
         return (a.pose.t - b.pose.t).norm() <= 2;
     }
-    Relation relation(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override { return Relation::touching; }
+    Relation relation(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override {
+        return Relation::touching;
+    }
 };
 
 void add_ball_test(World& world) {

@@ -217,7 +217,9 @@ class SlowTest final : public TwoBodyTest {
         if (!has_begun.exchange(true)) is_released.wait(false);
         return true;
     }
-    Relation relation(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override { return Relation::touching; }
+    Relation relation(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override {
+        return Relation::touching;
+    }
 
     mutable std::atomic<bool> has_begun = false;
     std::atomic<bool> is_released = false;
