@@ -1,6 +1,7 @@
 // A thing at a pose.
 #pragma once
 
+#include "ecods/export.hpp"
 #include "ecods/pose.hpp"
 
 namespace ecods {

@@ -98,7 +98,7 @@ class ECODS_API World {
     // Makes a body. Throws NullArgument, MeshAndShape, InvalidPose, InvalidBox, or MissingTest when a body of another
     // kind is here and no test for the two kinds is.
     BodyId create_body(const BodyOptions& options);
-    BodyId create_body(std::shared_ptr<const Mesh> mesh, const Pose& pose);
+    BodyId create_body(const std::shared_ptr<const Mesh>& mesh, const Pose& pose);
     BodyId create_body(std::shared_ptr<const Shape> shape, const Pose& pose);
 
     // The id, and every copy of it, is stale from now on. Throws StaleBody, as does every call that is given an id.
@@ -113,7 +113,7 @@ class ECODS_API World {
 
     // Throws as create_body does. Setting the very object that the body has is not a change. A mesh that deforms is a
     // new shape each time.
-    void set_shape(BodyId body, std::shared_ptr<const Mesh> mesh);
+    void set_shape(BodyId body, const std::shared_ptr<const Mesh>& mesh);
     void set_shape(BodyId body, std::shared_ptr<const Shape> shape);
 
     bool is_alive(BodyId body) const noexcept;

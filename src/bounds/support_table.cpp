@@ -17,6 +17,7 @@ namespace {
 constexpr double double_u = 0x1p-52;  // one operation, any rounding mode
 constexpr double float_u = 0x1p-23;
 constexpr int cell_count = SupportTableGrid::cell_count, side_count = SupportTableGrid::side_count;
+constexpr int middle = cell_count / 2;
 constexpr std::size_t face_size = SupportTableGrid::face_size, direction_count = SupportTableGrid::direction_count;
 using Row = std::array<float, direction_count>;
 
@@ -53,9 +54,9 @@ ECODS_ALWAYS_INLINE Reaches reaches(const Row& support, Double4 x, Double4 y, Do
     const Double4 d = is_tiny ? one : by_axis(x, y, z);
     const Double4 start = by_axis(none, none + face_size, none + 2 * face_size);
 
-    const Double4 to_cells = cell_count / 2 / d;
+    const Double4 to_cells = middle / d;
     const auto place = [&](Double4 coordinate) {
-        const Double4 at = coordinate * to_cells + cell_count / 2, end = none + cell_count;
+        const Double4 at = coordinate * to_cells + middle, end = none + cell_count;
         return at > none ? (at < end ? at : end) : none;
     };
     using Int4 = Vec<std::int32_t, 4>;
@@ -94,10 +95,11 @@ SupportTable::SupportTable(const Mesh& mesh, const LocalFrame& frame) : frame_(f
     std::array<Row, 3> directions;
     for (std::size_t at = 0; at < direction_count; ++at) {
         const std::size_t axis = at / 2 / face_size, i = at / 2 % face_size;
+        const std::size_t column = i % side_count, row = i / side_count;
         const float sign = at % 2 == 0 ? 1.0f : -1.0f;
         directions[axis][at] = sign;
-        directions[(axis + 1) % 3][at] = sign * (static_cast<float>(i % side_count) * (2.0f / cell_count) - 1);
-        directions[(axis + 2) % 3][at] = sign * (static_cast<float>(i / side_count) * (2.0f / cell_count) - 1);
+        directions[(axis + 1) % 3][at] = sign * (static_cast<float>(column) * (2.0f / cell_count) - 1);
+        directions[(axis + 2) % 3][at] = sign * (static_cast<float>(row) * (2.0f / cell_count) - 1);
     }
     support_.fill(-std::numeric_limits<float>::infinity());
     const auto include_vertex = [&](const Vec3& v) {

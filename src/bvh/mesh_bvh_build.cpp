@@ -40,7 +40,8 @@ struct Range {
 
 // The leaves that this many triangles need: the cost of visiting them, since a leaf is tested whole.
 float visits(std::uint32_t count) noexcept {
-    return static_cast<float>((count + tree_width - 1) / tree_width);
+    const std::size_t leaves = (count + tree_width - 1) / tree_width;
+    return static_cast<float>(leaves);
 }
 
 // Splits parts in two where the surface area heuristic says.

@@ -15,7 +15,7 @@ void require_valid(const Pose& pose, BodyId body, const ListIndex& index) {
 }
 
 Aabb box_for(const Shape& shape, const Pose& pose, BodyId body, const ListIndex& index) {
-    const Aabb box = shape.box(pose);
+    Aabb box = shape.box(pose);
     for (int axis = 0; axis < 3; ++axis) {
         if (box.min[axis] <= box.max[axis]) continue;
         throw InvalidBox(shape.kind(), axis, box.min[axis], box.max[axis], body, index);

@@ -4,7 +4,7 @@
 
 namespace ecods {
 
-void World::set_shape(BodyId body, std::shared_ptr<const Mesh> mesh) {
+void World::set_shape(BodyId body, const std::shared_ptr<const Mesh>& mesh) {
     impl().require(body);
     set_shape(body, impl().shape_of(mesh));
 }

@@ -37,7 +37,8 @@ void ProxyTable::reserve(std::size_t count) {
 void ProxyTable::add(ProxyIndex proxy, const Aabb& box) {
     if (is_present(proxy)) throw_misuse(Error("proxy " + std::to_string(proxy) + " is present already"));
     if (proxy >= limit) throw_misuse(Error("proxy " + std::to_string(proxy) + " is out of range"));
-    const Aabb added = box;  // which may be one of boxes_: growing would take it away
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): it may be one of boxes_, which growing takes away.
+    const Aabb added = box;
     if (proxy >= end()) {
         const std::size_t count = std::size_t{proxy} + 1;
         boxes_.resize(count);
