@@ -13,10 +13,6 @@
 namespace ecods::fuzz {
 namespace {
 
-std::shared_ptr<const Shape> user_shape(const Part& part) {
-    return std::make_shared<UserShape>(part.mesh, part.kind);
-}
-
 bool is_same_mesh(const Mesh& a, const Mesh& b) {
     return &a == &b ||
            (std::ranges::equal(a.triangles(), b.triangles()) && std::ranges::equal(a.vertices(), b.vertices()));
@@ -64,12 +60,13 @@ BodyId PartWorld::create_body(const Part& part, const Pose& at) {
     const BodyId alike = body_of(part), there = body_at(at);
     if (alike && there) return create_body(shape(alike), pose(there));
     const Pose own = there ? pose(there) : at;
-    return part.kind == ShapeKind::mesh() ? create_body(part.mesh, own) : create_body(user_shape(part), own);
+    return part.kind == ShapeKind::mesh() ? create_body(part.mesh, own)
+                                          : create_body(std::shared_ptr<const Shape>(part), own);
 }
 
 void PartWorld::set_shape(BodyId body, const Part& part) {
     if (const BodyId alike = body_of(part)) return set_shape(body, shape(alike));
-    if (part.kind != ShapeKind::mesh()) return set_shape(body, user_shape(part));
+    if (part.kind != ShapeKind::mesh()) return set_shape(body, std::shared_ptr<const Shape>(part));
     const auto old = std::dynamic_pointer_cast<const MeshShape>(shape(body));
     if (!part.refits || !old || !std::ranges::equal(old->mesh().triangles(), part.mesh->triangles())) {
         return set_shape(body, part.mesh);

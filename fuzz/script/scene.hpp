@@ -15,7 +15,7 @@
 
 namespace ecods::fuzz {
 
-// A world that takes the parts of a script for shapes.
+// A world that takes the parts of a script for meshes, too: bodies of one mesh share its tree, and shapes are refitted.
 class PartWorld : public World {
   public:
     using World::create_body;
