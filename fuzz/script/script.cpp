@@ -7,6 +7,8 @@
 
 namespace ecods::fuzz {
 
+using CreateWith = calls::CreateWith<InScript>;
+
 std::string_view name_of(const Call& call) {
     return std::visit([](const auto& row) { return row.name; }, call);
 }
@@ -43,6 +45,11 @@ void Model::apply(const Call& call) {
     std::visit(
         Overloaded{[&](const Create& c) {
                        bodies[c.body] = {.part = whole(c.shape), .pose = c.pose};
+                       next_label = std::max(next_label, c.body + 1);
+                   },
+                   [&](const CreateWith& c) {
+                       bodies[c.body] = {
+                           .part = whole(c.shape), .pose = c.pose, .filter = c.filter, .user_data = c.user_data};
                        next_label = std::max(next_label, c.body + 1);
                    },
                    [&](const Destroy& c) {

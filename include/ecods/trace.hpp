@@ -11,6 +11,7 @@
 //     t 0 1 2
 //     shape 2 7 any text                        number, kind, and what the caller's writer said
 //     create 1.0 1 R R R t R R R t R R R t      body, mesh or shape, pose: [R t] row by row, hexadecimal
+//     create_with 2.0 1 R ... t 1 f 2a          the same; then groups, mask and user data, hexadecimal
 //     destroy 1.0
 //     set_pose 1.0 R R R t R R R t R R R t
 //     set_poses 2                               then so many lines: p, body, pose

@@ -81,6 +81,27 @@ struct Create {
 };
 
 template <class Names>
+struct CreateWith {
+    static constexpr std::string_view name = "create_with";
+    typename Names::Body body;  // the result
+    typename Names::Shape shape;
+    Pose pose;
+    CollisionFilter filter;
+    std::uint64_t user_data;
+
+    static void fields(auto&& each, auto&... call) {
+        each.created(call.body...);
+        each.shape(call.shape...);
+        each.pose(call.pose...);
+        each.filter(call.filter...);
+        each.data(call.user_data...);
+    }
+    void make(auto& world) {
+        body = world.create_body({.shape = shape, .pose = pose, .filter = filter, .user_data = user_data});
+    }
+};
+
+template <class Names>
 struct Destroy {
     static constexpr std::string_view name = "destroy";
     typename Names::Body body;
@@ -169,8 +190,8 @@ struct SetUserData {
 // ---- the table
 
 template <class Names, class... Others>
-using Call = std::variant<Create<Names>, Destroy<Names>, SetPose<Names>, SetPoses<Names>, SetShape<Names>,
-                          SetFilter<Names>, SetPairEnabled<Names>, SetUserData<Names>, Others...>;
+using Call = std::variant<Create<Names>, CreateWith<Names>, Destroy<Names>, SetPose<Names>, SetPoses<Names>,
+                          SetShape<Names>, SetFilter<Names>, SetPairEnabled<Names>, SetUserData<Names>, Others...>;
 
 // The names of the rows, by their places in a Call.
 template <class AnyCall>

@@ -6,11 +6,13 @@ namespace ecods {
 
 namespace {
 
-// Writes the calls that make a body.
+// Writes the call that makes a body. (Traces that were written before create_with have two or three.)
 void trace_body(TraceWriter& trace, BodyId body, const Slot& slot, std::uint64_t shape_number) noexcept {
-    trace.write<calls::Create>(body, shape_number, slot.pose);
-    if (slot.filter != CollisionFilter()) trace.write<calls::SetFilter>(body, slot.filter);
-    if (slot.user_data != 0) trace.write<calls::SetUserData>(body, slot.user_data);
+    if (slot.filter == CollisionFilter() && slot.user_data == 0) {
+        trace.write<calls::Create>(body, shape_number, slot.pose);
+    } else {
+        trace.write<calls::CreateWith>(body, shape_number, slot.pose, slot.filter, slot.user_data);
+    }
 }
 
 }  // namespace

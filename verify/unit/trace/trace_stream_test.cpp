@@ -164,6 +164,19 @@ TEST(TraceStream, AReplayOutOfMemorySaysSo) {
 
 // ---- data of the caller's own
 
+// A trace of the replay is the trace, behind the head, which says how many ids were given before.
+std::string traced_again(const std::string& text) {
+    std::istringstream in(text);
+    std::ostringstream again;
+    const ReplayReport report = replay(in, {.validates = true, .set_up = [&](World& world) { world.trace_to(again); }});
+    EXPECT_FALSE(report.difference) << report.difference->what;
+    return again.str();
+}
+
+std::string without_head(const std::string& text) {
+    return text.substr(text.find('\n', text.find("world")));
+}
+
 // The whole number comes back, of bodies that were there before the trace as of others.
 TEST(TraceStream, UserDataIsWrittenAndReadWhole) {
     constexpr std::uint64_t early = 0xfedcba9876543210, late = 0x123456789abcdef0;
@@ -171,17 +184,39 @@ TEST(TraceStream, UserDataIsWrittenAndReadWhole) {
     const BodyId first = world.create_body(scenes::cube(1), at(0));
     world.create_body(scenes::cube(1), at(1));
     world.set_user_data(first, early);
-    std::ostringstream out, again;
+    std::ostringstream out;
     world.trace_to(out);
     const BodyId third = world.create_body(scenes::cube(1), at(2));
     world.set_user_data(third, late);
     world.end_trace();
-    EXPECT_NE(out.str().find("\nset_user_data 1.0 fedcba9876543210\n"), std::string::npos);
+    EXPECT_NE(out.str().find(" 1 ffffffffffffffff fedcba9876543210\n"), std::string::npos);
+    EXPECT_NE(out.str().find("\nset_user_data 3.0 123456789abcdef0\n"), std::string::npos);
+    EXPECT_EQ(without_head(traced_again(out.str())), without_head(out.str()));
+}
 
-    std::istringstream in(out.str());
-    replay(in, {.set_up = [&](World& replayed) { replayed.trace_to(again); }});
-    const auto end_of_head = [](const std::string& text) { return text.find('\n', text.find("world")); };
-    EXPECT_EQ(again.str().substr(end_of_head(again.str())), out.str().substr(end_of_head(out.str())));
+// A body that is made with options is one line; what is left at its default is not written.
+TEST(TraceStream, ABodyMadeWithOptionsIsOneLine) {
+    const auto cube = scenes::cube(1);
+    World world;
+    std::ostringstream out;
+    world.trace_to(out);
+    world.create_body({.mesh = cube, .pose = at(0), .filter = {.groups = 2, .mask = 0x1f}, .user_data = 42});
+    world.create_body({.mesh = cube, .pose = at(0), .filter = {.groups = 2, .mask = 0}});
+    world.create_body({.mesh = cube, .pose = at(0), .user_data = 7});
+    world.create_body({.mesh = cube, .pose = at(0)});
+    world.update();
+    world.end_trace();
+    const auto count = [&](const std::string& name) {
+        std::size_t lines = 0;
+        for (std::size_t i = 0; (i = out.str().find("\n" + name + " ", i)) != std::string::npos; ++i) ++lines;
+        return lines;
+    };
+    EXPECT_EQ(count("create_with"), 3u);
+    EXPECT_EQ(count("create"), 1u);
+    EXPECT_EQ(count("set_filter") + count("set_user_data"), 0u);
+    EXPECT_NE(out.str().find(" 2 1f 2a\n"), std::string::npos);
+    EXPECT_EQ(traced_again(out.str()), out.str());
+    EXPECT_EQ(world.colliding_pairs().size(), 3u) << "all but those of the body that meets nothing";
 }
 
 }  // namespace
