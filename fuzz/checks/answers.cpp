@@ -4,6 +4,7 @@
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/checks/text.hpp"
+#include "scenes/numbers_of.hpp"
 
 namespace ecods::fuzz {
 namespace {
@@ -67,17 +68,17 @@ void check_queries(World& world, const Truth& truth, BodyId body, Counters& coun
     require_bodies(world.overlapping_bodies(box), expected, "bodies in a box");
 
     // A body touches its copy.
-    expected.clear();
-    if (truth.knows(body)) expected.push_back(body);
+    if (!truth.knows(body)) return;
+    const BodyId name = numbers_of(body);
+    expected = {name};
     for (const TruePair& pair : truth.pairs()) {
         if (pair.verdict.relation == Relation::disjoint) continue;
-        if (pair.ids.a == body) expected.push_back(pair.ids.b);
-        if (pair.ids.b == body) expected.push_back(pair.ids.a);
+        if (pair.ids.a == name) expected.push_back(pair.ids.b);
+        if (pair.ids.b == name) expected.push_back(pair.ids.a);
     }
     std::ranges::sort(expected);
-    auto got = world.intersecting_bodies(*world.shape(body), world.pose(body));
+    auto got = numbers_of(world.intersecting_bodies(*world.shape(body), world.pose(body)));
     std::erase_if(got, [&](BodyId found) { return !truth.knows(found); });
-    if (!truth.knows(body)) return;
     require_bodies(got, expected, "bodies that a shape touches");
 
     // With a filter, only those that name it and that it names.
@@ -86,7 +87,7 @@ void check_queries(World& world, const Truth& truth, BodyId body, Counters& coun
         const CollisionFilter of_other = world.filter(other);
         return (filter.groups & of_other.mask) == 0 || (of_other.groups & filter.mask) == 0;
     });
-    got = world.intersecting_bodies(*world.shape(body), world.pose(body), filter);
+    got = numbers_of(world.intersecting_bodies(*world.shape(body), world.pose(body), filter));
     std::erase_if(got, [&](BodyId found) { return !truth.knows(found); });
     require_bodies(got, expected, "bodies that a shape touches and may meet");
 }

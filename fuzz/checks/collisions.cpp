@@ -4,6 +4,7 @@
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/checks/text.hpp"
+#include "scenes/numbers_of.hpp"
 
 namespace ecods::fuzz {
 namespace {
@@ -36,7 +37,7 @@ Pairs true_collisions(const World& world, const Truth& truth) {
 
 void check_collisions(const World& world, const Pairs& expected, const Truth& truth) {
     Pairs got;
-    std::ranges::copy_if(world.colliding_pairs(), std::back_inserter(got),
+    std::ranges::copy_if(numbers_of(world.colliding_pairs()), std::back_inserter(got),
                          [&](const BodyPair& pair) { return truth.knows(pair.a) && truth.knows(pair.b); });
     require_pairs(got, expected, "colliding pairs");
     if (world.statistics().colliding_count != world.colliding_pairs().size()) {
@@ -46,8 +47,10 @@ void check_collisions(const World& world, const Pairs& expected, const Truth& tr
 }
 
 void check_events(const World& world, const Pairs& before) {
-    require_pairs(world.began(), only_in_first(world.colliding_pairs(), before), "pairs that began");
-    require_pairs(world.ended(), only_in_first(before, world.colliding_pairs()), "pairs that ended");
+    const Pairs now = numbers_of(world.colliding_pairs());
+    const Pairs then = numbers_of(before);
+    require_pairs(numbers_of(world.began()), only_in_first(now, then), "pairs that began");
+    require_pairs(numbers_of(world.ended()), only_in_first(then, now), "pairs that ended");
 }
 
 void check_invariants(const World& world) {

@@ -1,4 +1,5 @@
 #include "fuzz/checks/truth.hpp"
+#include "scenes/numbers_of.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -22,7 +23,7 @@ void Truth::look_at(const World& world) {
 
 void Truth::renew_bodies(const World& world) {
     std::vector<TrueBody> bodies;
-    for (const BodyId id : world.bodies()) {
+    for (const BodyId id : numbers_of(world.bodies())) {
         const auto mesh = mesh_of_(*world.shape(id));
         if (!mesh) continue;
         const Pose pose = world.pose(id);

@@ -1,4 +1,5 @@
-// What is true of the bodies of a world, by the oracle.
+// What is true of the bodies of a world, by the oracle. Bodies are named by their numbers (scenes/numbers_of.hpp), so
+// that the truth of one world is that of all that were given the same calls.
 #pragma once
 
 #include <functional>
@@ -8,6 +9,7 @@
 
 #include "ecods/world.hpp"
 #include "oracle/oracle.hpp"
+#include "scenes/numbers_of.hpp"
 
 namespace ecods::fuzz {
 
@@ -40,7 +42,7 @@ class Truth {
     void look_at(const World& world);
 
     std::span<const TrueBody> bodies() const noexcept { return bodies_; }  // ascending
-    bool knows(BodyId body) const noexcept { return find(body) != nullptr; }
+    bool knows(BodyId body) const noexcept { return find(numbers_of(body)) != nullptr; }
 
     // Pairs whose certified boxes overlap, ascending; all others are disjoint.
     std::span<const TruePair> pairs() const noexcept { return pairs_; }

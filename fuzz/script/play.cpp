@@ -19,6 +19,7 @@
 #include "fuzz/script/bad_calls.hpp"
 #include "fuzz/script/manners.hpp"
 #include "fuzz/script/schedule.hpp"
+#include "scenes/numbers_of.hpp"
 #include "scenes/thread_executor.hpp"
 
 namespace ecods::fuzz {
@@ -105,7 +106,7 @@ void Player::update(const Update& call) {
 void Player::pass_over() {
     ++counters_["frames whose lists nobody reads"];
     const World& world = scene_.worlds[0].world();
-    colliding_.assign(world.colliding_pairs().begin(), world.colliding_pairs().end());
+    colliding_ = numbers_of(world.colliding_pairs());
     tests_ = world.statistics().two_body_tests;
 }
 

@@ -4,6 +4,7 @@
 #include "fuzz/base/failure.hpp"
 #include "fuzz/base/user_shape.hpp"
 #include "fuzz/checks/checks.hpp"
+#include "scenes/numbers_of.hpp"
 #include "scenes/shapes.hpp"
 
 namespace ecods::fuzz {
@@ -43,7 +44,7 @@ class Checks : public testing::Test {
 
 TEST_F(Checks, NothingToComplainOf) {
     const auto expected = true_collisions(world, truth);
-    EXPECT_EQ(expected, (std::vector<BodyPair>{{ids[0], ids[1]}}));
+    EXPECT_EQ(expected, numbers_of(std::vector<BodyPair>{{ids[0], ids[1]}}));
     EXPECT_EQ(complaint([&] {
                   check_boxes(world, truth, counters);
                   check_candidates(world, counters);
