@@ -98,7 +98,7 @@ class ECODS_API World {
     // Makes a body. Throws NullArgument, MeshAndShape, InvalidPose, InvalidBox, or MissingTest when a body of another
     // kind is here and no test for the two kinds is.
     BodyId create_body(const BodyOptions& options);
-    BodyId create_body(const std::shared_ptr<const Mesh>& mesh, const Pose& pose);
+    BodyId create_body(std::shared_ptr<const Mesh> mesh, const Pose& pose);
     BodyId create_body(std::shared_ptr<const Shape> shape, const Pose& pose);
 
     // The id, and every copy of it, is stale from now on. Throws StaleBody, as does every call that is given an id.

@@ -4,7 +4,7 @@
 
 namespace ecods {
 
-BodyId World::create_body(const std::shared_ptr<const Mesh>& mesh, const Pose& pose) {
+BodyId World::create_body(std::shared_ptr<const Mesh> mesh, const Pose& pose) {
     return create_body({.mesh = std::move(mesh), .pose = pose});
 }
 
