@@ -1,16 +1,17 @@
 // How far two bodies are from each other. No World is needed.
 //
-// Numbers are those of the real points R v + t, rounded once to the nearest double (ties to even), whatever rounding mode is
-// set and whether or not subnormals are flushed; above the largest double they are infinity. A distance that is positive
-// rounds to at least 2^-1074: a distance is 0 exactly when the bodies share a point. So equal input gives equal bits: no
-// order of arguments or triangles, witness, memory, instruction set or compiler shows in a number.
+// Numbers are those of the real points R v + t, rounded once to the nearest double (ties to even), whatever rounding
+// mode is set and whether or not subnormals are flushed; above the largest double they are infinity. A distance that is
+// positive rounds to at least 2^-1074: a distance is 0 exactly when the bodies share a point. So equal input gives
+// equal bits: no order of arguments or triangles, witness, memory, instruction set or compiler shows in a number.
 //
-// Everything is defined for all finite poses, singular ones included, and for zero-area triangles, which are the segments
-// or points that they span. A pose must be finite (validate(Pose)); a query does not check it.
+// Everything is defined for all finite poses, singular ones included, and for zero-area triangles, which are the
+// segments or points that they span. A pose must be finite (validate(Pose)); a query does not check it.
 //
-// Method: best-first walk of both trees of boxes (Hjaltason and Samet, Distance Browsing in Spatial Databases, 1999; for two
-// trees Larsen, Gottschalk, Lin and Manocha, Fast Distance Queries with Rectangular Swept Sphere Volumes, 2000) with lower
-// bounds rounded outwards, enclosures of the distances of triangles with proven bounds, and integers for what these leave open.
+// Method: best-first walk of both trees of boxes (Hjaltason and Samet, Distance Browsing in Spatial Databases, 1999;
+// for two trees Larsen, Gottschalk, Lin and Manocha, Fast Distance Queries with Rectangular Swept Sphere Volumes, 2000)
+// with lower bounds rounded outwards, enclosures of the distances of triangles with proven bounds, and integers for
+// what these leave open.
 //
 // Thread safety: as in intersection.hpp.
 #pragma once
@@ -45,12 +46,12 @@ ECODS_API std::ostream& operator<<(std::ostream& out, ClosestKind kind);
 
 // Two closest points of two bodies, or of a triangle of each, and what they are on.
 //
-// The features are those of lowest dimension that hold the points: a vertex, the open edge, or the open face. Where several
-// pairs of features have exactly that distance, the first is given: by kind in the order of ClosestKind, then by the
-// triangle and corner of `a`, then of `b`. Edges meet inside both where they are not parallel; parallel ones have
-// a vertex at the least distance. An edge of a zero-area triangle is one if its ends differ.
-// `intersecting`: the bodies share a point. Then both features are faces, of the least pair of triangles that share a point,
-// and both points are the lexicographically least corner of what these two share.
+// The features are those of lowest dimension that hold the points: a vertex, the open edge, or the open face. Where
+// several pairs of features have exactly that distance, the first is given: by kind in the order of ClosestKind, then
+// by the triangle and corner of `a`, then of `b`. Edges meet inside both where they are not parallel; parallel ones
+// have a vertex at the least distance. An edge of a zero-area triangle is one if its ends differ. `intersecting`: the
+// bodies share a point. Then both features are faces, of the least pair of triangles that share a point, and both
+// points are the lexicographically least corner of what these two share.
 struct ClosestPoints {
     double distance = 0;  // rounded once
     ClosestKind kind = ClosestKind::intersecting;
@@ -61,13 +62,14 @@ struct ClosestPoints {
 };
 
 // The distance: the least |p - q| of points p of a and q of b.
-// Cost: that of the walk; a pair of triangles that is a candidate costs about 0.1 microseconds, the last one or few, which are
-// rounded, about one more.
+// Cost: that of the walk; a pair of triangles that is a candidate costs about 0.1 microseconds, the last one or few,
+// which are rounded, about one more.
 ECODS_API double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory);
 
-// The same, for a pair that was asked about before and has moved little: tries the witness's triangles first, and leaves
-// the closest ones. The witness may come from any question and any bodies.
-ECODS_API double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness);
+// The same, for a pair that was asked about before and has moved little: tries the witness's triangles first, and
+// leaves the closest ones. The witness may come from any question and any bodies.
+ECODS_API double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory,
+                          PairWitness& witness);
 
 // Whether the distance is at most d, decided for the real number: d may be the rounded distance, or a neighbour of it.
 // Infinity is allowed. Throws InvalidDistance if d is negative or NaN. within(a, b, 0) is intersects(a, b).
@@ -75,7 +77,8 @@ ECODS_API bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, doub
 ECODS_API bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d, QueryMemory& memory,
                       PairWitness& witness);
 
-// The closest points, and what they are on. Exchanging the bodies exchanges a and b, unless several pairs of features tie.
+// The closest points, and what they are on. Exchanging the bodies exchanges a and b, unless several pairs of features
+// tie.
 ECODS_API ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory);
 ECODS_API ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory,
                                 PairWitness& witness);
@@ -93,9 +96,9 @@ struct DistanceBounds {
     double upper = std::numeric_limits<double>::infinity();
 };
 
-// An interval that contains the distance: upper - lower <= max(absolute, relative * lower), or both are equal or adjacent
-// doubles. Once lower > at_most, upper may be infinity. Only this depends on the witness, the memory and the order
-// of the bodies: it promises that it contains the truth and is as narrow as asked, and no more.
+// An interval that contains the distance: upper - lower <= max(absolute, relative * lower), or both are equal or
+// adjacent doubles. Once lower > at_most, upper may be infinity. Only this depends on the witness, the memory and the
+// order of the bodies: it promises that it contains the truth and is as narrow as asked, and no more.
 ECODS_API DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
                                          const DistanceTolerance& tolerance, QueryMemory& memory);
 ECODS_API DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>& b,

@@ -1,17 +1,38 @@
 // Two posed meshes, ready for questions about the distances of pairs of their triangles.
 #pragma once
 
+#include <compare>
 #include <cstdint>
+#include <limits>
 
 #include "ecods/distance.hpp"
 #include "exact/point/frame.hpp"
 
 namespace ecods {
 
-// Contains a distance.
+// One vertex, edge or face by what it is made of, which is the same from every triangle that has it.
+struct SharedFeature {
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    // A vertex: its index and none; an edge: the indices of its two vertices, the lesser first; a face: its triangle's
+    // index and none.
+    std::uint32_t first = none;
+    std::uint32_t second = none;
+
+    friend auto operator<=>(const SharedFeature&, const SharedFeature&) = default;
+};
+
+// Contains a distance. Pairs of triangles whose closest features are the same have the same distance: a search rounds
+// one of them.
 struct DistanceInterval {
     double lower = 0;
     double upper = std::numeric_limits<double>::infinity();
+
+    // Where this is set, all signs that say so are certain: the distance is exactly that of these two features, which
+    // hold the only closest points of the two triangles and are the features of lowest dimension that do.
+    bool is_certain = false;
+    ClosestKind kind = ClosestKind::intersecting;
+    SharedFeature a, b;
 };
 
 class TriangleDistances {
@@ -19,8 +40,8 @@ class TriangleDistances {
     // Cost: constant. Everything that the arguments refer to must outlive the questions.
     void bind(const exact::BodyRef& a, const exact::BodyRef& b);
 
-    // Contains the distance of triangle `i` of the first mesh and `j` of the second, by doubles with proven bounds. `lower`
-    // is 0 where it is not proven to be more.
+    // Contains the distance of triangle `i` of the first mesh and `j` of the second, by doubles with proven bounds.
+    // `lower` is 0 where it is not proven to be more.
     DistanceInterval enclose(std::uint32_t i, std::uint32_t j);
 
     // The distance, rounded once; 0 exactly if the triangles share a point.
