@@ -1,11 +1,15 @@
 // Two posed meshes, ready for questions about the distances of pairs of their triangles.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <limits>
 
 #include "ecods/distance.hpp"
+#include "exact/measure/enclose_distance.hpp"
+#include "exact/measure/feature_pair.hpp"
+#include "exact/measure/fixed_points.hpp"
 #include "exact/point/frame.hpp"
 
 namespace ecods {
@@ -55,6 +59,12 @@ class TriangleDistances {
 
     // The closest points of a pair of triangles, by the rule of ClosestPoints.
     ClosestPoints closest(std::uint32_t i, std::uint32_t j);
+
+  private:
+    exact::IntegerPair integers(std::uint32_t i, std::uint32_t j);
+
+    exact::FixedPoints points_;
+    std::array<const Triangle*, 2> triangles_{};
 };
 
 }  // namespace ecods

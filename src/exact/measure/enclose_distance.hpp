@@ -1,0 +1,33 @@
+// Two numbers between which the distance of two triangles is, from one guessed pair of features.
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "exact/measure/feature_pair.hpp"
+#include "exact/measure/fixed_points.hpp"
+
+namespace ecods::exact {
+
+struct Enclosure {
+    double lower = 0;
+    double upper = std::numeric_limits<double>::infinity();
+    // Whether the features certainly hold the only closest points, each in its relative interior.
+    bool is_certain = false;
+};
+
+// Six integer points in units of 2^unit, each coordinate of a difference off by less than `error` units.
+struct IntegerPair {
+    std::array<FixedPoints::Point, 6> at;
+    int unit;
+    int error;  // 0: exact, or FixedPoints::error_units
+};
+
+// Whatever the features are, the interval contains the distance; it is narrow if they are the closest. In any rounding
+// mode, with or without flush-to-zero or fused multiply-add.
+Enclosure enclose_distance(const IntegerPair& pair, const FeaturePair& features) noexcept;
+
+// A guess for such points.
+FeaturePair guess_features(const IntegerPair& pair) noexcept;
+
+}  // namespace ecods::exact
