@@ -48,10 +48,10 @@ ECODS_API std::ostream& operator<<(std::ostream& out, ClosestKind kind);
 //
 // The features are those of lowest dimension that hold the points: a vertex, the open edge, or the open face. Where
 // several pairs of features have exactly that distance, the first is given: by kind in the order of ClosestKind, then
-// by the triangle and corner of `a`, then of `b`. Edges meet inside both where they are not parallel; parallel ones
-// have a vertex at the least distance. An edge of a zero-area triangle is one if its ends differ. `intersecting`: the
-// bodies share a point. Then both features are faces, of the least pair of triangles that share a point, and both
-// points are the lexicographically least corner of what these two share.
+// by the triangle and corner of `a`, then of `b`, then the one whose feature of `a` is the vertex. Edges meet inside
+// both where they are not parallel; parallel ones have a vertex at the least distance. An edge of a zero-area triangle
+// is one if its ends differ. `intersecting`: the bodies share a point. Then both features are faces, of the least pair
+// of triangles that share a point, and both points are the lexicographically least corner of what these two share.
 struct ClosestPoints {
     double distance = 0;  // rounded once
     ClosestKind kind = ClosestKind::intersecting;

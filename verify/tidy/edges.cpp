@@ -79,6 +79,7 @@ const std::vector<Room>& rooms() {
         // What checks it, and is not installed.
         {"verify/process", {}},
         {"verify/oracle", {"include/plain"}},
+        {"verify/judge", {"include", "verify/oracle"}},
         {"verify/scenes", {"include"}},
         {"verify/allocation", {"include", "verify/scenes"}},
         {"verify/exhaustive", {"include", "verify/oracle"}},
@@ -98,7 +99,7 @@ const std::vector<Room>& rooms() {
           "verify/scenes", "verify/environment"}},
         {"verify/unit/bounds", {"include", "src/base", "src/bounds", "verify/oracle", "verify/scenes"}},
         {"verify/unit/bvh", {"include", "src/base", "src/bvh", "verify/oracle", "verify/scenes", "verify/environment"}},
-        {"verify/unit/query", {"include", "verify/oracle", "verify/scenes", "verify/environment"}},
+        {"verify/unit/query", {"include", "verify/oracle", "verify/judge", "verify/scenes", "verify/environment"}},
         {"verify/unit/broad_phase",
          {"include", "src/base", "src/geometry", "src/broad_phase/changes", "src/broad_phase/boxes",
           "src/broad_phase/sweep", "src/broad_phase/candidates", "src/broad_phase", "verify/scenes"}},

@@ -1,0 +1,74 @@
+// Everything that include/ecods/distance.hpp answers about two bodies, judged by the oracle.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ecods/distance.hpp"
+#include "oracle/distance.hpp"
+
+namespace ecods::judge {
+
+// The first answer that was wrong.
+struct Wrong {
+    std::string question;
+    std::string expected;
+    std::string got;
+};
+
+// As the library writes it.
+ClosestPoints to_closest_points(const oracle::ExactClosest& exact);
+
+// Whether all of it is the same, bit for bit.
+bool is_same(const ClosestPoints& x, const ClosestPoints& y);
+
+// In hexadecimal floats.
+std::string text(const ClosestPoints& closest);
+std::string text(double x);
+
+// Which questions are asked, beside distance, within and closest.
+struct Questions {
+    bool has_bounds = true;
+    bool has_lists = true;  // close_triangles; their length grows with the meshes
+};
+
+// What is true of two posed meshes, known before the library is asked: it may be asked in any floating-point
+// environment.
+class DistanceTruth {
+  public:
+    DistanceTruth(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Questions& questions = {});
+
+    const oracle::ExactRoot& exact() const { return exact_; }
+    double distance() const { return closest_.distance; }
+    const ClosestPoints& closest() const { return closest_; }
+
+    // Asks all of it, in both orders, and with the witness, which may come from anywhere.
+    std::optional<Wrong> ask(QueryMemory& memory, PairWitness& witness) const;
+
+  private:
+    struct Within {
+        double d;
+        bool is_within;
+    };
+    struct List {
+        double d;
+        std::vector<ClosestPoints> closest;
+    };
+    std::optional<Wrong> ask_distance(QueryMemory& memory, PairWitness& witness) const;
+    std::optional<Wrong> ask_closest(QueryMemory& memory, PairWitness& witness) const;
+    std::optional<Wrong> ask_bounds(QueryMemory& memory, PairWitness& witness) const;
+    std::optional<Wrong> ask_lists(QueryMemory& memory) const;
+    // Nothing, or what is wrong with it.
+    std::optional<std::string> defect(const DistanceBounds& bounds, const DistanceTolerance& tolerance) const;
+
+    Posed<MeshShape> a_, b_;
+    oracle::ExactRoot exact_;
+    ClosestPoints closest_, mirrored_;  // mirrored: of b and a
+    std::vector<Within> within_;
+    std::vector<DistanceTolerance> tolerances_;
+    std::vector<List> lists_;
+};
+
+}  // namespace ecods::judge
