@@ -18,7 +18,19 @@ double height(double share) {
     return share <= 0 ? 0 : std::max(0.5, std::log10(share) + 4);
 }
 
-constexpr const char* height_tics = "'0' 0, '0.1 %%' 1, '1 %%' 2, '10 %%' 3, '100 %%' 4";
+// Of units in the last place: 0 for none, 1 for 1, 2 for 1000, and so on.
+double height_of_ulps(double ulps) {
+    return ulps <= 0 ? 0 : std::max(0.5, std::log10(ulps) / 3 + 1);
+}
+
+struct Scale {
+    double (*height)(double error);
+    const char* tics;
+    double top;
+};
+constexpr Scale shares{height, "'0' 0, '0.1 %%' 1, '1 %%' 2, '10 %%' 3, '100 %%' 4", 4.15};
+constexpr Scale units_in_the_last_place{height_of_ulps,
+                                        "'0' 0, '1' 1, '10^3' 2, '10^6' 3, '10^9' 4, '10^{12}' 5, '10^{15}' 6", 6.3};
 
 constexpr const char* colours[] = {"#111111", "#8c1c13", "#d1682e", "#1d4e89", "#5b9bd5", "#7a7a7a"};
 constexpr int marks[] = {7, 5, 4, 9, 13, 2};
@@ -28,11 +40,9 @@ std::string style(std::size_t engine) {
                        colours[engine % 6]);
 }
 
-}  // namespace
-
-Picture plot_errors(std::span<const ErrorPanel> panels, std::span<const std::string> engines,
-                    const std::string& time_label, const std::filesystem::path& folder, const std::string& name,
-                    const std::string& caption) {
+Picture plot(const Scale& scale, std::span<const ErrorPanel> panels, std::span<const std::string> engines,
+             const std::string& time_label, const std::filesystem::path& folder, const std::string& name,
+             const std::string& caption) {
     const std::filesystem::path picture = folder / (name + ".svg"), script = folder / (name + ".gnuplot");
     constexpr std::size_t columns = 3;
     const std::size_t rows = (panels.size() + columns - 1) / columns;
@@ -40,8 +50,9 @@ Picture plot_errors(std::span<const ErrorPanel> panels, std::span<const std::str
     const double row_height = (1 - key) / static_cast<double>(rows);
     std::ofstream out(script);
     out << fmt::format("set terminal svg size 1000,{:.0f} font 'DejaVu Sans,13' background '#ffffff'\n", height_px)
-        << fmt::format("set output '{}'\nset multiplot\nset logscale x\nset yrange [-0.35:4.15]\n", picture.string())
-        << "set offsets graph 0.08, graph 0.08, 0, 0\nset ytics (" << height_tics << ")\nset border 3\n"
+        << fmt::format("set output '{}'\nset multiplot\nset logscale x\nset yrange [-0.35:{}]\n", picture.string(),
+                       scale.top)
+        << "set offsets graph 0.08, graph 0.08, 0, 0\nset ytics (" << scale.tics << ")\nset border 3\n"
         << "set tics nomirror\nset grid ytics lt 1 lc rgb '#dddddd'\nunset key\nset format x '%g'\n";
     for (std::size_t p = 0; p < panels.size(); ++p) {
         const std::size_t row = p / columns, column = p % columns;
@@ -55,7 +66,7 @@ Picture plot_errors(std::span<const ErrorPanel> panels, std::span<const std::str
         std::string plots, data;
         for (const ErrorPoint& point : panels[p].points) {
             plots += fmt::format("{}'-' {}", plots.empty() ? "" : ", ", style(point.engine_index));
-            data += fmt::format("{} {}\ne\n", point.time, height(point.wrong_share));
+            data += fmt::format("{} {}\ne\n", point.time, scale.height(point.error));
         }
         out << plots << "\n" << data;
     }
@@ -69,6 +80,20 @@ Picture plot_errors(std::span<const ErrorPanel> panels, std::span<const std::str
     out.close();
     const process::ProgramResult result = process::run_program({"gnuplot", script.string()});
     return {picture, caption, result.status == 0 ? "" : "gnuplot failed: " + result.text()};
+}
+
+}  // namespace
+
+Picture plot_errors(std::span<const ErrorPanel> panels, std::span<const std::string> engines,
+                    const std::string& time_label, const std::filesystem::path& folder, const std::string& name,
+                    const std::string& caption) {
+    return plot(shares, panels, engines, time_label, folder, name, caption);
+}
+
+Picture plot_ulps(std::span<const ErrorPanel> panels, std::span<const std::string> engines,
+                  const std::string& time_label, const std::filesystem::path& folder, const std::string& name,
+                  const std::string& caption) {
+    return plot(units_in_the_last_place, panels, engines, time_label, folder, name, caption);
 }
 
 }  // namespace ecods::bench

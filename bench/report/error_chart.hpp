@@ -1,4 +1,5 @@
-// Speed against error: each engine a point, time across, share of wrong answers up.
+// Speed against error: each engine a point, time across, up the share of wrong answers, or the error in units in the
+// last place.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +13,8 @@ namespace ecods::bench {
 
 struct ErrorPoint {
     std::size_t engine_index = 0;
-    double time = 0;         // positive
-    double wrong_share = 0;  // 0 to 1
+    double time = 0;   // positive
+    double error = 0;  // a share from 0 to 1, or units in the last place
 };
 
 struct ErrorPanel {
@@ -27,5 +28,10 @@ struct ErrorPanel {
 Picture plot_errors(std::span<const ErrorPanel> panels, std::span<const std::string> engines,
                     const std::string& time_label, const std::filesystem::path& folder, const std::string& name,
                     const std::string& caption);
+
+// The same for errors in units in the last place; no error at all has a line of its own at the bottom, too.
+Picture plot_ulps(std::span<const ErrorPanel> panels, std::span<const std::string> engines,
+                  const std::string& time_label, const std::filesystem::path& folder, const std::string& name,
+                  const std::string& caption);
 
 }  // namespace ecods::bench

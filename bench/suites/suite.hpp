@@ -65,6 +65,7 @@ SuiteResult run_rooms(const SuiteOptions& options);       // all ships move: ECo
 SuiteResult run_hover(const SuiteOptions& options);       // some ships move: what the manager spares
 SuiteResult run_assembly(const SuiteOptions& options);    // the two-cylinder engine: which parts touch, which cross
 SuiteResult run_narrow(const SuiteOptions& options);      // two meshes: time and errors of every engine
+SuiteResult run_distance(const SuiteOptions& options);    // two meshes: how far; time and errors of every engine
 SuiteResult run_broad(const SuiteOptions& options);       // boxes only: time of every engine
 SuiteResult run_system(const SuiteOptions& options);      // the report's two experiments
 SuiteResult run_memory(const SuiteOptions& options);      // bytes for a triangle, a box, a body
