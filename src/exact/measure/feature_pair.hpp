@@ -1,6 +1,8 @@
 // A vertex, an edge or a face of each of two triangles, by corners.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace ecods::exact {
@@ -16,5 +18,26 @@ struct FeaturePair {
 
     friend bool operator==(const FeaturePair&, const FeaturePair&) = default;
 };
+
+// All of two triangles, in the order in which one of several that are equally close is chosen: by kind, by the corner
+// of the first triangle, by that of the second, and then the one with the vertex on the first triangle.
+inline constexpr std::array<FeaturePair, 42> feature_pairs = [] {
+    std::array<FeaturePair, 42> pairs;
+    std::size_t count = 0;
+    const auto add = [&](FeatureKind kind, std::uint8_t side, std::uint8_t a, std::uint8_t b) {
+        pairs[count++] = {kind, side, a, b};
+    };
+    for (const FeatureKind kind :
+         {FeatureKind::vertex_vertex, FeatureKind::vertex_edge, FeatureKind::vertex_face, FeatureKind::edge_edge}) {
+        for (std::uint8_t a = 0; a < 3; ++a) {
+            for (std::uint8_t b = 0; b < 3; ++b) {
+                const bool is_face = kind == FeatureKind::vertex_face;
+                if (!is_face || b == 0) add(kind, 0, a, b);
+                if (kind == FeatureKind::vertex_edge || (is_face && a == 0)) add(kind, 1, a, b);
+            }
+        }
+    }
+    return pairs;
+}();
 
 }  // namespace ecods::exact

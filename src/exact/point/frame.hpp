@@ -150,11 +150,13 @@ auto Frame::with_integers(const std::array<VertexRef, N>& vertices, Use&& use) {
                  arithmetic_ == Arithmetic::many_limbs);
     if (arithmetic_ == Arithmetic::one_limb) {
         IntegerPoints<OneLimbKernel, N> points;
+        points.unit = exact_low_;
         for (std::size_t i = 0; i < N; ++i) points.at[i] = one_limb(vertices[i].body, vertices[i].vertex);
         return use(points);
     }
     if (arithmetic_ == Arithmetic::two_limbs) {
         IntegerPoints<TwoLimbKernel, N> points;
+        points.unit = exact_low_;
         for (std::size_t i = 0; i < N; ++i) points.at[i] = two_limbs(vertices[i].body, vertices[i].vertex);
         return use_narrowest(points, use);
     }

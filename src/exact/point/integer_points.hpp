@@ -12,10 +12,11 @@
 
 namespace ecods::exact {
 
-// Points for an integer kernel. All are multiplied by one power of two, and moved by one vector: no sign changes.
+// Points for an integer kernel: counted in one power of two, and moved by one vector, so no sign changes.
 template <class Kernel, std::size_t N>
 struct IntegerPoints {
     std::array<typename Kernel::Point, N> at;
+    int unit = 0;  // counted in 2^unit
 };
 
 // The range of the digits of all terms of R v + t - t0, before they are added up.
@@ -48,6 +49,7 @@ static_assert(2048 + 2148 + sum_bits <= 64 * limb_count_max);
 template <int L, std::size_t N>
 IntegerPoints<LimbKernel<L>, N> evaluate(const PosedPoints<N>& points, int low) noexcept {
     IntegerPoints<LimbKernel<L>, N> result{};
+    result.unit = low;
     const Pose& base = *points[0].pose;
     for (std::size_t i = 0; i < N; ++i) {
         const Pose& pose = *points[i].pose;
@@ -108,6 +110,7 @@ void assign(std::array<std::uint64_t, M>& to, const Limbs<L>& from, int shift) n
 template <class Kernel, int L, std::size_t N>
 IntegerPoints<Kernel, N> narrow(const IntegerPoints<LimbKernel<L>, N>& points, int shift) noexcept {
     IntegerPoints<Kernel, N> result;
+    result.unit = points.unit + shift;
     for (std::size_t i = 0; i < N; ++i) {
         for (std::size_t axis = 0; axis < 3; ++axis) assign<L>(result.at[i][axis], points.at[i][axis], shift);
     }
@@ -137,6 +140,7 @@ auto use_narrowest(IntegerPoints<LimbKernel<L>, N>& points, Use&& use) {
 template <std::size_t N, class Use>
 auto use_narrowest(const IntegerPoints<TwoLimbKernel, N>& points, Use&& use) {
     IntegerPoints<TwoLimbKernel, N> two;
+    two.unit = points.unit;
     Uint128 leading = 0;   // has as many bits as the largest magnitude; that of -2^k may count as 2^k - 1
     Uint128 trailing = 0;  // ends in as many zeros as all coordinates do
     for (std::size_t i = 0; i < N; ++i) {
@@ -150,6 +154,7 @@ auto use_narrowest(const IntegerPoints<TwoLimbKernel, N>& points, Use&& use) {
     const int shift = trailing == 0 ? 0 : trailing_zeros(trailing);
     if (bit_width(leading) + 1 - shift > OneLimbKernel::coordinate_bits) return use(two);
     IntegerPoints<OneLimbKernel, N> one;
+    one.unit = points.unit + shift;
     for (std::size_t i = 0; i < N; ++i) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             one.at[i][axis] = static_cast<std::int64_t>(two.at[i][axis] >> shift);

@@ -1,6 +1,11 @@
 #include "query/distance/triangle_distances.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "exact/measure/guess_features.hpp"
+#include "exact/measure/measure_pair.hpp"
+#include "exact/point/integer_points.hpp"
 
 namespace ecods {
 
@@ -48,6 +53,7 @@ void name_features(DistanceInterval& interval, const FeaturePair& f, const Trian
 void TriangleDistances::bind(const BodyRef& a, const BodyRef& b) {
     points_.bind(a, b);
     triangles_ = {a.mesh->triangles().data(), b.mesh->triangles().data()};
+    for (Measured& m : measured_) m.is_known = false;
 }
 
 ECODS_ALWAYS_INLINE IntegerPair TriangleDistances::integers(std::uint32_t i, std::uint32_t j) {
@@ -69,6 +75,60 @@ DistanceInterval TriangleDistances::enclose(std::uint32_t i, std::uint32_t j) {
         enclosure.lower, enclosure.upper, enclosure.is_certain, ClosestKind::intersecting, {}, {}};
     if (enclosure.is_certain) name_features(interval, features, {i, j}, triangles_[0][i], triangles_[1][j]);
     return interval;
+}
+
+// Calls use(points, features, guess) with the points of two triangles in the narrowest kernel that holds them.
+template <class Use>
+auto TriangleDistances::with_features(std::uint32_t i, std::uint32_t j, Use&& use) {
+    const IntegerPair pair = integers(i, j);
+    const FeaturePair guess = guess_features(pair);
+    const auto in_kernel = [&]<class Kernel>(const IntegerPoints<Kernel, 6>& points) {
+        const auto limbs = to_limbs(points);
+        return use(points, ExactFeatures<limbs_of<Kernel>>(limbs), guess);
+    };
+    if (points_.is_exact()) return use_narrowest(IntegerPoints<TwoLimbKernel, 6>{pair.at, pair.unit}, in_kernel);
+    PosedPoints<6> posed;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const BodyRef &a = points_.body(0), &b = points_.body(1);
+        posed[k] = {a.pose, &a.mesh->vertices()[triangles_[0][i][k]]};
+        posed[3 + k] = {b.pose, &b.mesh->vertices()[triangles_[1][j][k]]};
+    }
+    return with_integers(posed, in_kernel);
+}
+
+const SquaredDistance& TriangleDistances::measured(const TrianglePair& pair) {
+    if (measured_[1].is_known && measured_[1].pair == pair) std::swap(measured_[0], measured_[1]);
+    if (measured_[0].is_known && measured_[0].pair == pair) return measured_[0].square;
+    std::swap(measured_[0], measured_[1]);
+    Measured& result = measured_[0];
+    result.pair = pair;
+    result.is_known = true;
+    with_features(pair.a, pair.b, [&](const auto& points, const auto& features, const FeaturePair& guess) {
+        const ClosestFeatures found = find_closest(points, features, guess);
+        result.square.exponent = points.unit;
+        if (found.standing == Standing::none) {
+            result.square.num = {};
+            result.square.den = Natural<denominator_limbs>(1);
+        } else {
+            features.measure(found.features, result.square);
+        }
+    });
+    return result.square;
+}
+
+double TriangleDistances::distance(std::uint32_t i, std::uint32_t j) {
+    return round_root(measured({i, j}));
+}
+
+int TriangleDistances::compare(std::uint32_t i, std::uint32_t j, double d) {
+    return exact::compare(measured({i, j}), d);
+}
+
+int TriangleDistances::compare(const TrianglePair& first, const TrianglePair& second) {
+    measured(first);
+    const SquaredDistance& b = measured(second);
+    const SquaredDistance& a = first == second ? b : measured_[1].square;
+    return exact::compare(a, b);
 }
 
 }  // namespace ecods

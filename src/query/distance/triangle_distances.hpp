@@ -10,6 +10,7 @@
 #include "exact/measure/enclose_distance.hpp"
 #include "exact/measure/feature_pair.hpp"
 #include "exact/measure/fixed_points.hpp"
+#include "exact/measure/squared_distance.hpp"
 #include "exact/point/frame.hpp"
 
 namespace ecods {
@@ -61,10 +62,21 @@ class TriangleDistances {
     ClosestPoints closest(std::uint32_t i, std::uint32_t j);
 
   private:
+    // The exact distance of a pair of triangles that was asked about lately.
+    struct Measured {
+        TrianglePair pair;
+        bool is_known = false;
+        exact::SquaredDistance square;
+    };
+
     exact::IntegerPair integers(std::uint32_t i, std::uint32_t j);
+    template <class Use>
+    auto with_features(std::uint32_t i, std::uint32_t j, Use&& use);
+    const exact::SquaredDistance& measured(const TrianglePair& pair);
 
     exact::FixedPoints points_;
     std::array<const Triangle*, 2> triangles_{};
+    std::array<Measured, 2> measured_;  // the one that was asked about last comes first
 };
 
 }  // namespace ecods

@@ -1,0 +1,63 @@
+// Vectors of integers as sign and magnitude, and their products. The caller sees to it that results fit: their widths
+// are asserted where they are used.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "exact/number/limbs.hpp"
+
+namespace ecods::exact {
+
+template <int L>
+using LimbVector = std::array<Magnitude<L>, 3>;
+
+template <int L>
+Magnitude<L> negated(Magnitude<L> a) noexcept {
+    a.negative = ~a.negative;
+    return a;
+}
+
+// sum += a * b, or sum -= a * b where `negative` is all_ones.
+template <int A, int B>
+inline void add_product(Limbs<A + B>& sum, const Magnitude<A>& a, const Magnitude<B>& b,
+                        std::uint64_t negative = 0) noexcept {
+    add_signed<A + B>(sum, multiply<A, B>(a.limbs, b.limbs), a.negative ^ b.negative ^ negative);
+}
+
+template <int A, int B>
+Magnitude<A + B> dot(const LimbVector<A>& a, const LimbVector<B>& b) noexcept {
+    Limbs<A + B> sum{};
+    for (std::size_t k = 0; k < 3; ++k) add_product<A, B>(sum, a[k], b[k]);
+    return magnitude<A + B>(sum);
+}
+
+template <int L>
+LimbVector<2 * L> cross(const LimbVector<L>& a, const LimbVector<L>& b) noexcept {
+    LimbVector<2 * L> result;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+        Limbs<2 * L> sum{};
+        add_product<L, L>(sum, a[i], b[j]);
+        add_product<L, L>(sum, a[j], b[i], all_ones);
+        result[k] = magnitude<2 * L>(sum);
+    }
+    return result;
+}
+
+template <int L>
+Magnitude<L> minus(const Magnitude<L>& a, const Magnitude<L>& b) noexcept {
+    Limbs<L> sum{};
+    add_signed<L>(sum, a.limbs, a.negative);
+    add_signed<L>(sum, b.limbs, ~b.negative);
+    return magnitude<L>(sum);
+}
+
+template <int L>
+LimbVector<L> difference(const std::array<Limbs<L>, 3>& to, const std::array<Limbs<L>, 3>& from) noexcept {
+    LimbVector<L> result;
+    for (std::size_t k = 0; k < 3; ++k) result[k] = magnitude<L>(subtract<L>(to[k], from[k]));
+    return result;
+}
+
+}  // namespace ecods::exact

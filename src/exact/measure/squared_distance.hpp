@@ -1,0 +1,33 @@
+// The square of a distance as a fraction of integers, and what is asked of it.
+#pragma once
+
+#include "exact/number/natural.hpp"
+#include "exact/point/integer_points.hpp"
+
+namespace ecods::exact {
+
+// Points of limb_count_max limbs have numerators of up to six times that, see exact_features.hpp.
+inline constexpr std::size_t numerator_limbs = 6 * limb_count_max;
+inline constexpr std::size_t denominator_limbs = 4 * limb_count_max;
+
+// num / den * 4^exponent.
+struct SquaredDistance {
+    Natural<numerator_limbs> num;
+    Natural<denominator_limbs> den{1};
+    int exponent = 0;
+};
+
+// The double nearest to the distance, ties to even; at least 2^-1074 if it is positive, infinity above the largest
+// double. No floating-point environment shows in it.
+double round_root(const SquaredDistance& square) noexcept;
+
+// The double nearest to num / den * 2^exponent, or its negative; a zero is +0. den > 0.
+double round_quotient(NaturalSpan num, NaturalSpan den, int exponent, bool negative) noexcept;
+
+// The sign of the distance less d. d >= 0, or infinity.
+int compare(const SquaredDistance& square, double d) noexcept;
+
+// The sign of the first less the second.
+int compare(const SquaredDistance& first, const SquaredDistance& second) noexcept;
+
+}  // namespace ecods::exact
