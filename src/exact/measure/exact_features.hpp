@@ -60,8 +60,28 @@ class ExactFeatures {
         }
     }
 
+    // Whether the features, closed, have a point in common in which they are not parallel.
+    bool meet(const FeaturePair& f) const noexcept;
+
     // The squared distance of features that hold closest points; `exponent` is left alone.
     void measure(const FeaturePair& f, SquaredDistance& result) const noexcept;
+
+    using Vector = LimbVector<L>;
+
+    // A corner, counted from where all are.
+    Vector position(std::size_t side, std::size_t i) const noexcept { return difference<L>(corner(side, i), Point{}); }
+    // Corner i + to less corner i.
+    Vector from(std::size_t side, std::size_t i, std::size_t to) const noexcept {
+        return difference<L>(corner(side, i + to), corner(side, i));
+    }
+    // Of a face, or at right angles to two edges.
+    LimbVector<2 * L> normal(const FeaturePair& f) const noexcept {
+        if (f.kind == FeatureKind::edge_edge) return cross<L>(from(0, f.a, 1), from(1, f.b, 1));
+        const std::size_t of = 1 - f.vertex_side;
+        return cross<L>(from(of, 0, 1), from(of, 0, 2));
+    }
+    // The corner of the second triangle that a feature is named by, less that of the first.
+    Vector between(const FeaturePair& f) const noexcept { return difference<L>(corner(1, f.b), corner(0, f.a)); }
 
   private:
     static constexpr int k = coordinate_bits + 1;
@@ -69,8 +89,6 @@ class ExactFeatures {
     static_assert(3 * k + 3 < 64 * (3 * L));
     static_assert(4 * k + 5 < 64 * (4 * L));
     static_assert(6 * k + 6 <= 64 * (6 * L));
-
-    using Vector = LimbVector<L>;
 
     // A conjunction of weak signs, which knows whether all of them were strict.
     struct Signs {
@@ -83,11 +101,6 @@ class ExactFeatures {
     };
 
     const Point& corner(std::size_t side, std::size_t i) const noexcept { return points_[3 * side + i % 3]; }
-    // Corner i + to less corner i.
-    Vector from(std::size_t side, std::size_t i, std::size_t to) const noexcept {
-        return difference<L>(corner(side, i + to), corner(side, i));
-    }
-    Vector between(const FeaturePair& f) const noexcept { return difference<L>(corner(1, f.b), corner(0, f.a)); }
 
     // n points from the first triangle to the second, or the other way where `turned`. Of `side`, corner i + to.
     template <int M>
@@ -97,6 +110,12 @@ class ExactFeatures {
         const int s = sign<M + L>(dot<M, L>(n, from(side, i, to)));
         signs.positive((side == 0) != turned ? -s : s);
     }
+
+    // Whether the foot of a vertex is on an edge or a face, or the feet of two edges on each other. n is the normal, nn
+    // its square; of an edge, `uu` is its square and `along` its product with the vertex less its beginning.
+    Signs foot_on_edge(const Magnitude<2 * L>& uu, const Magnitude<2 * L>& along) const noexcept;
+    Signs foot_on_face(const FeaturePair& f, const LimbVector<2 * L>& n, const Magnitude<4 * L>& nn) const noexcept;
+    Signs feet_on_edges(const FeaturePair& f, const LimbVector<2 * L>& n, const Magnitude<4 * L>& nn) const noexcept;
 
     static Standing standing(const Signs& inside, const Signs& outside) noexcept {
         if (!inside.hold || !outside.hold) return Standing::none;
@@ -128,13 +147,12 @@ Standing ExactFeatures<L>::of_vertex_and_edge(const FeaturePair& f) const noexce
     const std::size_t side = f.vertex_side, of = 1 - side;
     const std::size_t vertex = side == 0 ? f.a : f.b, edge = side == 0 ? f.b : f.a;
     const Vector w = between(f), u = from(of, edge, 1);
-    const Magnitude<2 *L> uu = dot<L, L>(u, u), wu = dot<L, L>(w, u);
+    const auto uu = dot<L, L>(u, u);
+    const auto wu = dot<L, L>(w, u);
     if (is_zero<2 * L>(uu.limbs)) return Standing::none;
     // The product of u with the vertex less the edge's beginning.
     const Magnitude<2 * L> along = of == 1 ? negated<2 * L>(wu) : wu;
-    Signs inside, outside;
-    inside.positive(sign<2 * L>(along));
-    inside.positive(sign<2 * L>(minus<2 * L>(uu, along)));
+    const Signs inside = foot_on_edge(uu, along);
     if (!inside.hold) return Standing::none;
     LimbVector<3 * L> n;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -143,6 +161,7 @@ Standing ExactFeatures<L>::of_vertex_and_edge(const FeaturePair& f) const noexce
         add_product<L, 2 * L>(sum, u[i], wu, all_ones);
         n[i] = magnitude<3 * L>(sum);
     }
+    Signs outside;
     outward<3 * L>(outside, n, false, side, vertex, 1);
     outward<3 * L>(outside, n, false, side, vertex, 2);
     outward<3 * L>(outside, n, false, of, edge, 2);
@@ -151,49 +170,94 @@ Standing ExactFeatures<L>::of_vertex_and_edge(const FeaturePair& f) const noexce
 
 template <int L>
 Standing ExactFeatures<L>::of_vertex_and_face(const FeaturePair& f) const noexcept {
-    const std::size_t side = f.vertex_side, of = 1 - side;
-    const std::size_t vertex = side == 0 ? f.a : f.b;
-    const Vector u = from(of, 0, 1), v = from(of, 0, 2);
-    const Vector foot = difference<L>(corner(side, vertex), corner(of, 0));
-    const LimbVector<2 * L> n = cross<L>(u, v);
+    const std::size_t side = f.vertex_side, vertex = side == 0 ? f.a : f.b;
+    const LimbVector<2 * L> n = normal(f);
     const Magnitude<4 * L> nn = dot<2 * L, 2 * L>(n, n);
     if (is_zero<4 * L>(nn.limbs)) return Standing::none;
-    const int height = sign<3 * L>(dot<2 * L, L>(n, foot));
-    Signs inside, outside;
-    // The face's plane is at right angles to the gap: only the other corners of the vertex's triangle can be beyond it.
-    // n points to the vertex where `height` is positive; at height zero the points are one.
-    if (height != 0) {
-        const bool turned = (height > 0) != (of == 0);
+    // The face is at right angles to the gap: only the other corners of the vertex's triangle can be on the wrong side.
+    // At height zero the points are one.
+    const int gap = sign<3 * L>(dot<2 * L, L>(n, between(f)));
+    Signs outside;
+    if (gap != 0) {
+        const bool turned = gap < 0;
         outward<2 * L>(outside, n, turned, side, vertex, 1);
         outward<2 * L>(outside, n, turned, side, vertex, 2);
         if (!outside.hold) return Standing::none;
     }
-    const Magnitude<4 *L> s = dot<2 * L, 2 * L>(cross<L>(foot, v), n), t = dot<2 * L, 2 * L>(cross<L>(u, foot), n);
-    inside.positive(sign<4 * L>(s));
-    inside.positive(sign<4 * L>(t));
-    inside.positive(sign<4 * L>(minus<4 * L>(minus<4 * L>(nn, s), t)));
-    return standing(inside, outside);
+    return standing(foot_on_face(f, n, nn), outside);
 }
 
 template <int L>
 Standing ExactFeatures<L>::of_edges(const FeaturePair& f) const noexcept {
-    const Vector w = between(f), u = from(0, f.a, 1), v = from(1, f.b, 1);
-    const LimbVector<2 * L> n = cross<L>(u, v);
+    const LimbVector<2 * L> n = normal(f);
     const Magnitude<4 * L> nn = dot<2 * L, 2 * L>(n, n);
     if (is_zero<4 * L>(nn.limbs)) return Standing::none;
-    const int gap = sign<3 * L>(dot<2 * L, L>(n, w));
-    Signs inside, outside;
+    const int gap = sign<3 * L>(dot<2 * L, L>(n, between(f)));
+    Signs outside;
     if (gap != 0) {
         outward<2 * L>(outside, n, gap < 0, 0, f.a, 2);
         outward<2 * L>(outside, n, gap < 0, 1, f.b, 2);
         if (!outside.hold) return Standing::none;
     }
-    const Magnitude<4 *L> s = dot<2 * L, 2 * L>(cross<L>(w, v), n), t = dot<2 * L, 2 * L>(cross<L>(w, u), n);
+    return standing(feet_on_edges(f, n, nn), outside);
+}
+
+template <int L>
+auto ExactFeatures<L>::foot_on_edge(const Magnitude<2 * L>& uu, const Magnitude<2 * L>& along) const noexcept -> Signs {
+    Signs inside;
+    inside.positive(sign<2 * L>(along));
+    inside.positive(sign<2 * L>(minus<2 * L>(uu, along)));
+    return inside;
+}
+
+template <int L>
+auto ExactFeatures<L>::foot_on_face(const FeaturePair& f, const LimbVector<2 * L>& n,
+                                    const Magnitude<4 * L>& nn) const noexcept -> Signs {
+    const std::size_t side = f.vertex_side, of = 1 - side;
+    const Vector u = from(of, 0, 1), v = from(of, 0, 2);
+    const Vector foot = difference<L>(corner(side, side == 0 ? f.a : f.b), corner(of, 0));
+    const auto s = dot<2 * L, 2 * L>(cross<L>(foot, v), n);
+    const auto t = dot<2 * L, 2 * L>(cross<L>(u, foot), n);
+    Signs inside;
+    inside.positive(sign<4 * L>(s));
+    inside.positive(sign<4 * L>(t));
+    inside.positive(sign<4 * L>(minus<4 * L>(minus<4 * L>(nn, s), t)));
+    return inside;
+}
+
+template <int L>
+auto ExactFeatures<L>::feet_on_edges(const FeaturePair& f, const LimbVector<2 * L>& n,
+                                     const Magnitude<4 * L>& nn) const noexcept -> Signs {
+    const Vector w = between(f), u = from(0, f.a, 1), v = from(1, f.b, 1);
+    const auto s = dot<2 * L, 2 * L>(cross<L>(w, v), n);
+    const auto t = dot<2 * L, 2 * L>(cross<L>(w, u), n);
+    Signs inside;
     inside.positive(sign<4 * L>(s));
     inside.positive(sign<4 * L>(t));
     inside.positive(sign<4 * L>(minus<4 * L>(nn, s)));
     inside.positive(sign<4 * L>(minus<4 * L>(nn, t)));
-    return standing(inside, outside);
+    return inside;
+}
+
+template <int L>
+bool ExactFeatures<L>::meet(const FeaturePair& f) const noexcept {
+    const Vector w = between(f);
+    if (f.kind == FeatureKind::vertex_vertex) return is_zero<2 * L>(dot<L, L>(w, w).limbs);
+    if (f.kind == FeatureKind::vertex_edge) {
+        const std::size_t of = 1 - f.vertex_side;
+        const Vector u = from(of, of == 0 ? f.a : f.b, 1);
+        for (const Magnitude<2 * L>& x : cross<L>(w, u)) {
+            if (!is_zero<2 * L>(x.limbs)) return false;
+        }
+        const auto uu = dot<L, L>(u, u);
+        const auto wu = dot<L, L>(w, u);
+        return !is_zero<2 * L>(uu.limbs) && foot_on_edge(uu, of == 1 ? negated<2 * L>(wu) : wu).hold;
+    }
+    const LimbVector<2 * L> n = normal(f);
+    if (!is_zero<3 * L>(dot<2 * L, L>(n, w).limbs)) return false;
+    const Magnitude<4 * L> nn = dot<2 * L, 2 * L>(n, n);
+    if (is_zero<4 * L>(nn.limbs)) return false;
+    return (f.kind == FeatureKind::vertex_face ? foot_on_face(f, n, nn) : feet_on_edges(f, n, nn)).hold;
 }
 
 template <int L>
@@ -208,10 +272,7 @@ void ExactFeatures<L>::measure(const FeaturePair& f, SquaredDistance& result) co
         result.num.assign(dot<2 * L, 2 * L>(c, c).limbs);
         result.den.assign(dot<L, L>(u, u).limbs);
     } else {
-        const bool is_face = f.kind == FeatureKind::vertex_face;
-        const std::size_t of = 1 - f.vertex_side;
-        const Vector u = is_face ? from(of, 0, 1) : from(0, f.a, 1), v = is_face ? from(of, 0, 2) : from(1, f.b, 1);
-        const LimbVector<2 * L> n = cross<L>(u, v);
+        const LimbVector<2 * L> n = normal(f);
         const Magnitude<3 * L> height = dot<2 * L, L>(n, w);
         result.num.assign(multiply<3 * L, 3 * L>(height.limbs, height.limbs));
         result.den.assign(dot<2 * L, 2 * L>(n, n).limbs);

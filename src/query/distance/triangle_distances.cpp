@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "exact/measure/closest_points.hpp"
+#include "exact/measure/exact_point.hpp"
 #include "exact/measure/guess_features.hpp"
 #include "exact/measure/measure_pair.hpp"
+#include "exact/measure/shared_corners.hpp"
 #include "exact/point/integer_points.hpp"
 
 namespace ecods {
@@ -45,6 +48,26 @@ void name_features(DistanceInterval& interval, const FeaturePair& f, const Trian
             interval.a = shared_edge(a, f.a);
             interval.b = shared_edge(b, f.b);
             return;
+    }
+}
+
+void name_features(ClosestPoints& closest, const FeaturePair& f, const TrianglePair& pair) noexcept {
+    using Kind = Feature::Kind;
+    const bool is_vertex_of_a = f.vertex_side == 0;
+    const auto name = [&](ClosestKind kind, Kind lesser, Kind greater) {
+        closest.kind = kind;
+        closest.a = {is_vertex_of_a ? lesser : greater, pair.a, f.a};
+        closest.b = {is_vertex_of_a ? greater : lesser, pair.b, f.b};
+    };
+    switch (f.kind) {
+        case FeatureKind::vertex_vertex:
+            return name(ClosestKind::vertex_vertex, Kind::vertex, Kind::vertex);
+        case FeatureKind::vertex_edge:
+            return name(ClosestKind::vertex_edge, Kind::vertex, Kind::edge);
+        case FeatureKind::vertex_face:
+            return name(ClosestKind::vertex_face, Kind::vertex, Kind::face);
+        case FeatureKind::edge_edge:
+            return name(ClosestKind::edge_edge, Kind::edge, Kind::edge);
     }
 }
 
@@ -129,6 +152,39 @@ int TriangleDistances::compare(const TrianglePair& first, const TrianglePair& se
     const SquaredDistance& b = measured(second);
     const SquaredDistance& a = first == second ? b : measured_[1].square;
     return exact::compare(a, b);
+}
+
+// The origin of all exact points of a pair.
+PointRef TriangleDistances::first_corner(std::uint32_t i) const noexcept {
+    const BodyRef& a = points_.body(0);
+    return {a.pose, &a.mesh->vertices()[triangles_[0][i][0]]};
+}
+
+ClosestPoints TriangleDistances::closest(std::uint32_t i, std::uint32_t j) {
+    return with_features(i, j, [&](const auto& points, const auto& features, const FeaturePair& guess) {
+        using SharedCornersOf = decltype(SharedCorners(features));
+        ClosestPoints result;
+        std::array<ExactPoint, 2> ends;
+        SquaredDistance square;
+        square.exponent = points.unit;
+        const ClosestFeatures found = find_closest(points, features, guess);
+        if (found.standing != Standing::none) features.measure(found.features, square);
+        if (square.num.is_zero()) {
+            const SharedCorners corners(features);
+            result.a = {Feature::Kind::face, i, 0};
+            result.b = {Feature::Kind::face, j, 0};
+            SharedCornersOf::assign(corners.corners().front(), points.unit, ends[0]);
+            result.point_a = result.point_b = round_point(first_corner(i), ends[0]);
+            return result;
+        }
+        const FeaturePair first = first_closest(features, found);
+        name_features(result, first, {i, j});
+        ClosestPointsOf(features, first, points.unit).find(ends);
+        result.distance = round_root(square);
+        result.point_a = round_point(first_corner(i), ends[0]);
+        result.point_b = round_point(first_corner(i), ends[1]);
+        return result;
+    });
 }
 
 }  // namespace ecods

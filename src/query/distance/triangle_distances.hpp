@@ -73,6 +73,7 @@ class TriangleDistances {
     template <class Use>
     auto with_features(std::uint32_t i, std::uint32_t j, Use&& use);
     const exact::SquaredDistance& measured(const TrianglePair& pair);
+    exact::PointRef first_corner(std::uint32_t i) const noexcept;
 
     exact::FixedPoints points_;
     std::array<const Triangle*, 2> triangles_{};

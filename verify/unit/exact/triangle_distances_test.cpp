@@ -75,6 +75,38 @@ TEST(TriangleDistances, AreComparedWithDoublesExactly) {
     EXPECT_GT(equal_count, 1000);
 }
 
+bool same(const Feature& feature, const oracle::NamedFeature& expected) {
+    return static_cast<int>(feature.kind) == expected.dimension && feature.triangle == expected.triangle &&
+           feature.corner == expected.corner;
+}
+
+bool same_bits(const Vec3& a, const Vec3& b) {
+    return bits(a[0]) == bits(b[0]) && bits(a[1]) == bits(b[1]) && bits(a[2]) == bits(b[2]);
+}
+
+TEST(TriangleDistances, ClosestPointsAreThoseOfTheRule) {
+    TriangleDistances bodies;
+    std::array<int, 5> counts{};
+    for_each_pair(150, [&](const std::string& name, const PosedPair& pair) {
+        const OnePair meshes(pair);
+        const Truth truth(pair);
+        const oracle::ExactClosest expected = truth->closest(0, 0);
+        for (const int environment : environments) {
+            const ClosestPoints c = in_environment(environment, [&] {
+                bodies.bind(meshes.a(), meshes.b());
+                return bodies.closest(0, 0);
+            });
+            ASSERT_EQ(static_cast<int>(c.kind), static_cast<int>(expected.kind)) << name;
+            ASSERT_TRUE(same(c.a, expected.a) && same(c.b, expected.b)) << name << " " << static_cast<int>(c.kind);
+            ASSERT_EQ(bits(c.distance), bits(oracle::nearest(expected.distance))) << name;
+            ASSERT_TRUE(same_bits(c.point_a, expected.point_a.nearest())) << name << " " << static_cast<int>(c.kind);
+            ASSERT_TRUE(same_bits(c.point_b, expected.point_b.nearest())) << name << " " << static_cast<int>(c.kind);
+            ++counts[static_cast<std::size_t>(c.kind)];
+        }
+    });
+    for (const int count : counts) EXPECT_GT(count, 500);
+}
+
 // Two pairs of triangles of the same bodies: of equal distances, some of them of features of different kinds, and not.
 TEST(TriangleDistances, AreComparedWithEachOtherExactly) {
     Random random(15);
