@@ -37,7 +37,9 @@ void list_profiles() {
     for (const Profile& profile : profiles()) fmt::print("{:<8} {}\n", profile.name, profile.about);
     fmt::print("{:<8} {}\n", pairs_profile,
                "pairs of posed triangles, 1000 a run, each by every path of the exact layer");
-    fmt::print("motion   all but pairs, in turns\nall      all of them, in turns\n");
+    fmt::print("{:<8} {}\n", distances_profile,
+               "pairs of posed meshes, 1000 a run, every question about their distances");
+    fmt::print("motion   all but pairs and distances, in turns\nall      all of them, in turns\n");
 }
 
 void print(const RunFailure& failure) {

@@ -6,6 +6,7 @@
 
 #include "fuzz/motion/generate.hpp"
 #include "fuzz/motion/profile.hpp"
+#include "fuzz/pairs/distances.hpp"
 #include "fuzz/pairs/run.hpp"
 
 namespace ecods::fuzz {
@@ -44,19 +45,49 @@ Counters counters_of(const PairCounts& counts) {
     return counters;
 }
 
+RunFailure failure_of(const char* profile, const Disagreement& found) {
+    return {.profile = profile,
+            .seed = found.seed,
+            .where = fmt::format("pair {} ({})", found.pair, found.family),
+            .check = found.path,
+            .expected = found.expected,
+            .got = found.got,
+            .text = found.text};
+}
+
 RunReport run_triangle_pairs(std::uint32_t seed, Canary canary) {
     RunReport report;
     PairCounts counts;
     try {
         run_pairs(seed, canary == Canary::answer, counts);
     } catch (const Disagreement& found) {
-        report.failure = {.profile = pairs_profile,
-                          .seed = seed,
-                          .where = fmt::format("pair {} ({})", found.pair, found.family),
-                          .check = found.path,
-                          .expected = found.expected,
-                          .got = found.got,
-                          .text = found.text};
+        report.failure = failure_of(pairs_profile, found);
+    }
+    report.counters = counters_of(counts);
+    return report;
+}
+
+Counters counters_of(const DistanceCounts& counts) {
+    constexpr const char* kinds[] = {"vertex-vertex", "vertex-edge", "vertex-face", "edge-edge", "intersecting"};
+    Counters counters;
+    counters["distances"] = counts.distances;
+    for (const auto& [family, of_kind] : counts.kinds) {
+        for (std::size_t kind = 0; kind < of_kind.size(); ++kind) {
+            counters["distance families: " + family] += of_kind[kind];
+            counters[std::string("distances: ") + kinds[kind]] += of_kind[kind];
+        }
+    }
+    for (const auto& [name, count] : counts.checks) counters["checked: distances, " + name] = count;
+    return counters;
+}
+
+RunReport run_distances(std::uint32_t seed, Canary canary) {
+    RunReport report;
+    DistanceCounts counts;
+    try {
+        run_distances(seed, canary == Canary::answer, counts);
+    } catch (const Disagreement& found) {
+        report.failure = failure_of(distances_profile, found);
     }
     report.counters = counters_of(counts);
     return report;
@@ -71,11 +102,13 @@ std::vector<std::string> profiles_of(const std::string& name) {
         if (is_motion || profile.name == name) names.emplace_back(profile.name);
     }
     if (name == "all" || name == pairs_profile) names.emplace_back(pairs_profile);
+    if (name == "all" || name == distances_profile) names.emplace_back(distances_profile);
     return names;
 }
 
 RunReport run(const std::string& profile, std::uint32_t seed, Canary canary) {
     if (profile == pairs_profile) return run_triangle_pairs(seed, canary);
+    if (profile == distances_profile) return run_distances(seed, canary);
     return run_motion(*find_profile(profile), seed, canary);
 }
 

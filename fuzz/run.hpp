@@ -16,6 +16,9 @@ namespace ecods::fuzz {
 // The campaign of pairs of posed triangles, beside the profiles of worlds in motion.
 inline constexpr const char* pairs_profile = "pairs";
 
+// That of distances of two posed meshes.
+inline constexpr const char* distances_profile = "distances";
+
 struct RunFailure {
     std::string profile;
     std::uint32_t seed = 0;

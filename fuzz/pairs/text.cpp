@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <span>
+
 namespace ecods::fuzz {
 namespace {
 
@@ -9,11 +11,17 @@ std::string to_text(const Vec3& v) {
     return fmt::format("({:a}, {:a}, {:a})", v[0], v[1], v[2]);
 }
 
-std::string to_text(const char* body, const Pose& pose, const std::array<Vec3, 3>& corners) {
+std::string to_text(const char* body, const Pose& pose, std::span<const Vec3> vertices) {
     std::string text;
     for (int row = 0; row < 3; ++row) text += fmt::format("{}.R {}\n", body, to_text(pose.R.row(row).transpose()));
     text += fmt::format("{}.t {}\n", body, to_text(pose.t));
-    for (const Vec3& v : corners) text += fmt::format("{}.v {}\n", body, to_text(v));
+    for (const Vec3& v : vertices) text += fmt::format("{}.v {}\n", body, to_text(v));
+    return text;
+}
+
+std::string to_text(const char* body, const Pose& pose, const Mesh& mesh) {
+    std::string text = to_text(body, pose, mesh.vertices());
+    for (const Triangle& t : mesh.triangles()) text += fmt::format("{}.f {} {} {}\n", body, t[0], t[1], t[2]);
     return text;
 }
 
@@ -21,6 +29,10 @@ std::string to_text(const char* body, const Pose& pose, const std::array<Vec3, 3
 
 std::string to_text(const scenes::PosedPair& pair) {
     return to_text("a", pair.pose_a, pair.a) + to_text("b", pair.pose_b, pair.b);
+}
+
+std::string to_text(const scenes::DistanceCase& made) {
+    return to_text("a", made.pose_a, *made.a) + to_text("b", made.pose_b, *made.b);
 }
 
 const char* name(Relation relation) {

@@ -4,12 +4,16 @@
 #include <string>
 
 #include "ecods/predicates.hpp"
+#include "scenes/distance_cases.hpp"
 #include "scenes/hard_pairs.hpp"
 
 namespace ecods::fuzz {
 
 // Hexadecimal floats; for either body R by rows, t and the three corners.
 std::string to_text(const scenes::PosedPair& pair);
+
+// Of either body R by rows, t, all vertices and all triangles.
+std::string to_text(const scenes::DistanceCase& made);
 
 const char* name(Relation relation);
 

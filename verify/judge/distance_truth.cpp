@@ -12,11 +12,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// By bits: nextafter() is wrong where subnormals are flushed.
-double next(double x, int step) {
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + static_cast<std::uint64_t>(step));
-}
-
 oracle::Soup soup(const Posed<MeshShape>& body) {
     return {body.what->mesh().vertices(), body.what->mesh().triangles(), body.pose};
 }
@@ -64,6 +59,11 @@ bool is_same(const ClosestPoints& x, const ClosestPoints& y) {
            same_bits(x.point_a, y.point_a) && same_bits(x.point_b, y.point_b);
 }
 
+// By bits: nextafter() is wrong where subnormals are flushed.
+double neighbour(double x, int step) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + static_cast<std::uint64_t>(step));
+}
+
 std::string text(double x) {
     return fmt::format("{:a}", x);
 }
@@ -102,8 +102,8 @@ DistanceTruth::DistanceTruth(const Posed<MeshShape>& a, const Posed<MeshShape>& 
                                infinity,
                                std::numeric_limits<double>::max(),
                                std::numeric_limits<double>::denorm_min()};
-    if (d > 0) limits.push_back(next(d, -1));
-    if (d < infinity) limits.push_back(next(d, 1));
+    if (d > 0) limits.push_back(neighbour(d, -1));
+    if (d < infinity) limits.push_back(neighbour(d, 1));
     for (const double limit : limits) within_.push_back({limit, oracle::compare(exact_, limit) <= 0});
     if (questions.has_bounds) {
         tolerances_ = {{},
@@ -116,7 +116,8 @@ DistanceTruth::DistanceTruth(const Posed<MeshShape>& a, const Posed<MeshShape>& 
                        {.relative = 1e-3, .absolute = d * 1e-5, .at_most = 2 * d}};
     }
     if (!questions.has_lists || std::isinf(d)) return;
-    for (const double limit : {d, d > 0 ? next(d, -1) : 0, std::min(d * 1.125, std::numeric_limits<double>::max())}) {
+    for (const double limit :
+         {d, d > 0 ? neighbour(d, -1) : 0, std::min(d * 1.125, std::numeric_limits<double>::max())}) {
         lists_.push_back({limit, {}});
         for (const auto& close : distances.close_triangles(limit)) {
             lists_.back().closest.push_back(to_closest_points(close));
@@ -164,7 +165,7 @@ std::optional<std::string> DistanceTruth::defect(const DistanceBounds& bounds,
         return "lower end too high";
     }
     if (oracle::compare(exact_, upper) > 0) return "upper end too low";
-    if (lower > tolerance.at_most || upper == lower || upper == next(lower, 1)) return std::nullopt;
+    if (lower > tolerance.at_most || upper == lower || upper == neighbour(lower, 1)) return std::nullopt;
     if (std::isinf(tolerance.absolute) || (std::isinf(tolerance.relative) && lower > 0)) return std::nullopt;
     if (std::isinf(upper)) return "no upper end";
     const mpq_class width = mpq_class(upper) - mpq_class(lower);

@@ -24,6 +24,9 @@ ClosestPoints to_closest_points(const oracle::ExactClosest& exact);
 // Whether all of it is the same, bit for bit.
 bool is_same(const ClosestPoints& x, const ClosestPoints& y);
 
+// The double that follows x >= 0, or the one before it (step -1), in any floating-point environment.
+double neighbour(double x, int step);
+
 // In hexadecimal floats.
 std::string text(const ClosestPoints& closest);
 std::string text(double x);

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "oracle/float_environment.hpp"
+
 namespace ecods::oracle {
 namespace {
 
@@ -114,6 +116,7 @@ bool is_nearest(const ExactRoot& root, double d) {
 
 double nearest(const ExactRoot& root) {
     if (root.is_zero()) return 0;
+    const FloatEnvironment environment;  // where subnormals are flushed, the guess would be far off
     return std::bit_cast<double>(walk_from(guess(root.num, root.den, root.unit, true),
                                            [&](std::uint64_t bits) { return direction_of_root(root, bits); }));
 }
@@ -127,6 +130,7 @@ bool is_nearest(const ExactFraction& fraction, double d) {
 
 double nearest(const ExactFraction& fraction) {
     if (sgn(fraction.num) == 0) return 0;
+    const FloatEnvironment environment;
     const std::uint64_t bits = walk_from(guess(abs(fraction.num), fraction.den, fraction.unit, false),
                                          [&](std::uint64_t at) { return direction(fraction, at); });
     const double size = std::bit_cast<double>(bits);

@@ -117,7 +117,8 @@ const std::vector<Room>& rooms() {
         // What tries to prove it wrong.
         {"fuzz/base", {"include", "src/trace", "verify/process"}},
         {"fuzz/pairs",
-         {"include", "src/exact/point", "src/query/intersection", "verify/oracle", "verify/scenes", "fuzz/base"}},
+         {"include", "src/exact/point", "src/query/intersection", "src/query/distance", "verify/oracle", "verify/judge",
+          "verify/scenes", "verify/environment", "fuzz/base"}},
         {"fuzz/checks", {"include", "verify/oracle", "verify/scenes", "fuzz/base"}},
         {"fuzz/script",
          {"include", "src/simd", "src/trace", "verify/scenes", "verify/environment", "verify/allocation", "fuzz/base",
