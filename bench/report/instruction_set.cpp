@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -23,7 +24,8 @@ std::string tunables_for(InstructionSet set) {
 
 void use_instruction_set(const std::string& name, char** arguments) {
     if (name == "native") return;
-    const InstructionSet set = name == "avx2" ? InstructionSet::avx2 : InstructionSet::baseline;
+    const InstructionSet set = std::min(name == "avx2" ? InstructionSet::avx2 : InstructionSet::baseline,
+                                        environment::widest_instruction_set());
     limit_instruction_set(set);
     const std::string tunables = tunables_for(set);
     const char* now = std::getenv(variable);

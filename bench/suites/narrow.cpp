@@ -192,6 +192,28 @@ Table use_table(std::span<const NarrowMaker> makers) {
     return table;
 }
 
+// The gaps come after the first `workload_count`.
+Section chart_of(std::span<const MeshPairs> workloads, std::span<const Measured> all, std::size_t workload_count,
+                 std::span<const NarrowMaker> makers, const SuiteOptions& options) {
+    Section chart{
+        "Speed against error",
+        {"Each engine is a point for each workload: time per query across, share of wrong answers up. The line at "
+         "0 is no error at all. Near: two copies of a mesh whose gap, or depth, is 1e-4 to 1e-2 radii; half of "
+         "them touch. Random: copies anywhere where their bounding balls overlap. Bricks and shafts: parts in "
+         "exact contact, and the same parts with a clearance."},
+        {},
+        {}};
+    if (!options.has_pictures) return chart;
+    std::vector<ErrorPanel> panels;
+    for (std::size_t i = 0; i < workload_count; ++i) panels.push_back(panel_of(workloads[i].name, all.subspan(i, 1)));
+    panels.push_back(panel_of("ships, gaps 1e-3 to adjacent doubles", all.subspan(workload_count)));
+    std::vector<std::string> names;
+    for (const NarrowMaker& maker : makers) names.push_back(maker.name);
+    chart.pictures.push_back(plot_errors(panels, names, "us per query", options.folder, "narrow-errors",
+                                         "Speed against error. The better engine is lower and further left."));
+    return chart;
+}
+
 }  // namespace
 
 SuiteResult run_narrow(const SuiteOptions& options) {
@@ -235,24 +257,7 @@ SuiteResult run_narrow(const SuiteOptions& options) {
     const Table builds = build_table(build_workloads(size_of(options)), makers, repetition_count);
     print(builds);
 
-    Section chart{
-        "Speed against error",
-        {"Each engine is a point for each workload: time per query across, share of wrong answers up. The line at "
-         "0 is no error at all. Near: two copies of a mesh whose gap, or depth, is 1e-4 to 1e-2 radii; half of "
-         "them touch. Random: copies anywhere where their bounding balls overlap. Bricks and shafts: parts in "
-         "exact contact, and the same parts with a clearance."},
-        {},
-        {}};
-    if (options.has_pictures) {
-        std::vector<ErrorPanel> panels;
-        for (std::size_t i = 0; i < workload_count; ++i)
-            panels.push_back(panel_of(workloads[i].name, std::span(all).subspan(i, 1)));
-        panels.push_back(panel_of("ships, gaps 1e-3 to adjacent doubles", std::span(all).subspan(workload_count)));
-        std::vector<std::string> names;
-        for (const NarrowMaker& maker : makers) names.push_back(maker.name);
-        chart.pictures.push_back(plot_errors(panels, names, "us per query", options.folder, "narrow-errors",
-                                             "Speed against error. The better engine is lower and further left."));
-    }
+    Section chart = chart_of(workloads, all, workload_count, makers, options);
     if (!chart.pictures.empty()) result.sections.push_back(std::move(chart));
     std::vector<Table> tables = {table, gaps};
     if (!distances.rows.empty()) tables.push_back(distances);

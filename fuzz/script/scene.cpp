@@ -13,6 +13,10 @@
 namespace ecods::fuzz {
 namespace {
 
+std::shared_ptr<const Shape> user_shape(const Part& part) {
+    return std::make_shared<const UserShape>(part.mesh, part.kind);
+}
+
 bool is_same_mesh(const Mesh& a, const Mesh& b) {
     return &a == &b ||
            (std::ranges::equal(a.triangles(), b.triangles()) && std::ranges::equal(a.vertices(), b.vertices()));
@@ -60,13 +64,26 @@ BodyId PartWorld::create_body(const Part& part, const Pose& at) {
     const BodyId alike = body_of(part), there = body_at(at);
     if (alike && there) return create_body(shape(alike), pose(there));
     const Pose own = there ? pose(there) : at;
-    return part.kind == ShapeKind::mesh() ? create_body(part.mesh, own)
-                                          : create_body(std::shared_ptr<const Shape>(part), own);
+    return part.kind == ShapeKind::mesh() ? create_body(part.mesh, own) : create_body(user_shape(part), own);
+}
+
+BodyId PartWorld::create_body(const PartOptions& options) {
+    const BodyId alike = body_of(options.shape), there = body_at(options.pose);
+    BodyOptions own{
+        .pose = there ? pose(there) : options.pose, .filter = options.filter, .user_data = options.user_data};
+    if (alike) {
+        own.shape = shape(alike);
+    } else if (options.shape.kind == ShapeKind::mesh()) {
+        own.mesh = options.shape.mesh;
+    } else {
+        own.shape = user_shape(options.shape);
+    }
+    return create_body(own);
 }
 
 void PartWorld::set_shape(BodyId body, const Part& part) {
     if (const BodyId alike = body_of(part)) return set_shape(body, shape(alike));
-    if (part.kind != ShapeKind::mesh()) return set_shape(body, std::shared_ptr<const Shape>(part));
+    if (part.kind != ShapeKind::mesh()) return set_shape(body, user_shape(part));
     const auto old = std::dynamic_pointer_cast<const MeshShape>(shape(body));
     if (!part.refits || !old || !std::ranges::equal(old->mesh().triangles(), part.mesh->triangles())) {
         return set_shape(body, part.mesh);

@@ -15,13 +15,24 @@
 
 namespace ecods::fuzz {
 
-// A world that takes the parts of a script for meshes, too: bodies of one mesh share its tree, and shapes are refitted.
+// BodyOptions with a part of a script in place of mesh and shape.
+struct PartOptions {
+    Part shape;
+    Pose pose = {};
+    CollisionFilter filter = {};
+    std::uint64_t user_data = 0;
+};
+
+// A world that takes the parts of a script for shapes: each call of World with a shape is here with a part. A part that
+// is a mesh goes to the world as a mesh, so that all bodies of one part have one shape, and to set it again is no
+// change.
 class PartWorld : public World {
   public:
     using World::create_body;
     using World::set_shape;
     using World::World;
     BodyId create_body(const Part& part, const Pose& pose);
+    BodyId create_body(const PartOptions& options);
     void set_shape(BodyId body, const Part& part);
     void set_pose(BodyId body, const Pose& pose);
     void set_filter(BodyId body, const CollisionFilter& filter);

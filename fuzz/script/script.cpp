@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "fuzz/base/user_shape.hpp"
-
 namespace ecods::fuzz {
 
 using CreateWith = calls::CreateWith<InScript>;
@@ -20,11 +18,6 @@ std::optional<Label> created_body(const Call& call) {
     } created;
     std::visit([&](const auto& row) { row.fields(created, row); }, call);
     return created.label;
-}
-
-Part::operator std::shared_ptr<const Shape>() const {
-    if (kind == ShapeKind::mesh()) return std::make_shared<const MeshShape>(mesh);
-    return std::make_shared<const UserShape>(mesh, kind);
 }
 
 namespace {

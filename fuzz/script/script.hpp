@@ -30,9 +30,6 @@ struct Part {
     std::shared_ptr<const Mesh> mesh;
     ShapeKind kind = ShapeKind::mesh();
     bool refits = false;  // by refit() of the shape that the body has, if that is a mesh of the same triangles
-
-    // A shape of its own, where a call of World takes one.
-    operator std::shared_ptr<const Shape>() const;
 };
 
 struct InScript {

@@ -41,16 +41,17 @@ enum class BroadPhaseKind : std::uint8_t {
     // pair.
     sweep_and_prune,
 
-    // For large and lively scenes. Each box is given room to move; pairs that overlap with that room, and of which one
-    // is awake, are candidates, which are kept from update to update and tested at each one. A box that moves is awake
-    // until it has rested for some updates. One that left its room, or awoke, is looked up in trees over all boxes, one
-    // for each class of sizes; when many did at once, everything is looked up. How much room is adapted from counts.
+    // For large, dynamic scenes. Each box is given a margin to move in; pairs that overlap with their margins, and of
+    // which one is awake, are candidates, which are kept from update to update and tested at each one. A box that moves
+    // is awake until it has been at rest for some updates. One that left its margin, or awoke, is looked up in trees
+    // over all boxes, one for each class of sizes; when many did at once, everything is looked up. How wide margins are
+    // is adapted from counts.
     // Work per update: a few tests for each box that moved, or did so lately. Memory: about 450 bytes a box, 8 bytes a
     // candidate (some more than there are pairs) and 8 to 16 a pair; up to twice that while boxes move.
     kept_candidates,
 
-    // sweep_and_prune while boxes are few or rest, kept_candidates else. Counts decide at each update, never clocks,
-    // and nothing but cost tells which one runs.
+    // sweep_and_prune while boxes are few or at rest, otherwise kept_candidates. Counts decide at each update, never
+    // clocks, and nothing but cost shows which one runs.
     automatic,
 };
 
@@ -65,7 +66,7 @@ struct BroadPhaseCounts {
 
     // Of kept_candidates.
     std::uint64_t candidates_filtered = 0;  // tests of pairs that were candidates already
-    std::uint64_t escaped = 0;              // boxes that left their room
+    std::uint64_t escaped = 0;              // boxes that left their margin
     std::uint64_t rebuilds = 0;             // updates at which everything was looked up
 
     // Of automatic.
@@ -94,7 +95,7 @@ class ECODS_API BroadPhase {
     virtual Aabb box(ProxyIndex proxy) const = 0;              // `proxy` must be present
     virtual std::size_t size() const noexcept = 0;             // boxes present
 
-    // Room for `count` boxes of numbers below that, so that adding them allocates little.
+    // Reserves memory for `count` boxes of numbers below that, so that adding them allocates little.
     virtual void reserve(std::size_t count) = 0;
 
     // Makes `pairs()` the pairs of boxes that overlap now. An update before which nothing changed costs a constant.
@@ -103,7 +104,8 @@ class ECODS_API BroadPhase {
     virtual void update() = 0;
 
     // The pairs as of the last update, ascending. Valid until the next call that is not const. The list is brought up
-    // to date when it is asked for: one pass over it if pairs came or went since it was asked for last, else nothing.
+    // to date when it is asked for: one pass over it if pairs came or went since it was asked for last, otherwise
+    // nothing.
     virtual const std::vector<ProxyPair>& pairs() = 0;
 
     // The pairs that came and went with the last update, ascending; a removed proxy's pairs count as gone, also
@@ -126,8 +128,8 @@ class ECODS_API BroadPhase {
 
     virtual const BroadPhaseCounts& counts() const noexcept = 0;
 
-    // Memory held, working memory included. Cost: a constant for brute_force and sweep_and_prune, else proportional to
-    // the depth of the trees.
+    // Memory held, working memory included. Cost: a constant for brute_force and sweep_and_prune, otherwise
+    // proportional to the depth of the trees.
     virtual std::size_t bytes() const noexcept = 0;
 
     // Checks every invariant of the structure and throws BrokenInvariant. May cost n^2. Call it after update().

@@ -18,7 +18,7 @@
 
 namespace ecods {
 
-// From narrow to wide. Baseline is what the compiler was told to compile for: what every x86-64 has, unless the flags
+// From narrow to wide. Baseline is what the compiler was set to compile for: what every x86-64 has, unless the flags
 // of the build say otherwise. On other processors there is nothing else.
 enum class InstructionSet : std::uint8_t { baseline, avx2, avx512 };
 

@@ -11,10 +11,10 @@
 // whose omission makes an answer wrong.
 //
 // What it costs: memory of 213 bytes a body, 55 to 66 bytes a pair whose boxes overlap and 16 for each list that the
-// pair is in, 8 while it is tested, and room for growth; beside these the broad phase's own. An update before which
-// nothing changed costs a constant, and a pair that rests costs nothing at any update: work is that of the broad phase
-// for the boxes that moved, and one two-body test for each candidate pair of which a body moved. Where a collision
-// begins or ends, what lies behind it in the list of colliding pairs is moved.
+// pair is in, 8 while it is tested, and spare capacity for growth; beside these the broad phase's own. An update before
+// which nothing changed costs a constant, and a pair at rest costs nothing at any update: work is that of the broad
+// phase for the boxes that moved, and one two-body test for each candidate pair of which a body moved. Where a
+// collision begins or ends, what lies behind it in the list of colliding pairs is moved.
 //
 // The world does not move bodies, respond to contacts, or draw.
 //
@@ -82,7 +82,7 @@ struct Statistics {
     std::size_t filtered_count = 0;     // pairs whose boxes overlap and that are filtered out
     std::size_t colliding_count = 0;
 
-    // Held by the world for bodies and pairs, room for growth included; meshes and the broad phase not.
+    // Held by the world for bodies and pairs, spare capacity included; meshes and the broad phase not.
     std::size_t memory_bytes = 0;
 };
 
@@ -128,7 +128,7 @@ class ECODS_API World {
     // All bodies, ascending. Cost: one pass.
     std::vector<BodyId> bodies() const;
 
-    // Makes room for so many bodies in all, so that creating them moves nothing.
+    // Reserves memory for so many bodies in all, so that creating them moves nothing.
     void reserve(std::size_t body_count);
 
     // ---- which pairs are tested at all
@@ -176,7 +176,7 @@ class ECODS_API World {
     // ---- answers for one pair, as of now
 
     // Either order of arguments. Throw StaleBody, SameBody, NotSupported. They change no answer, and work in the memory
-    // that they are given, or else in the world's own, which is why those forms are not const.
+    // that they are given, otherwise in the world's own, which is why those forms are not const.
     bool intersects(BodyId a, BodyId b, QueryMemory& memory) const;
     Relation relation(BodyId a, BodyId b, QueryMemory& memory) const;
     std::vector<TrianglePair> intersecting_triangles(BodyId a, BodyId b, QueryMemory& memory) const;

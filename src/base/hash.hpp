@@ -20,7 +20,7 @@ constexpr std::uint64_t combine(std::uint64_t digest, std::uint64_t word) noexce
 }
 
 // The bits of a coordinate, -0.0 counting as 0.0: they are the same point. (x == 0 would not do: it holds for
-// subnormals where the processor is told to take them for zero.)
+// subnormals where the processor is set to take them for zero.)
 constexpr std::uint64_t coordinate_bits(double x) noexcept {
     const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
     return bits << 1 == 0 ? 0 : bits;

@@ -1,4 +1,4 @@
-// Room in a vector before what must not fail.
+// Space in a vector before what must not fail.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace ecods {
 
-// Room for `count` more, by geometric growth: vector::reserve alone may copy everything at each small step.
+// Space for `count` more, by geometric growth: vector::reserve alone may copy everything at each small step.
 template <class T>
 void make_room(std::vector<T>& list, std::size_t count = 1) {
     const std::size_t needed = list.size() + count;

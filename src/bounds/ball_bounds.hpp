@@ -9,7 +9,7 @@ namespace ecods {
 // The squared distance of the center from a box is the sum of the squared gaps on the axes: min - c, c - max or none.
 //
 // Bound. With u' = 2^-52 (any rounding mode) a gap is off by u', relative, its square by 3.01 u', and the sum of three
-// by 5.1 u'; the squared radius by u'. So the two are off by less than 6.2 u' m in sum, m being the larger of them, and
+// by 5.1 u'; the squared radius by u'. Together the two are off by less than 6.2 u' m, m being the larger of them, and
 // 16 u' m covers the evaluation of the comparison, too. Underflow, subnormals taken for zero included, loses less than
 // 2^-1020 in a gap and in a square; below 2^-500 m, where m is at least 2^-900. Overflow: m must be below 2^900; a mode
 // that rounds down makes large numbers of infinities, and these are not.

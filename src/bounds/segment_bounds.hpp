@@ -21,7 +21,7 @@ enum class BoxVerdict : std::uint8_t { apart, meeting, unknown };
 //
 // Bound. Let D_y and D_z be the magnitudes of b - a, and u' = 2^-52 (any rounding mode). A corner (y, z) of that part
 // gives s = d_y (z - a_z) - d_z (y - a_y), each product with three roundings of at most D_y D_z: 3.01 u', and one for
-// the difference, at most 2.01 D_y D_z: below 8.1 u' D_y D_z in sum; 16 u' |d_y| |d_z| has margin for its own
+// the difference, at most 2.01 D_y D_z: together below 8.1 u' D_y D_z; 16 u' |d_y| |d_z| has margin for its own
 // evaluation. Underflow, subnormals taken for zero included, loses 2^-1020 in a difference, which is multiplied by the
 // largest extent E, and in a product: below 2^-1000 E + 2^-1010. Overflow: where E is 2^500 or more, nothing is proved.
 class SegmentBounds {

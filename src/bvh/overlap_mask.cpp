@@ -147,8 +147,9 @@ struct Kernel {
     //
     // Bound: the slab's normal n is a vector in the coordinates N x. The other's projection there is n . (P y + q),
     // computed as (P^T n) . y + n . q. For a corner there are the errors of converting P and q, of y, and 3.01 v s for
-    // each of three products of vectors, 3 v s for sums: below 14 v s + 13 u' w + e, in sum |n_k| (...)_k. A box adds a
-    // reach with two products, and the ends: below 23 v s + 20 u' w + 2 e. Three times point_error is 24 v s + 48 u' w
+    // each of three products of vectors, 3 v s for sums: below 14 v s + 13 u' w + e, summed as |n_k| (...)_k. A box
+    // adds a reach with two products, and the ends: below 23 v s + 20 u' w + 2 e. Three times point_error is 24 v s +
+    // 48 u' w
     // + 3 e.
     template <class Other>
     ECODS_ALWAYS_INLINE static void find_in_slab(const AxisSet& set, const Slab& slab, const Projection& p,

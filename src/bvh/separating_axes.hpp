@@ -14,9 +14,9 @@
 //
 // Bound. Let u' = 2^-52 (doubles, any rounding mode) and w_a = |N| |R_a| |map_a| 1, w_b likewise,
 // w_d = |N| (|R_a| |center_a| + |R_b| |center_b| + |d|). Products of two and three matrices make P_a off by 6.1 u' w_a
-// and P_b by 6.1 u' w_b in sum over a row; q by 8.2 u' w_d, the rounding of d as a difference included. All |y| and h
+// and P_b by 6.1 u' w_b, summed over a row; q by 8.2 u' w_d, the rounding of d as a difference included. All |y| and h
 // are at most 1 + 2^-22, so
-//     |P_a y_a|, |P_a| h_a: 6.2 u' w_a each; likewise b; q: 8.2 u' w_d.   In sum 12.4 u' (w_a + w_b) + 8.2 u' w_d,
+//     |P_a y_a|, |P_a| h_a: 6.2 u' w_a each; likewise b; q: 8.2 u' w_d.   Together 12.4 u' (w_a + w_b) + 8.2 u' w_d,
 // and with the roundings of the sums w themselves (relative 10 u') below 13 u' w, w = w_a + w_b + w_d.
 //
 // In floats let v = 2^-23, S_a = |P_a| 1 and S_b = |P_b| 1, and s = S_a + S_b + |q|, in one row.

@@ -38,7 +38,7 @@ double exact_double(double x) noexcept {
     return x;
 }
 
-// A conversion is exact, but takes subnormal floats for zero where the processor has been told to.
+// A conversion is exact, but takes subnormal floats for zero where the processor is set to do so.
 double exact_double(float x) noexcept {
     const auto bits = std::bit_cast<std::uint32_t>(x);
     if ((bits & 0x7f800000u) != 0) return x;

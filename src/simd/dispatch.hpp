@@ -58,11 +58,13 @@ ECODS_ALWAYS_INLINE decltype(auto) dispatch(Arguments&&... arguments) {
 }
 
 // As dispatch, for bodies that are written for a width of registers: `four_wide` for registers of four floats, which
-// every x86-64 has, `eight_wide` for those of eight.
+// every x86-64 has, `eight_wide` for those of eight. The set is read here and not asked for: with a call in it, the
+// caller of a short body keeps its arguments in memory across that call (18 instructions each time in place of 6, 2 %
+// of a query of meshes).
 template <auto four_wide, auto eight_wide, class... Arguments>
 ECODS_ALWAYS_INLINE decltype(auto) dispatch_by_width(Arguments&&... arguments) {
 #if ECODS_CAN_DISPATCH
-    if (instruction_set() != InstructionSet::baseline) {
+    if (read_instruction_set() != InstructionSet::baseline) {
         return on_avx2<eight_wide>(std::forward<Arguments>(arguments)...);
     }
 #endif

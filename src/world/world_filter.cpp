@@ -4,31 +4,32 @@ namespace ecods {
 
 void World::set_filter(BodyId body, const CollisionFilter& filter) {
     Impl& w = impl();
-    const ProxyIndex proxy = w.require(body);
-    if (w.slots[proxy].filter == filter) return;
-    make_room(w.changed);
-    w.slots[proxy].filter = filter;
-    w.mark_changed(proxy, Change::filter);
+    const ProxyIndex proxy = w.bodies.require(body);
+    if (w.bodies[proxy].filter == filter) return;
+    w.changes.make_room_for(1);
+    w.bodies[proxy].filter = filter;
+    w.changes.mark(proxy, Change::filter);
     if (w.trace) w.trace->write<calls::SetFilter>(body, filter);
 }
 
 CollisionFilter World::filter(BodyId body) const {
-    const Impl& w = impl();
-    return w.slots[w.require(body)].filter;
+    const Bodies& bodies = impl().bodies;
+    return bodies[bodies.require(body)].filter;
 }
 
 void World::set_pair_enabled(BodyId a, BodyId b, bool is_enabled) {
     Impl& w = impl();
-    const ProxyPair pair = w.require_pair(a, b);
-    make_room(w.switched);
-    if (!(is_enabled ? w.disabled.erase(pair) : w.disabled.insert(pair))) return;
-    w.switched.push_back(pair);
+    const ProxyPair pair = w.bodies.require_pair(a, b);
+    w.changes.make_room_for_switch();
+    DisabledPairs& disabled = w.bodies.disabled();
+    if (!(is_enabled ? disabled.erase(pair) : disabled.insert(pair))) return;
+    w.changes.mark_switched(pair);
     if (w.trace) w.trace->write<calls::SetPairEnabled>(a, b, is_enabled);
 }
 
 bool World::is_pair_enabled(BodyId a, BodyId b) const {
-    const Impl& w = impl();
-    return !w.disabled.contains(w.require_pair(a, b));
+    const Bodies& bodies = impl().bodies;
+    return !bodies.disabled().contains(bodies.require_pair(a, b));
 }
 
 }  // namespace ecods

@@ -5,7 +5,7 @@ namespace ecods {
 std::vector<BodyId> World::overlapping_bodies(const Aabb& box) const {
     const Impl& w = impl();
     std::vector<BodyId> result;
-    for (const ProxyIndex proxy : w.broad_phase->find(box)) result.push_back(w.id_of(proxy));
+    for (const ProxyIndex proxy : w.broad_phase->find(box)) result.push_back(w.bodies.id_of(proxy));
     return result;
 }
 
@@ -18,14 +18,14 @@ std::vector<BodyId> World::intersecting_bodies(const Shape& shape, const Pose& p
     const Posed<Shape> asked(shape, pose);
     std::vector<BodyId> result;
     for (const ProxyIndex proxy : w.broad_phase->find(box_for(shape, pose))) {
-        const Slot& slot = w.slots[proxy];
+        const Slot& slot = w.bodies[proxy];
         if (filter && !may_meet(*filter, slot.filter)) continue;
         const bool is_intersecting =
             w.tests.find(shape.kind(), slot.kind)
                 .ask(asked, slot.posed(), [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) {
                     return t.intersects(a, b, memory);
                 });
-        if (is_intersecting) result.push_back(w.id_of(proxy));
+        if (is_intersecting) result.push_back(w.bodies.id_of(proxy));
     }
     return result;
 }
@@ -33,19 +33,19 @@ std::vector<BodyId> World::intersecting_bodies(const Shape& shape, const Pose& p
 std::vector<BodyId> World::intersecting_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
                                                QueryMemory& memory, std::optional<CollisionFilter> filter) const {
     if (!mesh) throw NullArgument("mesh");
-    const auto known = impl().known_shape_of(mesh);
+    const auto known = impl().mesh_shapes.find(mesh);
     return known ? intersecting_bodies(*known, pose, memory, filter)
                  : intersecting_bodies(MeshShape(mesh), pose, memory, filter);
 }
 
 std::vector<BodyId> World::intersecting_bodies(const Shape& shape, const Pose& pose,
                                                std::optional<CollisionFilter> filter) {
-    return intersecting_bodies(shape, pose, impl().memories[0], filter);
+    return intersecting_bodies(shape, pose, impl().workers.caller_memory(), filter);
 }
 
 std::vector<BodyId> World::intersecting_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
                                                std::optional<CollisionFilter> filter) {
-    return intersecting_bodies(mesh, pose, impl().memories[0], filter);
+    return intersecting_bodies(mesh, pose, impl().workers.caller_memory(), filter);
 }
 
 }  // namespace ecods

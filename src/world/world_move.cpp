@@ -7,17 +7,16 @@ namespace ecods {
 
 void World::set_pose(BodyId body, const Pose& pose) {
     Impl& w = impl();
-    const ProxyIndex proxy = w.require(body);
+    const ProxyIndex proxy = w.bodies.require(body);
     require_valid(pose, body);
-    Slot& slot = w.slots[proxy];
+    const Slot& slot = w.bodies[proxy];
     if (same_bits(slot.pose, pose)) return;
     const Aabb box = box_for(*slot.shape, pose, body);
-    make_room(w.changed);
+    w.changes.make_room_for(1);
     w.broad_phase->move(proxy, box);
     // Nothing below throws.
-    slot.pose = pose;
-    w.boxes[proxy] = box;
-    w.mark_changed(proxy, Change::body);
+    w.bodies.set_pose(proxy, pose, box);
+    w.changes.mark(proxy, Change::body);
     if (w.trace) w.trace->write<calls::SetPose>(body, pose);
 }
 
@@ -29,12 +28,13 @@ void World::set_poses(std::span<const BodyId> bodies, std::span<const Pose> pose
     std::vector<Aabb> boxes;
     boxes.reserve(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const ProxyIndex proxy = w.require(bodies[i], i);
+        const ProxyIndex proxy = w.bodies.require(bodies[i], i);
         require_valid(poses[i], bodies[i], i);
-        const Slot& slot = w.slots[proxy];
-        boxes.push_back(same_bits(slot.pose, poses[i]) ? w.boxes[proxy] : box_for(*slot.shape, poses[i], bodies[i], i));
+        const Slot& slot = w.bodies[proxy];
+        boxes.push_back(same_bits(slot.pose, poses[i]) ? w.bodies.box(proxy)
+                                                       : box_for(*slot.shape, poses[i], bodies[i], i));
     }
-    make_room(w.changed, bodies.size());
+    w.changes.make_room_for(bodies.size());
     std::size_t moved_count = 0;
     try {
         for (; moved_count < bodies.size(); ++moved_count) {
@@ -43,18 +43,16 @@ void World::set_poses(std::span<const BodyId> bodies, std::span<const Pose> pose
     } catch (...) {
         while (moved_count-- > 0) {
             const ProxyIndex proxy = bodies[moved_count].slot - 1;
-            w.broad_phase->move(proxy, w.boxes[proxy]);
+            w.broad_phase->move(proxy, w.bodies.box(proxy));
         }
         throw;
     }
     // Nothing below throws.
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const ProxyIndex proxy = bodies[i].slot - 1;
-        Slot& slot = w.slots[proxy];
-        if (same_bits(slot.pose, poses[i])) continue;
-        slot.pose = poses[i];
-        w.boxes[proxy] = boxes[i];
-        w.mark_changed(proxy, Change::body);
+        if (same_bits(w.bodies[proxy].pose, poses[i])) continue;
+        w.bodies.set_pose(proxy, poses[i], boxes[i]);
+        w.changes.mark(proxy, Change::body);
     }
     if (w.trace) w.trace->write<calls::SetPoses>(bodies, poses);
 }

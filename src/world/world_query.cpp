@@ -19,38 +19,36 @@ std::uint64_t digest_of(const Slot& slot) {
 }  // namespace
 
 std::span<const BodyPair> World::overlapping_pairs() {
-    Impl& w = impl();
-    w.build_overlapping();
-    return w.overlapping;
+    return impl().collisions.overlapping();
 }
 std::span<const BodyPair> World::colliding_pairs() const {
-    return impl().colliding;
+    return impl().collisions.colliding();
 }
 std::span<const BodyPair> World::began() const {
-    return impl().began;
+    return impl().collisions.began();
 }
 std::span<const BodyPair> World::ended() const {
-    return impl().ended;
+    return impl().collisions.ended();
 }
 
 bool World::intersects(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
-    return w.test(w.require_pair(a, b), memory);
+    return w.test(w.bodies.require_pair(a, b), memory);
 }
 
 Relation World::relation(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
-    const ProxyPair pair = w.require_pair(a, b);
+    const ProxyPair pair = w.bodies.require_pair(a, b);
     return w.test_of(pair).ask(
-        w.slots[pair.a].posed(), w.slots[pair.b].posed(),
+        w.bodies[pair.a].posed(), w.bodies[pair.b].posed(),
         [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) { return t.relation(x, y, memory); });
 }
 
 std::vector<TrianglePair> World::intersecting_triangles(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
-    const ProxyPair pair = w.require_pair(a, b);
+    const ProxyPair pair = w.bodies.require_pair(a, b);
     const OrderedTest test = w.test_of(pair);
-    auto triangles = test.ask(w.slots[pair.a].posed(), w.slots[pair.b].posed(),
+    auto triangles = test.ask(w.bodies[pair.a].posed(), w.bodies[pair.b].posed(),
                               [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) {
                                   return t.intersecting_triangles(x, y, memory);
                               });
@@ -62,49 +60,42 @@ std::vector<TrianglePair> World::intersecting_triangles(BodyId a, BodyId b, Quer
 }
 
 bool World::intersects(BodyId a, BodyId b) {
-    return intersects(a, b, impl().memories[0]);
+    return intersects(a, b, impl().workers.caller_memory());
 }
 Relation World::relation(BodyId a, BodyId b) {
-    return relation(a, b, impl().memories[0]);
+    return relation(a, b, impl().workers.caller_memory());
 }
 std::vector<TrianglePair> World::intersecting_triangles(BodyId a, BodyId b) {
-    return intersecting_triangles(a, b, impl().memories[0]);
+    return intersecting_triangles(a, b, impl().workers.caller_memory());
 }
 
 Statistics World::statistics() const {
     const Impl& w = impl();
     Statistics statistics = w.statistics;
     statistics.broad_phase = w.broad_phase->counts();
-    for (const QueryMemory& memory : w.memories) statistics.queries += memory.counts();
-    statistics.body_count = w.slots.size() - w.free_slots.size() - w.retired_count;
-    statistics.overlapping_count = w.verdicts.enabled_count();
-    statistics.filtered_count = w.verdicts.size() - w.verdicts.enabled_count();
-    statistics.colliding_count = w.colliding.size();
-    statistics.memory_bytes = w.memory_bytes();
+    statistics.queries = w.workers.counts();
+    statistics.body_count = w.bodies.alive_count();
+    statistics.overlapping_count = w.collisions.verdicts().enabled_count();
+    statistics.filtered_count = w.collisions.verdicts().size() - statistics.overlapping_count;
+    statistics.colliding_count = w.collisions.colliding().size();
+    statistics.memory_bytes = w.bodies.memory_bytes() + w.changes.memory_bytes() + w.collisions.memory_bytes();
     return statistics;
-}
-
-std::size_t World::Impl::memory_bytes() const noexcept {
-    const auto bytes = [](const auto&... lists) { return ((lists.capacity() * sizeof(lists[0])) + ...); };
-    return bytes(slots, boxes, changes, free_slots, changed, switched, pair_tests, lost, overlapping, colliding, began,
-                 ended, next_began, next_ended) +
-           verdicts.memory_bytes() + disabled.memory_bytes();
 }
 
 // Sums of words that are themselves mixed: the order of bodies and pairs does not matter.
 std::uint64_t World::Impl::digest() const {
-    std::uint64_t bodies = 0;
-    for (const Slot& slot : slots) {
-        if (slot.is_alive()) bodies += mix(digest_of(slot));
+    std::uint64_t sum_of_bodies = 0;
+    for (ProxyIndex proxy = 0; proxy < bodies.end(); ++proxy) {
+        if (bodies[proxy].is_alive()) sum_of_bodies += mix(digest_of(bodies[proxy]));
     }
-    std::uint64_t pairs = 0;
-    for (const BodyPair& pair : colliding) {
-        if (!is_alive(pair.a) || !is_alive(pair.b)) continue;
-        const std::uint64_t a = digest_of(slots[pair.a.slot - 1]);
-        const std::uint64_t b = digest_of(slots[pair.b.slot - 1]);
-        pairs += mix(combine(std::min(a, b), std::max(a, b)));
+    std::uint64_t sum_of_pairs = 0;
+    for (const BodyPair& pair : collisions.colliding()) {
+        if (!bodies.is_alive(pair.a) || !bodies.is_alive(pair.b)) continue;
+        const std::uint64_t a = digest_of(bodies[pair.a.slot - 1]);
+        const std::uint64_t b = digest_of(bodies[pair.b.slot - 1]);
+        sum_of_pairs += mix(combine(std::min(a, b), std::max(a, b)));
     }
-    return combine(bodies, pairs);
+    return combine(sum_of_bodies, sum_of_pairs);
 }
 
 std::uint64_t World::digest() const {

@@ -5,39 +5,36 @@
 namespace ecods {
 
 void World::set_shape(BodyId body, const std::shared_ptr<const Mesh>& mesh) {
-    impl().require(body);
-    set_shape(body, impl().shape_of(mesh));
+    impl().bodies.require(body);
+    set_shape(body, impl().mesh_shapes.shape_of(mesh));
 }
 
 void World::set_shape(BodyId body, std::shared_ptr<const Shape> shape) {
     Impl& w = impl();
-    const ProxyIndex proxy = w.require(body);
+    const ProxyIndex proxy = w.bodies.require(body);
     require_usable(shape);
-    Slot& slot = w.slots[proxy];
+    const Slot& slot = w.bodies[proxy];
     if (slot.shape == shape) return;
     w.require_tests_for(shape->kind(), slot.shape.get());
     const Aabb box = box_for(*shape, slot.pose, body);
     const std::uint64_t number = w.traced_number(shape);
-    make_room(w.changed);
-    std::size_t& kind_count = w.kind_counts[shape->kind()];
+    w.changes.make_room_for(1);
+    w.bodies.make_room_for(shape->kind());
     w.broad_phase->move(proxy, box);
     // Nothing below throws.
-    --w.kind_counts[slot.kind];
-    ++kind_count;
-    w.put_shape(slot, std::move(shape));
-    w.boxes[proxy] = box;
-    w.mark_changed(proxy, Change::body);
+    w.bodies.set_shape(proxy, std::move(shape), box);
+    w.changes.mark(proxy, Change::body);
     if (w.trace) w.trace->write<calls::SetShape>(body, number);
 }
 
 void World::set_test(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test) {
     Impl& w = impl();
     if (!test) throw NullArgument("test");
-    w.changed.reserve(w.slots.size());
+    w.changes.make_room_for_all();
     w.tests.set(a, b, std::move(test));
-    for (ProxyIndex proxy = 0; proxy < w.slots.size(); ++proxy) {
-        const Slot& slot = w.slots[proxy];
-        if (slot.is_alive() && (slot.kind == a || slot.kind == b)) w.mark_changed(proxy, Change::test);
+    for (ProxyIndex proxy = 0; proxy < w.bodies.end(); ++proxy) {
+        const Slot& slot = w.bodies[proxy];
+        if (slot.is_alive() && (slot.kind == a || slot.kind == b)) w.changes.mark(proxy, Change::test);
     }
     if (w.trace) w.trace->note("the test of two kinds of shape was set");
 }

@@ -18,7 +18,7 @@ void trace_body(TraceWriter& trace, BodyId body, const Slot& slot, std::uint64_t
 }  // namespace
 
 void World::Impl::trace_body(ProxyIndex proxy, std::uint64_t shape_number) noexcept {
-    ecods::trace_body(*trace, id_of(proxy), slots[proxy], shape_number);
+    ecods::trace_body(*trace, bodies.id_of(proxy), bodies[proxy], shape_number);
 }
 
 // What is here is written as the calls that make it.
@@ -26,14 +26,14 @@ void World::trace_to(std::ostream& out, TraceOptions options) {
     Impl& w = impl();
     w.trace.reset();
     auto trace = std::make_unique<TraceWriter>(out, std::move(options));
-    const auto bodies = this->bodies();
-    trace->begin(w.broad_phase->kind(), w.slots.size());
-    for (const BodyId body : bodies) {
-        const ProxyIndex proxy = body.slot - 1;
-        trace_body(*trace, body, w.slots[proxy], trace->number_of(w.slots[proxy].shape));
+    const std::vector<BodyId> ids = w.bodies.ids();
+    trace->begin(w.broad_phase->kind(), w.bodies.end());
+    for (const BodyId body : ids) {
+        const Slot& slot = w.bodies[body.slot - 1];
+        trace_body(*trace, body, slot, trace->number_of(slot.shape));
     }
-    for (const ProxyPair pair : w.disabled.list()) {
-        trace->write<calls::SetPairEnabled>(w.id_of(pair.a), w.id_of(pair.b), false);
+    for (const ProxyPair pair : w.bodies.disabled().list()) {
+        trace->write<calls::SetPairEnabled>(w.bodies.id_of(pair.a), w.bodies.id_of(pair.b), false);
     }
     w.trace = std::move(trace);
 }

@@ -29,7 +29,7 @@ struct Options {
     bool json = false;
     bool oracle = false;
     BroadPhaseKind broad_phase = BroadPhaseKind::sweep_and_prune;
-    InstructionSet instruction_set = supported_instruction_set();
+    InstructionSet instruction_set = environment::widest_instruction_set();
 };
 
 int check_files(const Options& options) {

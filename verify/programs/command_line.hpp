@@ -6,11 +6,13 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "ecods/broad_phase.hpp"
 #include "ecods/version.hpp"
+#include "environment/instruction_sets.hpp"
 
 namespace ecods::programs {
 
@@ -36,16 +38,21 @@ inline CLI::Option* add_broad_phase(CLI::App& app, BroadPhaseKind& kind, const s
                                       about);
 }
 
-// Adds --version, and parses. When the program is to end at once, its exit status: 0 after --help and --version, which
-// are printed, and exit_misused after an error, which is printed to the error stream.
+// Hands ECODS_INSTRUCTION_SET on to the library, adds --version, and parses. When the program is to end at once, its
+// exit status: 0 after --help and --version, which are printed, and exit_misused after an error, which is printed to
+// the error stream.
 inline std::optional<int> parse(CLI::App& app, int argc, const char* const* argv) {
     const std::string version =
         fmt::format("{} {}.{}.{}", app.get_name(), ECODS_VERSION_MAJOR, ECODS_VERSION_MINOR, ECODS_VERSION_PATCH);
     app.set_version_flag("--version", version, "Print the version, and end");
     try {
+        environment::limit_by_variable();
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : exit_misused;
+    } catch (const std::invalid_argument& error) {
+        fmt::print(stderr, "{}: {}\n", app.get_name(), error.what());
+        return exit_misused;
     }
     return std::nullopt;
 }

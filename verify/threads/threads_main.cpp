@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ecods/ecods.hpp"
+#include "environment/instruction_sets.hpp"
 
 namespace {
 
@@ -118,6 +119,7 @@ std::optional<std::uint64_t> digest_of_worlds() {
 }  // namespace
 
 int main() {
+    environment::limit_by_variable_or_exit();
     const bool shapes = shared_shapes_answer_alike();
     const auto worlds = digest_of_worlds();
     std::printf("shapes %s, worlds %s", shapes ? "ok" : "WRONG", worlds ? "ok" : "WRONG");

@@ -148,6 +148,46 @@ TEST(TextRules, CommentsAreBlankedAndNothingElse) {
     EXPECT_EQ(without_comments("\"\\\"//\" /"), "\"\\\"//\" /");
 }
 
+TEST(TextRules, CommentsAreTakenOut) {
+    EXPECT_EQ(comments_of("a // b\nc /* d\ne */ f"), "  // b\n  /* d\ne */  ");
+}
+
+TEST(TextRules, PuzzlingWordsAreFoundWithTheirPlainNames) {
+    for (const char* text : {"double horizon_ = 24;", "struct Habits {", "// a lively scene", "bool is_worn;",
+                             "// room to move", "// is built anew", "int centre;", "// a if b; else c", "// 3 u in sum",
+                             "turn_room(box)", "// which tells them apart"}) {
+        EXPECT_EQ(find_puzzling_words(text).size(), 1U) << text;
+    }
+    for (const char* text : {"make_room(list);", "if (a) b; else c;", "// nothing else", "// the rest", "center",
+                             "// from scratch", "dismissed", "intelligible", "mushroom"}) {
+        EXPECT_TRUE(find_puzzling_words(text).empty()) << text;
+    }
+    EXPECT_TRUE(find_puzzling_prose("the rooms of the house").empty());
+    EXPECT_EQ(find_puzzling_words("a\nhabits\n").at(0).line, 2);
+    EXPECT_EQ(find_puzzling_words("habits").at(0).what.substr(0, 11), "motion hint");
+}
+
+TEST(TextRules, LongFunctionsAreFoundAndLongTablesAreNot) {
+    const auto lines = [](std::size_t count, const std::string& line) {
+        std::string text;
+        for (std::size_t i = 0; i < count; ++i) text += line;
+        return text;
+    };
+    const std::string longest = "void f() {\n" + lines(function_lines_max - 2, "    g();\n") + "}\n";
+    EXPECT_TRUE(find_long_functions(longest).empty());
+    const std::string longer = "void f() {\n" + lines(function_lines_max - 1, "    g();\n") + "}\n";
+    ASSERT_EQ(find_long_functions("\n" + longer).size(), 1U);
+    EXPECT_EQ(find_long_functions("\n" + longer)[0].line, 2);
+    EXPECT_TRUE(find_long_functions("namespace a {\n" + longest + longest + "}\n").empty());
+    EXPECT_EQ(find_long_functions("namespace a {\n" + longer + longer + "}\n").size(), 2U);
+    EXPECT_EQ(find_long_functions("void f() {\n    if (a) {\n" + lines(80, "        g();\n") + "    }\n}\n").size(),
+              1U);
+    EXPECT_TRUE(
+        find_long_functions("int f() {\n    const T t = {\n" + lines(80, "        1,\n") + "    };\n}\n").empty());
+    EXPECT_EQ(find_long_functions("class A {\n    void f() {\n" + lines(80, "        g();\n") + "    }\n};\n").size(),
+              1U);
+}
+
 TEST(TextRules, LinesAreCounted) {
     EXPECT_EQ(count_lines(""), 0u);
     EXPECT_EQ(count_lines("a"), 1u);

@@ -1,7 +1,9 @@
 #include "tidy/text_rules.hpp"
 
 #include <algorithm>
+#include <array>
 #include <regex>
+#include <span>
 #include <sstream>
 
 namespace ecods::tidy {
@@ -41,18 +43,70 @@ std::size_t end_of_token(std::string_view text, std::size_t at) {
     return at + 1;
 }
 
-}  // namespace
-
-std::string without_comments(std::string_view text) {
+// The text with its comments, or with everything but these, replaced by spaces.
+std::string blanked(std::string_view text, bool are_comments_blanked) {
     std::string result(text);
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = end_of_token(text, at);
-        if (text.substr(at).starts_with("//") || text.substr(at).starts_with("/*")) {
+        const bool is_comment = text.substr(at).starts_with("//") || text.substr(at).starts_with("/*");
+        if (is_comment == are_comments_blanked) {
             for (std::size_t i = at; i < end; ++i) result[i] = result[i] == '\n' ? '\n' : ' ';
         }
         at = end;
     }
     return result;
+}
+
+// A word, as a regular expression, and what to write in its place.
+struct PuzzlingWord {
+    const char* word;
+    const char* instead;
+};
+
+constexpr std::array prose_words = {
+    PuzzlingWord{"horizons?", "lookahead"},
+    PuzzlingWord{"habits?", "motion hint"},
+    PuzzlingWord{"worn", "degraded"},
+    PuzzlingWord{"newcomers?", "unsorted"},
+    PuzzlingWord{"invented", "false positives"},
+    PuzzlingWord{"missed", "false negatives"},
+    PuzzlingWord{"lively", "dynamic"},
+    PuzzlingWord{"rests|rested", "is at rest"},
+    PuzzlingWord{"tells?|told|foretold", "say, show, apply"},
+    PuzzlingWord{"anew", "again, from scratch"},
+    PuzzlingWord{"mend(s|ed)?", "fix"},
+    PuzzlingWord{"in sum", "together, summed"},
+    PuzzlingWord{"centre[sd]?", "center"},
+};
+constexpr std::array source_words = {
+    PuzzlingWord{"rooms?", "margin of a box, space in a list"},
+    PuzzlingWord{"plant(s|ed)?", "build"},
+    PuzzlingWord{"near_lanes", "overlap_mask"},
+    PuzzlingWord{"tree_slabs", "slabs"},
+    PuzzlingWord{"tree_frame", "local_frame"},
+    PuzzlingWord{"outlines?", "support_table"},
+    PuzzlingWord{"box_axes", "separating_axes"},
+};
+
+void find_words(std::string_view text, std::span<const PuzzlingWord> words, std::vector<Finding>& found) {
+    for (const PuzzlingWord& each : words) {
+        const std::regex pattern("(^|[^a-z])(" + std::string(each.word) + ")([^a-z]|$)", std::regex::icase);
+        find_in_lines(std::string(text), pattern, each.instead, found);
+    }
+}
+
+std::size_t indentation(std::string_view line) {
+    return std::min(line.find_first_not_of(' '), line.size());
+}
+
+}  // namespace
+
+std::string without_comments(std::string_view text) {
+    return blanked(text, true);
+}
+
+std::string comments_of(std::string_view text) {
+    return blanked(text, false);
 }
 
 std::vector<Finding> find_tolerances(std::string_view text) {
@@ -61,6 +115,52 @@ std::vector<Finding> find_tolerances(std::string_view text) {
     std::vector<Finding> found;
     find_in_lines(std::string(text), words, "a word that hides a decision", found);
     find_in_lines(without_comments(text), decimals, "a bare decimal tolerance", found);
+    return found;
+}
+
+std::vector<Finding> find_puzzling_prose(std::string_view text) {
+    std::vector<Finding> found;
+    find_words(text, prose_words, found);
+    return found;
+}
+
+std::vector<Finding> find_puzzling_words(std::string_view text) {
+    // make_room is of memory.
+    static const std::regex make_room("make_room");
+    const std::string rest = std::regex_replace(std::string(text), make_room, "");
+    static const std::regex elses("[,;:] else|or else");
+    std::vector<Finding> found = find_puzzling_prose(rest);
+    find_words(rest, source_words, found);
+    find_in_lines(comments_of(text), elses, "otherwise", found);
+    return found;
+}
+
+std::vector<Finding> find_long_functions(std::string_view text) {
+    static const std::regex no_function("^ *(namespace|extern|class|struct|enum|union|template)\\b|= \\{$");
+    std::vector<std::string> lines;
+    std::istringstream in{without_comments(text)};
+    for (std::string line; std::getline(in, line);) lines.push_back(line.substr(0, line.find_last_not_of(' ') + 1));
+    // The line with its closing brace; the line itself where what begins there is no block of lines.
+    const auto end_of_block = [&](std::size_t begin) {
+        const std::size_t outer = indentation(lines[begin]);
+        for (std::size_t i = begin + 1; i < lines.size(); ++i) {
+            if (lines[i].empty() || lines[i][0] == '#' || indentation(lines[i]) > outer) continue;
+            return indentation(lines[i]) == outer && lines[i][outer] == '}' ? i : begin;
+        }
+        return begin;
+    };
+    std::vector<Finding> found;
+    for (std::size_t begin = 0; begin < lines.size(); ++begin) {
+        if (!lines[begin].ends_with('{') || std::regex_search(lines[begin], no_function)) continue;
+        const std::size_t end = end_of_block(begin);
+        std::size_t count = 0;
+        for (std::size_t i = begin; i <= end; ++i, ++count) {
+            if (lines[i].ends_with("= {")) i = end_of_block(i);
+        }
+        if (count <= function_lines_max) continue;
+        found.push_back({static_cast<int>(begin + 1), std::to_string(count) + " lines"});
+        begin = end;
+    }
     return found;
 }
 

@@ -8,7 +8,8 @@
 
 namespace ecods::tidy {
 
-inline constexpr std::size_t lines_max = 500;
+inline constexpr std::size_t lines_max = 350;          // of a file
+inline constexpr std::size_t function_lines_max = 60;  // of a function, from its name to its brace
 
 struct Finding {
     int line = 0;  // from 1
@@ -17,11 +18,23 @@ struct Finding {
 
 // The text with comments blanked out: lines and columns stay. Literals are kept.
 std::string without_comments(std::string_view text);
+// The opposite: the comments of the text, at their lines and columns.
+std::string comments_of(std::string_view text);
 
 // Words that hide a decision about numbers (see words in the .cpp file), in code and comments, alone or as a part of a
 // name; and decimal numbers with a negative exponent in code, which are tolerances somebody chose. A bound is a
 // formula, and a power of two is written 0x1p-52.
 std::vector<Finding> find_tolerances(std::string_view text);
+
+// Words that a reader meets twice before they mean something, or that have a plainer name in the field: each finding
+// says which to take instead. In names and comments, alone or as a part of a name.
+std::vector<Finding> find_puzzling_words(std::string_view text);
+// The same in prose, where some of them mean what they mean anywhere.
+std::vector<Finding> find_puzzling_prose(std::string_view text);
+
+// Functions that are longer than function_lines_max, by the indentation that clang-format gives them: lambdas and loops
+// are parts of theirs, and the lines of a table, which begins with `= {`, are not counted.
+std::vector<Finding> find_long_functions(std::string_view text);
 
 std::size_t count_lines(std::string_view text);
 

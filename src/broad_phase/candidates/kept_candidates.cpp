@@ -8,7 +8,7 @@
 namespace ecods {
 namespace {
 
-constexpr double horizon_min = 2, horizon_max = 64;
+constexpr double lookahead_min = 2, lookahead_max = 64;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void KeptCandidates::reserve(std::size_t count) {
     old_fat_lines_.reserve(count);
     proxies_.reserve(count);
     flags_.reserve(count);
-    habits_.reserve(count);
+    motion_hints_.reserve(count);
     slots_.reserve(count);
 }
 
@@ -56,25 +56,25 @@ void KeptCandidates::update(const ProxyTable& table, const ProxyChanges& changes
     if (wasted_work_ + search_work_ > 512 * static_cast<double>(used_count_)) adapt();
     if (!escaped_.empty()) {
         const std::size_t count = table.size();
-        const bool is_worn = searched_since_sort_ > 4 * count || 4 * forest_.unsorted_count() > count + 64 ||
-                             proxies_.size() > 2 * count + 64;
+        const bool is_degraded = searched_since_sort_ > 4 * count || 4 * forest_.unsorted_count() > count + 64 ||
+                                 proxies_.size() > 2 * count + 64;
         const bool many_escaped = 8 * escaped_.size() > count;
         if (many_escaped) {
             adapt();
             learn_turns();
         }
-        const std::vector<BoxForest::Item> newcomers = fatten_escaped(table);
-        if (many_escaped || is_worn) {
-            search_all(newcomers, is_worn, update);
+        const std::vector<BoxForest::Item> unsorted = fatten_escaped(table);
+        if (many_escaped || is_degraded) {
+            search_all(unsorted, is_degraded, update);
             ++counts.rebuilds;
         } else {
             searched_since_sort_ += escaped_.size();
-            search_escaped(newcomers, update);
+            search_escaped(unsorted, update);
         }
         escaped_.clear();
     }
     // A test in a search costs more than one in the filter, since it comes with sorting, linking and a new fat box.
-    // Those for boxes that jumped do not count: no room would have spared them.
+    // Those for boxes that jumped do not count: no margin would have spared them.
     constexpr double search_cost = 2;
     search_work_ += search_cost * static_cast<double>(counts.box_tests - searched_before - jump_tests_);
     jump_tests_ = 0;
@@ -87,29 +87,29 @@ void KeptCandidates::update(const ProxyTable& table, const ProxyChanges& changes
 void KeptCandidates::adapt() {
     constexpr std::size_t updates_min = 4;  // fewer are no motion to learn from
     if (updates_since_search_ >= updates_min) {
-        horizon_ *= std::clamp(std::sqrt((search_work_ + 1) / (wasted_work_ + 1)), 0.5, 2.0);
-        horizon_ = std::clamp(horizon_, horizon_min, horizon_max);
+        lookahead_ *= std::clamp(std::sqrt((search_work_ + 1) / (wasted_work_ + 1)), 0.5, 2.0);
+        lookahead_ = std::clamp(lookahead_, lookahead_min, lookahead_max);
     }
     wasted_work_ = 0;
     search_work_ = 0;
 }
 
 // Before anything is known of a motion: what is filtered for nothing grows with the pairs there are, and what a search
-// costs does not, so that the best horizon falls with the root of the pairs a box has. Measured, of boxes of like
+// costs does not, so that the best lookahead falls with the root of the pairs a box has. Measured, of boxes of like
 // sizes.
-void KeptCandidates::guess_horizon(std::size_t pair_count) {
-    constexpr double horizon_for_one_pair = 50;
+void KeptCandidates::guess_lookahead(std::size_t pair_count) {
+    constexpr double lookahead_for_one_pair = 50;
     const double pairs_per_box = static_cast<double>(pair_count + 1) / static_cast<double>(used_count_ + 1);
-    horizon_ = std::clamp(horizon_for_one_pair / std::sqrt(pairs_per_box), horizon_min, horizon_max);
+    lookahead_ = std::clamp(lookahead_for_one_pair / std::sqrt(pairs_per_box), lookahead_min, lookahead_max);
 }
 
-// Boxes that rest cost as long as they are awake. To wake one again costs a search, so they are put to sleep when they
+// Boxes at rest cost as long as they are awake. To wake one again costs a search, so they are put to sleep when they
 // have cost about as much; the pass that does so is paid for by the same work.
 void KeptCandidates::put_to_sleep(std::size_t moved_count) {
     constexpr std::uint64_t patience = 16;
-    if (moved_count < awake_count_) rested_ += awake_count_ - moved_count;
-    if (rested_ <= patience * awake_count_) return;
-    rested_ = 0;
+    if (moved_count < awake_count_) updates_at_rest_ += awake_count_ - moved_count;
+    if (updates_at_rest_ <= patience * awake_count_) return;
+    updates_at_rest_ = 0;
     for (SlotIndex slot = 0; slot < flags_.size(); ++slot) {
         if (has_flag(slot, awake) && !has_flag(slot, moved)) {
             clear_flag(slot, awake);
@@ -154,7 +154,7 @@ SlotIndex KeptCandidates::take_slot() {
     old_fat_lines_.emplace_back();
     proxies_.push_back(0);
     flags_.push_back(0);
-    habits_.emplace_back();
+    motion_hints_.emplace_back();
     return static_cast<SlotIndex>(lines_.size() - 1);
 }
 
@@ -165,7 +165,7 @@ void KeptCandidates::add(const std::vector<ProxyIndex>& proxies, const ProxyTabl
         const SlotIndex slot = take_slot();
         make_packed_box(table.boxes()[proxy], lines_[slot]);
         proxies_[slot] = proxy;
-        habits_[slot] = {};
+        motion_hints_[slot] = {};
         slots_[proxy] = slot;
         ++used_count_;
         escaped_.push_back({slot, lines_[slot]});
@@ -173,7 +173,7 @@ void KeptCandidates::add(const std::vector<ProxyIndex>& proxies, const ProxyTabl
 }
 
 std::size_t KeptCandidates::bytes() const noexcept {
-    return bytes_of(lines_, fat_lines_, old_fat_lines_, proxies_, flags_, habits_) +
+    return bytes_of(lines_, fat_lines_, old_fat_lines_, proxies_, flags_, motion_hints_) +
            bytes_of(candidates_, slots_, free_slots_, changed_slots_, escaped_, found_) + forest_.bytes();
 }
 

@@ -1,4 +1,4 @@
-// The broad phase for large and lively scenes: pairs that may overlap for a while, kept and filtered.
+// The broad phase for large, dynamic scenes: pairs that may overlap for a while, kept and filtered.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,18 @@
 
 namespace ecods {
 
-// Each box lies in a fat one, which leaves room for it to go on as it does. As long as boxes stay in their fat boxes,
-// only those can overlap whose fat boxes do. A box that moves is awake, and so it stays until it has rested for a
+// Each box lies in a fat one, with a margin in which it can go on as it does. As long as boxes stay in their fat boxes,
+// only those can overlap whose fat boxes do. A box that moves is awake, and so it stays until it has been at rest for a
 // while. Pairs whose fat boxes overlap, one of the two awake, are the candidates; an update tests all of them in one
 // go, and nothing else. A box that escaped gets a new fat box and looks for new candidates in trees of fat boxes, as
-// one that awakes does in its old fat box; when many did, all is done anew at once. Boxes are kept in slots, numbered
-// so that neighbours are close in memory.
+// one that awakes does in its old fat box; when many did, all candidates are searched for at once. Boxes are kept in
+// slots, numbered so that neighbours are close in memory.
 //
 // Right whatever the fat boxes are, as long as they contain their boxes; how fat they are is a matter of speed.
 class KeptCandidates final : public PairFinder {
   public:
     // How a box moved when it last escaped, by axis.
-    struct Habits {
+    struct MotionHint {
         std::array<std::int8_t, 3> direction{};  // 1 up, -1 down, 0 not known
         std::array<bool, 3> turns{};
     };
@@ -60,10 +60,10 @@ class KeptCandidates final : public PairFinder {
     void add(const std::vector<ProxyIndex>& proxies, const ProxyTable& table);
     SlotIndex take_slot();
     void adapt();
-    void guess_horizon(std::size_t pair_count);
+    void guess_lookahead(std::size_t pair_count);
     void put_to_sleep(std::size_t moved_count);
 
-    // filter_candidates.cpp
+    // kept_candidates_filter.cpp
     void move_all(const ProxyTable& table);
     void move_some(std::span<const ProxyIndex> proxies, const ProxyTable& table);
     void move_all_wide(const ProxyTable& table);
@@ -73,19 +73,19 @@ class KeptCandidates final : public PairFinder {
     void filter_wide(Update& update);
     void report(Candidate& candidate, Update& update);
 
-    // fatten_boxes.cpp
+    // kept_candidates_margin.cpp
     PackedBox fatten(const Escaped& escaped, const Aabb& box) noexcept;
     std::vector<BoxForest::Item> fatten_escaped(const ProxyTable& table);
     void prefetch(SlotIndex slot) const noexcept;
     void learn_turns();
     void fatten_used_up(const ProxyTable& table);
 
-    // find_candidates.cpp
+    // kept_candidates_search.cpp
     void wake(std::span<const ProxyIndex> proxies, Update& update);
     void wake_all(Update& update);
-    void search_escaped(std::span<const BoxForest::Item> newcomers, Update& update);
+    void search_escaped(std::span<const BoxForest::Item> unsorted, Update& update);
     void link(SlotIndex slot, Update& update);
-    void search_all(std::span<const BoxForest::Item> newcomers, bool must_sort, Update& update);
+    void search_all(std::span<const BoxForest::Item> unsorted, bool must_sort, Update& update);
     void sort_slots(const ProxyTable& table);
     void take_found(Update& update);
     bool were_candidates(SlotIndex a, SlotIndex b) const noexcept;
@@ -99,7 +99,7 @@ class KeptCandidates final : public PairFinder {
     std::vector<PackedBox> old_fat_lines_;
     std::vector<ProxyIndex> proxies_;
     std::vector<std::uint8_t> flags_;
-    std::vector<Habits> habits_;
+    std::vector<MotionHint> motion_hints_;
 
     std::vector<Candidate> candidates_;
     std::vector<SlotIndex> slots_;  // by proxy
@@ -109,9 +109,9 @@ class KeptCandidates final : public PairFinder {
 
     std::size_t used_count_ = 0;  // slots that are not free
     std::size_t awake_count_ = 0;
-    std::uint64_t rested_ = 0;  // updates that an awake box did not move in, summed
+    std::uint64_t updates_at_rest_ = 0;  // updates in which an awake box did not move, summed
     double mean_extent_ = 0;
-    double horizon_ = 24;  // for how many updates a fat box leaves room
+    double lookahead_ = 24;  // the updates for which a margin is meant to last
     double wasted_work_ = 0;
     double search_work_ = 0;
     std::uint64_t jump_tests_ = 0;   // of an update, for boxes that are far from where they were
@@ -121,7 +121,7 @@ class KeptCandidates final : public PairFinder {
     std::array<std::uint64_t, 3> turn_counts_{};
     std::array<bool, 3> is_turning_common_{};
     double tests_after_sort_ = 0;  // for each box, when everything was looked up
-    bool is_worn_ = false;         // they became more
+    bool is_degraded_ = false;     // tests a box became many more than that
 
     // Working memory of an update.
     std::vector<Escaped> escaped_;

@@ -1,4 +1,4 @@
-// Fat boxes: how much room a box gets, and where.
+// Margins: how far a fat box reaches beyond its box, and to which sides.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,43 +9,43 @@
 namespace ecods {
 namespace {
 
-constexpr double back = 0.125;  // room for turning back, as a share of the room ahead
+constexpr double back = 0.125;  // the margin behind, for turning back, as a share of the margin ahead
 
 // How many escaped boxes ahead memory is asked for.
 constexpr std::size_t prefetch_distance = 6;
 
-double share_behind(const KeptCandidates::Habits& habits, std::size_t axis) noexcept {
-    return habits.turns[axis] || habits.direction[axis] == 0 ? 0.5 : back / (1 + back);
+double share_behind(const KeptCandidates::MotionHint& hint, std::size_t axis) noexcept {
+    return hint.turns[axis] || hint.direction[axis] == 0 ? 0.5 : back / (1 + back);
 }
 
-// Enlarges `fat` by the room that there was around a box, turned to where that one went.
-void turn_room(const PackedBox& packed_box, const PackedBox& old_line, const KeptCandidates::Habits& habits,
-               double limit, Aabb& fat) noexcept {
+// Enlarges `fat` by the margin that a box had, shifted towards the side that the box went to.
+void turn_margin(const PackedBox& packed_box, const PackedBox& old_line, const KeptCandidates::MotionHint& hint,
+                 double limit, Aabb& fat) noexcept {
     const KeyBox box = key_box(packed_box);
     const KeyBox old = key_box(old_line);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<Eigen::Index>(axis);
-        const double room = (double_of(box.min[axis]) - double_of(old.min[axis])) +
-                            (double_of(old.max[axis]) - double_of(box.max[axis]));
-        if (!(room > 0)) continue;
-        const double behind = share_behind(habits, axis);
-        const double low = habits.direction[axis] > 0 ? behind : 1 - behind;
-        fat.min[k] -= std::min(limit, low * room);
-        fat.max[k] += std::min(limit, (1 - low) * room);
+        const double margin = (double_of(box.min[axis]) - double_of(old.min[axis])) +
+                              (double_of(old.max[axis]) - double_of(box.max[axis]));
+        if (!(margin > 0)) continue;
+        const double behind = share_behind(hint, axis);
+        const double low = hint.direction[axis] > 0 ? behind : 1 - behind;
+        fat.min[k] -= std::min(limit, low * margin);
+        fat.max[k] += std::min(limit, (1 - low) * margin);
     }
 }
 
-// Whether the room ahead is nearly used up.
+// Whether the margin ahead is nearly used up.
 bool is_about_to_escape(const PackedBox& line, const PackedBox& fat_line,
-                        const KeptCandidates::Habits& habits) noexcept {
+                        const KeptCandidates::MotionHint& hint) noexcept {
     constexpr double left = 0.125;
     const KeyBox box = key_box(line);
     const KeyBox fat = key_box(fat_line);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (habits.direction[axis] == 0) continue;
+        if (hint.direction[axis] == 0) continue;
         const double low = double_of(box.min[axis]) - double_of(fat.min[axis]);
         const double high = double_of(fat.max[axis]) - double_of(box.max[axis]);
-        const double ahead = habits.direction[axis] > 0 ? high : low;
+        const double ahead = hint.direction[axis] > 0 ? high : low;
         if (ahead < left * (low + high)) return true;
     }
     return false;
@@ -53,13 +53,13 @@ bool is_about_to_escape(const PackedBox& line, const PackedBox& fat_line,
 
 }  // namespace
 
-// Room for `horizon_` more steps like the last one, and some for turning back. No more than half an extent, so that
-// what is fast does not collect candidates that it will not meet. A step that is longer than that was a jump and tells
-// nothing; then it gets the room that it had before, in the direction that it went.
+// The margin is `lookahead_` more steps like the last one, and some for turning back. It is at most half an extent, so
+// that a fast box does not collect candidates that it will not meet. A longer step was a jump, after which the next one
+// is not known; then the box gets the margin that it had before, in the direction that it went.
 PackedBox KeptCandidates::fatten(const Escaped& escaped, const Aabb& box) noexcept {
     const double largest = (box.max - box.min).maxCoeff();
-    const double room = 0.5 * (largest < mean_extent_ ? mean_extent_ : largest);
-    if (!(room <= std::numeric_limits<double>::max())) return lines_[escaped.slot];
+    const double margin_max = 0.5 * (largest < mean_extent_ ? mean_extent_ : largest);
+    if (!(margin_max <= std::numeric_limits<double>::max())) return lines_[escaped.slot];
     Vec3 down, up;  // how far each side moved out
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<Eigen::Index>(axis);
@@ -67,24 +67,24 @@ PackedBox KeptCandidates::fatten(const Escaped& escaped, const Aabb& box) noexce
         up[k] = box.max[k] - double_of(~escaped.before.ends[axis + 4]);
     }
     Aabb fat = box;
-    Habits& habits = habits_[escaped.slot];
+    MotionHint& hint = motion_hints_[escaped.slot];
     const PackedBox& old_line = fat_lines_[escaped.slot];
-    if (down.cwiseAbs().maxCoeff() <= room && up.cwiseAbs().maxCoeff() <= room) {
+    if (down.cwiseAbs().maxCoeff() <= margin_max && up.cwiseAbs().maxCoeff() <= margin_max) {
         for (Eigen::Index k = 0; k < 3; ++k) {
             if (down[k] == up[k]) continue;
             const std::int8_t direction = up[k] > down[k] ? 1 : -1;
-            // What turned before its room was used up will turn again, as what lies between two others does.
-            if (direction == -habits.direction[k]) {
-                habits.turns[k] = true;
+            // What turned before its margin was used up will turn again, as what lies between two others does.
+            if (direction == -hint.direction[k]) {
+                hint.turns[k] = true;
                 ++turn_counts_[k];
             }
-            habits.direction[k] = direction;
-            const double behind = habits.turns[k] || is_turning_common_[k] ? 1 : back;
-            fat.min[k] -= std::min(room, horizon_ * std::max(down[k], -behind * down[k]));
-            fat.max[k] += std::min(room, horizon_ * std::max(up[k], -behind * up[k]));
+            hint.direction[k] = direction;
+            const double behind = hint.turns[k] || is_turning_common_[k] ? 1 : back;
+            fat.min[k] -= std::min(margin_max, lookahead_ * std::max(down[k], -behind * down[k]));
+            fat.max[k] += std::min(margin_max, lookahead_ * std::max(up[k], -behind * up[k]));
         }
     } else if (!old_line.is_empty()) {
-        turn_room(escaped.before, old_line, habits, room, fat);
+        turn_margin(escaped.before, old_line, hint, margin_max, fat);
     }
     // Rounding, in whatever direction, must not leave the box outside.
     PackedBox line;
@@ -98,13 +98,13 @@ void KeptCandidates::prefetch(SlotIndex slot) const noexcept {
     __builtin_prefetch(&lines_[slot]);
     __builtin_prefetch(&fat_lines_[slot]);
     __builtin_prefetch(&old_fat_lines_[slot], 1);
-    __builtin_prefetch(&habits_[slot], 1);
+    __builtin_prefetch(&motion_hints_[slot], 1);
 }
 
 // Gives the escaped boxes their new fat boxes. Returns those that are far from where they were, or new: in their old
 // place in the forest, they would stretch the bounds around it.
 std::vector<BoxForest::Item> KeptCandidates::fatten_escaped(const ProxyTable& table) {
-    std::vector<BoxForest::Item> newcomers;
+    std::vector<BoxForest::Item> unsorted;
     for (std::size_t i = 0; i < escaped_.size(); ++i) {
         if (i + 2 * prefetch_distance < escaped_.size()) prefetch(escaped_[i + 2 * prefetch_distance].slot);
         if (i + prefetch_distance < escaped_.size()) {
@@ -117,13 +117,13 @@ std::vector<BoxForest::Item> KeptCandidates::fatten_escaped(const ProxyTable& ta
         const PackedBox old = std::exchange(fat_lines_[slot], fat);
         old_fat_lines_[slot] = old;
         set_flag(slot, searching);
-        if (old.is_empty() || !overlap(old, fat)) newcomers.push_back(BoxForest::make_item(box, slot));
+        if (old.is_empty() || !overlap(old, fat)) unsorted.push_back(BoxForest::make_item(box, slot));
     }
-    return newcomers;
+    return unsorted;
 }
 
-// Which directions boxes often turn in, say because they lie in one layer. Room behind all of them costs about as much
-// as a search for one in this many of them in each update.
+// Which directions boxes often turn in, say because they lie in one layer. A margin behind all of them costs about as
+// much as a search for one in this many of them in each update.
 void KeptCandidates::learn_turns() {
     constexpr double rare = 512;
     const double moves = static_cast<double>(awake_count_) * static_cast<double>(updates_since_search_);
@@ -138,9 +138,9 @@ void KeptCandidates::learn_turns() {
 void KeptCandidates::fatten_used_up(const ProxyTable& table) {
     for (SlotIndex slot = 0; slot < lines_.size(); ++slot) {
         if (!has_flag(slot, awake) || has_flag(slot, searching)) continue;
-        if (!is_about_to_escape(lines_[slot], fat_lines_[slot], habits_[slot])) continue;
+        if (!is_about_to_escape(lines_[slot], fat_lines_[slot], motion_hints_[slot])) continue;
         Aabb fat = table.boxes()[proxies_[slot]];
-        turn_room(lines_[slot], fat_lines_[slot], habits_[slot], std::numeric_limits<double>::infinity(), fat);
+        turn_margin(lines_[slot], fat_lines_[slot], motion_hints_[slot], std::numeric_limits<double>::infinity(), fat);
         old_fat_lines_[slot] = fat_lines_[slot];
         set_flag(slot, searching);
         make_packed_box(fat, fat_lines_[slot]);

@@ -67,16 +67,16 @@ void KeptCandidates::wake_all(Update& update) {
         candidate[1] |= overlap_bit;
         ++overlapping;
     }
-    guess_horizon(overlapping);
+    guess_lookahead(overlapping);
 }
 
-void KeptCandidates::search_escaped(std::span<const BoxForest::Item> newcomers, Update& update) {
-    for (const BoxForest::Item& newcomer : newcomers) forest_.remove(newcomer.item.slot);
+void KeptCandidates::search_escaped(std::span<const BoxForest::Item> unsorted, Update& update) {
+    for (const BoxForest::Item& each : unsorted) forest_.remove(each.item.slot);
     for (std::size_t i = 0; i < escaped_.size(); ++i) {
         if (i + prefetch_distance < escaped_.size()) forest_.prefetch(escaped_[i + prefetch_distance].slot);
         forest_.set(escaped_[i].slot, fat_lines_[escaped_[i].slot]);
     }
-    forest_.add(newcomers, fat_lines_);
+    forest_.add(unsorted, fat_lines_);
     for (std::size_t i = 0; i < escaped_.size(); ++i) {
         if (i + prefetch_distance < escaped_.size()) forest_.prefetch(escaped_[i + prefetch_distance].slot);
         link(escaped_[i].slot, update);
@@ -115,16 +115,16 @@ void KeptCandidates::link(SlotIndex slot, Update& update) {
     }
 }
 
-void KeptCandidates::search_all(std::span<const BoxForest::Item> newcomers, bool must_sort, Update& update) {
+void KeptCandidates::search_all(std::span<const BoxForest::Item> unsorted, bool must_sort, Update& update) {
     fatten_used_up(update.table);
-    const bool do_sort = must_sort || is_worn_ || 64 * forest_.unsorted_count() > update.table.size() ||
-                         8 * newcomers.size() > update.table.size();
+    const bool do_sort = must_sort || is_degraded_ || 64 * forest_.unsorted_count() > update.table.size() ||
+                         8 * unsorted.size() > update.table.size();
     if (do_sort) {
         sort_slots(update.table);
     } else {
-        for (const BoxForest::Item& newcomer : newcomers) forest_.remove(newcomer.item.slot);
+        for (const BoxForest::Item& each : unsorted) forest_.remove(each.item.slot);
         forest_.refit(fat_lines_);
-        forest_.add(newcomers, fat_lines_);
+        forest_.add(unsorted, fat_lines_);
     }
     candidates_.clear();
     const std::uint64_t tests = forest_.find_pairs(candidates_) + candidates_.size();
@@ -132,7 +132,7 @@ void KeptCandidates::search_all(std::span<const BoxForest::Item> newcomers, bool
     // Boxes drift away from those that they are in a block with. Sorting costs about as much as half of the tests.
     const double tests_per_box = static_cast<double>(tests) / static_cast<double>(update.table.size() + 1);
     if (do_sort) tests_after_sort_ = tests_per_box;
-    is_worn_ = tests_per_box > 1.25 * tests_after_sort_;
+    is_degraded_ = tests_per_box > 1.25 * tests_after_sort_;
     dispatch<&KeptCandidates::take_found>(*this, update);
     for (std::uint8_t& flags : flags_) flags &= static_cast<std::uint8_t>(~(searching | changed));
     changed_slots_.clear();
@@ -146,7 +146,7 @@ ECODS_ALWAYS_INLINE void KeptCandidates::take_found(Update& update) {
         const auto [a, b] = candidate;
         make_reach(lines_[a], reach);
         const bool now = overlaps(lines_[b], reach);
-        // Most that overlap did so before: no branch on `now` alone, which could not be foretold.
+        // Most that overlap did so before: no branch on `now` alone, which could not be predicted.
         make_reach(has_flag(a, searching) ? old_fat_lines_[a] : fat_lines_[a], reach);
         const bool before = overlaps(has_flag(b, searching) ? old_fat_lines_[b] : fat_lines_[b], reach);
         if (now & !before) [[unlikely]] {
@@ -158,7 +158,7 @@ ECODS_ALWAYS_INLINE void KeptCandidates::take_found(Update& update) {
     candidates_.resize(static_cast<std::size_t>(write - candidates_.data()));
 }
 
-// Plants the forest anew and puts everything that is kept by slot in its order.
+// Builds the forest from scratch and puts everything that is kept by slot in its order.
 void KeptCandidates::sort_slots(const ProxyTable& table) {
     std::vector<BoxForest::Item> items;
     items.reserve(table.size());
@@ -187,7 +187,7 @@ void KeptCandidates::sort_slots(const ProxyTable& table) {
     reorder(old_fat_lines_);
     reorder(proxies_);
     reorder(flags_);
-    reorder(habits_);
+    reorder(motion_hints_);
     for (SlotIndex slot = 0; slot < order.size(); ++slot) slots_[proxies_[slot]] = slot;
     free_slots_.clear();
     searched_since_sort_ = 0;

@@ -86,7 +86,7 @@ bool sort_axis(EndpointList& ends, int axis, std::span<const ProxyIndex> moved, 
     return few ? sort_some(ends, axis, moved, state) : sort_all(ends, axis, state);
 }
 
-void sort_axis_anew(EndpointList& ends, int axis, const BoxHistory& boxes) {
+void sort_axis_from_scratch(EndpointList& ends, int axis, const BoxHistory& boxes) {
     for (Endpoint& end : ends) refresh(end, axis, boxes);
     std::sort(ends.begin(), ends.end());
 }

@@ -1,4 +1,4 @@
-// Re-sorting a list of ends after boxes moved, and what that tells about pairs.
+// Re-sorting a list of ends after boxes moved, and what that shows of pairs.
 #pragma once
 
 #include <cstdint>
@@ -33,6 +33,6 @@ struct SortState {
 bool sort_axis(EndpointList& ends, int axis, std::span<const ProxyIndex> moved, SortState& state);
 
 // Gives all ends of an axis their coordinates and sorts from scratch, without events.
-void sort_axis_anew(EndpointList& ends, int axis, const BoxHistory& boxes);
+void sort_axis_from_scratch(EndpointList& ends, int axis, const BoxHistory& boxes);
 
 }  // namespace ecods

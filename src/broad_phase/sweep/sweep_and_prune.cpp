@@ -77,7 +77,7 @@ void SweepAndPrune::update(const ProxyTable& table, const ProxyChanges& changes,
 bool SweepAndPrune::sort_axes(const ProxyChanges& changes, PairList& pairs, BroadPhaseCounts& counts) {
     if (changes.moved.empty()) return true;
     // When boxes jump, ends pass a large part of a list each, and starting from scratch is cheaper: sorting the lists
-    // and finding the pairs anew cost about as much as so many swaps for each end of one list.
+    // and finding the pairs from scratch cost about as much as so many swaps for each end of one list.
     constexpr std::uint64_t swaps_per_end_max = 128;
     SortState state{.boxes = boxes_,
                     .began = pairs.began,
@@ -92,7 +92,7 @@ bool SweepAndPrune::sort_axes(const ProxyChanges& changes, PairList& pairs, Broa
     counts.box_tests += state.box_tests;
     positions_ = std::move(state.positions);
     if (!tracked) {
-        for (int axis = 0; axis < 3; ++axis) sort_axis_anew(axes_[axis], axis, boxes_);
+        for (int axis = 0; axis < 3; ++axis) sort_axis_from_scratch(axes_[axis], axis, boxes_);
     }
     return tracked;
 }

@@ -4,6 +4,15 @@
 #include <limits>
 
 namespace ecods::exact {
+namespace {
+
+// Divides coordinates by the unit of their axis. Exact if they are multiples of it and the quotients are doubles, since
+// a quotient is rounded correctly.
+void divide(Point& p, const Vec3& unit) noexcept {
+    for (std::size_t k = 0; k < 3; ++k) p[k] /= unit[static_cast<Eigen::Index>(k)];
+}
+
+}  // namespace
 
 void Frame::bind(std::span<const BodyRef> bodies) {
     ECODS_ASSERT(!bodies.empty());
@@ -25,6 +34,11 @@ void Frame::forget_points() noexcept {
         body.one_limb.clear();
         body.two_limbs.clear();
     }
+}
+
+void Frame::pose(const Body& body, std::uint32_t vertex, Point& p) const noexcept {
+    p = pose_point(body.ref.pose->R, body.ref.mesh->vertices()[vertex], body.offset);
+    if (is_counted_) divide(p, unit_);
 }
 
 // Finds bounds from the boxes of all bodies: |R| times half the mesh's box, around its posed center.

@@ -106,6 +106,9 @@ class Frame {
     std::span<Body> bodies() noexcept { return {bodies_.data(), body_count_}; }
     std::span<const Body> bodies() const noexcept { return {bodies_.data(), body_count_}; }
     void forget_points() noexcept;
+    // Fills in a rounded point. Not inline, and with the arguments that the cache's caller holds in registers anyway: a
+    // question has one such place for each of its points, and nearly always passes by all of them.
+    void pose(const Body& body, std::uint32_t vertex, Point& p) const noexcept;
     void find_bounds() noexcept;
     void measure_digits() noexcept;
     bool find_differences(BitRange& digits) noexcept;
@@ -129,19 +132,10 @@ class Frame {
     double to_integers_ = 1;
 };
 
-// Divides coordinates by the unit of their axis. Exact if they are multiples of it and the quotients are doubles, since
-// a quotient is rounded correctly.
-inline void divide(Point& p, const Vec3& unit) noexcept {
-    for (std::size_t k = 0; k < 3; ++k) p[k] /= unit[static_cast<Eigen::Index>(k)];
-}
-
 ECODS_ALWAYS_INLINE const Point& Frame::rounded(std::size_t body, std::uint32_t vertex) {
     ECODS_ASSERT(body < body_count_);
     Body& of = bodies_[body];
-    return of.rounded.get(vertex, [&](Point& p) {
-        p = pose_point(of.ref.pose->R, of.ref.mesh->vertices()[vertex], of.offset);
-        if (is_counted_) divide(p, unit_);
-    });
+    return of.rounded.get(vertex, [&](Point& p) { pose(of, vertex, p); });
 }
 
 template <std::size_t N, class Use>

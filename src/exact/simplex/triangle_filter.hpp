@@ -18,7 +18,7 @@
 
 namespace ecods::exact {
 
-// The filter never certifies touching: it cannot tell a zero from a small number.
+// The filter never certifies touching: it cannot distinguish a zero from a small number.
 enum class FilterAnswer { disjoint, crossing, unknown };
 
 // The values of one plane's determinant at three corners.

@@ -86,7 +86,7 @@ TEST(SortAxis, GivingUpLosesNoEnd) {
         fixture.state.swaps_max = 3;
         fixture.table.move(count - 1, test::make_interval(0, -2, -1));
         EXPECT_FALSE(fixture.sort({count - 1}));
-        sort_axis_anew(fixture.ends, 0, fixture.boxes);
+        sort_axis_from_scratch(fixture.ends, 0, fixture.boxes);
         EXPECT_TRUE(std::is_sorted(fixture.ends.begin(), fixture.ends.end()));
         std::vector<std::uint32_t> tags;
         for (const Endpoint& end : fixture.ends) tags.push_back(end.tag);

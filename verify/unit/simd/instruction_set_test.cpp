@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "environment/instruction_sets.hpp"
@@ -13,21 +18,60 @@ namespace {
 
 using environment::InstructionSetLimit;
 using environment::supported_instruction_sets;
+using environment::widest_instruction_set;
 
 TEST(InstructionSet, IsTheWidestUnlessLimited) {
-    EXPECT_EQ(instruction_set(), supported_instruction_set());
+    EXPECT_EQ(instruction_set(), widest_instruction_set());
     for (const InstructionSet set : supported_instruction_sets()) {
         const InstructionSetLimit limit(set);
         EXPECT_EQ(instruction_set(), set);
     }
-    EXPECT_EQ(instruction_set(), supported_instruction_set());
+    EXPECT_EQ(instruction_set(), widest_instruction_set());
+}
+
+// Sets the variable that limits a run; afterwards it is as it was.
+class LimitVariable {
+  public:
+    explicit LimitVariable(const char* value) {
+        if (const char* before = std::getenv(environment::limit_variable)) before_ = before;
+        setenv(environment::limit_variable, value, 1);
+    }
+    ~LimitVariable() {
+        if (before_) {
+            setenv(environment::limit_variable, before_->c_str(), 1);
+        } else {
+            unsetenv(environment::limit_variable);
+        }
+    }
+    LimitVariable(const LimitVariable&) = delete;
+    LimitVariable& operator=(const LimitVariable&) = delete;
+
+  private:
+    std::optional<std::string> before_;
+};
+
+TEST(InstructionSet, AVariableMakesARunOneOnANarrowerProcessor) {
+    for (const InstructionSet set : environment::all_instruction_sets) {
+        const InstructionSetLimit afterwards_as_before(instruction_set());
+        const LimitVariable variable(environment::name(set));
+        environment::limit_by_variable();
+        EXPECT_EQ(instruction_set(), std::min(set, supported_instruction_set()));
+        EXPECT_EQ(supported_instruction_sets().back(), instruction_set());
+        EXPECT_EQ(supported_instruction_sets().front(), InstructionSet::baseline);
+    }
+}
+
+TEST(InstructionSet, AVariableThatNamesNoSetEndsTheRun) {
+    for (const char* const value : {"", "avx", "AVX2", "avx2 ", "native"}) {
+        const LimitVariable variable(value);
+        EXPECT_THROW(environment::limit_by_variable(), std::invalid_argument) << value;
+        EXPECT_THROW(supported_instruction_sets(), std::invalid_argument) << value;
+    }
 }
 
 TEST(InstructionSet, WhatIsNotSupportedIsNotUsed) {
     const InstructionSetLimit limit(InstructionSet::avx512);
     EXPECT_EQ(instruction_set(), supported_instruction_set());
-    EXPECT_EQ(supported_instruction_sets().front(), InstructionSet::baseline);
-    EXPECT_EQ(supported_instruction_sets().back(), supported_instruction_set());
 #if ECODS_CAN_DISPATCH
     EXPECT_EQ(supported_instruction_set() >= InstructionSet::avx2, __builtin_cpu_supports("avx2") != 0);
     EXPECT_EQ(supported_instruction_set() == InstructionSet::avx512, __builtin_cpu_supports("avx512f") != 0);

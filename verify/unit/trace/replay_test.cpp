@@ -8,6 +8,7 @@
 
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
+#include "unit/trace/replay_text.hpp"
 #include "unit/world/world_fixture.hpp"
 
 namespace ecods {
@@ -18,11 +19,6 @@ const std::string head = "ecods-trace 1\nworld sweep_and_prune 0\n";
 const std::string mesh =
     "mesh 1 3 1\nv 0x0p+0 0x0p+0 0x0p+0\nv 0x1p+0 0x0p+0 0x0p+0\nv 0x0p+0 0x1p+0 0x0p+0\nt 0 1 2\n";
 const std::string two = head + mesh + "create 1.0 1" + pose + "create 2.0 1" + pose;  // 9 lines
-
-ReplayReport replay_text(const std::string& text, const ReplayOptions& options = {}) {
-    std::istringstream in(text);
-    return replay(in, options);
-}
 
 TEST(Replay, NamesTheFirstUpdateThatDiffersWithItsCallAndLine) {
     World world;
@@ -73,60 +69,61 @@ TEST(Replay, AnUpdateWithoutAResultIsRunAndNotCompared) {
     }
 }
 
-TEST(Replay, AMalformedTextIsToldWithItsLine) {
-    struct Case {
-        std::string text;
-        std::size_t line;
-        std::string reason;
-    };
-    const std::string good_head = head;
-    const std::vector<Case> cases{
-        {"", 1, "a trace begins with"},
-        {"ecods-trace 2\nworld sweep_and_prune 0\n", 1, "ecods-trace 1"},
-        {"ecods-trace 1", 2, "'world ...'"},
-        {"ecods-trace 1\nmesh 1 2 3\n", 2, "'mesh' is where a line 'world ...'"},
-        {"ecods-trace 1\nworld sort_and_pray 0\n", 2, "no such broad phase"},
-        {"ecods-trace 1\nworld sweep_and_prune -1\n", 2, "'-1' is no number"},
-        {"ecods-trace 1\nworld sweep_and_prune 0 0\n", 2, "'0' is too much"},
-        {head + "fly 1.0\n", 3, "no such call"},
-        {head + "\n", 3, "a call is missing"},
-        {head + " update\n", 3, "no such call"},
-        {head + "update 12\n", 3, "a number of pairs is missing"},
-        {head + "update xyz 0\n", 3, "'xyz' is no hexadecimal number: a digest"},
-        {head + "update 0 0 0\n", 3, "is too much"},
-        {head + "mesh 1 4294967296 1\n", 3, "up to 4294967295"},
-        {head + "mesh 1 4000000000 4000000000\nv 0x0p+0 0x0p+0 0x0p+0\n", 5, "the trace ends where"},
-        {head + "mesh 1 1 1\nt 0 0 0\n", 4, "'t' is where a line 'v ...' belongs"},
-        {head + "mesh 1 1 1\nv 0x0p+0 0x0p+0\n", 4, "a coordinate is missing"},
-        {head + "mesh 1 1 1\nv 0x0p+0 0x0p+0 nan\n", 4, "'nan' is no finite"},
-        {head + "mesh 1 1 1\nv 0x0p+0 0x0p+0 0xinf\n", 4, "'0xinf' is no finite"},
-        {head + "mesh 1 1 1\nv 0x0p+0 0x0p+0 0x1p+1024\n", 4, "is no finite"},
-        {head + "mesh 1 1 1\nv 0x0p+0 0x0p+0 0x-1p+0\n", 4, "is no finite"},
-        {head + "mesh 1 1 1\nv 0x0p+0 0x0p+0 1.5\n", 4, "is no finite"},
-        {head + "mesh 1 1 1\nv 0x0p+0 0x0p+0 0x0p+0\nt 0 0 1\n", 5, "vertex index 1 is out of range"},
-        {head + "mesh 1 1 0\nv 0x0p+0 0x0p+0 0x0p+0\n", 4, "no triangles"},
-        {head + mesh + mesh, 12, "the number of this mesh is taken"},
-        {head + "create 1.0 1" + pose, 3, "no such mesh"},
-        {head + mesh + "create 0.0 1" + pose, 8, "'0.0' is no body"},
-        {head + mesh + "create 1 1" + pose, 8, "'1' is no body"},
-        {head + mesh + "create 1.-1 1" + pose, 8, "is no body"},
-        {head + mesh + "create 1.0 1 0x0p+0\n", 8, "a coordinate is missing"},
-        {two + "create 1.0 1" + pose, 10, "this body is here already"},
-        {two + "destroy 3.0\n", 10, "there is no such body"},
-        {two + "destroy 1.0\ndestroy 1.0\n", 11, "there is no such body"},
-        {two + "set_pose 1.1" + pose, 10, "there is no such body"},
-        {two + "set_shape 1.0 4\n", 10, "no such mesh or shape"},
-        {two + "set_poses 18446744073709551615\np 1.0" + pose, 12, "the trace ends where a line 'p ...'"},
-        {two + "set_poses 1\np 9.0" + pose, 11, "there is no such body"},
-        {two + "set_filter 1.0 g 0\n", 10, "'g' is no hexadecimal number: groups"},
-        {two + "set_filter 1.0 10000000000000000 0\n", 10, "is no hexadecimal number"},
-        {two + "set_pair_enabled 1.0 1.0 0\n", 10, "a pair is two bodies"},
-        {two + "set_pair_enabled 1.0 2.0 2\n", 10, "up to 1"},
-        {two + "set_user_data 1.0\n", 10, "user data is missing"},
-        {two + std::string("\0\x80 \xff", 4), 10, "no such call"},
-        {two + "set_user_data 1.0 " + std::string(100, '\x7f') + "\n", 10, "?...' is no"},
-    };
-    for (const Case& c : cases) {
+// A text that is none, the line where it goes wrong, and the reason that is given.
+struct Malformed {
+    std::string text;
+    std::size_t line;
+    std::string reason;
+};
+const std::vector<Malformed> malformed{
+    {"", 1, "a trace begins with"},
+    {"ecods-trace 2\nworld sweep_and_prune 0\n", 1, "ecods-trace 1"},
+    {"ecods-trace 1", 2, "'world ...'"},
+    {"ecods-trace 1\nmesh 1 2 3\n", 2, "'mesh' is where a line 'world ...'"},
+    {"ecods-trace 1\nworld sort_and_pray 0\n", 2, "no such broad phase"},
+    {"ecods-trace 1\nworld sweep_and_prune -1\n", 2, "'-1' is no number"},
+    {"ecods-trace 1\nworld sweep_and_prune 0 0\n", 2, "'0' is too much"},
+    {head + "fly 1.0\n", 3, "no such call"},
+    {head + "\n", 3, "a call is missing"},
+    {head + " update\n", 3, "no such call"},
+    {head + "update 12\n", 3, "a number of pairs is missing"},
+    {head + "update xyz 0\n", 3, "'xyz' is no hexadecimal number: a digest"},
+    {head + "update 0 0 0\n", 3, "is too much"},
+    {head + "mesh 1 4294967296 1\n", 3, "up to 4294967295"},
+    {head + "mesh 1 4000000000 4000000000\nv 0x0p+0 0x0p+0 0x0p+0\n", 5, "the trace ends where"},
+    {head + "mesh 1 1 1\nt 0 0 0\n", 4, "'t' is where a line 'v ...' belongs"},
+    {head + "mesh 1 1 1\nv 0x0p+0 0x0p+0\n", 4, "a coordinate is missing"},
+    {head + "mesh 1 1 1\nv 0x0p+0 0x0p+0 nan\n", 4, "'nan' is no finite"},
+    {head + "mesh 1 1 1\nv 0x0p+0 0x0p+0 0xinf\n", 4, "'0xinf' is no finite"},
+    {head + "mesh 1 1 1\nv 0x0p+0 0x0p+0 0x1p+1024\n", 4, "is no finite"},
+    {head + "mesh 1 1 1\nv 0x0p+0 0x0p+0 0x-1p+0\n", 4, "is no finite"},
+    {head + "mesh 1 1 1\nv 0x0p+0 0x0p+0 1.5\n", 4, "is no finite"},
+    {head + "mesh 1 1 1\nv 0x0p+0 0x0p+0 0x0p+0\nt 0 0 1\n", 5, "vertex index 1 is out of range"},
+    {head + "mesh 1 1 0\nv 0x0p+0 0x0p+0 0x0p+0\n", 4, "no triangles"},
+    {head + mesh + mesh, 12, "the number of this mesh is taken"},
+    {head + "create 1.0 1" + pose, 3, "no such mesh"},
+    {head + mesh + "create 0.0 1" + pose, 8, "'0.0' is no body"},
+    {head + mesh + "create 1 1" + pose, 8, "'1' is no body"},
+    {head + mesh + "create 1.-1 1" + pose, 8, "is no body"},
+    {head + mesh + "create 1.0 1 0x0p+0\n", 8, "a coordinate is missing"},
+    {two + "create 1.0 1" + pose, 10, "this body is here already"},
+    {two + "destroy 3.0\n", 10, "there is no such body"},
+    {two + "destroy 1.0\ndestroy 1.0\n", 11, "there is no such body"},
+    {two + "set_pose 1.1" + pose, 10, "there is no such body"},
+    {two + "set_shape 1.0 4\n", 10, "no such mesh or shape"},
+    {two + "set_poses 18446744073709551615\np 1.0" + pose, 12, "the trace ends where a line 'p ...'"},
+    {two + "set_poses 1\np 9.0" + pose, 11, "there is no such body"},
+    {two + "set_filter 1.0 g 0\n", 10, "'g' is no hexadecimal number: groups"},
+    {two + "set_filter 1.0 10000000000000000 0\n", 10, "is no hexadecimal number"},
+    {two + "set_pair_enabled 1.0 1.0 0\n", 10, "a pair is two bodies"},
+    {two + "set_pair_enabled 1.0 2.0 2\n", 10, "up to 1"},
+    {two + "set_user_data 1.0\n", 10, "user data is missing"},
+    {two + std::string("\0\x80 \xff", 4), 10, "no such call"},
+    {two + "set_user_data 1.0 " + std::string(100, '\x7f') + "\n", 10, "?...' is no"},
+};
+
+TEST(Replay, AMalformedTextIsRefusedWithItsLine) {
+    for (const Malformed& c : malformed) {
         try {
             replay_text(c.text);
             ADD_FAILURE() << "was read: " << c.text;

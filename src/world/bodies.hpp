@@ -1,0 +1,87 @@
+// The bodies of a world: their places, what their owner set, and the boxes that follow from it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "ecods/world.hpp"
+#include "world/disabled_pairs.hpp"
+
+namespace ecods {
+
+// A place for a body. Slot numbers are the broad phase's proxies; id.slot is one more.
+struct Slot {
+    static constexpr std::uint16_t generation_max = std::numeric_limits<std::uint16_t>::max();
+
+    std::uint16_t generation = 0;
+    ShapeKind kind;
+    std::shared_ptr<const Shape> shape;  // null: free
+    Pose pose;
+    CollisionFilter filter;
+    std::uint64_t user_data = 0;
+    std::uint64_t shape_digest = 0;
+
+    bool is_alive() const noexcept { return shape != nullptr; }
+    Posed<Shape> posed() const noexcept { return {*shape, pose}; }
+    void put(std::shared_ptr<const Shape> new_shape) noexcept;
+};
+
+class Bodies {
+  public:
+    Bodies();
+
+    // ---- ids
+    bool is_alive(BodyId body) const noexcept;
+    ProxyIndex require(BodyId body, const ListIndex& index = {}) const;  // throws StaleBody
+    ProxyPair require_pair(BodyId a, BodyId b) const;                    // ... and SameBody; ascending
+    BodyId id_of(ProxyIndex proxy) const noexcept { return {proxy + 1, slots_[proxy].generation, world_number_}; }
+    BodyPair ids_of(ProxyPair pair) const noexcept { return {id_of(pair.a), id_of(pair.b)}; }
+    std::vector<BodyId> ids() const;  // of the living, ascending
+
+    // ---- slots, free ones included
+    const Slot& operator[](ProxyIndex proxy) const noexcept { return slots_[proxy]; }
+    Slot& operator[](ProxyIndex proxy) noexcept { return slots_[proxy]; }
+    ProxyIndex end() const noexcept { return static_cast<ProxyIndex>(slots_.size()); }  // slots are below
+    const Aabb& box(ProxyIndex proxy) const noexcept { return boxes_[proxy]; }
+    std::size_t alive_count() const noexcept { return slots_.size() - free_slots_.size() - retired_count_; }
+
+    // ---- coming, changing and going: first what may throw, then what does not
+    void reserve(std::size_t count);
+    ProxyIndex make_slot(ShapeKind kind);  // the free slot that create() takes next, of a body of this kind
+    void create(const BodyOptions& options, std::shared_ptr<const Shape> shape, const Aabb& box) noexcept;
+    void make_room_for(ShapeKind kind) { kind_counts_[kind]; }  // before set_shape()
+    void set_shape(ProxyIndex proxy, std::shared_ptr<const Shape> shape, const Aabb& box) noexcept;
+    void set_pose(ProxyIndex proxy, const Pose& pose, const Aabb& box) noexcept;
+    void make_room_to_destroy();
+    void destroy(ProxyIndex proxy) noexcept;
+
+    // ---- which pairs are tested at all
+    bool is_enabled(ProxyPair pair) const noexcept {
+        return may_meet(slots_[pair.a].filter, slots_[pair.b].filter) && !disabled_.contains(pair);
+    }
+    DisabledPairs& disabled() noexcept { return disabled_; }
+    const DisabledPairs& disabled() const noexcept { return disabled_; }
+
+    // How many of each kind live. Some may be 0.
+    const std::map<ShapeKind, std::size_t>& kind_counts() const noexcept { return kind_counts_; }
+
+    std::size_t memory_bytes() const noexcept;
+
+    // Throws BrokenInvariant unless each slot is free, used or retired; or ShapeChanged.
+    void validate() const;
+
+  private:
+    const std::uint16_t world_number_;  // for ids
+    std::vector<Slot> slots_;
+    std::vector<Aabb> boxes_;  // by proxy; apart, because much looks at boxes and at nothing else
+    std::vector<ProxyIndex> free_slots_;
+    std::size_t retired_count_ = 0;  // slots that were used once for each generation: neither free nor used
+    std::map<ShapeKind, std::size_t> kind_counts_;  // of living bodies
+    DisabledPairs disabled_;
+};
+
+}  // namespace ecods
