@@ -1,6 +1,7 @@
 #include "exact/measure/guess_features.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "simd/inline.hpp"
@@ -58,13 +59,12 @@ class Guess {
     }
 
     FeaturePair find() noexcept {
+        if (try_face(0) || try_face(1)) return best_.features;
         for (Index i = 0; i < 3; ++i) {
             for (Index j = 0; j < 3; ++j) {
-                if (try_edges(i, j)) return best_.features;
+                if (try_edges((first_[0] + i) % 3, (first_[1] + j) % 3)) return best_.features;
             }
         }
-        try_face(0);
-        try_face(1);
         return best_.features;
     }
 
@@ -85,7 +85,7 @@ class Guess {
         Point z;
         for (Index k = 0; k < 3; ++k) z[k] = (w[k] + t * v[k]) - s * u[k];
         const double square = dot(z, z);
-        if (square >= best_.square) return false;
+        if (!(square < best_.square)) return false;
         best_ = {square, features_at(i, s, j, t)};
         // The third corners, from the other end of each edge.
         const double third_a = dot(edge_[0][next(i)], z) + (1 - s) * dot(u, z);
@@ -93,26 +93,34 @@ class Guess {
         return third_a <= 0 && third_b >= 0;
     }
 
-    void try_face(Index side) noexcept {
+    // Whether the plane of a face separates the triangles, and the corner that is nearest to it is over the face.
+    // Otherwise leaves a hint which edges to begin with: where the foot is outside, and at that corner.
+    ECODS_ALWAYS_INLINE bool try_face(Index side) noexcept {
         const Point *face = &x_[3 * side], *corners = &x_[3 * (1 - side)];
         const Point &e1 = edge_[side][0], e2 = minus(face[2], face[0]), n = cross(e1, e2);
-        const double nn = dot(n, n);
-        if (!(nn > 0)) return;
-        for (Index i = 0; i < 3; ++i) {
-            const Point r = minus(corners[i], face[0]);
-            const double h = dot(r, n);
-            if (h * h >= best_.square * nn) continue;
-            const double b1 = dot(cross(r, e2), n), b2 = dot(cross(e1, r), n);
-            if (!(b1 >= 0 && b2 >= 0 && b1 + b2 <= nn)) continue;
-            best_ = {h * h / nn, side == 0 ? pair_of(FeatureKind::vertex_face, 1, 0, i)
-                                           : pair_of(FeatureKind::vertex_face, 0, i, 0)};
+        std::array<double, 3> h;
+        for (Index i = 0; i < 3; ++i) h[i] = dot(minus(corners[i], face[0]), n);
+        const bool is_above = h[0] > 0 && h[1] > 0 && h[2] > 0, is_below = h[0] < 0 && h[1] < 0 && h[2] < 0;
+        if (!is_above && !is_below) return false;
+        const std::array<double, 3> size{std::abs(h[0]), std::abs(h[1]), std::abs(h[2])};
+        const Index nearest = size[0] <= size[1] ? (size[0] <= size[2] ? 0 : 2) : (size[1] <= size[2] ? 1 : 2);
+        const Point r = minus(corners[nearest], face[0]);
+        const double b1 = dot(cross(r, e2), n), b2 = dot(cross(e1, r), n), b0 = (dot(n, n) - b1) - b2;
+        if (b0 >= 0 && b1 >= 0 && b2 >= 0) {
+            best_.features = side == 0 ? pair_of(FeatureKind::vertex_face, 1, 0, nearest)
+                                       : pair_of(FeatureKind::vertex_face, 0, nearest, 0);
+            return true;
         }
+        first_[side] = b2 <= b0 ? (b2 <= b1 ? 0 : 2) : (b0 <= b1 ? 1 : 2);
+        first_[1 - side] = nearest;
+        return false;
     }
 
     const Points<6>& x_;
     Point edge_[2][3];
     double square_[2][3];
     Candidate best_;
+    Index first_[2] = {0, 0};
 };
 
 }  // namespace
