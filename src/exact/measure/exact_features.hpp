@@ -60,8 +60,14 @@ class ExactFeatures {
         }
     }
 
-    // Whether the features, closed, have a point in common in which they are not parallel.
-    bool meet(const FeaturePair& f) const noexcept;
+    // Calls use(v, is_turned) with a vector along which the closest points of the features are apart, from the first
+    // triangle to the second, or from the second to the first where it is turned. Not where they meet.
+    template <class Use>
+    auto with_direction(const FeaturePair& f, Use&& use) const;
+
+    // Whether the features have one point in common, being vertices or not parallel: `inside` both, or on the border of
+    // one; `none` otherwise.
+    Standing meeting(const FeaturePair& f) const noexcept;
 
     // The squared distance of features that hold closest points; `exponent` is left alone.
     void measure(const FeaturePair& f, SquaredDistance& result) const noexcept;
@@ -111,6 +117,19 @@ class ExactFeatures {
         signs.positive((side == 0) != turned ? -s : s);
     }
 
+    // (u.u) w - (w.u) u
+    static LimbVector<3 * L> across_edge(const Vector& w, const Vector& u, const Magnitude<2 * L>& uu,
+                                         const Magnitude<2 * L>& wu) noexcept {
+        LimbVector<3 * L> n;
+        for (std::size_t i = 0; i < 3; ++i) {
+            Limbs<3 * L> sum{};
+            add_product<L, 2 * L>(sum, w[i], uu);
+            add_product<L, 2 * L>(sum, u[i], wu, all_ones);
+            n[i] = magnitude<3 * L>(sum);
+        }
+        return n;
+    }
+
     // Whether the foot of a vertex is on an edge or a face, or the feet of two edges on each other. n is the normal, nn
     // its square; of an edge, `uu` is its square and `along` its product with the vertex less its beginning.
     Signs foot_on_edge(const Magnitude<2 * L>& uu, const Magnitude<2 * L>& along) const noexcept;
@@ -154,13 +173,7 @@ Standing ExactFeatures<L>::of_vertex_and_edge(const FeaturePair& f) const noexce
     const Magnitude<2 * L> along = of == 1 ? negated<2 * L>(wu) : wu;
     const Signs inside = foot_on_edge(uu, along);
     if (!inside.hold) return Standing::none;
-    LimbVector<3 * L> n;
-    for (std::size_t i = 0; i < 3; ++i) {
-        Limbs<3 * L> sum{};
-        add_product<L, 2 * L>(sum, w[i], uu);
-        add_product<L, 2 * L>(sum, u[i], wu, all_ones);
-        n[i] = magnitude<3 * L>(sum);
-    }
+    const LimbVector<3 * L> n = across_edge(w, u, uu, wu);
     Signs outside;
     outward<3 * L>(outside, n, false, side, vertex, 1);
     outward<3 * L>(outside, n, false, side, vertex, 2);
@@ -240,24 +253,40 @@ auto ExactFeatures<L>::feet_on_edges(const FeaturePair& f, const LimbVector<2 * 
 }
 
 template <int L>
-bool ExactFeatures<L>::meet(const FeaturePair& f) const noexcept {
+Standing ExactFeatures<L>::meeting(const FeaturePair& f) const noexcept {
     const Vector w = between(f);
-    if (f.kind == FeatureKind::vertex_vertex) return is_zero<2 * L>(dot<L, L>(w, w).limbs);
+    const auto of = [](const Signs& signs) {
+        return !signs.hold ? Standing::none : signs.are_strict ? Standing::inside : Standing::border;
+    };
+    if (f.kind == FeatureKind::vertex_vertex) {
+        return is_zero<2 * L>(dot<L, L>(w, w).limbs) ? Standing::inside : Standing::none;
+    }
     if (f.kind == FeatureKind::vertex_edge) {
-        const std::size_t of = 1 - f.vertex_side;
-        const Vector u = from(of, of == 0 ? f.a : f.b, 1);
-        for (const Magnitude<2 * L>& x : cross<L>(w, u)) {
-            if (!is_zero<2 * L>(x.limbs)) return false;
-        }
+        const std::size_t edge_of = 1 - f.vertex_side;
+        const Vector u = from(edge_of, edge_of == 0 ? f.a : f.b, 1);
         const auto uu = dot<L, L>(u, u);
         const auto wu = dot<L, L>(w, u);
-        return !is_zero<2 * L>(uu.limbs) && foot_on_edge(uu, of == 1 ? negated<2 * L>(wu) : wu).hold;
+        if (is_zero<2 * L>(uu.limbs) || !is_parallel<L>(w, u)) return Standing::none;
+        return of(foot_on_edge(uu, edge_of == 1 ? negated<2 * L>(wu) : wu));
     }
     const LimbVector<2 * L> n = normal(f);
-    if (!is_zero<3 * L>(dot<2 * L, L>(n, w).limbs)) return false;
+    if (!is_zero<3 * L>(dot<2 * L, L>(n, w).limbs)) return Standing::none;
     const Magnitude<4 * L> nn = dot<2 * L, 2 * L>(n, n);
-    if (is_zero<4 * L>(nn.limbs)) return false;
-    return (f.kind == FeatureKind::vertex_face ? foot_on_face(f, n, nn) : feet_on_edges(f, n, nn)).hold;
+    if (is_zero<4 * L>(nn.limbs)) return Standing::none;
+    return of(f.kind == FeatureKind::vertex_face ? foot_on_face(f, n, nn) : feet_on_edges(f, n, nn));
+}
+
+template <int L>
+template <class Use>
+auto ExactFeatures<L>::with_direction(const FeaturePair& f, Use&& use) const {
+    const Vector w = between(f);
+    if (f.kind == FeatureKind::vertex_vertex) return use(w, false);
+    if (f.kind == FeatureKind::vertex_edge) {
+        const Vector u = f.vertex_side == 0 ? from(1, f.b, 1) : from(0, f.a, 1);
+        return use(across_edge(w, u, dot<L, L>(u, u), dot<L, L>(w, u)), false);
+    }
+    const LimbVector<2 * L> n = normal(f);
+    return use(n, sign<3 * L>(dot<2 * L, L>(n, w)) < 0);
 }
 
 template <int L>

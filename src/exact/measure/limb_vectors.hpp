@@ -60,4 +60,13 @@ LimbVector<L> difference(const std::array<Limbs<L>, 3>& to, const std::array<Lim
     return result;
 }
 
+// Or one of them zero.
+template <int L>
+bool is_parallel(const LimbVector<L>& a, const LimbVector<L>& b) noexcept {
+    for (const Magnitude<2 * L>& x : cross<L>(a, b)) {
+        if (!is_zero<2 * L>(x.limbs)) return false;
+    }
+    return true;
+}
+
 }  // namespace ecods::exact

@@ -25,8 +25,6 @@ struct Quotient {
     bool is_exact;
 };
 
-constexpr std::size_t divisor_limbs = denominator_limbs + 2;
-
 // dividend -= digit * divisor * 2^(64 at), unless the digit is too large by one or two: then it is made smaller.
 void subtract_product(std::uint64_t* dividend, NaturalSpan divisor, std::uint64_t& digit) noexcept {
     std::uint64_t carry = 0, borrow = 0;
@@ -127,18 +125,30 @@ std::uint64_t nearest(const Truncated& x) noexcept {
     return (static_cast<std::uint64_t>(exponent - least) << 52) + kept;
 }
 
-}  // namespace
-
-double round_root(const SquaredDistance& square) noexcept {
-    const NaturalSpan num = square.num.limbs(), den = square.den.limbs();
+// The bits of the double nearest to sqrt(num / den) 2^exponent.
+std::uint64_t root_bits(NaturalSpan num, NaturalSpan den, int exponent) noexcept {
     if (num.empty()) return 0;
     // An even shift to a quotient of 118 to 121 bits, whose root has 59 to 61.
     const int shift = (120 - (bit_width(num) - bit_width(den))) & ~1;
     const Quotient quotient = divide(num, shift, den);
     const std::uint64_t root = floor_of_root(quotient.whole);
     const bool is_exact = quotient.is_exact && Uint128{root} * root == quotient.whole;
-    const std::uint64_t bits = nearest({root, square.exponent - shift / 2, is_exact});
-    return std::bit_cast<double>(std::max<std::uint64_t>(bits, 1));
+    return nearest({root, exponent - shift / 2, is_exact});
+}
+
+double with_sign(std::uint64_t bits, bool negative) noexcept {
+    return std::bit_cast<double>(negative && bits != 0 ? bits | std::uint64_t{1} << 63 : bits);
+}
+
+}  // namespace
+
+double round_root(const SquaredDistance& square) noexcept {
+    const std::uint64_t bits = root_bits(square.num.limbs(), square.den.limbs(), square.exponent);
+    return std::bit_cast<double>(square.num.is_zero() ? 0 : std::max<std::uint64_t>(bits, 1));
+}
+
+double round_cosine(NaturalSpan num, NaturalSpan den, bool negative) noexcept {
+    return with_sign(root_bits(num, den, 0), negative);
 }
 
 double round_quotient(NaturalSpan num, NaturalSpan den, int exponent, bool negative) noexcept {
@@ -147,7 +157,7 @@ double round_quotient(NaturalSpan num, NaturalSpan den, int exponent, bool negat
     const Quotient quotient = divide(num, shift, den);
     const std::uint64_t bits =
         nearest({static_cast<std::uint64_t>(quotient.whole), exponent - shift, quotient.is_exact});
-    return std::bit_cast<double>(negative && bits != 0 ? bits | std::uint64_t{1} << 63 : bits);
+    return with_sign(bits, negative);
 }
 
 }  // namespace ecods::exact

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "exact/measure/exact_features.hpp"
@@ -48,6 +50,11 @@ class SharedCorners {
     // Each once, in lexicographic order of their coordinates; none if the triangles share no point.
     const std::vector<Corner>& corners() const noexcept { return corners_; }
 
+    // The features of lowest dimension that hold the inside of what is shared define a normal if these are a face and
+    // anything in its plane, or two edges that are not parallel: that of the face, of the first triangle if of both, or
+    // the product of the edges. Otherwise nothing, and nothing if no point is shared.
+    std::optional<LimbVector<2 * L>> normal() const;
+
     static void assign(const Corner& corner, int unit, ExactPoint& point) noexcept {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             point.num[axis].size.assign(corner.num[axis].limbs);
@@ -74,6 +81,9 @@ class SharedCorners {
     }
 
     bool is_in(std::size_t side, std::size_t i) const noexcept;
+    std::optional<LimbVector<2 * L>> normal_at_point() const;
+    std::optional<LimbVector<2 * L>> normal_along_segment() const;
+    bool is_in_edge(std::size_t side) const noexcept;
     void add_piercing(std::size_t side, std::size_t edge);
     void add_crossing(std::size_t i, std::size_t j);
     void add(const Vector& p, const Weight& den, const Weight& s, const Vector& u);
@@ -92,7 +102,7 @@ bool SharedCorners<L>::is_in(std::size_t side, std::size_t i) const noexcept {
         FeaturePair f{kind, static_cast<std::uint8_t>(side), static_cast<std::uint8_t>(i),
                       static_cast<std::uint8_t>(of_other)};
         if (side == 1) std::swap(f.a, f.b);
-        return features_.meet(f);
+        return features_.meeting(f) != Standing::none;
     };
     if (is_proper_[1 - side]) return holds(FeatureKind::vertex_face, 0);
     for (std::size_t j = 0; j < 3; ++j) {
@@ -137,7 +147,7 @@ void SharedCorners<L>::add_piercing(std::size_t side, std::size_t edge) {
 template <int L>
 void SharedCorners<L>::add_crossing(std::size_t i, std::size_t j) {
     const FeaturePair f{FeatureKind::edge_edge, 0, static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j)};
-    if (!features_.meet(f)) return;
+    if (features_.meeting(f) == Standing::none) return;
     const Vector w = features_.between(f), u = features_.from(0, i, 1), v = features_.from(1, j, 1);
     const LimbVector<2 * L> n = cross<L>(u, v);
     add(features_.position(0, i), dot<2 * L, 2 * L>(n, n), dot<2 * L, 2 * L>(cross<L>(w, v), n), u);
@@ -167,6 +177,60 @@ int SharedCorners<L>::compare(const Corner& a, const Corner& b) noexcept {
         if (const int s = sign<9 * L>(sum)) return s;
     }
     return 0;
+}
+
+template <int L>
+auto SharedCorners<L>::normal() const -> std::optional<LimbVector<2 * L>> {
+    if (corners_.empty()) return std::nullopt;
+    if (corners_.size() == 1) return normal_at_point();
+    if (corners_.size() == 2) return normal_along_segment();
+    return normal_[0];
+}
+
+template <int L>
+auto SharedCorners<L>::normal_at_point() const -> std::optional<LimbVector<2 * L>> {
+    for (const FeaturePair& f : feature_pairs) {
+        if (features_.meeting(f) != Standing::inside) continue;
+        if (f.kind == FeatureKind::vertex_face || f.kind == FeatureKind::edge_edge) return features_.normal(f);
+        return std::nullopt;
+    }
+    return std::nullopt;  // a segment that goes through a face
+}
+
+template <int L>
+auto SharedCorners<L>::normal_along_segment() const -> std::optional<LimbVector<2 * L>> {
+    const bool is_in_edge_of_a = is_in_edge(0), is_in_edge_of_b = is_in_edge(1);
+    if (is_in_edge_of_a == is_in_edge_of_b) return std::nullopt;
+    return normal_[is_in_edge_of_a ? 1 : 0];
+}
+
+// Whether an edge of a triangle holds both corners: den p - num is parallel to it, p being one of its ends.
+template <int L>
+bool SharedCorners<L>::is_in_edge(std::size_t side) const noexcept {
+    const auto is_on_line = [&](const Corner& corner, std::size_t edge) {
+        const Vector p = features_.position(side, edge), u = features_.from(side, edge, 1);
+        LimbVector<5 * L> r;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            Limbs<5 * L> sum{};
+            add_product<4 * L, L>(sum, Weight{corner.den, 0}, p[axis]);
+            add_signed<5 * L>(sum, corner.num[axis].limbs, ~corner.num[axis].negative);
+            r[axis] = magnitude<5 * L>(sum);
+        }
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+            Limbs<6 * L> sum{};
+            add_product<5 * L, L>(sum, r[i], u[j]);
+            add_product<5 * L, L>(sum, r[j], u[i], all_ones);
+            if (!is_zero<6 * L>(sum)) return false;
+        }
+        return true;
+    };
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+        const Vector u = features_.from(side, edge, 1);
+        if (is_zero<2 * L>(dot<L, L>(u, u).limbs)) continue;
+        if (is_on_line(corners_[0], edge) && is_on_line(corners_[1], edge)) return true;
+    }
+    return false;
 }
 
 }  // namespace ecods::exact

@@ -9,6 +9,8 @@ namespace ecods::exact {
 // Points of limb_count_max limbs have numerators of up to six times that, see exact_features.hpp.
 inline constexpr std::size_t numerator_limbs = 6 * limb_count_max;
 inline constexpr std::size_t denominator_limbs = 4 * limb_count_max;
+// The longest number that is divided by.
+inline constexpr std::size_t divisor_limbs = numerator_limbs;
 
 // num / den * 4^exponent.
 struct SquaredDistance {
@@ -23,6 +25,10 @@ double round_root(const SquaredDistance& square) noexcept;
 
 // The double nearest to num / den * 2^exponent, or its negative; a zero is +0. den > 0.
 double round_quotient(NaturalSpan num, NaturalSpan den, int exponent, bool negative) noexcept;
+
+// The double nearest to the square root of num / den <= 1, or its negative: a coordinate of a unit vector. A zero is
+// +0.
+double round_cosine(NaturalSpan num, NaturalSpan den, bool negative) noexcept;
 
 // The sign of the distance less d. d >= 0, or infinity.
 int compare(const SquaredDistance& square, double d) noexcept;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "exact/measure/closest_points.hpp"
+#include "exact/measure/direction.hpp"
 #include "exact/measure/exact_point.hpp"
 #include "exact/measure/guess_features.hpp"
 #include "exact/measure/measure_pair.hpp"
@@ -162,7 +163,6 @@ PointRef TriangleDistances::first_corner(std::uint32_t i) const noexcept {
 
 ClosestPoints TriangleDistances::closest(std::uint32_t i, std::uint32_t j) {
     return with_features(i, j, [&](const auto& points, const auto& features, const FeaturePair& guess) {
-        using SharedCornersOf = decltype(SharedCorners(features));
         ClosestPoints result;
         std::array<ExactPoint, 2> ends;
         SquaredDistance square;
@@ -173,7 +173,7 @@ ClosestPoints TriangleDistances::closest(std::uint32_t i, std::uint32_t j) {
             const SharedCorners corners(features);
             result.a = {Feature::Kind::face, i, 0};
             result.b = {Feature::Kind::face, j, 0};
-            SharedCornersOf::assign(corners.corners().front(), points.unit, ends[0]);
+            corners.assign(corners.corners().front(), points.unit, ends[0]);
             result.point_a = result.point_b = round_point(first_corner(i), ends[0]);
             return result;
         }
@@ -183,6 +183,31 @@ ClosestPoints TriangleDistances::closest(std::uint32_t i, std::uint32_t j) {
         result.distance = round_root(square);
         result.point_a = round_point(first_corner(i), ends[0]);
         result.point_b = round_point(first_corner(i), ends[1]);
+        return result;
+    });
+}
+
+Vec3 TriangleDistances::direction(std::uint32_t i, std::uint32_t j) {
+    return with_features(i, j, [&](const auto& points, const auto& features, const FeaturePair& guess) {
+        const ClosestFeatures found = find_closest(points, features, guess);
+        SquaredDistance square;
+        if (found.standing != Standing::none) features.measure(found.features, square);
+        if (square.num.is_zero()) return Vec3(Vec3::Zero());
+        return features.with_direction(first_closest(features, found),
+                                       [](const auto& v, bool is_turned) { return round_direction(v, is_turned); });
+    });
+}
+
+SharedSet TriangleDistances::intersection(std::uint32_t i, std::uint32_t j) {
+    return with_features(i, j, [&](const auto& points, const auto& features, const FeaturePair&) {
+        SharedSet result;
+        const SharedCorners shared(features);
+        ExactPoint point;
+        for (const auto& corner : shared.corners()) {
+            shared.assign(corner, points.unit, point);
+            result.corners[result.corner_count++] = round_point(first_corner(i), point);
+        }
+        if (const auto normal = shared.normal()) result.normal = round_direction(*normal);
         return result;
     });
 }

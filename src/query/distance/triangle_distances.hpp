@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "ecods/distance.hpp"
 #include "exact/measure/enclose_distance.hpp"
@@ -40,6 +41,17 @@ struct DistanceInterval {
     SharedFeature a, b;
 };
 
+// What two triangles share: a point, a segment or a convex polygon, by its corners.
+struct SharedSet {
+    std::size_t corner_count = 0;  // 0 if they share nothing
+    // In lexicographic order of the real points, each coordinate rounded once; a zero is +0.
+    std::array<Vec3, 6> corners;
+    // A unit vector, each coordinate rounded once: the normal of the face, where what is shared lies in the face of one
+    // triangle and in a vertex or edge of the other, or in both faces (then of the first triangle's); (b - a) x (c - a)
+    // for its corners. The product of two edges, the first triangle's first, where they cross in one point inside both.
+    std::optional<Vec3> normal;
+};
+
 class TriangleDistances {
   public:
     // Cost: constant. Everything that the arguments refer to must outlive the questions.
@@ -60,6 +72,12 @@ class TriangleDistances {
 
     // The closest points of a pair of triangles, by the rule of ClosestPoints.
     ClosestPoints closest(std::uint32_t i, std::uint32_t j);
+
+    // The unit vector from the first triangle's closest point to the second's, by the same rule, each coordinate
+    // rounded once; zero if they share a point.
+    Vec3 direction(std::uint32_t i, std::uint32_t j);
+
+    SharedSet intersection(std::uint32_t i, std::uint32_t j);
 
   private:
     // The exact distance of a pair of triangles that was asked about lately.

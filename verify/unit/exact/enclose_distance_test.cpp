@@ -7,49 +7,79 @@
 
 #include <map>
 
+#include "exact/measure/guess_features.hpp"
 #include "measured_pairs.hpp"
+#include "oracle_pair.hpp"
 #include "query/distance/triangle_distances.hpp"
-#include "rational_distance.hpp"
 
 namespace ecods::exact {
 namespace {
 
-// One square against another; the upper end may be infinity.
-bool contains(double lower, double upper, const mpq_class& square) {
-    const mpq_class low(lower);
-    if (lower < 0 || low * low > square) return false;
-    if (upper == std::numeric_limits<double>::infinity()) return true;
-    const mpq_class high(upper);
-    return high * high >= square;
+bool contains(const Enclosure& enclosure, const oracle::ExactRoot& root) {
+    return enclosure.lower >= 0 && oracle::compare(root, enclosure.lower) >= 0 &&
+           oracle::compare(root, enclosure.upper) <= 0;
 }
 
-TEST(EncloseDistance, ContainsTheDistance) {
-    TriangleDistances bodies;
-    std::map<std::string, std::array<int, 4>> counts;
-    for_each_pair(300, [&](const std::string& name, const PosedPair& pair) {
-        const RationalDistance truth = RationalTriangles(pair).distance();
+// What the oracle calls the features that it chooses.
+bool are_features(const FeaturePair& f, const oracle::ExactClosest& closest) {
+    const int greater = f.kind == FeatureKind::vertex_face ? 2 : f.kind == FeatureKind::vertex_vertex ? 0 : 1;
+    const int lesser = f.kind == FeatureKind::edge_edge ? 1 : 0;
+    const bool is_turned = f.vertex_side == 1;
+    return closest.a == oracle::NamedFeature{is_turned ? greater : lesser, 0, f.a} &&
+           closest.b == oracle::NamedFeature{is_turned ? lesser : greater, 0, f.b};
+}
+
+IntegerPair integers(FixedPoints& points, const OnePair& meshes) {
+    points.bind(meshes.a(), meshes.b());
+    IntegerPair pair;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        pair.at[k] = points.at(0, k);
+        pair.at[3 + k] = points.at(1, k);
+    }
+    pair.unit = points.unit();
+    pair.error = points.is_exact() ? 0 : FixedPoints::error_units;
+    return pair;
+}
+
+// With the guess, and with every other pair of features in its place.
+TEST(EncloseDistance, ContainsTheDistanceWhateverIsGuessed) {
+    FixedPoints points;
+    int certain_count = 0;
+    for_each_pair(60, [&](const std::string& name, const PosedPair& pair) {
         const OnePair meshes(pair);
+        const OraclePair truth(pair);
+        const oracle::ExactClosest closest = truth->closest(0, 0);
         for (const int environment : environments) {
-            const DistanceInterval i = in_environment(environment, [&] {
-                bodies.bind(meshes.a(), meshes.b());
-                return bodies.enclose(0, 0);
-            });
-            ASSERT_TRUE(contains(i.lower, i.upper, truth.square)) << name << " " << i.lower << " " << i.upper;
-            auto& count = counts[name];
-            if (truth.square == 0) {
-                ASSERT_FALSE(i.is_certain) << name;
-                continue;
+            for (const FeaturePair& features : feature_pairs) {
+                const Enclosure e =
+                    in_environment(environment, [&] { return enclose_distance(integers(points, meshes), features); });
+                ASSERT_TRUE(contains(e, closest.distance)) << name << " " << e.lower << " " << e.upper;
+                ASSERT_TRUE(!e.is_certain || are_features(features, closest)) << name;
+                certain_count += e.is_certain;
             }
-            ++count[0];
-            count[1] += i.lower > 0;
-            count[2] += i.lower > 0.999 * i.upper;
-            count[3] += i.is_certain;
-            ASSERT_TRUE(!i.is_certain || truth.closest.size() == 1) << name;
         }
     });
-    for (const auto& [name, c] : counts) {
-        std::printf("%-26s apart %5d  positive %5d  narrow %5d  certain %5d\n", name.c_str(), c[0], c[1], c[2], c[3]);
+    EXPECT_GT(certain_count, 3000);
+}
+
+// Of triangles that are apart by at least 2^-27 of their size, far from where coordinates run out of digits.
+TEST(EncloseDistance, IsNarrow) {
+    Random random(18);
+    FixedPoints points;
+    int apart_count = 0, certain_count = 0, narrow_count = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const int exponent = i % 4 == 0 ? static_cast<int>(random.below(1201)) - 600 : 0;
+        const PosedPair pair = scaled_by(at_gap(random, random_pair(random), 0x1p-27), exponent);
+        if (triangle_triangle({pair.pose_a, pair.a}, {pair.pose_b, pair.b}) != Relation::disjoint) continue;
+        const OnePair meshes(pair);
+        const IntegerPair six = integers(points, meshes);
+        const Enclosure e = enclose_distance(six, guess_features(six));
+        ++apart_count;
+        certain_count += e.is_certain;
+        narrow_count += e.lower > 0.9999 * e.upper;
     }
+    EXPECT_GT(narrow_count, apart_count * 9 / 10);
+    EXPECT_GT(certain_count, apart_count * 7 / 10);
 }
 
 }  // namespace

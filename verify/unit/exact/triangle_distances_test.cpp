@@ -5,41 +5,20 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
-
 #include "base/next.hpp"
 #include "ecods/predicates.hpp"
 #include "measured_pairs.hpp"
 #include "oracle/distance.hpp"
+#include "oracle_pair.hpp"
 
 namespace ecods::exact {
 namespace {
-
-// The oracle's view of a pair.
-class Truth {
-  public:
-    explicit Truth(const PosedPair& pair)
-        : a_(pair.a.begin(), pair.a.end()),
-          b_(pair.b.begin(), pair.b.end()),
-          meshes_({a_, triangle_, pair.pose_a}, {b_, triangle_, pair.pose_b}) {}
-    const oracle::MeshDistances& operator*() const { return meshes_; }
-    const oracle::MeshDistances* operator->() const { return &meshes_; }
-
-  private:
-    std::vector<Vec3> a_, b_;
-    std::vector<Triangle> triangle_{{0, 1, 2}};
-    oracle::MeshDistances meshes_;
-};
-
-std::uint64_t bits(double x) {
-    return std::bit_cast<std::uint64_t>(x);
-}
 
 TEST(TriangleDistances, AreRoundedOnceInEveryEnvironment) {
     TriangleDistances bodies;
     for_each_pair(150, [&](const std::string& name, const PosedPair& pair) {
         const OnePair meshes(pair);
-        const Truth truth(pair);
+        const OraclePair truth(pair);
         const double expected = oracle::nearest(truth->distance());
         ASSERT_EQ(bits(expected) == 0,
                   triangle_triangle({pair.pose_a, pair.a}, {pair.pose_b, pair.b}) != Relation::disjoint);
@@ -58,7 +37,7 @@ TEST(TriangleDistances, AreComparedWithDoublesExactly) {
     int equal_count = 0;
     for_each_pair(100, [&](const std::string& name, const PosedPair& pair) {
         const OnePair meshes(pair);
-        const Truth truth(pair);
+        const OraclePair truth(pair);
         const oracle::ExactRoot root = truth->distance();
         const double d = oracle::nearest(root);
         bodies.bind(meshes.a(), meshes.b());
@@ -80,20 +59,18 @@ bool same(const Feature& feature, const oracle::NamedFeature& expected) {
            feature.corner == expected.corner;
 }
 
-bool same_bits(const Vec3& a, const Vec3& b) {
-    return bits(a[0]) == bits(b[0]) && bits(a[1]) == bits(b[1]) && bits(a[2]) == bits(b[2]);
-}
-
 TEST(TriangleDistances, ClosestPointsAreThoseOfTheRule) {
     TriangleDistances bodies;
     std::array<int, 5> counts{};
     for_each_pair(150, [&](const std::string& name, const PosedPair& pair) {
         const OnePair meshes(pair);
-        const Truth truth(pair);
+        const OraclePair truth(pair);
         const oracle::ExactClosest expected = truth->closest(0, 0);
         for (const int environment : environments) {
+            Vec3 direction;
             const ClosestPoints c = in_environment(environment, [&] {
                 bodies.bind(meshes.a(), meshes.b());
+                direction = bodies.direction(0, 0);
                 return bodies.closest(0, 0);
             });
             ASSERT_EQ(static_cast<int>(c.kind), static_cast<int>(expected.kind)) << name;
@@ -102,6 +79,11 @@ TEST(TriangleDistances, ClosestPointsAreThoseOfTheRule) {
             ASSERT_TRUE(same_bits(c.point_a, expected.point_a.nearest())) << name << " " << static_cast<int>(c.kind);
             ASSERT_TRUE(same_bits(c.point_b, expected.point_b.nearest())) << name << " " << static_cast<int>(c.kind);
             ++counts[static_cast<std::size_t>(c.kind)];
+            if (c.kind == ClosestKind::intersecting) {
+                ASSERT_EQ(direction, Vec3(Vec3::Zero()));
+            } else {
+                ASSERT_TRUE(is_direction(direction, rational(expected.point_b) - rational(expected.point_a))) << name;
+            }
         }
     });
     for (const int count : counts) EXPECT_GT(count, 500);
