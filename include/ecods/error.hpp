@@ -182,6 +182,14 @@ class ECODS_API InvalidBall final : public Error {
     double value;
 };
 
+// A distance that was given is negative or NaN, or infinite where it must not be.
+class ECODS_API InvalidDistance final : public Error {
+  public:
+    explicit InvalidDistance(double value);
+
+    double value;
+};
+
 // A user-defined shape is not what it was when its body was given it: its box or its digest has changed. (A changed
 // shape is a new one, given by World::set_shape.) Thrown by validate() only.
 class ECODS_API ShapeChanged final : public Error {

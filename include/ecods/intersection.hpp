@@ -50,12 +50,23 @@ inline constexpr std::array<Stage, 6> stages{{
     {"many limbs", &StageCounts::many_limbs},
 }};
 
+// How many pairs of triangles were bounded, from the cheapest stage to the dearest, by the questions of distance.hpp.
+struct DistanceCounts {
+    std::uint64_t triangle_bounds = 0;  // in floats
+    std::uint64_t enclosures = 0;       // in doubles with proven bounds
+    std::uint64_t exact = 0;            // rounded or compared exactly
+
+    ECODS_API DistanceCounts& operator+=(const DistanceCounts& other) noexcept;
+    friend bool operator==(const DistanceCounts&, const DistanceCounts&) = default;
+};
+
 // The work of queries as exact counts.
 struct QueryCounts {
     std::uint64_t queries = 0;       // two-body queries of meshes
     std::uint64_t witness_hits = 0;  // of these, decided by what decided last time
     std::uint64_t box_tests = 0;     // pairs of tree nodes, up to eight boxes against eight each
     StageCounts stages;              // of the pairs of triangles that the trees left over
+    DistanceCounts distances;        // of these where distances are asked for
 
     ECODS_API QueryCounts& operator+=(const QueryCounts& other) noexcept;
     friend bool operator==(const QueryCounts&, const QueryCounts&) = default;

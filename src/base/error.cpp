@@ -152,6 +152,9 @@ InvalidBall::InvalidBall(int axis_index, double bad_value)
       axis(axis_index),
       value(bad_value) {}
 
+InvalidDistance::InvalidDistance(double bad_value)
+    : Error("distance is " + text(bad_value) + ", not a number from 0 that is allowed here"), value(bad_value) {}
+
 ShapeChanged::ShapeChanged(BodyId of_body, ShapeKind of_kind, const std::string& what_changed)
     : Error(text(of_body) + ": its shape, of kind " + std::to_string(of_kind.value) + ", changed its " + what_changed +
             " while the body had it"),

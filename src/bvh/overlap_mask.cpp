@@ -2,6 +2,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "bvh/projected_lanes.hpp"
 #include "bvh/separating_axes.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/vec.hpp"
@@ -9,88 +10,13 @@
 namespace ecods {
 namespace {
 
-// For registers of `width` floats: four, which every x86-64 has, or eight. Operations and their order are the same in
-// every lane, so the bits are, too.
 template <std::size_t width>
-struct Kernel {
-    using Floats = Vec<float, width>;
-    using Ints = Vec<std::int32_t, width>;
-    static constexpr std::size_t part_count = tree_width / width;
-
+struct Kernel : ProjectedLanes<width> {
+    using Lanes = ProjectedLanes<width>;
+    using Lanes::bits_of, Lanes::collect, Lanes::find_ends, Lanes::load, Lanes::part_count, Lanes::place;
+    using typename Lanes::Corners, typename Lanes::Floats, typename Lanes::Ints, typename Lanes::SlabAxis,
+        typename Lanes::Spans;
     using Sets = std::array<AxisSet, 2>;
-
-    ECODS_ALWAYS_INLINE static Floats load(const FloatLanes& lanes, std::size_t part) noexcept {
-        return ecods::load<Floats>(&lanes[part * width]);
-    }
-    ECODS_ALWAYS_INLINE static void store(FloatLanes& lanes, std::size_t part, Floats v) noexcept {
-        ecods::store(&lanes[part * width], v);
-    }
-
-    // The ends of eight boxes or triangles on three axes.
-    struct Spans {
-        alignas(32) std::array<FloatLanes, 3> low;
-        alignas(32) std::array<FloatLanes, 3> high;
-    };
-    // Corners of eight triangles in the coordinates of three axes.
-    struct Corners {
-        alignas(32) std::array<std::array<FloatLanes, 3>, 3> at;  // by corner and axis
-    };
-
-    ECODS_ALWAYS_INLINE static void project(const Projection& p, const BvhNode& node, Spans& spans) noexcept {
-        for (std::size_t k = 0; k < 3; ++k) {
-            for (std::size_t part = 0; part < part_count; ++part) {
-                Floats middle, reach;
-                if (p.is_unit) {
-                    middle = load(node.center[k], part);
-                    reach = load(node.half[k], part);
-                } else {
-                    middle = (p.p[0][k] * load(node.center[0], part) + p.p[1][k] * load(node.center[1], part)) +
-                             p.p[2][k] * load(node.center[2], part);
-                    reach = (p.size[0][k] * load(node.half[0], part) + p.size[1][k] * load(node.half[1], part)) +
-                            p.size[2][k] * load(node.half[2], part);
-                }
-                middle = middle + p.shift[k];
-                reach = reach + p.margin[k];
-                store(spans.low[k], part, middle - reach);
-                store(spans.high[k], part, middle + reach);
-            }
-        }
-    }
-
-    ECODS_ALWAYS_INLINE static void pose(const Projection& p, const TreeLeaf& leaf, Corners& corners) noexcept {
-        for (std::size_t c = 0; c < 3; ++c) {
-            const auto& y = leaf.corner[c];
-            for (std::size_t k = 0; k < 3; ++k) {
-                for (std::size_t part = 0; part < part_count; ++part) {
-                    const Floats z = p.is_unit ? load(y[k], part)
-                                               : (p.p[0][k] * load(y[0], part) + p.p[1][k] * load(y[1], part)) +
-                                                     p.p[2][k] * load(y[2], part);
-                    store(corners.at[c][k], part, z + p.shift[k]);
-                }
-            }
-        }
-    }
-
-    ECODS_ALWAYS_INLINE static void span(const Projection& p, const Corners& corners, Spans& spans) noexcept {
-        for (std::size_t k = 0; k < 3; ++k) {
-            for (std::size_t part = 0; part < part_count; ++part) {
-                const Floats a = load(corners.at[0][k], part), b = load(corners.at[1][k], part),
-                             c = load(corners.at[2][k], part);
-                store(spans.low[k], part, min(a, min(b, c)) - p.margin[k]);
-                store(spans.high[k], part, max(a, max(b, c)) + p.margin[k]);
-            }
-        }
-    }
-
-    // Nodes have no corners.
-    ECODS_ALWAYS_INLINE static void place(const Projection& p, const BvhNode& node, Corners&, Spans& spans) noexcept {
-        project(p, node, spans);
-    }
-    ECODS_ALWAYS_INLINE static void place(const Projection& p, const TreeLeaf& leaf, Corners& corners,
-                                          Spans& spans) noexcept {
-        pose(p, leaf, corners);
-        span(p, corners, spans);
-    }
 
     // Returns in lane j those bits i of `rows` for which span i of x and span j of y are not apart on any axis. NaN
     // compares false: not apart.
@@ -108,66 +34,16 @@ struct Kernel {
         return near;
     }
 
-    // All bits of all lanes.
-    ECODS_ALWAYS_INLINE static std::uint32_t bits_of(const Ints (&lanes)[part_count]) noexcept {
-        Ints any = lanes[0];
-        for (std::size_t part = 1; part < part_count; ++part) any |= lanes[part];
-        return static_cast<std::uint32_t>(any_bits(any));
-    }
-
-    // Bits i of lanes j to bits 8 j + i.
-    ECODS_ALWAYS_INLINE static void collect(const Ints& near, std::size_t part, std::uint64_t& pairs) noexcept {
-        pairs |= low_bytes(near) << (8 * part * width);
-    }
-
-    // The least and largest m . y of each lane's box or triangle.
-    ECODS_ALWAYS_INLINE static void find_ends(const BvhNode& node, const std::array<float, 3>& m, std::size_t part,
-                                              Floats& low, Floats& high) noexcept {
-        const Floats middle =
-            (m[0] * load(node.center[0], part) + m[1] * load(node.center[1], part)) + m[2] * load(node.center[2], part);
-        const Floats reach = (std::abs(m[0]) * load(node.half[0], part) + std::abs(m[1]) * load(node.half[1], part)) +
-                             std::abs(m[2]) * load(node.half[2], part);
-        low = middle - reach;
-        high = middle + reach;
-    }
-    ECODS_ALWAYS_INLINE static void find_ends(const TreeLeaf& leaf, const std::array<float, 3>& m, std::size_t part,
-                                              Floats& low, Floats& high) noexcept {
-        const auto at = [&](std::size_t c) {
-            const auto& y = leaf.corner[c];
-            return (m[0] * load(y[0], part) + m[1] * load(y[1], part)) + m[2] * load(y[2], part);
-        };
-        const Floats a = at(0), b = at(1), c = at(2);
-        low = min(a, min(b, c));
-        high = max(a, max(b, c));
-    }
-
     // Sets the lanes of `other`, projected by `p`, that are not certainly beyond the slab of a node of the other tree.
-    // The set must have the axes of the slab's tree; `shift` is 1 if the other tree is the shifted one, -1 if the
-    // slab's is.
-    //
-    // Bound: the slab's normal n is a vector in the coordinates N x. The other's projection there is n . (P y + q),
-    // computed as (P^T n) . y + n . q. For a corner there are the errors of converting P and q, of y, and 3.01 v s for
-    // each of three products of vectors, 3 v s for sums: below 14 v s + 13 u' w + e, summed as |n_k| (...)_k. A box
-    // adds a reach with two products, and the ends: below 23 v s + 20 u' w + 2 e. Three times point_error is 24 v s +
-    // 48 u' w
-    // + 3 e.
+    // `set` and `shift` as for SlabAxis.
     template <class Other>
     ECODS_ALWAYS_INLINE static void find_in_slab(const AxisSet& set, const Slab& slab, const Projection& p,
                                                  const Other& other, float shift, Ints (&lanes)[part_count]) noexcept {
-        const auto& n = slab.normal;
-        // The fourth lane of m is n . q.
-        const auto row = [](const std::array<float, 4>& r) { return Vec<float, 4>{r[0], r[1], r[2], r[3]}; };
-        const auto& rows = set.b.row;  // for q
-        const Vec<float, 4> m4 = (n[0] * row(p.row[0]) + n[1] * row(p.row[1])) + n[2] * row(p.row[2]);
-        const std::array<float, 3> m{m4[0], m4[1], m4[2]};
-        const float q = shift * ((n[0] * rows[0][3] + n[1] * rows[1][3]) + n[2] * rows[2][3]);
-        const float margin = 3 * ((std::abs(n[0]) * set.point_error[0] + std::abs(n[1]) * set.point_error[1]) +
-                                  std::abs(n[2]) * set.point_error[2]);
-        const float slab_low = (slab.low - margin) - q, slab_high = (slab.high + margin) - q;
+        const SlabAxis axis(set, slab, p, shift);
         for (std::size_t part = 0; part < part_count; ++part) {
             Floats low, high;
-            find_ends(other, m, part, low, high);
-            lanes[part] = ~((low > slab_high) | (high < slab_low));
+            find_ends(other, axis.m, part, low, high);
+            lanes[part] = ~((low > axis.high) | (high < axis.low));
         }
     }
 

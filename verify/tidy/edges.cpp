@@ -24,6 +24,7 @@ const std::map<std::string_view, std::string_view> header_rooms = {
     {"predicates.hpp", "src/exact/sign"},
     {"shape.hpp", "src/query/shape"},
     {"intersection.hpp", "src/query/intersection"},
+    {"distance.hpp", "src/query/distance"},
     {"broad_phase.hpp", "src/broad_phase/changes"},
     {"trace.hpp", "src/trace"},
     {"executor.hpp", "src/world"},
@@ -60,6 +61,9 @@ const std::vector<Room>& rooms() {
         {"src/query/intersection",
          {"src/base", "src/simd", "src/geometry", "src/exact/point", "src/exact/sign", "src/exact/simplex", "src/bvh",
           "src/query/shape"}},
+        {"src/query/distance",
+         {"src/base", "src/simd", "src/geometry", "src/exact/number", "src/exact/point", "src/exact/sign",
+          "src/exact/measure", "src/bvh", "src/query/shape", "src/query/intersection"}},
         {"src/broad_phase/changes", {"src/base", "src/simd", "src/geometry"}},
         {"src/broad_phase/boxes", {"src/base", "src/simd", "src/geometry", "src/bounds", "src/bvh"}},
         {"src/broad_phase/sweep",
@@ -76,7 +80,7 @@ const std::vector<Room>& rooms() {
         {"src/trace/replay", {"src/base", "src/geometry", "src/trace", "src/world"}},
         {"include",
          {"src/base", "src/simd", "src/geometry", "src/exact/sign", "src/query/shape", "src/query/intersection",
-          "src/broad_phase/changes", "src/trace", "src/world", "src/trace/replay"}},
+          "src/query/distance", "src/broad_phase/changes", "src/trace", "src/world", "src/trace/replay"}},
 
         // What checks it, and is not installed.
         {"verify/process", {}},

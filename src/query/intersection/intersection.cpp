@@ -10,22 +10,10 @@
 #include "bvh/separating_axes.hpp"
 #include "bvh/walk_two.hpp"
 #include "query/intersection/mesh_mesh_test.hpp"
-#include "query/intersection/triangle_relations.hpp"
+#include "query/intersection/query_memory.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
-
-struct QueryMemory::State {
-    TriangleRelations pair;
-    SeparatingAxes axes;
-    std::vector<NodePair> stack;
-    QueryCounts counts;
-};
-
-struct QueryMemoryAccess {
-    using State = QueryMemory::State;
-    static State& state(QueryMemory& memory) noexcept { return *memory.state_; }
-};
 
 QueryMemory::QueryMemory() : state_(std::make_unique<State>()) {}
 QueryMemory::~QueryMemory() = default;
@@ -45,11 +33,19 @@ StageCounts& StageCounts::operator+=(const StageCounts& other) noexcept {
     return *this;
 }
 
+DistanceCounts& DistanceCounts::operator+=(const DistanceCounts& other) noexcept {
+    triangle_bounds += other.triangle_bounds;
+    enclosures += other.enclosures;
+    exact += other.exact;
+    return *this;
+}
+
 QueryCounts& QueryCounts::operator+=(const QueryCounts& other) noexcept {
     queries += other.queries;
     witness_hits += other.witness_hits;
     box_tests += other.box_tests;
     stages += other.stages;
+    distances += other.distances;
     return *this;
 }
 

@@ -1,0 +1,134 @@
+#include <bit>
+
+#include "bvh/distance_axes.hpp"
+#include "bvh/projected_lanes.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/vec.hpp"
+
+namespace ecods {
+namespace {
+
+using Sets = std::array<DistanceSet, 2>;
+
+template <std::size_t width>
+struct Kernel : ProjectedLanes<width> {
+    using Lanes = ProjectedLanes<width>;
+    using Lanes::bits_of, Lanes::collect, Lanes::find_ends, Lanes::load, Lanes::part_count, Lanes::place;
+    using typename Lanes::Corners, typename Lanes::Floats, typename Lanes::Ints, typename Lanes::SlabAxis,
+        typename Lanes::Spans;
+
+    // Where a gap is a NaN, 0.
+    ECODS_ALWAYS_INLINE static Floats positive(Floats gap) noexcept { return max(gap, Floats{}); }
+
+    // Sets the squared distances of span i of x from the spans of y, for the rows i. With `is_second`, only makes them
+    // greater. Returns in lane j those bits i that are not above the limit.
+    template <bool is_second>
+    ECODS_ALWAYS_INLINE static Ints find_near(const Spans& x, const Spans& y, float square, float limit,
+                                              std::size_t part, std::uint32_t rows, LaneSquares& squares) noexcept {
+        Floats low[3], high[3];
+        for (std::size_t k = 0; k < 3; ++k) {
+            low[k] = load(y.low[k], part);
+            high[k] = load(y.high[k], part);
+        }
+        Ints near{};
+        for (; rows != 0; rows &= rows - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(rows));
+            const auto gap = [&](std::size_t k) { return positive(max(x.low[k][i] - high[k], low[k] - x.high[k][i])); };
+            const Floats gx = gap(0), gy = gap(1), gz = gap(2);
+            Floats sum = ((gx * gx + gy * gy) + gz * gz) * square;
+            float* const row = &squares[tree_width * i + part * width];
+            if constexpr (is_second) sum = max(sum, ecods::load<Floats>(row));
+            ecods::store(row, sum);
+            near |= (sum <= limit) & (1 << i);
+        }
+        return near;
+    }
+
+    // Squared distances of the lanes of `other` from a slab of the other tree; `set` and `shift` as for SlabAxis.
+    template <class Other>
+    ECODS_ALWAYS_INLINE static void find_slab_squares(const DistanceSet& set, const Slab& slab, const Projection& p,
+                                                      const Other& other, float shift,
+                                                      Floats (&squares)[part_count]) noexcept {
+        const SlabAxis axis(set.axes, slab, p, shift);
+        for (std::size_t part = 0; part < part_count; ++part) {
+            Floats low, high;
+            find_ends(other, axis.m, part, low, high);
+            const Floats gap = positive(max(low - axis.high, axis.low - high));
+            squares[part] = gap * gap * set.square;
+        }
+    }
+
+    template <class X, class Y>
+    ECODS_ALWAYS_INLINE static std::uint64_t near_mask(const Sets& sets, float limit, const X& x, const Y& y,
+                                                       LaneSquares& squares) noexcept {
+        Floats over_x[part_count]{}, over_y[part_count]{};
+        Ints near[part_count], lanes[part_count];
+        std::uint32_t rows = x.lanes();
+        const bool has_slab_x = sets[0].axes.a.is_unit, has_slab_y = sets[1].axes.b.is_unit;
+        if (has_slab_x) {
+            find_slab_squares(sets[0], x.slab, sets[0].axes.b, y, 1, over_y);
+            for (std::size_t part = 0; part < part_count; ++part) lanes[part] = over_y[part] <= limit;
+            if (bits_of(lanes) == 0) return 0;
+        }
+        if (has_slab_y) {
+            find_slab_squares(sets[1], y.slab, sets[1].axes.a, x, -1, over_x);
+            for (std::size_t part = 0; part < part_count; ++part) {
+                lanes[part] = (over_x[part] <= limit) & lane_bits<Ints>(static_cast<int>(part * width));
+            }
+            rows &= bits_of(lanes);
+            if (rows == 0) return 0;
+        }
+
+        Corners corners;
+        Spans spans_x, spans_y;
+        place(sets[0].axes.a, x, corners, spans_x);
+        place(sets[0].axes.b, y, corners, spans_y);
+        for (std::size_t part = 0; part < part_count; ++part) {
+            near[part] = find_near<false>(spans_x, spans_y, sets[0].square, limit, part, rows, squares);
+        }
+        rows = bits_of(near);
+        if (rows == 0) return 0;
+
+        place(sets[1].axes.a, x, corners, spans_x);
+        place(sets[1].axes.b, y, corners, spans_y);
+        std::uint64_t pairs = 0;
+        for (std::size_t part = 0; part < part_count; ++part) {
+            near[part] &= find_near<true>(spans_x, spans_y, sets[1].square, limit, part, rows, squares);
+            near[part] &= (over_y[part] <= limit);
+            for (std::uint32_t rest = rows; rest != 0; rest &= rest - 1) {
+                const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+                float* const row = &squares[tree_width * i + part * width];
+                const float over = over_x[i / width][static_cast<int>(i % width)];
+                ecods::store(row, max(max(ecods::load<Floats>(row), over_y[part]), over + Floats{}));
+            }
+            collect(near[part], part, pairs);
+        }
+        return pairs & ~std::uint64_t{0} >> (64 - tree_width * y.count);
+    }
+};
+
+template <class X, class Y>
+std::uint64_t widest(const Sets& sets, float limit, const X& x, const Y& y, LaneSquares& squares) noexcept {
+    return dispatch_by_width<Kernel<4>::near_mask<X, Y>, Kernel<8>::near_mask<X, Y>>(sets, limit, x, y, squares);
+}
+
+}  // namespace
+
+std::uint64_t near_mask(const Sets& sets, float limit, const BvhNode& x, const BvhNode& y,
+                        LaneSquares& squares) noexcept {
+    return widest(sets, limit, x, y, squares);
+}
+std::uint64_t near_mask(const Sets& sets, float limit, const BvhNode& x, const TreeLeaf& y,
+                        LaneSquares& squares) noexcept {
+    return widest(sets, limit, x, y, squares);
+}
+std::uint64_t near_mask(const Sets& sets, float limit, const TreeLeaf& x, const BvhNode& y,
+                        LaneSquares& squares) noexcept {
+    return widest(sets, limit, x, y, squares);
+}
+std::uint64_t near_mask(const Sets& sets, float limit, const TreeLeaf& x, const TreeLeaf& y,
+                        LaneSquares& squares) noexcept {
+    return widest(sets, limit, x, y, squares);
+}
+
+}  // namespace ecods

@@ -1,0 +1,129 @@
+// Two posed trees on three axes, in doubles and in floats, with the bounds that separating_axes.hpp derives. Always
+// inlined: compiled for the instruction set of the caller (simd/dispatch.hpp).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
+
+#include "base/arithmetic.hpp"
+#include "bounds/double4.hpp"
+#include "bvh/separating_axes.hpp"
+#include "simd/inline.hpp"
+
+namespace ecods::axes {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double float_u = 0x1p-23;
+inline constexpr double underflow = 0x1p-100;
+inline constexpr double sum_max = 0x1p100;
+inline constexpr double factor_max = 0x1p900;
+inline constexpr double world_max = 0x1p1000;
+inline constexpr double unit_distance_max = 0x1p-40;  // beyond, margins would suffer
+
+// The edges and the center of a tree's boxes in the world, with the sums that enter the bound.
+struct Edges {
+    Matrix4 edges;        // R map
+    Double4 size;         // |R| |map| 1
+    Double4 origin;       // R center
+    Double4 origin_size;  // |R| |center|
+    double factor;        // above every number that a rounding error of these is multiplied by
+
+    ECODS_ALWAYS_INLINE Edges(const LocalFrame& frame, const Mat3& pose_R) {
+        const Matrix4 R = load3(pose_R);
+        const Matrix4 R_size = absolute(R);
+        const Double4 center = load3(frame.center.data());
+        edges = R * load3(frame.map);
+        size = R_size * load3(frame.map_size.data());
+        origin = R * center;
+        origin_size = R_size * absolute(center);
+        factor = (1 + sum(row_sums(R_size))) * frame.size_max;
+    }
+};
+
+// The normals of the faces of a box with these edges, as rows, of such length that the box is about [-1, 1] on each;
+// the axes of the world, so long that both boxes are about that, where the box is too flat for it. Any choice is sound.
+ECODS_ALWAYS_INLINE Matrix4 axes_of(const Matrix4& own, const Matrix4& other) noexcept {
+    const Double4 x = own.column[0], y = own.column[1], z = own.column[2];
+    const Double4 yz = cross(y, z);
+    const double det = dot(x, yz);
+    if (det * det > 0x1p-40 * (dot(x, x) * dot(y, y) * dot(z, z))) {
+        const double factor = 1 / det;
+        return transpose({{yz * factor, cross(z, x) * factor, cross(x, y) * factor}});
+    }
+    const double size = std::max(largest(absolute(own)), largest(absolute(other)));
+    const double factor = size > 0 ? 1 / size : 1;
+    return {{Double4{factor, 0, 0, 0}, Double4{0, factor, 0, 0}, Double4{0, 0, factor, 0}}};
+}
+
+// Which tree the axes are the face normals of.
+enum class Own { a, b };
+
+// Three axes in doubles.
+struct DoubleAxes {
+    Matrix4 a, b;  // P
+    Double4 offset, margin;
+    Double4 s, w;  // the sums
+    Double4 e;     // how far the own tree's P is from the identity, if it is taken for it
+    bool is_unit;
+
+    ECODS_ALWAYS_INLINE DoubleAxes(const Matrix4& N, const Edges& edges_a, const Edges& edges_b, Double4 d,
+                                   Own own_tree) {
+        const Matrix4 N_size = absolute(N);
+        const Double4 d_size = absolute(d);
+        a = N * edges_a.edges;
+        b = N * edges_b.edges;
+        offset = N * ((edges_b.origin - edges_a.origin) + d);
+        const Double4 world = ((edges_a.size + edges_b.size) + (edges_a.origin_size + edges_b.origin_size)) + d_size;
+        w = N_size * world;
+        s = (row_sums(absolute(a)) + row_sums(absolute(b))) + absolute(offset);
+        const double factor = ((edges_a.factor + edges_b.factor) + sum(d_size)) * sum(row_sums(N_size));
+        const Matrix4& own = own_tree == Own::a ? a : b;
+        e = row_sums({{absolute(own.column[0] - Double4{1, 0, 0, 0}), absolute(own.column[1] - Double4{0, 1, 0, 0}),
+                       absolute(own.column[2] - Double4{0, 0, 1, 0})}});
+        is_unit = sum(e) <= unit_distance_max;
+        if (!is_unit) e = Double4{};
+        margin = (32 * two_u * (s + w) + 2 * e) + underflow;
+        // In this form NaN is not bounded.
+        const bool is_bounded = sum(world) < world_max && sum(s) < sum_max && sum(w) < sum_max && factor < factor_max;
+        if (!is_bounded) margin += infinity;
+    }
+
+    ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return margin[0] < infinity; }
+};
+
+ECODS_ALWAYS_INLINE std::array<float, 4> to_floats(Double4 v) noexcept {
+    const Vec<float, 4> f = convert<Vec<float, 4>>(v);
+    std::array<float, 4> result;
+    std::memcpy(&result, &f, sizeof f);
+    return result;
+}
+
+ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Matrix4& P, Double4 shift) noexcept {
+    const Matrix4 size = absolute(P);
+    const Matrix4 rows = transpose(P);
+    for (std::size_t j = 0; j < 3; ++j) {
+        projection.p[j] = to_floats(P.column[j]);
+        projection.size[j] = to_floats(size.column[j]);
+        Double4 row = rows.column[j];
+        row[3] = shift[static_cast<int>(j)];
+        projection.row[j] = to_floats(row);
+    }
+    projection.shift = to_floats(shift);
+    projection.margin = {};
+    projection.is_unit = false;
+}
+
+// The last factor covers the rounding of the bounds to floats.
+ECODS_ALWAYS_INLINE void set_floats(AxisSet& set, const DoubleAxes& exact, Projection& own) noexcept {
+    set_projection(set.a, exact.a, Double4{});
+    set_projection(set.b, exact.b, exact.offset);
+    own.is_unit = exact.is_unit;
+    const Double4 in_float = float_u * exact.s, in_double = 16 * two_u * exact.w + underflow;
+    const double unbounded = exact.is_bounded() ? 0 : infinity;
+    set.b.margin = to_floats((16 * in_float + in_double + 2 * exact.e) * (1 + 0x1p-22) + unbounded);
+    set.point_error = to_floats((8 * in_float + in_double + exact.e) * (1 + 0x1p-22) + unbounded);
+}
+
+}  // namespace ecods::axes

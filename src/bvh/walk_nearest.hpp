@@ -1,0 +1,94 @@
+// The walk of two trees of triangles at once, nearest pairs of nodes first.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "bvh/distance_axes.hpp"
+#include "bvh/mesh_bvh.hpp"
+#include "bvh/walk_two.hpp"
+
+namespace ecods {
+
+// A pair of nodes or leaves, and a lower bound of the square of its distance.
+struct NearPair {
+    float square;
+    TreeRef a;
+    TreeRef b;
+};
+
+// The pair with the least bound first.
+class NearestQueue {
+  public:
+    bool is_empty() const noexcept { return heap_.empty(); }
+    void clear() noexcept { heap_.clear(); }
+
+    void push(const NearPair& pair) {
+        heap_.push_back(pair);
+        std::push_heap(heap_.begin(), heap_.end(), is_behind);
+    }
+    NearPair pop() noexcept {
+        std::pop_heap(heap_.begin(), heap_.end(), is_behind);
+        const NearPair first = heap_.back();
+        heap_.pop_back();
+        return first;
+    }
+
+  private:
+    static bool is_behind(const NearPair& x, const NearPair& y) noexcept { return x.square > y.square; }
+
+    std::vector<NearPair> heap_;
+};
+
+// Visits pairs of nodes in the order of their bounds, until no pair that is left can matter.
+//
+// `bound(x, y, squares)` is asked once for each pair visited that is not two leaves, x and y being a BvhNode or a
+// TreeLeaf of the first and the second tree; it sets bounds for pairs of lanes, which it returns as bits, as near_mask
+// does. `result.matters(square)` is asked of each pair visited: if it does not, no later one does, and the walk ends.
+// `result(x, y)` takes two leaves, and returns whether the walk goes on. `queue` is working memory. Bounds are finite.
+template <class Bound, class Result>
+void walk_nearest(const MeshBvh& a, const MeshBvh& b, NearestQueue& queue, Bound&& bound, Result&& result) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    alignas(32) LaneSquares squares;
+    std::array<float, tree_width> least;
+    queue.clear();
+    queue.push({0, a.root, b.root});
+    while (!queue.is_empty()) {
+        const NearPair top = queue.pop();
+        if (!result.matters(top.square)) return;
+        if (top.a.is_leaf() && top.b.is_leaf()) {
+            if (!result(a.leaves[top.a.index()], b.leaves[top.b.index()])) return;
+        } else if (top.a.is_leaf()) {
+            const BvhNode& y = b.nodes[top.b.index()];
+            least.fill(infinity);
+            for (LanePairs pairs(bound(a.leaves[top.a.index()], y, squares)); pairs.more(); pairs.next()) {
+                least[pairs.j()] = std::min(least[pairs.j()], squares[tree_width * pairs.i() + pairs.j()]);
+            }
+            for (std::size_t j = 0; j < y.count; ++j) {
+                if (least[j] < infinity) queue.push({least[j], top.a, y.child[j]});
+            }
+        } else if (top.b.is_leaf()) {
+            const BvhNode& x = a.nodes[top.a.index()];
+            least.fill(infinity);
+            for (LanePairs pairs(bound(x, b.leaves[top.b.index()], squares)); pairs.more(); pairs.next()) {
+                least[pairs.i()] = std::min(least[pairs.i()], squares[tree_width * pairs.i() + pairs.j()]);
+            }
+            for (std::size_t i = 0; i < x.count; ++i) {
+                if (least[i] < infinity) queue.push({least[i], x.child[i], top.b});
+            }
+        } else {
+            const BvhNode& x = a.nodes[top.a.index()];
+            const BvhNode& y = b.nodes[top.b.index()];
+            for (LanePairs pairs(bound(x, y, squares)); pairs.more(); pairs.next()) {
+                const std::size_t i = pairs.i(), j = pairs.j();
+                queue.push({squares[tree_width * i + j], x.child[i], y.child[j]});
+            }
+        }
+    }
+}
+
+}  // namespace ecods

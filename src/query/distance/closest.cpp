@@ -1,0 +1,49 @@
+#include <tuple>
+
+#include "ecods/distance.hpp"
+#include "query/distance/distance_search.hpp"
+#include "query/distance/least_distance.hpp"
+
+namespace ecods {
+namespace {
+
+// The order in which one of several pairs of features is chosen that have exactly one distance.
+auto rank(const ClosestPoints& points) {
+    return std::tuple(points.kind, points.a.triangle, points.a.corner, points.b.triangle, points.b.corner,
+                      points.a.kind);
+}
+
+ClosestPoints closest_of_intersecting(const Posed<MeshShape>& a, const Posed<MeshShape>& b, DistanceSearch& search,
+                                      QueryMemory& memory) {
+    const TrianglePair first = intersecting_triangles(a, b, memory).front();
+    return search.exact_pair().closest(first.a, first.b);
+}
+
+}  // namespace
+
+ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness) {
+    DistanceSearch search(a, b, memory);
+    search.run({}, witness);
+    ClosestPoints result;
+    if (search.is_zero()) {
+        result = closest_of_intersecting(a, b, search, memory);
+    } else {
+        // The open pairs have every pair of triangles that holds the least distance, or one of the same features before
+        // it in the order of triangles.
+        const std::vector<OpenPair>& open = find_least(search);
+        result = search.exact_pair().closest(open[0].triangles.a, open[0].triangles.b);
+        for (std::size_t i = 1; i < open.size(); ++i) {
+            const ClosestPoints other = search.exact_pair().closest(open[i].triangles.a, open[i].triangles.b);
+            if (rank(other) < rank(result)) result = other;
+        }
+    }
+    witness = {result.a.triangle, result.b.triangle};
+    return result;
+}
+
+ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {
+    PairWitness witness;
+    return closest(a, b, memory, witness);
+}
+
+}  // namespace ecods

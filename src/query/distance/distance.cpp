@@ -1,0 +1,59 @@
+#include "ecods/distance.hpp"
+
+#include <limits>
+#include <ostream>
+
+#include "base/double_key.hpp"
+#include "ecods/error.hpp"
+#include "query/distance/distance_search.hpp"
+#include "query/distance/least_distance.hpp"
+
+namespace ecods {
+
+std::ostream& operator<<(std::ostream& out, ClosestKind kind) {
+    switch (kind) {
+        case ClosestKind::vertex_vertex:
+            return out << "vertex and vertex";
+        case ClosestKind::vertex_edge:
+            return out << "vertex and edge";
+        case ClosestKind::vertex_face:
+            return out << "vertex and face";
+        case ClosestKind::edge_edge:
+            return out << "edge and edge";
+        case ClosestKind::intersecting:
+            return out << "intersecting";
+    }
+    return out << "ClosestKind " << static_cast<int>(kind);
+}
+
+double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness) {
+    DistanceSearch search(a, b, memory);
+    search.run({}, witness);
+    witness = search.witness();
+    return search.is_zero() ? 0 : round_least(search, witness);
+}
+
+double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {
+    PairWitness witness;
+    return distance(a, b, memory, witness);
+}
+
+// By keys, in whose order a NaN lies beyond the infinities.
+bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d, QueryMemory& memory, PairWitness& witness) {
+    const std::int64_t key = key_of(d), infinity = key_of(std::numeric_limits<double>::infinity());
+    if (key < 0 || key > infinity) throw InvalidDistance(d);
+    if (key == infinity) return true;
+    if (key == 0) return intersects(a, b, memory, witness);
+    DistanceSearch search(a, b, memory);
+    search.run({.at_most = d, .stop_at = d}, witness);
+    if (search.witness().a != PairWitness::none) witness = search.witness();
+    if (search.is_zero() || key_of(search.upper()) <= key) return true;
+    return is_least_within(search, d, witness);
+}
+
+bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d, QueryMemory& memory) {
+    PairWitness witness;
+    return within(a, b, d, memory, witness);
+}
+
+}  // namespace ecods

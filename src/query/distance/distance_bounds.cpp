@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <limits>
+
+#include "base/double_key.hpp"
+#include "base/next.hpp"
+#include "ecods/distance.hpp"
+#include "ecods/error.hpp"
+#include "query/distance/distance_search.hpp"
+#include "query/distance/least_distance.hpp"
+
+namespace ecods {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double double_max = std::numeric_limits<double>::max();
+
+void check(double x) {
+    if (key_of(x) < 0 || key_of(x) > key_of(infinity)) throw InvalidDistance(x);
+}
+
+double least(double x, double y) {
+    return key_of(x) < key_of(y) ? x : y;
+}
+
+// Whether upper - lower <= max(absolute, relative * lower) certainly, or the two are equal or adjacent doubles. The
+// difference and the product are off by u' = 2^-52 each.
+bool is_narrow(const DistanceBounds& bounds, const DistanceTolerance& tolerance) {
+    if (key_of(bounds.upper) - key_of(bounds.lower) <= 1) return true;
+    if (key_of(bounds.upper) == key_of(infinity)) return false;
+    const double width = (bounds.upper - bounds.lower) * (1 + 4 * 0x1p-52);
+    if (!(width >= std::numeric_limits<double>::min())) return false;  // it may have been taken for zero
+    return width <= std::max(tolerance.absolute, tolerance.relative * bounds.lower);
+}
+
+// The doubles around the least distance, which are one where it is a double.
+DistanceBounds adjacent_bounds(DistanceSearch& search, PairWitness& witness) {
+    const double rounded = round_least(search, witness);
+    if (rounded == infinity) return {double_max, infinity};
+    switch (search.exact_pair().compare(witness.a, witness.b, rounded)) {
+        case 0:
+            return {rounded, rounded};
+        case 1:
+            return {rounded, next_up(rounded)};
+        default:
+            return {next_down(rounded), rounded};
+    }
+}
+
+// What doubles know. Pairs that the search left out are beyond the floor, or beyond at_most.
+DistanceBounds enclosed_bounds(DistanceSearch& search, double at_most) {
+    double lower = least(search.floor(), at_most);
+    for (const OpenPair& open : search.open_pairs()) lower = least(lower, open.interval.lower);
+    return {lower, search.upper()};
+}
+
+}  // namespace
+
+DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const DistanceTolerance& tolerance,
+                               QueryMemory& memory, PairWitness& witness) {
+    check(tolerance.relative);
+    check(tolerance.absolute);
+    check(tolerance.at_most);
+    // What is left out is beyond `limit`, so that the lower end is above at_most.
+    const double limit = next_up(tolerance.at_most);
+    {
+        DistanceSearch search(a, b, memory);
+        search.run({.at_most = limit,
+                    .relative = least(tolerance.relative, double_max),
+                    .absolute = least(tolerance.absolute, double_max)},
+                   witness);
+        if (search.witness().a != PairWitness::none) witness = search.witness();
+        if (search.is_zero()) return {0, 0};
+        const DistanceBounds bounds = enclosed_bounds(search, limit);
+        if (key_of(bounds.lower) > key_of(tolerance.at_most)) return bounds;
+        if (is_narrow(bounds, tolerance)) return bounds;
+    }
+    DistanceSearch search(a, b, memory);
+    search.run({.at_most = limit}, witness);
+    if (search.is_zero()) return {0, 0};
+    if (search.open_pairs().empty()) return {limit, infinity};
+    const DistanceBounds bounds = adjacent_bounds(search, witness);
+    // Pairs beyond the limit were left out, some of which may be nearer than one that is beyond it.
+    if (key_of(bounds.lower) > key_of(limit)) return {limit, infinity};
+    return bounds;
+}
+
+DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const DistanceTolerance& tolerance,
+                               QueryMemory& memory) {
+    PairWitness witness;
+    return distance_bounds(a, b, tolerance, memory, witness);
+}
+
+}  // namespace ecods

@@ -1,0 +1,230 @@
+#include "query/distance/distance_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/double_key.hpp"
+#include "query/shape/mesh_tree.hpp"
+
+namespace ecods {
+
+struct DistanceSearch::Memory final : QueryMemoryPart {
+    struct Candidate {
+        float lower;  // squared, in units
+        TrianglePair triangles;
+    };
+
+    TriangleDistances pair;
+    DistanceAxes axes;
+    NearestQueue queue;
+    TriangleSquares squares;
+    std::vector<Candidate> candidates;  // of which floats know no more
+    std::vector<OpenPair> open;
+};
+
+namespace {
+
+// So many pairs of nodes that overlap are visited before the bodies are tested for a common point: a few are met when
+// they nearly touch, where that test would be wasted; very many, when they intersect.
+constexpr std::uint32_t overlap_max = 96;
+
+// The error of a difference of two points of triangles (bvh/triangle_bounds.cpp), on the axes of a set.
+double point_error(const DistanceSet& set) {
+    const auto& errors = set.axes.point_error;
+    return 9 * static_cast<double>(std::max({errors[0], errors[1], errors[2]}));
+}
+
+exact::BodyRef body_of(const Posed<MeshShape>& posed, const MeshTree& tree) {
+    return {&posed.what->mesh(), &tree.extent, &posed.pose};
+}
+
+}  // namespace
+
+DistanceSearch::Memory& DistanceSearch::memory_of(QueryMemory& memory) {
+    auto& part = QueryMemoryAccess::state(memory).distance;
+    if (!part) part = std::make_unique<Memory>();
+    return static_cast<Memory&>(*part);
+}
+
+DistanceSearch::DistanceSearch(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory)
+    : a_(a),
+      b_(b),
+      tree_a_(MeshShapeAccess::tree(*a.what)),
+      tree_b_(MeshShapeAccess::tree(*b.what)),
+      query_memory_(memory),
+      memory_(memory_of(memory)),
+      counts_(QueryMemoryAccess::state(memory).counts) {
+    ++counts_.queries;
+    memory_.candidates.clear();
+    memory_.open.clear();
+    memory_.pair.bind(body_of(a_, tree_a_), body_of(b_, tree_b_));
+    memory_.axes.bind({tree_a_.boxes, a_.pose.R}, {tree_b_.boxes, b_.pose.R}, b_.pose.t - a_.pose.t);
+}
+
+DistanceSearch::~DistanceSearch() {
+    leave_relations();
+}
+
+std::vector<OpenPair>& DistanceSearch::open_pairs() noexcept {
+    return memory_.open;
+}
+TriangleDistances& DistanceSearch::exact_pair() noexcept {
+    ++counts_.distances.exact;
+    return memory_.pair;
+}
+const DistanceAxes& DistanceSearch::axes() const noexcept {
+    return memory_.axes;
+}
+const std::array<DistanceSet, 2>& DistanceSearch::sets() const noexcept {
+    return memory_.axes.sets();
+}
+
+void DistanceSearch::run(const DistanceGoal& goal, const PairWitness& witness) {
+    goal_ = goal;
+    set_limit();
+    const bool has_witness =
+        witness.a < a_.what->mesh().triangles().size() && witness.b < b_.what->mesh().triangles().size();
+    if (has_witness) {
+        enclose({witness.a, witness.b});
+        memory_.open.clear();  // it comes again
+    } else {
+        dive();
+    }
+    if (is_decided()) return;
+    const auto bound = [this](const auto& x, const auto& y, LaneSquares& squares) {
+        ++counts_.box_tests;
+        return near_mask(sets(), limit_, x, y, squares);
+    };
+    walk_nearest(tree_a_.boxes, tree_b_.boxes, memory_.queue, bound, *this);
+    if (!is_decided()) enclose_candidates();
+}
+
+bool DistanceSearch::is_decided() const noexcept {
+    return is_zero_ || key_of(upper_) <= key_of(goal_.stop_at);
+}
+
+// Straight down to two triangles, for a first upper bound. They come again in the walk.
+void DistanceSearch::dive() {
+    TreeRef x = tree_a_.boxes.root, y = tree_b_.boxes.root;
+    const DistanceSet& set = sets()[0];
+    const auto down = [&](const auto& p, const auto& q) {
+        ++counts_.box_tests;
+        const LanePair lanes = nearest_lanes(set, p, q);
+        if constexpr (requires { p.child; }) x = p.child[lanes.i];
+        if constexpr (requires { q.child; }) y = q.child[lanes.j];
+    };
+    const MeshBvh &a = tree_a_.boxes, &b = tree_b_.boxes;
+    while (!x.is_leaf() || !y.is_leaf()) {
+        if (x.is_leaf()) {
+            down(a.leaves[x.index()], b.nodes[y.index()]);
+        } else if (y.is_leaf()) {
+            down(a.nodes[x.index()], b.leaves[y.index()]);
+        } else {
+            down(a.nodes[x.index()], b.nodes[y.index()]);
+        }
+    }
+    const TreeLeaf &p = a.leaves[x.index()], &q = b.leaves[y.index()];
+    const LanePair lanes = nearest_lanes(set, p, q);
+    enclose({p.triangle[lanes.i], q.triangle[lanes.j]});
+    memory_.open.clear();
+}
+
+bool DistanceSearch::matters(float square) {
+    if (square > limit_) return false;
+    if (square > 0 || ++overlap_count_ != overlap_max) return true;
+    leave_relations();
+    is_zero_ = intersects(a_, b_, query_memory_);
+    --counts_.queries;  // it is a part of this one
+    return !is_zero_;
+}
+
+bool DistanceSearch::operator()(const TreeLeaf& x, const TreeLeaf& y) {
+    TriangleSquares& squares = memory_.squares;
+    ++counts_.box_tests;
+    const std::uint64_t bits = near_mask(sets(), limit_, x, y, squares.lower);
+    if (bits == 0) return true;
+    bound_triangles(sets()[0], x, y, bits, squares);
+    counts_.distances.triangle_bounds += LanePairs(bits).size();
+    std::size_t at = 0;
+    for (LanePairs pairs(bits); pairs.more(); pairs.next(), ++at) {
+        take({x.triangle[pairs.i()], y.triangle[pairs.j()]}, squares.lower[at], squares.upper[at]);
+        if (is_decided()) return false;
+    }
+    return true;
+}
+
+// Where floats know nothing, doubles do: bodies that intersect are noticed at once, and many pairs need not be kept.
+void DistanceSearch::take(const TrianglePair& triangles, float lower, float upper) {
+    if (lower > limit_) return;
+    if (!(lower > 0)) return enclose(triangles);
+    if (upper <= limit_) {
+        const DistanceSet& set = sets()[0];
+        const double length = std::sqrt(static_cast<double>(upper)) * (1 + 0x1p-20) + point_error(set);
+        set_upper(length * std::sqrt(static_cast<double>(set.square_up)) * (1 + 0x1p-40) * axes().unit(), triangles);
+    }
+    memory_.candidates.push_back({lower, triangles});
+}
+
+DistanceInterval DistanceSearch::enclosure(const TrianglePair& triangles) {
+    ++counts_.distances.enclosures;
+    return memory_.pair.enclose(triangles.a, triangles.b);
+}
+
+void DistanceSearch::enclose(const TrianglePair& triangles) {
+    const DistanceInterval interval = enclosure(triangles);
+    if (key_of(interval.lower) <= 0 && relation(triangles) != Relation::disjoint) {
+        is_zero_ = true;
+        nearest_ = {triangles.a, triangles.b};
+        return;
+    }
+    if (key_of(interval.lower) > key_of(std::min(goal_.at_most, upper_))) return;
+    set_upper(interval.upper, triangles);
+    memory_.open.push_back({interval, triangles});
+}
+
+void DistanceSearch::set_upper(double upper, const TrianglePair& triangles) {
+    if (!(key_of(upper) < key_of(upper_))) return;
+    upper_ = upper;
+    nearest_ = {triangles.a, triangles.b};
+    set_limit();
+}
+
+void DistanceSearch::set_limit() {
+    floor_ = upper_;
+    if (goal_.absolute > 0 || goal_.relative > 0) {
+        floor_ = std::max({upper_ - goal_.absolute, upper_ / (1 + goal_.relative), 0.0});
+    }
+    limit_ = axes().square_above(std::min(goal_.at_most, floor_));
+}
+
+// From the nearest on, until those that are left are farther than one that was enclosed.
+void DistanceSearch::enclose_candidates() {
+    auto& candidates = memory_.candidates;
+    std::erase_if(candidates, [&](const Memory::Candidate& c) { return c.lower > limit_; });
+    std::ranges::sort(candidates, {}, &Memory::Candidate::lower);
+    for (const Memory::Candidate& candidate : candidates) {
+        if (candidate.lower > limit_) break;
+        enclose(candidate.triangles);
+        if (is_decided()) return;
+    }
+    const std::int64_t key = key_of(std::min(goal_.at_most, upper_));
+    std::erase_if(memory_.open, [&](const OpenPair& open) { return key_of(open.interval.lower) > key; });
+}
+
+Relation DistanceSearch::relation(const TrianglePair& triangles) {
+    TriangleRelations& relations = QueryMemoryAccess::state(query_memory_).pair;
+    if (!has_relations_) {
+        relations.reset_counts();
+        relations.bind(body_of(a_, tree_a_), body_of(b_, tree_b_));
+        has_relations_ = true;
+    }
+    return relations.relation(triangles.a, triangles.b);
+}
+
+void DistanceSearch::leave_relations() noexcept {
+    if (!has_relations_) return;
+    counts_.stages += QueryMemoryAccess::state(query_memory_).pair.counts();
+    has_relations_ = false;
+}
+
+}  // namespace ecods

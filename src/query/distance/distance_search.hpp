@@ -1,0 +1,135 @@
+// The search for the closest triangles of two posed meshes: a walk of both trees, nearest nodes first, that leaves a
+// few pairs of triangles among which the exact distance decides.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "bvh/distance_axes.hpp"
+#include "bvh/triangle_bounds.hpp"
+#include "bvh/walk_nearest.hpp"
+#include "ecods/distance.hpp"
+#include "query/distance/triangle_distances.hpp"
+#include "query/intersection/query_memory.hpp"
+#include "query/shape/mesh_tree.hpp"
+
+namespace ecods {
+
+// What a search may leave out, and when it may stop. Its answer is among pairs whose distance is at most `at_most`; of
+// others it says no more than that they are farther.
+struct DistanceGoal {
+    double at_most = std::numeric_limits<double>::infinity();
+    double stop_at = -1;  // as soon as some pair is proven not to be farther
+    // Pairs less than that nearer than the nearest one found may be left out; see DistanceSearch::floor.
+    double relative = 0;
+    double absolute = 0;
+};
+
+// A pair of triangles that the doubles leave open.
+struct OpenPair {
+    DistanceInterval interval;
+    TrianglePair triangles;
+};
+
+class DistanceSearch {
+  public:
+    // Everything that the arguments refer to must outlive the search.
+    DistanceSearch(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory);
+    ~DistanceSearch();
+    DistanceSearch(const DistanceSearch&) = delete;
+    DistanceSearch& operator=(const DistanceSearch&) = delete;
+
+    // Tries the witness's triangles first, then the trees. Afterwards every pair of triangles is in open_pairs(), or it
+    // is farther than another that is, farther than at_most, or not nearer than floor().
+    void run(const DistanceGoal& goal, const PairWitness& witness);
+
+    // Calls visit(pair) for pairs of triangles, among them every pair within d.
+    template <class Visit>
+    void visit_within(double d, Visit&& visit);
+    DistanceInterval enclosure(const TrianglePair& triangles);
+
+    // Whether two triangles were found that share a point. Then nothing more is known.
+    bool is_zero() const noexcept { return is_zero_; }
+    // No distance is above it that is in question; with triangles that have that, or none.
+    double upper() const noexcept { return upper_; }
+    PairWitness witness() const noexcept { return nearest_; }
+    // No pair that was left out because of the goal's relative or absolute width is nearer.
+    double floor() const noexcept { return floor_; }
+
+    std::vector<OpenPair>& open_pairs() noexcept;
+    // Counts one exact rounding or comparison.
+    TriangleDistances& exact_pair() noexcept;
+
+    // What walk_nearest asks.
+    bool matters(float square);
+    bool operator()(const TreeLeaf& x, const TreeLeaf& y);
+
+    const std::array<DistanceSet, 2>& sets() const noexcept;
+
+  private:
+    struct Memory;
+
+    // The bound of a walk in which all pairs within a distance matter.
+    class WithinBound;
+
+    static Memory& memory_of(QueryMemory& memory);
+    const DistanceAxes& axes() const noexcept;
+    bool is_decided() const noexcept;
+    void dive();
+    void enclose_candidates();
+    void take(const TrianglePair& triangles, float lower, float upper);
+    void enclose(const TrianglePair& triangles);
+    void set_upper(double upper, const TrianglePair& triangles);
+    void set_limit();
+    Relation relation(const TrianglePair& triangles);
+    void leave_relations() noexcept;
+
+    const Posed<MeshShape>& a_;
+    const Posed<MeshShape>& b_;
+    const MeshTree& tree_a_;
+    const MeshTree& tree_b_;
+    QueryMemory& query_memory_;
+    Memory& memory_;
+    QueryCounts& counts_;
+    DistanceGoal goal_;
+    PairWitness nearest_;
+    double upper_ = std::numeric_limits<double>::infinity();
+    double floor_ = std::numeric_limits<double>::infinity();
+    float limit_ = std::numeric_limits<float>::infinity();
+    bool is_zero_ = false;
+    bool has_relations_ = false;  // whether the memory's TriangleRelations are bound to these bodies
+    std::uint32_t overlap_count_ = 0;
+};
+
+class DistanceSearch::WithinBound {
+  public:
+    WithinBound(DistanceSearch& search, double d)
+        : sets_(search.sets()), limit_(search.axes().square_above(d)), counts_(search.counts_) {}
+
+    template <class X, class Y>
+    std::uint64_t operator()(const X& x, const Y& y) {
+        ++counts_.box_tests;
+        return near_mask(sets_, limit_, x, y, squares_);
+    }
+    void order(const BvhNode&, const BvhNode&, LanePairs, std::span<NodePair>) const noexcept {}
+
+  private:
+    const std::array<DistanceSet, 2>& sets_;
+    float limit_;
+    QueryCounts& counts_;
+    alignas(32) LaneSquares squares_;
+};
+
+template <class Visit>
+void DistanceSearch::visit_within(double d, Visit&& visit) {
+    auto& stack = QueryMemoryAccess::state(query_memory_).stack;
+    walk_two(tree_a_.boxes, tree_b_.boxes, stack, WithinBound(*this, d), [&](std::uint32_t i, std::uint32_t j) {
+        visit(TrianglePair{i, j});
+        return true;
+    });
+}
+
+}  // namespace ecods

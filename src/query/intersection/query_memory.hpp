@@ -1,0 +1,32 @@
+// What a QueryMemory holds: the memory of each question.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "bvh/separating_axes.hpp"
+#include "bvh/walk_two.hpp"
+#include "ecods/intersection.hpp"
+#include "query/intersection/triangle_relations.hpp"
+
+namespace ecods {
+
+// The memory of a question of another room, made when that is asked first.
+struct QueryMemoryPart {
+    virtual ~QueryMemoryPart() = default;
+};
+
+struct QueryMemory::State {
+    TriangleRelations pair;
+    SeparatingAxes axes;
+    std::vector<NodePair> stack;
+    QueryCounts counts;
+    std::unique_ptr<QueryMemoryPart> distance;
+};
+
+struct QueryMemoryAccess {
+    using State = QueryMemory::State;
+    static State& state(QueryMemory& memory) noexcept { return *memory.state_; }
+};
+
+}  // namespace ecods
