@@ -52,11 +52,13 @@ struct ClosestFeatures {
     Standing standing = Standing::none;
 };
 
-// `guess` is tried first.
+// `guess` is tried first; it is taken as it is if its standing is `only`.
 template <class Kernel, int L>
 ClosestFeatures find_closest(const IntegerPoints<Kernel, 6>& points, const ExactFeatures<L>& features,
-                             const FeaturePair& guess) noexcept {
-    if (const Standing standing = features.standing(guess); standing != Standing::none) return {guess, standing};
+                             const ClosestFeatures& guess) noexcept {
+    if (guess.standing == Standing::only) return guess;
+    const Standing of_guess = features.standing(guess.features);
+    if (of_guess != Standing::none) return {guess.features, of_guess};
     const ExactSigns signs(points);
     if (triangle_pair(signs) != Relation::disjoint) return {};
     for (const FeaturePair& pair : feature_pairs) {

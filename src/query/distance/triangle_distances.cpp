@@ -101,11 +101,14 @@ DistanceInterval TriangleDistances::enclose(std::uint32_t i, std::uint32_t j) {
     return interval;
 }
 
-// Calls use(points, features, guess) with the points of two triangles in the narrowest kernel that holds them.
+// Calls use(points, features, guess) with the points of two triangles in the narrowest kernel that holds them. A guess
+// that doubles prove is not asked about again.
 template <class Use>
 auto TriangleDistances::with_features(std::uint32_t i, std::uint32_t j, Use&& use) {
     const IntegerPair pair = integers(i, j);
-    const FeaturePair guess = guess_features(pair);
+    const FeaturePair features = guess_features(pair);
+    const bool is_certain = enclose_distance(pair, features).is_certain;
+    const ClosestFeatures guess{features, is_certain ? Standing::only : Standing::none};
     const auto in_kernel = [&]<class Kernel>(const IntegerPoints<Kernel, 6>& points) {
         const auto limbs = to_limbs(points);
         return use(points, ExactFeatures<limbs_of<Kernel>>(limbs), guess);
@@ -127,7 +130,7 @@ const SquaredDistance& TriangleDistances::measured(const TrianglePair& pair) {
     Measured& result = measured_[0];
     result.pair = pair;
     result.is_known = true;
-    with_features(pair.a, pair.b, [&](const auto& points, const auto& features, const FeaturePair& guess) {
+    with_features(pair.a, pair.b, [&](const auto& points, const auto& features, const ClosestFeatures& guess) {
         const ClosestFeatures found = find_closest(points, features, guess);
         result.square.exponent = points.unit;
         if (found.standing == Standing::none) {
@@ -162,7 +165,7 @@ PointRef TriangleDistances::first_corner(std::uint32_t i) const noexcept {
 }
 
 ClosestPoints TriangleDistances::closest(std::uint32_t i, std::uint32_t j) {
-    return with_features(i, j, [&](const auto& points, const auto& features, const FeaturePair& guess) {
+    return with_features(i, j, [&](const auto& points, const auto& features, const ClosestFeatures& guess) {
         ClosestPoints result;
         std::array<ExactPoint, 2> ends;
         SquaredDistance square;
@@ -188,7 +191,7 @@ ClosestPoints TriangleDistances::closest(std::uint32_t i, std::uint32_t j) {
 }
 
 Vec3 TriangleDistances::direction(std::uint32_t i, std::uint32_t j) {
-    return with_features(i, j, [&](const auto& points, const auto& features, const FeaturePair& guess) {
+    return with_features(i, j, [&](const auto& points, const auto& features, const ClosestFeatures& guess) {
         const ClosestFeatures found = find_closest(points, features, guess);
         SquaredDistance square;
         if (found.standing != Standing::none) features.measure(found.features, square);
@@ -199,7 +202,7 @@ Vec3 TriangleDistances::direction(std::uint32_t i, std::uint32_t j) {
 }
 
 SharedSet TriangleDistances::intersection(std::uint32_t i, std::uint32_t j) {
-    return with_features(i, j, [&](const auto& points, const auto& features, const FeaturePair&) {
+    return with_features(i, j, [&](const auto& points, const auto& features, const ClosestFeatures&) {
         SharedSet result;
         const SharedCorners shared(features);
         ExactPoint point;
