@@ -1,4 +1,4 @@
-// ecods_check: which bodies of some files touch, and which cross.
+// ecods_check: which bodies of some files touch, which cross, and how far they are from each other.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -28,6 +28,7 @@ struct Options {
     std::filesystem::path cases;
     bool json = false;
     bool oracle = false;
+    bool distance = false;
     BroadPhaseKind broad_phase = BroadPhaseKind::sweep_and_prune;
     InstructionSet instruction_set = environment::widest_instruction_set();
 };
@@ -41,7 +42,7 @@ int check_files(const Options& options) {
     process::Progress progress;
     for (std::size_t frame = 0; world.next_frame(); ++frame) {
         if (!scene.frames.empty()) progress.show(fmt::format("frame {} of {}", frame, scene.frames.size()));
-        const FrameAnswer answer = world.answer();
+        const FrameAnswer answer = world.answer(options.distance);
         if (options.oracle) judge.check_frame(world, answer);
         if (options.json) {
             json["frames"].push_back(to_json(scene, answer));
@@ -86,7 +87,7 @@ int check_cases(const Options& options) {
 int run(int argc, char** argv) {
     Options options;
     CLI::App app(
-        "Says which bodies of some files touch and which cross: exactly.\n\n"
+        "Says which bodies of some files touch, which cross, and how far they are from each other: exactly.\n\n"
         "Files are meshes (.off, .ply: a body each; .obj, .stl: a body for each object, group or solid), assemblies\n"
         "(.gltf, .glb: a body for each node with a mesh) and scenes (.json); all of them together are one scene.\n\n"
         "Exit status: 0, or 1 if an answer is not the expected one, or 2 if the input cannot be read.",
@@ -94,6 +95,8 @@ int run(int argc, char** argv) {
     app.add_option("FILE", options.files, "Files to read");
     app.add_option("--cases", options.cases, "Check the known answers in this file (.json) instead");
     app.add_flag("--json", options.json, "Write JSON");
+    app.add_flag("--distance", options.distance,
+                 "Also say of each pair of bodies how far they are from each other, and where they are nearest");
     app.add_flag("--oracle", options.oracle, "Check every answer, of all pairs of bodies, with CGAL's exact numbers");
     programs::add_broad_phase(app, options.broad_phase, "Which broad phase; sweep_and_prune is the default");
     std::map<std::string, InstructionSet> sets;
@@ -104,6 +107,9 @@ int run(int argc, char** argv) {
     app.callback([&] {
         if (options.files.empty() == options.cases.empty()) {
             throw CLI::ValidationError("ecods_check", "files to read, or --cases with one file, are expected");
+        }
+        if (options.distance && !options.cases.empty()) {
+            throw CLI::ValidationError("ecods_check", "--distance is for files, not for --cases");
         }
     });
     if (const auto status = programs::parse(app, argc, argv)) return *status;

@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "check_print.hpp"
+#include "judge/distance_truth.hpp"
+#include "oracle/distance.hpp"
 #include "oracle/oracle.hpp"
 
 namespace ecods::check {
@@ -28,6 +30,22 @@ void OracleJudge::check_frame(SceneWorld& world, const FrameAnswer& answer) {
     check_boxes(world, answer);
     for (std::size_t a = 0; a < scene_.bodies.size(); ++a) {
         for (std::size_t b = a + 1; b < scene_.bodies.size(); ++b) check_pair(world, answer, a, b);
+    }
+    check_distances(world, answer);
+}
+
+void OracleJudge::check_distances(const SceneWorld& world, const FrameAnswer& answer) {
+    const auto soup = [&](std::size_t body) {
+        const Mesh& mesh = *scene_.meshes[scene_.bodies[body].mesh_index].mesh;
+        return oracle::Soup{mesh.vertices(), mesh.triangles(), world.pose(body)};
+    };
+    for (const DistanceAnswer& pair : answer.distances) {
+        ++report_.distances;
+        const oracle::MeshDistances distances(soup(pair.a), soup(pair.b));
+        const ClosestPoints exact = judge::to_closest_points(distances.closest());
+        if (judge::is_same(pair.closest, exact)) continue;
+        differ(answer, scene_.bodies[pair.a].name + ", " + scene_.bodies[pair.b].name,
+               fmt::format("distance {}, but exactly {}", judge::text(pair.closest), judge::text(exact)));
     }
 }
 

@@ -16,12 +16,14 @@ struct OracleReport {
     std::size_t body_pairs = 0;      // all pairs of bodies, in each frame
     std::size_t triangle_pairs = 0;  // touching ones, by either; their lists must be equal
     std::size_t boxes = 0;           // stored boxes, which must contain the exact body
+    std::size_t distances = 0;       // of two bodies, with features and points
     std::vector<std::string> differences;
 };
 
 // Checks frame after frame. For every pair of bodies, candidates or not: whether it is listed as colliding, its
 // relation and its complete list of triangle pairs. For the broad phase: the box of every body that moved, and that the
-// overlapping pairs are those of all pairs of boxes. Work of the oracle is kept for pairs of which neither body moved.
+// overlapping pairs are those of all pairs of boxes. Distances that the answer has, with their points. Work of the
+// oracle is kept for pairs of which neither body moved.
 class OracleJudge {
   public:
     explicit OracleJudge(const scenes::Scene& scene);
@@ -36,6 +38,7 @@ class OracleJudge {
     void pose_meshes(SceneWorld& world);
     void check_boxes(const SceneWorld& world, const FrameAnswer& answer);
     void check_pair(SceneWorld& world, const FrameAnswer& answer, std::size_t a, std::size_t b);
+    void check_distances(const SceneWorld& world, const FrameAnswer& answer);
     void differ(const FrameAnswer& answer, const std::string& bodies, const std::string& text);
 
     const scenes::Scene& scene_;

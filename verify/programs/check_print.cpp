@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
+
 namespace ecods::check {
 
 std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
@@ -20,6 +22,24 @@ const char* name_of(Relation relation) noexcept {
     return "";
 }
 
+std::string name_of(ClosestKind kind) {
+    std::ostringstream out;
+    out << kind;
+    return out.str();
+}
+
+namespace {
+
+nlohmann::ordered_json to_json(const Vec3& v) {
+    return {v[0], v[1], v[2]};
+}
+
+std::string to_text(const Vec3& v) {
+    return fmt::format("({}, {}, {})", v[0], v[1], v[2]);
+}
+
+}  // namespace
+
 void print_frame(std::FILE* out, const scenes::Scene& scene, const FrameAnswer& answer) {
     fmt::print(out, "frame {}: {}, {} with overlapping boxes, {} colliding\n", answer.frame,
                counted(scene.bodies.size(), "body", "bodies"), counted(answer.overlapping.size(), "pair"),
@@ -28,12 +48,20 @@ void print_frame(std::FILE* out, const scenes::Scene& scene, const FrameAnswer& 
         fmt::print(out, "  {}  {} | {}  ({})\n", name_of(pair.relation), scene.bodies[pair.a].name,
                    scene.bodies[pair.b].name, counted(pair.triangles.size(), "triangle pair"));
     }
+    for (const DistanceAnswer& pair : answer.distances) {
+        const ClosestPoints& closest = pair.closest;
+        fmt::print(out, "  distance {}  {} | {}  ({}: {}, {})\n", closest.distance, scene.bodies[pair.a].name,
+                   scene.bodies[pair.b].name, name_of(closest.kind), to_text(closest.point_a),
+                   to_text(closest.point_b));
+    }
 }
 
 void print_report(std::FILE* out, const OracleReport& report) {
     for (const std::string& difference : report.differences) fmt::print(out, "DIFFERS  {}\n", difference);
-    fmt::print(out, "oracle: checked {}, {}, {}: {}\n", counted(report.body_pairs, "body pair"),
+    const std::string distances = report.distances == 0 ? "" : ", " + counted(report.distances, "distance");
+    fmt::print(out, "oracle: checked {}, {}, {}{}: {}\n", counted(report.body_pairs, "body pair"),
                counted(report.triangle_pairs, "touching triangle pair"), counted(report.boxes, "box", "boxes"),
+               distances,
                report.differences.empty() ? "no difference" : counted(report.differences.size(), "difference"));
 }
 
@@ -51,15 +79,29 @@ nlohmann::ordered_json to_json(const scenes::Scene& scene, const FrameAnswer& an
                          {"relation", name_of(pair.relation)},
                          {"triangle_pairs", pair.triangles.size()}});
     }
-    return {{"frame", answer.frame}, {"overlapping", answer.overlapping.size()}, {"colliding", pairs}};
+    nlohmann::ordered_json frame{
+        {"frame", answer.frame}, {"overlapping", answer.overlapping.size()}, {"colliding", pairs}};
+    for (const DistanceAnswer& pair : answer.distances) {
+        const ClosestPoints& closest = pair.closest;
+        frame["distances"].push_back({{"a", scene.bodies[pair.a].name},
+                                      {"b", scene.bodies[pair.b].name},
+                                      {"distance", closest.distance},
+                                      {"kind", name_of(closest.kind)},
+                                      {"point_a", to_json(closest.point_a)},
+                                      {"point_b", to_json(closest.point_b)},
+                                      {"triangle_a", closest.a.triangle},
+                                      {"triangle_b", closest.b.triangle}});
+    }
+    return frame;
 }
 
 nlohmann::ordered_json to_json(const OracleReport& report) {
-    return {{"body_pairs", report.body_pairs},
-            {"triangle_pairs", report.triangle_pairs},
-            {"boxes", report.boxes},
-            {"differing", report.differences.size()},
-            {"differences", report.differences}};
+    nlohmann::ordered_json json{
+        {"body_pairs", report.body_pairs}, {"triangle_pairs", report.triangle_pairs}, {"boxes", report.boxes}};
+    if (report.distances > 0) json["distances"] = report.distances;
+    json["differing"] = report.differences.size();
+    json["differences"] = report.differences;
+    return json;
 }
 
 }  // namespace ecods::check

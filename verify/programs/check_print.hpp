@@ -14,15 +14,19 @@ const char* name_of(Relation relation) noexcept;  // "disjoint", "touching", "cr
 // "1 body", "2 bodies"; the plural adds an s if none is given.
 std::string counted(std::size_t count, const std::string& singular, const std::string& plural = {});
 
-// One line a frame, and one a colliding pair.
+// "vertex and vertex" and so on, as operator<< writes it.
+std::string name_of(ClosestKind kind);
+
+// One line a frame, one a colliding pair, and one a distance, with the closest points in as many digits as name them.
 void print_frame(std::FILE* out, const scenes::Scene& scene, const FrameAnswer& answer);
 
 // Each difference, and how many answers were checked.
 void print_report(std::FILE* out, const OracleReport& report);
 
 // {"bodies": [...], "frames": [{"frame": 0, "overlapping": n, "colliding": [{"a", "b", "relation",
-// "triangle_pairs"}]}], "oracle": {"body_pairs", "triangle_pairs", "boxes", "differing", "differences"}}; the last with
-// --oracle only.
+// "triangle_pairs"}], "distances": [{"a", "b", "distance", "kind", "point_a", "point_b", "triangle_a",
+// "triangle_b"}]}], "oracle": {"body_pairs", "triangle_pairs", "boxes", "distances", "differing", "differences"}};
+// distances with --distance only (null: above the largest double), the last with --oracle only.
 nlohmann::ordered_json to_json(const scenes::Scene& scene);
 nlohmann::ordered_json to_json(const scenes::Scene& scene, const FrameAnswer& answer);
 nlohmann::ordered_json to_json(const OracleReport& report);

@@ -30,8 +30,9 @@ bool SceneWorld::next_frame() {
     return true;
 }
 
-FrameAnswer SceneWorld::answer() {
-    FrameAnswer answer{.frame = frame_count_ - 1, .overlapping = {}, .colliding = {}};
+FrameAnswer SceneWorld::answer(bool has_distances) {
+    FrameAnswer answer;
+    answer.frame = frame_count_ - 1;
     for (const BodyPair& pair : world_.overlapping_pairs()) {
         answer.overlapping.emplace_back(body_of(pair.a), body_of(pair.b));
     }
@@ -40,7 +41,16 @@ FrameAnswer SceneWorld::answer() {
         answer.colliding.push_back({body_of(pair.a), body_of(pair.b), world_.relation(pair.a, pair.b),
                                     world_.intersecting_triangles(pair.a, pair.b)});
     }
+    for (std::size_t a = 0; has_distances && a < ids_.size(); ++a) {
+        for (std::size_t b = a + 1; b < ids_.size(); ++b) {
+            answer.distances.push_back({a, b, closest(posed(a), posed(b), memory_)});
+        }
+    }
     return answer;
+}
+
+Posed<MeshShape> SceneWorld::posed(std::size_t body) const {
+    return {dynamic_cast<const MeshShape&>(*world_.shape(ids_[body])), pose(body)};
 }
 
 std::size_t SceneWorld::body_of(BodyId id) const {

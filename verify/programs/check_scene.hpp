@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "ecods/distance.hpp"
 #include "ecods/world.hpp"
 #include "scenes/scene.hpp"
 
@@ -18,11 +19,19 @@ struct PairAnswer {
     std::vector<TrianglePair> triangles;
 };
 
+// How far two bodies are from each other, and where they are nearest.
+struct DistanceAnswer {
+    std::size_t a = 0;
+    std::size_t b = 0;
+    ClosestPoints closest;
+};
+
 // All answers for one frame; frame 0 is the rest. Lists are ascending.
 struct FrameAnswer {
     std::size_t frame = 0;
     std::vector<std::pair<std::size_t, std::size_t>> overlapping;  // pairs of bodies whose boxes overlap
     std::vector<PairAnswer> colliding;
+    std::vector<DistanceAnswer> distances;  // of all pairs of bodies, if they are asked for
 };
 
 // The World of a scene. The scene must outlive it.
@@ -33,7 +42,7 @@ class SceneWorld {
     // Goes to the next frame, the first time to frame 0, and updates the world. False after the last frame.
     bool next_frame();
 
-    FrameAnswer answer();
+    FrameAnswer answer(bool has_distances = false);
 
     World& world() noexcept { return world_; }
     BodyId id(std::size_t body) const { return ids_[body]; }
@@ -43,11 +52,15 @@ class SceneWorld {
     // The bodies that the last next_frame() created or moved, ascending.
     const std::vector<std::size_t>& moved() const noexcept { return moved_; }
 
+    // Of a body's shape, at its pose: all bodies here are meshes. The world must not change while it is used.
+    Posed<MeshShape> posed(std::size_t body) const;
+
   private:
     std::size_t body_of(BodyId id) const;
 
     const scenes::Scene& scene_;
     World world_;
+    QueryMemory memory_;
     std::vector<BodyId> ids_;  // by body; ascending, as they were created in order
     std::vector<std::size_t> moved_;
     std::size_t frame_count_ = 0;  // frames gone to so far

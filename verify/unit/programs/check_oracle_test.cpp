@@ -37,6 +37,22 @@ TEST(OracleJudge, FindsNothingWrongInRightAnswers) {
     EXPECT_EQ(judge.report().boxes, 4U);
 }
 
+TEST(OracleJudge, NoticesAWrongDistance) {
+    const scenes::Scene scene = make_scene();
+    SceneWorld world(scene, BroadPhaseKind::sweep_and_prune);
+    world.next_frame();
+    FrameAnswer answer = world.answer(true);
+    ASSERT_EQ(answer.distances.size(), 3U);
+    OracleJudge right(scene), wrong(scene);
+    right.check_frame(world, answer);
+    EXPECT_TRUE(right.report().differences.empty());
+    EXPECT_EQ(right.report().distances, 3U);
+    answer.distances[1].closest.point_b[2] += 0x1p-52;
+    wrong.check_frame(world, answer);
+    ASSERT_EQ(wrong.report().differences.size(), 1U);
+    EXPECT_NE(wrong.report().differences[0].find("ground, roof: distance "), std::string::npos);
+}
+
 TEST(OracleJudge, NoticesEachKindOfWrongAnswer) {
     const scenes::Scene scene = make_scene();
     SceneWorld world(scene, BroadPhaseKind::sweep_and_prune);

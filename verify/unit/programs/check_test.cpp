@@ -55,6 +55,28 @@ TEST_F(Check, PrintsEachFrame) {
     }
 }
 
+TEST_F(Check, SaysHowFarBodiesAreFromEachOther) {
+    const Result text = run("--distance --oracle " + scene());
+    EXPECT_EQ(text.status, 0) << text.err;
+    EXPECT_NE(text.out.find("  distance 9  ground | far  (vertex and vertex: (0, 0, 0), (0, 0, 9))\n"), std::string::npos)
+        << text.out;
+    EXPECT_NE(text.out.find("  distance 0  ground | blade  (intersecting: "), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find(" 9 distances: no difference"), std::string::npos) << text.out;
+    const Result json = run("--distance --json --oracle " + scene());
+    const Json frame = Json::parse(json.out)["frames"][2];
+    ASSERT_EQ(frame["distances"].size(), 3U);
+    const Json& moved = frame["distances"][0];
+    EXPECT_EQ(moved["a"], "ground");
+    EXPECT_EQ(moved["b"], "blade");
+    EXPECT_EQ(moved["distance"], 1);
+    EXPECT_EQ(moved["kind"], "vertex and face");
+    EXPECT_EQ(moved["point_a"], Json({1, 1, 0}));
+    EXPECT_EQ(moved["point_b"], Json({1, 1, 1}));
+    EXPECT_EQ(Json::parse(json.out)["oracle"]["distances"], 9);
+    EXPECT_FALSE(Json::parse(run("--json " + scene()).out)["frames"][0].contains("distances"));
+    EXPECT_EQ(run("--distance --cases " + cases(true, 1)).status, 2);
+}
+
 TEST_F(Check, WithoutTheOracleItIsRefusedAndNothingElseIs) {
     const std::string program = ECODS_CHECK_WITHOUT_ORACLE;
     EXPECT_EQ(run_program(program, scene()).out, run(scene()).out);
