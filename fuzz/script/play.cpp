@@ -16,6 +16,7 @@
 #include "fuzz/base/float_mode.hpp"
 #include "fuzz/checks/box_questions.hpp"
 #include "fuzz/checks/checks.hpp"
+#include "fuzz/checks/distance_questions.hpp"
 #include "fuzz/script/bad_calls.hpp"
 #include "fuzz/script/manners.hpp"
 #include "fuzz/script/schedule.hpp"
@@ -55,6 +56,7 @@ class Player {
     Scene scene_;
     Truth truth_{mesh_of};
     BoxQuestions questions_;
+    DistanceQuestions distances_;
     std::optional<Manner> manner_;     // of the next call
     std::vector<BodyPair> colliding_;  // at the last update
     std::uint64_t tests_ = 0;          // two-body tests up to then
@@ -131,10 +133,12 @@ void Player::check() {
     truth_.look_at(first);
     check_boxes(first, truth_, counters_);
     const FloatMode& mode = float_modes[turn.mode];
+    distances_.choose(asked, truth_, static_cast<std::uint32_t>(update_count_));
     {
         const environment::InstructionSetLimit limit(sets[turn.set]);
         const InFloatMode in_mode(mode);
         check_answers(asked, truth_, counters_);
+        distances_.check(counters_);
     }
     ++counters_[std::string("checked: answers with instructions of ") + environment::name(sets[turn.set])];
     ++counters_[std::string("checked: answers, ") + mode.name];

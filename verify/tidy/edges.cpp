@@ -124,7 +124,7 @@ const std::vector<Room>& rooms() {
         {"fuzz/pairs",
          {"include", "src/exact/point", "src/query/intersection", "src/query/distance", "verify/oracle", "verify/judge",
           "verify/scenes", "verify/environment", "fuzz/base"}},
-        {"fuzz/checks", {"include", "verify/oracle", "verify/scenes", "fuzz/base"}},
+        {"fuzz/checks", {"include", "verify/oracle", "verify/judge", "verify/scenes", "fuzz/base"}},
         {"fuzz/script",
          {"include", "src/simd", "src/trace", "verify/scenes", "verify/environment", "verify/allocation", "fuzz/base",
           "fuzz/checks"}},

@@ -58,7 +58,8 @@ TEST_F(Check, PrintsEachFrame) {
 TEST_F(Check, SaysHowFarBodiesAreFromEachOther) {
     const Result text = run("--distance --oracle " + scene());
     EXPECT_EQ(text.status, 0) << text.err;
-    EXPECT_NE(text.out.find("  distance 9  ground | far  (vertex and vertex: (0, 0, 0), (0, 0, 9))\n"), std::string::npos)
+    EXPECT_NE(text.out.find("  distance 9  ground | far  (vertex and vertex: (0, 0, 0), (0, 0, 9))\n"),
+              std::string::npos)
         << text.out;
     EXPECT_NE(text.out.find("  distance 0  ground | blade  (intersecting: "), std::string::npos) << text.out;
     EXPECT_NE(text.out.find(" 9 distances: no difference"), std::string::npos) << text.out;
