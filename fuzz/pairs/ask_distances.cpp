@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -48,7 +50,8 @@ class Pairs {
             return Wrong{name("enclose", pair), judge::text(d),
                          fmt::format("{:a} to {:a}", around.lower, around.upper)};
         }
-        if (const double got = distances_.distance(pair.a, pair.b); got != d || std::signbit(got)) {
+        if (const double got = distances_.distance(pair.a, pair.b);
+            std::bit_cast<std::uint64_t>(got) != std::bit_cast<std::uint64_t>(d)) {
             return Wrong{name("distance", pair), judge::text(d), judge::text(got)};
         }
         for (const double limit :

@@ -56,7 +56,7 @@ class Run {
         if (lie_) lie(made, truth);
         require_answers(made, truth, asks_all ? "all questions" : "distance, within and closest");
         if (random_.below(4) == 0) check_environment(made, truth);
-        if (random_.below(2) == 0) require(ask_triangles(made, random_), made, "pairs of triangles");
+        if (random_.below(2) == 0) check_triangles(made);
         if (random_.below(8) == 0) check_order(made, truth);
         ++index_;
     }
@@ -106,6 +106,16 @@ class Run {
             wrong = truth.ask(memory_, witness_);
         }
         require(wrong, made, mode.name);
+    }
+
+    void check_triangles(const DistanceCase& made) {
+        const FloatMode& mode = float_modes[random_.below(float_modes.size())];
+        std::optional<Wrong> wrong;
+        {
+            const InFloatMode in_mode(mode);
+            wrong = ask_triangles(made, random_);
+        }
+        require(wrong, made, "pairs of triangles");
     }
 
     void check_order(const DistanceCase& made, const DistanceTruth& truth) {

@@ -20,6 +20,11 @@ Feature to_feature(const oracle::NamedFeature& feature) {
     return {static_cast<Feature::Kind>(feature.dimension), feature.triangle, feature.corner};
 }
 
+// Of numbers from 0 on: where subnormals are flushed, all of them compare as zero.
+bool is_less(double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) < std::bit_cast<std::uint64_t>(y);
+}
+
 bool same_bits(double x, double y) {
     return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
 }
@@ -159,14 +164,16 @@ std::optional<Wrong> DistanceTruth::ask_closest(QueryMemory& memory, PairWitness
 std::optional<std::string> DistanceTruth::defect(const DistanceBounds& bounds,
                                                  const DistanceTolerance& tolerance) const {
     const auto& [lower, upper] = bounds;
-    if (std::isnan(lower) || std::isnan(upper) || std::signbit(lower) || lower > upper) return "no interval";
+    if (std::isnan(lower) || std::isnan(upper) || std::signbit(lower) || is_less(upper, lower)) return "no interval";
     if (std::isinf(lower) ? oracle::compare(exact_, std::numeric_limits<double>::max()) <= 0
                           : oracle::compare(exact_, lower) < 0) {
         return "lower end too high";
     }
     if (oracle::compare(exact_, upper) > 0) return "upper end too low";
-    if (lower > tolerance.at_most || upper == lower || upper == neighbour(lower, 1)) return std::nullopt;
-    if (std::isinf(tolerance.absolute) || (std::isinf(tolerance.relative) && lower > 0)) return std::nullopt;
+    if (is_less(tolerance.at_most, lower) || same_bits(upper, lower) || same_bits(upper, neighbour(lower, 1))) {
+        return std::nullopt;
+    }
+    if (std::isinf(tolerance.absolute) || (std::isinf(tolerance.relative) && is_less(0, lower))) return std::nullopt;
     if (std::isinf(upper)) return "no upper end";
     const mpq_class width = mpq_class(upper) - mpq_class(lower);
     if (width <= mpq_class(tolerance.absolute)) return std::nullopt;
