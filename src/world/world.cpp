@@ -29,8 +29,7 @@ void require_mesh_kind(const Shape& shape) {
     }
 }
 
-World::Impl::Impl(const WorldOptions& options)
-    : broad_phase(make_broad_phase(options.broad_phase)), workers(options.executor) {
+World::Impl::Impl(const WorldOptions& options) : broad_phase(options.broad_phase), workers(options.executor) {
     tests.set(ShapeKind::mesh(), ShapeKind::mesh(), make_mesh_mesh_test());
 }
 

@@ -13,7 +13,7 @@ void World::set_pose(BodyId body, const Pose& pose) {
     if (same_bits(slot.pose, pose)) return;
     const Aabb box = box_for(*slot.shape, pose, body);
     w.changes.make_room_for(1);
-    w.broad_phase->move(proxy, box);
+    w.broad_phase.move(proxy, box);
     // Nothing below throws.
     w.bodies.set_pose(proxy, pose, box);
     w.changes.mark(proxy, Change::body);
@@ -38,12 +38,12 @@ void World::set_poses(std::span<const BodyId> bodies, std::span<const Pose> pose
     std::size_t moved_count = 0;
     try {
         for (; moved_count < bodies.size(); ++moved_count) {
-            w.broad_phase->move(bodies[moved_count].slot - 1, boxes[moved_count]);
+            w.broad_phase.move(bodies[moved_count].slot - 1, boxes[moved_count]);
         }
     } catch (...) {
         while (moved_count-- > 0) {
             const ProxyIndex proxy = bodies[moved_count].slot - 1;
-            w.broad_phase->move(proxy, w.bodies.box(proxy));
+            w.broad_phase.move(proxy, w.bodies.box(proxy));
         }
         throw;
     }

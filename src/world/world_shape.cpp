@@ -20,7 +20,7 @@ void World::set_shape(BodyId body, std::shared_ptr<const Shape> shape) {
     const std::uint64_t number = w.traced_number(shape);
     w.changes.make_room_for(1);
     w.bodies.make_room_for(shape->kind());
-    w.broad_phase->move(proxy, box);
+    w.broad_phase.move(proxy, box);
     // Nothing below throws.
     w.bodies.set_shape(proxy, std::move(shape), box);
     w.changes.mark(proxy, Change::body);

@@ -45,10 +45,10 @@ void World::validate() const {
     w.bodies.validate();
     for (ProxyIndex proxy = 0; proxy < w.bodies.end(); ++proxy) {
         if (!w.bodies[proxy].is_alive()) continue;
-        require(w.bodies.box(proxy) == w.broad_phase->box(proxy), "the broad phase has another box than its body");
+        require(w.bodies.box(proxy) == w.broad_phase.box(proxy), "the broad phase has another box than its body");
     }
-    require(w.bodies.alive_count() == w.broad_phase->size(), "the broad phase has another number of bodies");
-    w.broad_phase->validate();
+    require(w.bodies.alive_count() == w.broad_phase.size(), "the broad phase has another number of bodies");
+    w.broad_phase.validate();
     w.collisions.validate();
 
     const VerdictCache& verdicts = w.collisions.verdicts();

@@ -27,8 +27,7 @@ class KeptCandidates final : public PairFinder {
     };
 
     void build(const ProxyTable& table, BroadPhaseCounts& counts) override;
-    void update(const ProxyTable& table, const ProxyChanges& changes, PairList& pairs,
-                BroadPhaseCounts& counts) override;
+    void update(const FindingUpdate& finding) override;
     void reserve(std::size_t count) override;
     std::size_t bytes() const noexcept override;
     void validate(const ProxyTable& table) const override;
