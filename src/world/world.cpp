@@ -70,8 +70,8 @@ std::shared_ptr<const Shape> World::shape(BodyId body) const {
 }
 
 Aabb World::box(BodyId body) const {
-    const Bodies& bodies = impl().bodies;
-    return bodies.box(bodies.require(body));
+    const Impl& w = impl();
+    return w.broad_phase.box(w.bodies.require(body));
 }
 
 std::uint64_t World::user_data(BodyId body) const {

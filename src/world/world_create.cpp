@@ -27,7 +27,7 @@ BodyId World::create_body(const BodyOptions& options) {
     w.changes.make_room_for(1);
     w.broad_phase.add(proxy, box);
     // Nothing below throws.
-    w.bodies.create(options, std::move(shape), box);
+    w.bodies.create(options, std::move(shape));
     w.changes.mark(proxy, Change::body);
     if (w.trace) w.trace_body(proxy, number);
     return w.bodies.id_of(proxy);
