@@ -20,8 +20,8 @@ void World::set_pose(BodyId body, const Pose& pose) {
     if (w.trace) w.trace->write<calls::SetPose>(body, pose);
 }
 
-// Everything that can fail is done before a body moves; should the broad phase run out of memory half-way, what it was
-// told already is taken back, which needs none.
+// Everything that can fail is done before a body moves; should the broad phase run out of memory half-way, the moves
+// that it has are taken back, which needs none.
 void World::set_poses(std::span<const BodyId> bodies, std::span<const Pose> poses) {
     Impl& w = impl();
     if (bodies.size() != poses.size()) throw LengthMismatch(bodies.size(), poses.size());

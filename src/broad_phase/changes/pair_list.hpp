@@ -28,7 +28,7 @@ class PairList final : public PairKeeper {
     void append_removed(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& ended) override;
     void compare(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& found, PairEvents& events) override;
 
-    // The pairs, ascending. Cost: one pass if there were events since it was asked last, else nothing.
+    // The pairs, ascending. Cost: one pass if there were events since it was asked last, otherwise nothing.
     const ProxyPairs& sorted();
 
     std::size_t bytes() const noexcept;
