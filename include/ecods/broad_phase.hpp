@@ -38,7 +38,7 @@ enum class BroadPhaseKind : std::uint8_t {
     // swap. Work per update: one step for each pair of ends that changed order, plus one pass over the lists when boxes
     // came or went, or when a large part moved. Excellent while little moves and boxes are few; when boxes jump, so
     // that sorting from scratch costs less than the steps, it does that. Memory: about 260 bytes a box and 8 to 16 a
-    // pair.
+    // pair for the list of pairs, which a World has no use for.
     sweep_and_prune,
 
     // For large, dynamic scenes. Each box is given a margin to move in; pairs that overlap with their margins, and of
@@ -47,7 +47,7 @@ enum class BroadPhaseKind : std::uint8_t {
     // over all boxes, one for each class of sizes; when many did at once, everything is looked up. How wide margins are
     // is adapted from counts.
     // Work per update: a few tests for each box that moved, or did so lately. Memory: about 450 bytes a box, 8 bytes a
-    // candidate (some more than there are pairs) and 8 to 16 a pair; up to twice that while boxes move.
+    // candidate (some more than there are pairs) and 8 to 16 a pair, as above; up to twice that while boxes move.
     kept_candidates,
 
     // sweep_and_prune while boxes are few or at rest, otherwise kept_candidates. Counts decide at each update, never

@@ -10,7 +10,7 @@
 // pair (relation, intersecting_triangles), and at update() for the lists. There is nothing else to call, and no call
 // whose omission makes an answer wrong.
 //
-// What it costs: memory of 213 bytes a body, 55 to 66 bytes a pair whose boxes overlap and 16 for each list that the
+// What it costs: memory of 165 bytes a body, 55 to 66 bytes a pair whose boxes overlap and 16 for each list that the
 // pair is in, 8 while it is tested, and spare capacity for growth; beside these the broad phase's own. An update before
 // which nothing changed costs a constant, and a pair at rest costs nothing at any update: work is that of the broad
 // phase for the boxes that moved, and one two-body test for each candidate pair of which a body moved. Where a

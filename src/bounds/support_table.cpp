@@ -87,6 +87,47 @@ ECODS_ALWAYS_INLINE Reaches reaches(const Row& support, Double4 x, Double4 y, Do
             .against = is_tiny ? 4 * m : m * (against + 512 * double_u)};
 }
 
+// What a table holds, by reference.
+struct TableView {
+    const LocalFrame& frame;
+    const Vec3& v_max;
+    double v_max_of_all;
+    const Row& support;
+};
+
+// The center is posed with the error of a point (exact/point/point.hpp), as any point of the mesh would be, whose
+// coordinates are below |center| + 2 scale: the bound's term for underflow covers the reach, too. The oriented box
+// reaches |R axes| half from the center: both products are off by 3.01 u' sqrt(3) |R| 1, below 16 u' |R| 1 in units of
+// the scale. The reach that is added to the center has three roundings, below 4 u', and the sum has one.
+ECODS_ALWAYS_INLINE Aabb box_by_table(const TableView& table, const Pose& pose) noexcept {
+    const Matrix4 R = load3(pose.R);
+    const Double4 t = load3(pose.t.data());
+    const Double4 center = R * load3(table.frame.center.data()) + t;  // as pose_point has it
+    const Matrix4 size = absolute(R);
+    const double sum_max = largest(size * load3(table.v_max.data()) + absolute(t));
+    const double size_max = largest(size);
+    // Below these limits nothing overflows: the reach is at most 3 size_max in units of the scale, and below 1.5
+    // sum_max. Checked in advance, because a mode that rounds down turns infinities into large numbers.
+    if (!(sum_max < 0x1p1020 && size_max < 0x1p1000)) {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        return {Vec3::Constant(-infinity), Vec3::Constant(infinity)};
+    }
+    const double delta = exact::point_error_bound(sum_max, std::max(size_max, table.v_max_of_all));
+    const Double4 oriented =
+        absolute(R * load3(table.frame.axes)) * load3(table.frame.half.data()) + 16 * double_u * row_sums(size);
+    const Reaches h = reaches(table.support, R.column[0], R.column[1], R.column[2]);
+    const auto outwards = [&](Double4 units) {
+        return ((units < oriented ? units : oriented) * table.frame.scale + delta) * (1 + 4 * double_u);
+    };
+    const Double4 max = center + outwards(h.along), min = center - outwards(h.against);
+    Aabb box;
+    for (int k = 0; k < 3; ++k) {
+        box.max[k] = next_up(max[k]);
+        box.min[k] = next_down(min[k]);
+    }
+    return box;
+}
+
 }  // namespace
 
 // Points are (v - center) / scale, so |y| <= sqrt(3), and |direction| <= sqrt(3). Rounding the point costs 1.01 v of
@@ -119,41 +160,8 @@ SupportTable::SupportTable(const Mesh& mesh, const LocalFrame& frame) : frame_(f
     v_max_of_all_ = v_max_.maxCoeff();
 }
 
-// The center is posed with the error of a point (exact/point/point.hpp), as any point of the mesh would be, whose
-// coordinates are below |center| + 2 scale: the bound's term for underflow covers the reach, too. The oriented box
-// reaches |R axes| half from the center: both products are off by 3.01 u' sqrt(3) |R| 1, below 16 u' |R| 1 in units of
-// the scale. The reach that is added to the center has three roundings, below 4 u', and the sum has one.
-ECODS_ALWAYS_INLINE Aabb SupportTable::box_wide(const Pose& pose) const {
-    const Matrix4 R = load3(pose.R);
-    const Double4 t = load3(pose.t.data());
-    const Double4 center = R * load3(frame_.center.data()) + t;  // as pose_point has it
-    const Matrix4 size = absolute(R);
-    const double sum_max = largest(size * load3(v_max_.data()) + absolute(t));
-    const double size_max = largest(size);
-    // Below these limits nothing overflows: the reach is at most 3 size_max in units of the scale, and below 1.5
-    // sum_max. Checked in advance, because a mode that rounds down turns infinities into large numbers.
-    if (!(sum_max < 0x1p1020 && size_max < 0x1p1000)) {
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        return {Vec3::Constant(-infinity), Vec3::Constant(infinity)};
-    }
-    const double delta = exact::point_error_bound(sum_max, std::max(size_max, v_max_of_all_));
-    const Double4 oriented =
-        absolute(R * load3(frame_.axes)) * load3(frame_.half.data()) + 16 * double_u * row_sums(size);
-    const Reaches h = reaches(support_, R.column[0], R.column[1], R.column[2]);
-    const auto outwards = [&](Double4 units) {
-        return ((units < oriented ? units : oriented) * frame_.scale + delta) * (1 + 4 * double_u);
-    };
-    const Double4 max = center + outwards(h.along), min = center - outwards(h.against);
-    Aabb box;
-    for (int k = 0; k < 3; ++k) {
-        box.max[k] = next_up(max[k]);
-        box.min[k] = next_down(min[k]);
-    }
-    return box;
-}
-
 Aabb SupportTable::box(const Pose& pose) const {
-    return dispatch<&SupportTable::box_wide>(*this, pose);
+    return dispatch<box_by_table>(TableView{frame_, v_max_, v_max_of_all_, support_}, pose);
 }
 
 }  // namespace ecods

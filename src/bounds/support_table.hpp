@@ -36,8 +36,6 @@ class SupportTable {
     Aabb box(const Pose& pose) const;
 
   private:
-    Aabb box_wide(const Pose& pose) const;
-
     const LocalFrame& frame_;
     Vec3 v_max_;           // upper bounds of |coordinate| of the center and of every point of the mesh
     double v_max_of_all_;  // the largest of them

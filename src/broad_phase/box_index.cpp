@@ -82,7 +82,7 @@ void BoxIndex::build(const ProxyTable& table) {
 
 void BoxIndex::catch_up(const ProxyTable& table) {
     if (fat_lines_.size() < table.end()) fat_lines_.resize(table.end());
-    std::vector<BoxForest::Item> newcomers;
+    std::vector<BoxForest::Item> unsorted;
     for (const ProxyIndex proxy : noted_) {
         is_noted_[proxy] = 0;
         PackedBox& fat = fat_lines_[proxy];
@@ -100,13 +100,13 @@ void BoxIndex::catch_up(const ProxyTable& table) {
         ++escaped_since_build_;
         if (old.is_empty() || !overlap(old, fat)) {
             forest_.remove(proxy);
-            newcomers.push_back(BoxForest::make_item(box, proxy));
+            unsorted.push_back(BoxForest::make_item(box, proxy));
         } else {
             forest_.set(proxy, fat);
         }
     }
     noted_.clear();
-    if (!newcomers.empty()) forest_.add(newcomers, fat_lines_);
+    if (!unsorted.empty()) forest_.add(unsorted, fat_lines_);
 }
 
 void BoxIndex::clear() noexcept {

@@ -23,15 +23,9 @@ std::uint64_t all_pairs(const ProxyTable& table, ProxyPairs& found) {
     return count == 0 ? 0 : count * (count - 1) / 2;
 }
 
-void BruteForce::update(const ProxyTable& table, const ProxyChanges& changes, PairList& pairs,
-                        BroadPhaseCounts& counts) {
-    if (!changes.removed.empty()) {
-        for (const ProxyPair& pair : pairs.sorted()) {
-            if (table.is_removed(pair.a) || table.is_removed(pair.b)) pairs.ended.push_back(pair);
-        }
-    }
-    counts.box_tests += all_pairs(table, found_);
-    pairs.replace(found_);
+void BruteForce::update(const FindingUpdate& update) {
+    update.counts.box_tests += all_pairs(update.table, found_);
+    update.keeper.compare(update.table, update.changes, found_, update.events);
 }
 
 std::size_t BruteForce::bytes() const noexcept {

@@ -12,8 +12,7 @@ std::uint64_t all_pairs(const ProxyTable& table, ProxyPairs& found);
 class BruteForce final : public PairFinder {
   public:
     void build(const ProxyTable&, BroadPhaseCounts&) override {}
-    void update(const ProxyTable& table, const ProxyChanges& changes, PairList& pairs,
-                BroadPhaseCounts& counts) override;
+    void update(const FindingUpdate& update) override;
     std::size_t bytes() const noexcept override;
     void validate(const ProxyTable&) const override {}
 

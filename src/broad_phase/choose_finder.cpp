@@ -13,9 +13,9 @@ BroadPhaseKind ChooseFinder::choose(const Work& last) noexcept {
     ++updates_;
     moved_ += last.moved;
     swaps_ += last.swaps;
-    const bool is_lively = moved_ > last.size;  // in a period, or in less
+    const bool is_dynamic = moved_ > last.size;  // in a period, or in less
     const bool is_crowded = swaps_ > swaps_per_move_max * moved_ && moved_ > last.size / 16;
-    if (last.size > size_max && (is_lively || is_crowded)) kind_ = BroadPhaseKind::kept_candidates;
+    if (last.size > size_max && (is_dynamic || is_crowded)) kind_ = BroadPhaseKind::kept_candidates;
     if (updates_ == period || kind_ == BroadPhaseKind::kept_candidates) updates_ = moved_ = swaps_ = 0;
     return kind_;
 }

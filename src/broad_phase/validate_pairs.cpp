@@ -32,10 +32,10 @@ void validate_pairs(const ProxyTable& table, const ProxyPairs& pairs, const Prox
     all_pairs(table, expected);
     for (std::size_t i = 0; i < std::max(pairs.size(), expected.size()); ++i) {
         if (i == expected.size() || (i < pairs.size() && pairs[i] < expected[i])) {
-            throw BrokenInvariant("broad phase: invented pair " + text(pairs[i]));
+            throw BrokenInvariant("broad phase: false positive " + text(pairs[i]));
         }
         if (i == pairs.size() || expected[i] < pairs[i]) {
-            throw BrokenInvariant("broad phase: missed pair " + text(expected[i]));
+            throw BrokenInvariant("broad phase: false negative " + text(expected[i]));
         }
     }
     if (!std::includes(pairs.begin(), pairs.end(), began.begin(), began.end())) {

@@ -1,7 +1,7 @@
 // The check that a broad phase answered what it should.
 #pragma once
 
-#include "broad_phase/changes/pair_list.hpp"
+#include "broad_phase/changes/pair_events.hpp"
 #include "broad_phase/changes/proxy_table.hpp"
 
 namespace ecods {

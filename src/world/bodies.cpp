@@ -60,14 +60,12 @@ std::vector<BodyId> Bodies::ids() const {
 
 void Bodies::reserve(std::size_t count) {
     slots_.reserve(count);
-    boxes_.reserve(count);
     free_slots_.reserve(count);
 }
 
 ProxyIndex Bodies::make_slot(ShapeKind kind) {
     if (free_slots_.empty()) {
         make_room(free_slots_);
-        boxes_.resize(slots_.size() + 1);
         slots_.emplace_back();
         free_slots_.push_back(end() - 1);
     }
@@ -75,7 +73,7 @@ ProxyIndex Bodies::make_slot(ShapeKind kind) {
     return free_slots_.back();
 }
 
-void Bodies::create(const BodyOptions& options, std::shared_ptr<const Shape> shape, const Aabb& box) noexcept {
+void Bodies::create(const BodyOptions& options, std::shared_ptr<const Shape> shape) noexcept {
     const ProxyIndex proxy = free_slots_.back();
     free_slots_.pop_back();
     Slot& slot = slots_[proxy];
@@ -84,20 +82,13 @@ void Bodies::create(const BodyOptions& options, std::shared_ptr<const Shape> sha
     slot.pose = options.pose;
     slot.filter = options.filter;
     slot.user_data = options.user_data;
-    boxes_[proxy] = box;
 }
 
-void Bodies::set_shape(ProxyIndex proxy, std::shared_ptr<const Shape> shape, const Aabb& box) noexcept {
+void Bodies::set_shape(ProxyIndex proxy, std::shared_ptr<const Shape> shape) noexcept {
     Slot& slot = slots_[proxy];
     --kind_counts_[slot.kind];
     slot.put(std::move(shape));
     ++kind_counts_[slot.kind];
-    boxes_[proxy] = box;
-}
-
-void Bodies::set_pose(ProxyIndex proxy, const Pose& pose, const Aabb& box) noexcept {
-    slots_[proxy].pose = pose;
-    boxes_[proxy] = box;
 }
 
 void Bodies::make_room_to_destroy() {
@@ -120,28 +111,12 @@ void Bodies::destroy(ProxyIndex proxy) noexcept {
 // ---- inspection
 
 std::size_t Bodies::memory_bytes() const noexcept {
-    return bytes_of(slots_, boxes_, free_slots_) + disabled_.memory_bytes();
+    return bytes_of(slots_, free_slots_) + disabled_.memory_bytes();
 }
-
-namespace {
-
-// A mesh cannot change, and its box depends on the rounding mode; what a caller's shape says is asked again.
-void require_unchanged(const Slot& slot, const Aabb& box, BodyId body) {
-    if (slot.kind == ShapeKind::mesh()) return;
-    if (slot.shape->kind() != slot.kind) throw ShapeChanged(body, slot.kind, "kind");
-    if (slot.shape->digest() != slot.shape_digest) throw ShapeChanged(body, slot.kind, "digest");
-    if (!(slot.shape->box(slot.pose) == box)) throw ShapeChanged(body, slot.kind, "box");
-}
-
-}  // namespace
 
 void Bodies::validate() const {
     std::size_t count = 0;
-    for (ProxyIndex proxy = 0; proxy < end(); ++proxy) {
-        if (!slots_[proxy].is_alive()) continue;
-        ++count;
-        require_unchanged(slots_[proxy], boxes_[proxy], id_of(proxy));
-    }
+    for (const Slot& slot : slots_) count += slot.is_alive();
     if (count != alive_count()) throw BrokenInvariant("a slot is neither free nor used");
 }
 

@@ -1,4 +1,4 @@
-// The bodies of a world: their places, what their owner set, and the boxes that follow from it.
+// The bodies of a world: their places, and what their owner set. Their boxes are in the overlap tracker.
 #pragma once
 
 #include <cstddef>
@@ -46,16 +46,14 @@ class Bodies {
     const Slot& operator[](ProxyIndex proxy) const noexcept { return slots_[proxy]; }
     Slot& operator[](ProxyIndex proxy) noexcept { return slots_[proxy]; }
     ProxyIndex end() const noexcept { return static_cast<ProxyIndex>(slots_.size()); }  // slots are below
-    const Aabb& box(ProxyIndex proxy) const noexcept { return boxes_[proxy]; }
     std::size_t alive_count() const noexcept { return slots_.size() - free_slots_.size() - retired_count_; }
 
     // ---- coming, changing and going: first what may throw, then what does not
     void reserve(std::size_t count);
     ProxyIndex make_slot(ShapeKind kind);  // the free slot that create() takes next, of a body of this kind
-    void create(const BodyOptions& options, std::shared_ptr<const Shape> shape, const Aabb& box) noexcept;
+    void create(const BodyOptions& options, std::shared_ptr<const Shape> shape) noexcept;
     void make_room_for(ShapeKind kind) { kind_counts_[kind]; }  // before set_shape()
-    void set_shape(ProxyIndex proxy, std::shared_ptr<const Shape> shape, const Aabb& box) noexcept;
-    void set_pose(ProxyIndex proxy, const Pose& pose, const Aabb& box) noexcept;
+    void set_shape(ProxyIndex proxy, std::shared_ptr<const Shape> shape) noexcept;
     void make_room_to_destroy();
     void destroy(ProxyIndex proxy) noexcept;
 
@@ -71,13 +69,12 @@ class Bodies {
 
     std::size_t memory_bytes() const noexcept;
 
-    // Throws BrokenInvariant unless each slot is free, used or retired; or ShapeChanged.
+    // Throws BrokenInvariant unless each slot is free, used or retired.
     void validate() const;
 
   private:
     const std::uint16_t world_number_;  // for ids
     std::vector<Slot> slots_;
-    std::vector<Aabb> boxes_;  // by proxy; apart, because much looks at boxes and at nothing else
     std::vector<ProxyIndex> free_slots_;
     std::size_t retired_count_ = 0;  // slots that were used once for each generation: neither free nor used
     std::map<ShapeKind, std::size_t> kind_counts_;  // of living bodies

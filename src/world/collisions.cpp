@@ -8,16 +8,16 @@
 namespace ecods {
 
 // What ended goes first: where a body's slot was used again, the same pair of slots may end and begin.
-void Collisions::take_over(std::span<const ProxyPair> began, std::span<const ProxyPair> ended, const Bodies& bodies) {
-    verdicts_.reserve(verdicts_.size() + began.size(), bodies.end());
-    make_room(lost_, ended.size());
+void Collisions::take_over(const PairEvents& events, const Bodies& bodies) {
+    verdicts_.reserve(verdicts_.size() + events.began.size(), bodies.end());
+    make_room(lost_, events.ended.size());
     // Nothing below throws.
-    for (const ProxyPair pair : ended) {
+    for (const ProxyPair pair : events.ended) {
         const Verdict verdict = verdicts_.remove(pair);
         if (verdict.is_colliding) lost_.push_back(verdict.bodies);
     }
-    for (const ProxyPair pair : began) verdicts_.add(bodies.ids_of(pair));
-    overlapping_is_stale_ |= !began.empty() || !ended.empty();
+    for (const ProxyPair pair : events.began) verdicts_.add(bodies.ids_of(pair));
+    overlapping_is_stale_ |= !events.empty();
 }
 
 // Each pair once. A pair that began has a body that changed. When much changed, all pairs are passed over in the order

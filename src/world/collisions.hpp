@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "broad_phase/changes/pair_events.hpp"
 #include "world/bodies.hpp"
 #include "world/changes.hpp"
 #include "world/sorted_pairs.hpp"
@@ -28,7 +29,7 @@ class Collisions {
     void reserve_bodies(std::size_t count) { verdicts_.reserve(0, count); }
 
     // The pairs whose boxes overlap came and went.
-    void take_over(std::span<const ProxyPair> began, std::span<const ProxyPair> ended, const Bodies& bodies);
+    void take_over(const PairEvents& events, const Bodies& bodies);
 
     // Makes tests() those of every pair of which a body changed, or that was switched on or off. Adds the number of
     // pairs that were looked at to `visited_pairs`.

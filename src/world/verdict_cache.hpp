@@ -37,11 +37,11 @@ struct Verdict {
 
 class VerdictCache {
   public:
-    // Room for so many verdicts, of proxies below `proxy_end`: add() does not throw until there are more. Growth is
-    // geometric however small the steps.
+    // Reserves memory for so many verdicts, of proxies below `proxy_end`: add() does not throw until there are more.
+    // Growth is geometric however small the steps.
     void reserve(std::size_t verdict_count, std::size_t proxy_end);
 
-    void add(const BodyPair& bodies) noexcept;  // must not be here; room must be reserved
+    void add(const BodyPair& bodies) noexcept;  // must not be here; memory must be reserved
     Verdict remove(ProxyPair pair) noexcept;    // must be here; indices of others may change
 
     VerdictIndex find(ProxyPair pair) const noexcept;  // no_verdict: not here

@@ -29,8 +29,7 @@ void require_mesh_kind(const Shape& shape) {
     }
 }
 
-World::Impl::Impl(const WorldOptions& options)
-    : broad_phase(make_broad_phase(options.broad_phase)), workers(options.executor) {
+World::Impl::Impl(const WorldOptions& options) : broad_phase(options.broad_phase), workers(options.executor) {
     tests.set(ShapeKind::mesh(), ShapeKind::mesh(), make_mesh_mesh_test());
 }
 
@@ -71,8 +70,8 @@ std::shared_ptr<const Shape> World::shape(BodyId body) const {
 }
 
 Aabb World::box(BodyId body) const {
-    const Bodies& bodies = impl().bodies;
-    return bodies.box(bodies.require(body));
+    const Impl& w = impl();
+    return w.broad_phase.box(w.bodies.require(body));
 }
 
 std::uint64_t World::user_data(BodyId body) const {

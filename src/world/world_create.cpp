@@ -25,9 +25,9 @@ BodyId World::create_body(const BodyOptions& options) {
     const ProxyIndex proxy = w.bodies.make_slot(shape->kind());
     w.changes.add_slots_below(w.bodies.end());
     w.changes.make_room_for(1);
-    w.broad_phase->add(proxy, box);
+    w.broad_phase.add(proxy, box);
     // Nothing below throws.
-    w.bodies.create(options, std::move(shape), box);
+    w.bodies.create(options, std::move(shape));
     w.changes.mark(proxy, Change::body);
     if (w.trace) w.trace_body(proxy, number);
     return w.bodies.id_of(proxy);
@@ -37,7 +37,7 @@ void World::destroy_body(BodyId body) {
     Impl& w = impl();
     const ProxyIndex proxy = w.bodies.require(body);
     w.bodies.make_room_to_destroy();
-    w.broad_phase->remove(proxy);
+    w.broad_phase.remove(proxy);
     // Nothing below throws.
     w.bodies.destroy(proxy);
     w.changes.mark_removal();
@@ -49,7 +49,7 @@ void World::reserve(std::size_t body_count) {
     w.bodies.reserve(body_count);
     w.changes.reserve(body_count);
     w.collisions.reserve_bodies(body_count);
-    w.broad_phase->reserve(body_count);
+    w.broad_phase.reserve(body_count);
 }
 
 }  // namespace ecods

@@ -5,7 +5,7 @@ namespace ecods {
 std::vector<BodyId> World::overlapping_bodies(const Aabb& box) const {
     const Impl& w = impl();
     std::vector<BodyId> result;
-    for (const ProxyIndex proxy : w.broad_phase->find(box)) result.push_back(w.bodies.id_of(proxy));
+    for (const ProxyIndex proxy : w.broad_phase.find(box)) result.push_back(w.bodies.id_of(proxy));
     return result;
 }
 
@@ -17,7 +17,7 @@ std::vector<BodyId> World::intersecting_bodies(const Shape& shape, const Pose& p
     w.require_tests_for(shape.kind(), nullptr);
     const Posed<Shape> asked(shape, pose);
     std::vector<BodyId> result;
-    for (const ProxyIndex proxy : w.broad_phase->find(box_for(shape, pose))) {
+    for (const ProxyIndex proxy : w.broad_phase.find(box_for(shape, pose))) {
         const Slot& slot = w.bodies[proxy];
         if (filter && !may_meet(*filter, slot.filter)) continue;
         const bool is_intersecting =

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "base/make_room.hpp"
+#include "broad_phase/overlap_tracker.hpp"
 #include "ecods/world.hpp"
 #include "trace/trace_writer.hpp"
 #include "world/bodies.hpp"
@@ -46,8 +46,7 @@ struct World::Impl {
     Changes changes;
     MeshShapes mesh_shapes;
     TwoBodyTests tests;
-    std::unique_ptr<BroadPhase> broad_phase;
-    bool events_are_pending = false;  // the broad phase has found what `collisions` does not know yet
+    OverlapTracker broad_phase;
     Collisions collisions;
     Workers workers;
     std::unique_ptr<TraceWriter> trace;  // null: none is under way

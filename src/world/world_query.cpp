@@ -72,7 +72,7 @@ std::vector<TrianglePair> World::intersecting_triangles(BodyId a, BodyId b) {
 Statistics World::statistics() const {
     const Impl& w = impl();
     Statistics statistics = w.statistics;
-    statistics.broad_phase = w.broad_phase->counts();
+    statistics.broad_phase = w.broad_phase.counts();
     statistics.queries = w.workers.counts();
     statistics.body_count = w.bodies.alive_count();
     statistics.overlapping_count = w.collisions.verdicts().enabled_count();

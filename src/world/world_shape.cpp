@@ -20,9 +20,9 @@ void World::set_shape(BodyId body, std::shared_ptr<const Shape> shape) {
     const std::uint64_t number = w.traced_number(shape);
     w.changes.make_room_for(1);
     w.bodies.make_room_for(shape->kind());
-    w.broad_phase->move(proxy, box);
+    w.broad_phase.move(proxy, box);
     // Nothing below throws.
-    w.bodies.set_shape(proxy, std::move(shape), box);
+    w.bodies.set_shape(proxy, std::move(shape));
     w.changes.mark(proxy, Change::body);
     if (w.trace) w.trace->write<calls::SetShape>(body, number);
 }

@@ -27,7 +27,7 @@ void World::trace_to(std::ostream& out, TraceOptions options) {
     w.trace.reset();
     auto trace = std::make_unique<TraceWriter>(out, std::move(options));
     const std::vector<BodyId> ids = w.bodies.ids();
-    trace->begin(w.broad_phase->kind(), w.bodies.end());
+    trace->begin(w.broad_phase.kind(), w.bodies.end());
     for (const BodyId body : ids) {
         const Slot& slot = w.bodies[body.slot - 1];
         trace_body(*trace, body, slot, trace->number_of(slot.shape));

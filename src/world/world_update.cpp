@@ -1,3 +1,4 @@
+#include "world/cached_pairs.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -31,18 +32,17 @@ void World::Impl::update() {
 // Brings the candidate pairs to those that the broad phase has now. Events that an earlier update could not take over,
 // for want of memory, come first.
 void World::Impl::take_over_candidates() {
-    if (events_are_pending) take_over_events();
-    broad_phase->update();
-    events_are_pending = true;
+    if (!broad_phase.events().empty()) take_over_events();
+    CachedPairs pairs(collisions.verdicts());
+    broad_phase.update(pairs);
     take_over_events();
 }
 
 void World::Impl::take_over_events() {
-    const auto& began = broad_phase->began();
-    const auto& ended = broad_phase->ended();
-    collisions.take_over(began, ended, bodies);
-    statistics.visited_pairs += began.size() + ended.size();
-    events_are_pending = false;
+    const PairEvents& events = broad_phase.events();
+    collisions.take_over(events, bodies);
+    statistics.visited_pairs += events.began.size() + events.ended.size();
+    broad_phase.clear_events();
 }
 
 void World::Impl::commit() {

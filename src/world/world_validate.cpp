@@ -17,14 +17,14 @@ void require(bool holds, const std::string& what) {
 }
 
 // The pairs of living bodies whose boxes overlap, found by a path of its own: sorted along one axis and swept.
-std::vector<ProxyPair> pairs_of_boxes(const Bodies& bodies) {
+std::vector<ProxyPair> pairs_of_boxes(const Bodies& bodies, const OverlapTracker& boxes) {
     struct Box {
         KeyBox keys;
         ProxyIndex proxy;
     };
     std::vector<Box> sorted;
     for (ProxyIndex proxy = 0; proxy < bodies.end(); ++proxy) {
-        if (bodies[proxy].is_alive()) sorted.push_back({key_box(bodies.box(proxy)), proxy});
+        if (bodies[proxy].is_alive()) sorted.push_back({key_box(boxes.box(proxy)), proxy});
     }
     std::ranges::sort(sorted, {}, [](const Box& box) { return box.keys.min[0]; });
     std::vector<ProxyPair> pairs;
@@ -38,21 +38,31 @@ std::vector<ProxyPair> pairs_of_boxes(const Bodies& bodies) {
     return pairs;
 }
 
+// A mesh cannot change, and its box depends on the rounding mode; what a caller's shape says is asked again.
+void require_unchanged(const Slot& slot, const Aabb& box, BodyId body) {
+    if (slot.kind == ShapeKind::mesh()) return;
+    if (slot.shape->kind() != slot.kind) throw ShapeChanged(body, slot.kind, "kind");
+    if (slot.shape->digest() != slot.shape_digest) throw ShapeChanged(body, slot.kind, "digest");
+    if (!(slot.shape->box(slot.pose) == box)) throw ShapeChanged(body, slot.kind, "box");
+}
+
 }  // namespace
 
 void World::validate() const {
     const Impl& w = impl();
     w.bodies.validate();
     for (ProxyIndex proxy = 0; proxy < w.bodies.end(); ++proxy) {
-        if (!w.bodies[proxy].is_alive()) continue;
-        require(w.bodies.box(proxy) == w.broad_phase->box(proxy), "the broad phase has another box than its body");
+        const bool is_alive = w.bodies[proxy].is_alive();
+        require(is_alive == w.broad_phase.table().is_present(proxy),
+                "a box is there without its body, or a body without");
+        if (is_alive) require_unchanged(w.bodies[proxy], w.broad_phase.box(proxy), w.bodies.id_of(proxy));
     }
-    require(w.bodies.alive_count() == w.broad_phase->size(), "the broad phase has another number of bodies");
-    w.broad_phase->validate();
+    require(w.bodies.alive_count() == w.broad_phase.size(), "the broad phase has another number of bodies");
+    w.broad_phase.validate();
     w.collisions.validate();
 
     const VerdictCache& verdicts = w.collisions.verdicts();
-    const auto pairs = pairs_of_boxes(w.bodies);
+    const auto pairs = pairs_of_boxes(w.bodies, w.broad_phase);
     require(verdicts.size() == pairs.size(), "the cache has another number of pairs than boxes overlap");
     QueryMemory memory;
     for (const ProxyPair pair : pairs) {

@@ -121,19 +121,7 @@ TEST(Tree, NoFunctionIsLong) {
 }
 
 TEST(Tree, TheProductSpeaksPlainly) {
-    // To be reworded when who owns state has been settled.
-    const std::set<std::string> pending = {"src/broad_phase/box_index.cpp",
-                                           "src/broad_phase/changes/pair_list.hpp",
-                                           "src/broad_phase/changes/proxy_table.cpp",
-                                           "src/broad_phase/changes/proxy_table.hpp",
-                                           "src/broad_phase/choose_finder.cpp",
-                                           "src/broad_phase/validate_pairs.cpp",
-                                           "src/world/verdict_cache.hpp",
-                                           "src/world/world_impl.hpp",
-                                           "src/world/world_move.cpp",
-                                           "src/world/world_update.cpp"};
     for (const auto& file : sources_in({"include", "src"})) {
-        if (pending.contains(file)) continue;
         for (const Finding& finding : find_puzzling_words(read(root / file))) {
             ADD_FAILURE() << file << ":" << finding.line << ": in place of " << finding.what;
         }

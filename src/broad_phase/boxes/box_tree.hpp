@@ -26,6 +26,9 @@ struct TreeItem {
 
 TreeItem tree_item(const Aabb& box, SlotIndex slot) noexcept;
 
+// Level 0 is of boxes, each further one of bounds of the blocks below; the last is one block.
+using BoxLevels = std::vector<std::vector<BoxBlock>>;
+
 // Boxes in the order of a kd-tree, eight per block; above them the bounds of eight blocks per block, and so on: the
 // tree is an array for each level, without pointers. Splitting by rank keeps it balanced for any distribution:
 // clusters, lines, far outliers. Mixed sizes spoil it, since one large box makes the bounds of a block of small ones
@@ -84,19 +87,10 @@ class BoxTree {
   private:
     static constexpr std::uint32_t width = BoxBlock::width;
 
-    // A block on level 1, and lanes of it.
-    struct Parent {
-        std::uint32_t block;
-        std::uint32_t children;
-    };
-
     bool take_hole(std::uint32_t block, SlotIndex slot, std::uint32_t& position) noexcept;
-    std::uint64_t find_wide(const BoxReach& reach, std::vector<SlotIndex>& found) const;
-    std::uint64_t join_wide(const BoxTree& other, std::vector<std::array<SlotIndex, 2>>& found) const;
-    std::uint64_t find_parents(const BoxReach& reach, std::uint32_t first, std::vector<Parent>& found) const;
 
-    std::vector<std::vector<BoxBlock>> levels_;  // level 0: boxes; the last: one block
-    std::vector<SlotIndex> slots_;               // by position
+    BoxLevels levels_;
+    std::vector<SlotIndex> slots_;  // by position
     std::size_t alive_count_ = 0;
 };
 

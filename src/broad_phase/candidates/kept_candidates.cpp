@@ -34,9 +34,9 @@ void KeptCandidates::reserve(std::size_t count) {
     slots_.reserve(count);
 }
 
-void KeptCandidates::update(const ProxyTable& table, const ProxyChanges& changes, PairList& pairs,
-                            BroadPhaseCounts& counts) {
-    Update update{.table = table, .began = pairs.began, .ended = pairs.ended, .counts = counts};
+void KeptCandidates::update(const FindingUpdate& finding) {
+    const auto& [table, changes, keeper, events, counts] = finding;  // the pairs of its candidates it knows itself
+    Update update{.table = table, .began = events.began, .ended = events.ended, .counts = counts};
     const std::uint64_t searched_before = counts.box_tests;
 
     if (!changes.removed.empty()) remove(changes.removed, update);
@@ -79,6 +79,8 @@ void KeptCandidates::update(const ProxyTable& table, const ProxyChanges& changes
     search_work_ += search_cost * static_cast<double>(counts.box_tests - searched_before - jump_tests_);
     jump_tests_ = 0;
     put_to_sleep(changes.moved.size());
+    sort_pairs(events.began);
+    sort_pairs(events.ended);
 }
 
 // Wide fat boxes make candidates that are filtered for nothing, in proportion to their width; narrow ones are escaped

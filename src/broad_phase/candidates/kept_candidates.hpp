@@ -27,8 +27,7 @@ class KeptCandidates final : public PairFinder {
     };
 
     void build(const ProxyTable& table, BroadPhaseCounts& counts) override;
-    void update(const ProxyTable& table, const ProxyChanges& changes, PairList& pairs,
-                BroadPhaseCounts& counts) override;
+    void update(const FindingUpdate& finding) override;
     void reserve(std::size_t count) override;
     std::size_t bytes() const noexcept override;
     void validate(const ProxyTable& table) const override;
@@ -55,6 +54,8 @@ class KeptCandidates final : public PairFinder {
     using Candidate = std::array<SlotIndex, 2>;
     static constexpr SlotIndex overlap_bit = SlotIndex{1} << 31;
 
+    struct Loops;  // kept_candidates_loops.hpp: what is compiled for each instruction set
+
     // kept_candidates.cpp
     void remove(const std::vector<ProxyIndex>& proxies, Update& update);
     void add(const std::vector<ProxyIndex>& proxies, const ProxyTable& table);
@@ -66,11 +67,7 @@ class KeptCandidates final : public PairFinder {
     // kept_candidates_filter.cpp
     void move_all(const ProxyTable& table);
     void move_some(std::span<const ProxyIndex> proxies, const ProxyTable& table);
-    void move_all_wide(const ProxyTable& table);
-    void move_some_wide(std::span<const ProxyIndex> proxies, const ProxyTable& table);
     void filter(Update& update);
-    template <bool have_some_gone>
-    void filter_wide(Update& update);
     void report(Candidate& candidate, Update& update);
 
     // kept_candidates_margin.cpp
@@ -87,7 +84,6 @@ class KeptCandidates final : public PairFinder {
     void link(SlotIndex slot, Update& update);
     void search_all(std::span<const BoxForest::Item> unsorted, bool must_sort, Update& update);
     void sort_slots(const ProxyTable& table);
-    void take_found(Update& update);
     bool were_candidates(SlotIndex a, SlotIndex b) const noexcept;
     bool has_flag(SlotIndex slot, unsigned flag) const noexcept { return (flags_[slot] & flag) != 0; }
     void set_flag(SlotIndex slot, unsigned flag) noexcept { flags_[slot] |= static_cast<std::uint8_t>(flag); }

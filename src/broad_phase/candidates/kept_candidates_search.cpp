@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "broad_phase/candidates/kept_candidates.hpp"
+#include "broad_phase/candidates/kept_candidates_loops.hpp"
 #include "simd/dispatch.hpp"
 
 namespace ecods {
@@ -133,29 +134,9 @@ void KeptCandidates::search_all(std::span<const BoxForest::Item> unsorted, bool 
     const double tests_per_box = static_cast<double>(tests) / static_cast<double>(update.table.size() + 1);
     if (do_sort) tests_after_sort_ = tests_per_box;
     is_degraded_ = tests_per_box > 1.25 * tests_after_sort_;
-    dispatch<&KeptCandidates::take_found>(*this, update);
+    dispatch<Loops::take_found>(*this, update);
     for (std::uint8_t& flags : flags_) flags &= static_cast<std::uint8_t>(~(searching | changed));
     changed_slots_.clear();
-}
-
-// Makes the pairs that were found the candidates.
-ECODS_ALWAYS_INLINE void KeptCandidates::take_found(Update& update) {
-    BoxReach reach;
-    Candidate* write = candidates_.data();
-    for (const Candidate candidate : candidates_) {
-        const auto [a, b] = candidate;
-        make_reach(lines_[a], reach);
-        const bool now = overlaps(lines_[b], reach);
-        // Most that overlap did so before: no branch on `now` alone, which could not be predicted.
-        make_reach(has_flag(a, searching) ? old_fat_lines_[a] : fat_lines_[a], reach);
-        const bool before = overlaps(has_flag(b, searching) ? old_fat_lines_[b] : fat_lines_[b], reach);
-        if (now & !before) [[unlikely]] {
-            update.began.push_back(ordered_pair(proxies_[a], proxies_[b]));
-        }
-        *write = {a, b | (static_cast<SlotIndex>(now) * overlap_bit)};
-        write += ((flags_[a] | flags_[b]) & awake) != 0 ? 1 : 0;
-    }
-    candidates_.resize(static_cast<std::size_t>(write - candidates_.data()));
 }
 
 // Builds the forest from scratch and puts everything that is kept by slot in its order.

@@ -3,23 +3,31 @@
 
 #include <cstddef>
 
-#include "broad_phase/changes/pair_list.hpp"
+#include "broad_phase/changes/pair_events.hpp"
 #include "broad_phase/changes/proxy_table.hpp"
 #include "ecods/broad_phase.hpp"
 
 namespace ecods {
 
+// What an update has to work with.
+struct FindingUpdate {
+    const ProxyTable& table;
+    const ProxyChanges& changes;  // not empty
+    PairKeeper& keeper;
+    PairEvents& events;  // empty at first
+    BroadPhaseCounts& counts;
+};
+
 class PairFinder {
   public:
     virtual ~PairFinder() = default;
 
-    // Takes over all boxes of a table that has settled. `pairs` are right already. Called once, before any update.
+    // Takes over all boxes of a table that has settled, and of which the pairs are known. Called once, before any
+    // update.
     virtual void build(const ProxyTable& table, BroadPhaseCounts& counts) = 0;
 
-    // Between begin_update and end_update of `pairs`, one of which it may call by the other name: makes the events
-    // those of `changes`, which are not empty.
-    virtual void update(const ProxyTable& table, const ProxyChanges& changes, PairList& pairs,
-                        BroadPhaseCounts& counts) = 0;
+    // Makes the events those of the changes: ascending, and each once.
+    virtual void update(const FindingUpdate& update) = 0;
 
     virtual void reserve(std::size_t) {}
 

@@ -1,18 +1,13 @@
 #include "broad_phase/changes/pair_list.hpp"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
-#include <utility>
 
 #include "base/bytes_of.hpp"
 #include "base/make_room.hpp"
 
 namespace ecods {
 namespace {
-
-// An object, so that algorithms do not call it through a pointer.
-constexpr auto is_before = [](const ProxyPair& a, const ProxyPair& b) { return rank_of(a) < rank_of(b); };
 
 // The first in a sorted range that is not before `pair`. It is looked for near the beginning first: changes of a list
 // follow each other closely.
@@ -27,46 +22,15 @@ const ProxyPair* find_from(const ProxyPair* first, const ProxyPair* last, const 
 
 }  // namespace
 
-// By digits, the last one first; digits that are the same in all pairs are left out. Comparing costs more when there
-// are many, since a processor cannot foretell how a comparison ends.
-void sort_pairs(ProxyPairs& pairs) {
-    constexpr std::size_t few = 96;
-    constexpr unsigned digit_bits = 8;
-    constexpr std::size_t digit_count = std::size_t{1} << digit_bits;
-    if (pairs.size() < few) {
-        std::sort(pairs.begin(), pairs.end(), is_before);
-        return;
-    }
-    std::uint64_t varying = 0;
-    for (const ProxyPair& pair : pairs) varying |= rank_of(pair) ^ rank_of(pairs.front());
-    ProxyPairs spare(pairs.size());
-    for (unsigned shift = 0; shift < 64; shift += digit_bits) {
-        if ((varying >> shift) % digit_count == 0) continue;
-        std::array<std::size_t, digit_count> next{};  // where the next pair with this digit goes
-        for (const ProxyPair& pair : pairs) ++next[(rank_of(pair) >> shift) % digit_count];
-        std::size_t sum = 0;
-        for (std::size_t& place : next) sum += std::exchange(place, sum);
-        for (const ProxyPair& pair : pairs) spare[next[(rank_of(pair) >> shift) % digit_count]++] = pair;
-        pairs.swap(spare);
-    }
-}
-
-void normalise(ProxyPairs& pairs) {
-    sort_pairs(pairs);
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-}
-
 void PairList::begin_update() {
-    if (has_pending_events()) log_events();
+    if (is_pending_ && !events_.empty()) log_events();
     is_pending_ = false;
-    began.clear();
-    ended.clear();
 }
 
 void PairList::log_events() {
-    make_room(log_, ended.size() + began.size());
-    for (const ProxyPair& pair : ended) log_.push_back({pair, order_});
-    for (const ProxyPair& pair : began) log_.push_back({pair, order_ + 1});
+    make_room(log_, events_.ended.size() + events_.began.size());
+    for (const ProxyPair& pair : events_.ended) log_.push_back({pair, order_});
+    for (const ProxyPair& pair : events_.began) log_.push_back({pair, order_ + 1});
     order_ += 2;
     is_pending_ = false;
     // A pass over the list is paid for by a proportional number of events.
@@ -74,26 +38,28 @@ void PairList::log_events() {
     if (log_.size() > list_.size() / 4 + log_min) apply_log();
 }
 
-void PairList::end_update() {
-    if (is_replaced_) {
-        list_.swap(spare_);
-    } else {
-        sort_pairs(began);
-        sort_pairs(ended);
-    }
+void PairList::end_update() noexcept {
+    if (is_replaced_) list_.swap(spare_);
     is_pending_ = !is_replaced_;
     is_replaced_ = false;
 }
 
 void PairList::drop_update() noexcept {
-    began.clear();
-    ended.clear();
     is_pending_ = is_replaced_ = false;
 }
 
-void PairList::replace(ProxyPairs& found) {
-    sort_pairs(ended);
+void PairList::append_removed(const ProxyTable& table, const ProxyChanges&, ProxyPairs& ended) {
     apply_log();
+    for (const ProxyPair& pair : list_) {
+        if (table.is_removed(pair.a) || table.is_removed(pair.b)) ended.push_back(pair);
+    }
+}
+
+void PairList::compare(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& found, PairEvents& events) {
+    auto& [began, ended] = events;
+    apply_log();
+    events.clear();
+    if (!changes.removed.empty()) append_removed(table, changes, ended);
     if (!ended.empty()) make_patched(ended, {});
     const ProxyPairs& kept = ended.empty() ? list_ : spare_;
     std::set_difference(found.begin(), found.end(), kept.begin(), kept.end(), std::back_inserter(began), is_before);
@@ -105,7 +71,7 @@ void PairList::replace(ProxyPairs& found) {
 
 const ProxyPairs& PairList::sorted() {
     apply_log();
-    if (has_pending_events()) patch(ended, began);
+    if (is_pending_) patch(events_.ended, events_.began);
     is_pending_ = false;
     return list_;
 }
@@ -161,7 +127,7 @@ void PairList::make_patched(const ProxyPairs& gone, const ProxyPairs& come) {
 }
 
 std::size_t PairList::bytes() const noexcept {
-    return bytes_of(list_, spare_, log_, began, ended);
+    return bytes_of(list_, spare_, log_);
 }
 
 }  // namespace ecods

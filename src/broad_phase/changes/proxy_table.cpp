@@ -111,7 +111,7 @@ void ProxyTable::settle() {
     }
     queue_.clear();
     changes_.moved = {};
-    if (++turn_ == 0) {  // turns are numbered anew: those of long ago must not be taken for later ones
+    if (++turn_ == 0) {  // turns are numbered from one again: those of long ago must not be taken for later ones
         std::fill(queued_at_.begin(), queued_at_.end(), 0);
         turn_ = 1;
     }

@@ -22,7 +22,7 @@ struct ProxyChanges {
 
 class ProxyTable {
   public:
-    // Numbers from here on are refused: one bit of 32 tells the two ends of a box apart.
+    // Numbers from here on are refused: one bit of 32 is for which end of a box it is.
     static constexpr ProxyIndex limit = ProxyIndex{1} << 31;
 
     // What BroadPhase promises of the calls of these names.
@@ -34,7 +34,7 @@ class ProxyTable {
     std::size_t size() const noexcept { return size_; }
     std::size_t bytes() const noexcept;
 
-    // What differs from the last settle(). Constant when nothing was called since, else proportional to the calls.
+    // What differs from the last settle(). Constant when nothing was called since, otherwise proportional to the calls.
     const ProxyChanges& collect();
 
     // Takes what is here now as what the last update saw.

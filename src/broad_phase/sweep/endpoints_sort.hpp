@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "broad_phase/changes/pair_list.hpp"
+#include "broad_phase/changes/pair_events.hpp"
 #include "broad_phase/sweep/box_history.hpp"
 #include "broad_phase/sweep/endpoint.hpp"
 

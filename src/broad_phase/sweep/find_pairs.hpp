@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "broad_phase/changes/pair_list.hpp"
+#include "broad_phase/changes/pair_events.hpp"
 #include "broad_phase/changes/proxy_table.hpp"
 
 namespace ecods {

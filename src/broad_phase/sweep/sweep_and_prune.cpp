@@ -24,12 +24,6 @@ std::vector<ProxyIndex> present_in(const ProxyTable& table) {
     return present;
 }
 
-void end_removed(const ProxyPairs& pairs, const ProxyTable& table, ProxyPairs& ended) {
-    for (const ProxyPair& pair : pairs) {
-        if (table.is_removed(pair.a) || table.is_removed(pair.b)) ended.push_back(pair);
-    }
-}
-
 }  // namespace
 
 void SweepAndPrune::build(const ProxyTable& table, BroadPhaseCounts&) {
@@ -44,52 +38,50 @@ void SweepAndPrune::reserve(std::size_t count) {
     for (EndpointList& ends : axes_) ends.reserve(2 * count);
 }
 
-void SweepAndPrune::update(const ProxyTable& table, const ProxyChanges& changes, PairList& pairs,
-                           BroadPhaseCounts& counts) {
+void SweepAndPrune::update(const FindingUpdate& update) {
+    const auto& [table, changes, keeper, events, counts] = update;
     if (!changes.removed.empty()) {
-        end_removed(pairs.sorted(), table, pairs.ended);
+        keeper.append_removed(table, changes, events.ended);
         for (EndpointList& ends : axes_) remove_ends(ends, table);
     }
-    const auto removed_count = static_cast<std::ptrdiff_t>(pairs.ended.size());
     boxes_.advance(changes.moved, table);
     boxes_.advance(changes.added, table);
-    const bool tracked = sort_axes(changes, pairs, counts);
+    const bool tracked = sort_axes(update);
     if (!changes.added.empty()) {
         for (int axis = 0; axis < 3; ++axis) insert_ends(axes_[axis], axis, changes.added, boxes_);
     }
     if (tracked) {
-        if (!changes.added.empty()) counts.box_tests += find_pairs_of(changes.added, table, pairs.began);
-        normalise(pairs.began);
-        normalise(pairs.ended);
+        if (!changes.added.empty()) counts.box_tests += find_pairs_of(changes.added, table, events.began);
+        normalise(events.began);
+        normalise(events.ended);
     } else {
         ProxyPairs found;
         counts.box_tests += find_pairs_of(present_in(table), table, found);
         sort_pairs(found);
-        pairs.began.clear();
-        pairs.ended.erase(pairs.ended.begin() + removed_count, pairs.ended.end());
-        pairs.replace(found);
+        keeper.compare(table, changes, found, events);
     }
     boxes_.settle(changes.moved);
     boxes_.settle(changes.added);
 }
 
 // Returns whether all changes of pairs were seen. If not, the lists are sorted nevertheless.
-bool SweepAndPrune::sort_axes(const ProxyChanges& changes, PairList& pairs, BroadPhaseCounts& counts) {
-    if (changes.moved.empty()) return true;
+bool SweepAndPrune::sort_axes(const FindingUpdate& update) {
+    const std::span<const ProxyIndex> moved = update.changes.moved;
+    if (moved.empty()) return true;
     // When boxes jump, ends pass a large part of a list each, and starting from scratch is cheaper: sorting the lists
     // and finding the pairs from scratch cost about as much as so many swaps for each end of one list.
     constexpr std::uint64_t swaps_per_end_max = 128;
     SortState state{.boxes = boxes_,
-                    .began = pairs.began,
-                    .ended = pairs.ended,
+                    .began = update.events.began,
+                    .ended = update.events.ended,
                     .swaps_max = swaps_per_end_max * axes_[0].size(),
                     .positions = std::move(positions_)};
     bool tracked = true;
     for (int axis = 0; axis < 3 && tracked; ++axis) {
-        tracked = sort_axis(axes_[axis], axis, changes.moved, state);
+        tracked = sort_axis(axes_[axis], axis, moved, state);
     }
-    counts.swaps += state.swaps;
-    counts.box_tests += state.box_tests;
+    update.counts.swaps += state.swaps;
+    update.counts.box_tests += state.box_tests;
     positions_ = std::move(state.positions);
     if (!tracked) {
         for (int axis = 0; axis < 3; ++axis) sort_axis_from_scratch(axes_[axis], axis, boxes_);

@@ -12,18 +12,17 @@
 namespace ecods {
 
 // The report keeps, for each pair of boxes, on how many axes they overlap. The same knowledge is in the boxes of the
-// last update and of this one, so nothing is kept for a pair: memory is for the boxes, and the list of the pairs.
+// last update and of this one, so nothing is kept for a pair: memory is for the boxes.
 class SweepAndPrune final : public PairFinder {
   public:
     void build(const ProxyTable& table, BroadPhaseCounts& counts) override;
-    void update(const ProxyTable& table, const ProxyChanges& changes, PairList& pairs,
-                BroadPhaseCounts& counts) override;
+    void update(const FindingUpdate& update) override;
     void reserve(std::size_t count) override;
     std::size_t bytes() const noexcept override;
     void validate(const ProxyTable& table) const override;
 
   private:
-    bool sort_axes(const ProxyChanges& changes, PairList& pairs, BroadPhaseCounts& counts);
+    bool sort_axes(const FindingUpdate& update);
 
     BoxHistory boxes_;
     std::array<EndpointList, 3> axes_;

@@ -138,7 +138,7 @@ struct Scene {
         for (int i = 0; i < 5; ++i) ids.push_back(world.create_body(mesh, at(0.3 * i)));
     }
     void fill_lists() {
-        for (std::size_t i = 11; i < 19; ++i) {
+        for (const std::size_t i : {12, 13, 14, 15, 16, 17, 18, 30}) {
             move(i, -0.2);
             world.set_pair_enabled(ids[i], ids[i + 1], false);
         }

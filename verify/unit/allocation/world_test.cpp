@@ -35,13 +35,16 @@ const std::array calls = {
     WorldCall{"set_pose", [](Scene& s) { s.move(9, 0.25); }},
     WorldCall{"set_poses",
               [](Scene& s) {
-                  const std::vector<BodyId> bodies = {s.ids[0], s.ids[1], s.ids[9], s.ids[0]};
-                  s.world.set_poses(bodies, std::vector<Pose>{at(1), at(2), at(3), at(4)});
+                  // At one stage the first is in the lists of changes already, and the next one makes them grow.
+                  const std::vector<BodyId> bodies = {s.ids[30], s.ids[0], s.ids[1], s.ids[9], s.ids[0]};
+                  s.world.set_poses(bodies, std::vector<Pose>{at(0.5), at(1), at(2), at(3), at(4)});
               }},
     WorldCall{"set_shape to a mesh", [](Scene& s) { s.world.set_shape(s.ids[1], tetrahedron()); }},
     WorldCall{"set_shape to another kind", [](Scene& s) { s.world.set_shape(s.ids[1], std::make_shared<Ball>(0.75)); }},
     WorldCall{"set_filter", [](Scene& s) { s.world.set_filter(s.ids[1], {.groups = 4}); }},
     WorldCall{"set_pair_enabled, off", [](Scene& s) { s.world.set_pair_enabled(s.ids[0], s.ids[1], false); }},
+    WorldCall{"set_pair_enabled, off, of a body with others",
+              [](Scene& s) { s.world.set_pair_enabled(s.ids[9], s.ids[31], false); }},
     WorldCall{"set_pair_enabled, on", [](Scene& s) { s.world.set_pair_enabled(s.ids[9], s.ids[10], true); }},
     WorldCall{"set_test", [](Scene& s) { s.world.set_test(ball_kind, ball_kind, std::make_shared<BoxTest>()); }},
     WorldCall{"set_test of new kinds",

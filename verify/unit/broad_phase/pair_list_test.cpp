@@ -8,6 +8,7 @@ namespace ecods {
 namespace {
 
 using test::Pairs;
+using Proxies = std::vector<ProxyIndex>;
 
 // The six pairs of four proxies, a chosen subset of them.
 Pairs subset(unsigned bits) {
@@ -19,32 +20,36 @@ Pairs subset(unsigned bits) {
     return result;
 }
 
-void change(PairList& list, unsigned ended, unsigned began) {
-    list.begin_update();
-    list.ended = subset(ended);
-    list.began = subset(began);
-    std::reverse(list.began.begin(), list.began.end());
-    list.end_update();
-}
+// A list, and the events that it follows.
+struct Followed {
+    PairEvents events;
+    PairList list{events};
+
+    void change(unsigned ended, unsigned began) {
+        list.begin_update();
+        events = {.began = subset(began), .ended = subset(ended)};
+        list.end_update();
+    }
+    const Pairs& sorted() { return list.sorted(); }
+};
 
 TEST(PairList, EveryChangeOfEverySubsetOfSixPairs) {
     for (unsigned before = 0; before < 64; ++before) {
         for (unsigned after = 0; after < 64; ++after) {
             for (const bool is_read_between : {true, false}) {
-                PairList list;
-                change(list, 0, before);
+                Followed list;
+                list.change(0, before);
                 if (is_read_between) {
                     EXPECT_EQ(list.sorted(), subset(before));
                 }
-                change(list, before & ~after, after & ~before);
-                ASSERT_EQ(list.began, subset(after & ~before));
+                list.change(before & ~after, after & ~before);
                 ASSERT_EQ(list.sorted(), subset(after)) << before << " " << after;
                 // What ended and began again is in both lists, and stays.
-                change(list, after, after);
+                list.change(after, after);
                 if (is_read_between) {
                     ASSERT_EQ(list.sorted(), subset(after)) << before << " " << after;
                 }
-                change(list, 0, 0);
+                list.change(0, 0);
                 ASSERT_EQ(list.sorted(), subset(after)) << before << " " << after;
             }
         }
@@ -53,31 +58,45 @@ TEST(PairList, EveryChangeOfEverySubsetOfSixPairs) {
 
 TEST(PairList, UnreadEventsOfManyUpdatesCountInTheirOrder) {
     for (unsigned sequence = 0; sequence < 4096; ++sequence) {
-        PairList list;
+        Followed list;
         unsigned here = 0;
         for (unsigned step = 0; step < 4; ++step) {
             const unsigned turned = sequence >> (3 * step) & 7u;
-            change(list, here & turned, turned & ~here);
+            list.change(here & turned, turned & ~here);
             here ^= turned;
         }
         ASSERT_EQ(list.sorted(), subset(here)) << sequence;
     }
 }
 
-TEST(PairList, ReplacingReportsTheDifferenceAndKeepsWhatEndedOtherwise) {
-    for (unsigned before = 0; before < 64; ++before) {
-        for (unsigned after = 0; after < 64; ++after) {
-            for (const unsigned cut : {0u, before, before & 0b010110u}) {
-                PairList list;
-                change(list, 0, before);
+// What was found is the list; what ended is what was there and was not found, or lost a box, and what began the rest.
+TEST(PairList, ComparingReportsTheDifferenceAndThePairsOfRemovedBoxes) {
+    for (const Proxies& removed : {Proxies{}, Proxies{0}, Proxies{1, 3}}) {
+        ProxyTable table;
+        for (ProxyIndex proxy = 0; proxy < 4; ++proxy) table.add(proxy, test::make_cube(0, 0, 0));
+        table.collect();
+        table.settle();
+        unsigned cut = 0;
+        for (const ProxyIndex proxy : removed) {
+            table.remove(proxy);
+            table.add(proxy, test::make_cube(0, 0, 0));
+            for (unsigned i = 0; i < 6; ++i) {
+                const ProxyPair pair = subset(1u << i).front();
+                if (pair.a == proxy || pair.b == proxy) cut |= 1u << i;
+            }
+        }
+        const ProxyChanges& changes = table.collect();
+        for (unsigned before = 0; before < 64; ++before) {
+            for (unsigned after = 0; after < 64; ++after) {
+                Followed list;
+                list.change(0, before);
                 Pairs found = subset(after);
-                list.begin_update();
-                list.ended = subset(cut);
-                list.replace(found);
-                list.end_update();
+                list.list.begin_update();
+                list.list.compare(table, changes, found, list.events);
+                list.list.end_update();
                 ASSERT_EQ(list.sorted(), subset(after));
-                ASSERT_EQ(list.began, subset(after & ~(before & ~cut)));
-                ASSERT_EQ(list.ended, subset(cut | (before & ~after)));
+                ASSERT_EQ(list.events.began, subset(after & ~(before & ~cut)));
+                ASSERT_EQ(list.events.ended, subset(before & (cut | ~after)));
             }
         }
     }
@@ -85,9 +104,9 @@ TEST(PairList, ReplacingReportsTheDifferenceAndKeepsWhatEndedOtherwise) {
 
 // A list that nobody reads must not collect events for ever.
 TEST(PairList, EventsOfOnePairDoNotPileUp) {
-    PairList list;
-    for (int i = 0; i < 100'000; ++i) change(list, i % 2 == 0 ? 0 : 1, i % 2 == 0 ? 1 : 0);
-    EXPECT_LT(list.bytes(), 100'000u);
+    Followed list;
+    for (int i = 0; i < 100'000; ++i) list.change(i % 2 == 0 ? 0 : 1, i % 2 == 0 ? 1 : 0);
+    EXPECT_LT(list.list.bytes(), 100'000u);
     EXPECT_TRUE(list.sorted().empty());
 }
 

@@ -90,7 +90,7 @@ TEST(WorldWork, MemoryPerBodyAndPerPair) {
     for (int i = 0; i < 4096; ++i) bodies.push_back(world.create_body(cube, at(2 * i)));
     world.update();
     const std::size_t of_bodies = world.statistics().memory_bytes;
-    EXPECT_EQ(of_bodies, 4096u * 213);
+    EXPECT_EQ(of_bodies, 4096u * 165);
 
     // Each on the next one: 4095 pairs.
     for (int i = 0; i < 4096; ++i) world.set_pose(bodies[i], at(i));

@@ -1,0 +1,112 @@
+#include "broad_phase/overlap_tracker.hpp"
+
+#include <new>
+#include <utility>
+
+#include "base/bytes_of.hpp"
+#include "broad_phase/brute_force.hpp"
+#include "broad_phase/candidates/kept_candidates.hpp"
+#include "broad_phase/sweep/find_pairs.hpp"
+#include "broad_phase/sweep/sweep_and_prune.hpp"
+
+namespace ecods {
+namespace {
+
+std::unique_ptr<PairFinder> make_finder(BroadPhaseKind kind) {
+    switch (kind) {
+        case BroadPhaseKind::brute_force:
+            return std::make_unique<BruteForce>();
+        case BroadPhaseKind::kept_candidates:
+            return std::make_unique<KeptCandidates>();
+        case BroadPhaseKind::sweep_and_prune:
+        case BroadPhaseKind::automatic:
+            break;
+    }
+    return std::make_unique<SweepAndPrune>();
+}
+
+}  // namespace
+
+OverlapTracker::OverlapTracker(BroadPhaseKind kind)
+    : kind_(kind),
+      running_(kind == BroadPhaseKind::automatic ? BroadPhaseKind::sweep_and_prune : kind),
+      finder_(make_finder(running_)) {}
+
+void OverlapTracker::reserve(std::size_t count) {
+    table_.reserve(count);
+    if (finder_) finder_->reserve(count);
+}
+
+// A failure leaves the table as it was. The finder, which may have changed in part, is dropped: the next update looks
+// everything up.
+void OverlapTracker::update(PairKeeper& keeper) {
+    events_.clear();
+    const ProxyChanges& changes = table_.collect();
+    const BroadPhaseCounts before = counts_;
+    ++counts_.updates;
+    if (changes.empty()) {
+        table_.settle();  // of what came and went in between
+        return;
+    }
+    const std::size_t moved_count = changes.moved.size();
+    counts_.moved += changes.added.size() + moved_count;
+    try {
+        const FindingUpdate update{
+            .table = table_, .changes = changes, .keeper = keeper, .events = events_, .counts = counts_};
+        finder_ ? finder_->update(update) : find_pairs_again(update);
+    } catch (...) {
+        finder_ = nullptr;
+        events_.clear();
+        counts_ = before;
+        throw;
+    }
+    // Nothing below throws.
+    table_.settle();
+    if (kind_ == BroadPhaseKind::automatic) choose(moved_count, counts_.swaps - before.swaps);
+    if (!finder_) build_finder();
+}
+
+// The pairs, without a finder.
+void OverlapTracker::find_pairs_again(const FindingUpdate& update) {
+    std::vector<ProxyIndex> present;
+    present.reserve(table_.size());
+    for (ProxyIndex proxy = 0; proxy < table_.end(); ++proxy) {
+        if (table_.is_present(proxy)) present.push_back(proxy);
+    }
+    ProxyPairs found;
+    counts_.box_tests += find_pairs_of(present, table_, found);
+    sort_pairs(found);
+    update.keeper.compare(update.table, update.changes, found, update.events);
+}
+
+void OverlapTracker::choose(std::size_t moved, std::uint64_t swaps) noexcept {
+    const BroadPhaseKind wanted = chooser_.choose({.size = table_.size(), .moved = moved, .swaps = swaps});
+    if (wanted == running_) return;
+    running_ = wanted;
+    finder_ = nullptr;
+    ++counts_.switches;
+}
+
+// The update is complete by now: one that finds no memory for a finder leaves it to the next update.
+void OverlapTracker::build_finder() noexcept {
+    try {
+        auto made = make_finder(running_);
+        made->build(table_, counts_);
+        finder_ = std::move(made);
+    } catch (const std::bad_alloc&) {
+    }
+}
+
+std::size_t OverlapTracker::bytes() const noexcept {
+    const std::lock_guard lock(index_mutex_);
+    return table_.bytes() + bytes_of(events_.began, events_.ended) + (finder_ ? finder_->bytes() : 0) +
+           (index_ ? index_->bytes() : 0);
+}
+
+void OverlapTracker::validate() const {
+    if (finder_) finder_->validate(table_);
+    const std::lock_guard lock(index_mutex_);
+    if (index_) index_->validate(table_);
+}
+
+}  // namespace ecods

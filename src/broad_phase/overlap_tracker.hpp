@@ -1,0 +1,96 @@
+// Boxes, which of them overlap, and which of them a box, a segment or a ball meets: what a broad phase is, but for the
+// pairs themselves. Whoever uses it keeps these: it reports those that began and ended.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "broad_phase/box_index.hpp"
+#include "broad_phase/changes/pair_events.hpp"
+#include "broad_phase/changes/pair_finder.hpp"
+#include "broad_phase/changes/proxy_table.hpp"
+#include "broad_phase/choose_finder.hpp"
+#include "ecods/broad_phase.hpp"
+
+namespace ecods {
+
+// What BroadPhase promises of the calls of these names.
+class OverlapTracker {
+  public:
+    explicit OverlapTracker(BroadPhaseKind kind);
+
+    BroadPhaseKind kind() const noexcept { return kind_; }
+    void reserve(std::size_t count);
+    void add(ProxyIndex proxy, const Aabb& box) {
+        table_.add(proxy, box);
+        note(proxy);
+    }
+    void move(ProxyIndex proxy, const Aabb& box) {
+        table_.move(proxy, box);
+        note(proxy);
+    }
+    void remove(ProxyIndex proxy) {
+        table_.remove(proxy);
+        note(proxy);
+    }
+    const Aabb& box(ProxyIndex proxy) const { return table_.box(proxy); }
+    const ProxyTable& table() const noexcept { return table_; }
+    std::size_t size() const noexcept { return table_.size(); }
+
+    // Makes events() those between the pairs that `keeper` has and those that overlap now. Out of memory there are
+    // none, and the next update finds all that changed since the last one that succeeded.
+    void update(PairKeeper& keeper);
+
+    // Of the last update; ascending, and each once.
+    const PairEvents& events() const noexcept { return events_; }
+
+    // Once they are known to whoever keeps the pairs, events may be forgotten.
+    void clear_events() noexcept { events_.clear(); }
+
+    std::vector<ProxyIndex> find(const Aabb& box) const;
+    std::vector<ProxyIndex> find(const Segment& segment) const;
+    std::vector<ProxyIndex> find(const Ball& ball) const;
+    FindCounts find_counts() const noexcept;
+
+    const BroadPhaseCounts& counts() const noexcept { return counts_; }
+    std::size_t bytes() const noexcept;
+
+    // Throws BrokenInvariant. The pairs are not looked at.
+    void validate() const;
+
+  private:
+    bool has_trees() const noexcept;
+    void note(ProxyIndex proxy) noexcept {
+        if (!index_) return;
+        index_->note(proxy);
+        index_is_current_.store(false, std::memory_order_relaxed);
+    }
+    const BoxIndex& current_index() const;
+    template <class Bounds>
+    std::vector<ProxyIndex> find_all(const Bounds& bounds) const;
+
+    void find_pairs_again(const FindingUpdate& update);
+    void choose(std::size_t moved, std::uint64_t swaps) noexcept;
+    void build_finder() noexcept;
+
+    BroadPhaseKind kind_;
+    BroadPhaseKind running_;  // another than kind_ when that is automatic
+    ChooseFinder chooser_;
+    ProxyTable table_;
+    PairEvents events_;
+    std::unique_ptr<PairFinder> finder_;  // null after a failure
+    BroadPhaseCounts counts_;
+
+    // The index is made and brought up to date by the questions, which are const. Nothing else reads it, and what is
+    // not const does not run beside them: so a question that finds it up to date needs no lock.
+    mutable std::mutex index_mutex_;
+    mutable std::unique_ptr<BoxIndex> index_;
+    mutable std::atomic<bool> index_is_current_ = false;
+    mutable std::atomic<std::uint64_t> find_calls_ = 0, find_tests_ = 0, find_refreshed_ = 0;
+};
+
+}  // namespace ecods

@@ -1,0 +1,75 @@
+#include "world/cached_pairs.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace ecods {
+namespace {
+
+// The pairs of the cache by their smaller proxies.
+class PartnerLists {
+  public:
+    // By counting: no pair is compared with another.
+    PartnerLists(const VerdictCache& cache, ProxyIndex proxy_end)
+        : ends_(std::size_t{proxy_end} + 1), partners_(cache.size()) {
+        for (VerdictIndex index = 0; index < cache.size(); ++index) ++ends_[cache[index].proxies().a + 1];
+        for (std::size_t proxy = 1; proxy < ends_.size(); ++proxy) ends_[proxy] += ends_[proxy - 1];
+        // Now where each list begins; and when all are written, where it ends.
+        for (VerdictIndex index = 0; index < cache.size(); ++index) {
+            const ProxyPair pair = cache[index].proxies();
+            partners_[ends_[pair.a]++] = pair.b;
+        }
+    }
+
+    // Of proxies that are larger, in no order.
+    std::span<const ProxyIndex> of(ProxyIndex proxy) const noexcept {
+        const std::size_t begin = proxy == 0 ? 0 : ends_[proxy - 1];
+        return {partners_.data() + begin, ends_[proxy] - begin};
+    }
+
+  private:
+    std::vector<std::uint32_t> ends_;
+    std::vector<ProxyIndex> partners_;
+};
+
+}  // namespace
+
+void CachedPairs::append_removed(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& ended) {
+    for (const ProxyIndex proxy : changes.removed) {
+        for (auto index = cache_.first(proxy); index != no_verdict; index = cache_.next(index, proxy)) {
+            const ProxyPair pair = cache_[index].proxies();
+            const bool is_appended_by_partner = proxy == pair.b && table.is_removed(pair.a);
+            if (!is_appended_by_partner) ended.push_back(pair);
+        }
+    }
+}
+
+void CachedPairs::compare(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& found, PairEvents& events) {
+    constexpr ProxyIndex nobody = std::numeric_limits<ProxyIndex>::max();
+    events.clear();
+    const PartnerLists kept(cache_, table.end());
+    const bool has_removed = !changes.removed.empty();
+    std::vector<ProxyIndex> kept_with(table.end(),
+                                      nobody);  // the proxy looked at, for partners that were not found yet
+    auto pair = found.begin();
+    for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
+        for (const ProxyIndex partner : kept.of(proxy)) kept_with[partner] = proxy;
+        for (; pair != found.end() && pair->a == proxy; ++pair) {
+            const bool is_another = has_removed && (table.is_removed(pair->a) || table.is_removed(pair->b));
+            if (kept_with[pair->b] == proxy && !is_another) {
+                kept_with[pair->b] = nobody;
+            } else {
+                events.began.push_back(*pair);
+            }
+        }
+        for (const ProxyIndex partner : kept.of(proxy)) {
+            if (kept_with[partner] == proxy) events.ended.push_back({proxy, partner});
+        }
+    }
+    sort_pairs(events.ended);
+}
+
+}  // namespace ecods
