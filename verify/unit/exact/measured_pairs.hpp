@@ -3,6 +3,7 @@
 
 #include <xmmintrin.h>
 
+#include <algorithm>
 #include <array>
 #include <cfenv>
 #include <cmath>
@@ -156,6 +157,26 @@ inline const std::vector<MeasuredFamily>& measured_families() {
          }},
         {"subnormal",
          [](Random& r) { return scaled_by(at_gap(r, random_pair(r), 1), -1040 - static_cast<int>(r.below(34))); }},
+        {"any exponents",
+         [](Random& r) {
+             // Up to 2^2047 and down to 2^-2148: integers of all widths, and distances beyond the largest double.
+             const int range = std::min(1023, 1 + static_cast<int>(r.below(8)) * 150);
+             const auto any = [&] {
+                 return r.below(5) == 0
+                            ? 0.0
+                            : std::ldexp(r.uniform(-1, 1),
+                                         static_cast<int>(r.below(static_cast<std::uint32_t>(2 * range))) - range);
+             };
+             PosedPair pair{};
+             for (auto* corners : {&pair.a, &pair.b}) {
+                 for (Vec3& v : *corners) v = {any(), any(), any()};
+             }
+             for (Pose* pose : {&pair.pose_a, &pair.pose_b}) {
+                 for (int k = 0; k < 9; ++k) pose->R.data()[k] = any();
+                 pose->t = {any(), any(), any()};
+             }
+             return pair;
+         }},
         {"short and flat",
          [](Random& r) {
              PosedPair pair{};

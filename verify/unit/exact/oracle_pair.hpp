@@ -72,11 +72,12 @@ inline bool is_direction(const Vec3& u, const RationalPoint& v) {
     const mpq_class all = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
     for (std::size_t k = 0; k < 3; ++k) {
         const double x = u[static_cast<Eigen::Index>(k)];
-        if (sgn(v[k]) == 0) {
+        const mpq_class part = v[k] * v[k] / all;
+        // Up to half of the least double, unlike distances, it rounds to zero.
+        if (part <= mpq_class(0x1p-1000) * mpq_class(0x1p-1000) * mpq_class(0x1p-150)) {
             if (bits(x) != 0) return false;
             continue;
         }
-        const mpq_class part = v[k] * v[k] / all;
         const oracle::ExactRoot root{part.get_num(), part.get_den(), 0};
         const double expected = oracle::nearest(root);
         if (bits(x) != bits(sgn(v[k]) < 0 ? -expected : expected)) return false;
