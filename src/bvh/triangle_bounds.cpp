@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "bvh/projected_lanes.hpp"
-#include "bvh/walk_two.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/vec.hpp"
 
@@ -28,7 +27,7 @@ namespace {
 template <std::size_t width>
 struct Kernel : ProjectedLanes<width> {
     using Lanes = ProjectedLanes<width>;
-    using Lanes::pose;
+    using Lanes::load, Lanes::part_count, Lanes::pose, Lanes::store;
     using typename Lanes::Corners, typename Lanes::Floats, typename Lanes::Ints;
 
     struct Vector {
@@ -145,61 +144,47 @@ struct Kernel : ProjectedLanes<width> {
         return ecods::select(is_long, gap * (gap / closest.square) * square, Floats{});
     }
 
-    // The corners of pairs of triangles, one after the other.
-    struct Gathered {
-        alignas(32) std::array<std::array<std::array<float, width>, 3>, 3> a, b;  // by corner and axis
-    };
-    ECODS_ALWAYS_INLINE static void gather(
-        Triangles& t, const std::array<std::array<std::array<float, width>, 3>, 3>& from) noexcept {
+    ECODS_ALWAYS_INLINE static void gather(Triangles& t, const AxisCorners& from, std::size_t part) noexcept {
         for (std::size_t c = 0; c < 3; ++c) {
-            t.v[c] = {ecods::load<Floats>(from[c][0].data()), ecods::load<Floats>(from[c][1].data()),
-                      ecods::load<Floats>(from[c][2].data())};
+            t.v[c] = {load(from[c][0], part), load(from[c][1], part), load(from[c][2], part)};
         }
         t.find_edges();
     }
 
-    ECODS_ALWAYS_INLINE static void bound(const DistanceSet& set, const TreeLeaf& x, const TreeLeaf& y,
-                                          std::uint64_t bits, TriangleSquares& squares) noexcept {
-        Corners on_x, on_y;
-        pose(set.axes.a, x, on_x);
-        pose(set.axes.b, y, on_y);
+    ECODS_ALWAYS_INLINE static void bound(const DistanceSet& set, const TriangleBatch& batch,
+                                          TriangleSquares& squares) noexcept {
         const auto& errors = set.axes.point_error;
         const float error = std::max(std::max(errors[0], errors[1]), errors[2]);
-        LanePairs pairs(bits);
-        for (std::size_t first = 0; pairs.more(); first += width) {
-            Gathered corners;
-            std::size_t i = 0, j = 0;
-            for (std::size_t lane = 0; lane < width; ++lane) {
-                // The last pair fills the lanes that are left.
-                if (pairs.more()) {
-                    i = pairs.i();
-                    j = pairs.j();
-                    pairs.next();
-                }
-                for (std::size_t c = 0; c < 3; ++c) {
-                    for (std::size_t k = 0; k < 3; ++k) {
-                        corners.a[c][k][lane] = on_x.at[c][k][i];
-                        corners.b[c][k][lane] = on_y.at[c][k][j];
-                    }
-                }
-            }
+        for (std::size_t part = 0; part < part_count && part * width < batch.count; ++part) {
             Triangles a, b;
-            gather(a, corners.a);
-            gather(b, corners.b);
+            gather(a, batch.a, part);
+            gather(b, batch.b, part);
             Closest closest;
             try_edges(a, b, closest);
             try_faces(a, b, closest);
-            ecods::store(&squares.lower[first], lower_square(a, b, closest, error, set.square));
-            ecods::store(&squares.upper[first], closest.square);
+            store(squares.lower, part, lower_square(a, b, closest, error, set.square));
+            store(squares.upper, part, closest.square);
         }
+    }
+
+    ECODS_ALWAYS_INLINE static void put(const DistanceSet& set, const TreeLeaf& x, const TreeLeaf& y,
+                                        LeavesOnAxes& leaves) noexcept {
+        Corners corners;
+        pose(set.axes.a, x, corners);
+        leaves.x = corners.at;
+        pose(set.axes.b, y, corners);
+        leaves.y = corners.at;
     }
 };
 
 }  // namespace
 
-void bound_triangles(const DistanceSet& set, const TreeLeaf& x, const TreeLeaf& y, std::uint64_t pairs,
-                     TriangleSquares& squares) noexcept {
-    dispatch_by_width<Kernel<4>::bound, Kernel<8>::bound>(set, x, y, pairs, squares);
+void put_on_axes(const DistanceSet& set, const TreeLeaf& x, const TreeLeaf& y, LeavesOnAxes& leaves) noexcept {
+    dispatch_by_width<Kernel<4>::put, Kernel<8>::put>(set, x, y, leaves);
+}
+
+void bound_triangles(const DistanceSet& set, const TriangleBatch& batch, TriangleSquares& squares) noexcept {
+    dispatch_by_width<Kernel<4>::bound, Kernel<8>::bound>(set, batch, squares);
 }
 
 }  // namespace ecods

@@ -4,47 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "bvh/distance_axes.hpp"
 #include "bvh/mesh_bvh.hpp"
+#include "bvh/nearest_queue.hpp"
 #include "bvh/walk_two.hpp"
 
 namespace ecods {
 
-// A pair of nodes or leaves, and a lower bound of the square of its distance.
-struct NearPair {
-    float square;
-    TreeRef a;
-    TreeRef b;
-};
-
-// The pair with the least bound first.
-class NearestQueue {
-  public:
-    bool is_empty() const noexcept { return heap_.empty(); }
-    void clear() noexcept { heap_.clear(); }
-
-    void push(const NearPair& pair) {
-        heap_.push_back(pair);
-        std::push_heap(heap_.begin(), heap_.end(), is_behind);
-    }
-    NearPair pop() noexcept {
-        std::pop_heap(heap_.begin(), heap_.end(), is_behind);
-        const NearPair first = heap_.back();
-        heap_.pop_back();
-        return first;
-    }
-
-  private:
-    static bool is_behind(const NearPair& x, const NearPair& y) noexcept { return x.square > y.square; }
-
-    std::vector<NearPair> heap_;
-};
-
-// Visits pairs of nodes in the order of their bounds, until no pair that is left can matter.
+// Visits pairs of nodes in the order of their bounds, or nearly so, until no pair that is left can matter.
 //
 // `bound(x, y, squares)` is asked once for each pair visited that is not two leaves, x and y being a BvhNode or a
 // TreeLeaf of the first and the second tree; it sets bounds for pairs of lanes, which it returns as bits, as near_mask
@@ -55,11 +24,11 @@ void walk_nearest(const MeshBvh& a, const MeshBvh& b, NearestQueue& queue, Bound
     constexpr float infinity = std::numeric_limits<float>::infinity();
     alignas(32) LaneSquares squares;
     std::array<float, tree_width> least;
-    queue.clear();
+    queue.start(result.limit());
     queue.push({0, a.root, b.root});
-    while (!queue.is_empty()) {
-        const NearPair top = queue.pop();
-        if (!result.matters(top.square)) return;
+    NearPair top;
+    while (queue.pop(result.limit(), top)) {
+        if (!result.visits(top)) return;
         if (top.a.is_leaf() && top.b.is_leaf()) {
             if (!result(a.leaves[top.a.index()], b.leaves[top.b.index()])) return;
         } else if (top.a.is_leaf()) {

@@ -17,7 +17,10 @@ struct DistanceSearch::Memory final : QueryMemoryPart {
     TriangleDistances pair;
     DistanceAxes axes;
     NearestQueue queue;
-    TriangleSquares squares;
+    alignas(32) LaneSquares squares{};
+    LeavesOnAxes leaves{};
+    TriangleBatch batch{};
+    TriangleSquares bounds{};
     std::vector<Candidate> candidates;  // of which floats know no more
     std::vector<OpenPair> open;
 };
@@ -57,6 +60,7 @@ DistanceSearch::DistanceSearch(const Posed<MeshShape>& a, const Posed<MeshShape>
     ++counts_.queries;
     memory_.candidates.clear();
     memory_.open.clear();
+    memory_.batch.count = 0;
     memory_.pair.bind(body_of(a_, tree_a_), body_of(b_, tree_b_));
     memory_.axes.bind({tree_a_.boxes, a_.pose.R}, {tree_b_.boxes, b_.pose.R}, b_.pose.t - a_.pose.t);
 }
@@ -96,7 +100,7 @@ void DistanceSearch::run(const DistanceGoal& goal, const PairWitness& witness) {
         return near_mask(sets(), limit_, x, y, squares);
     };
     walk_nearest(tree_a_.boxes, tree_b_.boxes, memory_.queue, bound, *this);
-    if (!is_decided()) enclose_candidates();
+    if (!is_decided() && bound_batch()) enclose_candidates();
 }
 
 bool DistanceSearch::is_decided() const noexcept {
@@ -129,9 +133,8 @@ void DistanceSearch::dive() {
     memory_.open.clear();
 }
 
-bool DistanceSearch::matters(float square) {
-    if (square > limit_) return false;
-    if (square > 0 || ++overlap_count_ != overlap_max) return true;
+bool DistanceSearch::visits(const NearPair& pair) {
+    if (pair.square > 0 || ++overlap_count_ != overlap_max) return true;
     leave_relations();
     is_zero_ = intersects(a_, b_, query_memory_);
     --counts_.queries;  // it is a part of this one
@@ -139,17 +142,28 @@ bool DistanceSearch::matters(float square) {
 }
 
 bool DistanceSearch::operator()(const TreeLeaf& x, const TreeLeaf& y) {
-    TriangleSquares& squares = memory_.squares;
     ++counts_.box_tests;
-    const std::uint64_t bits = near_mask(sets(), limit_, x, y, squares.lower);
-    if (bits == 0) return true;
-    bound_triangles(sets()[0], x, y, bits, squares);
-    counts_.distances.triangle_bounds += LanePairs(bits).size();
-    std::size_t at = 0;
-    for (LanePairs pairs(bits); pairs.more(); pairs.next(), ++at) {
-        take({x.triangle[pairs.i()], y.triangle[pairs.j()]}, squares.lower[at], squares.upper[at]);
+    LanePairs pairs(near_mask(sets(), limit_, x, y, memory_.squares));
+    if (!pairs.more()) return true;
+    put_on_axes(sets()[0], x, y, memory_.leaves);
+    for (; pairs.more(); pairs.next()) {
+        const std::size_t i = pairs.i(), j = pairs.j();
+        memory_.batch.add(memory_.leaves, i, j, {x.triangle[i], y.triangle[j]});
+        if (memory_.batch.is_full() && !bound_batch()) return false;
+    }
+    return true;
+}
+
+// Bounds the triangles that were put together. Returns whether the walk goes on.
+bool DistanceSearch::bound_batch() {
+    TriangleBatch& batch = memory_.batch;
+    counts_.distances.triangle_bounds += batch.count;
+    bound_triangles(sets()[0], batch, memory_.bounds);
+    for (std::size_t lane = 0; lane < batch.count; ++lane) {
+        take(batch.pairs[lane], memory_.bounds.lower[lane], memory_.bounds.upper[lane]);
         if (is_decided()) return false;
     }
+    batch.count = 0;
     return true;
 }
 

@@ -64,7 +64,8 @@ class DistanceSearch {
     TriangleDistances& exact_pair() noexcept;
 
     // What walk_nearest asks.
-    bool matters(float square);
+    float limit() const noexcept { return limit_; }
+    bool visits(const NearPair& pair);
     bool operator()(const TreeLeaf& x, const TreeLeaf& y);
 
     const std::array<DistanceSet, 2>& sets() const noexcept;
@@ -79,6 +80,7 @@ class DistanceSearch {
     const DistanceAxes& axes() const noexcept;
     bool is_decided() const noexcept;
     void dive();
+    bool bound_batch();
     void enclose_candidates();
     void take(const TrianglePair& triangles, float lower, float upper);
     void enclose(const TrianglePair& triangles);
