@@ -27,9 +27,10 @@ struct DistanceSearch::Memory final : QueryMemoryPart {
 
 namespace {
 
-// So many pairs of nodes that overlap are visited before the bodies are tested for a common point: a few are met when
-// they nearly touch, where that test would be wasted; very many, when they intersect.
-constexpr std::uint32_t overlap_max = 96;
+// So many pairs of nodes that overlap are visited before the bodies are tested for a common point. A walk that goes deep
+// mostly meets triangles that share one long before; hundreds of nodes overlap where large bodies nearly touch, too, and
+// there the test would be wasted.
+constexpr std::uint32_t overlap_max = 1024;
 
 // The error of a difference of two points of triangles (bvh/triangle_bounds.cpp), on the axes of a set.
 double point_error(const DistanceSet& set) {
