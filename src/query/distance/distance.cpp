@@ -28,6 +28,11 @@ std::ostream& operator<<(std::ostream& out, ClosestKind kind) {
 
 double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness) {
     DistanceSearch search(a, b, memory);
+    if (search.can_refer()) {
+        const double result = search.find_distance(witness);
+        witness = search.witness();
+        return result;
+    }
     search.run({}, witness);
     witness = search.witness();
     return search.is_zero() ? 0 : round_least(search, witness);

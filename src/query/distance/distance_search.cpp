@@ -27,9 +27,9 @@ struct DistanceSearch::Memory final : QueryMemoryPart {
 
 namespace {
 
-// So many pairs of nodes that overlap are visited before the bodies are tested for a common point. A walk that goes deep
-// mostly meets triangles that share one long before; hundreds of nodes overlap where large bodies nearly touch, too, and
-// there the test would be wasted.
+// So many pairs of nodes that overlap are visited before the bodies are tested for a common point. A walk that goes
+// deep mostly meets triangles that share one long before; hundreds of nodes overlap where large bodies nearly touch,
+// too, and there the test would be wasted.
 constexpr std::uint32_t overlap_max = 1024;
 
 // The error of a difference of two points of triangles (bvh/triangle_bounds.cpp), on the axes of a set.
@@ -86,6 +86,45 @@ const std::array<DistanceSet, 2>& DistanceSearch::sets() const noexcept {
 
 void DistanceSearch::run(const DistanceGoal& goal, const PairWitness& witness) {
     goal_ = goal;
+    walk(witness);
+    if (!is_decided()) enclose_candidates();
+}
+
+bool DistanceSearch::can_refer() const noexcept {
+    return memory_.pair.can_refer();
+}
+
+double DistanceSearch::find_distance(const PairWitness& witness) {
+    walk(witness);
+    if (is_zero_) return 0;
+    double least = std::numeric_limits<double>::infinity();
+    lower_distance({nearest_.a, nearest_.b}, least);
+    for (const OpenPair& open : memory_.open) {
+        // Rounding is monotone: it takes no number below one that is a double.
+        if (key_of(open.interval.lower) < key_of(least)) lower_distance(open.triangles, least);
+    }
+    drop_candidates();
+    for (const Memory::Candidate& candidate : memory_.candidates) {
+        if (candidate.lower > limit_) break;
+        if (memory_.pair.is_not_nearer(candidate.triangles)) continue;
+        if (key_of(enclosure(candidate.triangles).lower) < key_of(least)) lower_distance(candidate.triangles, least);
+    }
+    memory_.open.clear();
+    return least;
+}
+
+// Measures a pair of triangles unless it is proven not to be nearer than the nearest one so far, at `least`.
+void DistanceSearch::lower_distance(const TrianglePair& triangles, double& least) {
+    if (memory_.pair.is_not_nearer(triangles)) return;
+    const double distance = exact_pair().distance(triangles.a, triangles.b);
+    if (key_of(distance) >= key_of(least) && TrianglePair{nearest_.a, nearest_.b} != triangles) return;
+    least = distance;
+    nearest_ = {triangles.a, triangles.b};
+    memory_.pair.refer_to(triangles);
+    limit_ = std::min(limit_, axes().square_above(least));
+}
+
+void DistanceSearch::walk(const PairWitness& witness) {
     set_limit();
     const bool has_witness =
         witness.a < a_.what->mesh().triangles().size() && witness.b < b_.what->mesh().triangles().size();
@@ -101,7 +140,7 @@ void DistanceSearch::run(const DistanceGoal& goal, const PairWitness& witness) {
         return near_mask(sets(), limit_, x, y, squares);
     };
     walk_nearest(tree_a_.boxes, tree_b_.boxes, memory_.queue, bound, *this);
-    if (!is_decided() && bound_batch()) enclose_candidates();
+    if (!is_decided()) bound_batch();
 }
 
 bool DistanceSearch::is_decided() const noexcept {
@@ -212,12 +251,17 @@ void DistanceSearch::set_limit() {
     limit_ = axes().square_above(std::min(goal_.at_most, floor_));
 }
 
-// From the nearest on, until those that are left are farther than one that was enclosed.
-void DistanceSearch::enclose_candidates() {
+// Those that are farther than the limit has become; the others are sorted.
+void DistanceSearch::drop_candidates() {
     auto& candidates = memory_.candidates;
     std::erase_if(candidates, [&](const Memory::Candidate& c) { return c.lower > limit_; });
     std::ranges::sort(candidates, {}, &Memory::Candidate::lower);
-    for (const Memory::Candidate& candidate : candidates) {
+}
+
+// From the nearest on, until those that are left are farther than one that was enclosed.
+void DistanceSearch::enclose_candidates() {
+    drop_candidates();
+    for (const Memory::Candidate& candidate : memory_.candidates) {
         if (candidate.lower > limit_) break;
         enclose(candidate.triangles);
         if (is_decided()) return;

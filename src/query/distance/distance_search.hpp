@@ -46,6 +46,11 @@ class DistanceSearch {
     // is farther than another that is, farther than at_most, or not nearer than floor().
     void run(const DistanceGoal& goal, const PairWitness& witness);
 
+    // The same for the least distance, rounded once, and no more; 0 where the bodies share a point. Leaves no open
+    // pairs. Only where can_refer() holds for the pair.
+    double find_distance(const PairWitness& witness);
+    bool can_refer() const noexcept;
+
     // Calls visit(pair) for pairs of triangles, among them every pair within d.
     template <class Visit>
     void visit_within(double d, Visit&& visit);
@@ -80,7 +85,10 @@ class DistanceSearch {
     const DistanceAxes& axes() const noexcept;
     bool is_decided() const noexcept;
     void dive();
+    void walk(const PairWitness& witness);
     bool bound_batch();
+    void drop_candidates();
+    void lower_distance(const TrianglePair& triangles, double& least);
     void enclose_candidates();
     void take(const TrianglePair& triangles, float lower, float upper);
     void enclose(const TrianglePair& triangles);

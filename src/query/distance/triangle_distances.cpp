@@ -78,6 +78,7 @@ void TriangleDistances::bind(const BodyRef& a, const BodyRef& b) {
     points_.bind(a, b);
     triangles_ = {a.mesh->triangles().data(), b.mesh->triangles().data()};
     for (Measured& m : measured_) m.is_known = false;
+    slab_.forget();
 }
 
 ECODS_ALWAYS_INLINE IntegerPair TriangleDistances::integers(std::uint32_t i, std::uint32_t j) {
@@ -123,9 +124,9 @@ auto TriangleDistances::with_features(std::uint32_t i, std::uint32_t j, Use&& us
     return with_integers(posed, in_kernel);
 }
 
-const SquaredDistance& TriangleDistances::measured(const TrianglePair& pair) {
+const TriangleDistances::Measured& TriangleDistances::measured(const TrianglePair& pair) {
     if (measured_[1].is_known && measured_[1].pair == pair) std::swap(measured_[0], measured_[1]);
-    if (measured_[0].is_known && measured_[0].pair == pair) return measured_[0].square;
+    if (measured_[0].is_known && measured_[0].pair == pair) return measured_[0];
     std::swap(measured_[0], measured_[1]);
     Measured& result = measured_[0];
     result.pair = pair;
@@ -138,24 +139,46 @@ const SquaredDistance& TriangleDistances::measured(const TrianglePair& pair) {
             result.square.den = Natural<denominator_limbs>(1);
         } else {
             features.measure(found.features, result.square);
+            result.features = found.features;
         }
     });
-    return result.square;
+    return result;
 }
 
 double TriangleDistances::distance(std::uint32_t i, std::uint32_t j) {
-    return round_root(measured({i, j}));
+    return round_root(measured({i, j}).square);
 }
 
 int TriangleDistances::compare(std::uint32_t i, std::uint32_t j, double d) {
-    return exact::compare(measured({i, j}), d);
+    return exact::compare(measured({i, j}).square, d);
 }
 
 int TriangleDistances::compare(const TrianglePair& first, const TrianglePair& second) {
     measured(first);
-    const SquaredDistance& b = measured(second);
+    const SquaredDistance& b = measured(second).square;
     const SquaredDistance& a = first == second ? b : measured_[1].square;
     return exact::compare(a, b);
+}
+
+void TriangleDistances::refer_to(const TrianglePair& pair) {
+    slab_.forget();
+    const FeaturePair f = measured(pair).features;
+    if (!points_.is_exact() || measured(pair).square.num.is_zero()) return;
+    const auto points = to_limbs(IntegerPoints<TwoLimbKernel, 6>{integers(pair.a, pair.b).at, points_.unit()});
+    ExactFeatures<ClosestSlab::limb_count>(points).with_direction(
+        f, [&](const auto& n, bool is_turned) { slab_.set(n, is_turned, points[f.a], points[3 + f.b]); });
+}
+
+bool TriangleDistances::is_not_nearer(const TrianglePair& pair) {
+    if (!slab_.is_set()) return false;
+    const auto is_outside = [&](std::size_t body, std::uint32_t vertex) {
+        return slab_.is_outside(body, vertex, [&] {
+            const FixedPoints::Point& p = points_.at(body, vertex);
+            return ClosestSlab::Point{to_limbs(p[0]), to_limbs(p[1]), to_limbs(p[2])};
+        });
+    };
+    return std::ranges::all_of(triangles_[0][pair.a], [&](std::uint32_t vertex) { return is_outside(0, vertex); }) &&
+           std::ranges::all_of(triangles_[1][pair.b], [&](std::uint32_t vertex) { return is_outside(1, vertex); });
 }
 
 // The origin of all exact points of a pair.

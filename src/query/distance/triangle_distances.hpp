@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "ecods/distance.hpp"
+#include "exact/measure/closest_slab.hpp"
 #include "exact/measure/enclose_distance.hpp"
 #include "exact/measure/feature_pair.hpp"
 #include "exact/measure/fixed_points.hpp"
@@ -70,6 +71,15 @@ class TriangleDistances {
     // The sign of the real distance of the first pair of triangles less that of the second.
     int compare(const TrianglePair& first, const TrianglePair& second);
 
+    // Whether is_not_nearer can say anything: where coordinates fit into two limbs.
+    bool can_refer() const noexcept { return points_.is_exact(); }
+    // Remembers a pair of triangles that do not meet, for is_not_nearer.
+    void refer_to(const TrianglePair& pair);
+    // Whether it is certain that the distance of a pair is not less than that of the one referred to. Exact where it
+    // says so, and says nothing otherwise: asked of pairs that may tie with it, or share its features, it mostly says
+    // so. Cost: some nanoseconds, and 0.1 microseconds for each vertex that was not asked about before.
+    bool is_not_nearer(const TrianglePair& pair);
+
     // The closest points of a pair of triangles, by the rule of ClosestPoints.
     ClosestPoints closest(std::uint32_t i, std::uint32_t j);
 
@@ -85,16 +95,18 @@ class TriangleDistances {
         TrianglePair pair;
         bool is_known = false;
         exact::SquaredDistance square;
+        exact::FeaturePair features;  // that hold closest points, unless the square is zero
     };
 
     exact::IntegerPair integers(std::uint32_t i, std::uint32_t j);
     template <class Use>
     auto with_features(std::uint32_t i, std::uint32_t j, Use&& use);
-    const exact::SquaredDistance& measured(const TrianglePair& pair);
+    const Measured& measured(const TrianglePair& pair);
     exact::PointRef first_corner(std::uint32_t i) const noexcept;
 
     exact::FixedPoints points_;
     std::array<const Triangle*, 2> triangles_{};
+    exact::ClosestSlab slab_;
     std::array<Measured, 2> measured_;  // the one that was asked about last comes first
 };
 
