@@ -4,6 +4,7 @@
 // Built by verify/environment/check in many ways, from the sources of the exact layer, without any other library.
 
 #include <array>
+#include <bit>
 #include <cfenv>
 #include <cstdint>
 #include <cstdio>
@@ -18,6 +19,7 @@
 #include "ecods/mesh.hpp"
 #include "ecods/predicates.hpp"
 #include "environment/corpus.hpp"
+#include "query/distance/triangle_distances.hpp"
 #include "query/intersection/triangle_relations.hpp"
 
 namespace {
@@ -43,12 +45,33 @@ Body read_body(const double* in) {
     return body;
 }
 
+// Distance, features and points, and comparisons next to where they turn.
+std::uint64_t digest(std::uint64_t result, TriangleDistances& distances) {
+    const auto add = [&](auto number) { result = combine(result, std::bit_cast<std::uint64_t>(number)); };
+    const ClosestPoints closest = distances.closest(0, 0);
+    add(distances.distance(0, 0));
+    add(closest.distance);
+    for (const Feature& feature : {closest.a, closest.b}) {
+        add(std::uint64_t{feature.corner} << 8 | static_cast<std::uint64_t>(feature.kind));
+    }
+    for (int k = 0; k < 3; ++k) {
+        add(closest.point_a[k]);
+        add(closest.point_b[k]);
+    }
+    add(std::uint64_t{distances.compare(0, 0, closest.distance) > 0});
+    add(std::uint64_t{distances.compare(0, 0, closest.distance) < 0});
+    return combine(result, static_cast<std::uint64_t>(closest.kind));
+}
+
 std::uint64_t digest(const std::vector<std::array<Body, 2>>& pairs) {
     std::uint64_t result = 0;
     TriangleRelations bodies;
+    TriangleDistances distances;
     for (const auto& [a, b] : pairs) {
         const exact::MeshExtent extent_a = exact::measure(*a.mesh), extent_b = exact::measure(*b.mesh);
-        bodies.bind({a.mesh.get(), &extent_a, &a.pose}, {b.mesh.get(), &extent_b, &b.pose});
+        const exact::BodyRef first{a.mesh.get(), &extent_a, &a.pose}, second{b.mesh.get(), &extent_b, &b.pose};
+        bodies.bind(first, second);
+        distances.bind(first, second);
         const auto add = [&](auto answer) { result = combine(result, static_cast<std::uint64_t>(answer) & 0xff); };
         add(bodies.relation(0, 0));
         add(triangle_triangle({a.pose, a.corners}, {b.pose, b.corners}));
@@ -58,6 +81,7 @@ std::uint64_t digest(const std::vector<std::array<Body, 2>>& pairs) {
             s{b.pose, b.corners[2]};
         add(orient3d(p, q, r, s));
         for (int axis = 0; axis < 3; ++axis) add(orient2d(p, q, r, axis));
+        result = digest(result, distances);
     }
     return result;
 }

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "oracle/float_environment.hpp"
+
 namespace ecods::judge {
 namespace {
 
@@ -163,6 +165,7 @@ std::optional<Wrong> DistanceTruth::ask_closest(QueryMemory& memory, PairWitness
 
 std::optional<std::string> DistanceTruth::defect(const DistanceBounds& bounds,
                                                  const DistanceTolerance& tolerance) const {
+    const oracle::FloatEnvironment environment;  // rationals are not made of subnormals that are flushed
     const auto& [lower, upper] = bounds;
     if (std::isnan(lower) || std::isnan(upper) || std::signbit(lower) || is_less(upper, lower)) return "no interval";
     if (std::isinf(lower) ? oracle::compare(exact_, std::numeric_limits<double>::max()) <= 0

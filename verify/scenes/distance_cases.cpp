@@ -91,7 +91,8 @@ double tenth(int n) {
 
 // Each side in squares, its coordinates tenths; they are not multiples of one binary fraction.
 std::shared_ptr<const Mesh> brick(Random& random) {
-    const std::array<int, 3> size{integer(random, 1, 3), integer(random, 1, 3), integer(random, 1, 3)};
+    const int most = random.below(8) == 0 ? 3 : 2;
+    const std::array<int, 3> size{integer(random, 1, most), integer(random, 1, most), integer(random, 1, most)};
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
     for (int axis = 0; axis < 3; ++axis) {
@@ -219,7 +220,7 @@ DistanceCase subnormal(Random& random) {
 
 DistanceCase wide_exponents(Random& random) {
     DistanceCase made;
-    const int width = coin(random) ? 60 : 400;
+    const int width = random.below(8) != 0 ? 60 : 400;
     const auto number = [&] {
         const double x = full(random, -1, 1);
         return random.below(8) == 0 ? 0 : std::ldexp(x, integer(random, -width, width));
@@ -241,11 +242,12 @@ DistanceCase wide_exponents(Random& random) {
 }
 
 std::shared_ptr<const Mesh> small_mesh(Random& random) {
+    const bool is_large = random.below(8) == 0;
     switch (random.below(3)) {
         case 0:
-            return sphere(3 + random.below(5), 2 + random.below(4));
+            return is_large ? sphere(8, 6) : sphere(3 + random.below(3), 2 + random.below(2));
         case 1:
-            return torus(3 + random.below(4), 3 + random.below(3), 0.4);
+            return is_large ? torus(7, 6, 0.4) : torus(3 + random.below(2), 3, 0.4);
         default:
             return cube(0.5);
     }

@@ -39,7 +39,7 @@ enum class DistanceFamily {
     subnormal,         // integers of some digits, times 2^-1074
     wide_exponents,    // coordinates of any exponents
     half_way,          // known: distances half-way between two doubles, or a hair beside
-    small_meshes,      // spheres, tori and boxes of some ten triangles in random poses, near each other or not
+    small_meshes,      // spheres, tori and boxes of 6 to 84 triangles in random poses, near each other or not
     zero_area,         // segments and points among the triangles
 };
 

@@ -1,7 +1,11 @@
 // What needs no World, out of memory at any point: meshes, shapes, refits, questions about two bodies.
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <utility>
+
 #include "allocation/each_allocation.hpp"
+#include "ecods/distance.hpp"
 #include "ecods/intersection.hpp"
 #include "scenes/shapes.hpp"
 
@@ -31,6 +35,23 @@ std::string text(Relation relation) {
     return number(static_cast<std::size_t>(relation));
 }
 
+// Every bit of it.
+std::string text(double x) {
+    return number(std::bit_cast<std::uint64_t>(x));
+}
+
+std::string text(const ClosestPoints& closest) {
+    std::string all = text(closest.distance);
+    const auto add = [&](const std::string& one) { all.append(" ").append(one); };
+    add(number(closest.a.triangle));
+    add(number(closest.b.triangle));
+    for (int k = 0; k < 3; ++k) {
+        add(text(closest.point_a[k]));
+        add(text(closest.point_b[k]));
+    }
+    return all;
+}
+
 struct Question {
     const char* name;
     void (*ask)(Pair&);
@@ -43,6 +64,24 @@ const Question questions[] = {
     {"relation", [](Pair& p) { p.answer = text(relation(p.first(), p.second(), p.memory)); }},
     {"intersecting_triangles",
      [](Pair& p) { p.answer = number(intersecting_triangles(p.first(), p.second(), p.memory).size()); }},
+    {"distance", [](Pair& p) { p.answer = text(distance(p.first(), p.second(), p.memory)); }},
+    {"distance, with a witness",
+     [](Pair& p) { p.answer = text(distance(p.first(), p.second(), p.memory, p.witness)); }},
+    {"within", [](Pair& p) { p.answer = number(within(p.first(), p.second(), 0.25, p.memory, p.witness)); }},
+    {"closest", [](Pair& p) { p.answer = text(closest(p.first(), p.second(), p.memory)); }},
+    {"distance_bounds",
+     [](Pair& p) {
+         const DistanceBounds bounds = distance_bounds(p.first(), p.second(), {.relative = 0.25}, p.memory);
+         p.answer = text(bounds.lower).append(" ").append(text(bounds.upper));
+     }},
+    {"close_triangles",
+     [](Pair& p) {
+         std::string all;
+         for (const ClosestPoints& close : close_triangles(p.first(), p.second(), 0x1p-6, p.memory)) {
+             all.append(text(close)).append("; ");
+         }
+         p.answer = std::move(all);
+     }},
     {"MeshShape::box", [](Pair& p) { p.answer = number(p.a->box(p.pose_b).min.allFinite()); }},
     {"MeshShape::tree_bytes", [](Pair& p) { p.answer = number(p.a->tree_bytes()); }},
     {"refit without a tree",
@@ -69,6 +108,7 @@ void go_on(Pair& p) {
         p.answer += number(intersects(p.first(), p.second(), p.memory, p.witness));
         p.answer += text(relation(p.second(), p.first(), p.memory)) + " ";
         p.answer += number(intersecting_triangles(p.first(), p.second(), p.memory).size());
+        p.answer += text(distance(p.first(), p.second(), p.memory, p.witness));
     }
 }
 
