@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
         }
     }
     for (const scenes::DistanceFamily family : scenes::distance_families()) {
-        for (int i = 0; i < 200; ++i) {
+        for (int i = 0; i < 400; ++i) {
             const scenes::DistanceCase made = scenes::make_distance_case(family, random);
             write(file, made.pose_a, first_triangle(*made.a), made.pose_b, first_triangle(*made.b));
         }

@@ -32,18 +32,19 @@ bool is_narrow(const DistanceBounds& bounds, const DistanceTolerance& tolerance)
     return width <= std::max(tolerance.absolute, tolerance.relative * bounds.lower);
 }
 
-// The doubles around the least distance, which are one where it is a double.
+// The doubles around the least distance, which are one where it is a double. Pairs that round to the same double may
+// lie on either side of it: all of them are asked, but for those of which it is known.
 DistanceBounds adjacent_bounds(DistanceSearch& search, PairWitness& witness) {
     const double rounded = round_least(search, witness);
     if (rounded == infinity) return {double_max, infinity};
-    switch (search.exact_pair().compare(witness.a, witness.b, rounded)) {
-        case 0:
-            return {rounded, rounded};
-        case 1:
-            return {rounded, next_up(rounded)};
-        default:
-            return {next_down(rounded), rounded};
+    int sign = search.exact_pair().compare(witness.a, witness.b, rounded);
+    for (const OpenPair& open : search.open_pairs()) {
+        if (sign < 0) break;
+        if (key_of(open.interval.lower) >= key_of(rounded)) continue;
+        sign = std::min(sign, search.exact_pair().compare(open.triangles.a, open.triangles.b, rounded));
     }
+    if (sign == 0) return {rounded, rounded};
+    return sign > 0 ? DistanceBounds{rounded, next_up(rounded)} : DistanceBounds{next_down(rounded), rounded};
 }
 
 // What doubles know. Pairs that the search left out are beyond the floor, or beyond at_most.

@@ -129,6 +129,35 @@ TEST(Distance, TheSmallestAndTheLargest) {
     EXPECT_EQ(beyond.upper, 0x1p-1074);
 }
 
+// Found by the fuzzer: two pairs of triangles whose distances round to one double, which lies between them. The
+// interval was that double alone, from the pair that is farther.
+TEST(Distance, BoundsOfPairsThatRoundToOneDouble) {
+    scenes::Random random(9);
+    QueryMemory memory;
+    const MeshShape point(Mesh::create({Vec3::Zero()}, {{0, 0, 0}}));
+    for (int i = 0; i < 300; ++i) {
+        // Vertices, edges and faces about 1 away, to 2^-60 of that.
+        std::vector<Vec3> vertices;
+        std::vector<Triangle> triangles;
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            const double x = random.uniform(-1, 0), y = random.uniform(0.5, 2), z = random.uniform(0.25, 1);
+            const double height = static_cast<double>(random.below(5)) - 2;
+            vertices.push_back(Vec3(x, -y, height));
+            vertices.push_back(Vec3(random.below(2) == 0 ? x : z, y, height));
+            vertices.push_back(Vec3(z, random.uniform(-1, 1), height));
+            triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+        }
+        const MeshShape faces(Mesh::create(vertices, triangles));
+        Pose thin, above;
+        thin.R(2, 2) = 0x1p-60;
+        above.t[2] = 1;
+        const judge::DistanceTruth truth({faces, thin}, {point, above});
+        const DistanceBounds bounds = distance_bounds({faces, thin}, {point, above}, {}, memory);
+        ASSERT_GE(oracle::compare(truth.exact(), bounds.lower), 0) << i;
+        ASSERT_LE(oracle::compare(truth.exact(), bounds.upper), 0) << i;
+    }
+}
+
 TEST(Distance, BadDistancesAreErrors) {
     Cubes cubes;
     const auto a = cubes.posed(Pose()), b = cubes.posed(Cubes::at(3, 0, 0));
