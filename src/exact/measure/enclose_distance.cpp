@@ -1,7 +1,7 @@
 // Derivation. Let p be a corner of the first triangle and q one of the second, both on the guessed features, w = q - p,
 // and a1, a2 and b1, b2 the other corners of either triangle less p and q. Every vector is a ScaledVector: below, it is
 // counted in its own power of two. Coordinates are integers of magnitude at most X = 2^53, and off by at most
-//     eta = 1 + error <= 7:
+//     eta = 1 + error <= 6:
 // one for the shift, `error` for the points, whose unit is at most the vector's. u' = 2^-52 bounds one operation.
 //
 // Below: weak duality. For ANY vector n, of doubles taken as they are, every point of the second triangle less every
@@ -85,7 +85,7 @@ class Features {
         n_ = w_.x;
         const double bound = 3 * (2 * c_ + 3) * two_u * (size * size) * slack;
         is_certain_ =
-            is_outward(0, 0, bound) & is_outward(0, 1, bound) & is_outward(1, 0, bound) & is_outward(1, 1, bound);
+            is_outward(0, 0, bound) && is_outward(0, 1, bound) && is_outward(1, 0, bound) && is_outward(1, 1, bound);
     }
 
     // The corner p or q of `side`, and the edge from the other's corner to the next one.
@@ -102,8 +102,8 @@ class Features {
         for (std::size_t k = 0; k < 3; ++k) n_[k] = w_.x[k] * uu + u[k] * (of == 1 ? along : -along);
         const double inside = 3 * (2 * c_ + 3) * two_u * (size * size) * slack;
         const double outward = 18 * (4 * c_ + 8) * two_u * (size * size) * (size * size) * slack;
-        is_certain_ = (along > inside) & (uu * f - along > inside * (1 + f) * 2) & is_outward(side, 0, outward) &
-                      is_outward(side, 1, outward) & is_outward(of, 1, outward);
+        is_certain_ = (along > inside) && (uu * f - along > inside * (1 + f) * 2) && is_outward(side, 0, outward) &&
+                      is_outward(side, 1, outward) && is_outward(of, 1, outward);
         // Once more perpendicular to the edge: near contact what is left of w is mostly error.
         const double rest = dot(n_, u) / uu;
         for (std::size_t k = 0; k < 3; ++k) n_[k] -= rest * u[k];
@@ -120,8 +120,8 @@ class Features {
         weight_[1][0] = std::min(std::max(t / nn, 0.0), g);
         turn_towards_w();
         const double inside = inside_bound(), outward = 6 * (3 * c_ + 5) * two_u * (size * size * size) * slack;
-        is_certain_ = (s > inside) & (t > inside) & (nn * f - s > inside * (1 + f) * 2) &
-                      (nn * g - t > inside * (1 + g) * 2) & (dot(n_, w_.x) > outward) & is_outward(0, 1, outward) &
+        is_certain_ = (s > inside) && (t > inside) && (nn * f - s > inside * (1 + f) * 2) &&
+                      (nn * g - t > inside * (1 + g) * 2) && (dot(n_, w_.x) > outward) && is_outward(0, 1, outward) &&
                       is_outward(1, 1, outward);
     }
 
@@ -141,8 +141,8 @@ class Features {
         weight_[of][1] = std::min(std::max(t / nn, 0.0), (1 - x / f) * (1 - 4 * two_u) * g);
         turn_towards_w();
         const double inside = inside_bound(), outward = 6 * (3 * c_ + 5) * two_u * (size * size * size) * slack;
-        is_certain_ = (s > inside) & (t > inside) & ((nn - s / f) - t / g > inside * (1 + 1 / f + 1 / g) * 2) &
-                      (dot(n_, w_.x) > outward) & is_outward(side, 0, outward) & is_outward(side, 1, outward);
+        is_certain_ = (s > inside) && (t > inside) && ((nn - s / f) - t / g > inside * (1 + 1 / f + 1 / g) * 2) &&
+                      (dot(n_, w_.x) > outward) && is_outward(side, 0, outward) && is_outward(side, 1, outward);
     }
 
     Enclosure result(int unit) const noexcept;

@@ -36,9 +36,10 @@ class FixedPoints {
     int unit() const noexcept { return unit_; }
     bool is_exact() const noexcept { return is_exact_; }
 
-    // Where points are not exact, a coordinate is the sum of four numbers, each less than one unit below the true one,
-    // less such a number: the difference of two coordinates is off by less than this many units.
-    static constexpr int error_units = 6;
+    // Where points are not exact: three products and a translation, each rounded down by less than one unit, less
+    // another translation, leave a coordinate by less than 4 units too low or 1 too high. The difference of two
+    // coordinates is off by less than 5 units.
+    static constexpr int error_units = 5;
 
   private:
     // m 2^e, m of up to 53 bits.

@@ -1,8 +1,6 @@
 // Pairs of triangles whose distances are hard to find, and the environments to find them in.
 #pragma once
 
-#include <xmmintrin.h>
-
 #include <algorithm>
 #include <array>
 #include <cfenv>
@@ -10,6 +8,10 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
 
 #include "ecods/mesh.hpp"
 #include "exact/point/frame.hpp"
@@ -27,14 +29,14 @@ inline constexpr std::array environments{FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, F
 
 template <class Evaluate>
 [[gnu::noinline]] auto in_environment(int environment, Evaluate evaluate) {
-    if (environment == flushing) {
-        _mm_setcsr(_mm_getcsr() | 0x8040);
-    } else {
-        std::fesetround(environment);
-    }
+    std::fenv_t saved;
+    std::fegetenv(&saved);
+    std::fesetround(environment == flushing ? FE_TONEAREST : environment);
+#if defined(__x86_64__)
+    if (environment == flushing) _mm_setcsr(_mm_getcsr() | 0x8040);
+#endif
     auto result = evaluate();
-    std::fesetround(FE_TONEAREST);
-    _mm_setcsr(_mm_getcsr() & ~0x8040u);
+    std::fesetenv(&saved);
     return result;
 }
 
@@ -175,6 +177,17 @@ inline const std::vector<MeasuredFamily>& measured_families() {
                  for (int k = 0; k < 9; ++k) pose->R.data()[k] = any();
                  pose->t = {any(), any(), any()};
              }
+             return pair;
+         }},
+        {"short, moved",
+         [](Random& r) {
+             // Translations with more digits than what they move.
+             PosedPair pair{};
+             for (auto* corners : {&pair.a, &pair.b}) {
+                 for (Vec3& v : *corners) v = {r.below(5) - 2.0, r.below(5) - 2.0, r.below(5) - 2.0};
+             }
+             pair.pose_a.t = random_point(r);
+             pair.pose_b.t = std::ldexp(1.0, static_cast<int>(r.below(60)) - 30) * random_point(r);
              return pair;
          }},
         {"short and flat",
