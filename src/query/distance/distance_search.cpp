@@ -95,10 +95,12 @@ bool DistanceSearch::can_refer() const noexcept {
 }
 
 double DistanceSearch::find_distance(const PairWitness& witness) {
+    refers_ = true;
     walk(witness);
     if (is_zero_) return 0;
-    double least = std::numeric_limits<double>::infinity();
-    lower_distance({nearest_.a, nearest_.b}, least);
+    const TrianglePair first{nearest_.a, nearest_.b};
+    double least = exact_pair().distance(first.a, first.b);
+    refer_to(first, least);
     for (const OpenPair& open : memory_.open) {
         // Rounding is monotone: it takes no number below one that is a double.
         if (key_of(open.interval.lower) < key_of(least)) lower_distance(open.triangles, least);
@@ -113,15 +115,19 @@ double DistanceSearch::find_distance(const PairWitness& witness) {
     return least;
 }
 
-// Measures a pair of triangles unless it is proven not to be nearer than the nearest one so far, at `least`.
+// Measures a pair of triangles unless it is proven not to be nearer than the one referred to, which is at `least`.
 void DistanceSearch::lower_distance(const TrianglePair& triangles, double& least) {
     if (memory_.pair.is_not_nearer(triangles)) return;
     const double distance = exact_pair().distance(triangles.a, triangles.b);
-    if (key_of(distance) >= key_of(least) && TrianglePair{nearest_.a, nearest_.b} != triangles) return;
+    if (key_of(distance) >= key_of(least)) return;
     least = distance;
-    nearest_ = {triangles.a, triangles.b};
-    memory_.pair.refer_to(triangles);
-    limit_ = std::min(limit_, axes().square_above(least));
+    refer_to(triangles, least);
+}
+
+void DistanceSearch::refer_to(const TrianglePair& nearest, double distance) {
+    nearest_ = {nearest.a, nearest.b};
+    memory_.pair.refer_to(nearest);
+    limit_ = std::min(limit_, axes().square_above(distance));
 }
 
 void DistanceSearch::walk(const PairWitness& witness) {
@@ -225,6 +231,7 @@ DistanceInterval DistanceSearch::enclosure(const TrianglePair& triangles) {
 }
 
 void DistanceSearch::enclose(const TrianglePair& triangles) {
+    if (refers_ && memory_.pair.is_not_nearer(triangles)) return;
     const DistanceInterval interval = enclosure(triangles);
     if (key_of(interval.lower) <= 0 && relation(triangles) != Relation::disjoint) {
         is_zero_ = true;
@@ -232,7 +239,16 @@ void DistanceSearch::enclose(const TrianglePair& triangles) {
         return;
     }
     if (key_of(interval.lower) > key_of(std::min(goal_.at_most, upper_))) return;
+    // What ties with the nearest pair shares features with it, or is as far across parallel faces: more of the kind
+    // come.
+    const bool ties = refers_ && !memory_.open.empty();
     set_upper(interval.upper, triangles);
+    if (ties) {
+        // What is left out from now on may be left out because of this pair, which therefore must not be lost.
+        const TrianglePair nearest{nearest_.a, nearest_.b};
+        memory_.pair.refer_to(nearest);
+        memory_.open.push_back({{}, nearest});
+    }
     memory_.open.push_back({interval, triangles});
 }
 

@@ -89,6 +89,7 @@ class DistanceSearch {
     bool bound_batch();
     void drop_candidates();
     void lower_distance(const TrianglePair& triangles, double& least);
+    void refer_to(const TrianglePair& nearest, double distance);
     void enclose_candidates();
     void take(const TrianglePair& triangles, float lower, float upper);
     void enclose(const TrianglePair& triangles);
@@ -110,6 +111,7 @@ class DistanceSearch {
     double floor_ = std::numeric_limits<double>::infinity();
     float limit_ = std::numeric_limits<float>::infinity();
     bool is_zero_ = false;
+    bool refers_ = false;  // whether only the least distance is wanted, and pairs that are not nearer are left out
     bool has_relations_ = false;  // whether the memory's TriangleRelations are bound to these bodies
     std::uint32_t overlap_count_ = 0;
 };
