@@ -239,6 +239,7 @@ void DistanceSearch::enclose(const TrianglePair& triangles) {
         return;
     }
     if (key_of(interval.lower) > key_of(std::min(goal_.at_most, upper_))) return;
+    if (nearest_.a == PairWitness::none) nearest_ = {triangles.a, triangles.b};  // even if it is infinitely far
     // What ties with the nearest pair shares features with it, or is as far across parallel faces: more of the kind
     // come.
     const bool ties = refers_ && !memory_.open.empty();
