@@ -87,7 +87,7 @@ ECODS_API ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape
 struct DistanceTolerance {
     double relative = 0;
     double absolute = 0;
-    // Distances above this need not be told apart.
+    // Distances above this need not be distinguished.
     double at_most = std::numeric_limits<double>::infinity();
 };
 

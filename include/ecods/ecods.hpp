@@ -11,6 +11,8 @@
 #include "ecods/posed.hpp"             // a thing at a pose
 #include "ecods/error.hpp"             // what can go wrong
 #include "ecods/intersection.hpp"      // questions about two bodies, without a world
+#include "ecods/distance.hpp"          // how far are they from each other, and where?
+#include "ecods/contact.hpp"           // where they meet, and which features nearly do
 #include "ecods/predicates.hpp"        // exact signs, and how two triangles meet
 #include "ecods/shape.hpp"             // shapes of the caller's own
 #include "ecods/collision_filter.hpp"  // which bodies are meant to meet at all

@@ -25,6 +25,7 @@ const std::map<std::string_view, std::string_view> header_rooms = {
     {"shape.hpp", "src/query/shape"},
     {"intersection.hpp", "src/query/intersection"},
     {"distance.hpp", "src/query/distance"},
+    {"contact.hpp", "src/query/distance"},
     {"broad_phase.hpp", "src/broad_phase/changes"},
     {"trace.hpp", "src/trace"},
     {"executor.hpp", "src/world"},

@@ -23,7 +23,7 @@ Term product(const Dyadic& a, const Dyadic& b) noexcept {
 }
 
 // A sum of numbers, in two's complement. Terms times a denominator are below 2^2050 times it and multiples of 2^-2148,
-// and so are numerators: limb_count_max limbs for what the denominator is multiplied by, with room for a sign.
+// and so are numerators: limb_count_max limbs for what the denominator is multiplied by, and a bit for the sign.
 constexpr std::size_t sum_limbs = 5 * limb_count_max + 2;
 
 class Sum {

@@ -231,7 +231,7 @@ SharedSet TriangleDistances::intersection(std::uint32_t i, std::uint32_t j) {
         ExactPoint point;
         for (const auto& corner : shared.corners()) {
             shared.assign(corner, points.unit, point);
-            result.corners[result.corner_count++] = round_point(first_corner(i), point);
+            result.all_corners[result.corner_count++] = round_point(first_corner(i), point);
         }
         if (const auto normal = shared.normal()) result.normal = round_direction(*normal);
         return result;

@@ -5,8 +5,8 @@
 #include <compare>
 #include <cstdint>
 #include <limits>
-#include <optional>
 
+#include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
 #include "exact/measure/closest_slab.hpp"
 #include "exact/measure/enclose_distance.hpp"
@@ -40,17 +40,6 @@ struct DistanceInterval {
     bool is_certain = false;
     ClosestKind kind = ClosestKind::intersecting;
     SharedFeature a, b;
-};
-
-// What two triangles share: a point, a segment or a convex polygon, by its corners.
-struct SharedSet {
-    std::size_t corner_count = 0;  // 0 if they share nothing
-    // In lexicographic order of the real points, each coordinate rounded once; a zero is +0.
-    std::array<Vec3, 6> corners;
-    // A unit vector, each coordinate rounded once: the normal of the face, where what is shared lies in the face of one
-    // triangle and in a vertex or edge of the other, or in both faces (then of the first triangle's); (b - a) x (c - a)
-    // for its corners. The product of two edges, the first triangle's first, where they cross in one point inside both.
-    std::optional<Vec3> normal;
 };
 
 class TriangleDistances {

@@ -11,7 +11,7 @@
 
 namespace ecods {
 
-// The memory of a question of another room, made when that is asked first.
+// The memory of a question of another folder, made when that is asked first.
 struct QueryMemoryPart {
     virtual ~QueryMemoryPart() = default;
 };

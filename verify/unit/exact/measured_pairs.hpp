@@ -129,78 +129,73 @@ inline double some_gap(Random& random) {
     return std::ldexp(1.0, -static_cast<int>(random.below(45)));
 }
 
+// Up to 2^2047 and down to 2^-2148: integers of all widths, and distances beyond the largest double.
+inline PosedPair any_exponents(Random& r) {
+    const int range = std::min(1023, 1 + static_cast<int>(r.below(8)) * 150);
+    const auto any = [&] {
+        const int exponent = static_cast<int>(r.below(static_cast<std::uint32_t>(2 * range))) - range;
+        return r.below(5) == 0 ? 0.0 : std::ldexp(r.uniform(-1, 1), exponent);
+    };
+    PosedPair pair{};
+    for (auto* corners : {&pair.a, &pair.b}) {
+        for (Vec3& v : *corners) v = {any(), any(), any()};
+    }
+    for (Pose* pose : {&pair.pose_a, &pair.pose_b}) {
+        for (int k = 0; k < 9; ++k) pose->R.data()[k] = any();
+        pose->t = {any(), any(), any()};
+    }
+    return pair;
+}
+
+// Small integers, under translations with more digits than what they move.
+inline PosedPair short_pair(Random& r) {
+    PosedPair pair{};
+    for (auto* corners : {&pair.a, &pair.b}) {
+        for (Vec3& v : *corners) v = {r.below(5) - 2.0, r.below(5) - 2.0, r.below(5) - 2.0};
+    }
+    pair.pose_a.t = random_point(r);
+    pair.pose_b.t = std::ldexp(1.0, static_cast<int>(r.below(60)) - 30) * random_point(r);
+    return pair;
+}
+
+inline PosedPair short_and_flat(Random& r) {
+    PosedPair pair{};
+    for (auto* corners : {&pair.a, &pair.b}) {
+        for (Vec3& v : *corners) v = {r.below(3) - 1.0, r.below(3) - 1.0, r.below(2) * 1.0};
+    }
+    pair.pose_b.t = {0, 0, r.below(3) - 1.0};
+    return pair;
+}
+
+inline PosedPair far_pair(Random& r) {
+    PosedPair pair = at_gap(r, random_pair(r), some_gap(r));
+    const Vec3 shift = 0x1p50 * random_point(r);
+    pair.pose_a.t += shift;
+    pair.pose_b.t += shift;
+    return pair;
+}
+
+inline PosedPair modelled_far_off(Random& r) {
+    PosedPair pair = random_pair(r);
+    for (Vec3& v : pair.b) v += 1e8 * random_point(r);
+    return at_gap(r, pair, some_gap(r));
+}
+
 inline const std::vector<MeasuredFamily>& measured_families() {
+    static const auto below = [](Random& r, std::uint32_t count) { return static_cast<int>(r.below(count)); };
     static const std::vector<MeasuredFamily> families{
         {"random", [](Random& r) { return random_pair(r); }},
         {"gap", [](Random& r) { return at_gap(r, random_pair(r), some_gap(r)); }},
-        {"needles",
-         [](Random& r) {
-             return at_gap(r, random_pair(r, std::ldexp(1.0, -static_cast<int>(r.below(50)))), some_gap(r));
-         }},
+        {"needles", [](Random& r) { return at_gap(r, random_pair(r, std::ldexp(1.0, -below(r, 50))), some_gap(r)); }},
         {"parallel on a grid", [](Random& r) { return parallel_pair(r, false, 0.1 * (1 + r.below(3))); }},
         {"parallel, rotated", [](Random& r) { return parallel_pair(r, true, some_gap(r)); }},
-        {"far",
-         [](Random& r) {
-             PosedPair pair = at_gap(r, random_pair(r), some_gap(r));
-             const Vec3 shift = 0x1p50 * random_point(r);
-             pair.pose_a.t += shift;
-             pair.pose_b.t += shift;
-             return pair;
-         }},
-        {"modelled far off",
-         [](Random& r) {
-             PosedPair pair = random_pair(r);
-             for (Vec3& v : pair.b) v += 1e8 * random_point(r);
-             return at_gap(r, pair, some_gap(r));
-         }},
-        {"scaled",
-         [](Random& r) {
-             return scaled_by(at_gap(r, random_pair(r), some_gap(r)), static_cast<int>(r.below(1801)) - 900);
-         }},
-        {"subnormal",
-         [](Random& r) { return scaled_by(at_gap(r, random_pair(r), 1), -1040 - static_cast<int>(r.below(34))); }},
-        {"any exponents",
-         [](Random& r) {
-             // Up to 2^2047 and down to 2^-2148: integers of all widths, and distances beyond the largest double.
-             const int range = std::min(1023, 1 + static_cast<int>(r.below(8)) * 150);
-             const auto any = [&] {
-                 return r.below(5) == 0
-                            ? 0.0
-                            : std::ldexp(r.uniform(-1, 1),
-                                         static_cast<int>(r.below(static_cast<std::uint32_t>(2 * range))) - range);
-             };
-             PosedPair pair{};
-             for (auto* corners : {&pair.a, &pair.b}) {
-                 for (Vec3& v : *corners) v = {any(), any(), any()};
-             }
-             for (Pose* pose : {&pair.pose_a, &pair.pose_b}) {
-                 for (int k = 0; k < 9; ++k) pose->R.data()[k] = any();
-                 pose->t = {any(), any(), any()};
-             }
-             return pair;
-         }},
-        {"short, moved",
-         [](Random& r) {
-             // Translations with more digits than what they move.
-             PosedPair pair{};
-             for (auto* corners : {&pair.a, &pair.b}) {
-                 for (Vec3& v : *corners) v = {r.below(5) - 2.0, r.below(5) - 2.0, r.below(5) - 2.0};
-             }
-             pair.pose_a.t = random_point(r);
-             pair.pose_b.t = std::ldexp(1.0, static_cast<int>(r.below(60)) - 30) * random_point(r);
-             return pair;
-         }},
-        {"short and flat",
-         [](Random& r) {
-             PosedPair pair{};
-             for (auto* corners : {&pair.a, &pair.b}) {
-                 for (Vec3& v : *corners) {
-                     v = {r.below(3) - 1.0, r.below(3) - 1.0, r.below(2) * 1.0};
-                 }
-             }
-             pair.pose_b.t = {0, 0, r.below(3) - 1.0};
-             return pair;
-         }},
+        {"far", far_pair},
+        {"modelled far off", modelled_far_off},
+        {"scaled", [](Random& r) { return scaled_by(at_gap(r, random_pair(r), some_gap(r)), below(r, 1801) - 900); }},
+        {"subnormal", [](Random& r) { return scaled_by(at_gap(r, random_pair(r), 1), -1040 - below(r, 34)); }},
+        {"any exponents", any_exponents},
+        {"short, moved", short_pair},
+        {"short and flat", short_and_flat},
     };
     return families;
 }

@@ -135,6 +135,15 @@ TEST(Round, QuotientsThatAreHardToDivide) {
         check_root(num, den, 0);
         if (HasFatalFailure()) return;
     }
+    // What remains after the first digit has the divisor's leading limb: the second one is guessed as large as can be,
+    // and is less by one or two.
+    for (int i = 0; i < 1000; ++i) {
+        const mpz_class top = mpz_class(1) << 127, limb = mpz_class(1) << 64;
+        const mpz_class den = top + limb - 1 - random.below(3), rest = top + random.below(5);
+        const mpz_class digit = (mpz_class(1) << 55) + random.below(1000);
+        check_root(den * digit + rest, den, 0);
+        if (HasFatalFailure()) return;
+    }
 }
 
 TEST(Round, QuotientsAtAndNextToHalfWayPoints) {

@@ -28,7 +28,7 @@ TEST(SharedSet, CornersAreThoseOfTheOracle) {
             });
             ASSERT_EQ(shared.corner_count, expected.size()) << name;
             for (std::size_t i = 0; i < expected.size(); ++i) {
-                ASSERT_TRUE(same_bits(shared.corners[i], expected[i].nearest())) << name << " corner " << i;
+                ASSERT_TRUE(same_bits(shared.corners()[i], expected[i].nearest())) << name << " corner " << i;
             }
         }
         ++counts[expected.size()];
