@@ -46,7 +46,7 @@ Picture plot(const Scale& scale, std::span<const ErrorPanel> panels, std::span<c
     const std::filesystem::path picture = folder / (name + ".svg"), script = folder / (name + ".gnuplot");
     constexpr std::size_t columns = 3;
     const std::size_t rows = (panels.size() + columns - 1) / columns;
-    const double height_px = 60 + 270 * static_cast<double>(rows), key = 50 / height_px;
+    const double height_px = 76 + 270 * static_cast<double>(rows), key = 66 / height_px;
     const double row_height = (1 - key) / static_cast<double>(rows);
     std::ofstream out(script);
     out << fmt::format("set terminal svg size 1000,{:.0f} font 'DejaVu Sans,13' background '#ffffff'\n", height_px)
