@@ -56,16 +56,20 @@ class DistanceAxes {
 // second.
 using LaneSquares = std::array<float, tree_width * tree_width>;
 
+// A vector on the axes of the first set: zero, or of a length of at most one, and hardly less.
+using Direction = std::array<float, 3>;
+
 // Returns a mask of the pairs of lanes whose squared distance is not proven to be above `limit`, as overlap_mask does,
-// and sets lower bounds for them. `limit` is finite or infinity.
-std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, float limit, const BvhNode& x, const BvhNode& y,
-                        LaneSquares& squares) noexcept;
-std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, float limit, const BvhNode& x, const TreeLeaf& y,
-                        LaneSquares& squares) noexcept;
-std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, float limit, const TreeLeaf& x, const BvhNode& y,
-                        LaneSquares& squares) noexcept;
-std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, float limit, const TreeLeaf& x, const TreeLeaf& y,
-                        LaneSquares& squares) noexcept;
+// and sets lower bounds for them. `limit` is finite or infinity. `n` is where one looks first: bounds are best if it is
+// about the direction from the first body's closest point to the second's; whatever it is, they are bounds.
+std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, const Direction& n, float limit, const BvhNode& x,
+                        const BvhNode& y, LaneSquares& squares) noexcept;
+std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, const Direction& n, float limit, const BvhNode& x,
+                        const TreeLeaf& y, LaneSquares& squares) noexcept;
+std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, const Direction& n, float limit, const TreeLeaf& x,
+                        const BvhNode& y, LaneSquares& squares) noexcept;
+std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, const Direction& n, float limit, const TreeLeaf& x,
+                        const TreeLeaf& y, LaneSquares& squares) noexcept;
 
 // A pair of lanes whose boxes or triangles are near each other, by heuristics: where to look first.
 struct LanePair {

@@ -1,4 +1,6 @@
 #include <bit>
+#include <cmath>
+#include <type_traits>
 
 #include "bvh/distance_axes.hpp"
 #include "bvh/projected_lanes.hpp"
@@ -20,9 +22,42 @@ struct Kernel : ProjectedLanes<width> {
     // Where a gap is a NaN, 0.
     ECODS_ALWAYS_INLINE static Floats positive(Floats gap) noexcept { return max(gap, Floats{}); }
 
-    // Sets the squared distances of span i of x from the spans of y, for the rows i. With `is_second`, only makes them
-    // greater. Returns in lane j those bits i that are not above the limit.
-    template <bool is_second>
+    // Sets the squared distances of the lanes of y from those of x along the gap, and returns in lane j those bits i
+    // that are not above the limit. Boxes and triangles are projected as they are, where the sets' axes see a box
+    // around them.
+    //
+    // Bound: y as for SlabAxis, and x has the error of a corner and 3.01 v s for products and sums, or of a box 7 v s:
+    // below twice point_error, summed as |n_k| (...)_k.
+    ECODS_ALWAYS_INLINE static void find_along(const DistanceSet& set, const Direction& n, const TreeLeaf& x,
+                                               const TreeLeaf& y, float limit, LaneSquares& squares,
+                                               Ints (&near)[part_count]) noexcept {
+        const auto& errors = set.axes.point_error;
+        const float margin =
+            2 * ((std::abs(n[0]) * errors[0] + std::abs(n[1]) * errors[1]) + std::abs(n[2]) * errors[2]);
+        const SlabAxis axis(set.axes, Slab{n, 0, margin}, set.axes.b, 1);
+        alignas(32) FloatLanes high_x;
+        Floats low[part_count], high;
+        for (std::size_t part = 0; part < part_count; ++part) {
+            Floats unused;
+            find_ends(x, n, part, unused, high);
+            Lanes::store(high_x, part, high);
+            find_ends(y, axis.m, part, low[part], unused);
+            low[part] = low[part] - axis.high;
+            near[part] = Ints{};
+        }
+        for (std::size_t i = 0; i < x.count; ++i) {
+            for (std::size_t part = 0; part < part_count; ++part) {
+                const Floats gap = positive(low[part] - high_x[i]);
+                const Floats square = gap * gap * set.square;
+                ecods::store(&squares[tree_width * i + part * width], square);
+                near[part] |= (square <= limit) & (1 << i);
+            }
+        }
+    }
+
+    // Sets the squared distances of span i of x from the spans of y, for the rows i; where there are some already, only
+    // makes them greater. Returns in lane j those bits i that are not above the limit.
+    template <bool are_set>
     ECODS_ALWAYS_INLINE static Ints find_near(const Spans& x, const Spans& y, float square, float limit,
                                               std::size_t part, std::uint32_t rows, LaneSquares& squares) noexcept {
         Floats low[3], high[3];
@@ -35,9 +70,9 @@ struct Kernel : ProjectedLanes<width> {
             const auto i = static_cast<std::size_t>(std::countr_zero(rows));
             const auto gap = [&](std::size_t k) { return positive(max(x.low[k][i] - high[k], low[k] - x.high[k][i])); };
             const Floats gx = gap(0), gy = gap(1), gz = gap(2);
-            Floats sum = ((gx * gx + gy * gy) + gz * gz) * square;
             float* const row = &squares[tree_width * i + part * width];
-            if constexpr (is_second) sum = max(sum, ecods::load<Floats>(row));
+            Floats sum = ((gx * gx + gy * gy) + gz * gz) * square;
+            if constexpr (are_set) sum = max(sum, ecods::load<Floats>(row));
             ecods::store(row, sum);
             near |= (sum <= limit) & (1 << i);
         }
@@ -59,12 +94,24 @@ struct Kernel : ProjectedLanes<width> {
     }
 
     template <class X, class Y>
-    ECODS_ALWAYS_INLINE static std::uint64_t near_mask(const Sets& sets, float limit, const X& x, const Y& y,
-                                                       LaneSquares& squares) noexcept {
+    ECODS_ALWAYS_INLINE static std::uint64_t near_mask(const Sets& sets, const Direction& n, float limit, const X& x,
+                                                       const Y& y, LaneSquares& squares) noexcept {
+        constexpr bool are_leaves = std::is_same_v<X, TreeLeaf> && std::is_same_v<Y, TreeLeaf>;
         Floats over_x[part_count]{}, over_y[part_count]{};
         Ints near[part_count], lanes[part_count];
         std::uint32_t rows = x.lanes();
         const bool has_slab_x = sets[0].axes.a.is_unit, has_slab_y = sets[1].axes.b.is_unit;
+        for (Ints& all : near) all = ~Ints{};
+        if constexpr (are_leaves) {
+            // Of triangles. Boxes have few pairs between which there is more along the gap than their axes see.
+            if (has_slab_x) {
+                find_along(sets[0], n, x, y, limit, squares, near);
+            } else {
+                squares.fill(0);
+            }
+            rows &= bits_of(near);
+            if (rows == 0) return 0;
+        }
         if (has_slab_x) {
             find_slab_squares(sets[0], x.slab, sets[0].axes.b, y, 1, over_y);
             for (std::size_t part = 0; part < part_count; ++part) lanes[part] = over_y[part] <= limit;
@@ -84,7 +131,7 @@ struct Kernel : ProjectedLanes<width> {
         place(sets[0].axes.a, x, corners, spans_x);
         place(sets[0].axes.b, y, corners, spans_y);
         for (std::size_t part = 0; part < part_count; ++part) {
-            near[part] = find_near<false>(spans_x, spans_y, sets[0].square, limit, part, rows, squares);
+            near[part] &= find_near<are_leaves>(spans_x, spans_y, sets[0].square, limit, part, rows, squares);
         }
         rows = bits_of(near);
         if (rows == 0) return 0;
@@ -108,27 +155,28 @@ struct Kernel : ProjectedLanes<width> {
 };
 
 template <class X, class Y>
-std::uint64_t widest(const Sets& sets, float limit, const X& x, const Y& y, LaneSquares& squares) noexcept {
-    return dispatch_by_width<Kernel<4>::near_mask<X, Y>, Kernel<8>::near_mask<X, Y>>(sets, limit, x, y, squares);
+std::uint64_t widest(const Sets& sets, const Direction& n, float limit, const X& x, const Y& y,
+                     LaneSquares& squares) noexcept {
+    return dispatch_by_width<Kernel<4>::near_mask<X, Y>, Kernel<8>::near_mask<X, Y>>(sets, n, limit, x, y, squares);
 }
 
 }  // namespace
 
-std::uint64_t near_mask(const Sets& sets, float limit, const BvhNode& x, const BvhNode& y,
+std::uint64_t near_mask(const Sets& sets, const Direction& n, float limit, const BvhNode& x, const BvhNode& y,
                         LaneSquares& squares) noexcept {
-    return widest(sets, limit, x, y, squares);
+    return widest(sets, n, limit, x, y, squares);
 }
-std::uint64_t near_mask(const Sets& sets, float limit, const BvhNode& x, const TreeLeaf& y,
+std::uint64_t near_mask(const Sets& sets, const Direction& n, float limit, const BvhNode& x, const TreeLeaf& y,
                         LaneSquares& squares) noexcept {
-    return widest(sets, limit, x, y, squares);
+    return widest(sets, n, limit, x, y, squares);
 }
-std::uint64_t near_mask(const Sets& sets, float limit, const TreeLeaf& x, const BvhNode& y,
+std::uint64_t near_mask(const Sets& sets, const Direction& n, float limit, const TreeLeaf& x, const BvhNode& y,
                         LaneSquares& squares) noexcept {
-    return widest(sets, limit, x, y, squares);
+    return widest(sets, n, limit, x, y, squares);
 }
-std::uint64_t near_mask(const Sets& sets, float limit, const TreeLeaf& x, const TreeLeaf& y,
+std::uint64_t near_mask(const Sets& sets, const Direction& n, float limit, const TreeLeaf& x, const TreeLeaf& y,
                         LaneSquares& squares) noexcept {
-    return widest(sets, limit, x, y, squares);
+    return widest(sets, n, limit, x, y, squares);
 }
 
 }  // namespace ecods

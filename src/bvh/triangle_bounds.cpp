@@ -164,6 +164,9 @@ struct Kernel : ProjectedLanes<width> {
             try_faces(a, b, closest);
             store(squares.lower, part, lower_square(a, b, closest, error, set.square));
             store(squares.upper, part, closest.square);
+            store(squares.between[0], part, closest.n.x);
+            store(squares.between[1], part, closest.n.y);
+            store(squares.between[2], part, closest.n.z);
         }
     }
 

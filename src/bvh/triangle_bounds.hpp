@@ -42,8 +42,9 @@ struct TriangleBatch {
 
 // Squared distances of the pairs of a batch.
 struct TriangleSquares {
-    alignas(32) FloatLanes lower;  // in units; 0 where nothing is known
-    alignas(32) FloatLanes upper;  // on the axes, of two points of the triangles; without errors
+    alignas(32) FloatLanes lower;                   // in units; 0 where nothing is known
+    alignas(32) FloatLanes upper;                   // on the axes, of two points of the triangles; without errors
+    alignas(32) std::array<FloatLanes, 3> between;  // from the one to the other
 };
 
 // Sets the squares of all pairs of the batch, and of lanes that hold no pair, too. All lanes must be numbers.

@@ -143,7 +143,7 @@ void DistanceSearch::walk(const PairWitness& witness) {
     if (is_decided()) return;
     const auto bound = [this](const auto& x, const auto& y, LaneSquares& squares) {
         ++counts_.box_tests;
-        return near_mask(sets(), limit_, x, y, squares);
+        return near_mask(sets(), direction_, limit_, x, y, squares);
     };
     walk_nearest(tree_a_.boxes, tree_b_.boxes, memory_.queue, bound, *this);
     if (!is_decided()) bound_batch();
@@ -189,7 +189,7 @@ bool DistanceSearch::visits(const NearPair& pair) {
 
 bool DistanceSearch::operator()(const TreeLeaf& x, const TreeLeaf& y) {
     ++counts_.box_tests;
-    LanePairs pairs(near_mask(sets(), limit_, x, y, memory_.squares));
+    LanePairs pairs(near_mask(sets(), direction_, limit_, x, y, memory_.squares));
     if (!pairs.more()) return true;
     put_on_axes(sets()[0], x, y, memory_.leaves);
     for (; pairs.more(); pairs.next()) {
@@ -206,7 +206,7 @@ bool DistanceSearch::bound_batch() {
     counts_.distances.triangle_bounds += batch.count;
     bound_triangles(sets()[0], batch, memory_.bounds);
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
-        take(batch.pairs[lane], memory_.bounds.lower[lane], memory_.bounds.upper[lane]);
+        take(lane);
         if (is_decided()) return false;
     }
     batch.count = 0;
@@ -214,13 +214,21 @@ bool DistanceSearch::bound_batch() {
 }
 
 // Where floats know nothing, doubles do: bodies that intersect are noticed at once, and many pairs need not be kept.
-void DistanceSearch::take(const TrianglePair& triangles, float lower, float upper) {
+void DistanceSearch::take(std::size_t lane) {
+    const TrianglePair& triangles = memory_.batch.pairs[lane];
+    const float lower = memory_.bounds.lower[lane], upper = memory_.bounds.upper[lane];
     if (lower > limit_) return;
     if (!(lower > 0)) return enclose(triangles);
-    if (upper <= limit_) {
-        const DistanceSet& set = sets()[0];
-        const double length = std::sqrt(static_cast<double>(upper)) * (1 + 0x1p-20) + point_error(set);
-        set_upper(length * std::sqrt(static_cast<double>(set.square_up)) * (1 + 0x1p-40) * axes().unit(), triangles);
+    const DistanceSet& set = sets()[0];
+    if (upper * set.square <= limit_) {
+        const double length = std::sqrt(static_cast<double>(upper));
+        const double upper_length = length * (1 + 0x1p-20) + point_error(set);
+        set_upper(upper_length * std::sqrt(static_cast<double>(set.square_up)) * (1 + 0x1p-40) * axes().unit(),
+                  triangles);
+        const double factor = (1 - 0x1p-18) / length;
+        for (std::size_t k = 0; k < 3; ++k) {
+            direction_[k] = static_cast<float>(static_cast<double>(memory_.bounds.between[k][lane]) * factor);
+        }
     }
     memory_.candidates.push_back({lower, triangles});
 }

@@ -91,7 +91,7 @@ class DistanceSearch {
     void lower_distance(const TrianglePair& triangles, double& least);
     void refer_to(const TrianglePair& nearest, double distance);
     void enclose_candidates();
-    void take(const TrianglePair& triangles, float lower, float upper);
+    void take(std::size_t lane);
     void enclose(const TrianglePair& triangles);
     void set_upper(double upper, const TrianglePair& triangles);
     void set_limit();
@@ -110,6 +110,7 @@ class DistanceSearch {
     double upper_ = std::numeric_limits<double>::infinity();
     double floor_ = std::numeric_limits<double>::infinity();
     float limit_ = std::numeric_limits<float>::infinity();
+    Direction direction_{};  // from the nearest triangle of a to that of b, as far as floats know
     bool is_zero_ = false;
     bool refers_ = false;  // whether only the least distance is wanted, and pairs that are not nearer are left out
     bool has_relations_ = false;  // whether the memory's TriangleRelations are bound to these bodies
@@ -124,7 +125,7 @@ class DistanceSearch::WithinBound {
     template <class X, class Y>
     std::uint64_t operator()(const X& x, const Y& y) {
         ++counts_.box_tests;
-        return near_mask(sets_, limit_, x, y, squares_);
+        return near_mask(sets_, {}, limit_, x, y, squares_);
     }
     void order(const BvhNode&, const BvhNode&, LanePairs, std::span<NodePair>) const noexcept {}
 
