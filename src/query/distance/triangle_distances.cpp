@@ -24,6 +24,9 @@ SharedFeature shared_edge(const Triangle& triangle, std::size_t corner) noexcept
     const std::uint32_t from = triangle[corner], to = triangle[corner == 2 ? 0 : corner + 1];
     return {std::min(from, to), std::max(from, to)};
 }
+SharedFeature shared_face(std::uint32_t triangle) noexcept {
+    return {triangle, triangle};
+}
 
 void name_features(DistanceInterval& interval, const FeaturePair& f, const TrianglePair& pair, const Triangle& a,
                    const Triangle& b) noexcept {
@@ -41,8 +44,8 @@ void name_features(DistanceInterval& interval, const FeaturePair& f, const Trian
             return;
         case FeatureKind::vertex_face:
             interval.kind = ClosestKind::vertex_face;
-            interval.a = is_vertex_of_a ? shared_vertex(a, f.a) : SharedFeature{pair.a, SharedFeature::none};
-            interval.b = is_vertex_of_a ? SharedFeature{pair.b, SharedFeature::none} : shared_vertex(b, f.b);
+            interval.a = is_vertex_of_a ? shared_vertex(a, f.a) : shared_face(pair.a);
+            interval.b = is_vertex_of_a ? shared_face(pair.b) : shared_vertex(b, f.b);
             return;
         case FeatureKind::edge_edge:
             interval.kind = ClosestKind::edge_edge;

@@ -22,7 +22,7 @@ struct SharedFeature {
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
     // A vertex: its index and none; an edge: the indices of its two vertices, the lesser first; a face: its triangle's
-    // index and none.
+    // index twice. Ends of an edge are not one: a face and a vertex, or a face and an edge, are never named alike.
     std::uint32_t first = none;
     std::uint32_t second = none;
 

@@ -92,6 +92,40 @@ TEST(Distance, CubesBesideEachOther) {
     EXPECT_EQ(cubes.closest_at(Cubes::at(1, 0.25, 0.125)).distance, 0);
 }
 
+// The name of a face is not that of the vertex of the same index: vertex 5 over face 7, and face 5 under vertex 7.
+TEST(Distance, FacesAndVerticesOfOneIndexAreNotOne) {
+    const auto far = [](int i) { return Vec3(1000 + 10 * i, 0, 0); };
+    std::vector<Vec3> a, b;
+    for (int i = 0; i < 18; ++i) a.push_back(far(i));
+    for (int i = 0; i < 24; ++i) b.push_back(far(i) + Vec3(0, 0, 500));
+    const auto face = [](std::vector<Vec3>& vertices, std::size_t triangle, double x) {
+        vertices[3 * triangle] = Vec3(x - 8, -8, 0);
+        vertices[3 * triangle + 1] = Vec3(x + 8, -8, 0);
+        vertices[3 * triangle + 2] = Vec3(x, 8, 0);
+    };
+    const auto tip = [](std::vector<Vec3>& vertices, std::size_t vertex, double x, double height) {
+        for (int i = 0; i < 3; ++i)
+            vertices[vertex / 3 * 3 + static_cast<std::size_t>(i)] = Vec3(x, i, height < 0 ? -9 : 9);
+        vertices[vertex] = Vec3(x, 0, height);
+    };
+    std::vector<Triangle> triangles_a(6), triangles_b(8);
+    for (std::uint32_t i = 0; i < 6; ++i) triangles_a[i] = {3 * i, 3 * i + 1, 3 * i + 2};
+    for (std::uint32_t i = 0; i < 8; ++i) triangles_b[i] = {3 * i, 3 * i + 1, 3 * i + 2};
+    face(b, 7, 0);
+    face(a, 5, 100);
+    tip(b, 7, 100, 1);
+    QueryMemory memory;
+    for (int k = -4; k <= 4; ++k) {
+        const double height = 1 + k * 0x1p-52;
+        tip(a, 5, 0, height);
+        const MeshShape first(Mesh::create(a, triangles_a)), second(Mesh::create(b, triangles_b));
+        const ClosestPoints c = closest({first, Pose()}, {second, Pose()}, memory);
+        EXPECT_EQ(c.distance, std::min(1.0, height)) << k;
+        EXPECT_EQ(c.triangles(), k <= 0 ? (TrianglePair{1, 7}) : (TrianglePair{5, 2})) << k;
+        EXPECT_EQ(distance({first, Pose()}, {second, Pose()}, memory), std::min(1.0, height)) << k;
+    }
+}
+
 TEST(Distance, WithinIsDecidedForTheRealNumber) {
     Cubes cubes;
     const Pose there = Cubes::at(2, 2, 2);  // the root of 3, which lies above 0x1.bb67ae8584caap0
