@@ -19,13 +19,18 @@ namespace ecods {
 // What two triangles share: a point (one corner), a segment (two), or a convex polygon of a common plane.
 struct SharedSet {
     std::size_t corner_count = 0;  // 1 to 6; 0 if they share nothing
-    // Ascending by the coordinates of the real points, the first axis first. Each coordinate rounded once; a zero is
-    // +0.
+
+    // The lexicographically least of the real points comes first. A polygon's others follow counterclockwise as seen
+    // from where `normal` points to, which is the first triangle's. Each coordinate is rounded once; a zero is +0.
     std::array<Vec3, 6> all_corners{};
-    // A unit vector, each coordinate rounded once, where one face or two edges define it: the normal of a face if what
-    // is shared lies in a vertex or an edge of one triangle and inside the face of the other, or in both faces, of
-    // which the first triangle's counts; the product of two edges, the first triangle's first, that meet in one point
-    // inside both. The normal of corners a, b and c is (b - a) x (c - a).
+
+    // A unit vector, each coordinate the true one rounded once, a zero +0, where one face or two edges define it. If
+    // what is shared lies inside the face of one triangle and in a vertex or an edge of the other, it is the normal of
+    // that face, (q - p) x (r - p) of its corners p, q and r; if it lies in both faces, that of the first triangle's.
+    // If it is one point inside an edge of each, not parallel, it is the product of the first triangle's edge and the
+    // second's, each from its corner to the next one; of edges of a zero-area triangle that lie on each other, that of
+    // the least corner counts. Nothing where a vertex meets a vertex or an edge, edges lie along each other, or the
+    // triangles cross.
     std::optional<Vec3> normal;
 
     std::span<const Vec3> corners() const noexcept { return std::span(all_corners).first(corner_count); }
@@ -41,17 +46,36 @@ struct TriangleIntersection {
 ECODS_API std::vector<TriangleIntersection> intersections(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
                                                           QueryMemory& memory);
 
-// Two features that hold closest points of a pair of triangles, and the way from one to the other.
+// Two features that are near each other.
+//
+// Vertices, edges and faces are those of the meshes, whatever triangles they are named by: corners at equal coordinates
+// are one vertex (-0 is 0), edges between the same two vertices are one edge, and a face is that of its own triangle.
+// Each is named by the least triangle and corner of the whole mesh that name it.
 struct CloseFeatures {
+    // The two features with their own distance and closest points. Features that touch have distance 0.
     ClosestPoints closest;
-    // The unit vector from the point of a to that of b, each coordinate rounded once; none where the triangles
-    // intersect.
+
+    // A unit vector, each coordinate the true one rounded once; a zero is +0. At a positive distance it is that from
+    // the closest point of `a` to that of `b`. At distance 0 it is the normal, (q - p) x (r - p) of the corners p, q
+    // and r of the face, where a vertex touches one; the product of the edge of `a` and that of `b`, each from the
+    // corner that names it to the next one, where two edges touch; and nothing for all other kinds.
     std::optional<Vec3> direction;
 };
 
-// The features of close_triangles, each pair of features once, with the least pair of triangles that have it, ascending
-// by that. Corners of a mesh at equal coordinates are one vertex: features are the same if their corners are. Throws
-// InvalidDistance if d is negative, NaN or infinity.
+// close_triangles() reduced to pairs of features, each once: by kind in the order of ClosestKind, then by triangle and
+// corner of `a`, then of `b`, then the one whose feature of `a` is the vertex.
+//
+// Each pair of triangles at a distance of at most d counts with all features that hold two of its closest points, both
+// inside: one pair of features as a rule, but of parallel faces every vertex that is over the other face or an edge of
+// it, and every two edges that cross, one over the other. These are the corners of the region in which the faces are
+// nearest. Triangles that touch count in the same way, at distance 0, with features that have one common point. For
+// triangles that cross (Relation::crossing), the kind is `intersecting`, the features are the two faces, and both
+// points are the least corner of what they share, as in close_triangles(); intersections() says more. Two features
+// within d that hold closest points of no pair of triangles do not count. Which features count depends on no order of
+// triangles, corners or bodies.
+//
+// Throws InvalidDistance if d is negative, NaN or infinity. Cost: that of finding the pairs of triangles, and some
+// microseconds for each pair of features and for each pair of triangles with several.
 ECODS_API std::vector<CloseFeatures> close_features(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d,
                                                     QueryMemory& memory);
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "judge/feature_truth.hpp"
 #include "oracle/float_environment.hpp"
 
 namespace ecods::judge {
@@ -125,11 +126,12 @@ DistanceTruth::DistanceTruth(const Posed<MeshShape>& a, const Posed<MeshShape>& 
     if (!questions.has_lists || std::isinf(d)) return;
     for (const double limit :
          {d, d > 0 ? neighbour(d, -1) : 0, std::min(d * 1.125, std::numeric_limits<double>::max())}) {
-        lists_.push_back({limit, {}});
+        lists_.push_back({limit, {}, to_close_features(distances.close_features(limit))});
         for (const auto& close : distances.close_triangles(limit)) {
             lists_.back().closest.push_back(to_closest_points(close));
         }
     }
+    intersections_ = to_intersections(distances.intersections());
 }
 
 std::optional<Wrong> DistanceTruth::ask(QueryMemory& memory, PairWitness& witness) const {
@@ -200,7 +202,7 @@ std::optional<Wrong> DistanceTruth::ask_bounds(QueryMemory& memory, PairWitness&
 }
 
 std::optional<Wrong> DistanceTruth::ask_lists(QueryMemory& memory) const {
-    for (const auto& [limit, expected] : lists_) {
+    for (const auto& [limit, expected, features] : lists_) {
         const std::vector<ClosestPoints> got = close_triangles(a_, b_, limit, memory);
         const std::string question = "close triangles at " + text(limit);
         if (got.size() != expected.size()) {
@@ -209,7 +211,11 @@ std::optional<Wrong> DistanceTruth::ask_lists(QueryMemory& memory) const {
         for (std::size_t i = 0; i < got.size(); ++i) {
             if (!is_same(expected[i], got[i])) return Wrong{question, text(expected[i]), text(got[i])};
         }
+        if (auto wrong = require("close features at " + text(limit), features, close_features(a_, b_, limit, memory))) {
+            return wrong;
+        }
     }
+    if (intersections_) return require("intersections", *intersections_, intersections(a_, b_, memory));
     return std::nullopt;
 }
 

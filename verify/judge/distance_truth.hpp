@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
 #include "oracle/distance.hpp"
 
@@ -34,7 +35,7 @@ std::string text(double x);
 // Which questions are asked, beside distance, within and closest.
 struct Questions {
     bool has_bounds = true;
-    bool has_lists = true;  // close_triangles; their length grows with the meshes
+    bool has_lists = true;  // close_triangles, close_features, intersections; their length grows with the meshes
 };
 
 // What is true of two posed meshes, known before the library is asked: it may be asked in any floating-point
@@ -58,6 +59,7 @@ class DistanceTruth {
     struct List {
         double d;
         std::vector<ClosestPoints> closest;
+        std::vector<CloseFeatures> features;
     };
     std::optional<Wrong> ask_distance(QueryMemory& memory, PairWitness& witness) const;
     std::optional<Wrong> ask_closest(QueryMemory& memory, PairWitness& witness) const;
@@ -72,6 +74,7 @@ class DistanceTruth {
     std::vector<Within> within_;
     std::vector<DistanceTolerance> tolerances_;
     std::vector<List> lists_;
+    std::optional<std::vector<TriangleIntersection>> intersections_;
 };
 
 }  // namespace ecods::judge

@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include "oracle/contact.hpp"
 #include "oracle/distance_blocks.hpp"
 #include "oracle/float_environment.hpp"
 #include "oracle/integer_points.hpp"
@@ -27,9 +28,37 @@ ExactPoint to_exact_point(const IntegerPoint& p, long unit) {
     return point;
 }
 
+// ExactClosest, or what of it names features.
+struct FeatureNames {
+    Closeness kind = Closeness::intersecting;
+    NamedFeature a, b;
+};
+
 // What the rule compares, the first number first.
-auto rank(const ExactClosest& c) {
+template <class Named>
+auto rank(const Named& c) {
     return std::tuple(c.kind, c.a.triangle, c.a.corner, c.b.triangle, c.b.corner, c.a.dimension);
+}
+
+// The least name of the same feature in all of the mesh.
+NamedFeature least_name(const Soup& soup, const NamedFeature& feature) {
+    const auto at = [&](std::uint32_t triangle, std::uint32_t corner) {
+        return soup.vertices[soup.triangles[triangle][corner % 3]];
+    };
+    const Vec3 from = at(feature.triangle, feature.corner), to = at(feature.triangle, feature.corner + 1);
+    for (std::uint32_t t = 0; feature.dimension < 2 && t < soup.triangles.size(); ++t) {
+        for (std::uint32_t corner = 0; corner < 3; ++corner) {
+            const Vec3 p = at(t, corner), q = at(t, corner + 1);
+            const bool is_same = feature.dimension == 0 ? p == from : (p == from && q == to) || (p == to && q == from);
+            if (is_same) return {feature.dimension, t, corner};
+        }
+    }
+    return feature;
+}
+
+std::optional<ExactDirection> to_direction(const std::optional<Vector<mpz_class>>& v) {
+    if (!v) return std::nullopt;
+    return ExactDirection{*v};
 }
 
 }  // namespace
@@ -68,6 +97,8 @@ struct MeshDistances::Impl {
     std::vector<Candidate> candidates_within(double d) const;
     ExactClosest closest(const TrianglePair& pair) const;
     ExactClosest closest(const TrianglePair& pair, const LeastFeatures& least) const;
+    std::vector<FeatureNames> names(const TrianglePair& pair, const LeastFeatures& least) const;
+    ExactCloseFeatures close_features(const FeatureNames& names) const;
 };
 
 // The nearest blocks first. Needs a FloatEnvironment.
@@ -133,6 +164,50 @@ ExactClosest MeshDistances::Impl::closest(const TrianglePair& pair) const {
     return closest(pair, least(pair));
 }
 
+// Those with which a pair of triangles counts in close_features(), with the least names of the mesh.
+std::vector<FeatureNames> MeshDistances::Impl::names(const TrianglePair& pair, const LeastFeatures& least) const {
+    std::vector<std::size_t> found = least.pairs;
+    if (least.is_zero()) {
+        const auto a = exact(0, pair.a), b = exact(1, pair.b);
+        const Contact contact(a, b);
+        if (contact.is_crossing()) return {{Closeness::intersecting, {2, pair.a, 0}, {2, pair.b, 0}}};
+        found = contact.features();
+    }
+    std::vector<FeatureNames> names;
+    for (const std::size_t i : found) {
+        const FeaturePair& f = feature_pairs()[i];
+        names.push_back({f.kind, least_name(soups[0], {f.dimension_a, pair.a, f.a}),
+                         least_name(soups[1], {f.dimension_b, pair.b, f.b})});
+    }
+    return names;
+}
+
+ExactCloseFeatures MeshDistances::Impl::close_features(const FeatureNames& names) const {
+    if (names.kind == Closeness::intersecting) return {closest({names.a.triangle, names.b.triangle}), std::nullopt};
+    const FeaturePair f{names.kind, names.a.dimension, names.a.corner, names.b.dimension, names.b.corner};
+    const auto a = exact(0, names.a.triangle), b = exact(1, names.b.triangle);
+    const FeatureDistance<mpz_class> d = feature_distance(f, a, b);
+    const std::array<IntegerPoint, 2> ends = closest_points(f, a, b);
+    ExactCloseFeatures result;
+    result.closest = {
+        {d.num, d.den, points.unit},         names.kind, names.a, names.b, to_exact_point(ends[0], points.unit),
+        to_exact_point(ends[1], points.unit)};
+    result.direction = to_direction(direction(f, a, b));
+    return result;
+}
+
+// The size of a coordinate is a root, of which those at most half-way to the least double are zero.
+Vec3 ExactDirection::nearest() const {
+    const mpz_class all = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    Vec3 result;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const mpz_class square = v[k] * v[k], doubled = square << 2150;
+        const double size = doubled <= all ? 0 : oracle::nearest(ExactRoot{square, all, 0});
+        result[static_cast<Eigen::Index>(k)] = sgn(v[k]) < 0 && doubled > all ? -size : size;
+    }
+    return result;
+}
+
 Vec3 ExactPoint::nearest() const {
     return {oracle::nearest(x[0]), oracle::nearest(x[1]), oracle::nearest(x[2])};
 }
@@ -183,6 +258,39 @@ std::vector<ExactClosest> MeshDistances::close_triangles(double d) const {
         if (compare(impl_->root(least), d) <= 0) close.push_back(impl_->closest(candidate.pair, least));
     }
     return close;
+}
+
+std::vector<ExactCloseFeatures> MeshDistances::close_features(double d) const {
+    const FloatEnvironment environment;
+    std::vector<FeatureNames> names;
+    for (const Candidate& candidate : impl_->candidates_within(d)) {
+        const LeastFeatures least = impl_->least(candidate.pair);
+        if (compare(impl_->root(least), d) > 0) continue;
+        const auto found = impl_->names(candidate.pair, least);
+        names.insert(names.end(), found.begin(), found.end());
+    }
+    std::ranges::sort(names, {}, rank<FeatureNames>);
+    std::vector<ExactCloseFeatures> close;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i == 0 || rank(names[i]) != rank(names[i - 1])) close.push_back(impl_->close_features(names[i]));
+    }
+    return close;
+}
+
+std::vector<ExactIntersection> MeshDistances::intersections() const {
+    const FloatEnvironment environment;
+    std::vector<ExactIntersection> found;
+    for (const Candidate& candidate : impl_->candidates_within(0)) {
+        const TrianglePair& pair = candidate.pair;
+        if (!impl_->least(pair).is_zero()) continue;
+        const auto a = impl_->exact(0, pair.a), b = impl_->exact(1, pair.b);
+        const Contact contact(a, b);
+        found.push_back({pair, {}, to_direction(contact.normal())});
+        for (const IntegerPoint& corner : contact.corners()) {
+            found.back().corners.push_back(to_exact_point(corner, impl_->points.unit));
+        }
+    }
+    return found;
 }
 
 ExactRoot MeshDistances::distance(std::uint32_t i, std::uint32_t j) const {

@@ -52,6 +52,24 @@ struct ExactClosest {
     ExactPoint point_a, point_b;
 };
 
+// A unit vector along a vector of integers.
+struct ExactDirection {
+    std::array<mpz_class, 3> v;
+
+    Vec3 nearest() const;
+};
+
+// As CloseFeatures and TriangleIntersection of include/ecods/contact.hpp.
+struct ExactCloseFeatures {
+    ExactClosest closest;
+    std::optional<ExactDirection> direction;
+};
+struct ExactIntersection {
+    TrianglePair triangles;
+    std::vector<ExactPoint> corners;
+    std::optional<ExactDirection> normal;
+};
+
 struct Soup {
     std::span<const Vec3> vertices;
     std::span<const Triangle> triangles;
@@ -71,6 +89,10 @@ class MeshDistances {
     ExactClosest closest() const;
     // Every pair within d, which is finite, ascending.
     std::vector<ExactClosest> close_triangles(double d) const;
+
+    // Each feature's name is looked for in the whole mesh.
+    std::vector<ExactCloseFeatures> close_features(double d) const;
+    std::vector<ExactIntersection> intersections() const;
 
     // Of one pair of triangles.
     ExactRoot distance(std::uint32_t i, std::uint32_t j) const;

@@ -1,62 +1,82 @@
+// Pairs of features from pairs of triangles.
+//
+// A triangle that has a feature is no farther from another triangle than that feature is: if two features are within d,
+// so is every pair of triangles that has them. The triangles that were found are therefore all that can name a feature,
+// and nothing of the rest of the mesh is asked.
 #include <algorithm>
-#include <array>
-#include <compare>
 #include <cstdint>
+#include <limits>
+#include <tuple>
 
 #include "base/double_key.hpp"
 #include "ecods/contact.hpp"
+#include "ecods/error.hpp"
 #include "query/distance/distance_search.hpp"
+#include "query/distance/least_names.hpp"
 
 namespace ecods {
 namespace {
 
-using PointKey = std::array<std::int64_t, 3>;
+auto rank(const FeatureNames& f) {
+    return std::tuple(f.kind, f.a.triangle, f.a.corner, f.b.triangle, f.b.corner, f.a.kind);
+}
 
-// A pair of features by the coordinates of their corners, and where it was found.
-struct Key {
-    ClosestKind kind;
-    std::array<std::array<PointKey, 3>, 2> corners;  // of either feature, ascending; the last one fills the rest
-
-    friend auto operator<=>(const Key&, const Key&) = default;
-};
-
-std::array<PointKey, 3> corners_of(const Feature& feature, const Mesh& mesh) {
-    const Triangle& triangle = mesh.triangles()[feature.triangle];
-    std::array<PointKey, 3> corners;
-    const std::uint32_t last = static_cast<std::uint32_t>(feature.kind);  // 0, 1 or 2
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        const Vec3& v = mesh.vertices()[triangle[(feature.corner + std::min(i, last)) % 3]];
-        corners[i] = {key_of(v[0]), key_of(v[1]), key_of(v[2])};
+Feature feature_of(const Mesh& mesh, std::uint32_t triangle, const SharedFeature& shared) {
+    if (shared.first == shared.second) return {Feature::Kind::face, triangle, 0};
+    const Triangle& corners = mesh.triangles()[triangle];
+    const auto is_end = [&](std::uint32_t corner) {
+        return corners[corner] == shared.first || corners[corner] == shared.second;
+    };
+    std::uint32_t corner = 0;
+    if (shared.second == SharedFeature::none) {
+        while (!is_end(corner)) ++corner;
+        return {Feature::Kind::vertex, triangle, corner};
     }
-    std::ranges::sort(corners);
-    // Of an edge whose second end is the lesser one, that end came twice.
-    if (feature.kind == Feature::Kind::edge) corners[1] = corners[2];
-    return corners;
+    while (!is_end(corner) || !is_end((corner + 1) % 3)) ++corner;
+    return {Feature::Kind::edge, triangle, corner};
+}
+
+std::vector<FeatureNames> find_features(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d,
+                                        DistanceSearch& search) {
+    std::vector<FeatureNames> result;
+    search.visit_within(d, [&](const TrianglePair& pair, const DistanceInterval& interval) {
+        if (interval.is_certain) {
+            result.push_back({interval.kind, feature_of(a.what->mesh(), pair.a, interval.a),
+                              feature_of(b.what->mesh(), pair.b, interval.b)});
+        } else {
+            search.exact_pair().add_features(pair.a, pair.b, result);
+        }
+    });
+    return result;
+}
+
+LeastNames least_names(const Mesh& mesh, const std::vector<FeatureNames>& found, Feature FeatureNames::*side) {
+    std::vector<std::uint32_t> triangles;
+    triangles.reserve(found.size());
+    for (const FeatureNames& features : found) triangles.push_back((features.*side).triangle);
+    return {mesh, std::move(triangles)};
 }
 
 }  // namespace
 
 std::vector<CloseFeatures> close_features(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d,
                                           QueryMemory& memory) {
-    const std::vector<ClosestPoints> all = close_triangles(a, b, d, memory);
-    std::vector<std::pair<Key, std::size_t>> keys;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        keys.push_back(
-            {{all[i].kind, {corners_of(all[i].a, a.what->mesh()), corners_of(all[i].b, b.what->mesh())}}, i});
-    }
-    std::ranges::sort(keys);
-    const auto rest = std::ranges::unique(keys, {}, [](const auto& entry) { return entry.first; });
-    keys.erase(rest.begin(), rest.end());
-    std::ranges::sort(keys, {}, [](const auto& entry) { return entry.second; });
-
+    const std::int64_t key = key_of(d);
+    if (key < 0 || key >= key_of(std::numeric_limits<double>::infinity())) throw InvalidDistance(d);
     DistanceSearch search(a, b, memory);
-    std::vector<CloseFeatures> result;
-    for (const auto& [key, i] : keys) {
-        result.push_back({all[i], std::nullopt});
-        if (all[i].kind == ClosestKind::intersecting) continue;
-        const TrianglePair pair = all[i].triangles();
-        result.back().direction = search.exact_pair().direction(pair.a, pair.b);
+    std::vector<FeatureNames> found = find_features(a, b, d, search);
+    const LeastNames names_a = least_names(a.what->mesh(), found, &FeatureNames::a);
+    const LeastNames names_b = least_names(b.what->mesh(), found, &FeatureNames::b);
+    for (FeatureNames& features : found) {
+        features.a = names_a(features.a);
+        features.b = names_b(features.b);
     }
+    std::ranges::sort(found, {}, rank);
+    const auto rest = std::ranges::unique(found);
+    found.erase(rest.begin(), rest.end());
+    std::vector<CloseFeatures> result;
+    result.reserve(found.size());
+    for (const FeatureNames& features : found) result.push_back(search.exact_pair().measure(features));
     return result;
 }
 

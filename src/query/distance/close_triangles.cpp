@@ -16,10 +16,7 @@ std::vector<ClosestPoints> close_triangles(const Posed<MeshShape>& a, const Pose
     if (key < 0 || key >= key_of(std::numeric_limits<double>::infinity())) throw InvalidDistance(d);
     std::vector<ClosestPoints> result;
     DistanceSearch search(a, b, memory);
-    search.visit_within(d, [&](const TrianglePair& pair) {
-        const DistanceInterval interval = search.enclosure(pair);
-        if (key_of(interval.lower) > key) return;
-        if (key_of(interval.upper) > key && search.exact_pair().compare(pair.a, pair.b, d) > 0) return;
+    search.visit_within(d, [&](const TrianglePair& pair, const DistanceInterval&) {
         result.push_back(search.exact_pair().closest(pair.a, pair.b));
     });
     std::ranges::sort(result, {}, [](const ClosestPoints& points) { return points.triangles(); });

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/double_key.hpp"
 #include "bvh/distance_axes.hpp"
 #include "bvh/triangle_bounds.hpp"
 #include "bvh/walk_nearest.hpp"
@@ -51,7 +52,7 @@ class DistanceSearch {
     double find_distance(const PairWitness& witness);
     bool can_refer() const noexcept;
 
-    // Calls visit(pair) for pairs of triangles, among them every pair within d.
+    // Calls visit(pair, interval) for every pair of triangles within d, with what contains its distance.
     template <class Visit>
     void visit_within(double d, Visit&& visit);
     DistanceInterval enclosure(const TrianglePair& triangles);
@@ -138,9 +139,13 @@ class DistanceSearch::WithinBound {
 
 template <class Visit>
 void DistanceSearch::visit_within(double d, Visit&& visit) {
+    const std::int64_t key = key_of(d);
     auto& stack = QueryMemoryAccess::state(query_memory_).stack;
     walk_two(tree_a_.boxes, tree_b_.boxes, stack, WithinBound(*this, d), [&](std::uint32_t i, std::uint32_t j) {
-        visit(TrianglePair{i, j});
+        const TrianglePair pair{i, j};
+        const DistanceInterval interval = enclosure(pair);
+        if (key_of(interval.lower) > key) return true;
+        if (key_of(interval.upper) <= key || exact_pair().compare(i, j, d) <= 0) visit(pair, interval);
         return true;
     });
 }

@@ -1,15 +1,18 @@
 #include "ecods/contact.hpp"
 #include "query/distance/distance_search.hpp"
+#include "query/intersection/query_memory.hpp"
 
 namespace ecods {
 
 std::vector<TriangleIntersection> intersections(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
                                                 QueryMemory& memory) {
-    DistanceSearch search(a, b, memory);
+    const std::vector<TrianglePair> pairs = intersecting_triangles(a, b, memory);
     std::vector<TriangleIntersection> result;
-    for (const TrianglePair& pair : intersecting_triangles(a, b, memory)) {
-        result.push_back({pair, search.exact_pair().intersection(pair.a, pair.b)});
-    }
+    if (pairs.empty()) return result;
+    result.reserve(pairs.size());
+    --QueryMemoryAccess::state(memory).counts.queries;  // that was a part of this one
+    DistanceSearch search(a, b, memory);
+    for (const TrianglePair& pair : pairs) result.push_back({pair, search.exact_pair().intersection(pair.a, pair.b)});
     return result;
 }
 

@@ -8,6 +8,7 @@
 #include "exact/measure/exact_point.hpp"
 #include "exact/measure/guess_features.hpp"
 #include "exact/measure/measure_pair.hpp"
+#include "exact/measure/polygon_order.hpp"
 #include "exact/measure/shared_corners.hpp"
 #include "exact/point/integer_points.hpp"
 
@@ -55,7 +56,9 @@ void name_features(DistanceInterval& interval, const FeaturePair& f, const Trian
     }
 }
 
-void name_features(ClosestPoints& closest, const FeaturePair& f, const TrianglePair& pair) noexcept {
+// ClosestPoints or FeatureNames.
+template <class Closest>
+void name_features(Closest& closest, const FeaturePair& f, const TrianglePair& pair) noexcept {
     using Kind = Feature::Kind;
     const bool is_vertex_of_a = f.vertex_side == 0;
     const auto name = [&](ClosestKind kind, Kind lesser, Kind greater) {
@@ -73,6 +76,11 @@ void name_features(ClosestPoints& closest, const FeaturePair& f, const TriangleP
         case FeatureKind::edge_edge:
             return name(ClosestKind::edge_edge, Kind::edge, Kind::edge);
     }
+}
+
+FeaturePair pair_of(const FeatureNames& names) noexcept {
+    return {static_cast<FeatureKind>(names.kind), static_cast<std::uint8_t>(names.a.kind > names.b.kind),
+            static_cast<std::uint8_t>(names.a.corner), static_cast<std::uint8_t>(names.b.corner)};
 }
 
 }  // namespace
@@ -216,14 +224,51 @@ ClosestPoints TriangleDistances::closest(std::uint32_t i, std::uint32_t j) {
     });
 }
 
-Vec3 TriangleDistances::direction(std::uint32_t i, std::uint32_t j) {
-    return with_features(i, j, [&](const auto& points, const auto& features, const ClosestFeatures& guess) {
+void TriangleDistances::add_features(std::uint32_t i, std::uint32_t j, std::vector<FeatureNames>& to) {
+    with_features(i, j, [&](const auto& points, const auto& features, const ClosestFeatures& guess) {
+        const TrianglePair triangles{i, j};
+        FeatureNames names{ClosestKind::intersecting, {Feature::Kind::face, i, 0}, {Feature::Kind::face, j, 0}};
+        const auto add = [&](const FeaturePair& pair) {
+            name_features(names, pair, triangles);
+            to.push_back(names);
+        };
         const ClosestFeatures found = find_closest(points, features, guess);
         SquaredDistance square;
         if (found.standing != Standing::none) features.measure(found.features, square);
-        if (square.num.is_zero()) return Vec3(Vec3::Zero());
-        return features.with_direction(first_closest(features, found),
-                                       [](const auto& v, bool is_turned) { return round_direction(v, is_turned); });
+        const bool are_apart = !square.num.is_zero();
+        if (are_apart && found.standing == Standing::only) return add(found.features);
+        const ExactSigns signs(points);
+        if (!are_apart && triangle_pair(signs) == Relation::crossing) return to.push_back(names);
+        for (const FeaturePair& pair : feature_pairs) {
+            const Standing standing = are_apart ? features.standing(pair) : features.meeting(pair);
+            if (standing >= Standing::inside) add(pair);
+        }
+    });
+}
+
+CloseFeatures TriangleDistances::measure(const FeatureNames& names) {
+    const std::uint32_t i = names.a.triangle, j = names.b.triangle;
+    if (names.kind == ClosestKind::intersecting) return {closest(i, j), std::nullopt};
+    return with_features(i, j, [&](const auto& points, const auto& features, const ClosestFeatures&) {
+        const FeaturePair f = pair_of(names);
+        SquaredDistance square;
+        square.exponent = points.unit;
+        features.measure(f, square);
+        std::array<ExactPoint, 2> ends;
+        ClosestPointsOf(features, f, points.unit).find(ends);
+        CloseFeatures result;
+        result.closest = {round_root(square),
+                          names.kind,
+                          names.a,
+                          names.b,
+                          round_point(first_corner(i), ends[0]),
+                          round_point(first_corner(i), ends[1])};
+        const bool has_normal = f.kind == FeatureKind::vertex_face || f.kind == FeatureKind::edge_edge;
+        if (has_normal || !square.num.is_zero()) {
+            result.direction =
+                features.with_direction(f, [](const auto& v, bool is_turned) { return round_direction(v, is_turned); });
+        }
+        return result;
     });
 }
 
@@ -231,12 +276,12 @@ SharedSet TriangleDistances::intersection(std::uint32_t i, std::uint32_t j) {
     return with_features(i, j, [&](const auto& points, const auto& features, const ClosestFeatures&) {
         SharedSet result;
         const SharedCorners shared(features);
+        if (const auto normal = shared.normal()) result.normal = round_direction(*normal);
         ExactPoint point;
-        for (const auto& corner : shared.corners()) {
+        for (const auto& corner : corners_around(shared)) {
             shared.assign(corner, points.unit, point);
             result.all_corners[result.corner_count++] = round_point(first_corner(i), point);
         }
-        if (const auto normal = shared.normal()) result.normal = round_direction(*normal);
         return result;
     });
 }

@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
@@ -42,6 +43,14 @@ struct DistanceInterval {
     SharedFeature a, b;
 };
 
+// A feature of each mesh, named by a triangle that has it and a corner; `intersecting` names two faces.
+struct FeatureNames {
+    ClosestKind kind = ClosestKind::intersecting;
+    Feature a, b;
+
+    friend bool operator==(const FeatureNames&, const FeatureNames&) = default;
+};
+
 class TriangleDistances {
   public:
     // Cost: constant. Everything that the arguments refer to must outlive the questions.
@@ -72,10 +81,13 @@ class TriangleDistances {
     // The closest points of a pair of triangles, by the rule of ClosestPoints.
     ClosestPoints closest(std::uint32_t i, std::uint32_t j);
 
-    // The unit vector from the first triangle's closest point to the second's, by the same rule, each coordinate
-    // rounded once; zero if they share a point.
-    Vec3 direction(std::uint32_t i, std::uint32_t j);
+    // Adds the pairs of features with which a pair of triangles counts in close_features(), the first by the rule of
+    // ClosestPoints first.
+    void add_features(std::uint32_t i, std::uint32_t j, std::vector<FeatureNames>& to);
+    // What features of one of these pairs are to each other, whichever triangles name them.
+    CloseFeatures measure(const FeatureNames& features);
 
+    // No corners if the triangles share no point.
     SharedSet intersection(std::uint32_t i, std::uint32_t j);
 
   private:

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <optional>
 #include <utility>
 
 #include "allocation/each_allocation.hpp"
+#include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/intersection.hpp"
 #include "scenes/shapes.hpp"
@@ -52,6 +54,29 @@ std::string text(const ClosestPoints& closest) {
     return all;
 }
 
+std::string text(const std::optional<Vec3>& v) {
+    std::string all;
+    for (int k = 0; v && k < 3; ++k) all.append(" ").append(text((*v)[k]));
+    return all;
+}
+
+std::string text(const std::vector<CloseFeatures>& close) {
+    std::string all;
+    for (const CloseFeatures& c : close) {
+        all.append(text(c.closest)).append(text(c.direction)).append("; ");
+    }
+    return all;
+}
+
+std::string text(const std::vector<TriangleIntersection>& intersections) {
+    std::string all;
+    for (const TriangleIntersection& i : intersections) {
+        for (const Vec3& corner : i.shared.corners()) all.append(text(std::optional(corner)));
+        all.append(text(i.shared.normal)).append("; ");
+    }
+    return all;
+}
+
 struct Question {
     const char* name;
     void (*ask)(Pair&);
@@ -82,6 +107,8 @@ const Question questions[] = {
          }
          p.answer = std::move(all);
      }},
+    {"close_features", [](Pair& p) { p.answer = text(close_features(p.first(), p.second(), 0x1p-6, p.memory)); }},
+    {"intersections", [](Pair& p) { p.answer = text(intersections(p.first(), p.second(), p.memory)); }},
     {"MeshShape::box", [](Pair& p) { p.answer = number(p.a->box(p.pose_b).min.allFinite()); }},
     {"MeshShape::tree_bytes", [](Pair& p) { p.answer = number(p.a->tree_bytes()); }},
     {"refit without a tree",

@@ -13,25 +13,29 @@
 namespace ecods::exact {
 namespace {
 
-TEST(SharedSet, CornersAreThoseOfTheOracle) {
+TEST(SharedSet, CornersAndNormalsAreThoseOfTheOracle) {
     TriangleDistances bodies;
-    std::array<int, 7> counts{};
+    std::array<int, 7> counts{}, normal_counts{};
     Random random(16);
     const auto check = [&](const std::string& name, const PosedPair& pair) {
         const OnePair meshes(pair);
         const OraclePair truth(pair);
-        const std::vector<oracle::ExactPoint> expected = truth->intersection(0, 0);
+        const std::vector<oracle::ExactIntersection> all = truth->intersections();
+        const oracle::ExactIntersection expected = all.empty() ? oracle::ExactIntersection() : all.front();
         for (const int environment : environments) {
             const SharedSet shared = in_environment(environment, [&] {
                 bodies.bind(meshes.a(), meshes.b());
                 return bodies.intersection(0, 0);
             });
-            ASSERT_EQ(shared.corner_count, expected.size()) << name;
-            for (std::size_t i = 0; i < expected.size(); ++i) {
-                ASSERT_TRUE(same_bits(shared.corners()[i], expected[i].nearest())) << name << " corner " << i;
+            ASSERT_EQ(shared.corner_count, expected.corners.size()) << name;
+            for (std::size_t i = 0; i < shared.corner_count; ++i) {
+                ASSERT_TRUE(same_bits(shared.corners()[i], expected.corners[i].nearest())) << name << " corner " << i;
             }
+            ASSERT_EQ(shared.normal.has_value(), expected.normal.has_value()) << name;
+            ASSERT_TRUE(!shared.normal || same_bits(*shared.normal, expected.normal->nearest())) << name;
         }
-        ++counts[expected.size()];
+        ++counts[expected.corners.size()];
+        normal_counts[expected.corners.size()] += expected.normal.has_value();
     };
     for_each_pair(100, check);
     for (int i = 0; i < 3000; ++i) {
@@ -39,6 +43,7 @@ TEST(SharedSet, CornersAreThoseOfTheOracle) {
         check("in one rotated plane", parallel_pair(random, true, 0));
     }
     for (const int count : counts) EXPECT_GT(count, 50);
+    for (std::size_t i = 1; i < 7; ++i) EXPECT_GT(normal_counts[i], 50) << i;
 }
 
 struct KnownNormal {

@@ -67,10 +67,12 @@ TEST(TriangleDistances, ClosestPointsAreThoseOfTheRule) {
         const OraclePair truth(pair);
         const oracle::ExactClosest expected = truth->closest(0, 0);
         for (const int environment : environments) {
-            Vec3 direction;
+            std::vector<FeatureNames> names;
+            CloseFeatures features;
             const ClosestPoints c = in_environment(environment, [&] {
                 bodies.bind(meshes.a(), meshes.b());
-                direction = bodies.direction(0, 0);
+                bodies.add_features(0, 0, names);
+                features = bodies.measure(names.front());
                 return bodies.closest(0, 0);
             });
             ASSERT_EQ(static_cast<int>(c.kind), static_cast<int>(expected.kind)) << name;
@@ -79,11 +81,14 @@ TEST(TriangleDistances, ClosestPointsAreThoseOfTheRule) {
             ASSERT_TRUE(same_bits(c.point_a, expected.point_a.nearest())) << name << " " << static_cast<int>(c.kind);
             ASSERT_TRUE(same_bits(c.point_b, expected.point_b.nearest())) << name << " " << static_cast<int>(c.kind);
             ++counts[static_cast<std::size_t>(c.kind)];
-            if (c.kind == ClosestKind::intersecting) {
-                ASSERT_EQ(direction, Vec3(Vec3::Zero()));
-            } else {
-                ASSERT_TRUE(is_direction(direction, rational(expected.point_b) - rational(expected.point_a))) << name;
-            }
+            ASSERT_EQ(bits(features.closest.distance), bits(c.distance)) << name;
+            if (c.kind == ClosestKind::intersecting) continue;
+            ASSERT_EQ(names.front(), (FeatureNames{c.kind, c.a, c.b})) << name;
+            ASSERT_TRUE(same_bits(features.closest.point_a, c.point_a) &&
+                        same_bits(features.closest.point_b, c.point_b))
+                << name;
+            const RationalPoint gap = rational(expected.point_b) - rational(expected.point_a);
+            ASSERT_TRUE(features.direction && is_direction(*features.direction, gap)) << name;
         }
     });
     for (const int count : counts) EXPECT_GT(count, 500);
