@@ -134,7 +134,7 @@ const std::vector<Room>& rooms() {
           "fuzz/checks"}},
         {"fuzz/motion", {"include", "verify/scenes", "fuzz/base", "fuzz/script"}},
         {"fuzz/shrink", {"include", "fuzz/script"}},
-        {"fuzz/targets", {"include", "verify/oracle", "verify/scenes", "verify/environment"}},
+        {"fuzz/targets", {"include", "verify/oracle", "verify/judge", "verify/scenes", "verify/environment"}},
         {"fuzz/tests",
          {"include", "verify/scenes", "verify/environment", "verify/unit/programs", "fuzz/base", "fuzz/checks",
           "fuzz/script", "fuzz/motion", "fuzz/shrink"}},
