@@ -13,7 +13,8 @@
 // with lower bounds rounded outwards, enclosures of the distances of triangles with proven bounds, and integers for
 // what these leave open.
 //
-// Thread safety: as in intersection.hpp.
+// Thread safety: as in intersection.hpp. For coordinates so far apart in scale that their integers need thousands of
+// bits, a query uses up to 256 KiB of stack.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,125 @@
+#include <array>
+
+#include "exact/measure/closest_points.hpp"
+#include "exact/measure/direction.hpp"
+#include "exact/measure/exact_point.hpp"
+#include "exact/measure/shared_corners.hpp"
+#include "query/distance/triangle_distances.hpp"
+#include "query/distance/triangle_features.hpp"
+
+namespace ecods {
+
+using namespace exact;
+
+namespace {
+
+// ClosestPoints or FeatureNames.
+template <class Closest>
+void name_features(Closest& closest, const FeaturePair& f, const TrianglePair& pair) noexcept {
+    using Kind = Feature::Kind;
+    const bool is_vertex_of_a = f.vertex_side == 0;
+    const auto name = [&](ClosestKind kind, Kind lesser, Kind greater) {
+        closest.kind = kind;
+        closest.a = {is_vertex_of_a ? lesser : greater, pair.a, f.a};
+        closest.b = {is_vertex_of_a ? greater : lesser, pair.b, f.b};
+    };
+    switch (f.kind) {
+        case FeatureKind::vertex_vertex:
+            return name(ClosestKind::vertex_vertex, Kind::vertex, Kind::vertex);
+        case FeatureKind::vertex_edge:
+            return name(ClosestKind::vertex_edge, Kind::vertex, Kind::edge);
+        case FeatureKind::vertex_face:
+            return name(ClosestKind::vertex_face, Kind::vertex, Kind::face);
+        case FeatureKind::edge_edge:
+            return name(ClosestKind::edge_edge, Kind::edge, Kind::edge);
+    }
+}
+
+FeaturePair pair_of(const FeatureNames& names) noexcept {
+    return {static_cast<FeatureKind>(names.kind), static_cast<std::uint8_t>(names.a.kind > names.b.kind),
+            static_cast<std::uint8_t>(names.a.corner), static_cast<std::uint8_t>(names.b.corner)};
+}
+
+}  // namespace
+
+// The origin of all exact points of a pair.
+PointRef TriangleDistances::first_corner(std::uint32_t i) const noexcept {
+    const BodyRef& a = points_.body(0);
+    return {a.pose, &a.mesh->vertices()[triangles_[0][i][0]]};
+}
+
+ClosestPoints TriangleDistances::closest(std::uint32_t i, std::uint32_t j) {
+    return with_features(i, j, [&](const auto& points, const auto& features, const ClosestFeatures& guess) {
+        ClosestPoints result;
+        std::array<ExactPoint, 2> ends;
+        SquaredDistance square;
+        square.exponent = points.unit;
+        const ClosestFeatures found = find_closest(points, features, guess);
+        if (found.standing != Standing::none) features.measure(found.features, square);
+        if (square.num.is_zero()) {
+            const SharedCorners corners(features);
+            result.a = {Feature::Kind::face, i, 0};
+            result.b = {Feature::Kind::face, j, 0};
+            corners.assign(corners.corners().front(), points.unit, ends[0]);
+            result.point_a = result.point_b = round_point(first_corner(i), ends[0]);
+            return result;
+        }
+        const FeaturePair first = first_closest(features, found);
+        name_features(result, first, {i, j});
+        ClosestPointsOf(features, first, points.unit).find(ends);
+        result.distance = round_root(square);
+        result.point_a = round_point(first_corner(i), ends[0]);
+        result.point_b = round_point(first_corner(i), ends[1]);
+        return result;
+    });
+}
+
+void TriangleDistances::add_features(std::uint32_t i, std::uint32_t j, std::vector<FeatureNames>& to) {
+    with_features(i, j, [&](const auto& points, const auto& features, const ClosestFeatures& guess) {
+        const TrianglePair triangles{i, j};
+        FeatureNames names{ClosestKind::intersecting, {Feature::Kind::face, i, 0}, {Feature::Kind::face, j, 0}};
+        const auto add = [&](const FeaturePair& pair) {
+            name_features(names, pair, triangles);
+            to.push_back(names);
+        };
+        const ClosestFeatures found = find_closest(points, features, guess);
+        SquaredDistance square;
+        if (found.standing != Standing::none) features.measure(found.features, square);
+        const bool are_apart = !square.num.is_zero();
+        if (are_apart && found.standing == Standing::only) return add(found.features);
+        const ExactSigns signs(points);
+        if (!are_apart && triangle_pair(signs) == Relation::crossing) return to.push_back(names);
+        for (const FeaturePair& pair : feature_pairs) {
+            const Standing standing = are_apart ? features.standing(pair) : features.meeting(pair);
+            if (standing >= Standing::inside) add(pair);
+        }
+    });
+}
+
+CloseFeatures TriangleDistances::measure(const FeatureNames& names) {
+    const std::uint32_t i = names.a.triangle, j = names.b.triangle;
+    if (names.kind == ClosestKind::intersecting) return {closest(i, j), std::nullopt};
+    return with_features(i, j, [&](const auto& points, const auto& features, const ClosestFeatures&) {
+        const FeaturePair f = pair_of(names);
+        SquaredDistance square;
+        square.exponent = points.unit;
+        features.measure(f, square);
+        std::array<ExactPoint, 2> ends;
+        ClosestPointsOf(features, f, points.unit).find(ends);
+        CloseFeatures result;
+        result.closest = {round_root(square),
+                          names.kind,
+                          names.a,
+                          names.b,
+                          round_point(first_corner(i), ends[0]),
+                          round_point(first_corner(i), ends[1])};
+        const bool has_normal = f.kind == FeatureKind::vertex_face || f.kind == FeatureKind::edge_edge;
+        if (has_normal || !square.num.is_zero()) {
+            result.direction =
+                features.with_direction(f, [](const auto& v, bool is_turned) { return round_direction(v, is_turned); });
+        }
+        return result;
+    });
+}
+
+}  // namespace ecods
