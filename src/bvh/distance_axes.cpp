@@ -102,4 +102,13 @@ double DistanceAxes::distance_below(float square) const noexcept {
     return std::sqrt(static_cast<double>(square)) * (1 - 0x1p-48) * unit_;
 }
 
+// See triangle_bounds.cpp for the errors: 9 E, and 4 v of the length. Underflow of the square is below E.
+double DistanceAxes::distance_above(float square) const noexcept {
+    const DistanceSet& set = sets_[0];
+    const auto& errors = set.axes.point_error;
+    const double error = 9 * static_cast<double>(std::max({errors[0], errors[1], errors[2]}));
+    const double length = std::sqrt(static_cast<double>(square)) * (1 + 0x1p-20) + error;
+    return length * std::sqrt(static_cast<double>(set.square_up)) * (1 + 0x1p-40) * unit_;
+}
+
 }  // namespace ecods

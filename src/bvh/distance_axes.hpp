@@ -47,6 +47,10 @@ class DistanceAxes {
     float square_above(double distance) const noexcept;
     double distance_below(float square) const noexcept;
 
+    // A distance that is not below that of two points of two triangles whose squared distance on the first set's axes
+    // was computed as `square` (bvh/triangle_bounds.hpp).
+    double distance_above(float square) const noexcept;
+
   private:
     std::array<DistanceSet, 2> sets_;
     double unit_ = 1;

@@ -32,12 +32,6 @@ namespace {
 // too, and there the test would be wasted.
 constexpr std::uint32_t overlap_max = 1024;
 
-// The error of a difference of two points of triangles (bvh/triangle_bounds.cpp), on the axes of a set.
-double point_error(const DistanceSet& set) {
-    const auto& errors = set.axes.point_error;
-    return 9 * static_cast<double>(std::max({errors[0], errors[1], errors[2]}));
-}
-
 exact::BodyRef body_of(const Posed<MeshShape>& posed, const MeshTree& tree) {
     return {&posed.what->mesh(), &tree.extent, &posed.pose};
 }
@@ -219,13 +213,9 @@ void DistanceSearch::take(std::size_t lane) {
     const float lower = memory_.bounds.lower[lane], upper = memory_.bounds.upper[lane];
     if (lower > limit_) return;
     if (!(lower > 0)) return enclose(triangles);
-    const DistanceSet& set = sets()[0];
-    if (upper * set.square <= limit_) {
-        const double length = std::sqrt(static_cast<double>(upper));
-        const double upper_length = length * (1 + 0x1p-20) + point_error(set);
-        set_upper(upper_length * std::sqrt(static_cast<double>(set.square_up)) * (1 + 0x1p-40) * axes().unit(),
-                  triangles);
-        const double factor = (1 - 0x1p-18) / length;
+    if (upper * sets()[0].square <= limit_) {
+        set_upper(axes().distance_above(upper), triangles);
+        const double factor = (1 - 0x1p-18) / std::sqrt(static_cast<double>(upper));
         for (std::size_t k = 0; k < 3; ++k) {
             direction_[k] = static_cast<float>(static_cast<double>(memory_.bounds.between[k][lane]) * factor);
         }

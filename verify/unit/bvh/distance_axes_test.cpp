@@ -1,0 +1,197 @@
+// No bound of a distance is above the distance, however hard it is tried; most are not far below.
+
+#include "bvh/distance_axes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cfenv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "bvh/nearest_queue.hpp"
+#include "bvh/triangle_bounds.hpp"
+#include "bvh/walk_two.hpp"
+#include "environment/instruction_sets.hpp"
+#include "oracle/distance.hpp"
+#include "scenes/distance_cases.hpp"
+
+namespace ecods {
+namespace {
+
+constexpr std::array rounding_modes{FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+struct Body {
+    std::shared_ptr<const Mesh> mesh;
+    MeshBvh tree;
+    Pose pose;
+
+    Body(std::shared_ptr<const Mesh> m, const Pose& p)
+        : mesh(std::move(m)), tree(build_mesh_bvh(*mesh, fit_frame(*mesh))), pose(p) {}
+    oracle::Soup soup() const { return {mesh->vertices(), mesh->triangles(), pose}; }
+};
+
+// Two bodies, their bounds in the rounding mode that is set, and what is true.
+struct Pair {
+    Body a, b;
+    oracle::MeshDistances truth;
+    DistanceAxes axes;
+    Direction direction{};
+
+    explicit Pair(const scenes::DistanceCase& c) : a(c.a, c.pose_a), b(c.b, c.pose_b), truth(a.soup(), b.soup()) {}
+
+    void bind() { axes.bind({a.tree, a.pose.R}, {b.tree, b.pose.R}, b.pose.t - a.pose.t); }
+};
+
+// near_mask(), once it and what it bounds are the same for every instruction set.
+template <class X, class Y>
+std::uint64_t mask_of_all(const Pair& pair, float limit, const X& x, const Y& y, LaneSquares& squares) {
+    alignas(32) LaneSquares others;
+    const std::uint64_t mask = near_mask(pair.axes.sets(), pair.direction, limit, x, y, squares);
+    for (const InstructionSet set : environment::supported_instruction_sets()) {
+        const environment::InstructionSetLimit limited(set);
+        EXPECT_EQ(near_mask(pair.axes.sets(), pair.direction, limit, x, y, others), mask) << environment::name(set);
+        for (LanePairs lanes(mask); lanes.more(); lanes.next()) {
+            const std::size_t at = tree_width * lanes.i() + lanes.j();
+            EXPECT_EQ(std::memcmp(&others[at], &squares[at], sizeof(float)), 0) << environment::name(set);
+        }
+    }
+    return mask;
+}
+
+struct MaskBound {
+    const Pair& pair;
+    float limit;
+    LaneSquares& squares;
+
+    template <class X, class Y>
+    std::uint64_t operator()(const X& x, const Y& y) {
+        return mask_of_all(pair, limit, x, y, squares);
+    }
+    void order(const BvhNode&, const BvhNode&, LanePairs, std::span<NodePair>) {}
+};
+
+// Whether the trees let triangles i and j through to the leaves, from the roots down, where nothing beyond the limit
+// matters.
+bool let_through(const Pair& pair, float limit, std::uint32_t i, std::uint32_t j) {
+    std::vector<NodePair> stack;
+    bool found = false;
+    alignas(32) LaneSquares squares;
+    walk_two(pair.a.tree, pair.b.tree, stack, MaskBound{pair, limit, squares}, [&](std::uint32_t p, std::uint32_t q) {
+        found = found || (p == i && q == j);
+        return !found;
+    });
+    return found;
+}
+
+// Bounds of all triangles of two leaves, whose distances are between them.
+struct Tally {
+    std::uint64_t apart = 0, boxes = 0, triangles = 0;
+};
+
+void check_leaves(const Pair& pair, const TreeLeaf& x, const TreeLeaf& y, Tally& tally) {
+    alignas(32) LaneSquares squares;
+    const std::uint64_t mask = mask_of_all(pair, infinity, x, y, squares);
+    LeavesOnAxes leaves;
+    put_on_axes(pair.axes.sets()[0], x, y, leaves);
+    for (std::size_t i = 0; i < x.count; ++i) {
+        for (std::size_t j = 0; j < y.count; ++j) {
+            ASSERT_TRUE(mask >> (tree_width * j + i) & 1) << "beyond infinity";
+            TriangleBatch batch{};
+            batch.add(leaves, i, j, {x.triangle[i], y.triangle[j]});
+            TriangleSquares bounds;
+            bound_triangles(pair.axes.sets()[0], batch, bounds);
+            const double box = pair.axes.distance_below(squares[tree_width * i + j]);
+            const double lower = pair.axes.distance_below(bounds.lower[0]);
+            const double upper = pair.axes.distance_above(bounds.upper[0]);
+            const int mode = std::fegetround();
+            std::fesetround(FE_TONEAREST);
+            const oracle::ExactRoot exact = pair.truth.distance(x.triangle[i], y.triangle[j]);
+            EXPECT_GE(compare(exact, box), 0) << "box, rounding mode " << mode;
+            EXPECT_GE(compare(exact, lower), 0) << "lower, rounding mode " << mode;
+            EXPECT_LE(compare(exact, upper), 0) << "upper, rounding mode " << mode;
+            const double d = nearest(exact);
+            tally.apart += d > 0;
+            tally.boxes += box > 0.5 * d;
+            tally.triangles += lower > 0.9 * d && upper < 1.1 * d;
+            std::fesetround(mode);
+        }
+    }
+}
+
+class DistanceBoundsTest : public testing::TestWithParam<scenes::DistanceFamily> {};
+
+TEST_P(DistanceBoundsTest, AreBounds) {
+    scenes::Random random(11);
+    Tally tally;
+    constexpr std::size_t pair_count = 2000;
+    for (std::size_t k = 0, pairs = 0; pairs < pair_count; ++k) {
+        Pair pair(scenes::make_distance_case(GetParam(), random));
+        pairs += pair.a.mesh->triangles().size() * pair.b.mesh->triangles().size() + 5;
+        const oracle::ExactClosest closest = pair.truth.closest();
+        const double d = nearest(closest.distance);
+        for (int axis = 0; axis < 3; ++axis) {
+            pair.direction[static_cast<std::size_t>(axis)] = static_cast<float>(random.uniform(-0.57, 0.57));
+        }
+        for (const int mode : rounding_modes) {
+            std::fesetround(mode);
+            pair.bind();
+            // The nearest pair is within its distance, at once and from the least limit on that says so.
+            const float limit = pair.axes.square_above(d);
+            EXPECT_TRUE(let_through(pair, limit, closest.a.triangle, closest.b.triangle)) << "rounding mode " << mode;
+            for (const TreeLeaf& x : pair.a.tree.leaves) {
+                for (const TreeLeaf& y : pair.b.tree.leaves) check_leaves(pair, x, y, tally);
+            }
+        }
+        std::fesetround(FE_TONEAREST);
+        if (HasFailure()) FAIL() << "case " << k;
+    }
+    if (GetParam() != scenes::DistanceFamily::apart) return;
+    EXPECT_GT(tally.boxes, tally.apart / 2) << "the test would be right if nothing were bounded";
+    EXPECT_GT(tally.triangles, tally.apart * 9 / 10);
+}
+
+std::string test_name(const testing::TestParamInfo<scenes::DistanceFamily>& family) {
+    std::string text(scenes::name(family.param));
+    std::ranges::replace_if(
+        text, [](char c) { return c == ' ' || c == '-'; }, '_');
+    return text;
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, DistanceBoundsTest,
+                         testing::ValuesIn(scenes::distance_families().begin(), scenes::distance_families().end()),
+                         test_name);
+
+TEST(NearestQueue, GivesEachPairOnceAndTheNearestFirst) {
+    scenes::Random random(3);
+    NearestQueue queue;
+    for (int round = 0; round < 20; ++round) {
+        const float start = std::exp2(static_cast<float>(random.uniform(-40, 40)));
+        queue.start(start);
+        std::vector<float> pushed, popped;
+        for (int k = 0; k < 500; ++k) {
+            const auto share = static_cast<float>(random.uniform(0, 1));
+            const float square = k % 50 == 0 ? 0 : start * std::exp2(-30 * share * share);
+            queue.push({square, TreeRef::node(static_cast<std::size_t>(k)), TreeRef::leaf(0)});
+            pushed.push_back(square);
+        }
+        const float limit = 0.5f * start;
+        NearPair pair;
+        while (queue.pop(limit, pair)) {
+            EXPECT_EQ(pair.square, pushed[pair.a.index()]);
+            // Of pairs that are one part in 32 from each other in square, the nearer one comes first.
+            EXPECT_GE(pair.square * (1 + 0x1p-5f), popped.empty() ? 0 : popped.back());
+            popped.push_back(pair.square);
+        }
+        std::erase_if(pushed, [&](float square) { return square > limit; });
+        std::ranges::sort(pushed);
+        std::ranges::sort(popped);
+        EXPECT_EQ(popped, pushed);
+    }
+}
+
+}  // namespace
+}  // namespace ecods
