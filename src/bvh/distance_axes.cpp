@@ -17,6 +17,7 @@ using namespace axes;
 
 constexpr double tau_max = 0x1p-7;     // beyond, bounds would suffer
 constexpr double square_max = 0x1p55;  // of coordinates that are squared
+constexpr double least_square = 0x1p-120;
 
 // The power of two at or below x, from 2^-900 to 2^900; 1 for 0.
 ECODS_ALWAYS_INLINE double power_of_two(double x) noexcept {
@@ -48,7 +49,7 @@ ECODS_ALWAYS_INLINE EvenAxes even_axes(const Matrix4& own, const Matrix4& other)
     const double worst = std::max(
         {(std::abs(xx - factor) + xy) + zx, (std::abs(yy - factor) + xy) + yz, (std::abs(zz - factor) + yz) + zx});
     const double tau = worst / factor + 0x1p-40;
-    if (tau <= tau_max && factor > 0x1p-100 && factor < 0x1p100) return {N, factor, tau};
+    if (tau <= tau_max && factor > 0x1p-5 && factor < 0x1p100) return {N, factor, tau};
     return {{{Double4{1, 0, 0, 0}, Double4{0, 1, 0, 0}, Double4{0, 0, 1, 0}}}, 1, 0};
 }
 
@@ -95,11 +96,12 @@ void DistanceAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d) {
 // Four roundings of u' each.
 float DistanceAxes::square_above(double distance) const noexcept {
     const double x = distance / unit_;
-    return round_up(x * x * (1 + 0x1p-48) + 0x1p-200);
+    return round_up(x * x * (1 + 0x1p-48) + least_square);
 }
 
 double DistanceAxes::distance_below(float square) const noexcept {
-    return std::sqrt(static_cast<double>(square)) * (1 - 0x1p-48) * unit_;
+    const double certain = static_cast<double>(square) - least_square;
+    return certain > 0 ? std::sqrt(certain) * (1 - 0x1p-48) * unit_ : 0;
 }
 
 // See triangle_bounds.cpp for the errors: 9 E, and 4 v of the length. Underflow of the square is below E.

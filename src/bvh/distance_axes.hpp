@@ -12,8 +12,10 @@
 // normal's length is at most 1 + 2^-22, its square 1 + 2^-21. `square` is smaller than the real factor by 2^-18, which
 // covers them. With u' = 2^-52, K = N N^T / factor and tau the largest row sum of |K - I|, the largest eigenvalue of N
 // N^T is at most factor (1 + tau) (Gershgorin); K as computed is off by 6 u', and the axes as used by 2^-170: 2^-40 is
-// added to tau. Underflow makes squares smaller. Overflow: the sums s are required to be below 2^55, otherwise the
-// margin is infinite, and gaps are 0, as they are for NaN.
+// added to tau.
+// Underflow: a mode that rounds up makes squares larger by 2^-149 each, products by as much; with `square` below 2^5
+// that is below 2^-140, and limits, which squares are compared with, are 2^-120 above what they stand for. Overflow:
+// the sums s are required to be below 2^55, otherwise the margin is infinite, and gaps are 0, as they are for NaN.
 #pragma once
 
 #include <array>
