@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <bit>
+#include <cstdint>
 #include <cstdio>
 #include <deque>
 #include <functional>
@@ -9,6 +11,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "ecods/distance.hpp"
 #include "ecods/intersection.hpp"
 #include "engines/broad_phase_kinds.hpp"
 #include "engines/engine.hpp"
@@ -52,6 +55,20 @@ void add_counts(std::map<std::string, std::uint64_t>& counts, const QueryCounts&
     counts["node tests"] = of.box_tests;
     counts["triangle pairs"] = of.stages.triangle_tests;
     for (const Stage& stage : stages) counts[stage.name] = of.stages.*stage.count;
+    counts["triangles bounded"] = of.distances.triangle_bounds;
+    counts["triangles enclosed"] = of.distances.enclosures;
+    counts["triangles measured"] = of.distances.exact;
+}
+
+using Body = Posed<MeshShape>;
+using Ask = std::uint64_t (*)(const Body& a, const Body& b, QueryMemory& memory);
+
+std::uint64_t ask_intersects(const Body& a, const Body& b, QueryMemory& memory) {
+    return intersects(a, b, memory) ? 1 : 0;
+}
+
+std::uint64_t ask_distance(const Body& a, const Body& b, QueryMemory& memory) {
+    return std::bit_cast<std::uint64_t>(distance(a, b, memory));
 }
 
 void add_counts(std::map<std::string, std::uint64_t>& counts, const BroadPhaseCounts& of) {
@@ -64,20 +81,20 @@ void add_counts(std::map<std::string, std::uint64_t>& counts, const BroadPhaseCo
 }
 
 // All queries with their work counted, then timed passes, for long enough to rise above noise.
-Turn start_queries(scenes::MeshPairs pairs) {
+Turn start_queries(scenes::MeshPairs pairs, Ask question = ask_intersects) {
     auto workload = std::make_shared<scenes::MeshPairs>(std::move(pairs));
     auto shapes = std::make_shared<std::deque<MeshShape>>();
     for (const scenes::NamedMesh& named : workload->meshes) shapes->emplace_back(named.mesh);
     auto memory = std::make_shared<QueryMemory>();
-    return [workload, shapes, memory] {
+    return [workload, shapes, memory, question] {
         const auto ask = [&](const scenes::MeshQuery& query) {
-            return intersects({(*shapes)[query.a.mesh_index], query.a.pose},
-                              {(*shapes)[query.b.mesh_index], query.b.pose}, *memory);
+            return question({(*shapes)[query.a.mesh_index], query.a.pose},
+                            {(*shapes)[query.b.mesh_index], query.b.pose}, *memory);
         };
         OwnSample sample;
         Hash hash;
         memory->reset_counts();
-        for (const scenes::MeshQuery& query : workload->queries) hash.add(ask(query) ? 1 : 0);
+        for (const scenes::MeshQuery& query : workload->queries) hash.add(ask(query));
         add_counts(sample.counts, memory->counts());
         sample.answers = hash.text();
         std::size_t passes = 0;
@@ -148,10 +165,14 @@ std::vector<OwnWorkload> own_workloads(bool is_quick) {
         list.push_back({name + ", near", [=] { return start_queries(scenes::near_pairs(name, mesh, some, 1)); }});
         list.push_back(
             {name + ", random", [=] { return start_queries(scenes::random_pairs(name, mesh, 2 * some, 2)); }});
+        list.push_back({name + ", distances",
+                        [=] { return start_queries(scenes::random_pairs(name, mesh, some, 6), ask_distance); }});
     };
     add_mesh("ship", scenes::ship());
     add_mesh("torus 10k", scenes::torus(100, 50, 0.4));
     list.push_back({"stacked bricks", [=] { return start_queries(scenes::stacked_bricks(some, 3)); }});
+    list.push_back(
+        {"stacked bricks, distances", [=] { return start_queries(scenes::stacked_bricks(some, 3), ask_distance); }});
     list.push_back({"splined shafts", [=] { return start_queries(scenes::splined_shafts(is_quick ? 2 : 20, 4)); }});
 
     using scenes::BoxLayout;
