@@ -45,22 +45,38 @@ Body read_body(const double* in) {
     return body;
 }
 
-// Distance, features and points, and comparisons next to where they turn.
+// Distance, features and points, and comparisons next to where they turn; all features that are closest, with their
+// directions, and what the triangles share.
 std::uint64_t digest(std::uint64_t result, TriangleDistances& distances) {
     const auto add = [&](auto number) { result = combine(result, std::bit_cast<std::uint64_t>(number)); };
+    const auto add_point = [&](const Vec3& p) {
+        for (int k = 0; k < 3; ++k) add(p[k]);
+    };
+    const auto add_closest = [&](const ClosestPoints& closest) {
+        add(closest.distance);
+        for (const Feature& feature : {closest.a, closest.b}) {
+            add(std::uint64_t{feature.corner} << 8 | static_cast<std::uint64_t>(feature.kind));
+        }
+        add_point(closest.point_a);
+        add_point(closest.point_b);
+        add(static_cast<std::uint64_t>(closest.kind));
+    };
     const ClosestPoints closest = distances.closest(0, 0);
     add(distances.distance(0, 0));
-    add(closest.distance);
-    for (const Feature& feature : {closest.a, closest.b}) {
-        add(std::uint64_t{feature.corner} << 8 | static_cast<std::uint64_t>(feature.kind));
-    }
-    for (int k = 0; k < 3; ++k) {
-        add(closest.point_a[k]);
-        add(closest.point_b[k]);
-    }
+    add_closest(closest);
     add(std::uint64_t{distances.compare(0, 0, closest.distance) > 0});
     add(std::uint64_t{distances.compare(0, 0, closest.distance) < 0});
-    return combine(result, static_cast<std::uint64_t>(closest.kind));
+    std::vector<FeatureNames> names;
+    distances.add_features(0, 0, names);
+    for (const FeatureNames& features : names) {
+        const CloseFeatures close = distances.measure(features);
+        add_closest(close.closest);
+        if (close.direction) add_point(*close.direction);
+    }
+    const SharedSet shared = distances.intersection(0, 0);
+    for (const Vec3& corner : shared.corners()) add_point(corner);
+    if (shared.normal) add_point(*shared.normal);
+    return result;
 }
 
 std::uint64_t digest(const std::vector<std::array<Body, 2>>& pairs) {

@@ -72,8 +72,7 @@ std::vector<CloseFeatures> close_features(const Posed<MeshShape>& a, const Posed
         features.b = names_b(features.b);
     }
     std::ranges::sort(found, {}, rank);
-    const auto rest = std::ranges::unique(found);
-    found.erase(rest.begin(), rest.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<CloseFeatures> result;
     result.reserve(found.size());
     for (const FeatureNames& features : found) result.push_back(search.exact_pair().measure(features));

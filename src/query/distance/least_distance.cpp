@@ -28,8 +28,7 @@ std::vector<OpenPair>& group_by_features(std::vector<OpenPair>& open) {
         if (x.interval.is_certain && features_of(x) != features_of(y)) return features_of(x) < features_of(y);
         return x.triangles < y.triangles;
     });
-    const auto rest = std::ranges::unique(open, have_same_distance);
-    open.erase(rest.begin(), rest.end());
+    open.erase(std::unique(open.begin(), open.end(), have_same_distance), open.end());
     std::ranges::sort(open, {}, [](const OpenPair& x) { return key_of(x.interval.upper); });
     return open;
 }

@@ -10,8 +10,7 @@ namespace ecods {
 
 LeastNames::LeastNames(const Mesh& mesh, std::vector<std::uint32_t> triangles) : mesh_(mesh) {
     std::ranges::sort(triangles);
-    const auto rest = std::ranges::unique(triangles);
-    triangles.erase(rest.begin(), rest.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
 
     vertices_.reserve(3 * triangles.size());
     edges_.reserve(3 * triangles.size());
@@ -21,8 +20,8 @@ LeastNames::LeastNames(const Mesh& mesh, std::vector<std::uint32_t> triangles) :
         }
     }
     std::ranges::sort(vertices_, {}, [](const Vertex& v) { return std::tuple(v.place, v.triangle, v.corner); });
-    const auto same_places = std::ranges::unique(vertices_, {}, &Vertex::place);
-    vertices_.erase(same_places.begin(), same_places.end());
+    const auto is_same_place = [](const Vertex& v, const Vertex& w) { return v.place == w.place; };
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end(), is_same_place), vertices_.end());
 
     for (const std::uint32_t triangle : triangles) {
         for (std::uint32_t corner = 0; corner < 3; ++corner) {
@@ -30,8 +29,8 @@ LeastNames::LeastNames(const Mesh& mesh, std::vector<std::uint32_t> triangles) :
         }
     }
     std::ranges::sort(edges_, {}, [](const Edge& e) { return std::tuple(e.ends, e.triangle, e.corner); });
-    const auto same_ends = std::ranges::unique(edges_, {}, &Edge::ends);
-    edges_.erase(same_ends.begin(), same_ends.end());
+    const auto has_same_ends = [](const Edge& e, const Edge& f) { return e.ends == f.ends; };
+    edges_.erase(std::unique(edges_.begin(), edges_.end(), has_same_ends), edges_.end());
 }
 
 Feature LeastNames::operator()(const Feature& feature) const {

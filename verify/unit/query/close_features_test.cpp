@@ -209,7 +209,8 @@ std::vector<std::string> places(const std::vector<CloseFeatures>& close, bool is
 std::shared_ptr<const Mesh> turned(const Mesh& mesh) {
     std::vector<Triangle> triangles(mesh.triangles().rbegin(), mesh.triangles().rend());
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        std::ranges::rotate(triangles[i], triangles[i].begin() + static_cast<std::ptrdiff_t>(i % 3));
+        std::rotate(triangles[i].begin(), triangles[i].begin() + static_cast<std::ptrdiff_t>(i % 3),
+                    triangles[i].end());
     }
     return Mesh::create({mesh.vertices().begin(), mesh.vertices().end()}, triangles);
 }

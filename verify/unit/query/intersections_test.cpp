@@ -44,7 +44,7 @@ void expect_shared(const Corners& a, const Corners& b, const std::vector<Vec3>& 
             const Pose pose{R * scale, Vec3(5, -3, 7) * scale};
             std::vector<Vec3> expected;
             for (const Vec3& corner : corners) expected.emplace_back(pose.R * corner + pose.t);
-            std::ranges::rotate(expected, std::ranges::min_element(expected, is_less));
+            std::rotate(expected.begin(), std::ranges::min_element(expected, is_less), expected.end());
             const std::vector<TriangleIntersection> found = intersections({shape_a, pose}, {shape_b, pose}, memory);
             ASSERT_EQ(found.size(), 1u);
             EXPECT_EQ(found[0].triangles, (TrianglePair{0, 0}));
