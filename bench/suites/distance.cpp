@@ -7,6 +7,7 @@
 #include "harness/statistics.hpp"
 #include "process/progress.hpp"
 #include "report/error_chart.hpp"
+#include "suites/clearance.hpp"
 #include "suites/comparison.hpp"
 #include "suites/distance_measure.hpp"
 #include "suites/suite.hpp"
@@ -169,6 +170,9 @@ SuiteResult run_distance(const SuiteOptions& options) {
     print(table);
     if (options.has_pictures) result.sections.push_back(chart_of(all, makers, options));
     result.sections.push_back({"Distances of two meshes", {}, {table, use_table(makers)}, {}});
+    const Table clearance = clearance_table(options, result.is_right);
+    print(clearance);
+    result.sections.push_back({"Pairs within a clearance", {}, {clearance}, {}});
     return result;
 }
 

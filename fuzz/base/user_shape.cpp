@@ -3,6 +3,7 @@
 #include <sstream>
 #include <vector>
 
+#include "ecods/distance.hpp"
 #include "trace/trace_text.hpp"
 
 namespace ecods::fuzz {
@@ -22,6 +23,22 @@ class UserTest final : public TwoBodyTest {
         require_order(a, b);
         if (*is_failing_) throw TestFailed();
         return ecods::intersects(posed(a), posed(b), memory);
+    }
+    bool answers(Question question) const noexcept override {
+        return question != Question::intersecting_triangles || b_ != second_user_kind;
+    }
+    double distance(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
+        require_order(a, b);
+        return ecods::distance(posed(a), posed(b), memory);
+    }
+    bool within(const Posed<Shape>& a, const Posed<Shape>& b, double d, QueryMemory& memory) const override {
+        require_order(a, b);
+        if (*is_failing_) throw TestFailed();
+        return ecods::within(posed(a), posed(b), d, memory);
+    }
+    ClosestPoints closest(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
+        require_order(a, b);
+        return ecods::closest(posed(a), posed(b), memory);
     }
     Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
         require_order(a, b);

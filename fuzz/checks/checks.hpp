@@ -37,6 +37,14 @@ std::vector<BodyPair> true_collisions(const World& world, const Truth& truth);
 // The events lead from the collisions that were before to those that are.
 void check_events(const World& world, const std::vector<BodyPair>& before);
 
+// Some of the pairs that are within the clearance, or nearly, are in the list if the oracle says so, and no other is;
+// the events lead from the close pairs that were before to those that are. `seed` chooses.
+void check_close_pairs(const World& world, const std::vector<BodyPair>& before, const Truth& truth, std::uint32_t seed,
+                       Counters& counters);
+
+// The nearest of a body, of a copy of it, and of all pairs, is the least that is found by asking all.
+void check_nearest(World& world, BodyId body, Counters& counters);
+
 // World::validate(): every invariant, and each verdict that was kept is that of a fresh test.
 void check_invariants(const World& world);
 

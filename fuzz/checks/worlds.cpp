@@ -24,15 +24,21 @@ std::vector<BodyId> shuffled(std::vector<BodyId> bodies, std::uint32_t order) {
     return bodies;
 }
 
-// Pairs that are switched off matter where boxes overlap, and are looked for there.
+// Pairs that are switched off matter where boxes overlap, and are looked for there; with a clearance, everywhere.
 void copy_switches(const World& from, World& to, const std::map<BodyId, BodyId>& ids) {
     const auto bodies = from.bodies();
+    const auto copy = [&](BodyId a, BodyId b) {
+        if (!from.is_pair_enabled(a, b)) to.set_pair_enabled(ids.at(a), ids.at(b), false);
+    };
+    if (from.clearance()) {
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            for (std::size_t j = i + 1; j < bodies.size(); ++j) copy(bodies[i], bodies[j]);
+        }
+        return;
+    }
     std::vector<Aabb> boxes;
     for (const BodyId body : bodies) boxes.push_back(from.box(body));
-    for (const auto& [i, j] : oracle::overlapping_boxes(boxes)) {
-        if (from.is_pair_enabled(bodies[i], bodies[j])) continue;
-        to.set_pair_enabled(ids.at(bodies[i]), ids.at(bodies[j]), false);
-    }
+    for (const auto& [i, j] : oracle::overlapping_boxes(boxes)) copy(bodies[i], bodies[j]);
 }
 
 }  // namespace
@@ -50,18 +56,22 @@ void check_fresh_world(const World& world, const FreshWorld& fresh) {
         ids[body] = id;
     }
     copy_switches(world, made, ids);
+    made.set_clearance(world.clearance());
     made.update();
 
-    std::vector<BodyPair> expected;
-    for (const BodyPair& pair : world.colliding_pairs()) {
-        const auto [a, b] = std::minmax(ids.at(pair.a), ids.at(pair.b));
-        expected.push_back({a, b});
-    }
-    std::ranges::sort(expected);
-    if (!std::ranges::equal(made.colliding_pairs(), expected)) {
-        throw CheckFailed("fresh world, collisions", text(made.colliding_pairs()),
-                          text(std::span<const BodyPair>(expected)));
-    }
+    const auto require_pairs = [&](const char* check, std::span<const BodyPair> pairs,
+                                   std::span<const BodyPair> of_made) {
+        std::vector<BodyPair> expected;
+        for (const BodyPair& pair : pairs) {
+            const auto [a, b] = std::minmax(ids.at(pair.a), ids.at(pair.b));
+            expected.push_back({a, b});
+        }
+        std::ranges::sort(expected);
+        if (std::ranges::equal(of_made, expected)) return;
+        throw CheckFailed(check, text(of_made), text(std::span<const BodyPair>(expected)));
+    };
+    require_pairs("fresh world, collisions", world.colliding_pairs(), made.colliding_pairs());
+    require_pairs("fresh world, close pairs", world.close_pairs(), made.close_pairs());
     require_number("fresh world, digest", world.digest(), made.digest());
     // How tight boxes are depends on the rounding.
     if (fresh.has_own_environment) return;
@@ -69,6 +79,8 @@ void check_fresh_world(const World& world, const FreshWorld& fresh) {
     const Statistics of_made = made.statistics();
     require_number("fresh world, candidates", got.overlapping_count, of_made.overlapping_count);
     require_number("fresh world, candidates filtered out", got.filtered_count, of_made.filtered_count);
+    require_number("fresh world, candidates of the clearance", got.clearance.candidate_count,
+                   of_made.clearance.candidate_count);
 }
 
 void check_same(World& world, World& other, Counters& counters) {
@@ -81,6 +93,9 @@ void check_same(World& world, World& other, Counters& counters) {
     require(numbers_of(world.colliding_pairs()) == numbers_of(other.colliding_pairs()), "collisions");
     require(numbers_of(world.began()) == numbers_of(other.began()), "began");
     require(numbers_of(world.ended()) == numbers_of(other.ended()), "ended");
+    require(numbers_of(world.close_pairs()) == numbers_of(other.close_pairs()), "close pairs");
+    require(numbers_of(world.close_began()) == numbers_of(other.close_began()), "close pairs that began");
+    require(numbers_of(world.close_ended()) == numbers_of(other.close_ended()), "close pairs that ended");
     const auto bodies = world.bodies();
     require(numbers_of(bodies) == numbers_of(other.bodies()), "bodies");
     for (const BodyId body : bodies) require(world.box(body) == other.box(numbers_of(body)), "boxes");
@@ -90,6 +105,9 @@ void check_same(World& world, World& other, Counters& counters) {
     require(a.two_body_tests == b.two_body_tests, "count of two-body tests");
     require(a.cache_hits == b.cache_hits, "count of verdicts that were kept");
     require(a.filtered_count == b.filtered_count, "count of pairs filtered out");
+    require(a.clearance.two_body_tests == b.clearance.two_body_tests, "count of tests of the clearance");
+    require(a.clearance.cache_hits == b.clearance.cache_hits, "count of verdicts of the clearance that were kept");
+    require(a.clearance.candidate_count == b.clearance.candidate_count, "count of candidates of the clearance");
 }
 
 }  // namespace ecods::fuzz

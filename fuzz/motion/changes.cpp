@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -107,6 +109,20 @@ void set_filter(Writing& w) {
     w.make(SetFilter{body, any_filter(w.random)});
 }
 
+// Mostly as large as gaps between bodies are; in powers of two, so that some are exactly the clearance.
+std::optional<double> any_clearance(Writing& w) {
+    switch (w.random.below(8)) {
+        case 0:
+            return std::nullopt;
+        case 1:
+            return 0;
+        case 2:
+            return w.setting.unit * w.random.uniform(0, 2);
+        default:
+            return std::ldexp(w.setting.unit, 1 - static_cast<int>(w.random.below(6)));
+    }
+}
+
 // Several pairs of one body are switched off, and one of them on again.
 void set_pairs_of_a_body(Writing& w) {
     const Label body = w.any_body();
@@ -175,6 +191,7 @@ struct FieldDrawer {
     void filter(CollisionFilter& filter) const { filter = any_filter(w.random); }
     void flag(bool& flag) const { flag = w.random.below(2) == 0; }
     void data(std::uint64_t& data) const { data = w.random.below(100) * 0x100000001u; }
+    void clearance(std::optional<double>& clearance) const { clearance = any_clearance(w); }
 };
 
 void any_call(Writing& w) {
@@ -212,6 +229,7 @@ const std::array change_table = {
     Change{"filter", &Weights::filter, set_filter},
     Change{"pair switched", &Weights::filter, set_pair},
     Change{"pairs of a body switched", &Weights::filter, set_pairs_of_a_body},
+    Change{"clearance", &Weights::filter, [](Writing& w) { w.make(SetClearance{any_clearance(w)}); }},
     Change{"user data", &Weights::filter,
            [](Writing& w) {
                w.make(SetUserData{w.any_body(), w.random.below(100) * 0x100000001u});

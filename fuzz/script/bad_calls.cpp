@@ -124,6 +124,13 @@ const std::array kinds = {
                 }},
     BadCallKind{"set_test, null", is_refused<NullArgument>,
                 [](const Hand& h) { h.world.set_test(first_user_kind, first_user_kind, nullptr); }},
+    BadCallKind{"set_clearance, no clearance", is_refused<InvalidDistance>,
+                [](const Hand& h) {
+                    constexpr std::array<double, 3> values = {nan, infinity, -1};
+                    h.world.set_clearance(values[h.choice % 3]);
+                }},
+    BadCallKind{"nearest, no limit", is_refused<InvalidDistance>,
+                [](const Hand& h) { h.world.nearest(h.body, h.choice % 2 == 0 ? nan : -1); }},
     BadCallKind{"overlapping_bodies, no box", is_refused<InvalidBox>,
                 [](const Hand& h) {
                     h.world.overlapping_bodies({Vec3(0, 0, nan), Vec3(0, 0, nan)});

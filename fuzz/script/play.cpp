@@ -59,8 +59,9 @@ class Player {
     DistanceQuestions distances_;
     std::optional<Manner> manner_;     // of the next call
     std::vector<BodyPair> colliding_;  // at the last update
-    std::uint64_t tests_ = 0;          // two-body tests up to then
-    bool is_resting_ = false;          // no call since
+    std::vector<BodyPair> close_;
+    std::uint64_t tests_ = 0;  // two-body tests up to then
+    bool is_resting_ = false;  // no call since
     std::size_t update_count_ = 0;
     std::size_t check_count_ = 0;  // updates whose lists were read
 };
@@ -109,6 +110,7 @@ void Player::pass_over() {
     ++counters_["frames whose lists nobody reads"];
     const World& world = scene_.worlds[0].world();
     colliding_ = numbers_of(world.colliding_pairs());
+    close_ = numbers_of(world.close_pairs());
     tests_ = world.statistics().two_body_tests;
 }
 
@@ -153,13 +155,18 @@ void Player::check() {
         if (&world != &first) check_same(first, world, counters_);
         tests_ = world.statistics().two_body_tests;
     }
+    check_close_pairs(asked, close_, truth_, static_cast<std::uint32_t>(update_count_), counters_);
     check_fresh(asked);
     const auto bodies = asked.bodies();
-    if (!bodies.empty()) check_queries(asked, truth_, bodies[update_count_ % bodies.size()], counters_);
+    if (!bodies.empty()) {
+        check_queries(asked, truth_, bodies[update_count_ % bodies.size()], counters_);
+        check_nearest(asked, bodies[update_count_ % bodies.size()], counters_);
+    }
     questions_.follow(first);
     questions_.check(static_cast<std::uint32_t>(update_count_), counters_);
     check_tampering(asked);
     colliding_ = std::move(expected);
+    close_ = numbers_of(first.close_pairs());
 }
 
 // In the environment of every program as it starts, and in another one: by turns where worlds are large.

@@ -172,6 +172,7 @@ bool Scene::update_failing(Counters& counters) {
         ScriptedWorld& each = worlds[i];
         const World& world = each.world();
         const std::vector<BodyPair> before(world.colliding_pairs().begin(), world.colliding_pairs().end());
+        const std::vector<BodyPair> close_before(world.close_pairs().begin(), world.close_pairs().end());
         bool throws = false;
         each.tests().fail(true);
         try {
@@ -182,6 +183,10 @@ bool Scene::update_failing(Counters& counters) {
         each.tests().fail(false);
         if (throws && !std::ranges::equal(before, world.colliding_pairs())) {
             throw CheckFailed("failed update", text(std::span<const BodyPair>(before)), text(world.colliding_pairs()));
+        }
+        if (throws && !std::ranges::equal(close_before, world.close_pairs())) {
+            throw CheckFailed("failed update, close pairs", text(std::span<const BodyPair>(close_before)),
+                              text(world.close_pairs()));
         }
         if (has_thrown.value_or(throws) != throws) throw CheckFailed("failed update", "in all worlds", "in some");
         has_thrown = throws;
@@ -214,6 +219,9 @@ void check_state(const ScriptedWorld& scripted, const Model& model) {
     if (world.statistics().body_count != model.bodies.size()) {
         throw CheckFailed("state", fmt::format("{} bodies", model.bodies.size()),
                           fmt::format("{}", world.statistics().body_count));
+    }
+    if (world.clearance() != model.clearance) {
+        throw CheckFailed("state", "the clearance that was set", "another");
     }
     for (Label label = 0; label < model.next_label; ++label) {
         const BodyId id = scripted.id(label);

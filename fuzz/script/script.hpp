@@ -46,6 +46,7 @@ using SetShape = calls::SetShape<InScript>;
 using SetFilter = calls::SetFilter<InScript>;
 using SetPairEnabled = calls::SetPairEnabled<InScript>;
 using SetUserData = calls::SetUserData<InScript>;
+using SetClearance = calls::SetClearance<InScript>;
 
 // ---- calls that a trace does not hold. They stand in its notes, which ecods_replay passes over.
 
@@ -131,6 +132,7 @@ struct Model {
     std::map<Label, ModelBody> bodies = {};
     Label next_label = 0;
     std::set<std::pair<Label, Label>> switched_off = {};  // the smaller label first
+    std::optional<double> clearance = {};
 
     // Nothing happens to bodies that are not there.
     void apply(const Call& call);

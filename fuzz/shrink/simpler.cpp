@@ -43,6 +43,7 @@ struct FieldSimplifier : NoField {
     }
     void filter(CollisionFilter& filter) { offer(filter, CollisionFilter()); }
     void data(std::uint64_t& data) { offer(data, std::uint64_t{0}); }
+    void clearance(std::optional<double>& clearance) { offer(clearance, std::optional<double>()); }
     void option(bool& option) { offer(option, false); }
 
     template <class Field>

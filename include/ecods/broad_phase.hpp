@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -73,10 +74,10 @@ struct BroadPhaseCounts {
     std::uint64_t switches = 0;
 };
 
-// What the calls of find() of a broad phase did since it was made, as counts.
+// What the questions about the boxes of a broad phase did since it was made, as counts.
 struct FindCounts {
     std::uint64_t calls = 0;
-    std::uint64_t box_tests = 0;  // of the box, segment or ball against a box, or against what bounds some boxes
+    std::uint64_t box_tests = 0;  // of a box, segment or ball against a box, or against what bounds some boxes
     std::uint64_t refreshed = 0;  // boxes that came or changed, and that the trees were brought up to date for
 };
 
@@ -124,6 +125,23 @@ class ECODS_API BroadPhase {
     virtual std::vector<ProxyIndex> find(const Aabb& box) const = 0;
     virtual std::vector<ProxyIndex> find(const Segment& segment) const = 0;
     virtual std::vector<ProxyIndex> find(const Ball& ball) const = 0;
+
+    // Calls `visit` with each box that is not proven to be further than `limit` from this one, in the order of these
+    // proofs, so that near ones come first. A visit returns the limit from then on; one above the limit so far changes
+    // nothing. Boxes within the limit are visited, and a few others may be: what decides is a lower bound by doubles.
+    // Boxes as they are now. Throws InvalidBox, or InvalidDistance if `limit` is negative or NaN; what `visit` throws
+    // passes through. Safe from many threads, as find().
+    //
+    // Cost: brute_force, and the others while they have few boxes, test all boxes. Otherwise in trees, which are made
+    // as for find(): some tests for each box that is visited, and for each level of the trees.
+    virtual void visit_near(const Aabb& box, double limit, const std::function<double(ProxyIndex)>& visit) const = 0;
+
+    // The same for pairs of boxes, each once; where all are tested, in the order of the pairs. Cost: brute_force, and
+    // the others while they have few boxes, test all pairs. Otherwise some tests for each two boxes that are within the
+    // limit, and for each two blocks of neighbours that are.
+    virtual void visit_near_pairs(double limit, const std::function<double(ProxyPair)>& visit) const = 0;
+
+    // Of find() and both of these.
     virtual FindCounts find_counts() const noexcept = 0;
 
     virtual const BroadPhaseCounts& counts() const noexcept = 0;

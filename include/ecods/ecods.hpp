@@ -13,6 +13,7 @@
 #include "ecods/intersection.hpp"      // questions about two bodies, without a world
 #include "ecods/distance.hpp"          // how far are they from each other, and where?
 #include "ecods/contact.hpp"           // where they meet, and which features nearly do
+#include "ecods/closest_points.hpp"    // two closest points, and the features that hold them
 #include "ecods/predicates.hpp"        // exact signs, and how two triangles meet
 #include "ecods/shape.hpp"             // shapes of the caller's own
 #include "ecods/collision_filter.hpp"  // which bodies are meant to meet at all

@@ -53,7 +53,7 @@ struct TrianglePair {
 };
 
 // The questions about two bodies that a test may leave unanswered (shape.hpp).
-enum class Question : std::uint8_t { relation, intersecting_triangles };
+enum class Question : std::uint8_t { relation, intersecting_triangles, distance, within, closest };
 
 // The kind of a shape, by which a World picks the test for two bodies. Kind 0 is the triangle mesh; all
 // other values are the caller's.

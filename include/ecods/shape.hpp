@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ecods/aabb.hpp"
+#include "ecods/closest_points.hpp"
 #include "ecods/export.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/mesh.hpp"
@@ -96,8 +97,10 @@ class ECODS_API TwoBodyTest {
     virtual bool intersects_again(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory,
                                   PairWitness& witness) const;
 
-    // Optional questions: a test overrides those that it answers. The others throw NotSupported, with the kinds and the
-    // question, and so does World where it is asked one of them.
+    // Optional questions: a test overrides those that it answers, and says so by answers(). The others throw
+    // NotSupported, with the kinds and the question, and so does World where it is asked one of them. Where World asks
+    // of many pairs (set_clearance, nearest, closest_pair), a test that does not answer is refused before any is asked.
+    virtual bool answers(Question question) const noexcept;  // the default: none of them
 
     // Disjoint, touching or crossing; disjoint exactly when intersects() is false.
     virtual Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const;
@@ -105,6 +108,18 @@ class ECODS_API TwoBodyTest {
     // The pairs of triangles that share a point, ascending.
     virtual std::vector<TrianglePair> intersecting_triangles(const Posed<Shape>& a, const Posed<Shape>& b,
                                                              QueryMemory& memory) const;
+
+    // The distance, rounded once; 0 exactly when intersects() is true.
+    virtual double distance(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const;
+
+    // Whether the distance is at most d >= 0, decided for the real number, and true wherever intersects() is. Optional
+    // beside it: the same with a witness, as intersects_again() is.
+    virtual bool within(const Posed<Shape>& a, const Posed<Shape>& b, double d, QueryMemory& memory) const;
+    virtual bool within_again(const Posed<Shape>& a, const Posed<Shape>& b, double d, QueryMemory& memory,
+                              PairWitness& witness) const;
+
+    // The closest points.
+    virtual ClosestPoints closest(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const;
 };
 
 }  // namespace ecods

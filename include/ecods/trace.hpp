@@ -20,6 +20,7 @@
 //     set_filter 1.0 1 ffffffffffffffff         groups, mask; hexadecimal
 //     set_pair_enabled 1.0 2.0 0                0: off, 1: on
 //     set_user_data 1.0 2a                      hexadecimal
+//     set_clearance 0x1.8p-3                    or none
 //     update 0123456789abcdef 5                 digest, colliding pairs
 //     note any text
 //

@@ -1,4 +1,4 @@
-// Many moving bodies: which of them touch?
+// Many moving bodies: which of them touch, which come close, and which is the nearest?
 //
 //     World world;
 //     BodyId a = world.create_body(mesh, pose_a);
@@ -11,10 +11,11 @@
 // whose omission makes an answer wrong.
 //
 // What it costs: memory of 165 bytes a body, 55 to 66 bytes a pair whose boxes overlap and 16 for each list that the
-// pair is in, 8 while it is tested, and spare capacity for growth; beside these the broad phase's own. An update before
+// pair is in, 4 while it is tested, and spare capacity for growth; beside these the broad phase's own. An update before
 // which nothing changed costs a constant, and a pair at rest costs nothing at any update: work is that of the broad
 // phase for the boxes that moved, and one two-body test for each candidate pair of which a body moved. Where a
-// collision begins or ends, what lies behind it in the list of colliding pairs is moved.
+// collision begins or ends, what lies behind it in the list of colliding pairs is moved. A clearance costs the same a
+// second time, for boxes that reach further and pairs within it; without one it costs nothing.
 //
 // The world does not move bodies, respond to contacts, or draw.
 //
@@ -28,6 +29,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -35,6 +37,7 @@
 #include <vector>
 
 #include "ecods/broad_phase.hpp"
+#include "ecods/closest_points.hpp"
 #include "ecods/collision_filter.hpp"
 #include "ecods/error.hpp"
 #include "ecods/executor.hpp"
@@ -67,6 +70,34 @@ struct BodyOptions {
     std::uint64_t user_data = 0;
 };
 
+// A body that is nearest to something, and two bodies that are closest to each other: by their distances, rounded once.
+struct NearestBody {
+    BodyId body;
+    double distance = 0;
+
+    friend bool operator==(const NearestBody&, const NearestBody&) = default;
+};
+struct ClosestPair {
+    BodyPair bodies;
+    double distance = 0;
+
+    friend bool operator==(const ClosestPair&, const ClosestPair&) = default;
+};
+
+// What the clearance took, as counts, which are of its own pairs: those of boxes that reach half the clearance further
+// on all sides. `two_body_tests` to `visited_pairs` sum over the world's life, `broad_phase` over the time since there
+// was no clearance; the rest is as of the last update.
+struct ClearanceStatistics {
+    std::uint64_t two_body_tests = 0;  // pairs asked whether they are within the clearance; colliding ones are not
+    std::uint64_t cache_hits = 0;
+    std::uint64_t visited_pairs = 0;
+    BroadPhaseCounts broad_phase;
+
+    std::size_t candidate_count = 0;
+    std::size_t filtered_count = 0;
+    std::size_t close_count = 0;
+};
+
 // What the world did, as counts. `updates` to `visited_pairs` sum over the world's life; the rest is of now.
 struct Statistics {
     std::uint64_t updates = 0;
@@ -76,6 +107,7 @@ struct Statistics {
     std::uint64_t visited_pairs = 0;   // pairs that updates looked at: began, ended, or of a body that changed
     BroadPhaseCounts broad_phase;
     QueryCounts queries;  // of mesh pairs, at updates and on request
+    ClearanceStatistics clearance;
 
     std::size_t body_count = 0;
     std::size_t overlapping_count = 0;  // as of the last update
@@ -131,12 +163,22 @@ class ECODS_API World {
     // Reserves memory for so many bodies in all, so that creating them moves nothing.
     void reserve(std::size_t body_count);
 
+    // ---- the clearance
+
+    // From the next update on, close_pairs() are the pairs at a distance of at most this, decided for the real number;
+    // or none, where nothing is given. The next update has events for what this changed. Throws InvalidDistance if it
+    // is negative, NaN or infinity; or NotSupported if a test for two kinds of bodies that are here does not answer
+    // `within`, as then create_body, set_shape and set_test do.
+    void set_clearance(std::optional<double> clearance);
+    std::optional<double> clearance() const;  // set last
+
     // ---- which pairs are tested at all
     //
     // A pair is filtered out when the filters of its bodies say so, or when it is switched off. Its bodies are then not
     // tested, and the pair is in no list and no event, whether or not it shares a point; one that collides when it is
-    // filtered out has ended, and one that collides when it is no more has begun, at the next update. Questions about a
-    // pair are answered regardless: they are about geometry.
+    // filtered out has ended, and one that collides when it is no more has begun, at the next update; so it is for
+    // close pairs, and nearest() and closest_pair() pass over it. Questions about a pair are answered regardless: they
+    // are about geometry.
 
     void set_filter(BodyId body, const CollisionFilter& filter);
     CollisionFilter filter(BodyId body) const;
@@ -173,17 +215,34 @@ class ECODS_API World {
     std::span<const BodyPair> began() const;
     std::span<const BodyPair> ended() const;
 
+    // Pairs within the clearance that the last update was made with, colliding ones included; empty without one. Exact.
+    std::span<const BodyPair> close_pairs() const;
+
+    // Pairs that came to be within the clearance, and to be no more, with the last update; apart from began() and
+    // ended(), but by the same rules.
+    std::span<const BodyPair> close_began() const;
+    std::span<const BodyPair> close_ended() const;
+
     // ---- answers for one pair, as of now
 
     // Either order of arguments. Throw StaleBody, SameBody, NotSupported. They change no answer, and work in the memory
-    // that they are given, otherwise in the world's own, which is why those forms are not const.
+    // that they are given, otherwise in the world's own, which is why those forms are not const. Those about distances
+    // are as in distance.hpp: within() throws InvalidDistance, and infinity is allowed there; of several pairs of
+    // features that tie, closest() chooses as if the body of the lesser id came first.
     bool intersects(BodyId a, BodyId b, QueryMemory& memory) const;
     Relation relation(BodyId a, BodyId b, QueryMemory& memory) const;
     std::vector<TrianglePair> intersecting_triangles(BodyId a, BodyId b, QueryMemory& memory) const;
 
+    double distance(BodyId a, BodyId b, QueryMemory& memory) const;
+    bool within(BodyId a, BodyId b, double d, QueryMemory& memory) const;
+    ClosestPoints closest(BodyId a, BodyId b, QueryMemory& memory) const;
+
     bool intersects(BodyId a, BodyId b);
     Relation relation(BodyId a, BodyId b);
     std::vector<TrianglePair> intersecting_triangles(BodyId a, BodyId b);
+    double distance(BodyId a, BodyId b);
+    bool within(BodyId a, BodyId b, double d);
+    ClosestPoints closest(BodyId a, BodyId b);
 
     // ---- answers about what is no body, as of now; ascending
 
@@ -205,6 +264,38 @@ class ECODS_API World {
     std::vector<BodyId> intersecting_bodies(const Shape& shape, const Pose& pose,
                                             std::optional<CollisionFilter> filter = {});
 
+    // ---- which is the nearest, as of now
+    //
+    // The body, or the pair, of the least distance, if that is at most `limit`, which is decided for the real number;
+    // of equal distances, each rounded once, the least id or pair. Distances that differ by less than their rounding
+    // are equal here. Throw InvalidDistance if the limit is negative or NaN; and NotSupported if the test for two kinds
+    // that are here, or for the kind asked with and one that is, does not answer both `distance` and `within`,
+    // whichever bodies are near.
+    //
+    // Cost: that of BroadPhase::visit_near or visit_near_pairs; for each body or pair visited that is not filtered out
+    // a test of `within`, mostly a cheap one, and a distance where that is the least so far.
+
+    // Of bodies with which this one is not filtered out.
+    std::optional<NearestBody> nearest(BodyId body, QueryMemory& memory, double limit = no_limit) const;
+
+    // As intersecting_bodies().
+    std::optional<NearestBody> nearest(const std::shared_ptr<const Mesh>& mesh, const Pose& pose, QueryMemory& memory,
+                                       double limit = no_limit, std::optional<CollisionFilter> filter = {}) const;
+    std::optional<NearestBody> nearest(const Shape& shape, const Pose& pose, QueryMemory& memory,
+                                       double limit = no_limit, std::optional<CollisionFilter> filter = {}) const;
+
+    // Of pairs that are not filtered out.
+    std::optional<ClosestPair> closest_pair(QueryMemory& memory, double limit = no_limit) const;
+
+    std::optional<NearestBody> nearest(BodyId body, double limit = no_limit);
+    std::optional<NearestBody> nearest(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
+                                       double limit = no_limit, std::optional<CollisionFilter> filter = {});
+    std::optional<NearestBody> nearest(const Shape& shape, const Pose& pose, double limit = no_limit,
+                                       std::optional<CollisionFilter> filter = {});
+    std::optional<ClosestPair> closest_pair(double limit = no_limit);
+
+    static constexpr double no_limit = std::numeric_limits<double>::infinity();
+
     // ---- a record of every call that changes the world (trace.hpp)
 
     // Begins a trace: writes what is here now, then every call as it succeeds. The stream must outlive the trace, which
@@ -225,9 +316,9 @@ class ECODS_API World {
     // body was given it. Slow: for tests. Call it after an update that succeeded.
     void validate() const;
 
-    // A hash of the bodies (shapes, poses) and of which of them collide, as of the last update. It does not depend on
-    // ids, on the order of creation, on history, or on the broad phase: equal scenes have equal digests. Filters count
-    // by the collisions that they leave.
+    // A hash of the bodies (shapes, poses) and of which of them collide, as of the last update; where that was made
+    // with a clearance, also of that and of the pairs within it. It does not depend on ids, on the order of creation,
+    // on history, or on the broad phase: equal scenes have equal digests. Filters count by the pairs that they leave.
     std::uint64_t digest() const;
 
   private:

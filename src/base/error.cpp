@@ -41,6 +41,12 @@ std::string name_of(Question question) {
             return "relation";
         case Question::intersecting_triangles:
             return "intersecting_triangles";
+        case Question::distance:
+            return "distance";
+        case Question::within:
+            return "within";
+        case Question::closest:
+            return "closest";
     }
     return "question " + std::to_string(static_cast<int>(question));
 }

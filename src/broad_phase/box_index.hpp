@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/assert.hpp"
@@ -29,6 +30,12 @@ class BoxIndex {
     std::uint64_t find(const Bounds& bounds, std::vector<ProxyIndex>& found) const {
         ECODS_ASSERT(is_built_ && noted_.empty());
         return forest_.find(bounds, found);
+    }
+
+    // The trees of fat boxes. After refresh().
+    std::span<const BoxTree> trees() const noexcept {
+        ECODS_ASSERT(is_built_ && noted_.empty());
+        return forest_.trees();
     }
 
     std::size_t bytes() const noexcept;

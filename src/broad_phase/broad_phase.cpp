@@ -38,6 +38,12 @@ class ListingBroadPhase final : public BroadPhase {
     std::vector<ProxyIndex> find(const Aabb& box) const override { return tracker_.find(box); }
     std::vector<ProxyIndex> find(const Segment& segment) const override { return tracker_.find(segment); }
     std::vector<ProxyIndex> find(const Ball& ball) const override { return tracker_.find(ball); }
+    void visit_near(const Aabb& box, double limit, const std::function<double(ProxyIndex)>& visit) const override {
+        tracker_.visit_near(box, limit, visit);
+    }
+    void visit_near_pairs(double limit, const std::function<double(ProxyPair)>& visit) const override {
+        tracker_.visit_near_pairs(limit, visit);
+    }
     FindCounts find_counts() const noexcept override { return tracker_.find_counts(); }
 
     const BroadPhaseCounts& counts() const noexcept override { return tracker_.counts(); }

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -54,6 +55,8 @@ class OverlapTracker {
     std::vector<ProxyIndex> find(const Aabb& box) const;
     std::vector<ProxyIndex> find(const Segment& segment) const;
     std::vector<ProxyIndex> find(const Ball& ball) const;
+    void visit_near(const Aabb& box, double limit, const std::function<double(ProxyIndex)>& visit) const;
+    void visit_near_pairs(double limit, const std::function<double(ProxyPair)>& visit) const;
     FindCounts find_counts() const noexcept;
 
     const BroadPhaseCounts& counts() const noexcept { return counts_; }
@@ -64,6 +67,8 @@ class OverlapTracker {
 
   private:
     bool has_trees() const noexcept;
+    bool has_near_trees() const noexcept;
+    void count_find(std::uint64_t tests) const noexcept;
     void note(ProxyIndex proxy) noexcept {
         if (!index_) return;
         index_->note(proxy);
@@ -72,6 +77,8 @@ class OverlapTracker {
     const BoxIndex& current_index() const;
     template <class Bounds>
     std::vector<ProxyIndex> find_all(const Bounds& bounds) const;
+    std::uint64_t scan_near(const Aabb& box, double limit, const std::function<double(ProxyIndex)>& visit) const;
+    std::uint64_t scan_near_pairs(double limit, const std::function<double(ProxyPair)>& visit) const;
 
     void find_pairs_again(const FindingUpdate& update);
     void choose(std::size_t moved, std::uint64_t swaps) noexcept;

@@ -41,6 +41,11 @@ bool OverlapTracker::has_trees() const noexcept {
            table_.size() > scanned_max;
 }
 
+// To scan all boxes for near ones costs more than it costs find(), for near pairs by far.
+bool OverlapTracker::has_near_trees() const noexcept {
+    return kind_ != BroadPhaseKind::brute_force && table_.size() > scanned_max;
+}
+
 const BoxIndex& OverlapTracker::current_index() const {
     if (index_is_current_.load(std::memory_order_acquire)) return *index_;
     const std::lock_guard lock(index_mutex_);
@@ -66,9 +71,13 @@ std::vector<ProxyIndex> OverlapTracker::find_all(const Bounds& bounds) const {
             if (table_.is_present(proxy) && bounds.meets(table_.boxes()[proxy])) found.push_back(proxy);
         }
     }
+    count_find(tests);
+    return found;
+}
+
+void OverlapTracker::count_find(std::uint64_t tests) const noexcept {
     find_calls_.fetch_add(1, std::memory_order_relaxed);
     find_tests_.fetch_add(tests, std::memory_order_relaxed);
-    return found;
 }
 
 std::vector<ProxyIndex> OverlapTracker::find(const Aabb& box) const {

@@ -11,7 +11,8 @@
 //     created    a body that comes with the call            pose, filter
 //     destroyed  a body that is gone after it               flag       true or false
 //     body       any other; other_body: another than that   data       64 bits of the caller's own
-//     shape                                                 posed_bodies   as many bodies as poses
+//     shape                                                 clearance  a distance, or none
+//     posed_bodies   as many bodies as poses
 //
 // Given several calls of one row, it hands over the same field of each: so one is copied to another, under other names.
 #pragma once
@@ -21,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -187,11 +189,21 @@ struct SetUserData {
     void make(auto& world) const { world.set_user_data(body, data); }
 };
 
+template <class Names>
+struct SetClearance {
+    static constexpr std::string_view name = "set_clearance";
+    std::optional<double> clearance;
+
+    static void fields(auto&& each, auto&... call) { each.clearance(call.clearance...); }
+    void make(auto& world) const { world.set_clearance(clearance); }
+};
+
 // ---- the table
 
 template <class Names, class... Others>
-using Call = std::variant<Create<Names>, CreateWith<Names>, Destroy<Names>, SetPose<Names>, SetPoses<Names>,
-                          SetShape<Names>, SetFilter<Names>, SetPairEnabled<Names>, SetUserData<Names>, Others...>;
+using Call =
+    std::variant<Create<Names>, CreateWith<Names>, Destroy<Names>, SetPose<Names>, SetPoses<Names>, SetShape<Names>,
+                 SetFilter<Names>, SetPairEnabled<Names>, SetUserData<Names>, SetClearance<Names>, Others...>;
 
 // The names of the rows, by their places in a Call.
 template <class AnyCall>
@@ -233,6 +245,7 @@ struct NoField {
     void filter(auto&...) const noexcept {}
     void flag(auto&...) const noexcept {}
     void data(auto&...) const noexcept {}
+    void clearance(auto&...) const noexcept {}
 };
 
 // Copies fields. `body_of` and `shape_of` say which body and which shape of the other call a name stands for. A body
@@ -256,6 +269,7 @@ struct CopyFields {
     void filter(const auto& from, auto& to) const { to = from; }
     void flag(const auto& from, auto& to) const { to = from; }
     void data(const auto& from, auto& to) const { to = from; }
+    void clearance(const auto& from, auto& to) const { to = from; }
 };
 
 // The same call under other names.

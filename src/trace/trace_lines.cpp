@@ -92,6 +92,13 @@ CollisionFilter TraceLines::filter() {
     return {.groups = groups, .mask = hex("a mask")};
 }
 
+std::optional<double> TraceLines::clearance() {
+    constexpr std::string_view none = "none";
+    if (left_.substr(0, left_.find(' ')) != none) return coordinate();
+    word("a clearance");
+    return std::nullopt;
+}
+
 std::string_view TraceLines::rest() {
     const std::string_view rest = left_;
     left_ = {};

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <istream>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -29,6 +30,7 @@ class TraceLines {
     Vec3 point();
     Pose pose();
     CollisionFilter filter();
+    std::optional<double> clearance();
 
     std::string_view rest();  // of the line, which is then at its end
     bool rest_is(std::string_view text) const noexcept { return left_ == text; }

@@ -73,6 +73,7 @@ class FieldReader {
     void filter(CollisionFilter& filter) { filter = lines_.filter(); }
     void flag(bool& flag) { flag = lines_.decimal("0 or 1", 1) == 1; }
     void data(std::uint64_t& data) { data = lines_.hex("user data"); }
+    void clearance(std::optional<double>& clearance) { clearance = lines_.clearance(); }
 
   protected:
     TraceLines& lines() noexcept { return lines_; }

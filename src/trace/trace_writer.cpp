@@ -21,6 +21,12 @@ void TraceWriter::end_line() {
 }
 
 // A line each, so that a long list takes no memory.
+void TraceWriter::FieldWriter::clearance(std::optional<double> clearance) const {
+    if (!clearance) return writer.put_words(std::string_view("none"));
+    append_hex(writer.text_, *clearance);
+    writer.text_.push_back(' ');
+}
+
 void TraceWriter::FieldWriter::posed_bodies(std::span<const BodyId> bodies, std::span<const Pose> poses) const {
     writer.put_words(std::uint64_t{bodies.size()});
     for (std::size_t i = 0; i < bodies.size(); ++i) {

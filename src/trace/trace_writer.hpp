@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <span>
 #include <string>
@@ -64,6 +65,7 @@ class TraceWriter {
         void filter(const CollisionFilter& filter) const { writer.put_words(Hex{filter.groups}, Hex{filter.mask}); }
         void flag(bool flag) const { writer.put_words(std::uint64_t{flag}); }
         void data(std::uint64_t data) const { writer.put_words(Hex{data}); }
+        void clearance(std::optional<double> clearance) const;
     };
 
     // Does nothing after a failure. An exception that `act` throws is a failure, too.

@@ -67,6 +67,9 @@ class Bodies {
     // How many of each kind live. Some may be 0.
     const std::map<ShapeKind, std::size_t>& kind_counts() const noexcept { return kind_counts_; }
 
+    // Whether two bodies are here, one of each kind.
+    bool has_pair_of(ShapeKind a, ShapeKind b) const;
+
     std::size_t memory_bytes() const noexcept;
 
     // Throws BrokenInvariant unless each slot is free, used or retired.

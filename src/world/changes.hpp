@@ -18,7 +18,7 @@ enum class Change : std::uint8_t {
     none = 0,
     filter = 1,  // its filter alone: verdicts hold where the pair was not filtered out and is not now
     test = 2,    // the test of its kind: its verdicts are void, though it did not move
-    body = 3,    // itself: its verdicts are void
+    body = 3,    // itself: its verdicts are void, or it is gone
 };
 
 class Changes {
@@ -41,9 +41,8 @@ class Changes {
         known = std::max(known, change);
     }
     void mark_switched(ProxyPair pair) noexcept { switched_.push_back(pair); }
-    void mark_removal() noexcept { has_removals_ = true; }
 
-    bool empty() const noexcept { return changed_.empty() && switched_.empty() && !has_removals_; }
+    bool empty() const noexcept { return changed_.empty() && switched_.empty(); }
 
     Change of(ProxyIndex proxy) const noexcept { return changes_[proxy]; }
     bool any_of(ProxyPair pair) const noexcept {
@@ -68,7 +67,6 @@ class Changes {
         for (const ProxyIndex proxy : changed_) changes_[proxy] = Change::none;
         changed_.clear();
         switched_.clear();
-        has_removals_ = false;
     }
 
     std::size_t memory_bytes() const noexcept { return bytes_of(changes_, changed_, switched_); }
@@ -77,7 +75,6 @@ class Changes {
     std::vector<Change> changes_;  // by proxy; if not none, listed in changed_
     std::vector<ProxyIndex> changed_;
     std::vector<ProxyPair> switched_;
-    bool has_removals_ = false;
 };
 
 }  // namespace ecods

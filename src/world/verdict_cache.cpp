@@ -44,12 +44,12 @@ VerdictIndex VerdictCache::find(ProxyPair pair) const noexcept {
     return places_.empty() ? no_verdict : places_[place_of(pair)].index;
 }
 
-void VerdictCache::set(VerdictIndex index, bool is_enabled, bool is_colliding) noexcept {
+void VerdictCache::set(VerdictIndex index, bool is_enabled, bool is_positive) noexcept {
     Verdict& verdict = verdicts_[index];
     enabled_count_ += is_enabled;
     enabled_count_ -= verdict.is_enabled;
     verdict.is_enabled = is_enabled;
-    verdict.is_colliding = is_colliding;
+    verdict.is_positive = is_positive;
 }
 
 std::size_t VerdictCache::memory_bytes() const noexcept {
@@ -144,7 +144,8 @@ void VerdictCache::validate() const {
     for (VerdictIndex index = 0; index < size(); ++index) {
         require(verdicts_[index].bodies.a < verdicts_[index].bodies.b, "a pair of the cache is not ascending");
         require(find(verdicts_[index].proxies()) == index, "a verdict is not where the cache looks for it");
-        require(verdicts_[index].is_enabled || !verdicts_[index].is_colliding, "a pair that is filtered out collides");
+        require(verdicts_[index].is_enabled || !verdicts_[index].is_positive,
+                "a pair that is filtered out is positive");
         enabled += verdicts_[index].is_enabled;
     }
     require(enabled == enabled_count_, "enabled pairs are not counted right");

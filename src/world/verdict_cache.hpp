@@ -24,13 +24,17 @@ namespace ecods {
 using VerdictIndex = std::uint32_t;
 inline constexpr VerdictIndex no_verdict = ~VerdictIndex{0};
 
+// What an update found about a pair that it looks at.
+enum class Answer : std::uint8_t { none, filtered_out, no, yes };
+
 struct Verdict {
     BodyPair bodies;                     // with the generations that the pair began with
     std::array<VerdictIndex, 2> next{};  // in the list of bodies.a, and of bodies.b
     std::array<VerdictIndex, 2> previous{};
-    PairWitness witness{};      // what decided it last
-    bool is_enabled = false;    // not filtered out; false until the pair is tested
-    bool is_colliding = false;  // false unless enabled
+    PairWitness witness{};         // what decided it last
+    bool is_enabled = false;       // not filtered out; false until the pair is tested
+    bool is_positive = false;      // the answer; false unless enabled
+    Answer answer = Answer::none;  // of the update under way, if that looks at the pair
 
     ProxyPair proxies() const noexcept { return {bodies.a.slot - 1, bodies.b.slot - 1}; }
 };
@@ -46,8 +50,9 @@ class VerdictCache {
 
     VerdictIndex find(ProxyPair pair) const noexcept;  // no_verdict: not here
     const Verdict& operator[](VerdictIndex index) const noexcept { return verdicts_[index]; }
-    void set(VerdictIndex index, bool is_enabled, bool is_colliding) noexcept;
+    void set(VerdictIndex index, bool is_enabled, bool is_positive) noexcept;
     PairWitness& witness(VerdictIndex index) noexcept { return verdicts_[index].witness; }
+    Answer& answer(VerdictIndex index) noexcept { return verdicts_[index].answer; }
 
     VerdictIndex size() const noexcept { return static_cast<VerdictIndex>(verdicts_.size()); }
     std::size_t enabled_count() const noexcept { return enabled_count_; }

@@ -1,6 +1,6 @@
 #include "base/misuse.hpp"
 #include "geometry/find_invalid.hpp"
-#include "query/intersection/mesh_mesh_test.hpp"
+#include "world/mesh_mesh_test.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -29,7 +29,8 @@ void require_mesh_kind(const Shape& shape) {
     }
 }
 
-World::Impl::Impl(const WorldOptions& options) : broad_phase(options.broad_phase), workers(options.executor) {
+World::Impl::Impl(const WorldOptions& options)
+    : broad_phase(options.broad_phase), closeness(options.broad_phase), workers(options.executor) {
     tests.set(ShapeKind::mesh(), ShapeKind::mesh(), make_mesh_mesh_test());
 }
 
@@ -38,11 +39,30 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-void World::Impl::require_tests_for(ShapeKind kind, const Shape* replaced) const {
+void World::Impl::require_tests_for(ShapeKind kind, const Shape* replaced, std::optional<Question> question) const {
     for (const auto& [other, count] : bodies.kind_counts()) {
         const std::size_t remaining = count - (replaced != nullptr && replaced->kind() == other);
-        if (remaining != 0 && !tests.has(kind, other)) throw MissingTest(kind, other);
+        if (remaining == 0) continue;
+        if (!tests.has(kind, other)) throw MissingTest(kind, other);
+        if (question) require_answer(kind, other, *question);
     }
+}
+
+void World::Impl::require_answers(Question question) const {
+    for (const auto& [a, count_a] : bodies.kind_counts()) {
+        for (const auto& [b, count_b] : bodies.kind_counts()) {
+            if (a <= b && bodies.has_pair_of(a, b)) require_answer(a, b, question);
+        }
+    }
+}
+
+void World::Impl::require_answer(ShapeKind a, ShapeKind b, Question question) const {
+    const OrderedTest test = tests.find(a, b);
+    ecods::require_answer(*test.test, question, test.swapped ? b : a, test.swapped ? a : b);
+}
+
+void require_answer(const TwoBodyTest& test, Question question, ShapeKind a, ShapeKind b) {
+    if (!test.answers(question)) throw NotSupported(question, a, b);
 }
 
 World::Impl& World::impl() {

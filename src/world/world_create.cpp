@@ -18,7 +18,7 @@ BodyId World::create_body(const BodyOptions& options) {
     std::shared_ptr<const Shape> shape = options.mesh ? w.mesh_shapes.shape_of(options.mesh) : options.shape;
     require_usable(shape);
     require_valid(options.pose);
-    w.require_tests_for(shape->kind(), nullptr);
+    w.require_tests_for(shape->kind(), nullptr, w.closeness.question());
     const Aabb box = box_for(*shape, options.pose);
     const std::uint64_t number = w.traced_number(shape);
 
@@ -37,10 +37,11 @@ void World::destroy_body(BodyId body) {
     Impl& w = impl();
     const ProxyIndex proxy = w.bodies.require(body);
     w.bodies.make_room_to_destroy();
+    w.changes.make_room_for(1);
     w.broad_phase.remove(proxy);
     // Nothing below throws.
     w.bodies.destroy(proxy);
-    w.changes.mark_removal();
+    w.changes.mark(proxy, Change::body);
     if (w.trace) w.trace->write<calls::Destroy>(body);
 }
 

@@ -3,14 +3,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "broad_phase/overlap_tracker.hpp"
 #include "ecods/world.hpp"
 #include "trace/trace_writer.hpp"
 #include "world/bodies.hpp"
 #include "world/changes.hpp"
-#include "world/collisions.hpp"
+#include "world/closeness.hpp"
 #include "world/mesh_shapes.hpp"
+#include "world/pair_verdicts.hpp"
 #include "world/two_body_tests.hpp"
 #include "world/workers.hpp"
 
@@ -19,20 +21,27 @@ namespace ecods {
 struct World::Impl {
     explicit Impl(const WorldOptions& options);
 
-    // A body of `kind` comes, in place of `replaced` if that is not null. Throws MissingTest.
-    void require_tests_for(ShapeKind kind, const Shape* replaced) const;
+    // A body of `kind` comes, in place of `replaced` if that is not null. Throws MissingTest, or NotSupported where a
+    // question is given.
+    void require_tests_for(ShapeKind kind, const Shape* replaced, std::optional<Question> question = {}) const;
+
+    // The question is to be asked of pairs of any bodies, or of these two kinds. Throw NotSupported.
+    void require_answers(Question question) const;
+    void require_answer(ShapeKind a, ShapeKind b, Question question) const;
 
     // ---- pairs of bodies
     OrderedTest test_of(ProxyPair pair) const { return tests.find(bodies[pair.a].kind, bodies[pair.b].kind); }
     bool test(ProxyPair pair, QueryMemory& memory) const;
-    bool test_again(VerdictIndex verdict, QueryMemory& memory);
+    bool test_within(ProxyPair pair, double d, QueryMemory& memory) const;
+    double distance(ProxyPair pair, QueryMemory& memory) const;
 
     // ---- update, in this order
     void update();
-    void take_over_candidates();
-    void take_over_events();
     void test_pairs();
-    void commit();
+    void test_close_pairs();
+    template <class Ask>
+    void answer_tests(PairVerdicts& pairs, const Ask& ask);
+    void commit() noexcept;
 
     std::uint64_t digest() const;
 
@@ -47,7 +56,8 @@ struct World::Impl {
     MeshShapes mesh_shapes;
     TwoBodyTests tests;
     OverlapTracker broad_phase;
-    Collisions collisions;
+    PairVerdicts collisions;
+    Closeness closeness;
     Workers workers;
     std::unique_ptr<TraceWriter> trace;  // null: none is under way
     Statistics statistics;               // sums; the rest is filled in on request
@@ -58,5 +68,6 @@ Aabb box_for(const Shape& shape, const Pose& pose, BodyId body = {}, const ListI
 void require_valid(const Pose& pose, BodyId body = {}, const ListIndex& index = {});
 void require_usable(const std::shared_ptr<const Shape>& shape);  // throws NullArgument, and
 void require_mesh_kind(const Shape& shape);                      // NotSupported: the kind of meshes, but no MeshShape
+void require_answer(const TwoBodyTest& test, Question question, ShapeKind a, ShapeKind b);  // NotSupported
 
 }  // namespace ecods

@@ -22,7 +22,7 @@ std::span<const BodyPair> World::overlapping_pairs() {
     return impl().collisions.overlapping();
 }
 std::span<const BodyPair> World::colliding_pairs() const {
-    return impl().collisions.colliding();
+    return impl().collisions.positive();
 }
 std::span<const BodyPair> World::began() const {
     return impl().collisions.began();
@@ -74,13 +74,31 @@ Statistics World::statistics() const {
     Statistics statistics = w.statistics;
     statistics.broad_phase = w.broad_phase.counts();
     statistics.queries = w.workers.counts();
+    statistics.clearance = w.closeness.statistics();
     statistics.body_count = w.bodies.alive_count();
     statistics.overlapping_count = w.collisions.verdicts().enabled_count();
     statistics.filtered_count = w.collisions.verdicts().size() - statistics.overlapping_count;
-    statistics.colliding_count = w.collisions.colliding().size();
-    statistics.memory_bytes = w.bodies.memory_bytes() + w.changes.memory_bytes() + w.collisions.memory_bytes();
+    statistics.colliding_count = w.collisions.positive().size();
+    statistics.memory_bytes =
+        w.bodies.memory_bytes() + w.changes.memory_bytes() + w.collisions.memory_bytes() + w.closeness.memory_bytes();
     return statistics;
 }
+
+namespace {
+
+// Of pairs of living bodies.
+std::uint64_t sum_of_pairs(const BodyPairs& pairs, const Bodies& bodies) {
+    std::uint64_t sum = 0;
+    for (const BodyPair& pair : pairs) {
+        if (!bodies.is_alive(pair.a) || !bodies.is_alive(pair.b)) continue;
+        const std::uint64_t a = digest_of(bodies[pair.a.slot - 1]);
+        const std::uint64_t b = digest_of(bodies[pair.b.slot - 1]);
+        sum += mix(combine(std::min(a, b), std::max(a, b)));
+    }
+    return sum;
+}
+
+}  // namespace
 
 // Sums of words that are themselves mixed: the order of bodies and pairs does not matter.
 std::uint64_t World::Impl::digest() const {
@@ -88,14 +106,10 @@ std::uint64_t World::Impl::digest() const {
     for (ProxyIndex proxy = 0; proxy < bodies.end(); ++proxy) {
         if (bodies[proxy].is_alive()) sum_of_bodies += mix(digest_of(bodies[proxy]));
     }
-    std::uint64_t sum_of_pairs = 0;
-    for (const BodyPair& pair : collisions.colliding()) {
-        if (!bodies.is_alive(pair.a) || !bodies.is_alive(pair.b)) continue;
-        const std::uint64_t a = digest_of(bodies[pair.a.slot - 1]);
-        const std::uint64_t b = digest_of(bodies[pair.b.slot - 1]);
-        sum_of_pairs += mix(combine(std::min(a, b), std::max(a, b)));
-    }
-    return combine(sum_of_bodies, sum_of_pairs);
+    const std::uint64_t digest = combine(sum_of_bodies, sum_of_pairs(collisions.positive(), bodies));
+    if (!closeness.listed()) return digest;
+    return combine(digest,
+                   combine(coordinate_bits(*closeness.listed()), sum_of_pairs(closeness.pairs().positive(), bodies)));
 }
 
 std::uint64_t World::digest() const {

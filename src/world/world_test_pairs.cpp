@@ -36,31 +36,49 @@ bool World::Impl::test(ProxyPair pair, QueryMemory& memory) const {
         [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) { return t.intersects(a, b, memory); });
 }
 
-// Each verdict is at one worker, so its witness is, too.
-bool World::Impl::test_again(VerdictIndex verdict, QueryMemory& memory) {
-    const ProxyPair pair = collisions.verdicts()[verdict].proxies();
-    return test_of(pair).ask(bodies[pair.a].posed(), bodies[pair.b].posed(),
-                             [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) {
-                                 return t.intersects_again(a, b, memory, collisions.witness(verdict));
-                             });
+bool World::Impl::test_within(ProxyPair pair, double d, QueryMemory& memory) const {
+    return test_of(pair).ask(
+        bodies[pair.a].posed(), bodies[pair.b].posed(),
+        [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) { return t.within(a, b, d, memory); });
 }
 
-// Each test is a function of its pair, so which worker runs it when cannot be seen in an answer. All tests are run,
-// also when one throws.
-void World::Impl::test_pairs() {
+// Each test is a function of its pair, so which worker runs it when cannot be seen in an answer; each verdict is at one
+// worker, and so are its answer and its witness. All tests are run, also when one throws.
+template <class Ask>
+void World::Impl::answer_tests(PairVerdicts& pairs, const Ask& ask) {
     FirstFailure failure;
-    const std::span<Collisions::PairTest> pair_tests = collisions.tests();
+    const std::span<const VerdictIndex> pair_tests = pairs.tests();
     workers.run(pair_tests.size(), [&](std::size_t at, QueryMemory& memory) {
-        Collisions::PairTest& pair_test = pair_tests[at];
-        if (pair_test.answer != Collisions::Answer::none) return;
+        const VerdictIndex index = pair_tests[at];
+        Answer& answer = pairs.answer(index);
+        if (answer != Answer::none) return;
+        const BodyPair& ids = pairs.verdicts()[index].bodies;
+        const ProxyPair pair = pairs.verdicts()[index].proxies();
         try {
-            const bool is_colliding = test_again(pair_test.verdict, memory);
-            pair_test.answer = is_colliding ? Collisions::Answer::colliding : Collisions::Answer::disjoint;
+            const auto ask_test = [&](const TwoBodyTest& test, const Posed<Shape>& a, const Posed<Shape>& b) {
+                return ask(test, a, b, memory, pairs.witness(index));
+            };
+            answer =
+                test_of(pair).ask(bodies[pair.a].posed(), bodies[pair.b].posed(), ask_test) ? Answer::yes : Answer::no;
         } catch (...) {
-            failure.keep(collisions.verdicts()[pair_test.verdict].bodies, std::current_exception());
+            failure.keep(ids, std::current_exception());
         }
     });
     failure.rethrow();
+}
+
+void World::Impl::test_pairs() {
+    answer_tests(collisions,
+                 [](const TwoBodyTest& test, const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory,
+                    PairWitness& witness) { return test.intersects_again(a, b, memory, witness); });
+}
+
+void World::Impl::test_close_pairs() {
+    if (!closeness.wanted()) return;
+    const double d = *closeness.wanted();
+    answer_tests(closeness.pairs(),
+                 [d](const TwoBodyTest& test, const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory,
+                     PairWitness& witness) { return test.within_again(a, b, d, memory, witness); });
 }
 
 }  // namespace ecods

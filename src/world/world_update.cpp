@@ -1,4 +1,3 @@
-#include "world/cached_pairs.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -13,41 +12,31 @@ void World::update() {
         w.trace->end_failed_update();
         throw;
     }
-    w.trace->end_update(w.digest(), w.collisions.colliding().size());
+    w.trace->end_update(w.digest(), w.collisions.positive().size());
 }
 
+// All that can fail comes before commit(), for collisions and for close pairs.
 void World::Impl::update() {
-    if (changes.empty()) {
+    if (changes.empty() && closeness.is_up_to_date()) {
         collisions.clear_events();
+        closeness.idle();
         statistics.cache_hits += collisions.verdicts().enabled_count();
     } else {
-        take_over_candidates();
-        collisions.collect(bodies, changes, statistics.visited_pairs);
+        collisions.follow(broad_phase, bodies, statistics.visited_pairs);
+        collisions.collect(bodies, changes, false, statistics.visited_pairs);
         test_pairs();
+        closeness.follow(broad_phase, bodies, changes, collisions);
+        test_close_pairs();
+        collisions.prepare();
+        closeness.prepare();
         commit();
     }
     ++statistics.updates;
 }
 
-// Brings the candidate pairs to those that the broad phase has now. Events that an earlier update could not take over,
-// for want of memory, come first.
-void World::Impl::take_over_candidates() {
-    if (!broad_phase.events().empty()) take_over_events();
-    CachedPairs pairs(collisions.verdicts());
-    broad_phase.update(pairs);
-    take_over_events();
-}
-
-void World::Impl::take_over_events() {
-    const PairEvents& events = broad_phase.events();
-    collisions.take_over(events, bodies);
-    statistics.visited_pairs += events.began.size() + events.ended.size();
-    broad_phase.clear_events();
-}
-
-void World::Impl::commit() {
+void World::Impl::commit() noexcept {
     const std::size_t test_count = collisions.commit();
-    // Nothing below throws.
+    closeness.commit();
     for (const ProxyIndex proxy : changes.bodies()) {
         statistics.moved_bodies += bodies[proxy].is_alive() && changes.of(proxy) == Change::body;
     }

@@ -46,6 +46,21 @@ void require_unchanged(const Slot& slot, const Aabb& box, BodyId body) {
     if (!(slot.shape->box(slot.pose) == box)) throw ShapeChanged(body, slot.kind, "box");
 }
 
+// Each pair of boxes that overlap has a verdict, which is that of a fresh test.
+template <class Test>
+void validate_verdicts(const VerdictCache& verdicts, const OverlapTracker& boxes, const Bodies& all, Test test) {
+    const std::vector<ProxyPair> pairs = pairs_of_boxes(all, boxes);
+    require(verdicts.size() == pairs.size(), "the cache has another number of pairs than boxes overlap");
+    for (const ProxyPair pair : pairs) {
+        const BodyPair bodies = all.ids_of(pair);
+        const VerdictIndex index = verdicts.find(pair);
+        require(index != no_verdict && verdicts[index].bodies == bodies, text(bodies) + " have no verdict");
+        const Verdict& verdict = verdicts[index];
+        require(verdict.is_enabled == all.is_enabled(pair), text(bodies) + " are filtered wrongly");
+        require(!verdict.is_enabled || verdict.is_positive == test(pair), text(bodies) + " have a stale verdict");
+    }
+}
+
 }  // namespace
 
 void World::validate() const {
@@ -61,19 +76,13 @@ void World::validate() const {
     w.broad_phase.validate();
     w.collisions.validate();
 
-    const VerdictCache& verdicts = w.collisions.verdicts();
-    const auto pairs = pairs_of_boxes(w.bodies, w.broad_phase);
-    require(verdicts.size() == pairs.size(), "the cache has another number of pairs than boxes overlap");
     QueryMemory memory;
-    for (const ProxyPair pair : pairs) {
-        const BodyPair bodies = w.bodies.ids_of(pair);
-        const VerdictIndex index = verdicts.find(pair);
-        require(index != no_verdict && verdicts[index].bodies == bodies, text(bodies) + " have no verdict");
-        const Verdict& verdict = verdicts[index];
-        require(verdict.is_enabled == w.bodies.is_enabled(pair), text(bodies) + " are filtered wrongly");
-        require(!verdict.is_enabled || verdict.is_colliding == w.test(pair, memory),
-                text(bodies) + " have a stale verdict");
-    }
+    validate_verdicts(w.collisions.verdicts(), w.broad_phase, w.bodies,
+                      [&](ProxyPair pair) { return w.test(pair, memory); });
+    w.closeness.validate(w.bodies, w.broad_phase);
+    if (!w.closeness.listed()) return;
+    validate_verdicts(w.closeness.pairs().verdicts(), w.closeness.tracker(), w.bodies,
+                      [&](ProxyPair pair) { return w.test_within(pair, *w.closeness.listed(), memory); });
 }
 
 }  // namespace ecods

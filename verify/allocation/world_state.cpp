@@ -38,6 +38,10 @@ WorldState state_of(World& world, std::size_t switches_max) {
                      .colliding = list(world.colliding_pairs()),
                      .began = list(world.began()),
                      .ended = list(world.ended()),
+                     .clearance = world.clearance(),
+                     .close = list(world.close_pairs()),
+                     .close_began = list(world.close_began()),
+                     .close_ended = list(world.close_ended()),
                      .digest = world.digest(),
                      .overlapping_count = world.statistics().overlapping_count,
                      .filtered_count = world.statistics().filtered_count};
@@ -71,10 +75,13 @@ std::string difference(const WorldState& expected, const WorldState& got) {
     for (const auto& [name, list] : {std::pair("colliding", &WorldState::colliding),
                                      {"began", &WorldState::began},
                                      {"ended", &WorldState::ended},
+                                     {"close", &WorldState::close},
+                                     {"close began", &WorldState::close_began},
+                                     {"close ended", &WorldState::close_ended},
                                      {"overlapping", &WorldState::overlapping}}) {
         if (auto found = difference(name, expected.*list, got.*list); !found.empty()) return found;
     }
-    return expected == got ? "" : "the digest, or the counts of pairs";
+    return expected == got ? "" : "the clearance, the digest, or the counts of pairs";
 }
 
 }  // namespace ecods::allocation

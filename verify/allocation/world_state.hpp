@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct BodyState {
 struct WorldState {
     std::vector<BodyState> bodies;
     std::vector<BodyPair> overlapping, colliding, began, ended;
+    std::optional<double> clearance;
+    std::vector<BodyPair> close, close_began, close_ended;
     std::uint64_t digest;
     std::size_t overlapping_count, filtered_count;
 

@@ -60,6 +60,8 @@ class BoxForest {
     // Appends all pairs of slots whose boxes overlap, each once. Returns the number of box tests.
     std::uint64_t find_pairs(std::vector<std::array<SlotIndex, 2>>& found) const;
 
+    std::span<const BoxTree> trees() const noexcept { return trees_; }
+
     std::size_t bytes() const noexcept;
 
     // Throws BrokenInvariant unless each slot with a line that is not empty is at exactly one position, with that box.

@@ -67,6 +67,11 @@ class BoxTree {
         return levels_[0][position / BoxBlock::width].get(position % BoxBlock::width);
     }
 
+    // The tree itself, for walks of other files: level 0 holds boxes, the last level one block. Child `lane` of block b
+    // on a level above 0 is block b * 8 + lane of the level below.
+    std::uint32_t level_count() const noexcept { return static_cast<std::uint32_t>(levels_.size()); }
+    const BoxBlock& block(std::uint32_t level, std::uint32_t index) const { return levels_[level][index]; }
+
     // Appends the slots of the boxes that overlap. Returns the number of box tests.
     std::uint64_t find(const BoxReach& reach, std::vector<SlotIndex>& found) const;
 

@@ -53,7 +53,9 @@ bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d, Quer
     search.run({.at_most = d, .stop_at = d}, witness);
     if (search.witness().a != PairWitness::none) witness = search.witness();
     if (search.is_zero() || key_of(search.upper()) <= key) return true;
-    return is_least_within(search, d, witness);
+    if (is_least_within(search, d, witness)) return true;
+    witness = apart_witness;
+    return false;
 }
 
 bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d, QueryMemory& memory) {

@@ -131,7 +131,7 @@ void DistanceSearch::walk(const PairWitness& witness) {
     if (has_witness) {
         enclose({witness.a, witness.b});
         memory_.open.clear();  // it comes again
-    } else {
+    } else if (goal_.stop_at < 0 || !is_apart(witness)) {
         dive();
     }
     if (is_decided()) return;

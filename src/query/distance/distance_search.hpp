@@ -29,6 +29,13 @@ struct DistanceGoal {
     double absolute = 0;
 };
 
+// What is left of a pair that was apart: no triangle, and an axis (query/intersection). One that was not within a
+// distance is asked from its roots on next time, since two triangles would be measured in vain.
+inline constexpr PairWitness apart_witness{.a = PairWitness::none, .b = 0};
+constexpr bool is_apart(const PairWitness& witness) noexcept {
+    return witness.a == PairWitness::none && witness.b != PairWitness::none;
+}
+
 // A pair of triangles that the doubles leave open.
 struct OpenPair {
     DistanceInterval interval;

@@ -9,7 +9,7 @@
 
 #include "bvh/separating_axes.hpp"
 #include "bvh/walk_two.hpp"
-#include "query/intersection/mesh_mesh_test.hpp"
+#include "query/intersection/mesh_intersection_test.hpp"
 #include "query/intersection/query_memory.hpp"
 #include "query/shape/mesh_tree.hpp"
 
@@ -213,29 +213,25 @@ std::vector<TrianglePair> find_triangles(const MeshAt& a, const MeshAt& b, Query
     return pairs;
 }
 
-class MeshMeshTest final : public TwoBodyTest {
-  public:
-    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
-        PairWitness witness;
-        return find_contact(a, b, memory, witness);
-    }
-    bool intersects_again(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory,
-                          PairWitness& witness) const override {
-        return find_contact(a, b, memory, witness);
-    }
-    Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
-        return find_relation(a, b, memory);
-    }
-    std::vector<TrianglePair> intersecting_triangles(const Posed<Shape>& a, const Posed<Shape>& b,
-                                                     QueryMemory& memory) const override {
-        return find_triangles(a, b, memory);
-    }
-};
-
 }  // namespace
 
-std::shared_ptr<const TwoBodyTest> make_mesh_mesh_test() {
-    return std::make_shared<MeshMeshTest>();
+bool MeshIntersectionTest::intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const {
+    PairWitness witness;
+    return find_contact(a, b, memory, witness);
+}
+
+bool MeshIntersectionTest::intersects_again(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory,
+                                            PairWitness& witness) const {
+    return find_contact(a, b, memory, witness);
+}
+
+Relation MeshIntersectionTest::relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const {
+    return find_relation(a, b, memory);
+}
+
+std::vector<TrianglePair> MeshIntersectionTest::intersecting_triangles(const Posed<Shape>& a, const Posed<Shape>& b,
+                                                                       QueryMemory& memory) const {
+    return find_triangles(a, b, memory);
 }
 
 bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <ostream>
 #include <sstream>
@@ -32,9 +33,20 @@ class Ball final : public Shape {
     double radius_;
 };
 
-// Boxes are all that it looks at.
+// Boxes are all that it looks at, and of gaps the largest one.
 class BoxTest final : public TwoBodyTest {
   public:
+    bool answers(Question question) const noexcept override {
+        return question == Question::within || question == Question::distance;
+    }
+    double distance(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory&) const override {
+        const Aabb x = a.what->box(a.pose);
+        const Aabb y = b.what->box(b.pose);
+        return std::max({0.0, (x.min - y.max).maxCoeff(), (y.min - x.max).maxCoeff()});
+    }
+    bool within(const Posed<Shape>& a, const Posed<Shape>& b, double d, QueryMemory& memory) const override {
+        return distance(a, b, memory) <= d;
+    }
     bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory&) const override {
         const Aabb x = a.what->box(a.pose);
         const Aabb y = b.what->box(b.pose);
@@ -80,6 +92,7 @@ struct Scene {
             world.set_user_data(ids.back(), i);
             if (stage == Stage::batches && i % 8 == 7) world.update();
         }
+        world.set_clearance(0.25);
         world.set_filter(ids[3], {.groups = 2, .mask = 3});
         world.set_filter(ids[4], {.groups = 1, .mask = 1});
         for (const int i : {7, 8, 10}) world.set_pair_enabled(ids[9], ids[i], false);
@@ -106,6 +119,10 @@ struct Scene {
         world.validate();
         world.set_pair_enabled(ids[1], ids[9], true);
         move(9, -0.7);
+        world.set_clearance(0.125);
+        world.update();
+        world.validate();
+        world.set_clearance({});
         world.update();
         world.validate();
     }
@@ -130,6 +147,7 @@ struct Scene {
         world.set_pair_enabled(ids[9], ids[8], true);
         world.set_filter(ids[3], {});
         world.destroy_body(ids[6]);
+        world.set_clearance(0.375);
     }
     void ebb() {
         for (std::size_t i = 2; i + 2 < ids.size(); ++i) {

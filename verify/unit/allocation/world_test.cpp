@@ -20,6 +20,10 @@ std::string slots_of(const std::vector<BodyId>& bodies) {
     return text_of(slots);
 }
 
+std::string text_of(const std::optional<NearestBody>& nearest) {
+    return nearest ? std::to_string(nearest->body.slot) + " at " + std::to_string(nearest->distance) : "none";
+}
+
 struct WorldCall {
     const char* name;
     void (*make)(Scene&);
@@ -67,6 +71,19 @@ const std::array calls = {
               [](Scene& s) { s.answer = slots_of(s.world.intersecting_bodies(tetrahedron(), at(1))); }},
     WorldCall{"intersecting_bodies, shape",
               [](Scene& s) { s.answer = slots_of(s.world.intersecting_bodies(Ball(1), at(1))); }},
+    WorldCall{"set_clearance", [](Scene& s) { s.world.set_clearance(0.5); }},
+    WorldCall{"set_clearance to none", [](Scene& s) { s.world.set_clearance({}); }},
+    WorldCall{"distance", [](Scene& s) { s.answer = std::to_string(s.world.distance(s.ids[0], s.ids[10])); }},
+    WorldCall{"within", [](Scene& s) { s.answer = s.world.within(s.ids[0], s.ids[10], 1) ? "yes" : "no"; }},
+    WorldCall{"closest", [](Scene& s) { s.answer = std::to_string(s.world.closest(s.ids[0], s.ids[10]).point_a[0]); }},
+    WorldCall{"nearest", [](Scene& s) { s.answer = text_of(s.world.nearest(s.ids[9])); }},
+    WorldCall{"nearest, new mesh", [](Scene& s) { s.answer = text_of(s.world.nearest(tetrahedron(), at(40))); }},
+    WorldCall{"nearest, shape", [](Scene& s) { s.answer = text_of(s.world.nearest(Ball(1), at(-3))); }},
+    WorldCall{"closest_pair",
+              [](Scene& s) {
+                  const auto pair = s.world.closest_pair();
+                  s.answer = std::to_string(pair->bodies.a.slot) + " " + std::to_string(pair->bodies.b.slot);
+              }},
     WorldCall{"bodies", [](Scene& s) { s.answer = slots_of(s.world.bodies()); }},
     WorldCall{"statistics", [](Scene& s) { s.answer = std::to_string(s.world.statistics().body_count); }},
     WorldCall{"digest", [](Scene& s) { s.answer = std::to_string(s.world.digest()); }},

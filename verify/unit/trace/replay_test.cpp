@@ -118,6 +118,10 @@ const std::vector<Malformed> malformed{
     {two + "set_pair_enabled 1.0 1.0 0\n", 10, "a pair is two bodies"},
     {two + "set_pair_enabled 1.0 2.0 2\n", 10, "up to 1"},
     {two + "set_user_data 1.0\n", 10, "user data is missing"},
+    {two + "set_clearance\n", 10, "a coordinate is missing"},
+    {two + "set_clearance none 1\n", 10, "is too much"},
+    {two + "set_clearance some\n", 10, "is no finite"},
+    {two + "set_clearance -0x1p+0\n", 10, "distance is -1"},
     {two + std::string("\0\x80 \xff", 4), 10, "no such call"},
     {two + "set_user_data 1.0 " + std::string(100, '\x7f') + "\n", 10, "?...' is no"},
 };

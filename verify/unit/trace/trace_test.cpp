@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -30,6 +31,10 @@ TEST(Trace, IsTheTextThatTheHeaderShows) {
     world.set_filter(a, {.groups = 10, .mask = ~std::uint64_t{0}});
     world.set_pair_enabled(b, a, false);
     world.set_user_data(a, 42);
+    world.set_clearance(0.1875);
+    world.set_clearance(0.1875);  // is no change
+    EXPECT_THROW(world.set_clearance(-1), InvalidDistance);
+    world.set_clearance({});
     world.set_shape(a, std::make_shared<MeshShape>(triangle));
     world.destroy_body(a);
     world.end_trace();
@@ -63,6 +68,7 @@ TEST(Trace, IsTheTextThatTheHeaderShows) {
                   pose("0x1p+0") + "\np 1.0 " + pose("0x1p+1") +
                   "\n"
                   "set_filter 1.0 a ffffffffffffffff\nset_pair_enabled 2.0 1.0 0\nset_user_data 1.0 2a\n"
+                  "set_clearance 0x1.8p-3\nset_clearance none\n"
                   "set_shape 1.0 1\ndestroy 1.0\n");
 }
 
@@ -97,6 +103,7 @@ void live(World& world, int frame_count, std::uint32_t seed) {
                 world.set_pose(any(), pose());
             }
         }
+        if (frame % 4 == 2) world.set_clearance(frame % 12 == 10 ? std::nullopt : std::optional(0.01 * frame));
         world.update();
     }
 }

@@ -35,7 +35,7 @@ void expect_equal(const VerdictCache& cache, const Model& model, ProxyIndex prox
         ASSERT_NE(index, no_verdict);
         EXPECT_EQ(cache[index].bodies, verdict.bodies);
         EXPECT_EQ(cache[index].is_enabled, verdict.is_enabled);
-        EXPECT_EQ(cache[index].is_colliding, verdict.is_colliding);
+        EXPECT_EQ(cache[index].is_positive, verdict.is_positive);
         enabled += verdict.is_enabled;
         expected[pair.a].insert(pair.b);
         expected[pair.b].insert(pair.a);
@@ -77,8 +77,8 @@ TEST(VerdictCache, IsAMapWithLists) {
                 model.erase(known);
             } else if (known != model.end()) {
                 known->second.is_enabled = random.below(2) == 0;
-                known->second.is_colliding = known->second.is_enabled && random.below(2) == 0;
-                cache.set(cache.find(pair), known->second.is_enabled, known->second.is_colliding);
+                known->second.is_positive = known->second.is_enabled && random.below(2) == 0;
+                cache.set(cache.find(pair), known->second.is_enabled, known->second.is_positive);
             }
             EXPECT_EQ(cache.find(pair) != no_verdict, model.contains(pair));
             if (step % 500 == 0) expect_equal(cache, model, proxy_end);

@@ -98,7 +98,7 @@ TEST(WorldWork, MemoryPerBodyAndPerPair) {
     ASSERT_EQ(world.overlapping_pairs().size(), 4095u);
     // A verdict and its place in the lists of overlapping and of colliding pairs, a test and a begin, two places of the
     // table.
-    EXPECT_EQ(world.statistics().memory_bytes - of_bodies, 4095u * (44 + 2 * 16) + 4096u * (8 + 16) + 8192u * 8);
+    EXPECT_EQ(world.statistics().memory_bytes - of_bodies, 4095u * (44 + 2 * 16) + 4096u * (4 + 16) + 8192u * 8);
 }
 
 // The report's experiment with some ships at rest: the two-body test is called for exactly the candidate pairs

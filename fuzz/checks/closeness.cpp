@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <string>
+
+#include "fuzz/base/failure.hpp"
+#include "fuzz/checks/checks.hpp"
+#include "fuzz/checks/text.hpp"
+#include "oracle/distance.hpp"
+#include "scenes/numbers_of.hpp"
+#include "scenes/random.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+using Pairs = std::vector<BodyPair>;
+
+constexpr std::size_t judged_max = 12;  // pairs a frame
+// Pairs of triangles; the oracle judges some thousand of them in a millisecond.
+constexpr std::size_t triangle_pairs_max = 40000;
+
+oracle::Soup soup_of(const TrueBody& body) {
+    return {.vertices = body.mesh->vertices(), .triangles = body.mesh->triangles(), .pose = body.pose};
+}
+
+// Whether certified boxes leave it open, on each axis and with doubles: the gap is off by a unit in the last place.
+bool may_be_close(const TrueBody& a, const TrueBody& b, double d) {
+    const Aabb x = a.exact.outer_box(), y = b.exact.outer_box();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double gap = std::max(x.min[axis] - y.max[axis], y.min[axis] - x.max[axis]);
+        if (gap > d + d * 0x1p-40 + 0x1p-1000) return false;
+    }
+    return true;
+}
+
+bool is_enabled(const World& world, const BodyPair& pair) {
+    return may_meet(world.filter(pair.a), world.filter(pair.b)) && world.is_pair_enabled(pair.a, pair.b);
+}
+
+std::string list_text(const Pairs& pairs) {
+    return text(std::span<const BodyPair>(pairs));
+}
+
+// What is in the first list and not in the second.
+void require_events(const char* what, const Pairs& got, const Pairs& first, const Pairs& second) {
+    Pairs expected;
+    std::ranges::set_difference(first, second, std::back_inserter(expected));
+    if (!std::ranges::equal(got, expected)) throw CheckFailed(what, list_text(expected), list_text(got));
+}
+
+}  // namespace
+
+void check_close_pairs(const World& world, const Pairs& before, const Truth& truth, std::uint32_t seed,
+                       Counters& counters) {
+    const Pairs now = numbers_of(world.close_pairs());
+    require_events("close pairs that began", numbers_of(world.close_began()), now, before);
+    require_events("close pairs that ended", numbers_of(world.close_ended()), before, now);
+    const std::optional<double> clearance = world.clearance();
+    if (!clearance) {
+        if (!now.empty()) throw CheckFailed("close pairs without a clearance", "none", list_text(now));
+        return;
+    }
+    for (const BodyPair& pair : numbers_of(world.colliding_pairs())) {
+        if (!std::ranges::binary_search(now, pair))
+            throw CheckFailed("close pairs", "those that collide", list_text(now));
+    }
+    struct Judged {
+        const TrueBody* a;
+        const TrueBody* b;
+    };
+    std::vector<Judged> judged;
+    const auto bodies = truth.bodies();
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        for (std::size_t j = i + 1; j < bodies.size(); ++j) {
+            const BodyPair pair{bodies[i].id, bodies[j].id};
+            const bool is_possible = may_be_close(bodies[i], bodies[j], *clearance) && is_enabled(world, pair);
+            if (is_possible) judged.push_back({&bodies[i], &bodies[j]});
+            if (!is_possible && std::ranges::binary_search(now, pair)) {
+                throw CheckFailed("close pairs", "no pair that is filtered out or far apart", list_text(now));
+            }
+        }
+    }
+    scenes::Random random(seed);
+    for (std::size_t count = 0; count < judged_max && !judged.empty(); ++count) {
+        std::swap(judged[random.below(static_cast<std::uint32_t>(judged.size()))], judged.back());
+        const auto [a, b] = judged.back();
+        judged.pop_back();
+        if (a->mesh->triangles().size() * b->mesh->triangles().size() > triangle_pairs_max) continue;
+        const bool is_close = oracle::MeshDistances(soup_of(*a), soup_of(*b)).within(*clearance);
+        if (std::ranges::binary_search(now, BodyPair{a->id, b->id}) != is_close) {
+            throw CheckFailed("close pairs",
+                              std::string(is_close ? "with " : "without ") + text(BodyPair{a->id, b->id}),
+                              list_text(now));
+        }
+        ++counters[is_close ? "checked: pairs within the clearance" : "checked: pairs beyond the clearance"];
+    }
+}
+
+namespace {
+
+// The least distance, and whose it is.
+template <class Item>
+void take_least(std::optional<Item>& least, const Item& item) {
+    if (!least || item.distance < least->distance) least = item;
+}
+
+template <class Item>
+void require_same(const char* what, const std::optional<Item>& got, const std::optional<Item>& expected) {
+    if (got == expected) return;
+    const auto text_of = [](const std::optional<Item>& item) {
+        return item ? fmt::format("{:a}", item->distance) : std::string("none");
+    };
+    throw CheckFailed(what, text_of(expected), text_of(got));
+}
+
+}  // namespace
+
+void check_nearest(World& world, BodyId body, Counters& counters) {
+    constexpr std::size_t few = 24;
+    const auto bodies = world.bodies();
+    QueryMemory memory;
+    std::optional<NearestBody> nearest;
+    for (const BodyId other : bodies) {
+        if (other == body || !is_enabled(world, {std::min(body, other), std::max(body, other)})) continue;
+        take_least(nearest, NearestBody{other, world.distance(body, other, memory)});
+    }
+    require_same("nearest body", world.nearest(body, memory), nearest);
+    if (nearest) require_same("nearest body up to its distance", world.nearest(body, 2 * nearest->distance), nearest);
+    // A copy of it meets it, or a body before it that touches it.
+    const auto of_copy = world.nearest(*world.shape(body), world.pose(body), memory);
+    if (!of_copy || of_copy->distance != 0 || of_copy->body > body) {
+        throw CheckFailed("nearest of a copy", "0", of_copy ? fmt::format("{:a}", of_copy->distance) : "none");
+    }
+    ++counters["checked: nearest bodies"];
+    if (bodies.size() > few) return;
+    std::optional<ClosestPair> closest;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        for (std::size_t j = i + 1; j < bodies.size(); ++j) {
+            if (!is_enabled(world, {bodies[i], bodies[j]})) continue;
+            take_least(closest, ClosestPair{{bodies[i], bodies[j]}, world.distance(bodies[i], bodies[j], memory)});
+        }
+    }
+    require_same("closest pair", world.closest_pair(memory), closest);
+    ++counters["checked: closest pairs"];
+}
+
+}  // namespace ecods::fuzz

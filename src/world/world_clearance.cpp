@@ -1,0 +1,33 @@
+#include <limits>
+
+#include "world/world_impl.hpp"
+
+namespace ecods {
+
+void World::set_clearance(std::optional<double> clearance) {
+    Impl& w = impl();
+    if (clearance) {
+        if (!(*clearance >= 0 && *clearance <= std::numeric_limits<double>::max())) throw InvalidDistance(*clearance);
+        if (*clearance == 0) clearance = 0;  // and not -0
+        w.require_answers(Question::within);
+    }
+    if (clearance == w.closeness.wanted()) return;
+    w.closeness.set(clearance);
+    if (w.trace) w.trace->write<calls::SetClearance>(clearance);
+}
+
+std::optional<double> World::clearance() const {
+    return impl().closeness.wanted();
+}
+
+std::span<const BodyPair> World::close_pairs() const {
+    return impl().closeness.pairs().positive();
+}
+std::span<const BodyPair> World::close_began() const {
+    return impl().closeness.pairs().began();
+}
+std::span<const BodyPair> World::close_ended() const {
+    return impl().closeness.pairs().ended();
+}
+
+}  // namespace ecods

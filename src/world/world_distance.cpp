@@ -1,0 +1,50 @@
+#include <utility>
+
+#include "ecods/distance.hpp"
+#include "world/world_impl.hpp"
+
+namespace ecods {
+
+double World::Impl::distance(ProxyPair pair, QueryMemory& memory) const {
+    return test_of(pair).ask(
+        bodies[pair.a].posed(), bodies[pair.b].posed(),
+        [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) { return t.distance(a, b, memory); });
+}
+
+double World::distance(BodyId a, BodyId b, QueryMemory& memory) const {
+    const Impl& w = impl();
+    return w.distance(w.bodies.require_pair(a, b), memory);
+}
+
+bool World::within(BodyId a, BodyId b, double d, QueryMemory& memory) const {
+    const Impl& w = impl();
+    const ProxyPair pair = w.bodies.require_pair(a, b);
+    if (!(d >= 0)) throw InvalidDistance(d);
+    return w.test_within(pair, d, memory);
+}
+
+ClosestPoints World::closest(BodyId a, BodyId b, QueryMemory& memory) const {
+    const Impl& w = impl();
+    const ProxyPair pair = w.bodies.require_pair(a, b);
+    const OrderedTest test = w.test_of(pair);
+    ClosestPoints points = test.ask(
+        w.bodies[pair.a].posed(), w.bodies[pair.b].posed(),
+        [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) { return t.closest(x, y, memory); });
+    if (test.swapped != (a.slot - 1 != pair.a)) {
+        std::swap(points.a, points.b);
+        std::swap(points.point_a, points.point_b);
+    }
+    return points;
+}
+
+double World::distance(BodyId a, BodyId b) {
+    return distance(a, b, impl().workers.caller_memory());
+}
+bool World::within(BodyId a, BodyId b, double d) {
+    return within(a, b, d, impl().workers.caller_memory());
+}
+ClosestPoints World::closest(BodyId a, BodyId b) {
+    return closest(a, b, impl().workers.caller_memory());
+}
+
+}  // namespace ecods
