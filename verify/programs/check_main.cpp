@@ -29,6 +29,7 @@ struct Options {
     bool json = false;
     bool oracle = false;
     bool distance = false;
+    std::optional<double> clearance;
     BroadPhaseKind broad_phase = BroadPhaseKind::sweep_and_prune;
     InstructionSet instruction_set = environment::widest_instruction_set();
 };
@@ -36,7 +37,7 @@ struct Options {
 int check_files(const Options& options) {
     const scenes::Scene scene = scenes::read_files(options.files);
     for (const std::string& note : scene.notes) fmt::print(stderr, "ecods_check: {}\n", note);
-    SceneWorld world(scene, options.broad_phase);
+    SceneWorld world(scene, options.broad_phase, options.clearance);
     OracleJudge judge(scene);
     nlohmann::ordered_json json = to_json(scene);
     process::Progress progress;
@@ -97,6 +98,9 @@ int run(int argc, char** argv) {
     app.add_flag("--json", options.json, "Write JSON");
     app.add_flag("--distance", options.distance,
                  "Also say of each pair of bodies how far they are from each other, and where they are nearest");
+    app.add_option("--clearance", options.clearance,
+                   "Also list the pairs of bodies at a distance of at most this, and where they are nearest")
+        ->type_name("D");
     app.add_flag("--oracle", options.oracle, "Check every answer, of all pairs of bodies, with CGAL's exact numbers");
     programs::add_broad_phase(app, options.broad_phase, "Which broad phase; sweep_and_prune is the default");
     std::map<std::string, InstructionSet> sets;
@@ -108,8 +112,8 @@ int run(int argc, char** argv) {
         if (options.files.empty() == options.cases.empty()) {
             throw CLI::ValidationError("ecods_check", "files to read, or --cases with one file, are expected");
         }
-        if (options.distance && !options.cases.empty()) {
-            throw CLI::ValidationError("ecods_check", "--distance is for files, not for --cases");
+        if ((options.distance || options.clearance) && !options.cases.empty()) {
+            throw CLI::ValidationError("ecods_check", "--distance and --clearance are for files, not for --cases");
         }
     });
     if (const auto status = programs::parse(app, argc, argv)) return *status;

@@ -31,21 +31,40 @@ void OracleJudge::check_frame(SceneWorld& world, const FrameAnswer& answer) {
     for (std::size_t a = 0; a < scene_.bodies.size(); ++a) {
         for (std::size_t b = a + 1; b < scene_.bodies.size(); ++b) check_pair(world, answer, a, b);
     }
-    check_distances(world, answer);
+    for (const DistanceAnswer& pair : answer.distances) check_distance(distances(world, pair.a, pair.b), answer, pair);
+    if (answer.clearance) check_close(world, answer);
 }
 
-void OracleJudge::check_distances(const SceneWorld& world, const FrameAnswer& answer) {
+oracle::MeshDistances OracleJudge::distances(const SceneWorld& world, std::size_t a, std::size_t b) const {
     const auto soup = [&](std::size_t body) {
         const Mesh& mesh = *scene_.meshes[scene_.bodies[body].mesh_index].mesh;
         return oracle::Soup{mesh.vertices(), mesh.triangles(), world.pose(body)};
     };
-    for (const DistanceAnswer& pair : answer.distances) {
-        ++report_.distances;
-        const oracle::MeshDistances distances(soup(pair.a), soup(pair.b));
-        const ClosestPoints exact = judge::to_closest_points(distances.closest());
-        if (judge::is_same(pair.closest, exact)) continue;
-        differ(answer, scene_.bodies[pair.a].name + ", " + scene_.bodies[pair.b].name,
-               fmt::format("distance {}, but exactly {}", judge::text(pair.closest), judge::text(exact)));
+    return {soup(a), soup(b)};
+}
+
+void OracleJudge::check_distance(const oracle::MeshDistances& exact, const FrameAnswer& answer,
+                                 const DistanceAnswer& pair) {
+    ++report_.distances;
+    const ClosestPoints closest = judge::to_closest_points(exact.closest());
+    if (judge::is_same(pair.closest, closest)) return;
+    differ(answer, scene_.bodies[pair.a].name + ", " + scene_.bodies[pair.b].name,
+           fmt::format("distance {}, but exactly {}", judge::text(pair.closest), judge::text(closest)));
+}
+
+void OracleJudge::check_close(const SceneWorld& world, const FrameAnswer& answer) {
+    for (std::size_t a = 0; a < scene_.bodies.size(); ++a) {
+        for (std::size_t b = a + 1; b < scene_.bodies.size(); ++b) {
+            ++report_.clearances;
+            const oracle::MeshDistances exact = distances(world, a, b);
+            const auto listed = std::find_if(answer.close.begin(), answer.close.end(),
+                                             [&](const DistanceAnswer& pair) { return pair.a == a && pair.b == b; });
+            const bool is_listed = listed != answer.close.end();
+            if (is_listed) check_distance(exact, answer, *listed);
+            if (is_listed == exact.within(*answer.clearance)) continue;
+            differ(answer, scene_.bodies[a].name + ", " + scene_.bodies[b].name,
+                   is_listed ? "listed as close, but is not" : "not listed as close, but is");
+        }
     }
 }
 

@@ -9,6 +9,10 @@
 #include "check_scene.hpp"
 #include "scenes/io/hard_case_file.hpp"
 
+namespace ecods::oracle {
+class MeshDistances;
+}
+
 namespace ecods::check {
 
 // What was compared, and where the two differ.
@@ -17,13 +21,15 @@ struct OracleReport {
     std::size_t triangle_pairs = 0;  // touching ones, by either; their lists must be equal
     std::size_t boxes = 0;           // stored boxes, which must contain the exact body
     std::size_t distances = 0;       // of two bodies, with features and points
+    std::size_t clearances = 0;      // pairs of bodies that must be listed as close, or must not
     std::vector<std::string> differences;
 };
 
 // Checks frame after frame. For every pair of bodies, candidates or not: whether it is listed as colliding, its
 // relation and its complete list of triangle pairs. For the broad phase: the box of every body that moved, and that the
-// overlapping pairs are those of all pairs of boxes. Distances that the answer has, with their points. Work of the
-// oracle is kept for pairs of which neither body moved.
+// overlapping pairs are those of all pairs of boxes. Distances that the answer has, with their points; and with a
+// clearance, for every pair of bodies whether it is listed as close. Work of the oracle is kept for pairs of which
+// neither body moved, but for distances.
 class OracleJudge {
   public:
     explicit OracleJudge(const scenes::Scene& scene);
@@ -38,7 +44,9 @@ class OracleJudge {
     void pose_meshes(SceneWorld& world);
     void check_boxes(const SceneWorld& world, const FrameAnswer& answer);
     void check_pair(SceneWorld& world, const FrameAnswer& answer, std::size_t a, std::size_t b);
-    void check_distances(const SceneWorld& world, const FrameAnswer& answer);
+    oracle::MeshDistances distances(const SceneWorld& world, std::size_t a, std::size_t b) const;
+    void check_distance(const oracle::MeshDistances& exact, const FrameAnswer& answer, const DistanceAnswer& pair);
+    void check_close(const SceneWorld& world, const FrameAnswer& answer);
     void differ(const FrameAnswer& answer, const std::string& bodies, const std::string& text);
 
     const scenes::Scene& scene_;

@@ -34,8 +34,34 @@ nlohmann::ordered_json to_json(const Vec3& v) {
     return {v[0], v[1], v[2]};
 }
 
+nlohmann::ordered_json to_json(const scenes::Scene& scene, const std::vector<DistanceAnswer>& pairs) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const DistanceAnswer& pair : pairs) {
+        const ClosestPoints& closest = pair.closest;
+        json.push_back({{"a", scene.bodies[pair.a].name},
+                        {"b", scene.bodies[pair.b].name},
+                        {"distance", closest.distance},
+                        {"kind", name_of(closest.kind)},
+                        {"point_a", to_json(closest.point_a)},
+                        {"point_b", to_json(closest.point_b)},
+                        {"triangle_a", closest.a.triangle},
+                        {"triangle_b", closest.b.triangle}});
+    }
+    return json;
+}
+
 std::string to_text(const Vec3& v) {
     return fmt::format("({}, {}, {})", v[0], v[1], v[2]);
+}
+
+void print_distances(std::FILE* out, const scenes::Scene& scene, const char* what,
+                     const std::vector<DistanceAnswer>& pairs) {
+    for (const DistanceAnswer& pair : pairs) {
+        const ClosestPoints& closest = pair.closest;
+        fmt::print(out, "  {} {}  {} | {}  ({}: {}, {})\n", what, closest.distance, scene.bodies[pair.a].name,
+                   scene.bodies[pair.b].name, name_of(closest.kind), to_text(closest.point_a),
+                   to_text(closest.point_b));
+    }
 }
 
 }  // namespace
@@ -48,17 +74,14 @@ void print_frame(std::FILE* out, const scenes::Scene& scene, const FrameAnswer& 
         fmt::print(out, "  {}  {} | {}  ({})\n", name_of(pair.relation), scene.bodies[pair.a].name,
                    scene.bodies[pair.b].name, counted(pair.triangles.size(), "triangle pair"));
     }
-    for (const DistanceAnswer& pair : answer.distances) {
-        const ClosestPoints& closest = pair.closest;
-        fmt::print(out, "  distance {}  {} | {}  ({}: {}, {})\n", closest.distance, scene.bodies[pair.a].name,
-                   scene.bodies[pair.b].name, name_of(closest.kind), to_text(closest.point_a),
-                   to_text(closest.point_b));
-    }
+    print_distances(out, scene, "distance", answer.distances);
+    print_distances(out, scene, "close", answer.close);
 }
 
 void print_report(std::FILE* out, const OracleReport& report) {
     for (const std::string& difference : report.differences) fmt::print(out, "DIFFERS  {}\n", difference);
-    const std::string distances = report.distances == 0 ? "" : ", " + counted(report.distances, "distance");
+    std::string distances = report.distances == 0 ? "" : ", " + counted(report.distances, "distance");
+    if (report.clearances > 0) distances += ", " + counted(report.clearances, "clearance");
     fmt::print(out, "oracle: checked {}, {}, {}{}: {}\n", counted(report.body_pairs, "body pair"),
                counted(report.triangle_pairs, "touching triangle pair"), counted(report.boxes, "box", "boxes"),
                distances,
@@ -81,17 +104,8 @@ nlohmann::ordered_json to_json(const scenes::Scene& scene, const FrameAnswer& an
     }
     nlohmann::ordered_json frame{
         {"frame", answer.frame}, {"overlapping", answer.overlapping.size()}, {"colliding", pairs}};
-    for (const DistanceAnswer& pair : answer.distances) {
-        const ClosestPoints& closest = pair.closest;
-        frame["distances"].push_back({{"a", scene.bodies[pair.a].name},
-                                      {"b", scene.bodies[pair.b].name},
-                                      {"distance", closest.distance},
-                                      {"kind", name_of(closest.kind)},
-                                      {"point_a", to_json(closest.point_a)},
-                                      {"point_b", to_json(closest.point_b)},
-                                      {"triangle_a", closest.a.triangle},
-                                      {"triangle_b", closest.b.triangle}});
-    }
+    if (!answer.distances.empty()) frame["distances"] = to_json(scene, answer.distances);
+    if (answer.clearance) frame["close"] = to_json(scene, answer.close);
     return frame;
 }
 
@@ -99,6 +113,7 @@ nlohmann::ordered_json to_json(const OracleReport& report) {
     nlohmann::ordered_json json{
         {"body_pairs", report.body_pairs}, {"triangle_pairs", report.triangle_pairs}, {"boxes", report.boxes}};
     if (report.distances > 0) json["distances"] = report.distances;
+    if (report.clearances > 0) json["clearances"] = report.clearances;
     json["differing"] = report.differences.size();
     json["differences"] = report.differences;
     return json;

@@ -17,7 +17,8 @@ std::string counted(std::size_t count, const std::string& singular, const std::s
 // "vertex and vertex" and so on, as operator<< writes it.
 std::string name_of(ClosestKind kind);
 
-// One line a frame, one a colliding pair, and one a distance, with the closest points in as many digits as name them.
+// One line a frame, one a colliding pair, and one a distance and a close pair, with the closest points in as many
+// digits as name them.
 void print_frame(std::FILE* out, const scenes::Scene& scene, const FrameAnswer& answer);
 
 // Each difference, and how many answers were checked.
@@ -25,8 +26,9 @@ void print_report(std::FILE* out, const OracleReport& report);
 
 // {"bodies": [...], "frames": [{"frame": 0, "overlapping": n, "colliding": [{"a", "b", "relation",
 // "triangle_pairs"}], "distances": [{"a", "b", "distance", "kind", "point_a", "point_b", "triangle_a",
-// "triangle_b"}]}], "oracle": {"body_pairs", "triangle_pairs", "boxes", "distances", "differing", "differences"}};
-// distances with --distance only (null: above the largest double), the last with --oracle only.
+// "triangle_b"}], "close": [as distances]}], "oracle": {"body_pairs", "triangle_pairs", "boxes", "distances",
+// "clearances", "differing", "differences"}}; distances with --distance only (null: above the largest double), close
+// with --clearance only, the last with --oracle only.
 nlohmann::ordered_json to_json(const scenes::Scene& scene);
 nlohmann::ordered_json to_json(const scenes::Scene& scene, const FrameAnswer& answer);
 nlohmann::ordered_json to_json(const OracleReport& report);

@@ -5,8 +5,9 @@
 
 namespace ecods::check {
 
-SceneWorld::SceneWorld(const scenes::Scene& scene, BroadPhaseKind broad_phase)
+SceneWorld::SceneWorld(const scenes::Scene& scene, BroadPhaseKind broad_phase, std::optional<double> clearance)
     : scene_(scene), world_(WorldOptions{.broad_phase = broad_phase}) {
+    world_.set_clearance(clearance);
     for (const scenes::SceneBody& body : scene.bodies) {
         ids_.push_back(world_.create_body(scene.meshes[body.mesh_index].mesh, body.pose));
     }
@@ -43,10 +44,18 @@ FrameAnswer SceneWorld::answer(bool has_distances) {
     }
     for (std::size_t a = 0; has_distances && a < ids_.size(); ++a) {
         for (std::size_t b = a + 1; b < ids_.size(); ++b) {
-            answer.distances.push_back({a, b, closest(posed(a), posed(b), memory_)});
+            answer.distances.push_back(distance(a, b));
         }
     }
+    answer.clearance = world_.clearance();
+    for (const BodyPair& pair : world_.close_pairs()) {
+        answer.close.push_back(distance(body_of(pair.a), body_of(pair.b)));
+    }
     return answer;
+}
+
+DistanceAnswer SceneWorld::distance(std::size_t a, std::size_t b) {
+    return {a, b, closest(posed(a), posed(b), memory_)};
 }
 
 Posed<MeshShape> SceneWorld::posed(std::size_t body) const {

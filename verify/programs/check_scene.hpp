@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -32,12 +33,14 @@ struct FrameAnswer {
     std::vector<std::pair<std::size_t, std::size_t>> overlapping;  // pairs of bodies whose boxes overlap
     std::vector<PairAnswer> colliding;
     std::vector<DistanceAnswer> distances;  // of all pairs of bodies, if they are asked for
+    std::optional<double> clearance;
+    std::vector<DistanceAnswer> close;  // pairs within the clearance, colliding ones included
 };
 
-// The World of a scene. The scene must outlive it.
+// The World of a scene. The scene must outlive it. Throws InvalidDistance, as World::set_clearance does.
 class SceneWorld {
   public:
-    SceneWorld(const scenes::Scene& scene, BroadPhaseKind broad_phase);
+    SceneWorld(const scenes::Scene& scene, BroadPhaseKind broad_phase, std::optional<double> clearance = {});
 
     // Goes to the next frame, the first time to frame 0, and updates the world. False after the last frame.
     bool next_frame();
@@ -57,6 +60,7 @@ class SceneWorld {
 
   private:
     std::size_t body_of(BodyId id) const;
+    DistanceAnswer distance(std::size_t a, std::size_t b);
 
     const scenes::Scene& scene_;
     World world_;

@@ -53,6 +53,26 @@ TEST(OracleJudge, NoticesAWrongDistance) {
     EXPECT_NE(wrong.report().differences[0].find("ground, roof: distance "), std::string::npos);
 }
 
+TEST(OracleJudge, NoticesAWrongListOfClosePairs) {
+    const scenes::Scene scene = make_scene();
+    SceneWorld world(scene, BroadPhaseKind::sweep_and_prune, 1e6);
+    world.next_frame();
+    FrameAnswer answer = world.answer();
+    ASSERT_EQ(answer.close.size(), 3U);
+    OracleJudge right(scene), none(scene), wrong(scene);
+    right.check_frame(world, answer);
+    EXPECT_TRUE(right.report().differences.empty());
+    EXPECT_EQ(right.report().clearances, 3U);
+    FrameAnswer less = answer;
+    less.close.pop_back();
+    none.check_frame(world, less);
+    ASSERT_EQ(none.report().differences.size(), 1U);
+    EXPECT_NE(none.report().differences[0].find("not listed as close, but is"), std::string::npos);
+    answer.clearance = 0;
+    wrong.check_frame(world, answer);
+    EXPECT_FALSE(wrong.report().differences.empty());
+}
+
 TEST(OracleJudge, NoticesEachKindOfWrongAnswer) {
     const scenes::Scene scene = make_scene();
     SceneWorld world(scene, BroadPhaseKind::sweep_and_prune);

@@ -78,6 +78,23 @@ TEST_F(Check, SaysHowFarBodiesAreFromEachOther) {
     EXPECT_EQ(run("--distance --cases " + cases(true, 1)).status, 2);
 }
 
+TEST_F(Check, ListsThePairsWithinAClearance) {
+    const Result text = run("--clearance 1 --oracle " + scene());
+    EXPECT_EQ(text.status, 0) << text.err;
+    EXPECT_NE(text.out.find("  close 1  ground | blade  (vertex and face: (1, 1, 0), (1, 1, 1))\n"), std::string::npos)
+        << text.out;
+    EXPECT_EQ(text.out.find("far"), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find(", 9 clearances: no difference"), std::string::npos) << text.out;
+    const Json json = Json::parse(run("--clearance 0.999 --json --oracle " + scene()).out);
+    EXPECT_EQ(json["frames"][0]["close"].size(), 1U);
+    EXPECT_EQ(json["frames"][2]["close"], Json::array());
+    EXPECT_EQ(json["oracle"]["clearances"], 9);
+    EXPECT_FALSE(Json::parse(run("--json " + scene()).out)["frames"][0].contains("close"));
+    const Result bad = run("--clearance -1 " + scene());
+    EXPECT_EQ(bad.status, 2);
+    EXPECT_NE(bad.err.find("-1"), std::string::npos) << bad.err;
+}
+
 TEST_F(Check, WithoutTheOracleItIsRefusedAndNothingElseIs) {
     const std::string program = ECODS_CHECK_WITHOUT_ORACLE;
     EXPECT_EQ(run_program(program, scene()).out, run(scene()).out);
