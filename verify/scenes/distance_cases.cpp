@@ -156,17 +156,6 @@ DistanceCase far(Random& random) {
     return made;
 }
 
-DistanceCase squeezed(Random& random) {
-    DistanceCase made = coin(random) ? apart(random) : gaps(random);
-    for (Pose* pose : {&made.pose_a, &made.pose_b}) {
-        const int column = integer(random, 0, 2);
-        if (coin(random)) pose->R.col(column) *= std::ldexp(full(random, 0.5, 1), -integer(random, 10, 60));
-        if (coin(random)) pose->R.col(column) += 3 * pose->R.col((column + 1) % 3);
-        if (coin(random)) made.pose_b.R = made.pose_a.R;
-    }
-    return made;
-}
-
 DistanceCase singular(Random& random) {
     DistanceCase made = apart(random);
     for (Pose* pose : {&made.pose_a, &made.pose_b}) {
@@ -257,6 +246,17 @@ DistanceCase small_meshes(Random& random) {
     DistanceCase made{small_mesh(random), small_mesh(random), random_pose(random), random_pose(random), {}};
     made.pose_b.t = made.pose_a.t + full(random, 0, 3) * random.direction();
     if (random.below(4) == 0) made.pose_b.R = made.pose_a.R;
+    return made;
+}
+
+DistanceCase squeezed(Random& random) {
+    DistanceCase made = coin(random) ? small_meshes(random) : coin(random) ? apart(random) : gaps(random);
+    for (Pose* pose : {&made.pose_a, &made.pose_b}) {
+        const int column = integer(random, 0, 2);
+        if (coin(random)) pose->R.col(column) *= std::ldexp(full(random, 0.5, 1), -integer(random, 10, 60));
+        if (coin(random)) pose->R.col(column) += 3 * pose->R.col((column + 1) % 3);
+        if (coin(random)) made.pose_b.R = made.pose_a.R;
+    }
     return made;
 }
 

@@ -211,16 +211,20 @@ bool DistanceSearch::bound_batch() {
 void DistanceSearch::take(std::size_t lane) {
     const TrianglePair& triangles = memory_.batch.pairs[lane];
     const float lower = memory_.bounds.lower[lane], upper = memory_.bounds.upper[lane];
+    // Even beyond the limit: that there is nothing within it is seen along the gap soonest.
+    if (upper < direction_square_ && upper > 0) set_direction(lane);
     if (lower > limit_) return;
     if (!(lower > 0)) return enclose(triangles);
-    if (upper * sets()[0].square <= limit_) {
-        set_upper(axes().distance_above(upper), triangles);
-        const double factor = (1 - 0x1p-18) / std::sqrt(static_cast<double>(upper));
-        for (std::size_t k = 0; k < 3; ++k) {
-            direction_[k] = static_cast<float>(static_cast<double>(memory_.bounds.between[k][lane]) * factor);
-        }
-    }
+    if (upper * sets()[0].square <= limit_) set_upper(axes().distance_above(upper), triangles);
     memory_.candidates.push_back({lower, triangles});
+}
+
+void DistanceSearch::set_direction(std::size_t lane) {
+    direction_square_ = memory_.bounds.upper[lane];
+    const double factor = (1 - 0x1p-18) / std::sqrt(static_cast<double>(direction_square_));
+    for (std::size_t k = 0; k < 3; ++k) {
+        direction_[k] = static_cast<float>(static_cast<double>(memory_.bounds.between[k][lane]) * factor);
+    }
 }
 
 DistanceInterval DistanceSearch::enclosure(const TrianglePair& triangles) {

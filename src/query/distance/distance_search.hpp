@@ -100,6 +100,7 @@ class DistanceSearch {
     void refer_to(const TrianglePair& nearest, double distance);
     void enclose_candidates();
     void take(std::size_t lane);
+    void set_direction(std::size_t lane);
     void enclose(const TrianglePair& triangles);
     void set_upper(double upper, const TrianglePair& triangles);
     void set_limit();
@@ -118,7 +119,9 @@ class DistanceSearch {
     double upper_ = std::numeric_limits<double>::infinity();
     double floor_ = std::numeric_limits<double>::infinity();
     float limit_ = std::numeric_limits<float>::infinity();
-    Direction direction_{};  // from the nearest triangle of a to that of b, as far as floats know
+    // From the nearest triangle of a to that of b, as far as floats know, and its square on the axes of the first set.
+    Direction direction_{};
+    float direction_square_ = std::numeric_limits<float>::infinity();
     bool is_zero_ = false;
     bool refers_ = false;  // whether only the least distance is wanted, and pairs that are not nearer are left out
     bool has_relations_ = false;  // whether the memory's TriangleRelations are bound to these bodies
