@@ -65,6 +65,26 @@ TEST_P(WorldNearestTest, TheNearestIsOfNowAndTiesGoToTheLeastIds) {
     EXPECT_EQ(world.nearest(a, 0), std::nullopt);
 }
 
+// The root of 3 is above the double nearest to it, and the root of 2 below.
+TEST_P(WorldNearestTest, TheLimitIsForTheRealDistance) {
+    const BodyId a = world.create_body(cube, at(0));
+    const BodyId b = world.create_body(cube, at(2, 2, 2));
+    const double root = world.distance(a, b);
+    EXPECT_EQ(world.nearest(a, root), std::nullopt);
+    EXPECT_EQ(world.nearest(a, std::nextafter(root, 2)), (NearestBody{b, root}));
+    EXPECT_EQ(world.nearest(cube, at(0), 0), (NearestBody{a, 0}));
+    EXPECT_EQ(world.closest_pair(root), std::nullopt);
+    EXPECT_EQ(world.closest_pair(std::nextafter(root, 2)), (ClosestPair{{a, b}, root}));
+    world.set_clearance(root);
+    world.update();
+    EXPECT_TRUE(world.close_pairs().empty());
+    world.set_pose(b, at(2, 2));
+    EXPECT_EQ(world.nearest(a, world.distance(a, b)), (NearestBody{b, world.distance(a, b)}));
+    world.set_clearance(world.distance(a, b));
+    world.update();
+    EXPECT_EQ(world.close_pairs().size(), 1u);
+}
+
 TEST_P(WorldNearestTest, AmongBodiesThatMeetTheLeastIdsAreGiven) {
     for (int i = 0; i < 100; ++i) world.create_body(cube, at(0.0625 * (99 - i)));
     const auto bodies = world.bodies();
