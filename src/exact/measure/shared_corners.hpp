@@ -82,6 +82,7 @@ class SharedCorners {
 
     bool is_in(std::size_t side, std::size_t i) const noexcept;
     std::optional<LimbVector<2 * L>> normal_at_point() const;
+    bool goes_through(const FeaturePair& f) const;
     std::optional<LimbVector<2 * L>> normal_along_segment() const;
     bool is_in_edge(std::size_t side) const noexcept;
     void add_piercing(std::size_t side, std::size_t edge);
@@ -191,10 +192,23 @@ template <int L>
 auto SharedCorners<L>::normal_at_point() const -> std::optional<LimbVector<2 * L>> {
     for (const FeaturePair& f : feature_pairs) {
         if (features_.meeting(f) != Standing::inside) continue;
-        if (f.kind == FeatureKind::vertex_face || f.kind == FeatureKind::edge_edge) return features_.normal(f);
-        return std::nullopt;
+        if (f.kind == FeatureKind::edge_edge) return features_.normal(f);
+        if (f.kind != FeatureKind::vertex_face || goes_through(f)) return std::nullopt;
+        return features_.normal(f);
     }
     return std::nullopt;  // a segment that goes through a face
+}
+
+// Whether a corner inside the other's face has its triangle on both sides of it: of triangles that share a point only,
+// that is the middle corner of one without area.
+template <int L>
+bool SharedCorners<L>::goes_through(const FeaturePair& f) const {
+    const std::size_t side = f.vertex_side, corner = side == 0 ? f.a : f.b;
+    const LimbVector<2 * L> n = features_.normal(f);
+    const auto height = [&](std::size_t k) {
+        return sign<3 * L>(dot<2 * L, L>(n, features_.from(side, corner, k)));
+    };
+    return height(1) * height(2) < 0;
 }
 
 template <int L>

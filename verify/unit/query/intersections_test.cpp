@@ -83,6 +83,7 @@ TEST(Intersections, PointsAndSegments) {
     expect_shared(floor, {Vec3(8, 0, 0), Vec3(9, 2, 9), Vec3(9, 1, 9)}, {{8, 0, 0}}, false);
     expect_shared(floor, {Vec3(-3, 0, 0), Vec3(5, 0, 0), Vec3(2, -1, -3)}, {{0, 0, 0}, {5, 0, 0}}, false);
     expect_shared(floor, {Vec3(1, 2, -3), Vec3(1, 2, 3), Vec3(1, 2, 1)}, {{1, 2, 0}}, false);
+    expect_shared(floor, {Vec3(1, 2, -3), Vec3(1, 2, 0), Vec3(1, 2, 3)}, {{1, 2, 0}}, false);  // a middle in the face
     expect_shared(floor, {Vec3(1, 2, 0), Vec3(1, 2, 0), Vec3(1, 2, 0)}, {{1, 2, 0}}, true);
     expect_shared(floor, {Vec3(1, 2, 0), Vec3(3, 2, 0), Vec3(2, 2, 0)}, {{1, 2, 0}, {3, 2, 0}}, true);
 }
