@@ -1,7 +1,10 @@
 // Which boxes are near a box, and which are near each other.
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
+#include "base/double_key.hpp"
 #include "broad_phase/boxes/near_walk.hpp"
 #include "broad_phase/overlap_tracker.hpp"
 #include "ecods/error.hpp"
@@ -11,7 +14,8 @@ namespace ecods {
 namespace {
 
 void require_valid(double limit) {
-    if (!(limit >= 0)) throw InvalidDistance(limit);
+    const std::int64_t key = key_of(limit);
+    if (key < 0 || key > key_of(std::numeric_limits<double>::infinity())) throw InvalidDistance(limit);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ void Closeness::follow(const OverlapTracker& boxes, const Bodies& bodies, Change
     if (!wanted_) return;
     follow_boxes(boxes, bodies, changes);
     pairs_.follow(*tracker_, bodies, statistics_.visited_pairs);
-    pairs_.collect(bodies, changes, wanted_ != listed_, statistics_.visited_pairs);
+    pairs_.collect(bodies, changes, !is_up_to_date(), statistics_.visited_pairs);
     take_collisions(collisions);
     test_count_ = 0;
     for (const VerdictIndex index : pairs_.tests()) test_count_ += pairs_.verdicts()[index].answer == Answer::none;
@@ -40,7 +40,7 @@ void Closeness::follow(const OverlapTracker& boxes, const Bodies& bodies, Change
 void Closeness::follow_boxes(const OverlapTracker& boxes, const Bodies& bodies, const Changes& changes) {
     if (!tracker_) tracker_.emplace(kind_);
     generations_.resize(bodies.end());
-    const bool all_change = reached_ != wanted_;
+    const bool all_change = !is_same_clearance(reached_, wanted_);
     reached_.reset();
     if (all_change) {
         tracker_->reserve(bodies.end());

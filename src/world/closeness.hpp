@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/double_key.hpp"
 #include "broad_phase/overlap_tracker.hpp"
 #include "ecods/world.hpp"
 #include "world/bodies.hpp"
@@ -13,6 +14,11 @@
 #include "world/pair_verdicts.hpp"
 
 namespace ecods {
+
+// By bits, as two subnormal numbers may be taken for zero.
+inline bool is_same_clearance(const std::optional<double>& a, const std::optional<double>& b) noexcept {
+    return a.has_value() == b.has_value() && (!a || key_of(*a) == key_of(*b));
+}
 
 // A broad phase of its own, made by the first update with a clearance, finds the pairs whose boxes overlap when each is
 // enlarged by half the clearance; their verdicts are kept as those of collisions. An update is follow(), an answer for
@@ -34,7 +40,7 @@ class Closeness {
     std::optional<double> listed() const noexcept { return listed_; }
 
     // Whether an update before which no body changed has nothing to do.
-    bool is_up_to_date() const noexcept { return wanted_ == listed_; }
+    bool is_up_to_date() const noexcept { return is_same_clearance(wanted_, listed_); }
 
     // Finds the pairs to be tested. Those that `collisions` found to collide, in the same update, are close, and need
     // no test. `boxes` are those of the bodies.

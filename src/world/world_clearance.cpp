@@ -1,5 +1,7 @@
+#include <cstdint>
 #include <limits>
 
+#include "base/double_key.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -7,11 +9,13 @@ namespace ecods {
 void World::set_clearance(std::optional<double> clearance) {
     Impl& w = impl();
     if (clearance) {
-        if (!(*clearance >= 0 && *clearance <= std::numeric_limits<double>::max())) throw InvalidDistance(*clearance);
-        if (*clearance == 0) clearance = 0;  // and not -0
+        // By keys: subnormal numbers are none of them 0, whatever the processor takes them for.
+        const std::int64_t key = key_of(*clearance);
+        if (key < 0 || key >= key_of(std::numeric_limits<double>::infinity())) throw InvalidDistance(*clearance);
+        if (key == 0) clearance = 0;  // and not -0
         w.require_answers(Question::within);
     }
-    if (clearance == w.closeness.wanted()) return;
+    if (is_same_clearance(clearance, w.closeness.wanted())) return;
     w.closeness.set(clearance);
     if (w.trace) w.trace->write<calls::SetClearance>(clearance);
 }

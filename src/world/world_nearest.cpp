@@ -1,18 +1,22 @@
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
-#include "base/next.hpp"
+#include "base/double_key.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
 namespace {
 
-// The least distance so far, and whose it is: a body or a pair by its number, which decides ties.
+constexpr std::int64_t infinity = key_of(std::numeric_limits<double>::infinity());
+
+// The least distance so far, and whose it is: a body or a pair by its number, which decides ties. Distances are keys:
+// subnormal numbers are not to be taken for zero.
 template <class Number>
 class Least {
   public:
-    explicit Least(double limit) : limit_(limit) {
-        if (!(limit >= 0)) throw InvalidDistance(limit);
+    explicit Least(double limit) : limit_(key_of(limit)) {
+        if (limit_ < 0 || limit_ > infinity) throw InvalidDistance(limit);
     }
 
     // Asks for a candidate whether it is within the distance at which it could win, and where it is, for its distance.
@@ -23,14 +27,14 @@ class Least {
     // rounds to no less; and in both at most the limit.
     template <class Within, class Distance>
     double take(Number number, const Within& within, const Distance& distance) {
-        double reach = limit_;
+        std::int64_t reach = limit_;
         if (has_number_) {
             const bool wins_ties = number < number_;
-            if (distance_ == 0 && !wins_ties) return distance_;
-            reach = wins_ties && distance_ > 0 ? std::min(limit_, next_up(distance_)) : distance_;
+            if (distance_ == 0 && !wins_ties) return 0;
+            reach = wins_ties && distance_ > 0 ? std::min(limit_, distance_ + 1) : distance_;
         }
-        if (reach < std::numeric_limits<double>::infinity() && !within(reach)) return bound();
-        const double found = distance();
+        if (reach < infinity && !within(double_of(reach))) return bound();
+        const std::int64_t found = key_of(distance());
         if (!has_number_ || found < distance_ || (found == distance_ && number < number_)) {
             has_number_ = true;
             number_ = number;
@@ -39,16 +43,16 @@ class Least {
         return bound();
     }
 
-    double bound() const noexcept { return has_number_ ? std::min(distance_, limit_) : limit_; }
+    double bound() const noexcept { return double_of(has_number_ ? distance_ : limit_); }
     bool has_number() const noexcept { return has_number_; }
     Number number() const noexcept { return number_; }
-    double distance() const noexcept { return distance_; }
+    double distance() const noexcept { return double_of(distance_); }
 
   private:
-    double limit_;
+    std::int64_t limit_;
     bool has_number_ = false;
     Number number_{};
-    double distance_ = 0;
+    std::int64_t distance_ = 0;
 };
 
 std::optional<NearestBody> nearest_of(const Least<ProxyIndex>& least, const Bodies& bodies) {
