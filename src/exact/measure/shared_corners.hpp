@@ -205,9 +205,7 @@ template <int L>
 bool SharedCorners<L>::goes_through(const FeaturePair& f) const {
     const std::size_t side = f.vertex_side, corner = side == 0 ? f.a : f.b;
     const LimbVector<2 * L> n = features_.normal(f);
-    const auto height = [&](std::size_t k) {
-        return sign<3 * L>(dot<2 * L, L>(n, features_.from(side, corner, k)));
-    };
+    const auto height = [&](std::size_t k) { return sign<3 * L>(dot<2 * L, L>(n, features_.from(side, corner, k))); };
     return height(1) * height(2) < 0;
 }
 
