@@ -16,6 +16,7 @@ struct DistanceSearch::Memory final : QueryMemoryPart {
 
     TriangleDistances pair;
     DistanceAxes axes;
+    FarGap far;
     NearestQueue queue;
     alignas(32) LaneSquares squares{};
     LeavesOnAxes leaves{};
@@ -57,7 +58,10 @@ DistanceSearch::DistanceSearch(const Posed<MeshShape>& a, const Posed<MeshShape>
     memory_.open.clear();
     memory_.batch.count = 0;
     memory_.pair.bind(body_of(a_, tree_a_), body_of(b_, tree_b_));
-    memory_.axes.bind({tree_a_.boxes, a_.pose.R}, {tree_b_.boxes, b_.pose.R}, b_.pose.t - a_.pose.t);
+    const PosedTree tree_a{tree_a_.boxes, a_.pose.R}, tree_b{tree_b_.boxes, b_.pose.R};
+    const Vec3 d = b_.pose.t - a_.pose.t;
+    memory_.axes.bind(tree_a, tree_b, d);
+    memory_.far.bind(memory_.axes, tree_a, tree_b, d);
 }
 
 DistanceSearch::~DistanceSearch() {
@@ -73,6 +77,12 @@ TriangleDistances& DistanceSearch::exact_pair() noexcept {
 }
 const DistanceAxes& DistanceSearch::axes() const noexcept {
     return memory_.axes;
+}
+const FarGap& DistanceSearch::far_gap() const noexcept {
+    return memory_.far;
+}
+float DistanceSearch::bound_above(double distance) const noexcept {
+    return far_gap().is_far() ? far_gap().rank_above(distance) : axes().square_above(distance);
 }
 const std::array<DistanceSet, 2>& DistanceSearch::sets() const noexcept {
     return memory_.axes.sets();
@@ -121,7 +131,14 @@ void DistanceSearch::lower_distance(const TrianglePair& triangles, double& least
 void DistanceSearch::refer_to(const TrianglePair& nearest, double distance) {
     nearest_ = {nearest.a, nearest.b};
     memory_.pair.refer_to(nearest);
-    limit_ = std::min(limit_, axes().square_above(distance));
+    limit_ = std::min(limit_, bound_above(distance));
+}
+
+template <class X, class Y>
+std::uint64_t DistanceSearch::find_near(const X& x, const Y& y, LaneSquares& bounds) noexcept {
+    ++counts_.box_tests;
+    if (far_gap().is_far()) return far_mask(far_gap(), limit_, x, y, bounds);
+    return near_mask(sets(), direction_, limit_, x, y, bounds);
 }
 
 void DistanceSearch::walk(const PairWitness& witness) {
@@ -131,14 +148,11 @@ void DistanceSearch::walk(const PairWitness& witness) {
     if (has_witness) {
         enclose({witness.a, witness.b});
         memory_.open.clear();  // it comes again
-    } else if (goal_.stop_at < 0 || !is_apart(witness)) {
+    } else if (!far_gap().is_far() && (goal_.stop_at < 0 || !is_apart(witness))) {
         dive();
     }
     if (is_decided()) return;
-    const auto bound = [this](const auto& x, const auto& y, LaneSquares& squares) {
-        ++counts_.box_tests;
-        return near_mask(sets(), direction_, limit_, x, y, squares);
-    };
+    const auto bound = [this](const auto& x, const auto& y, LaneSquares& squares) { return find_near(x, y, squares); };
     walk_nearest(tree_a_.boxes, tree_b_.boxes, memory_.queue, bound, *this);
     if (!is_decided()) bound_batch();
 }
@@ -174,7 +188,7 @@ void DistanceSearch::dive() {
 }
 
 bool DistanceSearch::visits(const NearPair& pair) {
-    if (pair.square > 0 || ++overlap_count_ != overlap_max) return true;
+    if (pair.square > 0 || far_gap().is_far() || ++overlap_count_ != overlap_max) return true;
     leave_relations();
     is_zero_ = intersects(a_, b_, query_memory_);
     --counts_.queries;  // it is a part of this one
@@ -182,14 +196,25 @@ bool DistanceSearch::visits(const NearPair& pair) {
 }
 
 bool DistanceSearch::operator()(const TreeLeaf& x, const TreeLeaf& y) {
-    ++counts_.box_tests;
-    LanePairs pairs(near_mask(sets(), direction_, limit_, x, y, memory_.squares));
+    LanePairs pairs(find_near(x, y, memory_.squares));
     if (!pairs.more()) return true;
+    if (far_gap().is_far()) return take_far(x, y, pairs);
     put_on_axes(sets()[0], x, y, memory_.leaves);
     for (; pairs.more(); pairs.next()) {
         const std::size_t i = pairs.i(), j = pairs.j();
         memory_.batch.add(memory_.leaves, i, j, {x.triangle[i], y.triangle[j]});
         if (memory_.batch.is_full() && !bound_batch()) return false;
+    }
+    return true;
+}
+
+// Where bodies are far apart, floats know no more of two triangles than of their nodes.
+bool DistanceSearch::take_far(const TreeLeaf& x, const TreeLeaf& y, LanePairs pairs) {
+    for (; pairs.more(); pairs.next()) {
+        const std::size_t i = pairs.i(), j = pairs.j();
+        if (memory_.squares[tree_width * i + j] > limit_) continue;
+        enclose({x.triangle[i], y.triangle[j]});
+        if (is_decided()) return false;
     }
     return true;
 }
@@ -267,7 +292,7 @@ void DistanceSearch::set_limit() {
     if (goal_.absolute > 0 || goal_.relative > 0) {
         floor_ = std::max({upper_ - goal_.absolute, upper_ / (1 + goal_.relative), 0.0});
     }
-    limit_ = axes().square_above(std::min(goal_.at_most, floor_));
+    limit_ = bound_above(std::min(goal_.at_most, floor_));
 }
 
 // Those that are farther than the limit has become; the others are sorted.

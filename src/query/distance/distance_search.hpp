@@ -10,6 +10,7 @@
 
 #include "base/double_key.hpp"
 #include "bvh/distance_axes.hpp"
+#include "bvh/far_gap.hpp"
 #include "bvh/triangle_bounds.hpp"
 #include "bvh/walk_nearest.hpp"
 #include "ecods/distance.hpp"
@@ -91,6 +92,12 @@ class DistanceSearch {
 
     static Memory& memory_of(QueryMemory& memory);
     const DistanceAxes& axes() const noexcept;
+    const FarGap& far_gap() const noexcept;
+    // What bounds of pairs within the distance are not above: squares, or ranks of bodies that are far apart.
+    float bound_above(double distance) const noexcept;
+    template <class X, class Y>
+    std::uint64_t find_near(const X& x, const Y& y, LaneSquares& bounds) noexcept;
+    bool take_far(const TreeLeaf& x, const TreeLeaf& y, LanePairs pairs);
     bool is_decided() const noexcept;
     void dive();
     void walk(const PairWitness& witness);
@@ -131,17 +138,19 @@ class DistanceSearch {
 class DistanceSearch::WithinBound {
   public:
     WithinBound(DistanceSearch& search, double d)
-        : sets_(search.sets()), limit_(search.axes().square_above(d)), counts_(search.counts_) {}
+        : sets_(search.sets()), far_(search.far_gap()), limit_(search.bound_above(d)), counts_(search.counts_) {}
 
     template <class X, class Y>
     std::uint64_t operator()(const X& x, const Y& y) {
         ++counts_.box_tests;
+        if (far_.is_far()) return far_mask(far_, limit_, x, y, squares_);
         return near_mask(sets_, {}, limit_, x, y, squares_);
     }
     void order(const BvhNode&, const BvhNode&, LanePairs, std::span<NodePair>) const noexcept {}
 
   private:
     const std::array<DistanceSet, 2>& sets_;
+    const FarGap& far_;
     float limit_;
     QueryCounts& counts_;
     alignas(32) LaneSquares squares_;
