@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <string>
 
 #include "process/descriptor.hpp"
 
@@ -23,6 +24,8 @@ void work() {
     Progress().show("2 of many");
 }
 
+constexpr char end_mark = '#';
+
 // What appears on a terminal that is the error stream meanwhile.
 std::string on_terminal(const std::function<void()>& work) {
     const Descriptor master(posix_openpt(O_RDWR | O_NOCTTY));
@@ -32,11 +35,19 @@ std::string on_terminal(const std::function<void()>& work) {
     std::fflush(stderr);
     dup2(terminal.number(), STDERR_FILENO);
     work();
+    std::fputc(end_mark, stderr);
     std::fflush(stderr);
     dup2(before.number(), STDERR_FILENO);
-    std::array<char, 4096> text{};
-    const ssize_t count = read(master.number(), text.data(), text.size());
-    return {text.data(), count > 0 ? static_cast<std::size_t>(count) : 0};
+    // One read need not give all that was written.
+    std::string text;
+    while (!text.ends_with(end_mark)) {
+        std::array<char, 4096> part{};
+        const ssize_t count = read(master.number(), part.data(), part.size());
+        if (count <= 0) return text + " and no end";
+        text.append(part.data(), static_cast<std::size_t>(count));
+    }
+    text.pop_back();
+    return text;
 }
 
 TEST(Progress, ALineOnATerminal) {
