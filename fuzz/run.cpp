@@ -55,18 +55,6 @@ RunFailure failure_of(const char* profile, const Disagreement& found) {
             .text = found.text};
 }
 
-RunReport run_triangle_pairs(std::uint32_t seed, Canary canary) {
-    RunReport report;
-    PairCounts counts;
-    try {
-        run_pairs(seed, canary == Canary::answer, counts);
-    } catch (const Disagreement& found) {
-        report.failure = failure_of(pairs_profile, found);
-    }
-    report.counters = counters_of(counts);
-    return report;
-}
-
 Counters counters_of(const DistanceCounts& counts) {
     constexpr const char* kinds[] = {"vertex-vertex", "vertex-edge", "vertex-face", "edge-edge", "intersecting"};
     Counters counters;
@@ -81,13 +69,16 @@ Counters counters_of(const DistanceCounts& counts) {
     return counters;
 }
 
-RunReport run_distances(std::uint32_t seed, Canary canary) {
+// A run of pairs, by a function that counts what it checked and throws what it found.
+template <class Counts>
+RunReport run_counted(const char* profile, void (*run)(std::uint32_t seed, bool lie, Counts& counts),
+                      std::uint32_t seed, Canary canary) {
     RunReport report;
-    DistanceCounts counts;
+    Counts counts;
     try {
-        run_distances(seed, canary == Canary::answer, counts);
+        run(seed, canary == Canary::answer, counts);
     } catch (const Disagreement& found) {
-        report.failure = failure_of(distances_profile, found);
+        report.failure = failure_of(profile, found);
     }
     report.counters = counters_of(counts);
     return report;
@@ -107,8 +98,8 @@ std::vector<std::string> profiles_of(const std::string& name) {
 }
 
 RunReport run(const std::string& profile, std::uint32_t seed, Canary canary) {
-    if (profile == pairs_profile) return run_triangle_pairs(seed, canary);
-    if (profile == distances_profile) return run_distances(seed, canary);
+    if (profile == pairs_profile) return run_counted(pairs_profile, run_pairs, seed, canary);
+    if (profile == distances_profile) return run_counted(distances_profile, run_distances, seed, canary);
     return run_motion(*find_profile(profile), seed, canary);
 }
 
