@@ -13,6 +13,9 @@
 #include "ecods/intersection.hpp"      // questions about two bodies, without a world
 #include "ecods/distance.hpp"          // how far are they from each other, and where?
 #include "ecods/contact.hpp"           // where they meet, and which features nearly do
+#include "ecods/hit.hpp"               // what a segment or a ray meets
+#include "ecods/cast.hpp"              // when does a body on the move first meet another?
+#include "ecods/motion.hpp"            // a thing on its way from one pose to another
 #include "ecods/closest_points.hpp"    // two closest points, and the features that hold them
 #include "ecods/predicates.hpp"        // exact signs, and how two triangles meet
 #include "ecods/shape.hpp"             // shapes of the caller's own
@@ -22,7 +25,7 @@
 #include "ecods/replay.hpp"            // which is run again
 #include "ecods/broad_phase.hpp"       // which boxes overlap
 #include "ecods/aabb.hpp"              // boxes
-#include "ecods/segment.hpp"           // segments
+#include "ecods/segment.hpp"           // segments and rays
 #include "ecods/ball.hpp"              // balls
 #include "ecods/ids.hpp"               // names of bodies, pairs of them and of triangles
 #include "ecods/instruction_set.hpp"   // which of the processor's instructions are used

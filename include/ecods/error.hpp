@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -169,6 +170,28 @@ class ECODS_API InvalidSegment final : public Error {
     InvalidSegment(int end, int axis, double value);
 
     int end;   // 0 or 1
+    int axis;  // 0 to 2
+    double value;
+};
+
+// A ray has a coordinate that is NaN or infinite, no direction, or a largest parameter that is negative or NaN.
+class ECODS_API InvalidRay final : public Error {
+  public:
+    enum class Part : std::uint8_t { origin, direction, parameter_max };
+
+    // Of a direction of zero the axis is 0, as of a largest parameter.
+    InvalidRay(Part part, int axis, double value);
+
+    Part part;
+    int axis;  // 0 to 2
+    double value;
+};
+
+// A motion has a coordinate that is NaN or infinite.
+class ECODS_API InvalidMotion final : public Error {
+  public:
+    InvalidMotion(int axis, double value);
+
     int axis;  // 0 to 2
     double value;
 };

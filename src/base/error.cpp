@@ -151,6 +151,21 @@ InvalidSegment::InvalidSegment(int end_index, int axis_index, double bad_value)
       axis(axis_index),
       value(bad_value) {}
 
+InvalidRay::InvalidRay(Part bad_part, int axis_index, double bad_value)
+    : Error(bad_part == Part::parameter_max
+                ? "ray: the largest parameter is " + text(bad_value)
+                : "ray: " + std::string(bad_part == Part::origin ? "origin" : "direction") + ", axis " +
+                      std::to_string(axis_index) + ": coordinate is " + text(bad_value) +
+                      (bad_value == 0 ? ", as all of the direction" : ", not finite")),
+      part(bad_part),
+      axis(axis_index),
+      value(bad_value) {}
+
+InvalidMotion::InvalidMotion(int axis_index, double bad_value)
+    : Error("motion: axis " + std::to_string(axis_index) + ": coordinate is " + text(bad_value) + ", not finite"),
+      axis(axis_index),
+      value(bad_value) {}
+
 InvalidBall::InvalidBall(int axis_index, double bad_value)
     : Error(axis_index == 3 ? "ball: the radius is " + text(bad_value)
                             : "ball: center, axis " + std::to_string(axis_index) + ": coordinate is " +

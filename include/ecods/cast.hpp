@@ -1,0 +1,62 @@
+// When does a body that moves first share a point with another one? No World is needed.
+//
+// Two motions, both with time from 0 to 1. A translation: at time s a body is at the real points R v + t + s m. A
+// straight motion from one pose to another: each point goes from R0 v + t0 to R1 v + t1 on a straight line, at constant
+// speed; so at time s the pose's entries are (1 - s) (R0, t0) + s (R1, t1), as real numbers. That is no rotation in
+// between: of half a turn the middle is flat. Make several short moves of one long turn.
+//
+// Whether there is contact is decided for the real numbers: contact at time 0 and at 1 counts, and so does grazing. The
+// time is the least real one, rounded once (distance.hpp says how); positive times are at least 2^-1074, so that a time
+// is 0 exactly when the bodies share a point at the start. Equal input gives equal bits, in any rounding mode.
+//
+// Everything is defined for all finite poses and motions and for zero-area triangles, also for bodies that become flat
+// on the way. Poses must be finite (validate(Pose)); a query does not check them.
+//
+// Thread safety: as in intersection.hpp.
+#pragma once
+
+#include <optional>
+
+#include "ecods/closest_points.hpp"
+#include "ecods/export.hpp"
+#include "ecods/intersection.hpp"
+#include "ecods/motion.hpp"
+
+namespace ecods {
+
+// The first contact of two bodies, and the first pair of features, in the order of ClosestPoints, of those that share a
+// point at a time that rounds to it.
+//
+// For each pair of triangles, the features that count are those that share a point at the first real time at which that
+// pair does: the lowest in dimension that hold it, of the triangles as they are then. Those pairs of triangles count
+// whose first time rounds to `time`. At time 0 the kind is `intersecting`: the features are both faces, of the least
+// pair of triangles that share a point at the start.
+struct FirstContact {
+    double time = 0;
+    ClosestKind kind = ClosestKind::intersecting;
+    Feature a, b;
+
+    TrianglePair triangles() const noexcept { return {a.triangle, b.triangle}; }
+    friend bool operator==(const FirstContact&, const FirstContact&) = default;
+};
+
+// The first contact of a, which is translated by time times `motion`, with b, which stays; nothing if there is none up
+// to time 1. Throws InvalidMotion if a coordinate of the motion is not finite.
+// Cost: a walk of both trees, earliest boxes first; a pair of triangles that is a candidate costs some tenths of a
+// microsecond, the last one or few, which are compared exactly, a few more.
+ECODS_API std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
+                                           QueryMemory& memory);
+
+// The same, for a pair that was asked about before and has moved little: tries the witness's triangles first, and
+// leaves those that decided. The witness may come from any question and any bodies.
+ECODS_API std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
+                                           QueryMemory& memory, PairWitness& witness);
+
+// The first contact of two bodies of which each goes from one pose to another; nothing if there is none up to time 1.
+// Cost: as above, with times bounded by halving; the exact decision of two triangles that doubles leave open takes tens
+// of microseconds.
+ECODS_API std::optional<FirstContact> cast(const Moving<MeshShape>& a, const Moving<MeshShape>& b, QueryMemory& memory);
+ECODS_API std::optional<FirstContact> cast(const Moving<MeshShape>& a, const Moving<MeshShape>& b, QueryMemory& memory,
+                                           PairWitness& witness);
+
+}  // namespace ecods

@@ -1,0 +1,78 @@
+// What a segment or a ray meets of a body, and in which order. No World is needed.
+//
+// A body is its surface: the closed triangles of the real points R v + t. A triangle is hit when it shares a point with
+// the segment or ray, ends included: nothing leaks through an edge or a vertex, of which every triangle is hit, and
+// nothing is hit that only comes close. Decided for the real numbers, in any rounding mode.
+//
+// The parameter of a point is 0 at the first end of a segment and 1 at the second, or the multiple of the direction of
+// a ray. Parameters and coordinates are the true ones, rounded once (distance.hpp says how); a positive parameter is at
+// least 2^-1074, so that it is 0 exactly when the beginning is on the surface; beyond the largest double it is
+// infinity. Hits are in the order of the real parameters, not of the rounded ones.
+//
+// Everything is defined for all finite poses, singular ones included, for zero-area triangles, which are the segments
+// or points that they span, and for a segment of length 0, which is a point. A pose must be finite (validate(Pose)); a
+// query does not check it.
+//
+// Thread safety: as in intersection.hpp.
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <vector>
+
+#include "ecods/closest_points.hpp"
+#include "ecods/export.hpp"
+#include "ecods/intersection.hpp"
+#include "ecods/segment.hpp"
+
+namespace ecods {
+
+// How a triangle is hit.
+enum class HitKind : std::uint8_t {
+    front,   // inside the face, coming from the side from which its posed corners are counterclockwise
+    back,    // inside the face, from the other side
+    face,    // inside the face, by a segment of length 0, which comes from no side
+    edge,    // at one point inside an edge
+    vertex,  // at one point, a vertex
+    along,   // at more than one point: a part of the segment lies in the triangle's plane, or on a zero-area triangle
+};
+
+ECODS_API std::ostream& operator<<(std::ostream& out, HitKind kind);
+
+// What a segment or ray shares with one triangle: a point, or all points from `point` to `leave_point`.
+struct Hit {
+    double parameter = 0;        // of the first shared point
+    double leave_parameter = 0;  // of the last one: the same unless `along`
+    HitKind kind = HitKind::front;
+    // The number of smaller real parameters at which something is hit by this question: hits of equal rank are exact
+    // ties, whatever their rounded parameters.
+    std::uint32_t rank = 0;
+    // The feature of lowest dimension of this triangle that holds all shared points. Corners at equal coordinates are
+    // one vertex; what has several names in the triangle has that of the least corner.
+    Feature feature;
+    Vec3 point = Vec3::Zero();  // each coordinate rounded once; a zero is +0
+    Vec3 leave_point = Vec3::Zero();
+
+    std::uint32_t triangle() const noexcept { return feature.triangle; }
+};
+
+// The hit of least parameter, and of those, of the least triangle; nothing if there is none. Throw InvalidSegment and
+// InvalidRay.
+// Cost: a walk along the line, nearest boxes first; then some tenths of a microsecond for each triangle that doubles
+// cannot tell from the first, and for rounding.
+ECODS_API std::optional<Hit> first_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory);
+ECODS_API std::optional<Hit> first_hit(const Ray& ray, const Posed<MeshShape>& body, QueryMemory& memory);
+
+// The same, for a segment or ray that has moved little since it was asked about: tries the witness's triangle `b`
+// first, and leaves the one hit. The witness may come from any question and any bodies.
+ECODS_API std::optional<Hit> first_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory,
+                                       PairWitness& witness);
+ECODS_API std::optional<Hit> first_hit(const Ray& ray, const Posed<MeshShape>& body, QueryMemory& memory,
+                                       PairWitness& witness);
+
+// Every triangle that is hit, once, ascending by real parameter, then by triangle.
+ECODS_API std::vector<Hit> all_hits(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory);
+ECODS_API std::vector<Hit> all_hits(const Ray& ray, const Posed<MeshShape>& body, QueryMemory& memory);
+
+}  // namespace ecods
