@@ -32,7 +32,8 @@ namespace ecods {
 enum class HitKind : std::uint8_t {
     front,   // inside the face, coming from the side from which its posed corners are counterclockwise
     back,    // inside the face, from the other side
-    face,    // inside the face, by a segment of length 0, which comes from no side
+    face,    // inside the face, by a point that comes from no side: a segment of length 0, a ray in the face that ends
+             // where it begins
     edge,    // at one point inside an edge
     vertex,  // at one point, a vertex
     along,   // at more than one point: a part of the segment lies in the triangle's plane, or on a zero-area triangle

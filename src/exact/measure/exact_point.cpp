@@ -1,9 +1,8 @@
 #include "exact/measure/exact_point.hpp"
 
-#include <algorithm>
 #include <cstdint>
 
-#include "base/assert.hpp"
+#include "exact/measure/natural_sum.hpp"
 #include "exact/number/dyadic.hpp"
 
 namespace ecods::exact {
@@ -22,47 +21,9 @@ Term product(const Dyadic& a, const Dyadic& b) noexcept {
         {static_cast<std::uint64_t>(size), static_cast<std::uint64_t>(size >> 64)}, a.e + b.e, (a.m < 0) != (b.m < 0)};
 }
 
-// A sum of numbers, in two's complement. Terms times a denominator are below 2^2050 times it and multiples of 2^-2148,
-// and so are numerators: limb_count_max limbs for what the denominator is multiplied by, and a bit for the sign.
-constexpr std::size_t sum_limbs = 5 * limb_count_max + 2;
-
-class Sum {
-  public:
-    // Of multiples of 2^low below 2^high.
-    Sum(int low, int high) noexcept : low_(low), size_(static_cast<std::size_t>(high - low + 8) / 64 + 1) {
-        ECODS_ASSERT(size_ <= sum_limbs);
-        std::fill_n(limbs_.begin(), size_, 0);
-    }
-
-    void add(NaturalSpan a, int e, bool negative) noexcept {
-        const int shift = e - low_;
-        const std::uint64_t flip = negative ? all_ones : 0;
-        std::uint64_t carry = negative ? 1 : 0;
-        for (std::size_t i = 0; i < size_; ++i) {
-            const Uint128 s = Uint128{limbs_[i]} + (limb_of_shifted(a, shift, i) ^ flip) + carry;
-            limbs_[i] = static_cast<std::uint64_t>(s);
-            carry = static_cast<std::uint64_t>(s >> 64);
-        }
-    }
-
-    // The double nearest to the sum over `den`.
-    double over(NaturalSpan den) noexcept {
-        const bool is_negative = (limbs_[size_ - 1] >> 63) != 0;
-        if (is_negative) {
-            std::uint64_t carry = 1;
-            for (std::size_t i = 0; i < size_; ++i) {
-                limbs_[i] = ~limbs_[i] + carry;
-                carry &= static_cast<std::uint64_t>(limbs_[i] == 0);
-            }
-        }
-        return round_quotient(without_leading_zeros({limbs_.data(), size_}), den, low_, is_negative);
-    }
-
-  private:
-    int low_;
-    std::size_t size_;
-    std::array<std::uint64_t, sum_limbs> limbs_;
-};
+// Terms times a denominator are below 2^2050 times it and multiples of 2^-2148, and so are numerators: limb_count_max
+// limbs for what the denominator is multiplied by, and a bit for the sign.
+using Sum = NaturalSum<5 * limb_count_max + 2>;
 
 double round_coordinate(const PointRef& origin, int row, const ExactPoint& point) noexcept {
     const Dyadic one{1, 0};

@@ -36,10 +36,10 @@ const std::array<std::uint64_t, L>& to_limbs(const std::array<std::uint64_t, L>&
     return x;
 }
 
-template <class Kernel>
-auto to_limbs(const IntegerPoints<Kernel, 6>& points) noexcept {
-    std::array<std::array<Limbs<limbs_of<Kernel>>, 3>, 6> result;
-    for (std::size_t i = 0; i < 6; ++i) {
+template <class Kernel, std::size_t N>
+auto to_limbs(const IntegerPoints<Kernel, N>& points) noexcept {
+    std::array<std::array<Limbs<limbs_of<Kernel>>, 3>, N> result;
+    for (std::size_t i = 0; i < N; ++i) {
         for (std::size_t k = 0; k < 3; ++k) result[i][k] = to_limbs(points.at[i][k]);
     }
     return result;

@@ -2,7 +2,7 @@
 
 #include <ostream>
 
-#include "ecods/error.hpp"
+#include "query/hit/hit_search.hpp"
 
 namespace ecods {
 
@@ -24,24 +24,55 @@ std::ostream& operator<<(std::ostream& out, HitKind kind) {
     return out;
 }
 
-// TODO(hits)
-std::optional<Hit> first_hit(const Segment&, const Posed<MeshShape>&, QueryMemory&) {
-    throw NotSupported("hits");
+namespace {
+
+std::optional<Hit> find_first(const Line& line, const Posed<MeshShape>& body, QueryMemory& memory,
+                              PairWitness& witness) {
+    FirstHit first(line, memory);
+    first.ask(body, 0, witness);
+    if (!first.found()) return std::nullopt;
+    return first.get().hit;
 }
-std::optional<Hit> first_hit(const Ray&, const Posed<MeshShape>&, QueryMemory&) {
-    throw NotSupported("hits");
+
+std::vector<Hit> find_all(const Line& line, const Posed<MeshShape>& body, QueryMemory& memory) {
+    AllHits all(line, memory);
+    all.ask(body, 0);
+    std::vector<Hit> result;
+    for (const KeyedHit& keyed : all.get()) result.push_back(keyed.hit);
+    return result;
 }
-std::optional<Hit> first_hit(const Segment&, const Posed<MeshShape>&, QueryMemory&, PairWitness&) {
-    throw NotSupported("hits");
+
+}  // namespace
+
+std::optional<Hit> first_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory,
+                             PairWitness& witness) {
+    validate(segment);
+    return find_first(Line(segment), body, memory, witness);
 }
-std::optional<Hit> first_hit(const Ray&, const Posed<MeshShape>&, QueryMemory&, PairWitness&) {
-    throw NotSupported("hits");
+
+std::optional<Hit> first_hit(const Ray& ray, const Posed<MeshShape>& body, QueryMemory& memory, PairWitness& witness) {
+    validate(ray);
+    return find_first(Line(ray), body, memory, witness);
 }
-std::vector<Hit> all_hits(const Segment&, const Posed<MeshShape>&, QueryMemory&) {
-    throw NotSupported("hits");
+
+std::optional<Hit> first_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory) {
+    PairWitness witness;
+    return first_hit(segment, body, memory, witness);
 }
-std::vector<Hit> all_hits(const Ray&, const Posed<MeshShape>&, QueryMemory&) {
-    throw NotSupported("hits");
+
+std::optional<Hit> first_hit(const Ray& ray, const Posed<MeshShape>& body, QueryMemory& memory) {
+    PairWitness witness;
+    return first_hit(ray, body, memory, witness);
+}
+
+std::vector<Hit> all_hits(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory) {
+    validate(segment);
+    return find_all(Line(segment), body, memory);
+}
+
+std::vector<Hit> all_hits(const Ray& ray, const Posed<MeshShape>& body, QueryMemory& memory) {
+    validate(ray);
+    return find_all(Line(ray), body, memory);
 }
 
 }  // namespace ecods

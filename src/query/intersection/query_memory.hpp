@@ -22,6 +22,7 @@ struct QueryMemory::State {
     std::vector<NodePair> stack;
     QueryCounts counts;
     std::unique_ptr<QueryMemoryPart> distance;
+    std::unique_ptr<QueryMemoryPart> hit;
 };
 
 struct QueryMemoryAccess {

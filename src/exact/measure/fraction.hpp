@@ -1,0 +1,46 @@
+// Fractions of integers that are not negative: parameters along a line, times.
+#pragma once
+
+#include <cstdint>
+
+#include "ecods/pose.hpp"
+#include "exact/number/kernel.hpp"
+#include "exact/number/natural.hpp"
+#include "exact/point/integer_points.hpp"
+
+namespace ecods::exact {
+
+// Numerators and denominators are determinants of three differences of points, or shorter.
+inline constexpr std::size_t fraction_limbs = 3 * limb_count_max;
+static_assert(determinant_bits(LimbKernel<limb_count_max>::coordinate_bits) <= static_cast<int>(64 * fraction_limbs));
+
+// num / den by reference, den > 0.
+struct FractionRef {
+    NaturalSpan num;
+    NaturalSpan den;
+};
+
+// num / den, den > 0.
+struct Fraction {
+    Natural<fraction_limbs> num;
+    Natural<fraction_limbs> den{1};
+
+    FractionRef ref() const noexcept { return {num.limbs(), den.limbs()}; }
+};
+
+// A double that is finite and not negative. Of 2^-1074 the denominator has 17 limbs, as has the numerator of 2^1023.
+Fraction fraction_of(double x) noexcept;
+
+// The sign of the first less the second, or less the double x >= 0, which may be infinity.
+int compare(const FractionRef& first, const FractionRef& second) noexcept;
+int compare(const FractionRef& first, double x) noexcept;
+
+// The nearest double, ties to even; at least 2^-1074 if it is positive, infinity above the largest double. No
+// floating-point environment shows in it.
+double round_fraction(const FractionRef& x) noexcept;
+
+// a + (b - a) num / den, or a + b num / den where `is_direction`, each coordinate rounded once to the nearest double,
+// ties to even; a zero is +0.
+Vec3 round_point_between(const Vec3& a, const Vec3& b, bool is_direction, const FractionRef& at) noexcept;
+
+}  // namespace ecods::exact
