@@ -102,13 +102,21 @@ Interval interval_around(const mpz_class& x, long shift) {
     return sgn(x) > 0 ? Interval(low, high) : Interval(-high, -low);
 }
 
-IntegerPoints::IntegerPoints(const Soup& a, const Soup& b) {
-    const std::array<const Soup*, 2> soups{&a, &b};
-    const std::array<BinaryPose, 2> poses{BinaryPose(a.pose), BinaryPose(b.pose)};
-    const std::array<std::vector<bool>, 2> used{used_vertices(a), used_vertices(b)};
-    unit = std::min(unit_of(a, poses[0], used[0]), unit_of(b, poses[1], used[1]));
+CommonIntegers::CommonIntegers(std::span<const Soup> soups) {
+    unit = none;
+    for (const Soup& soup : soups) unit = std::min(unit, unit_of(soup, BinaryPose(soup.pose), used_vertices(soup)));
     if (unit == none) unit = 0;
-    for (std::size_t s = 0; s < 2; ++s) exact[s] = pose_points(*soups[s], poses[s], used[s], unit);
+    for (const Soup& soup : soups) {
+        points.push_back(pose_points(soup, BinaryPose(soup.pose), used_vertices(soup), unit));
+    }
+}
+
+IntegerPoints::IntegerPoints(const Soup& a, const Soup& b) {
+    const std::array<Soup, 2> soups{a, b};
+    CommonIntegers common(soups);
+    unit = common.unit;
+    for (std::size_t s = 0; s < 2; ++s) exact[s] = std::move(common.points[s]);
+    const std::array<std::vector<bool>, 2> used{used_vertices(a), used_vertices(b)};
 
     const Vector<mpz_class> origin = exact[0][a.triangles[0][0]];
     std::size_t digits = 1;

@@ -4,12 +4,22 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "oracle/distance.hpp"
 #include "oracle/features.hpp"
 
 namespace ecods::oracle {
+
+// The points of any number of posed meshes, [mesh][vertex]; of vertices that no triangle uses, zero. Coordinates are
+// integers times 2^unit. Needs a FloatEnvironment.
+struct CommonIntegers {
+    std::vector<std::vector<Vector<mpz_class>>> points;
+    long unit = 0;
+
+    explicit CommonIntegers(std::span<const Soup> soups);
+};
 
 struct IntegerPoints {
     // [body][vertex]; of vertices that no triangle uses, zero. Coordinates are integers times 2^unit.

@@ -4,6 +4,7 @@
 
 #include "scenes/distance_recipes.hpp"
 #include "scenes/hard_pair_parts.hpp"
+#include "scenes/integer_rotation.hpp"
 
 namespace ecods::scenes::closeness {
 namespace {
@@ -11,24 +12,6 @@ namespace {
 using hard::coin;
 using hard::full;
 using hard::integer;
-
-// Lengths are multiplied by `norm`. Undone by its transpose, which multiplies by the same.
-struct IntegerRotation {
-    Mat3 R;
-    double norm;
-
-    explicit IntegerRotation(Random& random) {
-        int m = 0, a = 0, b = 0, c = 0;
-        do {
-            m = integer(random, -4, 4), a = integer(random, -4, 4), b = integer(random, -4, 4);
-            c = integer(random, -4, 4);
-        } while (m * m + a * a + b * b + c * c == 0);
-        norm = m * m + a * a + b * b + c * c;
-        R << m * m + a * a - b * b - c * c, 2 * (a * b - m * c), 2 * (a * c + m * b),  //
-            2 * (a * b + m * c), m * m - a * a + b * b - c * c, 2 * (b * c - m * a),   //
-            2 * (a * c - m * b), 2 * (b * c + m * a), m * m - a * a - b * b + c * c;
-    }
-};
 
 // The two bodies in the common frame `a` and `b`, written each in an integer rotation of its own, at a scale: `height`
 // is their distance before. All of it small integers, and so exact.

@@ -1,0 +1,33 @@
+// The oracle's first contacts: what include/ecods/cast.hpp promises, pair of triangles by pair, and without a tree.
+//
+// Of a translation the first time is the least number of a linear program: weights of the corners of either triangle
+// that make one point of both. Where every point moves by itself, features meet at the common roots of polynomials of
+// the time, of degree 3 or less; each root from 0 to 1 is asked whether the features really share a point there. What
+// is left out: pairs of triangles of which the boxes of all their places, in integers, do not overlap.
+#pragma once
+
+#include <optional>
+
+#include "oracle/distance.hpp"
+#include "oracle/polynomial.hpp"
+
+namespace ecods::oracle {
+
+struct ExactContact {
+    Root time;           // of the first pair of triangles
+    double rounded = 0;  // rounded once; features are of all pairs whose times round to it
+    Closeness kind = Closeness::intersecting;
+    NamedFeature a, b;
+};
+
+// Of a, which moves by time times `motion`, with b; nothing if there is none up to time 1.
+std::optional<ExactContact> first_contact(const Soup& a, const Vec3& motion, const Soup& b);
+
+// A soup on its way from its own pose to another.
+struct MovingSoup {
+    Soup from;
+    Pose to;
+};
+std::optional<ExactContact> first_contact(const MovingSoup& a, const MovingSoup& b);
+
+}  // namespace ecods::oracle
