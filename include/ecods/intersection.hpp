@@ -60,13 +60,24 @@ struct DistanceCounts {
     friend bool operator==(const DistanceCounts&, const DistanceCounts&) = default;
 };
 
+// How many triangles were asked, from the cheapest stage to the dearest, by the questions of hit.hpp.
+struct HitCounts {
+    std::uint64_t triangle_tests = 0;  // in floats, eight at once
+    std::uint64_t enclosures = 0;      // in doubles with proven bounds
+    std::uint64_t exact = 0;           // decided, compared or rounded in integers
+
+    ECODS_API HitCounts& operator+=(const HitCounts& other) noexcept;
+    friend bool operator==(const HitCounts&, const HitCounts&) = default;
+};
+
 // The work of queries as exact counts.
 struct QueryCounts {
-    std::uint64_t queries = 0;       // two-body queries of meshes
+    std::uint64_t queries = 0;       // two-body queries of meshes, and lines asked of one
     std::uint64_t witness_hits = 0;  // of these, decided by what decided last time
-    std::uint64_t box_tests = 0;     // pairs of tree nodes, up to eight boxes against eight each
+    std::uint64_t box_tests = 0;     // pairs of tree nodes, up to eight boxes against eight each, or nodes and lines
     StageCounts stages;              // of the pairs of triangles that the trees left over
     DistanceCounts distances;        // of these where distances are asked for
+    HitCounts hits;                  // of the triangles that lines are asked of
 
     ECODS_API QueryCounts& operator+=(const QueryCounts& other) noexcept;
     friend bool operator==(const QueryCounts&, const QueryCounts&) = default;

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "ecods/hit.hpp"
+#include "exact/measure/fraction.hpp"
 #include "geometry/line.hpp"
+#include "geometry/scaled_line.hpp"
 
 namespace ecods {
 
@@ -18,12 +20,13 @@ struct KeyedHit {
     Hit hit;
 };
 
+struct HitMemory;
+
 // The least hit in the order of the real parameters, then keys, then triangles.
 class FirstHit {
   public:
     // The line is valid; line and memory must outlive the search, which may be the memory's only one at a time.
     FirstHit(const Line& line, QueryMemory& memory);
-    ~FirstHit();
     FirstHit(const FirstHit&) = delete;
     FirstHit& operator=(const FirstHit&) = delete;
 
@@ -37,15 +40,23 @@ class FirstHit {
 
     // No point of the line beyond this parameter can be of the least hit: an upper bound, rounded upwards; infinity
     // where nothing is known. What boxes are beyond it need not be asked.
-    double limit() const noexcept;
+    double limit() const noexcept { return scaled_.unscaled_above(limit_); }
 
-    bool found() const noexcept;
+    bool found() const noexcept { return found_; }
     // The least hit, rounded once. Only if found().
     KeyedHit get() const;
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    bool is_before_least(const exact::Fraction& at, std::uint64_t key, std::uint32_t triangle) const noexcept;
+
+    const Line& line_;
+    ScaledLine scaled_;
+    HitMemory& memory_;
+    QueryCounts& counts_;
+    double limit_;  // of the scaled parameter
+    bool found_ = false;
+    bool is_rounded_ = false;  // by whoever offered it
+    KeyedHit least_;
 };
 
 // All hits, in the same order.
@@ -64,6 +75,7 @@ class AllHits {
 
   private:
     struct State;
+    class Collector;
     std::unique_ptr<State> state_;
 };
 

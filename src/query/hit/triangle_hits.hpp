@@ -5,22 +5,56 @@
 
 #include "exact/measure/line_hit.hpp"
 #include "exact/point/frame.hpp"
+#include "exact/point/line_points.hpp"
 #include "geometry/line.hpp"
+#include "geometry/scaled_line.hpp"
 
 namespace ecods {
 
+// What doubles prove of a line and a triangle.
+struct HitEnclosure {
+    enum class Verdict : std::uint8_t {
+        none,  // they share no point
+        face,  // exactly one point, inside the face
+        open,  // nothing is proven
+    };
+    Verdict verdict = Verdict::open;
+    bool is_crossing = false;     // whether the line certainly crosses the triangle's plane, at one point
+    bool is_back = false;         // of a face
+    double lower = 0, upper = 0;  // contain the scaled parameter of that point, where there is one
+};
+
 class TriangleHits {
   public:
-    // Everything that the arguments refer to must outlive the questions.
-    void bind(const Line& line, const exact::BodyRef& body) noexcept;
+    // What depends on the body alone. Cost: constant.
+    void prepare(const exact::BodyRef& body) noexcept;
+
+    // Everything that the arguments refer to must outlive the questions. The body must have been prepared.
+    void bind(const Line& line, const ScaledLine& scaled, const exact::BodyRef& body) noexcept;
+
+    HitEnclosure enclose(std::uint32_t triangle) const noexcept;
 
     // Whether the line shares a point with the triangle, and then what.
-    bool find(std::uint32_t triangle, exact::LineHit& hit) const;
+    bool find(std::uint32_t triangle, exact::LineHit& hit);
+
+    // Sets the one shared point of a triangle that the line is proven to cross inside the face.
+    void find_crossing(std::uint32_t triangle, bool is_back, exact::LineHit& hit);
 
   private:
+    template <class Use>
+    auto with_limbs(std::uint32_t triangle, Use&& use);
+
     const Line* line_ = nullptr;
+    const ScaledLine* scaled_ = nullptr;
     exact::BodyRef body_{};
-    Pose line_pose_;  // of which the line's beginning and end, or its direction, are points
+    Pose line_pose_;              // of which the line's beginning and end, or its direction, are points
+    Vec3 sum_ = Vec3::Zero();     // |R| times the largest coordinates
+    double factor_ = 0;           // the largest of these and of |R|
+    Vec3 offset_ = Vec3::Zero();  // fl(t - a)
+    double delta_ = 0;            // the error of a coordinate of a rounded point
+    exact::LinePoints points_;
+    enum class Points : std::uint8_t { unknown, short_ones, long_ones };
+    Points kind_ = Points::unknown;
 };
 
 }  // namespace ecods

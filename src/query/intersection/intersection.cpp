@@ -40,12 +40,20 @@ DistanceCounts& DistanceCounts::operator+=(const DistanceCounts& other) noexcept
     return *this;
 }
 
+HitCounts& HitCounts::operator+=(const HitCounts& other) noexcept {
+    triangle_tests += other.triangle_tests;
+    enclosures += other.enclosures;
+    exact += other.exact;
+    return *this;
+}
+
 QueryCounts& QueryCounts::operator+=(const QueryCounts& other) noexcept {
     queries += other.queries;
     witness_hits += other.witness_hits;
     box_tests += other.box_tests;
     stages += other.stages;
     distances += other.distances;
+    hits += other.hits;
     return *this;
 }
 

@@ -1,5 +1,6 @@
 #include "ecods/shape.hpp"
 
+#include <atomic>
 #include <utility>
 
 #include "base/lazy.hpp"
@@ -12,6 +13,11 @@ namespace {
 
 // Up to here posing every vertex is as quick as asking the support_table, and tighter.
 constexpr std::size_t vertices_posed_max = 32;
+
+std::uint64_t next_tree_id() noexcept {
+    static std::atomic<std::uint64_t> last{0};
+    return last.fetch_add(1, std::memory_order_relaxed) + 1;
+}
 
 }  // namespace
 
@@ -35,14 +41,14 @@ const LocalFrame& MeshShapeAccess::frame(const MeshShape& shape) {
 const MeshTree& MeshShapeAccess::tree(const MeshShape& shape) {
     return *shape.parts_->tree.get([&] {
         return std::make_unique<const MeshTree>(
-            MeshTree{exact::measure(shape.mesh()), build_mesh_bvh(shape.mesh(), frame(shape))});
+            MeshTree{exact::measure(shape.mesh()), build_mesh_bvh(shape.mesh(), frame(shape)), next_tree_id()});
     });
 }
 
 void MeshShapeAccess::refit_tree(const MeshShape& shape, const MeshShape& model) {
     shape.parts_->tree.get([&] {
         return std::make_unique<const MeshTree>(
-            MeshTree{exact::measure(shape.mesh()), refit_mesh_bvh(tree(model).boxes, shape.mesh())});
+            MeshTree{exact::measure(shape.mesh()), refit_mesh_bvh(tree(model).boxes, shape.mesh()), next_tree_id()});
     });
 }
 

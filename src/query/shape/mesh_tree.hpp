@@ -1,6 +1,7 @@
 // The data that queries need of a mesh, made once.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "bounds/local_frame.hpp"
@@ -13,6 +14,7 @@ namespace ecods {
 struct MeshTree {
     exact::MeshExtent extent;
     MeshBvh boxes;
+    std::uint64_t id;  // of no other tree of the process: what is kept of a tree is known by it
 };
 
 // The library's own way to the parts of a MeshShape. Each part is made when it is asked for first.

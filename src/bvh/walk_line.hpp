@@ -1,0 +1,150 @@
+// The walk of one tree along a line, nearest nodes first.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "bvh/line_axes.hpp"
+#include "bvh/projected_lanes.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/vec.hpp"
+
+namespace ecods {
+
+// A node or leaf that waits to be visited, and a parameter r before which the line meets nothing of it.
+struct LineNode {
+    float from;
+    TreeRef ref;
+};
+
+template <std::size_t width>
+struct LineLanes : ProjectedLanes<width> {
+    using Lanes = ProjectedLanes<width>;
+    using Lanes::bits_of, Lanes::load, Lanes::part_count;
+    using typename Lanes::Floats, typename Lanes::Ints;
+
+    // Returns the lanes of which the line's part up to `limit` may meet the box, as bits, and sets from where on.
+    ECODS_ALWAYS_INLINE static std::uint32_t find_lanes(const LinePart& line, const BvhNode& node, float limit,
+                                                        FloatLanes& from) noexcept {
+        Ints lanes[part_count];
+        for (std::size_t part = 0; part < part_count; ++part) {
+            Floats low{}, high = broadcast<Floats>(limit);
+            for (std::size_t k = 0; k < 3; ++k) {
+                Floats center, half;
+                if (line.is_unit) {
+                    center = load(node.center[k], part);
+                    half = load(node.half[k], part);
+                } else {
+                    center = (line.p[0][k] * load(node.center[0], part) + line.p[1][k] * load(node.center[1], part)) +
+                             line.p[2][k] * load(node.center[2], part);
+                    half = (line.size[0][k] * load(node.half[0], part) + line.size[1][k] * load(node.half[1], part)) +
+                           line.size[2][k] * load(node.half[2], part);
+                }
+                const Floats middle = (center - line.origin[k]) * line.inverse[k];
+                const Floats reach = (half + line.margin[k]) * line.inverse_size[k];
+                low = max(middle - reach, low);
+                high = min(middle + reach, high);
+            }
+            Lanes::store(from, part, low);
+            lanes[part] = (low <= high) & lane_bits<Ints>(static_cast<int>(part * width));
+        }
+        return bits_of(lanes) & node.lanes();
+    }
+
+    // The same for the triangles of a leaf; the line meets nothing of it before `from`.
+    ECODS_ALWAYS_INLINE static std::uint32_t find_lanes(const LinePart& line, const TreeLeaf& leaf, float from,
+                                                        float limit) noexcept {
+        const std::array<std::size_t, 3> axes{line.x, line.y, line.z};
+        std::array<float, 3> g;
+        for (std::size_t k = 0; k < 3; ++k) g[k] = line.origin[k] + from * line.direction[k];
+        Ints lanes[part_count];
+        for (std::size_t part = 0; part < part_count; ++part) {
+            Floats x[3], y[3], z[3];
+            for (std::size_t c = 0; c < 3; ++c) {
+                const auto& corner = leaf.corner[c];
+                Floats at[3];
+                for (std::size_t i = 0; i < 3; ++i) {
+                    const std::size_t k = axes[i];
+                    if (line.is_unit) {
+                        at[i] = load(corner[k], part) - g[k];
+                    } else {
+                        at[i] = ((line.p[0][k] * load(corner[0], part) + line.p[1][k] * load(corner[1], part)) +
+                                 line.p[2][k] * load(corner[2], part)) -
+                                g[k];
+                    }
+                }
+                x[c] = at[0] - line.slope_x * at[2];
+                y[c] = at[1] - line.slope_y * at[2];
+                z[c] = at[2] * line.inverse[line.z];
+            }
+            const Floats x_low = min(x[0], min(x[1], x[2])), x_high = max(x[0], max(x[1], x[2]));
+            const Floats y_low = min(y[0], min(y[1], y[2])), y_high = max(y[0], max(y[1], y[2]));
+            const Floats z_low = min(z[0], min(z[1], z[2])), z_high = max(z[0], max(z[1], z[2]));
+            const Floats size = max(max(absolute(x_low), absolute(x_high)), max(absolute(y_low), absolute(y_high)));
+            const Floats bound =
+                ((4 * line.side) * size + (4 * 0x1p-23f) * (size * size) + 2 * line.side * line.side) * (1 + 0x1p-10f);
+            const Floats a = x[1] * y[2] - y[1] * x[2], b = x[2] * y[0] - y[2] * x[0], c = x[0] * y[1] - y[0] * x[1];
+            const Ints is_beside = (max(a, max(b, c)) > bound) & (min(a, min(b, c)) < -bound);
+            const Ints is_outside =
+                (x_low > line.side) | (x_high < -line.side) | (y_low > line.side) | (y_high < -line.side);
+            const Ints is_beyond = (z_low > ((limit - from) + line.depth)) | (z_high < -(from + line.depth));
+            lanes[part] = ~(is_beside | is_outside | is_beyond) & lane_bits<Ints>(static_cast<int>(part * width));
+        }
+        return bits_of(lanes) & leaf.lanes();
+    }
+
+    // Puts the lanes of a node on the stack, the nearest last.
+    ECODS_ALWAYS_INLINE static LineNode* push(const BvhNode& node, std::uint32_t lanes, const FloatLanes& from,
+                                              LineNode* top) noexcept {
+        LineNode* const first = top;
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+            const LineNode next{from[lane], node.child[lane]};
+            LineNode* at = top++;
+            for (; at > first && at[-1].from < next.from; --at) *at = at[-1];
+            *at = next;
+        }
+        return top;
+    }
+
+    template <class Result>
+    ECODS_ALWAYS_INLINE static void walk(const MeshBvh& tree, const LinePart& line, std::vector<LineNode>& stack,
+                                         Result& result) {
+        alignas(32) FloatLanes from;
+        if (stack.size() < 2 * tree_width) stack.resize(2 * tree_width);
+        std::size_t depth = 0;
+        stack[depth++] = {0, tree.root};
+        while (depth > 0) {
+            const LineNode at = stack[--depth];
+            if (at.from > result.limit()) continue;
+            if (at.ref.is_leaf()) {
+                const TreeLeaf& leaf = tree.leaves[at.ref.index()];
+                const std::uint32_t lanes = find_lanes(line, leaf, at.from, result.limit());
+                result.visit(leaf, lanes);
+                continue;
+            }
+            const BvhNode& node = tree.nodes[at.ref.index()];
+            const std::uint32_t lanes = find_lanes(line, node, result.limit(), from);
+            result.visit_node();
+            if (depth + tree_width > stack.size()) stack.resize(2 * stack.size());
+            LineNode* const first = stack.data();
+            depth = static_cast<std::size_t>(push(node, lanes, from, first + depth) - first);
+        }
+    }
+};
+
+// Visits the leaves that the line may meet, in the order of `from` or nearly so.
+//
+// `result.limit()` is the r that counts from now on, at most 1: what is only met beyond it is left out.
+// `result.visit(leaf, lanes)` takes the triangles of a leaf that may be hit, as bits, and may lower the limit;
+// `result.visit_node()` counts. `stack` is working memory.
+template <class Result>
+void walk_line(const MeshBvh& tree, const LinePart& line, std::vector<LineNode>& stack, Result& result) {
+    dispatch_by_width<LineLanes<4>::template walk<Result>, LineLanes<8>::template walk<Result>>(tree, line, stack,
+                                                                                                result);
+}
+
+}  // namespace ecods

@@ -1,0 +1,207 @@
+#include <algorithm>
+#include <bit>
+#include <tuple>
+#include <utility>
+
+#include "base/next.hpp"
+#include "query/hit/hit_memory.hpp"
+#include "query/hit/hit_search.hpp"
+
+namespace ecods {
+namespace {
+
+// The least hit of one body with a line, up to a limit. Doubles decide among triangles that are certainly hit inside
+// their faces; the others are decided in integers as they come, and the least of them is kept.
+class BodySearch {
+  public:
+    BodySearch(const Posed<MeshShape>& body, HitMemory& memory, const ScaledLine& line, double limit, HitCounts& counts)
+        : body_(body), memory_(memory), line_(line), limit_(limit), counts_(counts) {
+        memory_.faces.clear();
+    }
+
+    // Every hit that is not beyond it counts; some hit, of this body or another, is not beyond it.
+    double parameter_limit() const noexcept { return limit_; }
+
+    // Tries a triangle before the tree: it comes again.
+    void try_first(std::uint32_t triangle) {
+        set_ratio();
+        visit(triangle);
+        tried_ = triangle;
+    }
+
+    void walk(LineAxes::Place place) {
+        set_ratio();
+        memory_.walk(body_, place, *this);
+    }
+
+    // What walk_line asks.
+    float limit() const noexcept { return ratio_; }
+    void visit_node() noexcept { ++box_tests_; }
+    void visit(const TreeLeaf& leaf, std::uint32_t lanes) {
+        counts_.triangle_tests += leaf.count;
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const std::uint32_t triangle = leaf.triangle[static_cast<std::size_t>(std::countr_zero(lanes))];
+            if (triangle != tried_) visit(triangle);
+        }
+    }
+    void visit(std::uint32_t triangle);
+
+    // Compares what is left. Returns whether there is a hit: memory.own, of triangle().
+    bool finish();
+    std::uint32_t triangle() const noexcept { return least_; }
+    std::uint64_t box_tests() const noexcept { return box_tests_; }
+
+  private:
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    void set_ratio() noexcept { ratio_ = memory_.axes.ratio_above(limit_); }
+    void lower_limit(double upper) noexcept {
+        if (!(upper < limit_)) return;
+        limit_ = upper;
+        set_ratio();
+    }
+    void decide(std::uint32_t triangle, const HitEnclosure& enclosure);
+    bool is_before_own(std::uint32_t triangle) const noexcept;
+    void keep_other(std::uint32_t triangle) noexcept;
+    bool ties_at_shared(std::uint32_t triangle) noexcept;
+
+    const Posed<MeshShape>& body_;
+    HitMemory& memory_;
+    const ScaledLine& line_;
+    double limit_;
+    float ratio_ = 1;
+    HitCounts& counts_;
+    std::uint64_t box_tests_ = 0;
+    std::uint32_t tried_ = none;
+    std::uint32_t least_ = none;  // has memory.own
+    // The vertices of the mesh that hold memory.own: one, the two of an edge, or none if that is not known.
+    std::array<std::uint32_t, 2> shared_{none, none};
+};
+
+void BodySearch::visit(std::uint32_t triangle) {
+    ++counts_.enclosures;
+    const HitEnclosure enclosure = memory_.triangles.enclose(triangle);
+    if (enclosure.verdict == HitEnclosure::Verdict::none || enclosure.lower > limit_) return;
+    if (enclosure.verdict == HitEnclosure::Verdict::face) {
+        memory_.faces.push_back({triangle, enclosure});
+        lower_limit(enclosure.upper);
+    } else {
+        decide(triangle, enclosure);
+    }
+}
+
+void BodySearch::decide(std::uint32_t triangle, const HitEnclosure& enclosure) {
+    if (enclosure.is_crossing && ties_at_shared(triangle)) return;
+    ++counts_.exact;
+    if (!memory_.triangles.find(triangle, *memory_.other)) return;
+    if (!is_before_own(triangle)) return;
+    keep_other(triangle);
+    double upper = enclosure.upper;
+    if (!enclosure.is_crossing) upper = line_.scaled_above(next_up(exact::round_fraction(memory_.own->enter.ref())));
+    lower_limit(upper);
+}
+
+bool BodySearch::is_before_own(std::uint32_t triangle) const noexcept {
+    if (least_ == none) return true;
+    const int order = compare(memory_.other->enter.ref(), memory_.own->enter.ref());
+    return order != 0 ? order < 0 : triangle < least_;
+}
+
+void BodySearch::keep_other(std::uint32_t triangle) noexcept {
+    std::swap(memory_.own, memory_.other);
+    least_ = triangle;
+    shared_ = {none, none};
+    const exact::LineHit& hit = *memory_.own;
+    if (hit.is_along || hit.feature == Feature::Kind::face) return;
+    const Triangle& corners = body_.what->mesh().triangles()[triangle];
+    shared_[0] = corners[hit.corner];
+    if (hit.feature == Feature::Kind::edge) shared_[1] = corners[(hit.corner + 1) % 3];
+}
+
+// Whether a triangle whose plane the line crosses has the vertex, or the edge, at which the least one is hit. Then it
+// is hit there and nowhere else: at the same parameter, and nothing need be computed.
+bool BodySearch::ties_at_shared(std::uint32_t triangle) noexcept {
+    if (shared_[0] == none) return false;
+    const Triangle& corners = body_.what->mesh().triangles()[triangle];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const std::uint32_t p = corners[i], q = corners[(i + 1) % 3];
+        const bool has_it = shared_[1] == none
+                                ? p == shared_[0]
+                                : (p == shared_[0] && q == shared_[1]) || (p == shared_[1] && q == shared_[0]);
+        if (!has_it) continue;
+        if (triangle < least_) {
+            least_ = triangle;
+            memory_.own->corner = i;
+        }
+        return true;
+    }
+    return false;
+}
+
+bool BodySearch::finish() {
+    for (const HitMemory::FaceHit& face : memory_.faces) {
+        if (face.enclosure.lower > limit_) continue;
+        ++counts_.exact;
+        memory_.triangles.find_crossing(face.triangle, face.enclosure.is_back, *memory_.other);
+        if (is_before_own(face.triangle)) keep_other(face.triangle);
+    }
+    return least_ != none;
+}
+
+}  // namespace
+
+FirstHit::FirstHit(const Line& line, QueryMemory& memory)
+    : line_(line),
+      scaled_(line),
+      memory_(HitMemory::of(memory)),
+      counts_(QueryMemoryAccess::state(memory).counts),
+      limit_(scaled_.end_high) {}
+
+bool FirstHit::is_before_least(const exact::Fraction& at, std::uint64_t key, std::uint32_t triangle) const noexcept {
+    if (!found_) return true;
+    const int order = compare(at.ref(), memory_.best->enter.ref());
+    return order != 0 ? order < 0 : std::tuple(key, triangle) < std::tuple(least_.key, least_.hit.feature.triangle);
+}
+
+void FirstHit::ask(const Posed<MeshShape>& body, std::uint64_t key, PairWitness& witness) {
+    ++counts_.queries;
+    const LineAxes::Place place = memory_.bind(line_, scaled_, limit_, body);
+    if (place == LineAxes::Place::apart) return;
+    BodySearch search(body, memory_, scaled_, limit_, counts_.hits);
+    if (witness.b < body.what->mesh().triangles().size()) search.try_first(witness.b);
+    search.walk(place);
+    counts_.box_tests += search.box_tests();
+    if (!search.finish() || !is_before_least(memory_.own->enter, key, search.triangle())) return;
+    if (search.triangle() == witness.b) ++counts_.witness_hits;
+    witness.b = search.triangle();
+    std::swap(memory_.best, memory_.own);
+    limit_ = search.parameter_limit();
+    found_ = true;
+    is_rounded_ = false;
+    least_.key = key;
+    least_.hit.feature.triangle = search.triangle();
+}
+
+void FirstHit::ask(const Posed<MeshShape>& body, std::uint64_t key) {
+    PairWitness witness;
+    ask(body, key, witness);
+}
+
+void FirstHit::offer(const Hit& hit, std::uint64_t key) {
+    const exact::Fraction at = exact::fraction_of(hit.parameter);
+    if (!is_before_least(at, key, hit.feature.triangle)) return;
+    memory_.best->enter = at;
+    limit_ = std::min(limit_, scaled_.scaled_above(hit.parameter));
+    least_ = {key, hit};
+    found_ = true;
+    is_rounded_ = true;
+}
+
+KeyedHit FirstHit::get() const {
+    KeyedHit result = least_;
+    if (!is_rounded_) result.hit = rounded(line_, *memory_.best, least_.hit.feature.triangle);
+    result.hit.rank = 0;
+    return result;
+}
+
+}  // namespace ecods
