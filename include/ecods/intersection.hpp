@@ -70,6 +70,17 @@ struct HitCounts {
     friend bool operator==(const HitCounts&, const HitCounts&) = default;
 };
 
+// How many pairs of triangles were asked when they first share a point, by the questions of cast.hpp, from the cheapest
+// stage to the dearest.
+struct CastCounts {
+    std::uint64_t triangle_bounds = 0;  // in floats
+    std::uint64_t enclosures = 0;       // in doubles with proven bounds
+    std::uint64_t exact = 0;            // in integers
+
+    ECODS_API CastCounts& operator+=(const CastCounts& other) noexcept;
+    friend bool operator==(const CastCounts&, const CastCounts&) = default;
+};
+
 // The work of queries as exact counts.
 struct QueryCounts {
     std::uint64_t queries = 0;       // two-body queries of meshes, and lines asked of one
@@ -78,6 +89,7 @@ struct QueryCounts {
     StageCounts stages;              // of the pairs of triangles that the trees left over
     DistanceCounts distances;        // of these where distances are asked for
     HitCounts hits;                  // of the triangles that lines are asked of
+    CastCounts casts;                // of these where times are asked for
 
     ECODS_API QueryCounts& operator+=(const QueryCounts& other) noexcept;
     friend bool operator==(const QueryCounts&, const QueryCounts&) = default;

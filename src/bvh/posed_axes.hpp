@@ -69,15 +69,20 @@ struct DoubleAxes {
     bool is_unit;
 
     ECODS_ALWAYS_INLINE DoubleAxes(const Matrix4& N, const Edges& edges_a, const Edges& edges_b, Double4 d,
-                                   Own own_tree) {
+                                   Own own_tree)
+        : DoubleAxes(N, edges_a, edges_b, d, absolute(d), Double4{}, own_tree) {}
+
+    // For trees that move: `d_size` is at least |d| and the terms that d was made of by one rounding of their sum or
+    // less, and `path` is how far they go on the axes, which is added to s as an offset is.
+    ECODS_ALWAYS_INLINE DoubleAxes(const Matrix4& N, const Edges& edges_a, const Edges& edges_b, Double4 d,
+                                   Double4 d_size, Double4 path, Own own_tree) {
         const Matrix4 N_size = absolute(N);
-        const Double4 d_size = absolute(d);
         a = N * edges_a.edges;
         b = N * edges_b.edges;
         offset = N * ((edges_b.origin - edges_a.origin) + d);
         const Double4 world = ((edges_a.size + edges_b.size) + (edges_a.origin_size + edges_b.origin_size)) + d_size;
         w = N_size * world;
-        s = (row_sums(absolute(a)) + row_sums(absolute(b))) + absolute(offset);
+        s = ((row_sums(absolute(a)) + row_sums(absolute(b))) + absolute(offset)) + path;
         const double factor = ((edges_a.factor + edges_b.factor) + sum(d_size)) * sum(row_sums(N_size));
         const Matrix4& own = own_tree == Own::a ? a : b;
         e = row_sums({{absolute(own.column[0] - Double4{1, 0, 0, 0}), absolute(own.column[1] - Double4{0, 1, 0, 0}),

@@ -193,29 +193,14 @@ ECODS_ALWAYS_INLINE double Features::upper() const noexcept {
     return (std::sqrt(dot(z, z)) * (1 + 8 * two_u) + error) * (1 + 8 * two_u);
 }
 
-// x 2^e rounded down or up, for x >= 2^-200, normal.
-double scaled_down(double x, int e) noexcept {
-    const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
-    const int biased = static_cast<int>(bits >> 52) + e;
-    if (biased <= 0) return 0;
-    if (biased >= 0x7ff) return std::numeric_limits<double>::max();
-    return std::bit_cast<double>((bits & ((std::uint64_t{1} << 52) - 1)) | static_cast<std::uint64_t>(biased) << 52);
-}
-double scaled_up(double x, int e) noexcept {
-    const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
-    const int biased = static_cast<int>(bits >> 52) + e;
-    if (biased <= 0) return std::numeric_limits<double>::min();
-    if (biased >= 0x7ff) return std::numeric_limits<double>::infinity();
-    return std::bit_cast<double>((bits & ((std::uint64_t{1} << 52) - 1)) | static_cast<std::uint64_t>(biased) << 52);
-}
-
 ECODS_ALWAYS_INLINE Enclosure Features::result(int unit) const noexcept {
     const int e = w_.shift + unit;
     const double low = lower();
     return {low > 0 ? scaled_down(low, e) : 0, scaled_up(upper(), e), is_certain_};
 }
 
-// The corner of a face from which its two shorter edges go: their product is the most accurate one.
+}  // namespace
+
 std::size_t blunt_corner(const IntegerPair& pair, std::size_t side) noexcept {
     std::array<IntegerVector, 3> edges;
     Uint128 digits = 0;
@@ -231,8 +216,6 @@ std::size_t blunt_corner(const IntegerPair& pair, std::size_t side) noexcept {
     }
     return squares[0] >= squares[1] ? (squares[0] >= squares[2] ? 0 : 2) : squares[1] >= squares[2] ? 1 : 2;
 }
-
-}  // namespace
 
 Enclosure enclose_distance(const IntegerPair& pair, const FeaturePair& features) noexcept {
     const std::size_t side = features.vertex_side;
@@ -256,7 +239,7 @@ Enclosure enclose_distance(const IntegerPair& pair, const FeaturePair& features)
     return found.result(pair.unit);
 }
 
-FeaturePair guess_features(const IntegerPair& pair) noexcept {
+Points<6> to_doubles(const IntegerPair& pair) noexcept {
     std::array<IntegerVector, 6> vectors;
     Uint128 digits = 0;
     vectors[0] = {0, 0, 0};
@@ -267,7 +250,11 @@ FeaturePair guess_features(const IntegerPair& pair) noexcept {
     const int shift = shift_of(digits);
     Points<6> points;
     for (std::size_t i = 0; i < 6; ++i) points[i] = shifted(vectors[i], shift);
-    return guess_features(points);
+    return points;
+}
+
+FeaturePair guess_features(const IntegerPair& pair) noexcept {
+    return guess_features(to_doubles(pair));
 }
 
 }  // namespace ecods::exact

@@ -6,6 +6,7 @@
 
 #include "exact/measure/feature_pair.hpp"
 #include "exact/measure/fixed_points.hpp"
+#include "exact/point/point.hpp"
 
 namespace ecods::exact {
 
@@ -26,6 +27,12 @@ struct IntegerPair {
 // Whatever the features are, the interval contains the distance; it is narrow if they are the closest. In any rounding
 // mode, with or without flush-to-zero or fused multiply-add.
 Enclosure enclose_distance(const IntegerPair& pair, const FeaturePair& features) noexcept;
+
+// The corner of a face from which its two shorter edges go: their product is the most accurate one.
+std::size_t blunt_corner(const IntegerPair& pair, std::size_t side) noexcept;
+
+// The points less the first one, in a common power of two, below 2^53.
+Points<6> to_doubles(const IntegerPair& pair) noexcept;
 
 // A guess for such points.
 FeaturePair guess_features(const IntegerPair& pair) noexcept;

@@ -5,10 +5,10 @@
 
 namespace ecods::exact {
 
-void FixedPoints::bind(const BodyRef& a, const BodyRef& b) noexcept {
+void FixedPoints::bind(const BodyRef& a, const BodyRef& b, const BitRange& others) noexcept {
     bodies_[0].ref = a;
     bodies_[1].ref = b;
-    find_unit();
+    find_unit(others);
     for (Body& body : bodies_) {
         body.points.clear();
         const Pose& pose = *body.ref.pose;
@@ -28,7 +28,7 @@ void FixedPoints::bind(const BodyRef& a, const BodyRef& b) noexcept {
 
 // A coordinate is the sum of three products and a difference of translations, each below 2^high: the difference of two
 // coordinates is below 2^(high + 3), and difference_bits hold it.
-void FixedPoints::find_unit() noexcept {
+void FixedPoints::find_unit(const BitRange& others) noexcept {
     BitRange digits;
     for (const Body& body : bodies_) {
         for (int column = 0; column < 3; ++column) {
@@ -47,6 +47,9 @@ void FixedPoints::find_unit() noexcept {
             digits.include(digits.low, digits.high + 1);
         }
     }
+    BitRange all = digits;
+    all.include(others);
+    if (all.width() + 3 <= difference_bits) digits = all;
     is_exact_ = digits.width() + 3 <= difference_bits;
     unit_ = digits.empty() ? 0 : std::max(digits.low, digits.high + 3 - difference_bits);
 }

@@ -20,8 +20,9 @@ class FixedPoints {
   public:
     using Point = TwoLimbKernel::Point;
 
-    // Cost: constant. Everything that the arguments refer to must outlive the questions. Memory: 128 KiB.
-    void bind(const BodyRef& a, const BodyRef& b) noexcept;
+    // Cost: constant. Everything that the arguments refer to must outlive the questions. Memory: 128 KiB. `others` are
+    // digits of numbers that will be counted in the same unit: it divides them if they and the points fit.
+    void bind(const BodyRef& a, const BodyRef& b, const BitRange& others = {}) noexcept;
 
     const BodyRef& body(std::size_t i) const noexcept { return bodies_[i].ref; }
 
@@ -56,7 +57,7 @@ class FixedPoints {
 
     static Factor factor(double x) noexcept;
     static Int128 shifted(Int128 m, int shift) noexcept;
-    void find_unit() noexcept;
+    void find_unit(const BitRange& others) noexcept;
     void pose(const Body& of, std::uint32_t vertex, Point& p) const noexcept;
 
     std::array<Body, 2> bodies_;

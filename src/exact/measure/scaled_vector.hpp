@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <limits>
 
 #include "base/assert.hpp"
 #include "exact/measure/fixed_points.hpp"
@@ -59,6 +60,22 @@ ECODS_ALWAYS_INLINE ScaledVector scaled(const IntegerVector& v, bool is_exact) n
         return {shifted(v, shift), shift};
     if (!is_exact) return {shifted(v, 0), 0};
     return {shifted({v[0] << -shift, v[1] << -shift, v[2] << -shift}, 0), shift};
+}
+
+// x 2^e rounded down or up, for x >= 2^-200, normal.
+inline double scaled_down(double x, int e) noexcept {
+    const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
+    const int biased = static_cast<int>(bits >> 52) + e;
+    if (biased <= 0) return 0;
+    if (biased >= 0x7ff) return std::numeric_limits<double>::max();
+    return std::bit_cast<double>((bits & ((std::uint64_t{1} << 52) - 1)) | static_cast<std::uint64_t>(biased) << 52);
+}
+inline double scaled_up(double x, int e) noexcept {
+    const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
+    const int biased = static_cast<int>(bits >> 52) + e;
+    if (biased <= 0) return std::numeric_limits<double>::min();
+    if (biased >= 0x7ff) return std::numeric_limits<double>::infinity();
+    return std::bit_cast<double>((bits & ((std::uint64_t{1} << 52) - 1)) | static_cast<std::uint64_t>(biased) << 52);
 }
 
 }  // namespace ecods::exact

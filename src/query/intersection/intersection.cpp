@@ -47,6 +47,13 @@ HitCounts& HitCounts::operator+=(const HitCounts& other) noexcept {
     return *this;
 }
 
+CastCounts& CastCounts::operator+=(const CastCounts& other) noexcept {
+    triangle_bounds += other.triangle_bounds;
+    enclosures += other.enclosures;
+    exact += other.exact;
+    return *this;
+}
+
 QueryCounts& QueryCounts::operator+=(const QueryCounts& other) noexcept {
     queries += other.queries;
     witness_hits += other.witness_hits;
@@ -54,6 +61,7 @@ QueryCounts& QueryCounts::operator+=(const QueryCounts& other) noexcept {
     stages += other.stages;
     distances += other.distances;
     hits += other.hits;
+    casts += other.casts;
     return *this;
 }
 

@@ -21,8 +21,7 @@ struct QueryMemory::State {
     SeparatingAxes axes;
     std::vector<NodePair> stack;
     QueryCounts counts;
-    std::unique_ptr<QueryMemoryPart> distance;
-    std::unique_ptr<QueryMemoryPart> hit;
+    std::unique_ptr<QueryMemoryPart> distance, hit, cast, moving_cast;
 };
 
 struct QueryMemoryAccess {

@@ -1,0 +1,157 @@
+#include "query/cast/triangle_contacts.hpp"
+
+#include <algorithm>
+
+#include "exact/measure/contact_times.hpp"
+#include "exact/measure/enclose_contact.hpp"
+#include "exact/measure/measure_pair.hpp"
+#include "exact/point/integer_points.hpp"
+
+namespace ecods {
+
+using namespace exact;
+
+namespace {
+
+// Has the names of features as the triangles of the pair give them.
+FirstContact named(const FeaturePair& f, std::uint32_t i, std::uint32_t j) noexcept {
+    using Kind = Feature::Kind;
+    FirstContact contact;
+    const auto name = [&](ClosestKind kind, Kind lesser, Kind greater) {
+        const bool is_lesser_of_a = f.vertex_side == 0;
+        contact.kind = kind;
+        contact.a = {is_lesser_of_a ? lesser : greater, i, f.a};
+        contact.b = {is_lesser_of_a ? greater : lesser, j, f.b};
+    };
+    switch (f.kind) {
+        case FeatureKind::vertex_vertex:
+            name(ClosestKind::vertex_vertex, Kind::vertex, Kind::vertex);
+            break;
+        case FeatureKind::vertex_edge:
+            name(ClosestKind::vertex_edge, Kind::vertex, Kind::edge);
+            break;
+        case FeatureKind::vertex_face:
+            name(ClosestKind::vertex_face, Kind::vertex, Kind::face);
+            break;
+        case FeatureKind::edge_edge:
+            name(ClosestKind::edge_edge, Kind::edge, Kind::edge);
+            break;
+    }
+    return contact;
+}
+
+ContactFeature shared(const Feature& feature, const Triangle& triangle) noexcept {
+    const std::uint32_t corner = triangle[feature.corner], next = triangle[(feature.corner + 1) % 3];
+    switch (feature.kind) {
+        case Feature::Kind::vertex:
+            return {corner, ContactFeature::none};
+        case Feature::Kind::edge:
+            return {std::min(corner, next), std::max(corner, next)};
+        default:
+            return {feature.triangle, feature.triangle};
+    }
+}
+
+}  // namespace
+
+void TriangleContacts::bind(const BodyRef& a, const Vec3& motion, const BodyRef& b) {
+    motion_ = motion;
+    scaled_ = scaled_motion(motion);
+    BitRange digits;
+    for (int k = 0; k < 3; ++k) digits.include(decode(motion[k]));
+    points_.bind(a, b, digits);
+    triangles_ = {a.mesh->triangles().data(), b.mesh->triangles().data()};
+    // As a difference of points.
+    is_exact_ = points_.is_exact() && digits.low >= points_.unit() &&
+                digits.high - points_.unit() < FixedPoints::difference_bits;
+    if (!is_exact_) return;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Dyadic d = decode(motion[static_cast<Eigen::Index>(k)]);
+        integer_motion_[k] = d.m == 0 ? 0 : Int128{d.m} << (d.e - points_.unit());
+    }
+}
+
+IntegerPair TriangleContacts::integers(std::uint32_t i, std::uint32_t j) {
+    IntegerPair pair;
+    for (std::size_t k = 0; k < 3; ++k) {
+        pair.at[k] = points_.at(0, triangles_[0][i][k]);
+        pair.at[3 + k] = points_.at(1, triangles_[1][j][k]);
+    }
+    pair.unit = points_.unit();
+    pair.error = points_.is_exact() ? 0 : FixedPoints::error_units;
+    return pair;
+}
+
+ContactInterval TriangleContacts::enclose(std::uint32_t i, std::uint32_t j) {
+    const IntegerPair pair = integers(i, j);
+    const ContactGuess guess = guess_contact(pair, scaled_);
+    const ContactEnclosure enclosure = enclose_contact(pair, scaled_, guess);
+    ContactInterval interval;
+    interval.lower = enclosure.lower;
+    interval.upper = enclosure.upper;
+    interval.is_certain = enclosure.is_certain;
+    if (enclosure.is_certain) {
+        interval.contact = named(guess.features, i, j);
+        interval.a = shared(interval.contact.a, triangles_[0][i]);
+        interval.b = shared(interval.contact.b, triangles_[1][j]);
+    }
+    return interval;
+}
+
+// Calls use(times) with the ContactTimes of two triangles, in the narrowest kernel that holds their points and the
+// motion. This is the difference of two more points: of a body that has the pose of the first one's translation alone.
+template <class Use>
+auto TriangleContacts::with_times(std::uint32_t i, std::uint32_t j, Use&& use) {
+    const auto in_kernel = [&]<class Kernel>(const IntegerPoints<Kernel, 8>& points) {
+        constexpr int L = limbs_of<Kernel>;
+        using Point = std::array<Limbs<L>, 3>;
+        const auto at = [&](std::size_t k) {
+            return Point{to_limbs(points.at[k][0]), to_limbs(points.at[k][1]), to_limbs(points.at[k][2])};
+        };
+        const std::array<Point, 6> corners{at(0), at(1), at(2), at(3), at(4), at(5)};
+        return use(ContactTimes<L>(corners, difference<L>(at(7), at(6))));
+    };
+    if (is_exact_) {
+        const IntegerPair pair = integers(i, j);
+        IntegerPoints<TwoLimbKernel, 8> points;
+        points.unit = pair.unit;
+        std::copy(pair.at.begin(), pair.at.end(), points.at.begin());
+        points.at[6] = points.at[7] = pair.at[0];
+        for (std::size_t k = 0; k < 3; ++k) points.at[7][k] += integer_motion_[k];
+        return use_narrowest(points, in_kernel);
+    }
+    const BodyRef &a = points_.body(0), &b = points_.body(1);
+    const Pose translated{Mat3::Identity(), a.pose->t};
+    const Vec3 origin = Vec3::Zero();
+    PosedPoints<8> posed;
+    for (std::size_t k = 0; k < 3; ++k) {
+        posed[k] = {a.pose, &a.mesh->vertices()[triangles_[0][i][k]]};
+        posed[3 + k] = {b.pose, &b.mesh->vertices()[triangles_[1][j][k]]};
+    }
+    posed[6] = {&translated, &origin};
+    posed[7] = {&translated, &motion_};
+    return with_integers(posed, in_kernel);
+}
+
+std::optional<double> TriangleContacts::time(std::uint32_t i, std::uint32_t j) {
+    return with_times(i, j, [](const auto& times) -> std::optional<double> {
+        const auto first = times.first();
+        if (!first) return std::nullopt;
+        return round(*first);
+    });
+}
+
+std::optional<FirstContact> TriangleContacts::contact(std::uint32_t i, std::uint32_t j) {
+    return with_times(i, j, [&](const auto& times) -> std::optional<FirstContact> {
+        const auto first = times.first();
+        if (!first) return std::nullopt;
+        FirstContact result;
+        result.a = {Feature::Kind::face, i, 0};
+        result.b = {Feature::Kind::face, j, 0};
+        if (first->sign > 0) result = named(times.first_features(*first), i, j);
+        result.time = round(*first);
+        return result;
+    });
+}
+
+}  // namespace ecods

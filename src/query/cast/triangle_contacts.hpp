@@ -1,0 +1,46 @@
+// Two posed meshes of which the first is translated, ready for questions about the first contact of pairs of their
+// triangles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "ecods/cast.hpp"
+#include "exact/measure/enclose_distance.hpp"
+#include "exact/measure/fixed_points.hpp"
+#include "exact/measure/scaled_vector.hpp"
+#include "query/cast/contact_interval.hpp"
+
+namespace ecods {
+
+class TriangleContacts {
+  public:
+    // Cost: constant. Everything that the arguments refer to must outlive the questions. The motion is finite and not
+    // zero.
+    void bind(const exact::BodyRef& a, const Vec3& motion, const exact::BodyRef& b);
+
+    // Contains the first time of triangle `i` of the first mesh and `j` of the second, by doubles with proven bounds.
+    ContactInterval enclose(std::uint32_t i, std::uint32_t j);
+
+    // The first time from 0 to 1 at which they share a point, rounded once.
+    std::optional<double> time(std::uint32_t i, std::uint32_t j);
+
+    // The same, with the first features by the rule of FirstContact.
+    std::optional<FirstContact> contact(std::uint32_t i, std::uint32_t j);
+
+  private:
+    template <class Use>
+    auto with_times(std::uint32_t i, std::uint32_t j, Use&& use);
+    exact::IntegerPair integers(std::uint32_t i, std::uint32_t j);
+
+    exact::FixedPoints points_;
+    std::array<const Triangle*, 2> triangles_{};
+    Vec3 motion_ = Vec3::Zero();
+    exact::ScaledVector scaled_{};
+    // In the unit of the points, which divides it where `is_exact_`.
+    exact::FixedPoints::Point integer_motion_{};
+    bool is_exact_ = false;
+};
+
+}  // namespace ecods
