@@ -1,14 +1,51 @@
-#include "ecods/cast.hpp"
-#include "ecods/error.hpp"
+#include "query/cast/cast_moving.hpp"
+
+#include "query/cast/moving_search.hpp"
 
 namespace ecods {
+namespace {
 
-// TODO(moving)
-std::optional<FirstContact> cast(const Moving<MeshShape>&, const Moving<MeshShape>&, QueryMemory&) {
-    throw NotSupported("cast");
+FirstContact contact_at_start(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {
+    const TrianglePair first = intersecting_triangles(a, b, memory).front();
+    --QueryMemoryAccess::state(memory).counts.queries;  // it is a part of this one
+    return {0, ClosestKind::intersecting, {Feature::Kind::face, first.a, 0}, {Feature::Kind::face, first.b, 0}};
 }
-std::optional<FirstContact> cast(const Moving<MeshShape>&, const Moving<MeshShape>&, QueryMemory&, PairWitness&) {
-    throw NotSupported("cast");
+
+bool is_at_rest(const Moving<MeshShape>& body) {
+    return body.from == body.to;
+}
+
+}  // namespace
+
+std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<MeshShape>& b, double at_most,
+                                       QueryMemory& memory, PairWitness& witness) {
+    MovingSearch search(a, b, memory);
+    const std::optional<float> first = search.first_of_boxes();
+    if (!first) return std::nullopt;
+    PairWitness at_start = witness;
+    if (!(*first > 0)) {
+        const Posed<MeshShape> start_a(*a.what, a.from), start_b(*b.what, b.from);
+        const bool intersect = intersects(start_a, start_b, memory, at_start);
+        --QueryMemoryAccess::state(memory).counts.queries;  // it is a part of this one
+        if (intersect) {
+            witness = at_start;
+            return contact_at_start(start_a, start_b, memory);
+        }
+    }
+    if (is_at_rest(a) && is_at_rest(b)) return std::nullopt;
+    const std::optional<FirstContact> contact = search.run(at_most, witness);
+    if (contact) witness = {contact->a.triangle, contact->b.triangle};
+    return contact;
+}
+
+std::optional<FirstContact> cast(const Moving<MeshShape>& a, const Moving<MeshShape>& b, QueryMemory& memory,
+                                 PairWitness& witness) {
+    return cast_until(a, b, 1, memory, witness);
+}
+
+std::optional<FirstContact> cast(const Moving<MeshShape>& a, const Moving<MeshShape>& b, QueryMemory& memory) {
+    PairWitness witness;
+    return cast_until(a, b, 1, memory, witness);
 }
 
 }  // namespace ecods

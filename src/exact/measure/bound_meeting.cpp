@@ -1,0 +1,173 @@
+#include "exact/measure/bound_meeting.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/arithmetic.hpp"
+#include "base/next.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/vec.hpp"
+
+namespace ecods::exact {
+namespace {
+
+using Double4 = Vec<double, 4>;
+using Four = std::array<Double4, 3>;  // vectors, one in each lane
+
+constexpr double coordinate_max = 0x1p150;
+constexpr double underflow = 0x1p-400;
+// Each step shortens or parts an interval. More than this is only needed where both triangles graze each other.
+constexpr int step_max = 96;
+// Shorter ones are not parted: relative to their end, a few times what doubles tell apart.
+constexpr double length_min = 0x1p-44;
+
+ECODS_ALWAYS_INLINE Point difference(const Point& a, const Point& b) noexcept {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+ECODS_ALWAYS_INLINE Point cross(const Point& a, const Point& b) noexcept {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+ECODS_ALWAYS_INLINE Four four(const Point& a, const Point& b, const Point& c, const Point& d) noexcept {
+    return {Double4{a[0], b[0], c[0], d[0]}, Double4{a[1], b[1], c[1], d[1]}, Double4{a[2], b[2], c[2], d[2]}};
+}
+
+// The ends of both triangles on four axes at one time.
+struct Ends {
+    Double4 low_a, high_a, low_b, high_b;
+
+    ECODS_ALWAYS_INLINE Ends(const Four& n, const Points<6>& p) noexcept {
+        const auto on = [&](std::size_t i) { return (n[0] * p[i][0] + n[1] * p[i][1]) + n[2] * p[i][2]; };
+        const Double4 a0 = on(0), a1 = on(1), a2 = on(2), b0 = on(3), b1 = on(4), b2 = on(5);
+        low_a = min(a0, min(a1, a2));
+        high_a = max(a0, max(a1, a2));
+        low_b = min(b0, min(b1, b2));
+        high_b = max(b0, max(b1, b2));
+    }
+};
+
+// What is left of an interval, as parts of its length: nothing where first > last.
+struct Part {
+    double first = 0, last = 1;
+};
+
+// The gaps at both ends of the interval leave the part between the zeros of their chords.
+ECODS_ALWAYS_INLINE void shorten(Part& part, Double4 gap_from, Double4 gap_to) noexcept {
+    const Double4 zero{}, one = zero + 1, two = zero + 2;
+    const auto apart_before = gap_from > zero, apart_after = gap_to > zero;
+    const Double4 at = gap_from / (gap_from - gap_to);
+    const Double4 first = select(apart_before, select(apart_after, two, at * (1 - 16 * two_u)), zero);
+    const Double4 last = select(~apart_before & apart_after, at * (1 + 16 * two_u), one);
+    for (int i = 0; i < 4; ++i) {
+        part.first = first[i] > part.first ? first[i] : part.first;
+        part.last = last[i] < part.last ? last[i] : part.last;
+    }
+}
+
+class Bounds {
+  public:
+    ECODS_ALWAYS_INLINE explicit Bounds(const MovingPoints& points) noexcept {
+        const Point origin = points.start[0];
+        double size = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            double most = 0, most_before = std::abs(origin[k]);
+            for (std::size_t i = 0; i < 6; ++i) {
+                most_before = std::max({most_before, std::abs(points.start[i][k]), std::abs(points.end[i][k])});
+                start_[i][k] = points.start[i][k] - origin[k];
+                end_[i][k] = points.end[i][k] - origin[k];
+                most = std::max({most, std::abs(start_[i][k]), std::abs(end_[i][k])});
+            }
+            size = std::max(size, most);
+            error_[k] = 2.25 * (points.error + two_u * most) + 20 * two_u * most;
+            is_bounded_ = is_bounded_ && most_before < coordinate_max && most < coordinate_max;
+        }
+        is_bounded_ = is_bounded_ && points.error < coordinate_max;
+    }
+
+    ECODS_ALWAYS_INLINE std::optional<double> first(double from, double to) const noexcept {
+        if (!is_bounded_) return from;
+        std::array<double, step_max> later;  // ends of the intervals that follow, the next one last
+        std::size_t later_count = 0;
+        double end = to;  // of the interval that is being shortened
+        Points<6> at_from = at(from), at_to = at(to);
+        for (int step = 0; step < step_max; ++step) {
+            const Part part = remaining(at_from, at_to);
+            if (part.first > part.last) {
+                if (later_count == 0) return std::nullopt;
+                from = end;
+                to = end = later[--later_count];
+                at_from = at(from);
+                at_to = at(to);
+                continue;
+            }
+            const double length = to - from;
+            const double first = std::max(from, next_down(from + length * part.first));
+            const double last = part.last < 1 ? std::min(to, next_up(from + length * part.last)) : to;
+            if (!(first <= last)) return from;
+            if (first > from) at_from = at(first);
+            from = first;
+            to = last;
+            if (to - from <= length_min * to) return from;
+            if (to - from > 0.5 * length) {
+                later[later_count++] = end;
+                to = end = from + 0.5 * (to - from);
+            }
+            at_to = at(to);
+        }
+        return from;
+    }
+
+  private:
+    ECODS_ALWAYS_INLINE Points<6> at(double s) const noexcept {
+        Points<6> result;
+        const double rest = 1 - s;
+        for (std::size_t i = 0; i < 6; ++i) {
+            for (std::size_t k = 0; k < 3; ++k) result[i][k] = start_[i][k] * rest + end_[i][k] * s;
+        }
+        return result;
+    }
+
+    ECODS_ALWAYS_INLINE void shorten_by(const Four& n, const Points<6>& p, const Points<6>& q,
+                                        Part& part) const noexcept {
+        const Double4 bound =
+            ((absolute(n[0]) * error_[0] + absolute(n[1]) * error_[1]) + absolute(n[2]) * error_[2]) + underflow;
+        const Ends before(n, p), after(n, q);
+        shorten(part, (before.low_b - before.high_a) - bound, (after.low_b - after.high_a) - bound);
+        shorten(part, (before.low_a - before.high_b) - bound, (after.low_a - after.high_b) - bound);
+    }
+
+    // By the normals of the faces and the products of edges, as they are at the beginning.
+    ECODS_ALWAYS_INLINE Part remaining(const Points<6>& p, const Points<6>& q) const noexcept {
+        const Point a[3] = {difference(p[1], p[0]), difference(p[2], p[1]), difference(p[0], p[2])};
+        const Point b[3] = {difference(p[4], p[3]), difference(p[5], p[4]), difference(p[3], p[5])};
+        const Point normal_a = cross(a[0], a[1]), normal_b = cross(b[0], b[1]);
+        const Point between = {(p[3][0] + p[4][0] + p[5][0]) - (p[0][0] + p[1][0] + p[2][0]),
+                               (p[3][1] + p[4][1] + p[5][1]) - (p[0][1] + p[1][1] + p[2][1]),
+                               (p[3][2] + p[4][2] + p[5][2]) - (p[0][2] + p[1][2] + p[2][2])};
+        Part part;
+        shorten_by(four(normal_a, normal_b, between, cross(normal_a, a[0])), p, q, part);
+        if (part.first > part.last) return part;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Point in_plane = i == 0 ? cross(normal_a, a[1]) : cross(normal_b, b[i]);
+            shorten_by(four(cross(a[i], b[0]), cross(a[i], b[1]), cross(a[i], b[2]), in_plane), p, q, part);
+            if (part.first > part.last) return part;
+        }
+        return part;
+    }
+
+    Points<6> start_, end_;
+    Point error_;
+    bool is_bounded_ = true;
+};
+
+ECODS_ALWAYS_INLINE std::optional<double> find_bound(const MovingPoints& points, double from, double to) noexcept {
+    return Bounds(points).first(from, to);
+}
+
+}  // namespace
+
+std::optional<double> bound_first_meeting(const MovingPoints& points, double from, double to) noexcept {
+    return dispatch<find_bound>(points, from, to);
+}
+
+}  // namespace ecods::exact

@@ -1,0 +1,45 @@
+// The first time at which two moving triangles share a point, decided exactly.
+//
+// Let two closed triangles whose corners move on straight lines share no point at time 0, and let M be the set of times
+// in [0, 1] at which they share one. M is closed, since the set of (time, point of one, point of the other) is compact;
+// let s be its least element, so that s > 0. A triangle without area is the segment or the point that its corners span.
+//
+// 1. At s a corner of one and the other closed triangle, or a closed edge of each, share a point. Take an extreme point
+// x of the intersection, which is convex. The relatively open features of the two that hold x meet in x alone. If one
+// is a corner, or both are edges, we are done. Two faces do not meet in one point. An edge and a face that do cross
+// each other: the ends are strictly on the two sides of the plane, and x strictly inside; that is so at all times close
+// to s, against the choice of s.
+//
+// 2. So s is the least of the first times of the 15 pairs of a corner and a triangle, or of two edges. Let P be such a
+// pair of four corners, and v(t) its volume, a polynomial of degree 3 at most. P meets only where v is zero. If v is
+// not zero throughout, the first time of P is the first root of v at which P meets.
+//
+// 3. If v is zero throughout, P is in one plane at all times (which moves). Let t > 0 be its first time. A corner
+// strictly inside a triangle with area, or two edges that cross strictly inside of both, would have been so just before
+// t, too. So, in an extreme point again, a corner is on a closed edge of the other side's at t: t is a root of each
+// coordinate of the turn (q - p) x (c - p) of a corner c and an edge pq of P. If these are not all zero throughout, any
+// one that is not has t among its roots.
+//
+// 4. If they are, c, p and q are on one line at all times. If c were strictly between p and q at t, it would have been
+// just before. So c = p or c = q at t, and t is a root of each coordinate of c - p or of c - q. One of these is not
+// zero throughout, or they would have met at time 0.
+//
+// The candidates are therefore the roots of at most 15 cubics, and for those that vanish of some quadratics and linear
+// polynomials in their place; each candidate is tried on the pair that it comes from.
+#pragma once
+
+#include <optional>
+
+#include "exact/measure/moving_triangles.hpp"
+
+namespace ecods::exact {
+
+struct Meeting {
+    double time;           // rounded once
+    FeaturePair features;  // the first, in the order of feature_pairs, that share a point then
+};
+
+// Nothing if they share no point up to time 1. They must not share one at time 0.
+std::optional<Meeting> first_meeting(MovingTriangles& triangles);
+
+}  // namespace ecods::exact

@@ -1,0 +1,114 @@
+// Integers of any length, as sign and magnitude. Up to a dozen limbs are kept in place, more on the heap; work follows
+// the limbs in use.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "exact/number/limbs.hpp"
+#include "exact/number/natural.hpp"
+
+namespace ecods::exact {
+
+class Integer {
+  public:
+    Integer() noexcept {}
+    Integer(std::int64_t x) noexcept : Integer(Int128{x}) {}
+    Integer(Int128 x) noexcept {
+        const Uint128 size = x < 0 ? -static_cast<Uint128>(x) : static_cast<Uint128>(x);
+        small_[0] = static_cast<std::uint64_t>(size);
+        small_[1] = static_cast<std::uint64_t>(size >> 64);
+        size_ = small_[1] != 0 ? 2 : small_[0] != 0 ? 1 : 0;
+        is_negative_ = x < 0;
+    }
+    // An integer in two's complement.
+    template <std::size_t L>
+    explicit Integer(const std::array<std::uint64_t, L>& x) {
+        const Magnitude<static_cast<int>(L)> m = magnitude<static_cast<int>(L)>(x);
+        assign(m.limbs, m.negative != 0);
+    }
+    Integer(const Integer& other) { assign(other.limbs(), other.is_negative_); }
+    Integer(Integer&& other) noexcept { take(other); }
+    Integer& operator=(const Integer& other) {
+        if (this != &other) assign(other.limbs(), other.is_negative_);
+        return *this;
+    }
+    Integer& operator=(Integer&& other) noexcept {
+        if (this != &other) take(other);
+        return *this;
+    }
+    ~Integer() = default;
+
+    // -1, 0 or 1.
+    int sign() const noexcept { return size_ == 0 ? 0 : is_negative_ ? -1 : 1; }
+    bool is_zero() const noexcept { return size_ == 0; }
+
+    // Of the magnitude, without leading zeros, and the number of its bits: 0 for zero.
+    NaturalSpan limbs() const noexcept { return {data(), size_}; }
+    int bit_width() const noexcept { return exact::bit_width(limbs()); }
+    // How many zeros the magnitude ends in. Not for zero.
+    int trailing_zeros() const noexcept;
+
+    Integer operator-() const&;
+    Integer operator-() && noexcept {
+        is_negative_ = !is_negative_;
+        return std::move(*this);
+    }
+    friend Integer operator+(const Integer& a, const Integer& b) { return sum(a, b, false); }
+    friend Integer operator-(const Integer& a, const Integer& b) { return sum(a, b, true); }
+    friend Integer operator*(const Integer& a, const Integer& b);
+
+    // Times 2^bits, and divided by 2^bits towards zero.
+    friend Integer operator<<(const Integer& a, int bits);
+    friend Integer operator>>(const Integer& a, int bits);
+
+    // The sign of a - b.
+    friend int compare(const Integer& a, const Integer& b) noexcept;
+    friend bool operator==(const Integer& a, const Integer& b) noexcept { return compare(a, b) == 0; }
+
+  private:
+    static constexpr std::size_t small_limbs = 12;
+
+    const std::uint64_t* data() const noexcept { return capacity_ == small_limbs ? small_.data() : large_.get(); }
+    std::uint64_t* data() noexcept { return capacity_ == small_limbs ? small_.data() : large_.get(); }
+    // Room for `size` limbs, whose values are then arbitrary.
+    void make_room(std::size_t size) {
+        if (size <= capacity_) return;
+        large_ = std::make_unique_for_overwrite<std::uint64_t[]>(size);
+        capacity_ = static_cast<std::uint32_t>(size);
+    }
+    void set_size(std::size_t size) noexcept {
+        size_ = static_cast<std::uint32_t>(without_leading_zeros({data(), size}).size());
+    }
+    void assign(NaturalSpan limbs, bool is_negative) {
+        const NaturalSpan used = without_leading_zeros(limbs);
+        make_room(used.size());
+        std::copy(used.begin(), used.end(), data());
+        size_ = static_cast<std::uint32_t>(used.size());
+        is_negative_ = is_negative;
+    }
+    void take(Integer& other) noexcept {
+        size_ = other.size_;
+        is_negative_ = other.is_negative_;
+        capacity_ = other.capacity_;
+        if (capacity_ == small_limbs) {
+            std::copy_n(other.small_.begin(), size_, small_.begin());
+        } else {
+            large_ = std::move(other.large_);
+        }
+        other.size_ = 0;
+        other.capacity_ = small_limbs;
+    }
+    static Integer sum(const Integer& a, const Integer& b, bool negates_b);
+
+    std::uint32_t size_ = 0;
+    std::uint32_t capacity_ = small_limbs;  // more: the limbs are in large_
+    bool is_negative_ = false;              // of zero, either
+    std::array<std::uint64_t, small_limbs> small_;
+    std::unique_ptr<std::uint64_t[]> large_;
+};
+
+}  // namespace ecods::exact

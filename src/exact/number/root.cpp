@@ -1,0 +1,202 @@
+// Isolation of roots by sign changes of Bernstein coefficients (Collins and Akritas, Polynomial real root isolation
+// using Descartes's rule of signs, SYMSAC 1976). It ends for polynomials without multiple roots. Those of a polynomial
+// of degree three at most are rational: a cubic has one at most, a square in which is the divisor of p and its
+// derivative; a quadratic or a cube is a multiple of a power of one linear polynomial.
+#include "exact/number/root.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "base/assert.hpp"
+
+namespace ecods::exact {
+namespace {
+
+constexpr int first_bits = 60;  // fractions below 2^-60 fit a limb
+
+BinaryFraction next(const BinaryFraction& x) {
+    return {x.m + Integer(std::int64_t{1}), x.bits};
+}
+
+int compare_fractions(const BinaryFraction& x, const BinaryFraction& y) {
+    if (x.bits == y.bits) return compare(x.m, y.m);
+    return x.bits < y.bits ? compare(x.m << (y.bits - x.bits), y.m) : compare(x.m, y.m << (x.bits - y.bits));
+}
+
+int first_sign(const Polynomial::Coefficients& coefficients) {
+    for (const Integer& c : coefficients) {
+        if (const int sign = c.sign()) return sign;
+    }
+    return 0;
+}
+
+// Whether all signs are one, and no coefficient is zero; then its sign.
+int common_sign(const Polynomial::Coefficients& coefficients, int degree) {
+    const int sign = coefficients[0].sign();
+    for (int i = 1; i <= degree; ++i) {
+        if (coefficients[static_cast<std::size_t>(i)].sign() != sign) return 0;
+    }
+    return sign;
+}
+
+// The bits of the double nearest to (m + rest) / 2^bits, 0 < m, where 0 < rest < 1 unless it is exact. The number is at
+// most 1, and m has 54 bits at least, or 2^-bits is half the least double or less.
+std::uint64_t nearest(const BinaryFraction& x, bool is_exact) {
+    constexpr int least = -1074;
+    const int width = x.m.bit_width();
+    const int exponent = std::max(width - x.bits - 53, least);
+    const int drop = exponent + x.bits;
+    std::uint64_t kept = 0;
+    if (drop <= 0) {
+        ECODS_ASSERT(is_exact);
+        kept = (x.m << -drop).limbs()[0];
+    } else {
+        const Integer whole = x.m >> drop;
+        kept = whole.is_zero() ? 0 : whole.limbs()[0];
+        const Integer half = Integer(std::int64_t{1}) << (drop - 1);
+        const int side = compare(x.m - (whole << drop), half);
+        if (side > 0 || (side == 0 && (!is_exact || (kept & 1) != 0))) ++kept;
+    }
+    // A carry out of the digits goes on into the exponent, as it should.
+    return (static_cast<std::uint64_t>(exponent - least) << 52) + kept;
+}
+
+// Appends the root of a linear polynomial if it is in the interval.
+void add_rational(Polynomial linear, std::vector<Root>& roots) {
+    const Polynomial::Coefficients ends = linear.on_interval({});
+    if (ends[0].is_zero()) return;
+    if (ends[1].is_zero()) {
+        roots.emplace_back(BinaryFraction{Integer(std::int64_t{1}), 0});
+    } else if (ends[0].sign() != ends[1].sign()) {
+        const int sign = ends[0].sign();
+        roots.emplace_back(std::move(linear), BinaryFraction{}, sign);
+    }
+}
+
+// For p with a multiple root, and d the common divisor of p and its derivative, of degree one at least.
+std::vector<Root> multiple_roots(const Polynomial& p, const Polynomial& d) {
+    std::vector<Root> roots;
+    const Integer two(std::int64_t{2}), three(std::int64_t{3});
+    if (p.degree() == 2) {
+        add_rational({p[1], two * p[2]}, roots);
+    } else if (d.degree() == 2) {
+        add_rational({p[2], three * p[3]}, roots);
+    } else {
+        // The sum of the roots, one of them twice, is -p2 / p3: the single one is -p2 / p3 + 2 d0 / d1.
+        add_rational(d, roots);
+        add_rational({p[2] * d[1] - two * (d[0] * p[3]), p[3] * d[1]}, roots);
+        if (roots.size() == 2 && compare(roots[0], roots[1]) > 0) std::swap(roots[0], roots[1]);
+    }
+    return roots;
+}
+
+// For p without multiple roots.
+std::vector<Root> simple_roots(const Polynomial& p) {
+    std::vector<Root> roots;
+    const int degree = p.degree();
+    std::vector<BinaryFraction> open{{}};  // from right to left
+    while (!open.empty()) {
+        BinaryFraction from = std::move(open.back());
+        open.pop_back();
+        const Polynomial::Coefficients c = p.on_interval(from);
+        const int changes = sign_changes(c, degree);
+        BinaryFraction end = next(from);
+        if (changes == 1) roots.emplace_back(p, from, first_sign(c));
+        if (changes <= 1) {
+            if (c[static_cast<std::size_t>(degree)].is_zero()) roots.emplace_back(std::move(end));
+            continue;
+        }
+        // The left half's end is looked at with it.
+        from = {from.m + from.m, from.bits + 1};
+        open.push_back(next(from));
+        open.push_back(std::move(from));
+    }
+    return roots;
+}
+
+}  // namespace
+
+std::vector<Root> roots_in_unit_interval(Polynomial p) {
+    p.drop_zeros();
+    const int degree = p.degree();
+    if (degree <= 0) return {};
+    const Polynomial::Coefficients c = p.on_interval({});
+    const int changes = sign_changes(c, degree);
+    if (changes == 0 && !c[static_cast<std::size_t>(degree)].is_zero()) return {};
+    if (changes >= 2) {
+        const Polynomial divisor = gcd(p, derivative(p));
+        if (divisor.degree() > 0) return multiple_roots(p, divisor);
+    }
+    return simple_roots(p);
+}
+
+Root::Root(BinaryFraction value) : from_(std::move(value)), is_fraction_(true) {}
+
+Root::Root(Polynomial p, BinaryFraction from, int sign_below)
+    : p_(std::move(p)), from_(std::move(from)), sign_below_(sign_below) {}
+
+void Root::halve() {
+    from_ = {from_.m + from_.m, from_.bits + 1};
+    BinaryFraction middle = next(from_);
+    const int sign = p_.sign_at(middle);
+    if (sign != 0 && sign != sign_below_) return;
+    from_ = std::move(middle);
+    if (sign != 0) return;
+    is_fraction_ = true;
+    p_ = {};
+}
+
+void Root::refine(int bits) {
+    while (!is_fraction_ && from_.bits < bits) halve();
+}
+
+// The divisor has the root, or none in the interval: Descartes' rule counts right but for an even number.
+bool Root::is_root_of_divisor(const Polynomial& divisor) const {
+    const int degree = divisor.degree();
+    return degree > 0 && sign_changes(divisor.on_interval(from_), degree) % 2 == 1;
+}
+
+int Root::sign_of(const Polynomial& g) {
+    const int degree = g.degree();
+    if (degree <= 0) return degree < 0 ? 0 : g[0].sign();
+    for (int bits = first_bits; !is_fraction_; bits *= 2) {
+        if (p_.degree() == 1) return g.sign_at_root_of(p_);
+        if (const int sign = common_sign(g.on_interval(from_), degree)) return sign;
+        if (bits == 2 * first_bits && is_root_of_divisor(gcd(p_, g))) return 0;
+        refine(bits);
+    }
+    return g.sign_at(from_);
+}
+
+int Root::compare_with_fraction(Root& x, const BinaryFraction& y) {
+    if (x.is_fraction_) return compare_fractions(x.from_, y);
+    if (compare_fractions(y, x.from_) <= 0) return 1;
+    if (compare_fractions(y, next(x.from_)) >= 0) return -1;
+    const int sign = x.p_.sign_at(y);
+    return sign == 0 ? 0 : sign == x.sign_below_ ? 1 : -1;
+}
+
+int compare(Root& x, Root& y) {
+    for (int bits = first_bits;; bits *= 2) {
+        if (y.is_fraction_) return Root::compare_with_fraction(x, y.from_);
+        if (x.is_fraction_) return -Root::compare_with_fraction(y, x.from_);
+        if (compare_fractions(x.from_, next(y.from_)) >= 0) return 1;
+        if (compare_fractions(next(x.from_), y.from_) <= 0) return -1;
+        // Of two such intervals that overlap one contains the other.
+        const Root& inner = x.from_.bits >= y.from_.bits ? x : y;
+        if (bits == 2 * first_bits && inner.is_root_of_divisor(gcd(x.p_, y.p_))) return 0;
+        x.refine(bits);
+        y.refine(bits);
+    }
+}
+
+double Root::round() {
+    // Halfway numbers between doubles are fractions of as many bits: none is inside the interval.
+    constexpr int digits = 54, bits_max = 1075;
+    while (!is_fraction_ && from_.m.bit_width() < digits && from_.bits < bits_max) halve();
+    if (from_.m.is_zero()) return std::bit_cast<double>(std::uint64_t{1});
+    return std::bit_cast<double>(std::max<std::uint64_t>(nearest(from_, is_fraction_), 1));
+}
+
+}  // namespace ecods::exact

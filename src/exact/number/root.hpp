@@ -1,0 +1,48 @@
+// Roots of polynomials with integer coefficients, as exact numbers: compared, rounded, and put into other polynomials.
+#pragma once
+
+#include <vector>
+
+#include "exact/number/polynomial.hpp"
+
+namespace ecods::exact {
+
+// One real number in the interval from 0 to 1, 0 excluded: a binary fraction, or the only root of a polynomial strictly
+// between two neighbouring ones m / 2^bits and (m + 1) / 2^bits, and simple there. What a question learns of it is
+// kept: the interval becomes shorter.
+class Root {
+  public:
+    // The fraction itself.
+    explicit Root(BinaryFraction value);
+    // The root of p between `from` and the next fraction. On that interval the coefficients of p have one change of
+    // sign, which begins with `sign_below`.
+    Root(Polynomial p, BinaryFraction from, int sign_below);
+
+    // The sign of g there. Bounded: a common divisor of both polynomials proves a zero.
+    int sign_of(const Polynomial& g);
+
+    // The sign of the difference from another root.
+    friend int compare(Root& x, Root& y);
+
+    // The double nearest to it, ties to even; at least 2^-1074.
+    double round();
+
+  private:
+    static int compare_with_fraction(Root& x, const BinaryFraction& y);
+
+    // Halves the interval until fractions have at least so many bits, or it is one itself.
+    void refine(int bits);
+    void halve();
+    // Whether a divisor of a polynomial of which this is a root has it, too.
+    bool is_root_of_divisor(const Polynomial& divisor) const;
+
+    Polynomial p_;  // zero for a fraction
+    BinaryFraction from_;
+    int sign_below_ = 0;
+    bool is_fraction_ = false;
+};
+
+// The roots of p in the interval from 0 to 1, 0 excluded, each once, ascending; of the zero polynomial none.
+std::vector<Root> roots_in_unit_interval(Polynomial p);
+
+}  // namespace ecods::exact
