@@ -39,7 +39,10 @@ void list_profiles() {
                "pairs of posed triangles, 1000 a run, each by every path of the exact layer");
     fmt::print("{:<8} {}\n", distances_profile,
                "pairs of posed meshes, 1000 a run, every question about their distances");
-    fmt::print("motion   all but pairs and distances, in turns\nall      all of them, in turns\n");
+    fmt::print("{:<8} {}\n", hits_profile,
+               "segments and rays, 2000 a run, every question about what they hit of a mesh");
+    fmt::print("{:<8} {}\n", casts_profile, "posed meshes on their way, 250 a run, every question about their contact");
+    fmt::print("motion   all but pairs, distances, hits and casts, in turns\nall      all of them, in turns\n");
 }
 
 void print(const RunFailure& failure) {

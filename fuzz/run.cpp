@@ -6,6 +6,7 @@
 
 #include "fuzz/motion/generate.hpp"
 #include "fuzz/motion/profile.hpp"
+#include "fuzz/pairs/contacts.hpp"
 #include "fuzz/pairs/distances.hpp"
 #include "fuzz/pairs/run.hpp"
 
@@ -69,6 +70,29 @@ Counters counters_of(const DistanceCounts& counts) {
     return counters;
 }
 
+// Of families and the kinds of their answers, and of checks.
+template <class Counts>
+Counters counters_of(const Counts& counts, const std::string& name, std::uint64_t total) {
+    Counters counters;
+    counters[name] = total;
+    for (const auto& [family, kinds] : counts.kinds) {
+        for (const auto& [kind, count] : kinds) {
+            counters[name + " of families: " + family] += count;
+            counters[name + ": " + kind] += count;
+        }
+    }
+    for (const auto& [check, count] : counts.checks) counters["checked: " + name + ", " + check] = count;
+    return counters;
+}
+
+Counters counters_of(const HitCounts& counts) {
+    return counters_of(counts, "hits", counts.lines);
+}
+
+Counters counters_of(const CastCounts& counts) {
+    return counters_of(counts, "casts", counts.casts);
+}
+
 // A run of pairs, by a function that counts what it checked and throws what it found.
 template <class Counts>
 RunReport run_counted(const char* profile, void (*run)(std::uint32_t seed, bool lie, Counts& counts),
@@ -92,14 +116,17 @@ std::vector<std::string> profiles_of(const std::string& name) {
     for (const Profile& profile : profiles()) {
         if (is_motion || profile.name == name) names.emplace_back(profile.name);
     }
-    if (name == "all" || name == pairs_profile) names.emplace_back(pairs_profile);
-    if (name == "all" || name == distances_profile) names.emplace_back(distances_profile);
+    for (const char* of_pairs : {pairs_profile, distances_profile, hits_profile, casts_profile}) {
+        if (name == "all" || name == of_pairs) names.emplace_back(of_pairs);
+    }
     return names;
 }
 
 RunReport run(const std::string& profile, std::uint32_t seed, Canary canary) {
     if (profile == pairs_profile) return run_counted(pairs_profile, run_pairs, seed, canary);
     if (profile == distances_profile) return run_counted(distances_profile, run_distances, seed, canary);
+    if (profile == hits_profile) return run_counted(hits_profile, run_hits, seed, canary);
+    if (profile == casts_profile) return run_counted(casts_profile, run_casts, seed, canary);
     return run_motion(*find_profile(profile), seed, canary);
 }
 

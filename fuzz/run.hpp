@@ -19,6 +19,10 @@ inline constexpr const char* pairs_profile = "pairs";
 // That of distances of two posed meshes.
 inline constexpr const char* distances_profile = "distances";
 
+// Those of what a line hits, and of bodies on their way.
+inline constexpr const char* hits_profile = "hits";
+inline constexpr const char* casts_profile = "casts";
+
 struct RunFailure {
     std::string profile;
     std::uint32_t seed = 0;

@@ -7,11 +7,15 @@
 
 #include "ecods/mesh.hpp"
 #include "ecods/predicates.hpp"
-#include "fuzz/base/float_mode.hpp"
+#include "environment/float_mode.hpp"
 #include "query/intersection/triangle_relations.hpp"
 #include "scenes/hard_pairs.hpp"
 
 namespace ecods::fuzz {
+
+using environment::float_modes;
+using environment::FloatMode;
+using environment::InFloatMode;
 
 // `path` is the first whose answer was not `expected`; null if all agreed.
 struct Answer {

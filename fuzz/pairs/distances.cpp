@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "environment/float_mode.hpp"
 #include "environment/instruction_sets.hpp"
-#include "fuzz/base/float_mode.hpp"
 #include "fuzz/pairs/ask_distances.hpp"
 #include "fuzz/pairs/text.hpp"
 #include "judge/distance_truth.hpp"
@@ -19,6 +19,9 @@
 namespace ecods::fuzz {
 namespace {
 
+using environment::float_modes;
+using environment::FloatMode;
+using environment::InFloatMode;
 using judge::DistanceTruth;
 using judge::Wrong;
 using scenes::DistanceCase;

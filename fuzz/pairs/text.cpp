@@ -4,6 +4,8 @@
 
 #include <span>
 
+#include "judge/hit_truth.hpp"
+
 namespace ecods::fuzz {
 namespace {
 
@@ -33,6 +35,20 @@ std::string to_text(const scenes::PosedPair& pair) {
 
 std::string to_text(const scenes::DistanceCase& made) {
     return to_text("a", made.pose_a, *made.a) + to_text("b", made.pose_b, *made.b);
+}
+
+std::string to_text(const scenes::HitCase& made) {
+    return to_text("body", made.pose, *made.mesh) + judge::text(made.line) + "\n";
+}
+
+std::string to_text(const scenes::CastCase& made) {
+    return to_text("a", made.pose_a, *made.a) + "motion " + to_text(made.motion) + "\n" +
+           to_text("b", made.pose_b, *made.b);
+}
+
+std::string to_text(const scenes::MoveCase& made) {
+    return to_text("a", made.from_a, *made.a) + to_text("to_a", made.to_a, std::span<const Vec3>()) +
+           to_text("b", made.from_b, *made.b) + to_text("to_b", made.to_b, std::span<const Vec3>());
 }
 
 const char* name(Relation relation) {

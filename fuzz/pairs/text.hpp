@@ -4,8 +4,10 @@
 #include <string>
 
 #include "ecods/predicates.hpp"
+#include "scenes/cast_cases.hpp"
 #include "scenes/distance_cases.hpp"
 #include "scenes/hard_pairs.hpp"
+#include "scenes/hit_cases.hpp"
 
 namespace ecods::fuzz {
 
@@ -14,6 +16,11 @@ std::string to_text(const scenes::PosedPair& pair);
 
 // Of either body R by rows, t, all vertices and all triangles.
 std::string to_text(const scenes::DistanceCase& made);
+
+// The same, and the line; the motion; both poses of each.
+std::string to_text(const scenes::HitCase& made);
+std::string to_text(const scenes::CastCase& made);
+std::string to_text(const scenes::MoveCase& made);
 
 const char* name(Relation relation);
 

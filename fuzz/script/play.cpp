@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "environment/float_mode.hpp"
 #include "environment/instruction_sets.hpp"
 #include "fuzz/base/failure.hpp"
-#include "fuzz/base/float_mode.hpp"
 #include "fuzz/checks/box_questions.hpp"
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/checks/distance_questions.hpp"
@@ -25,6 +25,10 @@
 
 namespace ecods::fuzz {
 namespace {
+
+using environment::float_modes;
+using environment::FloatMode;
+using environment::InFloatMode;
 
 constexpr std::array broad_phases = {BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune,
                                      BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic};

@@ -1,5 +1,6 @@
 // Every instruction set is used equally often, for as many sets as any processor has: no processor is needed for it.
 #include "fuzz/script/schedule.hpp"
+#include "environment/float_mode.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +8,10 @@
 #include <array>
 #include <vector>
 
-#include "fuzz/base/float_mode.hpp"
-
 namespace ecods::fuzz {
 namespace {
+
+using environment::float_modes;
 
 constexpr std::size_t world_count = 4;
 constexpr std::size_t mode_count = float_modes.size();

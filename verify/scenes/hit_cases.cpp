@@ -82,10 +82,20 @@ HitCase points(Random& random) {
     HitCase made = coin(random) ? lattice(random) : integer_matrix(random);
     Vec3 at =
         std::holds_alternative<Segment>(made.line) ? std::get<Segment>(made.line).a : std::get<Ray>(made.line).origin;
-    // A corner, or half-way between two corners: exact where the pose is of integers.
-    const auto vertices = made.mesh->vertices();
-    const auto any = [&] { return vertices[random.below(static_cast<std::uint32_t>(vertices.size()))]; };
-    if (random.below(4) != 0) at = made.pose.R * (coin(random) ? any() : Vec3(0.5 * (any() + any()))) + made.pose.t;
+    // A corner, half-way between two, or a mean of three: exact where the pose is of integers.
+    const auto& t = made.mesh->triangles()[0];
+    const auto corner = [&](std::size_t i) { return made.mesh->vertices()[t[i]]; };
+    const auto inner = [&]() -> Vec3 {
+        switch (random.below(4)) {
+            case 0:
+                return corner(random.below(3));
+            case 1:
+                return 0.5 * (corner(0) + corner(1 + random.below(2)));
+            default:
+                return 0.25 * corner(0) + 0.25 * corner(1) + 0.5 * corner(2);
+        }
+    };
+    if (random.below(4) != 0) at = made.pose.R * inner() + made.pose.t;
     Segment segment{at, at};
     if (random.below(3) == 0) hard::nudge(segment.b[integer(random, 0, 2)], random);
     if (random.below(3) == 0) hard::nudge(segment.a[integer(random, 0, 2)], random);

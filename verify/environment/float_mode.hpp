@@ -8,7 +8,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace ecods::fuzz {
+namespace ecods::environment {
 
 struct FloatMode {
     const char* name;
@@ -47,4 +47,4 @@ class InFloatMode {
     std::fenv_t saved_;
 };
 
-}  // namespace ecods::fuzz
+}  // namespace ecods::environment

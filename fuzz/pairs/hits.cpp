@@ -1,0 +1,103 @@
+#include <sstream>
+
+#include "fuzz/pairs/contacts.hpp"
+#include "fuzz/pairs/fewer_triangles.hpp"
+#include "fuzz/pairs/in_environment.hpp"
+#include "fuzz/pairs/text.hpp"
+#include "judge/hit_truth.hpp"
+#include "scenes/hit_cases.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+using judge::HitTruth;
+using judge::Wrong;
+using scenes::HitCase;
+using scenes::Random;
+
+std::string kind_of(const std::vector<Hit>& hits) {
+    if (hits.empty()) return "nothing";
+    std::ostringstream out;
+    out << hits.front().kind;
+    return out.str();
+}
+
+class Run {
+  public:
+    Run(std::uint32_t seed, bool lie, HitCounts& counts) : random_(seed), seed_(seed), lie_(lie), counts_(counts) {}
+
+    void check_one() {
+        const auto families = scenes::hit_families();
+        const scenes::HitFamily family = families[index_ % families.size()];
+        family_ = scenes::name(family);
+        const HitCase made = scenes::make_hit_case(family, random_);
+        const MeshShape shape(made.mesh);
+        const HitTruth truth(made.line, {shape, made.pose});
+        ++counts_.lines;
+        ++counts_.kinds[family_][kind_of(truth.hits())];
+        if (made.known) require_recipe(made, truth);
+        if (lie_ && !truth.hits().empty()) {
+            fail({"first_hit", "nothing", judge::text(truth.hits().front())}, made, "a lie");
+        }
+        ++counts_.checks["every form"];
+        if (const auto wrong = truth.ask(memory_, witness_)) shrink(*wrong, made);
+        if (random_.below(4) == 0) check_environment(made, truth);
+        ++index_;
+    }
+
+  private:
+    [[noreturn]] void fail(const Wrong& wrong, const HitCase& made, const std::string& how) const {
+        throw Disagreement{.seed = seed_,
+                           .pair = index_,
+                           .family = family_,
+                           .path = wrong.question + ", " + how,
+                           .expected = wrong.expected,
+                           .got = wrong.got,
+                           .text = to_text(made)};
+    }
+
+    void require_recipe(const HitCase& made, const HitTruth& truth) {
+        ++counts_.checks["known by its recipe"];
+        const bool is_same = !truth.hits().empty() && truth.hits()[0].parameter == made.known->parameter &&
+                             truth.hits()[0].feature == made.known->feature;
+        if (is_same) return;
+        fail({"oracle against recipe", judge::text(made.known->parameter), kind_of(truth.hits())}, made, "");
+    }
+
+    [[noreturn]] void shrink(Wrong wrong, HitCase made) const {
+        drop_triangles(made.mesh, [&] {
+            QueryMemory memory;
+            PairWitness witness;
+            const MeshShape shape(made.mesh);
+            const auto found = HitTruth(made.line, {shape, made.pose}).ask(memory, witness);
+            if (found) wrong = *found;
+            return found.has_value();
+        });
+        fail(wrong, made, "every form");
+    }
+
+    void check_environment(const HitCase& made, const HitTruth& truth) {
+        std::string where;
+        const auto wrong = ask_in_environment(random_, where, [&] { return truth.ask(memory_, witness_); });
+        ++counts_.checks[where];
+        if (wrong) fail(*wrong, made, where);
+    }
+
+    Random random_;
+    std::uint32_t seed_;
+    bool lie_;
+    HitCounts& counts_;
+    std::uint64_t index_ = 0;
+    std::string family_;
+    QueryMemory memory_;
+    PairWitness witness_;
+};
+
+}  // namespace
+
+void run_hits(std::uint32_t seed, bool lie, HitCounts& counts) {
+    Run run(seed, lie, counts);
+    for (std::uint64_t i = 0; i < hits_per_run; ++i) run.check_one();
+}
+
+}  // namespace ecods::fuzz

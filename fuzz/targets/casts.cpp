@@ -1,0 +1,27 @@
+// When two posed meshes on their way first share a point, against the oracle.
+#include "ecods/cast.hpp"
+
+#include <string>
+
+#include "fuzz/targets/bytes.hpp"
+#include "fuzz/targets/require.hpp"
+#include "judge/cast_truth.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace ecods;
+    ecods::fuzz::Bytes bytes(data, size);
+    const bool is_translation = bytes.below(2) == 0;
+    const Pose a = bytes.pose(), b = bytes.pose();
+    const MeshShape first(bytes.mesh(6, 2)), second(bytes.mesh(6, 2));
+    const auto truth = [&]() -> judge::CastTruth {
+        if (is_translation) return {{first, a}, bytes.point(), {second, b}, 4};
+        const Pose to_a = bytes.pose(), to_b = bytes.below(2) == 0 ? b : bytes.pose();
+        return {Moving<MeshShape>(first, a, to_a), Moving<MeshShape>(second, b, to_b), 4};
+    }();
+    QueryMemory memory;
+    PairWitness witness{bytes.below(3), bytes.below(3)};
+    const auto wrong = truth.ask(memory, witness);
+    const std::string what = wrong ? wrong->question + ": expected " + wrong->expected + ", got " + wrong->got : "";
+    ecods::fuzz::require(!wrong, what.c_str());
+    return 0;
+}

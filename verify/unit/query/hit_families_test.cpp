@@ -1,0 +1,160 @@
+// Hits of every family of hit_cases.hpp beside the oracle, what must not matter, and what must hold of any.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "environment/float_mode.hpp"
+#include "environment/instruction_sets.hpp"
+#include "judge/hit_truth.hpp"
+#include "scenes/hit_cases.hpp"
+#include "scenes/shapes.hpp"
+#include "scenes/ship.hpp"
+
+namespace ecods {
+namespace {
+
+void expect_right(const judge::HitTruth& truth, QueryMemory& memory, PairWitness& witness) {
+    const auto wrong = truth.ask(memory, witness);
+    ASSERT_FALSE(wrong) << wrong->question << ": expected " << wrong->expected << ", got " << wrong->got;
+}
+
+// One witness goes through all of them: it comes from other bodies each time.
+TEST(HitFamilies, AsTheOracle) {
+    std::array<int, 7> kinds{};
+    for (const scenes::HitFamily family : scenes::hit_families()) {
+        SCOPED_TRACE(scenes::name(family));
+        scenes::Random random(1);
+        QueryMemory memory;
+        PairWitness witness;
+        const bool is_of_many = family == scenes::HitFamily::distance_cases;
+        for (int i = 0; i < (is_of_many ? 1500 : 400); ++i) {
+            SCOPED_TRACE(i);
+            const scenes::HitCase made = scenes::make_hit_case(family, random);
+            const MeshShape shape(made.mesh);
+            const judge::HitTruth truth(made.line, {shape, made.pose});
+            if (made.known) {
+                ASSERT_FALSE(truth.hits().empty());
+                ASSERT_EQ(truth.hits()[0].parameter, made.known->parameter);
+                ASSERT_EQ(truth.hits()[0].feature, made.known->feature);
+            }
+            ++kinds[truth.hits().empty() ? 6 : static_cast<std::size_t>(truth.hits()[0].kind)];
+            ASSERT_NO_FATAL_FAILURE(expect_right(truth, memory, witness));
+        }
+    }
+    for (const int count : kinds) EXPECT_GT(count, 20);
+}
+
+// Neither instruction sets nor rounding modes matter, nor what a question leaves in the memory.
+TEST(HitFamilies, TheSameBitsInEveryEnvironment) {
+    for (const scenes::HitFamily family : scenes::hit_families()) {
+        SCOPED_TRACE(scenes::name(family));
+        scenes::Random random(2);
+        for (int i = 0; i < 20; ++i) {
+            const scenes::HitCase made = scenes::make_hit_case(family, random);
+            const MeshShape shape(made.mesh);
+            const judge::HitTruth truth(made.line, {shape, made.pose});
+            for (const InstructionSet set : environment::supported_instruction_sets()) {
+                const environment::InstructionSetLimit limit(set);
+                for (const environment::FloatMode& mode : environment::float_modes) {
+                    QueryMemory memory;
+                    PairWitness witness;
+                    std::optional<judge::Wrong> wrong;
+                    {
+                        const environment::InFloatMode in_mode(mode);
+                        wrong = truth.ask(memory, witness);
+                    }
+                    ASSERT_FALSE(wrong) << environment::name(set) << ", " << mode.name << ", " << i << ": "
+                                        << wrong->question << ": expected " << wrong->expected << ", got "
+                                        << wrong->got;
+                }
+            }
+        }
+    }
+}
+
+struct Named {
+    const char* name;
+    std::shared_ptr<const Mesh> mesh;
+};
+
+std::vector<Named> larger_meshes() {
+    return {{"cube", scenes::cube(0.5)},
+            {"sphere", scenes::sphere(24, 12)},
+            {"torus", scenes::torus(24, 16, 0.4)},
+            {"ship", scenes::ship()}};
+}
+
+// Meshes with trees of several levels, and lines through what is hard: corners as doubles have them, and edges.
+TEST(HitFamilies, LargerMeshesAsTheOracle) {
+    scenes::Random random(3);
+    for (const auto& [name, mesh] : larger_meshes()) {
+        SCOPED_TRACE(name);
+        const MeshShape shape(mesh);
+        QueryMemory memory;
+        PairWitness witness;
+        for (int i = 0; i < 10; ++i) {
+            Pose pose;
+            if (i % 2 == 0) pose.R = random.rotation().toRotationMatrix();
+            if (i % 3 == 0) pose.t = random.direction();
+            const auto any = [&] { return random.below(static_cast<std::uint32_t>(mesh->triangles().size())); };
+            const Triangle& t = mesh->triangles()[any()];
+            const auto corner = [&](std::size_t k) -> Vec3 { return pose.R * mesh->vertices()[t[k]] + pose.t; };
+            Segment segment{4 * random.direction(), corner(0)};
+            if (i % 4 == 1) segment.b = 2 * segment.b - segment.a;
+            if (i % 4 == 2) segment.a = 2 * corner(0) - corner(1);
+            if (i % 4 == 3) segment = {corner(0), 0.5 * (corner(1) + corner(2))};
+            ASSERT_NO_FATAL_FAILURE(expect_right(judge::HitTruth(segment, {shape, pose}), memory, witness)) << i;
+            const Ray ray{segment.a, segment.b - segment.a, i % 5 == 0 ? 1 : HUGE_VAL};
+            ASSERT_NO_FATAL_FAILURE(expect_right(judge::HitTruth(ray, {shape, pose}), memory, witness)) << i;
+        }
+    }
+}
+
+// A closed surface is left as often as it is entered, by who passes through no edge and comes from outside.
+TEST(HitFamilies, ParityOfClosedMeshes) {
+    scenes::Random random(4);
+    QueryMemory memory;
+    for (const auto& [name, mesh] : larger_meshes()) {
+        if (name == std::string_view("ship")) continue;  // which is open
+        const MeshShape shape(mesh);
+        std::size_t hit_count = 0;
+        for (int i = 0; i < 300; ++i) {
+            Pose pose;
+            pose.R = random.rotation().toRotationMatrix();
+            const Aabb box = shape.box(pose);
+            const double size = (box.max - box.min).norm();
+            const Vec3 middle = 0.5 * (box.min + box.max), from = 2 * size * random.direction();
+            const Segment segment{middle + from, middle - from + 0.25 * size * random.direction()};
+            const std::vector<Hit> hits = all_hits(segment, {shape, pose}, memory);
+            if (!std::ranges::all_of(hits, [](const Hit& h) { return h.kind <= HitKind::back; })) continue;
+            hit_count += hits.size();
+            for (std::size_t k = 0; k < hits.size(); ++k) {
+                ASSERT_EQ(hits[k].kind, k % 2 == 0 ? HitKind::front : HitKind::back) << name << ", " << i;
+            }
+            ASSERT_EQ(hits.size() % 2, 0U) << name << ", " << i;
+        }
+        EXPECT_GT(hit_count, 20U) << name;
+    }
+}
+
+// A longer ray hits what the shorter one does, and more.
+TEST(HitFamilies, ALongerRayHitsMore) {
+    scenes::Random random(5);
+    const MeshShape torus(scenes::torus(24, 16, 0.4));
+    QueryMemory memory;
+    for (int i = 0; i < 100; ++i) {
+        Ray ray{3 * random.direction(), random.direction() - random.direction()};
+        const std::vector<Hit> all = all_hits(ray, {torus, Pose()}, memory);
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            ray.parameter_max = std::nextafter(all[k].parameter, HUGE_VAL);
+            const std::vector<Hit> some = all_hits(ray, {torus, Pose()}, memory);
+            ASSERT_GE(some.size(), k + 1);
+            for (std::size_t n = 0; n <= k; ++n) ASSERT_TRUE(judge::is_same(some[n], all[n])) << i;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ecods

@@ -1,0 +1,122 @@
+// Casts between poses of every family of cast_cases.hpp beside the oracle, along their way, and what must not matter.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "environment/float_mode.hpp"
+#include "environment/instruction_sets.hpp"
+#include "judge/cast_truth.hpp"
+#include "scenes/cast_cases.hpp"
+#include "scenes/shapes.hpp"
+
+namespace ecods {
+namespace {
+
+judge::CastTruth truth_of(const scenes::MoveCase& made, const MeshShape& a, const MeshShape& b, int samples) {
+    return {{a, made.from_a, made.to_a}, {b, made.from_b, made.to_b}, samples};
+}
+
+void expect_right(const judge::CastTruth& truth, QueryMemory& memory, PairWitness& witness) {
+    const auto wrong = truth.ask(memory, witness);
+    ASSERT_FALSE(wrong) << wrong->question << ": expected " << wrong->expected << ", got " << wrong->got;
+}
+
+// One witness goes through all of them: it comes from other bodies each time.
+TEST(MovingFamilies, AsTheOracle) {
+    std::array<int, 6> kinds{};
+    std::size_t samples = 0;
+    for (const scenes::MoveFamily family : scenes::move_families()) {
+        SCOPED_TRACE(scenes::name(family));
+        scenes::Random random(1);
+        QueryMemory memory;
+        PairWitness witness;
+        for (int i = 0; i < 60; ++i) {
+            SCOPED_TRACE(i);
+            const scenes::MoveCase made = scenes::make_move_case(family, random);
+            const MeshShape a(made.a), b(made.b);
+            const judge::CastTruth truth = truth_of(made, a, b, 8);
+            if (made.time) {
+                ASSERT_EQ(truth.contact() ? truth.contact()->time : -1, *made.time);
+            }
+            ++kinds[truth.contact() ? static_cast<std::size_t>(truth.contact()->kind) : 5];
+            samples += truth.sample_count();
+            ASSERT_NO_FATAL_FAILURE(expect_right(truth, memory, witness));
+        }
+    }
+    for (const int count : kinds) EXPECT_GT(count, 10);
+    EXPECT_GT(samples, 1000U);
+}
+
+// Two hundred times along the way: the poses there are doubles.
+TEST(MovingFamilies, SamplesAlongTheWay) {
+    std::size_t samples = 0;
+    for (const auto family : {scenes::MoveFamily::lattice, scenes::MoveFamily::integer_matrix,
+                              scenes::MoveFamily::turned_over, scenes::MoveFamily::short_numbers}) {
+        SCOPED_TRACE(scenes::name(family));
+        scenes::Random random(2);
+        QueryMemory memory;
+        PairWitness witness;
+        for (int i = 0; i < 15; ++i) {
+            const scenes::MoveCase made = scenes::make_move_case(family, random);
+            const MeshShape a(made.a), b(made.b);
+            const judge::CastTruth truth = truth_of(made, a, b, 256);
+            samples += truth.sample_count();
+            ASSERT_NO_FATAL_FAILURE(expect_right(truth, memory, witness)) << i;
+        }
+    }
+    EXPECT_GT(samples, 5000U);
+}
+
+// Neither instruction sets nor rounding modes matter, nor what a question leaves in the memory.
+TEST(MovingFamilies, TheSameBitsInEveryEnvironment) {
+    for (const scenes::MoveFamily family : scenes::move_families()) {
+        SCOPED_TRACE(scenes::name(family));
+        scenes::Random random(3);
+        for (int i = 0; i < 5; ++i) {
+            const scenes::MoveCase made = scenes::make_move_case(family, random);
+            const MeshShape a(made.a), b(made.b);
+            const judge::CastTruth truth = truth_of(made, a, b, 1);
+            for (const InstructionSet set : environment::supported_instruction_sets()) {
+                const environment::InstructionSetLimit limit(set);
+                for (const environment::FloatMode& mode : environment::float_modes) {
+                    QueryMemory memory;
+                    PairWitness witness;
+                    std::optional<judge::Wrong> wrong;
+                    {
+                        const environment::InFloatMode in_mode(mode);
+                        wrong = truth.ask(memory, witness);
+                    }
+                    ASSERT_FALSE(wrong) << environment::name(set) << ", " << mode.name << ", " << i << ": "
+                                        << wrong->question << ": expected " << wrong->expected << ", got "
+                                        << wrong->got;
+                }
+            }
+        }
+    }
+}
+
+// Trees of several levels.
+TEST(MovingFamilies, LargerMeshesAsTheOracle) {
+    const MeshShape sphere(scenes::sphere(8, 5)), torus(scenes::torus(8, 5, 0.4));
+    scenes::Random random(4);
+    QueryMemory memory;
+    PairWitness witness;
+    const auto near = [&](const Pose& pose) {
+        Pose result = pose;
+        result.R += 0.125 * random.rotation().toRotationMatrix();
+        return result;
+    };
+    for (int i = 0; i < 8; ++i) {
+        Pose a, b;
+        a.R = random.rotation().toRotationMatrix();
+        b.R = random.rotation().toRotationMatrix();
+        a.t = 4 * random.direction();
+        Pose to_a = near(a), to_b = near(b);
+        to_a.t = (i % 3) * random.direction() - (i % 2) * a.t;
+        const judge::CastTruth truth(Moving<MeshShape>(torus, a, to_a), Moving<MeshShape>(sphere, b, to_b));
+        ASSERT_NO_FATAL_FAILURE(expect_right(truth, memory, witness)) << i;
+    }
+}
+
+}  // namespace
+}  // namespace ecods
