@@ -3,6 +3,8 @@
 #include <sstream>
 #include <vector>
 
+#include "ecods/cast.hpp"
+#include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
 #include "trace/trace_text.hpp"
 
@@ -51,7 +53,35 @@ class UserTest final : public TwoBodyTest {
         return ecods::intersecting_triangles(posed(a), posed(b), memory);
     }
 
+    std::vector<TriangleIntersection> intersections(const Posed<Shape>& a, const Posed<Shape>& b,
+                                                    QueryMemory& memory) const override {
+        require_order(a, b);
+        return ecods::intersections(posed(a), posed(b), memory);
+    }
+    std::vector<CloseFeatures> close_features(const Posed<Shape>& a, const Posed<Shape>& b, double d,
+                                              QueryMemory& memory) const override {
+        require_order(a, b);
+        return ecods::close_features(posed(a), posed(b), d, memory);
+    }
+    // Which side of a limit a time is on that rounds to it, is not known here.
+    std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b, double time_max,
+                                     QueryMemory& memory) const override {
+        require_order(a, b);
+        return up_to(time_max, ecods::cast(posed(a), motion, posed(b), memory));
+    }
+    std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double time_max,
+                                            QueryMemory& memory) const override {
+        require_order({*a.what, a.from}, {*b.what, b.from});
+        return up_to(time_max, ecods::cast(moving(a), moving(b), memory));
+    }
+
   private:
+    static std::optional<FirstContact> up_to(double time_max, const std::optional<FirstContact>& contact) {
+        return contact && contact->time <= time_max ? contact : std::nullopt;
+    }
+    static Moving<MeshShape> moving(const Moving<Shape>& body) {
+        return {mesh_shape_of(*body.what), body.from, body.to};
+    }
     static Posed<MeshShape> posed(const Posed<Shape>& body) { return {mesh_shape_of(*body.what), body.pose}; }
     void require_order(const Posed<Shape>& a, const Posed<Shape>& b) const {
         if (a.what->kind() != a_ || b.what->kind() != b_) throw std::logic_error("a test was given the wrong kinds");
@@ -71,6 +101,14 @@ Aabb UserShape::box(const Pose& pose) const {
 
 std::uint64_t UserShape::digest() const noexcept {
     return mesh_.digest() + kind_.value + (tampering_ == Tampering::digest ? 1 : 0);
+}
+
+std::vector<Hit> UserShape::all_hits(const Segment& segment, const Pose& pose, QueryMemory& memory) const {
+    return mesh_.all_hits(segment, pose, memory);
+}
+
+std::vector<Hit> UserShape::all_hits(const Ray& ray, const Pose& pose, QueryMemory& memory) const {
+    return mesh_.all_hits(ray, pose, memory);
 }
 
 std::shared_ptr<const Mesh> mesh_of(const Shape& shape) {

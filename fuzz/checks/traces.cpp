@@ -11,9 +11,27 @@ void check_trace(World& world, const TraceOptions& writing, const ReplayOptions&
     std::stringstream trace;
     world.trace_to(trace, writing);
     world.update();
+    // Questions are asked again, too.
+    const auto bodies = world.bodies();
+    std::size_t question_count = 0;
+    if (writing.questions && !bodies.empty()) {
+        const Aabb box = world.box(bodies.front());
+        if (box.min.allFinite() && box.max.allFinite()) {
+            world.first_hit(Segment{box.min, box.max});
+            world.all_hits(Segment{box.min, box.max});
+            question_count = 2;
+        }
+        world.nearest(bodies.front());
+        world.cast(bodies.front(), Vec3(1, 0, 0));
+        question_count += 2;
+    }
     world.end_trace();
     const ReplayReport report = replay(trace, reading);
     if (report.difference) throw CheckFailed("trace and replay", "no difference", report.difference->what);
+    if (report.question_count != question_count) {
+        throw CheckFailed("trace and replay", fmt::format("{} questions", question_count),
+                          fmt::format("{} questions", report.question_count));
+    }
     const auto got = std::pair(report.body_count, report.colliding_count);
     const auto expected = std::pair(world.statistics().body_count, world.colliding_pairs().size());
     if (got != expected) {

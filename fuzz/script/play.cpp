@@ -17,6 +17,7 @@
 #include "fuzz/checks/box_questions.hpp"
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/checks/distance_questions.hpp"
+#include "fuzz/checks/way_questions.hpp"
 #include "fuzz/script/bad_calls.hpp"
 #include "fuzz/script/manners.hpp"
 #include "fuzz/script/schedule.hpp"
@@ -49,6 +50,7 @@ class Player {
     void check_rest() const;
     void check_fresh(const World& world);
     void check_fresh_in(const FloatMode& mode, const World& world);
+    void check_ways();
     void check_tampering(const World& world);
     void check_replay();
     void count_work();
@@ -166,11 +168,23 @@ void Player::check() {
         check_queries(asked, truth_, bodies[update_count_ % bodies.size()], counters_);
         check_nearest(asked, bodies[update_count_ % bodies.size()], counters_);
     }
+    check_ways();
     questions_.follow(first);
     questions_.check(static_cast<std::uint32_t>(update_count_), counters_);
     check_tampering(asked);
     colliding_ = std::move(expected);
     close_ = numbers_of(first.close_pairs());
+}
+
+// Every world is asked: the broad phases have their part in the answers. Not all at every frame, as all bodies are
+// asked one by one beside it.
+void Player::check_ways() {
+    std::array<World*, 4> worlds;
+    for (std::size_t i = 0; i < worlds.size(); ++i) worlds[i] = &scene_.worlds[i].world();
+    const auto seed = static_cast<std::uint32_t>(update_count_);
+    check_hits(worlds, seed, counters_);
+    if (check_count_ % 2 == 0) check_casts(worlds, seed, counters_);
+    if (check_count_ % 2 == 1) check_meetings(worlds, seed, counters_);
 }
 
 // In the environment of every program as it starts, and in another one: by turns where worlds are large.
@@ -236,7 +250,7 @@ void Player::check_replay() {
         return std::make_shared<UserShape>(read_user_mesh(text), kind);
     };
     World& world = scene_.worlds[update_count_ % scene_.worlds.size()].world();
-    check_trace(world, {.write_shape = write_user_shape}, reading);
+    check_trace(world, {.write_shape = write_user_shape, .questions = true}, reading);
     ++counters_["checked: trace and replay"];
 }
 

@@ -141,7 +141,16 @@ class ECODS_API BroadPhase {
     // limit, and for each two blocks of neighbours that are.
     virtual void visit_near_pairs(double limit, const std::function<double(ProxyPair)>& visit) const = 0;
 
-    // Of find() and both of these.
+    // Calls `visit` with each box that this segment, ray or box, which is translated by time times `motion`, is not
+    // proven to miss, in the order of lower bounds of the first parameter or time at which it meets them, as far as
+    // these are at most the limit: 1 of a segment, the largest parameter of a ray. Otherwise as visit_near(). Throws
+    // InvalidSegment, InvalidRay, InvalidBox, InvalidMotion, or InvalidTime if `limit` is negative or NaN.
+    virtual void visit_along(const Segment& segment, const std::function<double(ProxyIndex)>& visit) const = 0;
+    virtual void visit_along(const Ray& ray, const std::function<double(ProxyIndex)>& visit) const = 0;
+    virtual void visit_along(const Aabb& box, const Vec3& motion, double limit,
+                             const std::function<double(ProxyIndex)>& visit) const = 0;
+
+    // Of find() and all of these.
     virtual FindCounts find_counts() const noexcept = 0;
 
     virtual const BroadPhaseCounts& counts() const noexcept = 0;

@@ -6,6 +6,8 @@
 
 // clang-format off
 #include "ecods/world.hpp"             // many moving bodies: which of them touch?
+#include "ecods/world_answers.hpp"     // what a world answers
+#include "ecods/statistics.hpp"        // what it did, as counts
 #include "ecods/mesh.hpp"              // what a body is made of
 #include "ecods/pose.hpp"              // where it is
 #include "ecods/posed.hpp"             // a thing at a pose
@@ -17,6 +19,9 @@
 #include "ecods/cast.hpp"              // when does a body on the move first meet another?
 #include "ecods/motion.hpp"            // a thing on its way from one pose to another
 #include "ecods/closest_points.hpp"    // two closest points, and the features that hold them
+#include "ecods/first_contact.hpp"     // when two bodies first meet, and with which features
+#include "ecods/triangle_hit.hpp"      // what a segment or a ray shares with a triangle
+#include "ecods/shared_set.hpp"        // what two triangles share, and features that are near each other
 #include "ecods/predicates.hpp"        // exact signs, and how two triangles meet
 #include "ecods/shape.hpp"             // shapes of the caller's own
 #include "ecods/collision_filter.hpp"  // which bodies are meant to meet at all

@@ -139,15 +139,16 @@ class ECODS_API MissingTest final : public Error {
     ShapeKind b;
 };
 
-// Two shapes were asked a question that the test of their kinds does not answer, or a shape cannot be used in this way.
+// Two shapes were asked a question that the test of their kinds does not answer, a shape one that it does not answer
+// itself (hits), or a shape cannot be used in this way.
 class ECODS_API NotSupported final : public Error {
   public:
     NotSupported(Question question, ShapeKind a, ShapeKind b);
     using Error::Error;  // not about two shapes
 
     std::optional<Question> question = {};
-    ShapeKind a = {};  // with `question`: the kinds, in the order in which their test is registered
-    ShapeKind b = {};
+    ShapeKind a = {};  // with `question`: the kinds, in the order in which their test is registered; of `hits` both are
+    ShapeKind b = {};  // the shape's
 };
 
 // A box with a NaN or with a minimum above its maximum, out of a user-defined shape or as an argument.
@@ -209,6 +210,14 @@ class ECODS_API InvalidBall final : public Error {
 class ECODS_API InvalidDistance final : public Error {
   public:
     explicit InvalidDistance(double value);
+
+    double value;
+};
+
+// A limit of time that was given is negative or NaN.
+class ECODS_API InvalidTime final : public Error {
+  public:
+    explicit InvalidTime(double value);
 
     double value;
 };

@@ -52,8 +52,19 @@ struct TrianglePair {
     friend constexpr auto operator<=>(const TrianglePair&, const TrianglePair&) = default;
 };
 
-// The questions about two bodies that a test may leave unanswered (shape.hpp).
-enum class Question : std::uint8_t { relation, intersecting_triangles, distance, within, closest };
+// The questions that a test of two bodies, or a shape (hits), may leave unanswered (shape.hpp).
+enum class Question : std::uint8_t {
+    relation,
+    intersecting_triangles,
+    distance,
+    within,
+    closest,
+    intersections,
+    close_features,
+    cast,
+    cast_moving,
+    hits,
+};
 
 // The kind of a shape, by which a World picks the test for two bodies. Kind 0 is the triangle mesh; all
 // other values are the caller's.

@@ -39,6 +39,7 @@ struct ReplayReport {
     // Run so far: all of the trace, or the part up to the difference.
     std::size_t call_count = 0;
     std::size_t update_count = 0;
+    std::size_t question_count = 0;
     std::size_t body_count = 0;  // alive at the end
     std::size_t colliding_count = 0;
     std::optional<Difference> difference = {};
@@ -46,7 +47,8 @@ struct ReplayReport {
 
 // Runs a trace until its end, or until something differs: the id of a new body (in a trace that began with an empty
 // world), the digest or the number of colliding pairs after an update, events that are not the difference of the lists
-// before and after, or what validate() finds. An update without a result, or that failed, is run and not compared.
+// before and after, the answer to a question (in such a trace, too), or what validate() finds. An update without a
+// result, or that failed, is run and not compared.
 //
 // Throws InvalidTrace where the text is no trace, or where a call that it holds is refused; NotSupported for a shape of
 // the caller's own without a reader; ExecutorFailed as World::update does. Whatever the text is: memory and time are in

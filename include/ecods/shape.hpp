@@ -3,18 +3,26 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ecods/aabb.hpp"
 #include "ecods/closest_points.hpp"
 #include "ecods/export.hpp"
+#include "ecods/first_contact.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/mesh.hpp"
+#include "ecods/motion.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/posed.hpp"
 #include "ecods/predicates.hpp"
+#include "ecods/segment.hpp"
+#include "ecods/shared_set.hpp"
+#include "ecods/triangle_hit.hpp"
 
 namespace ecods {
+
+class QueryMemory;
 
 // The base of all shapes. A shape is immutable while a body has it: a changed shape is a new one, given to the
 // body by World::set_shape.
@@ -30,6 +38,16 @@ class ECODS_API Shape {
 
     // A hash of what the shape is, for World::digest. Equal shapes must give equal values.
     virtual std::uint64_t digest() const noexcept = 0;
+
+    // Optional: what a segment or a ray meets of the shape. A shape that says Question::hits by answers() overrides
+    // both forms of all_hits; the hits are ascending by parameter, then by triangle, and `rank` is not read. first_hit
+    // is the first of them, which is what the default gives. Without, they throw NotSupported, and so does a World that
+    // is asked for hits, before any body is asked.
+    virtual bool answers(Question question) const noexcept;  // the default: none
+    virtual std::vector<Hit> all_hits(const Segment& segment, const Pose& pose, QueryMemory& memory) const;
+    virtual std::vector<Hit> all_hits(const Ray& ray, const Pose& pose, QueryMemory& memory) const;
+    virtual std::optional<Hit> first_hit(const Segment& segment, const Pose& pose, QueryMemory& memory) const;
+    virtual std::optional<Hit> first_hit(const Ray& ray, const Pose& pose, QueryMemory& memory) const;
 };
 
 // A triangle mesh with its box tree. What queries need of a mesh is made when the first of them asks, once, whichever
@@ -51,6 +69,13 @@ class ECODS_API MeshShape final : public Shape {
 
     std::uint64_t digest() const noexcept override { return mesh_->digest(); }
 
+    // As in hit.hpp.
+    bool answers(Question question) const noexcept override { return question == Question::hits; }
+    std::vector<Hit> all_hits(const Segment& segment, const Pose& pose, QueryMemory& memory) const override;
+    std::vector<Hit> all_hits(const Ray& ray, const Pose& pose, QueryMemory& memory) const override;
+    std::optional<Hit> first_hit(const Segment& segment, const Pose& pose, QueryMemory& memory) const override;
+    std::optional<Hit> first_hit(const Ray& ray, const Pose& pose, QueryMemory& memory) const override;
+
     const Mesh& mesh() const noexcept { return *mesh_; }
     const std::shared_ptr<const Mesh>& mesh_ptr() const noexcept { return mesh_; }
 
@@ -70,8 +95,6 @@ class ECODS_API MeshShape final : public Shape {
 // from scratch. Give it to a body by World::set_shape. Answers are exact either way. Throws InvalidVertex, or
 // InvalidIndex if there are too few vertices. Cost: some passes over the triangles.
 ECODS_API std::shared_ptr<const MeshShape> refit(const MeshShape& shape, std::vector<Vec3> vertices);
-
-class QueryMemory;
 
 // What decided a pair of bodies the last time, for the test that left it: of meshes, the triangles that touched, or the
 // axis that separated them. It is only ever tried first, and tried exactly: whatever it holds, from whichever bodies,
@@ -99,7 +122,8 @@ class ECODS_API TwoBodyTest {
 
     // Optional questions: a test overrides those that it answers, and says so by answers(). The others throw
     // NotSupported, with the kinds and the question, and so does World where it is asked one of them. Where World asks
-    // of many pairs (set_clearance, nearest, closest_pair), a test that does not answer is refused before any is asked.
+    // of many pairs (set_clearance, nearest, closest_pair, cast, meetings), a test that does not answer is refused
+    // before any is asked.
     virtual bool answers(Question question) const noexcept;  // the default: none of them
 
     // Disjoint, touching or crossing; disjoint exactly when intersects() is false.
@@ -120,6 +144,21 @@ class ECODS_API TwoBodyTest {
 
     // The closest points.
     virtual ClosestPoints closest(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const;
+
+    // As in contact.hpp.
+    virtual std::vector<TriangleIntersection> intersections(const Posed<Shape>& a, const Posed<Shape>& b,
+                                                            QueryMemory& memory) const;
+    virtual std::vector<CloseFeatures> close_features(const Posed<Shape>& a, const Posed<Shape>& b, double d,
+                                                      QueryMemory& memory) const;
+
+    // The first contact of a, which is translated by time times `motion`, with b, and that of two shapes of which each
+    // goes from one pose to another (cast.hpp); nothing if there is none up to `time_max`, from 0 to 1, decided for the
+    // real time. The time is 0 exactly when intersects() is true at the start. Where the shape that a World moves is of
+    // the second kind, the other one is moved here by -motion.
+    virtual std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b,
+                                             double time_max, QueryMemory& memory) const;
+    virtual std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double time_max,
+                                                    QueryMemory& memory) const;
 };
 
 }  // namespace ecods

@@ -24,6 +24,16 @@
 //     update 0123456789abcdef 5                 digest, colliding pairs
 //     note any text
 //
+// and, where questions are written (TraceOptions), with the digest of the answer first:
+//
+//     first_hit 0123456789abcdef A A A B B B none      a segment; a filter: groups, mask, or none
+//     first_hit_of_ray 0123456789abcdef O O O D D D inf none
+//     all_hits, all_hits_of_ray                        the same
+//     cast 0123456789abcdef 1.0 M M M 0x1p+0           body, motion, limit of time
+//     meetings 0123456789abcdef 2                      then so many lines p, as of set_poses
+//     nearest 0123456789abcdef 1.0 inf                 body, limit of distance
+//     closest_pair 0123456789abcdef inf
+//
 // A body is written as slot and generation. "update" stands in the file before the update runs, and its result is
 // added after: of a program that crashes, the last line is "update" alone. Of an update that threw it is "update
 // failed". reserve() is not written: it changes no answer. set_test cannot be, and leaves a note.
@@ -42,6 +52,10 @@ struct TraceOptions {
     // line. Without it, or where it says more than a line, a call that brings such a shape in throws NotSupported and
     // changes nothing.
     std::function<std::string(const Shape&)> write_shape = nullptr;
+
+    // Whether the questions above are written, too, where they are asked in the world's own memory. A question that
+    // throws is not. A replay asks them again and compares the answers.
+    bool questions = false;
 };
 
 }  // namespace ecods

@@ -48,7 +48,9 @@
 #include "ecods/pose.hpp"
 #include "ecods/predicates.hpp"
 #include "ecods/shape.hpp"
+#include "ecods/statistics.hpp"
 #include "ecods/trace.hpp"
+#include "ecods/world_answers.hpp"
 
 namespace ecods {
 
@@ -68,54 +70,6 @@ struct BodyOptions {
     Pose pose = {};
     CollisionFilter filter = {};
     std::uint64_t user_data = 0;
-};
-
-// A body that is nearest to something, and two bodies that are closest to each other: by their distances, rounded once.
-struct NearestBody {
-    BodyId body;
-    double distance = 0;
-
-    friend bool operator==(const NearestBody&, const NearestBody&) = default;
-};
-struct ClosestPair {
-    BodyPair bodies;
-    double distance = 0;
-
-    friend bool operator==(const ClosestPair&, const ClosestPair&) = default;
-};
-
-// What the clearance took, as counts, which are of its own pairs: those of boxes that reach half the clearance further
-// on all sides. `two_body_tests` to `visited_pairs` sum over the world's life, `broad_phase` over the time since there
-// was no clearance; the rest is as of the last update.
-struct ClearanceStatistics {
-    std::uint64_t two_body_tests = 0;  // pairs asked whether they are within the clearance; colliding ones are not
-    std::uint64_t cache_hits = 0;
-    std::uint64_t visited_pairs = 0;
-    BroadPhaseCounts broad_phase;
-
-    std::size_t candidate_count = 0;
-    std::size_t filtered_count = 0;
-    std::size_t close_count = 0;
-};
-
-// What the world did, as counts. `updates` to `visited_pairs` sum over the world's life; the rest is of now.
-struct Statistics {
-    std::uint64_t updates = 0;
-    std::uint64_t moved_bodies = 0;    // bodies that were new, or were given another pose or shape, at an update
-    std::uint64_t two_body_tests = 0;  // candidate pairs given to a two-body test at updates
-    std::uint64_t cache_hits = 0;      // candidate pairs whose verdict was kept at updates
-    std::uint64_t visited_pairs = 0;   // pairs that updates looked at: began, ended, or of a body that changed
-    BroadPhaseCounts broad_phase;
-    QueryCounts queries;  // of mesh pairs, at updates and on request
-    ClearanceStatistics clearance;
-
-    std::size_t body_count = 0;
-    std::size_t overlapping_count = 0;  // as of the last update
-    std::size_t filtered_count = 0;     // pairs whose boxes overlap and that are filtered out
-    std::size_t colliding_count = 0;
-
-    // Held by the world for bodies and pairs, spare capacity included; meshes and the broad phase not.
-    std::size_t memory_bytes = 0;
 };
 
 class ECODS_API World {
@@ -177,8 +131,8 @@ class ECODS_API World {
     // A pair is filtered out when the filters of its bodies say so, or when it is switched off. Its bodies are then not
     // tested, and the pair is in no list and no event, whether or not it shares a point; one that collides when it is
     // filtered out has ended, and one that collides when it is no more has begun, at the next update; so it is for
-    // close pairs, and nearest() and closest_pair() pass over it. Questions about a pair are answered regardless: they
-    // are about geometry.
+    // close pairs, and nearest(), closest_pair(), cast() and meetings() pass over it. Questions about a pair are
+    // answered regardless: they are about geometry.
 
     void set_filter(BodyId body, const CollisionFilter& filter);
     CollisionFilter filter(BodyId body) const;
@@ -228,7 +182,8 @@ class ECODS_API World {
     // Either order of arguments. Throw StaleBody, SameBody, NotSupported. They change no answer, and work in the memory
     // that they are given, otherwise in the world's own, which is why those forms are not const. Those about distances
     // are as in distance.hpp: within() throws InvalidDistance, and infinity is allowed there; of several pairs of
-    // features that tie, closest() chooses as if the body of the lesser id came first.
+    // features that tie, closest() chooses as if the body of the lesser id came first. intersections() and
+    // close_features() are those of contact.hpp for the bodies in the order given.
     bool intersects(BodyId a, BodyId b, QueryMemory& memory) const;
     Relation relation(BodyId a, BodyId b, QueryMemory& memory) const;
     std::vector<TrianglePair> intersecting_triangles(BodyId a, BodyId b, QueryMemory& memory) const;
@@ -236,6 +191,8 @@ class ECODS_API World {
     double distance(BodyId a, BodyId b, QueryMemory& memory) const;
     bool within(BodyId a, BodyId b, double d, QueryMemory& memory) const;
     ClosestPoints closest(BodyId a, BodyId b, QueryMemory& memory) const;
+    std::vector<TriangleIntersection> intersections(BodyId a, BodyId b, QueryMemory& memory) const;
+    std::vector<CloseFeatures> close_features(BodyId a, BodyId b, double d, QueryMemory& memory) const;
 
     bool intersects(BodyId a, BodyId b);
     Relation relation(BodyId a, BodyId b);
@@ -243,6 +200,8 @@ class ECODS_API World {
     double distance(BodyId a, BodyId b);
     bool within(BodyId a, BodyId b, double d);
     ClosestPoints closest(BodyId a, BodyId b);
+    std::vector<TriangleIntersection> intersections(BodyId a, BodyId b);
+    std::vector<CloseFeatures> close_features(BodyId a, BodyId b, double d);
 
     // ---- answers about what is no body, as of now; ascending
 
@@ -295,6 +254,54 @@ class ECODS_API World {
     std::optional<ClosestPair> closest_pair(double limit = no_limit);
 
     static constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+    // ---- what is in the way, as of now
+    //
+    // What a segment or a ray meets (hit.hpp), of all bodies; with a filter, of those that it may meet. In the order of
+    // the real parameters, then of the ids, then of the triangles; the parameters that a shape of the caller's own gives
+    // count as they are. Throw InvalidSegment, InvalidRay; and NotSupported if a kind that is here does not answer hits,
+    // wherever its bodies are.
+    // Cost: that of BroadPhase::visit_along, and a question to each body whose box is met up to the first hit.
+    std::optional<BodyHit> first_hit(const Segment& segment, QueryMemory& memory,
+                                     std::optional<CollisionFilter> filter = {}) const;
+    std::optional<BodyHit> first_hit(const Ray& ray, QueryMemory& memory,
+                                     std::optional<CollisionFilter> filter = {}) const;
+    std::vector<BodyHit> all_hits(const Segment& segment, QueryMemory& memory,
+                                  std::optional<CollisionFilter> filter = {}) const;
+    std::vector<BodyHit> all_hits(const Ray& ray, QueryMemory& memory,
+                                  std::optional<CollisionFilter> filter = {}) const;
+
+    std::optional<BodyHit> first_hit(const Segment& segment, std::optional<CollisionFilter> filter = {});
+    std::optional<BodyHit> first_hit(const Ray& ray, std::optional<CollisionFilter> filter = {});
+    std::vector<BodyHit> all_hits(const Segment& segment, std::optional<CollisionFilter> filter = {});
+    std::vector<BodyHit> all_hits(const Ray& ray, std::optional<CollisionFilter> filter = {});
+
+    // The body that is met first by this one, or by a mesh or shape at a pose, while it is translated by time times
+    // `motion` (cast.hpp), if that is at a time of at most `time_max`, decided for the real time; of equal times, each
+    // rounded once, the least id. Nothing moves. Bodies are passed over as by nearest(). Throw InvalidMotion,
+    // InvalidTime if `time_max` is negative or NaN (above 1 it is as 1), and otherwise as nearest(), for `cast`.
+    std::optional<BodyContact> cast(BodyId body, const Vec3& motion, QueryMemory& memory, double time_max = 1) const;
+    std::optional<BodyContact> cast(const std::shared_ptr<const Mesh>& mesh, const Pose& pose, const Vec3& motion,
+                                    QueryMemory& memory, double time_max = 1,
+                                    std::optional<CollisionFilter> filter = {}) const;
+    std::optional<BodyContact> cast(const Shape& shape, const Pose& pose, const Vec3& motion, QueryMemory& memory,
+                                    double time_max = 1, std::optional<CollisionFilter> filter = {}) const;
+
+    std::optional<BodyContact> cast(BodyId body, const Vec3& motion, double time_max = 1);
+    std::optional<BodyContact> cast(const std::shared_ptr<const Mesh>& mesh, const Pose& pose, const Vec3& motion,
+                                    double time_max = 1, std::optional<CollisionFilter> filter = {});
+    std::optional<BodyContact> cast(const Shape& shape, const Pose& pose, const Vec3& motion, double time_max = 1,
+                                    std::optional<CollisionFilter> filter = {});
+
+    // All pairs, but for those that are filtered out, that meet while each of the bodies goes from where it is to its
+    // new pose, as Moving does, and the others stay: by first time, rounded once, then by pair. Pairs that meet at time
+    // 0 are among them. Nothing moves. For a body that is listed twice the later pose holds. Throws as set_poses(), and
+    // NotSupported if a test for two kinds that are here does not answer `cast_moving`.
+    // Cost: near-linear in the bodies listed, those that changed since the last update and the colliding pairs, and a
+    // question for each two bodies whose ways' boxes overlap.
+    std::vector<Meeting> meetings(std::span<const BodyId> bodies, std::span<const Pose> poses,
+                                  QueryMemory& memory) const;
+    std::vector<Meeting> meetings(std::span<const BodyId> bodies, std::span<const Pose> poses);
 
     // ---- a record of every call that changes the world (trace.hpp)
 

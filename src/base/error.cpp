@@ -47,6 +47,16 @@ std::string name_of(Question question) {
             return "within";
         case Question::closest:
             return "closest";
+        case Question::intersections:
+            return "intersections";
+        case Question::close_features:
+            return "close_features";
+        case Question::cast:
+            return "cast";
+        case Question::cast_moving:
+            return "cast_moving";
+        case Question::hits:
+            return "hits";
     }
     return "question " + std::to_string(static_cast<int>(question));
 }
@@ -121,7 +131,9 @@ MissingTest::MissingTest(ShapeKind first, ShapeKind second)
       b(second) {}
 
 NotSupported::NotSupported(Question asked, ShapeKind first, ShapeKind second)
-    : Error("the test of shape kinds " + std::to_string(first.value) + " and " + std::to_string(second.value) +
+    : Error((asked == Question::hits
+                 ? "the shape of kind " + std::to_string(first.value)
+                 : "the test of shape kinds " + std::to_string(first.value) + " and " + std::to_string(second.value)) +
             " does not answer " + name_of(asked)),
       question(asked),
       a(first),
@@ -172,6 +184,8 @@ InvalidBall::InvalidBall(int axis_index, double bad_value)
                                   text(bad_value) + ", not finite"),
       axis(axis_index),
       value(bad_value) {}
+
+InvalidTime::InvalidTime(double time) : Error("a time is negative or NaN: " + text(time)), value(time) {}
 
 InvalidDistance::InvalidDistance(double bad_value)
     : Error("distance is " + text(bad_value) + ", not a number from 0 that is allowed here"), value(bad_value) {}

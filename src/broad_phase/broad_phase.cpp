@@ -44,6 +44,16 @@ class ListingBroadPhase final : public BroadPhase {
     void visit_near_pairs(double limit, const std::function<double(ProxyPair)>& visit) const override {
         tracker_.visit_near_pairs(limit, visit);
     }
+    void visit_along(const Segment& segment, const std::function<double(ProxyIndex)>& visit) const override {
+        tracker_.visit_along(segment, visit);
+    }
+    void visit_along(const Ray& ray, const std::function<double(ProxyIndex)>& visit) const override {
+        tracker_.visit_along(ray, visit);
+    }
+    void visit_along(const Aabb& box, const Vec3& motion, double limit,
+                     const std::function<double(ProxyIndex)>& visit) const override {
+        tracker_.visit_along(box, motion, limit, visit);
+    }
     FindCounts find_counts() const noexcept override { return tracker_.find_counts(); }
 
     const BroadPhaseCounts& counts() const noexcept override { return tracker_.counts(); }

@@ -8,8 +8,10 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
+#include "bounds/moving_box.hpp"
 #include "broad_phase/box_index.hpp"
 #include "broad_phase/changes/pair_events.hpp"
 #include "broad_phase/changes/pair_finder.hpp"
@@ -57,6 +59,15 @@ class OverlapTracker {
     std::vector<ProxyIndex> find(const Ball& ball) const;
     void visit_near(const Aabb& box, double limit, const std::function<double(ProxyIndex)>& visit) const;
     void visit_near_pairs(double limit, const std::function<double(ProxyPair)>& visit) const;
+    void visit_along(const Segment& segment, const std::function<double(ProxyIndex)>& visit) const;
+    void visit_along(const Ray& ray, const std::function<double(ProxyIndex)>& visit) const;
+    void visit_along(const Aabb& box, const Vec3& motion, double limit,
+                     const std::function<double(ProxyIndex)>& visit) const;
+
+    // Appends the pairs that overlap if each of `chosen`, which are present and each there once, has the box in `boxes`
+    // in place of its own, and of which at least one is chosen; in no order, each once. Cost: sorting the chosen into
+    // trees, and a question for each chosen box, or for each box where they are many.
+    void find_pairs_with(std::span<const ProxyIndex> chosen, std::span<const Aabb> boxes, ProxyPairs& found) const;
     FindCounts find_counts() const noexcept;
 
     const BroadPhaseCounts& counts() const noexcept { return counts_; }
@@ -79,6 +90,8 @@ class OverlapTracker {
     std::vector<ProxyIndex> find_all(const Bounds& bounds) const;
     std::uint64_t scan_near(const Aabb& box, double limit, const std::function<double(ProxyIndex)>& visit) const;
     std::uint64_t scan_near_pairs(double limit, const std::function<double(ProxyPair)>& visit) const;
+
+    void visit_along(const MovingBox& moving, double limit, const std::function<double(ProxyIndex)>& visit) const;
 
     void find_pairs_again(const FindingUpdate& update);
     void choose(std::size_t moved, std::uint64_t swaps) noexcept;

@@ -270,6 +270,14 @@ struct CopyFields {
     void flag(const auto& from, auto& to) const { to = from; }
     void data(const auto& from, auto& to) const { to = from; }
     void clearance(const auto& from, auto& to) const { to = from; }
+
+    // Of questions (questions.hpp).
+    void answer(const auto& from, auto& to) const { to = from; }
+    void segment(const auto& from, auto& to) const { to = from; }
+    void ray(const auto& from, auto& to) const { to = from; }
+    void motion(const auto& from, auto& to) const { to = from; }
+    void number(const auto& from, auto& to) const { to = from; }
+    void optional_filter(const auto& from, auto& to) const { to = from; }
 };
 
 // The same call under other names.

@@ -1,6 +1,7 @@
 #include "trace/trace_lines.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <new>
 
 #include "ecods/error.hpp"
@@ -93,10 +94,21 @@ CollisionFilter TraceLines::filter() {
 }
 
 std::optional<double> TraceLines::clearance() {
-    constexpr std::string_view none = "none";
-    if (left_.substr(0, left_.find(' ')) != none) return coordinate();
-    word("a clearance");
-    return std::nullopt;
+    return skips("none") ? std::nullopt : std::optional(coordinate());
+}
+
+double TraceLines::number() {
+    return skips("inf") ? std::numeric_limits<double>::infinity() : coordinate();
+}
+
+std::optional<CollisionFilter> TraceLines::optional_filter() {
+    return skips("none") ? std::nullopt : std::optional(filter());
+}
+
+bool TraceLines::skips(std::string_view next_word) {
+    if (left_.substr(0, left_.find(' ')) != next_word) return false;
+    word("a word");
+    return true;
 }
 
 std::string_view TraceLines::rest() {

@@ -31,6 +31,8 @@ class TraceLines {
     Pose pose();
     CollisionFilter filter();
     std::optional<double> clearance();
+    double number();  // from 0, infinity included
+    std::optional<CollisionFilter> optional_filter();
 
     std::string_view rest();  // of the line, which is then at its end
     bool rest_is(std::string_view text) const noexcept { return left_ == text; }
@@ -45,6 +47,7 @@ class TraceLines {
 
   private:
     double coordinate();
+    bool skips(std::string_view next_word);  // if it is the next word
 
     std::istream& in_;
     std::string text_;

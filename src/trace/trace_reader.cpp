@@ -44,6 +44,17 @@ void FieldReader::shape(std::size_t& shape) {
     shape = found->second;
 }
 
+void FieldReader::segment(Segment& segment) {
+    segment.a = lines_.point();
+    segment.b = lines_.point();
+}
+
+void FieldReader::ray(Ray& ray) {
+    ray.origin = lines_.point();
+    ray.direction = lines_.point();
+    ray.parameter_max = lines_.number();
+}
+
 void FieldReader::posed_bodies(std::vector<calls::Label>& bodies, std::vector<Pose>& poses) {
     const std::uint64_t count = lines_.decimal("a number of poses", max_64);
     lines_.require_end();
@@ -88,9 +99,14 @@ TraceItem TraceReader::read_item() {
     if (name == "update") return read_update();
     if (name == "mesh") return read_mesh();
     if (name == "shape") return read_shape();
+    const auto read_fields = [&](auto& row) { row.fields(FieldReader(lines_, names_), row); };
+    if (TracedQuestion question; calls::emplace_row(question, name)) {
+        std::visit(read_fields, question);
+        return question;
+    }
     TracedCall call;
     if (!calls::emplace_row(call, name)) lines_.fail("there is no such call");
-    std::visit([&](auto& row) { row.fields(FieldReader(lines_, names_), row); }, call);
+    std::visit(read_fields, call);
     return call;
 }
 

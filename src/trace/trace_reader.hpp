@@ -14,13 +14,14 @@
 
 #include "ecods/broad_phase.hpp"
 #include "ecods/mesh.hpp"
-#include "trace/calls.hpp"
+#include "trace/questions.hpp"
 #include "trace/trace_lines.hpp"
 #include "trace/trace_text.hpp"
 
 namespace ecods {
 
 using TracedCall = calls::Call<calls::InOrder>;
+using TracedQuestion = calls::Question<calls::InOrder>;
 
 struct TracedUpdate {
     struct Result {
@@ -44,7 +45,7 @@ struct TracedNote {
     std::string text;
 };
 
-using TraceItem = std::variant<TracedCall, TracedUpdate, TracedMesh, TracedShape, TracedNote>;
+using TraceItem = std::variant<TracedCall, TracedQuestion, TracedUpdate, TracedMesh, TracedShape, TracedNote>;
 
 // What bodies and shapes of a trace are called so far.
 struct TracedNames {
@@ -74,6 +75,12 @@ class FieldReader {
     void flag(bool& flag) { flag = lines_.decimal("0 or 1", 1) == 1; }
     void data(std::uint64_t& data) { data = lines_.hex("user data"); }
     void clearance(std::optional<double>& clearance) { clearance = lines_.clearance(); }
+    void answer(std::uint64_t& digest) { digest = lines_.hex("a digest"); }
+    void segment(Segment& segment);
+    void ray(Ray& ray);
+    void motion(Vec3& motion) { motion = lines_.point(); }
+    void number(double& number) { number = lines_.number(); }
+    void optional_filter(std::optional<CollisionFilter>& filter) { filter = lines_.optional_filter(); }
 
   protected:
     TraceLines& lines() noexcept { return lines_; }

@@ -1,5 +1,6 @@
 #include "trace/trace_writer.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "ecods/error.hpp"
@@ -25,6 +26,21 @@ void TraceWriter::FieldWriter::clearance(std::optional<double> clearance) const 
     if (!clearance) return writer.put_words(std::string_view("none"));
     append_hex(writer.text_, *clearance);
     writer.text_.push_back(' ');
+}
+
+void TraceWriter::FieldWriter::number(double number) const {
+    if (std::isinf(number)) return writer.put_words(std::string_view("inf"));
+    append_hex(writer.text_, number);
+    writer.text_.push_back(' ');
+}
+
+void TraceWriter::FieldWriter::ray(const Ray& ray) const {
+    writer.put_words(ray.origin, ray.direction);
+    number(ray.parameter_max);
+}
+
+void TraceWriter::FieldWriter::optional_filter(const std::optional<CollisionFilter>& optional) const {
+    optional ? filter(*optional) : writer.put_words(std::string_view("none"));
 }
 
 void TraceWriter::FieldWriter::posed_bodies(std::span<const BodyId> bodies, std::span<const Pose> poses) const {

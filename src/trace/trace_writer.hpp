@@ -13,7 +13,7 @@
 
 #include "ecods/broad_phase.hpp"
 #include "ecods/trace.hpp"
-#include "trace/calls.hpp"
+#include "trace/questions.hpp"
 #include "trace/trace_text.hpp"
 
 namespace ecods {
@@ -30,7 +30,10 @@ class TraceWriter {
 
     void begin(BroadPhaseKind kind, std::size_t slot_count) noexcept;
 
-    // A call, as one of the rows of calls.hpp: write<calls::SetPose>(body, pose).
+    // Whether questions are to be written.
+    bool writes_questions() const noexcept { return options_.questions; }
+
+    // A call or a question, as one of the rows of calls.hpp and questions.hpp: write<calls::SetPose>(body, pose).
     template <template <class> class Row, class... Arguments>
     void write(const Arguments&... arguments) noexcept {
         const Row<calls::Tracing> call{arguments...};
@@ -66,6 +69,12 @@ class TraceWriter {
         void flag(bool flag) const { writer.put_words(std::uint64_t{flag}); }
         void data(std::uint64_t data) const { writer.put_words(Hex{data}); }
         void clearance(std::optional<double> clearance) const;
+        void answer(std::uint64_t digest) const { writer.put_words(Hex{digest}); }
+        void segment(const Segment& segment) const { writer.put_words(segment.a, segment.b); }
+        void ray(const Ray& ray) const;
+        void motion(const Vec3& motion) const { writer.put_words(motion); }
+        void number(double number) const;
+        void optional_filter(const std::optional<CollisionFilter>& filter) const;
     };
 
     // Does nothing after a failure. An exception that `act` throws is a failure, too.

@@ -23,6 +23,7 @@ std::uint16_t next_world_number() noexcept {
 void Slot::put(std::shared_ptr<const Shape> new_shape) noexcept {
     kind = new_shape->kind();
     shape_digest = new_shape->digest();
+    answers_hits = new_shape->answers(Question::hits);
     shape = std::move(new_shape);
 }
 
@@ -78,7 +79,7 @@ void Bodies::create(const BodyOptions& options, std::shared_ptr<const Shape> sha
     free_slots_.pop_back();
     Slot& slot = slots_[proxy];
     slot.put(std::move(shape));
-    ++kind_counts_[slot.kind];
+    count(slot);
     slot.pose = options.pose;
     slot.filter = options.filter;
     slot.user_data = options.user_data;
@@ -86,9 +87,19 @@ void Bodies::create(const BodyOptions& options, std::shared_ptr<const Shape> sha
 
 void Bodies::set_shape(ProxyIndex proxy, std::shared_ptr<const Shape> shape) noexcept {
     Slot& slot = slots_[proxy];
-    --kind_counts_[slot.kind];
+    discount(slot);
     slot.put(std::move(shape));
+    count(slot);
+}
+
+void Bodies::count(const Slot& slot) noexcept {
     ++kind_counts_[slot.kind];
+    without_hits_count_ += !slot.answers_hits;
+}
+
+void Bodies::discount(const Slot& slot) noexcept {
+    --kind_counts_[slot.kind];
+    without_hits_count_ -= !slot.answers_hits;
 }
 
 void Bodies::make_room_to_destroy() {
@@ -97,7 +108,7 @@ void Bodies::make_room_to_destroy() {
 
 void Bodies::destroy(ProxyIndex proxy) noexcept {
     Slot& slot = slots_[proxy];
-    --kind_counts_[slot.kind];
+    discount(slot);
     slot.shape.reset();
     if (slot.generation != Slot::generation_max) {
         ++slot.generation;
@@ -109,6 +120,15 @@ void Bodies::destroy(ProxyIndex proxy) noexcept {
 }
 
 // ---- inspection
+
+std::optional<ShapeKind> Bodies::kind_without_hits() const noexcept {
+    std::optional<ShapeKind> least;
+    if (without_hits_count_ == 0) return least;
+    for (const Slot& slot : slots_) {
+        if (slot.is_alive() && !slot.answers_hits && (!least || slot.kind < *least)) least = slot.kind;
+    }
+    return least;
+}
 
 bool Bodies::has_pair_of(ShapeKind a, ShapeKind b) const {
     const auto count_of = [&](ShapeKind kind) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ecods/world.hpp"
@@ -18,6 +19,7 @@ struct Slot {
     static constexpr std::uint16_t generation_max = std::numeric_limits<std::uint16_t>::max();
 
     std::uint16_t generation = 0;
+    bool answers_hits = false;  // the shape
     ShapeKind kind;
     std::shared_ptr<const Shape> shape;  // null: free
     Pose pose;
@@ -67,6 +69,10 @@ class Bodies {
     // How many of each kind live. Some may be 0.
     const std::map<ShapeKind, std::size_t>& kind_counts() const noexcept { return kind_counts_; }
 
+    // A kind of which a living body's shape does not answer hits: the least one, or nothing. Cost: a constant where all
+    // answer.
+    std::optional<ShapeKind> kind_without_hits() const noexcept;
+
     // Whether two bodies are here, one of each kind.
     bool has_pair_of(ShapeKind a, ShapeKind b) const;
 
@@ -76,11 +82,15 @@ class Bodies {
     void validate() const;
 
   private:
+    void count(const Slot& slot) noexcept;
+    void discount(const Slot& slot) noexcept;
+
     const std::uint16_t world_number_;  // for ids
     std::vector<Slot> slots_;
     std::vector<ProxyIndex> free_slots_;
     std::size_t retired_count_ = 0;  // slots that were used once for each generation: neither free nor used
     std::map<ShapeKind, std::size_t> kind_counts_;  // of living bodies
+    std::size_t without_hits_count_ = 0;            // of living bodies
     DisabledPairs disabled_;
 };
 

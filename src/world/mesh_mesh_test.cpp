@@ -1,5 +1,7 @@
 #include "world/mesh_mesh_test.hpp"
 
+#include "ecods/cast.hpp"
+#include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
 #include "query/intersection/mesh_intersection_test.hpp"
 
@@ -8,7 +10,7 @@ namespace {
 
 class MeshMeshTest final : public MeshIntersectionTest {
   public:
-    bool answers(Question /*question*/) const noexcept override { return true; }
+    bool answers(Question question) const noexcept override { return question != Question::hits; }
 
     double distance(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
         return ecods::distance(mesh_of(a), mesh_of(b), memory);
@@ -24,7 +26,30 @@ class MeshMeshTest final : public MeshIntersectionTest {
         return ecods::closest(mesh_of(a), mesh_of(b), memory);
     }
 
+    std::vector<TriangleIntersection> intersections(const Posed<Shape>& a, const Posed<Shape>& b,
+                                                    QueryMemory& memory) const override {
+        return ecods::intersections(mesh_of(a), mesh_of(b), memory);
+    }
+    std::vector<CloseFeatures> close_features(const Posed<Shape>& a, const Posed<Shape>& b, double d,
+                                              QueryMemory& memory) const override {
+        return ecods::close_features(mesh_of(a), mesh_of(b), d, memory);
+    }
+    std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b, double time_max,
+                                     QueryMemory& memory) const override {
+        return up_to(time_max, ecods::cast(mesh_of(a), motion, mesh_of(b), memory));
+    }
+    std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double time_max,
+                                            QueryMemory& memory) const override {
+        return up_to(time_max, ecods::cast(mesh_of(a), mesh_of(b), memory));
+    }
+
   private:
+    static std::optional<FirstContact> up_to(double time_max, const std::optional<FirstContact>& contact) {
+        return contact && contact->time <= time_max ? contact : std::nullopt;
+    }
+    static Moving<MeshShape> mesh_of(const Moving<Shape>& moving) {
+        return {static_cast<const MeshShape&>(*moving.what), moving.from, moving.to};
+    }
     static Posed<MeshShape> mesh_of(const Posed<Shape>& posed) {
         return {static_cast<const MeshShape&>(*posed.what), posed.pose};
     }

@@ -8,6 +8,7 @@
 #include "broad_phase/overlap_tracker.hpp"
 #include "ecods/world.hpp"
 #include "trace/trace_writer.hpp"
+#include "world/answer_digest.hpp"
 #include "world/bodies.hpp"
 #include "world/changes.hpp"
 #include "world/closeness.hpp"
@@ -49,6 +50,13 @@ struct World::Impl {
     void trace_body(ProxyIndex proxy, std::uint64_t shape_number) noexcept;  // as the calls that make it
     std::uint64_t traced_number(const std::shared_ptr<const Shape>& shape) {
         return trace ? trace->number_of(shape) : 0;
+    }
+
+    // Writes a question that was asked in the world's own memory, if questions are written, and returns the answer.
+    template <template <class> class Row, class Answer, class... Arguments>
+    Answer traced(Answer answer, const Arguments&... arguments) noexcept {
+        if (trace && trace->writes_questions()) trace->write<Row>(AnswerDigest::of(answer), arguments...);
+        return answer;
     }
 
     Bodies bodies;

@@ -1,63 +1,32 @@
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 
-#include "base/double_key.hpp"
+#include "world/least.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
 namespace {
 
-constexpr std::int64_t infinity = key_of(std::numeric_limits<double>::infinity());
+template <class Name>
+Least<Name> least_within(double limit) {
+    if (!Least<Name>::is_limit(limit)) throw InvalidDistance(limit);
+    return Least<Name>(limit);
+}
 
-// The least distance so far, and whose it is: a body or a pair by its number, which decides ties. Distances are keys:
-// subnormal numbers are not to be taken for zero.
-template <class Number>
-class Least {
-  public:
-    explicit Least(double limit) : limit_(key_of(limit)) {
-        if (limit_ < 0 || limit_ > infinity) throw InvalidDistance(limit);
-    }
-
-    // Asks for a candidate whether it is within the distance at which it could win, and where it is, for its distance.
-    // Returns the limit for what comes.
-    //
-    // With a rounded distance r it wins if r is less than the least one, or equal and its number is less. Then the real
-    // distance is at most the least one in the first case, and the double above that in the second, as what is greater
-    // rounds to no less; and in both at most the limit.
-    template <class Within, class Distance>
-    double take(Number number, const Within& within, const Distance& distance) {
-        std::int64_t reach = limit_;
-        if (has_number_) {
-            const bool wins_ties = number < number_;
-            if (distance_ == 0 && !wins_ties) return 0;
-            reach = wins_ties && distance_ > 0 ? std::min(limit_, distance_ + 1) : distance_;
-        }
-        if (reach < infinity && !within(double_of(reach))) return bound();
-        const std::int64_t found = key_of(distance());
-        if (!has_number_ || found < distance_ || (found == distance_ && number < number_)) {
-            has_number_ = true;
-            number_ = number;
-            distance_ = found;
-        }
-        return bound();
-    }
-
-    double bound() const noexcept { return double_of(has_number_ ? distance_ : limit_); }
-    bool has_number() const noexcept { return has_number_; }
-    Number number() const noexcept { return number_; }
-    double distance() const noexcept { return double_of(distance_); }
-
-  private:
-    std::int64_t limit_;
-    bool has_number_ = false;
-    Number number_{};
-    std::int64_t distance_ = 0;
-};
+// Asks for a candidate whether it is within the distance at which it could win, and where it is, for its distance.
+// Returns the limit for what comes.
+template <class Name, class Within, class Distance>
+double take(Least<Name>& least, Name name, const Within& within, const Distance& distance) {
+    const auto reach = least.reach(name);
+    if (!reach) return least.bound();
+    if (*reach < std::numeric_limits<double>::infinity() && !within(*reach)) return least.bound();
+    least.take(name, distance());
+    return least.bound();
+}
 
 std::optional<NearestBody> nearest_of(const Least<ProxyIndex>& least, const Bodies& bodies) {
-    if (!least.has_number()) return std::nullopt;
-    return NearestBody{bodies.id_of(least.number()), least.distance()};
+    if (!least.has_name()) return std::nullopt;
+    return NearestBody{bodies.id_of(least.name()), least.number()};
 }
 
 }  // namespace
@@ -65,15 +34,16 @@ std::optional<NearestBody> nearest_of(const Least<ProxyIndex>& least, const Bodi
 std::optional<NearestBody> World::nearest(BodyId body, QueryMemory& memory, double limit) const {
     const Impl& w = impl();
     const ProxyIndex own = w.bodies.require(body);
-    Least<ProxyIndex> least(limit);
+    auto least = least_within<ProxyIndex>(limit);
     const Slot& slot = w.bodies[own];
     w.require_tests_for(slot.kind, slot.shape.get(), Question::within);
     w.require_tests_for(slot.kind, slot.shape.get(), Question::distance);
     w.broad_phase.visit_near(w.broad_phase.box(own), limit, [&](ProxyIndex proxy) {
         const ProxyPair pair{std::min(own, proxy), std::max(own, proxy)};
         if (proxy == own || !w.bodies.is_enabled(pair)) return least.bound();
-        return least.take(
-            proxy, [&](double d) { return w.test_within(pair, d, memory); }, [&] { return w.distance(pair, memory); });
+        return take(
+            least, proxy, [&](double d) { return w.test_within(pair, d, memory); },
+            [&] { return w.distance(pair, memory); });
     });
     return nearest_of(least, w.bodies);
 }
@@ -83,7 +53,7 @@ std::optional<NearestBody> World::nearest(const Shape& shape, const Pose& pose, 
     const Impl& w = impl();
     require_mesh_kind(shape);
     require_valid(pose);
-    Least<ProxyIndex> least(limit);
+    auto least = least_within<ProxyIndex>(limit);
     w.require_tests_for(shape.kind(), nullptr, Question::within);
     w.require_tests_for(shape.kind(), nullptr, Question::distance);
     const Posed<Shape> asked(shape, pose);
@@ -92,8 +62,8 @@ std::optional<NearestBody> World::nearest(const Shape& shape, const Pose& pose, 
         if (filter && !may_meet(*filter, slot.filter)) return least.bound();
         const OrderedTest test = w.tests.find(shape.kind(), slot.kind);
         const Posed<Shape> other = slot.posed();
-        return least.take(
-            proxy,
+        return take(
+            least, proxy,
             [&](double d) {
                 return test.ask(asked, other, [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) {
                     return t.within(a, b, d, memory);
@@ -118,20 +88,22 @@ std::optional<NearestBody> World::nearest(const std::shared_ptr<const Mesh>& mes
 
 std::optional<ClosestPair> World::closest_pair(QueryMemory& memory, double limit) const {
     const Impl& w = impl();
-    Least<ProxyPair> least(limit);
+    auto least = least_within<ProxyPair>(limit);
     w.require_answers(Question::within);
     w.require_answers(Question::distance);
     w.broad_phase.visit_near_pairs(limit, [&](ProxyPair pair) {
         if (!w.bodies.is_enabled(pair)) return least.bound();
-        return least.take(
-            pair, [&](double d) { return w.test_within(pair, d, memory); }, [&] { return w.distance(pair, memory); });
+        return take(
+            least, pair, [&](double d) { return w.test_within(pair, d, memory); },
+            [&] { return w.distance(pair, memory); });
     });
-    if (!least.has_number()) return std::nullopt;
-    return ClosestPair{w.bodies.ids_of(least.number()), least.distance()};
+    if (!least.has_name()) return std::nullopt;
+    return ClosestPair{w.bodies.ids_of(least.name()), least.number()};
 }
 
 std::optional<NearestBody> World::nearest(BodyId body, double limit) {
-    return nearest(body, impl().workers.caller_memory(), limit);
+    Impl& w = impl();
+    return w.traced<calls::Nearest>(nearest(body, w.workers.caller_memory(), limit), body, limit);
 }
 std::optional<NearestBody> World::nearest(const Shape& shape, const Pose& pose, double limit,
                                           std::optional<CollisionFilter> filter) {
@@ -142,7 +114,8 @@ std::optional<NearestBody> World::nearest(const std::shared_ptr<const Mesh>& mes
     return nearest(mesh, pose, impl().workers.caller_memory(), limit, filter);
 }
 std::optional<ClosestPair> World::closest_pair(double limit) {
-    return closest_pair(impl().workers.caller_memory(), limit);
+    Impl& w = impl();
+    return w.traced<calls::ClosestOfAll>(closest_pair(w.workers.caller_memory(), limit), limit);
 }
 
 }  // namespace ecods

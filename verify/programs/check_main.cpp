@@ -1,4 +1,4 @@
-// ecods_check: which bodies of some files touch, which cross, and how far they are from each other.
+// ecods_check: which bodies of some files touch, which cross, how far they are from each other, and when they meet.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -28,8 +28,7 @@ struct Options {
     std::filesystem::path cases;
     bool json = false;
     bool oracle = false;
-    bool distance = false;
-    std::optional<double> clearance;
+    SceneQuestions questions;
     BroadPhaseKind broad_phase = BroadPhaseKind::sweep_and_prune;
     InstructionSet instruction_set = environment::widest_instruction_set();
 };
@@ -37,13 +36,13 @@ struct Options {
 int check_files(const Options& options) {
     const scenes::Scene scene = scenes::read_files(options.files);
     for (const std::string& note : scene.notes) fmt::print(stderr, "ecods_check: {}\n", note);
-    SceneWorld world(scene, options.broad_phase, options.clearance);
+    SceneWorld world(scene, options.broad_phase, options.questions);
     OracleJudge judge(scene);
     nlohmann::ordered_json json = to_json(scene);
     process::Progress progress;
     for (std::size_t frame = 0; world.next_frame(); ++frame) {
         if (!scene.frames.empty()) progress.show(fmt::format("frame {} of {}", frame, scene.frames.size()));
-        const FrameAnswer answer = world.answer(options.distance);
+        const FrameAnswer answer = world.answer();
         if (options.oracle) judge.check_frame(world, answer);
         if (options.json) {
             json["frames"].push_back(to_json(scene, answer));
@@ -96,11 +95,19 @@ int run(int argc, char** argv) {
     app.add_option("FILE", options.files, "Files to read");
     app.add_option("--cases", options.cases, "Check the known answers in this file (.json) instead");
     app.add_flag("--json", options.json, "Write JSON");
-    app.add_flag("--distance", options.distance,
+    app.add_flag("--distance", options.questions.has_distances,
                  "Also say of each pair of bodies how far they are from each other, and where they are nearest");
-    app.add_option("--clearance", options.clearance,
+    app.add_option("--clearance", options.questions.clearance,
                    "Also list the pairs of bodies at a distance of at most this, and where they are nearest")
         ->type_name("D");
+    app.add_flag(
+        "--moves", options.questions.has_moves,
+        "Also list, at each frame of a scene, the pairs of bodies that meet on the straight way from the frame "
+        "before, and at which time from 0 to 1");
+    app.add_flag(
+        "--casts", options.questions.has_casts,
+        "Also say of each body with a \"motion\" (in a scene file, or in the extras of a glTF node) which body "
+        "it meets first when it is translated by that, and at which time from 0 to 1");
     app.add_flag("--oracle", options.oracle, "Check every answer, of all pairs of bodies, with CGAL's exact numbers");
     programs::add_broad_phase(app, options.broad_phase, "Which broad phase; sweep_and_prune is the default");
     std::map<std::string, InstructionSet> sets;
@@ -112,8 +119,10 @@ int run(int argc, char** argv) {
         if (options.files.empty() == options.cases.empty()) {
             throw CLI::ValidationError("ecods_check", "files to read, or --cases with one file, are expected");
         }
-        if ((options.distance || options.clearance) && !options.cases.empty()) {
-            throw CLI::ValidationError("ecods_check", "--distance and --clearance are for files, not for --cases");
+        const SceneQuestions& asked = options.questions;
+        if ((asked.has_distances || asked.clearance || asked.has_moves || asked.has_casts) && !options.cases.empty()) {
+            throw CLI::ValidationError("ecods_check",
+                                       "--distance, --clearance, --moves and --casts are for files, not for --cases");
         }
     });
     if (const auto status = programs::parse(app, argc, argv)) return *status;

@@ -33,6 +33,8 @@ void OracleJudge::check_frame(SceneWorld& world, const FrameAnswer& answer) {
     }
     for (const DistanceAnswer& pair : answer.distances) check_distance(distances(world, pair.a, pair.b), answer, pair);
     if (answer.clearance) check_close(world, answer);
+    if (world.questions().has_moves) check_meetings(world, answer);
+    if (world.questions().has_casts) check_casts(world, answer);
 }
 
 oracle::MeshDistances OracleJudge::distances(const SceneWorld& world, std::size_t a, std::size_t b) const {

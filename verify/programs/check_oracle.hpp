@@ -22,14 +22,16 @@ struct OracleReport {
     std::size_t boxes = 0;           // stored boxes, which must contain the exact body
     std::size_t distances = 0;       // of two bodies, with features and points
     std::size_t clearances = 0;      // pairs of bodies that must be listed as close, or must not
+    std::size_t moves = 0;  // pairs of bodies that must be listed as meeting on the way, or must not; and casts
     std::vector<std::string> differences;
 };
 
 // Checks frame after frame. For every pair of bodies, candidates or not: whether it is listed as colliding, its
 // relation and its complete list of triangle pairs. For the broad phase: the box of every body that moved, and that the
 // overlapping pairs are those of all pairs of boxes. Distances that the answer has, with their points; and with a
-// clearance, for every pair of bodies whether it is listed as close. Work of the oracle is kept for pairs of which
-// neither body moved, but for distances.
+// clearance, for every pair of bodies whether it is listed as close; with moves, whether it meets on the way, and with
+// casts what each body with a motion meets. Work of the oracle is kept for pairs of which neither body moved, but for
+// distances and moves.
 class OracleJudge {
   public:
     explicit OracleJudge(const scenes::Scene& scene);
@@ -47,6 +49,8 @@ class OracleJudge {
     oracle::MeshDistances distances(const SceneWorld& world, std::size_t a, std::size_t b) const;
     void check_distance(const oracle::MeshDistances& exact, const FrameAnswer& answer, const DistanceAnswer& pair);
     void check_close(const SceneWorld& world, const FrameAnswer& answer);
+    void check_meetings(const SceneWorld& world, const FrameAnswer& answer);
+    void check_casts(const SceneWorld& world, const FrameAnswer& answer);
     void differ(const FrameAnswer& answer, const std::string& bodies, const std::string& text);
 
     const scenes::Scene& scene_;

@@ -50,6 +50,28 @@ nlohmann::ordered_json to_json(const scenes::Scene& scene, const std::vector<Dis
     return json;
 }
 
+nlohmann::ordered_json to_json(const scenes::Scene& scene, const std::vector<MeetingAnswer>& pairs) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const MeetingAnswer& pair : pairs) {
+        json.push_back({{"a", scene.bodies[pair.a].name},
+                        {"b", scene.bodies[pair.b].name},
+                        {"time", pair.contact.time},
+                        {"kind", name_of(pair.contact.kind)},
+                        {"triangle_a", pair.contact.a.triangle},
+                        {"triangle_b", pair.contact.b.triangle}});
+    }
+    return json;
+}
+
+void print_meetings(std::FILE* out, const scenes::Scene& scene, const char* what,
+                    const std::vector<MeetingAnswer>& pairs) {
+    for (const MeetingAnswer& pair : pairs) {
+        fmt::print(out, "  {} at {}  {} | {}  ({}, triangles {} and {})\n", what, pair.contact.time,
+                   scene.bodies[pair.a].name, scene.bodies[pair.b].name, name_of(pair.contact.kind),
+                   pair.contact.a.triangle, pair.contact.b.triangle);
+    }
+}
+
 std::string to_text(const Vec3& v) {
     return fmt::format("({}, {}, {})", v[0], v[1], v[2]);
 }
@@ -76,12 +98,15 @@ void print_frame(std::FILE* out, const scenes::Scene& scene, const FrameAnswer& 
     }
     print_distances(out, scene, "distance", answer.distances);
     print_distances(out, scene, "close", answer.close);
+    print_meetings(out, scene, "met", answer.meetings);
+    print_meetings(out, scene, "cast meets", answer.casts);
 }
 
 void print_report(std::FILE* out, const OracleReport& report) {
     for (const std::string& difference : report.differences) fmt::print(out, "DIFFERS  {}\n", difference);
     std::string distances = report.distances == 0 ? "" : ", " + counted(report.distances, "distance");
     if (report.clearances > 0) distances += ", " + counted(report.clearances, "clearance");
+    if (report.moves > 0) distances += fmt::format(", {} moves and casts", report.moves);
     fmt::print(out, "oracle: checked {}, {}, {}{}: {}\n", counted(report.body_pairs, "body pair"),
                counted(report.triangle_pairs, "touching triangle pair"), counted(report.boxes, "box", "boxes"),
                distances,
@@ -106,6 +131,8 @@ nlohmann::ordered_json to_json(const scenes::Scene& scene, const FrameAnswer& an
         {"frame", answer.frame}, {"overlapping", answer.overlapping.size()}, {"colliding", pairs}};
     if (!answer.distances.empty()) frame["distances"] = to_json(scene, answer.distances);
     if (answer.clearance) frame["close"] = to_json(scene, answer.close);
+    if (!answer.meetings.empty()) frame["met"] = to_json(scene, answer.meetings);
+    if (!answer.casts.empty()) frame["casts"] = to_json(scene, answer.casts);
     return frame;
 }
 
@@ -114,6 +141,7 @@ nlohmann::ordered_json to_json(const OracleReport& report) {
         {"body_pairs", report.body_pairs}, {"triangle_pairs", report.triangle_pairs}, {"boxes", report.boxes}};
     if (report.distances > 0) json["distances"] = report.distances;
     if (report.clearances > 0) json["clearances"] = report.clearances;
+    if (report.moves > 0) json["moves_and_casts"] = report.moves;
     json["differing"] = report.differences.size();
     json["differences"] = report.differences;
     return json;

@@ -5,9 +5,9 @@
 
 namespace ecods::check {
 
-SceneWorld::SceneWorld(const scenes::Scene& scene, BroadPhaseKind broad_phase, std::optional<double> clearance)
-    : scene_(scene), world_(WorldOptions{.broad_phase = broad_phase}) {
-    world_.set_clearance(clearance);
+SceneWorld::SceneWorld(const scenes::Scene& scene, BroadPhaseKind broad_phase, const SceneQuestions& questions)
+    : scene_(scene), questions_(questions), world_(WorldOptions{.broad_phase = broad_phase}) {
+    world_.set_clearance(questions.clearance);
     for (const scenes::SceneBody& body : scene.bodies) {
         ids_.push_back(world_.create_body(scene.meshes[body.mesh_index].mesh, body.pose));
     }
@@ -20,7 +20,9 @@ bool SceneWorld::next_frame() {
         moved_.resize(ids_.size());
         std::iota(moved_.begin(), moved_.end(), std::size_t{0});
     } else {
-        for (const scenes::Move& move : scene_.frames[frame_count_ - 1].moves) {
+        const scenes::Frame& frame = scene_.frames[frame_count_ - 1];
+        if (questions_.has_moves) find_meetings(frame);
+        for (const scenes::Move& move : frame.moves) {
             world_.set_pose(ids_[move.body_index], move.pose);
             moved_.push_back(move.body_index);
         }
@@ -31,7 +33,32 @@ bool SceneWorld::next_frame() {
     return true;
 }
 
-FrameAnswer SceneWorld::answer(bool has_distances) {
+void SceneWorld::find_meetings(const scenes::Frame& frame) {
+    poses_before_.clear();
+    for (const BodyId body : ids_) poses_before_.push_back(world_.pose(body));
+    std::vector<BodyId> bodies;
+    std::vector<Pose> poses;
+    for (const scenes::Move& move : frame.moves) {
+        bodies.push_back(ids_[move.body_index]);
+        poses.push_back(move.pose);
+    }
+    meetings_.clear();
+    for (const Meeting& meeting : world_.meetings(bodies, poses)) {
+        meetings_.push_back({body_of(meeting.bodies.a), body_of(meeting.bodies.b), meeting.contact});
+    }
+}
+
+std::vector<MeetingAnswer> SceneWorld::casts() {
+    std::vector<MeetingAnswer> casts;
+    for (std::size_t body = 0; body < ids_.size(); ++body) {
+        if (!scene_.bodies[body].motion) continue;
+        const auto met = world_.cast(ids_[body], *scene_.bodies[body].motion);
+        if (met) casts.push_back({body, body_of(met->body), met->contact});
+    }
+    return casts;
+}
+
+FrameAnswer SceneWorld::answer() {
     FrameAnswer answer;
     answer.frame = frame_count_ - 1;
     for (const BodyPair& pair : world_.overlapping_pairs()) {
@@ -42,7 +69,7 @@ FrameAnswer SceneWorld::answer(bool has_distances) {
         answer.colliding.push_back({body_of(pair.a), body_of(pair.b), world_.relation(pair.a, pair.b),
                                     world_.intersecting_triangles(pair.a, pair.b)});
     }
-    for (std::size_t a = 0; has_distances && a < ids_.size(); ++a) {
+    for (std::size_t a = 0; questions_.has_distances && a < ids_.size(); ++a) {
         for (std::size_t b = a + 1; b < ids_.size(); ++b) {
             answer.distances.push_back(distance(a, b));
         }
@@ -51,6 +78,8 @@ FrameAnswer SceneWorld::answer(bool has_distances) {
     for (const BodyPair& pair : world_.close_pairs()) {
         answer.close.push_back(distance(body_of(pair.a), body_of(pair.b)));
     }
+    answer.meetings = meetings_;
+    if (questions_.has_casts) answer.casts = casts();
     return answer;
 }
 

@@ -27,6 +27,22 @@ struct DistanceAnswer {
     ClosestPoints closest;
 };
 
+// Two bodies that meet on the way from the frame before, a < b; or the body a that is cast, and the first that it
+// meets.
+struct MeetingAnswer {
+    std::size_t a = 0;
+    std::size_t b = 0;
+    FirstContact contact;
+};
+
+// What is asked of every frame beside collisions.
+struct SceneQuestions {
+    std::optional<double> clearance = {};
+    bool has_distances = false;  // of all pairs
+    bool has_moves = false;      // which pairs meet on the way from the frame before
+    bool has_casts = false;      // of bodies with a motion: what each meets first
+};
+
 // All answers for one frame; frame 0 is the rest. Lists are ascending.
 struct FrameAnswer {
     std::size_t frame = 0;
@@ -34,23 +50,29 @@ struct FrameAnswer {
     std::vector<PairAnswer> colliding;
     std::vector<DistanceAnswer> distances;  // of all pairs of bodies, if they are asked for
     std::optional<double> clearance;
-    std::vector<DistanceAnswer> close;  // pairs within the clearance, colliding ones included
+    std::vector<DistanceAnswer> close;    // pairs within the clearance, colliding ones included
+    std::vector<MeetingAnswer> meetings;  // ascending by time
+    std::vector<MeetingAnswer> casts;     // of bodies that meet something, by body
 };
 
 // The World of a scene. The scene must outlive it. Throws InvalidDistance, as World::set_clearance does.
 class SceneWorld {
   public:
-    SceneWorld(const scenes::Scene& scene, BroadPhaseKind broad_phase, std::optional<double> clearance = {});
+    SceneWorld(const scenes::Scene& scene, BroadPhaseKind broad_phase, const SceneQuestions& questions = {});
 
     // Goes to the next frame, the first time to frame 0, and updates the world. False after the last frame.
     bool next_frame();
 
-    FrameAnswer answer(bool has_distances = false);
+    FrameAnswer answer();
 
     World& world() noexcept { return world_; }
     BodyId id(std::size_t body) const { return ids_[body]; }
     Pose pose(std::size_t body) const { return world_.pose(ids_[body]); }
     Aabb box(std::size_t body) const { return world_.box(ids_[body]); }
+    const SceneQuestions& questions() const noexcept { return questions_; }
+
+    // Where it was in the frame before; with moves, and from frame 1 on.
+    const Pose& pose_before(std::size_t body) const { return poses_before_[body]; }
 
     // The bodies that the last next_frame() created or moved, ascending.
     const std::vector<std::size_t>& moved() const noexcept { return moved_; }
@@ -61,13 +83,18 @@ class SceneWorld {
   private:
     std::size_t body_of(BodyId id) const;
     DistanceAnswer distance(std::size_t a, std::size_t b);
+    void find_meetings(const scenes::Frame& frame);
+    std::vector<MeetingAnswer> casts();
 
     const scenes::Scene& scene_;
+    SceneQuestions questions_;
     World world_;
     QueryMemory memory_;
     std::vector<BodyId> ids_;  // by body; ascending, as they were created in order
     std::vector<std::size_t> moved_;
-    std::size_t frame_count_ = 0;  // frames gone to so far
+    std::vector<Pose> poses_before_;
+    std::vector<MeetingAnswer> meetings_;  // on the way to this frame
+    std::size_t frame_count_ = 0;          // frames gone to so far
 };
 
 }  // namespace ecods::check

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct SceneBody {
     std::string name;            // for people; unique in scenes that were read from files
     std::size_t mesh_index = 0;  // in Scene::meshes
     Pose pose;
+    std::optional<Vec3> motion = {};  // by which it is to be cast
 };
 
 // A body is given a new pose.

@@ -72,41 +72,4 @@ std::shared_ptr<const MeshShape> refit(const MeshShape& shape, std::vector<Vec3>
     return result;
 }
 
-// ---- tests: what they need not answer
-
-bool TwoBodyTest::answers(Question /*question*/) const noexcept {
-    return false;
-}
-
-bool TwoBodyTest::intersects_again(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory,
-                                   PairWitness& /*witness*/) const {
-    return intersects(a, b, memory);
-}
-
-Relation TwoBodyTest::relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& /*memory*/) const {
-    throw NotSupported(Question::relation, a.what->kind(), b.what->kind());
-}
-
-std::vector<TrianglePair> TwoBodyTest::intersecting_triangles(const Posed<Shape>& a, const Posed<Shape>& b,
-                                                              QueryMemory& /*memory*/) const {
-    throw NotSupported(Question::intersecting_triangles, a.what->kind(), b.what->kind());
-}
-
-double TwoBodyTest::distance(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& /*memory*/) const {
-    throw NotSupported(Question::distance, a.what->kind(), b.what->kind());
-}
-
-bool TwoBodyTest::within(const Posed<Shape>& a, const Posed<Shape>& b, double /*d*/, QueryMemory& /*memory*/) const {
-    throw NotSupported(Question::within, a.what->kind(), b.what->kind());
-}
-
-bool TwoBodyTest::within_again(const Posed<Shape>& a, const Posed<Shape>& b, double d, QueryMemory& memory,
-                               PairWitness& /*witness*/) const {
-    return within(a, b, d, memory);
-}
-
-ClosestPoints TwoBodyTest::closest(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& /*memory*/) const {
-    throw NotSupported(Question::closest, a.what->kind(), b.what->kind());
-}
-
 }  // namespace ecods

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "trace/trace_reader.hpp"
+#include "world/answer_digest.hpp"
 
 namespace ecods {
 namespace {
@@ -37,6 +38,7 @@ class Replayer {
 
   private:
     void take(const TracedCall& call);
+    void take(const TracedQuestion& question);
     void take(const TracedUpdate& update);
     void take(const TracedMesh& mesh) { shapes_.push_back(std::make_shared<const MeshShape>(mesh.mesh)); }
     void take(const TracedShape& shape);
@@ -44,6 +46,10 @@ class Replayer {
 
     template <template <class> class Row>
     void make(const Row<calls::InOrder>& traced);
+    template <template <class> class Row>
+    void ask(const Row<calls::InOrder>& traced);
+    template <template <class> class Row>
+    Row<calls::InWorld> in_world(const Row<calls::InOrder>& traced) const;
     void keep_id(calls::Label label, BodyId made);
     void compare_events(const Pairs& before, const Pairs& after);
     void differ(std::string what);
@@ -71,7 +77,8 @@ ReplayReport Replayer::run() {
         } catch (const Error& error) {
             reader_.fail(error.what());
         }
-        if (std::holds_alternative<TracedCall>(*item) || std::holds_alternative<TracedUpdate>(*item)) {
+        if (std::holds_alternative<TracedCall>(*item) || std::holds_alternative<TracedUpdate>(*item) ||
+            std::holds_alternative<TracedQuestion>(*item)) {
             ++report_.call_count;
         }
     }
@@ -94,10 +101,19 @@ void Replayer::take(const TracedCall& call) {
     std::visit([&](const auto& row) { make(row); }, call);
 }
 
+void Replayer::take(const TracedQuestion& question) {
+    std::visit([&](const auto& row) { ask(row); }, question);
+}
+
+template <template <class> class Row>
+Row<calls::InWorld> Replayer::in_world(const Row<calls::InOrder>& traced) const {
+    return calls::renamed<calls::InWorld>(
+        traced, [&](calls::Label label) { return ids_[label]; }, [&](std::size_t index) { return shapes_[index]; });
+}
+
 template <template <class> class Row>
 void Replayer::make(const Row<calls::InOrder>& traced) {
-    auto call = calls::renamed<calls::InWorld>(
-        traced, [&](calls::Label label) { return ids_[label]; }, [&](std::size_t index) { return shapes_[index]; });
+    auto call = in_world(traced);
     call.make(world_);
 
     struct KeepIds : calls::NoField {
@@ -105,6 +121,17 @@ void Replayer::make(const Row<calls::InOrder>& traced) {
         void created(const calls::Label& label, const BodyId& made) const { replayer.keep_id(label, made); }
     };
     Row<calls::InOrder>::fields(KeepIds{{}, *this}, traced, call);
+}
+
+// Ties go to the least ids, so an answer is that of the trace where the ids are.
+template <template <class> class Row>
+void Replayer::ask(const Row<calls::InOrder>& traced) {
+    const std::uint64_t answer = AnswerDigest::of(in_world(traced).ask(world_));
+    if (reader_.begins_empty() && answer != traced.answer) {
+        differ("the digest of the answer to " + std::string(traced.name) + " is " + hex_text(answer) + " and was " +
+               hex_text(traced.answer));
+    }
+    if (!report_.difference) ++report_.question_count;
 }
 
 void Replayer::keep_id(calls::Label label, BodyId made) {

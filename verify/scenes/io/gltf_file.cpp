@@ -19,6 +19,14 @@ std::string name_of(const JsonPlace& place) {
     return !name || name->value() == "" ? "" : name->text();
 }
 
+// Extras are whatever a program likes, so only an array of this name is taken for one.
+std::optional<Vec3> motion_of(const JsonPlace& node) {
+    const auto extras = node.find("extras");
+    if (!extras || !extras->value().is_object()) return std::nullopt;
+    const auto motion = extras->find("motion");
+    return motion && motion->value().is_array() ? std::optional(motion->point()) : std::nullopt;
+}
+
 // Targets change no vertex as long as their weights are zero, which they are where none is given.
 bool has_morph_targets(const JsonPlace& place) {
     if (const auto weights = place.find("weights")) {
@@ -63,7 +71,7 @@ class SceneOfNodes {
         }
         std::string name = name_of(node).empty() ? name_of(mesh) : name_of(node);
         if (name.empty()) name = fmt::format("node {}", index);
-        scene_.bodies.push_back({std::move(name), entry->second, pose});
+        scene_.bodies.push_back({std::move(name), entry->second, pose, motion_of(node)});
         node_indices_.push_back(index);
     }
 

@@ -64,11 +64,12 @@ Scene read_scene_file(const std::filesystem::path& file) {
     }
     Names bodies;
     for (const JsonPlace& place : root.at("bodies").elements()) {
-        place.check_keys({"name", "mesh", "pose"});
+        place.check_keys({"name", "mesh", "pose", "motion"});
         SceneBody body;
         body.name = add_name(place, bodies);
         body.mesh_index = find_name(place.at("mesh"), meshes, "mesh");
         if (const auto pose = place.find("pose")) body.pose = read_pose(*pose);
+        if (const auto motion = place.find("motion")) body.motion = motion->point();
         scene.bodies.push_back(std::move(body));
     }
     if (const auto frames = root.find("frames")) {

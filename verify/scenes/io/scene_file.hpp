@@ -9,7 +9,8 @@
 //       ],
 //       "bodies": [
 //         { "name": "ground", "mesh": "floor" },
-//         { "name": "box", "mesh": "crate", "pose": { "R": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "t": [1, 2, 0.5] } }
+//         { "name": "box", "mesh": "crate", "pose": { "R": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "t": [1, 2, 0.5] },
+//           "motion": [0, 0, -1] }
 //       ],
 //       "frames": [
 //         { "moves": [ { "body": "box", "pose": { "t": [1, 2, 0.25] } } ] },
@@ -19,7 +20,8 @@
 //
 // A mesh comes from a file (all of its parts as one; read_bytes.hpp says which files) or is given inline. A pose maps v
 // to R v + t, R by rows; what is left out is the identity or zero. "frames" may be left out; the poses of "bodies" are
-// frame 0, and each frame moves some bodies and leaves the others where they are. Numbers become the nearest doubles.
+// frame 0, and each frame moves some bodies and leaves the others where they are. A "motion" may be left out; it moves
+// nothing: a program may ask what the body would meet if it were translated by it, at any frame. Numbers become the nearest doubles.
 // Names are unique, and so are the keys of an object. Unknown keys are errors, but for those that begin with "_", which
 // are comments.
 #pragma once

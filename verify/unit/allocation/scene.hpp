@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -29,6 +30,18 @@ class Ball final : public Shape {
     }
     std::uint64_t digest() const noexcept override { return static_cast<std::uint64_t>(radius_ * 1024); }
 
+    // Every segment meets its center, half-way.
+    bool answers(Question question) const noexcept override { return question == Question::hits; }
+    std::vector<Hit> all_hits(const Segment& /*segment*/, const Pose& pose, QueryMemory& /*memory*/) const override {
+        Hit hit;
+        hit.parameter = hit.leave_parameter = 0.5;
+        hit.point = hit.leave_point = pose.t;
+        return {hit};
+    }
+    std::vector<Hit> all_hits(const Ray& ray, const Pose& pose, QueryMemory& memory) const override {
+        return all_hits(Segment{ray.origin, ray.origin}, pose, memory);
+    }
+
   private:
     double radius_;
 };
@@ -37,7 +50,17 @@ class Ball final : public Shape {
 class BoxTest final : public TwoBodyTest {
   public:
     bool answers(Question question) const noexcept override {
-        return question == Question::within || question == Question::distance;
+        return question == Question::within || question == Question::distance || question == Question::cast ||
+               question == Question::cast_moving;
+    }
+    // At the start or not at all.
+    std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& /*motion*/, const Posed<Shape>& b,
+                                     double /*time_max*/, QueryMemory& memory) const override {
+        return intersects(a, b, memory) ? std::optional(FirstContact{}) : std::nullopt;
+    }
+    std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double time_max,
+                                            QueryMemory& memory) const override {
+        return cast({*a.what, a.from}, Vec3(0, 0, 0), {*b.what, b.from}, time_max, memory);
     }
     double distance(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory&) const override {
         const Aabb x = a.what->box(a.pose);

@@ -24,6 +24,24 @@ std::string text_of(const std::optional<NearestBody>& nearest) {
     return nearest ? std::to_string(nearest->body.slot) + " at " + std::to_string(nearest->distance) : "none";
 }
 
+std::string text_of(const std::optional<BodyContact>& met) {
+    return met ? std::to_string(met->body.slot) + " at " + std::to_string(met->contact.time) : "none";
+}
+
+std::string text_of(const std::vector<BodyHit>& hits) {
+    std::string text;
+    for (const BodyHit& each : hits) {
+        text += std::to_string(each.body.slot) + " at " + std::to_string(each.hit.parameter) + ", ";
+    }
+    return text;
+}
+
+std::string text_of(const std::optional<BodyHit>& hit) {
+    return hit ? text_of(std::vector<BodyHit>{*hit}) : "none";
+}
+
+const Segment through{Vec3(-1, 0.125, 0.125), Vec3(20, 0.25, 0.25)};
+
 struct WorldCall {
     const char* name;
     void (*make)(Scene&);
@@ -83,6 +101,20 @@ const std::array calls = {
               [](Scene& s) {
                   const auto pair = s.world.closest_pair();
                   s.answer = std::to_string(pair->bodies.a.slot) + " " + std::to_string(pair->bodies.b.slot);
+              }},
+    WorldCall{"intersections",
+              [](Scene& s) { s.answer = std::to_string(s.world.intersections(s.ids[0], s.ids[1]).size()); }},
+    WorldCall{"close_features",
+              [](Scene& s) { s.answer = std::to_string(s.world.close_features(s.ids[0], s.ids[1], 0.25).size()); }},
+    WorldCall{"first_hit, segment", [](Scene& s) { s.answer = text_of(s.world.first_hit(through)); }},
+    WorldCall{"first_hit, ray",
+              [](Scene& s) {
+                  s.answer = text_of(s.world.first_hit(Ray{through.a, through.b - through.a}));
+              }},
+    WorldCall{"all_hits, segment", [](Scene& s) { s.answer = text_of(s.world.all_hits(through)); }},
+    WorldCall{"all_hits, ray",
+              [](Scene& s) {
+                  s.answer = text_of(s.world.all_hits(Ray{through.a, through.b - through.a}));
               }},
     WorldCall{"bodies", [](Scene& s) { s.answer = slots_of(s.world.bodies()); }},
     WorldCall{"statistics", [](Scene& s) { s.answer = std::to_string(s.world.statistics().body_count); }},

@@ -39,9 +39,9 @@ TEST(OracleJudge, FindsNothingWrongInRightAnswers) {
 
 TEST(OracleJudge, NoticesAWrongDistance) {
     const scenes::Scene scene = make_scene();
-    SceneWorld world(scene, BroadPhaseKind::sweep_and_prune);
+    SceneWorld world(scene, BroadPhaseKind::sweep_and_prune, {.has_distances = true});
     world.next_frame();
-    FrameAnswer answer = world.answer(true);
+    FrameAnswer answer = world.answer();
     ASSERT_EQ(answer.distances.size(), 3U);
     OracleJudge right(scene), wrong(scene);
     right.check_frame(world, answer);
@@ -55,7 +55,7 @@ TEST(OracleJudge, NoticesAWrongDistance) {
 
 TEST(OracleJudge, NoticesAWrongListOfClosePairs) {
     const scenes::Scene scene = make_scene();
-    SceneWorld world(scene, BroadPhaseKind::sweep_and_prune, 1e6);
+    SceneWorld world(scene, BroadPhaseKind::sweep_and_prune, {.clearance = 1e6});
     world.next_frame();
     FrameAnswer answer = world.answer();
     ASSERT_EQ(answer.close.size(), 3U);

@@ -20,7 +20,7 @@ class Check : public ProgramTest {
           "meshes": [ { "name": "flat", "vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0]], "triangles": [[0, 1, 2]] },
                       { "name": "upright", "vertices": [[1, 1, 0], [1, 1, 1], [2, 1, 1]], "triangles": [[0, 1, 2]] } ],
           "bodies": [ { "name": "ground", "mesh": "flat" }, { "name": "blade", "mesh": "upright" },
-                      { "name": "far", "mesh": "flat", "pose": { "t": [0, 0, 9] } } ],
+                      { "name": "far", "mesh": "flat", "pose": { "t": [0, 0, 9] }, "motion": [0, 0, -16] } ],
           "frames": [ { "moves": [ { "body": "blade", "pose": { "t": [0, 0, -0.5] } } ] },
                       { "moves": [ { "body": "blade", "pose": { "t": [0, 0, 1] } } ] } ] })")
             .string();
@@ -53,6 +53,38 @@ TEST_F(Check, PrintsEachFrame) {
                   "  crossing  ground | blade  (1 triangle pair)\n"
                   "frame 2: 3 bodies, 0 pairs with overlapping boxes, 0 colliding\n");
     }
+}
+
+TEST_F(Check, SaysWhoMeetsOnTheWay) {
+    const Result text = run("--moves --casts --oracle " + scene());
+    EXPECT_EQ(text.status, 0) << text.err;
+    EXPECT_EQ(text.out.substr(0, text.out.find("oracle")),
+              "frame 0: 3 bodies, 1 pair with overlapping boxes, 1 colliding\n"
+              "  touching  ground | blade  (1 triangle pair)\n"
+              "  cast meets at 0.5  far | blade  (vertex and face, triangles 0 and 0)\n"
+              "frame 1: 3 bodies, 1 pair with overlapping boxes, 1 colliding\n"
+              "  crossing  ground | blade  (1 triangle pair)\n"
+              "  met at 0  ground | blade  (intersecting, triangles 0 and 0)\n"
+              "  cast meets at 0.53125  far | blade  (vertex and face, triangles 0 and 0)\n"
+              "frame 2: 3 bodies, 0 pairs with overlapping boxes, 0 colliding\n"
+              "  met at 0  ground | blade  (intersecting, triangles 0 and 0)\n"
+              "  cast meets at 0.4375  far | blade  (vertex and face, triangles 0 and 0)\n");
+    EXPECT_NE(text.out.find(" 9 moves and casts: no difference"), std::string::npos) << text.out;
+    const Result json = run("--moves --casts --json --oracle " + scene());
+    const Json frame = Json::parse(json.out)["frames"][1];
+    ASSERT_EQ(frame["met"].size(), 1U);
+    EXPECT_EQ(frame["met"][0], Json({{"a", "ground"},
+                                     {"b", "blade"},
+                                     {"time", 0},
+                                     {"kind", "intersecting"},
+                                     {"triangle_a", 0},
+                                     {"triangle_b", 0}}));
+    ASSERT_EQ(frame["casts"].size(), 1U);
+    EXPECT_EQ(frame["casts"][0]["time"], 0.53125);
+    EXPECT_EQ(Json::parse(json.out)["oracle"]["moves_and_casts"], 9);
+    EXPECT_FALSE(Json::parse(run("--json " + scene()).out)["frames"][1].contains("met"));
+    EXPECT_EQ(run("--moves --cases " + cases(true, 1)).status, 2);
+    EXPECT_EQ(run("--casts --cases " + cases(true, 1)).status, 2);
 }
 
 TEST_F(Check, SaysHowFarBodiesAreFromEachOther) {

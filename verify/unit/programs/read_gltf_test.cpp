@@ -20,6 +20,19 @@ TEST_F(ReadGltf, ReadsANode) {
     EXPECT_EQ(mesh.triangles()[0], (Triangle{0, 1, 2}));
 }
 
+TEST_F(ReadGltf, ReadsTheMotionOfANode) {
+    Json json = model();
+    EXPECT_FALSE(read(json).bodies[0].motion);
+    json["nodes"][0]["extras"] = {{"motion", {1, 0.5, -2}}};
+    EXPECT_EQ(read(json).bodies[0].motion, Vec3(1, 0.5, -2));
+    for (const Json& other : {Json(3), Json{{"motion", "fast"}}, Json{{"speed", {1, 2, 3}}}}) {
+        json["nodes"][0]["extras"] = other;
+        EXPECT_FALSE(read(json).bodies[0].motion) << "what is no array is somebody's own";
+    }
+    json["nodes"][0]["extras"] = {{"motion", {1, 2}}};
+    EXPECT_THROW(read(json), ReadError);
+}
+
 TEST_F(ReadGltf, ReadsBinaryFiles) {
     Json json = model();
     json["buffers"][0].erase("uri");

@@ -20,7 +20,8 @@ class ReadScene : public FileTest {
                         "triangles": [[0, 1, 2]] } ],
           "bodies": [ { "name": "a", "mesh": "inline" },
                       { "name": "b", "mesh": "file",
-                        "pose": { "R": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "t": [1, 2, 0.1] } } ],
+                        "pose": { "R": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "t": [1, 2, 0.1] },
+                        "motion": [0, -2.5, 0.1] } ],
           "frames": [ { "moves": [ { "body": "b", "pose": { "t": [0, 0, 3] } } ] }, { "moves": [] } ] })");
     }
 
@@ -48,6 +49,8 @@ TEST_F(ReadScene, ReadsAll) {
     Mat3 turned;
     turned << 0, -1, 0, 1, 0, 0, 0, 0, 1;
     EXPECT_TRUE(s.bodies[1].pose == (Pose{turned, Vec3(1, 2, 0.1)}));
+    EXPECT_FALSE(s.bodies[0].motion);
+    EXPECT_EQ(s.bodies[1].motion, Vec3(0, -2.5, 0.1));
     ASSERT_EQ(s.frames.size(), 2U);
     ASSERT_EQ(s.frames[0].moves.size(), 1U);
     EXPECT_EQ(s.frames[0].moves[0].body_index, 1U);
@@ -77,6 +80,7 @@ TEST_F(ReadScene, NamesThePlaceOfMistakes) {
     expect_bad(changed("/bodies/1/pose/R", Json::parse("[[1, 0, 0], [0, 1, 0]]")), "bodies[1].pose.R",
                "a list of 3 is expected");
     expect_bad(changed("/bodies/1/pose/R/1/2", "x"), "bodies[1].pose.R[1][2]", "a number is expected");
+    expect_bad(changed("/bodies/1/motion", {1, 2}), "bodies[1].motion", "a list of 3 is expected");
     expect_bad(changed("/bodies/1/pose/t", nullptr), "bodies[1].pose.t", "a list of 3 is expected");
     expect_bad(changed("/meshes/1/triangles/0/2", 3), "meshes[1].triangles[0][2]",
                "index 3 is out of range: there are 3 vertices");

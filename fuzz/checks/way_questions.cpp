@@ -1,0 +1,251 @@
+#include "fuzz/checks/way_questions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <tuple>
+
+#include "ecods/cast.hpp"
+#include "ecods/hit.hpp"
+#include "fuzz/base/failure.hpp"
+#include "fuzz/base/user_shape.hpp"
+#include "fuzz/checks/text.hpp"
+#include "scenes/numbers_of.hpp"
+#include "scenes/random.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+// Asking all pairs takes long where bodies are many.
+constexpr std::size_t few = 24, very_few = 12;
+
+Posed<MeshShape> mesh_at(const Shape& shape, const Pose& pose) {
+    const auto* user = dynamic_cast<const UserShape*>(&shape);
+    return {user != nullptr ? user->as_mesh_shape() : dynamic_cast<const MeshShape&>(shape), pose};
+}
+
+// A point that bodies are near: a corner of a mesh at its pose, or of a box. Points that are no doubles are left out.
+Vec3 any_point(const World& world, const std::vector<BodyId>& bodies, scenes::Random& random) {
+    const BodyId body = bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
+    const Aabb box = world.box(body);
+    Vec3 point;
+    for (int axis = 0; axis < 3; ++axis) point[axis] = random.below(2) == 0 ? box.min[axis] : box.max[axis];
+    if (random.below(3) != 0) {
+        const auto mesh = mesh_of(*world.shape(body));
+        const auto vertices = mesh->vertices();
+        const Pose pose = world.pose(body);
+        const auto vertex = [&] { return vertices[random.below(static_cast<std::uint32_t>(vertices.size()))]; };
+        point = pose.R * vertex() + pose.t;
+        if (random.below(3) == 0) point = 0.5 * (point + (pose.R * vertex() + pose.t));
+    }
+    return point.allFinite() ? point : Vec3(0, 0, 0);
+}
+
+// Everything but the order of hits whose parameters round to the same.
+auto fields(const BodyHit& h) {
+    return std::tuple(h.hit.parameter, numbers_of(h.body), h.hit.triangle(), h.hit.kind, h.hit.leave_parameter,
+                      h.hit.feature.kind, h.hit.feature.corner);
+}
+
+std::string text_of(const std::vector<BodyHit>& hits) {
+    std::string result = fmt::format("{} [", hits.size());
+    for (std::size_t i = 0; i < hits.size() && i < 12; ++i) {
+        result += fmt::format("{} {:a}:{} ", text(hits[i].body), hits[i].hit.parameter, hits[i].hit.triangle());
+    }
+    return result + "]";
+}
+
+template <class Item>
+std::string text_of(const std::optional<Item>& item) {
+    return item ? text_of(std::vector<Item>{*item}) : "none";
+}
+
+std::string text_of(const std::vector<BodyContact>& met) {
+    std::string result = fmt::format("{} [", met.size());
+    for (const BodyContact& each : met) {
+        result += fmt::format("{} {:a} {}:{} ", text(each.body), each.contact.time, each.contact.a.triangle,
+                              each.contact.b.triangle);
+    }
+    return result + "]";
+}
+
+std::string text_of(const std::vector<Meeting>& meetings) {
+    std::string result = fmt::format("{} [", meetings.size());
+    for (std::size_t i = 0; i < meetings.size() && i < 12; ++i) {
+        const auto& [bodies, contact] = meetings[i];
+        result += fmt::format("{} {:a} {}:{} ", text(bodies), contact.time, contact.a.triangle, contact.b.triangle);
+    }
+    return result + "]";
+}
+
+// Ranks follow the order, and hits of one rank that of bodies and triangles; of shapes of the caller's own that come
+// after meshes.
+void require_order(const std::vector<BodyHit>& hits, const World& world) {
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        const Hit& hit = hits[i].hit;
+        bool holds = i > 0 || hit.rank == 0;
+        if (i > 0) {
+            const BodyHit& before = hits[i - 1];
+            const bool is_tie = hit.rank == before.hit.rank;
+            const bool is_mesh = world.shape(hits[i].body)->kind() == ShapeKind::mesh();
+            holds = hit.parameter >= before.hit.parameter && (is_tie || hit.rank == before.hit.rank + 1) &&
+                    (!is_tie || before.body <= hits[i].body) &&
+                    (!is_tie || !is_mesh || before.body != hits[i].body || before.hit.triangle() < hit.triangle());
+        }
+        if (!holds) throw CheckFailed("order of hits", "ascending", text_of(hits));
+    }
+}
+
+template <class Line>
+void check_line(std::span<World* const> worlds, const Line& line, const std::optional<CollisionFilter>& filter,
+                Counters& counters) {
+    const World& first = *worlds.front();
+    QueryMemory memory;
+    std::vector<BodyHit> expected;
+    for (const BodyId body : first.bodies()) {
+        if (filter && !may_meet(*filter, first.filter(body))) continue;
+        const auto shape = first.shape(body);
+        for (const Hit& hit : all_hits(line, mesh_at(*shape, first.pose(body)), memory))
+            expected.push_back({body, hit});
+    }
+    const auto by_fields = [](const BodyHit& a, const BodyHit& b) { return fields(a) < fields(b); };
+    std::ranges::sort(expected, by_fields);
+    std::optional<BodyHit> least;
+    for (World* world : worlds) {
+        auto got = world->all_hits(line, filter);
+        require_order(got, *world);
+        const std::optional<BodyHit> leads = got.empty() ? std::nullopt : std::optional(got.front());
+        const auto found = world->first_hit(line, memory, filter);
+        if (found.has_value() != leads.has_value() || (found && fields(*found) != fields(*leads))) {
+            throw CheckFailed("first hit", text_of(leads), text_of(found));
+        }
+        if (world == worlds.front()) least = leads;
+        if (leads && fields(*leads) != fields(*least)) throw CheckFailed("first hit", text_of(least), text_of(leads));
+        std::ranges::sort(got, by_fields);
+        const bool is_same = std::ranges::equal(got, expected, {}, fields, fields);
+        if (!is_same) throw CheckFailed("hits of all bodies", text_of(expected), text_of(got));
+    }
+    ++counters["checked: segments and rays in worlds"];
+    counters["checked: hits in worlds"] += expected.size();
+}
+
+bool may_meet_in(const World& world, BodyId a, BodyId b) {
+    return may_meet(world.filter(a), world.filter(b)) && world.is_pair_enabled(a, b);
+}
+
+}  // namespace
+
+void check_hits(std::span<World* const> worlds, std::uint32_t seed, Counters& counters) {
+    const World& first = *worlds.front();
+    const auto bodies = first.bodies();
+    if (bodies.empty()) return;
+    scenes::Random random(seed);
+    std::optional<CollisionFilter> filter;
+    if (random.below(4) == 0) filter = CollisionFilter{.groups = 1, .mask = 2};
+    const Vec3 a = any_point(first, bodies, random), b = any_point(first, bodies, random);
+    const Segment segment{a, random.below(6) == 0 ? a : b};
+    check_line(worlds, segment, filter, counters);
+    Ray ray{any_point(first, bodies, random), b - a};
+    if (random.below(3) == 0) ray.direction = Vec3::Unit(static_cast<int>(random.below(3)));
+    if (!ray.direction.allFinite() || ray.direction.isZero(0)) ray.direction = Vec3::UnitX();
+    if (random.below(2) == 0) ray.parameter_max = random.below(2) == 0 ? 1 : random.uniform(0, 2);
+    check_line(worlds, ray, {}, counters);
+    const World& one = *worlds[seed % worlds.size()];
+    seed % 2 == 0 ? check_hit_order(one, segment, counters) : check_hit_order(one, ray, counters);
+}
+
+void check_casts(std::span<World* const> worlds, std::uint32_t seed, Counters& counters) {
+    const World& first = *worlds.front();
+    const auto bodies = first.bodies();
+    if (bodies.size() < 2 || bodies.size() > few) return;
+    scenes::Random random(seed);
+    QueryMemory memory;
+    const BodyId own = bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
+    const Vec3 motion = any_point(first, bodies, random) - any_point(first, bodies, random);
+    if (!motion.allFinite()) return;
+    std::optional<BodyContact> expected;
+    const auto own_shape = first.shape(own);
+    for (const BodyId body : bodies) {
+        if (body == own || !may_meet_in(first, own, body)) continue;
+        const auto shape = first.shape(body);
+        const auto contact =
+            cast(mesh_at(*own_shape, first.pose(own)), motion, mesh_at(*shape, first.pose(body)), memory);
+        if (contact && (!expected || contact->time < expected->contact.time)) expected = BodyContact{body, *contact};
+    }
+    // Where kinds differ, a test may have the features' order of its own; the times are the same.
+    const auto require = [&](const char* what, const std::optional<BodyContact>& got,
+                             const std::optional<BodyContact>& right) {
+        const bool is_same =
+            got.has_value() == right.has_value() &&
+            (!got || (numbers_of(got->body) == numbers_of(right->body) && got->contact.time == right->contact.time &&
+                      (first.shape(right->body)->kind() != ShapeKind::mesh() ||
+                       own_shape->kind() != ShapeKind::mesh() || got->contact == right->contact)));
+        if (!is_same) throw CheckFailed(what, text_of(right), text_of(got));
+    };
+    for (World* world : worlds) {
+        const BodyId id = numbers_of(own);
+        require("first body met", world->cast(id, motion), expected);
+        if (!expected) continue;
+        // Rounded once, a time is at most a limit that the real one is not above, and next to the other side of it.
+        const double time = expected->contact.time;
+        require("first body met up to a limit", world->cast(id, motion, std::nextafter(time, 2)), expected);
+        if (time > 0) require("first body met before it", world->cast(id, motion, std::nextafter(time, 0)), {});
+    }
+    ++counters["checked: bodies cast in worlds"];
+    counters["checked: bodies met by these"] += expected.has_value();
+}
+
+void check_meetings(std::span<World* const> worlds, std::uint32_t seed, Counters& counters) {
+    const World& first = *worlds.front();
+    const auto bodies = first.bodies();
+    if (bodies.size() > very_few) return;
+    scenes::Random random(seed);
+    // Bodies go where others are, or stay.
+    std::vector<BodyId> moved;
+    std::vector<Pose> poses;
+    for (const BodyId body : bodies) {
+        if (random.below(3) == 0) continue;
+        Pose to = first.pose(bodies[random.below(static_cast<std::uint32_t>(bodies.size()))]);
+        if (random.below(2) == 0) to.R = first.pose(body).R;
+        moved.push_back(numbers_of(body));
+        poses.push_back(to);
+    }
+    const auto way_of = [&](BodyId body, const Shape& shape) {
+        const auto found = std::ranges::find(moved, numbers_of(body));
+        const Pose from = first.pose(body);
+        return Moving<MeshShape>(*mesh_at(shape, from).what, from,
+                                 found == moved.end() ? from : poses[static_cast<std::size_t>(found - moved.begin())]);
+    };
+    QueryMemory memory;
+    std::vector<Meeting> expected;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        for (std::size_t j = i + 1; j < bodies.size(); ++j) {
+            if (!may_meet_in(first, bodies[i], bodies[j])) continue;
+            const auto a = first.shape(bodies[i]), b = first.shape(bodies[j]);
+            const auto contact = cast(way_of(bodies[i], *a), way_of(bodies[j], *b), memory);
+            if (contact) expected.push_back({{bodies[i], bodies[j]}, *contact});
+        }
+    }
+    std::ranges::stable_sort(expected, {}, [](const Meeting& meeting) { return meeting.contact.time; });
+    for (World* world : worlds) {
+        const auto got = world->meetings(moved, poses);
+        const auto fields_of = [&](const Meeting& meeting) {
+            return std::tuple(meeting.contact.time, numbers_of(meeting.bodies.a), numbers_of(meeting.bodies.b));
+        };
+        bool is_same = std::ranges::equal(got, expected, {}, fields_of, fields_of);
+        for (std::size_t i = 0; is_same && i < got.size(); ++i) {
+            const bool are_meshes = first.shape(expected[i].bodies.a)->kind() == ShapeKind::mesh() &&
+                                    first.shape(expected[i].bodies.b)->kind() == ShapeKind::mesh();
+            is_same = !are_meshes || got[i].contact == expected[i].contact;
+        }
+        if (!is_same) throw CheckFailed("meetings", text_of(expected), text_of(got));
+    }
+    ++counters["checked: moves of worlds"];
+    counters["checked: pairs that meet on the way"] += expected.size();
+}
+
+}  // namespace ecods::fuzz

@@ -1,0 +1,46 @@
+// What a World did, as counts.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "ecods/broad_phase.hpp"
+#include "ecods/intersection.hpp"
+
+namespace ecods {
+
+// What the clearance took, as counts, which are of its own pairs: those of boxes that reach half the clearance further
+// on all sides. `two_body_tests` to `visited_pairs` sum over the world's life, `broad_phase` over the time since there
+// was no clearance; the rest is as of the last update.
+struct ClearanceStatistics {
+    std::uint64_t two_body_tests = 0;  // pairs asked whether they are within the clearance; colliding ones are not
+    std::uint64_t cache_hits = 0;
+    std::uint64_t visited_pairs = 0;
+    BroadPhaseCounts broad_phase;
+
+    std::size_t candidate_count = 0;
+    std::size_t filtered_count = 0;
+    std::size_t close_count = 0;
+};
+
+// What the world did, as counts. `updates` to `visited_pairs` sum over the world's life; the rest is of now.
+struct Statistics {
+    std::uint64_t updates = 0;
+    std::uint64_t moved_bodies = 0;    // bodies that were new, or were given another pose or shape, at an update
+    std::uint64_t two_body_tests = 0;  // candidate pairs given to a two-body test at updates
+    std::uint64_t cache_hits = 0;      // candidate pairs whose verdict was kept at updates
+    std::uint64_t visited_pairs = 0;   // pairs that updates looked at: began, ended, or of a body that changed
+    BroadPhaseCounts broad_phase;
+    QueryCounts queries;  // of mesh pairs, at updates and on request
+    ClearanceStatistics clearance;
+
+    std::size_t body_count = 0;
+    std::size_t overlapping_count = 0;  // as of the last update
+    std::size_t filtered_count = 0;     // pairs whose boxes overlap and that are filtered out
+    std::size_t colliding_count = 0;
+
+    // Held by the world for bodies and pairs, spare capacity included; meshes and the broad phase not.
+    std::size_t memory_bytes = 0;
+};
+
+}  // namespace ecods

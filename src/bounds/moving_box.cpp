@@ -1,0 +1,58 @@
+#include "bounds/moving_box.hpp"
+
+#include <cmath>
+
+#include "base/next.hpp"
+
+namespace ecods {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double speed_min = 0x1p-1000, speed_max = 0x1p1000;
+constexpr double less = 1 - 0x1p-48, more = 1 + 0x1p-48;
+
+// At least the real b - a. A difference that may be subnormal, and flushed to zero, is known by its sign alone.
+double difference_above(double a, double b) noexcept {
+    if (key_of(a) == key_of(b)) return 0;
+    const double difference = b - a;
+    if (std::abs(difference) < MovingBox::gap_min) return key_of(b) > key_of(a) ? 2 * MovingBox::gap_min : 0;
+    return next_up(difference);
+}
+
+}  // namespace
+
+// An infinite side is where every box is on this side of it, or none is.
+void MovingBox::set(std::size_t side, double p, double velocity) noexcept {
+    const std::int64_t key = key_of(velocity);
+    Side& s = sides_[side];
+    s = {Course::resting, p, key_of(p), 0};
+    if (p == infinity) {
+        s.course = Course::without_end;
+    } else if (key > 0) {
+        s.course = Course::coming;
+        s.factor = velocity > speed_max ? 0 : less * (1 / std::max(velocity, speed_min));
+    } else if (key < 0 && p != -infinity) {
+        s.course = Course::going;
+        s.factor = -velocity < speed_min ? infinity : more * (1 / std::min(-velocity, speed_max));
+    }
+}
+
+MovingBox::MovingBox(const Aabb& box, const Vec3& motion) noexcept {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto axis = static_cast<Eigen::Index>(k);
+        set(k, box.max[axis], motion[axis]);
+        set(k + 3, -box.min[axis], -motion[axis]);
+    }
+}
+
+MovingBox::MovingBox(const Ray& ray) noexcept : MovingBox(Aabb{ray.origin, ray.origin}, ray.direction) {}
+
+MovingBox::MovingBox(const Segment& segment) noexcept {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto axis = static_cast<Eigen::Index>(k);
+        set(k, segment.a[axis], difference_above(segment.a[axis], segment.b[axis]));
+        set(k + 3, -segment.a[axis], difference_above(-segment.a[axis], -segment.b[axis]));
+    }
+}
+
+}  // namespace ecods

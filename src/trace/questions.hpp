@@ -1,0 +1,142 @@
+// The table of questions that a trace may hold: a question that World answers about many bodies is one row, as a call
+// is in calls.hpp. It begins with the digest of its answer (world/answer_digest.hpp), by which a replay compares.
+//
+// `fields` hands over, beside the kinds of calls.hpp:
+//
+//     answer     the digest                             number           from 0, infinity included
+//     segment, ray, motion                              optional_filter
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "ecods/segment.hpp"
+#include "trace/calls.hpp"
+
+namespace ecods::calls {
+
+// Of a segment or a ray.
+template <class Names>
+struct FirstHit {
+    static constexpr std::string_view name = "first_hit";
+    std::uint64_t answer;
+    Segment segment;
+    std::optional<CollisionFilter> filter;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.segment(call.segment...);
+        each.optional_filter(call.filter...);
+    }
+    auto ask(auto& world) const { return world.first_hit(segment, filter); }
+};
+
+template <class Names>
+struct FirstHitOfRay {
+    static constexpr std::string_view name = "first_hit_of_ray";
+    std::uint64_t answer;
+    Ray ray;
+    std::optional<CollisionFilter> filter;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.ray(call.ray...);
+        each.optional_filter(call.filter...);
+    }
+    auto ask(auto& world) const { return world.first_hit(ray, filter); }
+};
+
+template <class Names>
+struct AllHits {
+    static constexpr std::string_view name = "all_hits";
+    std::uint64_t answer;
+    Segment segment;
+    std::optional<CollisionFilter> filter;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.segment(call.segment...);
+        each.optional_filter(call.filter...);
+    }
+    auto ask(auto& world) const { return world.all_hits(segment, filter); }
+};
+
+template <class Names>
+struct AllHitsOfRay {
+    static constexpr std::string_view name = "all_hits_of_ray";
+    std::uint64_t answer;
+    Ray ray;
+    std::optional<CollisionFilter> filter;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.ray(call.ray...);
+        each.optional_filter(call.filter...);
+    }
+    auto ask(auto& world) const { return world.all_hits(ray, filter); }
+};
+
+template <class Names>
+struct Cast {
+    static constexpr std::string_view name = "cast";
+    std::uint64_t answer;
+    typename Names::Body body;
+    Vec3 motion;
+    double time_max;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.body(call.body...);
+        each.motion(call.motion...);
+        each.number(call.time_max...);
+    }
+    auto ask(auto& world) const { return world.cast(body, motion, time_max); }
+};
+
+template <class Names>
+struct Meetings {
+    static constexpr std::string_view name = "meetings";
+    std::uint64_t answer;
+    typename Names::template List<typename Names::Body> bodies;
+    typename Names::template List<Pose> poses;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.posed_bodies(call.bodies..., call.poses...);
+    }
+    auto ask(auto& world) const { return world.meetings(bodies, poses); }
+};
+
+template <class Names>
+struct Nearest {
+    static constexpr std::string_view name = "nearest";
+    std::uint64_t answer;
+    typename Names::Body body;
+    double limit;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.body(call.body...);
+        each.number(call.limit...);
+    }
+    auto ask(auto& world) const { return world.nearest(body, limit); }
+};
+
+template <class Names>
+struct ClosestOfAll {
+    static constexpr std::string_view name = "closest_pair";
+    std::uint64_t answer;
+    double limit;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.number(call.limit...);
+    }
+    auto ask(auto& world) const { return world.closest_pair(limit); }
+};
+
+template <class Names>
+using Question = std::variant<FirstHit<Names>, FirstHitOfRay<Names>, AllHits<Names>, AllHitsOfRay<Names>, Cast<Names>,
+                              Meetings<Names>, Nearest<Names>, ClosestOfAll<Names>>;
+
+}  // namespace ecods::calls

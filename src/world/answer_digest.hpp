@@ -1,0 +1,82 @@
+// Digests of what a world answers, for traces: answers with equal bits, about bodies of equal slots and generations,
+// have equal ones.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/hash.hpp"
+#include "ecods/world_answers.hpp"
+
+namespace ecods {
+
+class AnswerDigest {
+  public:
+    template <class Answer>
+    static std::uint64_t of(const Answer& answer) noexcept {
+        AnswerDigest digest;
+        digest.take(answer);
+        return digest.value_;
+    }
+
+  private:
+    void take(std::uint64_t word) noexcept { value_ = combine(value_, word); }
+    void take(double number) noexcept { take(coordinate_bits(number)); }
+    void take(const Vec3& point) noexcept {
+        for (const double x : point) take(x);
+    }
+    void take(BodyId body) noexcept { take(std::uint64_t{body.slot} << 16 | body.generation); }
+    void take(const BodyPair& bodies) noexcept {
+        take(bodies.a);
+        take(bodies.b);
+    }
+    void take(const Feature& feature) noexcept {
+        take(std::uint64_t{feature.triangle} << 32 | feature.corner << 8 | static_cast<std::uint64_t>(feature.kind));
+    }
+    void take(const BodyHit& hit) noexcept {
+        take(hit.body);
+        take(hit.hit.parameter);
+        take(hit.hit.leave_parameter);
+        take(std::uint64_t{hit.hit.rank} << 8 | static_cast<std::uint64_t>(hit.hit.kind));
+        take(hit.hit.feature);
+        take(hit.hit.point);
+        take(hit.hit.leave_point);
+    }
+    void take(const FirstContact& contact) noexcept {
+        take(contact.time);
+        take(static_cast<std::uint64_t>(contact.kind));
+        take(contact.a);
+        take(contact.b);
+    }
+    void take(const BodyContact& met) noexcept {
+        take(met.body);
+        take(met.contact);
+    }
+    void take(const Meeting& meeting) noexcept {
+        take(meeting.bodies);
+        take(meeting.contact);
+    }
+    void take(const NearestBody& nearest) noexcept {
+        take(nearest.body);
+        take(nearest.distance);
+    }
+    void take(const ClosestPair& closest) noexcept {
+        take(closest.bodies);
+        take(closest.distance);
+    }
+    template <class Item>
+    void take(const std::optional<Item>& item) noexcept {
+        take(std::uint64_t{item.has_value()});
+        if (item) take(*item);
+    }
+    template <class Item>
+    void take(const std::vector<Item>& items) noexcept {
+        take(std::uint64_t{items.size()});
+        for (const Item& item : items) take(item);
+    }
+
+    std::uint64_t value_ = 0;
+};
+
+}  // namespace ecods

@@ -1,0 +1,126 @@
+// Questions in a trace: written where they are wanted, asked again by the replay, and compared.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <sstream>
+#include <string>
+
+#include "ecods/error.hpp"
+#include "ecods/replay.hpp"
+#include "scenes/shapes.hpp"
+#include "unit/world/world_fixture.hpp"
+
+namespace ecods {
+namespace {
+
+// Of three cubes in a row, of which the second is asked about.
+std::string traced(const TraceOptions& options) {
+    World world;
+    std::ostringstream out;
+    world.trace_to(out, options);
+    const auto cube = scenes::cube(0.5);
+    std::vector<BodyId> bodies;
+    for (const double x : {0.0, 3.0, 6.0}) bodies.push_back(world.create_body(cube, at(x)));
+    world.update();
+    world.first_hit(Segment{Vec3(-2, 0.25, 0.125), Vec3(8, 0.25, 0.125)});
+    world.first_hit(Ray{Vec3(-2, 0.25, 0.125), Vec3(1, 0, 0)}, CollisionFilter{.groups = 2, .mask = 0x10});
+    world.all_hits(Segment{Vec3(-2, 0.25, 0.125), Vec3(8, 0.25, 0.125)}, CollisionFilter{});
+    world.all_hits(Ray{Vec3(9, 0, 0), Vec3(-1, 0, 0), 5.5});
+    world.nearest(bodies[1]);
+    world.nearest(bodies[1], 0.5);
+    world.closest_pair();
+    world.set_pose(bodies[1], at(3, 0.25));
+    QueryMemory memory;
+    world.nearest(bodies[1], memory);
+    EXPECT_THROW(world.first_hit(Segment{Vec3(0, 0, 0), Vec3(0, 0, std::numeric_limits<double>::infinity())}),
+                 InvalidSegment);
+    world.update();
+    world.end_trace();
+    return out.str();
+}
+
+std::size_t count_of(const std::string& word, const std::string& text) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+    return count;
+}
+
+ReplayReport replayed(const std::string& text, BroadPhaseKind kind = BroadPhaseKind::automatic) {
+    std::istringstream in(text);
+    return replay(in, {.broad_phase = kind});
+}
+
+TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
+    const std::string without = traced({}), with = traced({.questions = true});
+    EXPECT_EQ(count_of("\nfirst_hit", without) + count_of("\nnearest", without), 0u);
+    EXPECT_EQ(count_of("\nfirst_hit ", with), 1u);
+    EXPECT_EQ(count_of("\nfirst_hit_of_ray ", with), 1u);
+    EXPECT_EQ(count_of("\nall_hits ", with), 1u);
+    EXPECT_EQ(count_of("\nall_hits_of_ray ", with), 1u);
+    EXPECT_EQ(count_of("\nnearest ", with), 2u) << "those in the world's own memory";
+    EXPECT_EQ(count_of("\nclosest_pair ", with), 1u);
+    EXPECT_NE(with.find(" inf 2 10\n"), std::string::npos) << with;
+    EXPECT_NE(with.find(" inf\n"), std::string::npos);
+    EXPECT_EQ(replayed(without).question_count, 0u);
+    for (const auto kind : {BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune,
+                            BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic}) {
+        const ReplayReport report = replayed(with, kind);
+        EXPECT_FALSE(report.difference) << report.difference->what;
+        EXPECT_EQ(report.question_count, 7u);
+        EXPECT_EQ(report.update_count, 2u);
+        EXPECT_EQ(report.call_count, 4u + 2 + 7);
+    }
+}
+
+// Each of the lines with another digest is named.
+TEST(TraceQuestions, TheFirstOtherAnswerIsNamed) {
+    const std::string text = traced({.questions = true});
+    for (const std::string name :
+         {"first_hit", "first_hit_of_ray", "all_hits", "all_hits_of_ray", "nearest", "closest_pair"}) {
+        const std::size_t line = text.find("\n" + name + " ") + 1;
+        const std::size_t digest = line + name.size() + 1;
+        std::string wrong = text;
+        wrong[digest + 3] = wrong[digest + 3] == '7' ? '8' : '7';
+        const ReplayReport report = replayed(wrong);
+        ASSERT_TRUE(report.difference) << name;
+        EXPECT_NE(report.difference->what.find("answer to " + name + " is "), std::string::npos);
+        EXPECT_EQ(report.difference->line, count_of("\n", text.substr(0, line)) + 1);
+    }
+}
+
+// Where the world was not empty at the beginning, other bodies may have the least ids.
+TEST(TraceQuestions, OfAWorldThatWasNotEmptyAreAskedAndNotCompared) {
+    World world;
+    const auto cube = scenes::cube(0.5);
+    world.destroy_body(world.create_body(cube, at(0)));
+    const BodyId a = world.create_body(cube, at(0));
+    world.create_body(cube, at(4));
+    std::stringstream trace;
+    world.trace_to(trace, {.questions = true});
+    world.nearest(a);
+    world.end_trace();
+    const ReplayReport report = replay(trace);
+    EXPECT_FALSE(report.difference);
+    EXPECT_EQ(report.question_count, 1u);
+}
+
+TEST(TraceQuestions, WhatIsNoQuestionIsRefused) {
+    const std::string head = "ecods-trace 1\nworld brute_force 0\n";
+    const auto refused = [&](const std::string& line) {
+        EXPECT_THROW(replayed(head + line + "\n"), InvalidTrace) << line;
+    };
+    EXPECT_EQ(replayed(head + "closest_pair 0 inf\n").question_count, 0u) << "which has another digest";
+    refused("first_hit 0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0");
+    refused("first_hit 0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 inf none");
+    refused("first_hit_of_ray 0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 inf none");
+    refused("first_hit_of_ray 0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0 -0x1p+0 none");
+    refused("closest_pair 0 -0x1p+0");
+    refused("nearest 0 1.0 inf");
+    refused("cast 0 1.0 0x0p+0 0x0p+0 0x0p+0 0x1p+0");
+    refused("meetings 0 1");
+    refused("meetings 0 0 0");
+    EXPECT_EQ(replayed(head + "meetings 0 0\n").question_count, 0u) << "which has another digest";
+}
+
+}  // namespace
+}  // namespace ecods
