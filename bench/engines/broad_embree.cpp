@@ -1,29 +1,18 @@
 // Embree's collision of a scene with itself. Its leaves may hold bounds that are larger than the boxes, so each pair
 // that it reports is tested; and it reports a pair in either order, or both.
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <mutex>
-#include <stdexcept>
 
 #include "engines/broad_engine.hpp"
-#include "simd/instruction_set.hpp"
+#include "engines/embree_triangles.hpp"
 
 namespace ecods::bench {
 
 namespace {
 
-// No wider instructions than ECoDS is limited to.
-const char* configuration() {
-    if (instruction_set() == supported_instruction_set()) return "threads=1,user_threads=1";
-    return instruction_set() == InstructionSet::avx2 ? "threads=1,user_threads=1,max_isa=avx2"
-                                                     : "threads=1,user_threads=1,max_isa=sse2";
-}
-
 class BroadEmbree final : public BroadEngine {
   public:
-    explicit BroadEmbree(const scenes::MovingBoxes& boxes) : device_(rtcNewDevice(configuration())) {
-        if (device_ == nullptr) throw std::runtime_error("Embree gives no device");
+    explicit BroadEmbree(const scenes::MovingBoxes& boxes) : device_(make_embree_device()) {
         for (const Aabb& box : boxes.boxes) boxes_.push_back(to_embree(box));
         scene_ = rtcNewScene(device_);
         rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);

@@ -8,6 +8,7 @@
 #include <array>
 #include <memory>
 
+#include "engines/bullet_mesh.hpp"
 #include "engines/narrow_engine.hpp"
 
 namespace ecods::bench {
@@ -15,9 +16,9 @@ namespace ecods::bench {
 namespace {
 
 struct BulletMesh {
-    std::vector<btScalar> vertices;
-    std::vector<int> indices;
-    std::unique_ptr<btTriangleIndexVertexArray> arrays;
+    explicit BulletMesh(const Mesh& mesh) : arrays(mesh.vertices(), mesh.triangles()) {}
+
+    BulletArrays arrays;
     std::unique_ptr<btGImpactMeshShape> shape;
     std::array<btCollisionObject, 2> objects;  // as the first and as the second of a pair
 };
@@ -36,8 +37,8 @@ class NarrowBullet final : public NarrowEngine {
     explicit NarrowBullet(std::span<const scenes::NamedMesh> meshes) : dispatcher_(&configuration_) {
         btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher_);
         for (const scenes::NamedMesh& named : meshes) {
-            meshes_.push_back(std::make_unique<BulletMesh>());
-            build(*meshes_.back(), *named.mesh);
+            meshes_.push_back(std::make_unique<BulletMesh>(*named.mesh));
+            build(*meshes_.back());
         }
     }
 
@@ -54,14 +55,7 @@ class NarrowBullet final : public NarrowEngine {
     }
 
   private:
-    static void build(BulletMesh& made, const Mesh& mesh) {
-        for (const Vec3& v : mesh.vertices())
-            for (int axis = 0; axis < 3; ++axis) made.vertices.push_back(static_cast<btScalar>(v[axis]));
-        for (const Triangle& t : mesh.triangles())
-            for (const std::uint32_t index : t) made.indices.push_back(static_cast<int>(index));
-        made.arrays = std::make_unique<btTriangleIndexVertexArray>(
-            static_cast<int>(mesh.triangles().size()), made.indices.data(), static_cast<int>(3 * sizeof(int)),
-            static_cast<int>(mesh.vertices().size()), made.vertices.data(), static_cast<int>(3 * sizeof(btScalar)));
+    static void build(BulletMesh& made) {
         made.shape = std::make_unique<btGImpactMeshShape>(made.arrays.get());
         made.shape->setMargin(0);
         made.shape->updateBound();
@@ -70,12 +64,7 @@ class NarrowBullet final : public NarrowEngine {
 
     btCollisionObject* placed(const scenes::MeshAt& at, std::size_t role) {
         btCollisionObject& object = meshes_[at.mesh_index]->objects[role];
-        const auto f = [](double x) { return static_cast<btScalar>(x); };
-        const Mat3& R = at.pose.R;
-        const btMatrix3x3 rotation(f(R(0, 0)), f(R(0, 1)), f(R(0, 2)), f(R(1, 0)), f(R(1, 1)), f(R(1, 2)), f(R(2, 0)),
-                                   f(R(2, 1)), f(R(2, 2)));
-        object.setWorldTransform(
-            btTransform(rotation, btVector3(f(at.pose.t.x()), f(at.pose.t.y()), f(at.pose.t.z()))));
+        object.setWorldTransform(to_bullet(at.pose));
         return &object;
     }
 

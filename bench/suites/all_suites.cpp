@@ -1,8 +1,10 @@
 #include "suites/suite.hpp"
 
 #include "engines/broad_engine.hpp"
+#include "engines/cast_engine.hpp"
 #include "engines/distance_engine.hpp"
 #include "engines/engine.hpp"
+#include "engines/hit_engine.hpp"
 #include "engines/narrow_engine.hpp"
 
 namespace ecods::bench {
@@ -26,6 +28,7 @@ std::vector<EngineName> names_of(const std::vector<Maker>&... makers) {
 std::vector<Suite> all_suites() {
     return {{"narrow", run_narrow, names_of(narrow_engines())},
             {"distance", run_distance, names_of(distance_engines())},
+            {"casts", run_casts, names_of(hit_engines(), cast_engines())},
             {"broad", run_broad, names_of(broad_engines())},
             {"system", run_system, names_of(system_engines())},
             {"rooms", run_rooms},

@@ -11,6 +11,7 @@
 #include "suites/comparison.hpp"
 #include "suites/distance_measure.hpp"
 #include "suites/suite.hpp"
+#include "suites/timed_rows.hpp"
 
 namespace ecods::bench {
 
@@ -18,17 +19,9 @@ namespace {
 
 using scenes::DistanceWorkload;
 
-std::size_t triangle_count(const DistanceWorkload& workload) {
-    std::size_t count = 0;
-    for (const scenes::NamedMesh& named : workload.pairs.meshes) {
-        count = std::max(count, named.mesh->triangles().size());
-    }
-    return count;
-}
-
 // The oracle needs milliseconds for a ship, half a second for a hundred thousand triangles.
 std::size_t judged_count(const DistanceWorkload& workload, const SuiteOptions& options) {
-    const std::size_t triangles = triangle_count(workload);
+    const std::size_t triangles = triangle_count(workload.pairs.meshes);
     if (options.is_quick()) return 3;
     return triangles <= 2000 ? workload.pairs.queries.size() : triangles <= 20000 ? 20 : 4;
 }
@@ -51,61 +44,41 @@ struct Measured {
     }
 };
 
-std::string ratio_text(double ratio) {
-    return ratio == 0 ? "" : fmt::format("{:.2f}", ratio);
-}
-
 std::string ulps_text(double ulps) {
     return ulps < 1e6 ? fmt::format("{:.4g}", ulps) : fmt::format("{:.1e}", ulps);
 }
 
 void add_rows(Table& table, const Measured& measured) {
     for (const DistanceRun& run : measured.runs) {
-        std::vector<std::string> row = {measured.workload.pairs.name, run.maker->name};
-        if (!run.failure.empty()) {
-            row.push_back(run.failure);
-            row.resize(table.header.size());
-            table.rows.push_back(std::move(row));
-            continue;
-        }
-        const DistanceErrors errors = errors_of(run, measured.truth);
-        const bool has_ulps = !errors.ulps.empty();
-        // The time of this question over that of the whole distance: the other way round than times_as_fast().
-        const double faster = times_as_fast(run.us, measured.us_of(own_distance));
-        for (std::string& cell : std::vector<std::string>{
-                 fmt::format("{:.2f}", median(run.us)),
-                 run.us.size() < 2 ? std::string() : fmt::format("{:.0f}", spread_in_percent(run.us)),
-                 ratio_text(times_as_fast(run.us, measured.us_of(distance_yardstick))),
-                 ratio_text(faster == 0 ? 0 : 1 / faster), has_ulps ? ulps_text(median(errors.ulps)) : std::string(),
-                 has_ulps ? ulps_text(*std::ranges::max_element(errors.ulps)) : std::string(),
-                 fmt::format("{}", errors.false_zeros),
-                 run.maker->is_ecods ? fmt::format("{}", errors.wrong) : std::string(),
-                 fmt::format("{} / {}", measured.truth.judged_count, measured.truth.distances.size())}) {
-            row.push_back(std::move(cell));
-        }
-        table.rows.push_back(std::move(row));
+        add_row(table, {measured.workload.pairs.name, run.maker->name, run.us, run.failure}, [&] {
+            const DistanceErrors errors = errors_of(run, measured.truth);
+            const bool has_ulps = !errors.ulps.empty();
+            return std::vector<std::string>{
+                ratio_text(times_as_fast(run.us, measured.us_of(distance_yardstick))),
+                share_text(run.us, measured.us_of(own_distance)),
+                has_ulps ? ulps_text(median(errors.ulps)) : std::string(),
+                has_ulps ? ulps_text(*std::ranges::max_element(errors.ulps)) : std::string(),
+                fmt::format("{}", errors.false_zeros),
+                run.maker->is_ecods ? fmt::format("{}", errors.wrong) : std::string(),
+                fmt::format("{} / {}", measured.truth.judged_count, measured.truth.distances.size())};
+        });
     }
 }
 
 Table empty_table(std::size_t repetition_count) {
-    Table table;
-    table.title = "Two meshes: how far are they from each other?";
-    table.text_columns = 2;
-    table.header = {"workload",    "engine",    "us/query",    "spread %", "times FCL", "of a distance",
-                    "median ulps", "most ulps", "false zeros", "wrong",    "judged"};
-    table.notes = {
-        fmt::format(
-            "Processor time: {}; first one pass over the queries untimed, then 20 ms of them; each engine pinned "
-            "in a process of its own. Spread: quartile distance.",
-            medians_of(repetition_count)),
-        fmt::format("Times FCL: how many times as fast as {}, in the same repetition. Of a distance: time over that of "
-                    "ECoDS's distance.",
-                    distance_yardstick),
-        "Ulps: errors in units in the last place of the true distance, where bodies are apart; 0 where they are apart "
-        "is counted as false zero. Of bounds: the upper end. Wrong: answers of ECoDS that are not the true ones, "
-        "rounded once, or do not contain them.",
-        "Judged: so many of the true distances are the oracle's; the others are those of ECoDS. Bullet's meshes and "
-        "CGAL's trees answer no distances of two meshes."};
+    Table table = timed_table(
+        "Two meshes: how far are they from each other?",
+        {"times FCL", "of a distance", "median ulps", "most ulps", "false zeros", "wrong", "judged"}, repetition_count);
+    for (const std::string& note :
+         {fmt::format("Times FCL: how many times as fast as {}, in the same repetition. Of a distance: time over "
+                      "that of ECoDS's distance.",
+                      distance_yardstick),
+          std::string("Ulps: errors in units in the last place of the true distance, where bodies are apart; 0 "
+                      "where they are apart is counted as false zero. Of bounds: the upper end. Wrong: answers of "
+                      "ECoDS that are not the true ones, rounded once, or do not contain them."),
+          std::string("Judged: so many of the true distances are the oracle's; the others are those of ECoDS. "
+                      "Bullet's meshes and CGAL's trees answer no distances of two meshes.")})
+        table.notes.push_back(note);
     return table;
 }
 
@@ -136,16 +109,6 @@ Section chart_of(const std::vector<Measured>& all, std::span<const DistanceMaker
                        "Speed against error of distances. The better engine is lower and further left.")}};
 }
 
-Table use_table(std::span<const DistanceMaker> makers) {
-    Table table;
-    table.title = "How each engine is asked for distances";
-    table.text_columns = 2;
-    table.header = {"engine", "use; precision"};
-    for (const DistanceMaker& maker : makers) table.rows.push_back({maker.name, maker.use});
-    table.notes = {"Building trees is outside the times; setting both poses is inside."};
-    return table;
-}
-
 }  // namespace
 
 SuiteResult run_distance(const SuiteOptions& options) {
@@ -169,7 +132,11 @@ SuiteResult run_distance(const SuiteOptions& options) {
     }
     print(table);
     if (options.has_pictures) result.sections.push_back(chart_of(all, makers, options));
-    result.sections.push_back({"Distances of two meshes", {}, {table, use_table(makers)}, {}});
+    result.sections.push_back(
+        {"Distances of two meshes",
+         {},
+         {table, use_table<DistanceMaker>("How each engine is asked for distances", makers, poses_are_timed)},
+         {}});
     const Table clearance = clearance_table(options, result.is_right);
     print(clearance);
     result.sections.push_back({"Pairs within a clearance", {}, {clearance}, {}});

@@ -8,18 +8,14 @@
 #include <utility>
 
 #include "ecods/distance.hpp"
-#include "harness/stopwatch.hpp"
+#include "harness/turns.hpp"
 #include "oracle/distance.hpp"
-#include "process/contained.hpp"
 
 namespace ecods::bench {
 
 namespace {
 
 constexpr std::chrono::seconds turn_limit{300};
-
-// As in narrow_measure.cpp.
-constexpr double turn_us_min = 20000;
 
 // A turn: all queries once, untimed, then in timed passes. Values: microseconds a pass, then the answers.
 process::Contained::Run start_queries(const DistanceMaker& maker, const scenes::DistanceWorkload& workload,
@@ -34,21 +30,9 @@ process::Contained::Run start_queries(const DistanceMaker& maker, const scenes::
         };
         ask_all();
         if (std::exchange(is_first, false)) return values;
-        std::size_t passes = 0;
-        double us = 0;
-        const Stopwatch watch;
-        while (us < turn_us_min) {
-            ask_all();
-            ++passes;
-            us = watch.nanoseconds() / 1000;
-        }
-        values[0] = us / static_cast<double>(passes);
+        values[0] = microseconds_a_pass(ask_all);
         return values;
     };
-}
-
-bool is_chosen(std::size_t i, std::size_t n, std::size_t chosen) {
-    return (i + 1) * chosen / n != i * chosen / n;
 }
 
 double ask_oracle(const scenes::MeshPairs& pairs, const scenes::MeshQuery& query) {
@@ -108,15 +92,12 @@ std::vector<DistanceRun> measure_distances(const scenes::DistanceWorkload& workl
                               turn_limit);
     }
     const auto query_count = static_cast<double>(workload.pairs.queries.size());
-    for (std::size_t repetition = 0; repetition <= repetition_count; ++repetition) {
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            const process::Outcome outcome = children[i].run();
-            runs[i].failure = outcome.failure;
-            if (!outcome.is_right()) continue;
-            if (repetition > 0) runs[i].us.push_back(outcome.values[0] / query_count);
-            runs[i].answers.assign(outcome.values.begin() + 1, outcome.values.end());
-        }
-    }
+    take_turns(children, repetition_count, [&](std::size_t i, std::size_t repetition, const process::Outcome& outcome) {
+        runs[i].failure = outcome.failure;
+        if (!outcome.is_right()) return;
+        if (repetition > 0) runs[i].us.push_back(outcome.values[0] / query_count);
+        runs[i].answers.assign(outcome.values.begin() + 1, outcome.values.end());
+    });
     return runs;
 }
 

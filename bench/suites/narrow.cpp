@@ -12,6 +12,7 @@
 #include "suites/narrow_distances.hpp"
 #include "suites/narrow_measure.hpp"
 #include "suites/suite.hpp"
+#include "suites/timed_rows.hpp"
 
 namespace ecods::bench {
 
@@ -25,16 +26,10 @@ WorkloadSize size_of(const SuiteOptions& options) {
     return options.is_long ? WorkloadSize::large : WorkloadSize::full;
 }
 
-std::size_t triangle_count(const MeshPairs& workload) {
-    std::size_t count = 0;
-    for (const scenes::NamedMesh& named : workload.meshes) count = std::max(count, named.mesh->triangles().size());
-    return count;
-}
-
 // The oracle needs about 0.1 us for each vertex of each query, and the rest for what is near.
 std::size_t judged_count(const MeshPairs& workload, const SuiteOptions& options) {
     if (options.is_quick()) return 4;
-    return triangle_count(workload) <= 2000 ? workload.queries.size() : 20;
+    return triangle_count(workload.meshes) <= 2000 ? workload.queries.size() : 20;
 }
 
 struct Measured {
@@ -75,51 +70,33 @@ std::span<const double> yardstick_of(const std::vector<NarrowRun>& runs) {
     return {};
 }
 
-std::string ratio_text(double ratio) {
-    return ratio == 0 ? "" : fmt::format("{:.2f}", ratio);
-}
-
 void add_rows(Table& table, const Measured& measured) {
     const auto count = static_cast<double>(measured.workload.queries.size());
     const auto hits = std::count(measured.truth.answers.begin(), measured.truth.answers.end(), true);
     for (const NarrowRun& run : measured.runs) {
-        std::vector<std::string> row = {measured.workload.name, run.name};
-        if (!run.failure.empty()) {
-            row.push_back(run.failure);
-            row.resize(table.header.size());
-            table.rows.push_back(std::move(row));
-            continue;
-        }
-        const auto [false_negatives, false_positives] = measured.errors(run);
-        const auto per_query = [&](std::uint64_t work) {
-            return run.has_work ? fmt::format("{:.1f}", static_cast<double>(work) / count) : std::string();
-        };
-        for (std::string& cell : std::vector<std::string>{
-                 fmt::format("{:.2f}", median(run.us)),
-                 run.us.size() < 2 ? std::string() : fmt::format("{:.0f}", spread_in_percent(run.us)),
-                 ratio_text(times_as_fast(run.us, yardstick_of(measured.runs))),
-                 fmt::format("{} / {}", hits, measured.workload.queries.size()), fmt::format("{}", false_negatives),
-                 fmt::format("{}", false_positives), per_query(run.work.box_tests), per_query(run.work.triangle_tests),
-                 fmt::format("{}", measured.truth.judged_count)})
-            row.push_back(std::move(cell));
-        table.rows.push_back(std::move(row));
+        add_row(table, {measured.workload.name, run.name, run.us, run.failure}, [&] {
+            const auto [false_negatives, false_positives] = measured.errors(run);
+            const auto per_query = [&](std::uint64_t work) {
+                return run.has_work ? fmt::format("{:.1f}", static_cast<double>(work) / count) : std::string();
+            };
+            return std::vector<std::string>{ratio_text(times_as_fast(run.us, yardstick_of(measured.runs))),
+                                            fmt::format("{} / {}", hits, measured.workload.queries.size()),
+                                            fmt::format("{}", false_negatives),
+                                            fmt::format("{}", false_positives),
+                                            per_query(run.work.box_tests),
+                                            per_query(run.work.triangle_tests),
+                                            fmt::format("{}", measured.truth.judged_count)};
+        });
     }
 }
 
 Table empty_table(const std::string& title, std::size_t repetition_count) {
-    Table table;
-    table.title = title;
-    table.text_columns = 2;
-    table.header = {"workload", "engine",  "us/query",  "spread %",       "times FCL", "hits",
-                    "false -",  "false +", "box tests", "triangle tests", "judged"};
-    table.notes = {
-        fmt::format(
-            "Processor time: {}; first one pass over the queries untimed, then 20 ms of them; each engine pinned in a "
-            "process of its own. Spread: quartile distance.",
-            medians_of(repetition_count)),
+    Table table = timed_table(
+        title, {"times FCL", "hits", "false -", "false +", "box tests", "triangle tests", "judged"}, repetition_count);
+    table.notes.push_back(
         fmt::format("Times FCL: how many times as fast as {}, in the same repetition. Judged: so many answers were "
                     "checked by the oracle; the others by ECoDS.",
-                    narrow_yardstick)};
+                    narrow_yardstick));
     return table;
 }
 
@@ -180,16 +157,6 @@ ErrorPanel panel_of(const std::string& title, std::span<const Measured> all) {
         if (!us.empty()) panel.points.push_back({e, median(us), wrong / static_cast<double>(us.size())});
     }
     return panel;
-}
-
-Table use_table(std::span<const NarrowMaker> makers) {
-    Table table;
-    table.title = "How each engine is used";
-    table.text_columns = 2;
-    table.header = {"engine", "use; precision"};
-    for (const NarrowMaker& maker : makers) table.rows.push_back({maker.name, maker.use});
-    table.notes = {"Building trees is outside the times; setting both poses is inside."};
-    return table;
 }
 
 // The gaps come after the first `workload_count`.
@@ -261,7 +228,8 @@ SuiteResult run_narrow(const SuiteOptions& options) {
     if (!chart.pictures.empty()) result.sections.push_back(std::move(chart));
     std::vector<Table> tables = {table, gaps};
     if (!distances.rows.empty()) tables.push_back(distances);
-    tables.insert(tables.end(), {list, builds, use_table(makers)});
+    tables.insert(tables.end(),
+                  {list, builds, use_table<NarrowMaker>("How each engine is used", makers, poses_are_timed)});
     result.sections.push_back({"Two meshes", {}, std::move(tables), {}});
     return result;
 }

@@ -8,6 +8,7 @@
 
 #include "ecods/intersection.hpp"
 #include "harness/stopwatch.hpp"
+#include "harness/turns.hpp"
 #include "oracle/oracle.hpp"
 #include "process/contained.hpp"
 
@@ -17,26 +18,9 @@ namespace {
 
 constexpr std::chrono::seconds turn_limit{120};
 
-// Timed passes over the queries go on for so long. A few queries of a microsecond each, after another engine had the
-// core, would measure how long it takes to wake it.
-constexpr double turn_us_min = 20000;
-
 // A turn: all queries once, untimed, then in timed passes. Values: microseconds a pass, whether work was counted, box
 // tests, triangle tests, then the answers.
 constexpr std::size_t head_size = 4;
-
-template <class Pass>
-double microseconds_a_pass(const Pass& pass) {
-    double us = 0;
-    std::size_t passes = 0;
-    const Stopwatch watch;
-    while (us < turn_us_min) {
-        pass();
-        ++passes;
-        us = watch.nanoseconds() / 1000;
-    }
-    return us / static_cast<double>(passes);
-}
 
 process::Contained::Run start_queries(const NarrowMaker& maker, const scenes::MeshPairs& workload) {
     std::shared_ptr<NarrowEngine> engine = maker.set_up(workload.meshes);
@@ -82,11 +66,6 @@ process::Contained::Run start_lists(const NarrowMaker& maker, const scenes::Mesh
         }
         return values;
     };
-}
-
-// Whether query i of n is one of `chosen` that are spread evenly.
-bool is_chosen(std::size_t i, std::size_t n, std::size_t chosen) {
-    return (i + 1) * chosen / n != i * chosen / n;
 }
 
 std::deque<MeshShape> shapes_of(const scenes::MeshPairs& workload) {
@@ -149,18 +128,15 @@ std::vector<ListRun> measure_lists(const scenes::MeshPairs& workload, const List
     const auto start = [&](const NarrowMaker& maker) { return start_lists(maker, workload, truth); };
     std::vector<process::Contained> children = contain(makers, start);
     std::vector<ListRun> runs = name_runs<ListRun>(makers);
-    for (std::size_t repetition = 0; repetition <= repetition_count; ++repetition) {
-        for (std::size_t i = 0; i < makers.size(); ++i) {
-            const process::Outcome outcome = children[i].run();
-            ListRun& run = runs[i];
-            run.failure = outcome.failure;
-            if (!outcome.is_right()) continue;
-            if (repetition > 0) run.us.push_back(outcome.values[0] / static_cast<double>(workload.queries.size()));
-            run.pair_count = outcome.values[1];
-            run.false_negatives = outcome.values[2];
-            run.false_positives = outcome.values[3];
-        }
-    }
+    take_turns(children, repetition_count, [&](std::size_t i, std::size_t repetition, const process::Outcome& outcome) {
+        ListRun& run = runs[i];
+        run.failure = outcome.failure;
+        if (!outcome.is_right()) return;
+        if (repetition > 0) run.us.push_back(outcome.values[0] / static_cast<double>(workload.queries.size()));
+        run.pair_count = outcome.values[1];
+        run.false_negatives = outcome.values[2];
+        run.false_positives = outcome.values[3];
+    });
     return runs;
 }
 

@@ -2,10 +2,9 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
 #include <string>
 
-#include "ecods/distance.hpp"
+#include "scenes/approach.hpp"
 #include "scenes/mesh_ball.hpp"
 #include "scenes/mesh_builder.hpp"
 #include "scenes/random.hpp"
@@ -22,84 +21,32 @@ struct Gap {
 };
 constexpr std::array gaps{Gap{1e-1, "1e-1"}, Gap{1e-2, "1e-2"}, Gap{1e-4, "1e-4"}, Gap{1e-8, "1e-8"}};
 
-// A copy of the mesh that comes along a line towards another copy that rests.
-class Approach {
-  public:
-    explicit Approach(const std::shared_ptr<const Mesh>& mesh) : shape_(mesh), ball_(ball_of(*mesh)) {}
-
-    Mat3 resting = Mat3::Identity(), moving = Mat3::Identity();
-    Vec3 line = Vec3::UnitX();
-
-    double diameter() const { return 2 * ball_.radius; }
-
-    // Where it is a little farther than the gap; nothing if steps of a sixteenth of a radius pass the other by.
-    std::optional<MeshQuery> stop_at(double gap) {
-        const double step = ball_.radius / 16;
-        const int steps_max = 34 + static_cast<int>(gap / step);
-        int steps = steps_max;
-        while (steps >= 0 && !is_within(steps * step, gap)) --steps;
-        if (steps < 0 || steps == steps_max) return std::nullopt;
-        double near = steps * step, far = near + step;
-        while (far - near > 0x1p-10 * gap) {
-            const double middle = near + (far - near) / 2;
-            if (middle == near || middle == far) break;
-            (is_within(middle, gap) ? near : far) = middle;
-        }
-        return at(far);
-    }
-
-  private:
-    MeshQuery at(double distance) const {
-        return {{0, place(ball_, resting, Vec3::Zero())}, {0, place(ball_, moving, line * distance)}};
-    }
-    bool is_within(double distance, double gap) {
-        const MeshQuery query = at(distance);
-        return within({shape_, query.a.pose}, {shape_, query.b.pose}, gap, memory_);
-    }
-
-    MeshShape shape_;
-    QueryMemory memory_;
-    Ball ball_;
-};
-
 DistanceWorkload at_gap(const NamedMesh& mesh, const Gap& gap, std::size_t count) {
     DistanceWorkload workload{{mesh.name + ", gap " + gap.name, {mesh}, {}}};
     Random random(7);
-    Approach approach(mesh.mesh);
+    Approach approach(mesh.mesh, mesh.mesh);
     while (workload.pairs.queries.size() < count) {
         approach.resting = random.rotation().toRotationMatrix();
         approach.moving = random.rotation().toRotationMatrix();
         approach.line = random.direction();
-        if (const auto query = approach.stop_at(gap.share * approach.diameter()))
-            workload.pairs.queries.push_back(*query);
+        if (const auto distance = approach.stop_at(gap.share * approach.diameter()))
+            workload.pairs.queries.push_back(approach.at(*distance));
     }
     return workload;
-}
-
-// A hundredth of a radian about the axis, up to rounding: no sine is asked for, and sums are written out.
-Mat3 small_turn(const Vec3& axis) {
-    const double half = 0.005, norm = std::sqrt(1 + half * half);
-    return Eigen::Quaterniond(1 / norm, half / norm * axis[0], half / norm * axis[1], half / norm * axis[2])
-        .toRotationMatrix();
-}
-
-Mat3 turned(const Mat3& turn, const Mat3& R) {
-    Mat3 result;
-    for (int k = 0; k < 3; ++k) result.col(k) = image(turn, R.col(k));
-    return result;
 }
 
 DistanceWorkload path(const NamedMesh& mesh, std::size_t count) {
     DistanceWorkload workload{{mesh.name + ", path", {mesh}, {}}, true};
     Random random(8);
-    Approach approach(mesh.mesh);
+    Approach approach(mesh.mesh, mesh.mesh);
     approach.resting = random.rotation().toRotationMatrix();
-    const Mat3 around = small_turn(random.direction()), own = small_turn(random.direction());
+    const Mat3 around = turn_about(random.direction(), 0.005), own = turn_about(random.direction(), 0.005);
     approach.line = random.direction();
     for (int tries = 0; workload.pairs.queries.size() < count && tries < 10000; ++tries) {
         approach.line = image(around, approach.line);
-        approach.moving = turned(own, approach.moving);
-        if (const auto query = approach.stop_at(0.01 * approach.diameter())) workload.pairs.queries.push_back(*query);
+        approach.moving = product(own, approach.moving);
+        if (const auto distance = approach.stop_at(0.01 * approach.diameter()))
+            workload.pairs.queries.push_back(approach.at(*distance));
     }
     return workload;
 }

@@ -1,0 +1,210 @@
+#include "suites/world_casts.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "ecods/cast.hpp"
+#include "ecods/world.hpp"
+#include "engines/broad_phase_kinds.hpp"
+#include "harness/statistics.hpp"
+#include "harness/stopwatch.hpp"
+#include "scenes/random.hpp"
+#include "scenes/room.hpp"
+#include "suites/comparison.hpp"
+
+namespace ecods::bench {
+
+namespace {
+
+// Reaches so far beyond as rounding might.
+Aabb swept(const Aabb& box, const Vec3& motion) {
+    const Vec3 margin = 0x1p-40 * (box.max.cwiseAbs() + box.min.cwiseAbs() + motion.cwiseAbs());
+    const Aabb hull = merge(box, {box.min + motion, box.max + motion});
+    return {hull.min - margin, hull.max + margin};
+}
+
+// Ships of the report's room in a world, and its next frames.
+class Ships {
+  public:
+    Ships(std::size_t count, std::size_t frames)
+        : scene_(scenes::room({.ship_count = count,
+                               .frame_count = frames,
+                               .side = scenes::calibrated_side_by_density(count),
+                               .seed = 10})),
+          shape_(scene_.meshes.front().mesh) {
+        for (const scenes::SceneBody& body : scene_.bodies) {
+            ids_.push_back(world_.create_body(shape_.mesh_ptr(), body.pose));
+            poses_.push_back(body.pose);
+        }
+        world_.update();
+    }
+
+    struct Answer {
+        std::size_t a = 0, b = 0;
+        FirstContact contact;
+        friend bool operator==(const Answer&, const Answer&) = default;
+    };
+    using Answers = std::vector<Answer>;
+
+    std::size_t frame_count() const { return scene_.frames.size(); }
+    std::size_t count() const { return ids_.size(); }
+
+    // Of the first contact of each of some bodies: by the world, and by two-body questions.
+    Answers casts(std::span<const Vec3> motions) {
+        Answers answers;
+        for (std::size_t i = 0; i < motions.size(); ++i) {
+            const auto met = world_.cast(ids_[i], motions[i], memory_);
+            if (met) answers.push_back({i, index_of(met->body), met->contact});
+        }
+        return answers;
+    }
+    Answers casts_by_pairs(std::span<const Vec3> motions) {
+        Answers answers;
+        for (std::size_t i = 0; i < motions.size(); ++i) {
+            std::optional<Answer> first;
+            for (const BodyId id : world_.overlapping_bodies(swept(world_.box(ids_[i]), motions[i]))) {
+                const std::size_t other = index_of(id);
+                if (other == i) continue;
+                const auto contact = cast({shape_, poses_[i]}, motions[i], {shape_, poses_[other]}, memory_);
+                if (contact && (!first || contact->time < first->contact.time)) first = {i, other, *contact};
+            }
+            if (first) answers.push_back(*first);
+        }
+        return answers;
+    }
+
+    // Of all pairs that meet on the way to the poses of a frame.
+    Answers meetings(std::size_t frame) {
+        Answers answers;
+        const std::vector<Pose> to = poses_at(frame);
+        for (const Meeting& meeting : world_.meetings(ids_, to, memory_))
+            answers.push_back({index_of(meeting.bodies.a), index_of(meeting.bodies.b), meeting.contact});
+        return answers;
+    }
+    Answers meetings_by_pairs(std::size_t frame) {
+        const std::vector<Pose> to = poses_at(frame);
+        const std::unique_ptr<BroadPhase> broad_phase = make_broad_phase(BroadPhaseKind::automatic);
+        for (std::size_t i = 0; i < ids_.size(); ++i)
+            broad_phase->add(static_cast<ProxyIndex>(i),
+                             swept(merge(shape_.box(poses_[i]), shape_.box(to[i])), {0, 0, 0}));
+        broad_phase->update();
+        Answers answers;
+        for (const ProxyPair& pair : broad_phase->pairs()) {
+            const auto contact = cast(Moving<MeshShape>(shape_, poses_[pair.a], to[pair.a]),
+                                      Moving<MeshShape>(shape_, poses_[pair.b], to[pair.b]), memory_);
+            if (contact) answers.push_back({pair.a, pair.b, *contact});
+        }
+        std::ranges::sort(answers, {},
+                          [](const Answer& answer) { return std::tuple(answer.contact.time, answer.a, answer.b); });
+        return answers;
+    }
+
+    // Brings the world to the poses of a frame; what that takes is what collisions there cost.
+    void go_to(std::size_t frame) {
+        poses_ = poses_at(frame);
+        world_.set_poses(ids_, poses_);
+        world_.update();
+    }
+
+  private:
+    std::vector<Pose> poses_at(std::size_t frame) const {
+        std::vector<Pose> poses = poses_;
+        for (const scenes::Move& move : scene_.frames[frame].moves) poses[move.body_index] = move.pose;
+        return poses;
+    }
+    std::size_t index_of(BodyId id) const {  // ids are given in ascending order
+        return static_cast<std::size_t>(std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin());
+    }
+
+    scenes::Scene scene_;
+    MeshShape shape_;
+    World world_;
+    std::vector<BodyId> ids_;
+    std::vector<Pose> poses_;
+    QueryMemory memory_;
+};
+
+template <class Ask>
+double us_of(const Ask& ask) {
+    const Stopwatch watch;
+    ask();
+    return watch.nanoseconds() / 1000;
+}
+
+Table cast_table(Ships& ships, std::size_t repetition_count, bool& is_right) {
+    Table table;
+    table.title = fmt::format("A world of {} ships: one is translated, which does it meet first?", ships.count());
+    table.header = {"motion in ships", "us/cast", "by pairs", "times as fast", "meet"};
+    table.notes = {
+        "By pairs: the bodies whose boxes meet the box of the way, each asked by cast() of two bodies. Both answer the "
+        "same bits, or the run fails. Motions in random directions, of the first thousand ships; medians."};
+    for (const double ship_lengths : {0.05, 1.0, 10.0}) {
+        scenes::Random random(31);
+        std::vector<Vec3> motions;
+        while (motions.size() < std::min<std::size_t>(ships.count(), 1000))
+            motions.push_back(2 * ship_lengths * random.direction());
+        std::vector<double> us, us_by_pairs;
+        Ships::Answers answers, by_pairs;
+        for (std::size_t repetition = 0; repetition <= repetition_count; ++repetition) {
+            const double own = us_of([&] { answers = ships.casts(motions); });
+            const double other = us_of([&] { by_pairs = ships.casts_by_pairs(motions); });
+            is_right &= answers == by_pairs;
+            if (repetition == 0) continue;
+            us.push_back(own / static_cast<double>(motions.size()));
+            us_by_pairs.push_back(other / static_cast<double>(motions.size()));
+        }
+        table.rows.push_back({fmt::format("{}", ship_lengths), fmt::format("{:.2f}", median(us)),
+                              fmt::format("{:.2f}", median(us_by_pairs)),
+                              fmt::format("{:.2f}", times_as_fast(us, us_by_pairs)),
+                              fmt::format("{} of {}", answers.size(), motions.size())});
+    }
+    return table;
+}
+
+Table meeting_table(Ships& ships, bool& is_right) {
+    Table table;
+    table.title = fmt::format("A world of {} ships: which meet on the way to the next frame?", ships.count());
+    table.header = {"frames", "ms/frame", "by pairs", "times as fast", "update", "of an update", "meetings a frame"};
+    table.notes = {
+        "By pairs: a broad phase of the boxes of all ways, and cast() of two moving bodies for each pair of boxes that "
+        "overlap. Both answer the same bits, or the run fails. Update: set_poses() and update(), which finds those "
+        "that "
+        "collide at the end. Medians over the frames."};
+    std::vector<double> us, us_by_pairs, us_of_update;
+    std::size_t meeting_count = 0;
+    for (std::size_t frame = 0; frame < ships.frame_count(); ++frame) {
+        Ships::Answers answers, by_pairs;
+        us.push_back(us_of([&] { answers = ships.meetings(frame); }));
+        us_by_pairs.push_back(us_of([&] { by_pairs = ships.meetings_by_pairs(frame); }));
+        us_of_update.push_back(us_of([&] { ships.go_to(frame); }));
+        is_right &= answers == by_pairs;
+        meeting_count += answers.size();
+    }
+    table.rows.push_back(
+        {fmt::format("{}", ships.frame_count()), fmt::format("{:.2f}", median(us) / 1000),
+         fmt::format("{:.2f}", median(us_by_pairs) / 1000), fmt::format("{:.2f}", times_as_fast(us, us_by_pairs)),
+         fmt::format("{:.2f}", median(us_of_update) / 1000), fmt::format("{:.2f}", times_as_fast(us_of_update, us)),
+         fmt::format("{:.1f}", static_cast<double>(meeting_count) / static_cast<double>(ships.frame_count()))});
+    return table;
+}
+
+}  // namespace
+
+SuiteResult run_world_casts(const SuiteOptions& options) {
+    SuiteResult result;
+    Ships ships(options.is_quick() ? 100 : 10000, options.is_quick() ? 2 : 10);
+    const Table casts = cast_table(ships, options.repetition_count, result.is_right);
+    print(casts);
+    const Table meetings = meeting_table(ships, result.is_right);
+    print(meetings);
+    result.sections.push_back({"Casts and moves in a world", {}, {casts, meetings}, {}});
+    return result;
+}
+
+}  // namespace ecods::bench
