@@ -15,6 +15,7 @@ namespace {
 using hard::coin;
 using hard::full;
 using hard::integer;
+using hard::make_singular;
 using hard::random_pose;
 using hard::rotation;
 
@@ -159,21 +160,7 @@ DistanceCase far(Random& random) {
 DistanceCase singular(Random& random) {
     DistanceCase made = apart(random);
     for (Pose* pose : {&made.pose_a, &made.pose_b}) {
-        const int column = integer(random, 0, 2);
-        switch (random.below(4)) {
-            case 0:
-                pose->R.col(column).setZero();
-                break;
-            case 1:
-                pose->R.col(column) = pose->R.col((column + 1) % 3);
-                break;
-            case 2:
-                pose->R = pose->R.col(column) * Vec3(1, 2, 3).transpose();
-                break;
-            default:
-                if (random.below(4) == 0) pose->R.setZero();
-                break;
-        }
+        if (!make_singular(*pose, random) && random.below(4) == 0) pose->R.setZero();
     }
     return made;
 }

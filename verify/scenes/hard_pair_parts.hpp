@@ -40,6 +40,24 @@ inline Pose random_pose(Random& random) {
     return pose;
 }
 
+// Takes the inverse away from the matrix, in one of three ways; in one case of four leaves it and returns false.
+inline bool make_singular(Pose& pose, Random& random) {
+    const int column = integer(random, 0, 2);
+    switch (random.below(4)) {
+        case 0:
+            pose.R.col(column).setZero();
+            return true;
+        case 1:
+            pose.R.col(column) = pose.R.col((column + 1) % 3);
+            return true;
+        case 2:
+            pose.R = pose.R.col(column) * Vec3(1, 2, 3).transpose();
+            return true;
+        default:
+            return false;
+    }
+}
+
 inline Int3 cross(const Int3& a, const Int3& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

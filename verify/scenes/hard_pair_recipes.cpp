@@ -161,20 +161,7 @@ PosedPair scaled(Random& random, int exponent_min, int exponent_max) {
 PosedPair singular(Random& random) {
     PosedPair pair = lattice(random);
     for (Pose* pose : {&pair.pose_a, &pair.pose_b}) {
-        const int column = integer(random, 0, 2);
-        switch (random.below(4)) {
-            case 0:
-                pose->R.col(column).setZero();
-                break;
-            case 1:
-                pose->R.col(column) = pose->R.col((column + 1) % 3);
-                break;
-            case 2:
-                pose->R = pose->R.col(column) * Vec3(1, 2, 3).transpose();
-                break;
-            default:
-                break;
-        }
+        make_singular(*pose, random);
         if (coin(random)) pair.pose_b = pair.pose_a;
     }
     return pair;

@@ -7,16 +7,15 @@
 #include <algorithm>
 #include <cfenv>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <string>
 
 #include "bvh/nearest_queue.hpp"
 #include "bvh/triangle_bounds.hpp"
 #include "bvh/walk_two.hpp"
-#include "environment/instruction_sets.hpp"
 #include "oracle/distance.hpp"
 #include "scenes/distance_cases.hpp"
+#include "unit/bvh/mask_of_all.hpp"
 
 namespace ecods {
 namespace {
@@ -46,33 +45,13 @@ struct Pair {
     void bind() { axes.bind({a.tree, a.pose.R}, {b.tree, b.pose.R}, b.pose.t - a.pose.t); }
 };
 
-// near_mask(), once it and what it bounds are the same for every instruction set.
+// near_mask() of every instruction set.
 template <class X, class Y>
-std::uint64_t mask_of_all(const Pair& pair, float limit, const X& x, const Y& y, LaneSquares& squares) {
-    alignas(32) LaneSquares others;
-    const std::uint64_t mask = near_mask(pair.axes.sets(), pair.direction, limit, x, y, squares);
-    for (const InstructionSet set : environment::supported_instruction_sets()) {
-        const environment::InstructionSetLimit limited(set);
-        EXPECT_EQ(near_mask(pair.axes.sets(), pair.direction, limit, x, y, others), mask) << environment::name(set);
-        for (LanePairs lanes(mask); lanes.more(); lanes.next()) {
-            const std::size_t at = tree_width * lanes.i() + lanes.j();
-            EXPECT_EQ(std::memcmp(&others[at], &squares[at], sizeof(float)), 0) << environment::name(set);
-        }
-    }
-    return mask;
+std::uint64_t near_mask_of(const Pair& pair, float limit, const X& x, const Y& y, LaneSquares& squares) {
+    return mask_of_all(squares, [&](LaneSquares& numbers) {
+        return near_mask(pair.axes.sets(), pair.direction, limit, x, y, numbers);
+    });
 }
-
-struct MaskBound {
-    const Pair& pair;
-    float limit;
-    LaneSquares& squares;
-
-    template <class X, class Y>
-    std::uint64_t operator()(const X& x, const Y& y) {
-        return mask_of_all(pair, limit, x, y, squares);
-    }
-    void order(const BvhNode&, const BvhNode&, LanePairs, std::span<NodePair>) {}
-};
 
 // Whether the trees let triangles i and j through to the leaves, from the roots down, where nothing beyond the limit
 // matters.
@@ -80,7 +59,8 @@ bool let_through(const Pair& pair, float limit, std::uint32_t i, std::uint32_t j
     std::vector<NodePair> stack;
     bool found = false;
     alignas(32) LaneSquares squares;
-    walk_two(pair.a.tree, pair.b.tree, stack, MaskBound{pair, limit, squares}, [&](std::uint32_t p, std::uint32_t q) {
+    const auto mask = [&](const auto& x, const auto& y) { return near_mask_of(pair, limit, x, y, squares); };
+    walk_two(pair.a.tree, pair.b.tree, stack, MaskBound{mask}, [&](std::uint32_t p, std::uint32_t q) {
         found = found || (p == i && q == j);
         return !found;
     });
@@ -94,7 +74,7 @@ struct Tally {
 
 void check_leaves(const Pair& pair, const TreeLeaf& x, const TreeLeaf& y, Tally& tally) {
     alignas(32) LaneSquares squares;
-    const std::uint64_t mask = mask_of_all(pair, infinity, x, y, squares);
+    const std::uint64_t mask = near_mask_of(pair, infinity, x, y, squares);
     LeavesOnAxes leaves;
     put_on_axes(pair.axes.sets()[0], x, y, leaves);
     for (std::size_t i = 0; i < x.count; ++i) {

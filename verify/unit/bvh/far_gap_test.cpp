@@ -5,14 +5,13 @@
 
 #include <cfenv>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "bvh/walk_two.hpp"
-#include "environment/instruction_sets.hpp"
 #include "oracle/distance.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
+#include "unit/bvh/mask_of_all.hpp"
 
 namespace ecods {
 namespace {
@@ -42,40 +41,15 @@ struct Pair {
     }
 };
 
-// far_mask(), once it is the same for every instruction set.
-template <class X, class Y>
-std::uint64_t mask_of_all(const FarGap& gap, float limit, const X& x, const Y& y, LaneSquares& ranks) {
-    alignas(32) LaneSquares others;
-    const std::uint64_t mask = far_mask(gap, limit, x, y, ranks);
-    for (const InstructionSet set : environment::supported_instruction_sets()) {
-        const environment::InstructionSetLimit limited(set);
-        EXPECT_EQ(far_mask(gap, limit, x, y, others), mask) << environment::name(set);
-        for (LanePairs lanes(mask); lanes.more(); lanes.next()) {
-            const std::size_t at = tree_width * lanes.i() + lanes.j();
-            EXPECT_EQ(std::memcmp(&others[at], &ranks[at], sizeof(float)), 0) << environment::name(set);
-        }
-    }
-    return mask;
-}
-
-struct MaskBound {
-    const FarGap& gap;
-    float limit;
-    LaneSquares& ranks;
-
-    template <class X, class Y>
-    std::uint64_t operator()(const X& x, const Y& y) {
-        return mask_of_all(gap, limit, x, y, ranks);
-    }
-    void order(const BvhNode&, const BvhNode&, LanePairs, std::span<NodePair>) {}
-};
-
 // Whether the trees let the triangles through to the leaves, where nothing above the limit matters.
 bool let_through(const Pair& pair, float limit, const TrianglePair& triangles) {
     std::vector<NodePair> stack;
     bool found = false;
     alignas(32) LaneSquares ranks;
-    walk_two(pair.a.tree, pair.b.tree, stack, MaskBound{pair.gap, limit, ranks}, [&](std::uint32_t p, std::uint32_t q) {
+    const auto mask = [&](const auto& x, const auto& y) {
+        return mask_of_all(ranks, [&](LaneSquares& numbers) { return far_mask(pair.gap, limit, x, y, numbers); });
+    };
+    walk_two(pair.a.tree, pair.b.tree, stack, MaskBound{mask}, [&](std::uint32_t p, std::uint32_t q) {
         found = found || (p == triangles.a && q == triangles.b);
         return !found;
     });
