@@ -1,8 +1,9 @@
 #include "world/mesh_mesh_test.hpp"
 
-#include "ecods/cast.hpp"
 #include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
+#include "query/cast/cast_moving.hpp"
+#include "query/cast/cast_until.hpp"
 #include "query/intersection/mesh_intersection_test.hpp"
 
 namespace ecods {
@@ -36,17 +37,16 @@ class MeshMeshTest final : public MeshIntersectionTest {
     }
     std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b, double time_max,
                                      QueryMemory& memory) const override {
-        return up_to(time_max, ecods::cast(mesh_of(a), motion, mesh_of(b), memory));
+        PairWitness witness;
+        return cast_until(mesh_of(a), motion, mesh_of(b), time_max, memory, witness);
     }
     std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double time_max,
                                             QueryMemory& memory) const override {
-        return up_to(time_max, ecods::cast(mesh_of(a), mesh_of(b), memory));
+        PairWitness witness;
+        return cast_until(mesh_of(a), mesh_of(b), time_max, memory, witness);
     }
 
   private:
-    static std::optional<FirstContact> up_to(double time_max, const std::optional<FirstContact>& contact) {
-        return contact && contact->time <= time_max ? contact : std::nullopt;
-    }
     static Moving<MeshShape> mesh_of(const Moving<Shape>& moving) {
         return {static_cast<const MeshShape&>(*moving.what), moving.from, moving.to};
     }

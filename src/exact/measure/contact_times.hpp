@@ -38,6 +38,7 @@
 #include "exact/measure/feature_pair.hpp"
 #include "exact/measure/limb_vectors.hpp"
 #include "exact/measure/squared_distance.hpp"
+#include "exact/number/dyadic.hpp"
 #include "exact/number/limbs.hpp"
 
 namespace ecods::exact {
@@ -70,6 +71,17 @@ bool is_above_one(const ContactTime<L>& a) noexcept {
     return a.sign > 0 && compare_magnitudes<L>(a.num, a.den) > 0;
 }
 
+// The sign of the time less d. Neither is negative, and d is finite.
+template <int L>
+int compare(const ContactTime<L>& a, double d) noexcept {
+    const Dyadic x = decode(d);
+    if (a.sign == 0 || x.m == 0) return a.sign - static_cast<int>(x.m != 0);
+    const std::array<std::uint64_t, 1> digits{magnitude(x.m)};
+    Natural<L + 1> other;
+    other.assign_product(without_leading_zeros(a.den), digits);
+    return compare_shifted(without_leading_zeros(a.num), -x.e, other.limbs());
+}
+
 // Rounded once; a positive time is at least 2^-1074. Not for negative ones.
 template <int L>
 double round(const ContactTime<L>& a) noexcept {
@@ -78,15 +90,21 @@ double round(const ContactTime<L>& a) noexcept {
     return std::bit_cast<double>(std::max<std::uint64_t>(std::bit_cast<std::uint64_t>(t), 1));
 }
 
+// The corners of the first triangle, which moves, then those of the second; and m, which is not zero.
+template <int L>
+struct TranslatedPair {
+    std::array<std::array<Limbs<L>, 3>, 6> points;
+    LimbVector<L> m;
+};
+
 template <int L>
 class ContactTimes {
   public:
     using Vector = LimbVector<L>;
-    using Point = std::array<Limbs<L>, 3>;
     using Time = ContactTime<3 * L>;
 
-    // The corners of the first triangle, which moves, then those of the second. m is not zero.
-    ContactTimes(const std::array<Point, 6>& points, const Vector& m) noexcept : features_(points), m_(m) {
+    explicit ContactTimes(const TranslatedPair<L>& pair) noexcept : features_(pair.points), m_(pair.m) {
+        const auto& points = pair.points;
         for (std::size_t side = 0; side < 2; ++side) {
             for (std::size_t i = 0; i < 3; ++i) {
                 const LimbVector<2 * L> c = cross<L>(m_, features_.from(side, i, 1));
@@ -130,6 +148,15 @@ class ContactTimes {
         return {};
     }
 
+    // The time of a vertex and a face, or of two edges, of which it is known that they have one.
+    static Time time_of(const FeaturePair& f, const TranslatedPair<L>& pair) noexcept {
+        const ExactFeatures<L> features(pair.points);
+        Time time;
+        [[maybe_unused]] const bool is_set = set_height(features, pair.m, f, time);
+        ECODS_ASSERT(is_set);
+        return time;
+    }
+
     // Whether the features share a point at some time, being no such features as share one for a while: `inside` both,
     // or on the border of one; `none` otherwise. Sets the time where they do.
     Standing meeting(const FeaturePair& f, Time& time) const noexcept {
@@ -167,13 +194,15 @@ class ContactTimes {
     }
 
     // n.w / n.m. Sets nothing if the denominator is zero.
-    bool set_height(const FeaturePair& f, Time& time) const noexcept {
-        const LimbVector<2 * L> n = features_.normal(f);
-        const Magnitude<3 * L> den = dot<2 * L, L>(n, m_);
+    static bool set_height(const ExactFeatures<L>& features, const Vector& m, const FeaturePair& f,
+                           Time& time) noexcept {
+        const LimbVector<2 * L> n = features.normal(f);
+        const Magnitude<3 * L> den = dot<2 * L, L>(n, m);
         if (is_zero<3 * L>(den.limbs)) return false;
-        set(dot<2 * L, L>(n, features_.between(f)), den, time);
+        set(dot<2 * L, L>(n, features.between(f)), den, time);
         return true;
     }
+    bool set_height(const FeaturePair& f, Time& time) const noexcept { return set_height(features_, m_, f, time); }
 
     // The corner, seen along m, is in the triangle if it is on one side of all edges: the sum of the three
     // determinants is n.m.

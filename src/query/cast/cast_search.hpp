@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "base/double_key.hpp"
@@ -21,7 +22,6 @@ namespace ecods {
 struct OpenContact {
     ContactInterval interval;
     TrianglePair triangles;
-    double time = -1;  // rounded, if it is not negative
 };
 
 // What a search works in, kept from one to the next.
@@ -38,7 +38,9 @@ struct CastMemory {
 //                                              finite and not negative
 //     ContactInterval enclose(i, j)            of two triangles
 //     std::optional<double> time(i, j)         of two triangles, exact, rounded once; nothing if there is no contact
-//     std::optional<FirstContact> contact(i, j)    the same, with the first features; only asked of times above 0
+//     std::optional<FirstContact> contact(i, j, interval)    the same, with the first features, from what enclose()
+//                                              says; only asked of times above 0
+//     bool meet_by(i, j, double latest)        whether the real time of two triangles is at most `latest`
 template <class Motion>
 class CastSearch {
   public:
@@ -59,7 +61,7 @@ class CastSearch {
     CastSearch(const CastSearch&) = delete;
     CastSearch& operator=(const CastSearch&) = delete;
 
-    // The first contact, if its rounded time is at most `latest`, which is from 0 to 1. Tries the witness's triangles
+    // The first contact, if its real time is at most `latest`, which is from 0 to 1. Tries the witness's triangles
     // first, and leaves those that decided, or none.
     std::optional<FirstContact> find(double latest, PairWitness& witness);
 
@@ -74,7 +76,9 @@ class CastSearch {
     void set_upper(double upper);
     bool is_met(const TrianglePair& triangles);
     FirstContact least_at_start();
+    void drop_open();
     std::optional<FirstContact> least_of_open();
+    bool is_by(const FirstContact& least, double latest);
     void leave_relations() noexcept;
 
     Motion& motion_;
@@ -101,6 +105,7 @@ std::optional<FirstContact> CastSearch<Motion>::find(double latest, PairWitness&
         result = least_at_start();
     } else {
         result = least_of_open();
+        if (result && !is_by(*result, latest)) result.reset();
     }
     witness = result ? PairWitness{result->a.triangle, result->b.triangle} : PairWitness{};
     return result;
@@ -159,7 +164,7 @@ void CastSearch<Motion>::enclose(const TrianglePair& triangles) {
         ++counts_.casts.exact;
         const std::optional<double> time = motion_.time(triangles.a, triangles.b);
         if (!time) return;
-        open.time = open.interval.lower = open.interval.upper = *time;
+        open.interval.lower = open.interval.upper = *time;
         if (key_of(*time) > key_of(upper_)) return;
     }
     set_upper(open.interval.upper);
@@ -184,16 +189,34 @@ FirstContact CastSearch<Motion>::least_at_start() {
     return result;
 }
 
+// Leaves out what is later than another pair, and all but the first by rank() of those that share their features:
+// around a vertex, and on both sides of an edge.
+template <class Motion>
+void CastSearch<Motion>::drop_open() {
+    auto& open = working_.open;
+    std::erase_if(open, [&](const OpenContact& o) { return key_of(o.interval.lower) > key_of(upper_); });
+    const auto others = std::partition(open.begin(), open.end(), [](const auto& o) { return o.interval.is_certain; });
+    const auto features = [](const OpenContact& o) { return std::tie(o.interval.a, o.interval.b); };
+    std::sort(open.begin(), others, [&](const OpenContact& x, const OpenContact& y) {
+        if (features(x) != features(y)) return features(x) < features(y);
+        return rank(x.interval.contact) < rank(y.interval.contact);
+    });
+    const auto last =
+        std::unique(open.begin(), others, [&](const auto& x, const auto& y) { return features(x) == features(y); });
+    open.erase(last, others);
+}
+
 // Of all open pairs whose time rounds to the least. Rounding is monotone: it takes no number below or above one that is
 // a double.
 template <class Motion>
 std::optional<FirstContact> CastSearch<Motion>::least_of_open() {
+    drop_open();
     std::optional<FirstContact> least;
     for (const OpenContact& open : working_.open) {
         const auto [i, j] = open.triangles;
         if (key_of(open.interval.lower) > key_of(upper_)) continue;
         ++counts_.casts.exact;
-        const std::optional<FirstContact> contact = motion_.contact(i, j);
+        const std::optional<FirstContact> contact = motion_.contact(i, j, open.interval);
         if (!contact || key_of(contact->time) > key_of(upper_)) continue;
         const std::int64_t time = key_of(contact->time);
         const bool is_earlier = !least || time < key_of(least->time);
@@ -201,6 +224,18 @@ std::optional<FirstContact> CastSearch<Motion>::least_of_open() {
         if (is_earlier) upper_ = contact->time;
     }
     return least;
+}
+
+// Whether some pair has its contact by then. What rounds to less is less; what rounds to `latest` may be above it, of
+// one pair that has the least rounded time and not of another. No motion goes on beyond 1.
+template <class Motion>
+bool CastSearch<Motion>::is_by(const FirstContact& least, double latest) {
+    if (key_of(least.time) < key_of(latest) || key_of(latest) >= key_of(1.0)) return true;
+    return std::ranges::any_of(working_.open, [&](const OpenContact& open) {
+        if (key_of(open.interval.lower) > key_of(latest)) return false;
+        ++counts_.casts.exact;
+        return motion_.meet_by(open.triangles.a, open.triangles.b, latest);
+    });
 }
 
 template <class Motion>

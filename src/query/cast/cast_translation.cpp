@@ -26,7 +26,10 @@ class Translation {
     }
     ContactInterval enclose(std::uint32_t i, std::uint32_t j) { return contacts_.enclose(i, j); }
     std::optional<double> time(std::uint32_t i, std::uint32_t j) { return contacts_.time(i, j); }
-    std::optional<FirstContact> contact(std::uint32_t i, std::uint32_t j) { return contacts_.contact(i, j); }
+    std::optional<FirstContact> contact(std::uint32_t i, std::uint32_t j, const ContactInterval& known) {
+        return contacts_.contact(i, j, known);
+    }
+    bool meet_by(std::uint32_t i, std::uint32_t j, double latest) { return contacts_.meet_by(i, j, latest); }
 
   private:
     SweptAxes axes_;

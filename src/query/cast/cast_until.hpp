@@ -7,8 +7,8 @@
 
 namespace ecods {
 
-// The first contact if its rounded time is at most `latest`, which is from 0 to 1; nothing otherwise. Throws
-// InvalidMotion.
+// The first contact if its real time is at most `latest`, which is from 0 to 1; nothing otherwise. What is given is the
+// answer of cast(), whose rounded time is at most `latest` then, too. Throws InvalidMotion.
 std::optional<FirstContact> cast_until(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
                                        double latest, QueryMemory& memory, PairWitness& witness);
 

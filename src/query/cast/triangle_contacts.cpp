@@ -40,6 +40,15 @@ FirstContact named(const FeaturePair& f, std::uint32_t i, std::uint32_t j) noexc
     return contact;
 }
 
+// Of a vertex and a face, or of two edges.
+FeaturePair features_of(const FirstContact& contact) noexcept {
+    const bool is_of_face = contact.kind == ClosestKind::vertex_face;
+    const auto byte = [](auto x) { return static_cast<std::uint8_t>(x); };
+    return {is_of_face ? FeatureKind::vertex_face : FeatureKind::edge_edge,
+            byte(contact.b.kind == Feature::Kind::vertex), byte(contact.a.corner), byte(contact.b.corner)};
+}
+
+// What a feature is to all triangles that have it.
 ContactFeature shared(const Feature& feature, const Triangle& triangle) noexcept {
     const std::uint32_t corner = triangle[feature.corner], next = triangle[(feature.corner + 1) % 3];
     switch (feature.kind) {
@@ -98,18 +107,16 @@ ContactInterval TriangleContacts::enclose(std::uint32_t i, std::uint32_t j) {
     return interval;
 }
 
-// Calls use(times) with the ContactTimes of two triangles, in the narrowest kernel that holds their points and the
+// Calls use(pair) with the TranslatedPair of two triangles, in the narrowest kernel that holds their points and the
 // motion. This is the difference of two more points: of a body that has the pose of the first one's translation alone.
 template <class Use>
-auto TriangleContacts::with_times(std::uint32_t i, std::uint32_t j, Use&& use) {
+auto TriangleContacts::with_integers(std::uint32_t i, std::uint32_t j, Use&& use) {
     const auto in_kernel = [&]<class Kernel>(const IntegerPoints<Kernel, 8>& points) {
         constexpr int L = limbs_of<Kernel>;
-        using Point = std::array<Limbs<L>, 3>;
         const auto at = [&](std::size_t k) {
-            return Point{to_limbs(points.at[k][0]), to_limbs(points.at[k][1]), to_limbs(points.at[k][2])};
+            return std::array{to_limbs(points.at[k][0]), to_limbs(points.at[k][1]), to_limbs(points.at[k][2])};
         };
-        const std::array<Point, 6> corners{at(0), at(1), at(2), at(3), at(4), at(5)};
-        return use(ContactTimes<L>(corners, difference<L>(at(7), at(6))));
+        return use(TranslatedPair<L>{{at(0), at(1), at(2), at(3), at(4), at(5)}, difference<L>(at(7), at(6))});
     };
     if (is_exact_) {
         const IntegerPair pair = integers(i, j);
@@ -130,19 +137,25 @@ auto TriangleContacts::with_times(std::uint32_t i, std::uint32_t j, Use&& use) {
     }
     posed[6] = {&translated, &origin};
     posed[7] = {&translated, &motion_};
-    return with_integers(posed, in_kernel);
+    return exact::with_integers(posed, in_kernel);
 }
 
 std::optional<double> TriangleContacts::time(std::uint32_t i, std::uint32_t j) {
-    return with_times(i, j, [](const auto& times) -> std::optional<double> {
-        const auto first = times.first();
+    return with_integers(i, j, []<int L>(const TranslatedPair<L>& pair) -> std::optional<double> {
+        const auto first = ContactTimes<L>(pair).first();
         if (!first) return std::nullopt;
         return round(*first);
     });
 }
 
-std::optional<FirstContact> TriangleContacts::contact(std::uint32_t i, std::uint32_t j) {
-    return with_times(i, j, [&](const auto& times) -> std::optional<FirstContact> {
+std::optional<FirstContact> TriangleContacts::contact(std::uint32_t i, std::uint32_t j, const ContactInterval& known) {
+    return with_integers(i, j, [&]<int L>(const TranslatedPair<L>& pair) -> std::optional<FirstContact> {
+        if (known.is_certain) {
+            FirstContact result = known.contact;
+            result.time = round(ContactTimes<L>::time_of(features_of(known.contact), pair));
+            return result;
+        }
+        const ContactTimes<L> times(pair);
         const auto first = times.first();
         if (!first) return std::nullopt;
         FirstContact result;
@@ -151,6 +164,13 @@ std::optional<FirstContact> TriangleContacts::contact(std::uint32_t i, std::uint
         if (first->sign > 0) result = named(times.first_features(*first), i, j);
         result.time = round(*first);
         return result;
+    });
+}
+
+bool TriangleContacts::meet_by(std::uint32_t i, std::uint32_t j, double latest) {
+    return with_integers(i, j, [&]<int L>(const TranslatedPair<L>& pair) {
+        const auto first = ContactTimes<L>(pair).first();
+        return first && compare(*first, latest) <= 0;
     });
 }
 

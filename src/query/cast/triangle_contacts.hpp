@@ -26,12 +26,15 @@ class TriangleContacts {
     // The first time from 0 to 1 at which they share a point, rounded once.
     std::optional<double> time(std::uint32_t i, std::uint32_t j);
 
-    // The same, with the first features by the rule of FirstContact.
-    std::optional<FirstContact> contact(std::uint32_t i, std::uint32_t j);
+    // The same, with the first features by the rule of FirstContact. `known` is what enclose() says of the pair.
+    std::optional<FirstContact> contact(std::uint32_t i, std::uint32_t j, const ContactInterval& known);
+
+    // Whether they share a point from time 0 to `latest`.
+    bool meet_by(std::uint32_t i, std::uint32_t j, double latest);
 
   private:
     template <class Use>
-    auto with_times(std::uint32_t i, std::uint32_t j, Use&& use);
+    auto with_integers(std::uint32_t i, std::uint32_t j, Use&& use);
     exact::IntegerPair integers(std::uint32_t i, std::uint32_t j);
 
     exact::FixedPoints points_;

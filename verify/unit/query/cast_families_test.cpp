@@ -110,7 +110,9 @@ TEST(CastFamilies, TimesOfShorterMotions) {
         EXPECT_EQ(doubled->a, whole->a);
         EXPECT_EQ(doubled->b, whole->b);
         ASSERT_EQ(half.has_value(), whole->time <= 0.5);
-        if (half) EXPECT_EQ(half->time, 2 * whole->time);
+        if (half) {
+            EXPECT_EQ(half->time, 2 * whole->time);
+        }
     }
     EXPECT_GT(contacts, 100);
 }
