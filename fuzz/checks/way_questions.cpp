@@ -59,11 +59,6 @@ std::string text_of(const std::vector<BodyHit>& hits) {
     return result + "]";
 }
 
-template <class Item>
-std::string text_of(const std::optional<Item>& item) {
-    return item ? text_of(std::vector<Item>{*item}) : "none";
-}
-
 std::string text_of(const std::vector<BodyContact>& met) {
     std::string result = fmt::format("{} [", met.size());
     for (const BodyContact& each : met) {
@@ -71,6 +66,11 @@ std::string text_of(const std::vector<BodyContact>& met) {
                               each.contact.b.triangle);
     }
     return result + "]";
+}
+
+template <class Item>
+std::string text_of(const std::optional<Item>& item) {
+    return item ? text_of(std::vector<Item>{*item}) : "none";
 }
 
 std::string text_of(const std::vector<Meeting>& meetings) {
