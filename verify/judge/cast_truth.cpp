@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <sstream>
+#include <utility>
 
 #include "oracle/float_environment.hpp"
 
@@ -24,6 +25,13 @@ Feature to_feature(const oracle::NamedFeature& feature) {
 std::string text(const Feature& feature) {
     constexpr const char* names[] = {"vertex", "edge", "face"};
     return fmt::format("{} {}.{}", names[static_cast<std::size_t>(feature.kind)], feature.triangle, feature.corner);
+}
+
+std::optional<oracle::ExactContact> swapped(std::optional<oracle::ExactContact> contact) {
+    if (!contact) return contact;
+    std::swap(contact->a, contact->b_first);
+    std::swap(contact->b, contact->a_second);
+    return contact;
 }
 
 // The double that this fraction is, if it is one.
@@ -86,7 +94,7 @@ CastTruth::CastTruth(const Posed<MeshShape>& a, const Vec3& motion, const Posed<
     const oracle::Soup of_a = soup(*a.what, a.pose), of_b = soup(*b.what, b.pose);
     exact_ = oracle::first_contact(of_a, motion, of_b);
     add("cast", a, motion, b, exact_);
-    const auto mirrored = oracle::first_contact(of_b, -motion, of_a);
+    const auto mirrored = swapped(exact_);
     add("cast, swapped", b, -motion, a, mirrored);
     const oracle::FloatEnvironment environment;
     const auto pose_at = [&](double s) { return moved(a.pose, motion, s); };
@@ -106,7 +114,7 @@ CastTruth::CastTruth(const Moving<MeshShape>& a, const Moving<MeshShape>& b, int
     const oracle::MovingSoup of_a{soup(*a.what, a.from), a.to}, of_b{soup(*b.what, b.from), b.to};
     exact_ = oracle::first_contact(of_a, of_b);
     add("cast", a, b, exact_);
-    add("cast, swapped", b, a, oracle::first_contact(of_b, of_a));
+    add("cast, swapped", b, a, swapped(exact_));
     const oracle::FloatEnvironment environment;
     const auto poses_at = [&](double s) -> std::optional<std::array<Pose, 2>> {
         const auto pose_a = pose_between(a.from, a.to, s), pose_b = pose_between(b.from, b.to, s);

@@ -3,7 +3,8 @@
 // Of a translation the first time is the least number of a linear program: weights of the corners of either triangle
 // that make one point of both. Where every point moves by itself, features meet at the common roots of polynomials of
 // the time, of degree 3 or less; each root from 0 to 1 is asked whether the features really share a point there. What
-// is left out: pairs of triangles of which the boxes of all their places, in integers, do not overlap.
+// is left out: pairs of triangles of which the boxes of all their places, in integers, do not overlap, and those whose
+// projections on some line are apart at the start and at the first time that is known so far.
 #pragma once
 
 #include <optional>
@@ -18,6 +19,7 @@ struct ExactContact {
     double rounded = 0;  // rounded once; features are of all pairs whose times round to it
     Closeness kind = Closeness::intersecting;
     NamedFeature a, b;
+    NamedFeature b_first, a_second;  // what is chosen when b is asked about with a
 };
 
 // Of a, which moves by time times `motion`, with b; nothing if there is none up to time 1.

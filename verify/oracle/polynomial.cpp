@@ -62,14 +62,14 @@ class Sturm {
             sequence_.push_back(primitive(-rest));
         }
     }
-    // How many roots are between two numbers that are none.
-    int count(const mpq_class& low, const mpq_class& high) const { return changes(low) - changes(high); }
+    // How many roots are between low / 2^bits and (low + 1) / 2^bits, which are none.
+    int count(const mpz_class& low, unsigned long bits) const { return changes(low, bits) - changes(low + 1, bits); }
 
   private:
-    int changes(const mpq_class& x) const {
+    int changes(const mpz_class& num, unsigned long bits) const {
         int last = 0, count = 0;
         for (const Polynomial& f : sequence_) {
-            const int sign = f.sign_at(x);
+            const int sign = f.sign_at(num, bits);
             count += sign * last < 0;
             if (sign != 0) last = sign;
         }
@@ -100,6 +100,12 @@ int Polynomial::sign_at(const mpq_class& x) const {
         sum = sum * x.get_num() + c_[i] * power;
         power *= x.get_den();
     }
+    return sgn(sum);
+}
+
+int Polynomial::sign_at(const mpz_class& num, unsigned long bits) const {
+    mpz_class sum = 0;
+    for (std::size_t i = c_.size(); i-- > 0;) sum = sum * num + (c_[i] << (bits * (c_.size() - 1 - i)));
     return sgn(sum);
 }
 
@@ -135,72 +141,100 @@ Polynomial gcd(const Polynomial& f, const Polynomial& g) {
 }
 
 void Root::halve() {
-    const mpq_class middle = (low_ + high_) / 2;
-    const int sign = polynomial_.sign_at(middle);
+    low_ *= 2;
+    ++bits_;
+    const int sign = polynomial_.sign_at(low_ + 1, bits_);
     if (sign == 0) {
-        low_ = high_ = middle;
-    } else {
-        (sign == polynomial_.sign_at(low_) ? low_ : high_) = middle;
+        number_ = mpq_class(low_ + 1, mpz_class(1) << bits_);
+        number_.canonicalize();
+        sign_at_low_ = 0;
+    } else if (sign == sign_at_low_) {
+        ++low_;
     }
+}
+
+mpq_class Root::end(int which) const {
+    mpq_class x(low_ + which, mpz_class(1) << bits_);
+    x.canonicalize();
+    return x;
+}
+
+bool Root::is_root_of(const Polynomial& common) const {
+    return !common.is_constant() && common.sign_at(low_, bits_) * common.sign_at(low_ + 1, bits_) < 0;
 }
 
 int Root::compare(const mpq_class& x) const {
-    if (is_exact()) return cmp(low_, x);
-    if (x <= low_) return 1;
-    if (x >= high_) return -1;
+    if (is_exact()) return cmp(number_, x);
+    if (x <= end(0)) return 1;
+    if (x >= end(1)) return -1;
     const int sign = polynomial_.sign_at(x);
-    return sign == 0 ? 0 : sign == polynomial_.sign_at(low_) ? 1 : -1;
+    return sign == 0 ? 0 : sign == sign_at_low_ ? 1 : -1;
 }
 
 int Root::compare(Root& other) {
-    if (other.is_exact()) return compare(other.low_);
-    if (is_exact()) return -other.compare(low_);
-    // A common root between the ends of both, which are roots of neither's divisor.
-    const mpq_class from = std::max(low_, other.low_), to = std::min(high_, other.high_);
-    if (from < to) {
-        const Polynomial common = gcd(polynomial_, other.polynomial_);
-        if (!common.is_constant() && common.sign_at(from) * common.sign_at(to) < 0) return 0;
+    if (other.is_exact()) return compare(other.number_);
+    if (is_exact()) return -other.compare(number_);
+    const auto is_open = [&] { return end(0) < other.end(1) && other.end(0) < end(1); };
+    // Most roots differ early; of one that both have the divisor of both has it, where both are.
+    bool may_be_equal = true;
+    for (int i = 0; is_open(); ++i) {
+        Root& wider = bits_ < other.bits_ ? *this : other;
+        if (may_be_equal && i >= 32 && bits_ == other.bits_) {
+            if (low_ == other.low_ && is_root_of(gcd(polynomial_, other.polynomial_))) return 0;
+            may_be_equal = false;
+        }
+        wider.halve();
+        if (is_exact()) return -other.compare(number_);
+        if (other.is_exact()) return compare(other.number_);
     }
-    while (low_ < other.high_ && other.low_ < high_) {
-        halve();
-        if (is_exact()) return -other.compare(low_);
-        other.halve();
-        if (other.is_exact()) return compare(other.low_);
+    return end(0) < other.end(0) ? -1 : 1;
+}
+
+// What is positive of g grows from 0 to 1, and so does what is negative: so they bound g between the ends.
+int Root::sign_around(const Polynomial& g) const {
+    mpz_class least = 0, most = 0;  // times 2^(bits * degree)
+    const mpz_class high = low_ + 1;
+    const std::vector<mpz_class>& c = g.coefficients();
+    for (const bool is_positive : {true, false}) {
+        mpz_class at_low = 0, at_high = 0;
+        for (std::size_t i = c.size(); i-- > 0;) {
+            at_low *= low_;
+            at_high *= high;
+            if ((sgn(c[i]) > 0) != is_positive) continue;
+            const mpz_class scaled = c[i] << (bits_ * (c.size() - 1 - i));
+            at_low += scaled;
+            at_high += scaled;
+        }
+        least += is_positive ? at_low : at_high;
+        most += is_positive ? at_high : at_low;
     }
-    return low_ < other.low_ ? -1 : 1;
+    return sgn(least) > 0 ? 1 : sgn(most) < 0 ? -1 : 0;
 }
 
 int Root::sign_of(const Polynomial& g) {
     if (g.is_constant()) return g.is_zero() ? 0 : sgn(g.coefficients()[0]);
-    if (is_exact()) return g.sign_at(low_);
-    const Polynomial common = gcd(polynomial_, g);
-    if (!common.is_constant() && common.sign_at(low_) * common.sign_at(high_) < 0) return 0;
-    // What is positive of g grows from 0 to 1, and so does what is negative: so they bound g between the ends.
-    const auto part = [&](const mpq_class& x, bool is_positive) {
-        mpq_class sum = 0;
-        for (std::size_t i = g.coefficients().size(); i-- > 0;) {
-            sum *= x;
-            if ((sgn(g.coefficients()[i]) > 0) == is_positive) sum += g.coefficients()[i];
-        }
-        return sum;
-    };
-    for (;;) {
-        if (is_exact()) return g.sign_at(low_);
-        if (part(low_, true) + part(high_, false) > 0) return 1;
-        if (part(high_, true) + part(low_, false) < 0) return -1;
-        for (int i = 0; i < 8 && !is_exact(); ++i) halve();
+    for (int round = 0;; ++round) {
+        if (is_exact()) return g.sign_at(number_);
+        if (const int sign = sign_around(g); sign != 0) return sign;
+        if (round == 2 && is_root_of(gcd(polynomial_, g))) return 0;
+        for (int i = 0; i < 20 && !is_exact(); ++i) halve();
     }
 }
 
 double Root::nearest() const {
     if (compare(mpq_class(0)) == 0) return 0;
-    // The last double that is not above the root.
-    std::uint64_t low = 0, high = std::bit_cast<std::uint64_t>(1.0) + 1;
+    Root narrow = *this;
+    for (int i = 0; i < 64 && !narrow.is_exact(); ++i) narrow.halve();
+    // The last double that is not above the root: from that below the lower end on, and before the one above the
+    // upper.
+    const auto bits_below = [](const mpq_class& x) { return std::bit_cast<std::uint64_t>(x.get_d()); };
+    std::uint64_t low = bits_below(narrow.low());
+    std::uint64_t high = bits_below(narrow.is_exact() ? narrow.number_ : narrow.end(1)) + 1;
     while (high - low > 1) {
         const std::uint64_t middle = low + (high - low) / 2;
-        (compare(double_of_bits(middle)) >= 0 ? low : high) = middle;
+        (narrow.compare(double_of_bits(middle)) >= 0 ? low : high) = middle;
     }
-    const int above = compare((double_of_bits(low) + double_of_bits(low + 1)) / 2);
+    const int above = narrow.compare((double_of_bits(low) + double_of_bits(low + 1)) / 2);
     const bool is_up = above > 0 || (above == 0 && low % 2 == 1) || low == 0;
     return std::bit_cast<double>(low + (is_up ? 1 : 0));
 }
@@ -222,25 +256,36 @@ std::vector<Root> roots_to_one(const Polynomial& f) {
         roots.emplace_back(mpq_class(end));
         divide_out(rest, end);
     }
-    std::vector<std::pair<mpq_class, mpq_class>> open{{0, 1}};
+    struct Open {
+        mpz_class low;
+        unsigned long bits;
+    };
+    std::vector<Open> open{{0, 0}};
     Sturm sturm(rest);
     while (!open.empty() && !rest.is_constant()) {
-        const auto [low, high] = open.back();
+        const auto [low, bits] = open.back();
         open.pop_back();
-        const int count = sturm.count(low, high);
+        const int count = sturm.count(low, bits);
         if (count == 0) continue;
+        if (rest.degree() == 1) {
+            mpq_class number(-rest.coefficient(0), rest.coefficient(1));
+            number.canonicalize();
+            roots.emplace_back(number);
+            break;
+        }
         if (count == 1) {
-            roots.emplace_back(rest, low, high);
+            roots.emplace_back(rest, low, bits);
             continue;
         }
-        const mpq_class middle = (low + high) / 2;
-        if (rest.sign_at(middle) == 0) {
-            roots.emplace_back(middle);
-            divide_out(rest, middle);
+        const mpz_class middle = 2 * low + 1;
+        if (rest.sign_at(middle, bits + 1) == 0) {
+            mpq_class number(middle, mpz_class(1) << (bits + 1));
+            roots.emplace_back(number);
+            divide_out(rest, number);
             sturm = Sturm(rest);
         }
-        open.emplace_back(low, middle);
-        open.emplace_back(middle, high);
+        open.push_back({2 * low, bits + 1});
+        open.push_back({middle, bits + 1});
     }
     std::ranges::sort(roots, [](const Root& a, const Root& b) {
         Root x = a, y = b;

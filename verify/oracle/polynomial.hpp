@@ -22,6 +22,7 @@ class Polynomial {
     mpz_class coefficient(std::size_t i) const { return i < c_.size() ? c_[i] : mpz_class(0); }
 
     int sign_at(const mpq_class& x) const;
+    int sign_at(const mpz_class& num, unsigned long bits) const;  // at num / 2^bits
 
     friend Polynomial operator+(const Polynomial& f, const Polynomial& g);
     friend Polynomial operator-(const Polynomial& f, const Polynomial& g);
@@ -35,16 +36,16 @@ class Polynomial {
 // The greatest common divisor but for a constant factor; that of zero and zero is zero.
 Polynomial gcd(const Polynomial& f, const Polynomial& g);
 
-// A root, from 0 to 1, of a polynomial without double roots: exact if `low` is `high`; otherwise the only one between
-// these, at which the polynomial has different signs.
+// A root, from 0 to 1, of a polynomial: a number, or the only root from low / 2^bits to (low + 1) / 2^bits, at which
+// the polynomial has different signs.
 class Root {
   public:
-    Root(const mpq_class& number) : low_(number), high_(number) {}
-    Root(Polynomial polynomial, mpq_class low, mpq_class high)
-        : polynomial_(std::move(polynomial)), low_(std::move(low)), high_(std::move(high)) {}
+    Root(const mpq_class& number) : number_(number) {}
+    Root(Polynomial polynomial, const mpz_class& low, unsigned long bits)
+        : polynomial_(std::move(polynomial)), low_(low), bits_(bits), sign_at_low_(polynomial_.sign_at(low, bits)) {}
 
-    bool is_exact() const { return low_ == high_; }
-    const mpq_class& low() const { return low_; }
+    bool is_exact() const { return sign_at_low_ == 0; }
+    mpq_class low() const { return is_exact() ? number_ : end(0); }
 
     // The sign of the root less the number.
     int compare(const mpq_class& x) const;
@@ -58,9 +59,17 @@ class Root {
 
   private:
     void halve();
+    mpq_class end(int which) const;  // 1: the upper one
+    // Whether it is one of `common`, too, a divisor of its polynomial.
+    bool is_root_of(const Polynomial& common) const;
+    // The sign of the polynomial from low to high, 0 if this leaves it open.
+    int sign_around(const Polynomial& g) const;
 
+    mpq_class number_;
     Polynomial polynomial_;
-    mpq_class low_, high_;
+    mpz_class low_;
+    unsigned long bits_ = 0;
+    int sign_at_low_ = 0;  // of the polynomial; 0: the root is the number
 };
 
 // Whether a polynomial of degree 3 or less surely has one sign from 0 to 1, and so no root.
