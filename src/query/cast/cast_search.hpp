@@ -62,7 +62,7 @@ class CastSearch {
     CastSearch& operator=(const CastSearch&) = delete;
 
     // The first contact, if its real time is at most `latest`, which is from 0 to 1. Tries the witness's triangles
-    // first, and leaves those that decided, or none.
+    // first, and leaves those that decided; where there is no contact, the witness as it was.
     std::optional<FirstContact> find(double latest, PairWitness& witness);
 
     // What walk_nearest asks.
@@ -107,7 +107,7 @@ std::optional<FirstContact> CastSearch<Motion>::find(double latest, PairWitness&
         result = least_of_open();
         if (result && !is_by(*result, latest)) result.reset();
     }
-    witness = result ? PairWitness{result->a.triangle, result->b.triangle} : PairWitness{};
+    if (result) witness = {result->a.triangle, result->b.triangle};
     return result;
 }
 

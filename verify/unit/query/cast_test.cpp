@@ -1,0 +1,372 @@
+// First contacts of translated bodies with times that are known: in each kind of features, in one plane, grazing, at
+// both ends of time, between doubles, at any scale; and with a limit of time.
+#include "ecods/cast.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "base/next.hpp"
+#include "ecods/error.hpp"
+#include "environment/float_mode.hpp"
+#include "query/cast/cast_until.hpp"
+#include "scenes/random.hpp"
+#include "scenes/shapes.hpp"
+
+namespace ecods {
+namespace {
+
+using Contact = std::optional<FirstContact>;
+
+MeshShape shape_of(const std::vector<Vec3>& vertices) {
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i + 3 <= vertices.size(); i += 3) triangles.push_back({i, i + 1, i + 2});
+    return MeshShape(Mesh::create(vertices, triangles));
+}
+
+Pose at(double x, double y, double z) {
+    Pose pose;
+    pose.t = {x, y, z};
+    return pose;
+}
+
+Pose scaled(double scale) {
+    Pose pose;
+    pose.R *= scale;
+    return pose;
+}
+
+// In either order, with any witness, in any floating-point environment, and with limits around the rounded time.
+Contact contact_of(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b) {
+    QueryMemory memory;
+    const Contact contact = cast(a, motion, b, memory);
+    const Contact other = cast(b, -motion, a, memory);
+    EXPECT_EQ(contact.has_value(), other.has_value());
+    if (contact && other) {
+        EXPECT_EQ(contact->time, other->time);
+        EXPECT_EQ(contact->kind, other->kind);
+    }
+    for (const PairWitness first : {PairWitness{}, PairWitness{0, 0}, PairWitness{7, 0}}) {
+        PairWitness witness = first;
+        for (int turn = 0; turn < 2; ++turn) {
+            EXPECT_EQ(cast(a, motion, b, memory, witness), contact);
+            if (contact) {
+                EXPECT_EQ(witness.a, contact->a.triangle);
+                EXPECT_EQ(witness.b, contact->b.triangle);
+            }
+        }
+    }
+    for (const environment::FloatMode& mode : environment::float_modes) {
+        Contact same;
+        {
+            const environment::InFloatMode in_mode(mode);
+            QueryMemory of_its_own;
+            same = cast(a, motion, b, of_its_own);
+        }
+        EXPECT_EQ(same, contact) << mode.name;
+    }
+    if (contact && contact->time < 1) {
+        PairWitness witness;
+        EXPECT_EQ(cast_until(a, motion, b, next_up(contact->time), memory, witness), contact);
+    }
+    if (contact && contact->time > 0) {
+        PairWitness witness;
+        EXPECT_FALSE(cast_until(a, motion, b, next_down(contact->time), memory, witness));
+    }
+    return contact;
+}
+
+void expect_contact(const Contact& contact, double time, ClosestKind kind) {
+    ASSERT_TRUE(contact.has_value());
+    EXPECT_EQ(contact->time, time);
+    EXPECT_EQ(contact->kind, kind);
+}
+
+const std::vector<Vec3> flat{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}};
+const std::vector<Vec3> needle{{0, 0, 0}, {0.25, 0, 1}, {-0.25, 0, 1}};
+const std::vector<Vec3> point{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+
+TEST(Cast, VertexMeetsFace) {
+    const MeshShape a = shape_of(needle), b = shape_of(flat);
+    const Contact contact = contact_of({a, at(0, 0, 1)}, {0, 0, -3}, {b, {}});
+    expect_contact(contact, 1 / 3.0, ClosestKind::vertex_face);
+    EXPECT_EQ(contact->a, (Feature{Feature::Kind::vertex, 0, 0}));
+    EXPECT_EQ(contact->b, (Feature{Feature::Kind::face, 0, 0}));
+    const Contact other = contact_of({b, {}}, {0, 0, 3}, {a, at(0, 0, 1)});
+    expect_contact(other, 1 / 3.0, ClosestKind::vertex_face);
+    EXPECT_EQ(other->a, (Feature{Feature::Kind::face, 0, 0}));
+    EXPECT_EQ(other->b, (Feature{Feature::Kind::vertex, 0, 0}));
+}
+
+TEST(Cast, VertexMeetsEdgeAndVertex) {
+    const MeshShape a = shape_of(needle), b = shape_of(flat);
+    const Contact edge = contact_of({a, at(0, -1, 1)}, {0, 0, -7}, {b, {}});
+    expect_contact(edge, 1 / 7.0, ClosestKind::vertex_edge);
+    EXPECT_EQ(edge->b, (Feature{Feature::Kind::edge, 0, 0}));
+    const Contact vertex = contact_of({a, at(2, -1, 1)}, {0, 0, -7}, {b, {}});
+    expect_contact(vertex, 1 / 7.0, ClosestKind::vertex_vertex);
+    EXPECT_EQ(vertex->b, (Feature{Feature::Kind::vertex, 0, 1}));
+}
+
+TEST(Cast, EdgesCross) {
+    const MeshShape a = shape_of({{-1, 0, 0}, {1, 0, 0}, {0, 0, 1}}), b = shape_of({{0, -1, 0}, {0, 1, 0}, {0, 0, -1}});
+    const Contact contact = contact_of({a, at(0.25, 0.125, 1)}, {0, 0, -3}, {b, {}});
+    expect_contact(contact, 1 / 3.0, ClosestKind::edge_edge);
+    EXPECT_EQ(contact->a, (Feature{Feature::Kind::edge, 0, 0}));
+    EXPECT_EQ(contact->b, (Feature{Feature::Kind::edge, 0, 0}));
+}
+
+// Faces in parallel planes: corners of the one in the other, edges that cross, and all of both.
+TEST(Cast, FacesMeet) {
+    const MeshShape a = shape_of(flat), b = shape_of(flat);
+    expect_contact(contact_of({a, at(0.25, 0.5, 1)}, {0, 0, -4}, {b, {}}), 0.25, ClosestKind::vertex_face);
+    expect_contact(contact_of({a, at(0, 0, 1)}, {0, 0, -4}, {b, {}}), 0.25, ClosestKind::vertex_vertex);
+    const MeshShape star = shape_of({{1, 1, 0}, {-2, 1, 0}, {1, -2, 0}}),
+                    small = shape_of({{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}});
+    expect_contact(contact_of({star, at(0, 0, 1)}, {0, 0, -4}, {small, {}}), 0.25, ClosestKind::vertex_edge);
+    const MeshShape wide = shape_of({{-3, -1, 0}, {3, -1, 0}, {0, 2, 0}}),
+                    turned = shape_of({{-3, 1, 0}, {3, 1, 0}, {0, -2, 0}});
+    expect_contact(contact_of({wide, at(0, 0, 1)}, {0, 0, -4}, {turned, {}}), 0.25, ClosestKind::edge_edge);
+}
+
+TEST(Cast, InOnePlane) {
+    const MeshShape a = shape_of({{0, 0, 0}, {1, 1, 0}, {1, -1, 0}}),
+                    b = shape_of({{0, 0, 0}, {-1, 1, 0}, {-1, -1, 0}});
+    expect_contact(contact_of({a, at(1, 0, 0)}, {-3, 0, 0}, {b, {}}), 1 / 3.0, ClosestKind::vertex_vertex);
+    expect_contact(contact_of({a, at(1, 0.5, 0)}, {-7, 0, 0}, {b, {}}), 3 / 14.0, ClosestKind::vertex_edge);
+    EXPECT_FALSE(contact_of({a, at(1, 3, 0)}, {-3, 0, 0}, {b, {}}));
+    // Past each other, edge along edge, and a hair beside that.
+    expect_contact(contact_of({a, at(3, 2, 0)}, {-8, 0, 0}, {b, {}}), 5 / 8.0, ClosestKind::vertex_vertex);
+    EXPECT_FALSE(contact_of({a, at(3, next_up(2), 0)}, {-8, 0, 0}, {b, {}}));
+}
+
+TEST(Cast, OnOneLine) {
+    const MeshShape a = shape_of({{0, 0, 0}, {1, 2, 3}, {1, 2, 3}}), b = shape_of({{0, 0, 0}, {-1, -2, -3}, {0, 0, 0}});
+    const Contact contact = contact_of({a, at(1, 2, 3)}, {-5, -10, -15}, {b, {}});
+    expect_contact(contact, 1 / 5.0, ClosestKind::vertex_vertex);
+    EXPECT_EQ(contact->a, (Feature{Feature::Kind::vertex, 0, 0}));
+    EXPECT_FALSE(contact_of({a, at(1, 2, next_up(3))}, {-5, -10, -15}, {b, {}}));
+}
+
+TEST(Cast, ContactAtBothEnds) {
+    const MeshShape a = shape_of(needle), b = shape_of(flat);
+    expect_contact(contact_of({a, at(0, 0, 1)}, {0, 0, -1}, {b, {}}), 1, ClosestKind::vertex_face);
+    EXPECT_FALSE(contact_of({a, at(0, 0, 1)}, {0, 0, next_up(-1)}, {b, {}}));
+    EXPECT_FALSE(contact_of({a, at(0, 0, next_up(1))}, {0, 0, -1}, {b, {}}));
+    expect_contact(contact_of({a, at(0, 0, 0)}, {0, 0, 1}, {b, {}}), 0, ClosestKind::intersecting);
+    expect_contact(contact_of({a, at(0, 0, -0.5)}, {0, 0, 3}, {b, {}}), 0, ClosestKind::intersecting);
+    // Away from each other.
+    EXPECT_FALSE(contact_of({a, at(0, 0, 0x1p-1074)}, {0, 0, 1}, {b, {}}));
+    EXPECT_FALSE(contact_of({a, at(0, 0, -2)}, {0, 0, -1}, {b, {}}));
+}
+
+// A positive time is positive, however small: 2^-1100; and a time half-way between two doubles goes to the even one.
+TEST(Cast, TimesBelowTheLeastDouble) {
+    const MeshShape a = shape_of(needle), b = shape_of(flat);
+    expect_contact(contact_of({a, at(0, 0, 0x1p-100)}, {0, 0, -0x1p1000}, {b, {}}), 0x1p-1074,
+                   ClosestKind::vertex_face);
+    expect_contact(contact_of({a, at(0, 0, 0x3p-1074)}, {0, 0, -2}, {b, {}}), 0x1p-1073, ClosestKind::vertex_face);
+    expect_contact(contact_of({a, at(0, 0, 0x1p-1074)}, {0, 0, -4}, {b, {}}), 0x1p-1074, ClosestKind::vertex_face);
+    expect_contact(contact_of({a, at(0, 0, 0x1p-1074)}, {0, 0, -0x1p-1074}, {b, {}}), 1, ClosestKind::vertex_face);
+}
+
+TEST(Cast, NoMotion) {
+    const MeshShape a = shape_of(needle), b = shape_of(flat);
+    for (const double zero : {0.0, -0.0}) {
+        const Vec3 motion(zero, 0, zero);
+        EXPECT_FALSE(contact_of({a, at(0, 0, 0x1p-1074)}, motion, {b, {}}));
+        expect_contact(contact_of({a, at(0, 0, zero)}, motion, {b, {}}), 0, ClosestKind::intersecting);
+    }
+    expect_contact(contact_of({a, at(0, 0, 1)}, {-0.0, -0.0, -2}, {b, {}}), 0.5, ClosestKind::vertex_face);
+}
+
+TEST(Cast, MotionsThatAreNotFinite) {
+    const MeshShape a = shape_of(needle), b = shape_of(flat);
+    QueryMemory memory;
+    for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+        EXPECT_THROW(cast({a, {}}, Vec3(0, bad, 0), {b, {}}, memory), InvalidMotion);
+    }
+}
+
+// Grazing: a corner goes along a face's border; the double beside it misses.
+TEST(Cast, Grazes) {
+    const MeshShape a = shape_of(point), b = shape_of(flat);
+    expect_contact(contact_of({a, at(-3, -1, 0)}, {8, 0, 0}, {b, {}}), 0.25, ClosestKind::vertex_vertex);
+    EXPECT_FALSE(contact_of({a, at(-3, next_down(-1), 0)}, {8, 0, 0}, {b, {}}));
+    // Through the edge from (-1, -1) to (2, -1), from above to below.
+    expect_contact(contact_of({a, at(0, -2, 1)}, {0, 4, -4}, {b, {}}), 0.25, ClosestKind::vertex_edge);
+    EXPECT_FALSE(contact_of({a, at(0, -2, next_down(1))}, {0, 4, -4}, {b, {}}));
+    // Edge over edge.
+    const MeshShape roof = shape_of({{-1, 0, 0}, {1, 0, 0}, {0, 0, -1}});
+    const MeshShape rope = shape_of({{0, -9, 0}, {0, 9, 0}, {0, 9, 0}});
+    expect_contact(contact_of({rope, at(-4, 0, 0)}, {6, 0, 0}, {roof, {}}), 0.5, ClosestKind::vertex_edge);
+    EXPECT_FALSE(contact_of({rope, at(-4, 0, 0x1p-1074)}, {6, 0, 0}, {roof, {}}));
+    expect_contact(contact_of({rope, at(-4, 0, 0x1p-60)}, {6, 0, -0x1p-59}, {roof, {}}), 0.5, ClosestKind::vertex_edge);
+}
+
+// Bodies, their way, and what is between them, at any scale: a time is a ratio.
+TEST(Cast, AtAnyScale) {
+    const MeshShape a = shape_of(needle), b = shape_of(flat);
+    for (const int exponent : {-1020, -900, -400, -60, 60, 400, 900, 1000}) {
+        SCOPED_TRACE(exponent);
+        const double scale = std::ldexp(1.0, exponent);
+        Pose start = scaled(scale);
+        start.t = {0, 0, scale};
+        expect_contact(contact_of({a, start}, {0, 0, -5 * scale}, {b, scaled(scale)}), 1 / 5.0,
+                       ClosestKind::vertex_face);
+        // A long way, or a short one, of bodies of size one.
+        start = at(0, 0, scale);
+        expect_contact(contact_of({a, start}, {0, 0, -5 * scale}, {b, {}}), 1 / 5.0, ClosestKind::vertex_face);
+        if (exponent < 0) continue;
+        // A fast motion over a short way.
+        expect_contact(contact_of({a, at(0, 0, 1)}, {0, 0, -scale}, {b, {}}), 1 / scale, ClosestKind::vertex_face);
+    }
+    // The middle of the largest numbers, and points that are none of them.
+    const double most = std::numeric_limits<double>::max();
+    Pose far = at(0, 0, most);
+    far.R *= 0x1p1000;
+    expect_contact(contact_of({a, far}, {0, 0, -most}, {b, scaled(0x1p1000)}), 1, ClosestKind::vertex_face);
+    EXPECT_FALSE(contact_of({a, at(0, 0, most)}, {0, 0, -next_down(most)}, {b, at(0, 0, -most)}));
+    EXPECT_FALSE(contact_of({a, at(0, 0, most)}, {0, 0, -most}, {b, at(0, 0, -0x1p970)}));
+    expect_contact(contact_of({b, at(0, 0, -most)}, {0, 0, most}, {a, {}}), 1, ClosestKind::vertex_face);
+}
+
+TEST(Cast, SingularPoses) {
+    const MeshShape a = shape_of(needle), b = shape_of(flat);
+    Pose flattened = at(0, 0, 1);
+    flattened.R(2, 2) = 0;  // a is the segment from (-1/4, 0, 1) to (1/4, 0, 1)
+    const Contact contact = contact_of({a, flattened}, {0, 0, -3}, {b, {}});
+    expect_contact(contact, 1 / 3.0, ClosestKind::vertex_face);
+    EXPECT_EQ(contact->a, (Feature{Feature::Kind::vertex, 0, 0}));
+    Pose nothing = at(0, 0, 1);
+    nothing.R.setZero();  // a is a point, whose least corner names it
+    const Contact of_point = contact_of({a, nothing}, {0, 0, -3}, {b, {}});
+    expect_contact(of_point, 1 / 3.0, ClosestKind::vertex_face);
+    EXPECT_EQ(of_point->a, (Feature{Feature::Kind::vertex, 0, 0}));
+    Pose zero;
+    zero.R.setZero();
+    expect_contact(contact_of({a, nothing}, {0, 0, -7}, {b, zero}), 1 / 7.0, ClosestKind::vertex_vertex);
+    EXPECT_FALSE(contact_of({a, nothing}, {0x1p-1074, 0, -7}, {b, zero}));
+    Pose mirrored = at(0, 0, 1);
+    mirrored.R(0, 0) = -1;
+    expect_contact(contact_of({a, mirrored}, {0, 0, -3}, {b, {}}), 1 / 3.0, ClosestKind::vertex_face);
+}
+
+// Triangles without area: segments in two ways, and points.
+TEST(Cast, ZeroAreaTriangles) {
+    const MeshShape segment = shape_of({{0, -2, 0}, {0, 2, 0}, {0, -2, 0}}),
+                    b = shape_of({{-1, 0, 0}, {1, 0, 0}, {1, 0, 0}}), dot = shape_of(point);
+    const Contact crossing = contact_of({segment, at(0.5, 0, 1)}, {0, 0, -3}, {b, {}});
+    expect_contact(crossing, 1 / 3.0, ClosestKind::edge_edge);
+    EXPECT_EQ(crossing->a.corner, 0u);
+    const Contact on_edge = contact_of({dot, at(0.5, 0, 1)}, {0, 0, -3}, {b, {}});
+    expect_contact(on_edge, 1 / 3.0, ClosestKind::vertex_edge);
+    EXPECT_EQ(on_edge->b, (Feature{Feature::Kind::edge, 0, 0}));
+    expect_contact(contact_of({dot, at(1, 0, 1)}, {0, 0, -3}, {b, {}}), 1 / 3.0, ClosestKind::vertex_vertex);
+    expect_contact(contact_of({dot, at(1, 0, 1)}, {0, 0, -3}, {dot, at(1, 0, 0)}), 1 / 3.0, ClosestKind::vertex_vertex);
+    EXPECT_FALSE(contact_of({dot, at(1, 0, 1)}, {0x1p-1074, 0, -3}, {dot, at(1, 0, 0)}));
+    // Parallel segments, one beside the other in the end.
+    expect_contact(contact_of({segment, at(0, 0, 1)}, {0, 1, -3}, {segment, {}}), 1 / 3.0, ClosestKind::vertex_edge);
+    expect_contact(contact_of({segment, at(0, 0, 1)}, {0, 12, -3}, {segment, {}}), 1 / 3.0, ClosestKind::vertex_vertex);
+}
+
+TEST(Cast, EqualBodies) {
+    const MeshShape body(scenes::sphere(8, 5));
+    expect_contact(contact_of({body, {}}, {1, 2, 3}, {body, {}}), 0, ClosestKind::intersecting);
+    const Contact contact = contact_of({body, {}}, {1, 2, 3}, {body, {}});
+    EXPECT_EQ(contact->a, (Feature{Feature::Kind::face, 0, 0}));
+    EXPECT_EQ(contact->b, (Feature{Feature::Kind::face, 0, 0}));
+}
+
+// Times that round to one double: of the pairs of triangles that have them, the first features count, whether or not
+// it is the pair that has contact first, and whether or not it is within the limit.
+TEST(Cast, LimitsAreComparedWithTheRealTime) {
+    const MeshShape b = shape_of(flat);
+    QueryMemory memory;
+    const auto until = [&](const MeshShape& a, double z, double speed, double latest) {
+        PairWitness witness;
+        return cast_until({a, at(0, 0, z)}, Vec3(0, 0, -speed), {b, {}}, latest, memory, witness);
+    };
+    const MeshShape a = shape_of(needle);
+    // The doubles nearest to 1/3 and 1/5 are below and above it.
+    EXPECT_FALSE(until(a, 1, 3, 1 / 3.0));
+    expect_contact(until(a, 1, 3, next_up(1 / 3.0)), 1 / 3.0, ClosestKind::vertex_face);
+    expect_contact(until(a, 1, 5, 1 / 5.0), 1 / 5.0, ClosestKind::vertex_face);
+    EXPECT_FALSE(until(a, 1, 5, next_down(1 / 5.0)));
+    expect_contact(until(a, 1, 2, 0.5), 0.5, ClosestKind::vertex_face);
+    EXPECT_FALSE(until(a, 1, 2, next_down(0.5)));
+    EXPECT_FALSE(until(a, 1, 2, 0));
+    expect_contact(until(a, 0, 2, 0), 0, ClosestKind::intersecting);
+    EXPECT_FALSE(until(a, 0x1p-1074, 1, 0));
+    expect_contact(until(a, 0x1p-1074, 1, 0x1p-1074), 0x1p-1074, ClosestKind::vertex_face);
+    expect_contact(until(a, 0x1p-1074, 4, 0x1p-1074), 0x1p-1074, ClosestKind::vertex_face);
+    EXPECT_FALSE(until(a, 0x5p-1074, 4, 0x1p-1074));
+
+    // Two triangles: one comes down on a corner of b, from z; and one on its face, from w.
+    const auto two = [](double z, double w) {
+        return shape_of({{2, -1, z}, {2.25, -1, 1}, {2.25, -1.25, 1}, {0, 0, w}, {0.25, 0, 1}, {-0.25, 0, 1}});
+    };
+    constexpr double little = 0x1p-60;
+    const Contact later = until(two(little, 0), 0.5, 1, 0.5);
+    expect_contact(later, 0.5, ClosestKind::vertex_vertex);
+    EXPECT_EQ(later->a, (Feature{Feature::Kind::vertex, 0, 0}));
+    EXPECT_FALSE(until(two(little, little), 0.5, 1, 0.5));
+    EXPECT_EQ(until(two(little, little), 0.5, 1, next_up(0.5)), later);
+    EXPECT_EQ(until(two(0, little), 0.5, 1, 0.5), later);
+    EXPECT_EQ(until(two(-little, little), 0.5, 1, 0.5), later);
+    EXPECT_FALSE(until(two(-little, -little), 0.5, 1, next_down(0.5)));
+    expect_contact(until(two(0x1p-40, 0), 0.5, 1, 0.5), 0.5, ClosestKind::vertex_face);
+}
+
+// What a cast answers is a question again: the motion up to the contact takes all the time, and a shorter one does not
+// get there.
+TEST(Cast, AnswersAsArguments) {
+    const MeshShape torus(scenes::torus(20, 10, 0.4)), sphere(scenes::sphere(12, 8));
+    scenes::Random random(5);
+    QueryMemory memory;
+    int contacts = 0;
+    for (int i = 0; i < 400; ++i) {
+        const Pose a = at(random.uniform(4, 5), random.uniform(-1, 1), random.uniform(-1, 1));
+        // Powers of two times one vector.
+        const Vec3 motion(-6, random.uniform(-1, 1), random.uniform(-1, 1));
+        const Contact first = cast({torus, a}, motion, {sphere, {}}, memory);
+        if (!first) continue;
+        ++contacts;
+        const double slower = std::exp2(std::ceil(std::log2(first->time)));
+        const Contact part = cast({torus, a}, slower * motion, {sphere, {}}, memory);
+        ASSERT_TRUE(part) << i;
+        EXPECT_EQ(slower * part->time, first->time);
+        EXPECT_EQ(part->a, first->a);
+        EXPECT_EQ(part->b, first->b);
+        Pose before = a, after = a;
+        before.t += first->time * (1 - 0x1p-30) * motion;
+        after.t += first->time * (1 + 0x1p-30) * motion;
+        EXPECT_FALSE(intersects({torus, before}, {sphere, {}}, memory));
+        EXPECT_TRUE(intersects({torus, after}, {sphere, {}}, memory));
+    }
+    EXPECT_GT(contacts, 200);
+}
+
+// A face that comes down on a plane of many triangles: all of them are candidates, and few are asked exactly.
+TEST(Cast, CandidatesOnTheSameFeaturesAreOne) {
+    std::vector<Vec3> rim{{0, 0, 0}};
+    std::vector<Triangle> fan;
+    constexpr std::uint32_t count = 24;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double angle = 6.283185307179586 * i / count;
+        rim.emplace_back(std::cos(angle), std::sin(angle), 1);
+        fan.push_back({0, i + 1, (i + 1) % count + 1});
+    }
+    const MeshShape cone(Mesh::create(rim, fan)), b = shape_of(flat);
+    QueryMemory memory;
+    const Contact contact = cast({cone, at(0, 0, 1)}, Vec3(0, 0, -3), {b, {}}, memory);
+    expect_contact(contact, 1 / 3.0, ClosestKind::vertex_face);
+    EXPECT_EQ(contact->a, (Feature{Feature::Kind::vertex, 0, 0}));
+    EXPECT_LE(memory.counts().casts.exact, 3u);
+}
+
+}  // namespace
+}  // namespace ecods
