@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "allocation/each_allocation.hpp"
+#include "ecods/cast.hpp"
 #include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/intersection.hpp"
@@ -77,6 +78,20 @@ std::string text(const std::vector<TriangleIntersection>& intersections) {
     return all;
 }
 
+std::string text(const std::optional<FirstContact>& contact) {
+    if (!contact) return "none";
+    return text(contact->time)
+        .append(" ")
+        .append(number(contact->a.triangle))
+        .append(" ")
+        .append(number(contact->b.triangle));
+}
+
+// From where it is to beyond the other one.
+std::optional<FirstContact> cast_past(Pair& p) {
+    return cast(p.second(), -1.5 * p.pose_b.t, p.first(), p.memory, p.witness);
+}
+
 struct Question {
     const char* name;
     void (*ask)(Pair&);
@@ -108,6 +123,9 @@ const Question questions[] = {
          p.answer = std::move(all);
      }},
     {"close_features", [](Pair& p) { p.answer = text(close_features(p.first(), p.second(), 0x1p-6, p.memory)); }},
+    {"cast of a translation",
+     [](Pair& p) { p.answer = text(cast(p.second(), -1.5 * p.pose_b.t, p.first(), p.memory)); }},
+    {"cast of a translation, with a witness", [](Pair& p) { p.answer = text(cast_past(p)); }},
     {"intersections", [](Pair& p) { p.answer = text(intersections(p.first(), p.second(), p.memory)); }},
     {"MeshShape::box", [](Pair& p) { p.answer = number(p.a->box(p.pose_b).min.allFinite()); }},
     {"MeshShape::tree_bytes", [](Pair& p) { p.answer = number(p.a->tree_bytes()); }},
@@ -136,6 +154,7 @@ void go_on(Pair& p) {
         p.answer += text(relation(p.second(), p.first(), p.memory)) + " ";
         p.answer += number(intersecting_triangles(p.first(), p.second(), p.memory).size());
         p.answer += text(distance(p.first(), p.second(), p.memory, p.witness));
+        p.answer += text(cast_past(p));
     }
 }
 
