@@ -23,12 +23,13 @@ namespace ecods {
 //
 // Bounds. `velocity` is at least the real one, so that a side that comes is no later than here, and one that goes no
 // earlier. With u' = 2^-52, which bounds an operation in any rounding mode, a time is off by u' for the difference, u'
-// for the inverse, u' for its factor and u' for the product: the factors 1 -+ 2^-48 take 16 u' off, or add them.
-// Where subnormal numbers are flushed to zero, differences and coordinates are off by 3 * 2^-1022: gaps below 2^-960
-// count as none, and what is left to a gap that is less counts as that much, so that this is below 2^-60 of what
-// counts. Speeds below 2^-1000 and above 2^1000 are taken for those, or for infinite, whichever proves less. So no
-// inverse is subnormal; a product that is flushed to zero is below 2^-1000, which is the least time for going. Gaps
-// that overflow are at least the largest double.
+// for `gap_min`, u' for the inverse, u' for its factor and u' for the product: the factors 1 -+ 2^-48 take 16 u' off, or
+// add them. Where subnormal numbers are flushed to zero, differences and coordinates are off by 3 * 2^-1022, which is
+// below 2^-60 of the 2^-960 that gaps are taken to be smaller by where a side comes, and larger where one goes. Speeds
+// below 2^-1000 and above 2^1000 are taken for those, or for infinite, whichever proves less. So no inverse is
+// subnormal. A product that is subnormal or flushed to zero is off by less than 2^-1021; so a box is left out where it
+// comes later than it goes by more than 2^-1000. Gaps that overflow are at least the largest double. What is no number,
+// 0 times infinity, proves nothing.
 //
 // All steps are monotone, so that of a box within another one the time is no less.
 class MovingBox {
@@ -60,6 +61,7 @@ class MovingBox {
     std::array<Side, 6> sides_;
 };
 
+// The order of what is compared matters where a time is no number: it then changes nothing.
 inline double MovingBox::meets_from(const Aabb& box) const noexcept {
     double from = 0, to = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 6; ++i) {
@@ -68,16 +70,13 @@ inline double MovingBox::meets_from(const Aabb& box) const noexcept {
         const double e = i < 3 ? box.min[axis] : -box.max[axis];
         if (side.course == Course::without_end) continue;
         if (side.course == Course::coming) {
-            const double gap = e - side.end;
-            if (gap >= gap_min) from = std::max(from, std::min(gap, number_max) * side.factor);
+            from = std::max(from, (std::min(e - side.end, number_max) - gap_min) * side.factor);
             continue;
         }
         if (key_of(e) > side.key) return std::numeric_limits<double>::infinity();
-        if (side.course == Course::going) {
-            to = std::min(to, std::max(std::max(side.end - e, gap_min) * side.factor, time_min));
-        }
+        if (side.course == Course::going) to = std::min(to, ((side.end - e) + gap_min) * side.factor);
     }
-    return from > to ? std::numeric_limits<double>::infinity() : std::min(from, number_max);
+    return from - time_min > to ? std::numeric_limits<double>::infinity() : std::min(from, number_max);
 }
 
 }  // namespace ecods

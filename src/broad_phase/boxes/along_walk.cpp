@@ -1,56 +1,236 @@
 #include "broad_phase/boxes/along_walk.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
+#include <vector>
 
-#include "broad_phase/boxes/tree_parts.hpp"
+#include "base/assert.hpp"
 #include "simd/dispatch.hpp"
 
 namespace ecods {
 namespace {
 
+constexpr std::uint32_t width = BoxBlock::width;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 using Numbers = Vec<double, 4>;
 
-// double_of() of each lane.
+// double_of() of each lane: of a negative key k, the bits of -k and the sign.
 ECODS_ALWAYS_INLINE Numbers numbers_of(KeyLanes keys) noexcept {
-    const KeyLanes signs = keys < 0;
-    return bits_as<Numbers>(((keys ^ signs) - signs) | (signs & std::numeric_limits<std::int64_t>::min()));
+    const KeyLanes negatives = std::numeric_limits<std::int64_t>::min() - keys;
+    return bits_as<Numbers>(keys < 0 ? negatives : keys);
 }
 
-// MovingBox::meets_from for four lanes, step by step as it is there.
-ECODS_ALWAYS_INLINE Numbers meet_lanes(const BoxBlock& block, std::size_t first, const MovingBox& moving) noexcept {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const Numbers none = broadcast<Numbers>(0), gap_min = broadcast<Numbers>(MovingBox::gap_min);
-    const Numbers number_max = broadcast<Numbers>(MovingBox::number_max);
-    Numbers from = none, to = broadcast<Numbers>(infinity);
-    KeyLanes never = lanes(&block.ends[0][first]) == PackedBox::unreachable;
-    const KeyLanes present = ~never;
-    for (std::size_t i = 0; i < 6; ++i) {
-        const MovingBox::Side& side = moving.sides()[i];
-        if (side.course == MovingBox::Course::without_end) continue;
-        // Of an empty box any number does; the key of a negative is the negative, and ~k is -k - 1.
-        const KeyLanes ends = lanes(&block.ends[i][first]) & present;
-        const KeyLanes keys = i < 3 ? ends : ends + 1;
-        if (side.course == MovingBox::Course::coming) {
-            const Numbers gap = numbers_of(keys) - side.end;
-            const Numbers counted = select(gap >= gap_min, min(gap, number_max), none);
-            from = max(from, counted * side.factor);
-            continue;
+using Course = MovingBox::Course;
+
+// When the boxes of a block are met, as MovingBox::meets_from has it, step by step; infinity where a box is never met,
+// or there is none.
+struct BlockTimes {
+    static_assert(width == 8);
+    Numbers from[2], to[2];
+    KeyLanes never[2];
+
+    ECODS_ALWAYS_INLINE BlockTimes(const BoxBlock& block, const MovingBox& moving) noexcept {
+        for (std::size_t half = 0; half < 2; ++half) {
+            from[half] = broadcast<Numbers>(0);
+            to[half] = broadcast<Numbers>(infinity);
+            never[half] = lanes(&block.ends[0][4 * half]) == PackedBox::unreachable;
         }
-        never |= keys > side.key;
-        if (side.course == MovingBox::Course::going) {
-            const Numbers room = max(side.end - numbers_of(keys), gap_min);
-            to = min(to, max(room * side.factor, broadcast<Numbers>(MovingBox::time_min)));
+        take<true>(&block.ends[0], &moving.sides()[0]);
+        take<false>(&block.ends[3], &moving.sides()[3]);
+        for (std::size_t half = 0; half < 2; ++half) {
+            never[half] |= from[half] - MovingBox::time_min > to[half];
+            from[half] = select(never[half], broadcast<Numbers>(infinity),
+                                min(from[half], broadcast<Numbers>(MovingBox::number_max)));
         }
     }
-    return select(never | (from > to), broadcast<Numbers>(infinity), min(from, number_max));
-}
+
+    // Three sides, whose partners are the minima of boxes, or the maxima. These are mirrored there and not here: ~k is
+    // the end of a maximum of key k, and -k, which is compared, is that and one.
+    template <bool are_minima>
+    ECODS_ALWAYS_INLINE void take(const std::array<std::int64_t, width>* ends, const MovingBox::Side* sides) noexcept {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [course, end, key, factor] = sides[k];
+            if (course == Course::without_end) continue;
+            const KeyLanes keys[2] = {lanes(&ends[k][0]), lanes(&ends[k][4])};
+            if (course == Course::coming) {
+                for (std::size_t half = 0; half < 2; ++half) {
+                    const Numbers at = numbers_of(are_minima ? keys[half] : ~keys[half]);
+                    const Numbers gap = are_minima ? at - end : -end - at;
+                    const Numbers counted = min(broadcast<Numbers>(MovingBox::number_max), gap);
+                    from[half] = max((counted - MovingBox::gap_min) * factor, from[half]);
+                }
+                continue;
+            }
+            for (std::size_t half = 0; half < 2; ++half) never[half] |= keys[half] > (are_minima ? key : key - 1);
+            if (course == Course::resting) continue;
+            for (std::size_t half = 0; half < 2; ++half) {
+                const Numbers at = numbers_of(are_minima ? keys[half] : ~keys[half]);
+                const Numbers left = are_minima ? end - at : at + end;
+                to[half] = min((left + MovingBox::gap_min) * factor, to[half]);
+            }
+        }
+    }
+};
 
 ECODS_ALWAYS_INLINE void meet_all_lanes(const BoxBlock& block, const MovingBox& moving, double* from) noexcept {
-    static_assert(BoxBlock::width == 8);
-    store(from, meet_lanes(block, 0, moving));
-    store(from + 4, meet_lanes(block, 4, moving));
+    const BlockTimes times(block, moving);
+    store(from, times.from[0]);
+    store(from + 4, times.from[1]);
 }
+
+// A block of a tree, what is at a position of one, or a box, and when it is met at the earliest. What is equally early
+// is opened before a box is visited, and boxes come in the order of their slots.
+class MetPart {
+  public:
+    static constexpr std::uint32_t box = 0, position = 1, block = 2;  // or higher, by the block's level
+
+    MetPart() = default;
+    // `index` is that of the block in its level, the position, or the box's slot. Times are not negative.
+    MetPart(double time, std::uint32_t height, std::uint32_t index, std::uint32_t tree) noexcept
+        : time_(std::bit_cast<std::uint64_t>(time)),
+          place_(std::uint64_t{height_max - height} << 56 | std::uint64_t{index} << 24 | tree) {
+        ECODS_ASSERT(height <= height_max && tree < 1u << 24 && std::bit_cast<std::int64_t>(time) >= 0);
+    }
+
+    double time() const noexcept { return std::bit_cast<double>(time_); }
+    std::uint32_t height() const noexcept { return height_max - static_cast<std::uint32_t>(place_ >> 56); }
+    std::uint32_t index() const noexcept { return static_cast<std::uint32_t>(place_ >> 24); }
+    std::uint32_t tree() const noexcept { return static_cast<std::uint32_t>(place_) & 0xffffff; }
+
+    // Without branches: which of two comes first is anybody's guess.
+    ECODS_ALWAYS_INLINE friend bool operator<(const MetPart& a, const MetPart& b) noexcept {
+        return ((a.time_ < b.time_) | ((a.time_ == b.time_) & (a.place_ < b.place_))) != 0;
+    }
+
+  private:
+    static constexpr std::uint32_t height_max = 255;
+
+    std::uint64_t time_ = 0;   // bits of numbers that are not negative have their order
+    std::uint64_t place_ = 0;  // least significant: the tree, the index, and how far the height is below the largest
+};
+
+// What waits, as a heap with the first one in front.
+class MetParts {
+  public:
+    explicit MetParts(std::size_t capacity) { parts_.reserve(capacity); }
+
+    bool is_empty() const noexcept { return parts_.empty(); }
+    const MetPart& front() const noexcept { return parts_.front(); }
+
+    ECODS_ALWAYS_INLINE void push(const MetPart& part) {
+        std::size_t at = parts_.size();
+        parts_.push_back(part);
+        for (; at > 0 && part < parts_[(at - 1) / 2]; at = (at - 1) / 2) parts_[at] = parts_[(at - 1) / 2];
+        parts_[at] = part;
+    }
+    ECODS_ALWAYS_INLINE void pop() noexcept {
+        const MetPart last = parts_.back();
+        parts_.pop_back();
+        if (!parts_.empty()) replace_front(last);
+    }
+    ECODS_ALWAYS_INLINE void replace_front(const MetPart& part) noexcept {
+        MetPart* const parts = parts_.data();
+        const std::size_t size = parts_.size();
+        std::size_t at = 0;
+        for (std::size_t child = 1; child < size; child = 2 * at + 1) {
+            child +=
+                static_cast<std::size_t>((child + 1 < size) & (parts[std::min(child + 1, size - 1)] < parts[child]));
+            if (!(parts[child] < part)) break;
+            parts[at] = parts[child];
+            at = child;
+        }
+        parts[at] = part;
+    }
+
+  private:
+    std::vector<MetPart> parts_;
+};
+
+class Walk {
+  public:
+    Walk(std::span<const BoxTree> trees, std::span<const Aabb> boxes, const MovingBox& moving, double limit,
+         const std::function<double(SlotIndex)>& visit)
+        : trees_(trees), boxes_(boxes), moving_(moving), limit_(limit), visit_(visit) {}
+
+    // What comes next mostly lies in what was opened last: only the rest of that waits.
+    ECODS_ALWAYS_INLINE std::uint64_t run() {
+        for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
+            const std::uint32_t height = trees_[tree].level_count() + MetPart::position;
+            if (trees_[tree].alive_count() > 0) waiting_.push({0, height, 0, tree});
+        }
+        while (!waiting_.is_empty() && waiting_.front().time() <= limit_) {
+            MetPart next = waiting_.front();
+            waiting_.pop();
+            bool counts = true;
+            while (counts && next.height() != MetPart::box) {
+                counts = look_into(next);
+                if (!counts || waiting_.is_empty() || next < waiting_.front()) continue;
+                const MetPart first = waiting_.front();
+                waiting_.replace_front(next);
+                next = first;
+            }
+            if (counts) limit_ = std::min(limit_, visit_(next.index()));
+        }
+        return tests_;
+    }
+
+  private:
+    // Replaces `part` by the first of what lies in it, and puts the rest to what waits. Returns false if nothing
+    // counts.
+    ECODS_ALWAYS_INLINE bool look_into(MetPart& part) {
+        return part.height() == MetPart::position ? look_at_box(part) : open(part);
+    }
+
+    // The tree's box contains that of the slot. It is looked up as late as that: of many no more is asked.
+    ECODS_ALWAYS_INLINE bool look_at_box(MetPart& part) {
+        const SlotIndex slot = trees_[part.tree()].slot(part.index());
+        part = {moving_.meets_from(boxes_[slot]), MetPart::box, slot, part.tree()};
+        ++tests_;
+        return part.time() <= std::min(limit_, MovingBox::number_max);
+    }
+
+    ECODS_ALWAYS_INLINE bool open(MetPart& part) {
+        const std::uint32_t height = part.height(), index = part.index(), tree = part.tree();
+        const BlockTimes block(trees_[tree].block(height - MetPart::block, index), moving_);
+        const double latest = std::min(limit_, MovingBox::number_max);
+        auto found = static_cast<std::uint32_t>(any_bits(((block.from[0] <= latest) & lane_bits<KeyLanes>(0)) |
+                                                         ((block.from[1] <= latest) & lane_bits<KeyLanes>(4))));
+        tests_ += width;
+        if (found == 0) return false;
+        alignas(64) double from[width];
+        store(&from[0], block.from[0]);
+        store(&from[4], block.from[1]);
+        const auto inner = [&](std::uint32_t lane) -> MetPart {
+            return {from[lane], height - 1, index * width + lane, tree};
+        };
+        if (height == MetPart::block) prefetch_boxes(tree, index, found);
+        part = inner(static_cast<std::uint32_t>(std::countr_zero(found)));
+        for (found &= found - 1; found != 0; found &= found - 1) {
+            const MetPart other = inner(static_cast<std::uint32_t>(std::countr_zero(found)));
+            const bool is_first = other < part;
+            waiting_.push(is_first ? part : other);
+            part = is_first ? other : part;
+        }
+        return true;
+    }
+
+    ECODS_ALWAYS_INLINE void prefetch_boxes(std::uint32_t tree, std::uint32_t index, std::uint32_t lanes) const {
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+            __builtin_prefetch(&boxes_[trees_[tree].slot(index * width + lane)]);
+        }
+    }
+
+    std::span<const BoxTree> trees_;
+    std::span<const Aabb> boxes_;
+    const MovingBox& moving_;
+    double limit_;
+    const std::function<double(SlotIndex)>& visit_;
+    MetParts waiting_{8 * width};
+    std::uint64_t tests_ = 0;
+};
 
 }  // namespace
 
@@ -62,35 +242,8 @@ void meet_block(const BoxBlock& block, const MovingBox& moving, std::array<doubl
 
 std::uint64_t walk_along(std::span<const BoxTree> trees, std::span<const Aabb> boxes, const MovingBox& moving,
                          double limit, const std::function<double(SlotIndex)>& visit) {
-    constexpr std::uint32_t width = BoxBlock::width;
-    Waiting<NearPart> waiting;
-    for (const Part& root : Parts(trees, boxes).roots()) waiting.push({0, root});
-    alignas(64) double from[width];
-    std::uint64_t tests = 0;
-    while (waiting.has_below(limit)) {
-        const Part part = waiting.pop().part;
-        if (part.is_box()) {
-            limit = std::min(limit, visit(part.index));
-            continue;
-        }
-        const BoxTree& tree = trees[part.tree];
-        dispatch<meet_all_lanes>(tree.block(part.height - 1, part.index), moving, &from[0]);
-        tests += width;
-        for (std::uint32_t lane = 0; lane < width; ++lane) {
-            if (!(from[lane] <= limit) || from[lane] > MovingBox::number_max) continue;
-            const std::uint32_t child = part.index * width + lane;
-            if (part.height > 1) {
-                waiting.push({from[lane], {part.height - 1, child, part.tree}});
-                continue;
-            }
-            // The tree's box contains that of the slot.
-            const SlotIndex slot = tree.slot(child);
-            const double own = moving.meets_from(boxes[slot]);
-            ++tests;
-            if (own <= limit && own <= MovingBox::number_max) waiting.push({own, {0, slot, part.tree}});
-        }
-    }
-    return tests;
+    Walk walk(trees, boxes, moving, limit, visit);
+    return dispatch<&Walk::run>(walk);
 }
 
 }  // namespace ecods

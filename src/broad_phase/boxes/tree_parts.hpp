@@ -78,10 +78,10 @@ class Waiting {
   public:
     void push(const Item& item) {
         items_.push_back(item);
-        std::push_heap(items_.begin(), items_.end(), later);
+        std::push_heap(items_.begin(), items_.end(), Later());
     }
     Item pop() {
-        std::pop_heap(items_.begin(), items_.end(), later);
+        std::pop_heap(items_.begin(), items_.end(), Later());
         const Item item = items_.back();
         items_.pop_back();
         return item;
@@ -89,7 +89,9 @@ class Waiting {
     bool has_below(double limit) const { return !items_.empty() && items_.front().lower <= limit; }
 
   private:
-    static bool later(const Item& a, const Item& b) { return b.comes_before(a); }
+    struct Later {
+        bool operator()(const Item& a, const Item& b) const noexcept { return b.comes_before(a); }
+    };
     std::vector<Item> items_;
 };
 

@@ -96,7 +96,7 @@ TEST_P(WorldHitTest, HitsAreThoseOfAllBodiesInOrder) {
         ASSERT_NO_FATAL_FAILURE(require_as_model(Ray{from, step, parameter_max}, filter));
         for (int i = 0; i < 20; ++i) world.set_pose(bodies[random.below(150)], any_pose());
     }
-    EXPECT_GT(count, 500u);
+    EXPECT_GT(count, 400u);
 }
 
 // Parameters that round to one double are ordered as they are; exact ties by id.
@@ -159,18 +159,20 @@ TEST_P(WorldHitTest, ShapesOfTheCallersOwnAreInTheSameOrder) {
     const BodyId b = world.create_body(wall(1), at(0));
     const BodyId c = world.create_body(slab, at(2));
     const BodyId d = world.create_body(wall(std::nextafter(1, 0)), at(0));
-    // A third rounds down: the slab is just before the wall that is at the same double.
+    // 1/3 rounded is below the real parameter of the wall that is met there, whose rounded one it is, too.
     for (const double length : {4.0, 3.0}) {
         const Segment segment{Vec3(0, 0.25, 0.25), Vec3(length, 0.25, 0.25)};
         const bool is_rounded = length == 3;
         const auto hits = world.all_hits(segment);
-        ASSERT_EQ(hits.size(), is_rounded ? 4u : 6u);
-        const std::array expected = {d, is_rounded ? a : a, is_rounded ? c : b, is_rounded ? b : c, a, c};
-        const std::array<std::uint32_t, 6> ranks = {0, 1, 1, is_rounded ? 2u : 1u, 2, 2};
+        ASSERT_EQ(hits.size(), 6u);
+        const std::array expected = {d, a, is_rounded ? c : b, is_rounded ? b : c, a, c};
+        const std::array<std::uint32_t, 6> ranks = {0, 1, 1, is_rounded ? 2u : 1u, is_rounded ? 3u : 2u,
+                                                    is_rounded ? 3u : 2u};
         for (std::size_t i = 0; i < hits.size(); ++i) {
             EXPECT_EQ(hits[i].body, expected[i]) << i;
             EXPECT_EQ(hits[i].hit.rank, ranks[i]) << i;
         }
+        EXPECT_EQ(hits[1].hit.parameter, hits[3].hit.parameter);
     }
     EXPECT_EQ(world.first_hit(Ray{Vec3(0, 0.25, 0.25), Vec3(4, 0, 0)})->body, d);
     world.destroy_body(d);
