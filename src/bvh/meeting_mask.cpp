@@ -5,7 +5,8 @@
 // f = g0 / (g0 - g1), of gaps of opposite signs: each is off by v of itself, their difference by 2 v and the quotient
 // by one more: below 5 v, for which 8 v of f are taken off or added. A difference of gaps of opposite signs is no less
 // than either, so where underflow makes a gap zero, it proves nothing, and where it does not, the quotient is defined.
-// NaN compares false, and proves nothing.
+// A quotient that underflows is off by 2^-126: 2^-100 is taken off or added, too. What is left of it begins at 0 or
+// later. NaN compares false, and proves nothing.
 #include <bit>
 #include <cmath>
 
@@ -34,8 +35,8 @@ struct Kernel : ProjectedLanes<width> {
         const Floats zero{}, one = zero + 1.0f, two = zero + 2.0f;
         const Ints before = gap_start > zero, after = gap_end > zero;
         const Floats at = gap_start / (gap_start - gap_end);
-        const Floats first = select(before, select(after, two, at * (1 - 8 * 0x1p-23f)), zero);
-        const Floats last = select(~before & after, at * (1 + 8 * 0x1p-23f), one);
+        const Floats first = select(before, select(after, two, at * (1 - 8 * 0x1p-23f) - 0x1p-100f), zero);
+        const Floats last = select(~before & after, at * (1 + 8 * 0x1p-23f) + 0x1p-100f, one);
         times.first = max(first, times.first);
         times.last = min(last, times.last);
     }

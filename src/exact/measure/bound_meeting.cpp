@@ -15,19 +15,16 @@ namespace {
 using Double4 = Vec<double, 4>;
 using Four = std::array<Double4, 3>;  // vectors, one in each lane
 
-constexpr double coordinate_max = 0x1p150;
-constexpr double underflow = 0x1p-400;
-// Each step shortens or parts an interval. More than this is only needed where both triangles graze each other.
+// Each step shortens or parts an interval. More than these are only needed where both triangles graze each other.
 constexpr int step_max = 96;
-// Shorter ones are not parted: relative to their end, a few times what doubles tell apart.
+constexpr int coarse_step_max = 3;
+// A chord's zero is as near to the meeting as the square of the interval's length: so of what is left the first half is
+// looked at; where they meet in it, the first quarter of that, then a sixteenth (as in quadratic interval refinement:
+// Abbott, Quadratic interval refinement for real roots, 2014).
+constexpr int halvings_max = 32;
+// Shorter ones are not parted: relative to their end, a few times the distance of doubles.
 constexpr double length_min = 0x1p-44;
 
-ECODS_ALWAYS_INLINE Point difference(const Point& a, const Point& b) noexcept {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-ECODS_ALWAYS_INLINE Point cross(const Point& a, const Point& b) noexcept {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 ECODS_ALWAYS_INLINE Four four(const Point& a, const Point& b, const Point& c, const Point& d) noexcept {
     return {Double4{a[0], b[0], c[0], d[0]}, Double4{a[1], b[1], c[1], d[1]}, Double4{a[2], b[2], c[2], d[2]}};
 }
@@ -64,73 +61,55 @@ ECODS_ALWAYS_INLINE void shorten(Part& part, Double4 gap_from, Double4 gap_to) n
     }
 }
 
+// Above a sum of which no part was rounded by more than an ulp, or lost 2^-1022 to underflow.
+ECODS_ALWAYS_INLINE double above(double sum) noexcept {
+    return next_up(next_up(sum + 0x1p-1000));
+}
+
 class Bounds {
   public:
-    ECODS_ALWAYS_INLINE explicit Bounds(const MovingPoints& points) noexcept {
-        const Point origin = points.start[0];
-        double size = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            double most = 0, most_before = std::abs(origin[k]);
-            for (std::size_t i = 0; i < 6; ++i) {
-                most_before = std::max({most_before, std::abs(points.start[i][k]), std::abs(points.end[i][k])});
-                start_[i][k] = points.start[i][k] - origin[k];
-                end_[i][k] = points.end[i][k] - origin[k];
-                most = std::max({most, std::abs(start_[i][k]), std::abs(end_[i][k])});
-            }
-            size = std::max(size, most);
-            error_[k] = 2.25 * (points.error + two_u * most) + 20 * two_u * most;
-            is_bounded_ = is_bounded_ && most_before < coordinate_max && most < coordinate_max;
-        }
-        is_bounded_ = is_bounded_ && points.error < coordinate_max;
-    }
+    ECODS_ALWAYS_INLINE explicit Bounds(const MovingPoints& points) noexcept : corners_(points) {}
 
-    ECODS_ALWAYS_INLINE std::optional<double> first(double from, double to) const noexcept {
-        if (!is_bounded_) return from;
+    ECODS_ALWAYS_INLINE std::optional<TimeSpan> first(double from, double to, int step_count) const noexcept {
+        if (!corners_.is_bounded()) return TimeSpan{from, to};
         std::array<double, step_max> later;  // ends of the intervals that follow, the next one last
         std::size_t later_count = 0;
         double end = to;  // of the interval that is being shortened
-        Points<6> at_from = at(from), at_to = at(to);
-        for (int step = 0; step < step_max; ++step) {
+        int halvings = 1;
+        Points<6> at_from = corners_.at(from), at_to = corners_.at(to);
+        for (int step = 0; step < step_count; ++step) {
             const Part part = remaining(at_from, at_to);
             if (part.first > part.last) {
                 if (later_count == 0) return std::nullopt;
                 from = end;
                 to = end = later[--later_count];
-                at_from = at(from);
-                at_to = at(to);
+                halvings = std::max(1, halvings / 2);
+                at_from = corners_.at(from);
+                at_to = corners_.at(to);
                 continue;
             }
             const double length = to - from;
             const double first = std::max(from, next_down(from + length * part.first));
-            const double last = part.last < 1 ? std::min(to, next_up(from + length * part.last)) : to;
-            if (!(first <= last)) return from;
-            if (first > from) at_from = at(first);
+            const double last = part.last < 1 ? std::min(to, above(from + length * part.last)) : to;
+            if (!(first <= last)) return TimeSpan{from, to};
+            if (first > from) at_from = corners_.at(first);
             from = first;
             to = last;
-            if (to - from <= length_min * to) return from;
-            if (to - from > 0.5 * length) {
-                later[later_count++] = end;
-                to = end = from + 0.5 * (to - from);
-            }
-            at_to = at(to);
+            if (to - from <= length_min * to) return TimeSpan{from, to};
+            later[later_count++] = end;
+            to = end = std::min(to, next_up(from + std::ldexp(to - from, -halvings)));
+            at_to = corners_.at(to);
+            halvings = std::min(2 * halvings, halvings_max);
         }
-        return from;
+        return TimeSpan{from, to};
     }
 
   private:
-    ECODS_ALWAYS_INLINE Points<6> at(double s) const noexcept {
-        Points<6> result;
-        const double rest = 1 - s;
-        for (std::size_t i = 0; i < 6; ++i) {
-            for (std::size_t k = 0; k < 3; ++k) result[i][k] = start_[i][k] * rest + end_[i][k] * s;
-        }
-        return result;
-    }
-
     ECODS_ALWAYS_INLINE void shorten_by(const Four& n, const Points<6>& p, const Points<6>& q,
                                         Part& part) const noexcept {
-        const Double4 bound =
-            ((absolute(n[0]) * error_[0] + absolute(n[1]) * error_[1]) + absolute(n[2]) * error_[2]) + underflow;
+        const Point& error = corners_.error();
+        const Double4 bound = ((absolute(n[0]) * error[0] + absolute(n[1]) * error[1]) + absolute(n[2]) * error[2]) +
+                              MovingCorners::underflow;
         const Ends before(n, p), after(n, q);
         shorten(part, (before.low_b - before.high_a) - bound, (after.low_b - after.high_a) - bound);
         shorten(part, (before.low_a - before.high_b) - bound, (after.low_a - after.high_b) - bound);
@@ -155,19 +134,19 @@ class Bounds {
         return part;
     }
 
-    Points<6> start_, end_;
-    Point error_;
-    bool is_bounded_ = true;
+    MovingCorners corners_;
 };
 
-ECODS_ALWAYS_INLINE std::optional<double> find_bound(const MovingPoints& points, double from, double to) noexcept {
-    return Bounds(points).first(from, to);
+ECODS_ALWAYS_INLINE std::optional<TimeSpan> find_bound(const MovingPoints& points, double from, double to,
+                                                       int step_count) noexcept {
+    return Bounds(points).first(from, to, step_count);
 }
 
 }  // namespace
 
-std::optional<double> bound_first_meeting(const MovingPoints& points, double from, double to) noexcept {
-    return dispatch<find_bound>(points, from, to);
+std::optional<TimeSpan> bound_first_meeting(const MovingPoints& points, double from, double to,
+                                            Effort effort) noexcept {
+    return dispatch<find_bound>(points, from, to, effort == Effort::coarse ? coarse_step_max : step_max);
 }
 
 }  // namespace ecods::exact

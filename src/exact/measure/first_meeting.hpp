@@ -26,20 +26,46 @@
 //
 // The candidates are therefore the roots of at most 15 cubics, and for those that vanish of some quadratics and linear
 // polynomials in their place; each candidate is tried on the pair that it comes from.
+//
+// The same holds from any time on up to which they share no point, in place of 0. Where it is known that in some time
+// from there on only certain features may share one, only the pairs of four corners that have such features are asked,
+// and only for roots in that time.
 #pragma once
 
 #include <optional>
 
 #include "exact/measure/moving_triangles.hpp"
+#include "exact/measure/possible_features.hpp"
 
 namespace ecods::exact {
 
 struct Meeting {
     double time;           // rounded once
+    bool is_late;          // whether the exact time is above it
     FeaturePair features;  // the first, in the order of feature_pairs, that share a point then
 };
 
 // Nothing if they share no point up to time 1. They must not share one at time 0.
 std::optional<Meeting> first_meeting(MovingTriangles& triangles);
+
+// The times from m / 2^bits to (m + count) / 2^bits, which is 1 at most.
+struct TimeCells {
+    std::int64_t m;
+    int bits, count;
+
+    TimeSpan span() const noexcept;
+};
+// Contains that time, and is no more than four times as long, or than 2^-43 of its end. Nothing where it would be
+// longer than short_time, or very close to 0.
+std::optional<TimeCells> cells_around(const TimeSpan& time) noexcept;
+
+struct PartialAnswer {
+    bool is_known;
+    std::optional<Meeting> meeting;
+};
+
+// The first meeting up to the end of the cells. They share no point at their beginning or before, and in the cells only
+// features of the set may. Not known where several candidates are in one cell.
+PartialAnswer first_meeting_in(MovingTriangles& triangles, const TimeCells& cells, FeatureSet features);
 
 }  // namespace ecods::exact

@@ -53,11 +53,11 @@ Integer Integer::sum(const Integer& a, const Integer& b, bool negates_b) {
     Integer result;
     result.is_negative_ = a_is_less ? b_is_negative : a.is_negative_;
     if (a.is_negative_ == b_is_negative) {
-        result.make_room(more.size_ + 1);
+        result.reserve(more.size_ + 1);
         add(more.limbs(), less.limbs(), result.data());
         result.set_size(more.size_ + 1);
     } else {
-        result.make_room(more.size_);
+        result.reserve(more.size_);
         subtract(more.limbs(), less.limbs(), result.data());
         result.set_size(more.size_);
     }
@@ -68,7 +68,7 @@ Integer operator*(const Integer& a, const Integer& b) {
     Integer result;
     if (a.size_ == 0 || b.size_ == 0) return result;
     const std::size_t size = a.size_ + b.size_;
-    result.make_room(size);
+    result.reserve(size);
     std::uint64_t* to = result.data();
     const std::uint64_t* x = a.data();
     const std::uint64_t* y = b.data();
@@ -92,7 +92,7 @@ Integer operator<<(const Integer& a, int bits) {
     Integer result;
     if (a.size_ == 0) return result;
     const std::size_t size = a.size_ + static_cast<std::size_t>(bits) / 64 + 1;
-    result.make_room(size);
+    result.reserve(size);
     std::uint64_t* to = result.data();
     for (std::size_t i = 0; i < size; ++i) to[i] = limb_of_shifted(a.limbs(), bits, i);
     result.set_size(size);
@@ -107,7 +107,7 @@ Integer operator>>(const Integer& a, int bits) {
     if (a.size_ <= skip) return result;
     const std::size_t size = a.size_ - skip;
     const int rest = bits % 64;
-    result.make_room(size);
+    result.reserve(size);
     std::uint64_t* to = result.data();
     const NaturalSpan from = a.limbs().subspan(skip);
     for (std::size_t i = 0; i < size; ++i) {

@@ -74,8 +74,8 @@ class Integer {
 
     const std::uint64_t* data() const noexcept { return capacity_ == small_limbs ? small_.data() : large_.get(); }
     std::uint64_t* data() noexcept { return capacity_ == small_limbs ? small_.data() : large_.get(); }
-    // Room for `size` limbs, whose values are then arbitrary.
-    void make_room(std::size_t size) {
+    // Makes place for `size` limbs, whose values are then arbitrary.
+    void reserve(std::size_t size) {
         if (size <= capacity_) return;
         large_ = std::make_unique_for_overwrite<std::uint64_t[]>(size);
         capacity_ = static_cast<std::uint32_t>(size);
@@ -85,7 +85,7 @@ class Integer {
     }
     void assign(NaturalSpan limbs, bool is_negative) {
         const NaturalSpan used = without_leading_zeros(limbs);
-        make_room(used.size());
+        reserve(used.size());
         std::copy(used.begin(), used.end(), data());
         size_ = static_cast<std::uint32_t>(used.size());
         is_negative_ = is_negative;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/assert.hpp"
+#include "exact/number/dyadic.hpp"
 
 namespace ecods::exact {
 namespace {
@@ -131,6 +132,23 @@ std::vector<Root> roots_in_unit_interval(Polynomial p) {
     return simple_roots(p);
 }
 
+std::optional<std::vector<Root>> simple_roots_in(Polynomial p, BinaryFraction from, int count) {
+    std::vector<Root> roots;
+    const int degree = p.degree();
+    if (degree <= 0) return roots;
+    p.drop_zeros();
+    for (int i = 0; i < count; ++i) {
+        const Polynomial::Coefficients c = p.on_interval(from);
+        const int changes = sign_changes(c, degree);
+        if (changes > 1) return std::nullopt;
+        BinaryFraction end = next(from);
+        if (changes == 1) roots.emplace_back(p, from, first_sign(c));
+        if (c[static_cast<std::size_t>(degree)].is_zero()) roots.emplace_back(end);
+        from = std::move(end);
+    }
+    return roots;
+}
+
 Root::Root(BinaryFraction value) : from_(std::move(value)), is_fraction_(true) {}
 
 Root::Root(Polynomial p, BinaryFraction from, int sign_below)
@@ -197,6 +215,12 @@ double Root::round() {
     while (!is_fraction_ && from_.m.bit_width() < digits && from_.bits < bits_max) halve();
     if (from_.m.is_zero()) return std::bit_cast<double>(std::uint64_t{1});
     return std::bit_cast<double>(std::max<std::uint64_t>(nearest(from_, is_fraction_), 1));
+}
+
+bool Root::is_above(double x) {
+    const Dyadic d = decode(x);
+    const Integer m(d.m);
+    return compare_with_fraction(*this, d.e < 0 ? BinaryFraction{m, -d.e} : BinaryFraction{m << d.e, 0}) > 0;
 }
 
 }  // namespace ecods::exact

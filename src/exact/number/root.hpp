@@ -1,6 +1,7 @@
 // Roots of polynomials with integer coefficients, as exact numbers: compared, rounded, and put into other polynomials.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "exact/number/polynomial.hpp"
@@ -26,6 +27,8 @@ class Root {
 
     // The double nearest to it, ties to even; at least 2^-1074.
     double round();
+    // Whether it is above a positive double.
+    bool is_above(double x);
 
   private:
     static int compare_with_fraction(Root& x, const BinaryFraction& y);
@@ -44,5 +47,9 @@ class Root {
 
 // The roots of p in the interval from 0 to 1, 0 excluded, each once, ascending; of the zero polynomial none.
 std::vector<Root> roots_in_unit_interval(Polynomial p);
+
+// Those in `count` intervals of the length 2^-bits from `from` on, the left end excluded; all are within the interval
+// from 0 to 1. Nothing where these are not short enough to part the roots: where two or more may be in one of them.
+std::optional<std::vector<Root>> simple_roots_in(Polynomial p, BinaryFraction from, int count);
 
 }  // namespace ecods::exact

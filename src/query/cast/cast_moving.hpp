@@ -7,8 +7,9 @@
 
 namespace ecods {
 
-// As cast, but nothing where the first contact, rounded, is after `at_most`, which is from 0 to 1. Bodies that are far
-// apart all the way cost a few tenths of a microsecond, and two at rest no more than `intersects`.
+// The first contact if its real time is at most `at_most`, which is from 0 to 1; nothing otherwise. What is given is
+// the answer of cast(), whose rounded time is at most `at_most` then, too. Bodies that are far apart all the way cost a
+// few tenths of a microsecond, and two at rest no more than `intersects`.
 std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<MeshShape>& b, double at_most,
                                        QueryMemory& memory, PairWitness& witness);
 

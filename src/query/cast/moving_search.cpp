@@ -1,6 +1,7 @@
 #include "query/cast/moving_search.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <tuple>
 #include <utility>
 
@@ -9,22 +10,21 @@
 #include "base/outward.hpp"
 #include "bvh/motion_axes.hpp"
 #include "bvh/walk_two.hpp"
-#include "exact/measure/bound_meeting.hpp"
-#include "exact/measure/first_meeting.hpp"
-#include "exact/point/frame.hpp"
+#include "query/cast/contact_interval.hpp"
+#include "query/cast/moving_pairs.hpp"
 
 namespace ecods {
 namespace {
 
-// What waits to be looked at: a pair of nodes or leaves, or of triangles, whose first time may be bounded in doubles.
+// What waits to be looked at: a pair of nodes or leaves; or of triangles, of which only their boxes' time is known, or
+// also a coarse or a fine bound of when they meet.
 struct Waiting {
-    enum class Kind : std::uint8_t { nodes, triangles, bounded };
+    enum class Kind : std::uint8_t { nodes, triangles, coarse, fine };
 
     std::int64_t time;  // the key of a time before which the two do not meet
     std::uint32_t order;
+    std::uint32_t a, b;  // references of nodes, as bits, or triangles
     Kind kind;
-    TreeRef a, b;
-    TrianglePair triangles;
 };
 
 // Earliest first; of those, what came last, so that the walk goes deep.
@@ -34,9 +34,8 @@ struct IsLater {
     }
 };
 
-auto rank(const FirstContact& contact) {
-    return std::tuple(key_of(contact.time), contact.kind, contact.a.triangle, contact.a.corner, contact.b.triangle,
-                      contact.b.corner, contact.a.kind);
+auto rank_of(const FirstContact& contact) {
+    return std::tuple_cat(std::tuple(key_of(contact.time)), rank(contact));
 }
 
 FirstContact contact_of(const TrianglePair& triangles, const exact::Meeting& meeting) {
@@ -71,15 +70,18 @@ BvhNode root_of(const MeshBvh& tree) {
 }  // namespace
 
 struct MovingSearch::Memory final : QueryMemoryPart {
-    exact::Frame frame;  // of a and b at the start, then at the end
+    MovingPairs pairs;
     MotionAxes axes;
     std::vector<Waiting> queue;
     std::uint32_t order = 0;
     alignas(32) LaneTimes times{};
 
-    void push(double time, Waiting::Kind kind, TreeRef a, TreeRef b, const TrianglePair& triangles) {
-        queue.push_back({key_of(time), order++, kind, a, b, triangles});
+    void push(double time, Waiting::Kind kind, std::uint32_t a, std::uint32_t b) {
+        queue.push_back({key_of(time), order++, a, b, kind});
         std::ranges::push_heap(queue, IsLater{});
+    }
+    void push(double time, TreeRef a, TreeRef b) {
+        push(time, Waiting::Kind::nodes, std::bit_cast<std::uint32_t>(a), std::bit_cast<std::uint32_t>(b));
     }
 };
 
@@ -115,37 +117,32 @@ double MovingSearch::limit() const noexcept {
 
 std::optional<FirstContact> MovingSearch::run(double at_most, const PairWitness& witness) {
     at_most_ = at_most;
-    const std::array<exact::BodyRef, 4> bodies{{{&a_.what->mesh(), &tree_a_.extent, &a_.from},
-                                                {&b_.what->mesh(), &tree_b_.extent, &b_.from},
-                                                {&a_.what->mesh(), &tree_a_.extent, &a_.to},
-                                                {&b_.what->mesh(), &tree_b_.extent, &b_.to}}};
-    memory_.frame.bind(bodies);
+    memory_.pairs.bind(a_, b_, counts_.casts);
     const bool has_witness =
         witness.a < a_.what->mesh().triangles().size() && witness.b < b_.what->mesh().triangles().size();
-    if (has_witness) take_bounded({witness.a, witness.b}, 0);
+    if (has_witness) take({witness.a, witness.b}, 0, exact::Effort::fine, true);
     memory_.queue.clear();  // the witness comes again
     walk();
+    if (first_ && key_of(first_->time) == key_of(at_most) && key_of(at_most) < key_of(1.0) && !is_by_then_) {
+        return std::nullopt;
+    }
     return first_;
 }
 
 void MovingSearch::walk() {
     std::vector<Waiting>& queue = memory_.queue;
-    memory_.push(0, Waiting::Kind::nodes, tree_a_.boxes.root, tree_b_.boxes.root, {});
+    memory_.push(0, tree_a_.boxes.root, tree_b_.boxes.root);
     while (!queue.empty()) {
         std::ranges::pop_heap(queue, IsLater{});
         const Waiting top = queue.back();
         queue.pop_back();
         if (top.time > key_of(limit())) return;
-        switch (top.kind) {
-            case Waiting::Kind::nodes:
-                visit(top.a, top.b);
-                break;
-            case Waiting::Kind::triangles:
-                take_bounded(top.triangles, double_of(top.time));
-                break;
-            case Waiting::Kind::bounded:
-                decide(top.triangles);
-                break;
+        if (top.kind == Waiting::Kind::nodes) {
+            visit(std::bit_cast<TreeRef>(top.a), std::bit_cast<TreeRef>(top.b));
+        } else {
+            const bool is_new = top.kind == Waiting::Kind::triangles;
+            take({top.a, top.b}, double_of(top.time), is_new ? exact::Effort::coarse : exact::Effort::fine,
+                 top.kind == Waiting::Kind::fine);
         }
     }
 }
@@ -158,22 +155,16 @@ std::uint64_t MovingSearch::find_meeting(const X& x, const Y& y) {
 
 void MovingSearch::visit(TreeRef a, TreeRef b) {
     const MeshBvh &tree_a = tree_a_.boxes, &tree_b = tree_b_.boxes;
-    const auto each = [&](std::uint64_t mask, auto&& child_a, auto&& child_b, const auto& triangles) {
+    const auto each = [&](std::uint64_t mask, auto&& push) {
         for (LanePairs pairs(mask); pairs.more(); pairs.next()) {
             const std::size_t i = pairs.i(), j = pairs.j();
-            const double time = static_cast<double>(memory_.times[tree_width * i + j]);
-            const auto pair = triangles(i, j);
-            memory_.push(time, pair ? Waiting::Kind::triangles : Waiting::Kind::nodes, child_a(i), child_b(j),
-                         pair.value_or(TrianglePair{}));
+            push(static_cast<double>(memory_.times[tree_width * i + j]), i, j);
         }
     };
-    const auto nothing = [](std::size_t, std::size_t) { return std::optional<TrianglePair>(); };
     if (a.is_leaf() && b.is_leaf()) {
         const TreeLeaf &x = tree_a.leaves[a.index()], &y = tree_b.leaves[b.index()];
-        const auto same_a = [&](std::size_t) { return a; };
-        const auto same_b = [&](std::size_t) { return b; };
-        each(find_meeting(x, y), same_a, same_b, [&](std::size_t i, std::size_t j) {
-            return std::optional(TrianglePair{x.triangle[i], y.triangle[j]});
+        each(find_meeting(x, y), [&](double time, std::size_t i, std::size_t j) {
+            memory_.push(time, Waiting::Kind::triangles, x.triangle[i], y.triangle[j]);
         });
     } else if (a.is_leaf()) {
         const BvhNode& y = tree_b.nodes[b.index()];
@@ -183,7 +174,7 @@ void MovingSearch::visit(TreeRef a, TreeRef b) {
             for (LanePairs pairs(mask); pairs.more(); pairs.next()) {
                 if (pairs.j() == j) least = std::min(least, memory_.times[tree_width * pairs.i() + j]);
             }
-            if (least <= 1) memory_.push(static_cast<double>(least), Waiting::Kind::nodes, a, y.child[j], {});
+            if (least <= 1) memory_.push(static_cast<double>(least), a, y.child[j]);
         }
     } else if (b.is_leaf()) {
         const BvhNode& x = tree_a.nodes[a.index()];
@@ -193,55 +184,33 @@ void MovingSearch::visit(TreeRef a, TreeRef b) {
             for (LanePairs pairs(mask); pairs.more(); pairs.next()) {
                 if (pairs.i() == i) least = std::min(least, memory_.times[tree_width * i + pairs.j()]);
             }
-            if (least <= 1) memory_.push(static_cast<double>(least), Waiting::Kind::nodes, x.child[i], b, {});
+            if (least <= 1) memory_.push(static_cast<double>(least), x.child[i], b);
         }
     } else {
         const BvhNode &x = tree_a.nodes[a.index()], &y = tree_b.nodes[b.index()];
-        each(
-            find_meeting(x, y), [&](std::size_t i) { return x.child[i]; }, [&](std::size_t j) { return y.child[j]; },
-            nothing);
+        each(find_meeting(x, y),
+             [&](double time, std::size_t i, std::size_t j) { memory_.push(time, x.child[i], y.child[j]); });
     }
 }
 
-// A time that is rounded to the limit may be above it.
-void MovingSearch::take_bounded(const TrianglePair& triangles, double from) {
-    ++counts_.distances.enclosures;
-    const Triangle &s = a_.what->mesh().triangles()[triangles.a], &t = b_.what->mesh().triangles()[triangles.b];
-    exact::Frame& frame = memory_.frame;
-    exact::MovingPoints points;
-    for (std::size_t i = 0; i < 3; ++i) {
-        points.start[i] = frame.rounded(0, s[i]);
-        points.start[3 + i] = frame.rounded(1, t[i]);
-        points.end[i] = frame.rounded(2, s[i]);
-        points.end[3 + i] = frame.rounded(3, t[i]);
-    }
-    points.error = frame.delta();
+// A time that rounds to the limit may be above it.
+void MovingSearch::take(const TrianglePair& triangles, double from, exact::Effort effort, bool is_next) {
     const double to = std::min(next_up(limit()), 1.0);
-    const std::optional<double> time = exact::bound_first_meeting(points, std::min(from, to), to);
-    if (!time || key_of(*time) > key_of(limit())) return;
+    if (key_of(from) > key_of(to)) return;
+    const auto time = memory_.pairs.bound(triangles, from, to, effort);
+    if (!time || key_of(time->from) > key_of(limit())) return;
     const std::vector<Waiting>& queue = memory_.queue;
-    if (queue.empty() || key_of(*time) <= queue.front().time) return decide(triangles);
-    memory_.push(*time, Waiting::Kind::bounded, {}, {}, triangles);
-}
-
-void MovingSearch::decide(const TrianglePair& triangles) {
-    ++counts_.distances.exact;
-    const Mesh &mesh_a = a_.what->mesh(), &mesh_b = b_.what->mesh();
-    const Triangle &s = mesh_a.triangles()[triangles.a], &t = mesh_b.triangles()[triangles.b];
-    exact::PosedPoints<12> points;
-    for (std::size_t i = 0; i < 3; ++i) {
-        points[i] = {&a_.from, &mesh_a.vertices()[s[i]]};
-        points[3 + i] = {&b_.from, &mesh_b.vertices()[t[i]]};
-        points[6 + i] = {&a_.to, &mesh_a.vertices()[s[i]]};
-        points[9 + i] = {&b_.to, &mesh_b.vertices()[t[i]]};
+    const bool is_fine = effort == exact::Effort::fine;
+    if (!is_next && !queue.empty() && key_of(time->from) > queue.front().time) {
+        const Waiting::Kind kind = is_fine ? Waiting::Kind::fine : Waiting::Kind::coarse;
+        return memory_.push(time->from, kind, triangles.a, triangles.b);
     }
-    const std::optional<exact::Meeting> meeting = exact::with_integers(points, [](const auto& integers) {
-        exact::MovingTriangles moving(integers);
-        return exact::first_meeting(moving);
-    });
+    if (!is_fine) return take(triangles, time->from, exact::Effort::fine, is_next);
+    const auto meeting = memory_.pairs.decide(triangles, *time, to);
     if (!meeting || key_of(meeting->time) > key_of(at_most_)) return;
+    is_by_then_ = is_by_then_ || !meeting->is_late || key_of(meeting->time) < key_of(at_most_);
     const FirstContact contact = contact_of(triangles, *meeting);
-    if (!first_ || rank(contact) < rank(*first_)) first_ = contact;
+    if (!first_ || rank_of(contact) < rank_of(*first_)) first_ = contact;
 }
 
 }  // namespace ecods

@@ -9,6 +9,7 @@
 
 #include "bvh/mesh_bvh.hpp"
 #include "ecods/cast.hpp"
+#include "exact/measure/bound_meeting.hpp"
 #include "query/intersection/query_memory.hpp"
 #include "query/shape/mesh_tree.hpp"
 
@@ -24,8 +25,8 @@ class MovingSearch {
     // A time before which the boxes around both bodies certainly do not meet; nothing if they never do.
     std::optional<float> first_of_boxes();
 
-    // The first contact, if there is one that is not after `at_most`. The bodies must not share a point at the start.
-    // Tries the witness's triangles first.
+    // The first contact, if there is one whose real time is at most `at_most`. The bodies must not share a point at the
+    // start. Tries the witness's triangles first.
     std::optional<FirstContact> run(double at_most, const PairWitness& witness);
 
   private:
@@ -38,8 +39,8 @@ class MovingSearch {
     void visit(TreeRef a, TreeRef b);
     template <class X, class Y>
     std::uint64_t find_meeting(const X& x, const Y& y);
-    void take_bounded(const TrianglePair& triangles, double from);
-    void decide(const TrianglePair& triangles);
+    // They share no point before `from`. Decides about them if they come next, or will.
+    void take(const TrianglePair& triangles, double from, exact::Effort effort, bool is_next);
 
     const Moving<MeshShape>& a_;
     const Moving<MeshShape>& b_;
@@ -48,6 +49,7 @@ class MovingSearch {
     Memory& memory_;
     QueryCounts& counts_;
     double at_most_ = 1;
+    bool is_by_then_ = false;  // whether there is contact at `at_most`, before that is rounded
     std::optional<FirstContact> first_;
 };
 

@@ -261,7 +261,7 @@ TEST(CastMoving, FewPairsAreDecidedExactly) {
         const Pose rest = Pose::from_quaternion(random.rotation(), Vec3::Zero());
         cast(Moving<MeshShape>(torus, from, to), Moving<MeshShape>(torus, rest, rest), memory);
     }
-    EXPECT_LE(memory.counts().distances.exact, 12u * 40);
+    EXPECT_LE(memory.counts().casts.exact, 12u * 40);
     EXPECT_EQ(memory.counts().queries, 40u);
 }
 

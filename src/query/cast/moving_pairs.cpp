@@ -1,0 +1,127 @@
+#include "query/cast/moving_pairs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "base/double_key.hpp"
+#include "base/next.hpp"
+#include "exact/measure/possible_features.hpp"
+
+namespace ecods {
+namespace {
+
+ContactFeature name_of(const exact::FeaturePair& pair, std::size_t side, const Mesh& mesh, std::uint32_t triangle) {
+    using exact::FeatureKind;
+    const Triangle& corners = mesh.triangles()[triangle];
+    const std::size_t corner = side == 0 ? pair.a : pair.b;
+    const bool is_vertex =
+        pair.kind == FeatureKind::vertex_vertex || (pair.kind != FeatureKind::edge_edge && pair.vertex_side == side);
+    if (is_vertex) return {corners[corner], ContactFeature::none};
+    if (pair.kind == FeatureKind::vertex_face) return {triangle, triangle};
+    const auto [low, high] = std::minmax(corners[corner], corners[(corner + 1) % 3]);
+    return {low, high};
+}
+
+}  // namespace
+
+void MovingPairs::bind(const Moving<MeshShape>& a, const Moving<MeshShape>& b, CastCounts& counts) {
+    a_ = &a;
+    b_ = &b;
+    counts_ = &counts;
+    const exact::MeshExtent &extent_a = MeshShapeAccess::tree(*a.what).extent,
+                            &extent_b = MeshShapeAccess::tree(*b.what).extent;
+    const std::array<exact::BodyRef, 4> bodies{{{&a.what->mesh(), &extent_a, &a.from},
+                                                {&b.what->mesh(), &extent_b, &b.from},
+                                                {&a.what->mesh(), &extent_a, &a.to},
+                                                {&b.what->mesh(), &extent_b, &b.to}}};
+    frame_.bind(bodies);
+    known_.clear();
+}
+
+exact::MovingPoints MovingPairs::points_of(const TrianglePair& triangles) {
+    const Triangle &s = a_->what->mesh().triangles()[triangles.a], &t = b_->what->mesh().triangles()[triangles.b];
+    exact::MovingPoints points;
+    for (std::size_t i = 0; i < 3; ++i) {
+        points.start[i] = frame_.rounded(0, s[i]);
+        points.start[3 + i] = frame_.rounded(1, t[i]);
+        points.end[i] = frame_.rounded(2, s[i]);
+        points.end[3 + i] = frame_.rounded(3, t[i]);
+    }
+    points.error = frame_.delta();
+    return points;
+}
+
+std::optional<exact::TimeSpan> MovingPairs::bound(const TrianglePair& triangles, double from, double to,
+                                                  exact::Effort effort) {
+    ++counts_->enclosures;
+    return exact::bound_first_meeting(points_of(triangles), from, to, effort);
+}
+
+template <class Ask>
+auto MovingPairs::ask_exactly(const TrianglePair& triangles, Ask&& ask) {
+    ++counts_->exact;
+    const Mesh &mesh_a = a_->what->mesh(), &mesh_b = b_->what->mesh();
+    const Triangle &s = mesh_a.triangles()[triangles.a], &t = mesh_b.triangles()[triangles.b];
+    exact::PosedPoints<12> points;
+    for (std::size_t i = 0; i < 3; ++i) {
+        points[i] = {&a_->from, &mesh_a.vertices()[s[i]]};
+        points[3 + i] = {&b_->from, &mesh_b.vertices()[t[i]]};
+        points[6 + i] = {&a_->to, &mesh_a.vertices()[s[i]]};
+        points[9 + i] = {&b_->to, &mesh_b.vertices()[t[i]]};
+    }
+    return exact::with_integers(points, [&](const auto& integers) {
+        exact::MovingTriangles moving(integers);
+        return ask(moving);
+    });
+}
+
+// Tries some short times in which few features can meet, then all.
+std::optional<exact::Meeting> MovingPairs::decide(const TrianglePair& triangles, exact::TimeSpan time, double to) {
+    constexpr int short_times_max = 3;
+    const exact::MovingPoints points = points_of(triangles);
+    for (int i = 0; i < short_times_max; ++i) {
+        const auto cells = exact::cells_around(time);
+        if (!cells) break;
+        const exact::TimeSpan span = cells->span();
+        const exact::FeatureSet features = exact::possible_features(points, span);
+        const bool is_one = std::has_single_bit(features);
+        ContactFeature a, b;
+        if (is_one) {
+            const exact::FeaturePair& pair = exact::feature_pairs[static_cast<std::size_t>(std::countr_zero(features))];
+            a = name_of(pair, 0, a_->what->mesh(), triangles.a);
+            b = name_of(pair, 1, b_->what->mesh(), triangles.b);
+            if (const KnownMeeting* known = find_known(a, b, span)) {
+                return exact::Meeting{known->time, known->is_late, pair};
+            }
+        }
+        if (features != 0) {
+            const exact::PartialAnswer answer = ask_exactly(triangles, [&](exact::MovingTriangles& moving) {
+                return exact::first_meeting_in(moving, *cells, features);
+            });
+            if (!answer.is_known) break;
+            if (answer.meeting && is_one) known_.push_back({a, b, answer.meeting->time, answer.meeting->is_late});
+            if (answer.meeting) return answer.meeting;
+        }
+        if (key_of(span.to) >= key_of(to)) return std::nullopt;
+        ++counts_->enclosures;
+        const auto next = exact::bound_first_meeting(points, span.to, to, exact::Effort::fine);
+        if (!next) return std::nullopt;
+        time = *next;
+    }
+    return ask_exactly(triangles, [](exact::MovingTriangles& moving) { return exact::first_meeting(moving); });
+}
+
+// The time that is known is rounded: it is in the span where both of its neighbours are.
+const MovingPairs::KnownMeeting* MovingPairs::find_known(const ContactFeature& a, const ContactFeature& b,
+                                                         const exact::TimeSpan& time) const {
+    for (const KnownMeeting& known : known_) {
+        if (known.a == a && known.b == b && key_of(next_down(known.time)) >= key_of(time.from) &&
+            key_of(next_up(known.time)) <= key_of(time.to)) {
+            return &known;
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace ecods
