@@ -22,6 +22,7 @@ namespace ecods {
 struct OpenContact {
     ContactInterval interval;
     TrianglePair triangles;
+    std::optional<FirstContact> contact = {};  // where it is known exactly
 };
 
 // What a search works in, kept from one to the next.
@@ -37,9 +38,8 @@ struct CastMemory {
 //     find_near(x, y, float limit, times)      as near_mask: pairs of lanes that may have contact, with bounds of when,
 //                                              finite and not negative
 //     ContactInterval enclose(i, j)            of two triangles
-//     std::optional<double> time(i, j)         of two triangles, exact, rounded once; nothing if there is no contact
-//     std::optional<FirstContact> contact(i, j, interval)    the same, with the first features, from what enclose()
-//                                              says; only asked of times above 0
+//     std::optional<FirstContact> contact(i, j, interval)    of two triangles, exact, from what enclose() says; nothing
+//                                              if there is none; only asked of times above 0
 //     bool meet_by(i, j, double latest)        whether the real time of two triangles is at most `latest`
 template <class Motion>
 class CastSearch {
@@ -162,10 +162,9 @@ void CastSearch<Motion>::enclose(const TrianglePair& triangles) {
     }
     if (key_of(open.interval.upper) > key_of(1.0)) {
         ++counts_.casts.exact;
-        const std::optional<double> time = motion_.time(triangles.a, triangles.b);
-        if (!time) return;
-        open.interval.lower = open.interval.upper = *time;
-        if (key_of(*time) > key_of(upper_)) return;
+        open.contact = motion_.contact(triangles.a, triangles.b, open.interval);
+        if (!open.contact || key_of(open.contact->time) > key_of(upper_)) return;
+        open.interval.lower = open.interval.upper = open.contact->time;
     }
     set_upper(open.interval.upper);
     working_.open.push_back(open);
@@ -213,10 +212,12 @@ std::optional<FirstContact> CastSearch<Motion>::least_of_open() {
     drop_open();
     std::optional<FirstContact> least;
     for (const OpenContact& open : working_.open) {
-        const auto [i, j] = open.triangles;
         if (key_of(open.interval.lower) > key_of(upper_)) continue;
-        ++counts_.casts.exact;
-        const std::optional<FirstContact> contact = motion_.contact(i, j, open.interval);
+        std::optional<FirstContact> contact = open.contact;
+        if (!contact) {
+            ++counts_.casts.exact;
+            contact = motion_.contact(open.triangles.a, open.triangles.b, open.interval);
+        }
         if (!contact || key_of(contact->time) > key_of(upper_)) continue;
         const std::int64_t time = key_of(contact->time);
         const bool is_earlier = !least || time < key_of(least->time);

@@ -25,7 +25,6 @@ class Translation {
         return swept_mask(axes_.sets(), limit, x, y, times);
     }
     ContactInterval enclose(std::uint32_t i, std::uint32_t j) { return contacts_.enclose(i, j); }
-    std::optional<double> time(std::uint32_t i, std::uint32_t j) { return contacts_.time(i, j); }
     std::optional<FirstContact> contact(std::uint32_t i, std::uint32_t j, const ContactInterval& known) {
         return contacts_.contact(i, j, known);
     }

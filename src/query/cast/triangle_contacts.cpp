@@ -140,19 +140,13 @@ auto TriangleContacts::with_integers(std::uint32_t i, std::uint32_t j, Use&& use
     return exact::with_integers(posed, in_kernel);
 }
 
-std::optional<double> TriangleContacts::time(std::uint32_t i, std::uint32_t j) {
-    return with_integers(i, j, []<int L>(const TranslatedPair<L>& pair) -> std::optional<double> {
-        const auto first = ContactTimes<L>(pair).first();
-        if (!first) return std::nullopt;
-        return round(*first);
-    });
-}
-
 std::optional<FirstContact> TriangleContacts::contact(std::uint32_t i, std::uint32_t j, const ContactInterval& known) {
     return with_integers(i, j, [&]<int L>(const TranslatedPair<L>& pair) -> std::optional<FirstContact> {
         if (known.is_certain) {
+            const auto time = ContactTimes<L>::time_of(features_of(known.contact), pair);
+            if (is_above_one(time)) return std::nullopt;
             FirstContact result = known.contact;
-            result.time = round(ContactTimes<L>::time_of(features_of(known.contact), pair));
+            result.time = round(time);
             return result;
         }
         const ContactTimes<L> times(pair);

@@ -23,10 +23,8 @@ class TriangleContacts {
     // Contains the first time of triangle `i` of the first mesh and `j` of the second, by doubles with proven bounds.
     ContactInterval enclose(std::uint32_t i, std::uint32_t j);
 
-    // The first time from 0 to 1 at which they share a point, rounded once.
-    std::optional<double> time(std::uint32_t i, std::uint32_t j);
-
-    // The same, with the first features by the rule of FirstContact. `known` is what enclose() says of the pair.
+    // Their first contact from time 0 to 1, with the first features by the rule of FirstContact. `known` is what
+    // enclose() says of the pair.
     std::optional<FirstContact> contact(std::uint32_t i, std::uint32_t j, const ContactInterval& known);
 
     // Whether they share a point from time 0 to `latest`.

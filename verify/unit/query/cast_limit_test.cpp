@@ -99,5 +99,21 @@ TEST(Cast, CandidatesOnTheSameFeaturesAreOne) {
     EXPECT_LE(memory.counts().casts.exact, 3u);
 }
 
+// One corner meets two faces, of which the second is so close behind the first that doubles do not know which is which.
+TEST(Cast, CandidatesOnOneFeatureOfTwoAreTwo) {
+    const MeshShape a = shape_of(needle);
+    for (int exponent = -52; exponent <= -40; ++exponent) {
+        const double behind = -std::ldexp(1.0, exponent);
+        std::vector<Vec3> faces(flat);
+        for (Vec3& v : faces) v[2] = behind;
+        faces.insert(faces.end(), flat.begin(), flat.end());
+        const MeshShape b = shape_of(faces);
+        QueryMemory memory;
+        const Contact contact = cast({a, at(0, 0, 1)}, Vec3(0, 0, -3), {b, {}}, memory);
+        expect_contact(contact, 1 / 3.0, ClosestKind::vertex_face);
+        EXPECT_EQ(contact->b, (Feature{Feature::Kind::face, 1, 0})) << exponent;
+    }
+}
+
 }  // namespace
 }  // namespace ecods

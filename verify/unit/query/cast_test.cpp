@@ -132,6 +132,9 @@ TEST(Cast, ContactAtBothEnds) {
     EXPECT_FALSE(contact_of({a, at(0, 0, next_up(1))}, {0, 0, -1}, {b, {}}));
     expect_contact(contact_of({a, at(0, 0, 0)}, {0, 0, 1}, {b, {}}), 0, ClosestKind::intersecting);
     expect_contact(contact_of({a, at(0, 0, -0.5)}, {0, 0, 3}, {b, {}}), 0, ClosestKind::intersecting);
+    // A time above 1 that rounds to it.
+    const MeshShape higher = shape_of({{0, 0, 0x1p-60}, {0.25, 0, 1}, {-0.25, 0, 1}});
+    EXPECT_FALSE(contact_of({higher, at(0, 0, 1)}, {0, 0, -1}, {b, {}}));
     // Away from each other.
     EXPECT_FALSE(contact_of({a, at(0, 0, 0x1p-1074)}, {0, 0, 1}, {b, {}}));
     EXPECT_FALSE(contact_of({a, at(0, 0, -2)}, {0, 0, -1}, {b, {}}));
