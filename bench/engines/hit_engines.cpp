@@ -15,6 +15,12 @@ std::vector<HitMaker> hit_engines() {
              .is_for_paths = true,
              .bodies = HitBodies::one,
              .set_up = set_up_hit_ecods_witness},
+            {.name = own_world_hits,
+             .use = "World::first_hit(), all_hits(), one QueryMemory; exact, parameters rounded once",
+             .is_ecods = true,
+             .has_lists = true,
+             .bodies = HitBodies::many,
+             .set_up = set_up_hit_ecods_world},
             {.name = hit_yardstick,
              .use = "rtcIntersect1(), one mesh of all triangles, flags and build quality as by default; for lists a "
                     "filter that refuses each hit; float",

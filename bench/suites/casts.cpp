@@ -11,7 +11,7 @@ namespace ecods::bench {
 
 SuiteResult run_casts(const SuiteOptions& options) {
     SuiteResult result;
-    for (SuiteResult (*const part)(const SuiteOptions&) : {run_hits, run_two_body_casts}) {
+    for (SuiteResult (*const part)(const SuiteOptions&) : {run_hits, run_two_body_casts, run_world_casts}) {
         SuiteResult of_part = part(options);
         result.is_right &= of_part.is_right;
         std::move(of_part.sections.begin(), of_part.sections.end(), std::back_inserter(result.sections));

@@ -79,8 +79,10 @@ Table empty_table(std::size_t repetition_count) {
                               repetition_count);
     table.notes.insert(
         table.notes.end(),
-        {fmt::format("Of Embree: time over that of {}, in the same repetition, less is better. X,
-                     hit_yardstick),
+        {fmt::format(
+             "Of Embree: time over that of {}, in the same repetition, less is better. Of chords: over ECoDS's for "
+             "chords of the same mesh.",
+             hit_yardstick),
          "False -: nothing reported, though the segment hits the closed triangles at their exact places. False +: "
          "reported where it hits none. Other triangle: none of those that share the first point. Errors: of the "
          "parameter, from 0 to 1. Wrong: answers of ECoDS that are not the true parameter, rounded once, and the "

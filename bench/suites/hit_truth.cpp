@@ -26,6 +26,11 @@ class Hits {
     std::vector<Hit> of(const Segment& segment) {
         if (bodies_.empty()) return all_hits(segment, {shape_, workload_.bodies.front().pose}, memory_);
         std::vector<Hit> hits;
+        for (const BodyHit& of_body : world_.all_hits(segment, memory_)) {
+            const auto body = std::lower_bound(bodies_.begin(), bodies_.end(), of_body.body);
+            hits.push_back(of_body.hit);
+            hits.back().feature.triangle += first_triangles_[static_cast<std::size_t>(body - bodies_.begin())];
+        }
         return hits;
     }
 
@@ -93,7 +98,8 @@ HitTruth find_hits(const scenes::SegmentWorkload& workload, std::size_t judged_c
         truth.lists.push_back(hits.of(workload.segments[i]));
         if (!is_chosen(i, count, std::min(judged_count, count))) continue;
         ++truth.judged_count;
-        if (!std::ranges::equal(truth.lists.back(), ask_oracle(workload, workload.segments[i]), judge::is_same))
+        const auto is_same = [](const Hit& x, const Hit& y) { return judge::is_same(x, y); };
+        if (!std::ranges::equal(truth.lists.back(), ask_oracle(workload, workload.segments[i]), is_same))
             ++truth.wrong_count;
     }
     return truth;

@@ -214,7 +214,7 @@ std::vector<SegmentWorkload> segment_workloads(WorkloadSize size) {
     }
     Random random(13);
     workloads.push_back(Against({"soup 2k", soup(is_tiny ? 200 : 2000)}, any_pose(random), 3).chords(count(500)));
-    if (false) add_rooms(workloads, is_tiny);
+    add_rooms(workloads, is_tiny);
     return workloads;
 }
 
