@@ -64,8 +64,8 @@ int Polynomial::sign_at_root_of(const Polynomial& linear) const {
     return d % 2 == 1 && a.sign() < 0 ? -sign : sign;
 }
 
-// With p(from + x / 2^bits) 2^(bits * degree) = t0 + t1 x + t2 x^2 + t3 x^3.
-Polynomial::Coefficients Polynomial::on_interval(const BinaryFraction& from) const {
+// By sums and products with m (Shaw and Traub).
+Polynomial Polynomial::moved_to(const BinaryFraction& from) const {
     const int d = degree();
     Coefficients t;
     for (int i = 0; i <= d; ++i) {
@@ -79,7 +79,12 @@ Polynomial::Coefficients Polynomial::on_interval(const BinaryFraction& from) con
             }
         }
     }
-    switch (d) {
+    return Polynomial(std::move(t));
+}
+
+Polynomial::Coefficients Polynomial::on_unit_interval() const {
+    const Coefficients& t = c_;
+    switch (degree()) {
         case 1:
             return {t[0], t[0] + t[1], {}, {}};
         case 2: {

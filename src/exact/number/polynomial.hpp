@@ -41,10 +41,14 @@ class Polynomial {
     // The same at the root of a polynomial of degree 1.
     int sign_at_root_of(const Polynomial& linear) const;
 
-    // Positive multiples of the coefficients in the basis of Bernstein of degree() on the interval from m / 2^bits to
-    // (m + 1) / 2^bits: the first and the last have the signs of the values at the ends, and every value inside is a
-    // mean of them, with positive weights.
-    Coefficients on_interval(const BinaryFraction& from) const;
+    // In x, where s = (m + x) / 2^bits: times 2^(bits * degree).
+    Polynomial moved_to(const BinaryFraction& from) const;
+
+    // Positive multiples of the coefficients in the basis of Bernstein of degree() on the interval from 0 to 1: the
+    // first and the last have the signs of the values at the ends, and every value inside is a mean of them, with
+    // positive weights. Then the same on the interval from m / 2^bits to (m + 1) / 2^bits.
+    Coefficients on_unit_interval() const;
+    Coefficients on_interval(const BinaryFraction& from) const { return moved_to(from).on_unit_interval(); }
 
     // The same polynomial divided by the power of two that divides all coefficients.
     void drop_zeros();

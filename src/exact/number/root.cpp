@@ -71,7 +71,8 @@ void add_rational(Polynomial linear, std::vector<Root>& roots) {
         roots.emplace_back(BinaryFraction{Integer(std::int64_t{1}), 0});
     } else if (ends[0].sign() != ends[1].sign()) {
         const int sign = ends[0].sign();
-        roots.emplace_back(std::move(linear), BinaryFraction{}, sign);
+        Polynomial local = linear;
+        roots.emplace_back(std::move(linear), BinaryFraction{}, std::move(local), sign);
     }
 }
 
@@ -96,22 +97,29 @@ std::vector<Root> multiple_roots(const Polynomial& p, const Polynomial& d) {
 std::vector<Root> simple_roots(const Polynomial& p) {
     std::vector<Root> roots;
     const int degree = p.degree();
-    std::vector<BinaryFraction> open{{}};  // from right to left
+    struct Open {
+        BinaryFraction from;
+        Polynomial local;
+    };
+    std::vector<Open> open;  // from right to left
+    open.emplace_back().local = p;
     while (!open.empty()) {
-        BinaryFraction from = std::move(open.back());
+        Open top = std::move(open.back());
         open.pop_back();
-        const Polynomial::Coefficients c = p.on_interval(from);
+        const Polynomial::Coefficients c = top.local.on_unit_interval();
         const int changes = sign_changes(c, degree);
-        BinaryFraction end = next(from);
-        if (changes == 1) roots.emplace_back(p, from, first_sign(c));
         if (changes <= 1) {
-            if (c[static_cast<std::size_t>(degree)].is_zero()) roots.emplace_back(std::move(end));
+            const bool ends_at_root = c[static_cast<std::size_t>(degree)].is_zero();
+            BinaryFraction end = next(top.from);
+            if (changes == 1) roots.emplace_back(p, std::move(top.from), std::move(top.local), first_sign(c));
+            if (ends_at_root) roots.emplace_back(std::move(end));
             continue;
         }
         // The left half's end is looked at with it.
-        from = {from.m + from.m, from.bits + 1};
-        open.push_back(next(from));
-        open.push_back(std::move(from));
+        const BinaryFraction left{{}, 1}, right{Integer(std::int64_t{1}), 1};
+        const BinaryFraction middle{top.from.m + top.from.m, top.from.bits + 1};
+        open.push_back({next(middle), top.local.moved_to(right)});
+        open.push_back({middle, top.local.moved_to(left)});
     }
     return roots;
 }
@@ -138,11 +146,12 @@ std::optional<std::vector<Root>> simple_roots_in(Polynomial p, BinaryFraction fr
     if (degree <= 0) return roots;
     p.drop_zeros();
     for (int i = 0; i < count; ++i) {
-        const Polynomial::Coefficients c = p.on_interval(from);
+        Polynomial local = p.moved_to(from);
+        const Polynomial::Coefficients c = local.on_unit_interval();
         const int changes = sign_changes(c, degree);
         if (changes > 1) return std::nullopt;
         BinaryFraction end = next(from);
-        if (changes == 1) roots.emplace_back(p, from, first_sign(c));
+        if (changes == 1) roots.emplace_back(p, from, std::move(local), first_sign(c));
         if (c[static_cast<std::size_t>(degree)].is_zero()) roots.emplace_back(end);
         from = std::move(end);
     }
@@ -151,22 +160,64 @@ std::optional<std::vector<Root>> simple_roots_in(Polynomial p, BinaryFraction fr
 
 Root::Root(BinaryFraction value) : from_(std::move(value)), is_fraction_(true) {}
 
-Root::Root(Polynomial p, BinaryFraction from, int sign_below)
-    : p_(std::move(p)), from_(std::move(from)), sign_below_(sign_below) {}
+Root::Root(Polynomial p, BinaryFraction from, Polynomial local, int sign_below)
+    : p_(std::move(p)), from_(std::move(from)), local_(std::move(local)), sign_below_(sign_below) {}
 
-void Root::halve() {
-    from_ = {from_.m + from_.m, from_.bits + 1};
-    BinaryFraction middle = next(from_);
-    const int sign = p_.sign_at(middle);
-    if (sign != 0 && sign != sign_below_) return;
-    from_ = std::move(middle);
-    if (sign != 0) return;
+void Root::set_fraction(const BinaryFraction& part) {
+    from_ = {(from_.m << part.bits) + part.m, from_.bits + part.bits};
     is_fraction_ = true;
-    p_ = {};
+    p_ = local_ = {};
+}
+
+void Root::move_to(const BinaryFraction& part) {
+    from_ = {(from_.m << part.bits) + part.m, from_.bits + part.bits};
+    local_ = local_.moved_to(part);
+    local_.drop_zeros();
+}
+
+// By the leading bits of both values, which have opposite signs, or of which one or both are zero.
+std::int64_t Root::guess(int bits) const {
+    constexpr int kept = 60;
+    const Integer &first = local_[0], last = local_[0] + local_[1] + local_[2] + local_[3];
+    const int drop = std::max(0, std::max(first.bit_width(), last.bit_width()) - kept);
+    const auto leading = [&](const Integer& x) -> std::uint64_t {
+        const Integer high = x >> drop;
+        return high.is_zero() ? 0 : high.limbs()[0];
+    };
+    const std::uint64_t a = leading(first), b = leading(last);
+    if (a == 0 && b == 0) return 0;
+    const auto part = static_cast<std::int64_t>((Uint128{a} << bits) / (Uint128{a} + b));
+    return std::min(part, (std::int64_t{1} << bits) - 1);
+}
+
+// Quadratic interval refinement (Abbott 2014): where the polynomial is nearly linear, the part that is guessed has the
+// root; then so many bits more are tried. Otherwise half of the interval has it.
+void Root::shorten() {
+    constexpr int gain_max = 48;
+    const auto is_below = [&](std::int64_t m, int bits, int& sign) {
+        sign = local_.sign_at({Integer(m), bits});
+        return sign == sign_below_;
+    };
+    const std::int64_t m = guess(gain_), count = std::int64_t{1} << gain_;
+    int begin = sign_below_, end = -sign_below_;
+    if (m > 0 && !is_below(m, gain_, begin) && begin == 0) return set_fraction({Integer(m), gain_});
+    if (begin == sign_below_ && m + 1 < count && !is_below(m + 1, gain_, end) && end == 0) {
+        return set_fraction({Integer(m + 1), gain_});
+    }
+    if (begin == sign_below_ && end != sign_below_) {
+        move_to({Integer(m), gain_});
+        gain_ = std::min(2 * gain_, gain_max);
+        return;
+    }
+    gain_ = std::max(1, gain_ / 2);
+    int middle = 0;
+    const bool is_right = is_below(1, 1, middle);
+    if (middle == 0) return set_fraction({Integer(std::int64_t{1}), 1});
+    move_to({Integer(std::int64_t{is_right}), 1});
 }
 
 void Root::refine(int bits) {
-    while (!is_fraction_ && from_.bits < bits) halve();
+    while (!is_fraction_ && from_.bits < bits) shorten();
 }
 
 // The divisor has the root, or none in the interval: Descartes' rule counts right but for an even number.
@@ -212,7 +263,7 @@ int compare(Root& x, Root& y) {
 double Root::round() {
     // Halfway numbers between doubles are fractions of as many bits: none is inside the interval.
     constexpr int digits = 54, bits_max = 1075;
-    while (!is_fraction_ && from_.m.bit_width() < digits && from_.bits < bits_max) halve();
+    while (!is_fraction_ && from_.m.bit_width() < digits && from_.bits < bits_max) shorten();
     if (from_.m.is_zero()) return std::bit_cast<double>(std::uint64_t{1});
     return std::bit_cast<double>(std::max<std::uint64_t>(nearest(from_, is_fraction_), 1));
 }

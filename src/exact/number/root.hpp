@@ -1,6 +1,7 @@
 // Roots of polynomials with integer coefficients, as exact numbers: compared, rounded, and put into other polynomials.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -15,9 +16,9 @@ class Root {
   public:
     // The fraction itself.
     explicit Root(BinaryFraction value);
-    // The root of p between `from` and the next fraction. On that interval the coefficients of p have one change of
-    // sign, which begins with `sign_below`.
-    Root(Polynomial p, BinaryFraction from, int sign_below);
+    // The root of p between `from` and the next fraction; `local` is p moved there. On that interval the coefficients
+    // of p have one change of sign, which begins with `sign_below`.
+    Root(Polynomial p, BinaryFraction from, Polynomial local, int sign_below);
 
     // The sign of g there. Bounded: a common divisor of both polynomials proves a zero.
     int sign_of(const Polynomial& g);
@@ -33,15 +34,23 @@ class Root {
   private:
     static int compare_with_fraction(Root& x, const BinaryFraction& y);
 
-    // Halves the interval until fractions have at least so many bits, or it is one itself.
+    // Shortens the interval until fractions have at least so many bits, or it is one itself.
     void refine(int bits);
-    void halve();
+    // To one of 2^gain_ parts of it, or to its half.
+    void shorten();
+    // To the part that begins at m / 2^bits of it.
+    void move_to(const BinaryFraction& part);
+    void set_fraction(const BinaryFraction& part);
+    // Where a straight line between the values at the ends would be zero: in which of 2^bits parts.
+    std::int64_t guess(int bits) const;
     // Whether a divisor of a polynomial of which this is a root has it, too.
     bool is_root_of_divisor(const Polynomial& divisor) const;
 
     Polynomial p_;  // zero for a fraction
     BinaryFraction from_;
+    Polynomial local_;  // p on the interval, as on that from 0 to 1
     int sign_below_ = 0;
+    int gain_ = 1;
     bool is_fraction_ = false;
 };
 

@@ -92,6 +92,14 @@ std::optional<FirstContact> cast_past(Pair& p) {
     return cast(p.second(), -1.5 * p.pose_b.t, p.first(), p.memory, p.witness);
 }
 
+// The same way, on which it is turned over: flat half-way.
+std::optional<FirstContact> move_past(Pair& p) {
+    Pose end;
+    end.R = Vec3(-1, -1, 1).asDiagonal();
+    end.t = -0.5 * p.pose_b.t;
+    return cast(Moving<MeshShape>(*p.b, p.pose_b, end), Moving<MeshShape>(*p.a, p.pose_a, p.pose_a), p.memory);
+}
+
 struct Question {
     const char* name;
     void (*ask)(Pair&);
@@ -126,6 +134,7 @@ const Question questions[] = {
     {"cast of a translation",
      [](Pair& p) { p.answer = text(cast(p.second(), -1.5 * p.pose_b.t, p.first(), p.memory)); }},
     {"cast of a translation, with a witness", [](Pair& p) { p.answer = text(cast_past(p)); }},
+    {"cast between poses", [](Pair& p) { p.answer = text(move_past(p)); }},
     {"intersections", [](Pair& p) { p.answer = text(intersections(p.first(), p.second(), p.memory)); }},
     {"MeshShape::box", [](Pair& p) { p.answer = number(p.a->box(p.pose_b).min.allFinite()); }},
     {"MeshShape::tree_bytes", [](Pair& p) { p.answer = number(p.a->tree_bytes()); }},
@@ -155,6 +164,7 @@ void go_on(Pair& p) {
         p.answer += number(intersecting_triangles(p.first(), p.second(), p.memory).size());
         p.answer += text(distance(p.first(), p.second(), p.memory, p.witness));
         p.answer += text(cast_past(p));
+        p.answer += text(move_past(p));
     }
 }
 

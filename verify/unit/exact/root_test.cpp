@@ -191,5 +191,42 @@ TEST(Root, EqualRootsOfDifferentPolynomials) {
     EXPECT_EQ(of_p[0].round(), nearest(mpq_class(std::sqrt(1 / 3.0))));
 }
 
+// Above or below a double that it rounds to, by however little.
+TEST(Root, IsAboveADouble) {
+    for (const double d : {0x1p-1074, 0x3p-1074, 0x1p-60, 0.1, 1 / 3.0, 0.5, next_down(1)}) {
+        for (const int bits : {-60, -1080, -3000}) {
+            const mpq_class above = mpq_class(d) + power_of_two(bits) * mpq_class(d),
+                            below = mpq_class(d) - power_of_two(bits) * mpq_class(d);
+            EXPECT_TRUE(roots_in_unit_interval(product_of({above})).at(0).is_above(d));
+            EXPECT_FALSE(roots_in_unit_interval(product_of({mpq_class(d)})).at(0).is_above(d));
+            EXPECT_FALSE(roots_in_unit_interval(product_of({below})).at(0).is_above(d));
+        }
+    }
+}
+
+// In each interval of a grid, the roots of all of them; unless two are in one.
+TEST(Root, InShortIntervals) {
+    std::vector<mpq_class> numbers;
+    for (int num = 0; num <= 12; ++num) numbers.emplace_back(num, 12);
+    for (mpq_class& x : numbers) x.canonicalize();
+    for (const mpq_class& x : numbers) {
+        for (const mpq_class& y : numbers) {
+            const Polynomial p = product_of({x, y, mpq_class(7, 5)});
+            std::size_t count = 0;
+            bool is_parted = true;
+            for (std::int64_t m = 0; m < 16; m += 2) {
+                const auto roots = simple_roots_in(p, {Integer(m), 4}, 2);
+                is_parted = is_parted && roots;
+                if (roots) count += roots->size();
+            }
+            if (is_parted) {
+                EXPECT_EQ(count, roots_in_unit_interval(p).size());
+            } else {
+                EXPECT_LT(abs(x - y), mpq_class(1, 16));
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace ecods::exact
