@@ -23,10 +23,10 @@ namespace ecods {
 //
 // Bounds. `velocity` is at least the real one, so that a side that comes is no later than here, and one that goes no
 // earlier. With u' = 2^-52, which bounds an operation in any rounding mode, a time is off by u' for the difference, u'
-// for `gap_min`, u' for the inverse, u' for its factor and u' for the product: the factors 1 -+ 2^-48 take 16 u' off, or
-// add them. Where subnormal numbers are flushed to zero, differences and coordinates are off by 3 * 2^-1022, which is
-// below 2^-60 of the 2^-960 that gaps are taken to be smaller by where a side comes, and larger where one goes. Speeds
-// below 2^-1000 and above 2^1000 are taken for those, or for infinite, whichever proves less. So no inverse is
+// for `gap_min`, u' for the inverse, u' for its factor and u' for the product: the factors 1 -+ 2^-48 take 16 u' off,
+// or add them. Where subnormal numbers are flushed to zero, differences and coordinates are off by 3 * 2^-1022, which
+// is below 2^-60 of the 2^-960 that gaps are taken to be smaller by where a side comes, and larger where one goes.
+// Speeds below 2^-1000 and above 2^1000 are taken for those, or for infinite, whichever proves less. So no inverse is
 // subnormal. A product that is subnormal or flushed to zero is off by less than 2^-1021; so a box is left out where it
 // comes later than it goes by more than 2^-1000. Gaps that overflow are at least the largest double. What is no number,
 // 0 times infinity, proves nothing.

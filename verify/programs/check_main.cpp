@@ -1,16 +1,20 @@
-// ecods_check: which bodies of some files touch, which cross, how far they are from each other, and when they meet.
+// ecods_check: which bodies of some files touch, which cross, how far they are from each other, when they meet, and
+// what rays hit of them.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "check_cases.hpp"
 #include "check_oracle.hpp"
 #include "check_print.hpp"
 #include "check_scene.hpp"
 #include "command_line.hpp"
+#include "ecods/error.hpp"
 #include "ecods/instruction_set.hpp"
 #include "environment/instruction_sets.hpp"
 #include "process/progress.hpp"
@@ -84,10 +88,31 @@ int check_cases(const Options& options) {
     return mismatches == 0 ? exit_ok : exit_differs;
 }
 
+void add_rays(CLI::App& app, std::vector<Ray>& rays) {
+    const auto take = [&rays](const std::vector<std::array<double, 6>>& given) {
+        for (const auto& [x, y, z, dx, dy, dz] : given) {
+            rays.push_back({Vec3(x, y, z), Vec3(dx, dy, dz)});
+            try {
+                validate(rays.back());
+            } catch (const InvalidRay& error) {
+                throw CLI::ValidationError("--ray", error.what());
+            }
+        }
+    };
+    app.add_option_function<std::vector<std::array<double, 6>>>(
+           "--ray", take,
+           "Also list everything that this ray hits, in the exact order: six numbers, the origin and the direction. "
+           "Parameters are multiples of the direction. May be given more than once")
+        ->allow_extra_args(false)
+        ->type_name("X Y Z DX DY DZ");
+}
+
 int run(int argc, char** argv) {
     Options options;
     CLI::App app(
-        "Says which bodies of some files touch, which cross, and how far they are from each other: exactly.\n\n"
+        "Says which bodies of some files touch, which cross, how far they are from each other, when they meet on "
+        "their\n"
+        "way, and what rays hit of them: exactly.\n\n"
         "Files are meshes (.off, .ply: a body each; .obj, .stl: a body for each object, group or solid), assemblies\n"
         "(.gltf, .glb: a body for each node with a mesh) and scenes (.json); all of them together are one scene.\n\n"
         "Exit status: 0, or 1 if an answer is not the expected one, or 2 if the input cannot be read.",
@@ -108,6 +133,7 @@ int run(int argc, char** argv) {
         "--casts", options.questions.has_casts,
         "Also say of each body with a \"motion\" (in a scene file, or in the extras of a glTF node) which body "
         "it meets first when it is translated by that, and at which time from 0 to 1");
+    add_rays(app, options.questions.rays);
     app.add_flag("--oracle", options.oracle, "Check every answer, of all pairs of bodies, with CGAL's exact numbers");
     programs::add_broad_phase(app, options.broad_phase, "Which broad phase; sweep_and_prune is the default");
     std::map<std::string, InstructionSet> sets;
@@ -120,9 +146,11 @@ int run(int argc, char** argv) {
             throw CLI::ValidationError("ecods_check", "files to read, or --cases with one file, are expected");
         }
         const SceneQuestions& asked = options.questions;
-        if ((asked.has_distances || asked.clearance || asked.has_moves || asked.has_casts) && !options.cases.empty()) {
-            throw CLI::ValidationError("ecods_check",
-                                       "--distance, --clearance, --moves and --casts are for files, not for --cases");
+        const bool has_questions =
+            asked.has_distances || asked.clearance || asked.has_moves || asked.has_casts || !asked.rays.empty();
+        if (has_questions && !options.cases.empty()) {
+            throw CLI::ValidationError(
+                "ecods_check", "--distance, --clearance, --moves, --casts and --ray are for files, not for --cases");
         }
     });
     if (const auto status = programs::parse(app, argc, argv)) return *status;

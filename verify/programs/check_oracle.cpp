@@ -35,6 +35,7 @@ void OracleJudge::check_frame(SceneWorld& world, const FrameAnswer& answer) {
     if (answer.clearance) check_close(world, answer);
     if (world.questions().has_moves) check_meetings(world, answer);
     if (world.questions().has_casts) check_casts(world, answer);
+    check_hits(world, answer);
 }
 
 oracle::MeshDistances OracleJudge::distances(const SceneWorld& world, std::size_t a, std::size_t b) const {

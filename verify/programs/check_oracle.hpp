@@ -23,6 +23,7 @@ struct OracleReport {
     std::size_t distances = 0;       // of two bodies, with features and points
     std::size_t clearances = 0;      // pairs of bodies that must be listed as close, or must not
     std::size_t moves = 0;  // pairs of bodies that must be listed as meeting on the way, or must not; and casts
+    std::size_t rays = 0;   // with everything that they hit, in the exact order
     std::vector<std::string> differences;
 };
 
@@ -30,8 +31,8 @@ struct OracleReport {
 // relation and its complete list of triangle pairs. For the broad phase: the box of every body that moved, and that the
 // overlapping pairs are those of all pairs of boxes. Distances that the answer has, with their points; and with a
 // clearance, for every pair of bodies whether it is listed as close; with moves, whether it meets on the way, and with
-// casts what each body with a motion meets. Work of the oracle is kept for pairs of which neither body moved, but for
-// distances and moves.
+// casts what each body with a motion meets; and everything that rays hit. Work of the oracle is kept for pairs of which
+// neither body moved, but for distances, moves and rays.
 class OracleJudge {
   public:
     explicit OracleJudge(const scenes::Scene& scene);
@@ -51,6 +52,7 @@ class OracleJudge {
     void check_close(const SceneWorld& world, const FrameAnswer& answer);
     void check_meetings(const SceneWorld& world, const FrameAnswer& answer);
     void check_casts(const SceneWorld& world, const FrameAnswer& answer);
+    void check_hits(const SceneWorld& world, const FrameAnswer& answer);
     void differ(const FrameAnswer& answer, const std::string& bodies, const std::string& text);
 
     const scenes::Scene& scene_;

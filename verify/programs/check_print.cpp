@@ -28,6 +28,12 @@ std::string name_of(ClosestKind kind) {
     return out.str();
 }
 
+std::string name_of(HitKind kind) {
+    std::ostringstream out;
+    out << kind;
+    return out.str();
+}
+
 namespace {
 
 nlohmann::ordered_json to_json(const Vec3& v) {
@@ -63,6 +69,23 @@ nlohmann::ordered_json to_json(const scenes::Scene& scene, const std::vector<Mee
     return json;
 }
 
+nlohmann::ordered_json to_json(const scenes::Scene& scene, const std::vector<HitAnswer>& hits) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const auto& [ray, body, hit] : hits) {
+        json.push_back({{"ray", ray},
+                        {"body", scene.bodies[body].name},
+                        {"parameter", hit.parameter},
+                        {"rank", hit.rank},
+                        {"kind", name_of(hit.kind)},
+                        {"triangle", hit.triangle()},
+                        {"point", to_json(hit.point)}});
+        if (hit.kind != HitKind::along) continue;
+        json.back()["leave_parameter"] = hit.leave_parameter;
+        json.back()["leave_point"] = to_json(hit.leave_point);
+    }
+    return json;
+}
+
 void print_meetings(std::FILE* out, const scenes::Scene& scene, const char* what,
                     const std::vector<MeetingAnswer>& pairs) {
     for (const MeetingAnswer& pair : pairs) {
@@ -74,6 +97,16 @@ void print_meetings(std::FILE* out, const scenes::Scene& scene, const char* what
 
 std::string to_text(const Vec3& v) {
     return fmt::format("({}, {}, {})", v[0], v[1], v[2]);
+}
+
+void print_hits(std::FILE* out, const scenes::Scene& scene, const std::vector<HitAnswer>& hits) {
+    for (const auto& [ray, body, hit] : hits) {
+        std::string points = to_text(hit.point);
+        if (hit.kind == HitKind::along)
+            points += fmt::format(" to {} at {}", to_text(hit.leave_point), hit.leave_parameter);
+        fmt::print(out, "  ray {} hits at {}  {}  ({}, triangle {}: {})\n", ray, hit.parameter, scene.bodies[body].name,
+                   name_of(hit.kind), hit.triangle(), points);
+    }
 }
 
 void print_distances(std::FILE* out, const scenes::Scene& scene, const char* what,
@@ -100,6 +133,7 @@ void print_frame(std::FILE* out, const scenes::Scene& scene, const FrameAnswer& 
     print_distances(out, scene, "close", answer.close);
     print_meetings(out, scene, "met", answer.meetings);
     print_meetings(out, scene, "cast meets", answer.casts);
+    print_hits(out, scene, answer.hits);
 }
 
 void print_report(std::FILE* out, const OracleReport& report) {
@@ -107,6 +141,7 @@ void print_report(std::FILE* out, const OracleReport& report) {
     std::string distances = report.distances == 0 ? "" : ", " + counted(report.distances, "distance");
     if (report.clearances > 0) distances += ", " + counted(report.clearances, "clearance");
     if (report.moves > 0) distances += fmt::format(", {} moves and casts", report.moves);
+    if (report.rays > 0) distances += ", " + counted(report.rays, "ray");
     fmt::print(out, "oracle: checked {}, {}, {}{}: {}\n", counted(report.body_pairs, "body pair"),
                counted(report.triangle_pairs, "touching triangle pair"), counted(report.boxes, "box", "boxes"),
                distances,
@@ -133,6 +168,7 @@ nlohmann::ordered_json to_json(const scenes::Scene& scene, const FrameAnswer& an
     if (answer.clearance) frame["close"] = to_json(scene, answer.close);
     if (!answer.meetings.empty()) frame["met"] = to_json(scene, answer.meetings);
     if (!answer.casts.empty()) frame["casts"] = to_json(scene, answer.casts);
+    if (!answer.hits.empty()) frame["hits"] = to_json(scene, answer.hits);
     return frame;
 }
 
@@ -142,6 +178,7 @@ nlohmann::ordered_json to_json(const OracleReport& report) {
     if (report.distances > 0) json["distances"] = report.distances;
     if (report.clearances > 0) json["clearances"] = report.clearances;
     if (report.moves > 0) json["moves_and_casts"] = report.moves;
+    if (report.rays > 0) json["rays"] = report.rays;
     json["differing"] = report.differences.size();
     json["differences"] = report.differences;
     return json;

@@ -58,6 +58,15 @@ std::vector<MeetingAnswer> SceneWorld::casts() {
     return casts;
 }
 
+std::vector<HitAnswer> SceneWorld::hits() {
+    std::vector<HitAnswer> hits;
+    for (std::size_t ray = 0; ray < questions_.rays.size(); ++ray) {
+        for (const BodyHit& hit : world_.all_hits(questions_.rays[ray]))
+            hits.push_back({ray, body_of(hit.body), hit.hit});
+    }
+    return hits;
+}
+
 FrameAnswer SceneWorld::answer() {
     FrameAnswer answer;
     answer.frame = frame_count_ - 1;
@@ -80,6 +89,7 @@ FrameAnswer SceneWorld::answer() {
     }
     answer.meetings = meetings_;
     if (questions_.has_casts) answer.casts = casts();
+    answer.hits = hits();
     return answer;
 }
 

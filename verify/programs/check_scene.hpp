@@ -35,12 +35,20 @@ struct MeetingAnswer {
     FirstContact contact;
 };
 
+// What the ray of this index in the questions hits.
+struct HitAnswer {
+    std::size_t ray = 0;
+    std::size_t body = 0;
+    Hit hit;
+};
+
 // What is asked of every frame beside collisions.
 struct SceneQuestions {
     std::optional<double> clearance = {};
     bool has_distances = false;  // of all pairs
     bool has_moves = false;      // which pairs meet on the way from the frame before
     bool has_casts = false;      // of bodies with a motion: what each meets first
+    std::vector<Ray> rays = {};  // what each of them hits, everything
 };
 
 // All answers for one frame; frame 0 is the rest. Lists are ascending.
@@ -53,6 +61,7 @@ struct FrameAnswer {
     std::vector<DistanceAnswer> close;    // pairs within the clearance, colliding ones included
     std::vector<MeetingAnswer> meetings;  // ascending by time
     std::vector<MeetingAnswer> casts;     // of bodies that meet something, by body
+    std::vector<HitAnswer> hits;          // by ray, then as World::all_hits() has them
 };
 
 // The World of a scene. The scene must outlive it. Throws InvalidDistance, as World::set_clearance does.
@@ -85,6 +94,7 @@ class SceneWorld {
     DistanceAnswer distance(std::size_t a, std::size_t b);
     void find_meetings(const scenes::Frame& frame);
     std::vector<MeetingAnswer> casts();
+    std::vector<HitAnswer> hits();
 
     const scenes::Scene& scene_;
     SceneQuestions questions_;

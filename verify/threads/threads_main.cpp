@@ -86,6 +86,50 @@ bool shared_shapes_answer_alike() {
     return wrong == 0;
 }
 
+// What one world says to questions that go through all of it, as a number.
+std::uint64_t answers_of(const World& world, const std::vector<BodyId>& bodies, QueryMemory& memory) {
+    std::uint64_t sum = 0;
+    const auto add = [&](std::uint64_t word) { sum = 31 * sum + word; };
+    for (int i = 0; i < 4; ++i) {
+        const Vec3 from(0.3 * i - 1, 0.4 * i - 1, 3), to(2, 0.3 * i, -3);
+        const auto hit = world.first_hit(Segment{from, to}, memory);
+        add(hit ? hit->body.slot + 64 * hit->hit.triangle() : 0);
+        add(world.all_hits(Ray{from, to - from}, memory).size());
+        const BodyId body = bodies[static_cast<std::size_t>(i)];
+        const auto met = world.cast(body, Vec3(0.25 * i, 1, 0), memory);
+        add(met ? met->body.slot : 0);
+        add(world.nearest(body, memory)->body.slot);
+        add(world.meetings({&body, 1}, std::vector{pose_of(i + 5)}, memory).size());
+    }
+    return sum;
+}
+
+// A const world is asked by threads with memories of their own, first of all after its bodies moved: what it has to
+// bring up to date for questions is brought up to date by one of them.
+bool questions_answer_alike() {
+    World world, other;
+    std::vector<BodyId> bodies, of_other;
+    for (int i = 0; i < 60; ++i) bodies.push_back(world.create_body(make_mesh(), pose_of(i)));
+    for (int i = 0; i < 60; ++i) of_other.push_back(other.create_body(make_mesh(), pose_of(i)));
+    std::atomic<int> wrong = 0;
+    for (int frame = 0; frame < 2; ++frame) {
+        world.update();
+        other.update();
+        for (int i = frame; i < 60; i += 20) {
+            world.set_pose(bodies[static_cast<std::size_t>(i)], pose_of(i + frame));
+            other.set_pose(of_other[static_cast<std::size_t>(i)], pose_of(i + frame));
+        }
+        QueryMemory memory;
+        const std::uint64_t expected = answers_of(other, of_other, memory);
+        const World& same = world;
+        run_in_threads(4, [&](int) {
+            QueryMemory own;
+            if (answers_of(same, bodies, own) != expected) ++wrong;
+        });
+    }
+    return wrong == 0;
+}
+
 // One digest for each world, of all its frames: none if they differ.
 std::optional<std::uint64_t> digest_of_worlds() {
     const auto mesh = make_mesh();
@@ -121,8 +165,10 @@ std::optional<std::uint64_t> digest_of_worlds() {
 int main() {
     environment::limit_by_variable_or_exit();
     const bool shapes = shared_shapes_answer_alike();
+    const bool questions = questions_answer_alike();
     const auto worlds = digest_of_worlds();
-    std::printf("shapes %s, worlds %s", shapes ? "ok" : "WRONG", worlds ? "ok" : "WRONG");
+    std::printf("shapes %s, questions %s, worlds %s", shapes ? "ok" : "WRONG", questions ? "ok" : "WRONG",
+                worlds ? "ok" : "WRONG");
     std::printf(", digest %016" PRIx64 "\n", worlds.value_or(0));
-    return shapes && worlds ? 0 : 1;
+    return shapes && questions && worlds ? 0 : 1;
 }

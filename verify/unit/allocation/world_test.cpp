@@ -40,6 +40,15 @@ std::string text_of(const std::optional<BodyHit>& hit) {
     return hit ? text_of(std::vector<BodyHit>{*hit}) : "none";
 }
 
+std::string text_of(const std::vector<Meeting>& meetings) {
+    std::string text;
+    for (const auto& [bodies, contact] : meetings) {
+        text += std::to_string(bodies.a.slot) + " " + std::to_string(bodies.b.slot) + " at " +
+                std::to_string(contact.time) + ", ";
+    }
+    return text;
+}
+
 const Segment through{Vec3(-1, 0.125, 0.125), Vec3(20, 0.25, 0.25)};
 
 struct WorldCall {
@@ -115,6 +124,15 @@ const std::array calls = {
     WorldCall{"all_hits, ray",
               [](Scene& s) {
                   s.answer = text_of(s.world.all_hits(Ray{through.a, through.b - through.a}));
+              }},
+    WorldCall{"cast", [](Scene& s) { s.answer = text_of(s.world.cast(s.ids[9], Vec3(-8, 0, 0))); }},
+    WorldCall{"cast, new mesh",
+              [](Scene& s) { s.answer = text_of(s.world.cast(tetrahedron(), at(40), Vec3(-30, 0, 0))); }},
+    WorldCall{"cast, shape", [](Scene& s) { s.answer = text_of(s.world.cast(Ball(1), at(-3), Vec3(8, 0, 0))); }},
+    WorldCall{"meetings",
+              [](Scene& s) {
+                  const std::vector<BodyId> bodies = {s.ids[30], s.ids[0], s.ids[1], s.ids[9], s.ids[0]};
+                  s.answer = text_of(s.world.meetings(bodies, std::vector<Pose>{at(0.5), at(1), at(2), at(3), at(4)}));
               }},
     WorldCall{"bodies", [](Scene& s) { s.answer = slots_of(s.world.bodies()); }},
     WorldCall{"statistics", [](Scene& s) { s.answer = std::to_string(s.world.statistics().body_count); }},

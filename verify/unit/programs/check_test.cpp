@@ -87,6 +87,44 @@ TEST_F(Check, SaysWhoMeetsOnTheWay) {
     EXPECT_EQ(run("--casts --cases " + cases(true, 1)).status, 2);
 }
 
+TEST_F(Check, SaysWhatRaysHit) {
+    const Result text = run("--ray 1 1 -3 0 0 2 --ray -1 0 9 0.5 0 0 --oracle " + scene());
+    EXPECT_EQ(text.status, 0) << text.err;
+    EXPECT_EQ(text.out.substr(0, text.out.find("frame 1")),
+              "frame 0: 3 bodies, 1 pair with overlapping boxes, 1 colliding\n"
+              "  touching  ground | blade  (1 triangle pair)\n"
+              "  ray 0 hits at 1.5  ground  (back, triangle 0: (1, 1, 0))\n"
+              "  ray 0 hits at 1.5  blade  (along, triangle 0: (1, 1, 0) to (1, 1, 1) at 2)\n"
+              "  ray 0 hits at 6  far  (back, triangle 0: (1, 1, 9))\n"
+              "  ray 1 hits at 2  far  (along, triangle 0: (0, 0, 9) to (4, 0, 9) at 10)\n");
+    EXPECT_NE(text.out.find(" 6 rays: no difference"), std::string::npos) << text.out;
+    const Json json = Json::parse(run("--json --oracle --ray 1 1 -3 0 0 2 " + scene()).out);
+    const Json& hits = json["frames"][0]["hits"];
+    ASSERT_EQ(hits.size(), 3U);
+    EXPECT_EQ(hits[0], Json({{"ray", 0},
+                             {"body", "ground"},
+                             {"parameter", 1.5},
+                             {"rank", 0},
+                             {"kind", "back"},
+                             {"triangle", 0},
+                             {"point", {1, 1, 0}}}));
+    EXPECT_EQ(hits[1]["leave_parameter"], 2);
+    EXPECT_EQ(hits[1]["leave_point"], Json({1, 1, 1}));
+    EXPECT_EQ(hits[2]["rank"], 1);
+    EXPECT_EQ(json["oracle"]["rays"], 3);
+    EXPECT_FALSE(Json::parse(run("--json " + scene()).out)["frames"][0].contains("hits"));
+}
+
+TEST_F(Check, RaysThatAreNoneAreRefused) {
+    for (const std::string bad : {"0 0 0 0 0 0", "0 0 0 inf 0 0", "nan 0 0 1 0 0", "0 0 0 1 0", "0 0 0 1 0 x"}) {
+        const Result result = run("--ray " + bad + " " + scene());
+        EXPECT_EQ(result.status, 2) << bad;
+        EXPECT_EQ(result.out, "") << bad;
+        EXPECT_NE(result.err.find("--ray"), std::string::npos) << result.err;
+    }
+    EXPECT_EQ(run("--ray 0 0 0 1 0 0 --cases " + cases(true, 1)).status, 2);
+}
+
 TEST_F(Check, SaysHowFarBodiesAreFromEachOther) {
     const Result text = run("--distance --oracle " + scene());
     EXPECT_EQ(text.status, 0) << text.err;

@@ -29,6 +29,9 @@ std::string traced(const TraceOptions& options) {
     world.nearest(bodies[1]);
     world.nearest(bodies[1], 0.5);
     world.closest_pair();
+    world.cast(bodies[0], Vec3(8, 0, 0));
+    world.cast(bodies[0], Vec3(8, 0, 0), 0.25);
+    world.meetings(std::vector{bodies[2], bodies[0]}, std::vector{at(0), at(6)});
     world.set_pose(bodies[1], at(3, 0.25));
     QueryMemory memory;
     world.nearest(bodies[1], memory);
@@ -59,6 +62,8 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
     EXPECT_EQ(count_of("\nall_hits_of_ray ", with), 1u);
     EXPECT_EQ(count_of("\nnearest ", with), 2u) << "those in the world's own memory";
     EXPECT_EQ(count_of("\nclosest_pair ", with), 1u);
+    EXPECT_EQ(count_of("\ncast ", with), 2u);
+    EXPECT_EQ(count_of("\nmeetings ", with), 1u);
     EXPECT_NE(with.find(" inf 2 10\n"), std::string::npos) << with;
     EXPECT_NE(with.find(" inf\n"), std::string::npos);
     EXPECT_EQ(replayed(without).question_count, 0u);
@@ -66,17 +71,17 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
                             BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic}) {
         const ReplayReport report = replayed(with, kind);
         EXPECT_FALSE(report.difference) << report.difference->what;
-        EXPECT_EQ(report.question_count, 7u);
+        EXPECT_EQ(report.question_count, 10u);
         EXPECT_EQ(report.update_count, 2u);
-        EXPECT_EQ(report.call_count, 4u + 2 + 7);
+        EXPECT_EQ(report.call_count, 4u + 2 + 10);
     }
 }
 
 // Each of the lines with another digest is named.
 TEST(TraceQuestions, TheFirstOtherAnswerIsNamed) {
     const std::string text = traced({.questions = true});
-    for (const std::string name :
-         {"first_hit", "first_hit_of_ray", "all_hits", "all_hits_of_ray", "nearest", "closest_pair"}) {
+    for (const std::string name : {"first_hit", "first_hit_of_ray", "all_hits", "all_hits_of_ray", "nearest",
+                                   "closest_pair", "cast", "meetings"}) {
         const std::size_t line = text.find("\n" + name + " ") + 1;
         const std::size_t digest = line + name.size() + 1;
         std::string wrong = text;
@@ -84,7 +89,8 @@ TEST(TraceQuestions, TheFirstOtherAnswerIsNamed) {
         const ReplayReport report = replayed(wrong);
         ASSERT_TRUE(report.difference) << name;
         EXPECT_NE(report.difference->what.find("answer to " + name + " is "), std::string::npos);
-        EXPECT_EQ(report.difference->line, count_of("\n", text.substr(0, line)) + 1);
+        const std::size_t more = name == "meetings" ? 2 : 0;  // lines, of the bodies
+        EXPECT_EQ(report.difference->line, count_of("\n", text.substr(0, line)) + 1 + more);
     }
 }
 

@@ -166,8 +166,8 @@ TEST_P(WorldHitTest, ShapesOfTheCallersOwnAreInTheSameOrder) {
         const auto hits = world.all_hits(segment);
         ASSERT_EQ(hits.size(), 6u);
         const std::array expected = {d, a, is_rounded ? c : b, is_rounded ? b : c, a, c};
-        const std::array<std::uint32_t, 6> ranks = {0, 1, 1, is_rounded ? 2u : 1u, is_rounded ? 3u : 2u,
-                                                    is_rounded ? 3u : 2u};
+        const std::array<std::uint32_t, 6> ranks = {
+            0, 1, 1, is_rounded ? 2u : 1u, is_rounded ? 3u : 2u, is_rounded ? 3u : 2u};
         for (std::size_t i = 0; i < hits.size(); ++i) {
             EXPECT_EQ(hits[i].body, expected[i]) << i;
             EXPECT_EQ(hits[i].hit.rank, ranks[i]) << i;
