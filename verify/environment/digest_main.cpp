@@ -1,5 +1,6 @@
-// usage: digest_main CORPUS     prints a digest of the answers on the corpus, for each rounding mode with and without
-//                               flush-to-zero
+// usage: digest_main CORPUS [N]     prints a digest of the answers on the corpus, or on every Nth record of it, for
+// each
+//                                   rounding mode with and without flush-to-zero
 //
 // Built by verify/environment/check in many ways, from the sources of the exact layer, without any other library.
 
@@ -8,6 +9,7 @@
 #include <cfenv>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <vector>
 
@@ -19,31 +21,66 @@
 #include "ecods/mesh.hpp"
 #include "ecods/predicates.hpp"
 #include "environment/corpus.hpp"
+#include "environment/digest_ways.hpp"
 #include "query/distance/triangle_distances.hpp"
 #include "query/intersection/triangle_relations.hpp"
 
 namespace {
 
 using namespace ecods;
+using environment::Asked;
 
 struct Body {
-    Pose pose;
+    Pose pose, to;
     std::array<Vec3, 3> corners;
     std::shared_ptr<const Mesh> mesh;
 };
 
-Body read_body(const double* in) {
-    Body body;
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) body.pose.R(row, column) = *in++;
+struct Case {
+    Asked asked;
+    Body a, b;
+    Vec3 first, second;
+    double limit;
+};
+
+class Reader {
+  public:
+    explicit Reader(const environment::Record& record) : in_(record.data()) {}
+
+    Case read() {
+        Case read;
+        read.asked = static_cast<Asked>(*in_++);
+        read.a = body();
+        read.b = body();
+        read.first = vector();
+        read.second = vector();
+        read.limit = *in_++;
+        return read;
     }
-    for (int row = 0; row < 3; ++row) body.pose.t[row] = *in++;
-    for (Vec3& v : body.corners) {
-        for (int k = 0; k < 3; ++k) v[k] = *in++;
+
+  private:
+    Vec3 vector() {
+        const Vec3 v(in_[0], in_[1], in_[2]);
+        in_ += 3;
+        return v;
     }
-    body.mesh = Mesh::create({body.corners.begin(), body.corners.end()}, {{0, 1, 2}});
-    return body;
-}
+    Pose pose() {
+        Pose pose;
+        for (int row = 0; row < 3; ++row) pose.R.row(row) = vector();
+        pose.t = vector();
+        return pose;
+    }
+    Body body() {
+        Body body;
+        body.pose = pose();
+        for (Vec3& v : body.corners) v = vector();
+        body.to = pose();
+        body.mesh = Mesh::create({body.corners.begin(), body.corners.end()}, {{0, 1, 2}});
+        return body;
+    }
+
+    const double* in_;
+};
 
 // Distance, features and points, and comparisons next to where they turn; all features that are closest, with their
 // directions, and what the triangles share.
@@ -79,18 +116,47 @@ std::uint64_t digest(std::uint64_t result, TriangleDistances& distances) {
     return result;
 }
 
-std::uint64_t digest(const std::vector<std::array<Body, 2>>& pairs) {
+// Subnormal numbers may count as zero.
+bool is_zero(const Vec3& v) {
+    std::uint64_t bits = 0;
+    for (int k = 0; k < 3; ++k) bits |= std::bit_cast<std::uint64_t>(v[k]) << 1;
+    return bits == 0;
+}
+
+// A share of the pairs is asked about distances: without optimisation these take ten times as long as all the rest.
+constexpr std::size_t distances_every = 6;
+
+std::uint64_t digest(const std::vector<Case>& cases) {
     std::uint64_t result = 0;
     TriangleRelations bodies;
     TriangleDistances distances;
     std::size_t count = 0;
-    for (const auto& [a, b] : pairs) {
+    const auto add = [&](auto answer) { result = combine(result, static_cast<std::uint64_t>(answer) & 0xff); };
+    for (const Case& one : cases) {
+        const Body &a = one.a, &b = one.b;
         const exact::MeshExtent extent_a = exact::measure(*a.mesh), extent_b = exact::measure(*b.mesh);
         const exact::BodyRef first{a.mesh.get(), &extent_a, &a.pose}, second{b.mesh.get(), &extent_b, &b.pose};
+        if (one.asked == Asked::segment || one.asked == Asked::ray) {
+            const Line line = one.asked == Asked::segment ? Line(Segment{one.first, one.second})
+                                                          : Line(Ray{one.first, one.second, one.limit});
+            result = environment::digest_of_hit(result, line, first);
+            continue;
+        }
         bodies.bind(first, second);
-        distances.bind(first, second);
-        const auto add = [&](auto answer) { result = combine(result, static_cast<std::uint64_t>(answer) & 0xff); };
-        add(bodies.relation(0, 0));
+        const Relation relation = bodies.relation(0, 0);
+        add(relation);
+        if (one.asked == Asked::translation) {
+            if (!is_zero(one.first)) {
+                result = environment::digest_of_translation(result, first, one.first, second);
+            }
+            continue;
+        }
+        if (one.asked == Asked::motion) {
+            if (relation == Relation::disjoint) {
+                result = environment::digest_of_motion(result, first, a.to, second, b.to);
+            }
+            continue;
+        }
         add(triangle_triangle({a.pose, a.corners}, {b.pose, b.corners}));
         add(triangle_triangle(a.corners, b.corners));
         add(orient3d(a.corners[0], a.corners[1], b.corners[0], b.corners[1]));
@@ -98,13 +164,14 @@ std::uint64_t digest(const std::vector<std::array<Body, 2>>& pairs) {
             s{b.pose, b.corners[2]};
         add(orient3d(p, q, r, s));
         for (int axis = 0; axis < 3; ++axis) add(orient2d(p, q, r, axis));
-        // Of every fourth pair: without optimisation these take ten times as long as all the rest.
-        if (count++ % 4 == 0) result = digest(result, distances);
+        if (count++ % distances_every != 0) continue;
+        distances.bind(first, second);
+        result = digest(result, distances);
     }
     return result;
 }
 
-void print_digests(const std::vector<std::array<Body, 2>>& pairs) {
+void print_digests(const std::vector<Case>& cases) {
     for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
         for (const bool flush : {false, true}) {
 #if defined(__SSE2__)
@@ -114,7 +181,7 @@ void print_digests(const std::vector<std::array<Body, 2>>& pairs) {
             if (flush) continue;
 #endif
             std::fesetround(mode);
-            const std::uint64_t result = digest(pairs);
+            const std::uint64_t result = digest(cases);
             std::fesetround(FE_TONEAREST);
 #if defined(__SSE2__)
             _mm_setcsr(saved);
@@ -127,15 +194,16 @@ void print_digests(const std::vector<std::array<Body, 2>>& pairs) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::ifstream file(argc == 2 ? argv[1] : "", std::ios::binary);
-    std::vector<std::array<Body, 2>> pairs;
-    environment::PairRecord record;
-    while (file.read(reinterpret_cast<char*>(record.data()), sizeof record)) {
-        pairs.push_back({read_body(record.data()), read_body(record.data() + environment::doubles_per_body)});
+    const int every = argc > 2 ? std::atoi(argv[2]) : 1;
+    std::ifstream file(argc > 1 ? argv[1] : "", std::ios::binary);
+    std::vector<Case> cases;
+    environment::Record record;
+    for (int i = 0; file.read(reinterpret_cast<char*>(record.data()), sizeof record); ++i) {
+        if (i % every == 0) cases.push_back(Reader(record).read());
     }
-    if (pairs.empty()) {
-        std::fputs("usage: digest_main CORPUS\n", stderr);
+    if (cases.empty()) {
+        std::fputs("usage: digest_main CORPUS [N]\n", stderr);
         return 2;
     }
-    print_digests(pairs);
+    print_digests(cases);
 }

@@ -1,39 +1,126 @@
-// usage: make_corpus FILE     writes the corpus: some pairs of every hard family, and of every family of distances the
-// first
-//                             triangles
+// usage: make_corpus FILE     writes the corpus: some cases of every family, of meshes one triangle
 
+#include <array>
 #include <cstdio>
 #include <fstream>
+#include <variant>
 
 #include "environment/corpus.hpp"
+#include "scenes/cast_cases.hpp"
 #include "scenes/distance_cases.hpp"
 #include "scenes/hard_pairs.hpp"
+#include "scenes/hit_cases.hpp"
 
 namespace {
 
 using namespace ecods;
+using environment::Asked;
 
-double* write(double* out, const Pose& pose, const std::array<Vec3, 3>& corners) {
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) *out++ = pose.R(row, column);
-    }
-    for (int row = 0; row < 3; ++row) *out++ = pose.t[row];
-    for (const Vec3& v : corners) {
-        for (int k = 0; k < 3; ++k) *out++ = v[k];
-    }
-    return out;
-}
+using Corners = std::array<Vec3, 3>;
 
-std::array<Vec3, 3> first_triangle(const Mesh& mesh) {
-    const Triangle& t = mesh.triangles()[0];
+// What a record holds; what its kind does not ask for is zero.
+struct Case {
+    Asked asked;
+    Pose a;
+    Corners corners_a;
+    Pose b = {};
+    Corners corners_b = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    Pose to_a = {}, to_b = {};
+    Vec3 first = Vec3::Zero(), second = Vec3::Zero();
+    double limit = 0;
+};
+
+class Writer {
+  public:
+    explicit Writer(const char* name) : file_(name, std::ios::binary) {}
+
+    void write(const Case& made) {
+        out_ = record_.data();
+        add(static_cast<double>(made.asked));
+        add(made.a, made.corners_a, made.to_a);
+        add(made.b, made.corners_b, made.to_b);
+        add(made.first);
+        add(made.second);
+        add(made.limit);
+        file_.write(reinterpret_cast<const char*>(record_.data()), sizeof record_);
+    }
+    bool is_good() const { return file_.good(); }
+
+  private:
+    void add(double x) { *out_++ = x; }
+    void add(const Vec3& v) {
+        for (int k = 0; k < 3; ++k) add(v[k]);
+    }
+    void add(const Pose& pose) {
+        for (int row = 0; row < 3; ++row) add(Vec3(pose.R.row(row)));
+        add(pose.t);
+    }
+    void add(const Pose& pose, const Corners& corners, const Pose& to) {
+        add(pose);
+        for (const Vec3& v : corners) add(v);
+        add(to);
+    }
+
+    std::ofstream file_;
+    environment::Record record_;
+    double* out_ = nullptr;
+};
+
+Corners any_triangle(const Mesh& mesh, scenes::Random& random) {
+    const Triangle& t = mesh.triangles()[random.below(static_cast<std::uint32_t>(mesh.triangles().size()))];
     return {mesh.vertices()[t[0]], mesh.vertices()[t[1]], mesh.vertices()[t[2]]};
 }
 
-void write(std::ofstream& file, const Pose& pose_a, const std::array<Vec3, 3>& a, const Pose& pose_b,
-           const std::array<Vec3, 3>& b) {
-    environment::PairRecord record;
-    write(write(record.data(), pose_a, a), pose_b, b);
-    file.write(reinterpret_cast<const char*>(record.data()), sizeof record);
+Case pair_of(const scenes::PosedPair& made) {
+    return {.asked = Asked::pair, .a = made.pose_a, .corners_a = made.a, .b = made.pose_b, .corners_b = made.b};
+}
+
+Case pair_of(const scenes::DistanceCase& made, scenes::Random& random) {
+    return {.asked = Asked::pair,
+            .a = made.pose_a,
+            .corners_a = any_triangle(*made.a, random),
+            .b = made.pose_b,
+            .corners_b = any_triangle(*made.b, random)};
+}
+
+Case line_of(const scenes::HitCase& made, scenes::Random& random) {
+    Case line{.asked = Asked::segment, .a = made.pose, .corners_a = any_triangle(*made.mesh, random)};
+    if (const auto* ray = std::get_if<Ray>(&made.line)) {
+        line.asked = Asked::ray;
+        line.first = ray->origin;
+        line.second = ray->direction;
+        line.limit = ray->parameter_max;
+    } else {
+        line.first = std::get<Segment>(made.line).a;
+        line.second = std::get<Segment>(made.line).b;
+    }
+    return line;
+}
+
+Case translation_of(const scenes::CastCase& made, scenes::Random& random) {
+    return {.asked = Asked::translation,
+            .a = made.pose_a,
+            .corners_a = any_triangle(*made.a, random),
+            .b = made.pose_b,
+            .corners_b = any_triangle(*made.b, random),
+            .first = made.motion};
+}
+
+Case motion_of(const scenes::MoveCase& made, scenes::Random& random) {
+    return {.asked = Asked::motion,
+            .a = made.from_a,
+            .corners_a = any_triangle(*made.a, random),
+            .b = made.from_b,
+            .corners_b = any_triangle(*made.b, random),
+            .to_a = made.to_a,
+            .to_b = made.to_b};
+}
+
+template <class Families, class Make>
+void write(Writer& writer, const Families& families, int count, const Make& make) {
+    for (const auto family : families) {
+        for (int i = 0; i < count; ++i) writer.write(make(family));
+    }
 }
 
 }  // namespace
@@ -43,19 +130,16 @@ int main(int argc, char** argv) {
         std::fputs("usage: make_corpus FILE\n", stderr);
         return 2;
     }
-    std::ofstream file(argv[1], std::ios::binary);
+    Writer writer(argv[1]);
     scenes::Random random(2026);
-    for (const scenes::HardFamily family : scenes::hard_families()) {
-        for (int i = 0; i < 1000; ++i) {
-            const scenes::PosedPair pair = scenes::make_pair(family, random);
-            write(file, pair.pose_a, pair.a, pair.pose_b, pair.b);
-        }
-    }
-    for (const scenes::DistanceFamily family : scenes::distance_families()) {
-        for (int i = 0; i < 400; ++i) {
-            const scenes::DistanceCase made = scenes::make_distance_case(family, random);
-            write(file, made.pose_a, first_triangle(*made.a), made.pose_b, first_triangle(*made.b));
-        }
-    }
-    return file ? 0 : 1;
+    write(writer, scenes::hard_families(), 400, [&](auto f) { return pair_of(scenes::make_pair(f, random)); });
+    write(writer, scenes::distance_families(), 150,
+          [&](auto f) { return pair_of(scenes::make_distance_case(f, random), random); });
+    write(writer, scenes::hit_families(), 400,
+          [&](auto f) { return line_of(scenes::make_hit_case(f, random), random); });
+    write(writer, scenes::cast_families(), 300,
+          [&](auto f) { return translation_of(scenes::make_cast_case(f, random), random); });
+    write(writer, scenes::move_families(), 150,
+          [&](auto f) { return motion_of(scenes::make_move_case(f, random), random); });
+    return writer.is_good() ? 0 : 1;
 }
