@@ -87,12 +87,14 @@ std::string text(const std::optional<FirstContact>& contact) {
         .append(number(contact->b.triangle));
 }
 
-// From where it is to beyond the other one.
+// From afar to beyond the other one.
 std::optional<FirstContact> cast_past(Pair& p) {
-    return cast(p.second(), -1.5 * p.pose_b.t, p.first(), p.memory, p.witness);
+    Pose start = p.pose_b;
+    start.t[0] += 4;
+    return cast({*p.b, start}, -1.5 * start.t, p.first(), p.memory, p.witness);
 }
 
-// The same way, on which it is turned over: flat half-way.
+// To behind the other one, turned over on the way: flat half-way.
 std::optional<FirstContact> move_past(Pair& p) {
     Pose end;
     end.R = Vec3(-1, -1, 1).asDiagonal();
@@ -163,8 +165,6 @@ void go_on(Pair& p) {
         p.answer += text(relation(p.second(), p.first(), p.memory)) + " ";
         p.answer += number(intersecting_triangles(p.first(), p.second(), p.memory).size());
         p.answer += text(distance(p.first(), p.second(), p.memory, p.witness));
-        p.answer += text(cast_past(p));
-        p.answer += text(move_past(p));
     }
 }
 
