@@ -27,7 +27,8 @@ namespace ecods {
 // The first contact of a, which is translated by time times `motion`, with b, which stays; nothing if there is none up
 // to time 1. Throws InvalidMotion if a coordinate of the motion is not finite.
 // Cost: a walk of both trees, earliest boxes first; a pair of triangles that is a candidate costs some tenths of a
-// microsecond, the last one or few, which are compared exactly, a few more.
+// microsecond, and the last one or few, which are compared exactly, about one. Where faces meet face on, those are all
+// pairs that touch first, at some microseconds each. On a short way it costs about as much as the distance at its end.
 ECODS_API std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
                                            QueryMemory& memory);
 
