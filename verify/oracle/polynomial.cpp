@@ -140,7 +140,28 @@ Polynomial gcd(const Polynomial& f, const Polynomial& g) {
     return a;
 }
 
+// Of a root from 0 to 2^-bits: to the powers of two beside it, which may be far below.
+void Root::find_exponent() {
+    const auto is_below = [&](unsigned long bits) {
+        const int sign = polynomial_.sign_at(1, bits);
+        if (sign == 0) {
+            number_ = mpq_class(1, mpz_class(1) << bits);
+            sign_at_low_ = 0;
+        }
+        return sign != sign_at_low_;
+    };
+    unsigned long above = bits_, below = 2 * bits_;  // the root is below 2^-above and, soon, above 2^-below
+    for (; is_below(below); below *= 2) above = below;
+    while (!is_exact() && below - above > 1) {
+        const unsigned long middle = above + (below - above) / 2;
+        (is_below(middle) ? above : below) = middle;
+    }
+    low_ = 1;
+    bits_ = below;
+}
+
 void Root::halve() {
+    if (low_ == 0 && bits_ >= 16) return find_exponent();
     low_ *= 2;
     ++bits_;
     const int sign = polynomial_.sign_at(low_ + 1, bits_);

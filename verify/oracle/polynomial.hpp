@@ -59,6 +59,7 @@ class Root {
 
   private:
     void halve();
+    void find_exponent();
     mpq_class end(int which) const;  // 1: the upper one
     // Whether it is one of `common`, too, a divisor of its polynomial.
     bool is_root_of(const Polynomial& common) const;

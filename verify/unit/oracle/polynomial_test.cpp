@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "oracle/linear_program.hpp"
 #include "scenes/random.hpp"
@@ -95,6 +96,13 @@ TEST(OraclePolynomial, RoundedOnce) {
     EXPECT_EQ(rounded(mpq_class(1, mpz_class(1) << 1100)), 0x1p-1074);
     EXPECT_EQ(rounded(0), 0);
     EXPECT_EQ(roots_to_one(Polynomial({-1, mpz_class(1) << 1200})).at(0).nearest(), 0x1p-1074);
+    // Roots of 2^-2n and of 2^(1 - 2n), which are and are no powers of two.
+    for (const int n : {1, 9, 10, 17, 100, 333, 537, 2000}) {
+        const mpz_class square = mpz_class(1) << 2 * n;
+        EXPECT_EQ(roots_to_one(Polynomial({-1, 0, square})).at(0).nearest(), std::max(std::ldexp(1, -n), 0x1p-1074));
+        EXPECT_EQ(roots_to_one(Polynomial({-2, 0, square})).at(0).nearest(),
+                  std::max(std::ldexp(0x1.6a09e667f3bcdp+0, -n), 0x1p-1074));
+    }
 }
 
 TEST(OraclePolynomial, LinearPrograms) {

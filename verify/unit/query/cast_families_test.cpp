@@ -117,5 +117,32 @@ TEST(CastFamilies, TimesOfShorterMotions) {
     EXPECT_GT(contacts, 100);
 }
 
+// The time as a factor of the motion, and a body that has been moved there.
+TEST(CastFamilies, OwnAnswersAsArguments) {
+    std::size_t asked = 0;
+    for (const scenes::CastFamily family : scenes::cast_families()) {
+        SCOPED_TRACE(scenes::name(family));
+        scenes::Random random(5);
+        QueryMemory memory;
+        PairWitness witness;
+        for (int i = 0; i < 25; ++i) {
+            const scenes::CastCase made = scenes::make_cast_case(family, random);
+            const MeshShape a(made.a), b(made.b);
+            const auto contact = cast({a, made.pose_a}, made.motion, {b, made.pose_b}, memory);
+            if (!contact) continue;
+            const Vec3 motion = contact->time * made.motion;
+            Pose there = made.pose_a;
+            there.t += motion;
+            if (!there.t.allFinite()) continue;
+            ++asked;
+            const judge::CastTruth shorter({a, made.pose_a}, motion, {b, made.pose_b}, 1);
+            ASSERT_NO_FATAL_FAILURE(expect_right(shorter, memory, witness)) << i;
+            const judge::CastTruth from_there({a, there}, -motion, {b, made.pose_b}, 1);
+            ASSERT_NO_FATAL_FAILURE(expect_right(from_there, memory, witness)) << i;
+        }
+    }
+    EXPECT_GT(asked, 60U);
+}
+
 }  // namespace
 }  // namespace ecods

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "environment/float_mode.hpp"
 #include "environment/instruction_sets.hpp"
@@ -153,6 +156,100 @@ TEST(HitFamilies, ALongerRayHitsMore) {
             ASSERT_GE(some.size(), k + 1);
             for (std::size_t n = 0; n <= k; ++n) ASSERT_TRUE(judge::is_same(some[n], all[n])) << i;
         }
+    }
+}
+
+// Hits' points as ends of segments, and one as both.
+TEST(HitFamilies, OwnAnswersAsArguments) {
+    std::size_t asked = 0;
+    for (const scenes::HitFamily family : scenes::hit_families()) {
+        SCOPED_TRACE(scenes::name(family));
+        scenes::Random random(6);
+        QueryMemory memory;
+        PairWitness witness;
+        for (int i = 0; i < 60; ++i) {
+            const scenes::HitCase made = scenes::make_hit_case(family, random);
+            const MeshShape shape(made.mesh);
+            const Posed<MeshShape> body{shape, made.pose};
+            const auto hits = std::visit([&](const auto& line) { return all_hits(line, body, memory); }, made.line);
+            if (hits.empty()) continue;
+            const Vec3 first = hits.front().point, last = hits.back().leave_point;
+            if (!first.allFinite() || !last.allFinite()) continue;
+            const auto* segment = std::get_if<Segment>(&made.line);
+            const Vec3 from = segment != nullptr ? segment->a : std::get<Ray>(made.line).origin;
+            for (const Segment& of_answers : {Segment{from, first}, Segment{last, first}, Segment{first, first}}) {
+                ++asked;
+                ASSERT_NO_FATAL_FAILURE(expect_right(judge::HitTruth(of_answers, body), memory, witness)) << i;
+            }
+        }
+    }
+    EXPECT_GT(asked, 400U);
+}
+
+// A torus of 10,000 triangles with coordinates of 20 bits, so that what is half-way is a double, too.
+std::shared_ptr<const Mesh> rounded_torus() {
+    const auto mesh = scenes::torus(100, 50, 0.4);
+    std::vector<Vec3> vertices(mesh->vertices().begin(), mesh->vertices().end());
+    for (Vec3& v : vertices) v = (v * 0x1p20).array().round() * 0x1p-20;
+    return Mesh::create(std::move(vertices), {mesh->triangles().begin(), mesh->triangles().end()});
+}
+
+// The line passes the place half-way, where it hits these triangles, which are listed one after the other.
+void expect_at_half(const Vec3& place, const Vec3& direction, const Posed<MeshShape>& body, QueryMemory& memory,
+                    HitKind kind, const std::set<std::uint32_t>& triangles) {
+    const Segment segment{place - direction, place + direction};
+    const std::vector<Hit> hits = all_hits(segment, body, memory);
+    std::set<std::uint32_t> found, ranks;
+    for (const Hit& hit : hits) {
+        if (hit.parameter != 0.5) continue;
+        EXPECT_EQ(hit.kind, kind);
+        EXPECT_EQ(hit.point, place);
+        EXPECT_TRUE(found.insert(hit.triangle()).second);
+        ranks.insert(hit.rank);
+    }
+    EXPECT_EQ(found, triangles);
+    EXPECT_EQ(ranks.size(), 1U);
+    EXPECT_TRUE(std::ranges::is_sorted(hits, {}, [](const Hit& h) { return std::pair(h.rank, h.triangle()); }));
+    EXPECT_EQ(hits.front().rank, 0U);
+    const auto first = first_hit(segment, body, memory);
+    EXPECT_TRUE(first && judge::is_same(*first, hits.front()));
+}
+
+TEST(HitFamilies, AllTrianglesOfAVertexOrAnEdgeAreListed) {
+    const auto mesh = rounded_torus();
+    ASSERT_EQ(mesh->triangles().size(), 10000U);
+    const MeshShape shape(mesh);
+    const auto triangles = mesh->triangles();
+    scenes::Random random(7);
+    QueryMemory memory;
+    const auto with = [&](std::initializer_list<std::uint32_t> corners) {
+        std::set<std::uint32_t> found;
+        for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+            const auto has = [&](std::uint32_t corner) {
+                return std::ranges::find(triangles[i], corner) != triangles[i].end();
+            };
+            if (std::ranges::all_of(corners, has)) found.insert(i);
+        }
+        return found;
+    };
+    for (int i = 0; i < 100; ++i) {
+        const Triangle& t = triangles[random.below(10000)];
+        Vec3 direction = random.direction();
+        direction = (direction * 0x1p10).array().round() * 0x1p-10;
+        const Vec3 p = mesh->vertices()[t[0]], q = mesh->vertices()[t[1]];
+        SCOPED_TRACE(i);
+        expect_at_half(p, direction, {shape, Pose()}, memory, HitKind::vertex, with({t[0]}));
+        expect_at_half(0.5 * (p + q), direction, {shape, Pose()}, memory, HitKind::edge, with({t[0], t[1]}));
+        // From one end of the edge to the other.
+        const std::vector<Hit> along = all_hits(Segment{p, q}, {shape, Pose()}, memory);
+        std::set<std::uint32_t> on_edge;
+        for (const Hit& hit : along) {
+            if (hit.kind != HitKind::along) continue;
+            on_edge.insert(hit.triangle());
+            EXPECT_EQ(hit.feature.kind, Feature::Kind::edge);
+            EXPECT_EQ(std::pair(hit.parameter, hit.leave_parameter), std::pair(0.0, 1.0));
+        }
+        EXPECT_EQ(on_edge, with({t[0], t[1]}));
     }
 }
 

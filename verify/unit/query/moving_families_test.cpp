@@ -118,5 +118,32 @@ TEST(MovingFamilies, LargerMeshesAsTheOracle) {
     }
 }
 
+// To where they are, about, when they meet.
+TEST(MovingFamilies, OwnAnswersAsArguments) {
+    std::size_t asked = 0;
+    const auto between = [](const Pose& from, const Pose& to, double s) {
+        return Pose{from.R * (1 - s) + to.R * s, from.t * (1 - s) + to.t * s};
+    };
+    for (const scenes::MoveFamily family : scenes::move_families()) {
+        SCOPED_TRACE(scenes::name(family));
+        scenes::Random random(5);
+        QueryMemory memory;
+        PairWitness witness;
+        for (int i = 0; i < 15; ++i) {
+            scenes::MoveCase made = scenes::make_move_case(family, random);
+            const MeshShape a(made.a), b(made.b);
+            const auto contact = cast(Moving(a, made.from_a, made.to_a), Moving(b, made.from_b, made.to_b), memory);
+            if (!contact) continue;
+            made.to_a = between(made.from_a, made.to_a, contact->time);
+            made.to_b = between(made.from_b, made.to_b, contact->time);
+            if (!made.to_a.R.allFinite() || !made.to_a.t.allFinite()) continue;
+            if (!made.to_b.R.allFinite() || !made.to_b.t.allFinite()) continue;
+            ++asked;
+            ASSERT_NO_FATAL_FAILURE(expect_right(truth_of(made, a, b, 1), memory, witness)) << i;
+        }
+    }
+    EXPECT_GT(asked, 40U);
+}
+
 }  // namespace
 }  // namespace ecods
