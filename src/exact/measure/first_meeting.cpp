@@ -88,27 +88,17 @@ class MeetingSearch {
     void add(const TwoEdges& part) {
         if (!may_meet(part)) return;
         const Polynomial volume = triangles_.edge_volume(part.a, part.b);
-        if (!volume.is_zero()) return try_roots(volume, part);
-        add_in_plane({0, part.a, part.b}, part);
-        add_in_plane({0, after(part.a), part.b}, part);
-        add_in_plane({1, part.b, part.a}, part);
-        add_in_plane({1, after(part.b), part.a}, part);
+        if (!volume.is_zero()) try_roots(volume, part);
     }
 
-    template <class Part>
-    void add_in_plane(const CornerAndEdge& which, const Part& part) {
-        const MovingTriangles::Vector& turn = triangles_.turn(which);
-        for (const Polynomial& coordinate : turn) {
+    void add_in_plane(const CornerAndEdge& which, const CornerAndTriangle& part) {
+        for (const Polynomial& coordinate : triangles_.turn(which)) {
             if (!coordinate.is_zero()) return try_roots(coordinate, part);
         }
-        for (const std::size_t end : {which.edge, after(which.edge)}) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const Polynomial difference = which.side == 0 ? triangles_.difference(which.corner, end, axis)
-                                                              : triangles_.difference(end, which.corner, axis);
-                if (difference.is_zero()) continue;
-                try_roots(difference, part);
-                break;
-            }
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Polynomial difference = which.side == 0 ? triangles_.difference(which.corner, which.edge, axis)
+                                                          : triangles_.difference(which.edge, which.corner, axis);
+            if (!difference.is_zero()) return try_roots(difference, part);
         }
     }
 

@@ -16,13 +16,15 @@
 //
 // 3. If v is zero throughout, P is in one plane at all times (which moves). Let t > 0 be its first time. A corner
 // strictly inside a triangle with area, or two edges that cross strictly inside of both, would have been so just before
-// t, too. So, in an extreme point again, a corner is on a closed edge of the other side's at t: t is a root of each
-// coordinate of the turn (q - p) x (c - p) of a corner c and an edge pq of P. If these are not all zero throughout, any
-// one that is not has t among its roots.
+// t, too. So, in an extreme point again, a corner is on a closed edge of the other side at t: for two edges that is a
+// pair of a corner and a triangle, whose first time is no later; so two edges in one plane need not be asked. For a
+// corner c and an edge pq of the triangle, t is a root of each coordinate of the turn (q - p) x (c - p). If these are
+// not all zero throughout, any one that is not has t among its roots.
 //
 // 4. If they are, c, p and q are on one line at all times. If c were strictly between p and q at t, it would have been
-// just before. So c = p or c = q at t, and t is a root of each coordinate of c - p or of c - q. One of these is not
-// zero throughout, or they would have met at time 0.
+// just before. So c = p or c = q at t; and q is the beginning of the next edge, on which c is then, too: what is said of
+// one edge in 3 and 4 holds for that. So t is a root of each coordinate of c - p for an edge that begins at p, or what 3
+// finds. One of these is not zero throughout, or they would have met at time 0.
 //
 // The candidates are therefore the roots of at most 15 cubics, and for those that vanish of some quadratics and linear
 // polynomials in their place; each candidate is tried on the pair that it comes from.

@@ -102,6 +102,26 @@ TEST(CastMovingLimits, ALimitIsDecidedForTheRealTime) {
     EXPECT_TRUE(until(third, 1));
 }
 
+// A vertex falls on faces that lie above each other by less than doubles know of them where they are: each is met at a
+// time of its own, though in the order of their bounds the last may come first.
+TEST(CastMovingLimits, FacesCloserThanRounding) {
+    const MeshShape a = shape_of(needle);
+    for (int top = 0; top < 8; ++top) {
+        std::vector<Vec3> corners;
+        for (int i = 0; i < 8; ++i) {
+            const double height = std::ldexp(1.0, 10) - std::ldexp((i - top + 8) % 8, -42);
+            for (const Vec3& corner : flat) corners.push_back(corner + Vec3(0, 0, height));
+        }
+        const MeshShape b = shape_of(corners);
+        QueryMemory memory;
+        const auto contact = cast(Moving<MeshShape>(a, at(0, 0, 1), at(0, 0, -1)),
+                                  Moving<MeshShape>(b, at(0, 0, -0x1p10), at(0, 0, -0x1p10)), memory);
+        ASSERT_TRUE(contact);
+        EXPECT_EQ(contact->time, 0.5) << top;
+        EXPECT_EQ(contact->triangles(), (TrianglePair{0, static_cast<std::uint32_t>(top)}));
+    }
+}
+
 // Where nothing but t changes, and by a vector that is a double, the two casts are one question.
 TEST(CastMovingLimits, AsATranslation) {
     scenes::Random random(5);
@@ -165,7 +185,7 @@ TEST(CastMovingLimits, AtRestAsIntersects) {
     EXPECT_GT(contacts, 20);
 }
 
-// The widest integers, and all polynomials of two triangles, on a stack of a quarter of a MiB.
+// The widest integers, and all polynomials of two triangles, on a stack of half a MiB.
 TEST(CastMovingLimits, ShortStacks) {
     const auto ask = [](void* is_asked) -> void* {
         const MeshShape a = shape_of({{0x1p-1000, 0x1p1000, 1}, {-0x1p1000, 0, 0}, {1, 0x1p-500, -1}}),
@@ -182,7 +202,7 @@ TEST(CastMovingLimits, ShortStacks) {
     };
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);
-    ASSERT_EQ(pthread_attr_setstacksize(&attributes, std::size_t{1} << 18), 0);
+    ASSERT_EQ(pthread_attr_setstacksize(&attributes, std::size_t{1} << 19), 0);
     pthread_t thread;
     bool is_asked = false;  // in integers
     ASSERT_EQ(pthread_create(&thread, &attributes, ask, &is_asked), 0);
