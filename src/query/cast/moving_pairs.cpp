@@ -76,11 +76,13 @@ auto MovingPairs::ask_exactly(const TrianglePair& triangles, Ask&& ask) {
     });
 }
 
-// Tries some short times in which few features can meet, then all.
+// Tries some short times in which few features can meet, then all. Where points are far from the origin of their mesh,
+// the bound ends before the meeting by what they are off: so the times become longer.
 std::optional<exact::Meeting> MovingPairs::decide(const TrianglePair& triangles, exact::TimeSpan time, double to) {
-    constexpr int short_times_max = 3;
+    constexpr std::array<double, 3> lengths{0x1p-44, 0x1p-36, 0x1p-28};  // relative
     const exact::MovingPoints points = points_of(triangles);
-    for (int i = 0; i < short_times_max; ++i) {
+    for (const double length : lengths) {
+        time.to = std::min(1.0, std::max(time.to, time.from + length * time.to));
         const auto cells = exact::cells_around(time);
         if (!cells) break;
         const exact::TimeSpan span = cells->span();
