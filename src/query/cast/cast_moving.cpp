@@ -1,5 +1,6 @@
 #include "query/cast/cast_moving.hpp"
 
+#include "geometry/same_bits.hpp"
 #include "query/cast/moving_search.hpp"
 
 namespace ecods {
@@ -11,8 +12,9 @@ FirstContact contact_at_start(const Posed<MeshShape>& a, const Posed<MeshShape>&
     return {0, ClosestKind::intersecting, {Feature::Kind::face, first.a, 0}, {Feature::Kind::face, first.b, 0}};
 }
 
+// By bits: where subnormal numbers count as zero, numbers that differ may compare equal.
 bool is_at_rest(const Moving<MeshShape>& body) {
-    return body.from == body.to;
+    return same_bits(body.from, body.to);
 }
 
 }  // namespace

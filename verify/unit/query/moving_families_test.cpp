@@ -145,5 +145,22 @@ TEST(MovingFamilies, OwnAnswersAsArguments) {
     EXPECT_GT(asked, 40U);
 }
 
+// A way of which both ends count as zero is one. (Found by the fuzzer: it was taken for no way.)
+TEST(MovingFamilies, ASubnormalWayIsOne) {
+    const MeshShape a(Mesh::create({Vec3(0, 0, 0)}, {{0, 0, 0}}));
+    const MeshShape b(Mesh::create({Vec3(0x1p-1060, 0, 0)}, {{0, 0, 0}}));
+    Pose to;
+    to.t[0] = 0x1p-1058;
+    QueryMemory memory;
+    for (const environment::FloatMode& mode : environment::float_modes) {
+        std::optional<FirstContact> contact;
+        {
+            const environment::InFloatMode in_mode(mode);
+            contact = cast(Moving(a, Pose(), to), Moving(b, Pose(), Pose()), memory);
+        }
+        EXPECT_EQ(contact ? contact->time : -1, 0.25) << mode.name;
+    }
+}
+
 }  // namespace
 }  // namespace ecods
