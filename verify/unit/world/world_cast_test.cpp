@@ -68,6 +68,19 @@ TEST_P(WorldCastTest, TheLimitIsForTheRealTime) {
     EXPECT_EQ(world.cast(cube, at(0, 100), Vec3(3, 0, 0), third), std::nullopt);
 }
 
+// The body of the greater id is asked first, as its box is met earlier; its time, rounded, is below the real one.
+TEST_P(WorldCastTest, TiesOfRoundedTimesAreFoundAboveThem) {
+    const Vec3 p(1.5, -2, -2), q(1.5, 2, -2), r(1.5, 0, 3), beside(0.75, 9, 0);
+    const BodyId a = world.create_body(cube, at(0));
+    const BodyId b = world.create_body(Mesh::create({p, q, r}, {{0, 1, 2}}), at(0));
+    const BodyId c = world.create_body(Mesh::create({p, q, r, beside}, {{0, 1, 2}, {1, 2, 3}}), at(0));
+    ASSERT_LT(b, c);
+    ASSERT_EQ(world.cast(a, Vec3(3, 0, 0))->contact.time, 1.0 / 3);
+    EXPECT_EQ(world.cast(a, Vec3(3, 0, 0))->body, b);
+    world.set_pose(b, at(0x1p-50));
+    EXPECT_EQ(world.cast(a, Vec3(3, 0, 0))->body, c);
+}
+
 TEST_P(WorldCastTest, FiltersApply) {
     const BodyId a = world.create_body(cube, at(0));
     const BodyId b = world.create_body(cube, at(2));
@@ -81,6 +94,46 @@ TEST_P(WorldCastTest, FiltersApply) {
     ASSERT_EQ(meetings.size(), 1u);
     EXPECT_EQ(meetings[0].bodies, (BodyPair{a, c}));
     EXPECT_EQ(meetings[0].contact.time, 0.375);
+}
+
+// Pairs that stay where they are and collide are among those that meet, as filters and switches are now.
+TEST_P(WorldCastTest, PairsThatStayMeetAtTheStart) {
+    const BodyId a = world.create_body(cube, at(0)), b = world.create_body(cube, at(0.5));
+    const BodyId c = world.create_body(cube, at(20)), d = world.create_body(cube, at(20.5));
+    const BodyId far = world.create_body(cube, at(100));
+    world.set_pair_enabled(a, b, false);
+    world.update();
+    const auto pairs_met = [&] {
+        std::vector<BodyPair> pairs;
+        for (const Meeting& meeting : world.meetings({&far, 1}, std::vector{at(200)})) {
+            EXPECT_EQ(meeting.contact.time, 0);
+            EXPECT_EQ(meeting.contact.kind, ClosestKind::intersecting);
+            pairs.push_back(meeting.bodies);
+        }
+        return pairs;
+    };
+    using Pairs = std::vector<BodyPair>;
+    EXPECT_EQ(pairs_met(), (Pairs{{c, d}}));
+    world.set_pair_enabled(a, b, true);
+    EXPECT_EQ(pairs_met(), (Pairs{{a, b}, {c, d}}));
+    world.set_pair_enabled(c, d, false);
+    EXPECT_EQ(pairs_met(), (Pairs{{a, b}}));
+    world.set_filter(d, {.groups = 2, .mask = 2});
+    world.set_pair_enabled(c, d, true);
+    EXPECT_EQ(pairs_met(), (Pairs{{a, b}}));
+    world.set_filter(d, {});
+    EXPECT_EQ(pairs_met(), (Pairs{{a, b}, {c, d}}));
+    world.set_pose(b, at(0.75));
+    EXPECT_EQ(pairs_met(), (Pairs{{a, b}, {c, d}})) << "moved since the update";
+    world.destroy_body(c);
+    EXPECT_EQ(pairs_met(), (Pairs{{a, b}}));
+    const BodyId fresh = world.create_body(cube, at(20.25));
+    const BodyPair of_fresh = d < fresh ? BodyPair{d, fresh} : BodyPair{fresh, d};
+    Pairs expected = {{a, b}, of_fresh};
+    std::ranges::sort(expected);
+    EXPECT_EQ(pairs_met(), expected);
+    world.update();
+    EXPECT_EQ(pairs_met(), expected);
 }
 
 TEST_P(WorldCastTest, BadArgumentsAreRefused) {
