@@ -14,6 +14,7 @@ namespace {
 constexpr double float_v = 0x1p-23;
 constexpr double error_max = 0x1p-6;  // beyond, boxes say little
 constexpr double direction_error_max = 0x1p-20;
+constexpr double scaled_direction_min = 0x1p-960;  // of D, whose inverse must not overflow
 constexpr float direction_min = 0x1p-30f;
 constexpr double unit_distance_max = 0x1p-40;
 
@@ -115,15 +116,6 @@ LineAxes::Place LineAxes::place(const ScaledLine& line, double limit) {
         if (std::abs(D[row]) > std::abs(D[m])) m = row;
     }
     const double size_m = std::abs(D[m]), reach_of_line = std::abs(X[m]) + 8;
-    double s0 = 0, s1 = 0;
-    if (!line.is_point) {
-        const double reach = s.half[m] + (error[m] + 16 * two_u * reach_of_line + 0x1p-20);
-        const double inverse = 1 / D[m];
-        const double first = ((s.center[m] - reach) - X[m]) * inverse,
-                     second = ((s.center[m] + reach) - X[m]) * inverse;
-        s0 = std::max(0.0, std::min(first, second));
-        s1 = std::min(limit, std::max(first, second));
-    }
     // In this form a NaN anywhere is unknown.
     bool is_placed = (factor + 4) * s.factor < axes::factor_max && s.factor < axes::factor_max;
     for (std::size_t row = 0; row < 3; ++row) {
@@ -135,7 +127,17 @@ LineAxes::Place LineAxes::place(const ScaledLine& line, double limit) {
         error[row] += 4 * two_u * (std::abs(X[row]) + reach_of_line);
         is_placed = is_placed && error[row] <= error_max;
     }
+    is_placed = is_placed && (line.is_point || size_m >= scaled_direction_min);
     if (!is_placed) return Place::unknown;
+    double s0 = 0, s1 = 0;
+    if (!line.is_point) {
+        const double reach = s.half[m] + (error[m] + 16 * two_u * reach_of_line + 0x1p-20);
+        const double inverse = 1 / D[m];
+        const double first = ((s.center[m] - reach) - X[m]) * inverse,
+                     second = ((s.center[m] + reach) - X[m]) * inverse;
+        s0 = std::max(0.0, std::min(first, second));
+        s1 = std::min(limit, std::max(first, second));
+    }
     if (s0 > s1) return Place::apart;
 
     begin_ = s0;

@@ -46,6 +46,39 @@ double round_coordinate(std::span<const Term> terms, NaturalSpan den) noexcept {
     return sum.over(den);
 }
 
+// m * 2^shift, shift >= 0. The result must fit.
+Int256 shifted(Int128 m, int shift) noexcept {
+    if (shift >= 128) return {0, m << (shift - 128)};
+    return {static_cast<Uint128>(m) << shift, shift == 0 ? m >> 127 : m >> (128 - shift)};
+}
+
+// Sets `rounded` to the double nearest to from + along * s, where s = (digits + rest) 2^exponent, 0 <= rest < 1, and
+// returns true; or returns false where the digits do not say which one that is.
+//
+// With along = m 2^e and |m| < 2^64 the sum lies between from + digits m 2^(e + exponent) and m units of 2^(e +
+// exponent) further on. Rounding is monotone: where both round to one double, so does the sum. Products are below
+// 2^192, and what is added to them below 2^250.
+bool round_from_digits(const Dyadic& from, const DyadicDifference& along, const LeadingDigits& s,
+                       double& rounded) noexcept {
+    const Uint128 size = static_cast<Uint128>(along.m < 0 ? -along.m : along.m);
+    if ((size >> 64) != 0) return false;
+    const int unit = s.exponent + along.e, shift = from.m == 0 ? 0 : from.e - unit;
+    if (size == 0 || s.digits == 0) {
+        rounded = round_integer(shifted(from.m, 0), from.e);
+        return true;
+    }
+    if (shift < 0 || shift > 250 - mantissa_bits) return false;
+    const Int256 start = shifted(from.m, shift), product = multiply_halves(s.digits, size);
+    const Int256 rest{s.is_exact ? 0 : size, 0};
+    const Int256 low = along.m < 0 ? start - product : start + product, high = along.m < 0 ? low - rest : low + rest;
+    rounded = round_integer(low, unit);
+    return std::bit_cast<std::uint64_t>(rounded) == std::bit_cast<std::uint64_t>(round_integer(high, unit));
+}
+
+double at_least_positive(double rounded, const FractionRef& x) noexcept {
+    return x.num.empty() ? 0 : std::bit_cast<double>(std::max<std::uint64_t>(std::bit_cast<std::uint64_t>(rounded), 1));
+}
+
 }  // namespace
 
 Fraction fraction_of(double x) noexcept {
@@ -90,16 +123,19 @@ int compare(const FractionRef& first, double x) noexcept {
 }
 
 double round_fraction(const FractionRef& x) noexcept {
-    const double rounded = round_quotient(x.num, x.den, 0, false);
-    return x.num.empty() ? 0 : std::bit_cast<double>(std::max<std::uint64_t>(std::bit_cast<std::uint64_t>(rounded), 1));
+    return at_least_positive(round_quotient(x.num, x.den, 0, false), x);
 }
 
-Vec3 round_point_between(const Vec3& a, const Vec3& b, bool is_direction, const FractionRef& at) noexcept {
-    Vec3 result;
+RoundedOnLine round_on_line(const Vec3& a, const Vec3& b, bool is_direction, const FractionRef& at) noexcept {
+    RoundedOnLine result;
+    const LeadingDigits digits = leading_digits(at.num, at.den);
+    result.parameter = at_least_positive(round_digits(digits), at);
     for (int k = 0; k < 3; ++k) {
         const Dyadic from = decode(a[k]), to = decode(b[k]);
+        const auto along = subtract(to, is_direction ? Dyadic{} : from);
+        if (along && round_from_digits(from, *along, digits, result.point[k])) continue;
         const std::array<Term, 3> terms{{{from, at.den, false}, {to, at.num, false}, {from, at.num, true}}};
-        result[k] = round_coordinate(std::span(terms).first(is_direction ? 2 : 3), at.den);
+        result.point[k] = round_coordinate(std::span(terms).first(is_direction ? 2 : 3), at.den);
     }
     return result;
 }

@@ -39,8 +39,12 @@ int compare(const FractionRef& first, double x) noexcept;
 // floating-point environment shows in it.
 double round_fraction(const FractionRef& x) noexcept;
 
-// a + (b - a) num / den, or a + b num / den where `is_direction`, each coordinate rounded once to the nearest double,
-// ties to even; a zero is +0.
-Vec3 round_point_between(const Vec3& a, const Vec3& b, bool is_direction, const FractionRef& at) noexcept;
+// A parameter of a line, and the point there: a + (b - a) num / den, or a + b num / den where `is_direction`. Each
+// number is rounded once to the nearest double, ties to even; a zero is +0, and a positive parameter at least 2^-1074.
+struct RoundedOnLine {
+    double parameter = 0;
+    Vec3 point = Vec3::Zero();
+};
+RoundedOnLine round_on_line(const Vec3& a, const Vec3& b, bool is_direction, const FractionRef& at) noexcept;
 
 }  // namespace ecods::exact

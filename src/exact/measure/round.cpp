@@ -160,4 +160,37 @@ double round_quotient(NaturalSpan num, NaturalSpan den, int exponent, bool negat
     return with_sign(bits, negative);
 }
 
+LeadingDigits leading_digits(NaturalSpan num, NaturalSpan den) noexcept {
+    if (num.empty()) return {};
+    const int shift = 127 - (bit_width(num) - bit_width(den));
+    const Quotient quotient = divide(num, shift, den);
+    return {quotient.whole, -shift, quotient.is_exact};
+}
+
+double round_digits(const LeadingDigits& x) noexcept {
+    if (x.digits == 0) return 0;
+    const auto high = static_cast<std::uint64_t>(x.digits >> 64), low = static_cast<std::uint64_t>(x.digits);
+    return with_sign(nearest({high, x.exponent + 64, x.is_exact && low == 0}), false);
+}
+
+double round_integer(const Int256& x, int exponent) noexcept {
+    const bool is_negative = x.high < 0;
+    const Int256 size = is_negative ? Int256{} - x : x;
+    Uint128 high = static_cast<Uint128>(size.high), low = size.low;
+    if (high == 0) {
+        if (low == 0) return 0;
+        high = low;
+        low = 0;
+        exponent -= 128;
+    }
+    // The leading bit goes to the top.
+    const int up = 128 - bit_width(high);
+    if (up > 0) {
+        high = high << up | low >> (128 - up);
+        low <<= up;
+    }
+    const bool is_exact = static_cast<std::uint64_t>(high) == 0 && low == 0;
+    return with_sign(nearest({static_cast<std::uint64_t>(high >> 64), exponent + 192 - up, is_exact}), is_negative);
+}
+
 }  // namespace ecods::exact

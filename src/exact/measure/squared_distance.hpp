@@ -26,6 +26,18 @@ double round_root(const SquaredDistance& square) noexcept;
 // The double nearest to num / den * 2^exponent, or its negative; a zero is +0. den > 0.
 double round_quotient(NaturalSpan num, NaturalSpan den, int exponent, bool negative) noexcept;
 
+// The leading digits of num / den = (digits + rest) 2^exponent, 0 <= rest < 1: 127 or 128 of them, none of zero.
+struct LeadingDigits {
+    Uint128 digits = 0;
+    int exponent = 0;
+    bool is_exact = true;  // whether rest is 0
+};
+LeadingDigits leading_digits(NaturalSpan num, NaturalSpan den) noexcept;
+
+// The double nearest to that quotient; to x * 2^exponent. A zero is +0.
+double round_digits(const LeadingDigits& x) noexcept;
+double round_integer(const Int256& x, int exponent) noexcept;
+
 // The double nearest to the square root of num / den <= 1, or its negative: a coordinate of a unit vector. A zero is
 // +0.
 double round_cosine(NaturalSpan num, NaturalSpan den, bool negative) noexcept;

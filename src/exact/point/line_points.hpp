@@ -23,18 +23,28 @@ class LinePoints {
     // Returns whether the digits fit. Only then may anything be asked.
     bool bind(const Line& line) noexcept;
 
-    // The direction, and the point of a vertex of the body's mesh, in units of 2^unit().
+    // Whether one limb holds all of them: coordinates are below 2^OneLimbKernel::coordinate_bits.
+    bool is_one_limb() const noexcept { return is_one_limb_; }
+
+    // The direction, and the point of a vertex of the body's mesh, in one unit.
     const Point& direction() const noexcept { return direction_; }
-    Point at(const Vec3& v) const noexcept;
-    int unit() const noexcept { return unit_; }
+    Point at(const Vec3& v) const noexcept { return is_short_ ? short_at(v) : long_at(v); }
 
   private:
+    Point short_at(const Vec3& v) const noexcept;
+    Point long_at(const Vec3& v) const noexcept;
+
     std::array<std::array<Dyadic, 3>, 3> columns_{};  // of R
     std::array<Dyadic, 3> t_{};
     BitRange digits_;  // of the products
-    Point offset_{};   // t less the line's beginning
+    // Where all of R, and all vertices, are integers of 62 bits in units of their own: R, and these units.
+    bool is_short_ = false;
+    std::array<std::array<std::int64_t, 3>, 3> integers_{};  // by columns
+    int unit_of_v_ = 0, unit_of_products_ = 0;
+    Point offset_{};  // t less the line's beginning
     Point direction_{};
     int unit_ = 0;
+    bool is_one_limb_ = false;
 };
 
 }  // namespace ecods::exact

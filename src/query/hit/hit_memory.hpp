@@ -77,17 +77,16 @@ inline HitKind kind_of(const exact::LineHit& hit) noexcept {
 
 // Rounds everything once.
 inline Hit rounded(const Line& line, const exact::LineHit& hit, std::uint32_t triangle) noexcept {
-    const auto point_at = [&](const exact::Fraction& at) {
-        return exact::round_point_between(line.a, line.b, line.is_ray, at.ref());
-    };
     Hit result;
     result.kind = kind_of(hit);
     result.feature = {hit.feature, triangle, hit.corner};
-    result.parameter = result.leave_parameter = exact::round_fraction(hit.enter.ref());
-    result.point = result.leave_point = point_at(hit.enter);
+    const exact::RoundedOnLine enter = exact::round_on_line(line.a, line.b, line.is_ray, hit.enter.ref());
+    result.parameter = result.leave_parameter = enter.parameter;
+    result.point = result.leave_point = enter.point;
     if (hit.is_along) {
-        result.leave_parameter = exact::round_fraction(hit.leave.ref());
-        result.leave_point = point_at(hit.leave);
+        const exact::RoundedOnLine leave = exact::round_on_line(line.a, line.b, line.is_ray, hit.leave.ref());
+        result.leave_parameter = leave.parameter;
+        result.leave_point = leave.point;
     }
     return result;
 }

@@ -152,33 +152,54 @@ HitEnclosure TriangleHits::enclose(std::uint32_t triangle) const noexcept {
 
 // ---- integers
 
+namespace {
+
+Magnitude<1> to_magnitude_of_one(Int128 x) noexcept {
+    const auto narrow = static_cast<std::int64_t>(x);
+    return magnitude<1>({static_cast<std::uint64_t>(narrow)});
+}
+Magnitude<2> to_magnitude_of_two(Int128 x) noexcept {
+    return magnitude<2>(to_limbs(x));
+}
+template <int L>
+LimbVector<L> to_vector(const LinePoints::Point& p) noexcept {
+    if constexpr (L == 1) {
+        return {to_magnitude_of_one(p[0]), to_magnitude_of_one(p[1]), to_magnitude_of_one(p[2])};
+    } else {
+        return {to_magnitude_of_two(p[0]), to_magnitude_of_two(p[1]), to_magnitude_of_two(p[2])};
+    }
+}
+
+}  // namespace
+
 // Calls use(direction, corners) with vectors of limbs from the line's beginning.
 template <class Use>
 auto TriangleHits::with_limbs(std::uint32_t triangle, Use&& use) {
-    static const Vec3 origin(0, 0, 0);
-    const auto in_kernel = [&]<class Kernel>(const IntegerPoints<Kernel, 5>& points) {
-        constexpr int L = limbs_of<Kernel>;
-        const auto limbs = to_limbs(points);
-        const auto vector = [&](std::size_t i) { return difference<L>(limbs[i], limbs[0]); };
-        return use(vector(1), std::array<LimbVector<L>, 3>{vector(2), vector(3), vector(4)});
-    };
     const Triangle& corners = body_.mesh->triangles()[triangle];
     const auto vertices = body_.mesh->vertices();
     if (kind_ == Points::unknown) kind_ = points_.bind(*line_) ? Points::short_ones : Points::long_ones;
     if (kind_ == Points::short_ones) {
-        IntegerPoints<TwoLimbKernel, 5> points;
-        points.unit = points_.unit();
-        points.at[0] = {};
-        points.at[1] = points_.direction();
-        for (std::size_t k = 0; k < 3; ++k) points.at[2 + k] = points_.at(vertices[corners[k]]);
-        return use_narrowest(points, in_kernel);
+        const std::array<LinePoints::Point, 3> at{points_.at(vertices[corners[0]]), points_.at(vertices[corners[1]]),
+                                                  points_.at(vertices[corners[2]])};
+        const auto in_limbs = [&]<int L>(std::integral_constant<int, L>) {
+            return use(to_vector<L>(points_.direction()),
+                       std::array{to_vector<L>(at[0]), to_vector<L>(at[1]), to_vector<L>(at[2])});
+        };
+        if (points_.is_one_limb()) return in_limbs(std::integral_constant<int, 1>{});
+        return in_limbs(std::integral_constant<int, 2>{});
     }
+    static const Vec3 origin(0, 0, 0);
     line_pose_.t = line_->is_ray ? line_->a : origin;
     PosedPoints<5> posed;
     posed[0] = {&line_pose_, line_->is_ray ? &origin : &line_->a};
     posed[1] = {&line_pose_, &line_->b};
     for (std::size_t k = 0; k < 3; ++k) posed[2 + k] = {body_.pose, &vertices[corners[k]]};
-    return with_integers(posed, in_kernel);
+    return with_integers(posed, [&]<class Kernel>(const IntegerPoints<Kernel, 5>& points) {
+        constexpr int L = limbs_of<Kernel>;
+        const auto limbs = to_limbs(points);
+        const auto vector = [&](std::size_t i) { return difference<L>(limbs[i], limbs[0]); };
+        return use(vector(1), std::array<LimbVector<L>, 3>{vector(2), vector(3), vector(4)});
+    });
 }
 
 bool TriangleHits::find(std::uint32_t triangle, LineHit& hit) {
