@@ -153,10 +153,14 @@ LineAxes::Place LineAxes::place(const ScaledLine& line, double limit) {
         if (s.center[k] - std::max(o[k], o[k] + e[k]) > reach) return Place::apart;
         error_largest = std::max(error_largest, error[k]);
     }
+    part_.has_slopes = true;
     for (std::size_t k = 0; k < 3; ++k) {
         part_.origin[k] = static_cast<float>(o[k]);
         float direction = static_cast<float>(e[k]);
-        if (!(std::abs(direction) >= direction_min)) direction = direction < 0 ? -direction_min : direction_min;
+        if (!(std::abs(direction) >= direction_min)) {
+            direction = direction < 0 ? -direction_min : direction_min;
+            part_.has_slopes = false;
+        }
         part_.direction[k] = direction;
         part_.inverse[k] = 1 / direction;
         part_.inverse_size[k] = std::abs(part_.inverse[k]);
@@ -168,6 +172,7 @@ LineAxes::Place LineAxes::place(const ScaledLine& line, double limit) {
     part_.z = z;
     part_.x = (z + 1) % 3;
     part_.y = (z + 2) % 3;
+    part_.has_slopes = part_.has_slopes || std::abs(size[z]) >= 0x1p-7f;
     part_.slope_x = part_.direction[part_.x] * part_.inverse[z];
     part_.slope_y = part_.direction[part_.y] * part_.inverse[z];
     const double corner = s.is_unit ? corner_error : 16 * float_v;

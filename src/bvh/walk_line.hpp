@@ -54,14 +54,22 @@ struct LineLanes : ProjectedLanes<width> {
         return bits_of(lanes) & node.lanes();
     }
 
-    // The same for the triangles of a leaf; the line meets nothing of it before `from`.
-    ECODS_ALWAYS_INLINE static std::uint32_t find_lanes(const LinePart& line, const TreeLeaf& leaf, float from,
-                                                        float limit) noexcept {
+    // Triangles of a leaf, as bits.
+    struct Found {
+        std::uint32_t may_meet;  // the line may share a point with it
+        std::uint32_t cross;     // of these: the line certainly is neither in its plane nor parallel to it
+    };
+
+    // The triangles of a leaf that the line's part up to `limit` may meet; it meets nothing of the leaf before `from`.
+    ECODS_ALWAYS_INLINE static Found find_lanes(const LinePart& line, const TreeLeaf& leaf, float from,
+                                                float limit) noexcept {
         const std::array<std::size_t, 3> axes{line.x, line.y, line.z};
         std::array<float, 3> g;
         for (std::size_t k = 0; k < 3; ++k) g[k] = line.origin[k] + from * line.direction[k];
-        Ints lanes[part_count];
+        const float ahead = limit - from;
+        Ints lanes[part_count], crossed[part_count];
         for (std::size_t part = 0; part < part_count; ++part) {
+            const Ints bits = lane_bits<Ints>(static_cast<int>(part * width));
             Floats x[3], y[3], z[3];
             for (std::size_t c = 0; c < 3; ++c) {
                 const auto& corner = leaf.corner[c];
@@ -90,10 +98,23 @@ struct LineLanes : ProjectedLanes<width> {
             const Ints is_beside = (max(a, max(b, c)) > bound) & (min(a, min(b, c)) < -bound);
             const Ints is_outside =
                 (x_low > line.side) | (x_high < -line.side) | (y_low > line.side) | (y_high < -line.side);
-            const Ints is_beyond = (z_low > ((limit - from) + line.depth)) | (z_high < -(from + line.depth));
-            lanes[part] = ~(is_beside | is_outside | is_beyond) & lane_bits<Ints>(static_cast<int>(part * width));
+            const Ints is_apart = (z_low > (ahead + line.depth)) | (z_high < -(from + line.depth));
+            // Where the line crosses the plane, by the weights of the corners.
+            const Floats sizes = (absolute(a) + absolute(b)) + absolute(c), all = (a + b) + c;
+            const Floats reach = max(absolute(z_low), absolute(z_high)) + (ahead + from);
+            const Floats error =
+                (3.01f * bound) * (reach + line.depth) + sizes * (1.01f * line.depth + (8 * 0x1p-23f) * reach);
+            const Floats after = (a * (z[0] - ahead) + b * (z[1] - ahead)) + c * (z[2] - ahead);
+            const Floats before = (a * (z[0] + from) + b * (z[1] + from)) + c * (z[2] + from);
+            const Floats doubt = 3.01f * bound + (4 * 0x1p-23f) * sizes;
+            const Ints is_front = all > doubt, is_back = all < -doubt;
+            const Ints is_beyond =
+                (is_front & ((after > error) | (before < -error))) | (is_back & ((after < -error) | (before > error)));
+            lanes[part] = ~(is_beside | is_outside | is_apart | is_beyond) & bits;
+            crossed[part] = (is_front | is_back) & bits;
         }
-        return bits_of(lanes) & leaf.lanes();
+        const std::uint32_t may_meet = bits_of(lanes) & leaf.lanes();
+        return {may_meet, line.has_slopes ? bits_of(crossed) & may_meet : 0};
     }
 
     // Puts the lanes of a node on the stack, the nearest last.
@@ -116,22 +137,29 @@ struct LineLanes : ProjectedLanes<width> {
         alignas(32) FloatLanes from;
         if (stack.size() < 2 * tree_width) stack.resize(2 * tree_width);
         std::size_t depth = 0;
-        stack[depth++] = {0, tree.root};
-        while (depth > 0) {
-            const LineNode at = stack[--depth];
-            if (at.from > result.limit()) continue;
+        LineNode at{0, tree.root};
+        for (;;) {
             if (at.ref.is_leaf()) {
                 const TreeLeaf& leaf = tree.leaves[at.ref.index()];
-                const std::uint32_t lanes = find_lanes(line, leaf, at.from, result.limit());
-                result.visit(leaf, lanes);
-                continue;
+                const Found found = find_lanes(line, leaf, at.from, result.limit());
+                result.visit(leaf, found.may_meet, found.cross);
+            } else {
+                const BvhNode& node = tree.nodes[at.ref.index()];
+                const std::uint32_t lanes = find_lanes(line, node, result.limit(), from);
+                result.visit_node();
+                if (std::has_single_bit(lanes)) {
+                    const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+                    at = {from[lane], node.child[lane]};
+                    continue;
+                }
+                if (depth + tree_width > stack.size()) stack.resize(2 * stack.size());
+                LineNode* const first = stack.data();
+                depth = static_cast<std::size_t>(push(node, lanes, from, first + depth) - first);
             }
-            const BvhNode& node = tree.nodes[at.ref.index()];
-            const std::uint32_t lanes = find_lanes(line, node, result.limit(), from);
-            result.visit_node();
-            if (depth + tree_width > stack.size()) stack.resize(2 * stack.size());
-            LineNode* const first = stack.data();
-            depth = static_cast<std::size_t>(push(node, lanes, from, first + depth) - first);
+            do {
+                if (depth == 0) return;
+                at = stack[--depth];
+            } while (at.from > result.limit());
         }
     }
 };
@@ -139,8 +167,9 @@ struct LineLanes : ProjectedLanes<width> {
 // Visits the leaves that the line may meet, in the order of `from` or nearly so.
 //
 // `result.limit()` is the r that counts from now on, at most 1: what is only met beyond it is left out.
-// `result.visit(leaf, lanes)` takes the triangles of a leaf that may be hit, as bits, and may lower the limit;
-// `result.visit_node()` counts. `stack` is working memory.
+// `result.visit(leaf, may_meet, cross)` takes the triangles of a leaf that may be hit, as bits, and those of them whose
+// plane the line certainly crosses at one point; it may lower the limit. `result.visit_node()` counts. `stack` is
+// working memory.
 template <class Result>
 void walk_line(const MeshBvh& tree, const LinePart& line, std::vector<LineNode>& stack, Result& result) {
     dispatch_by_width<LineLanes<4>::template walk<Result>, LineLanes<8>::template walk<Result>>(tree, line, stack,

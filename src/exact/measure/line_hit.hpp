@@ -11,9 +11,9 @@
 // parameters are fractions of such numbers or of shorter ones.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <optional>
 
 #include "ecods/closest_points.hpp"
 #include "exact/measure/fraction.hpp"
@@ -48,21 +48,24 @@ class LineTriangle {
 
     // Sets all of `hit` and returns true if they share a point.
     bool find(LineHit& hit) const noexcept {
-        const LimbVector<2 * L> n = normal();
-        const Magnitude<3 *L> den = dot<2 * L, L>(n, d_), num = dot<2 * L, L>(n, corner_[0]);
-        const int facing = sign<3 * L>(den), side = sign<3 * L>(num);
-        if (facing == 0) return side == 0 && find_in_plane(n, hit);
-        if (side * facing < 0) return false;
-        const std::array<int, 3> weights = weight_signs();
-        for (const int weight : weights) {
-            if (weight * facing < 0) return false;
+        if (is_zero_vector<L>(d_)) return find_point(hit);
+        const Weights weights = find_weights();
+        int most = 0, least = 0;
+        std::array<int, 3> signs;
+        for (std::size_t i = 0; i < 3; ++i) {
+            signs[i] = sign<3 * L>(weights[i]);
+            most = std::max(most, signs[i]);
+            least = std::min(least, signs[i]);
         }
-        set(hit.enter, num, den);
+        if (most > 0 && least < 0) return false;
+        // Seen along the line all corners are on one line through it: that and the triangle are in one plane.
+        if (most == 0 && least == 0) return find_in_plane(hit);
+        hit.facing = most + least;
+        hit.is_along = false;
+        name_feature(signs, hit);
+        if (!set_crossing(weights, hit)) return false;
         if (compare(hit.enter.ref(), end_) > 0) return false;
         hit.leave = hit.enter;
-        hit.is_along = false;
-        hit.facing = facing;
-        name_feature(weights, hit);
         return true;
     }
 
@@ -133,11 +136,37 @@ class LineTriangle {
         return cross<L>(minus(corner_[1], corner_[0]), minus(corner_[2], corner_[0]));
     }
 
-    // The signs of the weights of the corners.
-    std::array<int, 3> weight_signs() const noexcept {
+    using Weights = std::array<Magnitude<3 * L>, 3>;
+
+    // Of the corners, times n . d.
+    Weights find_weights() const noexcept {
         const LimbVector<2 *L> dp = cross<L>(d_, corner_[0]), dq = cross<L>(d_, corner_[1]);
-        return {sign<3 * L>(dot<2 * L, L>(dq, corner_[2])), -sign<3 * L>(dot<2 * L, L>(dp, corner_[2])),
-                sign<3 * L>(dot<2 * L, L>(dp, corner_[1]))};
+        return {dot<2 * L, L>(dq, corner_[2]), negated<3 * L>(dot<2 * L, L>(dp, corner_[2])),
+                dot<2 * L, L>(dp, corner_[1])};
+    }
+
+    // Sets the parameter of the point in which the line crosses the plane, by the shortest numbers that say it, and
+    // returns true; or returns false if it is negative. The feature must have been set.
+    bool set_crossing(const Weights& weights, LineHit& hit) const noexcept {
+        if (hit.feature == Feature::Kind::vertex) return set(hit.enter, on_line(corner_[hit.corner]));
+        if (hit.feature == Feature::Kind::edge) {
+            const Vector &p = corner_[hit.corner], e = minus(corner_[(hit.corner + 1) % 3], p);
+            const LimbVector<2 * L> de = cross<L>(d_, e);
+            const std::size_t axis = axis_of<2 * L>(de);
+            return set(hit.enter, {cross<L>(p, e)[axis], de[axis]});
+        }
+        // n . p = p . (q x r), and n . d is the sum of the weights.
+        const Magnitude<3 * L> num = dot<2 * L, L>(cross<L>(corner_[1], corner_[2]), corner_[0]);
+        if (sign<3 * L>(num) * hit.facing < 0) return false;
+        Magnitude<3 * L> den = weights[0];
+        for (const std::size_t i : {1u, 2u}) add_signed<3 * L>(den.limbs, weights[i].limbs, 0);
+        set(hit.enter, num, den);
+        return true;
+    }
+    static bool set(Fraction& to, const Ratio& at) noexcept {
+        if (at.sign() < 0) return false;
+        set(to, at.num, at.den);
+        return true;
     }
 
     // A point is inside the edge opposite to the corner whose weight is 0, or at the corner whose weight alone is not.
@@ -155,9 +184,8 @@ class LineTriangle {
         hit.corner = zeros == 0 ? 0 : zeros == 1 ? (at_zero + 1) % 3 : at_weight;
     }
 
-    bool find_in_plane(const LimbVector<2 * L>& n, LineHit& hit) const noexcept {
+    bool find_in_plane(LineHit& hit) const noexcept {
         hit.facing = 0;
-        if (is_zero_vector<L>(d_)) return find_point(n, hit);
         Parts parts;
         find_parts(parts);
         const Ratio *low = nullptr, *high = nullptr;
@@ -242,8 +270,11 @@ class LineTriangle {
         part = {false, s, s};
     }
 
-    // The line is the point at 0, which is in the triangle's plane.
-    bool find_point(const LimbVector<2 * L>& n, LineHit& hit) const noexcept {
+    // The line is the point at 0.
+    bool find_point(LineHit& hit) const noexcept {
+        const LimbVector<2 * L> n = normal();
+        if (sign<3 * L>(dot<2 * L, L>(n, corner_[0])) != 0) return false;
+        hit.facing = 0;
         hit.enter = {};
         hit.leave = {};
         hit.is_along = false;

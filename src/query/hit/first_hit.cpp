@@ -37,11 +37,13 @@ class BodySearch {
     // What walk_line asks.
     float limit() const noexcept { return ratio_; }
     void visit_node() noexcept { ++box_tests_; }
-    void visit(const TreeLeaf& leaf, std::uint32_t lanes) {
+    void visit(const TreeLeaf& leaf, std::uint32_t lanes, std::uint32_t cross) {
         counts_.triangle_tests += leaf.count;
         for (; lanes != 0; lanes &= lanes - 1) {
             const std::uint32_t triangle = leaf.triangle[static_cast<std::size_t>(std::countr_zero(lanes))];
-            if (triangle != tried_) visit(triangle);
+            if (triangle == tried_) continue;
+            const bool is_crossing = (cross & lanes & -lanes) != 0;
+            if (!is_crossing || !ties_at_shared(triangle)) visit(triangle);
         }
     }
     void visit(std::uint32_t triangle);
