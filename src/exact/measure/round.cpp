@@ -53,6 +53,20 @@ void subtract_product(std::uint64_t* dividend, NaturalSpan divisor, std::uint64_
     }
 }
 
+// to[i] = the limb at position first + i of a * 2^shift, shift >= 0: as limb_of_shifted, of which it is many.
+void set_shifted(std::span<std::uint64_t> to, NaturalSpan a, int shift, std::size_t first) noexcept {
+    const int bits = shift % 64;
+    // Wraps around below zero, beyond all limbs.
+    std::size_t at = first - static_cast<std::size_t>(shift) / 64;
+    std::uint64_t below = at - 1 < a.size() ? a[at - 1] : 0;
+    for (std::uint64_t& limb : to) {
+        const std::uint64_t here = at < a.size() ? a[at] : 0;
+        limb = bits == 0 ? here : here << bits | below >> (64 - bits);
+        below = here;
+        ++at;
+    }
+}
+
 // Long division by limbs (Knuth, The Art of Computer Programming, volume 2, 4.3.1, algorithm D), of two digits. The
 // quotient must be below 2^128.
 Quotient divide(NaturalSpan num, int shift, NaturalSpan den) noexcept {
@@ -60,7 +74,7 @@ Quotient divide(NaturalSpan num, int shift, NaturalSpan den) noexcept {
     const std::size_t n = std::max<std::size_t>(den.size(), 2);
     const int up = static_cast<int>(64 * n) - bit_width(den);
     std::array<std::uint64_t, divisor_limbs> v;
-    for (std::size_t i = 0; i < n; ++i) v[i] = limb_of_shifted(den, up, i);
+    set_shifted({v.data(), n}, den, up, 0);
     const NaturalSpan divisor{v.data(), n};
 
     const int total = shift + up;
@@ -72,7 +86,7 @@ Quotient divide(NaturalSpan num, int shift, NaturalSpan den) noexcept {
         is_exact &= (lost >= 64 ? num[i] : num[i] << (64 - lost)) == 0;
     }
     const int fill = total + static_cast<int>(64 * dropped);  // not negative
-    for (std::size_t i = 0; i < n + 2; ++i) u[i] = limb_of_shifted(num, fill, i + dropped);
+    set_shifted({u.data(), n + 2}, num, fill, dropped);
 
     Uint128 whole = 0;
     for (std::size_t j = 2; j-- > 0;) {

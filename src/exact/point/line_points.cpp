@@ -37,7 +37,11 @@ void LinePoints::bind(const BodyRef& body) noexcept {
         all_R.include(r);
         all_v.include(v);
     }
-    for (int row = 0; row < 3; ++row) t_[static_cast<std::size_t>(row)] = decode(body.pose->t[row]);
+    digits_of_t_ = {};
+    for (int row = 0; row < 3; ++row) {
+        t_[static_cast<std::size_t>(row)] = decode(body.pose->t[row]);
+        digits_of_t_.include(t_[static_cast<std::size_t>(row)]);
+    }
     is_short_ = !digits_.empty() && all_R.width() <= short_bits && all_v.width() <= short_bits;
     if (!is_short_) return;
     unit_of_v_ = all_v.low;
@@ -53,27 +57,52 @@ void LinePoints::bind(const BodyRef& body) noexcept {
 // A coordinate is a sum of three products and a difference, each below 2^high: two more bits. Differences of corners
 // are taken by the kernel.
 bool LinePoints::bind(const Line& line) noexcept {
+    std::array<Dyadic, 3> a, b;
+    BitRange terms = digits_;
+    terms.include(digits_of_t_);
+    for (std::size_t row = 0; row < 3; ++row) {
+        const auto k = static_cast<Eigen::Index>(row);
+        a[row] = decode(line.a[k]);
+        b[row] = decode(line.b[k]);
+        terms.include(a[row]);
+        terms.include(b[row]);
+    }
+    // A difference is below 2^(high + 1).
+    if (terms.width() + 3 > TwoLimbKernel::coordinate_bits) return bind_differences(a, b, line.is_ray);
+    set_unit(terms.low, terms.width() + 3);
+    const auto in_unit = [&](const Dyadic& x) { return x.m == 0 ? Int128{0} : Int128{x.m} << (x.e - unit_); };
+    for (std::size_t row = 0; row < 3; ++row) {
+        offset_[row] = in_unit(t_[row]) - in_unit(a[row]);
+        direction_[row] = in_unit(b[row]) - (line.is_ray ? Int128{0} : in_unit(a[row]));
+    }
+    return true;
+}
+
+// Differences may be shorter than what they are differences of, far from the origin.
+bool LinePoints::bind_differences(const std::array<Dyadic, 3>& a, const std::array<Dyadic, 3>& b,
+                                  bool is_ray) noexcept {
     BitRange digits = digits_;
     std::array<DyadicDifference, 3> offset, direction;
     for (std::size_t row = 0; row < 3; ++row) {
-        const auto k = static_cast<Eigen::Index>(row);
-        const Dyadic a = decode(line.a[k]), b = decode(line.b[k]);
-        const auto from_a = subtract(t_[row], a), along = subtract(b, line.is_ray ? Dyadic{} : a);
+        const auto from_a = subtract(t_[row], a[row]), along = subtract(b[row], is_ray ? Dyadic{} : a[row]);
         if (!from_a || !along) return false;
         offset[row] = *from_a;
         direction[row] = *along;
         digits.include(from_a->digits());
         digits.include(along->digits());
     }
-    const int width = digits.width() + 2;
-    if (width > TwoLimbKernel::coordinate_bits) return false;
-    is_one_limb_ = width <= OneLimbKernel::coordinate_bits;
-    unit_ = digits.empty() ? 0 : digits.low;
+    if (digits.width() + 2 > TwoLimbKernel::coordinate_bits) return false;
+    set_unit(digits.low, digits.width() + 2);
     for (std::size_t row = 0; row < 3; ++row) {
         offset_[row] = offset[row].at(unit_);
         direction_[row] = direction[row].at(unit_);
     }
     return true;
+}
+
+void LinePoints::set_unit(int low, int width) noexcept {
+    unit_ = low == BitRange::none ? 0 : low;
+    is_one_limb_ = width <= OneLimbKernel::coordinate_bits;
 }
 
 // The products may be counted in a smaller unit than the points, of which their sum is a multiple, too: smaller by at

@@ -31,12 +31,14 @@ class LinePoints {
     Point at(const Vec3& v) const noexcept { return is_short_ ? short_at(v) : long_at(v); }
 
   private:
+    bool bind_differences(const std::array<Dyadic, 3>& a, const std::array<Dyadic, 3>& b, bool is_ray) noexcept;
+    void set_unit(int low, int width) noexcept;
     Point short_at(const Vec3& v) const noexcept;
     Point long_at(const Vec3& v) const noexcept;
 
     std::array<std::array<Dyadic, 3>, 3> columns_{};  // of R
     std::array<Dyadic, 3> t_{};
-    BitRange digits_;  // of the products
+    BitRange digits_, digits_of_t_;  // those of the products, and of t
     // Where all of R, and all vertices, are integers of 62 bits in units of their own: R, and these units.
     bool is_short_ = false;
     std::array<std::array<std::int64_t, 3>, 3> integers_{};  // by columns

@@ -57,6 +57,7 @@ class AllHits::Collector {
 
     float limit() const noexcept { return 1; }
     void visit_node() noexcept { ++state_.counts.box_tests; }
+    void expect(const TreeLeaf&) const noexcept {}
     void visit(const TreeLeaf& leaf, std::uint32_t lanes, std::uint32_t) {
         state_.counts.hits.triangle_tests += leaf.count;
         for (; lanes != 0; lanes &= lanes - 1) visit(leaf.triangle[static_cast<std::size_t>(std::countr_zero(lanes))]);

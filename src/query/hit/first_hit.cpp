@@ -15,7 +15,12 @@ namespace {
 class BodySearch {
   public:
     BodySearch(const Posed<MeshShape>& body, HitMemory& memory, const ScaledLine& line, double limit, HitCounts& counts)
-        : body_(body), memory_(memory), line_(line), limit_(limit), counts_(counts) {
+        : body_(body),
+          triangles_(body.what->mesh().triangles().data()),
+          memory_(memory),
+          line_(line),
+          limit_(limit),
+          counts_(counts) {
         memory_.faces.clear();
     }
 
@@ -37,6 +42,9 @@ class BodySearch {
     // What walk_line asks.
     float limit() const noexcept { return ratio_; }
     void visit_node() noexcept { ++box_tests_; }
+    void expect(const TreeLeaf& leaf) const noexcept {
+        for (const std::uint32_t triangle : leaf.triangle) __builtin_prefetch(&triangles_[triangle]);
+    }
     void visit(const TreeLeaf& leaf, std::uint32_t lanes, std::uint32_t cross) {
         counts_.triangle_tests += leaf.count;
         for (; lanes != 0; lanes &= lanes - 1) {
@@ -68,6 +76,7 @@ class BodySearch {
     bool ties_at_shared(std::uint32_t triangle) noexcept;
 
     const Posed<MeshShape>& body_;
+    const Triangle* triangles_;
     HitMemory& memory_;
     const ScaledLine& line_;
     double limit_;
