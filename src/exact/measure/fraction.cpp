@@ -46,6 +46,10 @@ double round_coordinate(std::span<const Term> terms, NaturalSpan den) noexcept {
     return sum.over(den);
 }
 
+Uint128 two_limbs(NaturalSpan a) noexcept {
+    return (a.size() > 1 ? Uint128{a[1]} << 64 : 0) | (a.empty() ? 0 : a[0]);
+}
+
 // m * 2^shift, shift >= 0. The result must fit.
 Int256 shifted(Int128 m, int shift) noexcept {
     if (shift >= 128) return {0, m << (shift - 128)};
@@ -69,9 +73,10 @@ bool round_from_digits(const Dyadic& from, const DyadicDifference& along, const 
     }
     if (shift < 0 || shift > 250 - mantissa_bits) return false;
     const Int256 start = shifted(from.m, shift), product = multiply_halves(s.digits, size);
-    const Int256 rest{s.is_exact ? 0 : size, 0};
-    const Int256 low = along.m < 0 ? start - product : start + product, high = along.m < 0 ? low - rest : low + rest;
+    const Int256 low = along.m < 0 ? start - product : start + product;
     rounded = round_integer(low, unit);
+    if (s.is_exact) return true;
+    const Int256 rest{size, 0}, high = along.m < 0 ? low - rest : low + rest;
     return std::bit_cast<std::uint64_t>(rounded) == std::bit_cast<std::uint64_t>(round_integer(high, unit));
 }
 
@@ -105,6 +110,13 @@ int compare(const FractionRef& first, const FractionRef& second) noexcept {
     const int difference =
         (bit_width(first.num) + bit_width(second.den)) - (bit_width(second.num) + bit_width(first.den));
     if (std::abs(difference) > 1) return difference < 0 ? -1 : 1;
+    if (std::max({first.num.size(), first.den.size(), second.num.size(), second.den.size()}) <= 2) {
+        const Int256 a = multiply_halves(two_limbs(first.num), two_limbs(second.den)),
+                     b = multiply_halves(two_limbs(second.num), two_limbs(first.den));
+        const auto high_a = static_cast<Uint128>(a.high), high_b = static_cast<Uint128>(b.high);
+        if (high_a != high_b) return high_a < high_b ? -1 : 1;
+        return static_cast<int>(a.low > b.low) - static_cast<int>(a.low < b.low);
+    }
     Natural<2 * fraction_limbs> a, b;
     a.assign_product(first.num, second.den);
     b.assign_product(second.num, first.den);
