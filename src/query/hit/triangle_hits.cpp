@@ -3,27 +3,43 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounds/double4.hpp"
 #include "exact/measure/measure_pair.hpp"
 #include "exact/point/integer_points.hpp"
-#include "simd/inline.hpp"
+#include "simd/dispatch.hpp"
 
 namespace ecods {
 
 using namespace exact;
 
+namespace {
+
+std::array<double, 4> lanes(const Vec3& v) noexcept {
+    return {v[0], v[1], v[2], 0};
+}
+
+}  // namespace
+
 void TriangleHits::prepare(const BodyRef& body) noexcept {
     const Mat3& R = body.pose->R;
     sum_ = R.cwiseAbs() * body.extent->magnitude;
     factor_ = std::max(R.cwiseAbs().maxCoeff(), body.extent->magnitude.maxCoeff());
+    for (int k = 0; k < 3; ++k) in_doubles_.R[static_cast<std::size_t>(k)] = lanes(R.col(k));
     points_.bind(body);
 }
 
 void TriangleHits::bind(const Line& line, const ScaledLine& scaled, const BodyRef& body) noexcept {
     line_ = &line;
-    scaled_ = &scaled;
     body_ = body;
-    offset_ = body.pose->t - line.a;
-    delta_ = point_error_bound((sum_ + offset_.cwiseAbs()).maxCoeff(), factor_);
+    const Vec3 offset = body.pose->t - line.a;
+    InDoubles& s = in_doubles_;
+    s.offset = lanes(offset);
+    s.delta = point_error_bound((sum_ + offset.cwiseAbs()).maxCoeff(), factor_);
+    s.d = lanes(scaled.d);
+    s.d_error = lanes(scaled.d_error);
+    s.end_low = scaled.end_low;
+    s.end_high = scaled.end_high;
+    s.is_known = scaled.is_known;
     kind_ = Points::unknown;
 }
 
@@ -34,38 +50,24 @@ namespace {
 // Products of magnitudes stay far from overflow, and what they lose by underflow is far below the bounds.
 constexpr double size_max = 0x1p200;
 constexpr double bound_min = 0x1p-780;
+constexpr double slack = 1 + 0x1p-20;
 
-struct Vector {
-    double x, y, z;
-};
-ECODS_ALWAYS_INLINE Vector vector(const Point& p) noexcept {
-    return {p[0], p[1], p[2]};
+ECODS_ALWAYS_INLINE Double4 load4(const std::array<double, 4>& v) noexcept {
+    return load<Double4>(v.data());
 }
-ECODS_ALWAYS_INLINE Vector minus(const Vector& a, const Vector& b) noexcept {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
+// By axis: the product and the sum of the two other components.
+ECODS_ALWAYS_INLINE Double4 products(Double4 a) noexcept {
+    return shuffle<1, 2, 0, 3>(a) * shuffle<2, 0, 1, 3>(a);
 }
-ECODS_ALWAYS_INLINE Vector cross(const Vector& a, const Vector& b) noexcept {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+ECODS_ALWAYS_INLINE Double4 sums(Double4 a) noexcept {
+    return shuffle<1, 2, 0, 3>(a) + shuffle<2, 0, 1, 3>(a);
 }
-ECODS_ALWAYS_INLINE double dot(const Vector& a, const Vector& b) noexcept {
-    return (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
-ECODS_ALWAYS_INLINE Vector absolute(const Vector& a) noexcept {
-    return {std::abs(a.x), std::abs(a.y), std::abs(a.z)};
-}
-ECODS_ALWAYS_INLINE Vector largest(const Vector& a, const Vector& b) noexcept {
-    return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-}
-// The largest that a component of the cross product of two vectors of these sizes can be, but for a factor of 2.
-ECODS_ALWAYS_INLINE Vector products(const Vector& a) noexcept {
-    return {a.y * a.z, a.z * a.x, a.x * a.y};
-}
-ECODS_ALWAYS_INLINE Vector sums(const Vector& a) noexcept {
-    return {a.y + a.z, a.z + a.x, a.x + a.y};
-}
-// f a + g b
-ECODS_ALWAYS_INLINE Vector combine(double f, const Vector& a, double g, const Vector& b) noexcept {
-    return {f * a.x + g * b.x, f * a.y + g * b.y, f * a.z + g * b.z};
+// The sums of the components of four vectors, whose fourth lanes do not count.
+ECODS_ALWAYS_INLINE Double4 sums_of(Double4 a, Double4 b, Double4 c, Double4 d) noexcept {
+    const Double4 ab_low = shuffle<0, 4, 2, 6>(a, b), ab_high = shuffle<1, 5, 3, 7>(a, b);
+    const Double4 cd_low = shuffle<0, 4, 2, 6>(c, d), cd_high = shuffle<1, 5, 3, 7>(c, d);
+    return (shuffle<0, 1, 4, 5>(ab_low, cd_low) + shuffle<0, 1, 4, 5>(ab_high, cd_high)) +
+           shuffle<2, 3, 6, 7>(ab_low, cd_low);
 }
 
 }  // namespace
@@ -82,71 +84,72 @@ ECODS_ALWAYS_INLINE Vector combine(double f, const Vector& a, double g, const Ve
 // (e_i S_j + S_i e_j) + 2 e_i e_j < B = 8.1 u' S_i S_j + 4.01 delta (S_i + S_j) + 8.1 delta^2. Then n . d is off by
 // the sum of (B + 3.01 u' |n|) (|d| + d_error) + |n| d_error, and n . p by that of (B + 3.01 u' |n|) (|p| + delta) +
 // |n| delta.
-HitEnclosure TriangleHits::enclose(std::uint32_t triangle) const noexcept {
+//
+// No number is infinite or a NaN: a sum S of magnitudes at which posing could overflow makes delta at least 4 u' S,
+// which is then beyond size_max. In a mode that rounds down, an upper end that overflows is the largest double: no hit
+// is beyond it, since a point of the triangle is at most sqrt(3) size_max from 0.
+ECODS_ALWAYS_INLINE void TriangleHits::enclose_in(const InDoubles& s, const std::array<const Vec3*, 3>& corners,
+                                                  HitEnclosure& result) noexcept {
     using Verdict = HitEnclosure::Verdict;
-    HitEnclosure result;
-    const ScaledLine& line = *scaled_;
-    result.upper = line.end_high;
-    if (!line.is_known) return result;
-    const Triangle& corners = body_.mesh->triangles()[triangle];
-    const auto posed = [&](std::size_t k) {
-        return vector(pose_point(body_.pose->R, body_.mesh->vertices()[corners[k]], offset_));
+    const auto posed = [&](const Vec3& v) {
+        return ((load4(s.R[0]) * v[0] + load4(s.R[1]) * v[1]) + load4(s.R[2]) * v[2]) + load4(s.offset);
     };
-    const Vector p = posed(0), q = posed(1), r = posed(2), d{line.d[0], line.d[1], line.d[2]};
-    const Vector d_size = absolute(d), d_error{line.d_error[0], line.d_error[1], line.d_error[2]};
-    const Vector E = largest(absolute(p), largest(absolute(q), absolute(r))), EE = products(E);
-    constexpr double slack = 1 + 0x1p-20;
-    const double beside = (dot(combine(11 * two_u, EE, 2.01 * delta_, sums(E)), d_size) + 2.01 * dot(EE, d_error) +
-                           2 * delta_ * delta_ * (d_size.x + d_size.y + d_size.z)) *
-                          slack;
-    // In this form a NaN leaves all open.
-    if (!(std::max({E.x, E.y, E.z, delta_}) < size_max && beside > bound_min)) return result;
-
-    const Vector dp = cross(p, q), dq = cross(q, r), dr = cross(r, p);
-    const double wr = dot(dp, d), wp = dot(dq, d), wq = dot(dr, d);
-    const double most = std::max({wp, wq, wr}), least = std::min({wp, wq, wr});
+    const Double4 p = posed(*corners[0]), q = posed(*corners[1]), r = posed(*corners[2]), d = load4(s.d);
+    const Double4 d_size = absolute(d), d_error = load4(s.d_error);
+    const Double4 p_size = absolute(p), E = max(p_size, max(absolute(q), absolute(r))), EE = products(E);
+    const double delta = s.delta, delta_square = delta * delta;
+    const Double4 each = (11 * two_u * EE + (2.01 * delta) * sums(E)) + 2 * delta_square;
+    // The weights of r, p and q, and the bound of their errors.
+    const Double4 weights =
+        sums_of(cross(p, q) * d, cross(q, r) * d, cross(r, p) * d, each * d_size + 2.01 * EE * d_error);
+    const double beside = weights[3] * slack;
+    if (!(largest(E) < size_max && delta < size_max && beside > bound_min)) return;
+    const double most = largest(weights), least = -largest(-weights);
     if (most > beside && least < -beside) {
         result.verdict = Verdict::none;
-        return result;
+        return;
     }
 
-    const Vector u = minus(q, p), v = minus(r, p), n = cross(u, v), n_size = absolute(n);
-    const Vector S = largest(absolute(u), absolute(v));
-    Vector B = combine(8.1 * two_u, products(S), 4.01 * delta_, sums(S));
-    const double delta_square = 8.1 * delta_ * delta_;
-    B = {B.x + delta_square, B.y + delta_square, B.z + delta_square};
-    const Vector of_n = combine(1, B, 3.01 * two_u, n_size);
-    const double den = dot(n, d), num = dot(n, p);
-    const double den_error =
-        (dot(of_n, {d_size.x + d_error.x, d_size.y + d_error.y, d_size.z + d_error.z}) + dot(n_size, d_error)) * slack +
-        bound_min;
-    const Vector p_size = absolute(p);
-    const double num_error = (dot(of_n, {p_size.x + delta_, p_size.y + delta_, p_size.z + delta_}) +
-                              delta_ * (n_size.x + n_size.y + n_size.z)) *
-                                 slack +
-                             bound_min;
+    const Double4 u = q - p, v = r - p, n = cross(u, v), n_size = absolute(n);
+    const Double4 S = max(absolute(u), absolute(v));
+    const Double4 B = (8.1 * two_u * products(S) + (4.01 * delta) * sums(S)) + 8.1 * delta_square;
+    const Double4 of_n = B + 3.01 * two_u * n_size;
+    const Double4 both =
+        sums_of(n * d, n * p, of_n * (d_size + d_error) + n_size * d_error, of_n * (p_size + delta) + n_size * delta);
+    const double den = both[0], num = both[1];
+    const double den_error = both[2] * slack + bound_min, num_error = both[3] * slack + bound_min;
     const double size = std::abs(den);
-    if (!(size > den_error)) return result;
+    if (!(size > den_error)) return;
     result.is_crossing = true;
     const double forward = den < 0 ? -num : num;
     constexpr double down = 1 - 0x1p-49, up = 1 + 0x1p-49;
     if (forward + num_error < 0) {
         result.verdict = Verdict::none;
-        return result;
+        return;
     }
     const bool begins_before = forward > num_error;
     result.lower = begins_before ? (forward - num_error) / (size + den_error) * down : 0;
     result.upper = (forward + num_error) / (size - den_error) * up + 0x1p-1020;
-    if (result.lower > line.end_high) {
+    if (result.lower > s.end_high) {
         result.verdict = Verdict::none;
-        return result;
+        return;
     }
     const bool is_inside = least > beside || most < -beside;
-    if (is_inside && begins_before && result.upper <= line.end_low) {
+    if (is_inside && begins_before && result.upper <= s.end_low) {
         result.verdict = Verdict::face;
         result.is_back = den > 0;
     }
-    result.upper = std::min(result.upper, line.end_high);
+    result.upper = std::min(result.upper, s.end_high);
+}
+
+HitEnclosure TriangleHits::enclose(std::uint32_t triangle) const noexcept {
+    HitEnclosure result;
+    result.upper = in_doubles_.end_high;
+    if (!in_doubles_.is_known) return result;
+    const Triangle& corners = body_.mesh->triangles()[triangle];
+    const auto vertices = body_.mesh->vertices();
+    const std::array<const Vec3*, 3> at{&vertices[corners[0]], &vertices[corners[1]], &vertices[corners[2]]};
+    dispatch<&TriangleHits::enclose_in>(in_doubles_, at, result);
     return result;
 }
 

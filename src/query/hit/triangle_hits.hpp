@@ -1,6 +1,7 @@
 // A line and a posed mesh, ready for questions about what the line shares with single triangles.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "exact/measure/line_hit.hpp"
@@ -44,14 +45,24 @@ class TriangleHits {
     template <class Use>
     auto with_limbs(std::uint32_t triangle, Use&& use);
 
+    // What doubles are asked of: vectors of three, and a zero.
+    struct alignas(32) InDoubles {
+        std::array<std::array<double, 4>, 3> R;  // by columns
+        std::array<double, 4> offset;            // fl(t - a)
+        std::array<double, 4> d, d_error;        // of the scaled line
+        double delta;                            // the error of a coordinate of a rounded point
+        double end_low, end_high;
+        bool is_known;
+    };
+    static void enclose_in(const InDoubles& s, const std::array<const Vec3*, 3>& corners,
+                           HitEnclosure& result) noexcept;
+
     const Line* line_ = nullptr;
-    const ScaledLine* scaled_ = nullptr;
     exact::BodyRef body_{};
-    Pose line_pose_;              // of which the line's beginning and end, or its direction, are points
-    Vec3 sum_ = Vec3::Zero();     // |R| times the largest coordinates
-    double factor_ = 0;           // the largest of these and of |R|
-    Vec3 offset_ = Vec3::Zero();  // fl(t - a)
-    double delta_ = 0;            // the error of a coordinate of a rounded point
+    Pose line_pose_;           // of which the line's beginning and end, or its direction, are points
+    Vec3 sum_ = Vec3::Zero();  // |R| times the largest coordinates
+    double factor_ = 0;        // the largest coordinate and entry of |R|
+    InDoubles in_doubles_{};
     exact::LinePoints points_;
     enum class Points : std::uint8_t { unknown, short_ones, long_ones };
     Points kind_ = Points::unknown;
