@@ -107,6 +107,7 @@ int compare(const FractionRef& first, const FractionRef& second) noexcept {
     if (first.num.empty() || second.num.empty()) {
         return static_cast<int>(!first.num.empty()) - static_cast<int>(!second.num.empty());
     }
+    if (std::ranges::equal(first.den, second.den)) return compare_shifted(first.num, 0, second.num);
     const int difference =
         (bit_width(first.num) + bit_width(second.den)) - (bit_width(second.num) + bit_width(first.den));
     if (std::abs(difference) > 1) return difference < 0 ? -1 : 1;

@@ -71,8 +71,7 @@ class BodySearch {
         set_ratio();
     }
     void decide(std::uint32_t triangle, const HitEnclosure& enclosure);
-    bool is_before_own(std::uint32_t triangle) const noexcept;
-    void keep_other(std::uint32_t triangle) noexcept;
+    void keep_least(std::uint32_t triangle) noexcept;
     bool ties_at_shared(std::uint32_t triangle) noexcept;
 
     const Posed<MeshShape>& body_;
@@ -85,7 +84,8 @@ class BodySearch {
     std::uint64_t box_tests_ = 0;
     std::uint32_t tried_ = none;
     std::uint32_t least_ = none;  // has memory.own
-    // The vertices of the mesh that hold memory.own: one, the two of an edge, or none if that is not known.
+    // The vertices of the mesh that hold the first point of memory.own: one, the two of an edge, or none if that is not
+    // known.
     std::array<std::uint32_t, 2> shared_{none, none};
 };
 
@@ -105,32 +105,32 @@ void BodySearch::decide(std::uint32_t triangle, const HitEnclosure& enclosure) {
     if (enclosure.is_crossing && ties_at_shared(triangle)) return;
     ++counts_.exact;
     if (!memory_.triangles.find(triangle, *memory_.other)) return;
-    if (!is_before_own(triangle)) return;
-    keep_other(triangle);
+    keep_least(triangle);
+    if (least_ != triangle) return;
     double upper = enclosure.upper;
     if (!enclosure.is_crossing) upper = line_.scaled_above(next_up(exact::round_fraction(memory_.own->enter.ref())));
     lower_limit(upper);
 }
 
-bool BodySearch::is_before_own(std::uint32_t triangle) const noexcept {
-    if (least_ == none) return true;
-    const int order = compare(memory_.other->enter.ref(), memory_.own->enter.ref());
-    return order != 0 ? order < 0 : triangle < least_;
-}
-
-void BodySearch::keep_other(std::uint32_t triangle) noexcept {
+// Keeps memory.other, of this triangle, if it is the least so far.
+void BodySearch::keep_least(std::uint32_t triangle) noexcept {
+    const int order = least_ == none ? -1 : compare(memory_.other->enter.ref(), memory_.own->enter.ref());
+    if (order > 0 || (order == 0 && triangle > least_)) return;
     std::swap(memory_.own, memory_.other);
     least_ = triangle;
-    shared_ = {none, none};
     const exact::LineHit& hit = *memory_.own;
-    if (hit.is_along || hit.feature == Feature::Kind::face) return;
-    const Triangle& corners = body_.what->mesh().triangles()[triangle];
+    const bool is_on_feature = !hit.is_along && hit.feature != Feature::Kind::face;
+    // What holds the entry holds it whichever triangle is entered there.
+    if (order == 0 && shared_[0] != none) return;
+    shared_ = {none, none};
+    if (!is_on_feature) return;
+    const Triangle& corners = triangles_[triangle];
     shared_[0] = corners[hit.corner];
     if (hit.feature == Feature::Kind::edge) shared_[1] = corners[(hit.corner + 1) % 3];
 }
 
-// Whether a triangle whose plane the line crosses has the vertex, or the edge, at which the least one is hit. Then it
-// is hit there and nowhere else: at the same parameter, and nothing need be computed.
+// Whether a triangle whose plane the line crosses has the vertex, or the edge, at which the least one is hit first.
+// Then it is hit there and nowhere else: at the same parameter, and nothing need be computed.
 bool BodySearch::ties_at_shared(std::uint32_t triangle) noexcept {
     if (shared_[0] == none) return false;
     const Triangle& corners = body_.what->mesh().triangles()[triangle];
@@ -142,7 +142,10 @@ bool BodySearch::ties_at_shared(std::uint32_t triangle) noexcept {
         if (!has_it) continue;
         if (triangle < least_) {
             least_ = triangle;
-            memory_.own->corner = i;
+            exact::LineHit& own = *memory_.own;
+            own.is_along = false;
+            own.feature = shared_[1] == none ? Feature::Kind::vertex : Feature::Kind::edge;
+            own.corner = i;
         }
         return true;
     }
@@ -154,7 +157,7 @@ bool BodySearch::finish() {
         if (face.enclosure.lower > limit_) continue;
         ++counts_.exact;
         memory_.triangles.find_crossing(face.triangle, face.enclosure.is_back, *memory_.other);
-        if (is_before_own(face.triangle)) keep_other(face.triangle);
+        keep_least(face.triangle);
     }
     return least_ != none;
 }
