@@ -26,7 +26,8 @@ class LinePoints {
     // Whether one limb holds all of them: coordinates are below 2^OneLimbKernel::coordinate_bits.
     bool is_one_limb() const noexcept { return is_one_limb_; }
 
-    // The direction, and the point of a vertex of the body's mesh, in one unit.
+    // The direction, and the point of a vertex of the body's mesh, in units of 2^unit().
+    int unit() const noexcept { return unit_; }
     const Point& direction() const noexcept { return direction_; }
     Point at(const Vec3& v) const noexcept { return is_short_ ? short_at(v) : long_at(v); }
 

@@ -9,6 +9,7 @@
 #include "ecods/cast.hpp"
 #include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
+#include "ecods/hit.hpp"
 #include "ecods/intersection.hpp"
 #include "scenes/shapes.hpp"
 
@@ -87,6 +88,18 @@ std::string text(const std::optional<FirstContact>& contact) {
         .append(number(contact->b.triangle));
 }
 
+std::string text(const std::vector<Hit>& hits) {
+    std::string all;
+    for (const Hit& hit : hits) all.append(text(hit.parameter)).append(" ").append(number(hit.triangle())).append("; ");
+    return all;
+}
+// From before both bodies to beyond them.
+const Segment through{{3, 0.125, 0.25}, {-3, -0.125, -0.25}};
+
+std::string first_of(const std::optional<Hit>& hit) {
+    return hit ? text(std::vector<Hit>{*hit}) : "none";
+}
+
 // From afar to beyond the other one.
 std::optional<FirstContact> cast_past(Pair& p) {
     Pose start = p.pose_b;
@@ -117,6 +130,10 @@ const Question questions[] = {
     {"distance", [](Pair& p) { p.answer = text(distance(p.first(), p.second(), p.memory)); }},
     {"distance, with a witness",
      [](Pair& p) { p.answer = text(distance(p.first(), p.second(), p.memory, p.witness)); }},
+    {"first_hit", [](Pair& p) { p.answer = first_of(first_hit(through, p.first(), p.memory)); }},
+    {"first_hit, with a witness",
+     [](Pair& p) { p.answer = first_of(first_hit(through, p.first(), p.memory, p.witness)); }},
+    {"all_hits", [](Pair& p) { p.answer = text(all_hits(through, p.second(), p.memory)); }},
     {"within", [](Pair& p) { p.answer = number(within(p.first(), p.second(), 0.25, p.memory, p.witness)); }},
     {"closest", [](Pair& p) { p.answer = text(closest(p.first(), p.second(), p.memory)); }},
     {"distance_bounds",

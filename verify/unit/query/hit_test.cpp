@@ -1,6 +1,7 @@
 // Hits of segments and rays: small known answers in many poses. The oracle judges the rest in the tests of casts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cfenv>
 #include <cmath>
@@ -154,6 +155,52 @@ TEST(Hits, RaysEndAtTheirLargestParameter) {
     EXPECT_EQ(along->kind, HitKind::along);
     EXPECT_EQ(along->leave_parameter, 0.1);
     EXPECT_EQ(along->leave_point, Vec3(2.1, 2, 0));
+}
+
+// So short that floats know neither its direction nor the planes that it is parallel to.
+TEST(Hits, OfRaysTooShortForADirection) {
+    const MeshShape shape(scenes::cube(0.5));
+    QueryMemory memory;
+    for (const double length : {0x1p-1074, 0x1p-300, 0x1p-60, 0x1p-20}) {
+        for (const Vec3& direction : {Vec3(1, 1, 0), Vec3(1, 0, 0), Vec3(1, 1, 1), Vec3(1, 0x1p-40, 0)}) {
+            const Ray ray{Vec3::Constant(-0.5), direction, length};
+            const std::vector<Hit> all = all_hits(ray, {shape, {}}, memory);
+            const std::optional<Hit> first = first_hit(ray, {shape, {}}, memory);
+            ASSERT_TRUE(first);
+            EXPECT_EQ(first->kind, all[0].kind);
+            EXPECT_EQ(first->feature, all[0].feature);
+            EXPECT_EQ(first->leave_parameter, all[0].leave_parameter);
+            std::size_t along = 0;
+            for (const Hit& hit : all) along += hit.kind == HitKind::along;
+            // Of two faces in z = -1/2, one or both have it; or all that have the edge.
+            EXPECT_EQ(along > 0, direction[2] == 0) << length << ", " << direction.transpose();
+        }
+    }
+}
+
+// Fans of triangles around a vertex and along an edge, in every order of the triangles: the least is first, and named
+// by its own corner, whether the line crosses its plane or lies in it.
+TEST(Hits, TiesAtAVertexAndAlongAnEdge) {
+    const std::vector<Vec3> vertices{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {-4, 0, 0}, {0, -4, 0}, {1, 1, 4}, {0, 0, 3}};
+    std::vector<Triangle> triangles{{0, 1, 2}, {3, 0, 2}, {3, 4, 0}, {1, 0, 4}, {0, 5, 6}, {5, 1, 0}, {0, 0, 1}};
+    QueryMemory memory;
+    std::sort(triangles.begin(), triangles.end());
+    for (int order = 0; std::next_permutation(triangles.begin(), triangles.end()); ++order) {
+        if (order % 7 != 0) continue;
+        const MeshShape shape(Mesh::create(vertices, triangles));
+        for (const Segment& segment : {Segment{{-1, -2, 5}, {1, 2, -5}}, Segment{{-1, -1, -4}, {1, 1, 4}},
+                                       Segment{{-8, 0, 0}, {8, 0, 0}}, Segment{{1, 1, 4}, {-1, -1, -4}}}) {
+            const std::vector<Hit> all = all_hits(segment, {shape, {}}, memory);
+            ASSERT_FALSE(all.empty());
+            PairWitness witness{0, static_cast<std::uint32_t>(order % 8)};
+            const std::optional<Hit> first = first_hit(segment, {shape, {}}, memory, witness);
+            ASSERT_TRUE(first);
+            ASSERT_EQ(first->feature, all[0].feature) << order;
+            ASSERT_EQ(first->kind, all[0].kind);
+            ASSERT_EQ(first->leave_parameter, all[0].leave_parameter);
+            ASSERT_EQ(first->leave_point, all[0].leave_point);
+        }
+    }
 }
 
 TEST(Hits, AreInTheOrderOfRealParametersAndNamed) {
