@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "base/outward.hpp"
 #include "bvh/posed_axes.hpp"
@@ -92,6 +94,16 @@ void LineAxes::bind(const MeshBvh& tree, const Pose& pose) {
     for (std::size_t row = 0; row < 3; ++row) s.is_bounded = s.is_bounded && std::abs(s.center[row]) + s.half[row] < 4;
 }
 
+namespace {
+
+// Where s d is from `low` to `high`, and s from 0 to `limit`.
+std::pair<double, double> ends_within(double low, double high, double d, double limit) noexcept {
+    const double inverse = 1 / d, first = low * inverse, second = high * inverse;
+    return {std::max(0.0, std::min(first, second)), std::min(limit, std::max(first, second))};
+}
+
+}  // namespace
+
 LineAxes::Place LineAxes::place(const ScaledLine& line, double limit) {
     const Axes& s = axes_;
     if (!s.is_bounded || !(line.is_known || line.is_point)) return Place::unknown;
@@ -132,27 +144,28 @@ LineAxes::Place LineAxes::place(const ScaledLine& line, double limit) {
     double s0 = 0, s1 = 0;
     if (!line.is_point) {
         const double reach = s.half[m] + (error[m] + 16 * two_u * reach_of_line + 0x1p-20);
-        const double inverse = 1 / D[m];
-        const double first = ((s.center[m] - reach) - X[m]) * inverse,
-                     second = ((s.center[m] + reach) - X[m]) * inverse;
-        s0 = std::max(0.0, std::min(first, second));
-        s1 = std::min(limit, std::max(first, second));
+        std::tie(s0, s1) = ends_within(s.center[m] - reach - X[m], s.center[m] + reach - X[m], D[m], limit);
     }
     if (s0 > s1) return Place::apart;
 
     begin_ = s0;
     length_ = s1 - s0;
-    const double scale = s.is_unit ? 1 : 4.2;
     std::array<double, 3> o, e;
-    double error_largest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         o[k] = X[k] + s0 * D[k];
         e[k] = line.is_point ? 0 : length_ * D[k];
         const double reach = s.half[k] + (error[k] + 0x1p-18);
         if (std::min(o[k], o[k] + e[k]) - s.center[k] > reach) return Place::apart;
         if (s.center[k] - std::max(o[k], o[k] + e[k]) > reach) return Place::apart;
-        error_largest = std::max(error_largest, error[k]);
     }
+    set_part(o, e, error);
+    return Place::placed;
+}
+
+void LineAxes::set_part(const std::array<double, 3>& o, const std::array<double, 3>& e,
+                        const std::array<double, 3>& error) noexcept {
+    const double scale = axes_.is_unit ? 1 : 4.2;
+    const double error_largest = std::max({error[0], error[1], error[2]});
     part_.has_slopes = true;
     for (std::size_t k = 0; k < 3; ++k) {
         part_.origin[k] = static_cast<float>(o[k]);
@@ -175,10 +188,9 @@ LineAxes::Place LineAxes::place(const ScaledLine& line, double limit) {
     part_.has_slopes = part_.has_slopes || std::abs(size[z]) >= 0x1p-7f;
     part_.slope_x = part_.direction[part_.x] * part_.inverse[z];
     part_.slope_y = part_.direction[part_.y] * part_.inverse[z];
-    const double corner = s.is_unit ? corner_error : 16 * float_v;
+    const double corner = axes_.is_unit ? corner_error : 16 * float_v;
     part_.side = static_cast<float>((2 * (error_largest + corner) + 80 * scale * float_v) * (1 + 0x1p-20));
     part_.depth = 2 * part_.side * part_.inverse_size[z];
-    return Place::placed;
 }
 
 float LineAxes::ratio_above(double parameter) const noexcept {

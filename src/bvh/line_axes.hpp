@@ -99,6 +99,10 @@ class LineAxes {
         bool is_unit;
     };
 
+    // The part from o to o + e, whose coordinates are off by `error`, in floats.
+    void set_part(const std::array<double, 3>& o, const std::array<double, 3>& e,
+                  const std::array<double, 3>& error) noexcept;
+
     Axes axes_;
     LinePart part_;
     double begin_ = 0, length_ = 0;  // s0, s1 - s0

@@ -69,8 +69,8 @@ Vec3 any_point(Random& random, int range) {
 TEST(RoundOnLine, AsRationals) {
     Random random(1);
     for (int i = 0; i < 4000; ++i) {
-        const mpz_class den = testing::random_mpz(random, 1 + random.below(500)) + 1;
-        mpz_class num = testing::random_mpz(random, 1 + random.below(500));
+        const mpz_class den = abs(testing::random_mpz(random, 1 + random.below(500))) + 1;
+        mpz_class num = abs(testing::random_mpz(random, 1 + random.below(500)));
         if (i % 2 == 0) num %= den + 1;
         const int range = i % 4 == 3 ? 2000 : 8;
         ASSERT_NO_FATAL_FAILURE(check_on_line(any_point(random, range), any_point(random, range), num, den)) << i;
@@ -109,7 +109,7 @@ TEST(Fractions, CompareAsRationals) {
     Random random(3);
     for (int i = 0; i < 20000; ++i) {
         const std::uint32_t width = 1 + random.below(i % 3 == 0 ? 700 : 140);
-        const auto any = [&] { return mpz_class(testing::random_mpz(random, width) + 1); };
+        const auto any = [&] { return mpz_class(abs(testing::random_mpz(random, width)) + 1); };
         const mpz_class den_a = any(), factor = any();
         mpz_class num_a = any(), num_b = any(), den_b = random.below(3) == 0 ? den_a : any();
         if (random.below(3) == 0) {
