@@ -20,8 +20,11 @@
 namespace ecods::fuzz {
 namespace {
 
-// Asking all pairs takes long where bodies are many.
+// Asking all pairs takes long where bodies are many, or have many triangles; and where numbers differ much in size, so
+// that integers are long, some hundred times as long.
 constexpr std::size_t few = 24, very_few = 12;
+constexpr std::size_t triangle_pairs_max = 20000, triangle_pairs_max_of_long_integers = 200;
+constexpr double moderate_min = 0x1p-64, moderate_max = 0x1p64;
 
 Posed<MeshShape> mesh_at(const Shape& shape, const Pose& pose) {
     const auto* user = dynamic_cast<const UserShape*>(&shape);
@@ -43,6 +46,26 @@ Vec3 any_point(const World& world, const std::vector<BodyId>& bodies, scenes::Ra
         if (random.below(3) == 0) point = 0.5 * (point + (pose.R * vertex() + pose.t));
     }
     return point.allFinite() ? point : Vec3(0, 0, 0);
+}
+
+bool is_moderate(const auto& numbers) {
+    const auto sizes = numbers.array().abs();
+    return (sizes == 0 || (sizes >= moderate_min && sizes <= moderate_max)).all();
+}
+
+// Whether all pairs can be asked in a fraction of a second.
+bool are_soon_asked(const World& world, const std::vector<BodyId>& bodies) {
+    std::size_t count = 0, pairs = 0;
+    bool has_moderate_numbers = true;
+    for (const BodyId body : bodies) {
+        const auto mesh = mesh_of(*world.shape(body));
+        pairs += count * mesh->triangles().size();
+        count += mesh->triangles().size();
+        const Pose pose = world.pose(body);
+        has_moderate_numbers = has_moderate_numbers && is_moderate(pose.R) && is_moderate(pose.t) &&
+                               std::ranges::all_of(mesh->vertices(), [](const Vec3& v) { return is_moderate(v); });
+    }
+    return pairs <= (has_moderate_numbers ? triangle_pairs_max : triangle_pairs_max_of_long_integers);
 }
 
 // Everything but the order of hits whose parameters round to the same.
@@ -161,7 +184,7 @@ void check_hits(std::span<World* const> worlds, std::uint32_t seed, Counters& co
 void check_casts(std::span<World* const> worlds, std::uint32_t seed, Counters& counters) {
     const World& first = *worlds.front();
     const auto bodies = first.bodies();
-    if (bodies.size() < 2 || bodies.size() > few) return;
+    if (bodies.size() < 2 || bodies.size() > few || !are_soon_asked(first, bodies)) return;
     scenes::Random random(seed);
     QueryMemory memory;
     const BodyId own = bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
@@ -202,7 +225,7 @@ void check_casts(std::span<World* const> worlds, std::uint32_t seed, Counters& c
 void check_meetings(std::span<World* const> worlds, std::uint32_t seed, Counters& counters) {
     const World& first = *worlds.front();
     const auto bodies = first.bodies();
-    if (bodies.size() > very_few) return;
+    if (bodies.size() > very_few || !are_soon_asked(first, bodies)) return;
     scenes::Random random(seed);
     // Bodies go where others are, or stay.
     std::vector<BodyId> moved;
