@@ -1,0 +1,93 @@
+// The configurations on which other libraries fail, asked about distances, hits, casts and moves beside the oracle: by
+// lines through their corners and along their edges, and on ways that end at a corner, pass it, or begin in contact.
+#include <gtest/gtest.h>
+
+#include "judge/cast_truth.hpp"
+#include "judge/distance_truth.hpp"
+#include "judge/hit_truth.hpp"
+#include "scenes/io/hard_case_file.hpp"
+
+namespace ecods {
+namespace {
+
+// Larger pairs take the oracle's brute force too long.
+constexpr std::size_t pair_count_max = 400;
+
+class HardCases : public testing::Test {
+  protected:
+    HardCases() : known_(scenes::read_hard_cases(ECODS_HARD_CASES)) {}
+
+    // Calls with two bodies, and corners of theirs as doubles have them.
+    template <class Call>
+    void for_each(const Call& call) {
+        std::size_t asked = 0;
+        for (const scenes::HardCase& hard : known_.cases) {
+            SCOPED_TRACE(hard.id);
+            const auto triangles_a = hard.a.mesh->triangles(), triangles_b = hard.b.mesh->triangles();
+            if (triangles_a.size() * triangles_b.size() > pair_count_max) continue;
+            ++asked;
+            const MeshShape a(hard.a.mesh), b(hard.b.mesh);
+            const auto corner = [](const scenes::HardCase::Body& body, std::size_t i) -> Vec3 {
+                return body.pose.R * body.mesh->vertices()[body.mesh->triangles().back()[i]] + body.pose.t;
+            };
+            ASSERT_NO_FATAL_FAILURE(call(
+                Posed<MeshShape>{a, hard.a.pose}, Posed<MeshShape>{b, hard.b.pose},
+                [&](std::size_t i) { return corner(hard.a, i); }, [&](std::size_t i) { return corner(hard.b, i); }));
+        }
+        EXPECT_GT(asked, 40U);
+    }
+
+    template <class Truth>
+    void expect_right(const Truth& truth) {
+        const auto wrong = truth.ask(memory_, witness_);
+        ASSERT_FALSE(wrong) << wrong->question << ": expected " << wrong->expected << ", got " << wrong->got;
+    }
+
+  private:
+    scenes::HardCases known_;
+    QueryMemory memory_;
+    PairWitness witness_;
+};
+
+TEST_F(HardCases, Distances) {
+    for_each([&](const auto& a, const auto& b, const auto&, const auto&) { expect_right(judge::DistanceTruth(a, b)); });
+}
+
+TEST_F(HardCases, Hits) {
+    for_each([&](const auto&, const auto& b, const auto& of_a, const auto& of_b) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t next = (i + 1) % 3;
+            for (const Segment& segment : {Segment{of_a(i), of_a(next)}, Segment{of_a(i), of_b(i)},
+                                           Segment{of_a(i), 2 * of_b(next) - of_a(i)}, Segment{of_b(i), of_b(next)}}) {
+                ASSERT_NO_FATAL_FAILURE(expect_right(judge::HitTruth(segment, b)));
+            }
+        }
+    });
+}
+
+TEST_F(HardCases, Casts) {
+    for_each([&](const auto& a, const auto& b, const auto& of_a, const auto& of_b) {
+        const Vec3 way = of_b(0) - of_a(0);
+        Posed<MeshShape> back = a;
+        back.pose.t -= 2 * (of_b(1) - of_b(0)) + (of_b(2) - of_b(0));
+        for (const Vec3& motion : {way, Vec3(2 * way), Vec3(of_a(1) - of_a(0))}) {
+            ASSERT_NO_FATAL_FAILURE(expect_right(judge::CastTruth(a, motion, b, 2)));
+        }
+        ASSERT_NO_FATAL_FAILURE(expect_right(judge::CastTruth(back, a.pose.t - back.pose.t, b, 2)));
+    });
+}
+
+TEST_F(HardCases, Moves) {
+    for_each([&](const auto& a, const auto& b, const auto& of_a, const auto& of_b) {
+        Pose to = a.pose, from_b = b.pose;
+        to.t += 2 * (of_b(0) - of_a(0));
+        to.R = 0.5 * to.R + 0.5 * b.pose.R;
+        from_b.t += of_b(1) - of_b(2);
+        const Moving<MeshShape> first(*a.what, a.pose, to), second(*b.what, from_b, b.pose);
+        ASSERT_NO_FATAL_FAILURE(expect_right(judge::CastTruth(first, {*b.what, b.pose, b.pose}, 2)));
+        ASSERT_NO_FATAL_FAILURE(expect_right(judge::CastTruth(first, second, 2)));
+    });
+}
+
+}  // namespace
+}  // namespace ecods
