@@ -76,11 +76,12 @@ std::uint64_t digest_of_translation(std::uint64_t start, const exact::BodyRef& a
         digest.add(static_cast<std::uint64_t>(contact->kind));
         digest.add(std::uint64_t{contacts.meet_by(0, 0, contact->time)});
     }
-    const auto time = contacts.time(0, 0);
+    const auto contact = contacts.contact(0, 0, ContactInterval());
     const auto is_below = [](double x, double y) {
         return std::bit_cast<std::int64_t>(x) <= std::bit_cast<std::int64_t>(y);
     };
-    digest.add(std::uint64_t{!time || (is_below(interval.lower, *time) && is_below(*time, interval.upper))});
+    digest.add(std::uint64_t{!contact ||
+                             (is_below(interval.lower, contact->time) && is_below(contact->time, interval.upper))});
     return digest.value();
 }
 
