@@ -1,6 +1,8 @@
 // What every engine of casts offers: meshes are made ready once, then motions of one towards another are asked about.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,6 +31,8 @@ struct CastMaker {
     bool is_ecods = false;
     CastAnswer answer = CastAnswer::time;
     bool is_for_hulls = false;  // moves convex hulls only
+    std::size_t triangle_max =
+        std::numeric_limits<std::size_t>::max();  // of its largest mesh: of more it is not asked, for the time
     std::unique_ptr<CastEngine> (*set_up)(const scenes::CastWorkload& workload) = nullptr;
 };
 

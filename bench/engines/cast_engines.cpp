@@ -15,8 +15,12 @@ std::vector<CastMaker> cast_engines() {
             {.name = cast_yardstick,
              .use = "continuousCollide() by conservative advancement, BVHModel<OBBRSS>, its tolerance for meshes is "
                     "fixed at 1e-5; motions CCDM_TRANS, and CCDM_LINEAR between poses; double",
+             .triangle_max = 20'000,
              .set_up = set_up_cast_fcl_obbrss},
-            {.name = "FCL advancement RSS", .use = "the same, BVHModel<RSS>; double", .set_up = set_up_cast_fcl_rss},
+            {.name = "FCL advancement RSS",
+             .use = "the same, BVHModel<RSS>; double",
+             .triangle_max = 1000,
+             .set_up = set_up_cast_fcl_rss},
             {.name = "FCL default",
              .use = "continuousCollide() as by default: collide() at 10 times, OBBRSS; double",
              .set_up = set_up_cast_fcl_default},

@@ -26,6 +26,15 @@ double microseconds_a_pass(const Pass& pass) {
     return us / static_cast<double>(passes);
 }
 
+// Asks untimed for a tenth of that, once at least: `ask(i)` of i = 0, 1, ...
+template <class Ask>
+void wake(const Ask& ask) {
+    const Stopwatch watch;
+    std::size_t i = 0;
+    do ask(i++);
+    while (watch.nanoseconds() / 1000 < turn_us_min / 10);
+}
+
 // Whether query i of n is one of `chosen` that are spread evenly.
 inline bool is_chosen(std::size_t i, std::size_t n, std::size_t chosen) {
     return (i + 1) * chosen / n != i * chosen / n;

@@ -137,9 +137,9 @@ std::vector<CastWorkload> cast_workloads(WorkloadSize size) {
     };
     std::vector<Case> cases = {{{of_ship}, 100, true}};
     if (!is_tiny) {
-        cases.push_back({{torus_10k}, 40, true});
+        cases.push_back({{torus_10k}, 12, true});
         cases.push_back({{{"torus 100k", torus(400, 125, 0.4)}}, 20, false});
-        cases.push_back({{ball, torus_10k, true}, 40, false});
+        cases.push_back({{ball, torus_10k, true}, 20, false});
     }
     cases.push_back({{.a = ball, .is_hull = true}, 40, false});
     std::vector<CastWorkload> workloads;
