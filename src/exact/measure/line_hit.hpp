@@ -29,7 +29,8 @@ struct LineHit {
     // The least corner of the feature of lowest dimension that holds all shared points.
     Feature::Kind feature = Feature::Kind::face;
     std::uint32_t corner = 0;
-    int facing = 0;  // the sign of n . d
+    int facing = 0;           // the sign of n . d
+    std::uint32_t entry = 3;  // where along: the corner that is at `enter`, or 3 if none is known to be
 };
 
 template <int L>
@@ -209,10 +210,12 @@ class LineTriangle {
     }
 
     static void name_feature(const Parts& parts, LineHit& hit) noexcept {
-        for (std::uint32_t i = 0; i < 3 && !hit.is_along; ++i) {
-            if (!parts.has_corner[i] || compare(parts.corner[i], hit.enter) != 0) continue;
+        std::uint32_t entry = 0;
+        while (entry < 3 && (!parts.has_corner[entry] || compare(parts.corner[entry], hit.enter) != 0)) ++entry;
+        hit.entry = entry;
+        if (!hit.is_along && entry < 3) {
             hit.feature = Feature::Kind::vertex;
-            hit.corner = i;
+            hit.corner = entry;
             return;
         }
         for (std::uint32_t i = 0; i < 3; ++i) {

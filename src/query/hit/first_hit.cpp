@@ -72,7 +72,10 @@ class BodySearch {
     }
     void decide(std::uint32_t triangle, const HitEnclosure& enclosure);
     void keep_least(std::uint32_t triangle) noexcept;
+    void set_shared(const Triangle& corners, const exact::LineHit& hit) noexcept;
     bool ties_at_shared(std::uint32_t triangle) noexcept;
+    bool ties_along(std::uint32_t triangle) noexcept;
+    void take_tie(std::uint32_t triangle, Feature::Kind feature, std::uint32_t corner) noexcept;
 
     const Posed<MeshShape>& body_;
     const Triangle* triangles_;
@@ -87,6 +90,9 @@ class BodySearch {
     // The vertices of the mesh that hold the first point of memory.own: one, the two of an edge, or none if that is not
     // known.
     std::array<std::uint32_t, 2> shared_{none, none};
+    // The vertices of an edge that the line runs along from that point on: all that it shares with some triangle. That
+    // of memory.own, if that is along an edge; none if no such edge is known.
+    std::array<std::uint32_t, 2> along_{none, none};
 };
 
 void BodySearch::visit(std::uint32_t triangle) {
@@ -103,6 +109,7 @@ void BodySearch::visit(std::uint32_t triangle) {
 
 void BodySearch::decide(std::uint32_t triangle, const HitEnclosure& enclosure) {
     if (enclosure.is_crossing && ties_at_shared(triangle)) return;
+    if (enclosure.has_area && ties_along(triangle)) return;
     ++counts_.exact;
     if (!memory_.triangles.find(triangle, *memory_.other)) return;
     keep_least(triangle);
@@ -115,41 +122,72 @@ void BodySearch::decide(std::uint32_t triangle, const HitEnclosure& enclosure) {
 // Keeps memory.other, of this triangle, if it is the least so far.
 void BodySearch::keep_least(std::uint32_t triangle) noexcept {
     const int order = least_ == none ? -1 : compare(memory_.other->enter.ref(), memory_.own->enter.ref());
-    if (order > 0 || (order == 0 && triangle > least_)) return;
+    if (order > 0) return;
+    // What holds the entry holds it whichever triangle is entered there.
+    if (order < 0) shared_ = along_ = {none, none};
+    const exact::LineHit& hit = *memory_.other;
+    const Triangle& corners = triangles_[triangle];
+    const bool is_kept = triangle < least_ || order < 0;
+    if (hit.is_along && hit.feature == Feature::Kind::edge && (is_kept || along_[0] == none))
+        along_ = {corners[hit.corner], corners[(hit.corner + 1) % 3]};
+    if (shared_[0] == none) set_shared(corners, hit);
+    if (!is_kept) return;
     std::swap(memory_.own, memory_.other);
     least_ = triangle;
-    const exact::LineHit& hit = *memory_.own;
-    const bool is_on_feature = !hit.is_along && hit.feature != Feature::Kind::face;
-    // What holds the entry holds it whichever triangle is entered there.
-    if (order == 0 && shared_[0] != none) return;
-    shared_ = {none, none};
-    if (!is_on_feature) return;
-    const Triangle& corners = triangles_[triangle];
-    shared_[0] = corners[hit.corner];
-    if (hit.feature == Feature::Kind::edge) shared_[1] = corners[(hit.corner + 1) % 3];
+}
+
+void BodySearch::set_shared(const Triangle& corners, const exact::LineHit& hit) noexcept {
+    if (hit.is_along) {
+        if (hit.entry < 3) shared_[0] = corners[hit.entry];
+    } else if (hit.feature != Feature::Kind::face) {
+        shared_[0] = corners[hit.corner];
+        if (hit.feature == Feature::Kind::edge) shared_[1] = corners[(hit.corner + 1) % 3];
+    }
+}
+
+// The corner at which a triangle's edge of these vertices begins, or 3 if it has no such edge.
+std::uint32_t find_edge(const Triangle& corners, const std::array<std::uint32_t, 2>& edge) noexcept {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const std::uint32_t p = corners[i], q = corners[(i + 1) % 3];
+        if ((p == edge[0] && q == edge[1]) || (p == edge[1] && q == edge[0])) return i;
+    }
+    return 3;
+}
+
+// A triangle that is hit at the parameter at which the least one is.
+void BodySearch::take_tie(std::uint32_t triangle, Feature::Kind feature, std::uint32_t corner) noexcept {
+    least_ = triangle;
+    memory_.own->feature = feature;
+    memory_.own->corner = corner;
 }
 
 // Whether a triangle whose plane the line crosses has the vertex, or the edge, at which the least one is hit first.
 // Then it is hit there and nowhere else: at the same parameter, and nothing need be computed.
 bool BodySearch::ties_at_shared(std::uint32_t triangle) noexcept {
     if (shared_[0] == none) return false;
-    const Triangle& corners = body_.what->mesh().triangles()[triangle];
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        const std::uint32_t p = corners[i], q = corners[(i + 1) % 3];
-        const bool has_it = shared_[1] == none
-                                ? p == shared_[0]
-                                : (p == shared_[0] && q == shared_[1]) || (p == shared_[1] && q == shared_[0]);
-        if (!has_it) continue;
-        if (triangle < least_) {
-            least_ = triangle;
-            exact::LineHit& own = *memory_.own;
-            own.is_along = false;
-            own.feature = shared_[1] == none ? Feature::Kind::vertex : Feature::Kind::edge;
-            own.corner = i;
-        }
-        return true;
+    const Triangle& corners = triangles_[triangle];
+    const bool is_vertex = shared_[1] == none;
+    const auto corner = is_vertex ? static_cast<std::uint32_t>(std::ranges::find(corners, shared_[0]) - corners.begin())
+                                  : find_edge(corners, shared_);
+    if (corner == 3) return false;
+    if (triangle < least_) {
+        take_tie(triangle, is_vertex ? Feature::Kind::vertex : Feature::Kind::edge, corner);
+        memory_.own->is_along = false;
     }
-    return false;
+    return true;
+}
+
+// Whether a triangle whose corners are not on one line has the edge that the line runs along. Then it shares with the
+// line what the other triangle of that edge does, from the same parameter on.
+bool BodySearch::ties_along(std::uint32_t triangle) noexcept {
+    if (along_[0] == none) return false;
+    const std::uint32_t corner = find_edge(triangles_[triangle], along_);
+    if (corner == 3) return false;
+    if (triangle > least_) return true;
+    // Elsewhere it is not known any more where the line leaves this edge.
+    if (!memory_.own->is_along || memory_.own->feature != Feature::Kind::edge) return false;
+    take_tie(triangle, Feature::Kind::edge, corner);
+    return true;
 }
 
 bool BodySearch::finish() {

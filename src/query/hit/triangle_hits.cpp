@@ -114,6 +114,7 @@ ECODS_ALWAYS_INLINE void TriangleHits::enclose_in(const InDoubles& s, const std:
     const Double4 S = max(absolute(u), absolute(v));
     const Double4 B = (8.1 * two_u * products(S) + (4.01 * delta) * sums(S)) + 8.1 * delta_square;
     const Double4 of_n = B + 3.01 * two_u * n_size;
+    result.has_area = largest(n_size - slack * B) > bound_min;
     const Double4 both =
         sums_of(n * d, n * p, of_n * (d_size + d_error) + n_size * d_error, of_n * (p_size + delta) + n_size * delta);
     const double den = both[0], num = both[1];

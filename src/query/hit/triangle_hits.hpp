@@ -22,6 +22,7 @@ struct HitEnclosure {
     Verdict verdict = Verdict::open;
     bool is_crossing = false;     // whether the line certainly crosses the triangle's plane, at one point
     bool is_back = false;         // of a face
+    bool has_area = false;        // whether the triangle's corners are certainly not on one line
     double lower = 0, upper = 0;  // contain the scaled parameter of that point, where there is one
 };
 
