@@ -27,15 +27,12 @@ class BodySearch {
     // Every hit that is not beyond it counts; some hit, of this body or another, is not beyond it.
     double parameter_limit() const noexcept { return limit_; }
 
-    // Tries a triangle before the tree: it comes again.
-    void try_first(std::uint32_t triangle) {
-        set_ratio();
-        visit(triangle);
-        tried_ = triangle;
-    }
+    // Has a triangle tried before all others. Where floats leave nothing to try, neither is it.
+    void try_first(std::uint32_t triangle) noexcept { waiting_ = triangle; }
 
     void walk(LineAxes::Place place) {
         set_ratio();
+        if (place == LineAxes::Place::unknown) try_waiting();
         memory_.walk(body_, place, *this);
     }
 
@@ -47,6 +44,8 @@ class BodySearch {
     }
     void visit(const TreeLeaf& leaf, std::uint32_t lanes, std::uint32_t cross) {
         counts_.triangle_tests += leaf.count;
+        if (lanes == 0) return;
+        try_waiting();
         for (; lanes != 0; lanes &= lanes - 1) {
             const std::uint32_t triangle = leaf.triangle[static_cast<std::size_t>(std::countr_zero(lanes))];
             if (triangle == tried_) continue;
@@ -70,6 +69,12 @@ class BodySearch {
         limit_ = upper;
         set_ratio();
     }
+    // It comes again.
+    void try_waiting() {
+        if (waiting_ == none) return;
+        tried_ = std::exchange(waiting_, none);
+        visit(tried_);
+    }
     void decide(std::uint32_t triangle, const HitEnclosure& enclosure);
     void keep_least(std::uint32_t triangle) noexcept;
     void set_shared(const Triangle& corners, const exact::LineHit& hit) noexcept;
@@ -85,6 +90,7 @@ class BodySearch {
     float ratio_ = 1;
     HitCounts& counts_;
     std::uint64_t box_tests_ = 0;
+    std::uint32_t waiting_ = none;
     std::uint32_t tried_ = none;
     std::uint32_t least_ = none;  // has memory.own
     // The vertices of the mesh that hold the first point of memory.own: one, the two of an edge, or none if that is not

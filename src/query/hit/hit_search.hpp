@@ -30,8 +30,8 @@ class FirstHit {
     FirstHit(const FirstHit&) = delete;
     FirstHit& operator=(const FirstHit&) = delete;
 
-    // Asks one more body, in any order of keys. Tries the witness's triangle `b` first, and leaves the one that the
-    // body is hit at if its hit has become the least one.
+    // Asks one more body, in any order of keys. Tries the witness's triangle `b` before others, and leaves the one that
+    // the body is hit at if its hit has become the least one.
     void ask(const Posed<MeshShape>& body, std::uint64_t key, PairWitness& witness);
     void ask(const Posed<MeshShape>& body, std::uint64_t key);
 
