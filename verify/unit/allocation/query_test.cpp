@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cstdint>
 #include <optional>
-#include <utility>
+#include <string>
+#include <vector>
 
 #include "allocation/each_allocation.hpp"
+#include "base/hash.hpp"
 #include "ecods/cast.hpp"
 #include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
@@ -28,77 +31,75 @@ struct Pair {
     Pose pose_a, pose_b;
     QueryMemory memory;
     PairWitness witness;
-    std::string answer = {};
+    std::uint64_t answer = 0;
 };
 
-std::string number(std::size_t value) {
-    return std::to_string(value);
-}
+// Every bit of answers in one number: text would have allocations of its own, most of those that fail.
+class Digest {
+  public:
+    explicit Digest(std::uint64_t start = 0) : value_(start) {}
 
-std::string text(Relation relation) {
-    return number(static_cast<std::size_t>(relation));
-}
-
-// Every bit of it.
-std::string text(double x) {
-    return number(std::bit_cast<std::uint64_t>(x));
-}
-
-std::string text(const ClosestPoints& closest) {
-    std::string all = text(closest.distance);
-    const auto add = [&](const std::string& one) { all.append(" ").append(one); };
-    add(number(closest.a.triangle));
-    add(number(closest.b.triangle));
-    for (int k = 0; k < 3; ++k) {
-        add(text(closest.point_a[k]));
-        add(text(closest.point_b[k]));
+    void add(std::uint64_t x) { value_ = combine(value_, x); }
+    void add(std::uint32_t x) { add(std::uint64_t{x}); }
+    void add(bool x) { add(std::uint64_t{x}); }
+    void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
+    void add(Relation relation) { add(static_cast<std::uint64_t>(relation)); }
+    void add(const Vec3& v) {
+        for (int k = 0; k < 3; ++k) add(v[k]);
     }
-    return all;
-}
-
-std::string text(const std::optional<Vec3>& v) {
-    std::string all;
-    for (int k = 0; v && k < 3; ++k) all.append(" ").append(text((*v)[k]));
-    return all;
-}
-
-std::string text(const std::vector<CloseFeatures>& close) {
-    std::string all;
-    for (const CloseFeatures& c : close) {
-        all.append(text(c.closest)).append(text(c.direction)).append("; ");
+    void add(const ClosestPoints& closest) {
+        add(closest.distance);
+        add(closest.a.triangle);
+        add(closest.b.triangle);
+        add(closest.point_a);
+        add(closest.point_b);
     }
-    return all;
-}
-
-std::string text(const std::vector<TriangleIntersection>& intersections) {
-    std::string all;
-    for (const TriangleIntersection& i : intersections) {
-        for (const Vec3& corner : i.shared.corners()) all.append(text(std::optional(corner)));
-        all.append(text(i.shared.normal)).append("; ");
+    void add(const CloseFeatures& close) {
+        add(close.closest);
+        add(close.direction);
     }
-    return all;
+    void add(const DistanceBounds& bounds) {
+        add(bounds.lower);
+        add(bounds.upper);
+    }
+    void add(const TriangleIntersection& intersection) {
+        for (const Vec3& corner : intersection.shared.corners()) add(corner);
+        add(intersection.shared.normal);
+    }
+    void add(const FirstContact& contact) {
+        add(contact.time);
+        add(contact.a.triangle);
+        add(contact.b.triangle);
+    }
+    void add(const Hit& hit) {
+        add(hit.parameter);
+        add(hit.triangle());
+    }
+    template <class Answer>
+    void add(const std::optional<Answer>& answer) {
+        add(answer.has_value());
+        if (answer) add(*answer);
+    }
+    template <class Answer>
+    void add(const std::vector<Answer>& answers) {
+        add(answers.size());
+        for (const Answer& each : answers) add(each);
+    }
+    std::uint64_t value() const { return value_; }
+
+  private:
+    std::uint64_t value_;
+};
+
+template <class Answer>
+std::uint64_t digest(const Answer& answer) {
+    Digest made;
+    made.add(answer);
+    return made.value();
 }
 
-std::string text(const std::optional<FirstContact>& contact) {
-    if (!contact) return "none";
-    return text(contact->time)
-        .append(" ")
-        .append(number(contact->a.triangle))
-        .append(" ")
-        .append(number(contact->b.triangle));
-}
-
-std::string text(const std::vector<Hit>& hits) {
-    std::string all;
-    for (const Hit& hit : hits) all.append(text(hit.parameter)).append(" ").append(number(hit.triangle())).append("; ");
-    return all;
-}
 // From before both bodies to beyond them.
 const Segment through{{3, 0.125, 0.25}, {-3, -0.125, -0.25}};
-
-std::string first_of(const std::optional<Hit>& hit) {
-    return hit ? text(std::vector<Hit>{*hit}) : "none";
-}
 
 // From afar to beyond the other one.
 std::optional<FirstContact> cast_past(Pair& p) {
@@ -121,68 +122,64 @@ struct Question {
 };
 
 const Question questions[] = {
-    {"intersects", [](Pair& p) { p.answer = number(intersects(p.first(), p.second(), p.memory)); }},
+    {"intersects", [](Pair& p) { p.answer = digest(intersects(p.first(), p.second(), p.memory)); }},
     {"intersects, with a witness",
-     [](Pair& p) { p.answer = number(intersects(p.first(), p.second(), p.memory, p.witness)); }},
-    {"relation", [](Pair& p) { p.answer = text(relation(p.first(), p.second(), p.memory)); }},
+     [](Pair& p) { p.answer = digest(intersects(p.first(), p.second(), p.memory, p.witness)); }},
+    {"relation", [](Pair& p) { p.answer = digest(relation(p.first(), p.second(), p.memory)); }},
     {"intersecting_triangles",
-     [](Pair& p) { p.answer = number(intersecting_triangles(p.first(), p.second(), p.memory).size()); }},
-    {"distance", [](Pair& p) { p.answer = text(distance(p.first(), p.second(), p.memory)); }},
+     [](Pair& p) { p.answer = digest(intersecting_triangles(p.first(), p.second(), p.memory).size()); }},
+    {"distance", [](Pair& p) { p.answer = digest(distance(p.first(), p.second(), p.memory)); }},
     {"distance, with a witness",
-     [](Pair& p) { p.answer = text(distance(p.first(), p.second(), p.memory, p.witness)); }},
-    {"first_hit", [](Pair& p) { p.answer = first_of(first_hit(through, p.first(), p.memory)); }},
+     [](Pair& p) { p.answer = digest(distance(p.first(), p.second(), p.memory, p.witness)); }},
+    {"first_hit", [](Pair& p) { p.answer = digest(first_hit(through, p.first(), p.memory)); }},
     {"first_hit, with a witness",
-     [](Pair& p) { p.answer = first_of(first_hit(through, p.first(), p.memory, p.witness)); }},
-    {"all_hits", [](Pair& p) { p.answer = text(all_hits(through, p.second(), p.memory)); }},
-    {"within", [](Pair& p) { p.answer = number(within(p.first(), p.second(), 0.25, p.memory, p.witness)); }},
-    {"closest", [](Pair& p) { p.answer = text(closest(p.first(), p.second(), p.memory)); }},
+     [](Pair& p) { p.answer = digest(first_hit(through, p.first(), p.memory, p.witness)); }},
+    {"all_hits", [](Pair& p) { p.answer = digest(all_hits(through, p.second(), p.memory)); }},
+    {"within", [](Pair& p) { p.answer = digest(within(p.first(), p.second(), 0.25, p.memory, p.witness)); }},
+    {"closest", [](Pair& p) { p.answer = digest(closest(p.first(), p.second(), p.memory)); }},
     {"distance_bounds",
-     [](Pair& p) {
-         const DistanceBounds bounds = distance_bounds(p.first(), p.second(), {.relative = 0.25}, p.memory);
-         p.answer = text(bounds.lower).append(" ").append(text(bounds.upper));
-     }},
-    {"close_triangles",
-     [](Pair& p) {
-         std::string all;
-         for (const ClosestPoints& close : close_triangles(p.first(), p.second(), 0x1p-6, p.memory)) {
-             all.append(text(close)).append("; ");
-         }
-         p.answer = std::move(all);
-     }},
-    {"close_features", [](Pair& p) { p.answer = text(close_features(p.first(), p.second(), 0x1p-6, p.memory)); }},
+     [](Pair& p) { p.answer = digest(distance_bounds(p.first(), p.second(), {.relative = 0.25}, p.memory)); }},
+    {"close_triangles", [](Pair& p) { p.answer = digest(close_triangles(p.first(), p.second(), 0x1p-6, p.memory)); }},
+    {"close_features", [](Pair& p) { p.answer = digest(close_features(p.first(), p.second(), 0x1p-6, p.memory)); }},
     {"cast of a translation",
-     [](Pair& p) { p.answer = text(cast(p.second(), -1.5 * p.pose_b.t, p.first(), p.memory)); }},
-    {"cast of a translation, with a witness", [](Pair& p) { p.answer = text(cast_past(p)); }},
-    {"cast between poses", [](Pair& p) { p.answer = text(move_past(p)); }},
-    {"intersections", [](Pair& p) { p.answer = text(intersections(p.first(), p.second(), p.memory)); }},
-    {"MeshShape::box", [](Pair& p) { p.answer = number(p.a->box(p.pose_b).min.allFinite()); }},
-    {"MeshShape::tree_bytes", [](Pair& p) { p.answer = number(p.a->tree_bytes()); }},
+     [](Pair& p) { p.answer = digest(cast(p.second(), -1.5 * p.pose_b.t, p.first(), p.memory)); }},
+    {"cast of a translation, with a witness", [](Pair& p) { p.answer = digest(cast_past(p)); }},
+    {"cast between poses", [](Pair& p) { p.answer = digest(move_past(p)); }},
+    {"intersections", [](Pair& p) { p.answer = digest(intersections(p.first(), p.second(), p.memory)); }},
+    {"MeshShape::box", [](Pair& p) { p.answer = digest(p.a->box(p.pose_b).min.allFinite()); }},
+    {"MeshShape::tree_bytes", [](Pair& p) { p.answer = digest(p.a->tree_bytes()); }},
     {"refit without a tree",
      [](Pair& p) {
          const auto vertices = p.a->mesh().vertices();
-         p.answer = number(refit(*p.a, {vertices.begin(), vertices.end()})->digest());
+         p.answer = digest(refit(*p.a, {vertices.begin(), vertices.end()})->digest());
      }},
     {"refit with a tree",
      [](Pair& p) {
          const auto vertices = p.b->mesh().vertices();
          p.b->tree_bytes();
-         p.answer = number(refit(*p.b, {vertices.begin(), vertices.end()})->tree_bytes());
+         p.answer = digest(refit(*p.b, {vertices.begin(), vertices.end()})->tree_bytes());
      }},
     {"Mesh::create and a shape of it",
      [](Pair& p) {
          const auto mesh = scenes::cube(0.5);
-         p.answer = number(std::make_shared<MeshShape>(mesh)->tree_bytes());
+         p.answer = digest(std::make_shared<MeshShape>(mesh)->tree_bytes());
      }},
 };
 
 void go_on(Pair& p) {
+    Digest all(p.answer);
     for (int step = 0; step < 3; ++step) {
         p.pose_b.t[0] += 0.125;
-        p.answer += number(intersects(p.first(), p.second(), p.memory, p.witness));
-        p.answer += text(relation(p.second(), p.first(), p.memory)) + " ";
-        p.answer += number(intersecting_triangles(p.first(), p.second(), p.memory).size());
-        p.answer += text(distance(p.first(), p.second(), p.memory, p.witness));
+        all.add(intersects(p.first(), p.second(), p.memory, p.witness));
+        all.add(relation(p.second(), p.first(), p.memory));
+        all.add(intersecting_triangles(p.first(), p.second(), p.memory).size());
+        all.add(distance(p.first(), p.second(), p.memory, p.witness));
     }
+    p.answer = all.value();
+}
+
+std::string difference(const Pair& expected, const Pair& got) {
+    return expected.answer == got.answer ? "" : std::to_string(got.answer) + " for " + std::to_string(expected.answer);
 }
 
 TEST(QueryOutOfMemory, EveryQuestionIsAnsweredTheNextTime) {
@@ -190,13 +187,11 @@ TEST(QueryOutOfMemory, EveryQuestionIsAnsweredTheNextTime) {
         Failures failures;
         // Deep in one another, and at distance 2 in contact, decided by exact numbers.
         for (const double distance : {0.75, 2.0, 2.25, 9.0}) {
-            fail_each_allocation<Pair>(
-                {.make = [=] { return Pair(distance); },
-                 .call = question.ask,
-                 .difference = [](Pair& x,
-                                  Pair& y) { return x.answer == y.answer ? "" : y.answer + " for " + x.answer; },
-                 .go_on = go_on},
-                failures);
+            fail_each_allocation<Pair>({.make = [=] { return Pair(distance); },
+                                        .call = question.ask,
+                                        .difference = difference,
+                                        .go_on = go_on},
+                                       failures);
         }
         EXPECT_EQ(failures.defects, 0u) << question.name << "; first: " << failures.first;
     }
@@ -211,8 +206,8 @@ TEST(QueryOutOfMemory, ASharedShapeKeepsWhatItHas) {
                                         pair.b = pair.a;
                                         return pair;
                                     },
-                                .call = [](Pair& p) { p.answer = text(relation(p.first(), p.second(), p.memory)); },
-                                .difference = [](Pair& x, Pair& y) { return x.answer == y.answer ? "" : y.answer; },
+                                .call = [](Pair& p) { p.answer = digest(relation(p.first(), p.second(), p.memory)); },
+                                .difference = difference,
                                 .go_on = go_on},
                                failures);
     EXPECT_EQ(failures.defects, 0u) << failures.first;

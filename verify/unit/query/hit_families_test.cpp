@@ -142,21 +142,36 @@ TEST(HitFamilies, ParityOfClosedMeshes) {
     }
 }
 
-// A longer ray hits what the shorter one does, and more.
+// A longer ray hits what the shorter one does, and more. Aimed at the tube, from outside.
 TEST(HitFamilies, ALongerRayHitsMore) {
     scenes::Random random(5);
     const MeshShape torus(scenes::torus(24, 16, 0.4));
     QueryMemory memory;
+    std::size_t shortened = 0, of_four = 0;
     for (int i = 0; i < 100; ++i) {
-        Ray ray{3 * random.direction(), random.direction() - random.direction()};
+        const Vec3 from = 3 * random.direction();
+        const double turn = random.uniform(0, 6.25);
+        Ray ray{from, Vec3(std::cos(turn), std::sin(turn), 0) + 0.25 * random.direction() - from};
         const std::vector<Hit> all = all_hits(ray, {torus, Pose()}, memory);
+        of_four += all.size() == 4;
         for (std::size_t k = 0; k < all.size(); ++k) {
-            ray.parameter_max = std::nextafter(all[k].parameter, HUGE_VAL);
+            const double beyond = std::nextafter(all[k].parameter, HUGE_VAL);
+            const double before = std::nextafter(all[k].parameter, -HUGE_VAL);
+            ray.parameter_max = beyond;
             const std::vector<Hit> some = all_hits(ray, {torus, Pose()}, memory);
             ASSERT_GE(some.size(), k + 1);
             for (std::size_t n = 0; n <= k; ++n) ASSERT_TRUE(judge::is_same(some[n], all[n])) << i;
+            ASSERT_EQ(some.size(), std::ranges::count_if(all, [=](const Hit& h) { return h.parameter <= beyond; }))
+                << i;
+            ray.parameter_max = before;
+            ASSERT_EQ(all_hits(ray, {torus, Pose()}, memory).size(),
+                      std::ranges::count_if(all, [=](const Hit& h) { return h.parameter <= before; }))
+                << i;
+            ++shortened;
         }
     }
+    EXPECT_GT(shortened, 150U);
+    EXPECT_GT(of_four, 10U);
 }
 
 // Hits' points as ends of segments, and one as both.
