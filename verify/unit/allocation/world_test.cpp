@@ -142,8 +142,9 @@ const std::array calls = {
     WorldCall{"cast, shape", [](Scene& s) { s.answer = text_of(s.world.cast(Ball(1), at(-3), Vec3(8, 0, 0))); }},
     WorldCall{"meetings",
               [](Scene& s) {
+                  // Short ways: each one meets its neighbor.
                   const std::vector<BodyId> bodies = {s.ids[30], s.ids[0], s.ids[1], s.ids[9], s.ids[0]};
-                  s.answer = text_of(s.world.meetings(bodies, std::vector<Pose>{at(0.5), at(1), at(2), at(3), at(4)}));
+                  s.answer = text_of(s.world.meetings(bodies, std::vector<Pose>{at(37), at(0.5), at(1), at(10), at(0.75)}));
               },
               apart},
     WorldCall{"bodies", [](Scene& s) { s.answer = slots_of(s.world.bodies()); }},
