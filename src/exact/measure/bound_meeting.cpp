@@ -76,7 +76,7 @@ class Bounds {
         std::size_t later_count = 0;
         double end = to;  // of the interval that is being shortened
         int halvings = 1;
-        Points<6> at_from = corners_.at(from), at_to = corners_.at(to);
+        Corners at_from(corners_, from), at_to(corners_, to);
         for (int step = 0; step < step_count; ++step) {
             const Part part = remaining(at_from, at_to);
             if (part.first > part.last) {
@@ -84,39 +84,65 @@ class Bounds {
                 from = end;
                 to = end = later[--later_count];
                 halvings = std::max(1, halvings / 2);
-                at_from = corners_.at(from);
-                at_to = corners_.at(to);
+                at_from = {corners_, from};
+                at_to = {corners_, to};
                 continue;
             }
             const double length = to - from;
             const double first = std::max(from, next_down(from + length * part.first));
             const double last = part.last < 1 ? std::min(to, above(from + length * part.last)) : to;
             if (!(first <= last)) return TimeSpan{from, to};
-            if (first > from) at_from = corners_.at(first);
+            if (first > from) at_from = {corners_, first};
             from = first;
             to = last;
             if (to - from <= length_min * to) return TimeSpan{from, to};
             later[later_count++] = end;
             to = end = std::min(to, next_up(from + std::ldexp(to - from, -halvings)));
-            at_to = corners_.at(to);
+            at_to = {corners_, to};
             halvings = std::min(2 * halvings, halvings_max);
         }
         return TimeSpan{from, to};
     }
 
   private:
-    ECODS_ALWAYS_INLINE void shorten_by(const Four& n, const Points<6>& p, const Points<6>& q,
-                                        Part& part) const noexcept {
-        const Point& error = corners_.error();
-        const Double4 bound = ((absolute(n[0]) * error[0] + absolute(n[1]) * error[1]) + absolute(n[2]) * error[2]) +
-                              MovingCorners::underflow;
-        const Ends before(n, p), after(n, q);
-        shorten(part, (before.low_b - before.high_a) - bound, (after.low_b - after.high_a) - bound);
-        shorten(part, (before.low_a - before.high_b) - bound, (after.low_a - after.high_b) - bound);
+    // Corners at a time, and how far they are off.
+    struct Corners {
+        Points<6> points;
+        Point error;
+
+        ECODS_ALWAYS_INLINE Corners(const MovingCorners& corners, double s) noexcept
+            : points(corners.at(s)), error(corners.error_at(s)) {}
+
+        ECODS_ALWAYS_INLINE Double4 bound(const Four& n) const noexcept {
+            return ((absolute(n[0]) * error[0] + absolute(n[1]) * error[1]) + absolute(n[2]) * error[2]) +
+                   MovingCorners::underflow;
+        }
+    };
+
+    ECODS_ALWAYS_INLINE static void shorten_by(const Four& n, const Corners& p, const Corners& q, Part& part) noexcept {
+        const Ends before(n, p.points), after(n, q.points);
+        const Double4 bound_before = p.bound(n), bound_after = q.bound(n);
+        shorten(part, (before.low_b - before.high_a) - bound_before, (after.low_b - after.high_a) - bound_after);
+        shorten(part, (before.low_a - before.high_b) - bound_before, (after.low_a - after.high_b) - bound_after);
+    }
+
+    // Made larger where products of their differences could underflow: where the bodies grow much larger on the way.
+    ECODS_ALWAYS_INLINE static Points<6> without_small(const Points<6>& points) noexcept {
+        constexpr double small = 0x1p-64;
+        double size = 0;
+        for (const Point& p : points) size = std::max({size, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+        if (size >= small) return points;
+        const double scale = MovingCorners::inverse_power(size);
+        Points<6> result = points;
+        for (Point& p : result) {
+            for (double& x : p) x *= scale;
+        }
+        return result;
     }
 
     // By the normals of the faces and the products of edges, as they are at the beginning.
-    ECODS_ALWAYS_INLINE Part remaining(const Points<6>& p, const Points<6>& q) const noexcept {
+    ECODS_ALWAYS_INLINE static Part remaining(const Corners& from, const Corners& to) noexcept {
+        const Points<6> p = without_small(from.points);
         const Point a[3] = {difference(p[1], p[0]), difference(p[2], p[1]), difference(p[0], p[2])};
         const Point b[3] = {difference(p[4], p[3]), difference(p[5], p[4]), difference(p[3], p[5])};
         const Point normal_a = cross(a[0], a[1]), normal_b = cross(b[0], b[1]);
@@ -124,11 +150,11 @@ class Bounds {
                                (p[3][1] + p[4][1] + p[5][1]) - (p[0][1] + p[1][1] + p[2][1]),
                                (p[3][2] + p[4][2] + p[5][2]) - (p[0][2] + p[1][2] + p[2][2])};
         Part part;
-        shorten_by(four(normal_a, normal_b, between, cross(normal_a, a[0])), p, q, part);
+        shorten_by(four(normal_a, normal_b, between, cross(normal_a, a[0])), from, to, part);
         if (part.first > part.last) return part;
         for (std::size_t i = 0; i < 3; ++i) {
             const Point in_plane = i == 0 ? cross(normal_a, a[1]) : cross(normal_b, b[i]);
-            shorten_by(four(cross(a[i], b[0]), cross(a[i], b[1]), cross(a[i], b[2]), in_plane), p, q, part);
+            shorten_by(four(cross(a[i], b[0]), cross(a[i], b[1]), cross(a[i], b[2]), in_plane), from, to, part);
             if (part.first > part.last) return part;
         }
         return part;

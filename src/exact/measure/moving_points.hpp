@@ -1,15 +1,16 @@
 // The corners of two triangles on their way, in doubles.
 //
-// Bound. A corner at time s is computed as P (1 - s) + Q s from its rounded places P and Q, which are off by `error`;
-// so is the corner but for three factors (1 + e), |e| <= u' = 2^-52, on either product: 3.01 u' M, where M is the
-// largest magnitude on the axis. Taking the reference point off before adds u' M to each of them, which is taken into
-// `error`. A product with a vector n meets three more factors on either term: 3.01 u' |n| M. The difference of two such
-// projections adds the bound twice, and u' times 2 |n| M. Together 2 error + 14.1 u' M on each axis, times |n|; 2.25
-// error + 20 u' M cover the bound's own rounding. Subtracting it adds u' of a number that is at most twice |n| M:
-// covered, too.
+// Bound. A corner at time s is computed as P (1 - s) + Q s from its rounded places P and Q, which are off by e0 and e1;
+// so the corner is off by e(s) = e0 (1 - s) + e1 s, but for three factors (1 + e), |e| <= u' = 2^-52, on either
+// product: 3.01 u' M(s), where M(s) = M0 (1 - s) + M1 s of the largest magnitudes on the axis at both ends. Taking the
+// reference point off before adds u' M0 and u' M1 to the places, which is taken into e0 and e1. A product with a vector
+// n meets three more factors on either term: 3.01 u' |n| M(s). The difference of two such projections adds the bound
+// twice, and u' times 2 |n| M(s). Together 2 e(s) + 14.1 u' M(s) on each axis, times |n|; 2.25 e(s) + 20 u' M(s) cover
+// the bound's own rounding, as what is between its values at both ends. Subtracting it adds u' of a number that is at
+// most twice |n| M(s): covered, too.
 //
 // Underflow. All of it is scaled by a power of two, to magnitudes below 2. That is exact but for what is below 2^-1022
-// then; what was below it before is less than 2^-22 of `error`, which is 2^-1000 or more. Vectors n are products of
+// then; what was below it before is less than 2^-22 of e0 and e1, which are 2^-1000 or more. Vectors n are products of
 // three differences at most: below 2^8. An operation that underflows, or a time that is taken for zero, loses 2^-1022
 // times such factors: a hundred of them are below 2^-1000, and 2^-990 is added to the bound.
 #pragma once
@@ -26,10 +27,10 @@
 
 namespace ecods::exact {
 
-// The corners of both triangles at the times 0 and 1, rounded, and how far they are off on any axis.
+// The corners of both triangles at the times 0 and 1, rounded, and how far they are off on any axis then.
 struct MovingPoints {
     Points<6> start, end;
-    double error;
+    double start_error, end_error;
 };
 
 // Times from one to another, from 0 to 1.
@@ -44,22 +45,24 @@ class MovingCorners {
 
     ECODS_ALWAYS_INLINE explicit MovingCorners(const MovingPoints& points) noexcept {
         const Point origin = points.start[0];
-        double most_before = points.error, size = 0;
-        Point most{};
+        double most_before = std::max(points.start_error, points.end_error), size = 0;
+        Point most_at_start{}, most_at_end{};
         for (std::size_t k = 0; k < 3; ++k) {
             most_before = std::max(most_before, std::abs(origin[k]));
             for (std::size_t i = 0; i < 6; ++i) {
                 most_before = std::max({most_before, std::abs(points.start[i][k]), std::abs(points.end[i][k])});
                 start_[i][k] = points.start[i][k] - origin[k];
                 end_[i][k] = points.end[i][k] - origin[k];
-                most[k] = std::max({most[k], std::abs(start_[i][k]), std::abs(end_[i][k])});
+                most_at_start[k] = std::max(most_at_start[k], std::abs(start_[i][k]));
+                most_at_end[k] = std::max(most_at_end[k], std::abs(end_[i][k]));
             }
-            size = std::max(size, most[k]);
+            size = std::max({size, most_at_start[k], most_at_end[k]});
         }
         is_bounded_ = most_before < 0x1p1000;
         const double scale = inverse_power(size);
         for (std::size_t k = 0; k < 3; ++k) {
-            error_[k] = scale * (2.25 * (points.error + two_u * most[k]) + 20 * two_u * most[k]);
+            start_error_[k] = scale * error_of(points.start_error, most_at_start[k]);
+            end_error_[k] = scale * error_of(points.end_error, most_at_end[k]);
             for (std::size_t i = 0; i < 6; ++i) {
                 start_[i][k] *= scale;
                 end_[i][k] *= scale;
@@ -79,8 +82,17 @@ class MovingCorners {
         return result;
     }
 
-    // Times |n_k|, summed, and with `underflow` added: the bound of a difference of two projections to n, at any time.
-    ECODS_ALWAYS_INLINE const Point& error() const noexcept { return error_; }
+    // Times |n_k|, summed, and with `underflow` added: the bound of a difference of two projections to n, at a time.
+    ECODS_ALWAYS_INLINE Point error_at(double s) const noexcept {
+        const double rest = 1 - s;
+        return {start_error_[0] * rest + end_error_[0] * s, start_error_[1] * rest + end_error_[1] * s,
+                start_error_[2] * rest + end_error_[2] * s};
+    }
+    // The same at any time.
+    ECODS_ALWAYS_INLINE Point error() const noexcept {
+        return {std::max(start_error_[0], end_error_[0]), std::max(start_error_[1], end_error_[1]),
+                std::max(start_error_[2], end_error_[2])};
+    }
     // The largest distance on each axis that a corner goes in all, as computed.
     ECODS_ALWAYS_INLINE Point way() const noexcept {
         Point result{};
@@ -90,7 +102,6 @@ class MovingCorners {
         return result;
     }
 
-  private:
     // A power of two by which x becomes less than 2, and no less than 1 unless it is below 2^-1000.
     ECODS_ALWAYS_INLINE static double inverse_power(double x) noexcept {
         const auto exponent = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(x) >> 52);  // x >= 0
@@ -98,8 +109,13 @@ class MovingCorners {
         return std::bit_cast<double>(static_cast<std::uint64_t>(2046 - clamped) << 52);
     }
 
+  private:
+    ECODS_ALWAYS_INLINE static double error_of(double error, double most) noexcept {
+        return 2.25 * (error + two_u * most) + 20 * two_u * most;
+    }
+
     Points<6> start_, end_;
-    Point error_;
+    Point start_error_, end_error_;
     bool is_bounded_;
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <utility>
 
 #include "base/assert.hpp"
@@ -93,6 +94,24 @@ std::vector<Root> multiple_roots(const Polynomial& p, const Polynomial& d) {
     return roots;
 }
 
+// A number k for which p has no root above 2^-k up to 1; 0 where none is seen. For if the term of s^j is larger than
+// all others together at 2^-k and at 1, it is so between: each other one divided by it is a convex function of log s.
+// At 1 another is less than a quarter of it if it is shorter by three bits; at 2^-k one of a lower power i is, too, if
+// k (j - i) is at most what is left of the difference of their bits. Terms of higher powers become smaller.
+int bits_without_roots(const Polynomial& p) {
+    for (int j = 1; j <= p.degree(); ++j) {
+        const int width = p[j].bit_width();
+        int least = std::numeric_limits<int>::max();
+        for (int i = 0; i <= p.degree(); ++i) {
+            if (i == j || p[i].is_zero()) continue;
+            const int shorter_by = width - 3 - p[i].bit_width();
+            least = std::min(least, i < j ? shorter_by / (j - i) : shorter_by < 0 ? 0 : least);
+        }
+        if (least > 0 && least < std::numeric_limits<int>::max()) return least;
+    }
+    return 0;
+}
+
 // For p without multiple roots.
 std::vector<Root> simple_roots(const Polynomial& p) {
     std::vector<Root> roots;
@@ -106,6 +125,11 @@ std::vector<Root> simple_roots(const Polynomial& p) {
     while (!open.empty()) {
         Open top = std::move(open.back());
         open.pop_back();
+        // So depth follows the number of roots, and how near they are to each other, not how near to 0.
+        if (const int bits = bits_without_roots(top.local); bits > 0) {
+            top.from = {top.from.m << bits, top.from.bits + bits};
+            top.local = top.local.moved_to({{}, bits});
+        }
         const Polynomial::Coefficients c = top.local.on_unit_interval();
         const int changes = sign_changes(c, degree);
         if (changes <= 1) {

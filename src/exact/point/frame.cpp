@@ -46,10 +46,11 @@ void Frame::find_bounds() noexcept {
     delta_ = 0;
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
     Vec3 high = -low;
-    for (const Body& body : bodies()) {
+    for (Body& body : bodies()) {
         const MeshExtent& extent = *body.ref.extent;
         const Mat3& R = body.ref.pose->R;
-        delta_ = std::max(delta_, point_error_bound(R, extent.magnitude, body.offset));
+        body.delta = point_error_bound(R, extent.magnitude, body.offset);
+        delta_ = std::max(delta_, body.delta);
         const Vec3 center = R * extent.center + body.offset;
         const Vec3 half = R.cwiseAbs() * extent.half;
         low = low.cwiseMin(center - half);

@@ -62,6 +62,8 @@ class Frame {
     // Bounds for rounded points until find_arithmetic is called: of the error of a coordinate, and of the difference of
     // two points by axis.
     double delta() const noexcept { return delta_; }
+    // The first of these for the points of one body.
+    double delta(std::size_t body) const noexcept { return bodies_[body].delta; }
     const Vec3& extent() const noexcept { return extent_; }
 
     // Measures digits unless that has been done. Afterwards rounded points may be in other units: those of before must
@@ -95,7 +97,8 @@ class Frame {
   private:
     struct Body {
         BodyRef ref{};
-        Vec3 offset = Vec3::Zero();                    // fl(t - t0)
+        Vec3 offset = Vec3::Zero();  // fl(t - t0)
+        double delta = 0;
         std::array<DyadicDifference, 3> difference{};  // t - t0
         TwoLimbKernel::Point exact_offset{};           // t - t0 in units of 2^exact_low_
         VertexCache<Point> rounded;

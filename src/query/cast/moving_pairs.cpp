@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 
+#include "base/arithmetic.hpp"
 #include "base/double_key.hpp"
 #include "base/next.hpp"
 #include "exact/measure/possible_features.hpp"
@@ -21,6 +23,27 @@ ContactFeature name_of(const exact::FeaturePair& pair, std::size_t side, const M
     if (pair.kind == FeatureKind::vertex_face) return {triangle, triangle};
     const auto [low, high] = std::minmax(corners[corner], corners[(corner + 1) % 3]);
     return {low, high};
+}
+
+// Times that bound the beginning of a way, powers of two: the first is the least that is not subnormal.
+constexpr std::array<double, 2> beginnings{0x1p-1022, 0x1p-537};
+
+// On their way up to a time. A corner there is P (1 - s) + Q s, computed as moving_points.hpp tells: off by what the
+// places are off, at most e0 + s e1, by 3.01 u' (|P| + s |Q|), and by 2^-1022 for each product that underflows.
+exact::MovingPoints points_up_to(const exact::MovingPoints& points, double s) {
+    exact::MovingPoints result = points;
+    double most_at_start = 0, most_at_end = 0;
+    for (std::size_t i = 0; i < 6; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double p = points.start[i][k], q = points.end[i][k];
+            most_at_start = std::max(most_at_start, std::abs(p));
+            most_at_end = std::max(most_at_end, std::abs(q));
+            result.end[i][k] = p * (1 - s) + q * s;
+        }
+    }
+    const double off = points.start_error + s * points.end_error;
+    result.end_error = (1 + 8 * two_u) * off + 4 * two_u * (most_at_start + s * most_at_end) + 0x1p-1000;
+    return result;
 }
 
 }  // namespace
@@ -48,14 +71,37 @@ exact::MovingPoints MovingPairs::points_of(const TrianglePair& triangles) {
         points.end[i] = frame_.rounded(2, s[i]);
         points.end[3 + i] = frame_.rounded(3, t[i]);
     }
-    points.error = frame_.delta();
+    points.start_error = std::max(frame_.delta(0), frame_.delta(1));
+    points.end_error = std::max(frame_.delta(2), frame_.delta(3));
     return points;
 }
 
 std::optional<exact::TimeSpan> MovingPairs::bound(const TrianglePair& triangles, double from, double to,
                                                   exact::Effort effort) {
     ++counts_->enclosures;
-    return exact::bound_first_meeting(points_of(triangles), from, to, effort);
+    const exact::MovingPoints points = points_of(triangles);
+    const auto time = exact::bound_first_meeting(points, from, to, effort);
+    return time && time->from < beginnings.back() ? bound_at_beginning(points, from, to, effort) : time;
+}
+
+// Where bodies become 2^500 times as large on their way, or more, they are lost to underflow beside what they become;
+// in times as short they are not. Divisions by these ends are exact, or a subnormal number is taken for zero, which is
+// earlier; products that underflow become earlier, too, or by less than the next number.
+std::optional<exact::TimeSpan> MovingPairs::bound_at_beginning(const exact::MovingPoints& points, double from,
+                                                               double to, exact::Effort effort) {
+    for (const double end : beginnings) {
+        if (from >= end) continue;
+        ++counts_->enclosures;
+        if (const auto part = exact::bound_first_meeting(points_up_to(points, end), from / end, 1, effort)) {
+            const double first = std::max(from, next_down(part->from * end));
+            if (key_of(first) > key_of(to)) return std::nullopt;
+            return exact::TimeSpan{first, std::min(to, next_up(std::max(part->to * end, beginnings[0])))};
+        }
+        if (key_of(to) <= key_of(end)) return std::nullopt;
+        from = end;
+    }
+    ++counts_->enclosures;
+    return exact::bound_first_meeting(points, from, to, effort);
 }
 
 template <class Ask>

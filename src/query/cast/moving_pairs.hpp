@@ -34,6 +34,8 @@ class MovingPairs {
         bool is_late;
     };
 
+    std::optional<exact::TimeSpan> bound_at_beginning(const exact::MovingPoints& points, double from, double to,
+                                                      exact::Effort effort);
     exact::MovingPoints points_of(const TrianglePair& triangles);
     template <class Ask>
     auto ask_exactly(const TrianglePair& triangles, Ask&& ask);

@@ -44,7 +44,7 @@ MovingPoints doubles_of(const Corners& corners) {
             points.end[i][k] = corners[6 + i][axis];
         }
     }
-    points.error = 0x1p-1000;
+    points.start_error = points.end_error = 0x1p-1000;
     return points;
 }
 

@@ -117,6 +117,23 @@ TEST(Root, IsRoundedOnce) {
     check_roots({mpq_class(1, mpz_class(3) << 4000)});
 }
 
+// Roots of very different sizes, of which some are near to each other: what is between them is passed in one step.
+TEST(Root, FarApart) {
+    std::vector<mpq_class> sizes{mpq_class(1, 3), mpq_class(-5, 7), 3 * power_of_two(70)};
+    for (const int bits : {-3, -4, -40, -1700, -1701, -5000}) {
+        sizes.push_back(power_of_two(bits));
+        sizes.push_back(-power_of_two(bits));
+        sizes.push_back(power_of_two(bits) + power_of_two(bits - 60));
+    }
+    for (const mpq_class& x : sizes) {
+        for (const mpq_class& y : sizes) {
+            for (const mpq_class& z : sizes) {
+                if (x <= y && y <= z) check_roots({x, y, z});
+            }
+        }
+    }
+}
+
 // Two roots that differ by very little are told apart, and the sign between them is right.
 TEST(Root, NeighboursAreOrdered) {
     for (const int bits : {-50, -200, -2000}) {

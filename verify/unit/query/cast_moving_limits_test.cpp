@@ -185,6 +185,22 @@ TEST(CastMovingLimits, AtRestAsIntersects) {
     EXPECT_GT(contacts, 20);
 }
 
+// Two bodies apart that become 2^1650 times as large, and go farther from each other: whatever happens does so at times
+// that round to the least double, where bounds must not be lost. Otherwise all pairs of triangles are asked exactly.
+TEST(CastMovingLimits, BodiesThatGrowImmensely) {
+    const MeshShape a(scenes::torus(12, 8, 0.25)), b(scenes::sphere(8, 6));
+    Pose from_a, to_a, from_b = at(0, 0, 0x1.8p1), to_b = at(0, 0, 0x1p2);
+    to_a.R << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    for (Pose* pose : {&from_a, &from_b}) *pose = Pose{0x1p-800 * pose->R, 0x1p-800 * pose->t};
+    for (Pose* pose : {&to_a, &to_b}) *pose = Pose{0x1p850 * pose->R, 0x1p850 * pose->t};
+    in_every_environment([&](const environment::FloatMode& mode) {
+        QueryMemory memory;
+        const environment::InFloatMode in_mode(mode);
+        EXPECT_FALSE(cast(Moving<MeshShape>(a, from_a, to_a), Moving<MeshShape>(b, from_b, to_b), memory));
+        EXPECT_EQ(memory.counts().casts.exact, 0U);
+    });
+}
+
 // The widest integers, and all polynomials of two triangles, on a stack of half a MiB.
 TEST(CastMovingLimits, ShortStacks) {
     const auto ask = [](void* is_asked) -> void* {
