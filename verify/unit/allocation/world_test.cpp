@@ -144,7 +144,8 @@ const std::array calls = {
               [](Scene& s) {
                   // Short ways: each one meets its neighbor.
                   const std::vector<BodyId> bodies = {s.ids[30], s.ids[0], s.ids[1], s.ids[9], s.ids[0]};
-                  s.answer = text_of(s.world.meetings(bodies, std::vector<Pose>{at(37), at(0.5), at(1), at(10), at(0.75)}));
+                  const std::vector<Pose> poses = {at(37), at(0.5), at(1), at(10), at(0.75)};
+                  s.answer = text_of(s.world.meetings(bodies, poses));
               },
               apart},
     WorldCall{"bodies", [](Scene& s) { s.answer = slots_of(s.world.bodies()); }},
