@@ -38,9 +38,9 @@ ECODS_API std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Vec3
                                            QueryMemory& memory, PairWitness& witness);
 
 // The first contact of two bodies of which each goes from one pose to another; nothing if there is none up to time 1.
-// Cost: as above, and a few times as much. The exact decision of two triangles, mostly one in a cast, takes some tens of
-// microseconds; of such as graze each other a tenth of a millisecond, and with numbers of which some are 2^600 times as
-// large as others tens of milliseconds.
+// Cost: as above, and a few times as much. The exact decision of two triangles, mostly one in a cast, takes some tens
+// of microseconds; of such as graze each other a tenth of a millisecond, and with numbers of which some are 2^600 times
+// as large as others tens of milliseconds.
 ECODS_API std::optional<FirstContact> cast(const Moving<MeshShape>& a, const Moving<MeshShape>& b, QueryMemory& memory);
 ECODS_API std::optional<FirstContact> cast(const Moving<MeshShape>& a, const Moving<MeshShape>& b, QueryMemory& memory,
                                            PairWitness& witness);

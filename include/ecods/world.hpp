@@ -258,10 +258,10 @@ class ECODS_API World {
     // ---- what is in the way, as of now
     //
     // What a segment or a ray meets (hit.hpp), of all bodies; with a filter, of those that it may meet. In the order of
-    // the real parameters, then of the ids, then of the triangles; the parameters that a shape of the caller's own gives
-    // count as they are. Throw InvalidSegment, InvalidRay; and NotSupported if a kind that is here does not answer hits,
-    // wherever its bodies are.
-    // Cost: that of BroadPhase::visit_along, and a question to each body whose box is met up to the first hit.
+    // the real parameters, then of the ids, then of the triangles; the parameters that a shape of the caller's own
+    // gives count as they are. Throw InvalidSegment, InvalidRay; and NotSupported if a kind that is here does not
+    // answer hits, wherever its bodies are. Cost: that of BroadPhase::visit_along, and a question to each body whose
+    // box is met up to the first hit.
     std::optional<BodyHit> first_hit(const Segment& segment, QueryMemory& memory,
                                      std::optional<CollisionFilter> filter = {}) const;
     std::optional<BodyHit> first_hit(const Ray& ray, QueryMemory& memory,

@@ -31,12 +31,12 @@
 // zero. For corners there is an error of corner_error (5.1 v 3 where P is no identity), 14 v for the place of the
 // line, 7.5 v for p; twice these, since |k| <= 1, 2.3 v for what the slopes leave, and 23 v for products and sums: with
 // `side` = 2 (error + corner) + 80 v, times four in general, each coordinate is off by less. Of two such points, of
-// size E, the area is off by B = 4 E side + 2 side^2 + 4 v E^2. These areas are the weights w of the corners in the point
-// where the line crosses the triangle's plane: their sum is off by 3 B + 2 v sum |w|, and is not zero where the line is
-// not parallel to the plane. That point is beyond the parameter T where sum w (z - T) has the sign of sum w, z being
-// corners' parameters r, off by `depth`: this sum is off by 3 B (|z| + T + depth) + sum |w| (depth + 4.1 v (|z| + T)).
-// Where coordinates of e were replaced and e is below 2^-7, the slopes say where points of the line may be, but not
-// which planes are parallel to it.
+// size E, the area is off by B = 4 E side + 2 side^2 + 4 v E^2. These areas are the weights w of the corners in the
+// point where the line crosses the triangle's plane: their sum is off by 3 B + 2 v sum |w|, and is not zero where the
+// line is not parallel to the plane. That point is beyond the parameter T where sum w (z - T) has the sign of sum w, z
+// being corners' parameters r, off by `depth`: this sum is off by 3 B (|z| + T + depth) + sum |w| (depth + 4.1 v (|z| +
+// T)). Where coordinates of e were replaced and e is below 2^-7, the slopes say where points of the line may be, but
+// not which planes are parallel to it.
 //
 // Underflow: as in separating_axes.hpp, factors are below 2^900; floats that matter are above 2^-60.
 #pragma once

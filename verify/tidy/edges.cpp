@@ -138,7 +138,7 @@ const std::vector<Room>& rooms() {
         {"verify/unit/trace", {"include", "src/trace", "verify/scenes", "verify/unit/world"}},
         {"verify/unit/oracle", {"include", "verify/oracle", "verify/scenes", "verify/exhaustive"}},
         {"verify/unit/scenes", {"include", "verify/oracle", "verify/scenes"}},
-        {"verify/unit/allocation", {"include", "verify/allocation", "verify/scenes"}},
+        {"verify/unit/allocation", {"include", "src/base", "verify/allocation", "verify/scenes"}},
         {"verify/unit/process", {"verify/process"}},
         {"verify/unit/programs", {"include", "verify/process", "verify/scenes", "verify/programs"}},
         {"verify/property", {"include", "verify/scenes", "verify/environment", "verify/unit/broad_phase"}},

@@ -22,9 +22,9 @@
 // not all zero throughout, any one that is not has t among its roots.
 //
 // 4. If they are, c, p and q are on one line at all times. If c were strictly between p and q at t, it would have been
-// just before. So c = p or c = q at t; and q is the beginning of the next edge, on which c is then, too: what is said of
-// one edge in 3 and 4 holds for that. So t is a root of each coordinate of c - p for an edge that begins at p, or what 3
-// finds. One of these is not zero throughout, or they would have met at time 0.
+// just before. So c = p or c = q at t; and q is the beginning of the next edge, on which c is then, too: what is said
+// of one edge in 3 and 4 holds for that. So t is a root of each coordinate of c - p for an edge that begins at p, or
+// what 3 finds. One of these is not zero throughout, or they would have met at time 0.
 //
 // The candidates are therefore the roots of at most 15 cubics, and for those that vanish of some quadratics and linear
 // polynomials in their place; each candidate is tried on the pair that it comes from.

@@ -28,7 +28,7 @@ ContactFeature name_of(const exact::FeaturePair& pair, std::size_t side, const M
 // Times that bound the beginning of a way, powers of two: the first is the least that is not subnormal.
 constexpr std::array<double, 2> beginnings{0x1p-1022, 0x1p-537};
 
-// On their way up to a time. A corner there is P (1 - s) + Q s, computed as moving_points.hpp tells: off by what the
+// On their way up to a time. A corner there is P (1 - s) + Q s, computed as moving_points.hpp says: off by what the
 // places are off, at most e0 + s e1, by 3.01 u' (|P| + s |Q|), and by 2^-1022 for each product that underflows.
 exact::MovingPoints points_up_to(const exact::MovingPoints& points, double s) {
     exact::MovingPoints result = points;

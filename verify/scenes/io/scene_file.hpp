@@ -21,9 +21,9 @@
 // A mesh comes from a file (all of its parts as one; read_bytes.hpp says which files) or is given inline. A pose maps v
 // to R v + t, R by rows; what is left out is the identity or zero. "frames" may be left out; the poses of "bodies" are
 // frame 0, and each frame moves some bodies and leaves the others where they are. A "motion" may be left out; it moves
-// nothing: a program may ask what the body would meet if it were translated by it, at any frame. Numbers become the nearest doubles.
-// Names are unique, and so are the keys of an object. Unknown keys are errors, but for those that begin with "_", which
-// are comments.
+// nothing: a program may ask what the body would meet if it were translated by it, at any frame. Numbers become the
+// nearest doubles. Names are unique, and so are the keys of an object. Unknown keys are errors, but for those that
+// begin with "_", which are comments.
 #pragma once
 
 #include <filesystem>
