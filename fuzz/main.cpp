@@ -34,15 +34,20 @@ struct Options {
 };
 
 void list_profiles() {
-    for (const Profile& profile : profiles()) fmt::print("{:<8} {}\n", profile.name, profile.about);
-    fmt::print("{:<8} {}\n", pairs_profile,
+    for (const Profile& profile : profiles()) fmt::print("{:<10} {}\n", profile.name, profile.about);
+    fmt::print("{:<10} {}\n", pairs_profile,
                "pairs of posed triangles, 1000 a run, each by every path of the exact layer");
-    fmt::print("{:<8} {}\n", distances_profile,
+    fmt::print("{:<10} {}\n", distances_profile,
                "pairs of posed meshes, 1000 a run, every question about their distances");
-    fmt::print("{:<8} {}\n", hits_profile,
+    fmt::print("{:<10} {}\n", hits_profile,
                "segments and rays, 2000 a run, every question about what they hit of a mesh");
-    fmt::print("{:<8} {}\n", casts_profile, "posed meshes on their way, 250 a run, every question about their contact");
-    fmt::print("motion   all but pairs, distances, hits and casts, in turns\nall      all of them, in turns\n");
+    fmt::print("{:<10} {}\n", casts_profile,
+               "posed meshes on their way, 250 a run, every question about their contact");
+    fmt::print("{:<10} {}\n", solids_profile, "pairs of posed solids, 130 a run, every question about them");
+    fmt::print("{:<10} {}\n", polycubes_profile, "sets of unit cells as posed solids, 1000 pairs a run");
+    fmt::print("{:<10} {}\n", placements_profile,
+               "pairs of polycubes in all positions: 19 runs of up to three cells, 105 of up to four");
+    fmt::print("motion     all kinds of worlds in motion, in turns\nall        all of them, in turns\n");
 }
 
 void print(const RunFailure& failure) {

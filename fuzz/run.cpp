@@ -9,6 +9,7 @@
 #include "fuzz/pairs/contacts.hpp"
 #include "fuzz/pairs/distances.hpp"
 #include "fuzz/pairs/run.hpp"
+#include "fuzz/pairs/solids.hpp"
 
 namespace ecods::fuzz {
 
@@ -93,6 +94,10 @@ Counters counters_of(const CastCounts& counts) {
     return counters_of(counts, "casts", counts.casts);
 }
 
+Counters counters_of(const SolidCounts& counts) {
+    return counters_of(counts, "solids", counts.solids);
+}
+
 // A run of pairs, by a function that counts what it checked and throws what it found.
 template <class Counts>
 RunReport run_counted(const char* profile, void (*run)(std::uint32_t seed, bool lie, Counts& counts),
@@ -116,7 +121,8 @@ std::vector<std::string> profiles_of(const std::string& name) {
     for (const Profile& profile : profiles()) {
         if (is_motion || profile.name == name) names.emplace_back(profile.name);
     }
-    for (const char* of_pairs : {pairs_profile, distances_profile, hits_profile, casts_profile}) {
+    for (const char* of_pairs : {pairs_profile, distances_profile, hits_profile, casts_profile, solids_profile,
+                                 polycubes_profile, placements_profile}) {
         if (name == "all" || name == of_pairs) names.emplace_back(of_pairs);
     }
     return names;
@@ -127,6 +133,9 @@ RunReport run(const std::string& profile, std::uint32_t seed, Canary canary) {
     if (profile == distances_profile) return run_counted(distances_profile, run_distances, seed, canary);
     if (profile == hits_profile) return run_counted(hits_profile, run_hits, seed, canary);
     if (profile == casts_profile) return run_counted(casts_profile, run_casts, seed, canary);
+    if (profile == solids_profile) return run_counted(solids_profile, run_solids, seed, canary);
+    if (profile == polycubes_profile) return run_counted(polycubes_profile, run_polycubes, seed, canary);
+    if (profile == placements_profile) return run_counted(placements_profile, run_placements, seed, canary);
     return run_motion(*find_profile(profile), seed, canary);
 }
 

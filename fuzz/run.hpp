@@ -23,6 +23,11 @@ inline constexpr const char* distances_profile = "distances";
 inline constexpr const char* hits_profile = "hits";
 inline constexpr const char* casts_profile = "casts";
 
+// Those of solids: by the oracle, and polycubes at random and in all placements, by their cells.
+inline constexpr const char* solids_profile = "solids";
+inline constexpr const char* polycubes_profile = "polycubes";
+inline constexpr const char* placements_profile = "placements";
+
 struct RunFailure {
     std::string profile;
     std::uint32_t seed = 0;

@@ -29,6 +29,7 @@ std::vector<Suite> all_suites() {
     return {{"narrow", run_narrow, names_of(narrow_engines())},
             {"distance", run_distance, names_of(distance_engines())},
             {"casts", run_casts, names_of(hit_engines(), cast_engines())},
+            {"solids", run_solids},
             {"broad", run_broad, names_of(broad_engines())},
             {"system", run_system, names_of(system_engines())},
             {"rooms", run_rooms},

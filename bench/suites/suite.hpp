@@ -67,6 +67,7 @@ SuiteResult run_assembly(const SuiteOptions& options);    // the two-cylinder en
 SuiteResult run_narrow(const SuiteOptions& options);      // two meshes: time and errors of every engine
 SuiteResult run_distance(const SuiteOptions& options);    // two meshes: how far; time and errors of every engine
 SuiteResult run_casts(const SuiteOptions& options);       // segments, casts and moves: what is in the way, and when
+SuiteResult run_solids(const SuiteOptions& options);      // what is inside what: pairs, points and meshes
 SuiteResult run_broad(const SuiteOptions& options);       // boxes only: time of every engine
 SuiteResult run_system(const SuiteOptions& options);      // the report's two experiments
 SuiteResult run_memory(const SuiteOptions& options);      // bytes for a triangle, a box, a body

@@ -1,6 +1,8 @@
 #include "fuzz/base/user_shape.hpp"
 
+#include <algorithm>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "ecods/cast.hpp"
@@ -103,12 +105,18 @@ std::uint64_t UserShape::digest() const noexcept {
     return mesh_.digest() + kind_.value + (tampering_ == Tampering::digest ? 1 : 0);
 }
 
+// As Shape wants them: by the parameters that are there, which are rounded, and then by triangle.
+static std::vector<Hit> in_order(std::vector<Hit> hits) {
+    std::ranges::sort(hits, {}, [](const Hit& hit) { return std::pair(hit.parameter, hit.triangle()); });
+    return hits;
+}
+
 std::vector<Hit> UserShape::all_hits(const Segment& segment, const Pose& pose, QueryMemory& memory) const {
-    return mesh_.all_hits(segment, pose, memory);
+    return in_order(mesh_.all_hits(segment, pose, memory));
 }
 
 std::vector<Hit> UserShape::all_hits(const Ray& ray, const Pose& pose, QueryMemory& memory) const {
-    return mesh_.all_hits(ray, pose, memory);
+    return in_order(mesh_.all_hits(ray, pose, memory));
 }
 
 std::shared_ptr<const Mesh> mesh_of(const Shape& shape) {

@@ -57,6 +57,7 @@ void check_fresh_world(const World& world, const FreshWorld& fresh) {
     }
     copy_switches(world, made, ids);
     made.set_clearance(world.clearance());
+    made.set_solids(world.are_solids_related());
     made.update();
 
     const auto require_pairs = [&](const char* check, std::span<const BodyPair> pairs,

@@ -37,6 +37,10 @@ std::string to_text(const scenes::DistanceCase& made) {
     return to_text("a", made.pose_a, *made.a) + to_text("b", made.pose_b, *made.b);
 }
 
+std::string to_text(const scenes::SolidCase& made) {
+    return to_text("a", made.a.pose, *made.a.mesh) + to_text("b", made.b.pose, *made.b.mesh);
+}
+
 std::string to_text(const scenes::HitCase& made) {
     return to_text("body", made.pose, *made.mesh) + judge::text(made.line) + "\n";
 }

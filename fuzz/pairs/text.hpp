@@ -1,6 +1,7 @@
 // A pair of posed triangles as text from which it can be made again, bit for bit.
 #pragma once
 
+#include <sstream>
 #include <string>
 
 #include "ecods/predicates.hpp"
@@ -8,6 +9,7 @@
 #include "scenes/distance_cases.hpp"
 #include "scenes/hard_pairs.hpp"
 #include "scenes/hit_cases.hpp"
+#include "scenes/solid_cases.hpp"
 
 namespace ecods::fuzz {
 
@@ -16,6 +18,7 @@ std::string to_text(const scenes::PosedPair& pair);
 
 // Of either body R by rows, t, all vertices and all triangles.
 std::string to_text(const scenes::DistanceCase& made);
+std::string to_text(const scenes::SolidCase& made);
 
 // The same, and the line; the motion; both poses of each.
 std::string to_text(const scenes::HitCase& made);
@@ -23,5 +26,13 @@ std::string to_text(const scenes::CastCase& made);
 std::string to_text(const scenes::MoveCase& made);
 
 const char* name(Relation relation);
+
+// As its operator<< writes it.
+template <class T>
+std::string written(const T& answer) {
+    std::ostringstream out;
+    out << answer;
+    return out.str();
+}
 
 }  // namespace ecods::fuzz

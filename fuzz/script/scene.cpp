@@ -220,6 +220,9 @@ void check_state(const ScriptedWorld& scripted, const Model& model) {
         throw CheckFailed("state", fmt::format("{} bodies", model.bodies.size()),
                           fmt::format("{}", world.statistics().body_count));
     }
+    if (world.are_solids_related() != model.solids) {
+        throw CheckFailed("state", "whether solids are related, as set", "otherwise");
+    }
     if (world.clearance() != model.clearance) {
         throw CheckFailed("state", "the clearance that was set", "another");
     }

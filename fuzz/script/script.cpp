@@ -65,6 +65,7 @@ void Model::apply(const Call& call) {
                        if (!c.is_enabled && bodies.contains(c.a) && bodies.contains(c.b)) switched_off.insert(pair);
                    },
                    [&](const SetClearance& c) { clearance = c.clearance; },
+                   [&](const SetSolids& c) { solids = c.are_related; },
                    // No body is another afterwards.
                    [](const Reserve&) {}, [](const SetTests&) {}, [](const BadCall&) {}, [](const Manner&) {},
                    [](const Update&) {}},

@@ -6,6 +6,7 @@
 
 // clang-format off
 #include "ecods/world.hpp"             // many moving bodies: which of them touch?
+#include "ecods/world_options.hpp"     // what it is made with
 #include "ecods/world_answers.hpp"     // what a world answers
 #include "ecods/statistics.hpp"        // what it did, as counts
 #include "ecods/mesh.hpp"              // what a body is made of
@@ -18,6 +19,7 @@
 #include "ecods/hit.hpp"               // what a segment or a ray meets
 #include "ecods/cast.hpp"              // when does a body on the move first meet another?
 #include "ecods/motion.hpp"            // a thing on its way from one pose to another
+#include "ecods/solid.hpp"             // what is inside what: closed meshes as solids
 #include "ecods/closest_points.hpp"    // two closest points, and the features that hold them
 #include "ecods/first_contact.hpp"     // when two bodies first meet, and with which features
 #include "ecods/triangle_hit.hpp"      // what a segment or a ray shares with a triangle

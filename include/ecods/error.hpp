@@ -7,6 +7,7 @@
 // A failed allocation is std::bad_alloc, and an exception out of a caller's own shape or test passes through.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -67,6 +68,29 @@ class ECODS_API MeshTooLarge final : public Error {
 
     std::size_t vertex_count;
     std::size_t triangle_count;
+};
+
+// The triangles of a mesh that is to bound a solid are not closed: an end of this edge is the end of an odd number of
+// edges along its line.
+class ECODS_API NotClosed final : public Error {
+  public:
+    using Coordinates = std::array<double, 3>;
+
+    NotClosed(std::size_t triangle, int corner, const std::array<std::size_t, 2>& vertices,
+              const std::array<Coordinates, 2>& points);
+
+    std::size_t triangle;                 // index in the triangle list
+    int corner;                           // 0 to 2: the edge goes from this corner of the triangle to the next one
+    std::array<std::size_t, 2> vertices;  // the indices of its ends
+    std::array<Coordinates, 2> points;    // and their coordinates
+};
+
+// Two triangles of a mesh that is to bound a solid share a segment or more which is not a side of both.
+class ECODS_API SelfIntersecting final : public Error {
+  public:
+    explicit SelfIntersecting(const TrianglePair& triangles);
+
+    TrianglePair triangles;  // the lesser index first
 };
 
 // Where in a list that was given the bad entry is; nothing where there was no list.
@@ -184,6 +208,15 @@ class ECODS_API InvalidRay final : public Error {
     InvalidRay(Part part, int axis, double value);
 
     Part part;
+    int axis;  // 0 to 2
+    double value;
+};
+
+// A point has a coordinate that is NaN or infinite.
+class ECODS_API InvalidPoint final : public Error {
+  public:
+    InvalidPoint(int axis, double value);
+
     int axis;  // 0 to 2
     double value;
 };

@@ -1,6 +1,8 @@
 // A thing at a pose.
 #pragma once
 
+#include <concepts>
+
 #include "ecods/export.hpp"
 #include "ecods/pose.hpp"
 
@@ -12,6 +14,10 @@ template <class T>
 struct Posed {
     Posed(const T& thing, const Pose& at) : what(&thing), pose(at) {}
     Posed(const T&& thing, const Pose& at) = delete;  // a temporary, which would be gone
+
+    // A posed thing of a derived class is one of its base: a solid is a mesh's shape.
+    template <std::derived_from<T> Derived>
+    Posed(const Posed<Derived>& posed) : what(posed.what), pose(posed.pose) {}
 
     const T* what;  // never null
     Pose pose;

@@ -55,7 +55,7 @@ class ECODS_API Shape {
 //
 // Cost: the box of a pose a constant, after about 0.1 microseconds a vertex the first time; the tree about a
 // microsecond a triangle (n log n), when a query first needs it.
-class ECODS_API MeshShape final : public Shape {
+class ECODS_API MeshShape : public Shape {
   public:
     // Throws NullArgument.
     explicit MeshShape(std::shared_ptr<const Mesh> mesh);

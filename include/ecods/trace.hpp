@@ -9,6 +9,7 @@
 //     mesh 1 4 2                                number, vertices, triangles; then these:
 //     v 0x0p+0 0x1.8p+1 -0x1p-1074
 //     t 0 1 2
+//     solid 3 4 4                               as a mesh, of which the shape is a Solid
 //     shape 2 7 any text                        number, kind, and what the caller's writer said
 //     create 1.0 1 R R R t R R R t R R R t      body, mesh or shape, pose: [R t] row by row, hexadecimal
 //     create_with 2.0 1 R ... t 1 f 2a          the same; then groups, mask and user data, hexadecimal
@@ -21,6 +22,7 @@
 //     set_pair_enabled 1.0 2.0 0                0: off, 1: on
 //     set_user_data 1.0 2a                      hexadecimal
 //     set_clearance 0x1.8p-3                    or none
+//     set_solids 1                              0: not related, 1: related
 //     update 0123456789abcdef 5                 digest, colliding pairs
 //     note any text
 //
@@ -33,6 +35,7 @@
 //     meetings 0123456789abcdef 2                      then so many lines p, as of set_poses
 //     nearest 0123456789abcdef 1.0 inf                 body, limit of distance
 //     closest_pair 0123456789abcdef inf
+//     bodies_containing 0123456789abcdef P P P
 //
 // A body is written as slot and generation. "update" stands in the file before the update runs, and its result is
 // added after: of a program that crashes, the last line is "update" alone. Of an update that threw it is "update

@@ -40,7 +40,6 @@
 #include "ecods/closest_points.hpp"
 #include "ecods/collision_filter.hpp"
 #include "ecods/error.hpp"
-#include "ecods/executor.hpp"
 #include "ecods/export.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/intersection.hpp"
@@ -48,29 +47,13 @@
 #include "ecods/pose.hpp"
 #include "ecods/predicates.hpp"
 #include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "ecods/statistics.hpp"
 #include "ecods/trace.hpp"
 #include "ecods/world_answers.hpp"
+#include "ecods/world_options.hpp"
 
 namespace ecods {
-
-struct WorldOptions {
-    BroadPhaseKind broad_phase = BroadPhaseKind::automatic;
-
-    // Who runs the two-body tests of an update; null: the thread that calls it. Answers, lists, events, digests and
-    // counts are the same for any executor and any number of workers. Tests of the caller's own are then called by
-    // several threads at once, each with a QueryMemory of its own. Questions about a pair stay on the caller's thread.
-    std::shared_ptr<Executor> executor = nullptr;
-};
-
-// A body to be. Either a mesh or a shape is needed.
-struct BodyOptions {
-    std::shared_ptr<const Mesh> mesh = nullptr;  // bodies given the same Mesh share its tree
-    std::shared_ptr<const Shape> shape = nullptr;
-    Pose pose = {};
-    CollisionFilter filter = {};
-    std::uint64_t user_data = 0;
-};
 
 class ECODS_API World {
   public:
@@ -126,6 +109,15 @@ class ECODS_API World {
     void set_clearance(std::optional<double> clearance);
     std::optional<double> clearance() const;  // set last
 
+    // ---- solids
+    //
+    // A body is a solid if its shape is a Solid (solid.hpp). It stays a surface in everything else, collisions
+    // included.
+
+    // Whether updates make solid_pairs(), from the next one on; false at first.
+    void set_solids(bool are_related);
+    bool are_solids_related() const;  // set last
+
     // ---- which pairs are tested at all
     //
     // A pair is filtered out when the filters of its bodies say so, or when it is switched off. Its bodies are then not
@@ -177,6 +169,12 @@ class ECODS_API World {
     std::span<const BodyPair> close_began() const;
     std::span<const BodyPair> close_ended() const;
 
+    // Pairs of solids that are not apart, ascending, each with its relation: those whose surfaces collide, and those of
+    // which one is inside the other. Exact; empty unless set_solids(true) was called before the last update. Pairs that
+    // are filtered out are not here. Cost: at an update one solid_relation for each pair of solids that was tested, and
+    // a pass over the list.
+    std::span<const SolidPair> solid_pairs() const;
+
     // ---- answers for one pair, as of now
 
     // Either order of arguments. Throw StaleBody, SameBody, NotSupported. They change no answer, and work in the memory
@@ -194,8 +192,12 @@ class ECODS_API World {
     std::vector<TriangleIntersection> intersections(BodyId a, BodyId b, QueryMemory& memory) const;
     std::vector<CloseFeatures> close_features(BodyId a, BodyId b, double d, QueryMemory& memory) const;
 
+    // How the solid a is to the solid b; NotSupported if one of them is no solid.
+    SolidRelation solid_relation(BodyId a, BodyId b, QueryMemory& memory) const;
+
     bool intersects(BodyId a, BodyId b);
     Relation relation(BodyId a, BodyId b);
+    SolidRelation solid_relation(BodyId a, BodyId b);
     std::vector<TrianglePair> intersecting_triangles(BodyId a, BodyId b);
     double distance(BodyId a, BodyId b);
     bool within(BodyId a, BodyId b, double d);
@@ -222,6 +224,11 @@ class ECODS_API World {
                                             std::optional<CollisionFilter> filter = {});
     std::vector<BodyId> intersecting_bodies(const Shape& shape, const Pose& pose,
                                             std::optional<CollisionFilter> filter = {});
+
+    // Bodies that are solids with the point in them or on their surface. Exact. Throws InvalidPoint. Cost: that of
+    // BroadPhase::find, and a locate() for each box that contains the point.
+    BodiesContaining bodies_containing(const Vec3& point, QueryMemory& memory) const;
+    BodiesContaining bodies_containing(const Vec3& point);
 
     // ---- which is the nearest, as of now
     //
@@ -324,8 +331,9 @@ class ECODS_API World {
     void validate() const;
 
     // A hash of the bodies (shapes, poses) and of which of them collide, as of the last update; where that was made
-    // with a clearance, also of that and of the pairs within it. It does not depend on ids, on the order of creation,
-    // on history, or on the broad phase: equal scenes have equal digests. Filters count by the pairs that they leave.
+    // with a clearance, also of that and of the pairs within it; where with solids related, also of their pairs. It
+    // does not depend on ids, on the order of creation, on history, or on the broad phase: equal scenes have equal
+    // digests. Filters count by the pairs that they leave.
     std::uint64_t digest() const;
 
   private:

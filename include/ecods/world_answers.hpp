@@ -1,8 +1,12 @@
 // What a World answers to questions about more than two bodies (world.hpp).
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "ecods/first_contact.hpp"
 #include "ecods/ids.hpp"
+#include "ecods/solid.hpp"
 #include "ecods/triangle_hit.hpp"
 
 namespace ecods {
@@ -41,6 +45,26 @@ struct Meeting {
     FirstContact contact;
 
     friend bool operator==(const Meeting&, const Meeting&) = default;
+};
+
+// Two bodies that are solids and share a point, and how the first is to the second.
+struct SolidPair {
+    BodyPair bodies;
+    SolidRelation relation = SolidRelation::touching;
+
+    friend bool operator==(const SolidPair&, const SolidPair&) = default;
+};
+
+// A body that a point is in, or on.
+struct BodyAt {
+    BodyId body;
+    Side side = Side::inside;
+
+    friend bool operator==(const BodyAt&, const BodyAt&) = default;
+};
+struct BodiesContaining {
+    std::vector<BodyAt> bodies;     // ascending
+    std::size_t skipped_count = 0;  // bodies of the world that are no solids, and of which it is not known
 };
 
 }  // namespace ecods

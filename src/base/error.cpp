@@ -16,6 +16,16 @@ std::string text(double x) {
     return {buffer.data(), end};
 }
 
+std::string text(const NotClosed::Coordinates& point) {
+    std::string result = "(";
+    return result.append(text(point[0]))
+        .append(", ")
+        .append(text(point[1]))
+        .append(", ")
+        .append(text(point[2]))
+        .append(")");
+}
+
 std::string text(BodyId body) {
     if (!body) return "null body";
     return "body " + std::to_string(body.slot) + "." + std::to_string(body.generation);
@@ -99,6 +109,21 @@ MeshTooLarge::MeshTooLarge(std::size_t vertices, std::size_t triangles)
       vertex_count(vertices),
       triangle_count(triangles) {}
 
+NotClosed::NotClosed(std::size_t triangle_index, int corner_index, const std::array<std::size_t, 2>& ends,
+                     const std::array<Coordinates, 2>& end_points)
+    : Error("triangle " + std::to_string(triangle_index) + ": its edge from vertex " + std::to_string(ends[0]) +
+            " at " + text(end_points[0]) + " to vertex " + std::to_string(ends[1]) + " at " + text(end_points[1]) +
+            " has no other half: the mesh is not closed"),
+      triangle(triangle_index),
+      corner(corner_index),
+      vertices(ends),
+      points(end_points) {}
+
+SelfIntersecting::SelfIntersecting(const TrianglePair& pair)
+    : Error("triangles " + std::to_string(pair.a) + " and " + std::to_string(pair.b) +
+            " share a segment or more that is not a side of both"),
+      triangles(pair) {}
+
 InvalidPose::InvalidPose(int row_index, int column_index, double bad_value, BodyId of_body, ListIndex list_index)
     : Error(place_text(of_body, list_index) + "pose entry " + pose_entry(row_index, column_index) + " is " +
             text(bad_value) + (row_index == 3 ? ", where the last row of a matrix is 0 0 0 1" : ", not finite")),
@@ -175,6 +200,11 @@ InvalidRay::InvalidRay(Part bad_part, int axis_index, double bad_value)
 
 InvalidMotion::InvalidMotion(int axis_index, double bad_value)
     : Error("motion: axis " + std::to_string(axis_index) + ": coordinate is " + text(bad_value) + ", not finite"),
+      axis(axis_index),
+      value(bad_value) {}
+
+InvalidPoint::InvalidPoint(int axis_index, double bad_value)
+    : Error("point, axis " + std::to_string(axis_index) + ": coordinate is " + text(bad_value) + ", not finite"),
       axis(axis_index),
       value(bad_value) {}
 

@@ -198,12 +198,21 @@ struct SetClearance {
     void make(auto& world) const { world.set_clearance(clearance); }
 };
 
+template <class Names>
+struct SetSolids {
+    static constexpr std::string_view name = "set_solids";
+    bool are_related;
+
+    static void fields(auto&& each, auto&... call) { each.flag(call.are_related...); }
+    void make(auto& world) const { world.set_solids(are_related); }
+};
+
 // ---- the table
 
 template <class Names, class... Others>
-using Call =
-    std::variant<Create<Names>, CreateWith<Names>, Destroy<Names>, SetPose<Names>, SetPoses<Names>, SetShape<Names>,
-                 SetFilter<Names>, SetPairEnabled<Names>, SetUserData<Names>, SetClearance<Names>, Others...>;
+using Call = std::variant<Create<Names>, CreateWith<Names>, Destroy<Names>, SetPose<Names>, SetPoses<Names>,
+                          SetShape<Names>, SetFilter<Names>, SetPairEnabled<Names>, SetUserData<Names>,
+                          SetClearance<Names>, SetSolids<Names>, Others...>;
 
 // The names of the rows, by their places in a Call.
 template <class AnyCall>
@@ -276,6 +285,7 @@ struct CopyFields {
     void segment(const auto& from, auto& to) const { to = from; }
     void ray(const auto& from, auto& to) const { to = from; }
     void motion(const auto& from, auto& to) const { to = from; }
+    void point(const auto& from, auto& to) const { to = from; }
     void number(const auto& from, auto& to) const { to = from; }
     void optional_filter(const auto& from, auto& to) const { to = from; }
 };

@@ -4,7 +4,7 @@
 // `fields` hands over, beside the kinds of calls.hpp:
 //
 //     answer     the digest                             number           from 0, infinity included
-//     segment, ray, motion                              optional_filter
+//     segment, ray, motion, point                       optional_filter
 #pragma once
 
 #include <cstdint>
@@ -136,7 +136,20 @@ struct ClosestOfAll {
 };
 
 template <class Names>
+struct BodiesAtPoint {
+    static constexpr std::string_view name = "bodies_containing";
+    std::uint64_t answer;
+    Vec3 point;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.point(call.point...);
+    }
+    auto ask(auto& world) const { return world.bodies_containing(point); }
+};
+
+template <class Names>
 using Question = std::variant<FirstHit<Names>, FirstHitOfRay<Names>, AllHits<Names>, AllHitsOfRay<Names>, Cast<Names>,
-                              Meetings<Names>, Nearest<Names>, ClosestOfAll<Names>>;
+                              Meetings<Names>, Nearest<Names>, ClosestOfAll<Names>, BodiesAtPoint<Names>>;
 
 }  // namespace ecods::calls

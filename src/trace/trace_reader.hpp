@@ -35,6 +35,7 @@ struct TracedUpdate {
 // A mesh, or a shape of the caller's own: each has the next index in calls::InOrder.
 struct TracedMesh {
     std::shared_ptr<const Mesh> mesh;
+    bool is_solid = false;
 };
 struct TracedShape {
     ShapeKind kind;
@@ -79,6 +80,7 @@ class FieldReader {
     void segment(Segment& segment);
     void ray(Ray& ray);
     void motion(Vec3& motion) { motion = lines_.point(); }
+    void point(Vec3& point) { point = lines_.point(); }
     void number(double& number) { number = lines_.number(); }
     void optional_filter(std::optional<CollisionFilter>& filter) { filter = lines_.optional_filter(); }
 
@@ -113,7 +115,7 @@ class TraceReader {
   private:
     TraceItem read_item();
     TracedUpdate read_update();
-    TracedMesh read_mesh();
+    TracedMesh read_mesh(bool is_solid);
     TracedShape read_shape();
     void number_next_shape(std::uint64_t number, const char* kind);
 

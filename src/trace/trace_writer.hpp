@@ -73,6 +73,7 @@ class TraceWriter {
         void segment(const Segment& segment) const { writer.put_words(segment.a, segment.b); }
         void ray(const Ray& ray) const;
         void motion(const Vec3& motion) const { writer.put_words(motion); }
+        void point(const Vec3& point) const { writer.put_words(point); }
         void number(double number) const;
         void optional_filter(const std::optional<CollisionFilter>& filter) const;
     };
@@ -102,7 +103,7 @@ class TraceWriter {
     }
     void end_line();
     void put_text();
-    void put_mesh(const Mesh& mesh, std::uint64_t number) noexcept;
+    void put_mesh(std::string_view name, const Mesh& mesh, std::uint64_t number) noexcept;
     std::string text_of(const Shape& shape) const;
 
     // A mesh or shape that has a number, known by its address; which may be used again once the object is gone.

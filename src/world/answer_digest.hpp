@@ -65,6 +65,14 @@ class AnswerDigest {
         take(closest.bodies);
         take(closest.distance);
     }
+    void take(const BodyAt& at) noexcept {
+        take(at.body);
+        take(static_cast<std::uint64_t>(at.side));
+    }
+    void take(const BodiesContaining& found) noexcept {
+        take(found.bodies);
+        take(std::uint64_t{found.skipped_count});
+    }
     template <class Item>
     void take(const std::optional<Item>& item) noexcept {
         take(std::uint64_t{item.has_value()});

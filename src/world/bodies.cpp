@@ -95,11 +95,13 @@ void Bodies::set_shape(ProxyIndex proxy, std::shared_ptr<const Shape> shape) noe
 void Bodies::count(const Slot& slot) noexcept {
     ++kind_counts_[slot.kind];
     without_hits_count_ += !slot.answers_hits;
+    solid_count_ += slot.solid() != nullptr;
 }
 
 void Bodies::discount(const Slot& slot) noexcept {
     --kind_counts_[slot.kind];
     without_hits_count_ -= !slot.answers_hits;
+    solid_count_ -= slot.solid() != nullptr;
 }
 
 void Bodies::make_room_to_destroy() {
@@ -143,9 +145,13 @@ std::size_t Bodies::memory_bytes() const noexcept {
 }
 
 void Bodies::validate() const {
-    std::size_t count = 0;
-    for (const Slot& slot : slots_) count += slot.is_alive();
+    std::size_t count = 0, solid_count = 0;
+    for (const Slot& slot : slots_) {
+        count += slot.is_alive();
+        solid_count += slot.is_alive() && slot.solid() != nullptr;
+    }
     if (count != alive_count()) throw BrokenInvariant("a slot is neither free nor used");
+    if (solid_count != solid_count_) throw BrokenInvariant("solids are not counted right");
 }
 
 }  // namespace ecods

@@ -30,6 +30,11 @@ struct Slot {
     bool is_alive() const noexcept { return shape != nullptr; }
     Posed<Shape> posed() const noexcept { return {*shape, pose}; }
     void put(std::shared_ptr<const Shape> new_shape) noexcept;
+
+    // The shape as a solid, or null.
+    const Solid* solid() const noexcept {
+        return kind == ShapeKind::mesh() ? dynamic_cast<const Solid*>(shape.get()) : nullptr;
+    }
 };
 
 class Bodies {
@@ -66,6 +71,8 @@ class Bodies {
     DisabledPairs& disabled() noexcept { return disabled_; }
     const DisabledPairs& disabled() const noexcept { return disabled_; }
 
+    std::size_t solid_count() const noexcept { return solid_count_; }  // of the living
+
     // How many of each kind live. Some may be 0.
     const std::map<ShapeKind, std::size_t>& kind_counts() const noexcept { return kind_counts_; }
 
@@ -91,6 +98,7 @@ class Bodies {
     std::size_t retired_count_ = 0;  // slots that were used once for each generation: neither free nor used
     std::map<ShapeKind, std::size_t> kind_counts_;  // of living bodies
     std::size_t without_hits_count_ = 0;            // of living bodies
+    std::size_t solid_count_ = 0;
     DisabledPairs disabled_;
 };
 

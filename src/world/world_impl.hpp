@@ -14,6 +14,7 @@
 #include "world/closeness.hpp"
 #include "world/mesh_shapes.hpp"
 #include "world/pair_verdicts.hpp"
+#include "world/solid_pairs.hpp"
 #include "world/two_body_tests.hpp"
 #include "world/workers.hpp"
 
@@ -35,16 +36,19 @@ struct World::Impl {
     bool test(ProxyPair pair, QueryMemory& memory) const;
     bool test_within(ProxyPair pair, double d, QueryMemory& memory) const;
     double distance(ProxyPair pair, QueryMemory& memory) const;
+    SolidRelation relate(ProxyPair pair, QueryMemory& memory) const;  // throws NotSupported
 
     // ---- update, in this order
     void update();
     void test_pairs();
     void test_close_pairs();
+    void relate_solids();
     template <class Ask>
     void answer_tests(PairVerdicts& pairs, const Ask& ask);
     void commit() noexcept;
 
     std::uint64_t digest() const;
+    void validate_solids(QueryMemory& memory) const;  // throws BrokenInvariant
 
     // The number of a shape in the trace, written before a call that brings it in; 0 without a trace.
     void trace_body(ProxyIndex proxy, std::uint64_t shape_number) noexcept;  // as the calls that make it
@@ -66,6 +70,7 @@ struct World::Impl {
     OverlapTracker broad_phase;
     PairVerdicts collisions;
     Closeness closeness;
+    SolidPairs solids;
     Workers workers;
     std::unique_ptr<TraceWriter> trace;  // null: none is under way
     Statistics statistics;               // sums; the rest is filled in on request

@@ -79,8 +79,8 @@ Statistics World::statistics() const {
     statistics.overlapping_count = w.collisions.verdicts().enabled_count();
     statistics.filtered_count = w.collisions.verdicts().size() - statistics.overlapping_count;
     statistics.colliding_count = w.collisions.positive().size();
-    statistics.memory_bytes =
-        w.bodies.memory_bytes() + w.changes.memory_bytes() + w.collisions.memory_bytes() + w.closeness.memory_bytes();
+    statistics.memory_bytes = w.bodies.memory_bytes() + w.changes.memory_bytes() + w.collisions.memory_bytes() +
+                              w.closeness.memory_bytes() + w.solids.memory_bytes();
     return statistics;
 }
 
@@ -98,6 +98,20 @@ std::uint64_t sum_of_pairs(const BodyPairs& pairs, const Bodies& bodies) {
     return sum;
 }
 
+// The same of pairs of solids, turned such that the lesser digest comes first.
+std::uint64_t sum_of_solids(std::span<const SolidPair> pairs, const Bodies& bodies) {
+    std::uint64_t sum = 0;
+    for (const SolidPair& pair : pairs) {
+        if (!bodies.is_alive(pair.bodies.a) || !bodies.is_alive(pair.bodies.b)) continue;
+        const std::uint64_t a = digest_of(bodies[pair.bodies.a.slot - 1]);
+        const std::uint64_t b = digest_of(bodies[pair.bodies.b.slot - 1]);
+        const SolidRelation relation = a <= b ? pair.relation : mirrored(pair.relation);
+        const auto [low, high] = std::minmax(a, b);
+        sum += mix(combine(combine(low, high), static_cast<std::uint64_t>(relation)));
+    }
+    return sum;
+}
+
 }  // namespace
 
 // Sums of words that are themselves mixed: the order of bodies and pairs does not matter.
@@ -106,7 +120,8 @@ std::uint64_t World::Impl::digest() const {
     for (ProxyIndex proxy = 0; proxy < bodies.end(); ++proxy) {
         if (bodies[proxy].is_alive()) sum_of_bodies += mix(digest_of(bodies[proxy]));
     }
-    const std::uint64_t digest = combine(sum_of_bodies, sum_of_pairs(collisions.positive(), bodies));
+    std::uint64_t digest = combine(sum_of_bodies, sum_of_pairs(collisions.positive(), bodies));
+    if (solids.are_listed()) digest = combine(digest, sum_of_solids(solids.list(), bodies));
     if (!closeness.listed()) return digest;
     return combine(digest,
                    combine(coordinate_bits(*closeness.listed()), sum_of_pairs(closeness.pairs().positive(), bodies)));

@@ -35,6 +35,7 @@ void World::trace_to(std::ostream& out, TraceOptions options) {
     for (const ProxyPair pair : w.bodies.disabled().list()) {
         trace->write<calls::SetPairEnabled>(w.bodies.id_of(pair.a), w.bodies.id_of(pair.b), false);
     }
+    if (w.solids.are_wanted()) trace->write<calls::SetSolids>(true);
     if (w.closeness.wanted()) trace->write<calls::SetClearance>(w.closeness.wanted());
     w.trace = std::move(trace);
 }

@@ -17,7 +17,7 @@ void World::update() {
 
 // All that can fail comes before commit(), for collisions and for close pairs.
 void World::Impl::update() {
-    if (changes.empty() && closeness.is_up_to_date()) {
+    if (changes.empty() && closeness.is_up_to_date() && solids.is_up_to_date()) {
         collisions.clear_events();
         closeness.idle();
         statistics.cache_hits += collisions.verdicts().enabled_count();
@@ -27,8 +27,11 @@ void World::Impl::update() {
         test_pairs();
         closeness.follow(broad_phase, bodies, changes, collisions);
         test_close_pairs();
+        solids.follow(bodies, collisions);
+        relate_solids();
         collisions.prepare();
         closeness.prepare();
+        solids.prepare(changes);
         commit();
     }
     ++statistics.updates;
@@ -37,6 +40,7 @@ void World::Impl::update() {
 void World::Impl::commit() noexcept {
     const std::size_t test_count = collisions.commit();
     closeness.commit();
+    solids.commit();
     for (const ProxyIndex proxy : changes.bodies()) {
         statistics.moved_bodies += bodies[proxy].is_alive() && changes.of(proxy) == Change::body;
     }

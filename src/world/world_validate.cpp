@@ -63,6 +63,18 @@ void validate_verdicts(const VerdictCache& verdicts, const OverlapTracker& boxes
 
 }  // namespace
 
+// The pairs of solids that are not apart, from scratch.
+void World::Impl::validate_solids(QueryMemory& memory) const {
+    std::vector<SolidPair> expected;
+    for (const ProxyPair pair : pairs_of_boxes(bodies, broad_phase)) {
+        if (bodies[pair.a].solid() == nullptr || bodies[pair.b].solid() == nullptr || !bodies.is_enabled(pair))
+            continue;
+        const SolidRelation relation = relate(pair, memory);
+        if (relation != SolidRelation::apart) expected.push_back({bodies.ids_of(pair), relation});
+    }
+    require(expected == solids.list(), "the list of pairs of solids is wrong");
+}
+
 void World::validate() const {
     const Impl& w = impl();
     w.bodies.validate();
@@ -80,6 +92,7 @@ void World::validate() const {
     validate_verdicts(w.collisions.verdicts(), w.broad_phase, w.bodies,
                       [&](ProxyPair pair) { return w.test(pair, memory); });
     w.closeness.validate(w.bodies, w.broad_phase);
+    if (w.solids.are_listed()) w.validate_solids(memory);
     if (!w.closeness.listed()) return;
     validate_verdicts(w.closeness.pairs().verdicts(), w.closeness.tracker(), w.bodies,
                       [&](ProxyPair pair) { return w.test_within(pair, *w.closeness.listed(), memory); });

@@ -42,9 +42,14 @@ WorldState state_of(World& world, std::size_t switches_max) {
                      .close = list(world.close_pairs()),
                      .close_began = list(world.close_began()),
                      .close_ended = list(world.close_ended()),
+                     .are_solids_related = world.are_solids_related(),
+                     .solids = {},
                      .digest = world.digest(),
                      .overlapping_count = world.statistics().overlapping_count,
                      .filtered_count = world.statistics().filtered_count};
+    for (const SolidPair& pair : world.solid_pairs()) {
+        state.solids.push_back({{numbers_of(pair.bodies.a), numbers_of(pair.bodies.b)}, pair.relation});
+    }
     const auto bodies = world.bodies();
     for (const BodyId body : bodies) {
         const Shape& shape = *world.shape(body);
@@ -81,6 +86,7 @@ std::string difference(const WorldState& expected, const WorldState& got) {
                                      {"overlapping", &WorldState::overlapping}}) {
         if (auto found = difference(name, expected.*list, got.*list); !found.empty()) return found;
     }
+    if (expected.solids != got.solids) return "the pairs of solids";
     return expected == got ? "" : "the clearance, the digest, or the counts of pairs";
 }
 

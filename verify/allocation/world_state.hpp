@@ -28,6 +28,8 @@ struct WorldState {
     std::vector<BodyPair> overlapping, colliding, began, ended;
     std::optional<double> clearance;
     std::vector<BodyPair> close, close_began, close_ended;
+    bool are_solids_related;
+    std::vector<SolidPair> solids;
     std::uint64_t digest;
     std::size_t overlapping_count, filtered_count;
 

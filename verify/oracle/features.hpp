@@ -7,24 +7,9 @@
 #include <cstddef>
 
 #include "oracle/exact_point.hpp"
+#include "oracle/vector.hpp"
 
 namespace ecods::oracle {
-
-template <class N>
-using Vector = std::array<N, 3>;
-
-template <class N>
-Vector<N> operator-(const Vector<N>& a, const Vector<N>& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-template <class N>
-N dot(const Vector<N>& a, const Vector<N>& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-template <class N>
-Vector<N> cross(const Vector<N>& a, const Vector<N>& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 // Squares are not negative, which products of intervals do not know.
 inline mpz_class square(const mpz_class& x) {

@@ -1,10 +1,12 @@
 #include "check_cases.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include "check_oracle.hpp"
 #include "ecods/error.hpp"
 #include "ecods/intersection.hpp"
+#include "ecods/solid.hpp"
 #include "scenes/io/hard_case_file.hpp"
 
 namespace ecods::check {
@@ -41,11 +43,26 @@ bool is_mirrored(const Answer& answer, const Answer& other) {
     return answer.intersects == other.intersects && answer.relation == other.relation && answer.triangles == swapped;
 }
 
+// Whether solids of the meshes are to each other as is known, in both orders.
+bool has_solid_relation(const HardCase& hard) {
+    const auto is = [](const Body& first, const Body& second, const std::string& expected) {
+        const Solid a(first.mesh), b(second.mesh);
+        QueryMemory memory;
+        std::ostringstream relation;
+        relation << solid_relation({a, first.pose}, {b, second.pose}, memory);
+        return relation.str() == expected;
+    };
+    const std::string& expected = *hard.solid_relation;
+    const std::string mirrored = expected == "inside" ? "contains" : expected == "contains" ? "inside" : expected;
+    return is(hard.a, hard.b, expected) && is(hard.b, hard.a, mirrored);
+}
+
 CaseAnswer run_case(const HardCase& hard, bool with_oracle) {
     const Answer answer = ask(hard.a, hard.b);
     CaseAnswer result{hard.id, answer.intersects, answer.triangles.size(), false};
     result.is_ok = answer.intersects == hard.intersects && answer.triangles.size() == hard.triangle_pair_count &&
                    answer.is_consistent() && is_mirrored(answer, ask(hard.b, hard.a)) &&
+                   (!hard.solid_relation || has_solid_relation(hard)) &&
                    (!with_oracle || oracle_agrees(hard, answer.relation, answer.triangles));
     return result;
 }

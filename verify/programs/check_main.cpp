@@ -43,6 +43,13 @@ int check_files(const Options& options) {
     SceneWorld world(scene, options.broad_phase, options.questions);
     OracleJudge judge(scene);
     nlohmann::ordered_json json = to_json(scene);
+    if (options.questions.has_solids) {
+        if (options.json) {
+            json["solids"] = solids_to_json(scene, world);
+        } else {
+            print_solids(stdout, scene, world);
+        }
+    }
     process::Progress progress;
     for (std::size_t frame = 0; world.next_frame(); ++frame) {
         if (!scene.frames.empty()) progress.show(fmt::format("frame {} of {}", frame, scene.frames.size()));
@@ -134,6 +141,9 @@ int run(int argc, char** argv) {
         "Also say of each body with a \"motion\" (in a scene file, or in the extras of a glTF node) which body "
         "it meets first when it is translated by that, and at which time from 0 to 1");
     add_rays(app, options.questions.rays);
+    app.add_flag("--solids", options.questions.has_solids,
+                 "Also say of each body whether its mesh bounds a solid, or why not, and list the pairs of solids that "
+                 "are not apart: touching, overlapping, inside, contains, equal. --oracle does not check these");
     app.add_flag("--oracle", options.oracle, "Check every answer, of all pairs of bodies, with CGAL's exact numbers");
     programs::add_broad_phase(app, options.broad_phase, "Which broad phase; sweep_and_prune is the default");
     std::map<std::string, InstructionSet> sets;
@@ -146,11 +156,12 @@ int run(int argc, char** argv) {
             throw CLI::ValidationError("ecods_check", "files to read, or --cases with one file, are expected");
         }
         const SceneQuestions& asked = options.questions;
-        const bool has_questions =
-            asked.has_distances || asked.clearance || asked.has_moves || asked.has_casts || !asked.rays.empty();
+        const bool has_questions = asked.has_distances || asked.clearance || asked.has_moves || asked.has_casts ||
+                                   asked.has_solids || !asked.rays.empty();
         if (has_questions && !options.cases.empty()) {
-            throw CLI::ValidationError(
-                "ecods_check", "--distance, --clearance, --moves, --casts and --ray are for files, not for --cases");
+            throw CLI::ValidationError("ecods_check",
+                                       "--distance, --clearance, --moves, --casts, --solids and --ray are for files, "
+                                       "not for --cases");
         }
     });
     if (const auto status = programs::parse(app, argc, argv)) return *status;

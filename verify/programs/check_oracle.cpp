@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <sstream>
 
 #include "check_print.hpp"
 #include "judge/distance_truth.hpp"
 #include "oracle/distance.hpp"
 #include "oracle/oracle.hpp"
+#include "oracle/solid.hpp"
 
 namespace ecods::check {
 
@@ -139,7 +141,14 @@ void OracleJudge::differ(const FrameAnswer& answer, const std::string& bodies, c
 bool oracle_agrees(const scenes::HardCase& hard, Relation relation, const std::vector<TrianglePair>& triangles) {
     const oracle::OracleMesh a(hard.a.mesh, hard.a.pose);
     const oracle::OracleMesh b(hard.b.mesh, hard.b.pose);
-    return oracle::relation(a, b) == relation && oracle::intersecting_triangles(a, b) == triangles;
+    if (oracle::relation(a, b) != relation || oracle::intersecting_triangles(a, b) != triangles) return false;
+    if (!hard.solid_relation) return true;
+    const auto soup = [](const scenes::HardCase::Body& body) {
+        return oracle::Soup{body.mesh->vertices(), body.mesh->triangles(), body.pose};
+    };
+    std::ostringstream solids;
+    solids << static_cast<SolidRelation>(oracle::solid_relation(soup(hard.a), soup(hard.b)));
+    return solids.str() == *hard.solid_relation;
 }
 
 }  // namespace ecods::check

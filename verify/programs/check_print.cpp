@@ -34,6 +34,12 @@ std::string name_of(HitKind kind) {
     return out.str();
 }
 
+std::string name_of(SolidRelation relation) {
+    std::ostringstream out;
+    out << relation;
+    return out.str();
+}
+
 namespace {
 
 nlohmann::ordered_json to_json(const Vec3& v) {
@@ -121,6 +127,14 @@ void print_distances(std::FILE* out, const scenes::Scene& scene, const char* wha
 
 }  // namespace
 
+void print_solids(std::FILE* out, const scenes::Scene& scene, const SceneWorld& world) {
+    for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+        const std::string& why = world.no_solid_since(body);
+        fmt::print(out, "{}  {}{}{}\n", why.empty() ? "solid" : "no solid", scene.bodies[body].name,
+                   why.empty() ? "" : ": ", why);
+    }
+}
+
 void print_frame(std::FILE* out, const scenes::Scene& scene, const FrameAnswer& answer) {
     fmt::print(out, "frame {}: {}, {} with overlapping boxes, {} colliding\n", answer.frame,
                counted(scene.bodies.size(), "body", "bodies"), counted(answer.overlapping.size(), "pair"),
@@ -134,6 +148,10 @@ void print_frame(std::FILE* out, const scenes::Scene& scene, const FrameAnswer& 
     print_meetings(out, scene, "met", answer.meetings);
     print_meetings(out, scene, "cast meets", answer.casts);
     print_hits(out, scene, answer.hits);
+    for (const SolidAnswer& pair : answer.solids) {
+        fmt::print(out, "  {}  {} | {}  (as solids)\n", name_of(pair.relation), scene.bodies[pair.a].name,
+                   scene.bodies[pair.b].name);
+    }
 }
 
 void print_report(std::FILE* out, const OracleReport& report) {
@@ -169,7 +187,21 @@ nlohmann::ordered_json to_json(const scenes::Scene& scene, const FrameAnswer& an
     if (!answer.meetings.empty()) frame["met"] = to_json(scene, answer.meetings);
     if (!answer.casts.empty()) frame["casts"] = to_json(scene, answer.casts);
     if (!answer.hits.empty()) frame["hits"] = to_json(scene, answer.hits);
+    for (const SolidAnswer& pair : answer.solids) {
+        frame["solid_pairs"].push_back(
+            {{"a", scene.bodies[pair.a].name}, {"b", scene.bodies[pair.b].name}, {"relation", name_of(pair.relation)}});
+    }
     return frame;
+}
+
+nlohmann::ordered_json solids_to_json(const scenes::Scene& scene, const SceneWorld& world) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+        const std::string& why = world.no_solid_since(body);
+        json.push_back({{"body", scene.bodies[body].name}, {"is_solid", why.empty()}});
+        if (!why.empty()) json.back()["why"] = why;
+    }
+    return json;
 }
 
 nlohmann::ordered_json to_json(const OracleReport& report) {

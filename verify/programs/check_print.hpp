@@ -16,6 +16,10 @@ std::string counted(std::size_t count, const std::string& singular, const std::s
 
 // "vertex and vertex" and so on, as operator<< writes it.
 std::string name_of(ClosestKind kind);
+std::string name_of(SolidRelation relation);
+
+// One line for each body: whether its mesh bounds a solid, and why not.
+void print_solids(std::FILE* out, const scenes::Scene& scene, const SceneWorld& world);
 
 // One line a frame, one a colliding pair, and one a distance and a close pair, with the closest points in as many
 // digits as name them.
@@ -28,8 +32,10 @@ void print_report(std::FILE* out, const OracleReport& report);
 // "triangle_pairs"}], "distances": [{"a", "b", "distance", "kind", "point_a", "point_b", "triangle_a",
 // "triangle_b"}], "close": [as distances]}], "oracle": {"body_pairs", "triangle_pairs", "boxes", "distances",
 // "clearances", "differing", "differences"}}; distances with --distance only (null: above the largest double), close
-// with --clearance only, the last with --oracle only.
+// with --clearance only, the last with --oracle only. With --solids also "solids": [{"body", "is_solid", "why"}], and
+// in a frame "solid_pairs": [{"a", "b", "relation"}].
 nlohmann::ordered_json to_json(const scenes::Scene& scene);
+nlohmann::ordered_json solids_to_json(const scenes::Scene& scene, const SceneWorld& world);
 nlohmann::ordered_json to_json(const scenes::Scene& scene, const FrameAnswer& answer);
 nlohmann::ordered_json to_json(const OracleReport& report);
 

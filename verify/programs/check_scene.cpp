@@ -8,9 +8,31 @@ namespace ecods::check {
 SceneWorld::SceneWorld(const scenes::Scene& scene, BroadPhaseKind broad_phase, const SceneQuestions& questions)
     : scene_(scene), questions_(questions), world_(WorldOptions{.broad_phase = broad_phase}) {
     world_.set_clearance(questions.clearance);
+    world_.set_solids(questions.has_solids);
+    const std::vector<std::shared_ptr<const MeshShape>> solids = make_solids();
     for (const scenes::SceneBody& body : scene.bodies) {
-        ids_.push_back(world_.create_body(scene.meshes[body.mesh_index].mesh, body.pose));
+        ids_.push_back(questions.has_solids ? world_.create_body(solids[body.mesh_index], body.pose)
+                                            : world_.create_body(scene.meshes[body.mesh_index].mesh, body.pose));
     }
+}
+
+// By mesh: a Solid where it bounds one.
+std::vector<std::shared_ptr<const MeshShape>> SceneWorld::make_solids() {
+    std::vector<std::shared_ptr<const MeshShape>> shapes;
+    if (!questions_.has_solids) return shapes;
+    for (const scenes::NamedMesh& named : scene_.meshes) {
+        std::string why;
+        try {
+            shapes.push_back(std::make_shared<const Solid>(named.mesh));
+        } catch (const NotClosed& error) {
+            why = error.what();
+        } catch (const SelfIntersecting& error) {
+            why = error.what();
+        }
+        if (!why.empty()) shapes.push_back(std::make_shared<const MeshShape>(named.mesh));
+        no_solid_since_.push_back(why);
+    }
+    return shapes;
 }
 
 bool SceneWorld::next_frame() {
@@ -90,6 +112,9 @@ FrameAnswer SceneWorld::answer() {
     answer.meetings = meetings_;
     if (questions_.has_casts) answer.casts = casts();
     answer.hits = hits();
+    for (const SolidPair& pair : world_.solid_pairs()) {
+        answer.solids.push_back({body_of(pair.bodies.a), body_of(pair.bodies.b), pair.relation});
+    }
     return answer;
 }
 

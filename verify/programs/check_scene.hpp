@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -42,6 +44,13 @@ struct HitAnswer {
     Hit hit;
 };
 
+// Two solids that are not apart, a < b.
+struct SolidAnswer {
+    std::size_t a = 0;
+    std::size_t b = 0;
+    SolidRelation relation = SolidRelation::touching;
+};
+
 // What is asked of every frame beside collisions.
 struct SceneQuestions {
     std::optional<double> clearance = {};
@@ -49,6 +58,7 @@ struct SceneQuestions {
     bool has_moves = false;      // which pairs meet on the way from the frame before
     bool has_casts = false;      // of bodies with a motion: what each meets first
     std::vector<Ray> rays = {};  // what each of them hits, everything
+    bool has_solids = false;     // of bodies of which the mesh bounds a solid: what is inside what
 };
 
 // All answers for one frame; frame 0 is the rest. Lists are ascending.
@@ -62,6 +72,7 @@ struct FrameAnswer {
     std::vector<MeetingAnswer> meetings;  // ascending by time
     std::vector<MeetingAnswer> casts;     // of bodies that meet something, by body
     std::vector<HitAnswer> hits;          // by ray, then as World::all_hits() has them
+    std::vector<SolidAnswer> solids;
 };
 
 // The World of a scene. The scene must outlive it. Throws InvalidDistance, as World::set_clearance does.
@@ -83,6 +94,11 @@ class SceneWorld {
     // Where it was in the frame before; with moves, and from frame 1 on.
     const Pose& pose_before(std::size_t body) const { return poses_before_[body]; }
 
+    // Why the body's mesh bounds no solid, in words; empty if it does. With solids only.
+    const std::string& no_solid_since(std::size_t body) const {
+        return no_solid_since_[scene_.bodies[body].mesh_index];
+    }
+
     // The bodies that the last next_frame() created or moved, ascending.
     const std::vector<std::size_t>& moved() const noexcept { return moved_; }
 
@@ -95,12 +111,14 @@ class SceneWorld {
     void find_meetings(const scenes::Frame& frame);
     std::vector<MeetingAnswer> casts();
     std::vector<HitAnswer> hits();
+    std::vector<std::shared_ptr<const MeshShape>> make_solids();
 
     const scenes::Scene& scene_;
     SceneQuestions questions_;
     World world_;
     QueryMemory memory_;
-    std::vector<BodyId> ids_;  // by body; ascending, as they were created in order
+    std::vector<BodyId> ids_;                  // by body; ascending, as they were created in order
+    std::vector<std::string> no_solid_since_;  // by mesh
     std::vector<std::size_t> moved_;
     std::vector<Pose> poses_before_;
     std::vector<MeetingAnswer> meetings_;  // on the way to this frame

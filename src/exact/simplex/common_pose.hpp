@@ -15,6 +15,11 @@ inline bool is_regular(const Mat3& R) noexcept {
     return orient3d(Vec3::Zero(), R.col(0), R.col(1), R.col(2)) != Sign::zero;
 }
 
+// Whether it turns a right-handed frame to a left-handed one: exact, too.
+inline bool is_mirror(const Mat3& R) noexcept {
+    return orient3d(Vec3::Zero(), R.col(0), R.col(1), R.col(2)) == Sign::negative;
+}
+
 // Gives all bodies the identity for a pose if theirs are the same bits and regular: a common affine bijection changes
 // no relation of theirs, and where they were modelled coordinates are shorter.
 inline void cancel_common_pose(std::span<BodyRef> bodies) noexcept {

@@ -21,11 +21,13 @@ HardCases read_hard_cases(const std::filesystem::path& file) {
             continue;
         }
         const JsonPlace expected = place.at("expected_true_answer");
+        const std::optional<JsonPlace> relation = expected.find("solid_relation_exact_affine");
         result.cases.push_back({.id = place.at("id").text(),
                                 .a = read_body(file, place, "A"),
                                 .b = read_body(file, place, "B"),
                                 .intersects = expected.at("surfaces_intersect_exact_affine").boolean(),
-                                .triangle_pair_count = expected.at("n_pairs_exact_affine").index()});
+                                .triangle_pair_count = expected.at("n_pairs_exact_affine").index(),
+                                .solid_relation = relation ? std::optional(relation->text()) : std::nullopt});
     }
     return result;
 }

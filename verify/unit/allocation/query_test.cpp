@@ -1,10 +1,13 @@
 // What needs no World, out of memory at any point: meshes, shapes, refits, questions about two bodies.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "allocation/each_allocation.hpp"
@@ -14,6 +17,7 @@
 #include "ecods/distance.hpp"
 #include "ecods/hit.hpp"
 #include "ecods/intersection.hpp"
+#include "ecods/solid.hpp"
 #include "scenes/shapes.hpp"
 
 namespace ecods::allocation {
@@ -43,7 +47,13 @@ class Digest {
     void add(std::uint32_t x) { add(std::uint64_t{x}); }
     void add(bool x) { add(std::uint64_t{x}); }
     void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
-    void add(Relation relation) { add(static_cast<std::uint64_t>(relation)); }
+    template <class Enum>
+    requires std::is_enum_v<Enum>
+    void add(Enum value) { add(static_cast<std::uint64_t>(value)); }
+    void add(const TrianglePair& pair) {
+        add(pair.a);
+        add(pair.b);
+    }
     void add(const Vec3& v) {
         for (int k = 0; k < 3; ++k) add(v[k]);
     }
@@ -116,6 +126,15 @@ std::optional<FirstContact> move_past(Pair& p) {
     return cast(Moving<MeshShape>(*p.b, p.pose_b, end), Moving<MeshShape>(*p.a, p.pose_a, p.pose_a), p.memory);
 }
 
+// Triangles with corners of their own, a face of two halves beside one of one part.
+std::shared_ptr<const Mesh> two_prisms() {
+    const Vec3 a(0, 0, 0), b(2, 0, 0), c(0, 2, 0), d(0, 0, 1), m(1, 1, 0);
+    const std::array<Vec3, 15> corners{a, b, m, a, m, c, a, b, d, b, c, d, c, a, d};
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i < 15; i += 3) triangles.push_back({i, i + 1, i + 2});
+    return Mesh::create({corners.begin(), corners.end()}, std::move(triangles));
+}
+
 struct Question {
     const char* name;
     void (*ask)(Pair&);
@@ -146,6 +165,27 @@ const Question questions[] = {
     {"cast of a translation, with a witness", [](Pair& p) { p.answer = digest(cast_past(p)); }},
     {"cast between poses", [](Pair& p) { p.answer = digest(move_past(p)); }},
     {"intersections", [](Pair& p) { p.answer = digest(intersections(p.first(), p.second(), p.memory)); }},
+    {"Solid and solid_relation",
+     [](Pair& p) {
+         const Solid a(p.a->mesh_ptr()), b(p.b->mesh_ptr());
+         p.answer = digest(solid_relation({a, p.pose_a}, {b, p.pose_b}, p.memory));
+     }},
+    {"solid_relation of solids with T-junctions",
+     [](Pair& p) {
+         const Solid a(two_prisms());
+         p.answer = digest(solid_relation({a, p.pose_a}, {a, p.pose_b}, p.memory));
+     }},
+    {"surface_relation",
+     [](Pair& p) {
+         const Solid solid(p.b->mesh_ptr());
+         p.answer = digest(surface_relation(p.first(), {solid, p.pose_b}, p.memory));
+     }},
+    {"locate",
+     [](Pair& p) {
+         const Solid solid(p.b->mesh_ptr());
+         p.answer = digest(locate(Vec3(1, 0, 0), {solid, p.pose_b}, p.memory).side);
+     }},
+    {"self_intersections", [](Pair& p) { p.answer = digest(self_intersections(p.a->mesh())); }},
     {"MeshShape::box", [](Pair& p) { p.answer = digest(p.a->box(p.pose_b).min.allFinite()); }},
     {"MeshShape::tree_bytes", [](Pair& p) { p.answer = digest(p.a->tree_bytes()); }},
     {"refit without a tree",

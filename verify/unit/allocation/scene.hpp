@@ -110,12 +110,14 @@ struct Scene {
         for (std::size_t i = 0; i < body_count; ++i) {
             const auto x = static_cast<double>(i);
             const Pose pose = at(spacing * x, x / 64, i % 2 == 0 ? 0 : 0.25);
-            ids.push_back(i % 6 == 5 ? world.create_body(std::make_shared<Ball>(0.5), pose)
-                                     : world.create_body(i % 2 == 0 ? mesh : other_mesh, pose));
+            ids.push_back(i % 6 == 5   ? world.create_body(std::make_shared<Ball>(0.5), pose)
+                          : i % 2 == 0 ? world.create_body(solid, pose)
+                                       : world.create_body(other_mesh, pose));
             world.set_user_data(ids.back(), i);
             if (stage == Stage::batches && i % 8 == 7) world.update();
         }
         world.set_clearance(0.25);
+        world.set_solids(stage == Stage::running);
         world.set_filter(ids[3], {.groups = 2, .mask = 3});
         world.set_filter(ids[4], {.groups = 1, .mask = 1});
         for (const int i : {7, 8, 10}) world.set_pair_enabled(ids[9], ids[i], false);
@@ -143,9 +145,11 @@ struct Scene {
         world.set_pair_enabled(ids[1], ids[9], true);
         move(9, -0.7);
         world.set_clearance(0.125);
+        world.set_solids(false);
         world.update();
         world.validate();
         world.set_clearance({});
+        world.set_solids(true);
         world.update();
         world.validate();
     }
@@ -157,6 +161,7 @@ struct Scene {
     }
 
     std::shared_ptr<const Mesh> mesh = tetrahedron();
+    std::shared_ptr<const Solid> solid = std::make_shared<const Solid>(mesh);
     std::shared_ptr<const Mesh> other_mesh =
         Mesh::create({Vec3(0, 0, 0), Vec3(1, 0.5, 0), Vec3(0, 1, 0.5)}, {{0, 1, 2}});
     World world;

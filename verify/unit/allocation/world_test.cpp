@@ -110,6 +110,15 @@ const std::array calls = {
               [](Scene& s) { s.answer = slots_of(s.world.intersecting_bodies(Ball(1), at(1))); }},
     WorldCall{"set_clearance", [](Scene& s) { s.world.set_clearance(0.5); }},
     WorldCall{"set_clearance to none", [](Scene& s) { s.world.set_clearance({}); }},
+    WorldCall{"set_solids", [](Scene& s) { s.world.set_solids(false); }},
+    WorldCall{
+        "solid_relation",
+        [](Scene& s) { s.answer = std::to_string(static_cast<int>(s.world.solid_relation(s.ids[0], s.ids[10]))); }},
+    WorldCall{"bodies_containing",
+              [](Scene& s) {
+                  const BodiesContaining found = s.world.bodies_containing(Vec3(1, 0.125, 0.25));
+                  s.answer = std::to_string(found.bodies.size()) + " of " + std::to_string(found.skipped_count);
+              }},
     WorldCall{"distance", [](Scene& s) { s.answer = std::to_string(s.world.distance(s.ids[0], s.ids[10])); }},
     WorldCall{"within", [](Scene& s) { s.answer = s.world.within(s.ids[0], s.ids[10], 1) ? "yes" : "no"; }},
     WorldCall{"closest", [](Scene& s) { s.answer = std::to_string(s.world.closest(s.ids[0], s.ids[10]).point_a[0]); }},

@@ -55,6 +55,34 @@ TEST_F(Check, PrintsEachFrame) {
     }
 }
 
+TEST_F(Check, SaysWhatIsInsideWhat) {
+    const std::string file = write("scene.json", R"({
+          "meshes": [ { "name": "corner", "vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]],
+                        "triangles": [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]] },
+                      { "name": "open", "vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]],
+                        "triangles": [[0, 1, 2], [0, 1, 3], [0, 2, 3]] } ],
+          "bodies": [ { "name": "large", "mesh": "corner" }, { "name": "bowl", "mesh": "open" },
+                      { "name": "small", "mesh": "corner",
+                        "pose": { "R": [[0.25, 0, 0], [0, 0.25, 0], [0, 0, 0.25]], "t": [0.5, 0.5, 0.5] } } ] })")
+                                 .string();
+    const Result text = run("--solids " + file);
+    EXPECT_EQ(text.status, 0) << text.err;
+    EXPECT_EQ(text.out,
+              "solid  large\n"
+              "no solid  bowl: triangle 0: its edge from vertex 1 at (4, 0, 0) to vertex 2 at (0, 4, 0) has no other "
+              "half: the mesh is not closed\n"
+              "solid  small\n"
+              "frame 0: 3 bodies, 3 pairs with overlapping boxes, 1 colliding\n"
+              "  touching  large | bowl  (12 triangle pairs)\n"
+              "  contains  large | small  (as solids)\n");
+    const Json json = Json::parse(run("--solids --json " + file).out);
+    EXPECT_EQ(json["solids"].size(), 3U);
+    EXPECT_EQ(json["solids"][1]["is_solid"], false);
+    EXPECT_EQ(json["frames"][0]["solid_pairs"],
+              Json::parse(R"([{"a": "large", "b": "small", "relation": "contains"}])"));
+    EXPECT_EQ(run("--solids --cases " + cases(true, 1)).status, 2);
+}
+
 TEST_F(Check, SaysWhoMeetsOnTheWay) {
     const Result text = run("--moves --casts --oracle " + scene());
     EXPECT_EQ(text.status, 0) << text.err;

@@ -32,6 +32,7 @@ std::string traced(const TraceOptions& options) {
     world.cast(bodies[0], Vec3(8, 0, 0));
     world.cast(bodies[0], Vec3(8, 0, 0), 0.25);
     world.meetings(std::vector{bodies[2], bodies[0]}, std::vector{at(0), at(6)});
+    world.bodies_containing(Vec3(0.25, 0.25, 0));
     world.set_pose(bodies[1], at(3, 0.25));
     QueryMemory memory;
     world.nearest(bodies[1], memory);
@@ -64,6 +65,7 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
     EXPECT_EQ(count_of("\nclosest_pair ", with), 1u);
     EXPECT_EQ(count_of("\ncast ", with), 2u);
     EXPECT_EQ(count_of("\nmeetings ", with), 1u);
+    EXPECT_EQ(count_of("\nbodies_containing ", with), 1u);
     EXPECT_NE(with.find(" inf 2 10\n"), std::string::npos) << with;
     EXPECT_NE(with.find(" inf\n"), std::string::npos);
     EXPECT_EQ(replayed(without).question_count, 0u);
@@ -71,9 +73,9 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
                             BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic}) {
         const ReplayReport report = replayed(with, kind);
         EXPECT_FALSE(report.difference) << report.difference->what;
-        EXPECT_EQ(report.question_count, 10u);
+        EXPECT_EQ(report.question_count, 11u);
         EXPECT_EQ(report.update_count, 2u);
-        EXPECT_EQ(report.call_count, 4u + 2 + 10);
+        EXPECT_EQ(report.call_count, 4u + 2 + 11);
     }
 }
 
@@ -81,7 +83,7 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
 TEST(TraceQuestions, TheFirstOtherAnswerIsNamed) {
     const std::string text = traced({.questions = true});
     for (const std::string name : {"first_hit", "first_hit_of_ray", "all_hits", "all_hits_of_ray", "nearest",
-                                   "closest_pair", "cast", "meetings"}) {
+                                   "closest_pair", "cast", "meetings", "bodies_containing"}) {
         const std::size_t line = text.find("\n" + name + " ") + 1;
         const std::size_t digest = line + name.size() + 1;
         std::string wrong = text;

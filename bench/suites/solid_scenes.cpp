@@ -1,0 +1,114 @@
+#include "suites/solid_scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "scenes/shapes.hpp"
+
+namespace ecods::bench {
+
+std::shared_ptr<const Mesh> slab(std::uint32_t n, double height, bool other_diagonals) {
+    std::vector<Vec3> vertices;
+    std::vector<Triangle> triangles;
+    const std::uint32_t row = n + 1, top = row * row;
+    for (const double z : {0.0, height}) {
+        for (std::uint32_t y = 0; y <= n; ++y) {
+            for (std::uint32_t x = 0; x <= n; ++x) vertices.emplace_back(x, y, z);
+        }
+    }
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        if (other_diagonals) std::tie(a, b, c, d) = std::tuple(b, c, d, a);
+        triangles.push_back({a, b, c});
+        triangles.push_back({a, c, d});
+    };
+    for (std::uint32_t y = 0; y < n; ++y) {
+        for (std::uint32_t x = 0; x < n; ++x) {
+            const std::uint32_t at = y * row + x;
+            add(at, at + row, at + row + 1, at + 1);
+            add(top + at, top + at + 1, top + at + row + 1, top + at + row);
+        }
+        const std::uint32_t first = y * row, last = y * row + n, far = n * row + y;
+        add(y, y + 1, top + y + 1, top + y);
+        add(far + 1, far, top + far, top + far + 1);
+        add(first + row, first, top + first, top + first + row);
+        add(last, last + row, top + last + row, top + last);
+    }
+    return Mesh::create(std::move(vertices), std::move(triangles));
+}
+
+std::vector<SolidScene> solid_scenes(std::uint32_t triangle_count) {
+    const auto around = static_cast<std::uint32_t>(std::sqrt(triangle_count));
+    const auto n = static_cast<std::uint32_t>(std::sqrt(triangle_count / 4));
+    const auto solid = [](std::shared_ptr<const Mesh> mesh) { return std::make_shared<const Solid>(std::move(mesh)); };
+    const auto sphere = solid(scenes::sphere(around, around / 2)),
+               ring = solid(scenes::torus(around, around / 2, 0.25));
+    const auto thick = solid(slab(n, 8)), thin = solid(slab(n, 4)), other = solid(slab(n, 8, true));
+
+    scenes::Random random(1);
+    std::vector<SolidScene> all;
+    const auto add_round = [&](const char* name, const auto& a, const auto& b, const Vec3& t, double size,
+                               SolidRelation relation) {
+        SolidScene scene{name, a, b, {}, {}, relation, false};
+        scene.pose_a.R = random.rotation().toRotationMatrix();
+        scene.pose_b.R = size * random.rotation().toRotationMatrix();
+        scene.pose_b.t = scene.pose_a.R * t;
+        all.push_back(std::move(scene));
+    };
+    add_round("spheres beside each other", sphere, sphere, Vec3(1.2, 1.2, 1.2), 1, SolidRelation::apart);
+    add_round("sphere in a ring's hole", ring, sphere, Vec3(0, 0, 0), 0.5, SolidRelation::apart);
+    add_round("sphere in a sphere", sphere, sphere, Vec3(0.25, 0, 0), 0.5, SolidRelation::contains);
+    add_round("sphere in a ring", ring, sphere, Vec3(1, 0, 0), 0.125, SolidRelation::contains);
+    // An integer matrix: images of lattice points are exact.
+    Pose turned;
+    turned.R << 2, -1, 2, 2, 2, -1, -1, 2, 2;
+    const auto add_slabs = [&](const char* name, const auto& a, const auto& b, const Vec3& t, SolidRelation relation) {
+        SolidScene scene{name, a, b, turned, turned, relation, true};
+        scene.pose_b.t = turned.R * t;
+        all.push_back(std::move(scene));
+    };
+    add_slabs("slab on a slab, half a cell off", thick, thick, Vec3(0.5, 0.5, 8), SolidRelation::touching);
+    add_slabs("slab on a slab, one edge over it", thick, thick, Vec3(n, 0, 8), SolidRelation::touching);
+    add_slabs("thin slab in a thick one, flush", thick, thin, Vec3(0, 0, 0), SolidRelation::contains);
+    add_slabs("equal slabs, other diagonals", thick, other, Vec3(0, 0, 0), SolidRelation::equal);
+    add_slabs("walls that share a part, flush", thick, thick, Vec3(n / 2, 0, 0), SolidRelation::overlapping);
+    return all;
+}
+
+std::vector<PointScene> point_scenes(const Mesh& mesh, std::size_t point_count) {
+    scenes::Random random(2);
+    Pose turned;
+    turned.R = random.rotation().toRotationMatrix();
+    turned.t = Vec3(0.5, 0.25, -0.125);
+    std::vector<PointScene> all = {{"random, in its box", turned, {}, true},
+                                   {"near, at 1e-3", turned, {}, true},
+                                   {"nearly on, at 1e-12", turned, {}, false},
+                                   {"far", turned, {}, false},
+                                   {"on vertices", {}, {}, false},
+                                   {"on edges", {}, {}, false}};
+    const auto triangles = mesh.triangles();
+    Vec3 low = mesh.vertices()[0], high = low;
+    for (const Vec3& v : mesh.vertices()) {
+        low = low.cwiseMin(v);
+        high = high.cwiseMax(v);
+    }
+    for (std::size_t i = 0; i < point_count; ++i) {
+        const Triangle& t = triangles[random.below(static_cast<std::uint32_t>(triangles.size()))];
+        const auto corner = [&](std::size_t k) -> const Vec3& { return mesh.vertices()[t[k]]; };
+        const double s = random.uniform(0, 1), r = random.uniform(0, 1 - s);
+        const Vec3 inner = corner(0) + s * (corner(1) - corner(0)) + r * (corner(2) - corner(0));
+        const Vec3 away = random.direction(), on = turned.R * inner + turned.t;
+        Vec3 boxed;
+        for (int k = 0; k < 3; ++k) boxed[k] = random.uniform(low[k], high[k]);
+        all[0].points.push_back(turned.R * boxed + turned.t);
+        all[1].points.push_back(on + 1e-3 * away);
+        all[2].points.push_back(on + 1e-12 * away);
+        all[3].points.push_back(turned.t + random.uniform(2, 10) * away);
+        all[4].points.push_back(corner(0));
+        all[5].points.push_back(0.5 * corner(0) + 0.5 * corner(1));
+    }
+    return all;
+}
+
+}  // namespace ecods::bench

@@ -1,0 +1,34 @@
+// What a World and its bodies are made with (world.hpp).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "ecods/broad_phase.hpp"
+#include "ecods/collision_filter.hpp"
+#include "ecods/executor.hpp"
+#include "ecods/mesh.hpp"
+#include "ecods/pose.hpp"
+#include "ecods/shape.hpp"
+
+namespace ecods {
+
+struct WorldOptions {
+    BroadPhaseKind broad_phase = BroadPhaseKind::automatic;
+
+    // Who runs the two-body tests of an update; null: the thread that calls it. Answers, lists, events, digests and
+    // counts are the same for any executor and any number of workers. Tests of the caller's own are then called by
+    // several threads at once, each with a QueryMemory of its own. Questions about a pair stay on the caller's thread.
+    std::shared_ptr<Executor> executor = nullptr;
+};
+
+// A body to be. Either a mesh or a shape is needed.
+struct BodyOptions {
+    std::shared_ptr<const Mesh> mesh = nullptr;  // bodies given the same Mesh share its tree
+    std::shared_ptr<const Shape> shape = nullptr;
+    Pose pose = {};
+    CollisionFilter filter = {};
+    std::uint64_t user_data = 0;
+};
+
+}  // namespace ecods

@@ -1,0 +1,104 @@
+// Whether two triangles of positive area share more than isolated points, and along which of their features, decided
+// from signs alone (exact/sign/exact_signs.hpp). Points 0 to 2 are the corners of the first triangle, 3 to 5 those of
+// the second.
+//
+// Triangles in two planes share what their intervals on the line of the planes share (triangle_pair.hpp): a segment
+// exactly when both comparisons are strict and neither interval is a single corner, which it is when that corner is in
+// the other's plane and the other two are strictly on one side of it. All of the segment then lies on a side of a
+// triangle if the two ends of that side are in the other's plane, and inside the triangle otherwise.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "base/assert.hpp"
+#include "exact/sign/exact_signs.hpp"
+#include "exact/simplex/triangle_pair.hpp"
+
+namespace ecods::exact {
+
+enum class ContactKind : std::uint8_t {
+    none,      // they share no point
+    point,     // one point
+    segment,   // a segment, of two planes
+    coplanar,  // the triangles are in one plane
+    flat,      // the first has no area and is not in the plane of the second
+};
+
+struct TriangleContact {
+    static constexpr int face = -1;
+
+    ContactKind kind = ContactKind::none;
+    // Of a segment: the side of each triangle that it lies on, from that corner to the next one, or `face`.
+    int first = face;
+    int second = face;
+};
+
+// The side whose ends both have the sign 0, or `face`.
+inline int side_in_plane(const Sides& s) noexcept {
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (s[i] == 0 && s[(i + 1) % 3] == 0) return static_cast<int>(i);
+    }
+    return TriangleContact::face;
+}
+
+// Whether one corner is in the plane and the others are strictly on one side.
+inline bool is_single_corner(const Sides& s) noexcept {
+    return (s[0] == 0) + (s[1] == 0) + (s[2] == 0) == 1 && !strictly_on_both(s);
+}
+
+// The second triangle has an area. If the first has none, the answer is none, coplanar or flat.
+template <class Signs>
+TriangleContact triangle_contact(Signs& signs) {
+    const Sides first = signs.sides(3, 0);
+    if (all_positive(first) || all_negative(first)) return {};
+    if (all_zero(first)) return {ContactKind::coplanar};
+    const Sides second = signs.sides(0, 3);
+    if (all_positive(second) || all_negative(second)) return {};
+    if (all_zero(second)) return {ContactKind::flat};
+
+    const EdgeComparison e = name_corners(first, second);
+    const int begin = signs.orient3d(e.q1, e.p2, e.p1, e.q2);
+    if (begin > 0) return {};
+    const int end = signs.orient3d(e.p1, e.p2, e.r1, e.r2);
+    if (end > 0) return {};
+    if (begin == 0 || end == 0 || is_single_corner(first) || is_single_corner(second)) return {ContactKind::point};
+    return {ContactKind::segment, side_in_plane(first), side_in_plane(second)};
+}
+
+// Whether two triangles of one plane share an inner point, seen along an axis on which that plane's normal is not zero:
+// no side of either has all of the other on its outer side or on its line.
+template <class Signs>
+bool coplanar_faces_overlap(Signs& signs, int axis) {
+    for (const int own : {0, 3}) {
+        const int other = 3 - own;
+        const int turn = signs.orient2d(own, own + 1, own + 2, axis);
+        for (int side = 0; side < 3; ++side) {
+            bool is_outside = true;
+            for (int corner = 0; corner < 3 && is_outside; ++corner) {
+                is_outside = signs.orient2d(own + side, own + (side + 1) % 3, other + corner, axis) * turn <= 0;
+            }
+            if (is_outside) return false;
+        }
+    }
+    return true;
+}
+
+// Whether the segments pq and rs of one plane, which has a normal that is not zero on this axis, lie along each other:
+// on one line, with more than a point in common. Points of a line are ordered as their coordinates on the first axis on
+// which p and q differ.
+template <class Signs>
+bool segments_lie_along(Signs& signs, int p, int q, int r, int s, int normal_axis) {
+    if (signs.orient2d(p, q, r, normal_axis) != 0 || signs.orient2d(p, q, s, normal_axis) != 0) return false;
+    int axis = 0;
+    while (axis < 2 && signs.compare(p, q, axis) == 0) ++axis;
+    const auto order = [&](int& low, int& high) {
+        if (signs.compare(low, high, axis) > 0) std::swap(low, high);
+    };
+    order(p, q);
+    order(r, s);
+    return signs.compare(p, s, axis) < 0 && signs.compare(r, q, axis) < 0;
+}
+
+}  // namespace ecods::exact

@@ -1,0 +1,49 @@
+// The edges of a proper mesh, each with the sides of triangles that it is.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "query/solid/proper_mesh.hpp"
+
+namespace ecods {
+
+// The side of a triangle from a corner to the next one.
+struct SideRef {
+    std::uint32_t triangle;
+    std::uint32_t corner;
+
+    friend constexpr auto operator<=>(const SideRef&, const SideRef&) = default;
+};
+
+class MeshEdges {
+  public:
+    MeshEdges() = default;
+
+    // Throws MeshTooLarge where sides could not be counted in 32 bits. Cost: some passes over the triangles.
+    explicit MeshEdges(const ProperMesh& proper);
+
+    std::size_t count() const noexcept { return first_.empty() ? 0 : first_.size() - 1; }
+
+    // The sides that edge `i` is, ascending.
+    std::span<const SideRef> sides(std::size_t i) const noexcept {
+        return std::span(sides_).subspan(first_[i], first_[i + 1] - first_[i]);
+    }
+
+    // The edge of a side of a triangle with area.
+    std::uint32_t edge_of(const SideRef& side) const noexcept { return edge_of_[side.triangle][side.corner]; }
+
+  private:
+    std::vector<std::array<std::uint32_t, 3>> edge_of_;  // by triangle and corner
+    std::vector<std::uint32_t> first_;                   // by edge: its first side; and the number of sides
+    std::vector<SideRef> sides_;
+};
+
+// Throws NotClosed, with the indices of `given`, unless the triangles with area are closed. Edges that an even number
+// of sides are cancel. The others are closed exactly when every point is, on every line through it, the end of an even
+// number of them: on a line, a union of finitely many segments modulo two without ends is empty.
+void check_closed(const Mesh& given, const ProperMesh& proper, const MeshEdges& edges);
+
+}  // namespace ecods

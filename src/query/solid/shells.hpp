@@ -1,0 +1,25 @@
+// The shells of a solid: triangles joined over edges, and their outer sides.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "query/shape/mesh_tree.hpp"
+#include "query/solid/mesh_edges.hpp"
+#include "query/solid/proper_mesh.hpp"
+
+namespace ecods {
+
+inline constexpr std::uint32_t no_shell = ~std::uint32_t{0};
+
+struct Shells {
+    std::vector<std::uint32_t> of_triangle;  // no_shell for one of zero area
+    std::vector<std::uint32_t> first;        // by shell: its least triangle
+    std::vector<std::uint8_t> faces_in;      // by triangle: whether its corners turn right seen from outside
+};
+
+// `tree` is that of the mesh, which bounds a solid and has no edges that lie along each other and are not one.
+// Cost: some passes over the triangles, and one ray for each shell.
+Shells find_shells(const ProperMesh& proper, const MeshEdges& edges, const MeshTree& tree);
+
+}  // namespace ecods

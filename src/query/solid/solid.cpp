@@ -1,0 +1,75 @@
+#include "ecods/solid.hpp"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "ecods/error.hpp"
+#include "query/solid/self_contacts.hpp"
+#include "query/solid/solid_parts.hpp"
+#include "query/solid/split_edges.hpp"
+
+namespace ecods {
+namespace {
+
+// A pointer to a mesh that somebody else keeps.
+std::shared_ptr<const Mesh> borrowed(const Mesh& mesh) {
+    return {std::shared_ptr<const void>(), &mesh};
+}
+
+// What is found out about a mesh that bounds a solid.
+struct Checked {
+    ProperMesh proper;
+    MeshEdges edges;
+    std::vector<EdgeOverlap> overlaps;
+};
+
+Checked check(const MeshShape& shape) {
+    Checked result;
+    result.proper = find_proper(shape.mesh_ptr());
+    result.edges = MeshEdges(result.proper);
+    check_closed(shape.mesh(), result.proper, result.edges);
+    SelfContacts contacts(result.proper, MeshShapeAccess::tree(shape));
+    const std::optional<TrianglePair> least = contacts.find_least(result.overlaps);
+    if (least) throw SelfIntersecting(*least);
+    return result;
+}
+
+}  // namespace
+
+void check_solid(const Mesh& mesh) {
+    check(MeshShape(borrowed(mesh)));
+}
+
+std::vector<TrianglePair> self_intersections(const Mesh& mesh) {
+    const MeshShape shape(borrowed(mesh));
+    const ProperMesh proper = find_proper(shape.mesh_ptr());
+    return SelfContacts(proper, MeshShapeAccess::tree(shape)).find_all();
+}
+
+Solid::Solid(std::shared_ptr<const Mesh> mesh) : MeshShape(std::move(mesh)), solid_parts_(std::make_unique<Parts>()) {
+    Checked checked = check(*this);
+    Parts& parts = *solid_parts_;
+    if (checked.overlaps.empty()) {
+        parts.proper = std::move(checked.proper);
+        parts.edges = std::move(checked.edges);
+        return;
+    }
+    parts.proper = split_edges(checked.proper, checked.overlaps);
+    parts.edges = MeshEdges(parts.proper);
+    parts.split_shape = std::make_unique<const MeshShape>(parts.proper.mesh);
+}
+
+Solid::~Solid() = default;
+
+const MeshTree& SolidAccess::tree(const Solid& solid) {
+    const auto& split = parts(solid).split_shape;
+    return MeshShapeAccess::tree(split ? *split : static_cast<const MeshShape&>(solid));
+}
+
+const Shells& SolidAccess::shells(const Solid& solid) {
+    Parts& parts = *solid.solid_parts_;
+    return parts.shells.get([&] { return find_shells(parts.proper, parts.edges, tree(solid)); });
+}
+
+}  // namespace ecods

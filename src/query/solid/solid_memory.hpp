@@ -1,0 +1,80 @@
+// What questions about solids work in.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "base/hash.hpp"
+#include "bvh/mesh_bvh.hpp"
+#include "exact/point/frame.hpp"
+#include "query/intersection/query_memory.hpp"
+#include "query/solid/fan.hpp"
+
+namespace ecods {
+
+// Pairs of numbers that were seen.
+class PairSet {
+  public:
+    // Forgets them, at the cost of a counter.
+    void clear() noexcept {
+        ++epoch_;
+        count_ = 0;
+    }
+
+    // Whether the pair was not there yet.
+    bool insert(std::uint64_t a, std::uint64_t b) {
+        if (2 * count_ >= entries_.size()) grow();
+        Entry& entry = find(entries_, a, b);
+        if (entry.epoch == epoch_) return false;
+        entry = {epoch_, a, b};
+        ++count_;
+        return true;
+    }
+
+  private:
+    struct Entry {
+        std::uint64_t epoch = 0;  // of clear(); the entry is free if it is not the current one
+        std::uint64_t a = 0, b = 0;
+    };
+
+    Entry& find(std::vector<Entry>& entries, std::uint64_t a, std::uint64_t b) const {
+        const std::size_t mask = entries.size() - 1;
+        std::size_t at = combine(a, b) & mask;
+        while (entries[at].epoch == epoch_ && (entries[at].a != a || entries[at].b != b)) at = (at + 1) & mask;
+        return entries[at];
+    }
+    void grow() {
+        std::vector<Entry> larger(entries_.empty() ? 64 : 2 * entries_.size());
+        for (const Entry& entry : entries_) {
+            if (entry.epoch == epoch_) find(larger, entry.a, entry.b) = entry;
+        }
+        entries_ = std::move(larger);
+    }
+
+    std::vector<Entry> entries_;  // their number is a power of two
+    std::uint64_t epoch_ = 1;
+    std::size_t count_ = 0;
+};
+
+struct SolidMemory final : QueryMemoryPart {
+    exact::Frame frame;
+    std::vector<TreeRef> stack;
+    std::array<std::vector<std::uint8_t>, 2> met;  // by solid and shell
+    PairSet fans;
+    std::vector<Wing> wings;
+    // Of a surface against a solid:
+    std::vector<std::uint8_t> contacts;  // by triangle
+    std::vector<std::uint32_t> parents;  // by vertex: another one of the same piece, or itself
+    std::vector<std::uint8_t> placed;    // by vertex, for that of each piece which is its own parent
+
+    static SolidMemory& of(QueryMemory& memory) {
+        auto& part = QueryMemoryAccess::state(memory).solid;
+        if (!part) part = std::make_unique<SolidMemory>();
+        return static_cast<SolidMemory&>(*part);
+    }
+};
+
+}  // namespace ecods

@@ -1,0 +1,118 @@
+#include "query/solid/split_edges.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace ecods {
+namespace {
+
+// A vertex inside a side of a triangle.
+struct Cut {
+    SideRef side;
+    std::uint32_t vertex;
+
+    friend constexpr auto operator<=>(const Cut&, const Cut&) = default;
+};
+
+// A triangle, and the vertices inside each of its sides, in the order of the side.
+struct Part {
+    Triangle corners;
+    std::array<std::vector<std::uint32_t>, 3> inside;
+};
+
+class Splitter {
+  public:
+    explicit Splitter(const ProperMesh& proper)
+        : triangles_(proper.mesh->triangles()), vertices_(proper.mesh->vertices()) {}
+
+    // The ends of one side that are inside the other.
+    void add(const EdgeOverlap& overlap) {
+        add_ends(overlap.a, overlap.b);
+        add_ends(overlap.b, overlap.a);
+    }
+
+    ProperMesh split(const ProperMesh& proper) {
+        std::ranges::sort(cuts_);
+        cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
+        std::vector<Triangle> result;
+        result.reserve(triangles_.size() + cuts_.size());
+        auto next = cuts_.begin();
+        for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+            if (!proper.is_proper(i)) continue;
+            Part part{triangles_[i], {}};
+            for (; next != cuts_.end() && next->side.triangle == i; ++next) {
+                part.inside[next->side.corner].push_back(next->vertex);
+            }
+            for (std::size_t side = 0; side < 3; ++side) sort_along(part, side);
+            divide(std::move(part), result);
+        }
+        return {Mesh::create({vertices_.begin(), vertices_.end()}, std::move(result)), {}};
+    }
+
+  private:
+    const Vec3& point(std::uint32_t vertex) const { return vertices_[vertex]; }
+
+    std::array<std::uint32_t, 2> ends_of(const SideRef& side) const {
+        const Triangle& triangle = triangles_[side.triangle];
+        return {triangle[side.corner], triangle[(side.corner + 1) % 3]};
+    }
+
+    void add_ends(const SideRef& of, const SideRef& in) {
+        const auto [p, q] = ends_of(in);
+        for (const std::uint32_t vertex : ends_of(of)) {
+            const int after_p = compare_points(point(p), point(vertex));
+            const int before_q = compare_points(point(vertex), point(q));
+            if (after_p * before_q > 0) cuts_.push_back({in, vertex});
+        }
+    }
+
+    void sort_along(Part& part, std::size_t side) const {
+        const Vec3 &p = point(part.corners[side]), &q = point(part.corners[(side + 1) % 3]);
+        const int direction = compare_points(p, q);
+        std::ranges::sort(part.inside[side], [&](std::uint32_t a, std::uint32_t b) {
+            return compare_points(point(a), point(b)) * direction > 0;
+        });
+    }
+
+    // A fan from the corner opposite to a side, over the vertices inside that side. The first triangle of it has one of
+    // the other two sides, and the last one the other.
+    static void divide(Part whole, std::vector<Triangle>& result) {
+        std::vector<Part> open;
+        open.push_back(std::move(whole));
+        while (!open.empty()) {
+            Part part = std::move(open.back());
+            open.pop_back();
+            std::size_t side = 0;
+            while (side < 3 && part.inside[side].empty()) ++side;
+            if (side == 3) {
+                result.push_back(part.corners);
+                continue;
+            }
+            const std::uint32_t from = part.corners[side], to = part.corners[(side + 1) % 3];
+            const std::uint32_t apex = part.corners[(side + 2) % 3];
+            const auto& inside = part.inside[side];
+            for (std::size_t k = 0; k <= inside.size(); ++k) {
+                Part next{{k == 0 ? from : inside[k - 1], k == inside.size() ? to : inside[k], apex}, {}};
+                if (k == inside.size()) next.inside[1] = std::move(part.inside[(side + 1) % 3]);
+                if (k == 0) next.inside[2] = std::move(part.inside[(side + 2) % 3]);
+                open.push_back(std::move(next));
+            }
+        }
+    }
+
+    std::span<const Triangle> triangles_;
+    std::span<const Vec3> vertices_;
+    std::vector<Cut> cuts_;
+};
+
+}  // namespace
+
+ProperMesh split_edges(const ProperMesh& proper, std::span<const EdgeOverlap> overlaps) {
+    Splitter splitter(proper);
+    for (const EdgeOverlap& overlap : overlaps) splitter.add(overlap);
+    return splitter.split(proper);
+}
+
+}  // namespace ecods

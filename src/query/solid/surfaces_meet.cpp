@@ -1,0 +1,38 @@
+#include "query/solid/surfaces_meet.hpp"
+
+#include "bvh/walk_two.hpp"
+#include "query/intersection/overlap_bound.hpp"
+#include "query/intersection/query_memory.hpp"
+#include "query/solid/solid_parts.hpp"
+
+namespace ecods {
+
+SurfaceAt::SurfaceAt(const Posed<MeshShape>& posed)
+    : body{&posed.what->mesh(), nullptr, &posed.pose}, tree(MeshShapeAccess::tree(*posed.what)), proper(nullptr) {
+    body.extent = &tree.extent;
+}
+
+SurfaceAt::SurfaceAt(const Posed<Solid>& posed)
+    : body{SolidAccess::parts(*posed.what).proper.mesh.get(), nullptr, &posed.pose},
+      tree(SolidAccess::tree(*posed.what)),
+      proper(&SolidAccess::parts(*posed.what).proper) {
+    body.extent = &tree.extent;
+}
+
+bool surfaces_meet(const SurfaceAt& a, const SurfaceAt& b, QueryMemory& memory) {
+    auto& state = QueryMemoryAccess::state(memory);
+    const Pose &at_a = *a.body.pose, &at_b = *b.body.pose;
+    if (state.axes.bind({a.tree.boxes, at_a.R}, {b.tree.boxes, at_b.R}, at_b.t - at_a.t) >= 0) return false;
+    state.pair.reset_counts();
+    state.pair.bind(a.body, b.body);
+    bool meet = false;
+    walk_two(a.tree.boxes, b.tree.boxes, state.stack, OverlapBound(state.axes.sets(), state.counts),
+             [&](std::uint32_t i, std::uint32_t j) {
+                 meet = a.has(i) && b.has(j) && state.pair.relation(i, j) != Relation::disjoint;
+                 return !meet;
+             });
+    state.counts.stages += state.pair.counts();
+    return meet;
+}
+
+}  // namespace ecods

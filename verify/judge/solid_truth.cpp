@@ -1,0 +1,142 @@
+#include "judge/solid_truth.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "ecods/error.hpp"
+
+namespace ecods::judge {
+namespace {
+
+oracle::Soup soup(const Posed<MeshShape>& body) {
+    return {body.what->mesh().vertices(), body.what->mesh().triangles(), body.pose};
+}
+
+template <class T>
+std::string written(const T& answer) {
+    std::ostringstream out;
+    out << answer;
+    return out.str();
+}
+
+template <class T>
+std::optional<Wrong> compare(const char* question, const T& expected, const T& got) {
+    if (expected == got) return std::nullopt;
+    return Wrong{question, written(expected), written(got)};
+}
+
+std::string text(const std::vector<TrianglePair>& pairs) {
+    std::string list;
+    for (const TrianglePair& pair : pairs) list += fmt::format("({}, {}) ", pair.a, pair.b);
+    return list;
+}
+
+}  // namespace
+
+Location to_location(const oracle::PointLocation& exact) {
+    const oracle::NamedFeature& feature = exact.feature;
+    if (exact.side != oracle::PointSide::on) return {static_cast<Side>(exact.side), {}};
+    return {Side::on, {static_cast<Feature::Kind>(feature.dimension), feature.triangle, feature.corner}};
+}
+
+SolidRelation mirrored(SolidRelation relation) {
+    return relation == SolidRelation::inside     ? SolidRelation::contains
+           : relation == SolidRelation::contains ? SolidRelation::inside
+                                                 : relation;
+}
+
+std::string text(const Location& location) {
+    constexpr const char* features[] = {"vertex", "edge", "face"};
+    if (location.side != Side::on) return written(location.side);
+    const Feature& feature = location.feature;
+    return fmt::format("on {} {}.{}", features[static_cast<std::size_t>(feature.kind)], feature.triangle,
+                       feature.corner);
+}
+
+SolidTruth::SolidTruth(const Posed<Solid>& a, const Posed<Solid>& b, std::span<const Vec3> points) : solids_{a, b} {
+    const oracle::Soup soup_a = soup(a), soup_b = soup(b);
+    relation_ = static_cast<SolidRelation>(oracle::solid_relation(soup_a, soup_b));
+    surfaces_[0] = static_cast<SurfaceRelation>(oracle::surface_relation(soup_a, soup_b));
+    surfaces_[1] = static_cast<SurfaceRelation>(oracle::surface_relation(soup_b, soup_a));
+    for (const Vec3& point : points) add(point);
+    add_points_of(a);
+    add_points_of(b);
+}
+
+void SolidTruth::add(const Vec3& point) {
+    if (!point.allFinite()) return;
+    points_.push_back(
+        {point,
+         {to_location(oracle::locate(point, soup(solids_[0]))), to_location(oracle::locate(point, soup(solids_[1])))}});
+}
+
+void SolidTruth::add_points_of(const Posed<Solid>& solid) {
+    const Mesh& mesh = solid.what->mesh();
+    const auto count = mesh.triangles().size();
+    for (const std::size_t i : {std::size_t{0}, count / 3}) {
+        const Triangle& t = mesh.triangles()[i];
+        const Vec3 p = solid.pose.R * mesh.vertices()[t[0]] + solid.pose.t,
+                   q = solid.pose.R * mesh.vertices()[t[1]] + solid.pose.t;
+        add(p);
+        add(0.5 * p + 0.5 * q);
+    }
+}
+
+SolidTruth SolidTruth::with(const Posed<Solid>& a, const Posed<Solid>& b) const {
+    SolidTruth other = *this;
+    other.solids_[0] = a;
+    other.solids_[1] = b;
+    return other;
+}
+
+std::size_t SolidTruth::on_count() const {
+    std::size_t count = 0;
+    for (const Located& each : points_)
+        count += (each.expected[0].side == Side::on) + (each.expected[1].side == Side::on);
+    return count;
+}
+
+std::optional<Wrong> SolidTruth::ask(QueryMemory& memory) const {
+    const Posed<Solid>&a = solids_[0], &b = solids_[1];
+    const SolidRelation other_way = mirrored(relation_);
+    if (auto wrong = compare("solid_relation", relation_, solid_relation(a, b, memory))) return wrong;
+    if (auto wrong = compare("solid_relation of (b, a)", other_way, solid_relation(b, a, memory))) return wrong;
+    if (auto wrong = compare("surface_relation", surfaces_[0], ecods::surface_relation(a, b, memory))) return wrong;
+    if (auto wrong = compare("surface_relation of (b, a)", surfaces_[1], ecods::surface_relation(b, a, memory))) {
+        return wrong;
+    }
+    for (const Located& each : points_) {
+        for (std::size_t s = 0; s < 2; ++s) {
+            const Location got = locate(each.point, solids_[s], memory);
+            if (got == each.expected[s]) continue;
+            return Wrong{fmt::format("locate ({:a}, {:a}, {:a}) in {}", each.point[0], each.point[1], each.point[2],
+                                     s == 0 ? "a" : "b"),
+                         text(each.expected[s]), text(got)};
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Wrong> ask_whether_solid(const Mesh& mesh) {
+    const auto open = oracle::open_edge(mesh);
+    const std::vector<TrianglePair> pairs = oracle::self_intersections(mesh), got = self_intersections(mesh);
+    if (got != pairs) return Wrong{"self_intersections", text(pairs), text(got)};
+    const std::string expected = open            ? fmt::format("open edge {}.{}", open->triangle, open->corner)
+                                 : pairs.empty() ? "a solid"
+                                                 : text({pairs.front()});
+    std::string found = "a solid";
+    try {
+        check_solid(mesh);
+    } catch (const NotClosed& error) {
+        found = fmt::format("open edge {}.{}", error.triangle, error.corner);
+    } catch (const SelfIntersecting& error) {
+        found = text({error.triangles});
+    }
+    if (found != expected) return Wrong{"check_solid", expected, found};
+    return std::nullopt;
+}
+
+}  // namespace ecods::judge

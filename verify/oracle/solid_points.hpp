@@ -1,0 +1,44 @@
+// The points of posed soups as integers in one unit, without intervals: what solids are asked about is small.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "oracle/distance.hpp"
+#include "oracle/vector.hpp"
+
+namespace ecods::oracle {
+
+using IntegerPoint = Vector<mpz_class>;
+using RationalPoint = Vector<mpq_class>;
+
+struct IntegerTriangle {
+    std::uint32_t index = 0;  // in the soup
+    std::array<IntegerPoint, 3> corners;
+    std::array<Vec3, 3> vertices;  // without the pose
+    IntegerPoint normal;           // zero if the pose, or nothing but the pose, leaves no area
+    IntegerPoint low, high;        // its box
+
+    bool has_area() const { return sgn(normal[0]) != 0 || sgn(normal[1]) != 0 || sgn(normal[2]) != 0; }
+};
+
+// Of each soup all triangles, or only those whose area without the pose is positive.
+struct SoupChoice {
+    const Soup* soup;
+    bool takes_zero_area;
+};
+std::vector<std::vector<IntegerTriangle>> integer_triangles(std::span<const SoupChoice> soups);
+
+// Whether the boxes share no point.
+bool boxes_are_apart(const IntegerTriangle& a, const IntegerTriangle& b);
+
+// Whether the pose's matrix has no inverse.
+bool is_singular(const Pose& pose);
+
+mpz_class determinant(const IntegerPoint& u, const IntegerPoint& v, const IntegerPoint& w);
+
+}  // namespace ecods::oracle

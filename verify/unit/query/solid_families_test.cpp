@@ -1,0 +1,218 @@
+// Solids of every family of solid_cases.hpp beside the oracle and beside how they were made, and what must not matter.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "environment/float_mode.hpp"
+#include "environment/instruction_sets.hpp"
+#include "judge/solid_truth.hpp"
+#include "scenes/lattice_bodies.hpp"
+#include "scenes/shapes.hpp"
+#include "scenes/solid_cases.hpp"
+
+namespace ecods {
+namespace {
+
+using scenes::Random;
+using scenes::SolidCase;
+using scenes::SolidFamily;
+
+void expect_none(const std::optional<judge::Wrong>& wrong) {
+    ASSERT_FALSE(wrong) << wrong->question << ": expected " << wrong->expected << ", got " << wrong->got;
+}
+
+int cases_of(SolidFamily family) {
+    switch (family) {
+        case SolidFamily::polycubes:
+        case SolidFamily::common_pose:
+        case SolidFamily::singular:
+            return 8;
+        case SolidFamily::contacts:
+        case SolidFamily::nudged:
+            return 40;
+        default:
+            return 20;
+    }
+}
+
+TEST(SolidFamilies, AsTheOracle) {
+    std::array<int, 6> relations{};
+    std::array<int, 4> surfaces{};
+    std::size_t on_count = 0;
+    QueryMemory memory;
+    for (const SolidFamily family : scenes::solid_families()) {
+        SCOPED_TRACE(scenes::name(family));
+        Random random(1);
+        for (int i = 0; i < cases_of(family); ++i) {
+            SCOPED_TRACE(i);
+            const SolidCase made = scenes::make_solid_case(family, random);
+            ASSERT_NO_FATAL_FAILURE(expect_none(judge::ask_whether_solid(*made.a.mesh)));
+            const Solid a(made.a.mesh), b(made.b.mesh);
+            const judge::SolidTruth truth({a, made.a.pose}, {b, made.b.pose}, made.known_points());
+            ASSERT_EQ(truth.relation(), made.relation.value_or(truth.relation()));
+            ++relations[static_cast<std::size_t>(truth.relation())];
+            ++surfaces[static_cast<std::size_t>(truth.surface_relation())];
+            on_count += truth.on_count();
+            ASSERT_NO_FATAL_FAILURE(expect_none(truth.ask(memory)));
+        }
+    }
+    for (const int count : relations) EXPECT_GT(count, 5);
+    for (const int count : surfaces) EXPECT_GT(count, 5);
+    EXPECT_GT(on_count, 300U);
+}
+
+// Neither instruction sets nor rounding modes matter, nor what a question leaves in the memory. Solids are made in the
+// environment, too.
+TEST(SolidFamilies, TheSameInEveryEnvironment) {
+    for (const SolidFamily family : scenes::solid_families()) {
+        SCOPED_TRACE(scenes::name(family));
+        Random random(2);
+        for (int i = 0; i < 2; ++i) {
+            const SolidCase made = scenes::make_solid_case(family, random);
+            const Solid a(made.a.mesh), b(made.b.mesh);
+            const judge::SolidTruth truth({a, made.a.pose}, {b, made.b.pose}, made.known_points());
+            for (const InstructionSet set : environment::supported_instruction_sets()) {
+                const environment::InstructionSetLimit limit(set);
+                for (const environment::FloatMode& mode : environment::float_modes) {
+                    SCOPED_TRACE(std::string(environment::name(set)) + ", " + mode.name);
+                    std::optional<judge::Wrong> wrong;
+                    {
+                        const environment::InFloatMode in_mode(mode);
+                        QueryMemory memory;
+                        const Solid new_a(made.a.mesh), new_b(made.b.mesh);
+                        wrong = truth.with({new_a, made.a.pose}, {new_b, made.b.pose}).ask(memory);
+                    }
+                    ASSERT_NO_FATAL_FAILURE(expect_none(wrong));
+                }
+            }
+        }
+    }
+}
+
+// The order of triangles and of their corners, and whether corners that are equal are one vertex.
+TEST(SolidFamilies, TheOrderOfTrianglesDoesNotMatter) {
+    Random random(3);
+    QueryMemory memory;
+    for (const SolidFamily family : scenes::solid_families()) {
+        for (int i = 0; i < 10; ++i) {
+            SCOPED_TRACE(i);
+            const SolidCase made = scenes::make_solid_case(family, random);
+            const auto shuffled = [&](const std::shared_ptr<const Mesh>& mesh) {
+                std::vector<Vec3> vertices(mesh->vertices().begin(), mesh->vertices().end());
+                std::vector<Triangle> triangles(mesh->triangles().begin(), mesh->triangles().end());
+                scenes::shuffle(vertices, triangles, random);
+                return Mesh::create(std::move(vertices), std::move(triangles));
+            };
+            const Solid a(made.a.mesh), b(made.b.mesh), c(shuffled(made.a.mesh)), d(shuffled(made.b.mesh));
+            const SolidRelation relation = solid_relation({a, made.a.pose}, {b, made.b.pose}, memory);
+            ASSERT_EQ(solid_relation({c, made.a.pose}, {d, made.b.pose}, memory), relation) << scenes::name(family);
+            ASSERT_EQ(surface_relation({c, made.a.pose}, {d, made.b.pose}, memory),
+                      surface_relation({a, made.a.pose}, {b, made.b.pose}, memory))
+                << scenes::name(family);
+            for (const Vec3& point : made.known_points()) {
+                ASSERT_EQ(locate(point, {a, made.a.pose}, memory).side, locate(point, {c, made.a.pose}, memory).side);
+            }
+        }
+    }
+}
+
+// A solid is equal to itself at a pose, however its numbers are written.
+TEST(SolidFamilies, EveryOneWithItself) {
+    Random random(4);
+    QueryMemory memory;
+    for (const SolidFamily family : scenes::solid_families()) {
+        for (int i = 0; i < 10; ++i) {
+            const SolidCase made = scenes::make_solid_case(family, random);
+            const Solid a(made.a.mesh);
+            const bool is_empty = family == SolidFamily::no_solid_area, is_flat = family == SolidFamily::singular;
+            if (is_empty || is_flat) continue;
+            ASSERT_EQ(solid_relation({a, made.a.pose}, {a, made.a.pose}, memory), SolidRelation::equal);
+            Pose other = made.a.pose;
+            for (double& x : other.R.reshaped()) x = x == 0 ? -x : x;
+            ASSERT_EQ(solid_relation({a, made.a.pose}, {a, other}, memory), SolidRelation::equal);
+        }
+    }
+}
+
+// A triangle through the middle of an edge, or with a corner or a side there.
+std::shared_ptr<const Mesh> triangle_at_edge(const scenes::LatticeMesh& mesh, Random& random) {
+    const auto vertex = [&](std::uint32_t i) {
+        return Vec3(mesh.vertices[i][0], mesh.vertices[i][1], mesh.vertices[i][2]);
+    };
+    const Triangle& t = mesh.triangles[random.below(static_cast<std::uint32_t>(mesh.triangles.size()))];
+    const Vec3 p = vertex(t[0]), q = vertex(t[1]), middle = 0.5 * (p + q), part = 0.125 * (q - p);
+    const Vec3 u = 0.5 * scenes::lattice_point(random, 2);
+    const Vec3 v = random.below(3) == 0 ? Vec3(0.5 * scenes::lattice_point(random, 2)) : Vec3(-u);
+    return Mesh::create({middle + u, middle + v + part, middle + v - part}, {{0, 1, 2}});
+}
+
+// Triangles of a few lattice points beside solids of the lattice: degenerate ones, and ones that are in faces or edges.
+TEST(SolidFamilies, SurfacesThatBoundNothing) {
+    Random random(5);
+    QueryMemory memory;
+    std::array<int, 4> counts{};
+    for (int i = 0; i < 800; ++i) {
+        SCOPED_TRACE(i);
+        const auto& all = scenes::fixed_contacts();
+        const auto& recipe = all[random.below(static_cast<std::uint32_t>(all.size()))];
+        const scenes::PosedMesh body = scenes::place(recipe.a, {}, 0, random);
+        const Solid solid(body.mesh);
+        const MeshShape soup(i % 2 == 0 ? triangle_at_edge(recipe.a, random)
+                                        : scenes::lattice_mesh(random, 3, 3, i % 4 == 1));
+        const oracle::Soup of_solid{body.mesh->vertices(), body.mesh->triangles(), body.pose};
+        const oracle::Soup of_surface{soup.mesh().vertices(), soup.mesh().triangles(), Pose()};
+        const auto expected = static_cast<SurfaceRelation>(oracle::surface_relation(of_surface, of_solid));
+        ++counts[static_cast<std::size_t>(expected)];
+        ASSERT_EQ(surface_relation({soup, Pose()}, {solid, body.pose}, memory), expected) << recipe.name;
+    }
+    for (const int count : counts) EXPECT_GE(count, 20);
+}
+
+// A solid without a triangle, with one twice, or with a vertex elsewhere.
+std::shared_ptr<const Mesh> spoilt(const Mesh& mesh, Random& random) {
+    std::vector<Vec3> vertices(mesh.vertices().begin(), mesh.vertices().end());
+    std::vector<Triangle> triangles(mesh.triangles().begin(), mesh.triangles().end());
+    const auto any = [&](const auto& list) { return random.below(static_cast<std::uint32_t>(list.size())); };
+    const std::uint32_t choice = random.below(4);
+    if (choice == 0 && triangles.size() > 1) triangles.erase(triangles.begin() + any(triangles));
+    if (choice == 1) triangles.push_back(triangles[any(triangles)]);
+    if (choice == 2) vertices[any(vertices)] = vertices[any(vertices)];
+    if (choice == 3) vertices[any(vertices)] = 0.5 * vertices[any(vertices)] + 0.5 * vertices[any(vertices)];
+    return Mesh::create(std::move(vertices), std::move(triangles));
+}
+
+TEST(SolidFamilies, WhatIsNoSolidIsNamedAsTheOracleDoes) {
+    Random random(6);
+    std::array<int, 3> counts{};  // solids, open ones, ones that intersect themselves
+    for (const SolidFamily family : scenes::solid_families()) {
+        SCOPED_TRACE(scenes::name(family));
+        for (int i = 0; i < 25; ++i) {
+            SCOPED_TRACE(i);
+            const SolidCase made = scenes::make_solid_case(family, random);
+            std::shared_ptr<const Mesh> mesh = made.a.mesh;
+            for (int times = scenes::hard::integer(random, 1, 3); times > 0; --times) mesh = spoilt(*mesh, random);
+            ++counts[oracle::open_edge(*mesh) ? 1 : oracle::self_intersections(*mesh).empty() ? 0 : 2];
+            ASSERT_NO_FATAL_FAILURE(expect_none(judge::ask_whether_solid(*mesh)));
+        }
+    }
+    for (const int count : counts) EXPECT_GT(count, 10);
+}
+
+// Two solids as one mesh: proper only where their surfaces share points at most, or sides.
+TEST(SolidFamilies, TwoSolidsAsOneMesh) {
+    int solid_count = 0;
+    for (const scenes::LatticePair& pair : scenes::fixed_contacts()) {
+        SCOPED_TRACE(pair.name);
+        Random random(7);
+        scenes::LatticeMesh both = pair.a;
+        both.add(pair.b);
+        const scenes::PosedMesh placed = scenes::place(both, {}, 0, random);
+        ASSERT_NO_FATAL_FAILURE(expect_none(judge::ask_whether_solid(*placed.mesh)));
+        solid_count += oracle::self_intersections(*placed.mesh).empty() ? 1 : 0;
+    }
+    EXPECT_GT(solid_count, 10);
+}
+
+}  // namespace
+}  // namespace ecods
