@@ -1,4 +1,4 @@
-// Derivation. Letters, ScaledVectors, E and the bounds of polynomials are those of enclose_distance.cpp; the motion m
+// Derivation. Letters, ScaledVectors, E and the bounds of polynomials are those of triangle_vectors.hpp; the motion m
 // is one more vector, each coordinate off by less than one of its units.
 //
 // Below. For ANY vector n, of doubles taken as they are, every point of the second triangle less every point of the
@@ -23,6 +23,7 @@
 #include <cmath>
 
 #include "base/arithmetic.hpp"
+#include "exact/measure/triangle_vectors.hpp"
 #include "exact/number/dyadic.hpp"
 #include "simd/inline.hpp"
 
@@ -31,49 +32,24 @@ namespace {
 
 using What = ContactGuess::What;
 
-ECODS_ALWAYS_INLINE double dot(const Point& a, const Point& b) noexcept {
-    return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
-}
-ECODS_ALWAYS_INLINE Point cross(const Point& a, const Point& b) noexcept {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-ECODS_ALWAYS_INLINE Point negated(const Point& a) noexcept {
-    return {-a[0], -a[1], -a[2]};
-}
-
-constexpr double size = 0x1p53;
-constexpr double slack = 1 + 0x1p-20;
-
 class Contact {
   public:
-    Contact(const IntegerPair& pair, const ScaledVector& m, std::size_t p, std::size_t q) noexcept : m_(m) {
-        const auto at = [&](std::size_t side, std::size_t i) -> const FixedPoints::Point& {
-            return pair.at[3 * side + i % 3];
-        };
-        const bool is_exact = pair.error == 0;
-        w_ = scaled(difference(at(1, q), at(0, p)), is_exact);
-        for (std::size_t k = 0; k < 2; ++k) {
-            other_[0][k] = scaled(difference(at(0, p + k + 1), at(0, p)), is_exact);
-            other_[1][k] = scaled(difference(at(1, q + k + 1), at(1, q)), is_exact);
-        }
-        for (std::size_t side = 0; side < 2; ++side) {
-            for (std::size_t k = 0; k < 2; ++k) factor_[side][k] = power_of_two(other_[side][k].shift - w_.shift);
-        }
-        eta_ = 1 + pair.error;
-        bound_ = 6 * (1.5 * eta_ + 5) * two_u * (size * size * size) * slack;
-        exponent_ = w_.shift + pair.unit - m.shift;
-    }
+    Contact(const IntegerPair& pair, const ScaledVector& m, std::size_t p, std::size_t q) noexcept
+        : x_(pair, p, q),
+          m_(m),
+          bound_(6 * (1.5 * x_.eta + 5) * two_u * cube_of_size * second_order),
+          exponent_(x_.w.shift + pair.unit - m.shift) {}
 
     // The corner p or q of `side`, and the face of the other.
     void at_vertex_and_face(std::size_t side) noexcept {
         const std::size_t of = 1 - side;
-        const Point &u = other_[of][0].x, &v = other_[of][1].x;
+        const Point &u = x_.other[of][0].x, &v = x_.other[of][1].x;
         n_ = cross(u, v);
         const double det = dot(n_, m_.x);
         const double sign = det < 0 ? -1 : 1;
-        const Point foot = of == 1 ? negated(w_.x) : w_.x;
+        const Point foot = of == 1 ? negated(x_.w.x) : x_.w.x;
         const double s = sign * dot(cross(foot, v), m_.x), t = sign * dot(cross(u, foot), m_.x);
-        const double f = factor_[of][0], g = factor_[of][1];
+        const double f = x_.factor[of][0], g = x_.factor[of][1];
         is_inside_ =
             (s > bound_) && (t > bound_) && ((std::abs(det) - s / f) - t / g > bound_ * (1 + 1 / f + 1 / g) * 2);
         if (det < 0) n_ = negated(n_);
@@ -81,12 +57,12 @@ class Contact {
     }
 
     void at_edges() noexcept {
-        const Point &u = other_[0][0].x, &v = other_[1][0].x;
+        const Point &u = x_.other[0][0].x, &v = x_.other[1][0].x;
         n_ = cross(u, v);
         const double det = dot(n_, m_.x);
         const double sign = det < 0 ? -1 : 1;
-        const double s = sign * dot(cross(w_.x, v), m_.x), t = sign * dot(cross(w_.x, u), m_.x);
-        const double f = factor_[0][0], g = factor_[1][0], d = std::abs(det);
+        const double s = sign * dot(cross(x_.w.x, v), m_.x), t = sign * dot(cross(x_.w.x, u), m_.x);
+        const double f = x_.factor[0][0], g = x_.factor[1][0], d = std::abs(det);
         is_inside_ =
             (s > bound_) && (t > bound_) && (d * f - s > bound_ * (1 + f) * 2) && (d * g - t > bound_ * (1 + g) * 2);
         if (det < 0) n_ = negated(n_);
@@ -95,8 +71,8 @@ class Contact {
 
     // The plane of an edge and the motion, which is at right angles to n but for rounding.
     void at_edge(std::size_t side) noexcept {
-        n_ = cross(m_.x, other_[side][0].x);
-        if (dot(n_, w_.x) < 0) n_ = negated(n_);
+        n_ = cross(m_.x, x_.other[side][0].x);
+        if (dot(n_, x_.w.x) < 0) n_ = negated(n_);
     }
 
     void turn() noexcept { n_ = negated(n_); }
@@ -104,30 +80,19 @@ class Contact {
     ContactEnclosure result() const noexcept;
 
   private:
-    bool is_outward(std::size_t side, std::size_t k) const noexcept {
-        const double x = dot(n_, other_[side][k].x);
-        return side == 0 ? x < -bound_ : x > bound_;
-    }
+    bool is_outward(std::size_t side, std::size_t k) const noexcept { return x_.is_outward(n_, side, k, bound_); }
 
-    ScaledVector w_, m_;
-    ScaledVector other_[2][2];
-    double factor_[2][2];  // powers of two: from the unit of a vector to that of w_
-    Point n_{0, 0, 0};     // towards the second triangle; along the motion, where it is a meeting
-    double eta_, bound_;
-    int exponent_;  // of times in units of w_ over units of m_
+    TriangleVectors x_;
+    ScaledVector m_;
+    Point n_{0, 0, 0};  // towards the second triangle; along the motion, where it is a meeting
+    double bound_;
+    int exponent_;  // of times in units of w over units of m_
     bool is_inside_ = false, is_outside_ = false;
 };
 
 ECODS_ALWAYS_INLINE ContactEnclosure Contact::result() const noexcept {
     ContactEnclosure result;
-    const double error = (8.5 + eta_) * ((std::abs(n_[0]) + std::abs(n_[1])) + std::abs(n_[2]));
-    const double height = dot(n_, w_.x), first = height - error;
-    double low = 0, high = 0;
-    for (std::size_t k = 0; k < 2; ++k) {
-        low = std::min(low, (dot(n_, other_[1][k].x) - error) * factor_[1][k]);
-        high = std::max(high, (dot(n_, other_[0][k].x) + error) * factor_[0][k]);
-    }
-    const double gap = ((first + low) - high) - 4 * two_u * first;
+    const double error = x_.product_error(n_), gap = x_.gap(n_, error);
     if (!(gap > 0)) return result;
     const double speed = dot(n_, m_.x);
     if (!(speed + error > 0)) {
@@ -136,7 +101,7 @@ ECODS_ALWAYS_INLINE ContactEnclosure Contact::result() const noexcept {
     }
     result.lower = scaled_down(gap / (speed + error) * (1 - 8 * two_u), exponent_);
     if (is_inside_ && speed > error) {
-        result.upper = scaled_up((height + error) / (speed - error) * (1 + 8 * two_u), exponent_);
+        result.upper = scaled_up((dot(n_, x_.w.x) + error) / (speed - error) * (1 + 8 * two_u), exponent_);
         result.is_certain = is_outside_;
     }
     return result;

@@ -19,6 +19,14 @@ struct FeaturePair {
     friend bool operator==(const FeaturePair&, const FeaturePair&) = default;
 };
 
+constexpr FeaturePair pair_of(FeatureKind kind, std::size_t vertex_side, std::size_t a, std::size_t b) noexcept {
+    return {kind, static_cast<std::uint8_t>(vertex_side), static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)};
+}
+
+constexpr std::size_t next_corner(std::size_t i) noexcept {
+    return i == 2 ? 0 : i + 1;
+}
+
 // All of two triangles, in the order in which one of several that are equally close is chosen: by kind, by the corner
 // of the first triangle, by that of the second, and then the one with the vertex on the first triangle.
 inline constexpr std::array<FeaturePair, 42> feature_pairs = [] {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/point/vectors.hpp"
 #include "simd/inline.hpp"
 
 namespace ecods::exact {
@@ -14,35 +15,17 @@ namespace {
 
 using Index = std::size_t;
 
-constexpr Index next(Index i) noexcept {
-    return i == 2 ? 0 : i + 1;
-}
-
-ECODS_ALWAYS_INLINE double dot(const Point& a, const Point& b) noexcept {
-    return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
-}
-ECODS_ALWAYS_INLINE Point minus(const Point& a, const Point& b) noexcept {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-ECODS_ALWAYS_INLINE Point cross(const Point& a, const Point& b) noexcept {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-FeaturePair pair_of(FeatureKind kind, Index side, Index a, Index b) noexcept {
-    return {kind, static_cast<std::uint8_t>(side), static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)};
-}
-
 class Guess {
   public:
     Guess(const Points<6>& x, const Point& m) noexcept : x_(x), m_(m) {
         for (Index side = 0; side < 2; ++side) {
             for (Index i = 0; i < 3; ++i) {
-                edge_[side][i] = minus(at(side, next(i)), at(side, i));
+                edge_[side][i] = minus(at(side, next_corner(i)), at(side, i));
                 const Point c = cross(m, edge_[side][i]);
                 square_[side][i] = dot(c, c);
                 for (Index j = 0; j < 3; ++j) over_[side][i][j] = dot(c, minus(at(1 - side, j), at(side, i)));
                 // The sum of the three is the same for each corner of the other, and this at the third corner.
-                own_[side][i] = dot(c, minus(at(side, next(next(i))), at(side, i)));
+                own_[side][i] = dot(c, minus(at(side, next_corner(next_corner(i))), at(side, i)));
             }
         }
     }
@@ -97,7 +80,7 @@ class Guess {
     }
 
     ECODS_ALWAYS_INLINE void try_edges(Index i, Index j) noexcept {
-        const double b = over_[0][i][j] * over_[0][i][next(j)], a = over_[1][j][i] * over_[1][j][next(i)];
+        const double b = over_[0][i][j] * over_[0][i][next_corner(j)], a = over_[1][j][i] * over_[1][j][next_corner(i)];
         if (a > 0 || b > 0) return;
         take(cross(edge_[0][i], edge_[1][j]), minus(at(1, j), at(0, i)), pair_of(FeatureKind::edge_edge, 0, i, j));
     }

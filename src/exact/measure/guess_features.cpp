@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/point/vectors.hpp"
 #include "simd/inline.hpp"
 
 namespace ecods::exact {
@@ -11,31 +12,14 @@ namespace {
 
 using Index = std::size_t;
 
-constexpr Index next(Index i) noexcept {
-    return i == 2 ? 0 : i + 1;
-}
-
-ECODS_ALWAYS_INLINE double dot(const Point& a, const Point& b) noexcept {
-    return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
-}
-ECODS_ALWAYS_INLINE Point minus(const Point& a, const Point& b) noexcept {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-ECODS_ALWAYS_INLINE Point cross(const Point& a, const Point& b) noexcept {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 ECODS_ALWAYS_INLINE double clamp(double x) noexcept {
     return std::min(std::max(x, 0.0), 1.0);
-}
-
-FeaturePair pair_of(FeatureKind kind, int side, Index a, Index b) noexcept {
-    return {kind, static_cast<std::uint8_t>(side), static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)};
 }
 
 // What holds the points at s on edge i and at t on edge j.
 FeaturePair features_at(Index i, double s, Index j, double t) noexcept {
     const bool is_inside_a = s > 0 && s<1, is_inside_b = t> 0 && t < 1;
-    const Index a = s >= 1 ? next(i) : i, b = t >= 1 ? next(j) : j;
+    const Index a = s >= 1 ? next_corner(i) : i, b = t >= 1 ? next_corner(j) : j;
     if (is_inside_a && is_inside_b) return pair_of(FeatureKind::edge_edge, 0, i, j);
     if (is_inside_a) return pair_of(FeatureKind::vertex_edge, 1, i, b);
     if (is_inside_b) return pair_of(FeatureKind::vertex_edge, 0, a, j);
@@ -51,8 +35,8 @@ class Guess {
   public:
     explicit Guess(const Points<6>& x) noexcept : x_(x) {
         for (Index i = 0; i < 3; ++i) {
-            edge_[0][i] = minus(x[next(i)], x[i]);
-            edge_[1][i] = minus(x[3 + next(i)], x[3 + i]);
+            edge_[0][i] = minus(x[next_corner(i)], x[i]);
+            edge_[1][i] = minus(x[3 + next_corner(i)], x[3 + i]);
             square_[0][i] = dot(edge_[0][i], edge_[0][i]);
             square_[1][i] = dot(edge_[1][i], edge_[1][i]);
         }
@@ -88,8 +72,8 @@ class Guess {
         if (!(square < best_.square)) return false;
         best_ = {square, features_at(i, s, j, t)};
         // The third corners, from the other end of each edge.
-        const double third_a = dot(edge_[0][next(i)], z) + (1 - s) * dot(u, z);
-        const double third_b = dot(edge_[1][next(j)], z) + (1 - t) * dot(v, z);
+        const double third_a = dot(edge_[0][next_corner(i)], z) + (1 - s) * dot(u, z);
+        const double third_b = dot(edge_[1][next_corner(j)], z) + (1 - t) * dot(v, z);
         return third_a <= 0 && third_b >= 0;
     }
 

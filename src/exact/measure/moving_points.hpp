@@ -23,6 +23,7 @@
 
 #include "base/arithmetic.hpp"
 #include "exact/point/point.hpp"
+#include "exact/point/vectors.hpp"
 #include "simd/inline.hpp"
 
 namespace ecods::exact {
@@ -118,12 +119,5 @@ class MovingCorners {
     Point start_error_, end_error_;
     bool is_bounded_;
 };
-
-ECODS_ALWAYS_INLINE Point difference(const Point& a, const Point& b) noexcept {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-ECODS_ALWAYS_INLINE Point cross(const Point& a, const Point& b) noexcept {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 }  // namespace ecods::exact

@@ -42,8 +42,8 @@ class Sieve {
         const Point way = corners_.way();
         for (std::size_t k = 0; k < 3; ++k) error_[k] = corners_.error()[k] + 2.25 * length * way[k];
         for (std::size_t i = 0; i < 3; ++i) {
-            a_[i] = difference(p_[after(i)], p_[i]);
-            b_[i] = difference(p_[3 + after(i)], p_[3 + i]);
+            a_[i] = minus(p_[after(i)], p_[i]);
+            b_[i] = minus(p_[3 + after(i)], p_[3 + i]);
         }
     }
 
@@ -89,7 +89,7 @@ class Sieve {
 
     // Along and across each edge, in the plane of both, and from one of its ends to a corner.
     void look_past_edges(std::size_t i, std::size_t j) noexcept {
-        const Point across = cross(a_[i], b_[j]), between = difference(p_[3 + j], p_[i]);
+        const Point across = cross(a_[i], b_[j]), between = minus(p_[3 + j], p_[i]);
         look_along(a_[i]);
         look_along(b_[j]);
         look_along(cross(across, a_[i]));
