@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "base/outward.hpp"
 #include "bvh/posed_axes.hpp"
@@ -59,8 +58,7 @@ ECODS_ALWAYS_INLINE void bind_set(DistanceSet& set, const EvenAxes& even, const 
     set_floats(set.axes, exact, own == Own::a ? set.axes.a : set.axes.b);
     // In this form NaN is not bounded.
     if (!(sum(exact.s) < square_max)) {
-        set.axes.b.margin.fill(std::numeric_limits<float>::infinity());
-        set.axes.point_error.fill(std::numeric_limits<float>::infinity());
+        set.axes.set_unbounded();
     }
     set.square = round_down((1 - even.tau) / even.factor * (1 - 0x1p-18));
     set.square_up = round_up((1 + 2 * even.tau) / even.factor * (1 + 0x1p-18));
@@ -88,8 +86,7 @@ void DistanceAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d) {
     unit_ = 1;
     for (DistanceSet& set : sets_) {
         set = {};
-        set.axes.b.margin.fill(std::numeric_limits<float>::infinity());
-        set.axes.point_error.fill(std::numeric_limits<float>::infinity());
+        set.axes.set_unbounded();
     }
 }
 

@@ -1,7 +1,5 @@
 #include "bvh/motion_axes.hpp"
 
-#include <limits>
-
 #include "bvh/posed_axes.hpp"
 #include "simd/dispatch.hpp"
 
@@ -37,13 +35,10 @@ void MotionAxes::bind(const MovingTree& a, const MovingTree& b, const Vec3& d_fr
         return dispatch<bind_sets>(sets_, a, b, d_from, d_to);
     }
     // A tree without bounds is never apart from anything.
-    constexpr float unbounded = std::numeric_limits<float>::infinity();
     for (MotionSet& set : sets_) {
         set = {};
-        for (AxisSet* axes : {&set.start, &set.end}) {
-            axes->b.margin.fill(unbounded);
-            axes->point_error.fill(unbounded);
-        }
+        set.start.set_unbounded();
+        set.end.set_unbounded();
     }
 }
 

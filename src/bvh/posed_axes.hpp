@@ -42,6 +42,17 @@ struct Edges {
     }
 };
 
+// The box of a whole tree, in its own coordinates.
+struct RootBox {
+    Double4 center, half;
+
+    ECODS_ALWAYS_INLINE explicit RootBox(const MeshBvh& tree)
+        : center{static_cast<double>(tree.root_center[0]), static_cast<double>(tree.root_center[1]),
+                 static_cast<double>(tree.root_center[2]), 0},
+          half{static_cast<double>(tree.root_half[0]), static_cast<double>(tree.root_half[1]),
+               static_cast<double>(tree.root_half[2]), 0} {}
+};
+
 // The normals of the faces of a box with these edges, as rows, of such length that the box is about [-1, 1] on each;
 // the axes of the world, so long that both boxes are about that, where the box is too flat for it. Any choice is sound.
 ECODS_ALWAYS_INLINE Matrix4 axes_of(const Matrix4& own, const Matrix4& other) noexcept {

@@ -1,7 +1,5 @@
 #include "bvh/separating_axes.hpp"
 
-#include <limits>
-
 #include "bvh/posed_axes.hpp"
 #include "simd/dispatch.hpp"
 
@@ -9,16 +7,6 @@ namespace ecods {
 namespace {
 
 using namespace axes;
-
-struct RootBox {
-    Double4 center, half;
-
-    ECODS_ALWAYS_INLINE explicit RootBox(const MeshBvh& tree)
-        : center{static_cast<double>(tree.root_center[0]), static_cast<double>(tree.root_center[1]),
-                 static_cast<double>(tree.root_center[2]), 0},
-          half{static_cast<double>(tree.root_half[0]), static_cast<double>(tree.root_half[1]),
-               static_cast<double>(tree.root_half[2]), 0} {}
-};
 
 // Returns which of the three face normals separates the boxes, or -1. `x` is the box of the tree that the normals
 // belong to; `p` maps the coordinates of the other box `y` to them.
@@ -91,11 +79,9 @@ ECODS_ALWAYS_INLINE int bind_sets(std::array<AxisSet, 2>& sets, const PosedTree&
 int SeparatingAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d, int first) {
     if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) return dispatch<bind_sets>(sets_, a, b, d, first);
     // A tree without bounds is never separated.
-    constexpr float unbounded = std::numeric_limits<float>::infinity();
     for (AxisSet& set : sets_) {
         set = {};
-        set.b.margin.fill(unbounded);
-        set.point_error.fill(unbounded);
+        set.set_unbounded();
     }
     return -1;
 }

@@ -41,6 +41,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "bvh/mesh_bvh.hpp"
 #include "ecods/pose.hpp"
@@ -67,6 +68,12 @@ struct Projection {
 struct AxisSet {
     Projection a, b;                   // shift and margin are zero for a
     std::array<float, 4> point_error;  // of a corner of either
+
+    // From then on the set proves nothing to be apart.
+    void set_unbounded() noexcept {
+        b.margin.fill(std::numeric_limits<float>::infinity());
+        point_error.fill(std::numeric_limits<float>::infinity());
+    }
 };
 
 inline constexpr int root_axis_count = 15;

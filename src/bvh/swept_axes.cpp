@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/next.hpp"
 #include "base/outward.hpp"
@@ -16,23 +15,13 @@ using namespace axes;
 
 constexpr double least_time = 0x1p-100;
 
-struct Root {
-    Double4 center, half;
-
-    ECODS_ALWAYS_INLINE explicit Root(const MeshBvh& tree)
-        : center{static_cast<double>(tree.root_center[0]), static_cast<double>(tree.root_center[1]),
-                 static_cast<double>(tree.root_center[2]), 0},
-          half{static_cast<double>(tree.root_half[0]), static_cast<double>(tree.root_half[1]),
-               static_cast<double>(tree.root_half[2]), 0} {}
-};
-
 struct Window {
     double begin = 0, end = infinity;
 };
 
 // Narrows the window to where the roots share points of all three axes. A NaN changes nothing.
-ECODS_ALWAYS_INLINE void narrow(Window& window, const DoubleAxes& set, Double4 velocity, const Root& a,
-                                const Root& b) noexcept {
+ECODS_ALWAYS_INLINE void narrow(Window& window, const DoubleAxes& set, Double4 velocity, const RootBox& a,
+                                const RootBox& b) noexcept {
     const Double4 apart = (set.b * b.center + set.offset) - set.a * a.center;
     const Double4 reach = (absolute(set.a) * a.half + absolute(set.b) * b.half) + set.margin;
     for (int k = 0; k < 3; ++k) {
@@ -47,7 +36,7 @@ ECODS_ALWAYS_INLINE void narrow(Window& window, const DoubleAxes& set, Double4 v
 struct Sweep {
     Edges a, b;
     Matrix4 normals[2];
-    Root root_a, root_b;
+    RootBox root_a, root_b;
 
     ECODS_ALWAYS_INLINE Sweep(const PosedTree& tree_a, const PosedTree& tree_b) noexcept
         : a(tree_a.tree.frame, tree_a.R),
@@ -99,8 +88,7 @@ bool SweptAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d, cons
     length_ = 1;
     for (SweptSet& set : sets_) {
         set = {};
-        set.axes.b.margin.fill(std::numeric_limits<float>::infinity());
-        set.axes.point_error.fill(std::numeric_limits<float>::infinity());
+        set.axes.set_unbounded();
     }
     return true;
 }
