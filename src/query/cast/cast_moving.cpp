@@ -1,16 +1,12 @@
 #include "query/cast/cast_moving.hpp"
 
 #include "geometry/same_bits.hpp"
+#include "query/cast/contact_at_start.hpp"
 #include "query/cast/moving_search.hpp"
+#include "query/intersection/query_memory.hpp"
 
 namespace ecods {
 namespace {
-
-FirstContact contact_at_start(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {
-    const TrianglePair first = intersecting_triangles(a, b, memory).front();
-    --QueryMemoryAccess::state(memory).counts.queries;  // it is a part of this one
-    return {0, ClosestKind::intersecting, {Feature::Kind::face, first.a, 0}, {Feature::Kind::face, first.b, 0}};
-}
 
 // By bits: where subnormal numbers count as zero, numbers that differ may compare equal.
 bool is_at_rest(const Moving<MeshShape>& body) {
@@ -27,9 +23,7 @@ std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<
     PairWitness at_start = witness;
     if (!(*first > 0)) {
         const Posed<MeshShape> start_a(*a.what, a.from), start_b(*b.what, b.from);
-        const bool intersect = intersects(start_a, start_b, memory, at_start);
-        --QueryMemoryAccess::state(memory).counts.queries;  // it is a part of this one
-        if (intersect) {
+        if (as_part(memory, [&] { return intersects(start_a, start_b, memory, at_start); })) {
             witness = at_start;
             return contact_at_start(start_a, start_b, memory);
         }

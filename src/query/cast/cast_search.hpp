@@ -12,6 +12,7 @@
 #include "base/double_key.hpp"
 #include "bvh/walk_nearest.hpp"
 #include "ecods/cast.hpp"
+#include "query/cast/contact_at_start.hpp"
 #include "query/cast/contact_interval.hpp"
 #include "query/intersection/query_memory.hpp"
 #include "query/shape/mesh_tree.hpp"
@@ -75,7 +76,6 @@ class CastSearch {
     void enclose(const TrianglePair& triangles);
     void set_upper(double upper);
     bool is_met(const TrianglePair& triangles);
-    FirstContact least_at_start();
     void drop_open();
     std::optional<FirstContact> least_of_open();
     bool is_by(const FirstContact& least, double latest);
@@ -102,7 +102,8 @@ std::optional<FirstContact> CastSearch<Motion>::find(double latest, PairWitness&
     walk(witness);
     std::optional<FirstContact> result;
     if (is_zero_) {
-        result = least_at_start();
+        leave_relations();
+        result = contact_at_start(a_, b_, query_memory_);
     } else {
         result = least_of_open();
         if (result && !is_by(*result, latest)) result.reset();
@@ -132,8 +133,7 @@ bool CastSearch<Motion>::visits(const NearPair& pair) {
     constexpr std::uint32_t overlap_max = 1024;
     if (pair.square > 0 || ++overlap_count_ != overlap_max) return true;
     leave_relations();
-    is_zero_ = intersects(a_, b_, query_memory_);
-    --counts_.queries;  // it is a part of this one
+    is_zero_ = as_part(query_memory_, [&] { return intersects(a_, b_, query_memory_); });
     return !is_zero_;
 }
 
@@ -177,17 +177,6 @@ void CastSearch<Motion>::set_upper(double upper) {
     limit_ = motion_.limit_above(upper);
 }
 
-template <class Motion>
-FirstContact CastSearch<Motion>::least_at_start() {
-    leave_relations();
-    const TrianglePair first = intersecting_triangles(a_, b_, query_memory_).front();
-    --counts_.queries;  // it is a part of this one
-    FirstContact result;
-    result.a = {Feature::Kind::face, first.a, 0};
-    result.b = {Feature::Kind::face, first.b, 0};
-    return result;
-}
-
 // Leaves out what is later than another pair, and all but the first by rank() of those that share their features:
 // around a vertex, and on both sides of an edge.
 template <class Motion>
@@ -219,10 +208,8 @@ std::optional<FirstContact> CastSearch<Motion>::least_of_open() {
             contact = motion_.contact(open.triangles.a, open.triangles.b, open.interval);
         }
         if (!contact || key_of(contact->time) > key_of(upper_)) continue;
-        const std::int64_t time = key_of(contact->time);
-        const bool is_earlier = !least || time < key_of(least->time);
-        if (is_earlier || (time == key_of(least->time) && rank(*contact) < rank(*least))) least = contact;
-        if (is_earlier) upper_ = contact->time;
+        if (!least || rank_in_time(*contact) < rank_in_time(*least)) least = contact;
+        upper_ = least->time;
     }
     return least;
 }

@@ -3,6 +3,7 @@
 #include "bvh/swept_axes.hpp"
 #include "query/cast/cast_search.hpp"
 #include "query/cast/cast_until.hpp"
+#include "query/cast/contact_at_start.hpp"
 #include "query/cast/triangle_contacts.hpp"
 
 namespace ecods {
@@ -54,12 +55,8 @@ bool is_zero(const Vec3& v) {
 std::optional<FirstContact> cast_at_rest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory,
                                          PairWitness& witness) {
     if (!intersects(a, b, memory, witness)) return std::nullopt;
-    const TrianglePair first = intersecting_triangles(a, b, memory).front();
-    --QueryMemoryAccess::state(memory).counts.queries;  // it is a part of this one
-    witness = {first.a, first.b};
-    FirstContact result;
-    result.a = {Feature::Kind::face, first.a, 0};
-    result.b = {Feature::Kind::face, first.b, 0};
+    const FirstContact result = contact_at_start(a, b, memory);
+    witness = {result.a.triangle, result.b.triangle};
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <tuple>
 
+#include "base/double_key.hpp"
 #include "ecods/cast.hpp"
 
 namespace ecods {
@@ -38,6 +39,10 @@ struct ContactInterval {
 // The order in which one of several is chosen.
 inline auto rank(const FirstContact& c) noexcept {
     return std::tuple(c.kind, c.a.triangle, c.a.corner, c.b.triangle, c.b.corner, c.a.kind);
+}
+
+inline auto rank_in_time(const FirstContact& c) noexcept {
+    return std::tuple_cat(std::tuple(key_of(c.time)), rank(c));
 }
 
 }  // namespace ecods

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <tuple>
 #include <utility>
 
 #include "base/double_key.hpp"
@@ -10,6 +9,7 @@
 #include "base/outward.hpp"
 #include "bvh/motion_axes.hpp"
 #include "bvh/walk_two.hpp"
+#include "exact/measure/name_features.hpp"
 #include "query/cast/contact_interval.hpp"
 #include "query/cast/moving_pairs.hpp"
 
@@ -33,28 +33,6 @@ struct IsLater {
         return x.time != y.time ? x.time > y.time : x.order < y.order;
     }
 };
-
-auto rank_of(const FirstContact& contact) {
-    return std::tuple_cat(std::tuple(key_of(contact.time)), rank(contact));
-}
-
-FirstContact contact_of(const TrianglePair& triangles, const exact::Meeting& meeting) {
-    using exact::FeatureKind;
-    constexpr auto vertex = Feature::Kind::vertex, edge = Feature::Kind::edge, face = Feature::Kind::face;
-    static_assert(static_cast<int>(ClosestKind::vertex_vertex) == static_cast<int>(FeatureKind::vertex_vertex) &&
-                  static_cast<int>(ClosestKind::edge_edge) == static_cast<int>(FeatureKind::edge_edge));
-    const exact::FeaturePair& pair = meeting.features;
-    FirstContact result;
-    result.time = meeting.time;
-    result.kind = static_cast<ClosestKind>(pair.kind);
-    Feature::Kind kind_a = vertex, kind_b = vertex;
-    if (pair.kind == FeatureKind::vertex_edge) (pair.vertex_side == 0 ? kind_b : kind_a) = edge;
-    if (pair.kind == FeatureKind::vertex_face) (pair.vertex_side == 0 ? kind_b : kind_a) = face;
-    if (pair.kind == FeatureKind::edge_edge) kind_a = kind_b = edge;
-    result.a = {kind_a, triangles.a, pair.a};
-    result.b = {kind_b, triangles.b, pair.b};
-    return result;
-}
 
 // The only box of a node: that of the root.
 BvhNode root_of(const MeshBvh& tree) {
@@ -209,8 +187,10 @@ void MovingSearch::take(const TrianglePair& triangles, double from, exact::Effor
     const auto meeting = memory_.pairs.decide(triangles, *time, to);
     if (!meeting || key_of(meeting->time) > key_of(at_most_)) return;
     is_by_then_ = is_by_then_ || !meeting->is_late || key_of(meeting->time) < key_of(at_most_);
-    const FirstContact contact = contact_of(triangles, *meeting);
-    if (!first_ || rank_of(contact) < rank_of(*first_)) first_ = contact;
+    FirstContact contact;
+    contact.time = meeting->time;
+    exact::name_features(contact, meeting->features, triangles);
+    if (!first_ || rank_in_time(contact) < rank_in_time(*first_)) first_ = contact;
 }
 
 }  // namespace ecods

@@ -5,6 +5,7 @@
 #include "exact/measure/contact_times.hpp"
 #include "exact/measure/enclose_contact.hpp"
 #include "exact/measure/measure_pair.hpp"
+#include "exact/measure/name_features.hpp"
 #include "exact/point/integer_points.hpp"
 
 namespace ecods {
@@ -12,33 +13,6 @@ namespace ecods {
 using namespace exact;
 
 namespace {
-
-// Has the names of features as the triangles of the pair give them.
-FirstContact named(const FeaturePair& f, std::uint32_t i, std::uint32_t j) noexcept {
-    using Kind = Feature::Kind;
-    FirstContact contact;
-    const auto name = [&](ClosestKind kind, Kind lesser, Kind greater) {
-        const bool is_lesser_of_a = f.vertex_side == 0;
-        contact.kind = kind;
-        contact.a = {is_lesser_of_a ? lesser : greater, i, f.a};
-        contact.b = {is_lesser_of_a ? greater : lesser, j, f.b};
-    };
-    switch (f.kind) {
-        case FeatureKind::vertex_vertex:
-            name(ClosestKind::vertex_vertex, Kind::vertex, Kind::vertex);
-            break;
-        case FeatureKind::vertex_edge:
-            name(ClosestKind::vertex_edge, Kind::vertex, Kind::edge);
-            break;
-        case FeatureKind::vertex_face:
-            name(ClosestKind::vertex_face, Kind::vertex, Kind::face);
-            break;
-        case FeatureKind::edge_edge:
-            name(ClosestKind::edge_edge, Kind::edge, Kind::edge);
-            break;
-    }
-    return contact;
-}
 
 // Of a vertex and a face, or of two edges.
 FeaturePair features_of(const FirstContact& contact) noexcept {
@@ -100,7 +74,7 @@ ContactInterval TriangleContacts::enclose(std::uint32_t i, std::uint32_t j) {
     interval.upper = enclosure.upper;
     interval.is_certain = enclosure.is_certain;
     if (enclosure.is_certain) {
-        interval.contact = named(guess.features, i, j);
+        name_features(interval.contact, guess.features, {i, j});
         interval.a = shared(interval.contact.a, triangles_[0][i]);
         interval.b = shared(interval.contact.b, triangles_[1][j]);
     }
@@ -155,7 +129,7 @@ std::optional<FirstContact> TriangleContacts::contact(std::uint32_t i, std::uint
         FirstContact result;
         result.a = {Feature::Kind::face, i, 0};
         result.b = {Feature::Kind::face, j, 0};
-        if (first->sign > 0) result = named(times.first_features(*first), i, j);
+        if (first->sign > 0) name_features(result, times.first_features(*first), {i, j});
         result.time = round(*first);
         return result;
     });

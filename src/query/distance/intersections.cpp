@@ -6,11 +6,10 @@ namespace ecods {
 
 std::vector<TriangleIntersection> intersections(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
                                                 QueryMemory& memory) {
-    const std::vector<TrianglePair> pairs = intersecting_triangles(a, b, memory);
+    const auto pairs = as_part(memory, [&] { return intersecting_triangles(a, b, memory); });
     std::vector<TriangleIntersection> result;
     if (pairs.empty()) return result;
     result.reserve(pairs.size());
-    --QueryMemoryAccess::state(memory).counts.queries;  // that was a part of this one
     DistanceSearch search(a, b, memory);
     for (const TrianglePair& pair : pairs) result.push_back({pair, search.exact_pair().intersection(pair.a, pair.b)});
     return result;

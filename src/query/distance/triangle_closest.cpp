@@ -3,6 +3,7 @@
 #include "exact/measure/closest_points.hpp"
 #include "exact/measure/direction.hpp"
 #include "exact/measure/exact_point.hpp"
+#include "exact/measure/name_features.hpp"
 #include "exact/measure/shared_corners.hpp"
 #include "query/distance/triangle_distances.hpp"
 #include "query/distance/triangle_features.hpp"
@@ -12,28 +13,6 @@ namespace ecods {
 using namespace exact;
 
 namespace {
-
-// ClosestPoints or FeatureNames.
-template <class Closest>
-void name_features(Closest& closest, const FeaturePair& f, const TrianglePair& pair) noexcept {
-    using Kind = Feature::Kind;
-    const bool is_vertex_of_a = f.vertex_side == 0;
-    const auto name = [&](ClosestKind kind, Kind lesser, Kind greater) {
-        closest.kind = kind;
-        closest.a = {is_vertex_of_a ? lesser : greater, pair.a, f.a};
-        closest.b = {is_vertex_of_a ? greater : lesser, pair.b, f.b};
-    };
-    switch (f.kind) {
-        case FeatureKind::vertex_vertex:
-            return name(ClosestKind::vertex_vertex, Kind::vertex, Kind::vertex);
-        case FeatureKind::vertex_edge:
-            return name(ClosestKind::vertex_edge, Kind::vertex, Kind::edge);
-        case FeatureKind::vertex_face:
-            return name(ClosestKind::vertex_face, Kind::vertex, Kind::face);
-        case FeatureKind::edge_edge:
-            return name(ClosestKind::edge_edge, Kind::edge, Kind::edge);
-    }
-}
 
 FeaturePair pair_of(const FeatureNames& names) noexcept {
     return {static_cast<FeatureKind>(names.kind), static_cast<std::uint8_t>(names.a.kind > names.b.kind),

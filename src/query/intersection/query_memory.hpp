@@ -29,4 +29,16 @@ struct QueryMemoryAccess {
     static State& state(QueryMemory& memory) noexcept { return *memory.state_; }
 };
 
+// Asks a question that is a part of another one: what it does is counted, and the question is not.
+template <class Ask>
+auto as_part(QueryMemory& memory, Ask&& ask) {
+    struct NotCounted {
+        QueryCounts& counts;
+        std::uint64_t queries = counts.queries;
+        ~NotCounted() { counts.queries = queries; }
+    };
+    const NotCounted restore{QueryMemoryAccess::state(memory).counts};
+    return ask();
+}
+
 }  // namespace ecods
