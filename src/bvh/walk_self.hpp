@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <type_traits>
 #include <vector>
 
 #include "bvh/walk_two.hpp"
@@ -16,47 +18,39 @@ inline constexpr std::uint64_t lesser_lane_first = [] {
     return bits;
 }();
 
+// A bound that counts only lesser lanes of a node with itself, and visits children in no order.
+template <class Bound>
+struct SelfBound {
+    Bound& bound;
+
+    template <class X, class Y>
+    std::uint64_t operator()(const X& x, const Y& y) const {
+        return bound(x, y) & (is_same(x, y) ? lesser_lane_first : ~std::uint64_t{0});
+    }
+    void order(const BvhNode&, const BvhNode&, const LanePairs&, std::span<NodePair>) const {}
+
+  private:
+    template <class X, class Y>
+    static bool is_same(const X& x, const Y& y) noexcept {
+        return static_cast<const void*>(&x) == static_cast<const void*>(&y);
+    }
+};
+
 // Visits pairs of nodes depth first, so that `result(i, j)` takes each pair of different triangles that `bound` leaves
-// once, in either order; it returns whether the walk goes on. `bound` and `stack` are as for walk_two.
+// once, in either order; it returns whether the walk goes on. `bound(x, y)` and `stack` are as for walk_two.
 template <class Bound, class Result>
 void walk_self(const MeshBvh& tree, std::vector<NodePair>& stack, Bound&& bound, Result&& result) {
     stack.assign(1, NodePair{tree.root, tree.root});
+    const SelfBound<std::remove_reference_t<Bound>> self{bound};
     while (!stack.empty()) {
         const NodePair top = stack.back();
         stack.pop_back();
-        const bool is_same = top.a.is_leaf() == top.b.is_leaf() && top.a.index() == top.b.index();
-        if (top.a.is_leaf() && top.b.is_leaf()) {
-            const TreeLeaf& x = tree.leaves[top.a.index()];
-            const TreeLeaf& y = tree.leaves[top.b.index()];
-            const std::uint64_t lanes = bound(x, y) & (is_same ? lesser_lane_first : ~std::uint64_t{0});
-            for (LanePairs pairs(lanes); pairs.more(); pairs.next()) {
-                if (!result(x.triangle[pairs.i()], y.triangle[pairs.j()])) return;
-            }
-        } else if (is_same) {
+        // A node with itself: each child with itself, and with the others.
+        if (!top.a.is_leaf() && !top.b.is_leaf() && top.a.index() == top.b.index()) {
             const BvhNode& x = tree.nodes[top.a.index()];
             for (std::size_t i = 0; i < x.count; ++i) stack.push_back({x.child[i], x.child[i]});
-            for (LanePairs pairs(bound(x, x) & lesser_lane_first); pairs.more(); pairs.next()) {
-                stack.push_back({x.child[pairs.i()], x.child[pairs.j()]});
-            }
-        } else if (top.a.is_leaf()) {
-            const BvhNode& y = tree.nodes[top.b.index()];
-            const LanePairs pairs(bound(tree.leaves[top.a.index()], y));
-            for (std::size_t j = 0; j < y.count; ++j) {
-                if (pairs.has_second(j)) stack.push_back({top.a, y.child[j]});
-            }
-        } else if (top.b.is_leaf()) {
-            const BvhNode& x = tree.nodes[top.a.index()];
-            const LanePairs pairs(bound(x, tree.leaves[top.b.index()]));
-            for (std::size_t i = 0; i < x.count; ++i) {
-                if (pairs.has_first(i)) stack.push_back({x.child[i], top.b});
-            }
-        } else {
-            const BvhNode& x = tree.nodes[top.a.index()];
-            const BvhNode& y = tree.nodes[top.b.index()];
-            for (LanePairs pairs(bound(x, y)); pairs.more(); pairs.next()) {
-                stack.push_back({x.child[pairs.i()], y.child[pairs.j()]});
-            }
         }
+        if (!visit_two(tree, tree, top, stack, self, result)) return;
     }
 }
 

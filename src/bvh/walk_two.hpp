@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bvh/mesh_bvh.hpp"
+#include "simd/inline.hpp"
 
 namespace ecods {
 
@@ -37,6 +38,41 @@ class LanePairs {
     std::uint64_t bits_;
 };
 
+// Visits one pair of nodes: gives pairs of triangles to `result`, or pushes pairs of children. Returns whether the walk
+// goes on.
+template <class Bound, class Result>
+ECODS_ALWAYS_INLINE bool visit_two(const MeshBvh& a, const MeshBvh& b, const NodePair& top,
+                                   std::vector<NodePair>& stack, Bound&& bound, Result&& result) {
+    if (top.a.is_leaf() && top.b.is_leaf()) {
+        const TreeLeaf& x = a.leaves[top.a.index()];
+        const TreeLeaf& y = b.leaves[top.b.index()];
+        for (LanePairs pairs(bound(x, y)); pairs.more(); pairs.next()) {
+            if (!result(x.triangle[pairs.i()], y.triangle[pairs.j()])) return false;
+        }
+    } else if (top.a.is_leaf()) {
+        const BvhNode& y = b.nodes[top.b.index()];
+        const LanePairs pairs(bound(a.leaves[top.a.index()], y));
+        for (std::size_t j = 0; j < y.count; ++j) {
+            if (pairs.has_second(j)) stack.push_back({top.a, y.child[j]});
+        }
+    } else if (top.b.is_leaf()) {
+        const BvhNode& x = a.nodes[top.a.index()];
+        const LanePairs pairs(bound(x, b.leaves[top.b.index()]));
+        for (std::size_t i = 0; i < x.count; ++i) {
+            if (pairs.has_first(i)) stack.push_back({x.child[i], top.b});
+        }
+    } else {
+        const BvhNode& x = a.nodes[top.a.index()];
+        const BvhNode& y = b.nodes[top.b.index()];
+        const LanePairs pairs(bound(x, y));
+        for (LanePairs rest = pairs; rest.more(); rest.next()) {
+            stack.push_back({x.child[rest.i()], y.child[rest.j()]});
+        }
+        bound.order(x, y, pairs, std::span(stack).last(pairs.size()));
+    }
+    return true;
+}
+
 // Visits pairs of nodes depth first.
 //
 // `bound(x, y)` is asked once for each pair visited, x and y being a BvhNode or a TreeLeaf of the first and the second
@@ -49,33 +85,7 @@ void walk_two(const MeshBvh& a, const MeshBvh& b, std::vector<NodePair>& stack, 
     while (!stack.empty()) {
         const NodePair top = stack.back();
         stack.pop_back();
-        if (top.a.is_leaf() && top.b.is_leaf()) {
-            const TreeLeaf& x = a.leaves[top.a.index()];
-            const TreeLeaf& y = b.leaves[top.b.index()];
-            for (LanePairs pairs(bound(x, y)); pairs.more(); pairs.next()) {
-                if (!result(x.triangle[pairs.i()], y.triangle[pairs.j()])) return;
-            }
-        } else if (top.a.is_leaf()) {
-            const BvhNode& y = b.nodes[top.b.index()];
-            const LanePairs pairs(bound(a.leaves[top.a.index()], y));
-            for (std::size_t j = 0; j < y.count; ++j) {
-                if (pairs.has_second(j)) stack.push_back({top.a, y.child[j]});
-            }
-        } else if (top.b.is_leaf()) {
-            const BvhNode& x = a.nodes[top.a.index()];
-            const LanePairs pairs(bound(x, b.leaves[top.b.index()]));
-            for (std::size_t i = 0; i < x.count; ++i) {
-                if (pairs.has_first(i)) stack.push_back({x.child[i], top.b});
-            }
-        } else {
-            const BvhNode& x = a.nodes[top.a.index()];
-            const BvhNode& y = b.nodes[top.b.index()];
-            const LanePairs pairs(bound(x, y));
-            for (LanePairs rest = pairs; rest.more(); rest.next()) {
-                stack.push_back({x.child[rest.i()], y.child[rest.j()]});
-            }
-            bound.order(x, y, pairs, std::span(stack).last(pairs.size()));
-        }
+        if (!visit_two(a, b, top, stack, bound, result)) return;
     }
 }
 
