@@ -38,6 +38,10 @@
 // T)). Where coordinates of e were replaced and e is below 2^-7, the slopes say where points of the line may be, but
 // not which planes are parallel to it.
 //
+// A box of the world: differences from t are off by u' of themselves, their mean and half their difference by 3 u' |x -
+// t| together, which is added to the half; N and what is of the tree as above. Within 4 of zero, floats are off by 4 v
+// for converting, 5 v for the difference of centers and 6 v for the sum of halves; a point by 4 v. 64 v are added.
+//
 // Underflow: as in separating_axes.hpp, factors are below 2^900; floats that matter are above 2^-60.
 #pragma once
 
@@ -69,6 +73,13 @@ struct LinePart {
     std::array<std::array<float, 3>, 3> p, size;
 };
 
+// A box of the world on the axes: its points are within `half` of `center`, the errors of the nodes' boxes and of
+// floats included; a point of it in floats, at(), is off by less than `error`.
+struct BoxOnAxes {
+    std::array<float, 3> center, half;
+    float error;
+};
+
 class LineAxes {
   public:
     // What does not depend on the line.
@@ -83,6 +94,13 @@ class LineAxes {
     Place place(const ScaledLine& line, double limit);
 
     const LinePart& part() const noexcept { return part_; }
+
+    // Sets where a box of the world is, and returns true; or returns false where that is not known well, or the axes
+    // are not the tree's own. The box counts even if the tree is elsewhere.
+    bool place_box(const Vec3& low, const Vec3& high, BoxOnAxes& box) const noexcept;
+
+    // A point of a box that is placed.
+    std::array<float, 3> at(const Vec3& point) const noexcept;
 
     // r of points whose scaled parameter is at most `parameter` is not above it.
     float ratio_above(double parameter) const noexcept;

@@ -229,6 +229,20 @@ void FirstHit::ask(const Posed<MeshShape>& body, std::uint64_t key, PairWitness&
     if (witness.b < body.what->mesh().triangles().size()) search.try_first(witness.b);
     search.walk(place);
     counts_.box_tests += search.box_tests();
+    take(search, key, witness);
+}
+
+void FirstHit::ask_about(std::span<const std::uint32_t> triangles, const Posed<MeshShape>& body, std::uint64_t key,
+                         PairWitness& witness) {
+    ++counts_.queries;
+    memory_.bind_triangles(line_, scaled_, body);
+    BodySearch search(body, memory_, scaled_, limit_, counts_.hits);
+    for (const std::uint32_t triangle : triangles) search.visit(triangle);
+    take(search, key, witness);
+}
+
+template <class Search>
+void FirstHit::take(Search& search, std::uint64_t key, PairWitness& witness) {
     if (!search.finish() || !is_before_least(memory_.own->enter, key, search.triangle())) return;
     if (search.triangle() == witness.b) ++counts_.witness_hits;
     witness.b = search.triangle();

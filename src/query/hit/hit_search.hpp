@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "ecods/hit.hpp"
@@ -35,6 +36,10 @@ class FirstHit {
     void ask(const Posed<MeshShape>& body, std::uint64_t key, PairWitness& witness);
     void ask(const Posed<MeshShape>& body, std::uint64_t key);
 
+    // Asks a body that the memory is bound to about these triangles alone: all that the line may hit.
+    void ask_about(std::span<const std::uint32_t> triangles, const Posed<MeshShape>& body, std::uint64_t key,
+                   PairWitness& witness);
+
     // A hit that somebody else found: its parameter is the real number that `hit.parameter` is.
     void offer(const Hit& hit, std::uint64_t key);
 
@@ -47,6 +52,8 @@ class FirstHit {
     KeyedHit get() const;
 
   private:
+    template <class Search>
+    void take(Search& search, std::uint64_t key, PairWitness& witness);
     bool is_before_least(const exact::Fraction& at, std::uint64_t key, std::uint32_t triangle) const noexcept;
 
     const Line& line_;

@@ -26,8 +26,8 @@ constexpr Golden golden[] = {
     {"torus 10k, near edges", 20, 108, 434, 60, 41},
     {"torus 10k, through vertices", 20, 105, 482, 39, 20},
     {"torus 10k, through edges", 20, 91, 285, 39, 20},
-    {"torus 10k, along edges", 20, 109, 421, 102, 41},
-    {"torus 10k, haptic probe", 1, 80, 136, 1, 1},
+    {"torus 10k, along edges", 20, 124, 421, 102, 41},
+    {"torus 10k, haptic probe", 1, 17, 56, 2, 1},
     {"soup 2k, chords", 15, 69, 2248, 71, 15},
 };
 
