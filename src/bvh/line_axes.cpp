@@ -18,6 +18,7 @@ constexpr double error_max = 0x1p-6;  // beyond, boxes say little
 constexpr double box_error_max = 0x1p-19;
 constexpr double direction_error_max = 0x1p-20;
 constexpr double scaled_direction_min = 0x1p-960;  // of D, whose inverse must not overflow
+constexpr double length_min = 0x1p-900;            // of s
 constexpr float direction_min = 0x1p-30f;
 constexpr double unit_distance_max = 0x1p-40;
 
@@ -151,6 +152,7 @@ LineAxes::Place LineAxes::place(const ScaledLine& line, double limit) {
 
     begin_ = s0;
     length_ = s1 - s0;
+    has_ends_ = line.end_low == line.end_high && length_ >= length_min;
     std::array<double, 3> o, e;
     for (std::size_t k = 0; k < 3; ++k) {
         o[k] = X[k] + s0 * D[k];

@@ -29,7 +29,7 @@ class NearLeaves {
     static constexpr std::size_t leaf_count_max = 64;
 
     // Gathers those of a tree and pose, to which the axes are bound, and returns true; or returns false, with nothing
-    // gathered, where the axes do not tell them or they are too many. `box_tests` is made greater by the nodes looked
+    // gathered, where the axes do not say which or they are too many. `box_tests` is made greater by the nodes looked
     // at.
     bool gather(const MeshBvh& tree, const LineAxes& axes, const Vec3& low, const Vec3& high,
                 std::uint64_t& box_tests) noexcept;

@@ -58,9 +58,10 @@ class AllHits::Collector {
     float limit() const noexcept { return 1; }
     void visit_node() noexcept { ++state_.counts.box_tests; }
     void expect(const TreeLeaf&) const noexcept {}
-    void visit(const TreeLeaf& leaf, std::uint32_t lanes, std::uint32_t) {
+    void visit(const TreeLeaf& leaf, const FoundInLeaf& found) {
         state_.counts.hits.triangle_tests += leaf.count;
-        for (; lanes != 0; lanes &= lanes - 1) visit(leaf.triangle[static_cast<std::size_t>(std::countr_zero(lanes))]);
+        for (std::uint32_t lanes = found.may_meet; lanes != 0; lanes &= lanes - 1)
+            visit(leaf.triangle[static_cast<std::size_t>(std::countr_zero(lanes))]);
     }
     void visit(std::uint32_t triangle) {
         HitCounts& counts = state_.counts.hits;
@@ -70,7 +71,7 @@ class AllHits::Collector {
         if (enclosure.verdict == HitEnclosure::Verdict::none) return;
         ++counts.exact;
         if (enclosure.verdict == HitEnclosure::Verdict::face) {
-            memory.triangles.find_crossing(triangle, enclosure.is_back, *memory.other);
+            memory.triangles.find_crossing(triangle, *memory.other);
         } else if (!memory.triangles.find(triangle, *memory.other)) {
             return;
         }

@@ -17,6 +17,7 @@ class BodySearch {
     BodySearch(const Posed<MeshShape>& body, HitMemory& memory, const ScaledLine& line, double limit, HitCounts& counts)
         : body_(body),
           triangles_(body.what->mesh().triangles().data()),
+          vertices_(body.what->mesh().vertices().data()),
           memory_(memory),
           line_(line),
           limit_(limit),
@@ -42,19 +43,29 @@ class BodySearch {
     void expect(const TreeLeaf& leaf) const noexcept {
         for (const std::uint32_t triangle : leaf.triangle) __builtin_prefetch(&triangles_[triangle]);
     }
-    void visit(const TreeLeaf& leaf, std::uint32_t lanes, std::uint32_t cross) {
+    void visit(const TreeLeaf& leaf, const FoundInLeaf& found) {
         counts_.triangle_tests += leaf.count;
-        if (lanes == 0) return;
+        if (found.may_meet == 0) return;
         try_waiting();
-        for (; lanes != 0; lanes &= lanes - 1) {
-            const std::uint32_t triangle = leaf.triangle[static_cast<std::size_t>(std::countr_zero(lanes))];
+        for (std::uint32_t lanes = found.may_meet; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+            const std::uint32_t triangle = leaf.triangle[lane], bit = lanes & -lanes;
             if (triangle == tried_) continue;
-            const bool is_crossing = (cross & lanes & -lanes) != 0;
-            if (!is_crossing || !ties_at_shared(triangle)) visit(triangle);
+            if ((found.inside & bit) != 0 && memory_.axes.is_within(found.low[lane], found.high[lane])) {
+                take_face(triangle, memory_.axes.parameter_below(found.low[lane]),
+                          memory_.axes.parameter_above(found.high[lane]));
+                continue;
+            }
+            if ((found.cross & bit) == 0 || !ties_at_shared(triangle)) visit(triangle);
         }
     }
     void visit(std::uint32_t triangle);
 
+    // When all have been visited. Leaves out what doubles say is not the first.
+    void settle();
+    // If what is left is one face, sets its hit, rounded, and returns true; or returns false where that is not known so
+    // cheaply.
+    bool round_only_face(Hit& hit);
     // Compares what is left. Returns whether there is a hit: memory.own, of triangle().
     bool finish();
     std::uint32_t triangle() const noexcept { return least_; }
@@ -63,6 +74,9 @@ class BodySearch {
   private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
+    void leave_out_late_faces() noexcept {
+        std::erase_if(memory_.faces, [&](const HitMemory::FaceHit& face) { return face.lower > limit_; });
+    }
     void set_ratio() noexcept { ratio_ = memory_.axes.ratio_above(limit_); }
     void lower_limit(double upper) noexcept {
         if (!(upper < limit_)) return;
@@ -75,6 +89,16 @@ class BodySearch {
         tried_ = std::exchange(waiting_, none);
         visit(tried_);
     }
+    // It is certainly hit inside its face.
+    void take_face(std::uint32_t triangle, double lower, double upper) {
+        if (lower > limit_) return;
+        prefetch_vertices(triangle);
+        memory_.faces.push_back({triangle, lower, upper});
+        lower_limit(upper);
+    }
+    void prefetch_vertices(std::uint32_t triangle) const noexcept {
+        for (const std::uint32_t vertex : triangles_[triangle]) __builtin_prefetch(&vertices_[vertex]);
+    }
     void decide(std::uint32_t triangle, const HitEnclosure& enclosure);
     void keep_least(std::uint32_t triangle) noexcept;
     void set_shared(const Triangle& corners, const exact::LineHit& hit) noexcept;
@@ -84,6 +108,7 @@ class BodySearch {
 
     const Posed<MeshShape>& body_;
     const Triangle* triangles_;
+    const Vec3* vertices_;
     HitMemory& memory_;
     const ScaledLine& line_;
     double limit_;
@@ -106,8 +131,7 @@ void BodySearch::visit(std::uint32_t triangle) {
     const HitEnclosure enclosure = memory_.triangles.enclose(triangle);
     if (enclosure.verdict == HitEnclosure::Verdict::none || enclosure.lower > limit_) return;
     if (enclosure.verdict == HitEnclosure::Verdict::face) {
-        memory_.faces.push_back({triangle, enclosure});
-        lower_limit(enclosure.upper);
+        take_face(triangle, enclosure.lower, enclosure.upper);
     } else {
         decide(triangle, enclosure);
     }
@@ -196,11 +220,38 @@ bool BodySearch::ties_along(std::uint32_t triangle) noexcept {
     return true;
 }
 
+void BodySearch::settle() {
+    auto& faces = memory_.faces;
+    leave_out_late_faces();
+    // Floats may leave several that doubles part.
+    if (faces.size() + (least_ != none) < 2) return;
+    for (HitMemory::FaceHit& face : faces) {
+        ++counts_.enclosures;
+        const HitEnclosure enclosure = memory_.triangles.enclose(face.triangle);
+        face.lower = std::max(face.lower, enclosure.lower);
+        lower_limit(enclosure.upper);
+    }
+    leave_out_late_faces();
+}
+
+bool BodySearch::round_only_face(Hit& hit) {
+    if (least_ != none || memory_.faces.size() != 1) return false;
+    const std::uint32_t triangle = memory_.faces.front().triangle;
+    exact::RoundedCrossing crossing;
+    if (!memory_.triangles.round_crossing(triangle, crossing)) return false;
+    ++counts_.exact;
+    least_ = triangle;
+    hit.parameter = hit.leave_parameter = crossing.at.parameter;
+    hit.point = hit.leave_point = crossing.at.point;
+    hit.kind = crossing.facing < 0 ? HitKind::front : HitKind::back;
+    hit.feature = {Feature::Kind::face, triangle, 0};
+    return true;
+}
+
 bool BodySearch::finish() {
     for (const HitMemory::FaceHit& face : memory_.faces) {
-        if (face.enclosure.lower > limit_) continue;
         ++counts_.exact;
-        memory_.triangles.find_crossing(face.triangle, face.enclosure.is_back, *memory_.other);
+        memory_.triangles.find_crossing(face.triangle, *memory_.other);
         keep_least(face.triangle);
     }
     return least_ != none;
@@ -208,8 +259,9 @@ bool BodySearch::finish() {
 
 }  // namespace
 
-FirstHit::FirstHit(const Line& line, QueryMemory& memory)
+FirstHit::FirstHit(const Line& line, QueryMemory& memory, bool is_alone)
     : line_(line),
+      is_alone_(is_alone),
       scaled_(line),
       memory_(HitMemory::of(memory)),
       counts_(QueryMemoryAccess::state(memory).counts),
@@ -243,15 +295,19 @@ void FirstHit::ask_about(std::span<const std::uint32_t> triangles, const Posed<M
 
 template <class Search>
 void FirstHit::take(Search& search, std::uint64_t key, PairWitness& witness) {
-    if (!search.finish() || !is_before_least(memory_.own->enter, key, search.triangle())) return;
+    search.settle();
+    const bool is_rounded = is_alone_ && search.round_only_face(least_.hit);
+    if (!is_rounded) {
+        if (!search.finish() || !is_before_least(memory_.own->enter, key, search.triangle())) return;
+        std::swap(memory_.best, memory_.own);
+        least_.hit.feature.triangle = search.triangle();
+    }
     if (search.triangle() == witness.b) ++counts_.witness_hits;
     witness.b = search.triangle();
-    std::swap(memory_.best, memory_.own);
     limit_ = search.parameter_limit();
     found_ = true;
-    is_rounded_ = false;
+    is_rounded_ = is_rounded;
     least_.key = key;
-    least_.hit.feature.triangle = search.triangle();
 }
 
 void FirstHit::ask(const Posed<MeshShape>& body, std::uint64_t key) {

@@ -29,7 +29,7 @@ namespace {
 
 std::optional<Hit> find_first(const Line& line, const Posed<MeshShape>& body, QueryMemory& memory,
                               PairWitness& witness) {
-    FirstHit first(line, memory);
+    FirstHit first(line, memory, true);
     first.ask(body, 0, witness);
     if (!first.found()) return std::nullopt;
     return first.get().hit;
@@ -52,7 +52,7 @@ std::optional<Hit> find_step(const Line& segment, const Posed<MeshShape>& body, 
         ++counts.queries;
         return std::nullopt;
     }
-    FirstHit first(segment, memory);
+    FirstHit first(segment, memory, true);
     first.ask_about(triangles, body, 0, witness);
     if (!first.found()) return std::nullopt;
     return first.get().hit;

@@ -17,10 +17,10 @@
 namespace ecods {
 
 struct HitMemory final : QueryMemoryPart {
-    // A triangle that is certainly hit inside its face.
+    // A triangle that is certainly hit inside its face, between two scaled parameters.
     struct FaceHit {
         std::uint32_t triangle;
-        HitEnclosure enclosure;
+        double lower, upper;
     };
 
     LineAxes axes;

@@ -26,8 +26,9 @@ struct HitMemory;
 // The least hit in the order of the real parameters, then keys, then triangles.
 class FirstHit {
   public:
-    // The line is valid; line and memory must outlive the search, which may be the memory's only one at a time.
-    FirstHit(const Line& line, QueryMemory& memory);
+    // The line is valid; line and memory must outlive the search, which may be the memory's only one at a time. If
+    // `is_alone`, one body is asked once and nothing is offered: nothing need be known exactly then.
+    FirstHit(const Line& line, QueryMemory& memory, bool is_alone = false);
     FirstHit(const FirstHit&) = delete;
     FirstHit& operator=(const FirstHit&) = delete;
 
@@ -57,6 +58,7 @@ class FirstHit {
     bool is_before_least(const exact::Fraction& at, std::uint64_t key, std::uint32_t triangle) const noexcept;
 
     const Line& line_;
+    bool is_alone_;
     ScaledLine scaled_;
     HitMemory& memory_;
     QueryCounts& counts_;

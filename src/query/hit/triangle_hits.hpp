@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "exact/measure/line_hit.hpp"
+#include "exact/measure/round_crossing.hpp"
 #include "exact/point/frame.hpp"
 #include "exact/point/line_points.hpp"
 #include "geometry/line.hpp"
@@ -21,7 +22,6 @@ struct HitEnclosure {
     };
     Verdict verdict = Verdict::open;
     bool is_crossing = false;     // whether the line certainly crosses the triangle's plane, at one point
-    bool is_back = false;         // of a face
     bool has_area = false;        // whether the triangle's corners are certainly not on one line
     double lower = 0, upper = 0;  // contain the scaled parameter of that point, where there is one
 };
@@ -40,9 +40,13 @@ class TriangleHits {
     bool find(std::uint32_t triangle, exact::LineHit& hit);
 
     // Sets the one shared point of a triangle that the line is proven to cross inside the face.
-    void find_crossing(std::uint32_t triangle, bool is_back, exact::LineHit& hit);
+    void find_crossing(std::uint32_t triangle, exact::LineHit& hit);
+    // Sets the same, rounded, and returns true; or returns false where that is not known so cheaply.
+    bool round_crossing(std::uint32_t triangle, exact::RoundedCrossing& crossing);
 
   private:
+    bool has_short_points();
+    std::array<exact::LinePoints::Point, 3> short_points(std::uint32_t triangle) const;
     template <class Use>
     auto with_limbs(std::uint32_t triangle, Use&& use);
 
