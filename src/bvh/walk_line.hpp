@@ -166,7 +166,6 @@ struct LineLanes : ProjectedLanes<width> {
         for (;;) {
             if (at.ref.is_leaf()) {
                 const TreeLeaf& leaf = tree.leaves[at.ref.index()];
-                result.expect(leaf);
                 find_lanes(line, leaf, at.from, result.limit(), found);
                 result.visit(leaf, found);
             } else {
@@ -194,7 +193,7 @@ struct LineLanes : ProjectedLanes<width> {
 //
 // `result.limit()` is the r that counts from now on, at most 1: what is only met beyond it is left out.
 // `result.visit(leaf, found)` takes what is found of the triangles of a leaf; it may lower the limit.
-// `result.visit_node()` counts, and `result.expect(leaf)` may ask for memory. `stack` is working memory.
+// `result.visit_node()` counts. `stack` is working memory.
 template <class Result>
 void walk_line(const MeshBvh& tree, const LinePart& line, std::vector<LineNode>& stack, Result& result) {
     dispatch_by_width<LineLanes<4>::template walk<Result>, LineLanes<8>::template walk<Result>>(tree, line, stack,

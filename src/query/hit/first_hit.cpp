@@ -40,26 +40,25 @@ class BodySearch {
     // What walk_line asks.
     float limit() const noexcept { return ratio_; }
     void visit_node() noexcept { ++box_tests_; }
-    void expect(const TreeLeaf& leaf) const noexcept {
-        for (const std::uint32_t triangle : leaf.triangle) __builtin_prefetch(&triangles_[triangle]);
-    }
     void visit(const TreeLeaf& leaf, const FoundInLeaf& found) {
         counts_.triangle_tests += leaf.count;
         if (found.may_meet == 0) return;
         try_waiting();
         for (std::uint32_t lanes = found.may_meet; lanes != 0; lanes &= lanes - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+            const Triangle& vertices = leaf.vertices[lane];
             const std::uint32_t triangle = leaf.triangle[lane], bit = lanes & -lanes;
             if (triangle == tried_) continue;
             if ((found.inside & bit) != 0 && memory_.axes.is_within(found.low[lane], found.high[lane])) {
-                take_face(triangle, memory_.axes.parameter_below(found.low[lane]),
+                take_face(triangle, vertices, memory_.axes.parameter_below(found.low[lane]),
                           memory_.axes.parameter_above(found.high[lane]));
                 continue;
             }
-            if ((found.cross & bit) == 0 || !ties_at_shared(triangle)) visit(triangle);
+            if ((found.cross & bit) == 0 || !ties_at_shared(triangle, vertices)) visit(triangle, vertices);
         }
     }
-    void visit(std::uint32_t triangle);
+    void visit(std::uint32_t triangle) { visit(triangle, triangles_[triangle]); }
+    void visit(std::uint32_t triangle, const Triangle& vertices);
 
     // When all have been visited. Leaves out what doubles say is not the first.
     void settle();
@@ -90,20 +89,17 @@ class BodySearch {
         visit(tried_);
     }
     // It is certainly hit inside its face.
-    void take_face(std::uint32_t triangle, double lower, double upper) {
+    void take_face(std::uint32_t triangle, const Triangle& vertices, double lower, double upper) {
         if (lower > limit_) return;
-        prefetch_vertices(triangle);
-        memory_.faces.push_back({triangle, lower, upper});
+        for (const std::uint32_t vertex : vertices) __builtin_prefetch(&vertices_[vertex]);
+        memory_.faces.push_back({triangle, vertices, lower, upper});
         lower_limit(upper);
     }
-    void prefetch_vertices(std::uint32_t triangle) const noexcept {
-        for (const std::uint32_t vertex : triangles_[triangle]) __builtin_prefetch(&vertices_[vertex]);
-    }
-    void decide(std::uint32_t triangle, const HitEnclosure& enclosure);
-    void keep_least(std::uint32_t triangle) noexcept;
+    void decide(std::uint32_t triangle, const Triangle& vertices, const HitEnclosure& enclosure);
+    void keep_least(std::uint32_t triangle, const Triangle& vertices) noexcept;
     void set_shared(const Triangle& corners, const exact::LineHit& hit) noexcept;
-    bool ties_at_shared(std::uint32_t triangle) noexcept;
-    bool ties_along(std::uint32_t triangle) noexcept;
+    bool ties_at_shared(std::uint32_t triangle, const Triangle& vertices) noexcept;
+    bool ties_along(std::uint32_t triangle, const Triangle& vertices) noexcept;
     void take_tie(std::uint32_t triangle, Feature::Kind feature, std::uint32_t corner) noexcept;
 
     const Posed<MeshShape>& body_;
@@ -126,23 +122,23 @@ class BodySearch {
     std::array<std::uint32_t, 2> along_{none, none};
 };
 
-void BodySearch::visit(std::uint32_t triangle) {
+void BodySearch::visit(std::uint32_t triangle, const Triangle& vertices) {
     ++counts_.enclosures;
-    const HitEnclosure enclosure = memory_.triangles.enclose(triangle);
+    const HitEnclosure enclosure = memory_.triangles.enclose(vertices);
     if (enclosure.verdict == HitEnclosure::Verdict::none || enclosure.lower > limit_) return;
     if (enclosure.verdict == HitEnclosure::Verdict::face) {
-        take_face(triangle, enclosure.lower, enclosure.upper);
+        take_face(triangle, vertices, enclosure.lower, enclosure.upper);
     } else {
-        decide(triangle, enclosure);
+        decide(triangle, vertices, enclosure);
     }
 }
 
-void BodySearch::decide(std::uint32_t triangle, const HitEnclosure& enclosure) {
-    if (enclosure.is_crossing && ties_at_shared(triangle)) return;
-    if (enclosure.has_area && ties_along(triangle)) return;
+void BodySearch::decide(std::uint32_t triangle, const Triangle& vertices, const HitEnclosure& enclosure) {
+    if (enclosure.is_crossing && ties_at_shared(triangle, vertices)) return;
+    if (enclosure.has_area && ties_along(triangle, vertices)) return;
     ++counts_.exact;
-    if (!memory_.triangles.find(triangle, *memory_.other)) return;
-    keep_least(triangle);
+    if (!memory_.triangles.find(vertices, *memory_.other)) return;
+    keep_least(triangle, vertices);
     if (least_ != triangle) return;
     double upper = enclosure.upper;
     if (!enclosure.is_crossing) upper = line_.scaled_above(next_up(exact::round_fraction(memory_.own->enter.ref())));
@@ -150,13 +146,12 @@ void BodySearch::decide(std::uint32_t triangle, const HitEnclosure& enclosure) {
 }
 
 // Keeps memory.other, of this triangle, if it is the least so far.
-void BodySearch::keep_least(std::uint32_t triangle) noexcept {
+void BodySearch::keep_least(std::uint32_t triangle, const Triangle& corners) noexcept {
     const int order = least_ == none ? -1 : compare(memory_.other->enter.ref(), memory_.own->enter.ref());
     if (order > 0) return;
     // What holds the entry holds it whichever triangle is entered there.
     if (order < 0) shared_ = along_ = {none, none};
     const exact::LineHit& hit = *memory_.other;
-    const Triangle& corners = triangles_[triangle];
     const bool is_kept = triangle < least_ || order < 0;
     if (hit.is_along && hit.feature == Feature::Kind::edge && (is_kept || along_[0] == none))
         along_ = {corners[hit.corner], corners[(hit.corner + 1) % 3]};
@@ -193,9 +188,8 @@ void BodySearch::take_tie(std::uint32_t triangle, Feature::Kind feature, std::ui
 
 // Whether a triangle whose plane the line crosses has the vertex, or the edge, at which the least one is hit first.
 // Then it is hit there and nowhere else: at the same parameter, and nothing need be computed.
-bool BodySearch::ties_at_shared(std::uint32_t triangle) noexcept {
+bool BodySearch::ties_at_shared(std::uint32_t triangle, const Triangle& corners) noexcept {
     if (shared_[0] == none) return false;
-    const Triangle& corners = triangles_[triangle];
     const bool is_vertex = shared_[1] == none;
     const auto corner = is_vertex ? static_cast<std::uint32_t>(std::ranges::find(corners, shared_[0]) - corners.begin())
                                   : find_edge(corners, shared_);
@@ -209,9 +203,9 @@ bool BodySearch::ties_at_shared(std::uint32_t triangle) noexcept {
 
 // Whether a triangle whose corners are not on one line has the edge that the line runs along. Then it shares with the
 // line what the other triangle of that edge does, from the same parameter on.
-bool BodySearch::ties_along(std::uint32_t triangle) noexcept {
+bool BodySearch::ties_along(std::uint32_t triangle, const Triangle& corners) noexcept {
     if (along_[0] == none) return false;
-    const std::uint32_t corner = find_edge(triangles_[triangle], along_);
+    const std::uint32_t corner = find_edge(corners, along_);
     if (corner == 3) return false;
     if (triangle > least_) return true;
     // Elsewhere it is not known any more where the line leaves this edge.
@@ -227,7 +221,7 @@ void BodySearch::settle() {
     if (faces.size() + (least_ != none) < 2) return;
     for (HitMemory::FaceHit& face : faces) {
         ++counts_.enclosures;
-        const HitEnclosure enclosure = memory_.triangles.enclose(face.triangle);
+        const HitEnclosure enclosure = memory_.triangles.enclose(face.vertices);
         face.lower = std::max(face.lower, enclosure.lower);
         lower_limit(enclosure.upper);
     }
@@ -236,23 +230,23 @@ void BodySearch::settle() {
 
 bool BodySearch::round_only_face(Hit& hit) {
     if (least_ != none || memory_.faces.size() != 1) return false;
-    const std::uint32_t triangle = memory_.faces.front().triangle;
+    const HitMemory::FaceHit& face = memory_.faces.front();
     exact::RoundedCrossing crossing;
-    if (!memory_.triangles.round_crossing(triangle, crossing)) return false;
+    if (!memory_.triangles.round_crossing(face.vertices, crossing)) return false;
     ++counts_.exact;
-    least_ = triangle;
+    least_ = face.triangle;
     hit.parameter = hit.leave_parameter = crossing.at.parameter;
     hit.point = hit.leave_point = crossing.at.point;
     hit.kind = crossing.facing < 0 ? HitKind::front : HitKind::back;
-    hit.feature = {Feature::Kind::face, triangle, 0};
+    hit.feature = {Feature::Kind::face, face.triangle, 0};
     return true;
 }
 
 bool BodySearch::finish() {
     for (const HitMemory::FaceHit& face : memory_.faces) {
         ++counts_.exact;
-        memory_.triangles.find_crossing(face.triangle, *memory_.other);
-        keep_least(face.triangle);
+        memory_.triangles.find_crossing(face.vertices, *memory_.other);
+        keep_least(face.triangle, face.vertices);
     }
     return least_ != none;
 }

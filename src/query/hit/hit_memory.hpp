@@ -20,6 +20,7 @@ struct HitMemory final : QueryMemoryPart {
     // A triangle that is certainly hit inside its face, between two scaled parameters.
     struct FaceHit {
         std::uint32_t triangle;
+        Triangle vertices;
         double lower, upper;
     };
 
