@@ -34,7 +34,8 @@ ECODS_API std::optional<Hit> first_hit(const Segment& segment, const Posed<MeshS
 ECODS_API std::optional<Hit> first_hit(const Ray& ray, const Posed<MeshShape>& body, QueryMemory& memory);
 
 // The same, for a segment or ray that has moved little since it was asked about: tries the witness's triangle `b`
-// first, and leaves the one hit. The witness may come from any question and any bodies.
+// first, and leaves the one hit. The witness may come from any question and any bodies. Of a segment that goes on in
+// small steps, one memory keeps what is near its way: most steps then need no walk.
 ECODS_API std::optional<Hit> first_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory,
                                        PairWitness& witness);
 ECODS_API std::optional<Hit> first_hit(const Ray& ray, const Posed<MeshShape>& body, QueryMemory& memory,

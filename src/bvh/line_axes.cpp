@@ -15,8 +15,10 @@ namespace {
 
 constexpr double float_v = 0x1p-23;
 constexpr double error_max = 0x1p-6;  // beyond, boxes say little
+constexpr double box_error_max = 0x1p-19;
 constexpr double direction_error_max = 0x1p-20;
 constexpr double scaled_direction_min = 0x1p-960;  // of D, whose inverse must not overflow
+constexpr double length_min = 0x1p-900;            // of s
 constexpr float direction_min = 0x1p-30f;
 constexpr double unit_distance_max = 0x1p-40;
 
@@ -150,6 +152,7 @@ LineAxes::Place LineAxes::place(const ScaledLine& line, double limit) {
 
     begin_ = s0;
     length_ = s1 - s0;
+    has_ends_ = line.end_low == line.end_high && length_ >= length_min;
     std::array<double, 3> o, e;
     for (std::size_t k = 0; k < 3; ++k) {
         o[k] = X[k] + s0 * D[k];
@@ -191,6 +194,49 @@ void LineAxes::set_part(const std::array<double, 3>& o, const std::array<double,
     const double corner = axes_.is_unit ? corner_error : 16 * float_v;
     part_.side = static_cast<float>((2 * (error_largest + corner) + 80 * scale * float_v) * (1 + 0x1p-20));
     part_.depth = 2 * part_.side * part_.inverse_size[z];
+}
+
+bool LineAxes::place_box(const Vec3& low, const Vec3& high, BoxOnAxes& box) const noexcept {
+    const Axes& s = axes_;
+    if (!s.is_bounded || !s.is_unit) return false;
+    std::array<double, 3> x, x_size, half;
+    double factor = 0, most = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto axis = static_cast<Eigen::Index>(k);
+        const double from = low[axis] - s.t[k], to = high[axis] - s.t[k];
+        x[k] = 0.5 * (from + to) - s.origin[k];
+        x_size[k] = std::max(std::abs(from), std::abs(to)) + s.origin_size[k];
+        half[k] = 0.5 * (to - from) + 4 * two_u * x_size[k];
+        factor += x_size[k];
+    }
+    // In this form a NaN anywhere is not known.
+    bool is_placed = (factor + 4) * s.factor < axes::factor_max;
+    for (std::size_t row = 0; row < 3; ++row) {
+        const auto &N = s.N[row], &size = s.N_size[row];
+        const double X = (N[0] * x[0] + N[1] * x[1]) + N[2] * x[2];
+        const double reach = (size[0] * half[0] + size[1] * half[1]) + size[2] * half[2];
+        const double error =
+            8 * two_u * ((size[0] * x_size[0] + size[1] * x_size[1]) + size[2] * x_size[2]) + s.own_error[row];
+        is_placed = is_placed && std::abs(X) + (reach + error) < 3.9 && error <= box_error_max;
+        if (!is_placed) return false;
+        box.center[row] = static_cast<float>(X);
+        box.half[row] = static_cast<float>(((reach + error) + 64 * float_v) * (1 + 0x1p-20));
+        most = std::max(most, error);
+    }
+    box.error = static_cast<float>((most + 64 * float_v) * (1 + 0x1p-20));
+    return true;
+}
+
+std::array<float, 3> LineAxes::at(const Vec3& point) const noexcept {
+    const Axes& s = axes_;
+    const double x = (point[0] - s.t[0]) - s.origin[0], y = (point[1] - s.t[1]) - s.origin[1],
+                 z = (point[2] - s.t[2]) - s.origin[2];
+    std::array<float, 3> result;
+    for (std::size_t row = 0; row < 3; ++row) {
+        const auto& N = s.N[row];
+        result[row] = static_cast<float>((N[0] * x + N[1] * y) + N[2] * z);
+    }
+    return result;
 }
 
 float LineAxes::ratio_above(double parameter) const noexcept {

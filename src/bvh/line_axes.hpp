@@ -38,6 +38,16 @@
 // T)). Where coordinates of e were replaced and e is below 2^-7, the slopes say where points of the line may be, but
 // not which planes are parallel to it.
 //
+// Where all three weights certainly have one sign, the line crosses the face, at T = sum w z / sum w for the real
+// weights and parameters, which is between the z: with far = max |z|, |sum w (z - T)| for the computed ones is at most
+// 6 B (far + depth) + sum |w| depth, and the quotient is off by that over |sum w|, 7 v sum |w| far / |sum w| for
+// products, sums and the quotient, and 4 v (far + r) for adding the r where z is 0. The line is hit there within its
+// ends if T is between 2^-16 and 1 - 2^-16: s = s0 + T (s1 - s0), which rounding changes by 3 u', is less than s1 then.
+//
+// A box of the world: differences from t are off by u' of themselves, their mean and half their difference by 3 u' |x -
+// t| together, which is added to the half; N and what is of the tree as above. Within 4 of zero, floats are off by 4 v
+// for converting, 5 v for the difference of centers and 6 v for the sum of halves; a point by 4 v. 64 v are added.
+//
 // Underflow: as in separating_axes.hpp, factors are below 2^900; floats that matter are above 2^-60.
 #pragma once
 
@@ -69,6 +79,13 @@ struct LinePart {
     std::array<std::array<float, 3>, 3> p, size;
 };
 
+// A box of the world on the axes: its points are within `half` of `center`, the errors of the nodes' boxes and of
+// floats included; a point of it in floats, at(), is off by less than `error`.
+struct BoxOnAxes {
+    std::array<float, 3> center, half;
+    float error;
+};
+
 class LineAxes {
   public:
     // What does not depend on the line.
@@ -83,6 +100,21 @@ class LineAxes {
     Place place(const ScaledLine& line, double limit);
 
     const LinePart& part() const noexcept { return part_; }
+
+    // Sets where a box of the world is, and returns true; or returns false where that is not known well, or the axes
+    // are not the tree's own. The box counts even if the tree is elsewhere.
+    bool place_box(const Vec3& low, const Vec3& high, BoxOnAxes& box) const noexcept;
+
+    // A point of a box that is placed.
+    std::array<float, 3> at(const Vec3& point) const noexcept;
+
+    // Whether points of these r, as floats have it, are certainly within the line's ends; and the scaled parameters
+    // that contain theirs.
+    bool is_within(float low, float high) const noexcept {
+        return has_ends_ && low >= 0x1p-16f && high <= 1 - 0x1p-16f;
+    }
+    double parameter_below(float ratio) const noexcept { return (begin_ + ratio * length_) * (1 - 0x1p-48); }
+    double parameter_above(float ratio) const noexcept { return (begin_ + ratio * length_) * (1 + 0x1p-48); }
 
     // r of points whose scaled parameter is at most `parameter` is not above it.
     float ratio_above(double parameter) const noexcept;
@@ -106,6 +138,7 @@ class LineAxes {
     Axes axes_;
     LinePart part_;
     double begin_ = 0, length_ = 0;  // s0, s1 - s0
+    bool has_ends_ = false;          // whether s1 is certainly not beyond the line's end, and no s between underflows
 };
 
 }  // namespace ecods

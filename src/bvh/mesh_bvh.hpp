@@ -54,11 +54,15 @@ struct alignas(32) BvhNode {
 };
 
 // Eight triangles. Coordinates are off by no more than corner_error. Lanes from `count` on repeat the last one.
-struct alignas(32) TreeLeaf {
+//
+// The vertices are those of Mesh::triangles(), 12 bytes for a triangle, so that who asks for the exact corners need not
+// wait for that first. All of it is seven cache lines.
+struct alignas(64) TreeLeaf {
     std::array<std::array<FloatLanes, 3>, 3> corner;  // by corner and axis
     std::array<std::uint32_t, tree_width> triangle;   // in the mesh
     Slab slab;
     std::uint32_t count;
+    std::array<Triangle, tree_width> vertices;
 
     std::uint32_t lanes() const noexcept { return (1u << count) - 1; }
 };

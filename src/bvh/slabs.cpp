@@ -17,10 +17,11 @@ Vec3 corner_of(const TreeLeaf& leaf, std::size_t lane, std::size_t corner) {
     return {static_cast<double>(c[0][lane]), static_cast<double>(c[1][lane]), static_cast<double>(c[2][lane])};
 }
 
-void set_corners(TreeLeaf& leaf, const Mesh& mesh, const LocalFrame& frame) {
+void set_vertices(TreeLeaf& leaf, const Mesh& mesh, const LocalFrame& frame) {
     for (std::size_t lane = 0; lane < tree_width; ++lane) {
+        leaf.vertices[lane] = mesh.triangles()[leaf.triangle[lane]];
         for (std::size_t corner = 0; corner < 3; ++corner) {
-            const Vec3& v = mesh.vertices()[mesh.triangles()[leaf.triangle[lane]][corner]];
+            const Vec3& v = mesh.vertices()[leaf.vertices[lane][corner]];
             // A frame without bounds has no coordinates, and none is read.
             const Vec3 y = frame.is_bounded ? frame.coordinates(v) : Vec3(0, 0, 0);
             for (std::size_t k = 0; k < 3; ++k) {
@@ -82,7 +83,7 @@ void set_corners_and_slabs(MeshBvh& tree, const Mesh& mesh) {
     std::vector<Vec3> areas;
     areas.reserve(leaves.size());
     for (TreeLeaf& leaf : tree.leaves) {
-        set_corners(leaf, mesh, tree.frame);
+        set_vertices(leaf, mesh, tree.frame);
         areas.push_back(area_of(leaf));
         leaf.slab = slab_of({&leaf, 1}, areas.back());
     }

@@ -20,6 +20,14 @@ struct LineNode {
     TreeRef ref;
 };
 
+// Triangles of a leaf, as bits.
+struct FoundInLeaf {
+    std::uint32_t may_meet;  // the line may share a point with it
+    std::uint32_t cross;     // of these: the line certainly is neither in its plane nor parallel to it
+    std::uint32_t inside;    // of these: the line certainly crosses it inside its face, between these parameters
+    alignas(32) FloatLanes low, high;
+};
+
 template <std::size_t width>
 struct LineLanes : ProjectedLanes<width> {
     using Lanes = ProjectedLanes<width>;
@@ -54,20 +62,14 @@ struct LineLanes : ProjectedLanes<width> {
         return bits_of(lanes) & node.lanes();
     }
 
-    // Triangles of a leaf, as bits.
-    struct Found {
-        std::uint32_t may_meet;  // the line may share a point with it
-        std::uint32_t cross;     // of these: the line certainly is neither in its plane nor parallel to it
-    };
-
     // The triangles of a leaf that the line's part up to `limit` may meet; it meets nothing of the leaf before `from`.
-    ECODS_ALWAYS_INLINE static Found find_lanes(const LinePart& line, const TreeLeaf& leaf, float from,
-                                                float limit) noexcept {
+    ECODS_ALWAYS_INLINE static void find_lanes(const LinePart& line, const TreeLeaf& leaf, float from, float limit,
+                                               FoundInLeaf& found) noexcept {
         const std::array<std::size_t, 3> axes{line.x, line.y, line.z};
         std::array<float, 3> g;
         for (std::size_t k = 0; k < 3; ++k) g[k] = line.origin[k] + from * line.direction[k];
         const float ahead = limit - from;
-        Ints lanes[part_count], crossed[part_count];
+        Ints lanes[part_count], crossed[part_count], inside[part_count];
         for (std::size_t part = 0; part < part_count; ++part) {
             const Ints bits = lane_bits<Ints>(static_cast<int>(part * width));
             Floats x[3], y[3], z[3];
@@ -112,9 +114,21 @@ struct LineLanes : ProjectedLanes<width> {
                 (is_front & ((after > error) | (before < -error))) | (is_back & ((after < -error) | (before > error)));
             lanes[part] = ~(is_beside | is_outside | is_apart | is_beyond) & bits;
             crossed[part] = (is_front | is_back) & bits;
+            // In the face the point is where the weighted mean of the corners' parameters is: between them.
+            const Floats far = max(absolute(z_low), absolute(z_high));
+            const Floats all_size = absolute(all), at_plane = ((a * z[0] + b * z[1]) + c * z[2]) / all;
+            const Floats doubt_of_it =
+                (((6.02f * bound) * (far + line.depth) + sizes * (1.01f * line.depth + (16 * 0x1p-23f) * far)) /
+                     all_size +
+                 (from + far) * 0x1p-20f) *
+                (1 + 0x1p-10f);
+            inside[part] = ((min(a, min(b, c)) > bound) | (max(a, max(b, c)) < -bound)) & crossed[part];
+            Lanes::store(found.low, part, (at_plane - doubt_of_it) + from);
+            Lanes::store(found.high, part, (at_plane + doubt_of_it) + from);
         }
-        const std::uint32_t may_meet = bits_of(lanes) & leaf.lanes();
-        return {may_meet, line.has_slopes ? bits_of(crossed) & may_meet : 0};
+        found.may_meet = bits_of(lanes) & leaf.lanes();
+        found.cross = line.has_slopes ? bits_of(crossed) & found.may_meet : 0;
+        found.inside = bits_of(inside) & found.cross;
     }
 
     // Asks for the memory of a node or leaf that is visited soon.
@@ -145,15 +159,15 @@ struct LineLanes : ProjectedLanes<width> {
     ECODS_ALWAYS_INLINE static void walk(const MeshBvh& tree, const LinePart& line, std::vector<LineNode>& stack,
                                          Result& result) {
         alignas(32) FloatLanes from;
+        FoundInLeaf found;
         if (stack.size() < 2 * tree_width) stack.resize(2 * tree_width);
         std::size_t depth = 0;
         LineNode at{0, tree.root};
         for (;;) {
             if (at.ref.is_leaf()) {
                 const TreeLeaf& leaf = tree.leaves[at.ref.index()];
-                result.expect(leaf);
-                const Found found = find_lanes(line, leaf, at.from, result.limit());
-                result.visit(leaf, found.may_meet, found.cross);
+                find_lanes(line, leaf, at.from, result.limit(), found);
+                result.visit(leaf, found);
             } else {
                 const BvhNode& node = tree.nodes[at.ref.index()];
                 const std::uint32_t lanes = find_lanes(line, node, result.limit(), from);
@@ -178,10 +192,8 @@ struct LineLanes : ProjectedLanes<width> {
 // Visits the leaves that the line may meet, in the order of `from` or nearly so.
 //
 // `result.limit()` is the r that counts from now on, at most 1: what is only met beyond it is left out.
-// `result.visit(leaf, may_meet, cross)` takes the triangles of a leaf that may be hit, as bits, and those of them whose
-// plane the line certainly crosses at one point; it may lower the limit. `result.visit_node()` counts, and
-// `result.expect(leaf)` may ask for memory. `stack` is
-// working memory.
+// `result.visit(leaf, found)` takes what is found of the triangles of a leaf; it may lower the limit.
+// `result.visit_node()` counts. `stack` is working memory.
 template <class Result>
 void walk_line(const MeshBvh& tree, const LinePart& line, std::vector<LineNode>& stack, Result& result) {
     dispatch_by_width<LineLanes<4>::template walk<Result>, LineLanes<8>::template walk<Result>>(tree, line, stack,

@@ -139,7 +139,8 @@ std::optional<Wrong> HitTruth::ask(const Question& question, QueryMemory& memory
         const std::pair<const char*, std::optional<Hit>> asked[] = {
             {"first_hit", first_hit(line, body_, memory)},
             {"first_hit, with a witness", first_hit(line, body_, memory, witness)},
-            {"first_hit, with its own witness", first_hit(line, body_, memory, witness)}};
+            {"first_hit, with its own witness", first_hit(line, body_, memory, witness)},
+            {"first_hit, asked once more", first_hit(line, body_, memory, witness)}};
         for (const auto& [name, hit] : asked) {
             if (!is_same(first, hit)) return Wrong{name, text(first), text(hit)};
         }

@@ -71,10 +71,12 @@ class LineTriangle {
     }
 
     // Sets the parameter of the point in which the line crosses the plane. Only where it is known that it does, not
-    // before its beginning.
-    void find_crossing(Fraction& at) const noexcept {
+    // before its beginning. Returns the sign of n . d.
+    int find_crossing(Fraction& at) const noexcept {
         const LimbVector<2 * L> n = normal();
-        set(at, dot<2 * L, L>(n, corner_[0]), dot<2 * L, L>(n, d_));
+        const Magnitude<3 * L> den = dot<2 * L, L>(n, d_);
+        set(at, dot<2 * L, L>(n, corner_[0]), den);
+        return sign<3 * L>(den);
     }
 
   private:

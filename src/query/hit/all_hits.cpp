@@ -53,25 +53,28 @@ AllHits::~AllHits() = default;
 // Takes every triangle that is hit, from a walk that leaves out nothing.
 class AllHits::Collector {
   public:
-    Collector(State& state, std::uint64_t key) : state_(state), key_(key) {}
+    Collector(State& state, const Mesh& mesh, std::uint64_t key) : state_(state), mesh_(mesh), key_(key) {}
 
     float limit() const noexcept { return 1; }
     void visit_node() noexcept { ++state_.counts.box_tests; }
-    void expect(const TreeLeaf&) const noexcept {}
-    void visit(const TreeLeaf& leaf, std::uint32_t lanes, std::uint32_t) {
+    void visit(const TreeLeaf& leaf, const FoundInLeaf& found) {
         state_.counts.hits.triangle_tests += leaf.count;
-        for (; lanes != 0; lanes &= lanes - 1) visit(leaf.triangle[static_cast<std::size_t>(std::countr_zero(lanes))]);
+        for (std::uint32_t lanes = found.may_meet; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+            visit(leaf.triangle[lane], leaf.vertices[lane]);
+        }
     }
-    void visit(std::uint32_t triangle) {
+    void visit(std::uint32_t triangle) { visit(triangle, mesh_.triangles()[triangle]); }
+    void visit(std::uint32_t triangle, const Triangle& vertices) {
         HitCounts& counts = state_.counts.hits;
         HitMemory& memory = state_.memory;
         ++counts.enclosures;
-        const HitEnclosure enclosure = memory.triangles.enclose(triangle);
+        const HitEnclosure enclosure = memory.triangles.enclose(vertices);
         if (enclosure.verdict == HitEnclosure::Verdict::none) return;
         ++counts.exact;
         if (enclosure.verdict == HitEnclosure::Verdict::face) {
-            memory.triangles.find_crossing(triangle, enclosure.is_back, *memory.other);
-        } else if (!memory.triangles.find(triangle, *memory.other)) {
+            memory.triangles.find_crossing(vertices, *memory.other);
+        } else if (!memory.triangles.find(vertices, *memory.other)) {
             return;
         }
         state_.add({key_, rounded(state_.line, *memory.other, triangle)}, memory.other->enter);
@@ -79,6 +82,7 @@ class AllHits::Collector {
 
   private:
     State& state_;
+    const Mesh& mesh_;
     std::uint64_t key_;
 };
 
@@ -86,7 +90,7 @@ void AllHits::ask(const Posed<MeshShape>& body, std::uint64_t key) {
     State& s = *state_;
     ++s.counts.queries;
     const LineAxes::Place place = s.memory.bind(s.line, s.scaled, s.scaled.end_high, body);
-    Collector collector(s, key);
+    Collector collector(s, body.what->mesh(), key);
     s.memory.walk(body, place, collector);
 }
 

@@ -17,6 +17,7 @@ class BodySearch {
     BodySearch(const Posed<MeshShape>& body, HitMemory& memory, const ScaledLine& line, double limit, HitCounts& counts)
         : body_(body),
           triangles_(body.what->mesh().triangles().data()),
+          vertices_(body.what->mesh().vertices().data()),
           memory_(memory),
           line_(line),
           limit_(limit),
@@ -39,22 +40,31 @@ class BodySearch {
     // What walk_line asks.
     float limit() const noexcept { return ratio_; }
     void visit_node() noexcept { ++box_tests_; }
-    void expect(const TreeLeaf& leaf) const noexcept {
-        for (const std::uint32_t triangle : leaf.triangle) __builtin_prefetch(&triangles_[triangle]);
-    }
-    void visit(const TreeLeaf& leaf, std::uint32_t lanes, std::uint32_t cross) {
+    void visit(const TreeLeaf& leaf, const FoundInLeaf& found) {
         counts_.triangle_tests += leaf.count;
-        if (lanes == 0) return;
+        if (found.may_meet == 0) return;
         try_waiting();
-        for (; lanes != 0; lanes &= lanes - 1) {
-            const std::uint32_t triangle = leaf.triangle[static_cast<std::size_t>(std::countr_zero(lanes))];
+        for (std::uint32_t lanes = found.may_meet; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+            const Triangle& vertices = leaf.vertices[lane];
+            const std::uint32_t triangle = leaf.triangle[lane], bit = lanes & -lanes;
             if (triangle == tried_) continue;
-            const bool is_crossing = (cross & lanes & -lanes) != 0;
-            if (!is_crossing || !ties_at_shared(triangle)) visit(triangle);
+            if ((found.inside & bit) != 0 && memory_.axes.is_within(found.low[lane], found.high[lane])) {
+                take_face(triangle, vertices, memory_.axes.parameter_below(found.low[lane]),
+                          memory_.axes.parameter_above(found.high[lane]));
+                continue;
+            }
+            if ((found.cross & bit) == 0 || !ties_at_shared(triangle, vertices)) visit(triangle, vertices);
         }
     }
-    void visit(std::uint32_t triangle);
+    void visit(std::uint32_t triangle) { visit(triangle, triangles_[triangle]); }
+    void visit(std::uint32_t triangle, const Triangle& vertices);
 
+    // When all have been visited. Leaves out what doubles say is not the first.
+    void settle();
+    // If what is left is one face, sets its hit, rounded, and returns true; or returns false where that is not known so
+    // cheaply.
+    bool round_only_face(Hit& hit);
     // Compares what is left. Returns whether there is a hit: memory.own, of triangle().
     bool finish();
     std::uint32_t triangle() const noexcept { return least_; }
@@ -63,6 +73,9 @@ class BodySearch {
   private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
+    void leave_out_late_faces() noexcept {
+        std::erase_if(memory_.faces, [&](const HitMemory::FaceHit& face) { return face.lower > limit_; });
+    }
     void set_ratio() noexcept { ratio_ = memory_.axes.ratio_above(limit_); }
     void lower_limit(double upper) noexcept {
         if (!(upper < limit_)) return;
@@ -75,15 +88,23 @@ class BodySearch {
         tried_ = std::exchange(waiting_, none);
         visit(tried_);
     }
-    void decide(std::uint32_t triangle, const HitEnclosure& enclosure);
-    void keep_least(std::uint32_t triangle) noexcept;
+    // It is certainly hit inside its face.
+    void take_face(std::uint32_t triangle, const Triangle& vertices, double lower, double upper) {
+        if (lower > limit_) return;
+        for (const std::uint32_t vertex : vertices) __builtin_prefetch(&vertices_[vertex]);
+        memory_.faces.push_back({triangle, vertices, lower, upper});
+        lower_limit(upper);
+    }
+    void decide(std::uint32_t triangle, const Triangle& vertices, const HitEnclosure& enclosure);
+    void keep_least(std::uint32_t triangle, const Triangle& vertices) noexcept;
     void set_shared(const Triangle& corners, const exact::LineHit& hit) noexcept;
-    bool ties_at_shared(std::uint32_t triangle) noexcept;
-    bool ties_along(std::uint32_t triangle) noexcept;
+    bool ties_at_shared(std::uint32_t triangle, const Triangle& vertices) noexcept;
+    bool ties_along(std::uint32_t triangle, const Triangle& vertices) noexcept;
     void take_tie(std::uint32_t triangle, Feature::Kind feature, std::uint32_t corner) noexcept;
 
     const Posed<MeshShape>& body_;
     const Triangle* triangles_;
+    const Vec3* vertices_;
     HitMemory& memory_;
     const ScaledLine& line_;
     double limit_;
@@ -101,24 +122,23 @@ class BodySearch {
     std::array<std::uint32_t, 2> along_{none, none};
 };
 
-void BodySearch::visit(std::uint32_t triangle) {
+void BodySearch::visit(std::uint32_t triangle, const Triangle& vertices) {
     ++counts_.enclosures;
-    const HitEnclosure enclosure = memory_.triangles.enclose(triangle);
+    const HitEnclosure enclosure = memory_.triangles.enclose(vertices);
     if (enclosure.verdict == HitEnclosure::Verdict::none || enclosure.lower > limit_) return;
     if (enclosure.verdict == HitEnclosure::Verdict::face) {
-        memory_.faces.push_back({triangle, enclosure});
-        lower_limit(enclosure.upper);
+        take_face(triangle, vertices, enclosure.lower, enclosure.upper);
     } else {
-        decide(triangle, enclosure);
+        decide(triangle, vertices, enclosure);
     }
 }
 
-void BodySearch::decide(std::uint32_t triangle, const HitEnclosure& enclosure) {
-    if (enclosure.is_crossing && ties_at_shared(triangle)) return;
-    if (enclosure.has_area && ties_along(triangle)) return;
+void BodySearch::decide(std::uint32_t triangle, const Triangle& vertices, const HitEnclosure& enclosure) {
+    if (enclosure.is_crossing && ties_at_shared(triangle, vertices)) return;
+    if (enclosure.has_area && ties_along(triangle, vertices)) return;
     ++counts_.exact;
-    if (!memory_.triangles.find(triangle, *memory_.other)) return;
-    keep_least(triangle);
+    if (!memory_.triangles.find(vertices, *memory_.other)) return;
+    keep_least(triangle, vertices);
     if (least_ != triangle) return;
     double upper = enclosure.upper;
     if (!enclosure.is_crossing) upper = line_.scaled_above(next_up(exact::round_fraction(memory_.own->enter.ref())));
@@ -126,13 +146,12 @@ void BodySearch::decide(std::uint32_t triangle, const HitEnclosure& enclosure) {
 }
 
 // Keeps memory.other, of this triangle, if it is the least so far.
-void BodySearch::keep_least(std::uint32_t triangle) noexcept {
+void BodySearch::keep_least(std::uint32_t triangle, const Triangle& corners) noexcept {
     const int order = least_ == none ? -1 : compare(memory_.other->enter.ref(), memory_.own->enter.ref());
     if (order > 0) return;
     // What holds the entry holds it whichever triangle is entered there.
     if (order < 0) shared_ = along_ = {none, none};
     const exact::LineHit& hit = *memory_.other;
-    const Triangle& corners = triangles_[triangle];
     const bool is_kept = triangle < least_ || order < 0;
     if (hit.is_along && hit.feature == Feature::Kind::edge && (is_kept || along_[0] == none))
         along_ = {corners[hit.corner], corners[(hit.corner + 1) % 3]};
@@ -169,9 +188,8 @@ void BodySearch::take_tie(std::uint32_t triangle, Feature::Kind feature, std::ui
 
 // Whether a triangle whose plane the line crosses has the vertex, or the edge, at which the least one is hit first.
 // Then it is hit there and nowhere else: at the same parameter, and nothing need be computed.
-bool BodySearch::ties_at_shared(std::uint32_t triangle) noexcept {
+bool BodySearch::ties_at_shared(std::uint32_t triangle, const Triangle& corners) noexcept {
     if (shared_[0] == none) return false;
-    const Triangle& corners = triangles_[triangle];
     const bool is_vertex = shared_[1] == none;
     const auto corner = is_vertex ? static_cast<std::uint32_t>(std::ranges::find(corners, shared_[0]) - corners.begin())
                                   : find_edge(corners, shared_);
@@ -185,9 +203,9 @@ bool BodySearch::ties_at_shared(std::uint32_t triangle) noexcept {
 
 // Whether a triangle whose corners are not on one line has the edge that the line runs along. Then it shares with the
 // line what the other triangle of that edge does, from the same parameter on.
-bool BodySearch::ties_along(std::uint32_t triangle) noexcept {
+bool BodySearch::ties_along(std::uint32_t triangle, const Triangle& corners) noexcept {
     if (along_[0] == none) return false;
-    const std::uint32_t corner = find_edge(triangles_[triangle], along_);
+    const std::uint32_t corner = find_edge(corners, along_);
     if (corner == 3) return false;
     if (triangle > least_) return true;
     // Elsewhere it is not known any more where the line leaves this edge.
@@ -196,20 +214,48 @@ bool BodySearch::ties_along(std::uint32_t triangle) noexcept {
     return true;
 }
 
+void BodySearch::settle() {
+    auto& faces = memory_.faces;
+    leave_out_late_faces();
+    // Floats may leave several that doubles part.
+    if (faces.size() + (least_ != none) < 2) return;
+    for (HitMemory::FaceHit& face : faces) {
+        ++counts_.enclosures;
+        const HitEnclosure enclosure = memory_.triangles.enclose(face.vertices);
+        face.lower = std::max(face.lower, enclosure.lower);
+        lower_limit(enclosure.upper);
+    }
+    leave_out_late_faces();
+}
+
+bool BodySearch::round_only_face(Hit& hit) {
+    if (least_ != none || memory_.faces.size() != 1) return false;
+    const HitMemory::FaceHit& face = memory_.faces.front();
+    exact::RoundedCrossing crossing;
+    if (!memory_.triangles.round_crossing(face.vertices, crossing)) return false;
+    ++counts_.exact;
+    least_ = face.triangle;
+    hit.parameter = hit.leave_parameter = crossing.at.parameter;
+    hit.point = hit.leave_point = crossing.at.point;
+    hit.kind = crossing.facing < 0 ? HitKind::front : HitKind::back;
+    hit.feature = {Feature::Kind::face, face.triangle, 0};
+    return true;
+}
+
 bool BodySearch::finish() {
     for (const HitMemory::FaceHit& face : memory_.faces) {
-        if (face.enclosure.lower > limit_) continue;
         ++counts_.exact;
-        memory_.triangles.find_crossing(face.triangle, face.enclosure.is_back, *memory_.other);
-        keep_least(face.triangle);
+        memory_.triangles.find_crossing(face.vertices, *memory_.other);
+        keep_least(face.triangle, face.vertices);
     }
     return least_ != none;
 }
 
 }  // namespace
 
-FirstHit::FirstHit(const Line& line, QueryMemory& memory)
+FirstHit::FirstHit(const Line& line, QueryMemory& memory, bool is_alone)
     : line_(line),
+      is_alone_(is_alone),
       scaled_(line),
       memory_(HitMemory::of(memory)),
       counts_(QueryMemoryAccess::state(memory).counts),
@@ -229,15 +275,33 @@ void FirstHit::ask(const Posed<MeshShape>& body, std::uint64_t key, PairWitness&
     if (witness.b < body.what->mesh().triangles().size()) search.try_first(witness.b);
     search.walk(place);
     counts_.box_tests += search.box_tests();
-    if (!search.finish() || !is_before_least(memory_.own->enter, key, search.triangle())) return;
+    take(search, key, witness);
+}
+
+void FirstHit::ask_about(std::span<const std::uint32_t> triangles, const Posed<MeshShape>& body, std::uint64_t key,
+                         PairWitness& witness) {
+    ++counts_.queries;
+    memory_.bind_triangles(line_, scaled_, body);
+    BodySearch search(body, memory_, scaled_, limit_, counts_.hits);
+    for (const std::uint32_t triangle : triangles) search.visit(triangle);
+    take(search, key, witness);
+}
+
+template <class Search>
+void FirstHit::take(Search& search, std::uint64_t key, PairWitness& witness) {
+    search.settle();
+    const bool is_rounded = is_alone_ && search.round_only_face(least_.hit);
+    if (!is_rounded) {
+        if (!search.finish() || !is_before_least(memory_.own->enter, key, search.triangle())) return;
+        std::swap(memory_.best, memory_.own);
+        least_.hit.feature.triangle = search.triangle();
+    }
     if (search.triangle() == witness.b) ++counts_.witness_hits;
     witness.b = search.triangle();
-    std::swap(memory_.best, memory_.own);
     limit_ = search.parameter_limit();
     found_ = true;
-    is_rounded_ = false;
+    is_rounded_ = is_rounded;
     least_.key = key;
-    least_.hit.feature.triangle = search.triangle();
 }
 
 void FirstHit::ask(const Posed<MeshShape>& body, std::uint64_t key) {

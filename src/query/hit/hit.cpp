@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "query/hit/hit_memory.hpp"
 #include "query/hit/hit_search.hpp"
 
 namespace ecods {
@@ -28,8 +29,31 @@ namespace {
 
 std::optional<Hit> find_first(const Line& line, const Posed<MeshShape>& body, QueryMemory& memory,
                               PairWitness& witness) {
-    FirstHit first(line, memory);
+    FirstHit first(line, memory, true);
     first.ask(body, 0, witness);
+    if (!first.found()) return std::nullopt;
+    return first.get().hit;
+}
+
+// As find_first. Near the last segment a body is asked about the triangles there, and needs no walk.
+std::optional<Hit> find_step(const Line& segment, const Posed<MeshShape>& body, QueryMemory& memory,
+                             PairWitness& witness) {
+    HitMemory& own = HitMemory::of(memory);
+    const MeshTree& tree = MeshShapeAccess::tree(*body.what);
+    QueryCounts& counts = QueryMemoryAccess::state(memory).counts;
+    if (!own.is_bound_to(tree, body.pose) || !own.steps.holds(segment)) {
+        const std::optional<Hit> hit = find_first(segment, body, memory, witness);
+        own.steps.follow(segment, tree.boxes, own.axes, counts.box_tests);
+        return hit;
+    }
+    const auto triangles =
+        own.steps.leaves().find(tree.boxes, own.axes, segment.a, segment.b, counts.hits.triangle_tests);
+    if (triangles.empty()) {
+        ++counts.queries;
+        return std::nullopt;
+    }
+    FirstHit first(segment, memory, true);
+    first.ask_about(triangles, body, 0, witness);
     if (!first.found()) return std::nullopt;
     return first.get().hit;
 }
@@ -47,7 +71,7 @@ std::vector<Hit> find_all(const Line& line, const Posed<MeshShape>& body, QueryM
 std::optional<Hit> first_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory,
                              PairWitness& witness) {
     validate(segment);
-    return find_first(Line(segment), body, memory, witness);
+    return find_step(Line(segment), body, memory, witness);
 }
 
 std::optional<Hit> first_hit(const Ray& ray, const Posed<MeshShape>& body, QueryMemory& memory, PairWitness& witness) {
@@ -56,8 +80,9 @@ std::optional<Hit> first_hit(const Ray& ray, const Posed<MeshShape>& body, Query
 }
 
 std::optional<Hit> first_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory) {
+    validate(segment);
     PairWitness witness;
-    return first_hit(segment, body, memory, witness);
+    return find_first(Line(segment), body, memory, witness);
 }
 
 std::optional<Hit> first_hit(const Ray& ray, const Posed<MeshShape>& body, QueryMemory& memory) {

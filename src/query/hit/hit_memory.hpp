@@ -9,6 +9,7 @@
 #include "bvh/walk_line.hpp"
 #include "ecods/hit.hpp"
 #include "geometry/same_bits.hpp"
+#include "query/hit/step_region.hpp"
 #include "query/hit/triangle_hits.hpp"
 #include "query/intersection/query_memory.hpp"
 #include "query/shape/mesh_tree.hpp"
@@ -16,16 +17,18 @@
 namespace ecods {
 
 struct HitMemory final : QueryMemoryPart {
-    // A triangle that is certainly hit inside its face.
+    // A triangle that is certainly hit inside its face, between two scaled parameters.
     struct FaceHit {
         std::uint32_t triangle;
-        HitEnclosure enclosure;
+        Triangle vertices;
+        double lower, upper;
     };
 
     LineAxes axes;
     TriangleHits triangles;
     std::vector<LineNode> stack;
     std::vector<FaceHit> faces;
+    StepRegion steps;  // near the body that all is bound to
     std::array<exact::LineHit, 3> hits;
     // The least hit of all bodies, that of the body in question, and the one in question.
     exact::LineHit *best = &hits[0], *own = &hits[1], *other = &hits[2];
@@ -41,7 +44,8 @@ struct HitMemory final : QueryMemoryPart {
     LineAxes::Place bind(const Line& line, const ScaledLine& scaled, double limit, const Posed<MeshShape>& body) {
         const MeshTree& tree = MeshShapeAccess::tree(*body.what);
         const exact::BodyRef ref{&body.what->mesh(), &tree.extent, &body.pose};
-        if (tree_id_ != tree.id || !same_bits(pose_, body.pose)) {
+        if (!is_bound_to(tree, body.pose)) {
+            steps.forget();
             tree_id_ = tree.id;
             pose_ = body.pose;
             axes.bind(tree.boxes, body.pose);
@@ -50,6 +54,15 @@ struct HitMemory final : QueryMemoryPart {
         const LineAxes::Place place = axes.place(scaled, limit);
         if (place != LineAxes::Place::apart) triangles.bind(line, scaled, ref);
         return place;
+    }
+
+    // What the questions about single triangles need, of the body that all is bound to.
+    void bind_triangles(const Line& line, const ScaledLine& scaled, const Posed<MeshShape>& body) noexcept {
+        triangles.bind(line, scaled, {&body.what->mesh(), &MeshShapeAccess::tree(*body.what).extent, &body.pose});
+    }
+
+    bool is_bound_to(const MeshTree& tree, const Pose& pose) const noexcept {
+        return tree_id_ == tree.id && same_bits(pose_, pose);
     }
 
     // Calls visit(triangle) for each triangle that the line may hit; `result` as for walk_line otherwise.

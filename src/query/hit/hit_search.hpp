@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "ecods/hit.hpp"
@@ -25,8 +26,9 @@ struct HitMemory;
 // The least hit in the order of the real parameters, then keys, then triangles.
 class FirstHit {
   public:
-    // The line is valid; line and memory must outlive the search, which may be the memory's only one at a time.
-    FirstHit(const Line& line, QueryMemory& memory);
+    // The line is valid; line and memory must outlive the search, which may be the memory's only one at a time. If
+    // `is_alone`, one body is asked once and nothing is offered: nothing need be known exactly then.
+    FirstHit(const Line& line, QueryMemory& memory, bool is_alone = false);
     FirstHit(const FirstHit&) = delete;
     FirstHit& operator=(const FirstHit&) = delete;
 
@@ -34,6 +36,10 @@ class FirstHit {
     // the body is hit at if its hit has become the least one.
     void ask(const Posed<MeshShape>& body, std::uint64_t key, PairWitness& witness);
     void ask(const Posed<MeshShape>& body, std::uint64_t key);
+
+    // Asks a body that the memory is bound to about these triangles alone: all that the line may hit.
+    void ask_about(std::span<const std::uint32_t> triangles, const Posed<MeshShape>& body, std::uint64_t key,
+                   PairWitness& witness);
 
     // A hit that somebody else found: its parameter is the real number that `hit.parameter` is.
     void offer(const Hit& hit, std::uint64_t key);
@@ -47,9 +53,12 @@ class FirstHit {
     KeyedHit get() const;
 
   private:
+    template <class Search>
+    void take(Search& search, std::uint64_t key, PairWitness& witness);
     bool is_before_least(const exact::Fraction& at, std::uint64_t key, std::uint32_t triangle) const noexcept;
 
     const Line& line_;
+    bool is_alone_;
     ScaledLine scaled_;
     HitMemory& memory_;
     QueryCounts& counts_;

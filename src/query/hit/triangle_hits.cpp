@@ -138,16 +138,14 @@ ECODS_ALWAYS_INLINE void TriangleHits::enclose_in(const InDoubles& s, const std:
     const bool is_inside = least > beside || most < -beside;
     if (is_inside && begins_before && result.upper <= s.end_low) {
         result.verdict = Verdict::face;
-        result.is_back = den > 0;
     }
     result.upper = std::min(result.upper, s.end_high);
 }
 
-HitEnclosure TriangleHits::enclose(std::uint32_t triangle) const noexcept {
+HitEnclosure TriangleHits::enclose(const Triangle& corners) const noexcept {
     HitEnclosure result;
     result.upper = in_doubles_.end_high;
     if (!in_doubles_.is_known) return result;
-    const Triangle& corners = body_.mesh->triangles()[triangle];
     const auto vertices = body_.mesh->vertices();
     const std::array<const Vec3*, 3> at{&vertices[corners[0]], &vertices[corners[1]], &vertices[corners[2]]};
     dispatch<&TriangleHits::enclose_in>(in_doubles_, at, result);
@@ -176,15 +174,26 @@ LimbVector<L> to_vector(const LinePoints::Point& p) noexcept {
 
 }  // namespace
 
+bool TriangleHits::has_short_points() {
+    if (kind_ == Points::unknown) kind_ = points_.bind(*line_) ? Points::short_ones : Points::long_ones;
+    return kind_ == Points::short_ones;
+}
+
+std::array<LinePoints::Point, 3> TriangleHits::short_points(const Triangle& corners) const {
+    const auto vertices = body_.mesh->vertices();
+    return {points_.at(vertices[corners[0]]), points_.at(vertices[corners[1]]), points_.at(vertices[corners[2]])};
+}
+
+bool TriangleHits::round_crossing(const Triangle& corners, RoundedCrossing& crossing) {
+    if (!has_short_points()) return false;
+    return exact::round_crossing({line_->a, points_.direction(), points_.unit()}, short_points(corners), crossing);
+}
+
 // Calls use(direction, corners) with vectors of limbs from the line's beginning.
 template <class Use>
-auto TriangleHits::with_limbs(std::uint32_t triangle, Use&& use) {
-    const Triangle& corners = body_.mesh->triangles()[triangle];
-    const auto vertices = body_.mesh->vertices();
-    if (kind_ == Points::unknown) kind_ = points_.bind(*line_) ? Points::short_ones : Points::long_ones;
-    if (kind_ == Points::short_ones) {
-        const std::array<LinePoints::Point, 3> at{points_.at(vertices[corners[0]]), points_.at(vertices[corners[1]]),
-                                                  points_.at(vertices[corners[2]])};
+auto TriangleHits::with_limbs(const Triangle& corners, Use&& use) {
+    if (has_short_points()) {
+        const std::array<LinePoints::Point, 3> at = short_points(corners);
         const auto in_limbs = [&]<int L>(std::integral_constant<int, L>) {
             return use(to_vector<L>(points_.direction()),
                        std::array{to_vector<L>(at[0]), to_vector<L>(at[1]), to_vector<L>(at[2])});
@@ -193,6 +202,7 @@ auto TriangleHits::with_limbs(std::uint32_t triangle, Use&& use) {
         return in_limbs(std::integral_constant<int, 2>{});
     }
     static const Vec3 origin(0, 0, 0);
+    const auto vertices = body_.mesh->vertices();
     line_pose_.t = line_->is_ray ? line_->a : origin;
     PosedPoints<5> posed;
     posed[0] = {&line_pose_, line_->is_ray ? &origin : &line_->a};
@@ -206,21 +216,20 @@ auto TriangleHits::with_limbs(std::uint32_t triangle, Use&& use) {
     });
 }
 
-bool TriangleHits::find(std::uint32_t triangle, LineHit& hit) {
-    return with_limbs(triangle, [&]<int L>(const LimbVector<L>& d, const std::array<LimbVector<L>, 3>& corners) {
-        return LineTriangle<L>(d, corners, line_->end).find(hit);
+bool TriangleHits::find(const Triangle& corners, LineHit& hit) {
+    return with_limbs(corners, [&]<int L>(const LimbVector<L>& d, const std::array<LimbVector<L>, 3>& at) {
+        return LineTriangle<L>(d, at, line_->end).find(hit);
     });
 }
 
-void TriangleHits::find_crossing(std::uint32_t triangle, bool is_back, LineHit& hit) {
-    with_limbs(triangle, [&]<int L>(const LimbVector<L>& d, const std::array<LimbVector<L>, 3>& corners) {
-        LineTriangle<L>(d, corners, line_->end).find_crossing(hit.enter);
+void TriangleHits::find_crossing(const Triangle& corners, LineHit& hit) {
+    with_limbs(corners, [&]<int L>(const LimbVector<L>& d, const std::array<LimbVector<L>, 3>& at) {
+        hit.facing = LineTriangle<L>(d, at, line_->end).find_crossing(hit.enter);
     });
     hit.leave = hit.enter;
     hit.is_along = false;
     hit.feature = Feature::Kind::face;
     hit.corner = 0;
-    hit.facing = is_back ? 1 : -1;
 }
 
 }  // namespace ecods

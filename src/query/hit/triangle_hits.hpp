@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "exact/measure/line_hit.hpp"
+#include "exact/measure/round_crossing.hpp"
 #include "exact/point/frame.hpp"
 #include "exact/point/line_points.hpp"
 #include "geometry/line.hpp"
@@ -21,11 +22,11 @@ struct HitEnclosure {
     };
     Verdict verdict = Verdict::open;
     bool is_crossing = false;     // whether the line certainly crosses the triangle's plane, at one point
-    bool is_back = false;         // of a face
     bool has_area = false;        // whether the triangle's corners are certainly not on one line
     double lower = 0, upper = 0;  // contain the scaled parameter of that point, where there is one
 };
 
+// A triangle is what Mesh::triangles() has of it: its vertices.
 class TriangleHits {
   public:
     // What depends on the body alone. Cost: constant.
@@ -34,17 +35,21 @@ class TriangleHits {
     // Everything that the arguments refer to must outlive the questions. The body must have been prepared.
     void bind(const Line& line, const ScaledLine& scaled, const exact::BodyRef& body) noexcept;
 
-    HitEnclosure enclose(std::uint32_t triangle) const noexcept;
+    HitEnclosure enclose(const Triangle& triangle) const noexcept;
 
     // Whether the line shares a point with the triangle, and then what.
-    bool find(std::uint32_t triangle, exact::LineHit& hit);
+    bool find(const Triangle& triangle, exact::LineHit& hit);
 
     // Sets the one shared point of a triangle that the line is proven to cross inside the face.
-    void find_crossing(std::uint32_t triangle, bool is_back, exact::LineHit& hit);
+    void find_crossing(const Triangle& triangle, exact::LineHit& hit);
+    // Sets the same, rounded, and returns true; or returns false where that is not known so cheaply.
+    bool round_crossing(const Triangle& triangle, exact::RoundedCrossing& crossing);
 
   private:
+    bool has_short_points();
+    std::array<exact::LinePoints::Point, 3> short_points(const Triangle& triangle) const;
     template <class Use>
-    auto with_limbs(std::uint32_t triangle, Use&& use);
+    auto with_limbs(const Triangle& triangle, Use&& use);
 
     // What doubles are asked of: vectors of three, and a zero.
     struct alignas(32) InDoubles {

@@ -216,10 +216,11 @@ TEST(MeshBvh, EqualAndCollinearTrianglesMakeAShallowTree) {
     EXPECT_LE(tree.nodes.size(), tree.leaves.size());
 }
 
+// Twelve bytes for a triangle, times what leaves have free, are the vertices' names.
 TEST(MeshBvh, IsCompact) {
     const auto torus = scenes::torus(100, 50, 0.4);
     const MeshBvh tree = build(*torus);
-    EXPECT_LE(static_cast<double>(tree.bytes()), 60.0 * static_cast<double>(torus->triangles().size()));
+    EXPECT_LE(static_cast<double>(tree.bytes()), 72.0 * static_cast<double>(torus->triangles().size()));
 }
 
 TEST(MeshBvh, RefitContainsTheNewTriangles) {
