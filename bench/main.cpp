@@ -136,11 +136,12 @@ void add_options(CLI::App& app, Arguments& arguments) {
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     app.add_option("--report", arguments.report, "Folder of the report")->capture_default_str();
-    app.add_option("--engines", options.engines,
-                   "Engines of these names, or where none has the name, those whose name contains it (default: all); "
-                   "in the suites narrow, distance, casts, broad, system, memory and hard_cases. Of these, suites "
-                   "without one are left "
-                   "out");
+    app.add_option(
+        "--engines", options.engines,
+        "Engines of these names, or where none has the name, those whose name contains it (default: all); "
+        "in the suites narrow, distance, casts, convex, broad, system, memory and hard_cases. Of these, suites "
+        "without one are left "
+        "out");
     app.add_option("--sizes", options.sizes,
                    "Numbers of boxes (suite broad) and ships (suite system) to run, of those that the suite has");
     app.add_option("--json", arguments.json, "Also write all tables to this file");

@@ -47,6 +47,8 @@ void list_profiles() {
     fmt::print("{:<10} {}\n", polycubes_profile, "sets of unit cells as posed solids, 1000 pairs a run");
     fmt::print("{:<10} {}\n", placements_profile,
                "pairs of polycubes in all positions: 19 runs of up to three cells, 105 of up to four");
+    fmt::print("{:<10} {}\n", convex_profile,
+               "pairs of posed convex solids, 180 a run, their distances, depths, features and hulls");
     fmt::print("motion     all kinds of worlds in motion, in turns\nall        all of them, in turns\n");
 }
 

@@ -7,6 +7,7 @@
 #include "fuzz/motion/generate.hpp"
 #include "fuzz/motion/profile.hpp"
 #include "fuzz/pairs/contacts.hpp"
+#include "fuzz/pairs/convex.hpp"
 #include "fuzz/pairs/distances.hpp"
 #include "fuzz/pairs/run.hpp"
 #include "fuzz/pairs/solids.hpp"
@@ -98,6 +99,10 @@ Counters counters_of(const SolidCounts& counts) {
     return counters_of(counts, "solids", counts.solids);
 }
 
+Counters counters_of(const ConvexCounts& counts) {
+    return counters_of(counts, "convex", counts.convex);
+}
+
 // A run of pairs, by a function that counts what it checked and throws what it found.
 template <class Counts>
 RunReport run_counted(const char* profile, void (*run)(std::uint32_t seed, bool lie, Counts& counts),
@@ -122,7 +127,7 @@ std::vector<std::string> profiles_of(const std::string& name) {
         if (is_motion || profile.name == name) names.emplace_back(profile.name);
     }
     for (const char* of_pairs : {pairs_profile, distances_profile, hits_profile, casts_profile, solids_profile,
-                                 polycubes_profile, placements_profile}) {
+                                 polycubes_profile, placements_profile, convex_profile}) {
         if (name == "all" || name == of_pairs) names.emplace_back(of_pairs);
     }
     return names;
@@ -136,6 +141,7 @@ RunReport run(const std::string& profile, std::uint32_t seed, Canary canary) {
     if (profile == solids_profile) return run_counted(solids_profile, run_solids, seed, canary);
     if (profile == polycubes_profile) return run_counted(polycubes_profile, run_polycubes, seed, canary);
     if (profile == placements_profile) return run_counted(placements_profile, run_placements, seed, canary);
+    if (profile == convex_profile) return run_counted(convex_profile, run_convex, seed, canary);
     return run_motion(*find_profile(profile), seed, canary);
 }
 

@@ -28,6 +28,9 @@ inline constexpr const char* solids_profile = "solids";
 inline constexpr const char* polycubes_profile = "polycubes";
 inline constexpr const char* placements_profile = "placements";
 
+// The campaign of distances and depths of convex solids.
+inline constexpr const char* convex_profile = "convex";
+
 struct RunFailure {
     std::string profile;
     std::uint32_t seed = 0;

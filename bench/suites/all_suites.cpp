@@ -2,10 +2,12 @@
 
 #include "engines/broad_engine.hpp"
 #include "engines/cast_engine.hpp"
+#include "engines/convex_engine.hpp"
 #include "engines/distance_engine.hpp"
 #include "engines/engine.hpp"
 #include "engines/hit_engine.hpp"
 #include "engines/narrow_engine.hpp"
+#include "engines/polytopes_engine.hpp"
 
 namespace ecods::bench {
 
@@ -30,6 +32,9 @@ std::vector<Suite> all_suites() {
             {"distance", run_distance, names_of(distance_engines())},
             {"casts", run_casts, names_of(hit_engines(), cast_engines())},
             {"solids", run_solids},
+            {"convex", run_convex,
+             names_of(convex_engines(scenes::ConvexQuestion::distance), convex_engines(scenes::ConvexQuestion::depth),
+                      polytopes_engines())},
             {"broad", run_broad, names_of(broad_engines())},
             {"system", run_system, names_of(system_engines())},
             {"rooms", run_rooms},

@@ -68,6 +68,7 @@ SuiteResult run_narrow(const SuiteOptions& options);      // two meshes: time an
 SuiteResult run_distance(const SuiteOptions& options);    // two meshes: how far; time and errors of every engine
 SuiteResult run_casts(const SuiteOptions& options);       // segments, casts and moves: what is in the way, and when
 SuiteResult run_solids(const SuiteOptions& options);      // what is inside what: pairs, points and meshes
+SuiteResult run_convex(const SuiteOptions& options);      // convex solids: how far, how deep, a thousand that move
 SuiteResult run_broad(const SuiteOptions& options);       // boxes only: time of every engine
 SuiteResult run_system(const SuiteOptions& options);      // the report's two experiments
 SuiteResult run_memory(const SuiteOptions& options);      // bytes for a triangle, a box, a body

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "fuzz/base/failure.hpp"
+#include "fuzz/base/mesh_form.hpp"
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/checks/text.hpp"
 #include "scenes/numbers_of.hpp"
@@ -48,10 +49,13 @@ void check_fresh_world(const World& world, const FreshWorld& fresh) {
     fresh.set_up(made);
     std::map<BodyId, BodyId> ids;
     for (const BodyId body : shuffled(world.bodies(), fresh.order)) {
+        const auto shape = world.shape(body);
+        const auto mesh = mesh_of_mesh_shape(*shape);
+        const MeshForm form = form_of(*shape);
         // A mesh that was refitted gets a new tree.
-        const auto mesh = mesh_of_mesh_shape(*world.shape(body));
-        const BodyId id =
-            mesh ? made.create_body(mesh, world.pose(body)) : made.create_body(world.shape(body), world.pose(body));
+        const BodyId id = !mesh                       ? made.create_body(shape, world.pose(body))
+                          : form == MeshForm::surface ? made.create_body(mesh, world.pose(body))
+                                                      : made.create_body(make_shape(mesh, form), world.pose(body));
         made.set_filter(id, world.filter(body));
         ids[body] = id;
     }

@@ -59,7 +59,7 @@ void refit_body(Writing& w) {
     const Label body = w.any_body();
     const Part& old = w.model.bodies.at(body).part;
     if (old.kind != ShapeKind::mesh()) return;
-    w.make(SetShape{body, {deformed(*old.mesh, w.setting.unit, w.random), ShapeKind::mesh(), true}});
+    w.make(SetShape{body, {.mesh = deformed(*old.mesh, w.setting.unit, w.random), .refits = true}});
 }
 
 void there_and_back(Writing& w) {
@@ -134,6 +134,14 @@ void set_pairs_of_a_body(Writing& w) {
         partners.push_back(partner);
     }
     if (!partners.empty()) w.make(SetPairEnabled{body, partners.front(), true});
+}
+
+// A surface, a solid or a convex solid of the same mesh.
+void other_form(Writing& w) {
+    const Label body = w.any_body();
+    Part part = w.model.bodies.at(body).part;
+    part.form = static_cast<MeshForm>(w.random.below(3));
+    if (part.kind == ShapeKind::mesh() && has_form(part.mesh, part.form)) w.make(SetShape{body, part});
 }
 
 // What a body gets is what another has.
@@ -251,6 +259,8 @@ const std::array change_table = {
     Change{"tests registered again", &Weights::tests, [](Writing& w) { w.make(SetTests{}); }},
     Change{"update that may throw", &Weights::tests, [](Writing& w) { w.make(Update{.fails = true}); }},
     Change{"bad input", &Weights::misuse, bad_call},
+    Change{"solids related", &Weights::solids, [](Writing& w) { w.make(SetSolids{w.random.below(3) != 0}); }},
+    Change{"another form", &Weights::solids, other_form},
     Change{"any call", &Weights::any, any_call},
 };
 

@@ -20,9 +20,10 @@ namespace {
 
 using Group = std::uint32_t Weights::*;
 
-constexpr Group groups[] = {&Weights::step,   &Weights::contact, &Weights::ulp,     &Weights::size,   &Weights::jump,
-                            &Weights::matrix, &Weights::life,    &Weights::shape,   &Weights::filter, &Weights::bulk,
-                            &Weights::tests,  &Weights::misuse,  &Weights::extreme, &Weights::own,    &Weights::any};
+constexpr Group groups[] = {&Weights::step,    &Weights::contact, &Weights::ulp,    &Weights::size,
+                            &Weights::jump,    &Weights::matrix,  &Weights::life,   &Weights::shape,
+                            &Weights::filter,  &Weights::bulk,    &Weights::tests,  &Weights::misuse,
+                            &Weights::extreme, &Weights::own,     &Weights::solids, &Weights::any};
 
 Group any_group(const Weights& weights, scenes::Random& random) {
     std::uint32_t sum = 0;
@@ -106,6 +107,23 @@ Pose Writing::next_pose(Label body, Group group) {
     return pose.R.allFinite() && pose.t.allFinite() ? pose : homes.at(body);
 }
 
+namespace {
+
+// Most are solids, and those that can be convex solids, as what is scaled into subnormal numbers may not; one is a
+// surface, of the mesh of another or of its own.
+void take_forms(std::vector<Part>& parts, scenes::Random& random) {
+    for (Part& part : parts) {
+        for (const MeshForm form : {MeshForm::solid, MeshForm::convex}) {
+            if (random.below(4) != 0 && has_form(part.mesh, form)) part.form = form;
+        }
+    }
+    Part& surface = parts.back();
+    surface.form = MeshForm::surface;
+    if (random.below(2) == 0) surface.mesh = parts.front().mesh;
+}
+
+}  // namespace
+
 Setting make_setting(const Profile& profile, scenes::Random& random, Counters& counters) {
     Setting setting{profile};
     const std::uint32_t drawn = random.below(8);
@@ -134,6 +152,7 @@ Setting make_setting(const Profile& profile, scenes::Random& random, Counters& c
         const double unit = profile.scale == Scale::extreme ? extreme_unit(random) : setting.unit;
         setting.parts.push_back({make_mesh(profile.meshes, unit, random, counters)});
     }
+    if (profile.meshes == Meshes::solids) take_forms(setting.parts, random);
     if (profile.has_user_shapes) {
         setting.parts[1].kind = first_user_kind;
         setting.parts[3].kind = second_user_kind;
@@ -151,6 +170,7 @@ Script generate(const Profile& profile, std::uint32_t seed, Counters& counters) 
         const Part& part = writing.any_part();
         writing.create(part, is_stacked ? stacked_pose(setting, i) : any_pose(setting, random));
     }
+    if (profile.weights.solids > 0 && random.below(4) != 0) writing.make(SetSolids{true});
     writing.make(Update{});
     for (std::uint32_t frame = 1; frame < profile.frames; ++frame) {
         // Every eighth frame rests.

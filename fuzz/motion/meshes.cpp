@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "scenes/cells.hpp"
+#include "scenes/lattice_mesh.hpp"
 #include "scenes/shapes.hpp"
 
 namespace ecods::fuzz {
@@ -110,12 +112,62 @@ Soup round_soup(Random& random) {
     }
 }
 
+Soup of_cells(const char* name, const scenes::Cells& cells, Random& random) {
+    const scenes::LatticeMesh mesh = scenes::boundary(cells, true, random);
+    Soup soup{name, {}, mesh.triangles};
+    for (const auto& [x, y, z] : mesh.vertices) soup.vertices.push_back(0.5 * Vec3(x, y, z) - Vec3(0.5, 0.5, 0.5));
+    return soup;
+}
+
+// A set of cells, and a cube of 27 without that in its middle.
+Soup polycube(Random& random) {
+    static const std::vector<scenes::Cells> all = scenes::polycubes(4);
+    return of_cells("polycube", all[random.below(static_cast<std::uint32_t>(all.size()))], random);
+}
+Soup hollow_cube(Random& random) {
+    scenes::Cells cells;
+    for (int i = 0; i < 27; ++i) {
+        if (i != 13) cells.push_back({i / 9, i / 3 % 3, i % 3});
+    }
+    return of_cells("hollow cube", cells, random);
+}
+
+Soup octahedron() {
+    Soup soup{"octahedron", {}, {}};
+    for (int axis = 0; axis < 3; ++axis) {
+        soup.vertices.push_back(0.5 * Vec3::Unit(axis));
+        soup.vertices.push_back(-0.5 * Vec3::Unit(axis));
+    }
+    for (std::uint32_t i = 0; i < 8; ++i) soup.triangles.push_back({i % 2, 2 + i / 2 % 2, 4 + i / 4});
+    return soup;
+}
+
+// Every one of these bounds a solid, before it is scaled.
+Soup solid_soup(Random& random) {
+    switch (random.below(8)) {
+        case 0:
+            return soup_of("cube", *scenes::cube(0.5));
+        case 1:
+            return hollow_cube(random);
+        case 2:
+            return octahedron();
+        case 3:
+            return soup_of("sphere", *scenes::sphere(5, 3));
+        case 4:
+        case 5:
+            return polycube(random);
+        default:
+            return cubes_soup(random);
+    }
+}
+
 }  // namespace
 
 std::shared_ptr<const Mesh> make_mesh(Meshes menu, double unit, Random& random, Counters& counters) {
     Soup soup = menu == Meshes::hard    ? hard_soup(random)
                 : menu == Meshes::cubes ? cubes_soup(random)
-                                        : round_soup(random);
+                : menu == Meshes::round ? round_soup(random)
+                                        : solid_soup(random);
     ++counters[std::string("meshes: ") + soup.name];
     for (Vec3& vertex : soup.vertices) vertex *= unit;
     return Mesh::create(std::move(soup.vertices), std::move(soup.triangles));

@@ -12,7 +12,8 @@ namespace ecods::fuzz {
 
 // Of about the size `unit`. Hard: a lattice tetrahedron, a cube, a soup of lattice triangles, zero-area triangles, a
 // sliver, a tetrahedron of arbitrary doubles or of decimals; at most 12 triangles. Cubes: with edges of one unit, or of
-// one by two. Round: spheres and tori of 48 to 256 triangles.
+// one by two. Round: spheres and tori of 48 to 256 triangles. Solids: cubes, bricks, octahedra, spheres, polycubes, and
+// a cube with a cavity; each bounds a solid.
 std::shared_ptr<const Mesh> make_mesh(Meshes menu, double unit, scenes::Random& random, Counters& counters);
 
 // The same triangles, with vertices that have moved: by a little, by their own size, or all into one plane.

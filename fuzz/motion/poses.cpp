@@ -70,6 +70,13 @@ Pose size_change(const PoseContext& c) {
     return pose;
 }
 
+// Where the middle of the other's coordinates is, or beside it; smaller in the other's frame, or larger.
+Pose within(const PoseContext& c) {
+    constexpr std::array<double, 4> factors = {0.25, 0.5, 0.5, 2};
+    const Mat3& R = c.other.pose.R;
+    return {factors[c.random.below(4)] * R, c.other.pose.t + R * (0.25 * c.setting.unit * half_integers(1, c.random))};
+}
+
 Pose with_R(const PoseContext& c, const Mat3& matrix) {
     return {matrix, c.body.pose.t};
 }
@@ -105,6 +112,9 @@ const std::array move_table = {
              const Mat3& R = c.other.pose.R;
              return Pose{R, c.other.pose.t + R * (c.setting.unit * half_integers(2, c.random))};
          }},
+    Move{"within the other", &Weights::solids, within},
+    Move{"within the other, on a point of it", &Weights::solids,
+         [](const PoseContext& c) { return onto_point(c, 0.5 * c.other.pose.R); }},
     Move{"equal pose", &Weights::contact, [](const PoseContext& c) { return c.other.pose; }},
 
     Move{"one ulp", &Weights::ulp,

@@ -24,10 +24,11 @@ struct Weights {
     std::uint32_t misuse = 0;   // bad input
     std::uint32_t extreme = 0;  // to the ends of the range of doubles
     std::uint32_t own = 0;      // what other bodies have: their poses, shapes, filters
+    std::uint32_t solids = 0;   // related or not; surfaces and solids; one within the other
     std::uint32_t any = 0;      // any call of the table (trace/calls.hpp), its fields drawn at random
 };
 
-enum class Meshes { hard, cubes, round };
+enum class Meshes { hard, cubes, round, solids };
 enum class Scale {
     unit,
     any,

@@ -1,9 +1,8 @@
 #include <sstream>
 
+#include "fuzz/pairs/case_run.hpp"
 #include "fuzz/pairs/contacts.hpp"
 #include "fuzz/pairs/fewer_triangles.hpp"
-#include "fuzz/pairs/in_environment.hpp"
-#include "fuzz/pairs/text.hpp"
 #include "judge/cast_truth.hpp"
 #include "scenes/cast_cases.hpp"
 
@@ -30,9 +29,9 @@ std::string kind_of(const std::optional<FirstContact>& contact) {
     return out.str();
 }
 
-class Run {
+class Run : CaseRun {
   public:
-    Run(std::uint32_t seed, bool lie, CastCounts& counts) : random_(seed), seed_(seed), lie_(lie), counts_(counts) {}
+    Run(std::uint32_t seed, bool lie, CastCounts& counts) : CaseRun(seed, lie, counts.checks), counts_(counts) {}
 
     void check_one() {
         const auto casts = scenes::cast_families();
@@ -60,18 +59,7 @@ class Run {
         if (lie_ && truth.contact()) fail({"cast", "nothing", judge::text(truth.contact())}, made, "a lie");
         ++counts_.checks["every form"];
         if (const auto wrong = truth.ask(memory_, witness_)) shrink(*wrong, made);
-        if (random_.below(4) == 0) check_environment(made, truth);
-    }
-
-    template <class Case>
-    [[noreturn]] void fail(const Wrong& wrong, const Case& made, const std::string& how) const {
-        throw Disagreement{.seed = seed_,
-                           .pair = index_,
-                           .family = family_,
-                           .path = wrong.question + ", " + how,
-                           .expected = wrong.expected,
-                           .got = wrong.got,
-                           .text = to_text(made)};
+        if (random_.below(4) == 0) require_in_environment(made, [&] { return truth.ask(memory_, witness_); });
     }
 
     template <class Case>
@@ -96,20 +84,7 @@ class Run {
         fail(wrong, made, "every form");
     }
 
-    template <class Case>
-    void check_environment(const Case& made, const CastTruth& truth) {
-        std::string where;
-        const auto wrong = ask_in_environment(random_, where, [&] { return truth.ask(memory_, witness_); });
-        ++counts_.checks[where];
-        if (wrong) fail(*wrong, made, where);
-    }
-
-    Random random_;
-    std::uint32_t seed_;
-    bool lie_;
     CastCounts& counts_;
-    std::uint64_t index_ = 0;
-    std::string family_;
     QueryMemory memory_;
     PairWitness witness_;
 };

@@ -9,19 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "environment/float_mode.hpp"
-#include "environment/instruction_sets.hpp"
 #include "fuzz/pairs/ask_distances.hpp"
-#include "fuzz/pairs/text.hpp"
+#include "fuzz/pairs/case_run.hpp"
 #include "judge/distance_truth.hpp"
 #include "scenes/distance_cases.hpp"
 
 namespace ecods::fuzz {
 namespace {
 
-using environment::float_modes;
-using environment::FloatMode;
-using environment::InFloatMode;
 using judge::DistanceTruth;
 using judge::Wrong;
 using scenes::DistanceCase;
@@ -40,10 +35,9 @@ std::shared_ptr<const Mesh> shuffled(const Mesh& mesh, Random& random) {
     return Mesh::create({mesh.vertices().begin(), mesh.vertices().end()}, std::move(triangles));
 }
 
-class Run {
+class Run : CaseRun {
   public:
-    Run(std::uint32_t seed, bool lie, DistanceCounts& counts)
-        : random_(seed), seed_(seed), lie_(lie), counts_(counts) {}
+    Run(std::uint32_t seed, bool lie, DistanceCounts& counts) : CaseRun(seed, lie, counts.checks), counts_(counts) {}
 
     void check_one() {
         const auto families = scenes::distance_families();
@@ -54,29 +48,17 @@ class Run {
         const bool asks_all = random_.below(8) == 0;
         const DistanceTruth truth({a, made.pose_a}, {b, made.pose_b}, {.has_bounds = asks_all, .has_lists = asks_all});
         ++counts_.distances;
-        ++counts_.kinds[std::string(family_)][static_cast<std::size_t>(truth.closest().kind)];
+        ++counts_.kinds[family_][static_cast<std::size_t>(truth.closest().kind)];
         require_recipe(made, truth);
         if (lie_) lie(made, truth);
         require_answers(made, truth, asks_all ? "all questions" : "distance, within and closest");
-        if (random_.below(4) == 0) check_environment(made, truth);
-        if (random_.below(2) == 0) check_triangles(made);
+        if (random_.below(4) == 0) require_in_environment(made, [&] { return truth.ask(memory_, witness_); });
+        if (random_.below(2) == 0) require_in_environment(made, [&] { return ask_triangles(made, random_); });
         if (random_.below(8) == 0) check_order(made, truth);
         ++index_;
     }
 
   private:
-    void require(const std::optional<Wrong>& wrong, const DistanceCase& made, const char* how) {
-        ++counts_.checks[how];
-        if (!wrong) return;
-        throw Disagreement{.seed = seed_,
-                           .pair = index_,
-                           .family = std::string(family_),
-                           .path = wrong->question + ", " + how,
-                           .expected = wrong->expected,
-                           .got = wrong->got,
-                           .text = to_text(made)};
-    }
-
     void require_recipe(const DistanceCase& made, const DistanceTruth& truth) {
         if (!made.distance) return;
         const bool is_same = *made.distance == truth.distance();
@@ -97,30 +79,6 @@ class Run {
         require(truth.ask(memory_, witness_), made, how);
     }
 
-    void check_environment(const DistanceCase& made, const DistanceTruth& truth) {
-        const FloatMode& mode = float_modes[random_.below(float_modes.size())];
-        const auto sets = environment::supported_instruction_sets();
-        const InstructionSet set = sets[random_.below(static_cast<std::uint32_t>(sets.size()))];
-        ++counts_.checks[std::string("instructions of ") + environment::name(set)];
-        const environment::InstructionSetLimit limit(set);
-        std::optional<Wrong> wrong;
-        {
-            const InFloatMode in_mode(mode);
-            wrong = truth.ask(memory_, witness_);
-        }
-        require(wrong, made, mode.name);
-    }
-
-    void check_triangles(const DistanceCase& made) {
-        const FloatMode& mode = float_modes[random_.below(float_modes.size())];
-        std::optional<Wrong> wrong;
-        {
-            const InFloatMode in_mode(mode);
-            wrong = ask_triangles(made, random_);
-        }
-        require(wrong, made, "pairs of triangles");
-    }
-
     void check_order(const DistanceCase& made, const DistanceTruth& truth) {
         const MeshShape a(shuffled(*made.a, random_)), b(shuffled(*made.b, random_));
         const double d = distance({a, made.pose_a}, {b, made.pose_b}, memory_, witness_);
@@ -130,12 +88,7 @@ class Run {
             made, "triangles and corners in another order");
     }
 
-    Random random_;
-    std::uint32_t seed_;
-    bool lie_;
     DistanceCounts& counts_;
-    std::uint64_t index_ = 0;
-    std::string_view family_;
     QueryMemory memory_;
     PairWitness witness_;
 };

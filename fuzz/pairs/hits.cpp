@@ -1,9 +1,8 @@
 #include <sstream>
 
+#include "fuzz/pairs/case_run.hpp"
 #include "fuzz/pairs/contacts.hpp"
 #include "fuzz/pairs/fewer_triangles.hpp"
-#include "fuzz/pairs/in_environment.hpp"
-#include "fuzz/pairs/text.hpp"
 #include "judge/hit_truth.hpp"
 #include "scenes/hit_cases.hpp"
 
@@ -22,9 +21,9 @@ std::string kind_of(const std::vector<Hit>& hits) {
     return out.str();
 }
 
-class Run {
+class Run : CaseRun {
   public:
-    Run(std::uint32_t seed, bool lie, HitCounts& counts) : random_(seed), seed_(seed), lie_(lie), counts_(counts) {}
+    Run(std::uint32_t seed, bool lie, HitCounts& counts) : CaseRun(seed, lie, counts.checks), counts_(counts) {}
 
     void check_one() {
         const auto families = scenes::hit_families();
@@ -41,21 +40,11 @@ class Run {
         }
         ++counts_.checks["every form"];
         if (const auto wrong = truth.ask(memory_, witness_)) shrink(*wrong, made);
-        if (random_.below(4) == 0) check_environment(made, truth);
+        if (random_.below(4) == 0) require_in_environment(made, [&] { return truth.ask(memory_, witness_); });
         ++index_;
     }
 
   private:
-    [[noreturn]] void fail(const Wrong& wrong, const HitCase& made, const std::string& how) const {
-        throw Disagreement{.seed = seed_,
-                           .pair = index_,
-                           .family = family_,
-                           .path = wrong.question + ", " + how,
-                           .expected = wrong.expected,
-                           .got = wrong.got,
-                           .text = to_text(made)};
-    }
-
     void require_recipe(const HitCase& made, const HitTruth& truth) {
         ++counts_.checks["known by its recipe"];
         const bool is_same = !truth.hits().empty() && truth.hits()[0].parameter == made.known->parameter &&
@@ -76,19 +65,7 @@ class Run {
         fail(wrong, made, "every form");
     }
 
-    void check_environment(const HitCase& made, const HitTruth& truth) {
-        std::string where;
-        const auto wrong = ask_in_environment(random_, where, [&] { return truth.ask(memory_, witness_); });
-        ++counts_.checks[where];
-        if (wrong) fail(*wrong, made, where);
-    }
-
-    Random random_;
-    std::uint32_t seed_;
-    bool lie_;
     HitCounts& counts_;
-    std::uint64_t index_ = 0;
-    std::string family_;
     QueryMemory memory_;
     PairWitness witness_;
 };

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "fuzz/pairs/case_run.hpp"
 #include "fuzz/pairs/solids.hpp"
-#include "fuzz/pairs/text.hpp"
 #include "judge/solid_truth.hpp"
 #include "scenes/solid_cases.hpp"
 
@@ -30,9 +30,11 @@ LatticeMap integer_map(Random& random) {
     }
 }
 
-class Run {
+class Run : CaseRun {
   public:
-    Run(std::uint32_t seed, bool lie, SolidCounts& counts) : random_(seed), seed_(seed), lie_(lie), counts_(counts) {}
+    Run(std::uint32_t seed, bool lie, SolidCounts& counts) : CaseRun(seed, lie, counts.checks), counts_(counts) {
+        family_ = "placements";
+    }
 
     void check(const Cells& a, const Cells& b) {
         const LatticeMap map = integer_map(random_);
@@ -76,7 +78,7 @@ class Run {
     void check(const scenes::SolidCase& made, const Solid& a, const Solid& b) {
         SolidRelation relation = *made.relation;
         ++counts_.solids;
-        ++counts_.kinds["placements"][written(relation)];
+        ++counts_.kinds[family_][written(relation)];
         ++counts_.checks["known by its recipe"];
         if (lie_ && relation == SolidRelation::touching) relation = SolidRelation::apart;
         const Posed<Solid> posed_a{a, made.a.pose}, posed_b{b, made.b.pose};
@@ -87,21 +89,10 @@ class Run {
 
     template <class T>
     void require(const char* question, const T& expected, const T& got, const scenes::SolidCase& made) const {
-        if (expected == got) return;
-        throw Disagreement{.seed = seed_,
-                           .pair = index_,
-                           .family = "placements",
-                           .path = question,
-                           .expected = written(expected),
-                           .got = written(got),
-                           .text = to_text(made)};
+        if (expected != got) fail({question, written(expected), written(got)}, made, "");
     }
 
-    Random random_;
-    std::uint32_t seed_;
-    bool lie_;
     SolidCounts& counts_;
-    std::uint64_t index_ = 0;
     QueryMemory memory_;
 };
 

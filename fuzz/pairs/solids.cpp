@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include "ecods/error.hpp"
-#include "fuzz/pairs/in_environment.hpp"
-#include "fuzz/pairs/text.hpp"
+#include "fuzz/pairs/case_run.hpp"
 #include "judge/solid_truth.hpp"
 #include "scenes/solid_cases.hpp"
 
@@ -17,9 +16,9 @@ using scenes::Random;
 using scenes::SolidCase;
 using scenes::SolidFamily;
 
-class Run {
+class Run : CaseRun {
   public:
-    Run(std::uint32_t seed, bool lie, SolidCounts& counts) : random_(seed), seed_(seed), lie_(lie), counts_(counts) {}
+    Run(std::uint32_t seed, bool lie, SolidCounts& counts) : CaseRun(seed, lie, counts.checks), counts_(counts) {}
 
     // By the oracle.
     void check_one() {
@@ -34,11 +33,7 @@ class Run {
             require("solid_relation", SolidRelation::apart, truth.relation(), made, "a lie");
         }
         require(truth.ask(memory_), made, "every form");
-        if (random_.below(4) == 0) {
-            std::string where;
-            const auto wrong = ask_in_environment(random_, where, [&] { return truth.ask(memory_); });
-            require(wrong, made, where.c_str());
-        }
+        if (random_.below(4) == 0) require_in_environment(made, [&] { return truth.ask(memory_); });
         if (random_.below(2) == 0) check_diagonals(made, {a, made.a.pose}, {b, made.b.pose});
         if (random_.below(4) == 0) check_spoilt(made);
         ++index_;
@@ -70,17 +65,7 @@ class Run {
         ++counts_.kinds[family_][written(relation)];
     }
 
-    void require(const std::optional<Wrong>& wrong, const SolidCase& made, const char* how) const {
-        ++counts_.checks[how];
-        if (!wrong) return;
-        throw Disagreement{.seed = seed_,
-                           .pair = index_,
-                           .family = family_,
-                           .path = wrong->question + ", " + how,
-                           .expected = wrong->expected,
-                           .got = wrong->got,
-                           .text = to_text(made)};
-    }
+    using CaseRun::require;
     template <class T>
     void require(const char* question, const T& expected, const T& got, const SolidCase& made,
                  const char* how = "known by its recipe") const {
@@ -130,12 +115,7 @@ class Run {
         require(judge::ask_whether_solid(*made.a.mesh), made, "meshes that bound no solid");
     }
 
-    Random random_;
-    std::uint32_t seed_;
-    bool lie_;
     SolidCounts& counts_;
-    std::uint64_t index_ = 0;
-    std::string family_;
     QueryMemory memory_;
 };
 

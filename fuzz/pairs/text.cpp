@@ -41,6 +41,10 @@ std::string to_text(const scenes::SolidCase& made) {
     return to_text("a", made.a.pose, *made.a.mesh) + to_text("b", made.b.pose, *made.b.mesh);
 }
 
+std::string to_text(const scenes::ConvexCase& made) {
+    return to_text("a", made.a.pose, *made.a.mesh) + to_text("b", made.b.pose, *made.b.mesh);
+}
+
 std::string to_text(const scenes::HitCase& made) {
     return to_text("body", made.pose, *made.mesh) + judge::text(made.line) + "\n";
 }

@@ -6,6 +6,7 @@
 
 #include "ecods/predicates.hpp"
 #include "scenes/cast_cases.hpp"
+#include "scenes/convex_cases.hpp"
 #include "scenes/distance_cases.hpp"
 #include "scenes/hard_pairs.hpp"
 #include "scenes/hit_cases.hpp"
@@ -19,6 +20,7 @@ std::string to_text(const scenes::PosedPair& pair);
 // Of either body R by rows, t, all vertices and all triangles.
 std::string to_text(const scenes::DistanceCase& made);
 std::string to_text(const scenes::SolidCase& made);
+std::string to_text(const scenes::ConvexCase& made);
 
 // The same, and the line; the motion; both poses of each.
 std::string to_text(const scenes::HitCase& made);

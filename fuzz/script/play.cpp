@@ -16,7 +16,9 @@
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/box_questions.hpp"
 #include "fuzz/checks/checks.hpp"
+#include "fuzz/checks/convex_questions.hpp"
 #include "fuzz/checks/distance_questions.hpp"
+#include "fuzz/checks/solid_questions.hpp"
 #include "fuzz/checks/way_questions.hpp"
 #include "fuzz/script/bad_calls.hpp"
 #include "fuzz/script/manners.hpp"
@@ -63,6 +65,7 @@ class Player {
     Truth truth_{mesh_of};
     BoxQuestions questions_;
     DistanceQuestions distances_;
+    SolidQuestions solids_;
     std::optional<Manner> manner_;     // of the next call
     std::vector<BodyPair> colliding_;  // at the last update
     std::vector<BodyPair> close_;
@@ -142,11 +145,13 @@ void Player::check() {
     check_boxes(first, truth_, counters_);
     const FloatMode& mode = float_modes[turn.mode];
     distances_.choose(asked, truth_, static_cast<std::uint32_t>(update_count_));
+    solids_.choose(asked, truth_, static_cast<std::uint32_t>(update_count_));
     {
         const environment::InstructionSetLimit limit(sets[turn.set]);
         const InFloatMode in_mode(mode);
         check_answers(asked, truth_, counters_);
         distances_.check(counters_);
+        solids_.check(counters_);
     }
     ++counters_[std::string("checked: answers with instructions of ") + environment::name(sets[turn.set])];
     ++counters_[std::string("checked: answers, ") + mode.name];
@@ -183,6 +188,8 @@ void Player::check_ways() {
     for (std::size_t i = 0; i < worlds.size(); ++i) worlds[i] = &scene_.worlds[i].world();
     const auto seed = static_cast<std::uint32_t>(update_count_);
     check_hits(worlds, seed, counters_);
+    check_solids(worlds, seed, counters_);
+    check_convex(worlds, seed, counters_);
     if (check_count_ % 2 == 0) check_casts(worlds, seed, counters_);
     if (check_count_ % 2 == 1) check_meetings(worlds, seed, counters_);
 }

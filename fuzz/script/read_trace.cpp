@@ -30,7 +30,7 @@ class Reader {
     void take(const TracedCall& call);
     void take(const TracedUpdate& update);
     void take(const TracedQuestion&) {}  // questions are asked by the checks
-    void take(const TracedMesh& mesh) { parts_.push_back({mesh.mesh}); }
+    void take(const TracedMesh& mesh) { parts_.push_back({.mesh = mesh.mesh, .form = mesh.form}); }
     void take(const TracedShape& shape);
     void take(const TracedNote& note);
 

@@ -13,8 +13,9 @@
 namespace ecods::fuzz {
 namespace {
 
-std::shared_ptr<const Shape> user_shape(const Part& part) {
-    return std::make_shared<const UserShape>(part.mesh, part.kind);
+// Whether the world makes the shape of a mesh that it is given.
+bool is_surface(const Part& part) {
+    return part.kind == ShapeKind::mesh() && part.form == MeshForm::surface;
 }
 
 bool is_same_mesh(const Mesh& a, const Mesh& b) {
@@ -46,8 +47,18 @@ BodyId PartWorld::body_at(const Pose& at) const {
 // Only of shapes that the world makes itself: others would be new ones without own answers.
 BodyId PartWorld::body_of(const Part& part) const {
     if (part.kind != ShapeKind::mesh() || refitted_.contains(part.mesh)) return {};
-    return find_body(
-        [&](BodyId body) { return shape(body)->kind() == part.kind && mesh_of(*shape(body)) == part.mesh; });
+    return find_body([&](BodyId body) {
+        const auto other = shape(body);
+        return other->kind() == part.kind && mesh_of(*other) == part.mesh && form_of(*other) == part.form;
+    });
+}
+
+// Of a part that is no surface.
+std::shared_ptr<const Shape> PartWorld::shape_of(const Part& part) {
+    if (part.kind != ShapeKind::mesh()) return std::make_shared<const UserShape>(part.mesh, part.kind);
+    auto& solid = solids_[{part.mesh, part.form}];
+    if (!solid) solid = make_shape(part.mesh, part.form);
+    return solid;
 }
 
 void PartWorld::set_pose(BodyId body, const Pose& to) {
@@ -64,7 +75,7 @@ BodyId PartWorld::create_body(const Part& part, const Pose& at) {
     const BodyId alike = body_of(part), there = body_at(at);
     if (alike && there) return create_body(shape(alike), pose(there));
     const Pose own = there ? pose(there) : at;
-    return part.kind == ShapeKind::mesh() ? create_body(part.mesh, own) : create_body(user_shape(part), own);
+    return is_surface(part) ? create_body(part.mesh, own) : create_body(shape_of(part), own);
 }
 
 BodyId PartWorld::create_body(const PartOptions& options) {
@@ -73,17 +84,17 @@ BodyId PartWorld::create_body(const PartOptions& options) {
         .pose = there ? pose(there) : options.pose, .filter = options.filter, .user_data = options.user_data};
     if (alike) {
         own.shape = shape(alike);
-    } else if (options.shape.kind == ShapeKind::mesh()) {
+    } else if (is_surface(options.shape)) {
         own.mesh = options.shape.mesh;
     } else {
-        own.shape = user_shape(options.shape);
+        own.shape = shape_of(options.shape);
     }
     return create_body(own);
 }
 
 void PartWorld::set_shape(BodyId body, const Part& part) {
     if (const BodyId alike = body_of(part)) return set_shape(body, shape(alike));
-    if (part.kind != ShapeKind::mesh()) return set_shape(body, user_shape(part));
+    if (!is_surface(part)) return set_shape(body, shape_of(part));
     const auto old = std::dynamic_pointer_cast<const MeshShape>(shape(body));
     if (!part.refits || !old || !std::ranges::equal(old->mesh().triangles(), part.mesh->triangles())) {
         return set_shape(body, part.mesh);
@@ -234,6 +245,7 @@ void check_state(const ScriptedWorld& scripted, const Model& model) {
         const ModelBody& body = found->second;
         require(world.pose(id) == body.pose, "pose", label);
         require(world.shape(id)->kind() == body.part.kind, "kind", label);
+        require(form_of(*world.shape(id)) == body.part.form, "form", label);
         require(is_same_mesh(*mesh_of(*world.shape(id)), *body.part.mesh), "shape", label);
         require(world.filter(id) == body.filter, "filter", label);
         require(world.user_data(id) == body.user_data, "user data", label);

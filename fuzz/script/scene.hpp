@@ -3,8 +3,10 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "ecods/world.hpp"
@@ -24,8 +26,8 @@ struct PartOptions {
 };
 
 // A world that takes the parts of a script for shapes: each call of World with a shape is here with a part. A part that
-// is a mesh goes to the world as a mesh, so that all bodies of one part have one shape, and to set it again is no
-// change.
+// is a mesh goes to the world as a mesh, and one that is a solid as the same object each time, so that all bodies of
+// one part have one shape, and to set it again is no change.
 class PartWorld : public World {
   public:
     using World::create_body;
@@ -45,9 +47,11 @@ class PartWorld : public World {
     BodyId find_body(Is is) const;
     BodyId body_at(const Pose& pose) const;
     BodyId body_of(const Part& part) const;
+    std::shared_ptr<const Shape> shape_of(const Part& part);
 
     bool uses_own_answers_ = false;
     std::set<std::shared_ptr<const Mesh>> refitted_;
+    std::map<std::pair<std::shared_ptr<const Mesh>, MeshForm>, std::shared_ptr<const Shape>> solids_;
 };
 
 // A world with the user-defined tests, and the ids of the bodies that it made.

@@ -18,6 +18,7 @@
 #include "ecods/ids.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
+#include "fuzz/base/mesh_form.hpp"
 #include "trace/calls.hpp"
 
 namespace ecods::fuzz {
@@ -25,10 +26,11 @@ namespace ecods::fuzz {
 // A script knows no ids, so that calls can be dropped.
 using calls::Label;
 
-// The shape of a body. Kinds other than that of meshes are user_shape.hpp's.
+// The shape of a body. Kinds other than that of meshes are user_shape.hpp's, and surfaces.
 struct Part {
     std::shared_ptr<const Mesh> mesh;
     ShapeKind kind = ShapeKind::mesh();
+    MeshForm form = MeshForm::surface;
     bool refits = false;  // by refit() of the shape that the body has, if that is a mesh of the same triangles
 };
 

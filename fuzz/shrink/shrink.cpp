@@ -49,7 +49,7 @@ class Shrinker {
 bool Shrinker::accept(const Script& candidate) {
     if (is_out_of_time()) return false;
     Script repaired_one = repaired(candidate);
-    if (!options_.fails(repaired_one)) return false;
+    if (!have_their_forms(repaired_one) || !options_.fails(repaired_one)) return false;
     best_ = std::move(repaired_one);
     has_changed_ = true;
     return true;

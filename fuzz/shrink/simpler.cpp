@@ -39,6 +39,7 @@ struct FieldSimplifier : NoField {
 
     void shape(Part& part) {
         offer(part.refits, false);
+        offer(part.form, MeshForm::surface);
         offer(part.kind, ShapeKind::mesh());
     }
     void filter(CollisionFilter& filter) { offer(filter, CollisionFilter()); }
@@ -156,6 +157,18 @@ std::vector<std::shared_ptr<const Mesh>> meshes_of(const Script& script) {
         if (std::ranges::find(meshes, part.mesh) == meshes.end()) meshes.push_back(part.mesh);
     });
     return meshes;
+}
+
+bool have_their_forms(const Script& script) {
+    std::map<std::pair<const Mesh*, MeshForm>, bool> known;
+    bool have_all = true;
+    Script copy = script;
+    for_each_part(copy, [&](Part& part) {
+        const auto [at, is_new] = known.try_emplace({part.mesh.get(), part.form}, true);
+        if (is_new) at->second = has_form(part.mesh, part.form);
+        have_all = have_all && at->second;
+    });
+    return have_all;
 }
 
 void replace_mesh(Script& script, const Mesh* old, const std::shared_ptr<const Mesh>& mesh) {

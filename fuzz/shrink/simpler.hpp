@@ -22,12 +22,15 @@ void for_each_number(Script& script, const std::function<void(double&)>& act);
 void for_each_pose(Script& script, const std::function<void(Pose&)>& act);
 
 // Gives the field with this index, of those of a call that are not at their simplest, its simplest value: no refit, no
-// kind of one's own, no filter, no data, no option of an update. False if the call has no such field.
+// solid, no kind of one's own, no filter, no data, no option of an update. False if the call has no such field.
 bool simplify_field(Call& call, std::size_t index);
 
 // Drops a call that sets fields of one body, and gives them to the call that creates it, where that has such fields.
 // False, and nothing has changed, if there is none.
 bool fields_to_creation(Script& script, std::size_t call);
+
+// Whether each mesh that a solid or a convex solid is to be made of bounds one.
+bool have_their_forms(const Script& script);
 
 // The distinct meshes, in order of appearance.
 std::vector<std::shared_ptr<const Mesh>> meshes_of(const Script& script);

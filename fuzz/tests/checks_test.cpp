@@ -1,9 +1,13 @@
 // A check that cannot fail checks nothing: here each is given a world that is not what it should be.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "fuzz/base/failure.hpp"
+#include "fuzz/base/mesh_form.hpp"
 #include "fuzz/base/user_shape.hpp"
 #include "fuzz/checks/checks.hpp"
+#include "fuzz/checks/solid_questions.hpp"
 #include "scenes/numbers_of.hpp"
 #include "scenes/shapes.hpp"
 
@@ -106,6 +110,33 @@ TEST_F(Checks, TracesOfShapesThatAreReadAsOthers) {
         return std::make_shared<UserShape>(scenes::cube(9), kind);
     };
     EXPECT_EQ(complaint([&] { check_trace(world, {.write_shape = write_user_shape}, reading); }), "trace and replay");
+}
+
+// The second world is given something else, or nothing yet.
+TEST_F(Checks, PairsOfSolidsOfOtherBodies) {
+    const auto solid = make_shape(cube, MeshForm::solid);
+    World first, other;
+    for (World* each : {&first, &other}) {
+        each->create_body(solid, at(0));
+        each->create_body(solid, at(0.5));
+        each->set_solids(true);
+        each->update();
+    }
+    const std::array<World*, 2> worlds{&first, &other};
+    EXPECT_EQ(complaint([&] { check_solids(worlds, 1, counters); }), "");
+    EXPECT_EQ(counters["checked: pairs of solids in worlds"], 1U);
+    EXPECT_GT(counters["checked: bodies that contain a point"], 0U);
+    EXPECT_EQ(complaint([&] { check_fresh_world(first, {}); }), "");
+    other.set_pose(other.bodies()[1], at(1));
+    other.update();
+    EXPECT_EQ(complaint([&] { check_solids(worlds, 1, counters); }), "pairs of solids");
+    first.set_solids(false);
+    other.set_solids(false);
+    for (World* each : worlds) each->update();
+    EXPECT_EQ(complaint([&] {
+                  for (std::uint32_t seed = 0; seed < 20; ++seed) check_solids(worlds, seed, counters);
+              }),
+              "bodies that contain a point");
 }
 
 TEST_F(Checks, FiltersCount) {

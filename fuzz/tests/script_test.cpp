@@ -27,7 +27,8 @@ Script small_script(std::string_view profile, std::uint32_t seed) {
 
 class ProfileTest : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Profiles, ProfileTest,
-                         testing::Values("tiny", "stacks", "far", "sizes", "shapes", "filters", "bad", "round"),
+                         testing::Values("tiny", "stacks", "far", "sizes", "shapes", "filters", "bad", "nested",
+                                         "round"),
                          [](const auto& test) { return std::string(test.param); });
 
 TEST_P(ProfileTest, TracesAreReadAsTheyWereWritten) {
@@ -96,6 +97,10 @@ TEST(Generate, EveryMotionThatHurtsHappens) {
                              "changes: filter",
                              "changes: pair switched",
                              "changes: room reserved",
+                             "motions: within the other",
+                             "meshes: hollow cube",
+                             "changes: solids related",
+                             "changes: another form",
                              "changes: any call"}) {
         EXPECT_GT(counters[name], 0U) << name;
     }
@@ -176,6 +181,37 @@ TEST(Shrink, LeavesWhatTheFailureNeeds) {
         x = std::max(x, create->pose.t[0]);
     }
     EXPECT_EQ(x, 4);
+}
+
+TEST(Shrink, SolidsStaySolidsWhereTheFailureNeedsOne) {
+    Script script;
+    script.emplace_back(Create{0, {.mesh = scenes::cube(0.75), .form = MeshForm::solid}, Pose()});
+    script.emplace_back(Create{1, {.mesh = scenes::sphere(5, 3), .form = MeshForm::solid}, Pose()});
+    script.emplace_back(Update{});
+    const auto fails = [](const Script& tried) {
+        Model model;
+        for (const Call& call : tried) model.apply(call);
+        return std::ranges::any_of(model.bodies, [](const auto& body) {
+            const Part& part = body.second.part;
+            return part.form == MeshForm::solid && part.mesh->vertices()[0] != part.mesh->vertices()[1];
+        });
+    };
+    const Script shrunk = shrink(script, {fails, 60});
+    ASSERT_EQ(shrunk.size(), 1U);
+    EXPECT_TRUE(have_their_forms(shrunk)) << "or it could not be played";
+    Counters counters;
+    EXPECT_NO_THROW(play(shrunk, {}, counters));
+}
+
+TEST(Play, ASolidIsTheSameObjectEachTime) {
+    const Part part{.mesh = scenes::cube(1), .form = MeshForm::solid};
+    PartWorld world;
+    const BodyId a = world.create_body(part, Pose()), b = world.create_body(part, Pose());
+    EXPECT_EQ(world.shape(a), world.shape(b));
+    EXPECT_EQ(form_of(*world.shape(a)), MeshForm::solid);
+    world.set_shape(b, Part{part.mesh});
+    EXPECT_EQ(form_of(*world.shape(b)), MeshForm::surface);
+    EXPECT_FALSE(has_form(without_triangles(*part.mesh, 0, 1), MeshForm::solid));
 }
 
 TEST(Simpler, RoundNumbersHaveFewerDigits) {

@@ -93,6 +93,26 @@ class ECODS_API SelfIntersecting final : public Error {
     TrianglePair triangles;  // the lesser index first
 };
 
+// A mesh that is to bound a convex solid has a vertex beyond the plane of one of its triangles. The edge is one whose
+// other triangle has that vertex, where there is such an edge (the solid has a dent along it); otherwise any edge.
+class ECODS_API NotConvex final : public Error {
+  public:
+    NotConvex(std::size_t triangle, int corner, const std::array<std::size_t, 2>& vertices, std::size_t beyond);
+
+    std::size_t triangle;                 // index in the triangle list
+    int corner;                           // 0 to 2: the edge goes from this corner of the triangle to the next one
+    std::array<std::size_t, 2> vertices;  // the indices of its ends
+    std::size_t beyond;                   // the index of the vertex that is beyond the triangle's plane
+};
+
+// What is to be a convex solid has no inner points: its points lie in one plane, or there are none.
+class ECODS_API NoInterior final : public Error {
+  public:
+    explicit NoInterior(std::size_t point_count);
+
+    std::size_t point_count;
+};
+
 // Where in a list that was given the bad entry is; nothing where there was no list.
 using ListIndex = std::optional<std::size_t>;
 
@@ -108,6 +128,23 @@ class ECODS_API InvalidPose final : public Error {
     double value;
     BodyId body;  // null when the pose was not yet a body's
     ListIndex index;
+};
+
+// The matrix of a pose is singular, where a question needs inner points of the solid at it.
+class ECODS_API SingularPose final : public Error {
+  public:
+    explicit SingularPose(int argument, BodyId body = {});
+
+    int argument;  // 0: the pose of the first solid asked about; 1: that of the second
+    BodyId body;   // the body, where a World was asked
+};
+
+// Two solids share no point, so there is no depth of one in the other.
+class ECODS_API SolidsApart final : public Error {
+  public:
+    explicit SolidsApart(BodyId a = {}, BodyId b = {});
+
+    BodyId a, b;  // the bodies, where a World was asked
 };
 
 // Two lists that belong together, entry by entry, have different lengths.

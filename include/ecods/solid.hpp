@@ -58,7 +58,7 @@ ECODS_API std::vector<TrianglePair> self_intersections(const Mesh& mesh);
 // Cost: that of check_solid at once; what solid_relation needs beside it, some passes over the triangles, when that is
 // asked first. Memory: that of a MeshShape, and about 30 bytes a triangle. If corners are not named by one index each,
 // or triangles have zero area, or a vertex lies inside an edge, there is a second mesh inside which is without these.
-class ECODS_API Solid final : public MeshShape {
+class ECODS_API Solid : public MeshShape {
   public:
     // Throws NullArgument, NotClosed or SelfIntersecting.
     explicit Solid(std::shared_ptr<const Mesh> mesh);

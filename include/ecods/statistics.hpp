@@ -1,4 +1,11 @@
-// What a World did, as counts.
+// What a World did, as counts; and what it costs.
+//
+// What a world costs: memory of 165 bytes a body, 55 to 66 bytes a pair whose boxes overlap and 16 for each list that
+// the pair is in, 4 while it is tested, and spare capacity for growth; beside these the broad phase's own. An update
+// before which nothing changed costs a constant, and a pair at rest costs nothing at any update: work is that of the
+// broad phase for the boxes that moved, and one two-body test for each candidate pair of which a body moved. Where a
+// collision begins or ends, what lies behind it in the list of colliding pairs is moved. A clearance costs the same a
+// second time, for boxes that reach further and pairs within it; without one it costs nothing.
 #pragma once
 
 #include <cstddef>

@@ -10,6 +10,7 @@
 //     v 0x0p+0 0x1.8p+1 -0x1p-1074
 //     t 0 1 2
 //     solid 3 4 4                               as a mesh, of which the shape is a Solid
+//     convex 4 4 4                              the same, a ConvexSolid
 //     shape 2 7 any text                        number, kind, and what the caller's writer said
 //     create 1.0 1 R R R t R R R t R R R t      body, mesh or shape, pose: [R t] row by row, hexadecimal
 //     create_with 2.0 1 R ... t 1 f 2a          the same; then groups, mask and user data, hexadecimal
@@ -36,6 +37,8 @@
 //     nearest 0123456789abcdef 1.0 inf                 body, limit of distance
 //     closest_pair 0123456789abcdef inf
 //     bodies_containing 0123456789abcdef P P P
+//     depths 0123456789abcdef
+//     solid_distances 0123456789abcdef inf             limit of distance
 //
 // A body is written as slot and generation. "update" stands in the file before the update runs, and its result is
 // added after: of a program that crashes, the last line is "update" alone. Of an update that threw it is "update

@@ -10,12 +10,7 @@
 // pair (relation, intersecting_triangles), and at update() for the lists. There is nothing else to call, and no call
 // whose omission makes an answer wrong.
 //
-// What it costs: memory of 165 bytes a body, 55 to 66 bytes a pair whose boxes overlap and 16 for each list that the
-// pair is in, 4 while it is tested, and spare capacity for growth; beside these the broad phase's own. An update before
-// which nothing changed costs a constant, and a pair at rest costs nothing at any update: work is that of the broad
-// phase for the boxes that moved, and one two-body test for each candidate pair of which a body moved. Where a
-// collision begins or ends, what lies behind it in the list of colliding pairs is moved. A clearance costs the same a
-// second time, for boxes that reach further and pairs within it; without one it costs nothing.
+// What it costs: statistics.hpp.
 //
 // The world does not move bodies, respond to contacts, or draw.
 //
@@ -39,6 +34,7 @@
 #include "ecods/broad_phase.hpp"
 #include "ecods/closest_points.hpp"
 #include "ecods/collision_filter.hpp"
+#include "ecods/depth.hpp"
 #include "ecods/error.hpp"
 #include "ecods/export.hpp"
 #include "ecods/ids.hpp"
@@ -123,8 +119,8 @@ class ECODS_API World {
     // A pair is filtered out when the filters of its bodies say so, or when it is switched off. Its bodies are then not
     // tested, and the pair is in no list and no event, whether or not it shares a point; one that collides when it is
     // filtered out has ended, and one that collides when it is no more has begun, at the next update; so it is for
-    // close pairs, and nearest(), closest_pair(), cast() and meetings() pass over it. Questions about a pair are
-    // answered regardless: they are about geometry.
+    // close pairs, and nearest(), closest_pair(), cast(), meetings(), depths() and solid_distances() pass over it.
+    // Questions about a pair are answered regardless: they are about geometry.
 
     void set_filter(BodyId body, const CollisionFilter& filter);
     CollisionFilter filter(BodyId body) const;
@@ -169,10 +165,7 @@ class ECODS_API World {
     std::span<const BodyPair> close_began() const;
     std::span<const BodyPair> close_ended() const;
 
-    // Pairs of solids that are not apart, ascending, each with its relation: those whose surfaces collide, and those of
-    // which one is inside the other. Exact; empty unless set_solids(true) was called before the last update. Pairs that
-    // are filtered out are not here. Cost: at an update one solid_relation for each pair of solids that was tested, and
-    // a pass over the list.
+    // Pairs of solids that are not apart. Exact; empty unless set_solids(true) was called before the last update.
     std::span<const SolidPair> solid_pairs() const;
 
     // ---- answers for one pair, as of now
@@ -185,25 +178,34 @@ class ECODS_API World {
     bool intersects(BodyId a, BodyId b, QueryMemory& memory) const;
     Relation relation(BodyId a, BodyId b, QueryMemory& memory) const;
     std::vector<TrianglePair> intersecting_triangles(BodyId a, BodyId b, QueryMemory& memory) const;
-
     double distance(BodyId a, BodyId b, QueryMemory& memory) const;
     bool within(BodyId a, BodyId b, double d, QueryMemory& memory) const;
     ClosestPoints closest(BodyId a, BodyId b, QueryMemory& memory) const;
     std::vector<TriangleIntersection> intersections(BodyId a, BodyId b, QueryMemory& memory) const;
     std::vector<CloseFeatures> close_features(BodyId a, BodyId b, double d, QueryMemory& memory) const;
 
-    // How the solid a is to the solid b; NotSupported if one of them is no solid.
+    // As solids: solid.hpp, convex_solid.hpp and depth.hpp, with their errors; NotSupported if one of the two is no
+    // Solid, or no ConvexSolid where that is asked for. Where several features tie, solid_closest() and depth() choose
+    // as if the body of the lesser id came first, whichever moves; depth_bounds() is of the bodies in the order given.
     SolidRelation solid_relation(BodyId a, BodyId b, QueryMemory& memory) const;
+    double solid_distance(BodyId a, BodyId b, QueryMemory& memory) const;
+    std::optional<ClosestPoints> solid_closest(BodyId a, BodyId b, QueryMemory& memory) const;
+    Depth depth(BodyId a, BodyId b, QueryMemory& memory) const;
+    DepthBounds depth_bounds(BodyId a, BodyId b, QueryMemory& memory) const;
 
     bool intersects(BodyId a, BodyId b);
     Relation relation(BodyId a, BodyId b);
-    SolidRelation solid_relation(BodyId a, BodyId b);
     std::vector<TrianglePair> intersecting_triangles(BodyId a, BodyId b);
     double distance(BodyId a, BodyId b);
     bool within(BodyId a, BodyId b, double d);
     ClosestPoints closest(BodyId a, BodyId b);
     std::vector<TriangleIntersection> intersections(BodyId a, BodyId b);
     std::vector<CloseFeatures> close_features(BodyId a, BodyId b, double d);
+    SolidRelation solid_relation(BodyId a, BodyId b);
+    double solid_distance(BodyId a, BodyId b);
+    std::optional<ClosestPoints> solid_closest(BodyId a, BodyId b);
+    Depth depth(BodyId a, BodyId b);
+    DepthBounds depth_bounds(BodyId a, BodyId b);
 
     // ---- answers about what is no body, as of now; ascending
 
@@ -230,16 +232,11 @@ class ECODS_API World {
     BodiesContaining bodies_containing(const Vec3& point, QueryMemory& memory) const;
     BodiesContaining bodies_containing(const Vec3& point);
 
-    // ---- which is the nearest, as of now
+    // ---- which is the nearest, as of now (NearestBody says which of several)
     //
-    // The body, or the pair, of the least distance, if that is at most `limit`, which is decided for the real number;
-    // of equal distances, each rounded once, the least id or pair. Distances that differ by less than their rounding
-    // are equal here. Throw InvalidDistance if the limit is negative or NaN; and NotSupported if the test for two kinds
-    // that are here, or for the kind asked with and one that is, does not answer both `distance` and `within`,
+    // Nothing beyond `limit` is. Throw InvalidDistance if it is negative or NaN; and NotSupported if the test for two
+    // kinds that are here, or for the kind asked with and one that is, does not answer both `distance` and `within`,
     // whichever bodies are near.
-    //
-    // Cost: that of BroadPhase::visit_near or visit_near_pairs; for each body or pair visited that is not filtered out
-    // a test of `within`, mostly a cheap one, and a distance where that is the least so far.
 
     // Of bodies with which this one is not filtered out.
     std::optional<NearestBody> nearest(BodyId body, QueryMemory& memory, double limit = no_limit) const;
@@ -262,13 +259,20 @@ class ECODS_API World {
 
     static constexpr double no_limit = std::numeric_limits<double>::infinity();
 
+    // ---- pairs of convex solids, as of now; ascending
+    //
+    // Those that share a point, and those at a distance of at most `limit`, decided for the real number. Throw
+    // SingularPose if a convex solid is at one, wherever it is; InvalidDistance if the limit is negative or NaN.
+    std::vector<BodyDepth> depths(QueryMemory& memory) const;
+    std::vector<SolidDistance> solid_distances(double limit, QueryMemory& memory) const;
+    std::vector<BodyDepth> depths();
+    std::vector<SolidDistance> solid_distances(double limit);
+
     // ---- what is in the way, as of now
     //
-    // What a segment or a ray meets (hit.hpp), of all bodies; with a filter, of those that it may meet. In the order of
-    // the real parameters, then of the ids, then of the triangles; the parameters that a shape of the caller's own
-    // gives count as they are. Throw InvalidSegment, InvalidRay; and NotSupported if a kind that is here does not
-    // answer hits, wherever its bodies are. Cost: that of BroadPhase::visit_along, and a question to each body whose
-    // box is met up to the first hit.
+    // What a segment or a ray meets (hit.hpp), of all bodies; with a filter, of those that it may meet. In the order
+    // that BodyHit names. Throw InvalidSegment, InvalidRay; and NotSupported if a kind that is here does not answer
+    // hits, wherever its bodies are.
     std::optional<BodyHit> first_hit(const Segment& segment, QueryMemory& memory,
                                      std::optional<CollisionFilter> filter = {}) const;
     std::optional<BodyHit> first_hit(const Ray& ray, QueryMemory& memory,
@@ -284,9 +288,9 @@ class ECODS_API World {
     std::vector<BodyHit> all_hits(const Ray& ray, std::optional<CollisionFilter> filter = {});
 
     // The body that is met first by this one, or by a mesh or shape at a pose, while it is translated by time times
-    // `motion` (cast.hpp), if that is at a time of at most `time_max`, decided for the real time; of equal times, each
-    // rounded once, the least id. Nothing moves. Bodies are passed over as by nearest(). Throw InvalidMotion,
-    // InvalidTime if `time_max` is negative or NaN (above 1 it is as 1), and otherwise as nearest(), for `cast`.
+    // `motion` (cast.hpp), up to `time_max`. Nothing moves. Bodies are passed over as by nearest(). Throw
+    // InvalidMotion, InvalidTime if `time_max` is negative or NaN (above 1 it is as 1), and otherwise as nearest(), for
+    // `cast`.
     std::optional<BodyContact> cast(BodyId body, const Vec3& motion, QueryMemory& memory, double time_max = 1) const;
     std::optional<BodyContact> cast(const std::shared_ptr<const Mesh>& mesh, const Pose& pose, const Vec3& motion,
                                     QueryMemory& memory, double time_max = 1,
@@ -301,11 +305,9 @@ class ECODS_API World {
                                     std::optional<CollisionFilter> filter = {});
 
     // All pairs, but for those that are filtered out, that meet while each of the bodies goes from where it is to its
-    // new pose, as Moving does, and the others stay: by first time, rounded once, then by pair. Pairs that meet at time
-    // 0 are among them. Nothing moves. For a body that is listed twice the later pose holds. Throws as set_poses(), and
-    // NotSupported if a test for two kinds that are here does not answer `cast_moving`.
-    // Cost: near-linear in the bodies listed, those that changed since the last update and the colliding pairs, and a
-    // question for each two bodies whose ways' boxes overlap.
+    // new pose, as Moving does, and the others stay, in the order that Meeting names. Nothing moves. For a body that is
+    // listed twice the later pose holds. Throws as set_poses(), and NotSupported if a test for two kinds that are here
+    // does not answer `cast_moving`.
     std::vector<Meeting> meetings(std::span<const BodyId> bodies, std::span<const Pose> poses,
                                   QueryMemory& memory) const;
     std::vector<Meeting> meetings(std::span<const BodyId> bodies, std::span<const Pose> poses);

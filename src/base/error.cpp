@@ -124,6 +124,21 @@ SelfIntersecting::SelfIntersecting(const TrianglePair& pair)
             " share a segment or more that is not a side of both"),
       triangles(pair) {}
 
+NotConvex::NotConvex(std::size_t triangle_index, int corner_index, const std::array<std::size_t, 2>& ends,
+                     std::size_t beyond_index)
+    : Error("triangle " + std::to_string(triangle_index) + ", at its edge from vertex " + std::to_string(ends[0]) +
+            " to vertex " + std::to_string(ends[1]) + ": vertex " + std::to_string(beyond_index) +
+            " is beyond its plane: the solid is not convex"),
+      triangle(triangle_index),
+      corner(corner_index),
+      vertices(ends),
+      beyond(beyond_index) {}
+
+NoInterior::NoInterior(std::size_t count)
+    : Error(count == 0 ? std::string("there are no points")
+                       : "the " + std::to_string(count) + " points lie in one plane: there is no interior"),
+      point_count(count) {}
+
 InvalidPose::InvalidPose(int row_index, int column_index, double bad_value, BodyId of_body, ListIndex list_index)
     : Error(place_text(of_body, list_index) + "pose entry " + pose_entry(row_index, column_index) + " is " +
             text(bad_value) + (row_index == 3 ? ", where the last row of a matrix is 0 0 0 1" : ", not finite")),
@@ -132,6 +147,18 @@ InvalidPose::InvalidPose(int row_index, int column_index, double bad_value, Body
       value(bad_value),
       body(of_body),
       index(list_index) {}
+
+SingularPose::SingularPose(int argument_index, BodyId of_body)
+    : Error(place_text(of_body, {}) + "the pose of the " + (argument_index == 0 ? "first" : "second") +
+            " solid is singular"),
+      argument(argument_index),
+      body(of_body) {}
+
+SolidsApart::SolidsApart(BodyId first, BodyId second)
+    : Error(first && second ? text(first) + " and " + text(second) + " share no point: there is no depth"
+                            : std::string("the solids share no point: there is no depth")),
+      a(first),
+      b(second) {}
 
 LengthMismatch::LengthMismatch(std::size_t bodies, std::size_t poses)
     : Error("a list of " + std::to_string(bodies) + " bodies came with a list of " + std::to_string(poses) + " poses"),

@@ -68,6 +68,9 @@ class OverlapTracker {
     // in place of its own, and of which at least one is chosen; in no order, each once. Cost: sorting the chosen into
     // trees, and a question for each chosen box, or for each box where they are many.
     void find_pairs_with(std::span<const ProxyIndex> chosen, std::span<const Aabb> boxes, ProxyPairs& found) const;
+
+    // Only those of which both are chosen.
+    void find_pairs_among(std::span<const ProxyIndex> chosen, std::span<const Aabb> boxes, ProxyPairs& found) const;
     FindCounts find_counts() const noexcept;
 
     const BroadPhaseCounts& counts() const noexcept { return counts_; }

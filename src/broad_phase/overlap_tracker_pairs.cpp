@@ -15,21 +15,43 @@ constexpr std::size_t few = 16;
 
 }  // namespace
 
+// The trees of some boxes that stand in place of those of the chosen: slots are places in `chosen`.
+class ChosenForest {
+  public:
+    explicit ChosenForest(std::span<const Aabb> boxes) : lines_(boxes.size()), items_(boxes.size()) {
+        for (SlotIndex slot = 0; slot < boxes.size(); ++slot) {
+            make_packed_box(boxes[slot], lines_[slot]);
+            items_[slot] = BoxForest::make_item(boxes[slot], slot);
+        }
+        forest_.build(items_, lines_);
+    }
+
+    std::uint64_t find_pairs(std::span<const ProxyIndex> chosen, ProxyPairs& found) {
+        std::vector<std::array<SlotIndex, 2>> among;
+        const std::uint64_t tests = forest_.find_pairs(among);
+        for (const auto& [a, b] : among) found.push_back(ordered_pair(chosen[a], chosen[b]));
+        return tests;
+    }
+    const BoxForest& forest() const noexcept { return forest_; }
+
+  private:
+    std::vector<PackedBox> lines_;
+    std::vector<BoxForest::Item> items_;
+    BoxForest forest_;
+};
+
+void OverlapTracker::find_pairs_among(std::span<const ProxyIndex> chosen, std::span<const Aabb> boxes,
+                                      ProxyPairs& found) const {
+    count_find(ChosenForest(boxes).find_pairs(chosen, found));
+}
+
 void OverlapTracker::find_pairs_with(std::span<const ProxyIndex> chosen, std::span<const Aabb> boxes,
                                      ProxyPairs& found) const {
-    std::vector<PackedBox> lines(chosen.size());  // slots are places in `chosen`
-    std::vector<BoxForest::Item> items(chosen.size());
+    ChosenForest trees(boxes);
+    const BoxForest& forest = trees.forest();
+    std::uint64_t tests = trees.find_pairs(chosen, found);
     std::vector<std::uint8_t> is_chosen(table_.end());
-    for (SlotIndex slot = 0; slot < chosen.size(); ++slot) {
-        make_packed_box(boxes[slot], lines[slot]);
-        items[slot] = BoxForest::make_item(boxes[slot], slot);
-        is_chosen[chosen[slot]] = 1;
-    }
-    BoxForest forest;
-    forest.build(items, lines);
-    std::vector<std::array<SlotIndex, 2>> among;
-    std::uint64_t tests = forest.find_pairs(among);
-    for (const auto& [a, b] : among) found.push_back(ordered_pair(chosen[a], chosen[b]));
+    for (const ProxyIndex proxy : chosen) is_chosen[proxy] = 1;
 
     if (few * chosen.size() < table_.size()) {
         for (SlotIndex slot = 0; slot < chosen.size(); ++slot) {

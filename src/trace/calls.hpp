@@ -282,8 +282,7 @@ struct CopyFields {
 
     // Of questions (questions.hpp).
     void answer(const auto& from, auto& to) const { to = from; }
-    void segment(const auto& from, auto& to) const { to = from; }
-    void ray(const auto& from, auto& to) const { to = from; }
+    void line(const auto& from, auto& to) const { to = from; }
     void motion(const auto& from, auto& to) const { to = from; }
     void point(const auto& from, auto& to) const { to = from; }
     void number(const auto& from, auto& to) const { to = from; }

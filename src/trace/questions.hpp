@@ -4,7 +4,7 @@
 // `fields` hands over, beside the kinds of calls.hpp:
 //
 //     answer     the digest                             number           from 0, infinity included
-//     segment, ray, motion, point                       optional_filter
+//     line       a segment or a ray                     motion, point, optional_filter
 #pragma once
 
 #include <cstdint>
@@ -15,65 +15,42 @@
 
 namespace ecods::calls {
 
-// Of a segment or a ray.
+// What a segment or a ray meets.
+template <class Line>
+struct OfLine {
+    std::uint64_t answer;
+    Line line;
+    std::optional<CollisionFilter> filter;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.line(call.line...);
+        each.optional_filter(call.filter...);
+    }
+};
+
 template <class Names>
-struct FirstHit {
+struct FirstHit : OfLine<Segment> {
     static constexpr std::string_view name = "first_hit";
-    std::uint64_t answer;
-    Segment segment;
-    std::optional<CollisionFilter> filter;
-
-    static void fields(auto&& each, auto&... call) {
-        each.answer(call.answer...);
-        each.segment(call.segment...);
-        each.optional_filter(call.filter...);
-    }
-    auto ask(auto& world) const { return world.first_hit(segment, filter); }
+    auto ask(auto& world) const { return world.first_hit(line, filter); }
 };
 
 template <class Names>
-struct FirstHitOfRay {
+struct FirstHitOfRay : OfLine<Ray> {
     static constexpr std::string_view name = "first_hit_of_ray";
-    std::uint64_t answer;
-    Ray ray;
-    std::optional<CollisionFilter> filter;
-
-    static void fields(auto&& each, auto&... call) {
-        each.answer(call.answer...);
-        each.ray(call.ray...);
-        each.optional_filter(call.filter...);
-    }
-    auto ask(auto& world) const { return world.first_hit(ray, filter); }
+    auto ask(auto& world) const { return world.first_hit(line, filter); }
 };
 
 template <class Names>
-struct AllHits {
+struct AllHits : OfLine<Segment> {
     static constexpr std::string_view name = "all_hits";
-    std::uint64_t answer;
-    Segment segment;
-    std::optional<CollisionFilter> filter;
-
-    static void fields(auto&& each, auto&... call) {
-        each.answer(call.answer...);
-        each.segment(call.segment...);
-        each.optional_filter(call.filter...);
-    }
-    auto ask(auto& world) const { return world.all_hits(segment, filter); }
+    auto ask(auto& world) const { return world.all_hits(line, filter); }
 };
 
 template <class Names>
-struct AllHitsOfRay {
+struct AllHitsOfRay : OfLine<Ray> {
     static constexpr std::string_view name = "all_hits_of_ray";
-    std::uint64_t answer;
-    Ray ray;
-    std::optional<CollisionFilter> filter;
-
-    static void fields(auto&& each, auto&... call) {
-        each.answer(call.answer...);
-        each.ray(call.ray...);
-        each.optional_filter(call.filter...);
-    }
-    auto ask(auto& world) const { return world.all_hits(ray, filter); }
+    auto ask(auto& world) const { return world.all_hits(line, filter); }
 };
 
 template <class Names>
@@ -149,7 +126,30 @@ struct BodiesAtPoint {
 };
 
 template <class Names>
+struct Depths {
+    static constexpr std::string_view name = "depths";
+    std::uint64_t answer;
+
+    static void fields(auto&& each, auto&... call) { each.answer(call.answer...); }
+    auto ask(auto& world) const { return world.depths(); }
+};
+
+template <class Names>
+struct SolidDistances {
+    static constexpr std::string_view name = "solid_distances";
+    std::uint64_t answer;
+    double limit;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.number(call.limit...);
+    }
+    auto ask(auto& world) const { return world.solid_distances(limit); }
+};
+
+template <class Names>
 using Question = std::variant<FirstHit<Names>, FirstHitOfRay<Names>, AllHits<Names>, AllHitsOfRay<Names>, Cast<Names>,
-                              Meetings<Names>, Nearest<Names>, ClosestOfAll<Names>, BodiesAtPoint<Names>>;
+                              Meetings<Names>, Nearest<Names>, ClosestOfAll<Names>, BodiesAtPoint<Names>, Depths<Names>,
+                              SolidDistances<Names>>;
 
 }  // namespace ecods::calls

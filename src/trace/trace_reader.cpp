@@ -44,12 +44,12 @@ void FieldReader::shape(std::size_t& shape) {
     shape = found->second;
 }
 
-void FieldReader::segment(Segment& segment) {
+void FieldReader::line(Segment& segment) {
     segment.a = lines_.point();
     segment.b = lines_.point();
 }
 
-void FieldReader::ray(Ray& ray) {
+void FieldReader::line(Ray& ray) {
     ray.origin = lines_.point();
     ray.direction = lines_.point();
     ray.parameter_max = lines_.number();
@@ -97,7 +97,7 @@ TraceItem TraceReader::read_item() {
     const std::string_view name = lines_.word("a call");
     if (name == "note") return TracedNote{std::string(lines_.rest())};
     if (name == "update") return read_update();
-    if (name == "mesh" || name == "solid") return read_mesh(name == "solid");
+    if (const auto form = parse_mesh_form(name)) return read_mesh(*form);
     if (name == "shape") return read_shape();
     const auto read_fields = [&](auto& row) { row.fields(FieldReader(lines_, names_), row); };
     if (TracedQuestion question; calls::emplace_row(question, name)) {
@@ -122,7 +122,7 @@ TracedUpdate TraceReader::read_update() {
     return update;
 }
 
-TracedMesh TraceReader::read_mesh(bool is_solid) {
+TracedMesh TraceReader::read_mesh(MeshForm form) {
     const std::uint64_t number = lines_.decimal("a number", max_64);
     const std::uint64_t vertex_count = lines_.decimal("a number of vertices", max_32);
     const std::uint64_t triangle_count = lines_.decimal("a number of triangles", max_32);
@@ -143,7 +143,7 @@ TracedMesh TraceReader::read_mesh(bool is_solid) {
     }
     auto mesh = Mesh::create(std::move(vertices), std::move(triangles));
     number_next_shape(number, "mesh");
-    return {std::move(mesh), is_solid};
+    return {std::move(mesh), form};
 }
 
 TracedShape TraceReader::read_shape() {

@@ -14,6 +14,7 @@
 
 #include "ecods/broad_phase.hpp"
 #include "ecods/mesh.hpp"
+#include "trace/mesh_form.hpp"
 #include "trace/questions.hpp"
 #include "trace/trace_lines.hpp"
 #include "trace/trace_text.hpp"
@@ -35,7 +36,7 @@ struct TracedUpdate {
 // A mesh, or a shape of the caller's own: each has the next index in calls::InOrder.
 struct TracedMesh {
     std::shared_ptr<const Mesh> mesh;
-    bool is_solid = false;
+    MeshForm form = MeshForm::surface;
 };
 struct TracedShape {
     ShapeKind kind;
@@ -77,8 +78,8 @@ class FieldReader {
     void data(std::uint64_t& data) { data = lines_.hex("user data"); }
     void clearance(std::optional<double>& clearance) { clearance = lines_.clearance(); }
     void answer(std::uint64_t& digest) { digest = lines_.hex("a digest"); }
-    void segment(Segment& segment);
-    void ray(Ray& ray);
+    void line(Segment& segment);
+    void line(Ray& ray);
     void motion(Vec3& motion) { motion = lines_.point(); }
     void point(Vec3& point) { point = lines_.point(); }
     void number(double& number) { number = lines_.number(); }
@@ -115,7 +116,7 @@ class TraceReader {
   private:
     TraceItem read_item();
     TracedUpdate read_update();
-    TracedMesh read_mesh(bool is_solid);
+    TracedMesh read_mesh(MeshForm form);
     TracedShape read_shape();
     void number_next_shape(std::uint64_t number, const char* kind);
 

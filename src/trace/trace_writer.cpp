@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "ecods/error.hpp"
-#include "ecods/solid.hpp"
 #include "trace/trace_text.hpp"
 
 namespace ecods {
@@ -35,7 +34,7 @@ void TraceWriter::FieldWriter::number(double number) const {
     writer.text_.push_back(' ');
 }
 
-void TraceWriter::FieldWriter::ray(const Ray& ray) const {
+void TraceWriter::FieldWriter::line(const Ray& ray) const {
     writer.put_words(ray.origin, ray.direction);
     number(ray.parameter_max);
 }
@@ -83,9 +82,10 @@ void TraceWriter::flush() noexcept {
 
 std::uint64_t TraceWriter::number_of(const std::shared_ptr<const Shape>& shape) {
     const auto* mesh_shape = dynamic_cast<const MeshShape*>(shape.get());
-    const bool is_solid = dynamic_cast<const Solid*>(mesh_shape) != nullptr;
-    const std::shared_ptr<const void> object =
-        mesh_shape != nullptr && !is_solid ? std::shared_ptr<const void>(mesh_shape->mesh_ptr()) : shape;
+    const MeshForm form = mesh_shape != nullptr ? form_of(*mesh_shape) : MeshForm::surface;
+    const std::shared_ptr<const void> object = mesh_shape != nullptr && form == MeshForm::surface
+                                                   ? std::shared_ptr<const void>(mesh_shape->mesh_ptr())
+                                                   : shape;
     if (numbers_.size() >= numbers_max_) {
         std::erase_if(numbers_, [](const auto& entry) { return entry.second.object.expired(); });
         numbers_max_ = 2 * numbers_.size() + 64;
@@ -98,15 +98,15 @@ std::uint64_t TraceWriter::number_of(const std::shared_ptr<const Shape>& shape) 
     numbers_[object.get()] = {object, number};
     last_number_ = number;
     if (mesh_shape != nullptr) {
-        put_mesh(is_solid ? "solid" : "mesh", mesh_shape->mesh(), number);
+        put_mesh(form, mesh_shape->mesh(), number);
     } else {
         put_line(std::string_view("shape"), number, std::uint64_t{shape->kind().value}, std::string_view(text));
     }
     return number;
 }
 
-void TraceWriter::put_mesh(std::string_view name, const Mesh& mesh, std::uint64_t number) noexcept {
-    put_line(name, number, mesh.vertices().size(), mesh.triangles().size());
+void TraceWriter::put_mesh(MeshForm form, const Mesh& mesh, std::uint64_t number) noexcept {
+    put_line(mesh_form_names[static_cast<std::size_t>(form)], number, mesh.vertices().size(), mesh.triangles().size());
     for (const Vec3& v : mesh.vertices()) put_line(std::string_view("v"), v);
     for (const Triangle& t : mesh.triangles()) {
         put_line(std::string_view("t"), std::uint64_t{t[0]}, std::uint64_t{t[1]}, std::uint64_t{t[2]});

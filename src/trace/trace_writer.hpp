@@ -13,6 +13,7 @@
 
 #include "ecods/broad_phase.hpp"
 #include "ecods/trace.hpp"
+#include "trace/mesh_form.hpp"
 #include "trace/questions.hpp"
 #include "trace/trace_text.hpp"
 
@@ -70,8 +71,8 @@ class TraceWriter {
         void data(std::uint64_t data) const { writer.put_words(Hex{data}); }
         void clearance(std::optional<double> clearance) const;
         void answer(std::uint64_t digest) const { writer.put_words(Hex{digest}); }
-        void segment(const Segment& segment) const { writer.put_words(segment.a, segment.b); }
-        void ray(const Ray& ray) const;
+        void line(const Segment& segment) const { writer.put_words(segment.a, segment.b); }
+        void line(const Ray& ray) const;
         void motion(const Vec3& motion) const { writer.put_words(motion); }
         void point(const Vec3& point) const { writer.put_words(point); }
         void number(double number) const;
@@ -103,7 +104,7 @@ class TraceWriter {
     }
     void end_line();
     void put_text();
-    void put_mesh(std::string_view name, const Mesh& mesh, std::uint64_t number) noexcept;
+    void put_mesh(MeshForm form, const Mesh& mesh, std::uint64_t number) noexcept;
     std::string text_of(const Shape& shape) const;
 
     // A mesh or shape that has a number, known by its address; which may be used again once the object is gone.

@@ -65,6 +65,20 @@ class AnswerDigest {
         take(closest.bodies);
         take(closest.distance);
     }
+    void take(const Depth& depth) noexcept {
+        take(depth.depth);
+        take(depth.a);
+        take(depth.b);
+        take(depth.direction);
+    }
+    void take(const BodyDepth& pair) noexcept {
+        take(pair.bodies);
+        take(pair.depth);
+    }
+    void take(const SolidDistance& pair) noexcept {
+        take(pair.bodies);
+        take(pair.distance);
+    }
     void take(const BodyAt& at) noexcept {
         take(at.body);
         take(static_cast<std::uint64_t>(at.side));

@@ -24,6 +24,8 @@ void Slot::put(std::shared_ptr<const Shape> new_shape) noexcept {
     kind = new_shape->kind();
     shape_digest = new_shape->digest();
     answers_hits = new_shape->answers(Question::hits);
+    const auto* const of_mesh = dynamic_cast<const MeshShape*>(new_shape.get());
+    form = of_mesh != nullptr ? form_of(*of_mesh) : MeshForm::surface;
     shape = std::move(new_shape);
 }
 

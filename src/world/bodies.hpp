@@ -9,7 +9,9 @@
 #include <optional>
 #include <vector>
 
+#include "ecods/convex_solid.hpp"
 #include "ecods/world.hpp"
+#include "trace/mesh_form.hpp"
 #include "world/disabled_pairs.hpp"
 
 namespace ecods {
@@ -19,7 +21,8 @@ struct Slot {
     static constexpr std::uint16_t generation_max = std::numeric_limits<std::uint16_t>::max();
 
     std::uint16_t generation = 0;
-    bool answers_hits = false;  // the shape
+    bool answers_hits = false;          // the shape
+    MeshForm form = MeshForm::surface;  // of the shape, if it is a mesh; of others, surface
     ShapeKind kind;
     std::shared_ptr<const Shape> shape;  // null: free
     Pose pose;
@@ -31,9 +34,12 @@ struct Slot {
     Posed<Shape> posed() const noexcept { return {*shape, pose}; }
     void put(std::shared_ptr<const Shape> new_shape) noexcept;
 
-    // The shape as a solid, or null.
+    // The shape as a solid, as a convex solid, or null.
     const Solid* solid() const noexcept {
-        return kind == ShapeKind::mesh() ? dynamic_cast<const Solid*>(shape.get()) : nullptr;
+        return form != MeshForm::surface ? static_cast<const Solid*>(shape.get()) : nullptr;
+    }
+    const ConvexSolid* convex() const noexcept {
+        return form == MeshForm::convex ? static_cast<const ConvexSolid*>(shape.get()) : nullptr;
     }
 };
 

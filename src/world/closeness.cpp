@@ -2,29 +2,9 @@
 
 #include "base/bytes_of.hpp"
 #include "base/next.hpp"
+#include "world/enlarged.hpp"
 
 namespace ecods {
-namespace {
-
-// The box, enlarged on all sides by at least half the clearance: boxes of bodies that are within it overlap. For where
-// p of a and q of b are within d, q - p <= d on each axis, and p + d / 2 and q - d / 2 are in what is enlarged by at
-// least d / 2.
-//
-// With an operation off by one unit in its last place, in any rounding mode, next_up makes up for that. Subnormal
-// numbers may be taken for zero: half the clearance by at most 2^-1022, an end of the box by 2^-1022, and their sum by
-// 2^-1022, which 2^-1020 exceeds. An end at infinity stays there.
-Aabb enlarged(const Aabb& box, double clearance) {
-    const double half = next_up(0.5 * clearance + 0x1p-1020);
-    Aabb result;
-    for (int axis = 0; axis < 3; ++axis) {
-        result.min[axis] = next_down(box.min[axis] - half);
-        result.max[axis] = next_up(box.max[axis] + half);
-    }
-    return result;
-}
-
-}  // namespace
-
 void Closeness::follow(const OverlapTracker& boxes, const Bodies& bodies, Changes& changes,
                        const PairVerdicts& collisions) {
     if (!wanted_) return;

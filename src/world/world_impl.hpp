@@ -38,6 +38,10 @@ struct World::Impl {
     double distance(ProxyPair pair, QueryMemory& memory) const;
     SolidRelation relate(ProxyPair pair, QueryMemory& memory) const;  // throws NotSupported
 
+    // The pairs of convex solids whose boxes are not proven to be further apart than the limit, without those that are
+    // filtered out; in no promised order. Throws SingularPose.
+    ProxyPairs near_convex_pairs(double limit) const;
+
     // ---- update, in this order
     void update();
     void test_pairs();

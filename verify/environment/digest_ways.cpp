@@ -40,9 +40,10 @@ std::uint64_t digest_of_hit(std::uint64_t start, const Line& line, const exact::
     TriangleHits hits;
     hits.prepare(body);
     hits.bind(line, scaled, body);
-    const HitEnclosure enclosure = hits.enclose(0);
+    const Triangle& triangle = body.mesh->triangles()[0];
+    const HitEnclosure enclosure = hits.enclose(triangle);
     exact::LineHit hit;
-    const bool is_hit = hits.find(0, hit);
+    const bool is_hit = hits.find(triangle, hit);
     digest.add(std::uint64_t{is_hit});
     digest.add(std::uint64_t{is_hit ? enclosure.verdict != Verdict::none : enclosure.verdict != Verdict::face});
     if (!is_hit) return digest.value();
@@ -55,8 +56,14 @@ std::uint64_t digest_of_hit(std::uint64_t start, const Line& line, const exact::
         digest.add(static_cast<std::uint64_t>(rounded.kind));
     };
     add(rounded(line, hit, 0));
-    if (enclosure.verdict == Verdict::face) hits.find_crossing(0, enclosure.is_back, hit);
+    if (enclosure.verdict == Verdict::face) hits.find_crossing(triangle, hit);
     add(rounded(line, hit, 0));
+    // Whether it is known so cheaply is not a part of the answer; what it is must be the same.
+    exact::RoundedCrossing crossing;
+    if (enclosure.verdict == Verdict::face && hits.round_crossing(triangle, crossing)) {
+        const Hit exact = rounded(line, hit, 0);
+        if (crossing.at.parameter != exact.parameter || crossing.at.point != exact.point) digest.add(std::uint64_t{1});
+    }
     return digest.value();
 }
 

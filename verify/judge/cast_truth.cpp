@@ -18,10 +18,6 @@ oracle::Soup soup(const MeshShape& shape, const Pose& pose) {
     return {shape.mesh().vertices(), shape.mesh().triangles(), pose};
 }
 
-Feature to_feature(const oracle::NamedFeature& feature) {
-    return {static_cast<Feature::Kind>(feature.dimension), feature.triangle, feature.corner};
-}
-
 std::string text(const Feature& feature) {
     constexpr const char* names[] = {"vertex", "edge", "face"};
     return fmt::format("{} {}.{}", names[static_cast<std::size_t>(feature.kind)], feature.triangle, feature.corner);

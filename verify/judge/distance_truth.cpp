@@ -19,10 +19,6 @@ oracle::Soup soup(const Posed<MeshShape>& body) {
     return {body.what->mesh().vertices(), body.what->mesh().triangles(), body.pose};
 }
 
-Feature to_feature(const oracle::NamedFeature& feature) {
-    return {static_cast<Feature::Kind>(feature.dimension), feature.triangle, feature.corner};
-}
-
 // Of numbers from 0 on: where subnormals are flushed, all of them compare as zero.
 bool is_less(double x, double y) {
     return std::bit_cast<std::uint64_t>(x) < std::bit_cast<std::uint64_t>(y);
@@ -50,6 +46,10 @@ std::string end_text(const Feature& feature, const Vec3& point) {
 }
 
 }  // namespace
+
+Feature to_feature(const oracle::NamedFeature& feature) {
+    return {static_cast<Feature::Kind>(feature.dimension), feature.triangle, feature.corner};
+}
 
 ClosestPoints to_closest_points(const oracle::ExactClosest& exact) {
     ClosestPoints closest;

@@ -8,18 +8,13 @@
 
 #include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
+#include "judge/wrong.hpp"
 #include "oracle/distance.hpp"
 
 namespace ecods::judge {
 
-// The first answer that was wrong.
-struct Wrong {
-    std::string question;
-    std::string expected;
-    std::string got;
-};
-
-// As the library writes it.
+// As the library writes them.
+Feature to_feature(const oracle::NamedFeature& feature);
 ClosestPoints to_closest_points(const oracle::ExactClosest& exact);
 
 // Whether all of it is the same, bit for bit.

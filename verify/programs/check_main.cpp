@@ -144,6 +144,11 @@ int run(int argc, char** argv) {
     app.add_flag("--solids", options.questions.has_solids,
                  "Also say of each body whether its mesh bounds a solid, or why not, and list the pairs of solids that "
                  "are not apart: touching, overlapping, inside, contains, equal. --oracle does not check these");
+    app.add_flag(
+        "--depth", options.questions.has_depths,
+        "Also say of each pair of bodies whose meshes bound convex solids how deep they are in each other, the "
+        "direction in which the second gets out, and on which features (triangle:corner); or their gap, as "
+        "solids. --oracle does not check these");
     app.add_flag("--oracle", options.oracle, "Check every answer, of all pairs of bodies, with CGAL's exact numbers");
     programs::add_broad_phase(app, options.broad_phase, "Which broad phase; sweep_and_prune is the default");
     std::map<std::string, InstructionSet> sets;
@@ -157,11 +162,11 @@ int run(int argc, char** argv) {
         }
         const SceneQuestions& asked = options.questions;
         const bool has_questions = asked.has_distances || asked.clearance || asked.has_moves || asked.has_casts ||
-                                   asked.has_solids || !asked.rays.empty();
+                                   asked.has_solids || asked.has_depths || !asked.rays.empty();
         if (has_questions && !options.cases.empty()) {
             throw CLI::ValidationError("ecods_check",
-                                       "--distance, --clearance, --moves, --casts, --solids and --ray are for files, "
-                                       "not for --cases");
+                                       "--distance, --clearance, --moves, --casts, --solids, --depth and --ray are "
+                                       "for files, not for --cases");
         }
     });
     if (const auto status = programs::parse(app, argc, argv)) return *status;

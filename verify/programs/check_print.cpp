@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <sstream>
 
 namespace ecods::check {
@@ -115,6 +116,22 @@ void print_hits(std::FILE* out, const scenes::Scene& scene, const std::vector<Hi
     }
 }
 
+std::string to_text(const Feature& feature) {
+    constexpr std::array names = {"vertex", "edge", "face"};
+    return fmt::format("{} {}:{}", names[static_cast<std::size_t>(feature.kind)], feature.triangle, feature.corner);
+}
+
+void print_depths(std::FILE* out, const scenes::Scene& scene, const FrameAnswer& answer) {
+    for (const auto& [a, b, depth] : answer.depths) {
+        fmt::print(out, "  depth {}  {} | {}  (along {}: {}, {})\n", depth.depth, scene.bodies[a].name,
+                   scene.bodies[b].name, to_text(depth.direction), to_text(depth.a), to_text(depth.b));
+    }
+    for (const GapAnswer& pair : answer.gaps) {
+        fmt::print(out, "  gap {}  {} | {}  (as solids)\n", pair.distance, scene.bodies[pair.a].name,
+                   scene.bodies[pair.b].name);
+    }
+}
+
 void print_distances(std::FILE* out, const scenes::Scene& scene, const char* what,
                      const std::vector<DistanceAnswer>& pairs) {
     for (const DistanceAnswer& pair : pairs) {
@@ -152,6 +169,7 @@ void print_frame(std::FILE* out, const scenes::Scene& scene, const FrameAnswer& 
         fmt::print(out, "  {}  {} | {}  (as solids)\n", name_of(pair.relation), scene.bodies[pair.a].name,
                    scene.bodies[pair.b].name);
     }
+    print_depths(out, scene, answer);
 }
 
 void print_report(std::FILE* out, const OracleReport& report) {
@@ -190,6 +208,18 @@ nlohmann::ordered_json to_json(const scenes::Scene& scene, const FrameAnswer& an
     for (const SolidAnswer& pair : answer.solids) {
         frame["solid_pairs"].push_back(
             {{"a", scene.bodies[pair.a].name}, {"b", scene.bodies[pair.b].name}, {"relation", name_of(pair.relation)}});
+    }
+    for (const auto& [a, b, depth] : answer.depths) {
+        frame["depths"].push_back({{"a", scene.bodies[a].name},
+                                   {"b", scene.bodies[b].name},
+                                   {"depth", depth.depth},
+                                   {"direction", to_json(depth.direction)},
+                                   {"feature_a", to_text(depth.a)},
+                                   {"feature_b", to_text(depth.b)}});
+    }
+    for (const GapAnswer& pair : answer.gaps) {
+        frame["gaps"].push_back(
+            {{"a", scene.bodies[pair.a].name}, {"b", scene.bodies[pair.b].name}, {"distance", pair.distance}});
     }
     return frame;
 }

@@ -9,27 +9,42 @@ SceneWorld::SceneWorld(const scenes::Scene& scene, BroadPhaseKind broad_phase, c
     : scene_(scene), questions_(questions), world_(WorldOptions{.broad_phase = broad_phase}) {
     world_.set_clearance(questions.clearance);
     world_.set_solids(questions.has_solids);
-    const std::vector<std::shared_ptr<const MeshShape>> solids = make_solids();
+    const std::vector<std::shared_ptr<const MeshShape>> shapes = make_shapes();
     for (const scenes::SceneBody& body : scene.bodies) {
-        ids_.push_back(questions.has_solids ? world_.create_body(solids[body.mesh_index], body.pose)
-                                            : world_.create_body(scene.meshes[body.mesh_index].mesh, body.pose));
+        ids_.push_back(world_.create_body(shapes[body.mesh_index], body.pose));
     }
 }
 
-// By mesh: a Solid where it bounds one.
-std::vector<std::shared_ptr<const MeshShape>> SceneWorld::make_solids() {
+namespace {
+
+// Null where the mesh is not convex, or bounds no solid.
+std::shared_ptr<const MeshShape> convex_of(const std::shared_ptr<const Mesh>& mesh) {
+    try {
+        return std::make_shared<const ConvexSolid>(mesh);
+    } catch (const NotConvex&) {
+    } catch (const NoInterior&) {
+    } catch (const NotClosed&) {
+    } catch (const SelfIntersecting&) {
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+// By mesh: where that is asked about, a ConvexSolid or a Solid, if it bounds one.
+std::vector<std::shared_ptr<const MeshShape>> SceneWorld::make_shapes() {
     std::vector<std::shared_ptr<const MeshShape>> shapes;
-    if (!questions_.has_solids) return shapes;
     for (const scenes::NamedMesh& named : scene_.meshes) {
+        std::shared_ptr<const MeshShape> shape = questions_.has_depths ? convex_of(named.mesh) : nullptr;
         std::string why;
         try {
-            shapes.push_back(std::make_shared<const Solid>(named.mesh));
+            if (!shape && questions_.has_solids) shape = std::make_shared<const Solid>(named.mesh);
         } catch (const NotClosed& error) {
             why = error.what();
         } catch (const SelfIntersecting& error) {
             why = error.what();
         }
-        if (!why.empty()) shapes.push_back(std::make_shared<const MeshShape>(named.mesh));
+        shapes.push_back(shape ? shape : std::make_shared<const MeshShape>(named.mesh));
         no_solid_since_.push_back(why);
     }
     return shapes;
@@ -115,7 +130,17 @@ FrameAnswer SceneWorld::answer() {
     for (const SolidPair& pair : world_.solid_pairs()) {
         answer.solids.push_back({body_of(pair.bodies.a), body_of(pair.bodies.b), pair.relation});
     }
+    if (questions_.has_depths) find_depths(answer);
     return answer;
+}
+
+void SceneWorld::find_depths(FrameAnswer& answer) {
+    for (const BodyDepth& pair : world_.depths()) {
+        answer.depths.push_back({body_of(pair.bodies.a), body_of(pair.bodies.b), pair.depth});
+    }
+    for (const SolidDistance& pair : world_.solid_distances(World::no_limit)) {
+        if (pair.distance > 0) answer.gaps.push_back({body_of(pair.bodies.a), body_of(pair.bodies.b), pair.distance});
+    }
 }
 
 DistanceAnswer SceneWorld::distance(std::size_t a, std::size_t b) {

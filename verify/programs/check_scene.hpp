@@ -51,6 +51,18 @@ struct SolidAnswer {
     SolidRelation relation = SolidRelation::touching;
 };
 
+// Two convex solids that share a point, a < b: the shortest way out of the second; and two that do not.
+struct DepthAnswer {
+    std::size_t a = 0;
+    std::size_t b = 0;
+    Depth depth;
+};
+struct GapAnswer {
+    std::size_t a = 0;
+    std::size_t b = 0;
+    double distance = 0;
+};
+
 // What is asked of every frame beside collisions.
 struct SceneQuestions {
     std::optional<double> clearance = {};
@@ -59,6 +71,7 @@ struct SceneQuestions {
     bool has_casts = false;      // of bodies with a motion: what each meets first
     std::vector<Ray> rays = {};  // what each of them hits, everything
     bool has_solids = false;     // of bodies of which the mesh bounds a solid: what is inside what
+    bool has_depths = false;     // of those of which it is convex: how deep they are, or how far, of all pairs
 };
 
 // All answers for one frame; frame 0 is the rest. Lists are ascending.
@@ -73,6 +86,8 @@ struct FrameAnswer {
     std::vector<MeetingAnswer> casts;     // of bodies that meet something, by body
     std::vector<HitAnswer> hits;          // by ray, then as World::all_hits() has them
     std::vector<SolidAnswer> solids;
+    std::vector<DepthAnswer> depths;
+    std::vector<GapAnswer> gaps;
 };
 
 // The World of a scene. The scene must outlive it. Throws InvalidDistance, as World::set_clearance does.
@@ -111,7 +126,8 @@ class SceneWorld {
     void find_meetings(const scenes::Frame& frame);
     std::vector<MeetingAnswer> casts();
     std::vector<HitAnswer> hits();
-    std::vector<std::shared_ptr<const MeshShape>> make_solids();
+    std::vector<std::shared_ptr<const MeshShape>> make_shapes();
+    void find_depths(FrameAnswer& answer);
 
     const scenes::Scene& scene_;
     SceneQuestions questions_;

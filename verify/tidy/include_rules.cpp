@@ -14,7 +14,8 @@ namespace {
 // Where third parties may be used, by how their headers begin. Those that are not here may be used by everything but
 // the library.
 const std::vector<std::pair<std::string_view, std::vector<std::string_view>>> third_party_places = {
-    {"CGAL/", {"verify/oracle", "verify/unit", "bench/engines", "bench/suites"}},
+    {"CGAL/", {"verify/oracle", "verify/scenes/plane", "verify/unit", "bench/engines", "bench/suites"}},
+    {"ccd/", {"bench/engines"}},
     {"fcl/", {"bench/engines", "bench/report", "bench/suites", "fuzz/engines"}},
     {"gmp", {"verify/oracle", "verify/unit", "fuzz/targets"}},
     {"BulletCollision/", {"bench/engines"}},

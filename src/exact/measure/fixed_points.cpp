@@ -76,6 +76,7 @@ void FixedPoints::pose(const Body& of, std::uint32_t vertex, Point& p) const noe
         if (x.m == 0) continue;
         for (std::size_t row = 0; row < 3; ++row) {
             const Factor& r = of.columns[column][row];
+            if (r.m == 0) continue;
             p[row] += shifted(Int128{r.m} * x.m, r.e + x.e - unit_);
         }
     }

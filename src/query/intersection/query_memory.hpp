@@ -21,7 +21,7 @@ struct QueryMemory::State {
     SeparatingAxes axes;
     std::vector<NodePair> stack;
     QueryCounts counts;
-    std::unique_ptr<QueryMemoryPart> distance, hit, cast, moving, solid;
+    std::unique_ptr<QueryMemoryPart> distance, hit, cast, moving, solid, convex, depth;
 };
 
 struct QueryMemoryAccess {

@@ -55,7 +55,9 @@ Solid::Solid(std::shared_ptr<const Mesh> mesh) : MeshShape(std::move(mesh)), sol
         parts.edges = std::move(checked.edges);
         return;
     }
-    parts.proper = split_edges(checked.proper, checked.overlaps);
+    SplitMesh split = split_edges(checked.proper, checked.overlaps);
+    parts.proper = std::move(split.mesh);
+    parts.origins = std::move(split.origins);
     parts.edges = MeshEdges(parts.proper);
     parts.split_shape = std::make_unique<const MeshShape>(parts.proper.mesh);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "base/lazy.hpp"
 #include "ecods/solid.hpp"
@@ -9,6 +10,7 @@
 #include "query/solid/mesh_edges.hpp"
 #include "query/solid/proper_mesh.hpp"
 #include "query/solid/shells.hpp"
+#include "query/solid/split_edges.hpp"
 
 namespace ecods {
 
@@ -16,6 +18,8 @@ struct Solid::Parts {
     // The triangles of the solid: those of its mesh by the same indices, unless edges were split.
     ProperMesh proper;
     MeshEdges edges;
+    // By triangle of proper.mesh, the one that it is a part of, where edges were split; otherwise empty.
+    std::vector<TriangleOrigin> origins;
     // The shape of proper.mesh where edges were split; otherwise null, and the solid's own tree is its tree.
     std::unique_ptr<const MeshShape> split_shape;
     Lazy<Shells> shells;

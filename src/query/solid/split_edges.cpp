@@ -16,9 +16,10 @@ struct Cut {
     friend constexpr auto operator<=>(const Cut&, const Cut&) = default;
 };
 
-// A triangle, and the vertices inside each of its sides, in the order of the side.
+// A triangle, what its sides are parts of, and the vertices inside each of them, in the order of the side.
 struct Part {
     Triangle corners;
+    std::array<std::uint8_t, 3> sides;
     std::array<std::vector<std::uint32_t>, 3> inside;
 };
 
@@ -33,22 +34,24 @@ class Splitter {
         add_ends(overlap.b, overlap.a);
     }
 
-    ProperMesh split(const ProperMesh& proper) {
+    SplitMesh split(const ProperMesh& proper) {
         std::ranges::sort(cuts_);
         cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
         std::vector<Triangle> result;
+        std::vector<TriangleOrigin> origins;
         result.reserve(triangles_.size() + cuts_.size());
+        origins.reserve(triangles_.size() + cuts_.size());
         auto next = cuts_.begin();
         for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
             if (!proper.is_proper(i)) continue;
-            Part part{triangles_[i], {}};
+            Part part{triangles_[i], {0, 1, 2}, {}};
             for (; next != cuts_.end() && next->side.triangle == i; ++next) {
                 part.inside[next->side.corner].push_back(next->vertex);
             }
             for (std::size_t side = 0; side < 3; ++side) sort_along(part, side);
-            divide(std::move(part), result);
+            divide(i, std::move(part), result, origins);
         }
-        return {Mesh::create({vertices_.begin(), vertices_.end()}, std::move(result)), {}};
+        return {{Mesh::create({vertices_.begin(), vertices_.end()}, std::move(result)), {}}, std::move(origins)};
     }
 
   private:
@@ -78,7 +81,8 @@ class Splitter {
 
     // A fan from the corner opposite to a side, over the vertices inside that side. The first triangle of it has one of
     // the other two sides, and the last one the other.
-    static void divide(Part whole, std::vector<Triangle>& result) {
+    static void divide(std::uint32_t triangle, Part whole, std::vector<Triangle>& result,
+                       std::vector<TriangleOrigin>& origins) {
         std::vector<Part> open;
         open.push_back(std::move(whole));
         while (!open.empty()) {
@@ -88,15 +92,24 @@ class Splitter {
             while (side < 3 && part.inside[side].empty()) ++side;
             if (side == 3) {
                 result.push_back(part.corners);
+                origins.push_back({triangle, part.sides});
                 continue;
             }
             const std::uint32_t from = part.corners[side], to = part.corners[(side + 1) % 3];
             const std::uint32_t apex = part.corners[(side + 2) % 3];
             const auto& inside = part.inside[side];
             for (std::size_t k = 0; k <= inside.size(); ++k) {
-                Part next{{k == 0 ? from : inside[k - 1], k == inside.size() ? to : inside[k], apex}, {}};
-                if (k == inside.size()) next.inside[1] = std::move(part.inside[(side + 1) % 3]);
-                if (k == 0) next.inside[2] = std::move(part.inside[(side + 2) % 3]);
+                Part next{{k == 0 ? from : inside[k - 1], k == inside.size() ? to : inside[k], apex},
+                          {part.sides[side], TriangleOrigin::none, TriangleOrigin::none},
+                          {}};
+                if (k == inside.size()) {
+                    next.sides[1] = part.sides[(side + 1) % 3];
+                    next.inside[1] = std::move(part.inside[(side + 1) % 3]);
+                }
+                if (k == 0) {
+                    next.sides[2] = part.sides[(side + 2) % 3];
+                    next.inside[2] = std::move(part.inside[(side + 2) % 3]);
+                }
                 open.push_back(std::move(next));
             }
         }
@@ -109,7 +122,7 @@ class Splitter {
 
 }  // namespace
 
-ProperMesh split_edges(const ProperMesh& proper, std::span<const EdgeOverlap> overlaps) {
+SplitMesh split_edges(const ProperMesh& proper, std::span<const EdgeOverlap> overlaps) {
     Splitter splitter(proper);
     for (const EdgeOverlap& overlap : overlaps) splitter.add(overlap);
     return splitter.split(proper);

@@ -40,10 +40,7 @@ class Replayer {
     void take(const TracedCall& call);
     void take(const TracedQuestion& question);
     void take(const TracedUpdate& update);
-    void take(const TracedMesh& mesh) {
-        shapes_.push_back(mesh.is_solid ? std::make_shared<const Solid>(mesh.mesh)
-                                        : std::make_shared<const MeshShape>(mesh.mesh));
-    }
+    void take(const TracedMesh& mesh) { shapes_.push_back(make_shape(mesh.mesh, mesh.form)); }
     void take(const TracedShape& shape);
     void take(const TracedNote&) {}
 

@@ -14,7 +14,10 @@
 #include "base/hash.hpp"
 #include "ecods/cast.hpp"
 #include "ecods/contact.hpp"
+#include "ecods/convex_solid.hpp"
+#include "ecods/depth.hpp"
 #include "ecods/distance.hpp"
+#include "ecods/error.hpp"
 #include "ecods/hit.hpp"
 #include "ecods/intersection.hpp"
 #include "ecods/solid.hpp"
@@ -126,6 +129,15 @@ std::optional<FirstContact> move_past(Pair& p) {
     return cast(Moving<MeshShape>(*p.b, p.pose_b, end), Moving<MeshShape>(*p.a, p.pose_a, p.pose_a), p.memory);
 }
 
+std::uint64_t digest_depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, Pair& p) {
+    try {
+        const Depth found = depth(a, b, p.memory, p.witness);
+        return digest(found.depth) + digest(found.direction) + digest(found.a.triangle) + digest(found.b.triangle);
+    } catch (const SolidsApart&) {
+        return 1;
+    }
+}
+
 // Triangles with corners of their own, a face of two halves beside one of one part.
 std::shared_ptr<const Mesh> two_prisms() {
     const Vec3 a(0, 0, 0), b(2, 0, 0), c(0, 2, 0), d(0, 0, 1), m(1, 1, 0);
@@ -174,6 +186,44 @@ const Question questions[] = {
      [](Pair& p) {
          const Solid a(two_prisms());
          p.answer = digest(solid_relation({a, p.pose_a}, {a, p.pose_b}, p.memory));
+     }},
+    {"convex_hull", [](Pair& p) { p.answer = digest(convex_hull(p.b->mesh().vertices()).digest()); }},
+    {"ConvexSolid and solid_distance",
+     [](Pair& p) {
+         const ConvexSolid a(p.a->mesh().vertices()), b(p.b->mesh().vertices());
+         p.answer = digest(solid_distance({a, p.pose_a}, {b, p.pose_b}, p.memory, p.witness));
+     }},
+    {"solid_closest of solids that touch",
+     [](Pair& p) {
+         const ConvexSolid a(scenes::cube(0.5));
+         Pose above;
+         above.t = Vec3(0.5, 0.25, 1);
+         p.answer = digest(solid_closest({a, p.pose_a}, {a, above}, p.memory).has_value());
+         above.t[2] = 2;
+         p.answer += digest(*solid_closest({a, p.pose_a}, {a, above}, p.memory));
+     }},
+    {"depth of convex solids",
+     [](Pair& p) {
+         const ConvexSolid a(scenes::cube(1)), b(p.b->mesh().vertices());
+         p.answer = digest_depth({a, p.pose_a}, {b, p.pose_b}, p);
+     }},
+    {"depth in long integers",
+     [](Pair& p) {
+         const ConvexSolid a(scenes::cube(0.5));
+         Pose sheared;
+         sheared.R(0, 2) = 0x1p-700;
+         sheared.t = Vec3(0.9375, 0.25, 0.125);
+         p.answer = digest_depth({a, p.pose_a}, {a, sheared}, p);
+     }},
+    {"depth_bounds",
+     [](Pair& p) {
+         const Solid a(scenes::cube(1)), b(scenes::torus(4, 3, 0.25));
+         try {
+             const DepthBounds bounds = depth_bounds({a, p.pose_a}, {b, p.pose_b}, p.memory);
+             p.answer = digest(bounds.parted) + digest(bounds.upper) + digest(bounds.lower);
+         } catch (const SolidsApart&) {
+             p.answer = 1;
+         }
      }},
     {"surface_relation",
      [](Pair& p) {

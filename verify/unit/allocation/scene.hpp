@@ -161,7 +161,7 @@ struct Scene {
     }
 
     std::shared_ptr<const Mesh> mesh = tetrahedron();
-    std::shared_ptr<const Solid> solid = std::make_shared<const Solid>(mesh);
+    std::shared_ptr<const Solid> solid = std::make_shared<const ConvexSolid>(mesh);
     std::shared_ptr<const Mesh> other_mesh =
         Mesh::create({Vec3(0, 0, 0), Vec3(1, 0.5, 0), Vec3(0, 1, 0.5)}, {{0, 1, 2}});
     World world;

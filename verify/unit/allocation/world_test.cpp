@@ -55,6 +55,18 @@ std::string text_of(const std::vector<Meeting>& meetings) {
     });
 }
 
+std::string text_of(const std::vector<BodyDepth>& depths) {
+    return count_of(depths, [](const BodyDepth& each, std::uint64_t& digest) {
+        digest = combine(combine(digest, each.bodies.b.slot), std::bit_cast<std::uint64_t>(each.depth.depth));
+    });
+}
+
+std::string text_of(const std::vector<SolidDistance>& distances) {
+    return count_of(distances, [](const SolidDistance& each, std::uint64_t& digest) {
+        digest = combine(combine(digest, each.bodies.b.slot), std::bit_cast<std::uint64_t>(each.distance));
+    });
+}
+
 // Each body touches the next one at most: lists of all hits and meetings are short, and fail that much less often.
 constexpr double apart = 1.25;
 
@@ -114,6 +126,16 @@ const std::array calls = {
     WorldCall{
         "solid_relation",
         [](Scene& s) { s.answer = std::to_string(static_cast<int>(s.world.solid_relation(s.ids[0], s.ids[10]))); }},
+    WorldCall{"solid_distance",
+              [](Scene& s) { s.answer = std::to_string(s.world.solid_distance(s.ids[0], s.ids[10])); }},
+    WorldCall{"solid_closest",
+              [](Scene& s) { s.answer = std::to_string(s.world.solid_closest(s.ids[0], s.ids[10])->point_a[0]); }},
+    WorldCall{"depth", [](Scene& s) { s.answer = std::to_string(s.world.depth(s.ids[0], s.ids[10]).depth); }, 0.03125},
+    WorldCall{"depth_bounds",
+              [](Scene& s) { s.answer = std::to_string(s.world.depth_bounds(s.ids[0], s.ids[10]).upper); },
+              0.03125},
+    WorldCall{"depths", [](Scene& s) { s.answer = text_of(s.world.depths()); }},
+    WorldCall{"solid_distances", [](Scene& s) { s.answer = text_of(s.world.solid_distances(0.5)); }},
     WorldCall{"bodies_containing",
               [](Scene& s) {
                   const BodiesContaining found = s.world.bodies_containing(Vec3(1, 0.125, 0.25));

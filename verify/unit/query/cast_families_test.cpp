@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <string>
 
-#include "environment/float_mode.hpp"
-#include "environment/instruction_sets.hpp"
+#include "environment/each_environment.hpp"
 #include "judge/cast_truth.hpp"
 #include "scenes/cast_cases.hpp"
 #include "scenes/shapes.hpp"
@@ -15,6 +15,19 @@ namespace {
 void expect_right(const judge::CastTruth& truth, QueryMemory& memory, PairWitness& witness) {
     const auto wrong = truth.ask(memory, witness);
     ASSERT_FALSE(wrong) << wrong->question << ": expected " << wrong->expected << ", got " << wrong->got;
+}
+
+// With a memory and a witness that know nothing.
+void expect_right_everywhere(const judge::CastTruth& truth) {
+    const auto ask = [&] {
+        QueryMemory memory;
+        PairWitness witness;
+        return truth.ask(memory, witness);
+    };
+    environment::in_each_environment(ask, [](const auto& wrong, const std::string& where) {
+        ASSERT_FALSE(wrong) << where << ": " << wrong->question << ": expected " << wrong->expected << ", got "
+                            << wrong->got;
+    });
 }
 
 // One witness goes through all of them: it comes from other bodies each time.
@@ -50,21 +63,8 @@ TEST(CastFamilies, TheSameBitsInEveryEnvironment) {
             const scenes::CastCase made = scenes::make_cast_case(family, random);
             const MeshShape a(made.a), b(made.b);
             const judge::CastTruth truth({a, made.pose_a}, made.motion, {b, made.pose_b}, 1);
-            for (const InstructionSet set : environment::supported_instruction_sets()) {
-                const environment::InstructionSetLimit limit(set);
-                for (const environment::FloatMode& mode : environment::float_modes) {
-                    QueryMemory memory;
-                    PairWitness witness;
-                    std::optional<judge::Wrong> wrong;
-                    {
-                        const environment::InFloatMode in_mode(mode);
-                        wrong = truth.ask(memory, witness);
-                    }
-                    ASSERT_FALSE(wrong) << environment::name(set) << ", " << mode.name << ", " << i << ": "
-                                        << wrong->question << ": expected " << wrong->expected << ", got "
-                                        << wrong->got;
-                }
-            }
+            SCOPED_TRACE(i);
+            expect_right_everywhere(truth);
         }
     }
 }

@@ -8,8 +8,7 @@
 #include "base/double_key.hpp"
 #include "base/next.hpp"
 #include "ecods/cast.hpp"
-#include "environment/float_mode.hpp"
-#include "environment/instruction_sets.hpp"
+#include "environment/each_environment.hpp"
 #include "judge/cast_truth.hpp"
 #include "query/cast/cast_moving.hpp"
 #include "scenes/cast_cases.hpp"
@@ -34,17 +33,6 @@ Pose at(double x, double y, double z) {
 const std::vector<Vec3> flat{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}};
 const std::vector<Vec3> needle{{0, 0, 0}, {0.25, 0, 1}, {-0.25, 0, 1}};
 
-template <class Use>
-void in_every_environment(Use&& use) {
-    for (const InstructionSet set : environment::supported_instruction_sets()) {
-        const environment::InstructionSetLimit limit(set);
-        for (const environment::FloatMode& mode : environment::float_modes) {
-            SCOPED_TRACE(std::string(environment::name(set)) + ", " + mode.name);
-            use(mode);
-        }
-    }
-}
-
 // Chords of gaps whose zeros underflow, in floats or in doubles: a triangle of the size of one is met at a time of
 // 2^-130, 2^-1000, 2^-1074 or less, and is left soon after.
 TEST(CastMovingLimits, TinyTimes) {
@@ -56,17 +44,15 @@ TEST(CastMovingLimits, TinyTimes) {
             if (exponent > -60) continue;
             const double time = std::ldexp(1.0, std::max(exponent, -1074));
             const Moving<MeshShape> from_a(a, at(0, 0, height), at(way, 0, -way)), from_b(b, Pose(), Pose());
-            in_every_environment([&](const environment::FloatMode& mode) {
+            const auto ask = [&] {
                 QueryMemory memory;
-                std::optional<FirstContact> contact, swapped;
-                {
-                    const environment::InFloatMode in_mode(mode);
-                    contact = cast(from_a, from_b, memory);
-                    swapped = cast(from_b, from_a, memory);
-                }
-                ASSERT_TRUE(contact && swapped) << height << ' ' << way;
-                EXPECT_EQ(key_of(contact->time), key_of(time)) << height << ' ' << way;
-                EXPECT_EQ(key_of(swapped->time), key_of(time)) << height << ' ' << way;
+                return std::pair(cast(from_a, from_b, memory), cast(from_b, from_a, memory));
+            };
+            environment::in_each_environment(ask, [&](const auto& contacts, const std::string& where) {
+                const auto& [contact, swapped] = contacts;
+                ASSERT_TRUE(contact && swapped) << where << ' ' << height << ' ' << way;
+                EXPECT_EQ(key_of(contact->time), key_of(time)) << where << ' ' << height << ' ' << way;
+                EXPECT_EQ(key_of(swapped->time), key_of(time)) << where << ' ' << height << ' ' << way;
             });
         }
     }
@@ -193,11 +179,14 @@ TEST(CastMovingLimits, BodiesThatGrowImmensely) {
     to_a.R << 0, -1, 0, 1, 0, 0, 0, 0, 1;
     for (Pose* pose : {&from_a, &from_b}) *pose = Pose{0x1p-800 * pose->R, 0x1p-800 * pose->t};
     for (Pose* pose : {&to_a, &to_b}) *pose = Pose{0x1p850 * pose->R, 0x1p850 * pose->t};
-    in_every_environment([&](const environment::FloatMode& mode) {
+    const auto ask = [&] {
         QueryMemory memory;
-        const environment::InFloatMode in_mode(mode);
-        EXPECT_FALSE(cast(Moving<MeshShape>(a, from_a, to_a), Moving<MeshShape>(b, from_b, to_b), memory));
-        EXPECT_EQ(memory.counts().casts.exact, 0U);
+        const auto contact = cast(Moving<MeshShape>(a, from_a, to_a), Moving<MeshShape>(b, from_b, to_b), memory);
+        return std::pair(contact, memory.counts().casts.exact);
+    };
+    environment::in_each_environment(ask, [](const auto& answer, const std::string& where) {
+        EXPECT_FALSE(answer.first) << where;
+        EXPECT_EQ(answer.second, 0U) << where;
     });
 }
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "environment/float_mode.hpp"
-#include "environment/instruction_sets.hpp"
+#include "environment/each_environment.hpp"
 #include "judge/hit_truth.hpp"
 #include "scenes/hit_cases.hpp"
 #include "scenes/shapes.hpp"
@@ -21,6 +21,19 @@ namespace {
 void expect_right(const judge::HitTruth& truth, QueryMemory& memory, PairWitness& witness) {
     const auto wrong = truth.ask(memory, witness);
     ASSERT_FALSE(wrong) << wrong->question << ": expected " << wrong->expected << ", got " << wrong->got;
+}
+
+// With a memory and a witness that know nothing.
+void expect_right_everywhere(const judge::HitTruth& truth) {
+    const auto ask = [&] {
+        QueryMemory memory;
+        PairWitness witness;
+        return truth.ask(memory, witness);
+    };
+    environment::in_each_environment(ask, [](const auto& wrong, const std::string& where) {
+        ASSERT_FALSE(wrong) << where << ": " << wrong->question << ": expected " << wrong->expected << ", got "
+                            << wrong->got;
+    });
 }
 
 // One witness goes through all of them: it comes from other bodies each time.
@@ -58,21 +71,8 @@ TEST(HitFamilies, TheSameBitsInEveryEnvironment) {
             const scenes::HitCase made = scenes::make_hit_case(family, random);
             const MeshShape shape(made.mesh);
             const judge::HitTruth truth(made.line, {shape, made.pose});
-            for (const InstructionSet set : environment::supported_instruction_sets()) {
-                const environment::InstructionSetLimit limit(set);
-                for (const environment::FloatMode& mode : environment::float_modes) {
-                    QueryMemory memory;
-                    PairWitness witness;
-                    std::optional<judge::Wrong> wrong;
-                    {
-                        const environment::InFloatMode in_mode(mode);
-                        wrong = truth.ask(memory, witness);
-                    }
-                    ASSERT_FALSE(wrong) << environment::name(set) << ", " << mode.name << ", " << i << ": "
-                                        << wrong->question << ": expected " << wrong->expected << ", got "
-                                        << wrong->got;
-                }
-            }
+            SCOPED_TRACE(i);
+            expect_right_everywhere(truth);
         }
     }
 }

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <string>
 
-#include "environment/float_mode.hpp"
-#include "environment/instruction_sets.hpp"
+#include "environment/each_environment.hpp"
 #include "judge/cast_truth.hpp"
 #include "scenes/cast_cases.hpp"
 #include "scenes/shapes.hpp"
@@ -19,6 +19,19 @@ judge::CastTruth truth_of(const scenes::MoveCase& made, const MeshShape& a, cons
 void expect_right(const judge::CastTruth& truth, QueryMemory& memory, PairWitness& witness) {
     const auto wrong = truth.ask(memory, witness);
     ASSERT_FALSE(wrong) << wrong->question << ": expected " << wrong->expected << ", got " << wrong->got;
+}
+
+// With a memory and a witness that know nothing.
+void expect_right_everywhere(const judge::CastTruth& truth) {
+    const auto ask = [&] {
+        QueryMemory memory;
+        PairWitness witness;
+        return truth.ask(memory, witness);
+    };
+    environment::in_each_environment(ask, [](const auto& wrong, const std::string& where) {
+        ASSERT_FALSE(wrong) << where << ": " << wrong->question << ": expected " << wrong->expected << ", got "
+                            << wrong->got;
+    });
 }
 
 // One witness goes through all of them: it comes from other bodies each time.
@@ -76,21 +89,8 @@ TEST(MovingFamilies, TheSameBitsInEveryEnvironment) {
             const scenes::MoveCase made = scenes::make_move_case(family, random);
             const MeshShape a(made.a), b(made.b);
             const judge::CastTruth truth = truth_of(made, a, b, 1);
-            for (const InstructionSet set : environment::supported_instruction_sets()) {
-                const environment::InstructionSetLimit limit(set);
-                for (const environment::FloatMode& mode : environment::float_modes) {
-                    QueryMemory memory;
-                    PairWitness witness;
-                    std::optional<judge::Wrong> wrong;
-                    {
-                        const environment::InFloatMode in_mode(mode);
-                        wrong = truth.ask(memory, witness);
-                    }
-                    ASSERT_FALSE(wrong) << environment::name(set) << ", " << mode.name << ", " << i << ": "
-                                        << wrong->question << ": expected " << wrong->expected << ", got "
-                                        << wrong->got;
-                }
-            }
+            SCOPED_TRACE(i);
+            expect_right_everywhere(truth);
         }
     }
 }

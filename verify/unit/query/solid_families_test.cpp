@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
-#include "environment/float_mode.hpp"
-#include "environment/instruction_sets.hpp"
+#include "environment/each_environment.hpp"
 #include "judge/solid_truth.hpp"
 #include "scenes/lattice_bodies.hpp"
 #include "scenes/shapes.hpp"
@@ -72,20 +72,15 @@ TEST(SolidFamilies, TheSameInEveryEnvironment) {
             const SolidCase made = scenes::make_solid_case(family, random);
             const Solid a(made.a.mesh), b(made.b.mesh);
             const judge::SolidTruth truth({a, made.a.pose}, {b, made.b.pose}, made.known_points());
-            for (const InstructionSet set : environment::supported_instruction_sets()) {
-                const environment::InstructionSetLimit limit(set);
-                for (const environment::FloatMode& mode : environment::float_modes) {
-                    SCOPED_TRACE(std::string(environment::name(set)) + ", " + mode.name);
-                    std::optional<judge::Wrong> wrong;
-                    {
-                        const environment::InFloatMode in_mode(mode);
-                        QueryMemory memory;
-                        const Solid new_a(made.a.mesh), new_b(made.b.mesh);
-                        wrong = truth.with({new_a, made.a.pose}, {new_b, made.b.pose}).ask(memory);
-                    }
-                    ASSERT_NO_FATAL_FAILURE(expect_none(wrong));
-                }
-            }
+            const auto ask = [&] {
+                QueryMemory memory;
+                const Solid new_a(made.a.mesh), new_b(made.b.mesh);
+                return truth.with({new_a, made.a.pose}, {new_b, made.b.pose}).ask(memory);
+            };
+            environment::in_each_environment(ask, [](const auto& wrong, const std::string& where) {
+                SCOPED_TRACE(where);
+                ASSERT_NO_FATAL_FAILURE(expect_none(wrong));
+            });
         }
     }
 }

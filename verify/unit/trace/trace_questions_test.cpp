@@ -21,6 +21,7 @@ std::string traced(const TraceOptions& options) {
     const auto cube = scenes::cube(0.5);
     std::vector<BodyId> bodies;
     for (const double x : {0.0, 3.0, 6.0}) bodies.push_back(world.create_body(cube, at(x)));
+    for (const double x : {20.0, 20.5}) world.create_body(std::make_shared<const ConvexSolid>(cube), at(x));
     world.update();
     world.first_hit(Segment{Vec3(-2, 0.25, 0.125), Vec3(8, 0.25, 0.125)});
     world.first_hit(Ray{Vec3(-2, 0.25, 0.125), Vec3(1, 0, 0)}, CollisionFilter{.groups = 2, .mask = 0x10});
@@ -33,6 +34,8 @@ std::string traced(const TraceOptions& options) {
     world.cast(bodies[0], Vec3(8, 0, 0), 0.25);
     world.meetings(std::vector{bodies[2], bodies[0]}, std::vector{at(0), at(6)});
     world.bodies_containing(Vec3(0.25, 0.25, 0));
+    world.depths();
+    world.solid_distances(1);
     world.set_pose(bodies[1], at(3, 0.25));
     QueryMemory memory;
     world.nearest(bodies[1], memory);
@@ -66,6 +69,8 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
     EXPECT_EQ(count_of("\ncast ", with), 2u);
     EXPECT_EQ(count_of("\nmeetings ", with), 1u);
     EXPECT_EQ(count_of("\nbodies_containing ", with), 1u);
+    EXPECT_EQ(count_of("\ndepths ", with), 1u);
+    EXPECT_EQ(count_of("\nsolid_distances ", with), 1u);
     EXPECT_NE(with.find(" inf 2 10\n"), std::string::npos) << with;
     EXPECT_NE(with.find(" inf\n"), std::string::npos);
     EXPECT_EQ(replayed(without).question_count, 0u);
@@ -73,17 +78,18 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
                             BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic}) {
         const ReplayReport report = replayed(with, kind);
         EXPECT_FALSE(report.difference) << report.difference->what;
-        EXPECT_EQ(report.question_count, 11u);
+        EXPECT_EQ(report.question_count, 13u);
         EXPECT_EQ(report.update_count, 2u);
-        EXPECT_EQ(report.call_count, 4u + 2 + 11);
+        EXPECT_EQ(report.call_count, 6u + 2 + 13);
     }
 }
 
 // Each of the lines with another digest is named.
 TEST(TraceQuestions, TheFirstOtherAnswerIsNamed) {
     const std::string text = traced({.questions = true});
-    for (const std::string name : {"first_hit", "first_hit_of_ray", "all_hits", "all_hits_of_ray", "nearest",
-                                   "closest_pair", "cast", "meetings", "bodies_containing"}) {
+    for (const std::string name :
+         {"first_hit", "first_hit_of_ray", "all_hits", "all_hits_of_ray", "nearest", "closest_pair", "cast", "meetings",
+          "bodies_containing", "depths", "solid_distances"}) {
         const std::size_t line = text.find("\n" + name + " ") + 1;
         const std::size_t digest = line + name.size() + 1;
         std::string wrong = text;
@@ -125,6 +131,8 @@ TEST(TraceQuestions, WhatIsNoQuestionIsRefused) {
     refused("closest_pair 0 -0x1p+0");
     refused("nearest 0 1.0 inf");
     refused("cast 0 1.0 0x0p+0 0x0p+0 0x0p+0 0x1p+0");
+    refused("solid_distances 0 -0x1p+0");
+    refused("depths 0 inf");
     refused("meetings 0 1");
     refused("meetings 0 0 0");
     EXPECT_EQ(replayed(head + "meetings 0 0\n").question_count, 0u) << "which has another digest";

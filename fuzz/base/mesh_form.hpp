@@ -1,0 +1,18 @@
+// As what a world is given a mesh: a surface, a solid, or a convex solid.
+#pragma once
+
+#include <memory>
+
+#include "ecods/mesh.hpp"
+#include "ecods/shape.hpp"
+#include "trace/mesh_form.hpp"
+
+namespace ecods::fuzz {
+
+// Of a shape that is no MeshShape: surface.
+MeshForm form_of(const Shape& shape) noexcept;
+
+// Whether make_shape() would not throw. Cost: that of making it.
+bool has_form(const std::shared_ptr<const Mesh>& mesh, MeshForm form);
+
+}  // namespace ecods::fuzz

@@ -1,0 +1,166 @@
+#include "fuzz/checks/convex_questions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ecods/depth.hpp"
+#include "ecods/error.hpp"
+#include "fuzz/base/failure.hpp"
+#include "fuzz/checks/text.hpp"
+#include "scenes/numbers_of.hpp"
+#include "scenes/random.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+// Of more bodies, asking all pairs takes long.
+constexpr std::size_t few = 40;
+
+std::shared_ptr<const ConvexSolid> convex_of(const World& world, BodyId body) {
+    return std::dynamic_pointer_cast<const ConvexSolid>(world.shape(body));
+}
+
+// Two bodies, by numbers, their distance, and how deep they are if that is 0.
+struct Asked {
+    BodyPair bodies;
+    double distance = 0;
+    std::optional<Depth> depth = {};
+
+    std::string text() const {
+        std::string result = fuzz::text(bodies) + fmt::format(" {:a}", distance);
+        if (depth) {
+            result += fmt::format(" deep {:a} along {:a} {:a} {:a} of {}:{}", depth->depth, depth->direction[0],
+                                  depth->direction[1], depth->direction[2], depth->a.triangle, depth->b.triangle);
+        }
+        return result.append(";");
+    }
+    friend bool operator==(const Asked&, const Asked&) = default;
+};
+
+std::string text_of(const std::vector<Asked>& list) {
+    std::string result = fmt::format("{} [", list.size());
+    for (const Asked& each : list) result.append(" ").append(each.text());
+    return result.append(" ]");
+}
+
+void require_same(const char* check, const std::vector<Asked>& got, const std::vector<Asked>& expected) {
+    if (got != expected) throw CheckFailed(check, text_of(expected), text_of(got));
+}
+
+// Of all pairs that are not filtered out; nothing if a body's pose is singular, which all questions must then name.
+std::optional<std::vector<Asked>> ask_one_by_one(const World& world) {
+    std::vector<Asked> result;
+    QueryMemory memory;
+    std::vector<BodyId> bodies = world.bodies();
+    std::erase_if(bodies, [&](BodyId body) { return !convex_of(world, body); });
+    for (const BodyId body : bodies) {
+        const Mat3 R = world.pose(body).R;
+        if (orient3d(Vec3::Zero(), R.col(0), R.col(1), R.col(2)) == Sign::zero) return std::nullopt;
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const auto a = convex_of(world, bodies[i]);
+        for (std::size_t j = i + 1; j < bodies.size(); ++j) {
+            if (!may_meet(world.filter(bodies[i]), world.filter(bodies[j]))) continue;
+            if (!world.is_pair_enabled(bodies[i], bodies[j])) continue;
+            const auto b = convex_of(world, bodies[j]);
+            const Posed<ConvexSolid> first{*a, world.pose(bodies[i])}, second{*b, world.pose(bodies[j])};
+            Asked& asked = result.emplace_back(
+                Asked{{numbers_of(bodies[i]), numbers_of(bodies[j])}, solid_distance(first, second, memory)});
+            if (asked.distance == 0) asked.depth = depth(first, second, memory);
+        }
+    }
+    return result;
+}
+
+void require_singular(World& world) {
+    bool is_named = false;
+    try {
+        world.solid_distances(1);
+    } catch (const SingularPose& error) {
+        is_named = convex_of(world, error.body) != nullptr;
+    }
+    if (!is_named) throw CheckFailed("distances of convex solids", "SingularPose of a body", "something else");
+}
+
+// Where the rounded distance is the limit, the real one decides, which is not known here.
+void check_limit(World& world, double limit, std::vector<Asked> expected) {
+    std::vector<Asked> got;
+    for (const SolidDistance& pair : world.solid_distances(limit)) {
+        got.push_back({{numbers_of(pair.bodies.a), numbers_of(pair.bodies.b)}, pair.distance});
+    }
+    std::erase_if(expected, [&](const Asked& asked) { return asked.distance > limit; });
+    for (Asked& asked : expected) asked.depth.reset();
+    const auto is_open = [&](const Asked& asked) { return limit > 0 && asked.distance == limit; };
+    std::erase_if(expected, is_open);
+    std::erase_if(got, is_open);
+    require_same("distances of convex solids", got, expected);
+}
+
+void check_depths(World& world, std::vector<Asked> expected) {
+    std::vector<Asked> got;
+    for (const BodyDepth& pair : world.depths()) {
+        got.push_back({{numbers_of(pair.bodies.a), numbers_of(pair.bodies.b)}, 0, pair.depth});
+    }
+    std::erase_if(expected, [](const Asked& asked) { return !asked.depth; });
+    require_same("depths of convex solids", got, expected);
+}
+
+// In both orders.
+void check_pair(World& world, const Asked& expected) {
+    const auto [a, b] = expected.bodies;
+    Asked got{expected.bodies, world.solid_distance(b, a)};
+    if (got.distance == 0) got.depth = world.depth(a, b);
+    require_same("a pair of convex solids", {got}, {expected});
+    const auto closest = world.solid_closest(b, a), swapped = world.solid_closest(a, b);
+    const bool is_same = closest.has_value() == (expected.distance > 0) && swapped.has_value() == closest.has_value() &&
+                         (!closest || (closest->distance == expected.distance && closest->point_a == swapped->point_b &&
+                                       closest->a == swapped->b));
+    if (!is_same) throw CheckFailed("where two convex solids are closest", expected.text(), "another distance");
+    if (!expected.depth) return;
+    const Depth back = world.depth(b, a);
+    const bool is_opposite = back.depth == expected.depth->depth && back.a == expected.depth->b &&
+                             back.b == expected.depth->a && back.direction == -expected.depth->direction;
+    if (!is_opposite) throw CheckFailed("a depth, swapped", expected.text(), Asked{expected.bodies, 0, back}.text());
+}
+
+}  // namespace
+
+void check_convex(std::span<World* const> worlds, std::uint32_t seed, Counters& counters) {
+    const World& first = *worlds.front();
+    const auto bodies = first.bodies();
+    const bool has_convex = std::ranges::any_of(bodies, [&](BodyId body) { return convex_of(first, body) != nullptr; });
+    if (!has_convex || bodies.size() > few) return;
+    const auto expected = ask_one_by_one(first);
+    scenes::Random random(seed);
+    double limit = 0;
+    if (expected && !expected->empty()) {
+        limit = (*expected)[random.below(static_cast<std::uint32_t>(expected->size()))].distance;
+    }
+    for (World* world : worlds) {
+        if (!expected) {
+            require_singular(*world);
+            continue;
+        }
+        check_depths(*world, *expected);
+        for (const double d : {0.0, limit, std::nextafter(limit, 0), std::numeric_limits<double>::infinity()}) {
+            check_limit(*world, d, *expected);
+        }
+        if (!expected->empty()) {
+            check_pair(*world, (*expected)[random.below(static_cast<std::uint32_t>(expected->size()))]);
+        }
+    }
+    if (!expected) return;
+    ++counters["checked: depths and distances of all convex solids"];
+    counters["convex solids: apart"] +=
+        static_cast<std::uint64_t>(std::ranges::count_if(*expected, [](const Asked& asked) { return !asked.depth; }));
+    counters["convex solids: deep"] += static_cast<std::uint64_t>(
+        std::ranges::count_if(*expected, [](const Asked& asked) { return asked.depth.has_value(); }));
+}
+
+}  // namespace ecods::fuzz

@@ -1,0 +1,187 @@
+#include "fuzz/pairs/convex.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "ecods/error.hpp"
+#include "fuzz/pairs/case_run.hpp"
+#include "judge/convex_truth.hpp"
+#include "scenes/convex_cases.hpp"
+#include "scenes/lattice_mesh.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+using judge::ConvexTruth;
+using judge::Wrong;
+using scenes::ConvexCase;
+using scenes::PosedMesh;
+
+// The two solids of a case, and what is true of them.
+struct Posing {
+    ConvexSolid a, b;
+    ConvexTruth truth;
+
+    explicit Posing(const ConvexCase& made)
+        : a(made.a.mesh), b(made.b.mesh), truth({a, made.a.pose}, {b, made.b.pose}) {}
+};
+
+// The hull of the mesh's vertices without some of them; nothing if these are in one plane.
+std::shared_ptr<const Mesh> without(const Mesh& mesh, std::size_t from, std::size_t count) {
+    std::vector<Vec3> rest;
+    for (std::size_t i = 0; i < mesh.vertices().size(); ++i) {
+        if (i < from || i >= from + count) rest.push_back(mesh.vertices()[i]);
+    }
+    try {
+        return std::make_shared<const Mesh>(convex_hull(rest));
+    } catch (const NoInterior&) {
+        return nullptr;
+    }
+}
+
+class Run : CaseRun {
+  public:
+    Run(std::uint32_t seed, bool lie, ConvexCounts& counts) : CaseRun(seed, lie, counts.checks), counts_(counts) {}
+
+    void check_one() {
+        const auto families = scenes::convex_families();
+        const scenes::ConvexFamily family = families[index_ % families.size()];
+        family_ = scenes::name(family);
+        const ConvexCase made = scenes::make_convex_case(family, random_);
+        const Posing posing(made);
+        const ConvexTruth& truth = posing.truth;
+        ++counts_.convex;
+        ++counts_.kinds[family_][truth.kind()];
+        require_recipe(made, truth);
+        if (lie_ && truth.depth()) {
+            fail({"depth", judge::text(judge::neighbour(truth.depth()->depth, 1)), judge::text(*truth.depth())}, made,
+                 "a lie");
+        }
+        if (const auto wrong = truth.ask(memory_, witness_)) shrink(*wrong, made);
+        require(std::nullopt, made, "every form");
+        if (random_.below(3) == 0) require_in_environment(made, [&] { return truth.ask(memory_, witness_); });
+        if (random_.below(8) == 0) require(truth.ask_bounds(memory_), made, "depth_bounds");
+        if (random_.below(4) == 0) check_translations(made, truth);
+        if (random_.below(4) == 0) check_made_elsewhere(made, truth);
+        if (random_.below(4) == 0) check_order(made, truth);
+        if (random_.below(4) == 0) check_hull(made);
+        if (random_.below(4) == 0) check_spoilt(made);
+        ++index_;
+    }
+
+  private:
+    void require_recipe(const ConvexCase& made, const ConvexTruth& truth) {
+        std::optional<Wrong> wrong;
+        if (made.distance && *made.distance != truth.distance()) {
+            wrong = Wrong{"oracle against recipe", judge::text(*made.distance), judge::text(truth.distance())};
+        } else if (made.depth && (!truth.depth() || *made.depth != truth.depth()->depth)) {
+            wrong = Wrong{"oracle against recipe", judge::text(*made.depth),
+                          truth.depth() ? judge::text(*truth.depth()) : "apart"};
+        }
+        require(wrong, made, "known by its recipe");
+    }
+
+    // Vertices are left out as long as it fails.
+    [[noreturn]] void shrink(Wrong wrong, ConvexCase made) const {
+        for (PosedMesh* body : {&made.a, &made.b}) {
+            for (std::size_t part = body->mesh->vertices().size() / 2; part > 0; part /= 2) {
+                for (std::size_t from = 0; from < body->mesh->vertices().size();) {
+                    const std::shared_ptr<const Mesh> before = body->mesh;
+                    body->mesh = without(*before, from, part);
+                    std::optional<Wrong> found;
+                    if (body->mesh) {
+                        QueryMemory memory;
+                        PairWitness witness;
+                        found = Posing(made).truth.ask(memory, witness);
+                    }
+                    if (found) {
+                        wrong = *found;
+                        continue;
+                    }
+                    body->mesh = before;
+                    from += part;
+                }
+            }
+        }
+        fail(wrong, made, "every form");
+    }
+
+    void check_translations(const ConvexCase& made, const ConvexTruth& truth) {
+        std::vector<Vec3> directions;
+        for (int i = 0; i < 30; ++i) directions.push_back((1 - std::ldexp(1.0, -3 * i)) * random_.direction());
+        if (truth.depth()) {
+            for (int i = 1; i < 50; i += 4) directions.push_back((1 - std::ldexp(1.0, -i)) * truth.depth()->direction);
+        }
+        require(truth.ask_translations(memory_, directions), made, "translations");
+    }
+
+    // Solids that are made in another environment are the same.
+    void check_made_elsewhere(const ConvexCase& made, const ConvexTruth& truth) {
+        require_in_environment(made, [&] {
+            const ConvexSolid a(made.a.mesh), b(made.b.mesh);
+            return truth.with({a, made.a.pose}, {b, made.b.pose}).ask(memory_, witness_);
+        });
+    }
+
+    // Triangles and their corners in another order have other names, and the numbers are the same.
+    void check_order(const ConvexCase& made, const ConvexTruth& truth) {
+        ConvexCase other = made;
+        for (PosedMesh* body : {&other.a, &other.b}) {
+            std::vector<Vec3> vertices(body->mesh->vertices().begin(), body->mesh->vertices().end());
+            std::vector<Triangle> triangles(body->mesh->triangles().begin(), body->mesh->triangles().end());
+            scenes::shuffle(vertices, triangles, random_);
+            body->mesh = Mesh::create(std::move(vertices), std::move(triangles));
+        }
+        const Posing posing(other);
+        std::optional<Wrong> wrong = posing.truth.ask(memory_, witness_);
+        if (!wrong && posing.truth.distance() != truth.distance()) {
+            wrong = Wrong{"oracle", judge::text(truth.distance()), judge::text(posing.truth.distance())};
+        }
+        require(wrong, other, "triangles and corners in another order");
+    }
+
+    // Of the vertices of both, some of them twice.
+    void check_hull(const ConvexCase& made) {
+        std::vector<Vec3> points;
+        for (const PosedMesh* body : {&made.a, &made.b}) {
+            const auto vertices = body->mesh->vertices();
+            for (std::size_t i = 0; i < vertices.size() && i < 10; ++i) points.push_back(vertices[i]);
+        }
+        for (int i = 0; i < 3; ++i) points.push_back(points[random_.below(static_cast<std::uint32_t>(points.size()))]);
+        require(judge::ask_for_hull(points), made, "hulls of points");
+    }
+
+    // A vertex is moved: to another, towards the middle, or by one ulp. What is no solid any more is not asked about.
+    void check_spoilt(const ConvexCase& made) {
+        std::vector<Vec3> vertices(made.a.mesh->vertices().begin(), made.a.mesh->vertices().end());
+        const auto triangles = made.a.mesh->triangles();
+        const auto any = [&] { return random_.below(static_cast<std::uint32_t>(vertices.size())); };
+        Vec3& vertex = vertices[any()];
+        const std::uint32_t choice = random_.below(3);
+        if (choice == 0) vertex = 0.5 * vertex + 0.5 * vertices[any()];
+        if (choice == 1) vertex = 0.75 * vertex;
+        if (choice == 2) vertex[random_.below(3)] *= 1 + 0x1p-52;
+        const auto mesh = Mesh::create(std::move(vertices), {triangles.begin(), triangles.end()});
+        try {
+            check_solid(*mesh);
+        } catch (const Error&) {
+            return;
+        }
+        require(judge::ask_whether_convex(mesh), made, "whether a mesh is convex");
+    }
+
+    ConvexCounts& counts_;
+    QueryMemory memory_;
+    PairWitness witness_;
+};
+
+}  // namespace
+
+void run_convex(std::uint32_t seed, bool lie, ConvexCounts& counts) {
+    Run run(seed, lie, counts);
+    for (std::uint64_t i = 0; i < convex_per_run; ++i) run.check_one();
+}
+
+}  // namespace ecods::fuzz

@@ -1,0 +1,25 @@
+// One run of the campaign of convex solids: pairs of them from a seed, every answer about them judged.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "fuzz/base/counters.hpp"
+#include "fuzz/pairs/run.hpp"
+
+namespace ecods::fuzz {
+
+struct ConvexCounts {
+    std::uint64_t convex = 0;               // pairs of solids
+    std::map<std::string, Counters> kinds;  // by family, what was so of them
+    Counters checks;                        // by kind, how often it was made
+};
+
+inline constexpr std::uint64_t convex_per_run = 180;
+
+// Throws Disagreement at the first one, with a case made as small as it is easily made. The same seed is the same run,
+// on every machine. `lie`: expect a depth of one that is not true, once.
+void run_convex(std::uint32_t seed, bool lie, ConvexCounts& counts);
+
+}  // namespace ecods::fuzz

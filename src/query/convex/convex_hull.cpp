@@ -1,0 +1,55 @@
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "ecods/convex_solid.hpp"
+#include "ecods/error.hpp"
+#include "geometry/find_invalid.hpp"
+#include "query/convex/hull_build.hpp"
+#include "query/convex/hull_of_points.hpp"
+
+namespace ecods {
+namespace {
+
+using namespace convex;
+
+Hull hull_of(std::span<const Vec3> points) {
+    const ProperMesh proper{Mesh::create({points.begin(), points.end()}, triangulate_hull(points)), {}};
+    const MeshEdges edges(proper);
+    const Border border{&proper, &edges, {}, &proper, {}};
+    return build_hull(border, find_flat_edges(border));
+}
+
+}  // namespace
+
+Mesh convex_hull(std::span<const Vec3> points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!is_finite(points[i][axis])) throw InvalidVertex(i, axis, points[i][axis]);
+        }
+    }
+    if (points.size() > std::numeric_limits<std::uint32_t>::max()) throw MeshTooLarge(points.size(), 0);
+    const Hull hull = hull_of(points);
+
+    std::vector<std::uint32_t> kept = hull.mesh_vertices;
+    std::ranges::sort(kept);
+    std::vector<Vec3> vertices;
+    for (const std::uint32_t i : kept) vertices.push_back(points[i]);
+    const auto index_of = [&](const Hull::Neighbor& corner) {
+        return static_cast<std::uint32_t>(std::ranges::lower_bound(kept, hull.mesh_vertices[corner.vertex]) -
+                                          kept.begin());
+    };
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> cycle;
+    for (std::uint32_t face = 0; face < hull.faces.size(); ++face) {
+        cycle.clear();
+        for (const Hull::Neighbor& corner : hull.cycle_of(face)) cycle.push_back(index_of(corner));
+        std::ranges::rotate(cycle, std::ranges::min_element(cycle));
+        for (std::size_t k = 1; k + 1 < cycle.size(); ++k) triangles.push_back({cycle[0], cycle[k], cycle[k + 1]});
+    }
+    std::ranges::sort(triangles);
+    return *Mesh::create(std::move(vertices), std::move(triangles));
+}
+
+}  // namespace ecods

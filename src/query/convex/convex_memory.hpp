@@ -1,0 +1,21 @@
+// What questions about two convex solids work in.
+#pragma once
+
+#include <memory>
+
+#include "exact/measure/fixed_points.hpp"
+#include "query/intersection/query_memory.hpp"
+
+namespace ecods::convex {
+
+struct ConvexMemory final : QueryMemoryPart {
+    exact::FixedPoints points;
+
+    static ConvexMemory& of(QueryMemory& memory) {
+        auto& part = QueryMemoryAccess::state(memory).convex;
+        if (!part) part = std::make_unique<ConvexMemory>();
+        return static_cast<ConvexMemory&>(*part);
+    }
+};
+
+}  // namespace ecods::convex

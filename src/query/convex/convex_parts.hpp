@@ -1,0 +1,23 @@
+// What a ConvexSolid holds beside what a Solid holds.
+#pragma once
+
+#include "ecods/convex_solid.hpp"
+#include "query/convex/hull.hpp"
+#include "query/convex/support_points.hpp"
+
+namespace ecods {
+
+struct ConvexSolid::ConvexParts {
+    convex::Hull hull;
+    convex::SupportPoints points;
+};
+
+// The library's own way to the parts of a ConvexSolid.
+struct ConvexSolidAccess {
+    static const convex::Hull& hull(const ConvexSolid& solid) noexcept { return solid.convex_parts_->hull; }
+    static const convex::SupportPoints& points(const ConvexSolid& solid) noexcept {
+        return solid.convex_parts_->points;
+    }
+};
+
+}  // namespace ecods

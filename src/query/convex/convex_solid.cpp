@@ -1,0 +1,42 @@
+#include <memory>
+#include <utility>
+
+#include "ecods/convex_solid.hpp"
+#include "ecods/error.hpp"
+#include "query/convex/convex_parts.hpp"
+#include "query/convex/convexity.hpp"
+#include "query/convex/hull_build.hpp"
+#include "query/solid/solid_parts.hpp"
+
+namespace ecods {
+namespace {
+
+using namespace convex;
+
+Hull make_hull(const Solid& solid) {
+    const SolidAccess::Parts& parts = SolidAccess::parts(solid);
+    const Shells& shells = SolidAccess::shells(solid);
+    const Mesh& mesh = solid.mesh();
+    if (shells.first.empty()) throw NoInterior(mesh.vertices().size());
+    // Where edges were split, features are named in the mesh before that.
+    ProperMesh whole;
+    if (!parts.origins.empty()) whole = find_proper({std::shared_ptr<const void>(), &mesh});  // kept by the solid
+    const Border border{&parts.proper, &parts.edges, shells.faces_in, parts.origins.empty() ? &parts.proper : &whole,
+                        parts.origins};
+    return build_hull(border, require_convex(border, shells, mesh));
+}
+
+}  // namespace
+
+ConvexSolid::ConvexSolid(std::shared_ptr<const Mesh> mesh)
+    : Solid(std::move(mesh)), convex_parts_(std::make_unique<ConvexParts>()) {
+    convex_parts_->hull = make_hull(*this);
+    convex_parts_->points = make_support_points(this->mesh(), convex_parts_->hull);
+}
+
+ConvexSolid::ConvexSolid(std::span<const Vec3> points)
+    : ConvexSolid(std::make_shared<const Mesh>(convex_hull(points))) {}
+
+ConvexSolid::~ConvexSolid() = default;
+
+}  // namespace ecods

@@ -1,0 +1,101 @@
+#include "query/convex/convexity.hpp"
+
+#include <array>
+#include <span>
+
+#include "base/assert.hpp"
+#include "ecods/error.hpp"
+
+namespace ecods::convex {
+namespace {
+
+class Check {
+  public:
+    Check(const Border& border, const Shells& shells, const Mesh& given)
+        : border_(border), shells_(shells), given_(given), triangles_(border.proper->mesh->triangles()) {}
+
+    // At an edge of four triangles and more one of them is beyond another's plane: otherwise the gaps on both sides of
+    // a wedge of the solid were half a turn each, or more, and nothing were left for the wedge.
+    std::vector<std::uint8_t> find_flat() const {
+        std::vector<std::uint8_t> is_flat(border_.edges->count());
+        for (std::size_t e = 0; e < is_flat.size(); ++e) {
+            const auto sides = border_.edges->sides(e);
+            for (const SideRef& side : sides) {
+                for (const SideRef& other : sides) {
+                    if (&side == &other) continue;
+                    const std::uint32_t apex = opposite_corner(triangles_[other.triangle], other.corner);
+                    const int beyond = side_of_plane(border_, side.triangle, apex);
+                    if (beyond > 0) fail_at_dent(side, other);
+                    is_flat[e] = beyond == 0;
+                    if (sides.size() == 2) break;
+                }
+                if (sides.size() == 2) break;
+            }
+            ECODS_ASSERT(sides.size() == 2);
+        }
+        return is_flat;
+    }
+
+    // Of two shells that are convex each and no cavity, one has a vertex outside the other.
+    void require_one_shell() const {
+        if (shells_.first.size() == 1) return;
+        for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+            if (shells_.of_triangle[i] != 1) continue;
+            for (const std::uint32_t vertex : triangles_[i]) {
+                for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
+                    if (shells_.of_triangle[k] == 0 && side_of_plane(border_, k, vertex) > 0) {
+                        fail(named_side(k), beyond_corner(i, k, vertex));
+                    }
+                }
+            }
+        }
+        ECODS_ASSERT(false);
+    }
+
+  private:
+    // A side of the triangle of the named mesh that triangle i is a part of.
+    SideRef named_side(std::uint32_t i) const noexcept { return {border_.origin({i, 0}).triangle, 0}; }
+
+    // A corner of the triangle of the named mesh that `of` is a part of, beyond the plane of `plane`: `vertex` is a
+    // corner of `of` that is. If it is no corner of the whole triangle, but inside a side, an end of that side is
+    // beyond.
+    std::uint32_t beyond_corner(std::uint32_t of, std::uint32_t plane, std::uint32_t vertex) const noexcept {
+        const std::uint32_t whole = border_.origin({of, 0}).triangle;
+        const Triangle& named = border_.named->mesh->triangles()[whole];
+        for (std::uint32_t corner = 0; corner < 3; ++corner) {
+            if (named[corner] == vertex) return given_.triangles()[whole][corner];
+        }
+        for (std::uint32_t corner = 0; corner < 3; ++corner) {
+            if (side_of_plane(border_, plane, named[corner]) > 0) return given_.triangles()[whole][corner];
+        }
+        ECODS_ASSERT(false);
+        return given_.triangles()[whole][0];
+    }
+
+    [[noreturn]] void fail_at_dent(const SideRef& side, const SideRef& other) const {
+        const std::uint32_t apex = opposite_corner(triangles_[other.triangle], other.corner);
+        fail(border_.origin(side), beyond_corner(other.triangle, side.triangle, apex));
+    }
+
+    [[noreturn]] void fail(const SideRef& side, std::uint32_t beyond) const {
+        const Triangle& triangle = given_.triangles()[side.triangle];
+        throw NotConvex(side.triangle, static_cast<int>(side.corner),
+                        {triangle[side.corner], triangle[(side.corner + 1) % 3]}, beyond);
+    }
+
+    const Border& border_;
+    const Shells& shells_;
+    const Mesh& given_;
+    std::span<const Triangle> triangles_;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> require_convex(const Border& border, const Shells& shells, const Mesh& given) {
+    const Check check(border, shells, given);
+    std::vector<std::uint8_t> is_flat = check.find_flat();
+    check.require_one_shell();
+    return is_flat;
+}
+
+}  // namespace ecods::convex

@@ -1,0 +1,27 @@
+// Features of two hulls in integers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "exact/measure/exact_features.hpp"
+#include "exact/measure/measure_pair.hpp"
+#include "query/convex/closest_hulls.hpp"
+
+namespace ecods::convex {
+
+// Calls use(points, features) with the vertices' points in the narrowest kernel that holds them: the features are those
+// of the first three and the next three. N is at least 6; `use` gets the limbs of all as its third argument.
+template <std::size_t N, class Use>
+auto with_exact_features(PosedHulls& hulls, const std::array<HullVertex, N>& vertices, Use&& use) {
+    static_assert(N >= 6);
+    return hulls.with_integers(vertices, [&]<class Kernel>(const exact::IntegerPoints<Kernel, N>& points) {
+        constexpr int L = exact::limbs_of<Kernel>;
+        const auto limbs = exact::to_limbs(points);
+        std::array<typename exact::ExactFeatures<L>::Point, 6> six;
+        for (std::size_t i = 0; i < 6; ++i) six[i] = limbs[i];
+        return use(points, exact::ExactFeatures<L>(six), limbs);
+    });
+}
+
+}  // namespace ecods::convex

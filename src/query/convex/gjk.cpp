@@ -1,0 +1,172 @@
+#include "query/convex/gjk.hpp"
+
+#include <limits>
+
+#include "query/convex/small_vectors.hpp"
+
+namespace ecods::convex {
+namespace {
+
+// More than any pair needs that ends at all; what is left then is a guess as good as another.
+constexpr int rounds_max = 200;
+
+// The point of a simplex that is nearest to the origin, and which of its points it is a combination of.
+struct Nearest {
+    Point v{};
+    double square = std::numeric_limits<double>::infinity();
+    unsigned kept = 0;  // a bit for each point
+
+    void take(const Point& point, unsigned bits) noexcept {
+        const double s = dot(point, point);
+        if (s < square) {
+            v = point;
+            square = s;
+            kept = bits;
+        }
+    }
+};
+
+constexpr unsigned bit(int i) noexcept {
+    return 1u << i;
+}
+
+void find_on_segment(const Simplex& s, int i, int j, Nearest& nearest) noexcept {
+    const Point& a = s.points[static_cast<std::size_t>(i)];
+    const Point& b = s.points[static_cast<std::size_t>(j)];
+    const Point u = minus(b, a);
+    const double t = -dot(a, u), uu = dot(u, u);
+    if (t <= 0) return nearest.take(a, bit(i));
+    if (t >= uu) return nearest.take(b, bit(j));
+    nearest.take(minus(a, times(u, -t / uu)), bit(i) | bit(j));
+}
+
+// By the regions of a triangle (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
+void find_on_triangle(const Simplex& s, int i, int j, int k, Nearest& nearest) noexcept {
+    const Point& a = s.points[static_cast<std::size_t>(i)];
+    const Point& b = s.points[static_cast<std::size_t>(j)];
+    const Point& c = s.points[static_cast<std::size_t>(k)];
+    const Point u = minus(b, a), w = minus(c, a);
+    const double d1 = -dot(u, a), d2 = -dot(w, a);
+    if (d1 <= 0 && d2 <= 0) return nearest.take(a, bit(i));
+    const double d3 = -dot(u, b), d4 = -dot(w, b);
+    if (d3 >= 0 && d4 <= d3) return nearest.take(b, bit(j));
+    const double d5 = -dot(u, c), d6 = -dot(w, c);
+    if (d6 >= 0 && d5 <= d6) return nearest.take(c, bit(k));
+    if (d1 >= 0 && d3 <= 0 && d1 * d4 - d3 * d2 <= 0) return find_on_segment(s, i, j, nearest);
+    if (d2 >= 0 && d6 <= 0 && d5 * d2 - d1 * d6 <= 0) return find_on_segment(s, i, k, nearest);
+    if (d4 - d3 >= 0 && d5 - d6 >= 0 && d3 * d6 - d5 * d4 <= 0) return find_on_segment(s, j, k, nearest);
+    const Point n = cross(u, w);
+    const double nn = dot(n, n);
+    if (!(nn > 0)) {
+        find_on_segment(s, i, j, nearest);
+        find_on_segment(s, i, k, nearest);
+        return find_on_segment(s, j, k, nearest);
+    }
+    nearest.take(times(n, dot(a, n) / nn), bit(i) | bit(j) | bit(k));
+}
+
+// Of each face on whose outer side the origin is, or may be; if there is none, the origin is inside. The point that was
+// added last comes last: the nearest point was in the face of the others, the origin on its other side.
+void find_in_tetrahedron(const Simplex& s, Nearest& nearest) noexcept {
+    bool is_inside = true;
+    for (int l = 2; l >= 0; --l) {
+        const int i = l == 0 ? 1 : 0, j = l <= 1 ? 2 : 1, k = 3;
+        const Point& a = s.points[static_cast<std::size_t>(i)];
+        const Point n =
+            cross(minus(s.points[static_cast<std::size_t>(j)], a), minus(s.points[static_cast<std::size_t>(k)], a));
+        const double origin = -dot(n, a), other = dot(n, minus(s.points[static_cast<std::size_t>(l)], a));
+        if ((origin > 0 && other > 0) || (origin < 0 && other < 0)) continue;
+        is_inside = false;
+        find_on_triangle(s, i, j, k, nearest);
+    }
+    if (is_inside) {
+        nearest.square = 0;
+        nearest.kept = 15;
+    }
+}
+
+Nearest find_nearest(const Simplex& s) noexcept {
+    Nearest nearest;
+    if (s.count == 1) nearest.take(s.points[0], 1);
+    if (s.count == 2) find_on_segment(s, 0, 1, nearest);
+    if (s.count == 3) find_on_triangle(s, 0, 1, 2, nearest);
+    if (s.count == 4) find_in_tetrahedron(s, nearest);
+    return nearest;
+}
+
+void keep(Simplex& s, unsigned bits) noexcept {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(s.count); ++i) {
+        if ((bits >> i & 1) == 0) continue;
+        s.pairs[count] = s.pairs[i];
+        s.points[count] = s.points[i];
+        ++count;
+    }
+    s.count = static_cast<int>(count);
+}
+
+bool has(const Simplex& s, const std::array<std::uint32_t, 2>& pair) noexcept {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(s.count); ++i) {
+        if (s.pairs[i] == pair) return true;
+    }
+    return false;
+}
+
+void add(Simplex& s, const PosedHulls& hulls, const std::array<std::uint32_t, 2>& pair) noexcept {
+    const auto at = static_cast<std::size_t>(s.count++);
+    s.pairs[at] = pair;
+    s.points[at] = minus(hulls.rounded(1, pair[1]), hulls.rounded(0, pair[0]));
+}
+
+// `support(side, direction, start)` gives vertices of what is asked about.
+template <class Support>
+void descend(Simplex& simplex, const PosedHulls& hulls, Support&& support) noexcept {
+    Nearest nearest = find_nearest(simplex);
+    keep(simplex, nearest.kept);
+    if (simplex.count == 0) return;
+    std::array<std::uint32_t, 2> at = simplex.pairs[0];
+    for (int round = 0; round < rounds_max && simplex.count < 4 && nearest.square > 0; ++round) {
+        at = {support(0, nearest.v, at[0]), support(1, negative(nearest.v), at[1])};
+        if (has(simplex, at)) break;
+        Simplex next = simplex;
+        add(next, hulls, at);
+        const Nearest found = find_nearest(next);
+        if (!(found.square < nearest.square)) break;
+        nearest = found;
+        keep(next, found.kept);
+        simplex = next;
+    }
+}
+
+}  // namespace
+
+Simplex run_gjk(const PosedHulls& hulls, const Simplex& start) noexcept {
+    Simplex simplex = start;
+    descend(simplex, hulls,
+            [&](std::size_t side, const Point& along, std::uint32_t at) { return hulls.support(side, along, at); });
+    return simplex.count > 0 ? simplex : start;
+}
+
+Simplex run_gjk(const PosedHulls& hulls) noexcept {
+    const Point between = minus(hulls.center(1), hulls.center(0));
+    Simplex start;
+    add(start, hulls, {hulls.support(0, between), hulls.support(1, negative(between))});
+    return run_gjk(hulls, start);
+}
+
+Simplex run_gjk_of_triangles(const PosedHulls& hulls,
+                             const std::array<std::array<std::uint32_t, 3>, 2>& triangles) noexcept {
+    std::array<std::array<Point, 3>, 2> points;
+    for (const std::size_t side : {0, 1}) {
+        for (std::size_t i = 0; i < 3; ++i) points[side][i] = hulls.rounded(side, triangles[side][i]);
+    }
+    Simplex simplex;
+    add(simplex, hulls, {triangles[0][0], triangles[1][0]});
+    descend(simplex, hulls, [&](std::size_t side, const Point& along, std::uint32_t) {
+        const double x = dot(along, points[side][0]), y = dot(along, points[side][1]), z = dot(along, points[side][2]);
+        return triangles[side][x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2)];
+    });
+    return simplex;
+}
+
+}  // namespace ecods::convex

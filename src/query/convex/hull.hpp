@@ -1,0 +1,53 @@
+// The vertices, edges and faces of a convex solid, whatever the triangles and pieces of edges they are given in.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ecods/closest_points.hpp"
+#include "ecods/pose.hpp"
+
+namespace ecods::convex {
+
+// Vertices, edges and faces are ascending by their names, so that a lesser index is a lesser name.
+struct Hull {
+    struct Edge {
+        Feature name;
+        std::array<std::uint32_t, 2> ends;   // vertices of the hull, the lesser first
+        std::array<std::uint32_t, 2> faces;  // the one that is left of the way from the first end to the second, seen
+                                             // from outside, and the one that is right of it
+    };
+    struct Face {
+        Feature name;
+        std::uint32_t first;  // in face_cycles
+        std::uint32_t count;  // of vertices, and of edges
+    };
+    struct Neighbor {
+        std::uint32_t vertex;
+        std::uint32_t edge;
+    };
+
+    std::vector<Feature> vertex_names;         // by vertex
+    std::vector<std::uint32_t> mesh_vertices;  // by vertex: its index in the proper mesh of the Solid
+    std::vector<Edge> edges;
+    std::vector<Face> faces;
+
+    // By face: its vertices counterclockwise, seen from outside, and the edge from each to the next one.
+    std::vector<Neighbor> face_cycles;
+    // By vertex: the ends of its edges, in no promised order; neighbors_first[v] to neighbors_first[v + 1].
+    std::vector<Neighbor> neighbors;
+    std::vector<std::uint32_t> neighbors_first;
+
+    std::size_t vertex_count() const noexcept { return mesh_vertices.size(); }
+    std::span<const Neighbor> neighbors_of(std::uint32_t vertex) const noexcept {
+        return std::span(neighbors).subspan(neighbors_first[vertex],
+                                            neighbors_first[vertex + 1] - neighbors_first[vertex]);
+    }
+    std::span<const Neighbor> cycle_of(std::uint32_t face) const noexcept {
+        return std::span(face_cycles).subspan(faces[face].first, faces[face].count);
+    }
+};
+
+}  // namespace ecods::convex

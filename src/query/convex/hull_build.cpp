@@ -1,0 +1,239 @@
+#include "query/convex/hull_build.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "base/assert.hpp"
+#include "ecods/predicates.hpp"
+
+namespace ecods::convex {
+namespace {
+
+constexpr std::uint32_t none = ~std::uint32_t{0};
+
+// A side of a triangle on an edge of the set, and the faces left and right of it, seen from outside.
+struct Piece {
+    std::array<std::uint32_t, 2> between;  // the two faces, the lesser first
+    SideRef name;
+    std::uint32_t from, to;  // vertices of the mesh
+    std::uint32_t left, right;
+};
+
+// An edge of the set, its ends being vertices of the mesh: the way from the first to the second has `left` on its left.
+struct LongEdge {
+    SideRef name;
+    std::uint32_t from, to;
+    std::uint32_t left, right;
+};
+
+class Builder {
+  public:
+    Builder(const Border& border, std::span<const std::uint8_t> is_flat)
+        : border_(border),
+          triangles_(border.proper->mesh->triangles()),
+          points_(border.proper->mesh->vertices()),
+          is_flat_(is_flat) {}
+
+    Hull build() {
+        join_faces();
+        find_pieces();
+        join_pieces();
+        name_vertices();
+        add_edges();
+        add_cycles();
+        add_neighbors();
+        return std::move(hull_);
+    }
+
+  private:
+    std::uint32_t root(std::uint32_t i) {
+        while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
+        return i;
+    }
+
+    // Triangles that meet in flat edges are one face. Its least triangle comes first, and so do faces by their names.
+    void join_faces() {
+        parents_.resize(triangles_.size());
+        std::iota(parents_.begin(), parents_.end(), 0);
+        for (std::size_t e = 0; e < is_flat_.size(); ++e) {
+            if (!is_flat_[e]) continue;
+            const auto sides = border_.edges->sides(e);
+            const std::uint32_t a = root(sides[0].triangle), b = root(sides[1].triangle);
+            parents_[std::max(a, b)] = std::min(a, b);
+        }
+        face_of_.assign(triangles_.size(), none);
+        for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+            if (!border_.proper->is_proper(i)) continue;
+            const std::uint32_t first = root(i);
+            if (first == i) {
+                face_of_[i] = static_cast<std::uint32_t>(hull_.faces.size());
+                hull_.faces.push_back({{Feature::Kind::face, border_.origin({i, 0}).triangle, 0}, 0, 0});
+            } else {
+                face_of_[i] = face_of_[first];
+            }
+        }
+    }
+
+    void find_pieces() {
+        for (std::size_t e = 0; e < is_flat_.size(); ++e) {
+            if (is_flat_[e]) continue;
+            const SideRef &side = border_.edges->sides(e)[0], &other = border_.edges->sides(e)[1];
+            Piece piece;
+            piece.name = std::min(border_.origin(side), border_.origin(other));
+            piece.from = triangles_[side.triangle][side.corner];
+            piece.to = triangles_[side.triangle][(side.corner + 1) % 3];
+            piece.left = face_of_[side.triangle];
+            piece.right = face_of_[other.triangle];
+            if (border_.turns_right(side.triangle)) std::swap(piece.left, piece.right);
+            piece.between = {std::min(piece.left, piece.right), std::max(piece.left, piece.right)};
+            pieces_.push_back(piece);
+        }
+    }
+
+    // Two faces of a convex set share one edge at most, so pieces between the same two are one. On a line the order of
+    // points is that of compare_points.
+    void join_pieces() {
+        std::ranges::sort(pieces_, {}, [](const Piece& p) { return std::tuple(p.between, p.name); });
+        for (std::size_t i = 0; i < pieces_.size();) {
+            LongEdge edge{pieces_[i].name, pieces_[i].from, pieces_[i].to, pieces_[i].left, pieces_[i].right};
+            if (compare_points(points_[edge.from], points_[edge.to]) > 0) {
+                std::swap(edge.from, edge.to);
+                std::swap(edge.left, edge.right);
+            }
+            std::size_t k = i + 1;
+            for (; k < pieces_.size() && pieces_[k].between == pieces_[i].between; ++k) {
+                for (const std::uint32_t end : {pieces_[k].from, pieces_[k].to}) {
+                    if (compare_points(points_[end], points_[edge.from]) < 0) edge.from = end;
+                    if (compare_points(points_[end], points_[edge.to]) > 0) edge.to = end;
+                }
+            }
+            edges_.push_back(edge);
+            i = k;
+        }
+        std::ranges::sort(edges_, {}, &LongEdge::name);
+    }
+
+    // A vertex of the set is a corner of every triangle that has it: in none it lies inside a side.
+    void name_vertices() {
+        vertex_of_.assign(points_.size(), none);
+        constexpr std::uint32_t unnamed = none - 1;
+        for (const LongEdge& edge : edges_) vertex_of_[edge.from] = vertex_of_[edge.to] = unnamed;
+        const auto named = border_.named->mesh->triangles();
+        for (std::uint32_t i = 0; i < named.size(); ++i) {
+            if (!border_.named->is_proper(i)) continue;
+            for (std::uint32_t corner = 0; corner < 3; ++corner) {
+                const std::uint32_t v = named[i][corner];
+                if (vertex_of_[v] != unnamed) continue;
+                vertex_of_[v] = static_cast<std::uint32_t>(hull_.mesh_vertices.size());
+                hull_.mesh_vertices.push_back(v);
+                hull_.vertex_names.push_back({Feature::Kind::vertex, i, corner});
+            }
+        }
+    }
+
+    void add_edges() {
+        hull_.edges.reserve(edges_.size());
+        for (const LongEdge& edge : edges_) {
+            const Feature name{Feature::Kind::edge, edge.name.triangle, edge.name.corner};
+            const std::uint32_t from = vertex_of_[edge.from], to = vertex_of_[edge.to];
+            if (from < to) {
+                hull_.edges.push_back({name, {from, to}, {edge.left, edge.right}});
+            } else {
+                hull_.edges.push_back({name, {to, from}, {edge.right, edge.left}});
+            }
+        }
+    }
+
+    // Walks around each face from its least vertex on, with the face on the left of every edge.
+    void add_cycles() {
+        std::uint32_t first = 0;
+        for (const Hull::Edge& edge : hull_.edges) {
+            for (const std::uint32_t face : edge.faces) ++hull_.faces[face].count;
+        }
+        for (Hull::Face& face : hull_.faces) {
+            face.first = first;
+            first += face.count;
+        }
+        // By face, its edges in any order; then by vertex the edge that leaves it, for one face at a time.
+        std::vector<std::uint32_t> edges_of(first), filled(hull_.faces.size(), 0), leaves(hull_.vertex_count(), none);
+        for (std::uint32_t e = 0; e < hull_.edges.size(); ++e) {
+            for (const std::uint32_t face : hull_.edges[e].faces)
+                edges_of[hull_.faces[face].first + filled[face]++] = e;
+        }
+        hull_.face_cycles.reserve(first);
+        for (std::uint32_t i = 0; i < hull_.faces.size(); ++i) {
+            const Hull::Face& face = hull_.faces[i];
+            std::uint32_t start = none;
+            for (std::uint32_t k = face.first; k < face.first + face.count; ++k) {
+                const Hull::Edge& edge = hull_.edges[edges_of[k]];
+                const std::uint32_t from = edge.ends[edge.faces[0] == i ? 0 : 1];
+                leaves[from] = edges_of[k];
+                start = std::min(start, from);
+            }
+            std::uint32_t at = start;
+            for (std::uint32_t k = 0; k < face.count; ++k) {
+                const Hull::Edge& edge = hull_.edges[leaves[at]];
+                hull_.face_cycles.push_back({at, leaves[at]});
+                at = edge.ends[edge.faces[0] == i ? 1 : 0];
+            }
+            ECODS_ASSERT(at == start);
+        }
+    }
+
+    void add_neighbors() {
+        std::vector<std::uint32_t>& first = hull_.neighbors_first;
+        first.assign(hull_.vertex_count() + 1, 0);
+        for (const Hull::Edge& edge : hull_.edges) {
+            for (const std::uint32_t end : edge.ends) ++first[end + 1];
+        }
+        for (std::size_t v = 0; v + 1 < first.size(); ++v) first[v + 1] += first[v];
+        std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+        hull_.neighbors.resize(2 * hull_.edges.size());
+        for (std::uint32_t e = 0; e < hull_.edges.size(); ++e) {
+            const auto& [a, b] = hull_.edges[e].ends;
+            hull_.neighbors[next[a]++] = {b, e};
+            hull_.neighbors[next[b]++] = {a, e};
+        }
+    }
+
+    const Border& border_;
+    std::span<const Triangle> triangles_;
+    std::span<const Vec3> points_;
+    std::span<const std::uint8_t> is_flat_;
+    std::vector<std::uint32_t> parents_;  // by triangle: a lesser one of its face, or itself
+    std::vector<std::uint32_t> face_of_;  // by triangle
+    std::vector<Piece> pieces_;
+    std::vector<LongEdge> edges_;
+    std::vector<std::uint32_t> vertex_of_;  // by vertex of the mesh
+    Hull hull_;
+};
+
+}  // namespace
+
+int side_of_plane(const Border& border, std::uint32_t triangle, std::uint32_t vertex) noexcept {
+    const auto& [a, b, c] = border.proper->mesh->triangles()[triangle];
+    const auto points = border.proper->mesh->vertices();
+    const auto sign = static_cast<int>(orient3d(points[a], points[b], points[c], points[vertex]));
+    return border.turns_right(triangle) ? -sign : sign;
+}
+
+std::vector<std::uint8_t> find_flat_edges(const Border& border) {
+    const auto triangles = border.proper->mesh->triangles();
+    std::vector<std::uint8_t> is_flat(border.edges->count());
+    for (std::size_t e = 0; e < is_flat.size(); ++e) {
+        const auto sides = border.edges->sides(e);
+        ECODS_ASSERT(sides.size() == 2);
+        const std::uint32_t apex = opposite_corner(triangles[sides[1].triangle], sides[1].corner);
+        is_flat[e] = side_of_plane(border, sides[0].triangle, apex) == 0;
+    }
+    return is_flat;
+}
+
+Hull build_hull(const Border& border, std::span<const std::uint8_t> is_flat) {
+    return Builder(border, is_flat).build();
+}
+
+}  // namespace ecods::convex

@@ -1,0 +1,222 @@
+// Quickhull (Barber, Dobkin and Huhdanpaa, The quickhull algorithm for convex hulls, 1996) with exact signs.
+//
+// A point is added by replacing the triangles that it is strictly beyond by those from their rim to it. Triangles
+// in whose plane the point lies stay, so faces of many triangles grow triangle by triangle; a point on the line of an
+// edge is beyond neither or in the plane of both of its triangles, or beyond one and in the plane of the other, which
+// cannot be on that line: no new triangle has zero area. Which point comes next is chosen in doubles, and decides
+// nothing but the time that it takes.
+#include "query/convex/hull_of_points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "base/assert.hpp"
+#include "ecods/error.hpp"
+#include "ecods/predicates.hpp"
+#include "query/solid/proper_mesh.hpp"
+
+namespace ecods::convex {
+namespace {
+
+constexpr std::uint32_t none = ~std::uint32_t{0};
+
+class QuickHull {
+  public:
+    explicit QuickHull(std::span<const Vec3> points) : points_(points), next_(points.size(), none) {}
+
+    std::vector<Triangle> build() {
+        find_candidates();
+        begin(find_simplex());
+        for (std::uint32_t i = 0; i < facets_.size(); ++i) {
+            if (facets_[i].is_alive && facets_[i].first != none) add(take_furthest(i), i);
+        }
+        std::vector<Triangle> result;
+        for (const Facet& facet : facets_) {
+            if (facet.is_alive) result.push_back(facet.corners);
+        }
+        return result;
+    }
+
+  private:
+    struct Facet {
+        Triangle corners;                        // counterclockwise, seen from outside
+        std::array<std::uint32_t, 3> neighbors;  // over the side from a corner to the next one
+        std::uint32_t first = none;              // of the points beyond it that are in its list
+        bool is_alive = true;
+        bool is_visible = false;
+    };
+
+    struct RimEdge {
+        std::uint32_t from, to;
+        std::uint32_t behind;  // the facet that stays
+    };
+
+    const Vec3& at(std::uint32_t i) const noexcept { return points_[i]; }
+
+    bool is_beyond(const Facet& facet, std::uint32_t point) const noexcept {
+        const auto& [a, b, c] = facet.corners;
+        return orient3d(at(a), at(b), at(c), at(point)) == Sign::positive;
+    }
+
+    // How far a point is beyond a plane, about; any number where that overflows.
+    static double height(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) noexcept {
+        return (b - a).cross(c - a).dot(p - a);
+    }
+
+    void find_candidates() {
+        const std::vector<std::uint32_t> least = least_equals(points_);
+        candidates_.reserve(points_.size());
+        for (std::uint32_t i = 0; i < points_.size(); ++i) {
+            if (least.empty() || least[i] == i) candidates_.push_back(i);
+        }
+    }
+
+    // The candidate with the greatest measure if it is `good`; otherwise the first that is.
+    template <class Measure, class Good>
+    std::optional<std::uint32_t> find(Measure&& measure, Good&& good) const {
+        if (candidates_.empty()) return std::nullopt;
+        std::uint32_t best = candidates_[0];
+        double most = -1;
+        for (const std::uint32_t i : candidates_) {
+            const double m = measure(i);
+            if (m > most) {
+                most = m;
+                best = i;
+            }
+        }
+        if (good(best)) return best;
+        const auto first = std::ranges::find_if(candidates_, good);
+        return first == candidates_.end() ? std::nullopt : std::optional(*first);
+    }
+
+    std::array<std::uint32_t, 4> find_simplex() const {
+        const auto require = [&](const std::optional<std::uint32_t>& point) {
+            if (!point) throw NoInterior(points_.size());
+            return *point;
+        };
+        if (candidates_.size() < 4) throw NoInterior(points_.size());
+        const auto [low, high] = std::ranges::minmax_element(
+            candidates_, [&](std::uint32_t i, std::uint32_t j) { return compare_points(at(i), at(j)) < 0; });
+        const std::uint32_t a = *low, b = *high;
+        const std::uint32_t c =
+            require(find([&](std::uint32_t i) { return (at(b) - at(a)).cross(at(i) - at(a)).norm(); },
+                         [&](std::uint32_t i) { return have_area(at(a), at(b), at(i)); }));
+        const std::uint32_t d =
+            require(find([&](std::uint32_t i) { return std::abs(height(at(a), at(b), at(c), at(i))); },
+                         [&](std::uint32_t i) { return orient3d(at(a), at(b), at(c), at(i)) != Sign::zero; }));
+        if (orient3d(at(a), at(b), at(c), at(d)) == Sign::positive) return {a, c, b, d};
+        return {a, b, c, d};
+    }
+
+    // Triangle 0, 1, 2 of the simplex is turned outwards: corner 3 is not beyond it.
+    void begin(const std::array<std::uint32_t, 4>& s) {
+        facets_.push_back({{s[0], s[1], s[2]}, {1, 2, 3}});
+        facets_.push_back({{s[1], s[0], s[3]}, {0, 3, 2}});
+        facets_.push_back({{s[2], s[1], s[3]}, {0, 1, 3}});
+        facets_.push_back({{s[0], s[2], s[3]}, {0, 2, 1}});
+        for (const std::uint32_t i : candidates_) {
+            if (std::ranges::find(s, i) == s.end()) assign(i, 0);
+        }
+    }
+
+    // Puts a point into the list of a facet that it is beyond, if there is one from `first_facet` on.
+    void assign(std::uint32_t point, std::size_t first_facet) {
+        for (std::size_t i = first_facet; i < facets_.size(); ++i) {
+            if (!is_beyond(facets_[i], point)) continue;
+            next_[point] = facets_[i].first;
+            facets_[i].first = point;
+            return;
+        }
+    }
+
+    // Takes a point out of a facet's list: the furthest one, as far as doubles know.
+    std::uint32_t take_furthest(std::uint32_t of) {
+        Facet& facet = facets_[of];
+        const Vec3 &a = at(facet.corners[0]), &b = at(facet.corners[1]), &c = at(facet.corners[2]);
+        std::uint32_t best = facet.first, before_best = none;
+        double most = height(a, b, c, at(best));
+        for (std::uint32_t before = facet.first, i = next_[before]; i != none; before = i, i = next_[i]) {
+            const double h = height(a, b, c, at(i));
+            if (h > most) {
+                most = h;
+                best = i;
+                before_best = before;
+            }
+        }
+        (before_best == none ? facet.first : next_[before_best]) = next_[best];
+        return best;
+    }
+
+    // Adds a point that is beyond a facet. The points of the facets that go are beyond one of the new ones or inside:
+    // the way to such a point from inside a facet that goes leaves the new hull through a new facet, since all the way
+    // it is beyond the old one.
+    void add(std::uint32_t point, std::uint32_t beyond) {
+        find_visible(point, beyond);
+        const std::size_t first_new = facets_.size();
+        starts_.resize(points_.size(), none);
+        for (const RimEdge& edge : rim_) {
+            const auto index = static_cast<std::uint32_t>(facets_.size());
+            starts_[edge.from] = index;
+            facets_.push_back({{edge.from, edge.to, point}, {edge.behind, none, none}});
+            Facet& behind = facets_[edge.behind];
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (behind.corners[k] == edge.to && behind.corners[(k + 1) % 3] == edge.from)
+                    behind.neighbors[k] = index;
+            }
+        }
+        for (std::size_t i = first_new; i < facets_.size(); ++i) {
+            const std::uint32_t next = starts_[facets_[i].corners[1]];
+            ECODS_ASSERT(next >= first_new && next < facets_.size());
+            facets_[i].neighbors[1] = next;
+            facets_[next].neighbors[2] = static_cast<std::uint32_t>(i);
+        }
+        for (const std::uint32_t gone : visible_) {
+            for (std::uint32_t i = facets_[gone].first; i != none;) {
+                const std::uint32_t after = next_[i];
+                assign(i, first_new);
+                i = after;
+            }
+            facets_[gone].first = none;
+            facets_[gone].is_alive = false;
+        }
+    }
+
+    // The facets that a point is beyond are connected over edges, and the rim around them is one cycle.
+    void find_visible(std::uint32_t point, std::uint32_t beyond) {
+        visible_.assign(1, beyond);
+        rim_.clear();
+        facets_[beyond].is_visible = true;
+        for (std::size_t i = 0; i < visible_.size(); ++i) {
+            const Facet& facet = facets_[visible_[i]];
+            for (std::size_t k = 0; k < 3; ++k) {
+                Facet& other = facets_[facet.neighbors[k]];
+                if (other.is_visible) continue;
+                if (is_beyond(other, point)) {
+                    other.is_visible = true;
+                    visible_.push_back(facet.neighbors[k]);
+                } else {
+                    rim_.push_back({facet.corners[k], facet.corners[(k + 1) % 3], facet.neighbors[k]});
+                }
+            }
+        }
+    }
+
+    std::span<const Vec3> points_;
+    std::vector<std::uint32_t> candidates_;  // each place once
+    std::vector<std::uint32_t> next_;        // by point: the next one in its list
+    std::vector<Facet> facets_;
+    std::vector<std::uint32_t> visible_;
+    std::vector<RimEdge> rim_;
+    std::vector<std::uint32_t> starts_;  // by point: the newest facet whose first side starts there
+};
+
+}  // namespace
+
+std::vector<Triangle> triangulate_hull(std::span<const Vec3> points) {
+    return QuickHull(points).build();
+}
+
+}  // namespace ecods::convex

@@ -1,0 +1,281 @@
+#include "query/convex/posed_hulls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/arithmetic.hpp"
+#include "base/outward.hpp"
+#include "ecods/error.hpp"
+#include "ecods/predicates.hpp"
+#include "exact/measure/scaled_vector.hpp"
+#include "query/shape/mesh_tree.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/vec.hpp"
+
+namespace ecods::convex {
+namespace {
+
+using exact::power_of_two;
+
+constexpr std::size_t lanes = SupportPoints::lanes;
+
+using Doubles = Vec<double, lanes>;
+using Indices = MaskOf<Doubles>;
+
+// The greatest products seen in each lane, and the groups that they were in.
+struct Best {
+    Doubles most = broadcast<Doubles>(-std::numeric_limits<double>::infinity());
+    Indices group{};
+
+    ECODS_ALWAYS_INLINE void take(const double* points, Indices at, Doubles x, Doubles y, Doubles z) noexcept {
+        take((x * load_anywhere<Doubles>(points) + y * load_anywhere<Doubles>(points + lanes)) +
+                 z * load_anywhere<Doubles>(points + 2 * lanes),
+             at);
+    }
+    ECODS_ALWAYS_INLINE void take(Doubles h, Indices at) noexcept {
+        const Indices is_more = h > most;
+        most = select(is_more, h, most);
+        group = (is_more & at) | (~is_more & group);
+    }
+};
+
+// The vertex of the greatest product with a vector, as doubles have it; the first one where all are NaN. Even and odd
+// groups are two chains of comparisons, each of which waits for itself only.
+ECODS_ALWAYS_INLINE std::uint32_t furthest(const double* groups, std::size_t count, const Point& along) noexcept {
+    const Doubles x = broadcast<Doubles>(along[0]), y = broadcast<Doubles>(along[1]), z = broadcast<Doubles>(along[2]);
+    Best even, odd;
+    Indices at{}, after = broadcast<Indices>(1);
+    for (std::size_t i = 0; i < count; i += 6 * lanes) {
+        even.take(groups + i, at, x, y, z);
+        odd.take(groups + i + 3 * lanes, after, x, y, z);
+        at += 2;
+        after += 2;
+    }
+    constexpr Indices lane{0, 1, 2, 3};
+    even.group = even.group * static_cast<std::int64_t>(lanes) + lane;
+    odd.group = odd.group * static_cast<std::int64_t>(lanes) + lane;
+    even.take(odd.most, odd.group);
+    even.take(shuffle<2, 3, 0, 1>(even.most), shuffle<2, 3, 0, 1>(even.group));
+    even.take(shuffle<1, 0, 3, 2>(even.most), shuffle<1, 0, 3, 2>(even.group));
+    return static_cast<std::uint32_t>(even.group[0]);
+}
+
+double largest_magnitude(const Mat3& R) noexcept {
+    return R.cwiseAbs().maxCoeff();
+}
+
+// t - t0 = x 2^exponent, x rounded once and below 2 in magnitude.
+struct ScaledDifference {
+    double x = 0;
+    int exponent = -exact::BitRange::none;
+};
+
+ScaledDifference subtract(double t, double t0) noexcept {
+    const auto difference = exact::subtract(exact::decode(t), exact::decode(t0));
+    if (!difference) {  // One is more than 2^60 times as large as the other.
+        const int exponent = std::max(exponent_above(t), exponent_above(t0));
+        return {times_power(t, -exponent) - times_power(t0, -exponent), exponent};
+    }
+    if (difference->m == 0) return {};
+    const exact::Uint128 size =
+        difference->m < 0 ? -static_cast<exact::Uint128>(difference->m) : static_cast<exact::Uint128>(difference->m);
+    const int shift = std::max(0, exact::bit_width(size) - 62);
+    // What is shifted out is less than 2^-61 of the rest.
+    const auto digits = static_cast<std::int64_t>(size >> shift);
+    const double x = static_cast<double>(digits) * 0x1p-62;
+    return {difference->m < 0 ? -x : x, difference->e + shift + 62};
+}
+
+}  // namespace
+
+PosedHulls::PosedHulls(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory)
+    : memory_(ConvexMemory::of(memory)) {
+    for (const std::size_t side : {0, 1}) {
+        const Posed<ConvexSolid>& posed = side == 0 ? a : b;
+        Body& body = bodies_[side];
+        body.solid = posed.what;
+        body.at = &posed.pose;
+        body.hull = &ConvexSolidAccess::hull(*posed.what);
+        body.points = &ConvexSolidAccess::points(*posed.what);
+        body.offset = {};
+    }
+    if (!scale_plainly()) scale_any();
+    find_bounds();
+    find_orientation(0);
+    find_orientation(1);
+}
+
+// Where sizes are ordinary, points are counted as they are: entries of R are multiplied by the power of two that the
+// points of a mesh were divided by.
+bool PosedHulls::scale_plainly() noexcept {
+    double largest = 0;
+    for (Body& body : bodies_) {
+        const int e = body.points->exponent;
+        if (e < -300 || e > 300) return false;
+        const double power = power_of_two(e);
+        const double size = largest_magnitude(body.at->R) * power;
+        if (!(size <= 0x1p100)) return false;
+        largest = std::max(largest, size);
+        for (std::size_t row = 0; row < 3; ++row) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                body.rows[row][k] = body.at->R(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k)) * power;
+            }
+        }
+    }
+    if (!(largest >= 0x1p-100)) return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto row = static_cast<Eigen::Index>(k);
+        bodies_[1].offset[k] = bodies_[1].at->t[row] - bodies_[0].at->t[row];
+        if (!(std::abs(bodies_[1].offset[k]) <= 0x1p100)) return false;
+    }
+    exponent_ = 0;
+    return true;
+}
+
+// Any sizes: everything is taken from its bits and divided by a power of two that leaves the largest number below 2.
+void PosedHulls::scale_any() noexcept {
+    std::array<ScaledDifference, 3> difference;
+    int exponent = -exact::BitRange::none;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto row = static_cast<Eigen::Index>(k);
+        difference[k] = subtract(bodies_[1].at->t[row], bodies_[0].at->t[row]);
+        exponent = std::max(exponent, difference[k].exponent);
+    }
+    for (const Body& body : bodies_) {
+        for (int i = 0; i < 9; ++i) {
+            exponent = std::max(exponent, exponent_above(body.at->R.data()[i]) + body.points->exponent);
+        }
+    }
+    exponent_ = exponent;
+    for (Body& body : bodies_) {
+        for (std::size_t row = 0; row < 3; ++row) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double r = body.at->R(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k));
+                body.rows[row][k] = times_power(r, body.points->exponent - exponent);
+            }
+        }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        bodies_[1].offset[k] = times_power(difference[k].x, difference[k].exponent - exponent);
+    }
+}
+
+// As in exact/point/point.hpp, for factors that are products of an entry of R, or a coordinate, and a power of two.
+// Such a product may underflow: of an entry by less than 2^-1022 times 2^300, of others by less than 2^-900
+// (times_power); each times another factor of at most 2^100. All of that is below 2^-700.
+void PosedHulls::find_bounds() noexcept {
+    delta_ = 0;
+    for (Body& body : bodies_) {
+        double sum_max = 0, extent_max = 0;
+        for (std::size_t row = 0; row < 3; ++row) {
+            const Point &r = body.rows[row], &reach = body.points->reach, &extent = body.points->extent;
+            const double x = std::abs(r[0]), y = std::abs(r[1]), z = std::abs(r[2]);
+            sum_max = std::max(sum_max, ((x * reach[0] + y * reach[1]) + z * reach[2]) + std::abs(body.offset[row]));
+            extent_max = std::max(extent_max, (x * extent[0] + y * extent[1]) + z * extent[2]);
+        }
+        delta_ = std::max(delta_, 4.25 * two_u * sum_max + 0x1p-700);
+        body.size = extent_max * (1 + 16 * two_u);
+    }
+    for (Body& body : bodies_) body.size += 4 * delta_;
+}
+
+// The sign of the determinant of R. In doubles it is certain above 6 u' times the sum of its products' magnitudes
+// (exact/sign/difference_signs.hpp, for three vectors in place of three differences), and another u' for what
+// underflows, which is below 2^-500.
+void PosedHulls::find_orientation(std::size_t side) {
+    Body& body = bodies_[side];
+    const auto& [r, s, t] = body.rows;
+    const auto minor = [&](std::size_t i, std::size_t j) { return s[i] * t[j] - s[j] * t[i]; };
+    const auto permanent = [&](std::size_t i, std::size_t j) { return std::abs(s[i] * t[j]) + std::abs(s[j] * t[i]); };
+    const double det = (r[0] * minor(1, 2) + r[1] * minor(2, 0)) + r[2] * minor(0, 1);
+    const double sum =
+        (std::abs(r[0]) * permanent(1, 2) + std::abs(r[1]) * permanent(2, 0)) + std::abs(r[2]) * permanent(0, 1);
+    if (sum > 0x1p-400 && std::abs(det) > 7 * two_u * sum) {
+        body.is_mirrored = det < 0;
+        return;
+    }
+    const auto at = [&](int axis) -> PosedPoint {
+        return {*body.at, axis < 0 ? Vec3(Vec3::Zero()) : Vec3(Vec3::Unit(axis))};
+    };
+    const Sign sign = orient3d(at(-1), at(0), at(1), at(2));
+    if (sign == Sign::zero) throw SingularPose(static_cast<int>(side));
+    body.is_mirrored = sign == Sign::negative;
+}
+
+std::uint32_t PosedHulls::support(std::size_t side, const Point& direction, std::uint32_t start) const noexcept {
+    const Body& body = bodies_[side];
+    Point along;  // the direction as the mesh's coordinates see it
+    for (std::size_t k = 0; k < 3; ++k) {
+        along[k] = (body.rows[0][k] * direction[0] + body.rows[1][k] * direction[1]) + body.rows[2][k] * direction[2];
+    }
+    if (body.hull->vertex_count() > scanned_max) return climb(body, along, start);
+    // Padding counts as the last vertex.
+    const std::uint32_t last = static_cast<std::uint32_t>(body.hull->vertex_count()) - 1;
+    return std::min(last, dispatch<furthest>(body.points->groups.data(), body.points->groups.size(), along));
+}
+
+std::uint32_t PosedHulls::support(std::size_t side, const Point& direction) const noexcept {
+    const Body& body = bodies_[side];
+    if (body.hull->vertex_count() <= scanned_max) return support(side, direction, 0);
+    Point along;
+    for (std::size_t k = 0; k < 3; ++k) {
+        along[k] = (body.rows[0][k] * direction[0] + body.rows[1][k] * direction[1]) + body.rows[2][k] * direction[2];
+    }
+    std::size_t axis = 0;
+    for (std::size_t k = 1; k < 3; ++k) {
+        if (std::abs(along[k]) > std::abs(along[axis])) axis = k;
+    }
+    return climb(body, along, body.points->extremes[2 * axis + (along[axis] > 0)]);
+}
+
+// From vertex to vertex as long as that is further: the function that is compared has one value for each vertex, so it
+// ends.
+std::uint32_t PosedHulls::climb(const Body& body, const Point& along, std::uint32_t start) const noexcept {
+    const auto height = [&](std::uint32_t vertex) {
+        const Point v = body.points->at(vertex);
+        return (along[0] * v[0] + along[1] * v[1]) + along[2] * v[2];
+    };
+    std::uint32_t at = start;
+    double most = height(at);
+    for (bool has_moved = true; has_moved;) {
+        has_moved = false;
+        for (const Hull::Neighbor& n : body.hull->neighbors_of(at)) {
+            const double h = height(n.vertex);
+            if (h > most) {
+                most = h;
+                at = n.vertex;
+                has_moved = true;
+            }
+        }
+    }
+    return at;
+}
+
+std::array<std::uint32_t, 3> PosedHulls::vertices_near(std::size_t side, std::uint32_t triangle) const noexcept {
+    const auto triangles = mesh(side).triangles();
+    std::array<std::uint32_t, 3> result{};
+    if (triangle >= triangles.size()) return result;
+    std::uint32_t last = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t v = bodies_[side].points->hull_index[triangles[triangle][i]];
+        result[i] = v != SupportPoints::none ? v : last;
+        last = result[i];
+    }
+    return result;
+}
+
+bool PosedHulls::has_fixed_points() {
+    if (!is_bound_) bind_exact();
+    return memory_.points.is_exact();
+}
+
+void PosedHulls::bind_exact() {
+    const auto reference = [](const Body& body) {
+        return exact::BodyRef{&body.solid->mesh(), &MeshShapeAccess::tree(*body.solid).extent, body.at};
+    };
+    memory_.points.bind(reference(bodies_[0]), reference(bodies_[1]));
+    is_bound_ = true;
+}
+
+}  // namespace ecods::convex

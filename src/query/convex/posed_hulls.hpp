@@ -1,0 +1,136 @@
+// Two convex solids at their poses, ready for questions about the pair: support points by searches in doubles, rounded
+// points with a proven bound, and exact points.
+//
+// All points are relative to the translation of the first solid's pose. Rounded points are counted in a power of two,
+// 2^exponent(), in which at least one of the two solids is neither tiny nor immense, and nothing overflows:
+// coordinates are below 2^110. Nothing here is proportional to the size of a mesh, but for hulls of up to
+// `scanned_max` vertices, which a search scans as a whole.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "ecods/convex_solid.hpp"
+#include "exact/measure/measure_pair.hpp"
+#include "exact/point/integer_points.hpp"
+#include "query/convex/convex_memory.hpp"
+#include "query/convex/convex_parts.hpp"
+
+namespace ecods::convex {
+
+using exact::Point;
+
+// A vertex of the hull of the first (0) or the second (1) solid.
+struct HullVertex {
+    std::size_t side;
+    std::uint32_t vertex;
+};
+
+class PosedHulls {
+  public:
+    // Throws SingularPose. Everything that the arguments refer to must outlive this. Cost: constant, some dozens of
+    // nanoseconds.
+    PosedHulls(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory);
+
+    const Hull& hull(std::size_t side) const noexcept { return *bodies_[side].hull; }
+    const Mesh& mesh(std::size_t side) const noexcept { return bodies_[side].solid->mesh(); }
+    // Whether the pose reflects: then faces, whose cycles are counterclockwise in the mesh, are clockwise.
+    bool is_mirrored(std::size_t side) const noexcept { return bodies_[side].is_mirrored; }
+
+    // The point of a vertex, rounded: each coordinate is off by at most delta().
+    Point rounded(std::size_t side, std::uint32_t vertex) const noexcept {
+        return pose(bodies_[side], bodies_[side].points->at(vertex));
+    }
+    double delta() const noexcept { return delta_; }
+    // About the middle of a solid.
+    Point center(std::size_t side) const noexcept { return pose(bodies_[side], bodies_[side].points->center); }
+    // No difference of two rounded points of one solid is larger on any axis.
+    double size(std::size_t side) const noexcept { return bodies_[side].size; }
+    int exponent() const noexcept { return exponent_; }
+
+    // What rounded points are made of: R, as it takes points of SupportPoints to rounded ones, by rows, and t - t0.
+    const SupportPoints& points(std::size_t side) const noexcept { return *bodies_[side].points; }
+    const std::array<Point, 3>& rows(std::size_t side) const noexcept { return bodies_[side].rows; }
+    const Point& offset(std::size_t side) const noexcept { return bodies_[side].offset; }
+
+    // A vertex that is about the furthest along a direction: certainly no worse than `start`, as doubles see it, and
+    // of small hulls than all others. Any direction may be asked for; one that is not finite gives any vertex.
+    std::uint32_t support(std::size_t side, const Point& direction, std::uint32_t start) const noexcept;
+    // A vertex that is about the furthest along a direction, where nothing is known of it.
+    std::uint32_t support(std::size_t side, const Point& direction) const noexcept;
+    // Up to here all vertices are looked at.
+    static constexpr std::size_t scanned_max = 96;
+
+    // The vertices of a triangle of the mesh, for a witness that may come from anywhere: corners that are no vertices
+    // of the hull, or of a triangle that does not exist, are other vertices.
+    std::array<std::uint32_t, 3> vertices_near(std::size_t side, std::uint32_t triangle) const noexcept;
+
+    // Calls `use` with the vertices' points as IntegerPoints<Kernel, N> of the narrowest kernel that holds them, and
+    // returns its result: they are exact, counted from the first of them, and in units that it says. Cost: 0.1
+    // microseconds when it is asked first, then some dozens of nanoseconds; more where the points' digits do not fit
+    // into two limbs.
+    template <std::size_t N, class Use>
+    auto with_integers(const std::array<HullVertex, N>& vertices, Use&& use);
+    // Whether exact points fit into two limbs, and these points: in units of 2^fixed_unit().
+    bool has_fixed_points();
+    const exact::FixedPoints::Point& fixed(const HullVertex& v) noexcept {
+        return memory_.points.at(v.side, mesh_vertex(v));
+    }
+    int fixed_unit() const noexcept { return memory_.points.unit(); }
+    // By reference, as round_point takes the point that others are counted from.
+    exact::PointRef reference(const HullVertex& v) const noexcept {
+        return {bodies_[v.side].at, &mesh(v.side).vertices()[mesh_vertex(v)]};
+    }
+
+  private:
+    struct Body {
+        const ConvexSolid* solid;
+        const Pose* at;
+        const Hull* hull;
+        const SupportPoints* points;
+        std::array<Point, 3> rows;  // of R, times the power of two that takes points to rounded ones
+        Point offset;               // t - t0
+        double size;
+        bool is_mirrored;
+    };
+
+    static Point pose(const Body& body, const Point& v) noexcept {
+        Point p;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Point& r = body.rows[k];
+            p[k] = ((r[0] * v[0] + r[1] * v[1]) + r[2] * v[2]) + body.offset[k];
+        }
+        return p;
+    }
+
+    std::uint32_t mesh_vertex(const HullVertex& v) const noexcept {
+        return bodies_[v.side].hull->mesh_vertices[v.vertex];
+    }
+    bool scale_plainly() noexcept;
+    void scale_any() noexcept;
+    void find_bounds() noexcept;
+    void find_orientation(std::size_t side);
+    std::uint32_t climb(const Body& body, const Point& along, std::uint32_t start) const noexcept;
+    void bind_exact();
+
+    std::array<Body, 2> bodies_;
+    ConvexMemory& memory_;
+    double delta_ = 0;
+    int exponent_ = 0;
+    bool is_bound_ = false;  // whether memory_.points is of this pair
+};
+
+template <std::size_t N, class Use>
+auto PosedHulls::with_integers(const std::array<HullVertex, N>& vertices, Use&& use) {
+    if (has_fixed_points()) {
+        exact::IntegerPoints<exact::TwoLimbKernel, N> points;
+        points.unit = fixed_unit();
+        for (std::size_t i = 0; i < N; ++i) points.at[i] = fixed(vertices[i]);
+        return exact::use_narrowest(points, use);
+    }
+    exact::PosedPoints<N> points;
+    for (std::size_t i = 0; i < N; ++i) points[i] = reference(vertices[i]);
+    return exact::with_integers(points, use);
+}
+
+}  // namespace ecods::convex

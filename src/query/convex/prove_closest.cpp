@@ -1,0 +1,303 @@
+// Signs of rounded points with bounds of their errors.
+//
+// In any rounding mode one operation is off by a factor of 1 + e, |e| <= u' = 2^-52. Rounded points are off by at most
+// delta on each axis, so a difference x of two, of which no coordinate is larger than X, is off by at most
+//     e(X) = 2 delta + u' X.
+// Let vectors x, y be off by at most a, b on each axis, and their coordinates be at most X, Y. With a <= X / 16, b <= Y
+// / 16 (or the bound is written out):
+//     x . y         three products, each off by X b + Y a + a b, and 4 u' X Y for its rounding and those of the sums
+//     x cross y     two products on each axis, off by X b + Y a + a b <= 1.04 (X b + Y a), and 3 u' X Y
+//     (u.u) w - (w.u) u   six products of three factors on each axis, off by (U + a)^2 (W + b) - U^2 W <= 1.13 (2 U W a
+//                   + U^2 b), and by 6 u' U^2 W for their roundings
+// The factors below are larger by some percent, which covers the roundings of the bounds themselves.
+//
+// Nothing overflows: coordinates are below 2^111, products of four below 2^460. What underflows loses less than
+// 2^-1022, times other factors; the bounds have two factors of at least 2^-200, which delta is asked to be, in its
+// place.
+#include <cmath>
+
+#include "base/arithmetic.hpp"
+#include "query/convex/closest_hulls.hpp"
+#include "query/convex/small_vectors.hpp"
+
+namespace ecods::convex {
+namespace {
+
+using exact::FeatureKind;
+
+// A vector, the largest of its coordinates, and a bound of its error on each axis.
+struct Bounded {
+    Point x;
+    double size;
+    double error;
+};
+
+struct BoundedNumber {
+    double x;
+    double error;
+
+    bool is_positive() const noexcept { return x > error; }
+};
+
+Bounded difference(const Point& to, const Point& from, double delta) noexcept {
+    const Point x = minus(to, from);
+    const double size = largest(x);
+    return {x, size, 2 * delta + two_u * size};
+}
+
+Bounded negated(const Bounded& a) noexcept {
+    return {negative(a.x), a.size, a.error};
+}
+
+BoundedNumber dot(const Bounded& a, const Bounded& b) noexcept {
+    const double products = a.size * b.error + (b.size + b.error) * a.error;
+    return {convex::dot(a.x, b.x), 3.1 * products + 13 * two_u * (a.size * b.size)};
+}
+
+Bounded cross(const Bounded& a, const Bounded& b) noexcept {
+    const Point x = convex::cross(a.x, b.x);
+    return {x, largest(x), 2.2 * (a.size * b.error + b.size * a.error) + 7 * two_u * (a.size * b.size)};
+}
+
+BoundedNumber operator-(const BoundedNumber& a, const BoundedNumber& b) noexcept {
+    const double x = a.x - b.x;
+    return {x, (a.error + b.error) * (1 + 4 * two_u) + two_u * std::abs(x)};
+}
+
+// (u.u) w - (w.u) u
+Bounded across(const Bounded& w, const Bounded& u) noexcept {
+    const double uu = convex::dot(u.x, u.x), wu = convex::dot(w.x, u.x);
+    const Point x = minus(times(w.x, uu), times(u.x, wu));
+    const double products = 2 * (u.size * w.size) * u.error + (u.size * u.size) * w.error;
+    return {x, largest(x), 7 * products + 44 * two_u * (u.size * u.size * w.size)};
+}
+
+// Whether the vector is known well enough for the bounds.
+bool is_known(const Bounded& a) noexcept {
+    return 16 * a.error <= a.size;
+}
+
+class Proof {
+  public:
+    Proof(PosedHulls& hulls, const HullFeatures& found) : hulls_(hulls), found_(found) {
+        for (const std::size_t side : {0, 1}) {
+            for (std::size_t i = 0; i < found.corner_count(side); ++i) {
+                points_[side][i] = hulls.rounded(side, found.corner(side, i));
+            }
+        }
+    }
+
+    // Whether the features hold closest points, and what of the solids is as near.
+    bool prove(std::array<HullPart, 2>& parts) {
+        if (!find_direction()) return false;
+        if (!prove_furthest(0, parts[0]) || !prove_furthest(1, parts[1])) return false;
+        return is_inside_ || are_closest_of_triangles(hulls_, found_);
+    }
+    // Whether it is certain that the points are inside the features, not on their borders.
+    bool is_inside() const noexcept { return is_inside_; }
+
+  private:
+    Bounded from(std::size_t side, std::size_t to) const noexcept {
+        return difference(points_[side][to], points_[side][0], hulls_.delta());
+    }
+
+    // Whether a number that is to be positive, or zero at the border of a feature, is not certainly negative.
+    bool may_hold(const BoundedNumber& x) noexcept {
+        is_inside_ &= x.is_positive();
+        return !(x.x < -x.error);
+    }
+
+    // Sets n_, from the first solid to the second, and asks whether the foot is inside the features.
+    bool find_direction() noexcept {
+        const Bounded w = difference(points_[1][0], points_[0][0], hulls_.delta());
+        if (!is_known(w)) return false;
+        switch (found_.features.kind) {
+            case FeatureKind::vertex_vertex:
+                n_ = w;
+                return true;
+            case FeatureKind::vertex_edge:
+                return find_from_edge(w);
+            case FeatureKind::vertex_face:
+                return find_from_face(w);
+            default:
+                return find_from_edges(w);
+        }
+    }
+
+    bool find_from_edge(const Bounded& w) noexcept {
+        const std::size_t of = 1 - found_.features.vertex_side;
+        const Bounded u = from(of, 1);
+        if (!is_known(u)) return false;
+        const BoundedNumber along = dot(of == 0 ? w : negated(w), u);
+        n_ = across(w, u);
+        if (!(n_.size > n_.error)) return false;  // The vertex may be on the edge.
+        return may_hold(along) && may_hold(dot(u, u) - along);
+    }
+
+    bool find_from_face(const Bounded& w) noexcept {
+        const std::size_t of = 1 - found_.features.vertex_side;
+        const Bounded u = from(of, 1), v = from(of, 2);
+        if (!is_known(u) || !is_known(v)) return false;
+        const Bounded foot = of == 0 ? w : negated(w);
+        n_ = cross(u, v);
+        const BoundedNumber s = dot(cross(foot, v), n_), t = dot(cross(u, foot), n_);
+        return may_hold(s) && may_hold(t) && may_hold((dot(n_, n_) - s) - t) && turn_along(w);
+    }
+
+    bool find_from_edges(const Bounded& w) noexcept {
+        const Bounded u = from(0, 1), v = from(1, 1);
+        if (!is_known(u) || !is_known(v)) return false;
+        n_ = cross(u, v);
+        const BoundedNumber s = dot(cross(w, v), n_), t = dot(cross(w, u), n_), nn = dot(n_, n_);
+        return may_hold(s) && may_hold(t) && may_hold(nn - s) && may_hold(nn - t) && turn_along(w);
+    }
+
+    bool turn_along(const Bounded& w) noexcept {
+        const BoundedNumber gap = dot(n_, w);
+        if (gap.is_positive()) return true;
+        n_ = negated(n_);
+        return gap.x < -gap.error;
+    }
+
+    // Whether all of a solid is behind the feature, or as far: then all that is as far is a part of the hull. The
+    // feature's own edges need not be asked about; the others are asked exactly where doubles leave them open.
+    bool prove_furthest(std::size_t side, HullPart& part) {
+        const Hull& hull = hulls_.hull(side);
+        const std::size_t count = found_.corner_count(side);
+        const std::uint32_t at = found_.corner(side, 0);
+        const std::uint32_t face = count == 3 ? face_of(hull, found_.corners[side]) : SupportPoints::none;
+        const std::uint32_t other = count == 2 ? found_.corner(side, 1) : SupportPoints::none;
+        LevelEdges level;
+        std::array<Hull::Neighbor, signs_at_once> open;
+        std::size_t open_count = 0;
+        const Bounded n = side == 0 ? n_ : negated(n_);
+        for (const Hull::Neighbor& to : hull.neighbors_of(at)) {
+            if (to.vertex == other || (face != SupportPoints::none && is_edge_of(hull, to.edge, face))) {
+                level.add(to.edge);
+                continue;
+            }
+            const Bounded d = difference(points_[side][0], hulls_.rounded(side, to.vertex), hulls_.delta());
+            const BoundedNumber behind = dot(n, d);
+            if (behind.is_positive()) continue;
+            if (behind.x < -behind.error || open_count == signs_at_once) return false;
+            open[open_count++] = to;
+        }
+        if (open_count > 0) {
+            const auto signs = signs_beyond(hulls_, found_, side, at, {open.data(), open_count});
+            for (std::size_t i = 0; i < open_count; ++i) {
+                if (signs[i] > 0) return false;
+                if (signs[i] == 0) level.add(open[i].edge);
+            }
+        }
+        part = level.part(hull, at);
+        return true;
+    }
+
+    PosedHulls& hulls_;
+    const HullFeatures& found_;
+    std::array<std::array<Point, 3>, 2> points_;
+    Bounded n_{};
+    bool is_inside_ = true;
+};
+
+// The vertices of a simplex of at most three pairs, and how many there are of each solid.
+struct SimplexCorners {
+    std::array<std::array<std::uint32_t, 3>, 2> at{};
+    std::array<std::size_t, 2> count{};
+
+    explicit SimplexCorners(const Simplex& simplex) noexcept {
+        for (const std::size_t side : {0, 1}) {
+            auto& corners = at[side];
+            for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {
+                const std::uint32_t vertex = simplex.pairs[i][side];
+                bool is_new = true;
+                for (std::size_t k = 0; k < count[side]; ++k) is_new &= corners[k] != vertex;
+                if (is_new) corners[count[side]++] = vertex;
+            }
+            for (std::size_t k = count[side]; k < 3; ++k) corners[k] = corners[count[side] - 1];
+        }
+    }
+};
+
+// The features that a simplex speaks of: its pairs span them, and are no more than that takes.
+std::optional<HullFeatures> features_of(const Simplex& simplex, const SimplexCorners& corners) noexcept {
+    const auto& count = corners.count;
+    if (static_cast<std::size_t>(simplex.count) + 1 != count[0] + count[1]) return std::nullopt;
+    HullFeatures result{corners.at, {}};
+    exact::FeaturePair& f = result.features;
+    f.kind = simplex.count == 1               ? FeatureKind::vertex_vertex
+             : simplex.count == 2             ? FeatureKind::vertex_edge
+             : count[0] == 2 && count[1] == 2 ? FeatureKind::edge_edge
+                                              : FeatureKind::vertex_face;
+    f.vertex_side = count[0] > count[1] ? 1 : 0;
+    return result;
+}
+
+}  // namespace
+
+std::size_t HullFeatures::corner_count(std::size_t side) const noexcept {
+    if (features.kind == FeatureKind::vertex_vertex) return 1;
+    if (features.kind == FeatureKind::edge_edge) return 2;
+    if (features.vertex_side == side) return 1;
+    return features.kind == FeatureKind::vertex_edge ? 2 : 3;
+}
+
+std::uint32_t face_of(const Hull& hull, const std::array<std::uint32_t, 3>& vertices) noexcept {
+    const auto has = [&](std::uint32_t vertex, std::uint32_t face) {
+        for (const Hull::Neighbor& n : hull.neighbors_of(vertex)) {
+            if (is_edge_of(hull, n.edge, face)) return true;
+        }
+        return false;
+    };
+    for (const Hull::Neighbor& n : hull.neighbors_of(vertices[0])) {
+        for (const std::uint32_t face : hull.edges[n.edge].faces) {
+            if (has(vertices[1], face) && has(vertices[2], face)) return face;
+        }
+    }
+    return SupportPoints::none;
+}
+
+HullPart LevelEdges::part(const Hull& hull, std::uint32_t vertex) const noexcept {
+    if (count == 0) return {Feature::Kind::vertex, vertex};
+    if (count == 1) return {Feature::Kind::edge, edges[0]};
+    const auto& faces = hull.edges[edges[0]].faces;
+    return {Feature::Kind::face, is_edge_of(hull, edges[1], faces[0]) ? faces[0] : faces[1]};
+}
+
+std::optional<ClosestHulls> prove_closest(PosedHulls& hulls, const Simplex& guess) {
+    if (!(hulls.delta() >= 0x1p-200) || guess.count < 1 || guess.count > 3) return std::nullopt;
+    const SimplexCorners corners(guess);
+    std::optional<HullFeatures> found = features_of(guess, corners);
+    // More vertices than features have, as of parallel faces: those of the triangles that they make.
+    if (!found) found = guess_of_triangles(hulls, corners.at);
+    ClosestHulls result{*found, {}, false};
+    Proof proof(hulls, *found);
+    if (!proof.prove(result.parts)) return std::nullopt;
+    result.are_only = proof.is_inside();
+    for (const std::size_t side : {0, 1}) {
+        result.are_only &= static_cast<std::size_t>(result.parts[side].kind) + 1 == found->corner_count(side);
+    }
+    return result;
+}
+
+// The origin is inside if every three points see it on the side on which they see the fourth.
+bool prove_meeting(const PosedHulls& hulls, const Simplex& guess) noexcept {
+    if (guess.count != 4 || !(hulls.delta() >= 0x1p-200)) return false;
+    std::array<Bounded, 4> w;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double size = largest(guess.points[i]);
+        w[i] = {guess.points[i], size, 2 * hulls.delta() + two_u * size};
+        if (!is_known(w[i])) return false;
+    }
+    // With the origin 0, det(w_j, w_k, w_l) is of one sign for all four, where their order alternates.
+    const auto det = [&](std::size_t i, std::size_t j, std::size_t k) { return dot(cross(w[i], w[j]), w[k]); };
+    const std::array<BoundedNumber, 4> dets{det(1, 2, 3), det(0, 3, 2), det(0, 1, 3), det(0, 2, 1)};
+    bool are_positive = true, are_negative = true;
+    for (const BoundedNumber& d : dets) {
+        are_positive &= d.x > d.error;
+        are_negative &= d.x < -d.error;
+    }
+    return are_positive || are_negative;
+}
+
+}  // namespace ecods::convex

@@ -1,0 +1,73 @@
+#include <optional>
+
+#include "ecods/convex_solid.hpp"
+#include "query/convex/closest_hulls.hpp"
+#include "query/convex/gjk.hpp"
+#include "query/convex/posed_hulls.hpp"
+
+namespace ecods {
+namespace {
+
+using namespace convex;
+
+bool is_known(const PairWitness& witness) noexcept {
+    return witness.a != PairWitness::none && witness.b != PairWitness::none;
+}
+
+// Leaves triangles that have the closest features, or vertices that are near them.
+void leave(const PosedHulls& hulls, const Simplex& guess, PairWitness& witness) noexcept {
+    witness = {hulls.hull(0).vertex_names[guess.pairs[0][0]].triangle,
+               hulls.hull(1).vertex_names[guess.pairs[0][1]].triangle};
+}
+void leave(const PosedHulls& hulls, const ClosestHulls& closest, PairWitness& witness) noexcept {
+    witness = {part_name(hulls.hull(0), closest.parts[0]).triangle,
+               part_name(hulls.hull(1), closest.parts[1]).triangle};
+}
+
+}  // namespace
+
+// Features that were the closest before are proven as any others.
+std::optional<ClosestHulls> convex::find_closest(PosedHulls& hulls, PairWitness& witness) {
+    Simplex guess;
+    if (is_known(witness)) {
+        guess = run_gjk_of_triangles(hulls, {hulls.vertices_near(0, witness.a), hulls.vertices_near(1, witness.b)});
+        if (auto proven = prove_closest(hulls, guess)) return proven;
+        guess = run_gjk(hulls, guess);
+    } else {
+        guess = run_gjk(hulls);
+    }
+    leave(hulls, guess, witness);
+    if (prove_meeting(hulls, guess)) return std::nullopt;
+    std::optional<ClosestHulls> closest = prove_closest(hulls, guess);
+    if (!closest) closest = find_closest_exactly(hulls, guess);
+    if (closest) leave(hulls, *closest, witness);
+    return closest;
+}
+
+double solid_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory,
+                      PairWitness& witness) {
+    PosedHulls hulls(a, b, memory);
+    const auto closest = find_closest(hulls, witness);
+    return closest ? round_distance(hulls, closest->found) : 0;
+}
+
+double solid_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory) {
+    PairWitness witness;
+    return solid_distance(a, b, memory, witness);
+}
+
+std::optional<ClosestPoints> solid_closest(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
+                                           QueryMemory& memory, PairWitness& witness) {
+    PosedHulls hulls(a, b, memory);
+    const auto closest = find_closest(hulls, witness);
+    if (!closest) return std::nullopt;
+    return name_closest(hulls, *closest);
+}
+
+std::optional<ClosestPoints> solid_closest(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
+                                           QueryMemory& memory) {
+    PairWitness witness;
+    return solid_closest(a, b, memory, witness);
+}
+
+}  // namespace ecods

@@ -1,0 +1,64 @@
+#include "query/convex/solid_pair.hpp"
+
+#include <cmath>
+#include <cstdint>
+
+#include "base/arithmetic.hpp"
+#include "base/double_key.hpp"
+#include "query/convex/closest_hulls.hpp"
+#include "query/convex/posed_hulls.hpp"
+#include "query/convex/small_vectors.hpp"
+
+namespace ecods::convex {
+namespace {
+
+// Whether a direction from one to the other, as good as any, proves that the solids are further apart than the limit.
+// Not of hulls that are climbed, where what is furthest is not known.
+//
+// With n the direction, u' = two_u and D = delta(), which is at least 4.25 u' sum (find_bounds), sum bounding what is
+// added up for any coordinate of a point: the height of a vertex along n, taken in the mesh's coordinates, is off by
+// at most (1 + u')^6 - 1 < 6.1 u' of sum |n|_1, the sum of the magnitudes of n: less than 1.5 D |n|_1. So the one that
+// was found is lower than the highest by less than 3 D |n|_1, and its rounded point is off by D |n|_1 along n: of both
+// solids by less than 8 D |n|_1. The product of n and the difference of the two points is off by less than 5 u' of its
+// terms' magnitudes S. 9 D and 8 u' also cover the rounding of the sums and of both products below, the root being off
+// by less than 4 u'. What underflows in a product is below 2^-1022, and all of it below 2^-900; n is so large that it
+// shows in no other way, and a limit that is taken for zero is below what 2^-900 / |n| leaves.
+bool is_beyond(const PosedHulls& hulls, double limit) noexcept {
+    const auto is_scanned = [&](std::size_t side) {
+        return hulls.hull(side).vertex_count() <= PosedHulls::scanned_max;
+    };
+    const Point n = minus(hulls.center(1), hulls.center(0));
+    if (hulls.exponent() != 0 || !is_scanned(0) || !is_scanned(1) || !(largest(n) >= 0x1p-400)) return false;
+    const Point gap = minus(hulls.rounded(1, hulls.support(1, negative(n))), hulls.rounded(0, hulls.support(0, n)));
+    double along = 0, magnitudes = 0, sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        along += n[k] * gap[k];
+        magnitudes += std::abs(n[k] * gap[k]);
+        sum += std::abs(n[k]);
+    }
+    const double least = ((along - 8 * two_u * magnitudes) - 9 * hulls.delta() * sum) - 0x1p-900;
+    return least > limit * (std::sqrt(dot(n, n)) * (1 + 8 * two_u));
+}
+
+}  // namespace
+
+// Only of a distance that rounds to the limit it is left to be seen on which side of it the real one is.
+std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit,
+                                      QueryMemory& memory, PairWitness& witness) {
+    PosedHulls hulls(a, b, memory);
+    if (is_beyond(hulls, limit)) return std::nullopt;
+    const auto closest = find_closest(hulls, witness);
+    if (!closest) return 0;
+    const double distance = round_distance(hulls, closest->found);
+    const std::int64_t key = key_of(distance), limit_key = key_of(limit);
+    if (key > limit_key || (key == limit_key && compare_distance(hulls, closest->found, limit) > 0))
+        return std::nullopt;
+    return distance;
+}
+
+bool do_meet(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory, PairWitness& witness) {
+    PosedHulls hulls(a, b, memory);
+    return !is_beyond(hulls, 0) && !find_closest(hulls, witness);
+}
+
+}  // namespace ecods::convex

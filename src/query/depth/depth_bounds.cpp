@@ -1,0 +1,46 @@
+#include <algorithm>
+
+#include "base/next.hpp"
+#include "ecods/depth.hpp"
+#include "ecods/error.hpp"
+#include "exact/simplex/common_pose.hpp"
+#include "query/depth/inner_balls.hpp"
+#include "query/depth/parting_search.hpp"
+
+namespace ecods {
+namespace {
+
+const ConvexSolid* as_convex(const Posed<Solid>& solid) {
+    return dynamic_cast<const ConvexSolid*>(solid.what);
+}
+
+}  // namespace
+
+DepthBounds depth_bounds(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) {
+    if (!exact::is_regular(a.pose.R)) throw SingularPose(0);
+    if (!exact::is_regular(b.pose.R)) throw SingularPose(1);
+    const SolidRelation relation = solid_relation(a, b, memory);
+    if (relation == SolidRelation::apart) throw SolidsApart();
+    DepthBounds result{0, 0, b.pose.t};
+    if (relation == SolidRelation::touching) return result;
+
+    depths::PartingSearch search(a, b, memory);
+    const ConvexSolid *convex_a = as_convex(a), *convex_b = as_convex(b);
+    const bool are_convex = convex_a != nullptr && convex_b != nullptr;
+    if (are_convex) {
+        const Depth exact = depth({*convex_a, a.pose}, {*convex_b, b.pose}, memory);
+        result.lower = std::max(0.0, next_down(exact.depth));
+        search.try_length(exact.direction, exact.depth);
+    }
+    if (!search.has_found()) search.search();
+    if (!are_convex) {
+        std::optional<depths::BallHint> hint;
+        if (search.best().middle) hint = {*search.best().middle, 0.25 * search.best().length};
+        result.lower = depths::find_inner_balls(a, b, hint, memory);
+    }
+    result.upper = search.best().length;
+    result.parted = search.best().parted;
+    return result;
+}
+
+}  // namespace ecods

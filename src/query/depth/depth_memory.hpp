@@ -1,0 +1,30 @@
+// What depth() works in.
+#pragma once
+
+#include <memory>
+
+#include "exact/measure/fixed_points.hpp"
+#include "query/depth/inner_polytope.hpp"
+#include "query/depth/nearest_planes.hpp"
+#include "query/depth/rounded_hulls.hpp"
+#include "query/intersection/query_memory.hpp"
+
+namespace ecods::depths {
+
+struct DepthMemory final : QueryMemoryPart {
+    RoundedHulls hulls;
+    InnerPolytope polytope;
+    NearestPlanes planes;
+    exact::FixedPoints points;
+
+    static DepthMemory& of(QueryMemory& memory) {
+        auto& part = QueryMemoryAccess::state(memory).depth;
+        if (!part) part = std::make_unique<DepthMemory>();
+        return static_cast<DepthMemory&>(*part);
+    }
+};
+
+// Nothing if the solids share no point.
+std::optional<ExactDepth> find_depth(const ConvexPair& pair, const convex::PosedHulls& hulls, DepthMemory& memory);
+
+}  // namespace ecods::depths

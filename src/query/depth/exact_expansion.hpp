@@ -1,0 +1,234 @@
+// The polytope of exact_depth.hpp, in integers of L limbs.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "exact/measure/direction.hpp"
+#include "exact/measure/squared_distance.hpp"
+#include "query/depth/exact_depth.hpp"
+#include "query/depth/exact_differences.hpp"
+
+namespace ecods::depths {
+
+// A plane through vertices of the set of differences: n . x = h.
+template <int L>
+struct ExactPlane {
+    exact::LimbVector<2 * L> n;
+    exact::Magnitude<3 * L> h;
+    exact::Magnitude<4 * L> nn;
+    int side = 0;               // the sign of h
+    exact::LeadingDigits near;  // of h^2 / n.n: 127 of them
+
+    using Point = typename ExactDifferences<L>::Point;
+
+    ExactPlane(const Point& a, const Point& b, const Point& c) noexcept {
+        n = exact::cross<L>(exact::difference<L>(b, a), exact::difference<L>(c, a));
+        h = exact::dot<2 * L, L>(n, exact::difference<L>(a, Point{}));
+        nn = exact::dot<2 * L, 2 * L>(n, n);
+        side = exact::sign<3 * L>(h);
+        const auto hh = exact::multiply<3 * L, 3 * L>(h.limbs, h.limbs);
+        near = exact::leading_digits(exact::without_leading_zeros(hh), exact::without_leading_zeros(nn.limbs));
+        // Of one length, all of whose digits are known: they then compare as the quotients do.
+        if (near.digits >> 127 != 0) {
+            near.is_exact &= (near.digits & 1) == 0;
+            near.digits >>= 1;
+            ++near.exponent;
+        }
+    }
+
+    // The sign of n . x - h.
+    int sign_at(const Point& x) const noexcept {
+        const auto along = exact::dot<2 * L, L>(n, exact::difference<L>(x, Point{}));
+        return exact::sign<3 * L>(exact::minus<3 * L>(along, h));
+    }
+
+    exact::SquaredDistance square(int unit) const noexcept {
+        exact::SquaredDistance result;
+        result.num.assign(exact::multiply<3 * L, 3 * L>(h.limbs, h.limbs));
+        result.den.assign(nn.limbs);
+        result.exponent = unit;
+        return result;
+    }
+};
+
+// The sign of how much further from the origin, along its normal, the first plane is than the second.
+template <int L>
+int compare(const ExactPlane<L>& x, const ExactPlane<L>& y) noexcept {
+    if (x.side != y.side) return x.side < y.side ? -1 : 1;
+    if (x.side == 0) return 0;
+    const auto further = [&](int sign) { return x.side < 0 ? -sign : sign; };
+    if (x.near.exponent != y.near.exponent) return further(x.near.exponent < y.near.exponent ? -1 : 1);
+    // Digits that are cut off count less than one more in the last place.
+    if (x.near.digits != y.near.digits) return further(x.near.digits < y.near.digits ? -1 : 1);
+    if (x.near.is_exact && y.near.is_exact) return 0;
+    return further(exact::compare(x.square(0), y.square(0)));
+}
+
+template <int L>
+class ExactExpansion {
+  public:
+    ExactExpansion(const ConvexPair& pair, const PointScale& scale) : points_(pair, scale) {}
+
+    std::optional<ExactDepth> find() {
+        begin();
+        std::optional<std::size_t> nearest;
+        while ((nearest = next_face())) {
+            const DifferenceVertex w = furthest(faces_[*nearest].plane.n, faces_[*nearest].corners[0]);
+            const Point m = points_.difference(w);
+            if (faces_[*nearest].plane.sign_at(m) == 0) {
+                faces_[*nearest].is_final = true;
+                if (faces_[*nearest].plane.side < 0) return std::nullopt;
+            } else {
+                add(w, m);
+            }
+        }
+        return first_of_nearest();
+    }
+
+  private:
+    using Point = typename ExactDifferences<L>::Point;
+    using Normal = typename ExactDifferences<L>::Normal;
+    using Corners = std::array<std::uint32_t, 3>;
+
+    struct Face {
+        Corners at;  // of vertices_, counterclockwise from outside
+        std::array<DifferenceVertex, 3> corners;
+        ExactPlane<L> plane;
+        bool is_final = false;  // whether it is in the plane of a face of the whole set
+    };
+
+    DifferenceVertex furthest(const Normal& n, const DifferenceVertex& from) const noexcept {
+        return {points_.furthest(0, n, from.p), points_.furthest(1, n, from.q)};
+    }
+
+    // A tetrahedron. The set has inner points: along any vector its extent is positive, so that of what is furthest
+    // along it and against it, at least one is not on a line or plane at right angles to it.
+    void begin() {
+        Normal x{};
+        x[0].limbs[0] = 1;
+        add_vertex(furthest(x, {}));
+        add_vertex(furthest(negated(x), {}));
+        const auto u = exact::difference<L>(points_at_[1], points_at_[0]);
+        std::size_t axis = 0;
+        while (exact::is_zero<L>(u[axis].limbs)) ++axis;
+        // At right angles to u, and not zero.
+        Normal across{};
+        const std::size_t next = (axis + 1) % 3;
+        std::copy_n(u[axis].limbs.begin(), L, across[next].limbs.begin());
+        across[next].negative = u[axis].negative;
+        std::copy_n(u[next].limbs.begin(), L, across[axis].limbs.begin());
+        across[axis].negative = ~u[next].negative;
+        add_off_plane(across);
+        const auto v = exact::difference<L>(points_at_[2], points_at_[0]);
+        const bool is_above = add_off_plane(exact::cross<L>(u, v));
+        const std::uint32_t b = is_above ? 2 : 1, c = is_above ? 1 : 2;
+        add_face({0, b, c});
+        add_face({0, c, 3});
+        add_face({c, b, 3});
+        add_face({b, 0, 3});
+    }
+
+    // Adds what is furthest along n, or against it where that is as far as the first vertex. Whether it was the former.
+    bool add_off_plane(const Normal& n) {
+        const DifferenceVertex above = furthest(n, vertices_[0]);
+        const auto from_first = exact::difference<L>(points_.difference(above), points_at_[0]);
+        const bool is_off = exact::sign<3 * L>(exact::dot<2 * L, L>(n, from_first)) > 0;
+        add_vertex(is_off ? above : furthest(negated(n), vertices_[0]));
+        return is_off;
+    }
+
+    static Normal negated(Normal n) noexcept {
+        for (auto& x : n) x = exact::negated<2 * L>(x);
+        return n;
+    }
+
+    std::uint32_t add_vertex(const DifferenceVertex& v) {
+        vertices_.push_back(v);
+        points_at_.push_back(points_.difference(v));
+        return static_cast<std::uint32_t>(vertices_.size() - 1);
+    }
+
+    void add_face(const Corners& at) {
+        faces_.push_back({at,
+                          {vertices_[at[0]], vertices_[at[1]], vertices_[at[2]]},
+                          ExactPlane<L>(points_at_[at[0]], points_at_[at[1]], points_at_[at[2]])});
+    }
+
+    // A nearest face that is not final, unless all that are nearest are.
+    std::optional<std::size_t> next_face() const noexcept {
+        std::size_t nearest = 0;
+        for (std::size_t i = 1; i < faces_.size(); ++i) {
+            const int sign = compare(faces_[i].plane, faces_[nearest].plane);
+            if (sign < 0 || (sign == 0 && !faces_[i].is_final)) nearest = i;
+        }
+        if (faces_[nearest].is_final) return std::nullopt;
+        return nearest;
+    }
+
+    // Adds a vertex that is strictly outside. The faces that it is strictly beyond are replaced by those that join it
+    // to their border. A face in whose plane it is stays: what joins it to a border there is no triangle of area zero,
+    // since the face beyond the border is one that it is strictly beyond, and so is not in line with their common edge.
+    void add(const DifferenceVertex& w, const Point& m) {
+        const std::uint32_t apex = add_vertex(w);
+        border_.clear();
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < faces_.size(); ++i) {
+            if (faces_[i].plane.sign_at(m) > 0) {
+                for (std::size_t c = 0; c < 3; ++c) toggle_border(faces_[i].at[c], faces_[i].at[(c + 1) % 3]);
+            } else {
+                if (kept != i) faces_[kept] = faces_[i];
+                ++kept;
+            }
+        }
+        faces_.erase(faces_.begin() + static_cast<std::ptrdiff_t>(kept), faces_.end());
+        for (const auto& [from, to] : border_) add_face({from, to, apex});
+    }
+
+    // Of an edge between two faces that go, both ways do.
+    void toggle_border(std::uint32_t from, std::uint32_t to) {
+        const auto twin = std::ranges::find(border_, std::pair(to, from));
+        if (twin == border_.end()) {
+            border_.emplace_back(from, to);
+        } else {
+            *twin = border_.back();
+            border_.pop_back();
+        }
+    }
+
+    ExactDepth first_of_nearest() const {
+        const Face* nearest = nullptr;
+        for (const Face& face : faces_) {
+            if (nearest == nullptr || compare(face.plane, nearest->plane) < 0) nearest = &face;
+        }
+        const Face* first = nullptr;
+        DifferenceFace names;
+        for (const Face& face : faces_) {
+            if (compare(face.plane, nearest->plane) != 0) continue;
+            const DifferenceFace other = names_of(face);
+            if (first != nullptr && order_of(other, names) >= 0) continue;
+            first = &face;
+            names = other;
+        }
+        return {names, exact::round_root(first->plane.square(points_.unit())),
+                exact::round_direction<2 * L>(first->plane.n)};
+    }
+
+    // The corners of a final face are furthest along its normal.
+    DifferenceFace names_of(const Face& face) const noexcept {
+        return {points_.feature_at(0, face.plane.n, face.corners[0].p),
+                points_.feature_at(1, face.plane.n, face.corners[0].q)};
+    }
+
+    ExactDifferences<L> points_;
+    std::vector<DifferenceVertex> vertices_;
+    std::vector<Point> points_at_;  // by vertex
+    std::vector<Face> faces_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> border_;
+};
+
+}  // namespace ecods::depths

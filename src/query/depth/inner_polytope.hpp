@@ -1,0 +1,116 @@
+// A polytope of vertices of the set of differences of two convex solids that grows toward its nearest faces, in
+// doubles.
+//
+// Its faces are triangles, turned outwards. They are a closed surface whatever is rounded: what is taken away has a
+// border, and what is put in its place joins a vertex to that border. What follows from it, and from that alone, is in
+// nearest_planes.hpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "query/depth/convex_pair.hpp"
+#include "query/depth/rounded_hulls.hpp"
+
+namespace ecods::depths {
+
+class InnerPolytope {
+  public:
+    enum class End : std::uint8_t {
+        nearest,  // no vertex is beyond the nearest face, as far as doubles know
+        apart,    // a plane was found of which the whole set is on one side and the origin is on the other: proven
+        unknown,  // for integers
+    };
+
+    End find(const RoundedHulls& hulls);
+
+    struct Face {
+        std::array<double, 3> n;  // the product of two edges
+        double n_error;           // of a coordinate of it
+        double length;            // of n
+        std::array<DifferenceVertex, 3> corners;
+    };
+    std::uint32_t face_count() const noexcept { return face_count_; }
+    Face face(std::uint32_t i) const noexcept;
+    std::uint32_t nearest() const noexcept { return nearest_; }
+    // The depth is not above upper(): proven where all vertices were looked at. Otherwise it is that if the nearest
+    // face is in the plane of a face of the whole set.
+    double upper() const noexcept { return upper_; }
+    bool is_upper_proven() const noexcept { return hulls_->is_scanned(0) && hulls_->is_scanned(1); }
+
+    // Calls visit(i) for the faces that are not proven to be further from the origin than upper(), and to have it on
+    // their inner side.
+    template <class Visit>
+    void visit_near(Visit&& visit) const {
+        for (std::uint32_t i = 0; i < face_count_; ++i) {
+            const double length = length_[i] * RoundedBounds::slack + 2 * n_error_[i];
+            if (!(h_[i] - h_error_[i] > upper_ * length)) visit(i);
+        }
+    }
+
+    // Adds a vertex. Where doubles leave it open, is_beyond(face) says whether it is strictly beyond a face's plane; it
+    // must be beyond one. Returns false where the border is too long.
+    template <class IsBeyond>
+    bool insert(const DifferenceVertex& v, IsBeyond&& is_beyond) {
+        if (!has_space()) add_space();
+        add_vertex(v);
+        const auto& m = vertices_[vertex_count_ - 1].m;
+        std::uint32_t visible_count = 0;
+        for (std::uint32_t i = 0; i < face_count_; ++i) {
+            const double height = (nx_[i] * m[0] + ny_[i] * m[1]) + nz_[i] * m[2] - h_[i];
+            if (height < -2 * h_error_[i]) continue;
+            if (height > 2 * h_error_[i] || is_beyond(face(i))) visible_[visible_count++] = i;
+        }
+        if (!replace(visible_count)) return false;
+        bound_by_nearest();
+        return true;
+    }
+
+  private:
+    struct Vertex {
+        std::array<double, 3> m;
+        DifferenceVertex of;
+    };
+
+    ECODS_ALWAYS_INLINE End grow();
+    ECODS_ALWAYS_INLINE bool begin();
+    bool begin_anywhere();
+    ECODS_ALWAYS_INLINE bool set_tetrahedron();
+    ECODS_ALWAYS_INLINE void add_support(double nx, double ny, double nz);
+    ECODS_ALWAYS_INLINE void find_nearest();
+    ECODS_ALWAYS_INLINE bool replace_visible(std::uint32_t visible_count);
+    bool replace(std::uint32_t visible_count);
+    void bound_by_nearest() noexcept;
+    template <int sign>
+    ECODS_ALWAYS_INLINE Furthest support(std::size_t side, double nx, double ny, double nz) const noexcept;
+    ECODS_ALWAYS_INLINE void add_vertex(const DifferenceVertex& v) noexcept {
+        const auto p = hulls_->point(0, v.p), q = hulls_->point(1, v.q);
+        vertices_[vertex_count_++] = {{p[0] - q[0], p[1] - q[1], p[2] - q[2]}, v};
+    }
+    ECODS_ALWAYS_INLINE std::uint32_t find_visible();
+    ECODS_ALWAYS_INLINE std::uint32_t find_border(std::uint32_t visible_count);
+    ECODS_ALWAYS_INLINE void set_face(std::uint32_t i, std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept;
+    void remove_face(std::uint32_t i) noexcept;
+    void add_space();
+    // Whether lists have space for a step: faces are read by fours.
+    bool has_space() const noexcept {
+        return face_count_ + border_max + 4 <= h_.size() && vertex_count_ + 8 <= vertices_.size();
+    }
+
+    static constexpr std::uint32_t border_max = 64;
+
+    const RoundedHulls* hulls_ = nullptr;
+    std::vector<double> nx_, ny_, nz_, h_, length_;
+    std::vector<double> n_error_, h_error_;  // of a coordinate of n, and of h
+    std::vector<double> distance_;           // h / length; infinity beyond the last face
+    std::vector<std::array<std::uint32_t, 3>> corners_;
+    std::vector<Vertex> vertices_;
+    std::vector<std::uint32_t> visible_;
+    std::array<std::uint64_t, border_max + 3> border_{};  // edges, the first end above 32 bits
+    std::uint32_t face_count_ = 0, vertex_count_ = 0, nearest_ = 0;
+    double upper_ = 0;
+};
+
+}  // namespace ecods::depths

@@ -1,0 +1,284 @@
+#include "query/depth/nearest_planes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simd/dispatch.hpp"
+
+namespace ecods::depths {
+namespace {
+
+// Lists the vertices that are at most `below` less far along n, or with sign -1 against it, than the furthest.
+template <int sign>
+ECODS_ALWAYS_INLINE void list_level(const RoundedHulls::Side& side, const std::array<double, 3>& n, double below,
+                                    std::vector<std::uint32_t>& level) {
+    const double least = sign * furthest<sign>(side, n[0], n[1], n[2]).along - below;
+    const Double4 x = broadcast<Double4>(sign * n[0]), y = broadcast<Double4>(sign * n[1]),
+                  z = broadcast<Double4>(sign * n[2]);
+    for (std::uint32_t i = 0; i < side.count; i += 4) {
+        const Double4 along = load_anywhere<Double4>(side.x.data() + i) * x +
+                              load_anywhere<Double4>(side.y.data() + i) * y +
+                              load_anywhere<Double4>(side.z.data() + i) * z;
+        auto bits = static_cast<std::uint64_t>(any_bits((along >= least) & lane_bits<Long4>()));
+        for (; bits != 0; bits &= bits - 1) {
+            const std::uint32_t v = i + static_cast<std::uint32_t>(std::countr_zero(bits));
+            if (v < side.count) level.push_back(v);
+        }
+    }
+}
+
+// Lists are ascending.
+bool contains(const std::vector<std::uint32_t>& level, std::uint32_t v) noexcept {
+    if (level.size() > 8) return std::ranges::binary_search(level, v);
+    return std::ranges::find(level, v) != level.end();
+}
+
+}  // namespace
+
+FixedPlane::Vector NearestPlanes::point(std::size_t side, std::uint32_t vertex) const {
+    return points_->at(side, (*pair_)[side].hull->mesh_vertices[vertex]);
+}
+
+// All vertices that may be as far along the face's exact normal as any.
+void NearestPlanes::find_level(std::size_t side, const InnerPolytope::Face& face, Level& level) {
+    level.clear();
+    const std::uint32_t start = face.corners[0].of(side);
+    const double sum = std::abs(face.n[0]) + std::abs(face.n[1]) + std::abs(face.n[2]);
+    const double below = hulls_->bounds().of_level(face.n_error, sum);
+    const RoundedHulls::Side& of = hulls_->side(side);
+    if (!hulls_->is_scanned(side)) return climb_to_level(side, face.n, start, below, level);
+    if (side == 0) {
+        dispatch<list_level<1>>(of, face.n, below, level);
+    } else {
+        dispatch<list_level<-1>>(of, face.n, below, level);
+    }
+}
+
+// The same of a solid whose vertices are not looked at as a whole: those that are joined to a vertex by edges between
+// vertices that are at most `below` less far. All neighbors of these are certainly less far, so of them what is exactly
+// furthest is further than all its neighbors, or as far, and so than the whole solid; and all that is as far is joined
+// to it by edges.
+void NearestPlanes::climb_to_level(std::size_t side, const Normal& n, std::uint32_t start, double below, Level& level) {
+    const double sign = side == 0 ? 1 : -1;
+    const convex::Hull& hull = *(*pair_)[side].hull;
+    std::vector<std::uint32_t>& marks = marks_[side];
+    if (marks.size() < hull.vertex_count()) marks.resize(hull.vertex_count());
+    const std::uint32_t mark = next_mark();
+    const auto along = [&](std::uint32_t v) {
+        const auto p = hulls_->point(side, v);
+        return sign * (n[0] * p[0] + n[1] * p[1] + n[2] * p[2]);
+    };
+    const std::uint32_t top = hulls_->posed().support(side, {sign * n[0], sign * n[1], sign * n[2]}, start);
+    const double least = along(top) - below;
+    level.push_back(top);
+    marks[top] = mark;
+    for (std::size_t i = 0; i < level.size(); ++i) {
+        for (const convex::Hull::Neighbor& neighbor : hull.neighbors_of(level[i])) {
+            if (marks[neighbor.vertex] == mark) continue;
+            marks[neighbor.vertex] = mark;
+            if (!(along(neighbor.vertex) < least)) level.push_back(neighbor.vertex);
+        }
+    }
+    std::ranges::sort(level);
+}
+
+// Another one than all that are in use.
+std::uint32_t NearestPlanes::next_mark() noexcept {
+    if (++mark_ == 0) {
+        for (auto& marks : marks_) std::ranges::fill(marks, 0);
+        mark_ = 1;
+    }
+    return mark_;
+}
+
+// The vertex, the edge or the face of which these are the vertices, if they are that.
+std::optional<SupportFeature> NearestPlanes::feature_of(std::size_t side, const Level& level) const noexcept {
+    const convex::Hull& hull = *(*pair_)[side].hull;
+    if (level.size() == 1) return SupportFeature{Feature::Kind::vertex, level[0]};
+    std::array<std::uint32_t, 2> edges{};
+    std::size_t count = 0;
+    for (const convex::Hull::Neighbor& neighbor : hull.neighbors_of(level[0])) {
+        if (!contains(level, neighbor.vertex)) continue;
+        if (count == 2) return std::nullopt;
+        edges[count++] = neighbor.edge;
+    }
+    if (level.size() == 2) {
+        if (count != 1) return std::nullopt;
+        return SupportFeature{Feature::Kind::edge, edges[0]};
+    }
+    if (count != 2) return std::nullopt;
+    const std::uint32_t face = common_face(hull.edges[edges[0]], hull.edges[edges[1]]);
+    const auto cycle = hull.cycle_of(face);
+    if (cycle.size() != level.size()) return std::nullopt;
+    for (const convex::Hull::Neighbor& corner : cycle) {
+        if (!contains(level, corner.vertex)) return std::nullopt;
+    }
+    return SupportFeature{Feature::Kind::face, face};
+}
+
+// Whether a plane has all vertices of these features, which are all vertices near it, for certain. A vertex is in it
+// with the first corner; of an edge a second vertex must be, and of a face a second and a third: no three of its
+// vertices are on one line. A vertex of one solid is where it makes a corner with that of the first corner.
+bool NearestPlanes::ties_for_certain(const Plane& plane, const DifferenceFace& features) const {
+    const auto is = [&](Feature::Kind a, Feature::Kind b) { return features[0].kind == a && features[1].kind == b; };
+    // A plane of three vertices is that of the edges or of the face that they are of.
+    if (is(Feature::Kind::edge, Feature::Kind::edge) || is(Feature::Kind::face, Feature::Kind::vertex) ||
+        is(Feature::Kind::vertex, Feature::Kind::face)) {
+        return true;
+    }
+    if (!points_->is_exact()) return false;
+    const DifferenceVertex& first = plane.corners[0];
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Level& level = levels_[plane.levels][side];
+        const std::uint32_t from = first.of(side);
+        const auto is_known = [&](std::uint32_t v) {
+            return v == from || std::ranges::any_of(plane.corners, [&](const DifferenceVertex& corner) {
+                       return corner.of(side) == v && corner.of(1 - side) == first.of(1 - side);
+                   });
+        };
+        std::size_t missing = std::min<std::size_t>(level.size(), 3);
+        for (std::size_t i = 0; i < level.size() && missing > 0; ++i) missing -= is_known(level[i]) ? 1 : 0;
+        for (std::size_t i = 0; i < level.size() && missing > 0; ++i) {
+            if (is_known(level[i])) continue;
+            if (plane.fixed.sign_along(exact::difference(point(side, level[i]), point(side, from))) != 0) return false;
+            --missing;
+        }
+    }
+    return true;
+}
+
+// The vertex that is furthest beyond a plane of which the vertices near it are listed. If there is none, keeps those
+// that are in it.
+std::optional<DifferenceVertex> NearestPlanes::keep_ties(const Plane& plane) {
+    auto& levels = levels_[plane.levels];
+    if (!points_->is_exact()) return keep_level(*pair_, plane.corners, levels);
+    return keep_level(levels, plane.corners[0], [&](std::size_t side, std::uint32_t from, std::uint32_t to) {
+        const int sign = plane.fixed.sign_along(exact::difference(point(side, to), point(side, from)));
+        return side == 0 ? sign : -sign;
+    });
+}
+
+bool NearestPlanes::is_in_known_plane(const std::array<DifferenceVertex, 3>& corners) const noexcept {
+    return std::ranges::any_of(planes_, [&](const Plane& plane) {
+        const auto& levels = levels_[plane.levels];
+        return std::ranges::all_of(
+            corners, [&](const DifferenceVertex& v) { return contains(levels[0], v.p) && contains(levels[1], v.q); });
+    });
+}
+
+FixedPlane::Vector NearestPlanes::difference(const DifferenceVertex& v) const {
+    return exact::difference(point(0, v.p), point(1, v.q));
+}
+
+FixedPlane NearestPlanes::plane_of(const std::array<DifferenceVertex, 3>& corners) const {
+    return {
+        {difference(corners[0]), difference(corners[1]), difference(corners[2])}, points_->unit(), points_->is_exact()};
+}
+
+// Remembers the plane of a face if it is that of a face of M; otherwise `beyond` is a vertex that shows that it is not.
+auto NearestPlanes::add(const InnerPolytope::Face& face, DifferenceVertex& beyond) -> Found {
+    if (!(face.length > 4 * face.n_error)) return Found::thin;
+    const std::size_t at = planes_.size();
+    if (levels_.size() == at) levels_.emplace_back();
+    auto& levels = levels_[at];
+    for (std::size_t side = 0; side < 2; ++side) find_level(side, face, levels[side]);
+    const auto has_corners = [&] {
+        return std::ranges::all_of(face.corners, [&](const DifferenceVertex& v) {
+            return contains(levels[0], v.p) && contains(levels[1], v.q);
+        });
+    };
+    Plane plane{face.corners, plane_of(face.corners), {}, at};
+    std::optional<SupportFeature> a = feature_of(0, levels[0]), b = feature_of(1, levels[1]);
+    if (!a || !b || !has_corners() || !ties_for_certain(plane, {*a, *b})) {
+        if (const std::optional<DifferenceVertex> furthest = keep_ties(plane)) {
+            beyond = *furthest;
+            return Found::not_in_plane;
+        }
+        a = feature_of(0, levels[0]);
+        b = feature_of(1, levels[1]);
+        if (!a || !b || !has_corners()) return Found::unknown;
+    }
+    plane.face = {*a, *b};
+    planes_.push_back(plane);
+    return Found::in_plane;
+}
+
+bool NearestPlanes::is_beyond(const InnerPolytope::Face& face, const DifferenceVertex& v) const {
+    if (!points_->is_exact()) return is_beyond_exactly(*pair_, face.corners, v);
+    const FixedPlane plane = plane_of(face.corners);
+    return plane.sign_along(exact::difference(difference(v), difference(face.corners[0]))) > 0;
+}
+
+// Finds the planes of all faces of S that may be nearest, but for thin ones.
+bool NearestPlanes::find_planes(InnerPolytope& polytope) {
+    for (int steps = 0; steps < steps_max; ++steps) {
+        thin_.clear();
+        Found found = Found::in_plane;
+        DifferenceVertex beyond;
+        polytope.visit_near([&](std::uint32_t i) {
+            if (found == Found::not_in_plane || found == Found::unknown) return;
+            const InnerPolytope::Face face = polytope.face(i);
+            if (is_in_known_plane(face.corners)) return;
+            found = add(face, beyond);
+            if (found == Found::thin) thin_.push_back(face.corners);
+        });
+        if (found == Found::unknown) return false;
+        if (found != Found::not_in_plane) {
+            return polytope.is_upper_proven() || is_in_known_plane(polytope.face(polytope.nearest()).corners);
+        }
+        const auto is_beyond_it = [&](const InnerPolytope::Face& face) { return is_beyond(face, beyond); };
+        if (!polytope.insert(beyond, is_beyond_it)) return false;
+    }
+    return false;
+}
+
+// Thin faces that are in no known plane must be further than the nearest one.
+bool NearestPlanes::thin_faces_are_further(const Plane& nearest) const {
+    return std::ranges::all_of(thin_, [&](const auto& corners) {
+        return is_in_known_plane(corners) || compare_exactly(*pair_, corners, nearest.corners) > 0;
+    });
+}
+
+int NearestPlanes::compare(const Plane& x, const Plane& y) const {
+    if (x.side == 0 || y.side == 0) return x.side - y.side;
+    if (const std::optional<int> sign = x.fixed.compare(y.fixed)) return *sign;
+    return compare_exactly(*pair_, x.corners, y.corners);
+}
+
+std::size_t NearestPlanes::first_plane() const {
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < planes_.size(); ++i) {
+        const int sign = compare(planes_[i], planes_[first]);
+        if (sign < 0 || (sign == 0 && order_of(planes_[i].face, planes_[first].face) < 0)) first = i;
+    }
+    return first;
+}
+
+auto NearestPlanes::find(const ConvexPair& pair, const RoundedHulls& hulls, InnerPolytope& polytope,
+                         exact::FixedPoints& points) -> std::optional<Shown> {
+    pair_ = &pair;
+    hulls_ = &hulls;
+    points_ = &points;
+    planes_.clear();
+    points.bind(pair[0].body, pair[1].body);
+    const bool has_found = find_planes(polytope);
+    bool is_known = has_found && !planes_.empty();
+    for (Plane& plane : planes_) {
+        const std::optional<int> side = plane.fixed.side();
+        if (!side) {
+            is_known = false;
+            continue;
+        }
+        if (*side < 0) return Shown{};
+        plane.side = *side;
+    }
+    if (!is_known) return std::nullopt;
+    const Plane& plane = planes_[planes_.size() == 1 ? 0 : first_plane()];
+    if (!thin_faces_are_further(plane)) return std::nullopt;
+    const std::optional<double> depth = plane.side == 0 ? 0 : plane.fixed.distance();
+    const std::optional<Vec3> direction = plane.fixed.direction();
+    if (!depth || !direction) return measure_exactly(pair, plane.face, plane.corners);
+    return ExactDepth{plane.face, *depth, *direction};
+}
+
+}  // namespace ecods::depths

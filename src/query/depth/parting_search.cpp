@@ -1,0 +1,168 @@
+// Nothing that is computed here has to be right: what is confirmed counts.
+#include "query/depth/parting_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ecods/cast.hpp"
+#include "query/shape/mesh_tree.hpp"
+
+namespace ecods::depths {
+namespace {
+
+// How many directions are tried of those that look best, and how many normals of contacts are followed from each.
+constexpr std::size_t direction_count_max = 6;
+constexpr int normal_count_max = 3;
+
+// By how much a way is made longer until it parts the solids, relative to the numbers that it is a difference of.
+constexpr std::array<double, 6> margins{0, 0x1p-52, 0x1p-50, 0x1p-46, 0x1p-38, 0x1p-26};
+
+const exact::MeshExtent& extent_of(const Posed<Solid>& solid) {
+    return MeshShapeAccess::tree(*solid.what).extent;
+}
+
+// An upper bound of |v|: three quotients, their squares, a root and a product are off by less than 2^-48 of it.
+double length_above(const Vec3& v) noexcept {
+    const double most = v.cwiseAbs().maxCoeff();
+    // Below, roundings are no part of the number any more.
+    if (!(most >= 0x1p-900)) return std::isnan(most) ? std::numeric_limits<double>::infinity() : 0x1p-898;
+    const Vec3 part = v / most;
+    return most * (std::sqrt(part.dot(part)) * (1 + 0x1p-46));
+}
+
+}  // namespace
+
+PartingSearch::PartingSearch(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory)
+    : a_(a), b_(b), memory_(memory) {
+    const auto center = [](const Posed<Solid>& solid) -> Vec3 {
+        return solid.pose.R * extent_of(solid).center + solid.pose.t;
+    };
+    centers_ = {center(a), center(b)};
+}
+
+double PartingSearch::reach_along(const Vec3& n) const {
+    const auto half = [&](const Posed<Solid>& solid) {
+        const Vec3 along = solid.pose.R.transpose() * n;
+        return along.cwiseAbs().dot(extent_of(solid).half);
+    };
+    const double apart = n.dot(centers_[0] - centers_[1]) + half(a_) + half(b_);
+    const double roundings = (centers_[0].cwiseAbs() + centers_[1].cwiseAbs()).sum() * 0x1p-48;
+    return apart * (1 + 0x1p-20) + roundings;
+}
+
+void PartingSearch::add_direction(const Vec3& n) {
+    const double length = n.norm();
+    if (!(length > 0x1p-400 && length < 0x1p400)) return;
+    const Vec3 unit = n / length;
+    const bool is_known =
+        std::ranges::any_of(directions_, [&](const Direction& d) { return d.n.dot(unit) > 1 - 0x1p-20; });
+    if (is_known) return;
+    const double reach = reach_along(unit);
+    if (reach > 0 && reach <= std::numeric_limits<double>::max()) directions_.push_back({unit, reach});
+}
+
+bool PartingSearch::confirm(const Vec3& parted) {
+    const double length = length_above(parted - b_.pose.t);
+    if (!parted.allFinite() || !(length < best_.length)) return false;
+    const Posed<Solid> moved(*b_.what, {b_.pose.R, parted});
+    const SolidRelation relation = solid_relation(a_, moved, memory_);
+    if (relation != SolidRelation::apart && relation != SolidRelation::touching) return false;
+    best_ = {parted, length, {}};
+    return true;
+}
+
+void PartingSearch::try_length(const Vec3& direction, double length) {
+    const double size = length + b_.pose.t.cwiseAbs().maxCoeff();
+    for (const double margin : margins) {
+        if (confirm(b_.pose.t + direction * (length + margin * size))) return;
+    }
+}
+
+std::optional<FirstContact> PartingSearch::slide(const Direction& way) {
+    const Vec3 out = b_.pose.t + way.n * way.reach, motion = b_.pose.t - out;
+    if (!out.allFinite() || !motion.allFinite()) return std::nullopt;
+    const Posed<MeshShape> moved(*b_.what, {b_.pose.R, out});
+    const std::optional<FirstContact> contact = cast(moved, motion, Posed<MeshShape>(a_), memory_);
+    if (!contact) return std::nullopt;
+    const double most = motion.norm();
+    for (const double margin : margins) {
+        const double time = std::max(0.0, contact->time - margin);
+        if (most * (1 - time) * (1 - 0x1p-40) > best_.length) return contact;
+        if (!confirm(out + motion * time)) continue;
+        best_.middle = contact_point(*contact, best_.parted) - 0.5 * (best_.parted - b_.pose.t);
+        return contact;
+    }
+    confirm(out);
+    return contact;
+}
+
+// A corner of a feature that touches, from the translation of its body: the one that moves comes first in a contact,
+// and is the second solid.
+Vec3 PartingSearch::corner(bool second, const FirstContact& contact, std::uint32_t i) const {
+    const Posed<Solid>& solid = second ? b_ : a_;
+    const Feature& f = second ? contact.a : contact.b;
+    const Mesh& mesh = solid.what->mesh();
+    return solid.pose.R * mesh.vertices()[mesh.triangles()[f.triangle][(f.corner + i) % 3]];
+}
+
+// Where the solids touch, with the second one at a translation.
+Vec3 PartingSearch::contact_point(const FirstContact& contact, const Vec3& parted) const {
+    if (contact.b.kind == Feature::Kind::vertex) return corner(false, contact, 0) + a_.pose.t;
+    const Vec3 p = corner(true, contact, 0) + parted;
+    if (contact.kind != ClosestKind::edge_edge) return p;
+    // The point of the second one's edge that is nearest to the first one's line.
+    const Vec3 u = corner(true, contact, 1) - corner(true, contact, 0);
+    const Vec3 v = corner(false, contact, 1) - corner(false, contact, 0), n = u.cross(v);
+    const Vec3 w = corner(false, contact, 0) + a_.pose.t - p;
+    return p + u * (w.cross(v).dot(n) / n.dot(n));
+}
+
+// The normal of the features that touch first, turned to the direction that the second solid goes out in.
+std::optional<Vec3> PartingSearch::contact_normal(const FirstContact& contact, const Vec3& along) const {
+    const auto edge = [&](bool second, std::uint32_t i) -> Vec3 {
+        return corner(second, contact, i) - corner(second, contact, 0);
+    };
+    Vec3 n;
+    if (contact.kind == ClosestKind::edge_edge) {
+        n = edge(true, 1).cross(edge(false, 1));
+    } else if (contact.kind == ClosestKind::vertex_face) {
+        const bool second = contact.a.kind == Feature::Kind::face;
+        n = edge(second, 1).cross(edge(second, 2));
+    } else {
+        return std::nullopt;
+    }
+    if (n.dot(along) < 0) n = -n;
+    return n;
+}
+
+void PartingSearch::search() {
+    add_direction(centers_[1] - centers_[0]);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const Vec3& n : {Vec3(Vec3::Unit(axis)), Vec3(a_.pose.R.col(axis)), Vec3(b_.pose.R.col(axis))}) {
+            add_direction(n);
+            add_direction(-n);
+        }
+    }
+    std::ranges::sort(directions_, {}, &Direction::reach);
+    const std::size_t count = std::min(direction_count_max, directions_.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        Direction way = directions_[i];
+        for (int normals = 0; normals <= normal_count_max; ++normals) {
+            const double before = best_.length;
+            const std::optional<FirstContact> contact = slide(way);
+            if (!contact || (normals > 0 && !(best_.length < before))) break;
+            const std::optional<Vec3> normal = contact_normal(*contact, way.n);
+            if (!normal) break;
+            const std::size_t known = directions_.size();
+            add_direction(*normal);
+            if (directions_.size() == known) break;
+            way = directions_.back();
+        }
+    }
+    // What is left, while nothing was confirmed.
+    for (std::size_t i = count; i < directions_.size() && !has_found(); ++i) {
+        slide(Direction(directions_[i]));
+    }
+}
+
+}  // namespace ecods::depths

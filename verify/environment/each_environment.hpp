@@ -1,0 +1,28 @@
+// One question asked with every instruction set and in every floating-point environment.
+#pragma once
+
+#include <string>
+
+#include "environment/float_mode.hpp"
+#include "environment/instruction_sets.hpp"
+
+namespace ecods::environment {
+
+// Calls `look(answer, where)`, in the usual environment, with what `ask()` answers in each: rounding modes, flush to
+// zero, and the instruction sets that this run may use.
+template <class Ask, class Look>
+void in_each_environment(const Ask& ask, const Look& look) {
+    const auto ask_in = [&](const FloatMode& mode) {
+        const InFloatMode in_mode(mode);
+        return ask();
+    };
+    for (const InstructionSet set : supported_instruction_sets()) {
+        const InstructionSetLimit limit(set);
+        for (const FloatMode& mode : float_modes) {
+            const auto answer = ask_in(mode);
+            look(answer, std::string(name(set)) + ", " + mode.name);
+        }
+    }
+}
+
+}  // namespace ecods::environment

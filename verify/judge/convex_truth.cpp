@@ -1,0 +1,212 @@
+#include "judge/convex_truth.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "ecods/error.hpp"
+#include "oracle/solid.hpp"
+
+namespace ecods::judge {
+namespace {
+
+bool same_bits(double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+}
+
+}  // namespace
+
+bool is_same(const Depth& x, const Depth& y) {
+    bool same = same_bits(x.depth, y.depth) && x.a == y.a && x.b == y.b;
+    for (int k = 0; k < 3; ++k) same = same && same_bits(x.direction[k], y.direction[k]);
+    return same;
+}
+
+namespace {
+
+constexpr const char* feature_names[] = {"vertex", "edge", "face"};
+
+std::string feature_text(const Feature& feature) {
+    return fmt::format("{} {}.{}", feature_names[static_cast<std::size_t>(feature.kind)], feature.triangle,
+                       feature.corner);
+}
+
+template <class Answer>
+std::string text_of(const std::optional<Answer>& answer, const char* none) {
+    return answer ? text(*answer) : none;
+}
+
+template <class Answer>
+bool are_same(const std::optional<Answer>& x, const std::optional<Answer>& y) {
+    return x.has_value() == y.has_value() && (!x || is_same(*x, *y));
+}
+
+template <class Answer>
+std::optional<Wrong> require(const char* question, const std::string& how, const char* none,
+                             const std::optional<Answer>& expected, const std::optional<Answer>& got) {
+    if (are_same(expected, got)) return std::nullopt;
+    return Wrong{question + how, text_of(expected, none), text_of(got, none)};
+}
+
+std::optional<Depth> depth_of(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory,
+                              PairWitness* witness) {
+    try {
+        return witness != nullptr ? ecods::depth(a, b, memory, *witness) : ecods::depth(a, b, memory);
+    } catch (const SolidsApart&) {
+        return std::nullopt;
+    }
+}
+
+oracle::Soup soup(const Posed<ConvexSolid>& solid) {
+    return {solid.what->mesh().vertices(), solid.what->mesh().triangles(), solid.pose};
+}
+
+}  // namespace
+
+Depth to_depth(const oracle::ExactDepth& exact) {
+    return {oracle::nearest(exact.depth), to_feature(exact.a), to_feature(exact.b), exact.normal.nearest()};
+}
+
+std::string text(const Depth& depth) {
+    const Vec3& n = depth.direction;
+    return fmt::format("{:a}, {}, {} along ({:a}, {:a}, {:a})", depth.depth, feature_text(depth.a),
+                       feature_text(depth.b), n[0], n[1], n[2]);
+}
+
+ConvexTruth::ConvexTruth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b)
+    : solids_{a, b},
+      exact_(std::make_shared<const oracle::ConvexPair>(a.what->mesh(), a.pose, b.what->mesh(), b.pose)) {
+    const oracle::ConvexPair swapped(b.what->mesh(), b.pose, a.what->mesh(), a.pose);
+    for (const auto& [pair, answers] : {std::pair(exact_.get(), &of_[0]), std::pair(&swapped, &of_[1])}) {
+        if (const auto closest = pair->closest()) answers->closest = to_closest_points(*closest);
+        if (const auto depth = pair->depth()) answers->depth = to_depth(*depth);
+    }
+}
+
+std::string ConvexTruth::kind() const {
+    if (!of_[0].depth) {
+        constexpr const char* kinds[] = {"vertex-vertex", "vertex-edge", "vertex-face", "edge-edge", "intersecting"};
+        return std::string("apart, ") + kinds[static_cast<std::size_t>(of_[0].closest->kind)];
+    }
+    const Depth& depth = *of_[0].depth;
+    const char* normal = depth.a.kind == Feature::Kind::face   ? "face of a"
+                         : depth.b.kind == Feature::Kind::face ? "face of b"
+                                                               : "edges";
+    return std::string(depth.depth > 0 ? "deep, " : "touching, ") + normal;
+}
+
+ConvexTruth ConvexTruth::with(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b) const {
+    ConvexTruth other = *this;
+    other.solids_ = {a, b};
+    return other;
+}
+
+std::optional<Wrong> ConvexTruth::ask(std::size_t order, QueryMemory& memory, PairWitness* witness) const {
+    const Posed<ConvexSolid>&a = solids_[order], &b = solids_[1 - order];
+    const Answers& expected = of_[order];
+    const std::string how =
+        std::string(order == 0 ? "" : " of (b, a)") + (witness != nullptr ? ", with a witness" : "");
+    const double d = witness != nullptr ? solid_distance(a, b, memory, *witness) : solid_distance(a, b, memory);
+    if (!same_bits(d, distance())) return Wrong{"solid_distance" + how, judge::text(distance()), judge::text(d)};
+    const auto closest = witness != nullptr ? solid_closest(a, b, memory, *witness) : solid_closest(a, b, memory);
+    if (auto wrong = require("solid_closest", how, "nothing", expected.closest, closest)) return wrong;
+    return require("depth", how, "SolidsApart", expected.depth, depth_of(a, b, memory, witness));
+}
+
+std::optional<Wrong> ConvexTruth::ask(QueryMemory& memory, PairWitness& witness) const {
+    for (const std::size_t order : {0U, 1U}) {
+        if (auto wrong = ask(order, memory, nullptr)) return wrong;
+    }
+    for (const std::size_t order : {0U, 0U, 1U}) {
+        if (auto wrong = ask(order, memory, &witness)) return wrong;
+    }
+    return std::nullopt;
+}
+
+std::optional<Wrong> ConvexTruth::ask_bounds(QueryMemory& memory) const {
+    const Posed<ConvexSolid>&a = solids_[0], &b = solids_[1];
+    DepthBounds bounds;
+    try {
+        bounds = depth_bounds(a, b, memory);
+    } catch (const SolidsApart&) {
+        if (!of_[0].depth) return std::nullopt;
+        return Wrong{"depth_bounds", "bounds", "SolidsApart"};
+    }
+    const std::string got = fmt::format("{:a} to {:a}", bounds.lower, bounds.upper);
+    if (!of_[0].depth) return Wrong{"depth_bounds", "SolidsApart", got};
+    const oracle::ExactRoot exact = exact_->depth()->depth;
+    const bool are_zero = !exact.is_zero() || (bounds.lower == 0 && bounds.upper == 0);
+    const bool is_upper = std::isinf(bounds.upper) || compare(exact, bounds.upper) <= 0;
+    if (compare(exact, bounds.lower) < 0 || !is_upper || !are_zero) {
+        return Wrong{"depth_bounds", "around " + judge::text(of_[0].depth->depth), got};
+    }
+    Posed<ConvexSolid> moved = b;
+    moved.pose.t = bounds.parted;
+    if (std::isfinite(bounds.upper) && oracle::compare_distance(bounds.parted, b.pose.t, bounds.upper) > 0) {
+        return Wrong{"depth_bounds", "at least the length of its translation", got};
+    }
+    if (oracle::solid_relation(soup(a), soup(moved)) > oracle::SolidsAre::touching) {
+        return Wrong{"depth_bounds", "a translation that parts them", got};
+    }
+    return std::nullopt;
+}
+
+std::optional<Wrong> ConvexTruth::ask_translations(QueryMemory& memory, std::span<const Vec3> directions) const {
+    const auto found = depth_of(solids_[0], solids_[1], memory, nullptr);
+    if (!found || !std::isfinite(found->depth)) return std::nullopt;
+    const auto name = [](const Vec3& s) { return fmt::format("({:a}, {:a}, {:a})", s[0], s[1], s[2]); };
+    // Up to five roundings: three of the direction, which count for at most two, the depth's, and the product's.
+    for (double factor = 1 + 0x1p-49; factor < 4; factor *= 2) {
+        const Vec3 s = found->depth * factor * found->direction;
+        if (!s.allFinite() || found->depth < 0x1p-1000) break;
+        if (!exact_->is_beyond_depth(s)) return Wrong{"depth", "a translation that reaches it", name(s)};
+        if (!exact_->are_parted_by(s)) return Wrong{"depth", "parted by its translation", name(s)};
+    }
+    for (const Vec3& direction : directions) {
+        const Vec3 s = found->depth * direction;
+        if (!s.allFinite() || exact_->compare_to_depth(s) >= 0) continue;
+        if (exact_->are_parted_by(s)) return Wrong{"depth", "not parted by a shorter translation", name(s)};
+    }
+    return std::nullopt;
+}
+
+std::optional<Wrong> ask_for_hull(std::span<const Vec3> points) {
+    const auto expected = oracle::hull_of(points);
+    std::string wanted = "none", found = "none";
+    if (expected) {
+        wanted.clear();
+        for (const std::uint32_t p : expected->points) wanted += fmt::format("{} ", p);
+        for (const Triangle& t : expected->triangles) wanted += fmt::format("({} {} {})", t[0], t[1], t[2]);
+    }
+    try {
+        const Mesh hull = convex_hull(points);
+        found.clear();
+        std::size_t from = 0;
+        for (const Vec3& vertex : hull.vertices()) {
+            while (from < points.size() && points[from] != vertex) ++from;
+            found += fmt::format("{} ", from++);
+        }
+        for (const Triangle& t : hull.triangles()) found += fmt::format("({} {} {})", t[0], t[1], t[2]);
+    } catch (const NoInterior&) {
+    }
+    if (wanted == found) return std::nullopt;
+    return Wrong{"convex_hull", wanted, found};
+}
+
+std::optional<Wrong> ask_whether_convex(const std::shared_ptr<const Mesh>& mesh) {
+    const bool expected = oracle::convex_features(*mesh).has_value();
+    bool found = true;
+    try {
+        const ConvexSolid solid(mesh);
+    } catch (const NotConvex&) {
+        found = false;
+    } catch (const NoInterior&) {
+        found = false;
+    }
+    if (found == expected) return std::nullopt;
+    return Wrong{"ConvexSolid", expected ? "convex" : "not convex", found ? "convex" : "not convex"};
+}
+
+}  // namespace ecods::judge

@@ -1,0 +1,143 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "ecods/depth.hpp"
+#include "ecods/error.hpp"
+#include "environment/float_mode.hpp"
+#include "scenes/convex_cases.hpp"
+#include "scenes/random.hpp"
+#include "scenes/shapes.hpp"
+#include "scenes/solid_cases.hpp"
+
+namespace ecods {
+namespace {
+
+bool shares_inner_points(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) {
+    const SolidRelation relation = solid_relation(a, b, memory);
+    return relation != SolidRelation::apart && relation != SolidRelation::touching;
+}
+
+// What depth.hpp promises, and that no translation shorter than the lower bound parts the solids, of some.
+std::optional<DepthBounds> expect_bounds(const Posed<Solid>& a, const Posed<Solid>& b, scenes::Random& random,
+                                         QueryMemory& memory) {
+    const SolidRelation relation = solid_relation(a, b, memory);
+    if (relation == SolidRelation::apart) {
+        EXPECT_THROW(depth_bounds(a, b, memory), SolidsApart);
+        return std::nullopt;
+    }
+    const DepthBounds bounds = depth_bounds(a, b, memory);
+    EXPECT_LE(bounds.lower, bounds.upper);
+    EXPECT_FALSE(shares_inner_points(a, {*b.what, {b.pose.R, bounds.parted}}, memory));
+    // The length in long doubles, of which the last digits are some hundred times as small.
+    long double square = 0;
+    for (int k = 0; k < 3; ++k) {
+        const long double d = static_cast<long double>(bounds.parted[k]) - b.pose.t[k];
+        square += d * d;
+    }
+    EXPECT_GE(static_cast<long double>(bounds.upper) * (1 + 0x1p-60L), std::sqrt(square));
+    if (relation == SolidRelation::touching) {
+        EXPECT_EQ(bounds.upper, 0);
+        EXPECT_EQ(bounds.parted, b.pose.t);
+    } else {
+        EXPECT_GT(bounds.upper, 0);
+        for (int i = 0; i < 10; ++i) {
+            const Vec3 s = random.direction() * (bounds.lower * random.uniform(0.9, 0.999999));
+            EXPECT_TRUE(shares_inner_points(a, {*b.what, {b.pose.R, b.pose.t + s}}, memory));
+        }
+    }
+    return bounds;
+}
+
+TEST(DepthBounds, HoldForSolidsOfAnyKind) {
+    QueryMemory memory;
+    for (const scenes::SolidFamily family :
+         {scenes::SolidFamily::polycubes, scenes::SolidFamily::shells, scenes::SolidFamily::boxes,
+          scenes::SolidFamily::contacts, scenes::SolidFamily::common_pose, scenes::SolidFamily::bodies}) {
+        scenes::Random random(5);
+        for (int i = 0; i < 6; ++i) {
+            SCOPED_TRACE(testing::Message() << scenes::name(family) << ' ' << i);
+            const scenes::SolidCase c = scenes::make_solid_case(family, random);
+            const Solid a(c.a.mesh), b(c.b.mesh);
+            expect_bounds({a, c.a.pose}, {b, c.b.pose}, random, memory);
+        }
+    }
+}
+
+TEST(DepthBounds, ContainTheDepthOfConvexSolids) {
+    QueryMemory memory;
+    for (const scenes::ConvexFamily family : scenes::convex_families()) {
+        scenes::Random random(7);
+        for (int i = 0; i < 4; ++i) {
+            SCOPED_TRACE(testing::Message() << scenes::name(family) << ' ' << i);
+            const scenes::ConvexCase c = scenes::make_convex_case(family, random);
+            const ConvexSolid a(c.a.mesh), b(c.b.mesh);
+            const Solid general_a(c.a.mesh), general_b(c.b.mesh);
+            const Posed<ConvexSolid> x(a, c.a.pose), y(b, c.b.pose);
+            std::optional<Depth> exact;
+            try {
+                exact = depth(x, y, memory);
+            } catch (const SolidsApart&) {
+            }
+            for (const environment::FloatMode& mode : environment::float_modes) {
+                SCOPED_TRACE(mode.name);
+                std::optional<DepthBounds> convex, general;
+                {
+                    const environment::InFloatMode in(mode);
+                    try {
+                        convex = depth_bounds(x, y, memory);
+                        general = depth_bounds({general_a, c.a.pose}, {general_b, c.b.pose}, memory);
+                    } catch (const SolidsApart&) {
+                    }
+                }
+                ASSERT_EQ(convex.has_value(), exact.has_value());
+                ASSERT_EQ(general.has_value(), exact.has_value());
+                if (!exact) continue;
+                EXPECT_LE(convex->lower, exact->depth);
+                EXPECT_LE(general->lower, exact->depth);
+                EXPECT_GE(convex->upper, exact->depth);
+                EXPECT_GE(general->upper, exact->depth);
+            }
+        }
+    }
+}
+
+// Not promised, but what they are for.
+TEST(DepthBounds, AreNarrow) {
+    QueryMemory memory;
+    scenes::Random random(9);
+    const Solid cube(scenes::cube(1)), torus(scenes::torus(24, 12, 0.25));
+    const auto boxes = expect_bounds({cube, {}}, {cube, {Mat3::Identity(), {1.5, 0.25, 0.125}}}, random, memory);
+    ASSERT_TRUE(boxes);
+    EXPECT_GE(boxes->lower, 0.9 * 0.5);
+    EXPECT_LE(boxes->upper, 1.001 * 0.5);
+    // A ring through another one's hole, which it enters by some way.
+    Mat3 upright;
+    upright << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+    const auto rings = expect_bounds({torus, {}}, {torus, {upright, {1.8, 0, 0}}}, random, memory);
+    ASSERT_TRUE(rings);
+    EXPECT_GT(rings->lower, 0.1);
+    EXPECT_LE(rings->upper, 0.71);
+}
+
+TEST(DepthBounds, AreRefusedWithReason) {
+    QueryMemory memory;
+    const Solid cube(scenes::cube(1));
+    Pose flat;
+    flat.R.col(1).setZero();
+    for (const int argument : {0, 1}) {
+        try {
+            depth_bounds({cube, argument == 0 ? flat : Pose()}, {cube, argument == 0 ? Pose() : flat}, memory);
+            FAIL();
+        } catch (const SingularPose& e) {
+            EXPECT_EQ(e.argument, argument);
+        }
+    }
+    EXPECT_THROW(depth_bounds({cube, {}}, {cube, {Mat3::Identity(), {3, 0, 0}}}, memory), SolidsApart);
+}
+
+}  // namespace
+}  // namespace ecods
