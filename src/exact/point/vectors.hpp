@@ -1,6 +1,9 @@
 // Vectors of doubles, in the order of operations that bounds are about.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "exact/point/point.hpp"
 #include "simd/inline.hpp"
 
@@ -17,6 +20,12 @@ ECODS_ALWAYS_INLINE Point cross(const Point& a, const Point& b) noexcept {
 }
 ECODS_ALWAYS_INLINE Point negated(const Point& a) noexcept {
     return {-a[0], -a[1], -a[2]};
+}
+ECODS_ALWAYS_INLINE Point times(const Point& a, double x) noexcept {
+    return {a[0] * x, a[1] * x, a[2] * x};
+}
+ECODS_ALWAYS_INLINE double largest(const Point& a) noexcept {
+    return std::max(std::max(std::abs(a[0]), std::abs(a[1])), std::abs(a[2]));
 }
 
 }  // namespace ecods::exact

@@ -2,10 +2,16 @@
 
 #include <limits>
 
-#include "query/convex/small_vectors.hpp"
+#include "exact/point/vectors.hpp"
 
 namespace ecods::convex {
 namespace {
+
+using exact::cross;
+using exact::dot;
+using exact::minus;
+using exact::negated;
+using exact::times;
 
 // More than any pair needs that ends at all; what is left then is a guess as good as another.
 constexpr int rounds_max = 200;
@@ -126,7 +132,7 @@ void descend(Simplex& simplex, const PosedHulls& hulls, Support&& support) noexc
     if (simplex.count == 0) return;
     std::array<std::uint32_t, 2> at = simplex.pairs[0];
     for (int round = 0; round < rounds_max && simplex.count < 4 && nearest.square > 0; ++round) {
-        at = {support(0, nearest.v, at[0]), support(1, negative(nearest.v), at[1])};
+        at = {support(0, nearest.v, at[0]), support(1, negated(nearest.v), at[1])};
         if (has(simplex, at)) break;
         Simplex next = simplex;
         add(next, hulls, at);
@@ -150,7 +156,7 @@ Simplex run_gjk(const PosedHulls& hulls, const Simplex& start) noexcept {
 Simplex run_gjk(const PosedHulls& hulls) noexcept {
     const Point between = minus(hulls.center(1), hulls.center(0));
     Simplex start;
-    add(start, hulls, {hulls.support(0, between), hulls.support(1, negative(between))});
+    add(start, hulls, {hulls.support(0, between), hulls.support(1, negated(between))});
     return run_gjk(hulls, start);
 }
 

@@ -8,12 +8,17 @@
 
 #include "exact/measure/closest_points.hpp"
 #include "exact/measure/exact_point.hpp"
+#include "exact/point/vectors.hpp"
 #include "query/convex/closest_hulls.hpp"
 #include "query/convex/exact_hulls.hpp"
-#include "query/convex/small_vectors.hpp"
 
 namespace ecods::convex {
 namespace {
+
+using exact::dot;
+using exact::largest;
+using exact::minus;
+using exact::times;
 
 using exact::FeatureKind;
 using Kind = Feature::Kind;

@@ -17,11 +17,18 @@
 #include <cmath>
 
 #include "base/arithmetic.hpp"
+#include "exact/point/vectors.hpp"
 #include "query/convex/closest_hulls.hpp"
-#include "query/convex/small_vectors.hpp"
 
 namespace ecods::convex {
 namespace {
+
+using exact::cross;
+using exact::dot;
+using exact::largest;
+using exact::minus;
+using exact::negated;
+using exact::times;
 
 using exact::FeatureKind;
 
@@ -46,7 +53,7 @@ Bounded difference(const Point& to, const Point& from, double delta) noexcept {
 }
 
 Bounded negated(const Bounded& a) noexcept {
-    return {negative(a.x), a.size, a.error};
+    return {negated(a.x), a.size, a.error};
 }
 
 BoundedNumber dot(const Bounded& a, const Bounded& b) noexcept {

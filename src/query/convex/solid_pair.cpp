@@ -5,12 +5,17 @@
 
 #include "base/arithmetic.hpp"
 #include "base/double_key.hpp"
+#include "exact/point/vectors.hpp"
 #include "query/convex/closest_hulls.hpp"
 #include "query/convex/posed_hulls.hpp"
-#include "query/convex/small_vectors.hpp"
 
 namespace ecods::convex {
 namespace {
+
+using exact::dot;
+using exact::largest;
+using exact::minus;
+using exact::negated;
 
 // Whether a direction from one to the other, as good as any, proves that the solids are further apart than the limit.
 // Not of hulls that are climbed, where what is furthest is not known.
@@ -29,7 +34,7 @@ bool is_beyond(const PosedHulls& hulls, double limit) noexcept {
     };
     const Point n = minus(hulls.center(1), hulls.center(0));
     if (hulls.exponent() != 0 || !is_scanned(0) || !is_scanned(1) || !(largest(n) >= 0x1p-400)) return false;
-    const Point gap = minus(hulls.rounded(1, hulls.support(1, negative(n))), hulls.rounded(0, hulls.support(0, n)));
+    const Point gap = minus(hulls.rounded(1, hulls.support(1, negated(n))), hulls.rounded(0, hulls.support(0, n)));
     double along = 0, magnitudes = 0, sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         along += n[k] * gap[k];

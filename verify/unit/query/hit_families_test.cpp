@@ -4,37 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "environment/each_environment.hpp"
 #include "judge/hit_truth.hpp"
 #include "scenes/hit_cases.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
+#include "unit/query/expect_right.hpp"
 
 namespace ecods {
 namespace {
-
-void expect_right(const judge::HitTruth& truth, QueryMemory& memory, PairWitness& witness) {
-    const auto wrong = truth.ask(memory, witness);
-    ASSERT_FALSE(wrong) << wrong->question << ": expected " << wrong->expected << ", got " << wrong->got;
-}
-
-// With a memory and a witness that know nothing.
-void expect_right_everywhere(const judge::HitTruth& truth) {
-    const auto ask = [&] {
-        QueryMemory memory;
-        PairWitness witness;
-        return truth.ask(memory, witness);
-    };
-    environment::in_each_environment(ask, [](const auto& wrong, const std::string& where) {
-        ASSERT_FALSE(wrong) << where << ": " << wrong->question << ": expected " << wrong->expected << ", got "
-                            << wrong->got;
-    });
-}
 
 // One witness goes through all of them: it comes from other bodies each time.
 TEST(HitFamilies, AsTheOracle) {

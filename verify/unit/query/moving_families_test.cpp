@@ -2,36 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <string>
 
 #include "environment/each_environment.hpp"
 #include "judge/cast_truth.hpp"
 #include "scenes/cast_cases.hpp"
 #include "scenes/shapes.hpp"
+#include "unit/query/expect_right.hpp"
 
 namespace ecods {
 namespace {
 
 judge::CastTruth truth_of(const scenes::MoveCase& made, const MeshShape& a, const MeshShape& b, int samples) {
     return {{a, made.from_a, made.to_a}, {b, made.from_b, made.to_b}, samples};
-}
-
-void expect_right(const judge::CastTruth& truth, QueryMemory& memory, PairWitness& witness) {
-    const auto wrong = truth.ask(memory, witness);
-    ASSERT_FALSE(wrong) << wrong->question << ": expected " << wrong->expected << ", got " << wrong->got;
-}
-
-// With a memory and a witness that know nothing.
-void expect_right_everywhere(const judge::CastTruth& truth) {
-    const auto ask = [&] {
-        QueryMemory memory;
-        PairWitness witness;
-        return truth.ask(memory, witness);
-    };
-    environment::in_each_environment(ask, [](const auto& wrong, const std::string& where) {
-        ASSERT_FALSE(wrong) << where << ": " << wrong->question << ": expected " << wrong->expected << ", got "
-                            << wrong->got;
-    });
 }
 
 // One witness goes through all of them: it comes from other bodies each time.
