@@ -130,9 +130,8 @@ std::vector<BodyDepth> World::depths(QueryMemory& memory) const {
     std::vector<BodyDepth> result;
     for (const ProxyPair& pair : w.near_convex_pairs(0)) {
         const auto a = convex_at(w.bodies, pair.a), b = convex_at(w.bodies, pair.b);
-        PairWitness witness;
-        if (!convex::do_meet(a, b, memory, witness)) continue;
-        result.push_back({w.bodies.ids_of(pair), ecods::depth(a, b, memory, witness)});
+        if (!convex::do_meet(a, b, memory)) continue;
+        result.push_back({w.bodies.ids_of(pair), ecods::depth(a, b, memory)});
     }
     std::ranges::sort(result, {}, &BodyDepth::bodies);
     return result;
@@ -144,8 +143,7 @@ std::vector<SolidDistance> World::solid_distances(double limit, QueryMemory& mem
     std::vector<SolidDistance> result;
     for (const ProxyPair& pair : w.near_convex_pairs(limit)) {
         const auto a = convex_at(w.bodies, pair.a), b = convex_at(w.bodies, pair.b);
-        PairWitness witness;
-        const auto distance = convex::distance_within(a, b, limit, memory, witness);
+        const auto distance = convex::distance_within(a, b, limit, memory);
         if (distance) result.push_back({w.bodies.ids_of(pair), *distance});
     }
     std::ranges::sort(result, {}, &SolidDistance::bodies);

@@ -19,6 +19,7 @@ struct SupportPoints {
     // vertex fills them up.
     std::vector<double> groups;
     int exponent = 0;
+    bool has_all_digits = true;  // whether no coordinate became zero
 
     exact::Point reach{};   // by axis: no magnitude is larger
     exact::Point extent{};  // by axis: no difference of two is larger
