@@ -138,25 +138,29 @@ void PosedHulls::find_bounds() noexcept {
     for (Body& body : bodies_) body.size += 4 * delta_;
 }
 
-// The sign of the determinant of R. In doubles it is certain above 6 u' times the sum of its products' magnitudes
-// (exact/sign/difference_signs.hpp, for three vectors in place of three differences), and another u' for what
-// underflows, which is below 2^-500.
-void PosedHulls::find_orientation(std::size_t side) {
-    Body& body = bodies_[side];
-    const auto& [r, s, t] = body.rows;
+// In doubles the sign is certain above 6 u' times the sum of the products' magnitudes (exact/sign/difference_signs.hpp,
+// for three vectors in place of three differences), and another u' for what underflows, which is below 2^-500 with
+// factors of at most 2^100.
+Sign orientation(const std::array<Point, 3>& rows, const Pose& pose) {
+    const auto& [r, s, t] = rows;
     const auto minor = [&](std::size_t i, std::size_t j) { return s[i] * t[j] - s[j] * t[i]; };
     const auto permanent = [&](std::size_t i, std::size_t j) { return std::abs(s[i] * t[j]) + std::abs(s[j] * t[i]); };
     const double det = (r[0] * minor(1, 2) + r[1] * minor(2, 0)) + r[2] * minor(0, 1);
     const double sum =
         (std::abs(r[0]) * permanent(1, 2) + std::abs(r[1]) * permanent(2, 0)) + std::abs(r[2]) * permanent(0, 1);
-    if (sum > 0x1p-400 && std::abs(det) > 7 * two_u * sum) {
-        body.is_mirrored = det < 0;
-        return;
-    }
+    const bool is_ordinary =
+        exact::largest(r) <= 0x1p100 && exact::largest(s) <= 0x1p100 && exact::largest(t) <= 0x1p100;
+    if (is_ordinary && sum > 0x1p-400 && std::abs(det) > 7 * two_u * sum)
+        return det < 0 ? Sign::negative : Sign::positive;
     const auto at = [&](int axis) -> PosedPoint {
-        return {*body.at, axis < 0 ? Vec3(Vec3::Zero()) : Vec3(Vec3::Unit(axis))};
+        return {pose, axis < 0 ? Vec3(Vec3::Zero()) : Vec3(Vec3::Unit(axis))};
     };
-    const Sign sign = orient3d(at(-1), at(0), at(1), at(2));
+    return orient3d(at(-1), at(0), at(1), at(2));
+}
+
+void PosedHulls::find_orientation(std::size_t side) {
+    Body& body = bodies_[side];
+    const Sign sign = orientation(body.rows, *body.at);
     if (sign == Sign::zero) throw SingularPose(static_cast<int>(side));
     body.is_mirrored = sign == Sign::negative;
 }
@@ -198,7 +202,7 @@ bool PosedHulls::are_others_behind(std::size_t side, const Point& n, double erro
     // The corners are as far as each other, and so is what the last vertex fills up if it is one of them.
     std::size_t expected = corners.size();
     for (const std::uint32_t vertex : corners) {
-        if (vertex + 1 == body.hull->vertex_count()) expected += groups.size() / 3 - body.hull->vertex_count();
+        if (vertex + 1 == body.points->vertex_count) expected += groups.size() / 3 - body.points->vertex_count;
     }
     return dispatch<count_not_below>(groups.data(), groups.size(), along, height - margin) == expected;
 }

@@ -13,6 +13,7 @@
 #include <span>
 
 #include "ecods/convex_solid.hpp"
+#include "ecods/predicates.hpp"
 #include "exact/measure/measure_pair.hpp"
 #include "exact/measure/scaled_vector.hpp"
 #include "exact/point/integer_points.hpp"
@@ -30,6 +31,9 @@ struct HullVertex {
     std::size_t side;
     std::uint32_t vertex;
 };
+
+// The sign of the determinant of a pose's R, of which `rows` are rows times a power of two; decided exactly.
+Sign orientation(const std::array<Point, 3>& rows, const Pose& pose);
 
 class PosedHulls {
   public:
@@ -65,7 +69,7 @@ class PosedHulls {
     std::uint32_t support(std::size_t side, const Point& direction) const noexcept;
     // Up to here all vertices are looked at.
     static constexpr std::size_t scanned_max = 96;
-    bool is_scanned(std::size_t side) const noexcept { return bodies_[side].hull->vertex_count() <= scanned_max; }
+    bool is_scanned(std::size_t side) const noexcept { return bodies_[side].points->vertex_count <= scanned_max; }
     // support() of what is scanned, for callers that are compiled for the instruction set in use.
     ECODS_ALWAYS_INLINE std::uint32_t scan(std::size_t side, const Point& direction) const noexcept {
         const Body& body = bodies_[side];
@@ -140,9 +144,7 @@ class PosedHulls {
         return along;
     }
     // What fills up the last groups counts as this vertex.
-    static std::uint32_t last_vertex(const Body& body) noexcept {
-        return static_cast<std::uint32_t>(body.hull->vertex_count()) - 1;
-    }
+    static std::uint32_t last_vertex(const Body& body) noexcept { return body.points->vertex_count - 1; }
     std::uint32_t mesh_vertex(const HullVertex& v) const noexcept {
         return bodies_[v.side].hull->mesh_vertices[v.vertex];
     }

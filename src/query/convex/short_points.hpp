@@ -2,7 +2,8 @@
 // those of all but some percent of rotated models. A point then is nine products and three shifts; FixedPoints, which
 // are for any digits, cost several times that.
 //
-// No floating-point instruction takes part. Points that need more than 120 digits are rounded down, as FixedPoints are.
+// Floating-point instructions scale and convert, exactly in any mode. Points that need more than 120 digits are rounded
+// down, as FixedPoints are.
 #pragma once
 
 #include <array>
@@ -28,7 +29,7 @@ class ShortPoints {
     int unit() const noexcept { return unit_; }
     // Whether all points that were asked for are exact. Otherwise products and a translation, each rounded down by less
     // than a unit, less another translation, leave the difference of two coordinates off by less than 3 units.
-    bool is_exact() const noexcept { return is_exact_; }
+    bool is_exact() const noexcept { return lost_ == 0; }
 
   private:
     struct Body {
@@ -36,13 +37,14 @@ class ShortPoints {
         std::array<std::array<std::int64_t, 3>, 3> rows;  // of R
         exact::IntegerVector offset;                      // t - t0
         int shift;                                        // of sums of products
+        exact::Uint128 below;                             // the digits that it cuts off
     };
 
     void set_offset(std::size_t k, double t, double t0) noexcept;
 
     std::array<Body, 2> bodies_;
     int unit_ = 0;
-    bool is_exact_ = true;
+    exact::Uint128 lost_ = 0;  // digits that were cut off
 };
 
 }  // namespace ecods::convex

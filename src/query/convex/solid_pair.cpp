@@ -1,5 +1,7 @@
 #include "query/convex/solid_pair.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -44,6 +46,29 @@ bool is_beyond(const PosedHulls& hulls, double limit) noexcept {
 }
 
 }  // namespace
+
+bool is_regular(const Pose& pose) {
+    std::array<Point, 3> rows;
+    for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t k = 0; k < 3; ++k)
+            rows[row][k] = pose.R(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k));
+    }
+    return orientation(rows, pose) != Sign::zero;
+}
+
+SolidInMemory::SolidInMemory(const ConvexSolid& solid) noexcept
+    : parts(&ConvexSolidAccess::points(solid)),
+      points(ConvexSolidAccess::points(solid).groups.data()),
+      point_count(ConvexSolidAccess::points(solid).groups.size()) {}
+
+void SolidInMemory::prefetch() const noexcept {
+    constexpr std::size_t line = 64, most = PosedHulls::scanned_max * 3 * sizeof(double);
+    const char* const first = static_cast<const char*>(parts);
+    for (std::size_t at = 0; at < sizeof(SupportPoints); at += line) __builtin_prefetch(first + at);
+    const char* const numbers = reinterpret_cast<const char*>(points);
+    for (std::size_t at = 0; at < std::min(most, point_count * sizeof(double)); at += line)
+        __builtin_prefetch(numbers + at);
+}
 
 // Only of a distance that rounds to the limit it is left to be seen on which side of it the real one is.
 std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit,

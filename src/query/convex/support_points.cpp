@@ -30,6 +30,7 @@ SupportPoints make_support_points(const Mesh& mesh, const Hull& hull) {
         for (int k = 0; k < 3; ++k) exponent = std::max(exponent, exponent_above(vertices[i][k]));
     }
     result.exponent = exponent;
+    result.vertex_count = static_cast<std::uint32_t>(hull.vertex_count());
     result.hull_index.assign(vertices.size(), SupportPoints::none);
     for (std::uint32_t v = 0; v < hull.vertex_count(); ++v) result.hull_index[hull.mesh_vertices[v]] = v;
 
