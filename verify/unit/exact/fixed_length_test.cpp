@@ -146,7 +146,7 @@ TEST(FixedLength, RoundsToAtLeastTheLeastDouble) {
 
 // A length half-way between two doubles is no matter of digits.
 TEST(FixedLength, IsNotCertainOfTies) {
-    const Int128 tie = (Int128{1} << 54) + 1;
+    const Int128 tie = (Int128{1} << 53) + 1;
     EXPECT_FALSE(fixed_length({tie, 0, 0}, 0, true));
 }
 
