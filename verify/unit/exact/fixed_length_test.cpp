@@ -1,5 +1,5 @@
-// Lengths and distances from lines in fixed precision beside fractions of integers, of exact points and of points off by
-// some units.
+// Lengths and distances from lines in fixed precision beside fractions of integers, of exact points and of points off
+// by some units.
 #include "exact/measure/fixed_length.hpp"
 
 #include <gtest/gtest.h>
