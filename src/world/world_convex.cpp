@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "base/double_key.hpp"
-#include "ecods/predicates.hpp"
 #include "geometry/box_distance.hpp"
 #include "query/convex/solid_pair.hpp"
 #include "world/enlarged.hpp"
+#include "world/first_failure.hpp"
 #include "world/least.hpp"
 #include "world/world_impl.hpp"
 
@@ -36,10 +36,6 @@ auto ask_of(const Bodies& bodies, ProxyIndex a, ProxyIndex b, const Ask& ask) {
     } catch (const SolidsApart&) {
         throw SolidsApart(bodies.id_of(a), bodies.id_of(b));
     }
-}
-
-bool is_regular(const Pose& pose) {
-    return orient3d(Vec3::Zero(), pose.R.col(0), pose.R.col(1), pose.R.col(2)) != Sign::zero;
 }
 
 // By bits, as subnormal numbers may be taken for zero: a zero stays +0.
@@ -107,58 +103,108 @@ DepthBounds World::depth_bounds(BodyId a, BodyId b) {
 
 // ---- of all: asked in the order in which the trees find pairs, of which neighbours share bodies
 
-ProxyPairs World::Impl::near_convex_pairs(double limit) const {
+auto World::Impl::near_convex_pairs(double limit) const -> NearConvexPairs {
+    NearConvexPairs near;
+    near.solids.resize(bodies.end());
     std::vector<ProxyIndex> convex;
     std::vector<Aabb> boxes;
     for (ProxyIndex proxy = 0; proxy < bodies.end(); ++proxy) {
         const Slot& slot = bodies[proxy];
         if (slot.convex() == nullptr) continue;
-        if (!is_regular(slot.pose)) throw SingularPose(0, bodies.id_of(proxy));
+        if (!convex::is_regular(slot.pose)) throw SingularPose(0, bodies.id_of(proxy));
         convex.push_back(proxy);
         boxes.push_back(enlarged(broad_phase.box(proxy), limit));
+        near.solids[proxy] = convex::SolidInMemory(*slot.convex());
     }
-    ProxyPairs pairs;
-    broad_phase.find_pairs_among(convex, boxes, pairs);
-    std::erase_if(pairs, [&](const ProxyPair& pair) {
+    broad_phase.find_pairs_among(convex, boxes, near.pairs);
+    std::erase_if(near.pairs, [&](const ProxyPair& pair) {
         return distance_below(broad_phase.box(pair.a), broad_phase.box(pair.b)) > limit || !bodies.is_enabled(pair);
     });
-    return pairs;
+    return near;
 }
 
-std::vector<BodyDepth> World::depths(QueryMemory& memory) const {
-    const Impl& w = impl();
+// Of a thousand solids that move none is in a fast cache when its pair comes: it is sent for some pairs ahead.
+template <class Run, class Ask>
+void World::Impl::ask_convex_pairs(const NearConvexPairs& near, const Run& run, const Ask& ask) const {
+    constexpr std::size_t ahead = 2;
+    FirstFailure failure;
+    run(near.pairs.size(), [&](std::size_t at, QueryMemory& memory) {
+        const ProxyPair& pair = near.pairs[at];
+        if (at + ahead < near.pairs.size()) {
+            const ProxyPair& later = near.pairs[at + ahead];
+            near.solids[later.a].prefetch();
+            near.solids[later.b].prefetch();
+        }
+        try {
+            ask(at, convex_at(bodies, pair.a), convex_at(bodies, pair.b), memory);
+        } catch (...) {
+            failure.keep(bodies.ids_of(pair), std::current_exception());
+        }
+    });
+    failure.rethrow();
+}
+
+template <class Run>
+std::vector<BodyDepth> World::Impl::find_depths(const Run& run) const {
+    using Body = Posed<ConvexSolid>;
+    const NearConvexPairs near = near_convex_pairs(0);
+    std::vector<std::optional<Depth>> found(near.pairs.size());
+    ask_convex_pairs(near, run, [&](std::size_t at, const Body& a, const Body& b, QueryMemory& memory) {
+        if (convex::do_meet(a, b, memory)) found[at] = ecods::depth(a, b, memory);
+    });
     std::vector<BodyDepth> result;
-    for (const ProxyPair& pair : w.near_convex_pairs(0)) {
-        const auto a = convex_at(w.bodies, pair.a), b = convex_at(w.bodies, pair.b);
-        PairWitness witness;
-        if (!convex::do_meet(a, b, memory, witness)) continue;
-        result.push_back({w.bodies.ids_of(pair), ecods::depth(a, b, memory, witness)});
+    for (std::size_t at = 0; at < found.size(); ++at) {
+        if (found[at]) result.push_back({bodies.ids_of(near.pairs[at]), *found[at]});
     }
     std::ranges::sort(result, {}, &BodyDepth::bodies);
     return result;
 }
 
-std::vector<SolidDistance> World::solid_distances(double limit, QueryMemory& memory) const {
-    const Impl& w = impl();
+template <class Run>
+std::vector<SolidDistance> World::Impl::find_solid_distances(double limit, const Run& run) const {
+    using Body = Posed<ConvexSolid>;
     if (!Least<ProxyPair>::is_limit(limit)) throw InvalidDistance(limit);
+    const NearConvexPairs near = near_convex_pairs(limit);
+    std::vector<std::optional<double>> found(near.pairs.size());
+    ask_convex_pairs(near, run, [&](std::size_t at, const Body& a, const Body& b, QueryMemory& memory) {
+        found[at] = convex::distance_within(a, b, limit, memory);
+    });
     std::vector<SolidDistance> result;
-    for (const ProxyPair& pair : w.near_convex_pairs(limit)) {
-        const auto a = convex_at(w.bodies, pair.a), b = convex_at(w.bodies, pair.b);
-        PairWitness witness;
-        const auto distance = convex::distance_within(a, b, limit, memory, witness);
-        if (distance) result.push_back({w.bodies.ids_of(pair), *distance});
+    for (std::size_t at = 0; at < found.size(); ++at) {
+        if (found[at]) result.push_back({bodies.ids_of(near.pairs[at]), *found[at]});
     }
     std::ranges::sort(result, {}, &SolidDistance::bodies);
     return result;
 }
 
+namespace {
+
+// One after the other, in the memory of a caller.
+auto one_by_one(QueryMemory& memory) {
+    return [&memory](std::size_t count, const auto& run_one) {
+        for (std::size_t at = 0; at < count; ++at) run_one(at, memory);
+    };
+}
+auto by_workers(Workers& workers) {
+    return [&workers](std::size_t count, const auto& run_one) { workers.run(count, run_one); };
+}
+
+}  // namespace
+
+std::vector<BodyDepth> World::depths(QueryMemory& memory) const {
+    return impl().find_depths(one_by_one(memory));
+}
+std::vector<SolidDistance> World::solid_distances(double limit, QueryMemory& memory) const {
+    return impl().find_solid_distances(limit, one_by_one(memory));
+}
+
 std::vector<BodyDepth> World::depths() {
     Impl& w = impl();
-    return w.traced<calls::Depths>(depths(w.workers.caller_memory()));
+    return w.traced<calls::Depths>(w.find_depths(by_workers(w.workers)));
 }
 std::vector<SolidDistance> World::solid_distances(double limit) {
     Impl& w = impl();
-    return w.traced<calls::SolidDistances>(solid_distances(limit, w.workers.caller_memory()), limit);
+    return w.traced<calls::SolidDistances>(w.find_solid_distances(limit, by_workers(w.workers)), limit);
 }
 
 }  // namespace ecods

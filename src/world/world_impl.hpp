@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "broad_phase/overlap_tracker.hpp"
 #include "ecods/world.hpp"
+#include "query/convex/solid_pair.hpp"
 #include "trace/trace_writer.hpp"
 #include "world/answer_digest.hpp"
 #include "world/bodies.hpp"
@@ -40,7 +42,18 @@ struct World::Impl {
 
     // The pairs of convex solids whose boxes are not proven to be further apart than the limit, without those that are
     // filtered out; in no promised order. Throws SingularPose.
-    ProxyPairs near_convex_pairs(double limit) const;
+    struct NearConvexPairs {
+        ProxyPairs pairs;
+        std::vector<convex::SolidInMemory> solids;  // by proxy
+    };
+    NearConvexPairs near_convex_pairs(double limit) const;
+    // Each pair once by run(count, run_one(i, memory)), also when one throws: ask(i, a, b, memory).
+    template <class Run, class Ask>
+    void ask_convex_pairs(const NearConvexPairs& near, const Run& run, const Ask& ask) const;
+    template <class Run>
+    std::vector<BodyDepth> find_depths(const Run& run) const;
+    template <class Run>
+    std::vector<SolidDistance> find_solid_distances(double limit, const Run& run) const;
 
     // ---- update, in this order
     void update();

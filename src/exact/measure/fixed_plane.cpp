@@ -14,29 +14,6 @@ namespace ecods::exact {
 
 namespace {
 
-Uint128 size_of(Int128 x) noexcept {
-    return x < 0 ? -static_cast<Uint128>(x) : static_cast<Uint128>(x);
-}
-Int256 size_of(const Int256& x) noexcept {
-    return x.high < 0 ? Int256{} - x : x;
-}
-
-// Of a number that is not negative.
-int bit_width(const Int256& x) noexcept {
-    return x.high != 0 ? 128 + exact::bit_width(static_cast<Uint128>(x.high)) : exact::bit_width(x.low);
-}
-
-// x 2^-shift, rounded down, for -128 < shift < 256. The result must fit.
-Int128 shifted(const Int256& x, int shift) noexcept {
-    if (shift >= 128) return x.high >> (shift - 128);
-    if (shift > 0) return static_cast<Int128>(static_cast<Uint128>(x.high) << (128 - shift) | x.low >> shift);
-    return static_cast<Int128>(x.low << -shift);
-}
-
-Uint128 largest(const FixedPlane::Vector& v) noexcept {
-    return std::max({size_of(v[0]), size_of(v[1]), size_of(v[2])});
-}
-
 exact::LimbVector<2> limbs_of(const FixedPlane::Vector& v) noexcept {
     exact::LimbVector<2> result;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -90,24 +67,8 @@ void FixedPlane::find_normal() noexcept {
         if (is_open_) return;
         error_ = static_cast<Uint128>(shifted(error, shift)) + 2;
     }
-    find_root();
+    root_ = inverse_root(square_of(short_n_));
     find_height();
-}
-
-// 2^252 / sqrt(s) for s = |short_n_|^2, 2^250 <= s < 2^254. With x the leading digits of s, 2^124 <= x < 2^128, a root
-// in doubles gives g = 2^84 / sqrt(x / 2^64) up to a part of 2^-49: three roundings of 2^-52, one of which a root
-// halves, and cut-off digits. One step of Newton leaves 3/8 of the square of twice that, below 2^-95, beside digits
-// that are cut off.
-void FixedPlane::find_root() noexcept {
-    Int256 s{};
-    for (const Int128 x : short_n_) s = s + exact::multiply(x, x);
-    const auto x = static_cast<Uint128>(s.high) << 2 | s.low >> 126;
-    const double top = static_cast<double>(static_cast<std::uint64_t>(x >> 64));
-    const auto g = static_cast<std::uint64_t>(1 / std::sqrt(top) * 0x1p84);
-    // (1 - x g^2 / 2^232) 2^108
-    const Int256 one{0, Int128{1} << (232 - 128)};
-    const Int128 rest = shifted(one - exact::multiply_halves(x, Uint128{g} * g), 124);
-    root_ = (Uint128{g} << 73) + static_cast<Uint128>((Int128{static_cast<std::int64_t>(g)} * rest) >> 36);
 }
 
 void FixedPlane::find_height() noexcept {
@@ -144,7 +105,7 @@ std::optional<int> FixedPlane::side() const noexcept {
 //
 // Let P = size root_ and V its leading 128 digits. P is off by 2^127 for each unit of size, by 2^-94 of it for root_,
 // and by 2^-124 error_ of it for |short_n_|, which is at least 2^125 and off by the root of 3 times error_.
-auto FixedPlane::quotient(Uint128 size, Uint128 error, int exponent) const noexcept -> std::optional<Digits> {
+auto FixedPlane::quotient(Uint128 size, Uint128 error, int exponent) const noexcept -> std::optional<FixedDigits> {
     if (is_open_ || size == 0 || error >> 64 != 0 || error_ >> 64 != 0) return std::nullopt;
     const Int256 product = exact::multiply_halves(size, root_);
     const int drop = bit_width(product) - 128;
@@ -154,14 +115,14 @@ auto FixedPlane::quotient(Uint128 size, Uint128 error, int exponent) const noexc
     const Uint128 total = of_size + (Uint128{1} << 34) + (error_ << 4) + 2;
     const Uint128 digits =
         static_cast<Uint128>(drop >= 0 ? shifted(product, drop) : static_cast<Int128>(product.low << -drop));
-    return Digits{digits, exponent + drop - 252, total};
+    return FixedDigits{digits, exponent + drop - 252, total};
 }
 
-auto FixedPlane::digits() const noexcept -> std::optional<Digits> {
+auto FixedPlane::digits() const noexcept -> std::optional<FixedDigits> {
     if (axis_ >= 0) {
         const Uint128 size = size_of(m_[0][static_cast<std::size_t>(axis_)]);
         const int up = 128 - exact::bit_width(size);
-        return Digits{up < 128 ? size << up : 0, unit_ - up, 0};
+        return FixedDigits{up < 128 ? size << up : 0, unit_ - up, 0};
     }
     const Int256 size = size_of(height_);
     const int drop = std::max(0, bit_width(size) - 126);
@@ -171,27 +132,14 @@ auto FixedPlane::digits() const noexcept -> std::optional<Digits> {
                     unit_ + drop);
 }
 
-std::optional<double> FixedPlane::Digits::rounded() const noexcept {
-    if (error >> 96 != 0) return std::nullopt;
-    const double low = exact::round_digits({digits - error - 1, exponent, false});
-    const double high = exact::round_digits({digits + error < digits ? ~Uint128{0} : digits + error, exponent, false});
-    // As bits: subnormal numbers may be taken for zero.
-    if (std::bit_cast<std::uint64_t>(low) != std::bit_cast<std::uint64_t>(high)) return std::nullopt;
-    return low;
-}
-
 std::optional<double> FixedPlane::distance() const noexcept {
-    // What is positive is at least the least double; by its bits, which no mode takes for zero.
-    const auto positive = [](double x) {
-        return std::bit_cast<double>(std::max<std::uint64_t>(std::bit_cast<std::uint64_t>(x), 1));
-    };
     if (axis_ >= 0) {
         const Uint128 size = size_of(m_[0][static_cast<std::size_t>(axis_)]);
-        return size == 0 ? 0 : positive(exact::round_integer({size, 0}, unit_));
+        return size == 0 ? 0 : at_least_subnormal(exact::round_integer({size, 0}, unit_));
     }
-    const std::optional<Digits> all = digits();
+    const std::optional<FixedDigits> all = digits();
     const std::optional<double> rounded = all ? all->rounded() : std::nullopt;
-    return rounded ? std::optional(positive(*rounded)) : std::nullopt;
+    return rounded ? std::optional(at_least_subnormal(*rounded)) : std::nullopt;
 }
 
 std::optional<Vec3> FixedPlane::direction() const noexcept {
@@ -205,7 +153,7 @@ std::optional<Vec3> FixedPlane::direction() const noexcept {
         if (is_exact_ && exact::sign(n_[k]) == 0) continue;
         const Uint128 size = size_of(short_n_[k]);
         if (size <= error_) return std::nullopt;
-        const std::optional<Digits> part = quotient(size, error_, 0);
+        const std::optional<FixedDigits> part = quotient(size, error_, 0);
         const std::optional<double> rounded = part ? part->rounded() : std::nullopt;
         if (!rounded) return std::nullopt;
         result[at] = short_n_[k] < 0 ? -*rounded : *rounded;
@@ -219,13 +167,13 @@ std::optional<int> FixedPlane::compare(const FixedPlane& other) const noexcept {
         const Uint128 y = size_of(other.m_[0][static_cast<std::size_t>(other.axis_)]);
         return static_cast<int>(x > y) - static_cast<int>(x < y);
     }
-    const std::optional<Digits> x = digits(), y = other.digits();
+    const std::optional<FixedDigits> x = digits(), y = other.digits();
     if (!x || !y || x->error >> 96 != 0 || y->error >> 96 != 0) return std::nullopt;
     if (std::abs(x->exponent - y->exponent) >= 2) return x->exponent < y->exponent ? -1 : 1;
-    const auto low = [&](const Digits& d, int exponent) {
+    const auto low = [&](const FixedDigits& d, int exponent) {
         return ((d.digits - d.error) >> 2) >> (exponent - d.exponent);
     };
-    const auto high = [&](const Digits& d, int exponent) {
+    const auto high = [&](const FixedDigits& d, int exponent) {
         return (((d.digits >> 2) + (d.error >> 2) + 2) >> (exponent - d.exponent)) + 1;
     };
     const int exponent = std::max(x->exponent, y->exponent);

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "exact/measure/fixed_digits.hpp"
 #include "exact/measure/fixed_points.hpp"
 #include "exact/measure/scaled_vector.hpp"
 #include "exact/number/limbs.hpp"
@@ -43,21 +44,10 @@ class FixedPlane {
     std::optional<int> compare(const FixedPlane& other) const noexcept;
 
   private:
-    // (digits +- error) 2^exponent, digits of 128 bits unless they are zero.
-    struct Digits {
-        exact::Uint128 digits = 0;
-        int exponent = 0;
-        exact::Uint128 error = 0;
-
-        // Rounded to nearest, if all of them are rounded to one double.
-        std::optional<double> rounded() const noexcept;
-    };
-
     void find_normal() noexcept;
-    void find_root() noexcept;
     void find_height() noexcept;
-    std::optional<Digits> quotient(exact::Uint128 size, exact::Uint128 error, int exponent) const noexcept;
-    std::optional<Digits> digits() const noexcept;  // of the distance
+    std::optional<FixedDigits> quotient(exact::Uint128 size, exact::Uint128 error, int exponent) const noexcept;
+    std::optional<FixedDigits> digits() const noexcept;  // of the distance
 
     std::array<Vector, 3> m_;
     int unit_;

@@ -34,6 +34,10 @@ struct HullFeatures {
         const std::size_t first = side == 0 ? features.a : features.b;
         return corners[side][(first + i) % 3];
     }
+    // All of them, in their order.
+    std::array<std::uint32_t, 3> of_side(std::size_t side) const noexcept {
+        return {corner(side, 0), corner(side, 1), corner(side, 2)};
+    }
 };
 
 // A vertex, an edge or a face of a hull.
@@ -48,10 +52,13 @@ Feature part_name(const Hull& hull, const HullPart& part) noexcept;
 
 struct ClosestHulls {
     HullFeatures found;
-    // All of each solid that is furthest towards the other: the closest points are on these parts.
-    std::array<HullPart, 2> parts;
+    // All of each solid that is furthest towards the other: the closest points are on these parts. Nothing: its feature
+    // of `found`, which nobody has looked up.
+    std::array<std::optional<HullPart>, 2> parts;
     // Whether the features of `found` are these parts, and hold the only closest points inside both.
     bool are_only = false;
+
+    HullPart part(const PosedHulls& hulls, std::size_t side) const noexcept;
 };
 
 // What signs of rounded points prove of the guess, and where these leave open which vertices are as far as the
@@ -92,8 +99,8 @@ struct LevelEdges {
 ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest);
 
 // Where two solids are closest, by the first of these that knows; nothing if they share a point. The witness as in
-// convex_solid.hpp.
-std::optional<ClosestHulls> find_closest(PosedHulls& hulls, PairWitness& witness);
+// convex_solid.hpp, or null.
+std::optional<ClosestHulls> find_closest(PosedHulls& hulls, PairWitness* witness);
 
 // The distance, rounded once; and the sign of the distance less d.
 double round_distance(PosedHulls& hulls, const HullFeatures& found);

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "exact/measure/enclose_distance.hpp"
+#include "exact/measure/fixed_length.hpp"
 #include "exact/measure/fixed_plane.hpp"
 #include "exact/measure/guess_features.hpp"
 #include "query/convex/closest_hulls.hpp"
@@ -155,21 +156,26 @@ VertexSets sets_of(const HullFeatures& found) noexcept {
     return sets;
 }
 
-// In fixed precision: of a vertex and a face, or two edges, which are in one plane of the set of differences. Nothing
-// where its rounding is not certain.
-std::optional<double> round_from_plane(PosedHulls& hulls, const HullFeatures& found) {
-    const exact::FeatureKind kind = found.features.kind;
-    if (kind != exact::FeatureKind::vertex_face && kind != exact::FeatureKind::edge_edge) return std::nullopt;
-    const bool is_exact = hulls.has_fixed_points();
-    const auto at = [&](std::size_t a, std::size_t b) {
-        return exact::difference(hulls.fixed({1, found.corner(1, b)}), hulls.fixed({0, found.corner(0, a)}));
-    };
+// In fixed precision: a vertex and a face, or two edges, are in one plane of the set of differences, a vertex and an
+// edge on one line. Nothing where the rounding is not certain.
+std::optional<double> round_from_digits(PosedHulls& hulls, const HullFeatures& found) {
+    const std::array<std::array<std::uint32_t, 3>, 2> corners{found.of_side(0), found.of_side(1)};
+    const auto points = hulls.integers(
+        {std::span(corners[0]).first(found.corner_count(0)), std::span(corners[1]).first(found.corner_count(1))});
+    const auto at = [&](std::size_t a, std::size_t b) { return exact::difference(points.at[1][b], points.at[0][a]); };
     using Vector = exact::FixedPlane::Vector;
+    const exact::FeatureKind kind = found.features.kind;
+    const std::size_t other = 1 - found.features.vertex_side;
+    if (kind == exact::FeatureKind::vertex_vertex) return exact::fixed_length(at(0, 0), points.unit, points.are_exact);
+    if (kind == exact::FeatureKind::vertex_edge) {
+        const Vector edge = exact::difference(points.at[other][1], points.at[other][0]);
+        return exact::fixed_distance_from_line(at(0, 0), edge, points.unit, points.are_exact);
+    }
     const std::array<Vector, 3> m =
         kind == exact::FeatureKind::edge_edge ? std::array<Vector, 3>{at(0, 0), at(1, 0), at(0, 1)}
         : found.features.vertex_side == 0     ? std::array<Vector, 3>{at(0, 0), at(0, 1), at(0, 2)}
                                               : std::array<Vector, 3>{at(0, 0), at(1, 0), at(2, 0)};
-    const exact::FixedPlane plane(m, hulls.fixed_unit(), is_exact);
+    const exact::FixedPlane plane(m, points.unit, points.are_exact);
     return plane.side() ? plane.distance() : std::nullopt;
 }
 
@@ -230,7 +236,7 @@ SquaredDistance square_of(PosedHulls& hulls, const HullFeatures& found) {
 }  // namespace
 
 double round_distance(PosedHulls& hulls, const HullFeatures& found) {
-    if (const auto distance = round_from_plane(hulls, found)) return *distance;
+    if (const auto distance = round_from_digits(hulls, found)) return *distance;
     return exact::round_root(square_of(hulls, found));
 }
 

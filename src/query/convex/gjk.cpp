@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "exact/point/vectors.hpp"
+#include "simd/dispatch.hpp"
 
 namespace ecods::convex {
 namespace {
@@ -22,7 +23,7 @@ struct Nearest {
     double square = std::numeric_limits<double>::infinity();
     unsigned kept = 0;  // a bit for each point
 
-    void take(const Point& point, unsigned bits) noexcept {
+    ECODS_ALWAYS_INLINE void take(const Point& point, unsigned bits) noexcept {
         const double s = dot(point, point);
         if (s < square) {
             v = point;
@@ -36,7 +37,7 @@ constexpr unsigned bit(int i) noexcept {
     return 1u << i;
 }
 
-void find_on_segment(const Simplex& s, int i, int j, Nearest& nearest) noexcept {
+ECODS_ALWAYS_INLINE void find_on_segment(const Simplex& s, int i, int j, Nearest& nearest) noexcept {
     const Point& a = s.points[static_cast<std::size_t>(i)];
     const Point& b = s.points[static_cast<std::size_t>(j)];
     const Point u = minus(b, a);
@@ -47,7 +48,7 @@ void find_on_segment(const Simplex& s, int i, int j, Nearest& nearest) noexcept 
 }
 
 // By the regions of a triangle (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
-void find_on_triangle(const Simplex& s, int i, int j, int k, Nearest& nearest) noexcept {
+ECODS_ALWAYS_INLINE void find_on_triangle(const Simplex& s, int i, int j, int k, Nearest& nearest) noexcept {
     const Point& a = s.points[static_cast<std::size_t>(i)];
     const Point& b = s.points[static_cast<std::size_t>(j)];
     const Point& c = s.points[static_cast<std::size_t>(k)];
@@ -73,7 +74,7 @@ void find_on_triangle(const Simplex& s, int i, int j, int k, Nearest& nearest) n
 
 // Of each face on whose outer side the origin is, or may be; if there is none, the origin is inside. The point that was
 // added last comes last: the nearest point was in the face of the others, the origin on its other side.
-void find_in_tetrahedron(const Simplex& s, Nearest& nearest) noexcept {
+ECODS_ALWAYS_INLINE void find_in_tetrahedron(const Simplex& s, Nearest& nearest) noexcept {
     bool is_inside = true;
     for (int l = 2; l >= 0; --l) {
         const int i = l == 0 ? 1 : 0, j = l <= 1 ? 2 : 1, k = 3;
@@ -91,7 +92,7 @@ void find_in_tetrahedron(const Simplex& s, Nearest& nearest) noexcept {
     }
 }
 
-Nearest find_nearest(const Simplex& s) noexcept {
+ECODS_ALWAYS_INLINE Nearest find_nearest(const Simplex& s) noexcept {
     Nearest nearest;
     if (s.count == 1) nearest.take(s.points[0], 1);
     if (s.count == 2) find_on_segment(s, 0, 1, nearest);
@@ -100,7 +101,7 @@ Nearest find_nearest(const Simplex& s) noexcept {
     return nearest;
 }
 
-void keep(Simplex& s, unsigned bits) noexcept {
+ECODS_ALWAYS_INLINE void keep(Simplex& s, unsigned bits) noexcept {
     std::size_t count = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(s.count); ++i) {
         if ((bits >> i & 1) == 0) continue;
@@ -111,22 +112,22 @@ void keep(Simplex& s, unsigned bits) noexcept {
     s.count = static_cast<int>(count);
 }
 
-bool has(const Simplex& s, const std::array<std::uint32_t, 2>& pair) noexcept {
+ECODS_ALWAYS_INLINE bool has(const Simplex& s, const std::array<std::uint32_t, 2>& pair) noexcept {
     for (std::size_t i = 0; i < static_cast<std::size_t>(s.count); ++i) {
         if (s.pairs[i] == pair) return true;
     }
     return false;
 }
 
-void add(Simplex& s, const PosedHulls& hulls, const std::array<std::uint32_t, 2>& pair) noexcept {
+ECODS_ALWAYS_INLINE void add(Simplex& s, const PosedHulls& hulls, const std::array<std::uint32_t, 2>& pair) noexcept {
     const auto at = static_cast<std::size_t>(s.count++);
     s.pairs[at] = pair;
     s.points[at] = minus(hulls.rounded(1, pair[1]), hulls.rounded(0, pair[0]));
 }
 
-// `support(side, direction, start)` gives vertices of what is asked about.
+// support(side, direction, start) gives vertices of what is asked about.
 template <class Support>
-void descend(Simplex& simplex, const PosedHulls& hulls, Support&& support) noexcept {
+ECODS_ALWAYS_INLINE void descend(Simplex& simplex, const PosedHulls& hulls, const Support& support) noexcept {
     Nearest nearest = find_nearest(simplex);
     keep(simplex, nearest.kept);
     if (simplex.count == 0) return;
@@ -134,22 +135,55 @@ void descend(Simplex& simplex, const PosedHulls& hulls, Support&& support) noexc
     for (int round = 0; round < rounds_max && simplex.count < 4 && nearest.square > 0; ++round) {
         at = {support(0, nearest.v, at[0]), support(1, negated(nearest.v), at[1])};
         if (has(simplex, at)) break;
-        Simplex next = simplex;
-        add(next, hulls, at);
-        const Nearest found = find_nearest(next);
-        if (!(found.square < nearest.square)) break;
+        add(simplex, hulls, at);
+        const Nearest found = find_nearest(simplex);
+        if (!(found.square < nearest.square)) {
+            --simplex.count;
+            break;
+        }
         nearest = found;
-        keep(next, found.kept);
-        simplex = next;
+        keep(simplex, found.kept);
     }
+}
+
+struct OfScannedHulls {
+    const PosedHulls& hulls;
+
+    ECODS_ALWAYS_INLINE std::uint32_t operator()(std::size_t side, const Point& along, std::uint32_t) const noexcept {
+        return hulls.scan(side, along);
+    }
+};
+struct OfHulls {
+    const PosedHulls& hulls;
+
+    std::uint32_t operator()(std::size_t side, const Point& along, std::uint32_t start) const noexcept {
+        return hulls.support(side, along, start);
+    }
+};
+struct OfTriangles {
+    const std::array<std::array<std::uint32_t, 3>, 2>& triangles;
+    std::array<std::array<Point, 3>, 2> points;
+
+    ECODS_ALWAYS_INLINE std::uint32_t operator()(std::size_t side, const Point& along, std::uint32_t) const noexcept {
+        const auto& of = points[side];
+        const double x = dot(along, of[0]), y = dot(along, of[1]), z = dot(along, of[2]);
+        return triangles[side][x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2)];
+    }
+};
+
+ECODS_ALWAYS_INLINE void descend_scanned(Simplex& simplex, const PosedHulls& hulls) noexcept {
+    descend(simplex, hulls, OfScannedHulls{hulls});
 }
 
 }  // namespace
 
 Simplex run_gjk(const PosedHulls& hulls, const Simplex& start) noexcept {
     Simplex simplex = start;
-    descend(simplex, hulls,
-            [&](std::size_t side, const Point& along, std::uint32_t at) { return hulls.support(side, along, at); });
+    if (hulls.is_scanned(0) && hulls.is_scanned(1)) {
+        dispatch<descend_scanned>(simplex, hulls);
+    } else {
+        descend(simplex, hulls, OfHulls{hulls});
+    }
     return simplex.count > 0 ? simplex : start;
 }
 
@@ -162,16 +196,13 @@ Simplex run_gjk(const PosedHulls& hulls) noexcept {
 
 Simplex run_gjk_of_triangles(const PosedHulls& hulls,
                              const std::array<std::array<std::uint32_t, 3>, 2>& triangles) noexcept {
-    std::array<std::array<Point, 3>, 2> points;
+    OfTriangles support{triangles, {}};
     for (const std::size_t side : {0, 1}) {
-        for (std::size_t i = 0; i < 3; ++i) points[side][i] = hulls.rounded(side, triangles[side][i]);
+        for (std::size_t i = 0; i < 3; ++i) support.points[side][i] = hulls.rounded(side, triangles[side][i]);
     }
     Simplex simplex;
     add(simplex, hulls, {triangles[0][0], triangles[1][0]});
-    descend(simplex, hulls, [&](std::size_t side, const Point& along, std::uint32_t) {
-        const double x = dot(along, points[side][0]), y = dot(along, points[side][1]), z = dot(along, points[side][2]);
-        return triangles[side][x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2)];
-    });
+    descend(simplex, hulls, support);
     return simplex;
 }
 

@@ -71,7 +71,8 @@ HullFeatures features_of(const PosedHulls& hulls, const PartPair& parts) noexcep
 
 class Naming {
   public:
-    Naming(PosedHulls& hulls, const ClosestHulls& closest) : hulls_(hulls), parts_(closest.parts) {
+    Naming(PosedHulls& hulls, const ClosestHulls& closest)
+        : hulls_(hulls), parts_{closest.part(hulls, 0), closest.part(hulls, 1)} {
         with_exact_features(hulls, closest.found.vertices(),
                             [&](const auto& points, const auto& features, const auto&) {
                                 least_.exponent = points.unit;
@@ -210,19 +211,9 @@ class Naming {
 
 }  // namespace
 
-Feature part_name(const Hull& hull, const HullPart& part) noexcept {
-    switch (part.kind) {
-        case Feature::Kind::vertex:
-            return hull.vertex_names[part.index];
-        case Feature::Kind::edge:
-            return hull.edges[part.index].name;
-        default:
-            return hull.faces[part.index].name;
-    }
-}
-
 ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest) {
-    const PartPair parts = closest.are_only ? closest.parts : Naming(hulls, closest).find();
+    const PartPair parts =
+        closest.are_only ? PartPair{closest.part(hulls, 0), closest.part(hulls, 1)} : Naming(hulls, closest).find();
     const HullFeatures found = features_of(hulls, parts);
     return with_exact_features(hulls, found.vertices(), [&](const auto& points, const auto& features, const auto&) {
         exact::SquaredDistance square;

@@ -2,64 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/arithmetic.hpp"
 #include "base/outward.hpp"
 #include "ecods/error.hpp"
 #include "ecods/predicates.hpp"
 #include "exact/measure/scaled_vector.hpp"
+#include "exact/point/vectors.hpp"
+#include "query/convex/furthest.hpp"
+#include "query/convex/short_points.hpp"
 #include "query/shape/mesh_tree.hpp"
 #include "simd/dispatch.hpp"
-#include "simd/vec.hpp"
 
 namespace ecods::convex {
 namespace {
 
 using exact::power_of_two;
-
-constexpr std::size_t lanes = SupportPoints::lanes;
-
-using Doubles = Vec<double, lanes>;
-using Indices = MaskOf<Doubles>;
-
-// The greatest products seen in each lane, and the groups that they were in.
-struct Best {
-    Doubles most = broadcast<Doubles>(-std::numeric_limits<double>::infinity());
-    Indices group{};
-
-    ECODS_ALWAYS_INLINE void take(const double* points, Indices at, Doubles x, Doubles y, Doubles z) noexcept {
-        take((x * load_anywhere<Doubles>(points) + y * load_anywhere<Doubles>(points + lanes)) +
-                 z * load_anywhere<Doubles>(points + 2 * lanes),
-             at);
-    }
-    ECODS_ALWAYS_INLINE void take(Doubles h, Indices at) noexcept {
-        const Indices is_more = h > most;
-        most = select(is_more, h, most);
-        group = (is_more & at) | (~is_more & group);
-    }
-};
-
-// The vertex of the greatest product with a vector, as doubles have it; the first one where all are NaN. Even and odd
-// groups are two chains of comparisons, each of which waits for itself only.
-ECODS_ALWAYS_INLINE std::uint32_t furthest(const double* groups, std::size_t count, const Point& along) noexcept {
-    const Doubles x = broadcast<Doubles>(along[0]), y = broadcast<Doubles>(along[1]), z = broadcast<Doubles>(along[2]);
-    Best even, odd;
-    Indices at{}, after = broadcast<Indices>(1);
-    for (std::size_t i = 0; i < count; i += 6 * lanes) {
-        even.take(groups + i, at, x, y, z);
-        odd.take(groups + i + 3 * lanes, after, x, y, z);
-        at += 2;
-        after += 2;
-    }
-    constexpr Indices lane{0, 1, 2, 3};
-    even.group = even.group * static_cast<std::int64_t>(lanes) + lane;
-    odd.group = odd.group * static_cast<std::int64_t>(lanes) + lane;
-    even.take(odd.most, odd.group);
-    even.take(shuffle<2, 3, 0, 1>(even.most), shuffle<2, 3, 0, 1>(even.group));
-    even.take(shuffle<1, 0, 3, 2>(even.most), shuffle<1, 0, 3, 2>(even.group));
-    return static_cast<std::uint32_t>(even.group[0]);
-}
 
 double largest_magnitude(const Mat3& R) noexcept {
     return R.cwiseAbs().maxCoeff();
@@ -180,53 +138,73 @@ void PosedHulls::find_bounds() noexcept {
     for (Body& body : bodies_) body.size += 4 * delta_;
 }
 
-// The sign of the determinant of R. In doubles it is certain above 6 u' times the sum of its products' magnitudes
-// (exact/sign/difference_signs.hpp, for three vectors in place of three differences), and another u' for what
-// underflows, which is below 2^-500.
-void PosedHulls::find_orientation(std::size_t side) {
-    Body& body = bodies_[side];
-    const auto& [r, s, t] = body.rows;
+// In doubles the sign is certain above 6 u' times the sum of the products' magnitudes (exact/sign/difference_signs.hpp,
+// for three vectors in place of three differences), and another u' for what underflows, which is below 2^-500 with
+// factors of at most 2^100.
+Sign orientation(const std::array<Point, 3>& rows, const Pose& pose) {
+    const auto& [r, s, t] = rows;
     const auto minor = [&](std::size_t i, std::size_t j) { return s[i] * t[j] - s[j] * t[i]; };
     const auto permanent = [&](std::size_t i, std::size_t j) { return std::abs(s[i] * t[j]) + std::abs(s[j] * t[i]); };
     const double det = (r[0] * minor(1, 2) + r[1] * minor(2, 0)) + r[2] * minor(0, 1);
     const double sum =
         (std::abs(r[0]) * permanent(1, 2) + std::abs(r[1]) * permanent(2, 0)) + std::abs(r[2]) * permanent(0, 1);
-    if (sum > 0x1p-400 && std::abs(det) > 7 * two_u * sum) {
-        body.is_mirrored = det < 0;
-        return;
-    }
+    const bool is_ordinary =
+        exact::largest(r) <= 0x1p100 && exact::largest(s) <= 0x1p100 && exact::largest(t) <= 0x1p100;
+    if (is_ordinary && sum > 0x1p-400 && std::abs(det) > 7 * two_u * sum)
+        return det < 0 ? Sign::negative : Sign::positive;
     const auto at = [&](int axis) -> PosedPoint {
-        return {*body.at, axis < 0 ? Vec3(Vec3::Zero()) : Vec3(Vec3::Unit(axis))};
+        return {pose, axis < 0 ? Vec3(Vec3::Zero()) : Vec3(Vec3::Unit(axis))};
     };
-    const Sign sign = orient3d(at(-1), at(0), at(1), at(2));
+    return orient3d(at(-1), at(0), at(1), at(2));
+}
+
+void PosedHulls::find_orientation(std::size_t side) {
+    Body& body = bodies_[side];
+    const Sign sign = orientation(body.rows, *body.at);
     if (sign == Sign::zero) throw SingularPose(static_cast<int>(side));
     body.is_mirrored = sign == Sign::negative;
 }
 
 std::uint32_t PosedHulls::support(std::size_t side, const Point& direction, std::uint32_t start) const noexcept {
     const Body& body = bodies_[side];
-    Point along;  // the direction as the mesh's coordinates see it
-    for (std::size_t k = 0; k < 3; ++k) {
-        along[k] = (body.rows[0][k] * direction[0] + body.rows[1][k] * direction[1]) + body.rows[2][k] * direction[2];
-    }
-    if (body.hull->vertex_count() > scanned_max) return climb(body, along, start);
-    // Padding counts as the last vertex.
-    const std::uint32_t last = static_cast<std::uint32_t>(body.hull->vertex_count()) - 1;
-    return std::min(last, dispatch<furthest>(body.points->groups.data(), body.points->groups.size(), along));
+    const Point along = in_mesh(body, direction);
+    if (!is_scanned(side)) return climb(body, along, start);
+    const std::vector<double>& groups = body.points->groups;
+    return std::min(last_vertex(body), dispatch<furthest>(groups.data(), groups.size(), along));
 }
 
 std::uint32_t PosedHulls::support(std::size_t side, const Point& direction) const noexcept {
+    if (is_scanned(side)) return support(side, direction, 0);
     const Body& body = bodies_[side];
-    if (body.hull->vertex_count() <= scanned_max) return support(side, direction, 0);
-    Point along;
-    for (std::size_t k = 0; k < 3; ++k) {
-        along[k] = (body.rows[0][k] * direction[0] + body.rows[1][k] * direction[1]) + body.rows[2][k] * direction[2];
-    }
+    const Point along = in_mesh(body, direction);
     std::size_t axis = 0;
     for (std::size_t k = 1; k < 3; ++k) {
         if (std::abs(along[k]) > std::abs(along[axis])) axis = k;
     }
     return climb(body, along, body.points->extremes[2 * axis + (along[axis] > 0)]);
+}
+
+// Heights along n are taken in the mesh's coordinates. With u' = two_u and D = delta(), which is at least 4.25 u' sum
+// (find_bounds), sum bounding what is added up for any coordinate of a point: a height meets six roundings, and is off
+// by at most 6.1 u' sum |n|_1, |n|_1 being the sum of the magnitudes of n. Two of them, and the rounding of what they
+// are compared with, are below 13.4 u' sum |n|_1 < 3.2 D |n|_1. That n is off changes the difference of two heights by
+// 3 error size(side). The factor 3.6 covers the roundings of the margin as well, and what underflows: that is below
+// 2^-900, and D is asked to be at least 2^-200, as |n|_1 and the errors of its vectors then are 2^-600 or more.
+bool PosedHulls::are_others_behind(std::size_t side, const Point& n, double error,
+                                   std::span<const std::uint32_t> corners) const noexcept {
+    if (!is_scanned(side)) return false;
+    const Body& body = bodies_[side];
+    const Point along = in_mesh(body, n), corner = body.points->at(corners[0]);
+    const double height = (along[0] * corner[0] + along[1] * corner[1]) + along[2] * corner[2];
+    const double sum = (std::abs(n[0]) + std::abs(n[1])) + std::abs(n[2]);
+    const double margin = 3.6 * (error * body.size + delta_ * sum);
+    const std::vector<double>& groups = body.points->groups;
+    // The corners are as far as each other, and so is what the last vertex fills up if it is one of them.
+    std::size_t expected = corners.size();
+    for (const std::uint32_t vertex : corners) {
+        if (vertex + 1 == body.points->vertex_count) expected += groups.size() / 3 - body.points->vertex_count;
+    }
+    return dispatch<count_not_below>(groups.data(), groups.size(), along, height - margin) == expected;
 }
 
 // From vertex to vertex as long as that is further: the function that is compared has one value for each vertex, so it
@@ -268,6 +246,35 @@ std::array<std::uint32_t, 3> PosedHulls::vertices_near(std::size_t side, std::ui
 bool PosedHulls::has_fixed_points() {
     if (!is_bound_) bind_exact();
     return memory_.points.is_exact();
+}
+
+PosedHulls::Integers PosedHulls::integers(const std::array<std::span<const std::uint32_t>, 2>& vertices) {
+    Integers result;
+    if (find_short(vertices, result)) return result;
+    result.are_exact = has_fixed_points();
+    result.unit = fixed_unit();
+    for (const std::size_t side : {0, 1}) {
+        for (std::size_t i = 0; i < vertices[side].size(); ++i) result.at[side][i] = fixed({side, vertices[side][i]});
+    }
+    return result;
+}
+
+// Of points that are counted as they are, so that the offset is t - t0.
+bool PosedHulls::find_short(const std::array<std::span<const std::uint32_t>, 2>& vertices,
+                            Integers& result) const noexcept {
+    if (exponent_ != 0) return false;
+    ShortPoints points;
+    if (!points.bind(*bodies_[0].at, *bodies_[0].points, *bodies_[1].at, *bodies_[1].points,
+                     exact::largest(bodies_[1].offset)))
+        return false;
+    for (const std::size_t side : {0, 1}) {
+        for (std::size_t i = 0; i < vertices[side].size(); ++i) {
+            if (!points.find(side, vertices[side][i], result.at[side][i])) return false;
+        }
+    }
+    result.unit = points.unit();
+    result.are_exact = points.is_exact();
+    return true;
 }
 
 void PosedHulls::bind_exact() {

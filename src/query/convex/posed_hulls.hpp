@@ -7,14 +7,20 @@
 // `scanned_max` vertices, which a search scans as a whole.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "ecods/convex_solid.hpp"
+#include "ecods/predicates.hpp"
 #include "exact/measure/measure_pair.hpp"
+#include "exact/measure/scaled_vector.hpp"
 #include "exact/point/integer_points.hpp"
 #include "query/convex/convex_memory.hpp"
 #include "query/convex/convex_parts.hpp"
+#include "query/convex/furthest.hpp"
+#include "simd/inline.hpp"
 
 namespace ecods::convex {
 
@@ -25,6 +31,9 @@ struct HullVertex {
     std::size_t side;
     std::uint32_t vertex;
 };
+
+// The sign of the determinant of a pose's R, of which `rows` are rows times a power of two; decided exactly.
+Sign orientation(const std::array<Point, 3>& rows, const Pose& pose);
 
 class PosedHulls {
   public:
@@ -38,7 +47,7 @@ class PosedHulls {
     bool is_mirrored(std::size_t side) const noexcept { return bodies_[side].is_mirrored; }
 
     // The point of a vertex, rounded: each coordinate is off by at most delta().
-    Point rounded(std::size_t side, std::uint32_t vertex) const noexcept {
+    ECODS_ALWAYS_INLINE Point rounded(std::size_t side, std::uint32_t vertex) const noexcept {
         return pose(bodies_[side], bodies_[side].points->at(vertex));
     }
     double delta() const noexcept { return delta_; }
@@ -60,6 +69,19 @@ class PosedHulls {
     std::uint32_t support(std::size_t side, const Point& direction) const noexcept;
     // Up to here all vertices are looked at.
     static constexpr std::size_t scanned_max = 96;
+    bool is_scanned(std::size_t side) const noexcept { return bodies_[side].points->vertex_count <= scanned_max; }
+    // support() of what is scanned, for callers that are compiled for the instruction set in use.
+    ECODS_ALWAYS_INLINE std::uint32_t scan(std::size_t side, const Point& direction) const noexcept {
+        const Body& body = bodies_[side];
+        const std::vector<double>& groups = body.points->groups;
+        return std::min(last_vertex(body), furthest(groups.data(), groups.size(), in_mesh(body, direction)));
+    }
+
+    // Whether it is proven that all vertices of a solid are behind some corners of it, but for these: along a direction
+    // at right angles to all edges among the corners, of which n is off by `error` on each axis. Only where delta() is
+    // at least 2^-200; not of what is not scanned.
+    bool are_others_behind(std::size_t side, const Point& n, double error,
+                           std::span<const std::uint32_t> corners) const noexcept;
 
     // The vertices of a triangle of the mesh, for a witness that may come from anywhere: corners that are no vertices
     // of the hull, or of a triangle that does not exist, are other vertices.
@@ -77,6 +99,15 @@ class PosedHulls {
         return memory_.points.at(v.side, mesh_vertex(v));
     }
     int fixed_unit() const noexcept { return memory_.points.unit(); }
+
+    // Points of up to three vertices of each solid as integers, short ones where their digits fit, in units of 2^unit;
+    // differences of two coordinates are off by less than 5 units if they are not exact.
+    struct Integers {
+        std::array<std::array<exact::IntegerVector, 3>, 2> at;
+        int unit;
+        bool are_exact;
+    };
+    Integers integers(const std::array<std::span<const std::uint32_t>, 2>& vertices);
     // By reference, as round_point takes the point that others are counted from.
     exact::PointRef reference(const HullVertex& v) const noexcept {
         return {bodies_[v.side].at, &mesh(v.side).vertices()[mesh_vertex(v)]};
@@ -94,7 +125,7 @@ class PosedHulls {
         bool is_mirrored;
     };
 
-    static Point pose(const Body& body, const Point& v) noexcept {
+    ECODS_ALWAYS_INLINE static Point pose(const Body& body, const Point& v) noexcept {
         Point p;
         for (std::size_t k = 0; k < 3; ++k) {
             const Point& r = body.rows[k];
@@ -103,6 +134,17 @@ class PosedHulls {
         return p;
     }
 
+    // A direction as the mesh's coordinates see it.
+    ECODS_ALWAYS_INLINE static Point in_mesh(const Body& body, const Point& direction) noexcept {
+        Point along;
+        for (std::size_t k = 0; k < 3; ++k) {
+            along[k] =
+                (body.rows[0][k] * direction[0] + body.rows[1][k] * direction[1]) + body.rows[2][k] * direction[2];
+        }
+        return along;
+    }
+    // What fills up the last groups counts as this vertex.
+    static std::uint32_t last_vertex(const Body& body) noexcept { return body.points->vertex_count - 1; }
     std::uint32_t mesh_vertex(const HullVertex& v) const noexcept {
         return bodies_[v.side].hull->mesh_vertices[v.vertex];
     }
@@ -112,6 +154,7 @@ class PosedHulls {
     void find_orientation(std::size_t side);
     std::uint32_t climb(const Body& body, const Point& along, std::uint32_t start) const noexcept;
     void bind_exact();
+    bool find_short(const std::array<std::span<const std::uint32_t>, 2>& vertices, Integers& result) const noexcept;
 
     std::array<Body, 2> bodies_;
     ConvexMemory& memory_;

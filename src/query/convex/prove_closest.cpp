@@ -95,7 +95,7 @@ class Proof {
     }
 
     // Whether the features hold closest points, and what of the solids is as near.
-    bool prove(std::array<HullPart, 2>& parts) {
+    bool prove(std::array<std::optional<HullPart>, 2>& parts) {
         if (!find_direction()) return false;
         if (!prove_furthest(0, parts[0]) || !prove_furthest(1, parts[1])) return false;
         return is_inside_ || are_closest_of_triangles(hulls_, found_);
@@ -166,9 +166,18 @@ class Proof {
         return gap.x < -gap.error;
     }
 
-    // Whether all of a solid is behind the feature, or as far: then all that is as far is a part of the hull. The
-    // feature's own edges need not be asked about; the others are asked exactly where doubles leave them open.
-    bool prove_furthest(std::size_t side, HullPart& part) {
+    // Whether all of a solid is behind the feature, or as far: then all that is as far is a part of the hull. It is the
+    // feature where a look at all vertices proves the others behind it.
+    bool prove_furthest(std::size_t side, std::optional<HullPart>& part) {
+        const std::size_t count = found_.corner_count(side);
+        const std::array<std::uint32_t, 3> corners = found_.of_side(side);
+        const Bounded n = side == 0 ? n_ : negated(n_);
+        if (hulls_.are_others_behind(side, n.x, n.error, {corners.data(), count})) return true;
+        return prove_by_neighbors(side, n, part);
+    }
+
+    // The feature's own edges need not be asked about; the others are asked exactly where doubles leave them open.
+    bool prove_by_neighbors(std::size_t side, const Bounded& n, std::optional<HullPart>& part) {
         const Hull& hull = hulls_.hull(side);
         const std::size_t count = found_.corner_count(side);
         const std::uint32_t at = found_.corner(side, 0);
@@ -177,7 +186,6 @@ class Proof {
         LevelEdges level;
         std::array<Hull::Neighbor, signs_at_once> open;
         std::size_t open_count = 0;
-        const Bounded n = side == 0 ? n_ : negated(n_);
         for (const Hull::Neighbor& to : hull.neighbors_of(at)) {
             if (to.vertex == other || (face != SupportPoints::none && is_edge_of(hull, to.edge, face))) {
                 level.add(to.edge);
@@ -249,28 +257,6 @@ std::size_t HullFeatures::corner_count(std::size_t side) const noexcept {
     return features.kind == FeatureKind::vertex_edge ? 2 : 3;
 }
 
-std::uint32_t face_of(const Hull& hull, const std::array<std::uint32_t, 3>& vertices) noexcept {
-    const auto has = [&](std::uint32_t vertex, std::uint32_t face) {
-        for (const Hull::Neighbor& n : hull.neighbors_of(vertex)) {
-            if (is_edge_of(hull, n.edge, face)) return true;
-        }
-        return false;
-    };
-    for (const Hull::Neighbor& n : hull.neighbors_of(vertices[0])) {
-        for (const std::uint32_t face : hull.edges[n.edge].faces) {
-            if (has(vertices[1], face) && has(vertices[2], face)) return face;
-        }
-    }
-    return SupportPoints::none;
-}
-
-HullPart LevelEdges::part(const Hull& hull, std::uint32_t vertex) const noexcept {
-    if (count == 0) return {Feature::Kind::vertex, vertex};
-    if (count == 1) return {Feature::Kind::edge, edges[0]};
-    const auto& faces = hull.edges[edges[0]].faces;
-    return {Feature::Kind::face, is_edge_of(hull, edges[1], faces[0]) ? faces[0] : faces[1]};
-}
-
 std::optional<ClosestHulls> prove_closest(PosedHulls& hulls, const Simplex& guess) {
     if (!(hulls.delta() >= 0x1p-200) || guess.count < 1 || guess.count > 3) return std::nullopt;
     const SimplexCorners corners(guess);
@@ -282,7 +268,8 @@ std::optional<ClosestHulls> prove_closest(PosedHulls& hulls, const Simplex& gues
     if (!proof.prove(result.parts)) return std::nullopt;
     result.are_only = proof.is_inside();
     for (const std::size_t side : {0, 1}) {
-        result.are_only &= static_cast<std::size_t>(result.parts[side].kind) + 1 == found->corner_count(side);
+        const auto& part = result.parts[side];
+        result.are_only &= !part || static_cast<std::size_t>(part->kind) + 1 == found->corner_count(side);
     }
     return result;
 }

@@ -20,54 +20,62 @@ void leave(const PosedHulls& hulls, const Simplex& guess, PairWitness& witness) 
                hulls.hull(1).vertex_names[guess.pairs[0][1]].triangle};
 }
 void leave(const PosedHulls& hulls, const ClosestHulls& closest, PairWitness& witness) noexcept {
-    witness = {part_name(hulls.hull(0), closest.parts[0]).triangle,
-               part_name(hulls.hull(1), closest.parts[1]).triangle};
+    witness = {part_name(hulls.hull(0), closest.part(hulls, 0)).triangle,
+               part_name(hulls.hull(1), closest.part(hulls, 1)).triangle};
+}
+
+double distance_of(PosedHulls& hulls, PairWitness* witness) {
+    const auto closest = find_closest(hulls, witness);
+    return closest ? round_distance(hulls, closest->found) : 0;
+}
+
+std::optional<ClosestPoints> points_of(PosedHulls& hulls, PairWitness* witness) {
+    const auto closest = find_closest(hulls, witness);
+    if (!closest) return std::nullopt;
+    return name_closest(hulls, *closest);
 }
 
 }  // namespace
 
 // Features that were the closest before are proven as any others.
-std::optional<ClosestHulls> convex::find_closest(PosedHulls& hulls, PairWitness& witness) {
+std::optional<ClosestHulls> convex::find_closest(PosedHulls& hulls, PairWitness* witness) {
     Simplex guess;
-    if (is_known(witness)) {
-        guess = run_gjk_of_triangles(hulls, {hulls.vertices_near(0, witness.a), hulls.vertices_near(1, witness.b)});
+    if (witness != nullptr && is_known(*witness)) {
+        guess = run_gjk_of_triangles(hulls, {hulls.vertices_near(0, witness->a), hulls.vertices_near(1, witness->b)});
         if (auto proven = prove_closest(hulls, guess)) return proven;
         guess = run_gjk(hulls, guess);
     } else {
         guess = run_gjk(hulls);
     }
-    leave(hulls, guess, witness);
+    if (witness != nullptr) leave(hulls, guess, *witness);
     if (prove_meeting(hulls, guess)) return std::nullopt;
     std::optional<ClosestHulls> closest = prove_closest(hulls, guess);
     if (!closest) closest = find_closest_exactly(hulls, guess);
-    if (closest) leave(hulls, *closest, witness);
+    if (closest && witness != nullptr) leave(hulls, *closest, *witness);
     return closest;
 }
 
 double solid_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory,
                       PairWitness& witness) {
     PosedHulls hulls(a, b, memory);
-    const auto closest = find_closest(hulls, witness);
-    return closest ? round_distance(hulls, closest->found) : 0;
+    return distance_of(hulls, &witness);
 }
 
 double solid_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory) {
-    PairWitness witness;
-    return solid_distance(a, b, memory, witness);
+    PosedHulls hulls(a, b, memory);
+    return distance_of(hulls, nullptr);
 }
 
 std::optional<ClosestPoints> solid_closest(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
                                            QueryMemory& memory, PairWitness& witness) {
     PosedHulls hulls(a, b, memory);
-    const auto closest = find_closest(hulls, witness);
-    if (!closest) return std::nullopt;
-    return name_closest(hulls, *closest);
+    return points_of(hulls, &witness);
 }
 
 std::optional<ClosestPoints> solid_closest(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
                                            QueryMemory& memory) {
-    PairWitness witness;
-    return solid_closest(a, b, memory, witness);
+    PosedHulls hulls(a, b, memory);
+    return points_of(hulls, nullptr);
 }
 
 }  // namespace ecods

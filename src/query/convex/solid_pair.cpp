@@ -1,5 +1,7 @@
 #include "query/convex/solid_pair.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -29,11 +31,9 @@ using exact::negated;
 // by less than 4 u'. What underflows in a product is below 2^-1022, and all of it below 2^-900; n is so large that it
 // shows in no other way, and a limit that is taken for zero is below what 2^-900 / |n| leaves.
 bool is_beyond(const PosedHulls& hulls, double limit) noexcept {
-    const auto is_scanned = [&](std::size_t side) {
-        return hulls.hull(side).vertex_count() <= PosedHulls::scanned_max;
-    };
     const Point n = minus(hulls.center(1), hulls.center(0));
-    if (hulls.exponent() != 0 || !is_scanned(0) || !is_scanned(1) || !(largest(n) >= 0x1p-400)) return false;
+    if (hulls.exponent() != 0 || !hulls.is_scanned(0) || !hulls.is_scanned(1) || !(largest(n) >= 0x1p-400))
+        return false;
     const Point gap = minus(hulls.rounded(1, hulls.support(1, negated(n))), hulls.rounded(0, hulls.support(0, n)));
     double along = 0, magnitudes = 0, sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -47,12 +47,35 @@ bool is_beyond(const PosedHulls& hulls, double limit) noexcept {
 
 }  // namespace
 
+bool is_regular(const Pose& pose) {
+    std::array<Point, 3> rows;
+    for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t k = 0; k < 3; ++k)
+            rows[row][k] = pose.R(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k));
+    }
+    return orientation(rows, pose) != Sign::zero;
+}
+
+SolidInMemory::SolidInMemory(const ConvexSolid& solid) noexcept
+    : parts(&ConvexSolidAccess::points(solid)),
+      points(ConvexSolidAccess::points(solid).groups.data()),
+      point_count(ConvexSolidAccess::points(solid).groups.size()) {}
+
+void SolidInMemory::prefetch() const noexcept {
+    constexpr std::size_t line = 64, most = PosedHulls::scanned_max * 3 * sizeof(double);
+    const char* const first = static_cast<const char*>(parts);
+    for (std::size_t at = 0; at < sizeof(SupportPoints); at += line) __builtin_prefetch(first + at);
+    const char* const numbers = reinterpret_cast<const char*>(points);
+    for (std::size_t at = 0; at < std::min(most, point_count * sizeof(double)); at += line)
+        __builtin_prefetch(numbers + at);
+}
+
 // Only of a distance that rounds to the limit it is left to be seen on which side of it the real one is.
 std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit,
-                                      QueryMemory& memory, PairWitness& witness) {
+                                      QueryMemory& memory) {
     PosedHulls hulls(a, b, memory);
     if (is_beyond(hulls, limit)) return std::nullopt;
-    const auto closest = find_closest(hulls, witness);
+    const auto closest = find_closest(hulls, nullptr);
     if (!closest) return 0;
     const double distance = round_distance(hulls, closest->found);
     const std::int64_t key = key_of(distance), limit_key = key_of(limit);
@@ -61,9 +84,9 @@ std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<C
     return distance;
 }
 
-bool do_meet(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory, PairWitness& witness) {
+bool do_meet(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory) {
     PosedHulls hulls(a, b, memory);
-    return !is_beyond(hulls, 0) && !find_closest(hulls, witness);
+    return !is_beyond(hulls, 0) && !find_closest(hulls, nullptr);
 }
 
 }  // namespace ecods::convex

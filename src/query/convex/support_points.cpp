@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/double_key.hpp"
 #include "exact/measure/scaled_vector.hpp"
 #include "exact/number/dyadic.hpp"
 
@@ -29,6 +30,7 @@ SupportPoints make_support_points(const Mesh& mesh, const Hull& hull) {
         for (int k = 0; k < 3; ++k) exponent = std::max(exponent, exponent_above(vertices[i][k]));
     }
     result.exponent = exponent;
+    result.vertex_count = static_cast<std::uint32_t>(hull.vertex_count());
     result.hull_index.assign(vertices.size(), SupportPoints::none);
     for (std::uint32_t v = 0; v < hull.vertex_count(); ++v) result.hull_index[hull.mesh_vertices[v]] = v;
 
@@ -39,7 +41,9 @@ SupportPoints make_support_points(const Mesh& mesh, const Hull& hull) {
     for (std::size_t i = 0; i < result.groups.size() / 3; ++i) {
         const auto v = static_cast<std::uint32_t>(std::min(i, count - 1));
         for (std::size_t k = 0; k < 3; ++k) {
-            const double x = times_power(vertices[hull.mesh_vertices[v]][static_cast<Eigen::Index>(k)], -exponent);
+            const double original = vertices[hull.mesh_vertices[v]][static_cast<Eigen::Index>(k)];
+            const double x = times_power(original, -exponent);
+            result.has_all_digits &= key_of(x) != 0 || key_of(original) == 0;
             result.groups[i / lanes * (3 * lanes) + k * lanes + i % lanes] = x;
             if (x < low[k]) {
                 low[k] = x;

@@ -18,7 +18,9 @@ struct SupportPoints {
     // 2^-900 are zero. By groups of four vertices: their x, their y, their z. The number of groups is even: the last
     // vertex fills them up.
     std::vector<double> groups;
+    std::uint32_t vertex_count = 0;
     int exponent = 0;
+    bool has_all_digits = true;  // whether no coordinate became zero
 
     exact::Point reach{};   // by axis: no magnitude is larger
     exact::Point extent{};  // by axis: no difference of two is larger
