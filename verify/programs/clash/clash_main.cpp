@@ -1,6 +1,61 @@
 // ecods_clash: which parts of some files clash, how, and where.
-#include "programs/clash/report.hpp"
+#include <fmt/format.h>
 
-int main() {
-    return 0;
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <stdexcept>
+
+#include "programs/clash/command.hpp"
+#include "programs/clash/inputs.hpp"
+#include "programs/clash/judge.hpp"
+#include "programs/clash/write.hpp"
+#include "scenes/io/read_error.hpp"
+
+namespace ecods::clash {
+namespace {
+
+void write(const std::string& file, const ClashReport& report,
+           const std::function<void(std::ostream&, const ClashReport&)>& write_format) {
+    if (file.empty()) return;
+    std::ofstream opened;
+    if (file != "-") opened.open(file, std::ios::binary);
+    std::ostream& out = file == "-" ? std::cout : opened;
+    if (out) write_format(out, report);
+    if (!out.flush()) throw std::runtime_error((file == "-" ? "standard output" : file) + ": cannot be written");
+}
+
+int run(int argc, char** argv) {
+    Command command;
+    if (const auto status = parse(argc, argv, command)) return *status;
+    const JudgeOptions& judging = command.judging;
+    Inputs inputs = read_inputs(find_files(command.paths), judging.jobs, command.keeps_going);
+    for (const std::string& note : inputs.notes) fmt::print(stderr, "ecods_clash: {}\n", note);
+    for (const FailedFile& file : inputs.failed) fmt::print(stderr, "ecods_clash: {}\n", file.error);
+    ClashReport report = judge(std::move(inputs), judging);
+    report.options = list_options(command);
+
+    write(command.json, report, write_json);
+    write(command.csv, report, write_csv);
+    const bool is_table = !command.is_quiet && command.json != "-" && command.csv != "-";
+    write(is_table ? "-" : "", report, write_table);
+    if (!report.failed.empty()) return exit_failed;
+    const bool is_found = std::any_of(command.failing_kinds.begin(), command.failing_kinds.end(),
+                                      [&](Kind kind) { return report.counts[static_cast<std::size_t>(kind)] > 0; });
+    return is_found ? exit_found : exit_ok;
+}
+
+}  // namespace
+}  // namespace ecods::clash
+
+int main(int argc, char** argv) {
+    try {
+        return ecods::clash::run(argc, argv);
+    } catch (const ecods::scenes::ReadErrors& errors) {
+        for (const auto& error : errors.errors) fmt::print(stderr, "ecods_clash: {}\n", error.what());
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "ecods_clash: {}\n", error.what());
+    }
+    return ecods::clash::exit_failed;
 }

@@ -48,8 +48,8 @@ inline constexpr std::array<Kind, kind_count> all_kinds{Kind::equal,    Kind::in
 // The word of every format: "equal", "inside", and so on, as above.
 std::string_view name_of(Kind kind) noexcept;
 
-// Proven bounds of a length: lower <= it <= upper. Of convex solids both are the nearest doubles below and above or,
-// where it is a double, equal; upper may be infinite.
+// How deep two solids are in each other (depth.hpp). Of convex ones both are the depth, rounded once; of others they
+// are proven bounds of it, and upper may be infinite.
 struct Interval {
     double lower = 0;
     double upper = 0;
@@ -60,14 +60,14 @@ using Line = std::array<Vec3, 2>;
 // Where two parts clash. Coordinates are those of the real points, rounded.
 struct Place {
     // Around all common points; of a clearance: around the two closest points.
-    Aabb box;
+    Aabb box = {};
 
-    // Single points in common, and points of the clearance: closest of a, closest of b. Ascending.
-    std::vector<Vec3> points;
+    // Points in common that are on no line, ascending; of a clearance the closest point of a and that of b.
+    std::vector<Vec3> points = {};
 
     // Where the surfaces meet along a line, and the outlines of where faces lie on each other. Each has its lesser end
     // first; ascending, each once. At most ClashReport::line_limit of them are kept.
-    std::vector<Line> lines;
+    std::vector<Line> lines = {};
     std::size_t line_count = 0;  // with those that are not kept
 };
 

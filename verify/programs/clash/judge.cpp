@@ -1,0 +1,102 @@
+#include "programs/clash/judge.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "ecods/broad_phase.hpp"
+#include "ecods/intersection.hpp"
+#include "process/parallel.hpp"
+#include "process/progress.hpp"
+#include "programs/clash/place.hpp"
+#include "programs/clash/verdict.hpp"
+
+namespace ecods::clash {
+namespace {
+
+using Pair = std::pair<std::size_t, std::size_t>;
+
+// Pairs whose boxes are not proven to be further apart than the clearance, ascending. Which these are may depend on
+// rounding; what they are judged to be does not.
+std::vector<Pair> find_candidates(const std::vector<Part>& parts, const JudgeOptions& options) {
+    const PairFilter filter(parts, options.rules);
+    const auto broad_phase = make_broad_phase(BroadPhaseKind::kept_candidates);
+    broad_phase->reserve(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        broad_phase->add(static_cast<ProxyIndex>(i), parts[i].shape->box(parts[i].pose));
+    std::vector<Pair> pairs;
+    const double limit = options.clearance.value_or(0);
+    broad_phase->visit_near_pairs(limit, [&](ProxyPair pair) {
+        if (filter.is_judged(pair.a, pair.b)) pairs.emplace_back(pair.a, pair.b);
+        return limit;
+    });
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+// Work on consecutive items is handed out in blocks: a pair may cost less than a microsecond.
+constexpr std::size_t block_size = 64;
+
+template <class Task>
+void for_each_block(std::size_t count, const JudgeOptions& options, const char* label, const Task& task) {
+    std::vector<QueryMemory> memories(std::max<std::size_t>(options.jobs, 1));
+    const std::size_t block_count = (count + block_size - 1) / block_size;
+    process::Progress progress(label, block_count);
+    process::for_each_in_parallel(block_count, memories.size(), [&](std::size_t block, std::size_t worker) {
+        const std::size_t end = std::min(count, (block + 1) * block_size);
+        for (std::size_t i = block * block_size; i < end; ++i) task(i, memories[worker]);
+        progress.step();
+    });
+}
+
+std::vector<Clash> find_clashes(const std::vector<Part>& parts, const JudgeOptions& options) {
+    const std::vector<Pair> pairs = find_candidates(parts, options);
+    std::vector<std::optional<Verdict>> verdicts(pairs.size());
+    for_each_block(pairs.size(), options, "judging", [&](std::size_t i, QueryMemory& memory) {
+        verdicts[i] = judge_pair(parts[pairs[i].first], parts[pairs[i].second], options.clearance, memory);
+    });
+    std::vector<Clash> clashes;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (!verdicts[i] || (verdicts[i]->kind == Kind::touching && !options.has_touching)) continue;
+        clashes.push_back({.a = pairs[i].first,
+                           .b = pairs[i].second,
+                           .kind = verdicts[i]->kind,
+                           .relation = verdicts[i]->relation,
+                           .distance = verdicts[i]->distance});
+    }
+    return clashes;
+}
+
+void find_places(const std::vector<Part>& parts, const JudgeOptions& options, std::vector<Clash>& clashes) {
+    ConvexShapes convex;
+    for_each_block(clashes.size(), options, "finding places", [&](std::size_t i, QueryMemory& memory) {
+        Clash& clash = clashes[i];
+        const Part& a = parts[clash.a];
+        const Part& b = parts[clash.b];
+        clash.place = place_of(a, b, {clash.kind, clash.relation, clash.distance}, options.line_limit, memory);
+        const bool share_inner_points =
+            clash.kind == Kind::equal || clash.kind == Kind::inside || clash.kind == Kind::overlapping;
+        if (a.is_solid && b.is_solid && share_inner_points) clash.depth = depth_of(a, b, convex, memory);
+    });
+}
+
+}  // namespace
+
+ClashReport judge(Inputs inputs, const JudgeOptions& options) {
+    ClashReport report;
+    report.parts = std::move(inputs.parts);
+    report.failed = std::move(inputs.failed);
+    report.notes = std::move(inputs.notes);
+    report.line_limit = options.line_limit;
+    set_groups(report.parts, options.rules);
+    report.clashes = find_clashes(report.parts, options);
+    find_places(report.parts, options, report.clashes);
+    std::sort(report.clashes.begin(), report.clashes.end(),
+              [](const Clash& x, const Clash& y) { return std::tie(x.kind, x.a, x.b) < std::tie(y.kind, y.a, y.b); });
+    for (const Clash& clash : report.clashes) ++report.counts[static_cast<std::size_t>(clash.kind)];
+    return report;
+}
+
+}  // namespace ecods::clash
