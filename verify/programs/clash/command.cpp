@@ -79,8 +79,11 @@ std::optional<int> parse(int argc, const char* const* argv, Command& command) {
     app.add_option("--clearance", judging.clearance, "Also report parts at a distance of at most this")->type_name("D");
     app.add_flag("--touching", judging.has_touching, "Also report parts that only touch");
     add_kinds(app, command);
-    app.add_option("--lines", judging.line_limit,
-                   "Write at most so many lines of intersection of a clash; 1000 is the default")
+    app.add_flag("--narrow-depths", judging.has_narrow_depths,
+                 "Find narrower bounds of how deep solids with dents are in each other, for some milliseconds a clash");
+    app.add_option(
+           "--lines", judging.line_limit,
+           "Also find in which points and lines the surfaces meet, and write at most so many lines of each clash")
         ->type_name("N");
     app.add_option("--json", command.json, "Write the report as JSON to this file; - is standard output")
         ->type_name("FILE");
@@ -107,6 +110,8 @@ std::vector<std::pair<std::string, std::string>> list_options(const Command& com
     for (const auto& [one, other] : judging.rules.ignored) options.emplace_back("ignore", one + " " + other);
     if (judging.clearance) options.emplace_back("clearance", fmt::format("{}", *judging.clearance));
     if (judging.has_touching) options.emplace_back("touching", "");
+    if (judging.has_narrow_depths) options.emplace_back("narrow-depths", "");
+    if (judging.line_limit > 0) options.emplace_back("lines", fmt::format("{}", judging.line_limit));
     return options;
 }
 

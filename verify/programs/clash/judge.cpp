@@ -10,6 +10,7 @@
 #include "ecods/intersection.hpp"
 #include "process/parallel.hpp"
 #include "process/progress.hpp"
+#include "programs/clash/penetration.hpp"
 #include "programs/clash/place.hpp"
 #include "programs/clash/verdict.hpp"
 
@@ -75,10 +76,14 @@ void find_places(const std::vector<Part>& parts, const JudgeOptions& options, st
         Clash& clash = clashes[i];
         const Part& a = parts[clash.a];
         const Part& b = parts[clash.b];
-        clash.place = place_of(a, b, {clash.kind, clash.relation, clash.distance}, options.line_limit, memory);
+        const Verdict verdict{clash.kind, clash.relation, clash.distance};
+        clash.place = options.line_limit == 0 ? place_of(a, b, verdict, memory)
+                                              : place_with_lines(a, b, verdict, options.line_limit, memory);
         const bool share_inner_points =
             clash.kind == Kind::equal || clash.kind == Kind::inside || clash.kind == Kind::overlapping;
-        if (a.is_solid && b.is_solid && share_inner_points) clash.depth = depth_of(a, b, convex, memory);
+        if (!a.is_solid || !b.is_solid || !share_inner_points) return;
+        clash.depth = options.has_narrow_depths ? narrow_depth_of(a, b, convex, memory)
+                                                : depth_of(a, b, clash.place.box, convex, memory);
     });
 }
 

@@ -15,7 +15,8 @@ struct JudgeOptions {
     Rules rules = {};
     std::optional<double> clearance = {};  // finite, not negative
     bool has_touching = false;             // whether touching parts are clashes
-    std::size_t line_limit = 1000;
+    bool has_narrow_depths = false;        // whether depth_bounds() says how deep solids with dents are
+    std::size_t line_limit = 0;            // 0: points and lines are not found
     std::size_t jobs = 1;
 };
 

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "ecods/contact.hpp"
-#include "ecods/depth.hpp"
 #include "ecods/distance.hpp"
-#include "ecods/error.hpp"
 #include "ecods/solid.hpp"
 
 namespace ecods::clash {
@@ -73,21 +71,53 @@ void add_inner_vertices(const Part& part, const Part& solid, GrowingBox& box, Qu
     });
 }
 
-void add_line(const Vec3& from, const Vec3& to, std::vector<Line>& lines) {
-    if (from != to) lines.push_back(is_less(from, to) ? Line{from, to} : Line{to, from});
+Line line_of(const Vec3& from, const Vec3& to) {
+    return is_less(from, to) ? Line{from, to} : Line{to, from};
 }
 
-// Points that end a line are not single.
+// A side of a polygon in which two faces lie on each other, and the plane of that, by its normal.
+struct Side {
+    Line line;
+    Vec3 normal;
+
+    friend bool operator==(const Side& a, const Side& b) { return a.line == b.line && a.normal == b.normal; }
+    friend bool operator<(const Side& a, const Side& b) {
+        return a.line == b.line ? is_less(a.normal, b.normal) : Less{}(a.line, b.line);
+    }
+};
+
+// Adds the outlines of where faces lie on each other. Their triangles cut that into polygons: a side of two of them is
+// inside, and no line, also if edges run along it.
+void add_outlines(std::vector<Side> sides, std::vector<Line>& lines) {
+    std::sort(sides.begin(), sides.end());
+    std::vector<Line> inner;
+    for (std::size_t i = 0; i < sides.size();) {
+        std::size_t end = i + 1;
+        while (end < sides.size() && sides[end] == sides[i]) ++end;
+        ((end - i) % 2 == 0 ? inner : lines).push_back(sides[i].line);
+        i = end;
+    }
+    std::sort(inner.begin(), inner.end(), Less{});
+    std::erase_if(lines,
+                  [&](const Line& line) { return std::binary_search(inner.begin(), inner.end(), line, Less{}); });
+}
+
 void add_contacts(const Part& a, const Part& b, Place& place, GrowingBox& box, QueryMemory& memory) {
+    std::vector<Side> sides;
     for (const TriangleIntersection& contact : intersections(surface_of(a), surface_of(b), memory)) {
         const std::span<const Vec3> corners = contact.shared.corners();
+        for (const Vec3& corner : corners) box.add(corner);
+        if (corners.size() == 1) place.points.push_back(corners[0]);
+        if (corners.size() == 2) place.lines.push_back(line_of(corners[0], corners[1]));
+        if (corners.size() <= 2) continue;
+        const Vec3 normal = contact.shared.normal.value_or(Vec3::Zero());
         for (std::size_t i = 0; i < corners.size(); ++i) {
-            box.add(corners[i]);
-            if (corners.size() == 1) place.points.push_back(corners[i]);
-            if (corners.size() == 2 && i == 1) continue;
-            add_line(corners[i], corners[(i + 1) % corners.size()], place.lines);
+            const Line line = line_of(corners[i], corners[(i + 1) % corners.size()]);
+            sides.push_back({line, is_less(normal, Vec3::Zero()) ? Vec3(Vec3::Zero() - normal) : normal});
         }
     }
+    add_outlines(std::move(sides), place.lines);
+    std::erase_if(place.lines, [](const Line& line) { return line[0] == line[1]; });
     sort_once(place.lines);
     sort_once(place.points);
     std::vector<Vec3> ends;
@@ -106,9 +136,24 @@ Place place_of_gap(const Part& a, const Part& b, QueryMemory& memory) {
 
 }  // namespace
 
-Place place_of(const Part& a, const Part& b, const Verdict& verdict, std::size_t line_limit, QueryMemory& memory) {
+Aabb bounds_of(const Part& part) {
+    if (!(part.pose == Pose{})) return part.shape->box(part.pose);
+    GrowingBox box;
+    visit_vertices(part, [&](const Vec3& point) { box.add(point); });
+    return {box.min, box.max};
+}
+
+Place place_of(const Part& a, const Part& b, const Verdict& verdict, QueryMemory& memory) {
     if (verdict.kind == Kind::clearance) return place_of_gap(a, b, memory);
-    Place place;
+    const Aabb one = bounds_of(a);
+    const Aabb other = bounds_of(b);
+    return {.box = {one.min.cwiseMax(other.min), one.max.cwiseMin(other.max)}};
+}
+
+Place place_with_lines(const Part& a, const Part& b, const Verdict& verdict, std::size_t line_limit,
+                       QueryMemory& memory) {
+    Place place = place_of(a, b, verdict, memory);
+    if (verdict.kind == Kind::clearance) return place;
     GrowingBox box;
     if (verdict.kind != Kind::equal) add_contacts(a, b, place, box, memory);
     if (verdict.kind == Kind::equal || verdict.relation == "inside") add_part(a, box);
@@ -121,33 +166,6 @@ Place place_of(const Part& a, const Part& b, const Verdict& verdict, std::size_t
     if (place.lines.size() > line_limit) place.lines.resize(line_limit);
     if (!box.is_empty()) place.box = {box.min, box.max};
     return place;
-}
-
-std::shared_ptr<const ConvexSolid> ConvexShapes::find(const Part& part) {
-    {
-        const std::lock_guard lock(mutex_);
-        const auto known = shapes_.find(part.shape.get());
-        if (known != shapes_.end()) return known->second;
-    }
-    std::shared_ptr<const ConvexSolid> convex;
-    try {
-        convex = std::make_shared<const ConvexSolid>(part.shape->mesh_ptr());
-    } catch (const NotConvex&) {
-    } catch (const NoInterior&) {
-    }
-    const std::lock_guard lock(mutex_);
-    return shapes_.emplace(part.shape.get(), std::move(convex)).first->second;
-}
-
-Interval depth_of(const Part& a, const Part& b, ConvexShapes& shapes, QueryMemory& memory) {
-    const auto convex_a = shapes.find(a);
-    const auto convex_b = convex_a ? shapes.find(b) : nullptr;
-    if (convex_b) {
-        const double depth = ecods::depth({*convex_a, a.pose}, {*convex_b, b.pose}, memory).depth;
-        return {depth, depth};
-    }
-    const DepthBounds bounds = depth_bounds(solid_of(a), solid_of(b), memory);
-    return {bounds.lower, bounds.upper};
 }
 
 }  // namespace ecods::clash

@@ -59,14 +59,16 @@ using Line = std::array<Vec3, 2>;
 
 // Where two parts clash. Coordinates are those of the real points, rounded.
 struct Place {
-    // Around all common points; of a clearance: around the two closest points.
+    // Holds all common points: what boxes around both share, or, where lines were asked for, the least such box. Of a
+    // clearance: around the two closest points.
     Aabb box = {};
 
-    // Points in common that are on no line, ascending; of a clearance the closest point of a and that of b.
+    // Where lines were asked for: points in common that are on no line, ascending. Of a clearance, always: the closest
+    // point of a and that of b.
     std::vector<Vec3> points = {};
 
-    // Where the surfaces meet along a line, and the outlines of where faces lie on each other. Each has its lesser end
-    // first; ascending, each once. At most ClashReport::line_limit of them are kept.
+    // Where lines were asked for: where the surfaces meet along a line, and the outlines of where faces lie on each
+    // other. Each has its lesser end first; ascending, each once. At most ClashReport::line_limit of them are kept.
     std::vector<Line> lines = {};
     std::size_t line_count = 0;  // with those that are not kept
 };
@@ -97,7 +99,7 @@ struct ClashReport {
     std::vector<std::string> notes;                // what a file has, and the report has not; ascending
     std::array<std::size_t, kind_count> counts{};  // of clashes, by kind; of the kinds that were not asked for, 0
     std::size_t pair_count = 0;                    // pairs of parts that were to be judged, by groups and rules
-    std::size_t line_limit = 0;
+    std::size_t line_limit = 0;                    // 0: points and lines were not asked for
 
     // Those options that may change the report, as name and value: {"clearance", "0.05"}. In the order of --help.
     std::vector<std::pair<std::string, std::string>> options;
