@@ -5,10 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "ecods/error.hpp"
-#include "ecods/solid.hpp"
 #include "process/parallel.hpp"
 #include "process/progress.hpp"
+#include "programs/clash/make_shape.hpp"
 #include "scenes/io/gltf_file.hpp"
 #include "scenes/io/mesh_file.hpp"
 #include "scenes/io/scene_file.hpp"
@@ -29,24 +28,6 @@ void find_in_folder(const fs::path& folder, std::vector<fs::path>& files) {
         throw scenes::ReadError(folder, "", error.code().message());
     }
     if (files.size() == count_before) throw scenes::ReadError(folder, "", "no mesh and no assembly is in this folder");
-}
-
-// What a mesh is as a shape, and why it is no solid.
-struct MadeShape {
-    std::shared_ptr<const MeshShape> shape;
-    std::string not_solid_because;
-};
-
-MadeShape make_shape(const std::shared_ptr<const Mesh>& mesh) {
-    std::string reason;
-    try {
-        return {std::make_shared<const Solid>(mesh), ""};
-    } catch (const NotClosed& error) {
-        reason = error.what();
-    } catch (const SelfIntersecting& error) {
-        reason = error.what();
-    }
-    return {std::make_shared<const MeshShape>(mesh), reason};
 }
 
 std::vector<MadeShape> make_shapes(const std::vector<scenes::NamedMesh>& meshes, std::size_t jobs) {

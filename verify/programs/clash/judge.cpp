@@ -71,7 +71,6 @@ std::vector<Clash> find_clashes(const std::vector<Part>& parts, const JudgeOptio
 }
 
 void find_places(const std::vector<Part>& parts, const JudgeOptions& options, std::vector<Clash>& clashes) {
-    ConvexShapes convex;
     for_each_block(clashes.size(), options, "finding places", [&](std::size_t i, QueryMemory& memory) {
         Clash& clash = clashes[i];
         const Part& a = parts[clash.a];
@@ -82,8 +81,8 @@ void find_places(const std::vector<Part>& parts, const JudgeOptions& options, st
         const bool share_inner_points =
             clash.kind == Kind::equal || clash.kind == Kind::inside || clash.kind == Kind::overlapping;
         if (!a.is_solid || !b.is_solid || !share_inner_points) return;
-        clash.depth = options.has_narrow_depths ? narrow_depth_of(a, b, convex, memory)
-                                                : depth_of(a, b, clash.place.box, convex, memory);
+        clash.depth =
+            options.has_narrow_depths ? narrow_depth_of(a, b, memory) : depth_of(a, b, clash.place.box, memory);
     });
 }
 

@@ -5,9 +5,9 @@
 #include <limits>
 #include <optional>
 
+#include "ecods/convex_solid.hpp"
 #include "ecods/depth.hpp"
 #include "ecods/distance.hpp"
-#include "ecods/error.hpp"
 #include "ecods/solid.hpp"
 #include "programs/clash/place.hpp"
 #include "programs/clash/verdict.hpp"
@@ -17,11 +17,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::optional<Interval> convex_depth(const Part& a, const Part& b, ConvexShapes& shapes, QueryMemory& memory) {
-    const auto convex_a = shapes.find(a);
-    const auto convex_b = convex_a ? shapes.find(b) : nullptr;
-    if (!convex_b) return std::nullopt;
-    const double depth = ecods::depth({*convex_a, a.pose}, {*convex_b, b.pose}, memory).depth;
+// Null if the part is not known to be convex.
+const ConvexSolid* convex_of(const Part& part) {
+    return dynamic_cast<const ConvexSolid*>(part.shape.get());
+}
+
+std::optional<Interval> convex_depth(const Part& a, const Part& b, QueryMemory& memory) {
+    if (convex_of(a) == nullptr || convex_of(b) == nullptr) return std::nullopt;
+    const double depth = ecods::depth({*convex_of(a), a.pose}, {*convex_of(b), b.pose}, memory).depth;
     return Interval{depth, depth};
 }
 
@@ -52,24 +55,8 @@ double radius_in(const Part& part, const Vec3& point, QueryMemory& memory) {
 
 }  // namespace
 
-std::shared_ptr<const ConvexSolid> ConvexShapes::find(const Part& part) {
-    {
-        const std::lock_guard lock(mutex_);
-        const auto known = shapes_.find(part.shape.get());
-        if (known != shapes_.end()) return known->second;
-    }
-    std::shared_ptr<const ConvexSolid> convex;
-    try {
-        convex = std::make_shared<const ConvexSolid>(part.shape->mesh_ptr());
-    } catch (const NotConvex&) {
-    } catch (const NoInterior&) {
-    }
-    const std::lock_guard lock(mutex_);
-    return shapes_.emplace(part.shape.get(), std::move(convex)).first->second;
-}
-
-Interval depth_of(const Part& a, const Part& b, const Aabb& common, ConvexShapes& shapes, QueryMemory& memory) {
-    if (const auto depth = convex_depth(a, b, shapes, memory)) return *depth;
+Interval depth_of(const Part& a, const Part& b, const Aabb& common, QueryMemory& memory) {
+    if (const auto depth = convex_depth(a, b, memory)) return *depth;
     const Vec3 middle = common.min / 2 + common.max / 2;
     const double radius_a = radius_in(a, middle, memory);
     const double radius = radius_a == 0 ? 0 : std::min(radius_a, radius_in(b, middle, memory));
@@ -77,8 +64,8 @@ Interval depth_of(const Part& a, const Part& b, const Aabb& common, ConvexShapes
     return {std::min(2 * radius, above), above};
 }
 
-Interval narrow_depth_of(const Part& a, const Part& b, ConvexShapes& shapes, QueryMemory& memory) {
-    if (const auto depth = convex_depth(a, b, shapes, memory)) return *depth;
+Interval narrow_depth_of(const Part& a, const Part& b, QueryMemory& memory) {
+    if (const auto depth = convex_depth(a, b, memory)) return *depth;
     const DepthBounds bounds = depth_bounds(solid_of(a), solid_of(b), memory);
     return {bounds.lower, bounds.upper};
 }

@@ -26,7 +26,8 @@ struct Part {
     std::string name;   // unique, printable UTF-8 or any other bytes of a file; no control characters
     std::string file;   // the path as it was given, or found in a folder that was given
     std::string group;  // "a", "b" or "ab" by --a and --b; empty without groups, and if it is in none
-    std::shared_ptr<const MeshShape> shape = nullptr;  // never null; a Solid if the mesh bounds one
+    std::shared_ptr<const MeshShape> shape =
+        nullptr;  // never null; a Solid, perhaps a convex one, if the mesh bounds one
     Pose pose = {};
     bool is_solid = false;
     std::string not_solid_because = {};  // of a part that is no solid: what is wrong, with the edge or triangles
