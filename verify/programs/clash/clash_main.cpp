@@ -7,6 +7,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "process/progress.hpp"
 #include "programs/clash/command.hpp"
 #include "programs/clash/inputs.hpp"
 #include "programs/clash/judge.hpp"
@@ -26,6 +27,18 @@ void write(const std::string& file, const ClashReport& report,
     if (!out.flush()) throw std::runtime_error((file == "-" ? "standard output" : file) + ": cannot be written");
 }
 
+// What has pictures, which are made once.
+void write_pages(const Command& command, const ClashReport& report) {
+    const std::size_t count = std::min(command.picture_count, report.clashes.size());
+    process::Progress progress("pictures", count);
+    const std::vector<Picture> pictures =
+        make_pictures(report, count, command.judging.jobs, [&progress] { progress.step(); });
+    progress.wipe();
+    write(command.html, report, [&](std::ostream& out, const ClashReport& all) { write_html(out, all, pictures); });
+    write(command.bcf, report,
+          [&](std::ostream& out, const ClashReport& all) { write_bcf(out, all, pictures, command.date); });
+}
+
 int run(int argc, char** argv) {
     Command command;
     if (const auto status = parse(argc, argv, command)) return *status;
@@ -38,7 +51,9 @@ int run(int argc, char** argv) {
 
     write(command.json, report, write_json);
     write(command.csv, report, write_csv);
-    const bool is_table = !command.is_quiet && command.json != "-" && command.csv != "-";
+    write_pages(command, report);
+    const bool is_table =
+        !command.is_quiet && command.json != "-" && command.csv != "-" && command.html != "-" && command.bcf != "-";
     write(is_table ? "-" : "", report, write_table);
     if (!report.failed.empty()) return exit_failed;
     const bool is_found = std::any_of(command.failing_kinds.begin(), command.failing_kinds.end(),

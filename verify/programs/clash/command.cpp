@@ -5,8 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <thread>
 
+#include "programs/clash/write.hpp"
 #include "programs/command_line.hpp"
 
 namespace ecods::clash {
@@ -58,13 +60,44 @@ void add_groups(CLI::App& app, Rules& rules) {
         ->type_name("PATTERN PATTERN");
 }
 
+void add_pages(CLI::App& app, Command& command) {
+    app.add_option("--html", command.html, "The same as a page that opens from disk")->type_name("FILE");
+    app.add_option("--bcf", command.bcf, "The same as BCF 2.1, a topic for each clash")->type_name("FILE");
+    app.add_option("--pictures", command.picture_count, "Put pictures of the first N clashes into the page and the BCF")
+        ->type_name("N");
+    app.add_option("--date", command.date,
+                   "The date that BCF demands of its topics; the default is the same always: 1970-01-01T00:00:00Z")
+        ->type_name("DATE");
+}
+
+// xs:dateTime with a time zone or Z, as far as its form goes.
+bool is_date(const std::string& text) {
+    static const std::regex form(
+        "[0-9]{4}-(0[1-9]|1[0-2])-(0[1-9]|[12][0-9]|3[01])T([01][0-9]|2[0-3])(:[0-5][0-9]){2}(\\.[0-9]+)?"
+        "(Z|[+-](0[0-9]|1[0-3]):[0-5][0-9])");
+    return std::regex_match(text, form);
+}
+
+void check_pages(const Command& command) {
+    if (!command.bcf.empty() && !can_write_bcf())
+        throw CLI::ValidationError("--bcf", "this program was built without libzip or pugixml, which BCF needs");
+    if (command.picture_count > 0 && !can_make_pictures())
+        throw CLI::ValidationError("--pictures", "this program was built without libpng, which pictures need");
+    if (command.picture_count > 0 && command.html.empty() && command.bcf.empty())
+        throw CLI::ValidationError("--pictures", "needs --html or --bcf");
+    if (!is_date(command.date)) throw CLI::ValidationError("--date", "must be like 2026-01-31T12:00:00Z");
+}
+
 void check(const Command& command, bool has_any) {
     const auto& clearance = command.judging.clearance;
     if (clearance && !(*clearance >= 0 && std::isfinite(*clearance)))
         throw CLI::ValidationError("--clearance", "must be finite, and not negative");
     if (!has_any && command.failing_kinds.contains(Kind::clearance) && !clearance)
         throw CLI::ValidationError("--fail-on", "clearance needs --clearance");
-    const int on_standard_output = int{command.json == "-"} + int{command.csv == "-"};
+    check_pages(command);
+    int on_standard_output = 0;
+    for (const std::string* file : {&command.json, &command.csv, &command.html, &command.bcf})
+        on_standard_output += int{*file == "-"};
     if (on_standard_output > 1) throw CLI::ValidationError("-", "only one format can be on standard output");
 }
 
@@ -88,6 +121,7 @@ std::optional<int> parse(int argc, const char* const* argv, Command& command) {
     app.add_option("--json", command.json, "Write the report as JSON to this file; - is standard output")
         ->type_name("FILE");
     app.add_option("--csv", command.csv, "The same as CSV")->type_name("FILE");
+    add_pages(app, command);
     app.add_flag("--quiet", command.is_quiet, "Print no table");
     app.add_flag("--keep-going", command.keeps_going, "Name the files that cannot be read, and judge the others");
     app.add_option("--jobs", judging.jobs,

@@ -4,9 +4,9 @@
 
 #include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "programs/clash/text.hpp"
 #include "programs/clash/write.hpp"
 
 namespace ecods::clash {
@@ -17,11 +17,6 @@ using Buffer = fmt::memory_buffer;
 template <class... Values>
 void add(Buffer& out, fmt::format_string<Values...> format, Values&&... values) {
     fmt::format_to(std::back_inserter(out), format, std::forward<Values>(values)...);
-}
-
-// Bytes that are no UTF-8 become U+FFFD.
-std::string json_text(std::string_view text) {
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 void add_number(Buffer& out, double value) {

@@ -11,13 +11,16 @@
 namespace ecods::clash {
 
 // Looks along `forward` with `up` upwards: three unit vectors at right angles, right x up = -forward. What is at
-// `target` comes into the middle; half_height is how much of the scene is seen above it, in its unit.
+// `target` comes into the middle; half_height is how much of the scene is seen above it, in its unit. The eye is at
+// `distance` from the target, in front of both parts: a parallel projection is the same from anywhere, a viewer's is
+// not.
 struct Camera {
     Vec3 target = Vec3::Zero();
     Vec3 right = Vec3::UnitX();
     Vec3 up = Vec3::UnitZ();
     Vec3 forward = Vec3::UnitY();
     double half_height = 1;
+    double distance = 1;
 };
 
 // A camera at the side `to_eye` of what it looks at; `vertical` is upright in its pictures. Neither is zero, and they

@@ -44,6 +44,12 @@ Views views_from(const ClashScene& scene, const Vec3& eye, double aspect) {
     views.near.half_height = std::max({contact * 2.2, least, views.whole.half_height * 1e-9});
     views.is_one = views.near.half_height > 0.55 * views.whole.half_height;
     if (views.is_one) views.near = views.whole;
+    for (Camera* camera : {&views.near, &views.whole}) {
+        camera->distance = camera->half_height;
+        for (const Vec3& point : all)
+            camera->distance =
+                std::max(camera->distance, (camera->target - point).dot(camera->forward) + camera->half_height);
+    }
     return views;
 }
 

@@ -59,6 +59,10 @@ Picture make_picture(const ClashReport& report, const Clash& clash, std::span<co
 
 }  // namespace
 
+bool can_make_pictures() noexcept {
+    return can_write_png();
+}
+
 std::vector<Picture> make_pictures(const ClashReport& report, std::size_t count, std::size_t jobs,
                                    const std::function<void()>& step) {
     count = std::min(count, report.clashes.size());
@@ -73,7 +77,7 @@ std::vector<Picture> make_pictures(const ClashReport& report, std::size_t count,
 }
 
 Camera camera_without_picture(const ClashReport& report, const Clash& clash) {
-    const ClashScene scene = scene_of(report, clash);
+    const ClashScene scene = boxes_scene_of(report, clash);
     Camera camera = default_views(scene, aspect).near;
     camera.target += scene.origin;
     return camera;

@@ -20,8 +20,12 @@ struct Picture {
 constexpr std::size_t picture_width = 480;
 constexpr std::size_t picture_height = 320;
 
+// Whether this program was built with libpng.
+bool can_make_pictures() noexcept;
+
 // Pictures of the first `count` clashes, or of all if there are fewer. A picture depends on the report alone, not on
-// the number of jobs. `step` is called after each, from any thread. Throws std::runtime_error without libpng.
+// the number of jobs. `step` is called after each, from any thread. Throws std::runtime_error if
+// can_make_pictures() is false.
 std::vector<Picture> make_pictures(const ClashReport& report, std::size_t count, std::size_t jobs,
                                    const std::function<void()>& step);
 

@@ -78,6 +78,18 @@ void add_contact(ClashScene& scene, const Clash& clash, const std::vector<Patch>
     }
 }
 
+// What a scene has beside its parts and their contact.
+ClashScene empty_scene(const ClashReport& report, const Clash& clash) {
+    ClashScene scene;
+    scene.origin = clash.place.box.min / 2 + clash.place.box.max / 2;
+    scene.kind = clash.kind;
+    scene.is_first_within = clash.relation == "inside" || clash.kind == Kind::equal;
+    scene.is_second_within = clash.relation == "contains" || clash.kind == Kind::equal;
+    if (is_gltf(report.parts[clash.a].file) && is_gltf(report.parts[clash.b].file)) scene.vertical = Vec3::UnitY();
+    scene.contact_box = corners_of({clash.place.box.min - scene.origin, clash.place.box.max - scene.origin});
+    return scene;
+}
+
 double distance_to_box(const Aabb& box, const Vec3& point) {
     return (box.min - point).cwiseMax(point - box.max).cwiseMax(0.0).norm();
 }
@@ -94,18 +106,22 @@ std::vector<Aabb> part_boxes(const ClashReport& report) {
 ClashScene scene_of(const ClashReport& report, const Clash& clash) {
     const Part& a = report.parts[clash.a];
     const Part& b = report.parts[clash.b];
-    ClashScene scene;
-    scene.origin = clash.place.box.min / 2 + clash.place.box.max / 2;
+    ClashScene scene = empty_scene(report, clash);
     scene.first = posed(a, scene.origin);
     scene.second = posed(b, scene.origin);
-    scene.kind = clash.kind;
-    scene.is_first_within = clash.relation == "inside" || clash.kind == Kind::equal;
-    scene.is_second_within = clash.relation == "contains" || clash.kind == Kind::equal;
-    if (is_gltf(a.file) && is_gltf(b.file)) scene.vertical = Vec3::UnitY();
-    scene.contact_box = corners_of({clash.place.box.min - scene.origin, clash.place.box.max - scene.origin});
     // Where more lines were found than are kept, there are more patches than a picture has use for.
     const bool has_all_lines = clash.place.line_count <= clash.place.lines.size();
     add_contact(scene, clash, has_all_lines ? patches_of(a, b) : std::vector<Patch>{});
+    return scene;
+}
+
+ClashScene boxes_scene_of(const ClashReport& report, const Clash& clash) {
+    ClashScene scene = empty_scene(report, clash);
+    for (const auto& [part, mesh] : {std::pair(clash.a, &scene.first), std::pair(clash.b, &scene.second)}) {
+        const Aabb box = report.parts[part].shape->box(report.parts[part].pose);
+        const auto corners = corners_of({box.min - scene.origin, box.max - scene.origin});
+        mesh->points.assign(corners.begin(), corners.end());
+    }
     return scene;
 }
 

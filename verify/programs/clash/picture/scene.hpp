@@ -42,6 +42,9 @@ std::vector<Aabb> part_boxes(const ClashReport& report);
 // The scene without other parts.
 ClashScene scene_of(const ClashReport& report, const Clash& clash);
 
+// The same of the parts' boxes, without triangles: enough for a camera.
+ClashScene boxes_scene_of(const ClashReport& report, const Clash& clash);
+
 // Adds the other parts whose boxes come within `reach` of the middle of the contact: the nearest ones, as many as a
 // picture has use for.
 void add_context(ClashScene& scene, const ClashReport& report, const Clash& clash, std::span<const Aabb> boxes,
