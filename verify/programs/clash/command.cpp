@@ -113,7 +113,8 @@ std::optional<int> parse(int argc, const char* const* argv, Command& command) {
     app.add_flag("--touching", judging.has_touching, "Also report parts that only touch");
     add_kinds(app, command);
     app.add_flag("--narrow-depths", judging.has_narrow_depths,
-                 "Find narrower bounds of how deep solids with dents are in each other, for some milliseconds a clash");
+                 "Find narrow bounds of how deep solids with dents are in each other, for some milliseconds a clash, "
+                 "also where there are more than 256 of them");
     app.add_option(
            "--lines", judging.line_limit,
            "Also find in which points and lines the surfaces meet, and write at most so many lines of each clash")

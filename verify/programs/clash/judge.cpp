@@ -38,7 +38,7 @@ std::vector<Pair> find_candidates(const std::vector<Part>& parts, const JudgeOpt
 }
 
 // Work on consecutive items is handed out in blocks: a pair may cost less than a microsecond.
-constexpr std::size_t block_size = 64;
+constexpr std::size_t block_size = 16;
 
 template <class Task>
 void for_each_block(std::size_t count, const JudgeOptions& options, const char* label, const Task& task) {
@@ -70,7 +70,18 @@ std::vector<Clash> find_clashes(const std::vector<Part>& parts, const JudgeOptio
     return clashes;
 }
 
+bool has_depth(const std::vector<Part>& parts, const Clash& clash) {
+    const bool share_inner_points =
+        clash.kind == Kind::equal || clash.kind == Kind::inside || clash.kind == Kind::overlapping;
+    return share_inner_points && parts[clash.a].is_solid && parts[clash.b].is_solid;
+}
+
 void find_places(const std::vector<Part>& parts, const JudgeOptions& options, std::vector<Clash>& clashes) {
+    const auto has_bounds = [&](const Clash& clash) {
+        return has_depth(parts, clash) && !are_convex(parts[clash.a], parts[clash.b]);
+    };
+    const auto bound_count = static_cast<std::size_t>(std::count_if(clashes.begin(), clashes.end(), has_bounds));
+    const bool is_narrow = options.has_narrow_depths || bound_count <= narrow_depth_limit;
     for_each_block(clashes.size(), options, "finding places", [&](std::size_t i, QueryMemory& memory) {
         Clash& clash = clashes[i];
         const Part& a = parts[clash.a];
@@ -78,11 +89,8 @@ void find_places(const std::vector<Part>& parts, const JudgeOptions& options, st
         const Verdict verdict{clash.kind, clash.relation, clash.distance};
         clash.place = options.line_limit == 0 ? place_of(a, b, verdict, memory)
                                               : place_with_lines(a, b, verdict, options.line_limit, memory);
-        const bool share_inner_points =
-            clash.kind == Kind::equal || clash.kind == Kind::inside || clash.kind == Kind::overlapping;
-        if (!a.is_solid || !b.is_solid || !share_inner_points) return;
-        clash.depth =
-            options.has_narrow_depths ? narrow_depth_of(a, b, memory) : depth_of(a, b, clash.place.box, memory);
+        if (!has_depth(parts, clash)) return;
+        clash.depth = is_narrow ? narrow_depth_of(a, b, memory) : depth_of(a, b, clash.place.box, memory);
     });
 }
 

@@ -11,12 +11,18 @@
 
 namespace ecods::clash {
 
+inline constexpr std::size_t narrow_depth_limit = 256;
+
 struct JudgeOptions {
     Rules rules = {};
     std::optional<double> clearance = {};  // finite, not negative
     bool has_touching = false;             // whether touching parts are clashes
-    bool has_narrow_depths = false;        // whether depth_bounds() says how deep solids with dents are
-    std::size_t line_limit = 0;            // 0: points and lines are not found
+
+    // Whether depth_bounds() says how deep solids are in each other that are not both convex, however many there are:
+    // it does where these are at most narrow_depth_limit, and otherwise quick bounds are given.
+    bool has_narrow_depths = false;
+
+    std::size_t line_limit = 0;  // 0: points and lines are not found
     std::size_t jobs = 1;
 };
 

@@ -23,7 +23,7 @@ const ConvexSolid* convex_of(const Part& part) {
 }
 
 std::optional<Interval> convex_depth(const Part& a, const Part& b, QueryMemory& memory) {
-    if (convex_of(a) == nullptr || convex_of(b) == nullptr) return std::nullopt;
+    if (!are_convex(a, b)) return std::nullopt;
     const double depth = ecods::depth({*convex_of(a), a.pose}, {*convex_of(b), b.pose}, memory).depth;
     return Interval{depth, depth};
 }
@@ -54,6 +54,10 @@ double radius_in(const Part& part, const Vec3& point, QueryMemory& memory) {
 }
 
 }  // namespace
+
+bool are_convex(const Part& a, const Part& b) {
+    return convex_of(a) != nullptr && convex_of(b) != nullptr;
+}
 
 Interval depth_of(const Part& a, const Part& b, const Aabb& common, QueryMemory& memory) {
     if (const auto depth = convex_depth(a, b, memory)) return *depth;

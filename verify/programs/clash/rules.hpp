@@ -17,9 +17,10 @@ bool matches(std::string_view pattern, std::string_view text) noexcept;
 
 // A pattern is of a part if it matches its name or its file's path.
 struct Rules {
-    std::vector<std::string> a;  // group A, and group B: a part is in a group if one of its patterns matches
-    std::vector<std::string> b;
-    std::vector<std::pair<std::string, std::string>> ignored;  // pairs of parts of which one matches each, not judged
+    std::vector<std::string> a = {};  // group A, and group B: a part is in a group if one of its patterns matches
+    std::vector<std::string> b = {};
+    std::vector<std::pair<std::string, std::string>> ignored =
+        {};  // pairs of parts of which one matches each, not judged
 };
 
 // Sets the groups of the parts.
