@@ -124,6 +124,7 @@ std::optional<int> parse(int argc, const char* const* argv, Command& command) {
     app.add_option("--csv", command.csv, "The same as CSV")->type_name("FILE");
     add_pages(app, command);
     app.add_flag("--quiet", command.is_quiet, "Print no table");
+    app.add_flag("--times", command.has_times, "Say on the error stream what the parts of the work took");
     app.add_flag("--keep-going", command.keeps_going, "Name the files that cannot be read, and judge the others");
     app.add_option("--jobs", judging.jobs,
                    "How many threads; the default is that of the processors. Reports are the same")

@@ -22,6 +22,7 @@ struct Command {
     std::set<Kind> failing_kinds;  // clashes of these make the exit status 1
     bool keeps_going = false;
     bool is_quiet = false;
+    bool has_times = false;
     std::string json, csv, html, bcf;  // where to write; empty: not at all, "-": standard output
     std::size_t picture_count = 0;
     std::string date = "1970-01-01T00:00:00Z";  // of the BCF's topics

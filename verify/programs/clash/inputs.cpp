@@ -1,6 +1,7 @@
 #include "programs/clash/inputs.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -105,7 +106,9 @@ Inputs read_inputs(const std::vector<fs::path>& files, std::size_t jobs, bool ke
     std::vector<scenes::ReadError> errors;
     std::vector<scenes::FileScene> scenes;
     std::vector<std::string> file_of;  // by body
+    const auto begin = std::chrono::steady_clock::now();
     std::vector<ReadFile> read = read_all(files, jobs);
+    inputs.reading_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (read[i].error) {
             inputs.failed.push_back({files[i].string(), read[i].error->what()});

@@ -14,6 +14,7 @@ struct Inputs {
     std::vector<Part> parts;  // ascending by name; without groups
     std::vector<FailedFile> failed;
     std::vector<std::string> notes;
+    double reading_seconds = 0;  // what reading the files took, without finding solids
 };
 
 // Files as they are, and of folders the meshes and assemblies in them and in their folders (links to folders are not

@@ -1,6 +1,7 @@
 #include "programs/clash/judge.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -52,11 +53,50 @@ void for_each_block(std::size_t count, const JudgeOptions& options, const char* 
     });
 }
 
+// A part's box, and whether each of its triangles is known to have an area.
+struct Extent {
+    Aabb box;
+    bool has_areas = true;
+};
+
+// A coordinate of the product of two sides is computed with an error of at most 4 u (|x y'| + |x' y|) for sides of
+// coordinates x, y and x', y', so of at most 8 u e^2 for the largest of these; 16 u covers its own rounding.
+bool has_area(const Mesh& mesh, const Triangle& triangle) {
+    constexpr double u = std::numeric_limits<double>::epsilon() / 2;
+    const auto vertices = mesh.vertices();
+    const Vec3 p = vertices[triangle[1]] - vertices[triangle[0]];
+    const Vec3 q = vertices[triangle[2]] - vertices[triangle[0]];
+    const double e = std::max(p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff());
+    const double bound = std::max(16 * u * e * e, std::numeric_limits<double>::min());
+    return p.cross(q).cwiseAbs().maxCoeff() > bound;
+}
+
+std::vector<Extent> find_extents(const std::vector<Part>& parts) {
+    std::vector<Extent> extents;
+    extents.reserve(parts.size());
+    for (const Part& part : parts) {
+        const Mesh& mesh = part.shape->mesh();
+        const bool has_areas = std::all_of(mesh.triangles().begin(), mesh.triangles().end(),
+                                           [&](const Triangle& triangle) { return has_area(mesh, triangle); });
+        extents.push_back({bounds_of(part), has_areas});
+    }
+    return extents;
+}
+
+// As judge_pair() asks.
+bool can_be_deep(const Extent& a, const Extent& b) {
+    const bool share_inner_points =
+        (a.box.min.array() < b.box.max.array()).all() && (b.box.min.array() < a.box.max.array()).all();
+    return share_inner_points || !a.has_areas || !b.has_areas;
+}
+
 std::vector<Clash> find_clashes(const std::vector<Part>& parts, const JudgeOptions& options) {
     const std::vector<Pair> pairs = find_candidates(parts, options);
+    const std::vector<Extent> extents = find_extents(parts);
     std::vector<std::optional<Verdict>> verdicts(pairs.size());
     for_each_block(pairs.size(), options, "judging", [&](std::size_t i, QueryMemory& memory) {
-        verdicts[i] = judge_pair(parts[pairs[i].first], parts[pairs[i].second], options.clearance, memory);
+        const auto [a, b] = pairs[i];
+        verdicts[i] = judge_pair(parts[a], parts[b], options.clearance, memory, can_be_deep(extents[a], extents[b]));
     });
     std::vector<Clash> clashes;
     for (std::size_t i = 0; i < pairs.size(); ++i) {

@@ -9,7 +9,11 @@
 namespace ecods::clash {
 namespace {
 
-std::optional<Verdict> judge_solids(const Part& a, const Part& b, QueryMemory& memory) {
+std::optional<Verdict> judge_solids(const Part& a, const Part& b, bool can_be_deep, QueryMemory& memory) {
+    if (!can_be_deep) {
+        if (!intersects(surface_of(a), surface_of(b), memory)) return std::nullopt;
+        return Verdict{Kind::touching, "touching"};
+    }
     switch (solid_relation(solid_of(a), solid_of(b), memory)) {
         case SolidRelation::apart:
             return std::nullopt;
@@ -78,8 +82,8 @@ std::optional<Verdict> judge_surfaces(const Part& a, const Part& b, QueryMemory&
     return Verdict{Kind::touching, "touching"};
 }
 
-std::optional<Verdict> judge_contact(const Part& a, const Part& b, QueryMemory& memory) {
-    if (a.is_solid && b.is_solid) return judge_solids(a, b, memory);
+std::optional<Verdict> judge_contact(const Part& a, const Part& b, bool can_be_deep, QueryMemory& memory) {
+    if (a.is_solid && b.is_solid) return judge_solids(a, b, can_be_deep, memory);
     if (b.is_solid) return judge_surface(a, b, true, memory);
     if (a.is_solid) return judge_surface(b, a, false, memory);
     return judge_surfaces(a, b, memory);
@@ -95,8 +99,9 @@ Posed<Solid> solid_of(const Part& part) {
     return {dynamic_cast<const Solid&>(*part.shape), part.pose};
 }
 
-std::optional<Verdict> judge_pair(const Part& a, const Part& b, std::optional<double> clearance, QueryMemory& memory) {
-    if (const auto contact = judge_contact(a, b, memory)) return contact;
+std::optional<Verdict> judge_pair(const Part& a, const Part& b, std::optional<double> clearance, QueryMemory& memory,
+                                  bool can_be_deep) {
+    if (const auto contact = judge_contact(a, b, can_be_deep, memory)) return contact;
     if (!clearance || !within(surface_of(a), surface_of(b), *clearance, memory)) return std::nullopt;
     return Verdict{Kind::clearance, "apart", distance(surface_of(a), surface_of(b), memory)};
 }

@@ -20,7 +20,11 @@ struct Verdict {
 // Solids are judged as solids; a part that is none, as a surface (solid.hpp, predicates.hpp). Distances are those of
 // the surfaces, zero-area triangles included (distance.hpp). Nothing if the parts have no point in common and, where a
 // clearance is given, are at a greater distance; the clearance must be neither negative nor NaN.
-std::optional<Verdict> judge_pair(const Part& a, const Part& b, std::optional<double> clearance, QueryMemory& memory);
+//
+// `can_be_deep` may be false only if the parts have no inner points in common and no triangles of zero area, for which
+// boxes around them may vouch: whether they touch is then asked of their surfaces, which costs less.
+std::optional<Verdict> judge_pair(const Part& a, const Part& b, std::optional<double> clearance, QueryMemory& memory,
+                                  bool can_be_deep = true);
 
 // The part's shape at its pose, as what it is. A solid's must be one.
 Posed<MeshShape> surface_of(const Part& part);
