@@ -36,6 +36,14 @@ struct Surface {
     Kind kind = Kind::none;
     std::array<std::int8_t, 3> normal = {};
     float depth = 0;
+
+    // The kind and the normal as one number.
+    std::uint32_t plane_key() const noexcept {
+        return std::uint32_t{static_cast<std::uint8_t>(kind)} |
+               std::uint32_t{static_cast<std::uint8_t>(normal[0])} << 8 |
+               std::uint32_t{static_cast<std::uint8_t>(normal[1])} << 16 |
+               std::uint32_t{static_cast<std::uint8_t>(normal[2])} << 24;
+    }
 };
 
 struct Sample {

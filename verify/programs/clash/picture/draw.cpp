@@ -15,9 +15,7 @@ constexpr std::size_t oversampling = 2;
 struct Samples {
     std::size_t width = 0;
     std::size_t height = 0;
-    std::vector<Sample> all;
-
-    const Sample& at(std::size_t x, std::size_t y) const { return all[y * width + x]; }
+    std::vector<Sample> all;  // row by row
 };
 
 double nearest_depth(const ScreenMesh& mesh) {
@@ -57,12 +55,10 @@ Samples take_samples(const ClashScene& scene, const Camera& camera, std::size_t 
     return samples;
 }
 
-// Whether an contour runs between two neighboring samples.
-bool differ(const Surface& a, const Surface& b) {
+// Whether a contour runs between two neighboring samples of which the surfaces are not of one plane, or steps apart.
+bool is_edge(const Surface& a, const Surface& b) {
     if (a.kind != b.kind) return true;
     if (a.kind == Surface::Kind::none || a.kind == Surface::Kind::mark) return false;
-    const bool is_parallel = a.normal[0] == b.normal[0] && a.normal[1] == b.normal[1] && a.normal[2] == b.normal[2];
-    if (is_parallel && std::abs(a.depth - b.depth) < 4) return false;  // most samples
     int cosine = 0;
     for (std::size_t k = 0; k < 3; ++k) cosine += a.normal[k] * b.normal[k];
     if (cosine < 14'500) return true;  // of 127 * 127: 26 degrees
@@ -71,30 +67,47 @@ bool differ(const Surface& a, const Surface& b) {
     return std::abs(a.depth - b.depth) > 4 + 3 * 127 / across;
 }
 
-// The samples with contours drawn along edges, of the contact behind surfaces, too.
-Rgb with_contours(const Samples& samples, std::size_t x, std::size_t y, double opacity) {
-    const Sample& here = samples.at(x, y);
-    bool is_front = false;
-    bool is_contact = false;
-    bool is_faint = true;
-    const auto look_at = [&](std::size_t to_x, std::size_t to_y) {
-        const Sample& there = samples.at(to_x, to_y);
-        if (differ(here.front, there.front)) {
-            is_front = true;
-            is_faint = is_faint && here.front.kind != Surface::Kind::first &&
-                       here.front.kind != Surface::Kind::second && here.front.kind != Surface::Kind::contact &&
-                       there.front.kind != Surface::Kind::first && there.front.kind != Surface::Kind::second &&
-                       there.front.kind != Surface::Kind::contact;
-        }
-        is_contact = is_contact || differ(here.contact, there.contact);
+// Most samples are of one plane with their neighbors.
+inline bool differ(const Surface& a, const Surface& b) {
+    return (a.plane_key() != b.plane_key() || std::abs(a.depth - b.depth) >= 4) && is_edge(a, b);
+}
+
+bool is_faint(const Surface& surface) {
+    return surface.kind == Surface::Kind::none || surface.kind == Surface::Kind::context;
+}
+
+// The contours that a sample is on, as bits: of other parts, of the two parts, of the contact.
+constexpr unsigned faint_contour = 1;
+constexpr unsigned front_contour = 2;
+constexpr unsigned contact_contour = 4;
+
+std::vector<std::uint8_t> find_contours(const Samples& samples) {
+    std::vector<std::uint8_t> contours(samples.all.size());
+    const auto compare = [&](std::size_t i, std::size_t k) {
+        const Sample& here = samples.all[i];
+        const Sample& there = samples.all[k];
+        unsigned found = 0;
+        if (differ(here.front, there.front))
+            found = is_faint(here.front) && is_faint(there.front) ? faint_contour : front_contour;
+        if (differ(here.contact, there.contact)) found |= contact_contour;
+        if (found == 0) return;
+        contours[i] = static_cast<std::uint8_t>(contours[i] | found);
+        contours[k] = static_cast<std::uint8_t>(contours[k] | found);
     };
-    if (x + 1 < samples.width) look_at(x + 1, y);
-    if (y + 1 < samples.height) look_at(x, y + 1);
-    if (x > 0) look_at(x - 1, y);
-    if (y > 0) look_at(x, y - 1);
-    Rgb color = here.color;
-    if (is_contact) color = mix(color, line_color, 0.7);
-    if (is_front) color = is_faint ? mix(color, {120, 128, 138}, 0.45) : mix(color, {22, 30, 42}, opacity);
+    for (std::size_t y = 0; y < samples.height; ++y) {
+        for (std::size_t x = 0; x < samples.width; ++x) {
+            const std::size_t i = y * samples.width + x;
+            if (x + 1 < samples.width) compare(i, i + 1);
+            if (y + 1 < samples.height) compare(i, i + samples.width);
+        }
+    }
+    return contours;
+}
+
+Rgb with_contours(Rgb color, unsigned contours, double opacity) {
+    if ((contours & contact_contour) != 0) color = mix(color, line_color, 0.7);
+    if ((contours & front_contour) != 0) return mix(color, {22, 30, 42}, opacity);
+    if ((contours & faint_contour) != 0) return mix(color, {120, 128, 138}, 0.45);
     return color;
 }
 
@@ -104,13 +117,16 @@ Image draw(const ClashScene& scene, const Camera& camera, std::size_t width, std
            const DrawOptions& options) {
     const Samples samples =
         take_samples(scene, camera, width * oversampling, height * oversampling, oversampling * options.line_width);
+    const std::vector<std::uint8_t> contours = find_contours(samples);
     Image image{width, height, std::vector<Rgb>(width * height)};
     for (std::size_t y = 0; y < height; ++y) {
         for (std::size_t x = 0; x < width; ++x) {
             std::array<unsigned, 3> sum{};
             for (std::size_t i = 0; i < oversampling * oversampling; ++i) {
-                const Rgb color = with_contours(samples, x * oversampling + i % oversampling,
-                                                y * oversampling + i / oversampling, options.contours);
+                const std::size_t at =
+                    (y * oversampling + i / oversampling) * samples.width + x * oversampling + i % oversampling;
+                Rgb color = samples.all[at].color;
+                if (contours[at] != 0) color = with_contours(color, contours[at], options.contours);
                 for (std::size_t k = 0; k < 3; ++k) sum[k] += color[k];
             }
             constexpr unsigned count = oversampling * oversampling;

@@ -6,10 +6,12 @@
 
 #include "ecods/contact.hpp"
 #include "ecods/intersection.hpp"
+#include "programs/clash/place.hpp"
 
 namespace ecods::clash {
 namespace {
 
+constexpr std::size_t line_limit = 4000;  // more than a picture has use for
 constexpr std::size_t context_parts = 150;
 constexpr std::size_t context_triangles = 100'000;
 
@@ -28,54 +30,26 @@ bool is_gltf(std::string_view file) {
     return file.ends_with(".gltf") || file.ends_with(".glb") || file.ends_with(".GLTF") || file.ends_with(".GLB");
 }
 
-bool comes_before(const Line& a, const Line& b) {
-    return std::lexicographical_compare(a[0].begin(), a[0].end(), b[0].begin(), b[0].end()) ||
-           (a[0] == b[0] && std::lexicographical_compare(a[1].begin(), a[1].end(), b[1].begin(), b[1].end()));
-}
-
-// Where the parts' faces lie on each other: in the report's coordinates.
-std::vector<Patch> patches_of(const Part& a, const Part& b) {
-    QueryMemory memory;
-    std::vector<Patch> patches;
-    const Posed<MeshShape> posed_a(*a.shape, a.pose);
-    const Posed<MeshShape> posed_b(*b.shape, b.pose);
-    for (const TriangleIntersection& each : intersections(posed_a, posed_b, memory)) {
+// Where the parts' faces lie on each other.
+void add_patches(ClashScene& scene, const Part& a, const Part& b, QueryMemory& memory) {
+    for (const TriangleIntersection& each : intersections(surface_of(a), surface_of(b), memory)) {
         if (each.shared.corner_count < 3) continue;
-        patches.emplace_back(each.shared.corners().begin(), each.shared.corners().end());
+        Patch& patch = scene.patches.emplace_back();
+        for (const Vec3& corner : each.shared.corners()) patch.push_back(corner - scene.origin);
     }
-    return patches;
 }
 
-// The sides of patches, as Place has lines, ascending. A picture does without them: most are sides of triangles inside
-// a larger face, and areas have their own contours in it.
-std::vector<Line> sides_of(const std::vector<Patch>& patches) {
-    std::vector<Line> sides;
-    for (const Patch& patch : patches) {
-        for (std::size_t i = 0; i < patch.size(); ++i) {
-            const Line side{patch[i], patch[(i + 1) % patch.size()]};
-            const Line reversed{side[1], side[0]};
-            sides.push_back(comes_before(side, reversed) ? side : reversed);
-        }
-    }
-    std::sort(sides.begin(), sides.end(), comes_before);
-    return sides;
-}
-
-void add_contact(ClashScene& scene, const Clash& clash, const std::vector<Patch>& patches) {
-    const std::vector<Line> sides = sides_of(patches);
-    for (const Line& line : clash.place.lines) {
-        if (!std::binary_search(sides.begin(), sides.end(), line, comes_before))
-            scene.lines.push_back({line[0] - scene.origin, line[1] - scene.origin});
-    }
-    for (const Vec3& point : clash.place.points) scene.points.push_back(point - scene.origin);
+void add_contact(ClashScene& scene, const Part& a, const Part& b, const Clash& clash) {
+    QueryMemory memory;
+    const Place place = place_with_lines(a, b, {clash.kind, clash.relation, clash.distance}, line_limit, memory);
+    scene.contact_box = corners_of({place.box.min - scene.origin, place.box.max - scene.origin});
+    for (const Line& line : place.lines) scene.lines.push_back({line[0] - scene.origin, line[1] - scene.origin});
+    for (const Vec3& point : place.points) scene.points.push_back(point - scene.origin);
     if (clash.kind == Kind::clearance && scene.points.size() == 2)
         scene.lines.push_back({scene.points[0], scene.points[1]});
-    // What both solids fill is painted itself.
-    if (scene.first.is_solid && scene.second.is_solid && clash.kind != Kind::touching) return;
-    for (const Patch& patch : patches) {
-        Patch& moved = scene.patches.emplace_back();
-        for (const Vec3& corner : patch) moved.push_back(corner - scene.origin);
-    }
+    // What both solids fill is painted itself. Where there are more lines, so are patches.
+    const bool is_filled = a.is_solid && b.is_solid && clash.kind != Kind::touching;
+    if (!is_filled && place.line_count <= line_limit) add_patches(scene, a, b, memory);
 }
 
 // What a scene has beside its parts and their contact.
@@ -109,9 +83,7 @@ ClashScene scene_of(const ClashReport& report, const Clash& clash) {
     ClashScene scene = empty_scene(report, clash);
     scene.first = posed(a, scene.origin);
     scene.second = posed(b, scene.origin);
-    // Where more lines were found than are kept, there are more patches than a picture has use for.
-    const bool has_all_lines = clash.place.line_count <= clash.place.lines.size();
-    add_contact(scene, clash, has_all_lines ? patches_of(a, b) : std::vector<Patch>{});
+    add_contact(scene, a, b, clash);
     return scene;
 }
 
