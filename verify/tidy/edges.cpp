@@ -161,7 +161,8 @@ const std::vector<Room>& rooms() {
         {"verify/unit/process", {"verify/process"}},
         {"verify/unit/programs", {"include", "verify/process", "verify/scenes", "verify/programs"}},
         {"verify/unit/clash",
-         {"include", "verify/process", "verify/scenes", "verify/programs", "verify/programs/clash"}},
+         {"include", "verify/process", "verify/scenes", "verify/programs", "verify/programs/clash",
+          "verify/unit/programs"}},
         {"verify/property", {"include", "verify/scenes", "verify/environment", "verify/unit/broad_phase"}},
 
         // What tries to prove it wrong.
