@@ -132,6 +132,7 @@ const std::vector<Room>& rooms() {
         {"verify/programs",
          {"include", "src/simd", "verify/process", "verify/oracle", "verify/judge", "verify/scenes",
           "verify/environment"}},
+        {"verify/programs/clash", {"include", "verify/process", "verify/scenes", "verify/programs"}},
         {"verify/examples", {"include", "verify/scenes"}},
         {"verify/tidy", {}},
         {"verify/consumer", {"include"}},
@@ -159,6 +160,9 @@ const std::vector<Room>& rooms() {
         {"verify/unit/allocation", {"include", "src/base", "verify/allocation", "verify/scenes"}},
         {"verify/unit/process", {"verify/process"}},
         {"verify/unit/programs", {"include", "verify/process", "verify/scenes", "verify/programs"}},
+        {"verify/unit/clash",
+         {"include", "verify/process", "verify/scenes", "verify/programs", "verify/programs/clash",
+          "verify/unit/programs"}},
         {"verify/property", {"include", "verify/scenes", "verify/environment", "verify/unit/broad_phase"}},
 
         // What tries to prove it wrong.

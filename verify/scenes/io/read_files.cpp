@@ -23,14 +23,6 @@ Scene scene_of_parts(const std::filesystem::path& file) {
     return scene;
 }
 
-Scene read_any_file(const std::filesystem::path& file) {
-    if (is_gltf_file(file)) return read_gltf_file(file);
-    if (is_mesh_file(file)) return scene_of_parts(file);
-    if (lower_extension(file) == ".json") return read_scene_file(file);
-    require_regular_file(file);
-    throw ReadError(file, "", "unknown kind of file; known are .obj, .off, .ply, .stl, .gltf, .glb and .json");
-}
-
 void append(Scene& scene, Scene part) {
     const std::size_t first_mesh = scene.meshes.size();
     const std::size_t first_body = scene.bodies.size();
@@ -50,23 +42,38 @@ void append(Scene& scene, Scene part) {
 
 }  // namespace
 
-Scene read_files(std::span<const std::filesystem::path> files) {
+Scene read_file(const std::filesystem::path& file) {
+    if (is_gltf_file(file)) return read_gltf_file(file);
+    if (is_mesh_file(file)) return scene_of_parts(file);
+    if (lower_extension(file) == ".json") return read_scene_file(file);
+    require_regular_file(file);
+    throw ReadError(file, "", "unknown kind of file; known are .obj, .off, .ply, .stl, .gltf, .glb and .json");
+}
+
+Scene join_files(std::vector<FileScene> files) {
     Scene scene;
     std::vector<BodyOrigin> origins;
+    for (FileScene& part : files) {
+        const bool is_file = is_mesh_file(part.file) && part.scene.bodies.size() == 1;
+        origins.insert(origins.end(), part.scene.bodies.size(), {part.file.string(), is_file});
+        append(scene, std::move(part.scene));
+    }
+    make_names_unique(scene, origins);
+    return scene;
+}
+
+Scene read_files(std::span<const std::filesystem::path> files) {
+    std::vector<FileScene> parts;
     std::vector<ReadError> errors;
     for (const std::filesystem::path& file : files) {
         try {
-            Scene part = read_any_file(file);
-            const bool is_file = is_mesh_file(file) && part.bodies.size() == 1;
-            origins.insert(origins.end(), part.bodies.size(), {file.string(), is_file});
-            append(scene, std::move(part));
+            parts.push_back({file, read_file(file)});
         } catch (const ReadError& error) {
             errors.push_back(error);
         }
     }
     if (!errors.empty()) throw ReadErrors(std::move(errors));
-    make_names_unique(scene, origins);
-    return scene;
+    return join_files(std::move(parts));
 }
 
 }  // namespace ecods::scenes

@@ -28,6 +28,7 @@
 
 #include <filesystem>
 #include <span>
+#include <vector>
 
 #include "scenes/io/read_error.hpp"
 #include "scenes/scene.hpp"
@@ -37,11 +38,22 @@ namespace ecods::scenes {
 // Reads a scene file. Throws ReadError with the line, or with the place such as "bodies[3].pose.R".
 Scene read_scene_file(const std::filesystem::path& file);
 
-// Reads any files into one scene, by extension: mesh files, glTF assemblies and scene files (.json). A mesh file is a
-// body at the identity, named after the file; one of several parts (objects and groups of OBJ, solids of STL: see
-// mesh_file.hpp) is a body for each, named after the part. Frames of several files run side by side. Bodies of several
-// paths that would have one name are named after their paths, "a/part.obj" or "a/assembly.obj: part"; those of one path
-// that is given twice get " (2)" and so on. Throws ReadErrors with an error for every file that cannot be read.
+// Reads a file by its extension: a mesh file, a glTF assembly or a scene file (.json). A mesh file is a body at the
+// identity, named after the file; one of several parts (objects and groups of OBJ, solids of STL: see mesh_file.hpp) is
+// a body for each, named after the part. Throws ReadError. Files may be read by several threads at once.
+Scene read_file(const std::filesystem::path& file);
+
+struct FileScene {
+    std::filesystem::path file;
+    Scene scene;
+};
+
+// Makes one scene of several files. Meshes and bodies stay in the order of the files. Frames of several files run side
+// by side. Bodies of several paths that would have one name are named after their paths, "a/part.obj" or
+// "a/assembly.obj: part"; those of one path that is given twice get " (2)" and so on.
+Scene join_files(std::vector<FileScene> files);
+
+// Reads any files into one scene. Throws ReadErrors with an error for every file that cannot be read.
 Scene read_files(std::span<const std::filesystem::path> files);
 
 }  // namespace ecods::scenes

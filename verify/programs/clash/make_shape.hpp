@@ -1,0 +1,20 @@
+// What a mesh is as a shape.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "ecods/mesh.hpp"
+#include "ecods/shape.hpp"
+
+namespace ecods::clash {
+
+struct MadeShape {
+    std::shared_ptr<const MeshShape> shape;  // a ConvexSolid or a Solid if the mesh bounds one
+    std::string not_solid_because;           // empty of a solid
+};
+
+// A mesh with a vertex that is beyond a plane by rounding alone may come out as a Solid though it is convex.
+MadeShape make_shape(const std::shared_ptr<const Mesh>& mesh);
+
+}  // namespace ecods::clash

@@ -1,0 +1,119 @@
+// ecods_clash as its users run it.
+#include "unit/programs/program_test.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+namespace ecods::scenes {
+namespace {
+
+class ClashProgram : public ProgramTest {
+  protected:
+    ProgramResult run(const std::string& arguments) const { return run_program(ECODS_CLASH_PROGRAM, arguments); }
+
+    // A tetrahedron with a corner at (x, 0, 0) and edges of length 2 along the axes.
+    static std::string tetrahedron(const std::string& name, int x) {
+        return "o " + name + "\nv " + std::to_string(x) + " 0 0\nv " + std::to_string(x + 2) + " 0 0\nv " +
+               std::to_string(x) + " 2 0\nv " + std::to_string(x) +
+               " 0 2\nf -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n";
+    }
+};
+
+TEST_F(ClashProgram, HelpAndVersion) {
+    expect_help_and_version(ECODS_CLASH_PROGRAM);
+}
+
+TEST_F(ClashProgram, ExitStatusSaysWhetherKindsWereFound) {
+    const std::string two = write("two.obj", tetrahedron("a", 0) + tetrahedron("b", 1)).string();
+    EXPECT_EQ(run(two).status, 0);
+    EXPECT_EQ(run(two + " --fail-on overlapping").status, 1);
+    EXPECT_EQ(run(two + " --fail-on equal --fail-on touching").status, 0);
+    EXPECT_EQ(run(two + " --fail-on any").status, 1);
+    EXPECT_EQ(run(two + " --fail-on any --ignore a b").status, 0);
+    EXPECT_EQ(run(two + " --fail-on any --a a --b a").status, 0);
+    EXPECT_EQ(run(two + " --fail-on clearance").status, 2);
+    EXPECT_EQ(run(two + " --clearance -1").status, 2);
+    EXPECT_EQ(run(two + " --clearance nan").status, 2);
+    EXPECT_EQ(run(two + " --jobs 0").status, 2);
+    const std::string far = write("far.obj", tetrahedron("a", 0) + tetrahedron("b", 2)).string();
+    EXPECT_EQ(run(far + " --fail-on any").status, 0);
+    EXPECT_EQ(run(far + " --fail-on touching").status, 1);
+}
+
+TEST_F(ClashProgram, BadFilesAreNamedWithTheLine) {
+    const std::string good = write("good.obj", tetrahedron("a", 0)).string();
+    const std::string bad = write("bad.obj", "v 0 0 0\nv 1 0 x\n").string();
+    const ProgramResult result = run(good + " " + bad + " " + path("none.obj").string());
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find("bad.obj: line 2"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("none.obj: no such file"), std::string::npos) << result.err;
+    const ProgramResult kept = run("--keep-going " + good + " " + bad + " --json -");
+    EXPECT_EQ(kept.status, 2);
+    EXPECT_NE(kept.err.find("bad.obj: line 2"), std::string::npos);
+    EXPECT_NE(kept.out.find("bad.obj: line 2"), std::string::npos);
+    EXPECT_NE(kept.out.find("\"name\": \"good\""), std::string::npos) << kept.out;
+}
+
+TEST_F(ClashProgram, MalformedInputsAreRefusedWell) {
+    const std::string huge = "v 1e308 1e308 -1e308\nv -1e308 0 0\nv 0 1e-308 0\nf 1 2 3\n";
+    EXPECT_EQ(run(write("huge.obj", huge).string()).status, 0);
+    for (const auto& [name, bytes] : {std::pair{"empty.obj", ""},
+                                      {"zero.stl", ""},
+                                      {"nan.obj", "v nan 0 0\n"},
+                                      {"index.obj", "v 0 0 0\nf 1 2 3\n"},
+                                      {"header.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\nend_header\n"},
+                                      {"counts.off", "OFF\n4000000000 4000000000 0\n"},
+                                      {"deep.json", "[[[[[[[[[[[[[[[[[["},
+                                      {"other.txt", "v 0 0 0\n"}}) {
+        const ProgramResult result = run(write(name, bytes).string());
+        EXPECT_EQ(result.status, 2) << name;
+        EXPECT_NE(result.err.find(name), std::string::npos) << result.err;
+    }
+    EXPECT_EQ(run(path("").string()).status, 0 + 2);  // a folder with one good file and many bad ones
+    EXPECT_EQ(run(write("two.obj", tetrahedron("a", 0)).string() + " --json /nowhere/a.json").status, 2);
+}
+
+TEST_F(ClashProgram, FoldersAreSearched) {
+    std::filesystem::create_directories(path("a/b"));
+    write("a/part.obj", tetrahedron("x", 0));
+    write("a/b/part.OBJ", tetrahedron("x", 0));
+    write("a/b/readme.txt", "no mesh");
+    const ProgramResult result = run(path("a").string());
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("equal"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("2 parts, 1 equal"), std::string::npos) << result.out;
+    std::filesystem::create_directories(path("c"));
+    EXPECT_EQ(run(path("c").string()).status, 2);
+}
+
+TEST_F(ClashProgram, NamesOfAnyBytesAreWritten) {
+    const std::string names = tetrahedron("a,\"b\"\t=\xff\xc3\xa9", 0) + tetrahedron("<b>&amp;\x01", 1);
+    const std::string file = write("names.obj", names).string();
+    const ProgramResult csv = run(file + " --csv -");
+    EXPECT_NE(csv.out.find(",\"a,\"\"b\"\" =\xff\xc3\xa9\""), std::string::npos) << csv.out;
+    EXPECT_NE(csv.out.find("<b>&amp;?"), std::string::npos) << csv.out;
+    EXPECT_NE(run(file + " --json -").out.find("a,\\\"b\\\" =\xef\xbf\xbd\xc3\xa9"), std::string::npos);
+}
+
+TEST_F(ClashProgram, DuplicatesOfSurfacesAreEqual) {
+    const std::string one = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+    const std::string file =
+        write("open.obj", "o a\n" + one + "f 1 2 3\nf 2 4 3\no b\n" + one + "f 8 7 6\nf 5 7 6\n").string();
+    const ProgramResult result = run(file);
+    EXPECT_NE(result.out.find("equal"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("not a solid: a: triangle 0: its edge"), std::string::npos) << result.out;
+}
+
+TEST_F(ClashProgram, RealAssembly) {
+    const std::string engine = "/usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb";
+    if (!std::filesystem::exists(engine)) GTEST_SKIP() << "assimp-testmodels is not installed";
+    const ProgramResult result = run(engine + " --touching --clearance 0.001");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("67 parts, 15 overlapping"), std::string::npos) << result.out;
+}
+
+}  // namespace
+}  // namespace ecods::scenes
