@@ -120,6 +120,7 @@ const std::vector<Room>& rooms() {
 
         // What checks it, and is not installed.
         {"verify/process", {}},
+        {"verify/certificates/checker", {}},
         {"verify/oracle", {"include/plain"}},
         {"verify/judge", {"include", "verify/oracle"}},
         {"verify/scenes", {"include"}},
