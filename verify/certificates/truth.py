@@ -107,9 +107,9 @@ def least_squared(a, b):
     return least
 
 
-def passes(t, u):
+def passes(t, u, way):
     """The open interval, of parameters along the line of both planes, that the inside of t has there; None if it has none."""
-    n, way = normal(u), cross(normal(t), normal(u))
+    n = normal(u)
     sides = [dot(n, sub(p, u[0])) for p in t]
     if not min(sides) < 0 < max(sides):
         return None
@@ -131,7 +131,8 @@ def cross_each_other(t, u):
     if not any(n):
         return False
     if any(normal(u)):
-        one, other = passes(t, u), passes(u, t)
+        way = cross(normal(t), normal(u))
+        one, other = passes(t, u, way), passes(u, t, way)
         return one is not None and other is not None and max(one[0], other[0]) < min(one[1], other[1])
     e = max(edges(u), key=lambda ends: dot(sub(*ends), sub(*ends)))
     start, stop = (dot(n, sub(end, t[0])) for end in e)
