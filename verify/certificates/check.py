@@ -240,8 +240,9 @@ def read_axis(lines, words, a, b):
             n = normal(a.named(lines, name))
         case ["nb", name]:
             n = normal(b.named(lines, name))
-        case ["x", first, i, second, j]:
-            n = FORMULAS["x"](a.named(lines, first), b.named(lines, second), *lines.counts([i, j], 3, 3))
+        case [("x" | "vv" | "va" | "vb") as name, first, i, second, j]:
+            i, j = lines.counts([i, j], 3, 3)  # of a, of b; the steps' vb has them the other way round
+            n = FORMULAS[name](a.named(lines, first), b.named(lines, second), *((j, i) if name == "vb" else (i, j)))
         case _:
             n = scaled(lines.numbers(words, 3))[0]
     return n if any(n) else lines.fail("the axis is zero")

@@ -88,7 +88,7 @@ class Steps:
         """Axes as words, some of them named."""
         random_ = self.random
         i, j = random_.choice(truth.below(one)), random_.choice(truth.below(other))
-        named = [["na", str(i)], ["nb", str(j)], ["x", str(i), str(random_.randrange(3)), str(j), str(random_.randrange(3))]]
+        named = [["na", str(i)], ["nb", str(j)], [random_.choice(["x", "vv", "va", "vb"]), str(i), str(random_.randrange(3)), str(j), str(random_.randrange(3))]]
         free = [shown(random_.randint(-9, 9)) for _ in range(3)]
         return random_.sample([*AXES, *named, free], 3)
 
@@ -209,6 +209,7 @@ KINDS = ("disjoint", "touching", "crossing", "distance", "within", "beyond")
 
 def random_pair(random_):
     """The texts of two meshes, and a certificate about them."""
+    kind = random_.choice(KINDS)
     while True:
         texts = [random_mesh(random_), random_mesh(random_)]
         soups = [truth.Soup(text.encode()) for text in texts]
@@ -217,7 +218,7 @@ def random_pair(random_):
         poses = [pose_text(one[0], one), pose_text(one[0], other)]
         if any(word in poses[0] + poses[1] for word in ("inf", "nan")):
             continue
-        section = pair_section(random_, soups, poses, [random_.choice(KINDS)])
+        section = pair_section(random_, soups, poses, [kind])
         if section:
             heads = [f"{name} {soup.digest} {pose}" for name, soup, pose in zip("ab", soups, poses)]
             return texts, "\n".join(["ecods-certificate 1", *heads, *section]) + "\n"

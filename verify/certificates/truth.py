@@ -321,9 +321,9 @@ class Proof:
     def axis(self, words):
         if words[0] in ("na", "nb"):
             return normal((self.a if words[0] == "na" else self.b)[int(words[1])])
-        if words[0] == "x":
+        if words[0] in ("x", "vv", "va", "vb"):
             name, i, other, j = map(int, words[1:])
-            return cross(self.edge(self.a[name], i), self.edge(self.b[other], j))
+            return self.formula(self.a[name], self.b[other], words[0], *((j, i) if words[0] == "vb" else (i, j)))
         return [real(word) for word in words]
 
     @staticmethod
