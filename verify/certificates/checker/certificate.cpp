@@ -166,9 +166,8 @@ class StepReader {
             in_.end_of_line();
             return step;
         }
-        step.opens_a = word == "ab" || word == "a";
-        step.opens_b = word == "ab" || word == "b";
-        const bool is_opened = step.opens_a || step.opens_b;
+        step.opens = {word == "ab" || word == "a", word == "ab" || word == "b"};
+        const bool is_opened = step.opens[0] || step.opens[1];
         if (!is_opened && word != "k") in_.fail("no such step");
         step.axes.first = proof_.numbers.size();
         while (!in_.is_at_end() && in_.peek() != "|" && (is_opened || step.axes.count == 0)) {

@@ -40,9 +40,8 @@ struct Numbers {
 
 struct Step {
     std::size_t line = 0;
-    bool opens_a = false;
-    bool opens_b = false;
-    bool is_formula = false;  // the line begins with t
+    std::array<bool, 2> opens{};  // a's part, b's
+    bool is_formula = false;      // the line begins with t
     Formula formula;
     Numbers axes;
     Numbers open;  // the pairs left open

@@ -12,14 +12,14 @@ namespace certificate_checker {
 template <class Number, class Corner>
 Vector<Number> vector_of(const Formula& formula, const Corner& corner) {
     const std::size_t i = formula.i, j = formula.j;
-    const auto edge = [&](int side, std::size_t k) { return corner(side, (k + 1) % 3) - corner(side, k); };
+    const auto edge = [&](std::size_t side, std::size_t k) { return corner(side, (k + 1) % 3) - corner(side, k); };
     const auto unit = [](std::size_t c) {
         Vector<Number> axis{};
         axis[c] = Number{1};
         return axis;
     };
     // In the plane of the edge e of one triangle and the corner p of the other, normal to e.
-    const auto to_edge = [&](int side, std::size_t k, const Vector<Number>& p) {
+    const auto to_edge = [&](std::size_t side, std::size_t k, const Vector<Number>& p) {
         const Vector<Number> e = edge(side, k), w = p - corner(side, k);
         return dot(e, e) * w - dot(w, e) * e;
     };

@@ -72,7 +72,7 @@ std::string Program::check_certificate(Text& in) {
         Body b(find_mesh(*head.b), head.b->pose, origin, budget_);
         check_pair(a, b, proof_);
     } else {
-        check_segment(a, head.segment, origin, proof_, budget_);
+        check_segment(a, head.segment, proof_, budget_);
     }
     return proof_.claim.words;
 }

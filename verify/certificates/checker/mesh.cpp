@@ -1,7 +1,5 @@
 #include "mesh.hpp"
 
-#include <gmp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -114,11 +112,10 @@ void read_lines(Text& in, std::string_view text, Mesh& mesh) {
 
 void measure(Mesh& mesh) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    mesh.low = no_low_bit;
     for (const auto& vertex : mesh.vertices) {
+        mesh.low = std::min(mesh.low, lowest_bit(vertex));
         for (std::size_t k = 0; k < 3; ++k) {
             mesh.magnitude[k] = std::max(mesh.magnitude[k], std::abs(vertex[k]));
-            mesh.low = std::min(mesh.low, low_bit(vertex[k]));
         }
     }
     mesh.boxes.assign(mesh.nodes.size(), {{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}}});

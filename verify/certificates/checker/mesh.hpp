@@ -1,6 +1,8 @@
 // A mesh, as its file gives it, with the boxes of the parts of its tree.
 #pragma once
 
+#include <gmpxx.h>
+
 #include <array>
 #include <cstdint>
 #include <string>
@@ -23,6 +25,7 @@ struct Node {
 struct Mesh {
     std::string digest;
     std::vector<std::array<double, 3>> vertices;
+    std::vector<std::array<mpz_class, 3>> exact;  // vertices in units of 2^low, where they are no doubles; or empty
     std::vector<std::array<std::uint32_t, 3>> triangles;  // in the order of the tree
     std::vector<std::uint32_t> position;                  // of the caller's triangles in this order
     std::vector<Node> nodes;

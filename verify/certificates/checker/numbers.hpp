@@ -3,8 +3,10 @@
 
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace certificate_checker {
 
@@ -12,12 +14,11 @@ inline constexpr double u = 0x1p-53;              // half the distance from 1 to
 inline constexpr double underflow = 0x1p-1074;    // at most this is lost where a result is subnormal
 inline constexpr double inflation = 1 + 0x1p-48;  // more than the roundings of the few sums of a bound
 
-// A double and a bound: the true number is within `error` of `value`. An operation adds what it rounds, u times its
-// result, to what the operands are wrong by; the bound is inflated because it is rounded itself. Infinity and NaN are
-// passed on, and no comparison that must hold for a proof holds for them.
+// The true number is within `error` of `value`. An operation adds what it rounds, u times its result, to what the
+// operands are wrong by; the bound is inflated because it is rounded itself. Infinity and NaN are passed on, and no
+// comparison that a proof needs holds for them.
 struct Approximate {
-    double value = 0;
-    double error = 0;
+    double value = 0, error = 0;
 };
 inline Approximate rounded(double value, double error) {
     return {value, (error + u * std::abs(value) + underflow) * inflation};
@@ -33,7 +34,6 @@ inline Approximate operator*(const Approximate& a, const Approximate& b) {
 }
 
 using Integer = mpz_class;
-
 template <class Number>
 using Vector = std::array<Number, 3>;
 
@@ -63,16 +63,22 @@ inline int low_bit(double x) {
     if (x == 0) return no_low_bit;
     if (std::isinf(x)) return 1024;
     int exponent = 0;
-    const auto mantissa = static_cast<long>(std::ldexp(std::frexp(x, &exponent), 53));
-    return exponent - 53 + __builtin_ctzl(static_cast<unsigned long>(mantissa));
+    const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
+    return exponent - 53 + __builtin_ctzll(static_cast<std::uint64_t>(mantissa));
+}
+// Of all these, and at most 0.
+template <class Numbers>
+int lowest_bit(const Numbers& numbers) {
+    int low = 0;
+    for (const double x : numbers) low = std::min(low, low_bit(x));
+    return low;
 }
 
 // x / 2^low, which must be an integer.
 inline Integer integer(double x, int low) {
-    if (x == 0) return 0;
-    if (std::isinf(x)) return Integer(1) << static_cast<unsigned long>(1024 - low);
     const int own = low_bit(x);
-    return Integer(std::ldexp(x, -own)) << static_cast<unsigned long>(own - low);
+    if (x == 0) return 0;
+    return Integer(own == 1024 ? 1.0 : std::ldexp(x, -own)) << static_cast<unsigned long>(own - low);
 }
 
 }  // namespace certificate_checker

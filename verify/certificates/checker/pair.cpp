@@ -1,6 +1,5 @@
 #include "pair.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -9,82 +8,80 @@
 namespace certificate_checker {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+// Half the sum of two doubles. Infinity stands for 2^1024.
+using Midpoint = std::array<double, 2>;
 
 bool is_odd(double x) {
     return (std::bit_cast<std::uint64_t>(x) & 1) != 0;
 }
-
-// Between x > 0 and its lower and upper neighbor. Infinity stands for 2^1024 here; no positive number rounds to 0.
+// No positive number rounds to 0.
 Midpoint lower_midpoint(double x) {
-    return x == underflow ? Midpoint{} : Midpoint{x, std::nextafter(x, 0)};
+    return x <= underflow ? Midpoint{} : Midpoint{x, std::nextafter(x, 0)};
 }
 Midpoint upper_midpoint(double x) {
     return {x, std::nextafter(x, infinity)};
 }
 
+// When two parts are apart along a vector. The last two: the gap beside the distance m.
+enum class Gap : std::uint8_t { positive, weak, half_open, at_least, more_than };
+struct Rule {
+    Gap gap = Gap::positive;
+    Midpoint m{};
+};
 Rule rule_of(const Claim& claim) {
-    using Gap = Rule::Gap;
     const double d = claim.number;
     switch (claim.question) {
         case Question::touching:
-            return {Gap::weak, {}};
+            return {Gap::weak};
         case Question::distance:
             return {is_odd(d) ? Gap::more_than : Gap::at_least, lower_midpoint(d)};
         case Question::beyond:
             return {Gap::more_than, {d, d}};
         case Question::hit:
-            return {is_odd(d) ? Gap::positive : Gap::half_open, {}};
+            return {is_odd(d) ? Gap::positive : Gap::half_open};
         default:
-            return {Gap::positive, {}};
+            return {};
     }
 }
 
 // A vector n that parts are measured along: in doubles, scaled to at most 1, and if need be in integers.
 struct Axis {
     AxisLine source;
-    std::array<std::uint32_t, 2> triangles{};  // parts, of a and of b
+    std::array<std::uint32_t, 2> triangles;  // parts, of a and of b
     Vector<Approximate> n;
-    std::array<Direction, 2> along;  // in a's and in b's coordinates
+    std::array<Direction, 2> along;  // of a and of b
     double need = 0;                 // a gap in doubles that is greater than this proves that parts are apart
     std::optional<Vector<Integer>> exact;
 };
 
-// A range of one part along one axis, as well as it is known.
+// The range of a part along an axis, as well as it is known.
 struct Cell {
-    Range range;
-    bool is_best = false;  // in doubles
-    std::optional<ExactRange> exact;
+    Range<double> range;
+    bool is_best;  // in doubles
+    std::optional<Range<Integer>> exact;
 };
-
-// The parts first, ..., first + count - 1.
-using Parts = Node;
 
 class Pair {
   public:
     Pair(Body& a, Body& b, const Rule& rule) : body_{&a, &b}, rule_(rule) {}
 
     void check_steps(const Proof& proof);
-    // Whether one of the 32 formulas has triangles I and J apart.
-    bool is_separated(const Claim& claim, const std::array<std::uint32_t, 2>& triangles, const Rule& rule);
-    // Whether the closest points of two features are in them, and at a distance of at most (less than) m.
-    bool are_features_near(const Claim& claim, const Midpoint& m, bool is_strict);
+    // Whether one of the 32 formulas has the claim's triangles apart by the rule.
+    bool is_separated(const Claim& claim);
+    // Whether the closest points of the claim's features are in them, and at a distance of at most (less than) m.
+    bool are_features_near(const Claim& claim, bool is_strict);
     bool is_apart_along_coordinate(std::uint32_t c);
 
   private:
-    using Corner = Vector<Integer>;
-    std::uint32_t triangle(int side, std::uint32_t number, std::size_t line) const;
+    std::uint32_t triangle(std::size_t side, std::uint32_t number, std::size_t line) const;
     void make_exact();
-    Integer in_units(const Midpoint& m) const;
+    Integer m() const { return integer(rule_.m[0], low_ + 1) + integer(rule_.m[1], low_ + 1); }
     Axis make_axis(const AxisLine& source, const std::array<std::uint32_t, 2>& triangles);
     const Vector<Integer>& exact(Axis& axis);
-    bool is_apart(const Rule& rule, const ExactRange& a, const ExactRange& b, const Vector<Integer>& n) const;
+    bool is_apart(const Range<Integer>& a, const Range<Integer>& b, const Vector<Integer>& n) const;
     bool are_apart(std::uint32_t i, std::uint32_t j);
+    void open_parts(const Proof& proof, const Step& step, const std::array<std::uint32_t, 2>& pair);
     void check_step(const Proof& proof, const Step& step);
-    std::pair<Parts, Parts> opened(const Step& step, const std::array<std::uint32_t, 2>& pair) const;
-    Cell& cell(int side, std::size_t axis, std::uint32_t part) {
-        return cells_[side][axis * parts_[side].count + part - parts_[side].first];
-    }
 
     std::array<Body*, 2> body_;
     Rule rule_;
@@ -92,49 +89,44 @@ class Pair {
     int low_ = 0;
     std::vector<Axis> axes_;
     std::vector<std::array<std::uint32_t, 2>> stack_;  // pairs of parts to be proven apart, the next one last
-    // Of the current step: parts, axes, ranges.
-    std::array<Parts, 2> parts_;
+    // Of the current step: a's parts and b's, the axes, and for each axis and part what is known.
+    std::array<Node, 2> parts_;
+    std::optional<Axis> formula_;
     std::vector<Axis*> named_;
     std::array<std::vector<Cell>, 2> cells_;
 };
 
-std::uint32_t Pair::triangle(int side, std::uint32_t number, std::size_t line) const {
-    const auto part = body_[side]->triangle(number);
-    if (!part) throw Refusal{line, "no such triangle"};
-    return *part;
+std::uint32_t Pair::triangle(std::size_t side, std::uint32_t number, std::size_t line) const {
+    const Mesh& mesh = body_[side]->mesh();
+    if (number >= mesh.position.size()) throw Refusal{line, "no such triangle"};
+    return static_cast<std::uint32_t>(mesh.nodes.size()) + mesh.position[number];
 }
 
 // All integers of a pair are in the same unit, which makes m one, too.
 void Pair::make_exact() {
     if (std::exchange(is_exact_, true)) return;
-    low_ = std::min({body_[0]->lowest_bit(), body_[1]->lowest_bit(), low_bit(rule_.m.x) - 1, low_bit(rule_.m.y) - 1});
+    low_ = std::min({body_[0]->lowest(), body_[1]->lowest(), lowest_bit(rule_.m) - 1});
     for (Body* const body : body_) body->set_unit(low_);
-}
-
-Integer Pair::in_units(const Midpoint& m) const {
-    return integer(m.x, low_ + 1) + integer(m.y, low_ + 1);
 }
 
 const Vector<Integer>& Pair::exact(Axis& axis) {
     make_exact();
     if (axis.exact) return *axis.exact;
-    if (axis.source.formula.kind == Kind::given) {
-        const auto& g = axis.source.given;
-        const int low = std::min({0, low_bit(g[0]), low_bit(g[1]), low_bit(g[2])});
-        axis.exact = {{{integer(g[0], low), integer(g[1], low), integer(g[2], low)}}};
-    } else {
-        axis.exact = vector_of<Integer>(
-            axis.source.formula, [&](int side, std::size_t k) { return body_[side]->corner(axis.triangles[side], k); });
-    }
+    const auto& g = axis.source.given;
+    const int low = lowest_bit(g);
+    axis.exact = {{{integer(g[0], low), integer(g[1], low), integer(g[2], low)}}};
+    if (axis.source.formula.kind == Kind::given) return *axis.exact;
+    axis.exact = vector_of<Integer>(axis.source.formula, [&](std::size_t side, std::size_t k) {
+        return body_[side]->corner(axis.triangles[side], k);
+    });
     return *axis.exact;
 }
 
 Axis Pair::make_axis(const AxisLine& source, const std::array<std::uint32_t, 2>& triangles) {
     Axis axis{source, triangles, {}, {}, 0, {}};
-    if (source.formula.kind == Kind::given) {
-        for (std::size_t i = 0; i < 3; ++i) axis.n[i].value = source.given[i];
-    } else {
-        axis.n = vector_of<Approximate>(source.formula, [&](int side, std::size_t k) {
+    for (std::size_t i = 0; i < 3; ++i) axis.n[i].value = source.given[i];
+    if (source.formula.kind != Kind::given) {
+        axis.n = vector_of<Approximate>(source.formula, [&](std::size_t side, std::size_t k) {
             return body_[side]->approximate_corner(triangles[side], k);
         });
     }
@@ -146,101 +138,94 @@ Axis Pair::make_axis(const AxisLine& source, const std::array<std::uint32_t, 2>&
     const int scale = size > 0 && size < infinity ? -std::ilogb(size) - 1 : 0;
     double square = 0;
     for (Approximate& x : axis.n) {
-        x = {std::ldexp(x.value, scale), std::ldexp(x.error, scale)};  // what underflows is among `underflows`
+        x = {std::ldexp(x.value, scale), std::ldexp(x.error, scale)};  // 2^-400 covers what underflows here, too
         square += (std::abs(x.value) + x.error) * (std::abs(x.value) + x.error);
     }
     for (std::size_t side = 0; side < 2; ++side) axis.along[side] = body_[side]->direction(axis.n);
-    axis.need = axis.along[0].error + axis.along[1].error;
-    if (rule_.m.x > 0) axis.need += rule_.m.x * std::sqrt(square) * inflation;  // m is at most x
-    axis.need *= inflation;
+    // m is at most the first of its two doubles.
+    const double beside = rule_.m[0] > 0 ? rule_.m[0] * std::sqrt(square) * inflation : 0;
+    axis.need = (axis.along[0].error + axis.along[1].error + beside) * inflation;
     return axis;
 }
 
-bool Pair::is_apart(const Rule& rule, const ExactRange& a, const ExactRange& b, const Vector<Integer>& n) const {
-    if (rule.gap == Rule::Gap::weak) return a.high <= b.low || b.high <= a.low;
-    if (rule.gap == Rule::Gap::half_open) {
-        const Integer start = dot(n, body_[1]->corner(0, 0));
+bool Pair::is_apart(const Range<Integer>& a, const Range<Integer>& b, const Vector<Integer>& n) const {
+    if (rule_.gap == Gap::weak) return a.high <= b.low || b.high <= a.low;
+    if (rule_.gap == Gap::half_open) {
+        const Integer start = dot(n, body_[1]->point(0));
         return (a.high < start && a.high <= b.low) || (a.low > start && a.low >= b.high);
     }
     const Integer gap = a.high < b.low ? b.low - a.high : a.low - b.high;
-    if (gap <= 0) return false;
-    if (rule.gap == Rule::Gap::positive) return true;
-    const Integer m = in_units(rule.m);
-    const int order = cmp(gap * gap, m * m * dot(n, n));
-    return order > 0 || (order == 0 && rule.gap == Rule::Gap::at_least);
+    if (gap <= 0 || rule_.gap == Gap::positive) return gap > 0;
+    const int order = cmp(gap * gap, m() * m() * dot(n, n));
+    return order > 0 || (order == 0 && rule_.gap == Gap::at_least);
 }
 
-// Tries what is cheapest first: ranges of boxes, ranges of corners, integers.
+// Whether parts i and j are apart along one of the axes of the step. Tries what is cheapest first: ranges of boxes,
+// ranges of corners, integers.
 bool Pair::are_apart(std::uint32_t i, std::uint32_t j) {
+    const auto cell = [&](std::size_t side, std::size_t k) -> Cell& {
+        return cells_[side][k * parts_[side].count + (side == 0 ? i : j) - parts_[side].first];
+    };
     const auto is_surely_apart = [&](std::size_t k) {
-        const Range &a = cell(0, k, i).range, &b = cell(1, k, j).range;
+        const Range<double>&a = cell(0, k).range, &b = cell(1, k).range;
         return b.low - a.high > named_[k]->need || a.low - b.high > named_[k]->need;
     };
     for (std::size_t k = 0; k < named_.size(); ++k) {
         if (is_surely_apart(k)) return true;
     }
     for (std::size_t k = 0; k < named_.size(); ++k) {
-        for (const int side : {0, 1}) {
-            const std::uint32_t part = side == 0 ? i : j;
-            Cell& c = cell(side, k, part);
-            if (!std::exchange(c.is_best, true)) c.range = body_[side]->range(part, named_[k]->along[side]);
+        for (const std::size_t side : {0, 1}) {
+            const bool is_best = std::exchange(cell(side, k).is_best, true);
+            if (!is_best) cell(side, k).range = body_[side]->range(side == 0 ? i : j, named_[k]->along[side]);
         }
         if (is_surely_apart(k)) return true;
     }
     for (std::size_t k = 0; k < named_.size(); ++k) {
         const Vector<Integer>& n = exact(*named_[k]);
-        for (const int side : {0, 1}) {
-            const std::uint32_t part = side == 0 ? i : j;
-            Cell& c = cell(side, k, part);
-            if (!c.exact) c.exact = body_[side]->exact_range(part, named_[k]->along[side], n);
+        for (const std::size_t side : {0, 1}) {
+            auto& range = cell(side, k).exact;
+            if (!range) range = body_[side]->exact_range(side == 0 ? i : j, named_[k]->along[side], n);
         }
-        if (is_apart(rule_, *cell(0, k, i).exact, *cell(1, k, j).exact, n)) return true;
+        if (is_apart(*cell(0, k).exact, *cell(1, k).exact, n)) return true;
     }
     return false;
 }
 
-// The parts that the step looks at.
-std::pair<Parts, Parts> Pair::opened(const Step& step, const std::array<std::uint32_t, 2>& pair) const {
-    const std::array<bool, 2> opens = {step.opens_a, step.opens_b};
-    std::array<Parts, 2> parts = {Parts{pair[0], 1}, Parts{pair[1], 1}};
-    bool is_progress = !step.opens_a && !step.opens_b;
-    for (std::size_t side = 0; side < 2; ++side) {
-        const Mesh& mesh = body_[side]->mesh();
-        const bool is_triangle = mesh.is_triangle(pair[side]);
+// Sets what the step looks at.
+void Pair::open_parts(const Proof& proof, const Step& step, const std::array<std::uint32_t, 2>& pair) {
+    bool is_progress = !step.opens[0] && !step.opens[1];
+    for (const std::size_t side : {0, 1}) {
+        const bool is_triangle = body_[side]->mesh().is_triangle(pair[side]);
         if (step.is_formula && !is_triangle) throw Refusal{step.line, "not two triangles"};
-        if (!opens[side] || is_triangle) continue;
-        parts[side] = mesh.nodes[pair[side]];
-        is_progress = true;
+        const bool is_opened = step.opens[side] && !is_triangle;
+        parts_[side] = is_opened ? body_[side]->mesh().nodes[pair[side]] : Node{pair[side], 1};
+        is_progress = is_progress || is_opened;
     }
     if (!is_progress) throw Refusal{step.line, "nothing to open"};
-    return {parts[0], parts[1]};
+    named_.clear();
+    if (step.is_formula) named_.push_back(&formula_.emplace(make_axis({step.line, step.formula, {}, {}}, pair)));
+    for (std::size_t k = 0; k < step.axes.count; ++k) named_.push_back(&axes_[proof.numbers[step.axes.first + k]]);
+    for (const std::size_t side : {0, 1}) {
+        cells_[side].clear();
+        for (const Axis* const axis : named_) {
+            for (std::uint32_t part = parts_[side].first; part < parts_[side].first + parts_[side].count; ++part) {
+                const Body& body = *body_[side];
+                const bool is_triangle = body.mesh().is_triangle(part);
+                const Direction& d = axis->along[side];
+                cells_[side].push_back({is_triangle ? body.range(part, d) : body.box_range(part, d), is_triangle, {}});
+            }
+        }
+    }
 }
 
 void Pair::check_step(const Proof& proof, const Step& step) {
     if (stack_.empty()) throw Refusal{step.line, "all is proven already"};
     const auto pair = stack_.back();
     stack_.pop_back();
-    std::tie(parts_[0], parts_[1]) = opened(step, pair);
-    std::optional<Axis> formula;
-    named_.clear();
-    if (step.is_formula) {
-        formula = make_axis({step.line, step.formula, {}, {}}, pair);
-        named_.push_back(&*formula);
-    }
-    for (std::size_t k = 0; k < step.axes.count; ++k) named_.push_back(&axes_[proof.numbers[step.axes.first + k]]);
-    for (const int side : {0, 1}) {
-        cells_[side].clear();
-        for (const Axis* const axis : named_) {
-            for (std::uint32_t k = 0; k < parts_[side].count; ++k) {
-                const std::uint32_t part = parts_[side].first + k;
-                cells_[side].push_back(
-                    {body_[side]->outer_range(part, axis->along[side]), body_[side]->mesh().is_triangle(part), {}});
-            }
-        }
-    }
+    open_parts(proof, step, pair);
     const std::uint32_t* open = proof.numbers.data() + step.open.first;
     const std::uint32_t* const open_end = open + step.open.count;
-    const std::size_t bottom = stack_.size();
+    const auto bottom = static_cast<std::ptrdiff_t>(stack_.size());
     for (std::uint32_t number = 0; number < parts_[0].count * parts_[1].count; ++number) {
         const std::uint32_t i = parts_[0].first + number / parts_[1].count;
         const std::uint32_t j = parts_[1].first + number % parts_[1].count;
@@ -252,83 +237,97 @@ void Pair::check_step(const Proof& proof, const Step& step) {
         }
     }
     if (open != open_end) throw Refusal{step.line, "no such pair"};
-    std::reverse(stack_.begin() + static_cast<std::ptrdiff_t>(bottom), stack_.end());
+    std::reverse(stack_.begin() + bottom, stack_.end());
 }
 
 void Pair::check_steps(const Proof& proof) {
-    for (const AxisLine& line : proof.axes) {
-        axes_.push_back(
-            make_axis(line, {triangle(0, line.triangles[0], line.line), triangle(1, line.triangles[1], line.line)}));
+    for (const AxisLine& axis : proof.axes) {
+        const std::uint32_t i = triangle(0, axis.triangles[0], axis.line),
+                            j = triangle(1, axis.triangles[1], axis.line);
+        axes_.push_back(make_axis(axis, {i, j}));
     }
     stack_ = {{0, 0}};
     for (const Step& step : proof.steps) check_step(proof, step);
     if (!stack_.empty()) throw Refusal{proof.end, "steps are missing"};
 }
 
-bool Pair::is_separated(const Claim& claim, const std::array<std::uint32_t, 2>& triangles, const Rule& rule) {
+bool Pair::is_separated(const Claim& claim) {
     make_exact();
-    const std::array<std::uint32_t, 2> part = {triangle(0, triangles[0], claim.line),
-                                               triangle(1, triangles[1], claim.line)};
-    const auto corner = [&](int side, std::size_t k) { return body_[side]->corner(part[side], k); };
+    const std::array<std::uint32_t, 2> part = {triangle(0, claim.triangles[0], claim.line),
+                                               triangle(1, claim.triangles[1], claim.line)};
+    const auto corner = [&](std::size_t side, std::size_t k) { return body_[side]->corner(part[side], k); };
+    const auto range = [&](std::size_t side, const Vector<Integer>& n) -> Range<Integer> {
+        const Integer x = dot(n, corner(side, 0)), y = dot(n, corner(side, 1)), z = dot(n, corner(side, 2));
+        return {std::min({x, y, z}), std::max({x, y, z})};
+    };
     return std::any_of(separating_formulas().begin(), separating_formulas().end(), [&](const Formula& formula) {
         const Vector<Integer> n = vector_of<Integer>(formula, corner);
-        if (is_zero(n)) return false;
-        std::array<ExactRange, 2> range;
-        for (const int side : {0, 1}) {
-            const Integer x = dot(n, corner(side, 0)), y = dot(n, corner(side, 1)), z = dot(n, corner(side, 2));
-            range[side] = {std::min({x, y, z}), std::max({x, y, z})};
-        }
-        return is_apart(rule, range[0], range[1], n);
+        return !is_zero(n) && is_apart(range(0, n), range(1, n), n);
     });
 }
 
 bool Pair::is_apart_along_coordinate(std::uint32_t c) {
     Axis axis = make_axis({0, {Kind::c, c, 0}, {}, {}}, {0, 0});
     const Vector<Integer>& n = exact(axis);
-    return is_apart(rule_, body_[0]->exact_range(0, axis.along[0], n), body_[1]->exact_range(0, axis.along[1], n), n);
+    return is_apart(body_[0]->exact_range(0, axis.along[0], n), body_[1]->exact_range(0, axis.along[1], n), n);
 }
 
-// With w from a point of the one feature to one of the other, n the vector that the distance is along and d = |w.n| /
-// |n|: the closest points are rational, and in the features if signs say so.
-bool Pair::are_features_near(const Claim& claim, const Midpoint& m, bool is_strict) {
+// README.md, section 3: the squared distance as a fraction, if signs say that the closest points are in the features.
+bool Pair::are_features_near(const Claim& claim, bool is_strict) {
     make_exact();
     const std::array<Feature, 2>& named = *claim.features;
-    const int first = named[0].kind == 'v' || named[1].kind != 'v' ? 0 : 1;  // a vertex, if there is one, comes first
+    const std::size_t first = named[0].kind == 'v' || named[1].kind != 'v' ? 0 : 1;  // a vertex comes first
     const Feature &f = named[first], &g = named[1 - first];
-    const auto corner = [&](int side, const Feature& x, std::size_t k) -> const Vector<Integer>& {
-        return body_[side]->corner(triangle(side, x.triangle, claim.line), k % 3);
-    };
-    const Vector<Integer>&p = corner(first, f, f.k), &q = corner(1 - first, g, g.k);
-    const Vector<Integer> w = p - q;
+    const std::uint32_t i = triangle(first, f.triangle, claim.line), j = triangle(1 - first, g.triangle, claim.line);
+    const auto of_f = [&](std::size_t k) { return body_[first]->corner(i, k); };
+    const auto of_g = [&](std::size_t k) { return body_[1 - first]->corner(j, k); };
     const auto is_within = [](const Integer& x, const Integer& end) { return x >= 0 && x <= end; };
-    // Squared distance as a fraction.
-    Integer numerator = dot(w, w), denominator = 1;
-    if (g.kind == 'e' && f.kind == 'v') {
-        const Vector<Integer> e = corner(1 - first, g, g.k + 1) - q, n = cross(e, w);
+    const Vector<Integer> p = of_f(f.k), q = of_g(g.k), w = p - q, e = of_g(g.k + 1) - q;
+    Vector<Integer> n = w;
+    Integer denominator = 1;
+    bool is_in = true;
+    if (f.kind == 'v' && g.kind == 'e') {
+        n = cross(e, w);
         denominator = dot(e, e);
-        if (denominator == 0 || !is_within(dot(w, e), denominator)) return false;
-        numerator = dot(n, n);
+        is_in = is_within(dot(w, e), denominator);
     } else if (g.kind == 'f') {
-        const Vector<Integer> n = cross(corner(1 - first, g, 1) - q, corner(1 - first, g, 2) - q);
+        n = cross(e, of_g(2) - q);
         denominator = dot(n, n);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vector<Integer>& start = corner(1 - first, g, k);
-            const Vector<Integer> e = corner(1 - first, g, k + 1) - start;
-            if (denominator == 0 || dot(n, cross(e, p - start)) < 0) return false;
-        }
-        numerator = dot(n, w) * dot(n, w);
+        for (std::size_t k = 0; k < 3; ++k) is_in = is_in && dot(n, cross(of_g(k + 1) - of_g(k), p - of_g(k))) >= 0;
     } else if (f.kind == 'e') {
-        const Vector<Integer> d = corner(first, f, f.k + 1) - p, e = corner(1 - first, g, g.k + 1) - q, n = cross(d, e);
+        const Vector<Integer> d = of_f(f.k + 1) - p;
+        n = cross(d, e);
         denominator = dot(n, n);
-        // p + s d and q + t e are closest: s = det(e, w, n) / n.n, t = det(d, w, n) / n.n.
-        if (denominator == 0 || !is_within(dot(cross(e, w), n), denominator)) return false;
-        if (!is_within(dot(cross(d, w), n), denominator)) return false;
-        numerator = dot(n, w) * dot(n, w);
+        is_in = is_within(dot(cross(e, w), n), denominator) && is_within(dot(cross(d, w), n), denominator);
     }
-    if (m.x == infinity && m.y == infinity) return true;  // within infinity
-    const Integer bound = in_units(m);
-    const int order = cmp(numerator, bound * bound * denominator);
+    if (!is_in || denominator == 0) return false;
+    const bool is_along_n = g.kind == 'f' || f.kind == 'e';
+    const Integer numerator = is_along_n ? Integer(dot(n, w) * dot(n, w)) : dot(n, n);
+    const int order = cmp(numerator, m() * m() * denominator);
     return order < 0 || (order == 0 && !is_strict);
+}
+
+// The segment's piece between two parameters, as a mesh of the triangle (from', p', p').
+Mesh piece_of(const std::array<Vector<double>, 2>& segment, const std::array<Midpoint, 2>& parameters) {
+    Mesh mesh;
+    const int low_s = std::min(lowest_bit(parameters[0]), lowest_bit(parameters[1]));
+    const int low_x = std::min(lowest_bit(segment[0]), lowest_bit(segment[1]));
+    for (const Midpoint& half : parameters) {
+        const Integer s = integer(half[0], low_s) + integer(half[1], low_s), rest = integer(2, low_s) - s;
+        auto& exact = mesh.exact.emplace_back();
+        auto& vertex = mesh.vertices.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            exact[k] = rest * integer(segment[0][k], low_x) + s * integer(segment[1][k], low_x);
+            long exponent = 0;
+            const double leading = mpz_get_d_2exp(&exponent, exact[k].get_mpz_t());  // wrong by at most 2u of itself
+            vertex[k] = std::ldexp(leading, static_cast<int>(exponent) + low_s + low_x - 1);
+        }
+    }
+    mesh.triangles = {{0, 1, 1}};
+    mesh.position = {0};
+    measure(mesh);
+    mesh.low = low_s + low_x - 1;
+    return mesh;
 }
 
 void require(bool is_true, const Claim& claim, const char* why) {
@@ -339,48 +338,42 @@ void require(bool is_true, const Claim& claim, const char* why) {
 
 void check_pair(Body& a, Body& b, const Proof& proof) {
     const Claim& claim = proof.claim;
+    const double d = claim.number;
     const bool is_distance = claim.question == Question::distance;
     require(claim.question != Question::hit && claim.question != Question::miss, claim, "this claim needs a segment");
-    const bool is_finite = claim.number < infinity;
     if (claim.features) {
-        const Midpoint m = is_distance ? upper_midpoint(claim.number) : Midpoint{claim.number, claim.number};
-        Pair upper(a, b, {Rule::Gap::positive, m});
-        require(upper.are_features_near(claim, m, is_distance && is_odd(claim.number)), claim,
-                "the features' closest points are not in them, or too far from each other");
-    } else if (claim.question == Question::touching || claim.question == Question::crossing ||
-               claim.question == Question::within || (is_distance && is_finite)) {
-        const bool is_crossing = claim.question == Question::crossing;
-        Pair upper(a, b, {});
-        require(!upper.is_separated(claim, claim.triangles, {is_crossing ? Rule::Gap::weak : Rule::Gap::positive, {}}),
-                claim, is_crossing ? "these two do not cross" : "these two do not meet");
+        Pair upper(a, b, {Gap::positive, is_distance ? upper_midpoint(d) : Midpoint{d, d}});
+        const bool is_near = upper.are_features_near(claim, is_distance && is_odd(d));
+        require(is_near || (d == infinity && !is_distance), claim, "the features do not prove this distance");
+    } else if (claim.question == Question::crossing) {
+        require(!Pair(a, b, {Gap::weak}).is_separated(claim), claim, "these two do not cross");
+    } else if (claim.question == Question::touching || claim.question == Question::within || (is_distance && d == 0)) {
+        require(!Pair(a, b, {}).is_separated(claim), claim, "these two do not meet");
     }
     if (claim.has_steps) Pair(a, b, rule_of(claim)).check_steps(proof);
 }
 
-void check_segment(Body& a, const std::array<std::array<double, 3>, 2>& segment, const Vector<double>& origin,
-                   const Proof& proof, Budget& budget) {
+void check_segment(Body& a, const std::array<Vector<double>, 2>& segment, const Proof& proof, Budget& budget) {
     const Claim& claim = proof.claim;
     const double s = claim.number;
-    Piece piece{segment[0], segment[1], {{{0, 0}, {1, 1}}}};
-    require(claim.question == Question::hit || claim.question == Question::miss, claim, "this claim needs two meshes");
-    if (claim.question == Question::hit) {
-        const Midpoint low = s > 0 ? lower_midpoint(s) : Midpoint{}, high = upper_midpoint(s);
-        piece.s[0] = {low.x, low.y};
-        if (s == 0) piece.s[1] = {0, 0};
-        if (s > 0 && s < 1) piece.s[1] = {high.x, high.y};
-        Body last(piece, origin, budget);
-        const Rule rule{is_odd(s) ? Rule::Gap::half_open : Rule::Gap::positive, {}};
-        require(!Pair(a, last, {}).is_separated(claim, {claim.triangles[0], 0}, rule), claim,
-                "the triangle is not met there");
-        piece.s = {{{0, 0}, {low.x, low.y}}};
+    const bool is_hit = claim.question == Question::hit;
+    require(is_hit || claim.question == Question::miss, claim, "this claim needs two meshes");
+    const Pose unmoved{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}};
+    const Midpoint low = lower_midpoint(s);
+    if (is_hit) {
+        const Midpoint high = s == 0 ? Midpoint{} : s < 1 ? upper_midpoint(s) : Midpoint{1, 1};
+        const Mesh piece = piece_of(segment, {low, high});
+        Body last(piece, unmoved, a.origin(), budget);
+        Pair upper(a, last, {is_odd(s) ? Gap::half_open : Gap::positive});
+        require(!upper.is_separated(claim), claim, "the triangle is not met there");
     }
-    Body first(piece, origin, budget);
+    const Mesh piece = piece_of(segment, {Midpoint{}, is_hit ? low : Midpoint{1, 1}});
+    Body first(piece, unmoved, a.origin(), budget);
     if (claim.has_steps) Pair(a, first, rule_of(claim)).check_steps(proof);
 }
 
 bool are_boxes_apart(Body& a, Body& b, const std::optional<double>& clearance) {
-    const Rule rule = clearance ? Rule{Rule::Gap::more_than, {*clearance, *clearance}} : Rule{};
-    Pair pair(a, b, rule);
+    Pair pair(a, b, clearance ? Rule{Gap::more_than, {*clearance, *clearance}} : Rule{});
     return pair.is_apart_along_coordinate(0) || pair.is_apart_along_coordinate(1) || pair.is_apart_along_coordinate(2);
 }
 
