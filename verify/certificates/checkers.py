@@ -7,6 +7,7 @@ from pathlib import Path
 HERE = Path(__file__).parent
 MARKER_MESH = "ecods-mesh 1\nvertices 1 triangles 1 nodes 1\n0x1p+0 0x1p+0 0x1p+0\n0 0 0 0\nl 1\n"
 IDENTITY = "0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0 0x0p+0"
+HEADERS = ("ecods-certificate 1", "ecods-world-certificate 1")
 MODULUS = 2**128 - 159
 TIME_MAX = 600
 
