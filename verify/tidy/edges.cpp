@@ -126,6 +126,7 @@ const std::vector<Room>& rooms() {
         // What checks it, and is not installed.
         {"verify/process", {}},
         {"verify/certificates/checker", {}},
+        {"verify/certificates/samples", {"include", "verify/scenes"}},
         {"verify/oracle", {"include/plain"}},
         {"verify/judge", {"include", "verify/oracle"}},
         {"verify/scenes", {"include"}},
