@@ -61,8 +61,8 @@ Range<double> Body::box_range(std::uint32_t node, const Direction& d) const {
 // meanwhile. The depth of the recursion is that of the tree, which is limited.
 template <class Use>
 void Body::visit(std::uint32_t part, const Direction& d, const Range<double>& inner, const Use& use) const {
-    if (mesh_->is_triangle(part)) {
-        for (const std::uint32_t vertex : mesh_->corners(part)) {
+    if (mesh_->is_triangle(part) || mesh_->is_leaf(part)) {
+        for (const std::uint32_t vertex : mesh_->all_corners(part)) {
             const double x = dot(d.n, mesh_->vertices[vertex]) + d.offset;
             if (!contains(inner, x)) use(vertex, x);
         }
@@ -71,7 +71,7 @@ void Body::visit(std::uint32_t part, const Direction& d, const Range<double>& in
     const Node& node = mesh_->nodes[part];
     budget_->spend(8 * node.count);
     for (std::uint32_t p = node.first; p < node.first + node.count; ++p) {
-        const Range<double> box = mesh_->is_triangle(p) ? nothing : box_range(p, d);
+        const Range<double> box = box_range(p, d);
         if (!contains(inner, box.low) || !contains(inner, box.high)) visit(p, d, inner, use);
     }
 }

@@ -120,13 +120,21 @@ void measure(Mesh& mesh) {
     }
     mesh.boxes.assign(mesh.nodes.size(), {{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}}});
     for (std::size_t i = mesh.nodes.size(); i-- > 0;) {
-        const Node& node = mesh.nodes[i];
+        Node& node = mesh.nodes[i];
+        node.first_corner = static_cast<std::uint32_t>(mesh.leaf_corners.size());
         for (std::uint32_t part = node.first; part < node.first + node.count; ++part) {
-            if (!mesh.is_triangle(part)) {
+            if (mesh.is_triangle(part)) {
+                for (const auto v : mesh.corners(part)) mesh.leaf_corners.push_back(v);
+            } else {
                 include(mesh.boxes[i], mesh.boxes[part]);
-                continue;
             }
-            for (const auto v : mesh.corners(part)) include(mesh.boxes[i], {mesh.vertices[v], mesh.vertices[v]});
+        }
+        const auto begin = mesh.leaf_corners.begin() + node.first_corner;
+        std::sort(begin, mesh.leaf_corners.end());
+        mesh.leaf_corners.erase(std::unique(begin, mesh.leaf_corners.end()), mesh.leaf_corners.end());
+        node.corner_count = static_cast<std::uint32_t>(mesh.leaf_corners.size()) - node.first_corner;
+        for (auto v = begin; v != mesh.leaf_corners.end(); ++v) {
+            include(mesh.boxes[i], {mesh.vertices[*v], mesh.vertices[*v]});
         }
     }
 }

@@ -22,6 +22,10 @@ Midpoint upper_midpoint(double x) {
     return {x, std::nextafter(x, infinity)};
 }
 
+double gap(const Range<double>& a, const Range<double>& b) {
+    return std::max(b.low - a.high, a.low - b.high);
+}
+
 // When two parts are apart along a vector. The last two: the gap beside the distance m.
 enum class Gap : std::uint8_t { positive, weak, half_open, at_least, more_than };
 struct Rule {
@@ -54,11 +58,11 @@ struct Axis {
     std::optional<Vector<Integer>> exact;
 };
 
-// The range of a part along an axis, as well as it is known.
-struct Cell {
-    Range<double> range;
-    bool is_best;  // in doubles
-    std::optional<Range<Integer>> exact;
+// The range of each part of a step along each of its axes, as well as it is known.
+struct Ranges {
+    std::vector<Range<double>> range;   // axis * count of parts + number of part
+    std::vector<std::uint8_t> is_best;  // in doubles
+    std::vector<std::optional<Range<Integer>>> exact;
 };
 
 class Pair {
@@ -89,11 +93,12 @@ class Pair {
     int low_ = 0;
     std::vector<Axis> axes_;
     std::vector<std::array<std::uint32_t, 2>> stack_;  // pairs of parts to be proven apart, the next one last
-    // Of the current step: a's parts and b's, the axes, and for each axis and part what is known.
+    // Of the current step: a's parts and b's, the axes, the ranges, and which pairs are known to be apart.
     std::array<Node, 2> parts_;
     std::optional<Axis> formula_;
     std::vector<Axis*> named_;
-    std::array<std::vector<Cell>, 2> cells_;
+    std::array<Ranges, 2> ranges_;
+    std::vector<std::uint8_t> is_apart_;
 };
 
 std::uint32_t Pair::triangle(std::size_t side, std::uint32_t number, std::size_t line) const {
@@ -160,33 +165,31 @@ bool Pair::is_apart(const Range<Integer>& a, const Range<Integer>& b, const Vect
     return order > 0 || (order == 0 && rule_.gap == Gap::at_least);
 }
 
-// Whether parts i and j are apart along one of the axes of the step. Tries what is cheapest first: ranges of boxes,
-// ranges of corners, integers.
+// Whether parts i and j are apart along one of the axes of the step, though the ranges so far do not say so. Better
+// ranges in doubles are asked first, then integers.
 bool Pair::are_apart(std::uint32_t i, std::uint32_t j) {
-    const auto cell = [&](std::size_t side, std::size_t k) -> Cell& {
-        return cells_[side][k * parts_[side].count + (side == 0 ? i : j) - parts_[side].first];
-    };
-    const auto is_surely_apart = [&](std::size_t k) {
-        const Range<double>&a = cell(0, k).range, &b = cell(1, k).range;
-        return b.low - a.high > named_[k]->need || a.low - b.high > named_[k]->need;
-    };
-    for (std::size_t k = 0; k < named_.size(); ++k) {
-        if (is_surely_apart(k)) return true;
-    }
-    for (std::size_t k = 0; k < named_.size(); ++k) {
-        for (const std::size_t side : {0, 1}) {
-            const bool is_best = std::exchange(cell(side, k).is_best, true);
-            if (!is_best) cell(side, k).range = body_[side]->range(side == 0 ? i : j, named_[k]->along[side]);
+    const std::array<std::uint32_t, 2> number = {i, j};
+    for (const bool is_exact : {false, true}) {
+        for (std::size_t k = 0; k < named_.size(); ++k) {
+            Axis& axis = *named_[k];
+            std::array<std::size_t, 2> at{};
+            for (const std::size_t side : {0, 1}) {
+                Ranges& known = ranges_[side];
+                at[side] = k * parts_[side].count + number[side];
+                const std::uint32_t part = parts_[side].first + number[side];
+                if (!is_exact && known.is_best[at[side]] == 0) {
+                    known.range[at[side]] = body_[side]->range(part, axis.along[side]);
+                    known.is_best[at[side]] = 1;
+                }
+                if (!is_exact) continue;
+                known.exact.resize(known.range.size());
+                auto& exact_range = known.exact[at[side]];
+                if (!exact_range) exact_range = body_[side]->exact_range(part, axis.along[side], exact(axis));
+            }
+            const bool is_found = is_exact ? is_apart(*ranges_[0].exact[at[0]], *ranges_[1].exact[at[1]], exact(axis))
+                                           : gap(ranges_[0].range[at[0]], ranges_[1].range[at[1]]) > axis.need;
+            if (is_found) return true;
         }
-        if (is_surely_apart(k)) return true;
-    }
-    for (std::size_t k = 0; k < named_.size(); ++k) {
-        const Vector<Integer>& n = exact(*named_[k]);
-        for (const std::size_t side : {0, 1}) {
-            auto& range = cell(side, k).exact;
-            if (!range) range = body_[side]->exact_range(side == 0 ? i : j, named_[k]->along[side], n);
-        }
-        if (is_apart(*cell(0, k).exact, *cell(1, k).exact, n)) return true;
     }
     return false;
 }
@@ -198,21 +201,38 @@ void Pair::open_parts(const Proof& proof, const Step& step, const std::array<std
         const bool is_triangle = body_[side]->mesh().is_triangle(pair[side]);
         if (step.is_formula && !is_triangle) throw Refusal{step.line, "not two triangles"};
         const bool is_opened = step.opens[side] && !is_triangle;
-        parts_[side] = is_opened ? body_[side]->mesh().nodes[pair[side]] : Node{pair[side], 1};
+        parts_[side] = is_opened ? body_[side]->mesh().nodes[pair[side]] : Node{pair[side], 1, 0, 0};
         is_progress = is_progress || is_opened;
     }
     if (!is_progress) throw Refusal{step.line, "nothing to open"};
     named_.clear();
     if (step.is_formula) named_.push_back(&formula_.emplace(make_axis({step.line, step.formula, {}, {}}, pair)));
     for (std::size_t k = 0; k < step.axes.count; ++k) named_.push_back(&axes_[proof.numbers[step.axes.first + k]]);
+    is_apart_.assign(std::size_t{parts_[0].count} * parts_[1].count, 0);
     for (const std::size_t side : {0, 1}) {
-        cells_[side].clear();
-        for (const Axis* const axis : named_) {
-            for (std::uint32_t part = parts_[side].first; part < parts_[side].first + parts_[side].count; ++part) {
-                const Body& body = *body_[side];
+        ranges_[side].range.resize(named_.size() * parts_[side].count);
+        ranges_[side].is_best.resize(ranges_[side].range.size());
+        ranges_[side].exact.clear();
+    }
+    for (std::size_t k = 0; k < named_.size(); ++k) {
+        for (const std::size_t side : {0, 1}) {
+            const Body& body = *body_[side];
+            const Direction& d = named_[k]->along[side];
+            for (std::uint32_t i = 0; i < parts_[side].count; ++i) {
+                const std::uint32_t part = parts_[side].first + i;
                 const bool is_triangle = body.mesh().is_triangle(part);
-                const Direction& d = axis->along[side];
-                cells_[side].push_back({is_triangle ? body.range(part, d) : body.box_range(part, d), is_triangle, {}});
+                const std::size_t at = k * parts_[side].count + i;
+                ranges_[side].range[at] = is_triangle ? body.range(part, d) : body.box_range(part, d);
+                ranges_[side].is_best[at] = is_triangle ? 1 : 0;
+            }
+        }
+        const double need = named_[k]->need;
+        for (std::uint32_t i = 0; i < parts_[0].count; ++i) {
+            const Range<double> a = ranges_[0].range[k * parts_[0].count + i];
+            const Range<double>* b = &ranges_[1].range[k * parts_[1].count];
+            std::uint8_t* known = &is_apart_[std::size_t{i} * parts_[1].count];
+            for (std::uint32_t j = 0; j < parts_[1].count; ++j, ++b, ++known) {
+                if (b->low - a.high > need || a.low - b->high > need) *known = 1;
             }
         }
     }
@@ -227,12 +247,11 @@ void Pair::check_step(const Proof& proof, const Step& step) {
     const std::uint32_t* const open_end = open + step.open.count;
     const auto bottom = static_cast<std::ptrdiff_t>(stack_.size());
     for (std::uint32_t number = 0; number < parts_[0].count * parts_[1].count; ++number) {
-        const std::uint32_t i = parts_[0].first + number / parts_[1].count;
-        const std::uint32_t j = parts_[1].first + number % parts_[1].count;
+        const std::uint32_t i = number / parts_[1].count, j = number % parts_[1].count;
         if (open != open_end && *open == number) {
-            stack_.push_back({i, j});
+            stack_.push_back({parts_[0].first + i, parts_[1].first + j});
             ++open;
-        } else if (!are_apart(i, j)) {
+        } else if (is_apart_[number] == 0 && !are_apart(i, j)) {
             throw Refusal{step.line, "pair " + std::to_string(number) + " is not apart"};
         }
     }
