@@ -128,9 +128,7 @@ class TextDigest {
 }  // namespace
 
 void write_certified_mesh(std::ostream& out, const MeshShape& shape) {
-    const auto sink = [&](std::string_view text) {
-        out.write(text.data(), static_cast<std::streamsize>(text.size()));
-    };
+    const auto sink = [&](std::string_view text) { out.write(text.data(), static_cast<std::streamsize>(text.size())); };
     MeshText(shape, sink).write();
 }
 

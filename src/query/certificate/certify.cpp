@@ -1,5 +1,6 @@
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "base/double_key.hpp"
@@ -51,7 +52,7 @@ class Maker {
         content_.value = d;
         if (key_of(d) == 0) return meeting(witness);
         if (key_of(d) < key_of(infinity)) name_closest(witness);
-        return prove(Claim::distance, d);
+        return prove(Claim::distance, d, witness);
     }
 
     Certificate within(double d) {
@@ -104,9 +105,11 @@ class Maker {
         return CertificateAccess::make(std::move(content_));
     }
 
-    Certificate prove(Claim claim, double least) {
+    Certificate prove(Claim claim, double least, const PairWitness& closest = {}) {
         content_.claim = claim;
-        if (const auto crossing = PairProof(a_, b_, claim, least, pair_, content_.proof).run()) {
+        std::optional<TrianglePair> near;
+        if (names_pair(closest)) near = TrianglePair{closest.a, closest.b};
+        if (const auto crossing = PairProof(a_, b_, claim, least, pair_, content_.proof).run(near)) {
             content_.claim = Claim::crossing;
             content_.proof.clear();
             name_meeting(*crossing);

@@ -20,6 +20,7 @@ LineProof::LineProof(const Posed<MeshShape>& body, const Segment& segment, const
                      Proof& proof)
     : body_(body),
       tree_(MeshShapeAccess::tree(*body.what)),
+      frame_(tree_.boxes, body.pose.R, Vec3::Zero()),
       apart_(apart),
       proof_(proof),
       from_(segment.a - body.pose.t),
@@ -34,7 +35,7 @@ LineProof::LineProof(const Posed<MeshShape>& body, const Segment& segment, const
 LineProof::Axis LineProof::bind(const Vec3& n) const {
     Axis axis;
     axis.n = n;
-    axis.a = put_on_axis(tree_.boxes, body_.pose.R, Vec3::Zero(), n);
+    axis.a = put_on_axis(frame_, n);
     const double from = n.dot(from_), to = n.dot(to_), end = from + parameter_ * (to - from);
     // How large the terms of from_ and to_ are does not matter: each is one rounded difference.
     const double size = n.cwiseAbs().dot(from_.cwiseAbs() + to_.cwiseAbs());
@@ -59,9 +60,10 @@ std::uint32_t LineProof::open(const X& x) {
     of_step_.clear();
     const auto use = [&](Axis& axis) {
         if (!axis.is_bounded || axis.n == Vec3::Zero()) return;
-        const Reaches reaches = reaches_of(axis.a, x);
+        Reaches reaches;
+        find_reaches(axis.a, x, reaches);
         std::uint32_t mask = 0;
-        for (std::size_t i = 0; i < reaches.count; ++i) {
+        for (std::size_t i = 0; i < x.count; ++i) {
             if (reaches.high[i] < axis.low || reaches.low[i] > axis.high) mask |= 1u << i;
         }
         if ((mask & left) == 0 || (axis.named == no_axis && proof_.axes.size() >= no_axis)) return;

@@ -41,6 +41,7 @@ class LineProof {
 
     const Posed<MeshShape>& body_;
     const MeshTree& tree_;
+    BodyFrame frame_;
     ApartBy apart_;
     Proof& proof_;
     Vec3 from_, to_;  // of the piece, less the body's translation, about

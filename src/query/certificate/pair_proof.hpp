@@ -21,8 +21,9 @@ class PairProof {
     PairProof(const Posed<MeshShape>& a, const Posed<MeshShape>& b, Certificate::Claim claim, double least,
               TriangleDistances& pair, Proof& proof);
 
-    // The claim must be true, but that touching bodies may cross: then two triangles that do are returned.
-    std::optional<TrianglePair> run();
+    // The claim must be true, but that touching bodies may cross: then two triangles that do are returned. `closest`
+    // are two triangles between which axes are looked for first.
+    std::optional<TrianglePair> run(const std::optional<TrianglePair>& closest);
 
   private:
     using Word = Proof::Word;
@@ -31,7 +32,7 @@ class PairProof {
     struct Axis {
         Vec3 n;
         BodyAxis a, b;
-        double margin = 0;    // by how much more than nothing parts must be apart
+        double margin = 0;     // by how much more than nothing parts must be apart
         Word named = no_axis;  // in the proof
     };
     struct Parts {
@@ -40,13 +41,14 @@ class PairProof {
 
     Axis bind(const Vec3& n) const;
     template <class X, class Y>
-    std::uint64_t apart(const Axis& axis, const X& x, const Y& y, bool& is_whole) const;
+    std::uint64_t apart(const Axis& axis, const X& x, const Y& y) const;
     Word name(Axis& axis);
     template <class X, class Y>
     std::uint64_t open(const X& x, const Y& y, std::uint64_t all);
     template <class X, class Y>
     bool try_axis(Axis& axis, const X& x, const Y& y, std::uint64_t& left);
     Vec3 slab_normal(std::size_t body, const Slab& slab) const;
+    Vec3 direction_of(std::uint32_t i, std::uint32_t j);
     bool decide(std::uint32_t i, std::uint32_t j);
     void visit(const Parts& top);
 
@@ -58,13 +60,14 @@ class PairProof {
     double least_;
     TriangleDistances& pair_;
     Proof& proof_;
-    Vec3 d_;
+    BodyFrame frame_a_, frame_b_;
     std::array<Mat3, 2> normals_;
     std::vector<Axis> axes_;  // the first six are those of the boxes
     std::array<std::size_t, 4> recent_{};
     std::size_t recent_count_ = 0;
     std::vector<Word> of_step_;
-    bool is_whole_ = false;
+    int least_new_ = 1;      // a new axis proves as many pairs of a step
+    int contact_count_ = 0;  // of pairs of leaves that axes of boxes did not prove
     std::vector<Parts> stack_;
     std::optional<ExactPoints> points_;
     std::optional<TrianglePair> crossing_;

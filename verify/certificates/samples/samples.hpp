@@ -18,8 +18,9 @@ struct Sample {
     Certificate certificate;
 };
 
-// Calls `take` with the certificates of `count` cases of each family of hard pairs, distances and hits: the relation, the
-// distance, and whether that is within itself, its neighbours, half and twice itself; and the first hits of segments.
+// Calls `take` with the certificates of `count` cases of each family of hard pairs, distances and hits: the relation,
+// the distance, and whether that is within itself, its neighbours, half and twice itself; and the first hits of
+// segments.
 void make_samples(std::size_t count, std::uint32_t seed, const std::function<void(const Sample&)>& take);
 
 }  // namespace ecods::certificates
