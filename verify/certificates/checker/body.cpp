@@ -2,8 +2,8 @@
 
 namespace certificate_checker {
 
-// Vertices, R and t - origin up to 2^300 and n up to 1 let no product of them overflow; what underflows then amounts to
-// less than 2^-400.
+// Vertices, R and t - origin up to 2^300 and n up to 2^24 let no product of them overflow; what underflows then amounts
+// to less than 2^-400.
 Body::Body(const Mesh& mesh, const Pose& pose, const Vector<double>& origin, Budget& budget)
     : mesh_(&mesh),
       pose_(pose),

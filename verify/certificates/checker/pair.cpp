@@ -22,10 +22,6 @@ Midpoint upper_midpoint(double x) {
     return {x, std::nextafter(x, infinity)};
 }
 
-double gap(const Range<double>& a, const Range<double>& b) {
-    return std::max(b.low - a.high, a.low - b.high);
-}
-
 // When two parts are apart along a vector. The last two: the gap beside the distance m.
 enum class Gap : std::uint8_t { positive, weak, half_open, at_least, more_than };
 struct Rule {
@@ -58,9 +54,9 @@ struct Axis {
     std::optional<Vector<Integer>> exact;
 };
 
-// The range of each part of a step along each of its axes, as well as it is known.
+// The ranges of one side's parts of a step along its axes: part number i, axis k at k * count of parts + i.
 struct Ranges {
-    std::vector<Range<double>> range;   // axis * count of parts + number of part
+    std::vector<double> low, high;
     std::vector<std::uint8_t> is_best;  // in doubles
     std::vector<std::optional<Range<Integer>>> exact;
 };
@@ -83,6 +79,9 @@ class Pair {
     Axis make_axis(const AxisLine& source, const std::array<std::uint32_t, 2>& triangles);
     const Vector<Integer>& exact(Axis& axis);
     bool is_apart(const Range<Integer>& a, const Range<Integer>& b, const Vector<Integer>& n) const;
+    void measure_parts();
+    void sharpen(std::size_t side, std::size_t k, std::uint32_t i);
+    const Range<Integer>& exact_range(std::size_t side, std::size_t k, std::uint32_t i);
     bool are_apart(std::uint32_t i, std::uint32_t j);
     void open_parts(const Proof& proof, const Step& step, const std::array<std::uint32_t, 2>& pair);
     void check_step(const Proof& proof, const Step& step);
@@ -93,12 +92,12 @@ class Pair {
     int low_ = 0;
     std::vector<Axis> axes_;
     std::vector<std::array<std::uint32_t, 2>> stack_;  // pairs of parts to be proven apart, the next one last
-    // Of the current step: a's parts and b's, the axes, the ranges, and which pairs are known to be apart.
+    // Of the current step: a's parts and b's, the axes, the ranges.
     std::array<Node, 2> parts_;
     std::optional<Axis> formula_;
     std::vector<Axis*> named_;
     std::array<Ranges, 2> ranges_;
-    std::vector<std::uint8_t> is_apart_;
+    std::vector<double> excess_;  // by how much the greatest gap of each pair exceeds what it needs
 };
 
 std::uint32_t Pair::triangle(std::size_t side, std::uint32_t number, std::size_t line) const {
@@ -140,10 +139,12 @@ Axis Pair::make_axis(const AxisLine& source, const std::array<std::uint32_t, 2>&
         throw Refusal{source.line, "the axis is zero"};
     }
     const double size = std::max({std::abs(axis.n[0].value), std::abs(axis.n[1].value), std::abs(axis.n[2].value)});
-    const int scale = size > 0 && size < infinity ? -std::ilogb(size) - 1 : 0;
+    // What this underflows is covered by the 2^-400 of directions.
+    const double scale =
+        size > 0 && size < infinity ? std::ldexp(1, std::clamp(-std::ilogb(size) - 1, -1000, 1000)) : 1;
     double square = 0;
     for (Approximate& x : axis.n) {
-        x = {std::ldexp(x.value, scale), std::ldexp(x.error, scale)};  // 2^-400 covers what underflows here, too
+        x = {x.value * scale, x.error * scale};
         square += (std::abs(x.value) + x.error) * (std::abs(x.value) + x.error);
     }
     for (std::size_t side = 0; side < 2; ++side) axis.along[side] = body_[side]->direction(axis.n);
@@ -165,31 +166,72 @@ bool Pair::is_apart(const Range<Integer>& a, const Range<Integer>& b, const Vect
     return order > 0 || (order == 0 && rule_.gap == Gap::at_least);
 }
 
+// Sets the ranges by boxes, of triangles by corners. NaN is never the greatest.
+void Pair::measure_parts() {
+    for (const std::size_t side : {0, 1}) {
+        Ranges& ranges = ranges_[side];
+        ranges.exact.clear();
+        for (auto* const ends : {&ranges.low, &ranges.high}) ends->resize(named_.size() * parts_[side].count);
+        ranges.is_best.assign(ranges.low.size(), 0);
+        for (std::size_t k = 0, at = 0; k < named_.size(); ++k) {
+            for (std::uint32_t i = 0; i < parts_[side].count; ++i, ++at) {
+                const std::uint32_t part = parts_[side].first + i;
+                if (body_[side]->mesh().is_triangle(part)) {
+                    sharpen(side, k, i);
+                } else {
+                    const Range<double> range = body_[side]->box_range(part, named_[k]->along[side]);
+                    ranges.low[at] = range.low;
+                    ranges.high[at] = range.high;
+                }
+            }
+        }
+    }
+    excess_.assign(std::size_t{parts_[0].count} * parts_[1].count, -infinity);
+    const Ranges &a = ranges_[0], &b = ranges_[1];
+    for (std::size_t k = 0; k < named_.size(); ++k) {
+        const double need = named_[k]->need;
+        const double *const low = &b.low[k * parts_[1].count], *const high = &b.high[k * parts_[1].count];
+        for (std::uint32_t i = 0; i < parts_[0].count; ++i) {
+            const double a_low = a.low[k * parts_[0].count + i], a_high = a.high[k * parts_[0].count + i];
+            double* const excess = &excess_[std::size_t{i} * parts_[1].count];
+            for (std::uint32_t j = 0; j < parts_[1].count; ++j) {
+                excess[j] = std::max(excess[j], std::max(low[j] - a_high, a_low - high[j]) - need);
+            }
+        }
+    }
+}
+
+void Pair::sharpen(std::size_t side, std::size_t k, std::uint32_t i) {
+    Ranges& ranges = ranges_[side];
+    const std::size_t at = k * parts_[side].count + i;
+    if (std::exchange(ranges.is_best[at], 1) != 0) return;
+    const Range<double> range = body_[side]->range(parts_[side].first + i, named_[k]->along[side]);
+    ranges.low[at] = range.low;
+    ranges.high[at] = range.high;
+}
+
+const Range<Integer>& Pair::exact_range(std::size_t side, std::size_t k, std::uint32_t i) {
+    const Vector<Integer>& n = exact(*named_[k]);
+    ranges_[side].exact.resize(ranges_[side].low.size());
+    auto& range = ranges_[side].exact[k * parts_[side].count + i];
+    if (!range) range = body_[side]->exact_range(parts_[side].first + i, named_[k]->along[side], n);
+    return *range;
+}
+
 // Whether parts i and j are apart along one of the axes of the step, though the ranges so far do not say so. Better
 // ranges in doubles are asked first, then integers.
 bool Pair::are_apart(std::uint32_t i, std::uint32_t j) {
-    const std::array<std::uint32_t, 2> number = {i, j};
-    for (const bool is_exact : {false, true}) {
-        for (std::size_t k = 0; k < named_.size(); ++k) {
-            Axis& axis = *named_[k];
-            std::array<std::size_t, 2> at{};
-            for (const std::size_t side : {0, 1}) {
-                Ranges& known = ranges_[side];
-                at[side] = k * parts_[side].count + number[side];
-                const std::uint32_t part = parts_[side].first + number[side];
-                if (!is_exact && known.is_best[at[side]] == 0) {
-                    known.range[at[side]] = body_[side]->range(part, axis.along[side]);
-                    known.is_best[at[side]] = 1;
-                }
-                if (!is_exact) continue;
-                known.exact.resize(known.range.size());
-                auto& exact_range = known.exact[at[side]];
-                if (!exact_range) exact_range = body_[side]->exact_range(part, axis.along[side], exact(axis));
-            }
-            const bool is_found = is_exact ? is_apart(*ranges_[0].exact[at[0]], *ranges_[1].exact[at[1]], exact(axis))
-                                           : gap(ranges_[0].range[at[0]], ranges_[1].range[at[1]]) > axis.need;
-            if (is_found) return true;
-        }
+    const Ranges &a = ranges_[0], &b = ranges_[1];
+    for (std::size_t k = 0; k < named_.size(); ++k) {
+        sharpen(0, k, i);
+        sharpen(1, k, j);
+        const std::size_t at = k * parts_[0].count + i, other = k * parts_[1].count + j;
+        const double need = named_[k]->need;
+        if (b.low[other] - a.high[at] > need || a.low[at] - b.high[other] > need) return true;
+    }
+    for (std::size_t k = 0; k < named_.size(); ++k) {
+        const Range<Integer>&x = exact_range(0, k, i), &y = exact_range(1, k, j);
+        if (is_apart(x, y, exact(*named_[k]))) return true;
     }
     return false;
 }
@@ -208,34 +250,7 @@ void Pair::open_parts(const Proof& proof, const Step& step, const std::array<std
     named_.clear();
     if (step.is_formula) named_.push_back(&formula_.emplace(make_axis({step.line, step.formula, {}, {}}, pair)));
     for (std::size_t k = 0; k < step.axes.count; ++k) named_.push_back(&axes_[proof.numbers[step.axes.first + k]]);
-    is_apart_.assign(std::size_t{parts_[0].count} * parts_[1].count, 0);
-    for (const std::size_t side : {0, 1}) {
-        ranges_[side].range.resize(named_.size() * parts_[side].count);
-        ranges_[side].is_best.resize(ranges_[side].range.size());
-        ranges_[side].exact.clear();
-    }
-    for (std::size_t k = 0; k < named_.size(); ++k) {
-        for (const std::size_t side : {0, 1}) {
-            const Body& body = *body_[side];
-            const Direction& d = named_[k]->along[side];
-            for (std::uint32_t i = 0; i < parts_[side].count; ++i) {
-                const std::uint32_t part = parts_[side].first + i;
-                const bool is_triangle = body.mesh().is_triangle(part);
-                const std::size_t at = k * parts_[side].count + i;
-                ranges_[side].range[at] = is_triangle ? body.range(part, d) : body.box_range(part, d);
-                ranges_[side].is_best[at] = is_triangle ? 1 : 0;
-            }
-        }
-        const double need = named_[k]->need;
-        for (std::uint32_t i = 0; i < parts_[0].count; ++i) {
-            const Range<double> a = ranges_[0].range[k * parts_[0].count + i];
-            const Range<double>* b = &ranges_[1].range[k * parts_[1].count];
-            std::uint8_t* known = &is_apart_[std::size_t{i} * parts_[1].count];
-            for (std::uint32_t j = 0; j < parts_[1].count; ++j, ++b, ++known) {
-                if (b->low - a.high > need || a.low - b->high > need) *known = 1;
-            }
-        }
-    }
+    measure_parts();
 }
 
 void Pair::check_step(const Proof& proof, const Step& step) {
@@ -251,7 +266,7 @@ void Pair::check_step(const Proof& proof, const Step& step) {
         if (open != open_end && *open == number) {
             stack_.push_back({parts_[0].first + i, parts_[1].first + j});
             ++open;
-        } else if (is_apart_[number] == 0 && !are_apart(i, j)) {
+        } else if (!(excess_[number] > 0) && !are_apart(i, j)) {
             throw Refusal{step.line, "pair " + std::to_string(number) + " is not apart"};
         }
     }
