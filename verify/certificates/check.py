@@ -415,13 +415,15 @@ def check_world(lines, meshes):
     place(*(body for body, *_ in bodies.values()))
     kinds, last = {}, ()
     while lines.peek() == "pair":
-        pair = lines.pair("pair", bodies)
+        pair = lines.pair("pair")
+        if pair[0] not in bodies or pair[1] not in bodies:
+            lines.fail("there are no such bodies")
         (a, groups, mask), (b, other_groups, other_mask) = bodies[pair[0]], bodies[pair[1]]
         if pair <= last or pair in off_pairs or not groups & other_mask or not other_groups & mask:
             lines.fail("the pairs are not ascending, or these two cannot meet")
         kind, *words = check_pair(lines, a, b, {"touching", "crossing", "disjoint", "beyond"}).split(" ")
         if kind == "disjoint" and clearance is not None:
-            if lines.pair("pair", bodies) != pair:
+            if lines.pair("pair") != pair:
                 lines.fail("it is not said whether the last pair is within the clearance")
             kind, *words = check_pair(lines, a, b, {"within"}).split(" ")
         if kind in ("within", "beyond") and (words[0] == "inf" or lines.distance(words[0]) != clearance):

@@ -64,7 +64,7 @@ class Checkers:
         if code not in (0, 1):
             raise AssertionError(f"a checker ended with {code}: {out[-500:]} {errors[-500:]}")
         found, current = [], []
-        for line in out.splitlines():
+        for line in out.split("\n")[:-1]:
             number = marked(line)
             if number is None:
                 current.append(line if line.startswith("accepted: ") else "refused")

@@ -233,11 +233,11 @@ class Lines:
         is_one = 1 <= len(word) <= 16 and set(word) <= set("0123456789abcdef")
         return int(word, 16) if is_one else self.fail("a filter is not 1 to 16 hexadecimal digits")
 
-    def pair(self, word, bodies):
+    def pair(self, word):
         """Two bodies' ids, the lesser first."""
         first, *names = self.next()
         pair = tuple(map(self.body_id, names))
-        if first != word or len(pair) != 2 or not pair[0] < pair[1] or pair[0] not in bodies or pair[1] not in bodies:
+        if first != word or len(pair) != 2 or not pair[0] < pair[1]:
             self.fail("these are not two bodies, the lesser id first")
         return pair
 
@@ -256,7 +256,7 @@ class Lines:
             last = self.body_id(words[1])
             bodies[last] = read_body(words[2], words[5:]), *filters
         while self.peek() == "off":
-            pairs.append(self.pair("off", bodies))
+            pairs.append(self.pair("off"))
             if pairs[-1] <= pairs[-2]:
                 self.fail("the pairs are not ascending")
         return clearance, bodies, set(pairs)

@@ -126,6 +126,7 @@ const std::vector<Room>& rooms() {
         // What checks it, and is not installed.
         {"verify/process", {}},
         {"verify/certificates/checker", {}},
+        {"verify/certificates/folder", {"include"}},
         {"verify/certificates/samples", {"include", "verify/scenes"}},
         {"verify/oracle", {"include/plain"}},
         {"verify/judge", {"include", "verify/oracle"}},
@@ -137,8 +138,8 @@ const std::vector<Room>& rooms() {
           "src/query/intersection", "src/query/distance", "src/query/hit", "src/query/cast", "verify/scenes"}},
         {"verify/threads", {"include", "verify/environment"}},
         {"verify/programs",
-         {"include", "src/simd", "verify/process", "verify/oracle", "verify/judge", "verify/scenes",
-          "verify/environment"}},
+         {"include", "src/simd", "verify/process", "verify/certificates/folder", "verify/oracle", "verify/judge",
+          "verify/scenes", "verify/environment"}},
         {"verify/examples", {"include", "verify/scenes"}},
         {"verify/tidy", {}},
         {"verify/consumer", {"include"}},
