@@ -15,10 +15,12 @@
 // Thread safety: as in intersection.hpp.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <iosfwd>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "ecods/export.hpp"
 #include "ecods/intersection.hpp"
@@ -74,6 +76,29 @@ ECODS_API Certificate certify_within(const Posed<MeshShape>& a, const Posed<Mesh
 
 // first_hit(segment, body): claims hit or miss. Throws InvalidSegment.
 ECODS_API Certificate certify_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory);
+
+// A world's lists with their proof (World::certify): the text of all bodies, switched pairs, and certificates of the
+// pairs whose boxes may meet. A value, cheap to copy, which keeps the shapes that it is about.
+class ECODS_API WorldCertificate {
+  public:
+    // How many pairs collide, how many are close, colliding ones included, and how many were proven to be neither.
+    std::size_t colliding_count() const noexcept;
+    std::size_t close_count() const noexcept;
+    std::size_t apart_count() const noexcept;
+
+    // Each shape once, in the order of the bodies: the checkers need the mesh of each.
+    std::vector<std::shared_ptr<const MeshShape>> shapes() const;
+
+    std::string to_string() const;
+    void write(std::ostream& out) const;
+
+  private:
+    friend struct WorldCertificateAccess;
+
+    struct ECODS_HIDDEN Content;
+    explicit WorldCertificate(std::shared_ptr<const Content> content) noexcept;
+    std::shared_ptr<const Content> content_;
+};
 
 // The mesh as certificates mean it: vertices, triangles and the tree, in the text of verify/certificates/README.md. A
 // shape made by refit() may have another tree than one made of the same mesh, and then another text. Numbers are exact.

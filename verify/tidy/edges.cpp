@@ -116,12 +116,13 @@ const std::vector<Room>& rooms() {
         {"src/world",
          {"src/base", "src/geometry", "src/exact/sign", "src/query/shape", "src/query/intersection",
           "src/query/distance", "src/query/hit", "src/query/cast", "src/query/solid", "src/query/convex",
-          "src/query/depth", "src/broad_phase/changes", "src/broad_phase", "src/trace"}},
+          "src/query/depth", "src/query/certificate", "src/broad_phase/changes", "src/broad_phase", "src/trace"}},
         {"src/trace/replay", {"src/base", "src/geometry", "src/trace", "src/world"}},
         {"include",
          {"src/base", "src/simd", "src/geometry", "src/exact/sign", "src/query/shape", "src/query/intersection",
           "src/query/distance", "src/query/hit", "src/query/cast", "src/query/solid", "src/query/convex",
-          "src/query/depth", "src/broad_phase/changes", "src/trace", "src/world", "src/trace/replay"}},
+          "src/query/depth", "src/query/certificate", "src/broad_phase/changes", "src/trace", "src/world",
+          "src/trace/replay"}},
 
         // What checks it, and is not installed.
         {"verify/process", {}},

@@ -58,6 +58,7 @@ class Maker {
     Certificate within(double d) {
         PairWitness witness;
         const bool is_within = ecods::within(a_, b_, d, memory_, witness);
+        if (key_of(d) == 0) d = 0;  // not its negative
         content_.value = d;
         if (!is_within) return prove(Claim::beyond, d);
         content_.claim = Claim::within;

@@ -1,4 +1,5 @@
-// certificate_samples FOLDER [COUNT [SEED]]: of each case N.cert, and N.a.mesh and N.b.mesh; prints their names.
+// certificate_samples FOLDER [COUNT [SEED]]: of each case N.cert, and N.a.mesh and N.b.mesh, or of a world all
+// N.*.mesh; prints their names.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -39,6 +40,17 @@ int main(int argc, char** argv) {
         std::ofstream file(folder / (std::to_string(number) + ".cert"),
                            is_new ? std::ios::binary : std::ios::binary | std::ios::app);
         sample.certificate.write(file);
+    });
+    ecods::certificates::make_worlds(count, seed, [&](const ecods::WorldCertificate& world) {
+        ++number;
+        std::size_t mesh = 0;
+        for (const auto& shape : world.shapes()) {
+            write_mesh(folder / (std::to_string(number) + '.' + std::to_string(mesh++) + ".mesh"), *shape);
+        }
+        std::ofstream file(folder / (std::to_string(number) + ".cert"), std::ios::binary);
+        world.write(file);
+        std::cout << number << " world, " << world.colliding_count() << " colliding, " << world.close_count()
+                  << " close, " << world.apart_count() << " apart\n";
     });
     return 0;
 }

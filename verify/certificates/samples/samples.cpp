@@ -62,6 +62,7 @@ void make_samples(std::size_t count, std::uint32_t seed, const Take& take) {
                      made.pose_b, memory, take);
         }
     }
+    make_flush_samples(12, seed, take);
     for (const scenes::HitFamily family : scenes::hit_families()) {
         for (std::size_t k = 0; k < count; ++k) {
             const scenes::HitCase made = scenes::make_hit_case(family, random);

@@ -23,4 +23,12 @@ struct Sample {
 // segments.
 void make_samples(std::size_t count, std::uint32_t seed, const std::function<void(const Sample&)>& take);
 
+// A square of 2 across^2 triangles, and the certificates of two of them that lie flush on each other or nearly so.
+std::shared_ptr<const MeshShape> plate(std::uint32_t across);
+void make_flush_samples(std::uint32_t across, std::uint32_t seed, const std::function<void(const Sample&)>& take);
+
+// The certificates of worlds of a dozen bodies, some of them touching, crossing, filtered out or switched off: for each
+// broad phase `count` worlds, each without and with clearances.
+void make_worlds(std::size_t count, std::uint32_t seed, const std::function<void(const WorldCertificate&)>& take);
+
 }  // namespace ecods::certificates
