@@ -78,6 +78,13 @@ void Body::visit(std::uint32_t part, const Direction& d, const Range<double>& in
 
 Range<double> Body::range(std::uint32_t part, const Direction& d) const {
     Range<double> found = nothing;
+    if (mesh_->is_triangle(part) || mesh_->is_leaf(part)) {
+        for (const std::uint32_t vertex : mesh_->all_corners(part)) {
+            const double x = dot(d.n, mesh_->vertices[vertex]) + d.offset;
+            found = {std::min(found.low, x), std::max(found.high, x)};
+        }
+        return found;
+    }
     visit(part, d, found, [&](std::uint32_t, double x) { found = {std::min(found.low, x), std::max(found.high, x)}; });
     return found;
 }

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <map>
 
-#include "pair.hpp"
+#include "claims.hpp"
 #include "world.hpp"
 
 namespace certificate_checker {

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "pair.hpp"
+#include "claims.hpp"
 
 namespace certificate_checker {
 
