@@ -22,6 +22,7 @@
 #include "ecods/solid.hpp"             // what is inside what: closed meshes as solids
 #include "ecods/convex_solid.hpp"      // solids without dents, and how far two of them are from each other
 #include "ecods/depth.hpp"             // how deep solids are in each other
+#include "ecods/certificate.hpp"       // an answer with a proof that others can check
 #include "ecods/closest_points.hpp"    // two closest points, and the features that hold them
 #include "ecods/first_contact.hpp"     // when two bodies first meet, and with which features
 #include "ecods/triangle_hit.hpp"      // what a segment or a ray shares with a triangle

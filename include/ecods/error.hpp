@@ -292,6 +292,21 @@ class ECODS_API InvalidTime final : public Error {
     double value;
 };
 
+// A world changed since its last update, of which a certificate was asked.
+class ECODS_API NotUpdated final : public Error {
+  public:
+    NotUpdated();
+};
+
+// A body's shape is of a kind of the caller's own, of which there are no certificates.
+class ECODS_API NotCertified final : public Error {
+  public:
+    NotCertified(BodyId body, ShapeKind kind);
+
+    BodyId body;
+    ShapeKind kind;
+};
+
 // A user-defined shape is not what it was when its body was given it: its box or its digest has changed. (A changed
 // shape is a new one, given by World::set_shape.) Thrown by validate() only.
 class ECODS_API ShapeChanged final : public Error {

@@ -32,6 +32,7 @@
 #include <vector>
 
 #include "ecods/broad_phase.hpp"
+#include "ecods/certificate.hpp"
 #include "ecods/closest_points.hpp"
 #include "ecods/collision_filter.hpp"
 #include "ecods/depth.hpp"
@@ -324,6 +325,14 @@ class ECODS_API World {
     void end_trace();
 
     // ---- inspection
+
+    // colliding_pairs() and close_pairs() of the last update with a proof that others can check (certificate.hpp):
+    // which bodies there are, what filters and switches leave, that the listed pairs are as they are, and that no other
+    // pair whose boxes may meet is. Throws NotUpdated if a call since the last update changed the world or the
+    // clearance; NotCertified, with the first body of a kind of the caller's own. Where a test of the caller's own
+    // replaces that of meshes, the proof is of what the meshes do. Cost: certify(), and with a clearance
+    // certify_within(), for each pair of bodies whose boxes are not proven to be further apart.
+    WorldCertificate certify(QueryMemory& memory) const;
 
     Statistics statistics() const;
 

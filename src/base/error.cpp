@@ -253,6 +253,14 @@ ShapeChanged::ShapeChanged(BodyId of_body, ShapeKind of_kind, const std::string&
       body(of_body),
       kind(of_kind) {}
 
+NotUpdated::NotUpdated() : Error("the world changed since its last update") {}
+
+NotCertified::NotCertified(BodyId certified, ShapeKind shape_kind)
+    : Error(text(certified) + " has a shape of kind " + std::to_string(shape_kind.value) +
+            ", of which there are no certificates"),
+      body(certified),
+      kind(shape_kind) {}
+
 TraceFailed::TraceFailed() : Error("the stream of the trace failed; the trace ends before its time") {}
 
 InvalidTrace::InvalidTrace(std::size_t line_number, const std::string& reason)

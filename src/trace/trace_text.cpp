@@ -3,7 +3,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "geometry/find_invalid.hpp"
 
@@ -16,13 +15,6 @@ constexpr std::array<std::string_view, 4> broad_phase_names = {"brute_force", "s
                                                                "automatic"};
 
 template <class Number, class... How>
-void append_chars(std::string& text, Number x, How... how) {
-    std::array<char, 40> buffer;
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, how...).ptr;
-    text.append(buffer.data(), end);
-}
-
-template <class Number, class... How>
 std::optional<Number> parse_chars(std::string_view word, How... how) {
     Number number{};
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number, how...);
@@ -31,21 +23,6 @@ std::optional<Number> parse_chars(std::string_view word, How... how) {
 }
 
 }  // namespace
-
-// to_chars writes no 0x, and depends on no locale. The shortest hexadecimal is exact.
-void append_hex(std::string& text, double x) {
-    if (std::signbit(x)) text.push_back('-');
-    text.append("0x");
-    append_chars(text, std::abs(x), std::chars_format::hex);
-}
-
-void append_hex(std::string& text, std::uint64_t x) {
-    append_chars(text, x, 16);
-}
-
-void append(std::string& text, std::uint64_t x) {
-    append_chars(text, x);
-}
 
 void append(std::string& text, Hex x) {
     append_hex(text, x.value);
@@ -56,9 +33,9 @@ void append(std::string& text, std::string_view word) {
 }
 
 void append(std::string& text, BodyId body) {
-    append_chars(text, body.slot);
+    append(text, std::uint64_t{body.slot});
     text.push_back('.');
-    append_chars(text, body.generation);
+    append(text, std::uint64_t{body.generation});
 }
 
 void append(std::string& text, const Vec3& point) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/number_text.hpp"
 #include "ecods/broad_phase.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/pose.hpp"
@@ -18,9 +19,6 @@ struct Hex {
     std::uint64_t value;
 };
 
-void append_hex(std::string& text, double x);
-void append_hex(std::string& text, std::uint64_t x);
-void append(std::string& text, std::uint64_t x);  // decimal
 void append(std::string& text, Hex x);
 void append(std::string& text, std::string_view word);
 void append(std::string& text, BodyId body);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "check_certificates.hpp"
 #include "check_oracle.hpp"
 #include "ecods/error.hpp"
 #include "ecods/intersection.hpp"
@@ -69,10 +70,13 @@ CaseAnswer run_case(const HardCase& hard, bool with_oracle) {
 
 }  // namespace
 
-CasesReport run_cases(const std::filesystem::path& file, bool with_oracle) {
+CasesReport run_cases(const std::filesystem::path& file, bool with_oracle, certificates::CertificateFolder* folder) {
     const scenes::HardCases known = scenes::read_hard_cases(file);
     CasesReport report{.cases = {}, .skipped = known.skipped};
-    for (const HardCase& hard : known.cases) report.cases.push_back(run_case(hard, with_oracle));
+    for (const HardCase& hard : known.cases) {
+        report.cases.push_back(run_case(hard, with_oracle));
+        if (folder != nullptr) certify_case(hard, *folder);
+    }
     return report;
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "certificates/folder/certificate_folder.hpp"
+
 namespace ecods::check {
 
 struct CaseAnswer {
@@ -20,7 +22,8 @@ struct CasesReport {
     std::size_t skipped = 0;
 };
 
-// Throws scenes::ReadError.
-CasesReport run_cases(const std::filesystem::path& file, bool with_oracle);
+// Each case is also certified, if there is a folder for that. Throws scenes::ReadError.
+CasesReport run_cases(const std::filesystem::path& file, bool with_oracle,
+                      certificates::CertificateFolder* folder = nullptr);
 
 }  // namespace ecods::check

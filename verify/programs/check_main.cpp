@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "check_cases.hpp"
+#include "check_certificates.hpp"
 #include "check_oracle.hpp"
 #include "check_print.hpp"
 #include "check_scene.hpp"
@@ -30,6 +31,7 @@ constexpr int exit_unreadable = 2;
 struct Options {
     std::vector<std::filesystem::path> files;
     std::filesystem::path cases;
+    std::optional<std::filesystem::path> certificates;  // the folder for them
     bool json = false;
     bool oracle = false;
     SceneQuestions questions;
@@ -37,11 +39,17 @@ struct Options {
     InstructionSet instruction_set = environment::widest_instruction_set();
 };
 
+std::optional<certificates::CertificateFolder> open_folder(const Options& options) {
+    if (!options.certificates) return std::nullopt;
+    return std::make_optional<certificates::CertificateFolder>(*options.certificates);
+}
+
 int check_files(const Options& options) {
     const scenes::Scene scene = scenes::read_files(options.files);
     for (const std::string& note : scene.notes) fmt::print(stderr, "ecods_check: {}\n", note);
     SceneWorld world(scene, options.broad_phase, options.questions);
     OracleJudge judge(scene);
+    auto folder = open_folder(options);
     nlohmann::ordered_json json = to_json(scene);
     if (options.questions.has_solids) {
         if (options.json) {
@@ -55,6 +63,7 @@ int check_files(const Options& options) {
         if (!scene.frames.empty()) progress.show(fmt::format("frame {} of {}", frame, scene.frames.size()));
         const FrameAnswer answer = world.answer();
         if (options.oracle) judge.check_frame(world, answer);
+        if (folder) certify_frame(world, scene.bodies.size(), *folder);
         if (options.json) {
             json["frames"].push_back(to_json(scene, answer));
         } else {
@@ -70,7 +79,8 @@ int check_files(const Options& options) {
 }
 
 int check_cases(const Options& options) {
-    const CasesReport report = run_cases(options.cases, options.oracle);
+    auto folder = open_folder(options);
+    const CasesReport report = run_cases(options.cases, options.oracle, folder ? &*folder : nullptr);
     std::size_t mismatches = 0;
     nlohmann::ordered_json cases = nlohmann::ordered_json::array();
     for (const CaseAnswer& answer : report.cases) {
@@ -149,6 +159,10 @@ int run(int argc, char** argv) {
         "Also say of each pair of bodies whose meshes bound convex solids how deep they are in each other, the "
         "direction in which the second gets out, and on which features (triangle:corner); or their gap, as "
         "solids. --oracle does not check these");
+    app.add_option("--certify", options.certificates,
+                   "Also write each pair's answer with a proof (with --distance and --clearance, these too) to "
+                   "certificates.txt in this folder, and meshes to files beside it, for ecods_check_certificate")
+        ->type_name("FOLDER");
     app.add_flag("--oracle", options.oracle, "Check every answer, of all pairs of bodies, with CGAL's exact numbers");
     programs::add_broad_phase(app, options.broad_phase, "Which broad phase; sweep_and_prune is the default");
     std::map<std::string, InstructionSet> sets;

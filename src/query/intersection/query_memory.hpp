@@ -21,7 +21,7 @@ struct QueryMemory::State {
     SeparatingAxes axes;
     std::vector<NodePair> stack;
     QueryCounts counts;
-    std::unique_ptr<QueryMemoryPart> distance, hit, cast, moving, solid, convex, depth;
+    std::unique_ptr<QueryMemoryPart> distance, hit, cast, moving, solid, convex, depth, certificate;
 };
 
 struct QueryMemoryAccess {

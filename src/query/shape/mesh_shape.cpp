@@ -26,6 +26,7 @@ struct MeshShape::Parts {
     Lazy<LocalFrame> frame;
     Lazy<SupportTable> support_table;
     Lazy<std::unique_ptr<const MeshTree>> tree;
+    Lazy<MeshShapeAccess::Digest> digest;
 };
 
 MeshShape::MeshShape(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), parts_(std::make_unique<Parts>()) {
@@ -43,6 +44,10 @@ const MeshTree& MeshShapeAccess::tree(const MeshShape& shape) {
         return std::make_unique<const MeshTree>(
             MeshTree{exact::measure(shape.mesh()), build_mesh_bvh(shape.mesh(), frame(shape)), next_tree_id()});
     });
+}
+
+const MeshShapeAccess::Digest& MeshShapeAccess::digest(const MeshShape& shape, Digest (*make)(const MeshShape&)) {
+    return shape.parts_->digest.get([&] { return make(shape); });
 }
 
 void MeshShapeAccess::refit_tree(const MeshShape& shape, const MeshShape& model) {

@@ -1,6 +1,7 @@
 // The data that queries need of a mesh, made once.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 
@@ -21,6 +22,10 @@ struct MeshTree {
 struct MeshShapeAccess {
     static const LocalFrame& frame(const MeshShape& shape);
     static const MeshTree& tree(const MeshShape& shape);
+
+    // Of the text by which certificates mean the mesh (query/certificate): what `make` makes when it is asked first.
+    using Digest = std::array<std::uint64_t, 2>;
+    static const Digest& digest(const MeshShape& shape, Digest (*make)(const MeshShape&));
 
     // Makes the tree of a shape that nobody has seen yet from that of `model`, which has the same triangles.
     static void refit_tree(const MeshShape& shape, const MeshShape& model);

@@ -1,0 +1,110 @@
+// Answers with a proof that can be checked without this library.
+//
+// A certificate is a text that says what is claimed of which posed meshes, and why it is true: how the trees of both
+// meshes are gone through, and for every pair of their parts a direction along which it is apart. A small program that
+// knows nothing of this library checks it with exact arithmetic; the format and why an accepted certificate is true are
+// in verify/certificates/README.md, two such programs beside it. They read the meshes from files that
+// write_certified_mesh() writes once a shape, and poses from the certificate.
+//
+// The claim is the answer of the plain question (intersection.hpp, distance.hpp, hit.hpp), for all finite poses and
+// zero-area triangles; so it depends on the bits of meshes and poses alone. The proof may be another in another
+// floating-point environment, and is one in each. A pose must be finite (validate(Pose)).
+//
+// Cost: the plain question, and a second walk that costs about as much; text is made when it is asked for.
+//
+// Thread safety: as in intersection.hpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ecods/export.hpp"
+#include "ecods/intersection.hpp"
+#include "ecods/segment.hpp"
+
+namespace ecods {
+
+// A claim and its proof. A value, cheap to copy. It refers to the shapes that it is about, as Posed does: they must
+// outlive it.
+class ECODS_API Certificate {
+  public:
+    enum class Claim : std::uint8_t {
+        disjoint,  // no common point
+        touching,  // a common point, and no two triangles cross
+        crossing,  // two triangles cross
+        distance,  // the distance, rounded once, is value()
+        within,    // the distance is at most value()
+        beyond,    // the distance is more than value()
+        hit,       // the first hit is at the parameter that, rounded once, is value()
+        miss,      // the segment shares no point with the body
+    };
+
+    Claim claim() const noexcept;
+    // Of distance, within, beyond and hit; 0 of the others.
+    double value() const noexcept;
+    // How many steps the proof has, and how many directions they name. 0 where a claim is its own proof: a crossing, a
+    // distance of 0, what is within a distance, and a hit at parameter 0.
+    std::size_t step_count() const noexcept;
+    std::size_t axis_count() const noexcept;
+
+    // The text. The digests of the meshes are in it, and are made when the first certificate about a shape is written:
+    // about a microsecond a triangle.
+    std::string to_string() const;
+    void write(std::ostream& out) const;
+
+  private:
+    friend struct CertificateAccess;
+
+    struct ECODS_HIDDEN Content;
+    explicit Certificate(std::shared_ptr<const Content> content) noexcept;
+    std::shared_ptr<const Content> content_;
+};
+
+// relation(a, b): claims disjoint, touching or crossing.
+ECODS_API Certificate certify(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory);
+
+// distance(a, b): claims distance.
+ECODS_API Certificate certify_distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory);
+
+// within(a, b, d): claims within or beyond. Throws InvalidDistance if d is negative or NaN.
+ECODS_API Certificate certify_within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d,
+                                     QueryMemory& memory);
+
+// first_hit(segment, body): claims hit or miss. Throws InvalidSegment.
+ECODS_API Certificate certify_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory);
+
+// A world's lists with their proof (World::certify): the text of all bodies, switched pairs, and certificates of the
+// pairs whose boxes may meet. A value, cheap to copy, which keeps the shapes that it is about.
+class ECODS_API WorldCertificate {
+  public:
+    // How many pairs collide, how many are close, colliding ones included, and how many were proven to be neither.
+    std::size_t colliding_count() const noexcept;
+    std::size_t close_count() const noexcept;
+    std::size_t apart_count() const noexcept;
+
+    // Each shape once, in the order of the bodies: the checkers need the mesh of each.
+    std::vector<std::shared_ptr<const MeshShape>> shapes() const;
+
+    std::string to_string() const;
+    void write(std::ostream& out) const;
+
+  private:
+    friend struct WorldCertificateAccess;
+
+    struct ECODS_HIDDEN Content;
+    explicit WorldCertificate(std::shared_ptr<const Content> content) noexcept;
+    std::shared_ptr<const Content> content_;
+};
+
+// The mesh as certificates mean it: vertices, triangles and the tree, in the text of verify/certificates/README.md. A
+// shape made by refit() may have another tree than one made of the same mesh, and then another text. Numbers are exact.
+ECODS_API void write_certified_mesh(std::ostream& out, const MeshShape& shape);
+
+// By which certificates name that text: 32 hexadecimal digits.
+ECODS_API std::string certified_mesh_digest(const MeshShape& shape);
+
+}  // namespace ecods

@@ -1,0 +1,45 @@
+// What a certificate holds, and its text.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "ecods/certificate.hpp"
+#include "ecods/closest_points.hpp"
+#include "ecods/segment.hpp"
+#include "query/certificate/proof.hpp"
+
+namespace ecods {
+
+struct Certificate::Content {
+    Claim claim = Claim::disjoint;
+    double value = 0;
+    // The features of distance and within; or the triangles that meet, as faces.
+    Feature a, b;
+    bool names_triangles = false;  // of distance and within: whether these meet
+
+    const MeshShape* shape_a = nullptr;
+    const MeshShape* shape_b = nullptr;  // null: the second body is the segment
+    Pose pose_a, pose_b;
+    Segment segment;
+    Proof proof;
+};
+
+struct CertificateAccess {
+    using Content = Certificate::Content;
+    static Certificate make(Content&& content) {
+        return Certificate(std::make_shared<const Content>(std::move(content)));
+    }
+    static const Content& content(const Certificate& certificate) noexcept { return *certificate.content_; }
+};
+
+// The lines from `claim` to `end`.
+void append_proof(std::string& text, const CertificateAccess::Content& content);
+// Each coordinate after a space.
+void append_coordinates(std::string& text, const Vec3& point);
+inline constexpr std::size_t digest_length = 32;
+// DIGEST POSE, and the end of the line.
+void append_body(std::string& text, const MeshShape& shape, const Pose& pose);
+
+}  // namespace ecods

@@ -1,0 +1,48 @@
+#include <utility>
+
+#include "base/double_key.hpp"
+#include "base/next.hpp"
+#include "ecods/certificate.hpp"
+#include "ecods/hit.hpp"
+#include "query/certificate/certificate_content.hpp"
+#include "query/certificate/line_proof.hpp"
+
+namespace ecods {
+namespace {
+
+// The midpoint of a positive double and the next lower one; zero for the least.
+Parameter midpoint_below(double s) {
+    const exact::Dyadic x = exact::decode(s), y = exact::decode(next_down(s));
+    if (y.m == 0) return {};
+    const int e = std::min(x.e, y.e);
+    return {(x.m << (x.e - e)) + (y.m << (y.e - e)), e - 1};
+}
+
+bool is_even(double x) {
+    return (std::bit_cast<std::uint64_t>(x) & 1) == 0;
+}
+
+}  // namespace
+
+Certificate certify_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory) {
+    const auto hit = first_hit(segment, body, memory);
+    CertificateAccess::Content content;
+    content.shape_a = body.what;
+    content.pose_a = body.pose;
+    content.segment = segment;
+    if (!hit) {
+        content.claim = Certificate::Claim::miss;
+        LineProof(body, segment, {1, 0}, ApartBy::strictly, content.proof).run();
+    } else {
+        content.claim = Certificate::Claim::hit;
+        content.value = hit->parameter;
+        content.a = {Feature::Kind::face, hit->triangle(), 0};
+        if (key_of(hit->parameter) != 0) {
+            const ApartBy apart = is_even(hit->parameter) ? ApartBy::half_open : ApartBy::strictly;
+            LineProof(body, segment, midpoint_below(hit->parameter), apart, content.proof).run();
+        }
+    }
+    return CertificateAccess::make(std::move(content));
+}
+
+}  // namespace ecods

@@ -1,0 +1,323 @@
+#include "query/certificate/pair_proof.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "base/arithmetic.hpp"
+#include "base/double_key.hpp"
+#include "query/certificate/exact_axis.hpp"
+
+namespace ecods {
+namespace {
+
+using Claim = Certificate::Claim;
+using Kind = AxisFormula::Kind;
+
+// The axis along which a pair of triangles is as far apart as it is.
+AxisFormula formula_of(const ClosestPoints& closest) {
+    const auto i = static_cast<std::uint8_t>(closest.a.corner), j = static_cast<std::uint8_t>(closest.b.corner);
+    switch (closest.kind) {
+        case ClosestKind::vertex_vertex:
+            return {Kind::vertices, i, j};
+        case ClosestKind::vertex_edge:
+            return closest.a.kind == Feature::Kind::vertex ? AxisFormula{Kind::vertex_a_edge, i, j}
+                                                           : AxisFormula{Kind::vertex_b_edge, j, i};
+        case ClosestKind::vertex_face:
+            return {closest.a.kind == Feature::Kind::face ? Kind::normal_a : Kind::normal_b};
+        default:
+            return {Kind::edges, i, j};
+    }
+}
+
+// The reach of all parts together, in each lane.
+void join(Reaches& reaches) {
+    reaches.low.fill(*std::ranges::min_element(reaches.low));
+    reaches.high.fill(*std::ranges::max_element(reaches.high));
+}
+
+// Beside a node, a leaf is not opened: all of it must be apart along one axis.
+template <class X, class Y>
+inline constexpr bool is_leaf_beside_node = requires(X x) {
+    x.vertices;
+}
+&&requires(Y y) {
+    y.child;
+};
+
+template <class X, class Y>
+std::size_t part_count(const X& x, const Y&) {
+    return is_leaf_beside_node<X, Y> ? 1 : x.count;
+}
+
+// Corners by which a triangle names a vertex or an edge.
+std::uint8_t corner_of(const SharedFeature& feature, const Triangle& triangle) {
+    for (std::uint8_t c = 0; c < 3; ++c) {
+        const std::uint32_t from = triangle[c], to = triangle[(c + 1u) % 3];
+        if (feature.second == SharedFeature::none ? from == feature.first
+                                                  : std::minmax(from, to) == std::minmax(feature.first, feature.second))
+            return c;
+    }
+    return 0;  // of a face
+}
+
+AxisFormula formula_of(const DistanceInterval& interval, const Triangle& a, const Triangle& b) {
+    const std::uint8_t i = corner_of(interval.a, a), j = corner_of(interval.b, b);
+    switch (interval.kind) {
+        case ClosestKind::vertex_vertex:
+            return {Kind::vertices, i, j};
+        case ClosestKind::vertex_edge:
+            return interval.a.second == SharedFeature::none ? AxisFormula{Kind::vertex_a_edge, i, j}
+                                                            : AxisFormula{Kind::vertex_b_edge, j, i};
+        case ClosestKind::vertex_face:
+            return {interval.a.second == SharedFeature::none ? Kind::normal_b : Kind::normal_a};
+        default:
+            return {Kind::edges, i, j};
+    }
+}
+
+constexpr double unbounded = 0x1p1000;
+
+std::uint64_t lanes_of(std::size_t rows, std::size_t columns) {
+    std::uint64_t all = 0;
+    for (std::size_t i = 0; i < rows; ++i) all |= ((std::uint64_t{1} << columns) - 1) << (tree_width * i);
+    return all;
+}
+
+}  // namespace
+
+PairProof::PairProof(const Posed<MeshShape>& a, const Posed<MeshShape>& b, Claim claim, double least,
+                     TriangleDistances& pair, Proof& proof)
+    : a_(a),
+      b_(b),
+      tree_a_(MeshShapeAccess::tree(*a.what)),
+      tree_b_(MeshShapeAccess::tree(*b.what)),
+      claim_(claim),
+      least_(least),
+      pair_(pair),
+      proof_(proof),
+      frame_a_(tree_a_.boxes, a.pose.R, Vec3::Zero()),
+      frame_b_(tree_b_.boxes, b.pose.R, b.pose.t - a.pose.t),
+      normals_{box_normals(tree_a_.boxes.frame, a.pose.R), box_normals(tree_b_.boxes.frame, b.pose.R)} {}
+
+PairProof::Axis PairProof::bind(const Vec3& n) const {
+    Axis axis;
+    axis.n = n;
+    axis.a = put_on_axis(frame_a_, n);
+    axis.b = put_on_axis(frame_b_, n);
+    // Seven roundings of a product of positive numbers, and two of sums.
+    axis.margin = (axis.a.error + axis.b.error) * (1 + 0x1p-20) + least_ * n.norm() * (1 + 0x1p-40);
+    if (!axis.a.is_bounded || !axis.b.is_bounded || !(axis.margin < 0x1p600)) axis.margin = unbounded;
+    return axis;
+}
+
+// Bit 8 i + j: parts i and j are apart.
+template <class X, class Y>
+std::uint64_t PairProof::apart(const Axis& axis, const X& x, const Y& y) const {
+    if (axis.margin == unbounded) return 0;
+    Reaches p, q;
+    find_reaches(axis.a, x, p);
+    find_reaches(axis.b, y, q);
+    if (is_leaf_beside_node<X, Y>) join(p);
+    if (is_leaf_beside_node<Y, X>) join(q);
+    return apart_mask(p, q, axis.margin);
+}
+
+PairProof::Word PairProof::name(Axis& axis) {
+    if (axis.named == no_axis) {
+        axis.named = static_cast<Word>(proof_.axes.size());
+        proof_.axes.push_back({.is_given = true, .given = axis.n});
+    }
+    return axis.named;
+}
+
+template <class X, class Y>
+bool PairProof::try_axis(Axis& axis, const X& x, const Y& y, std::uint64_t& left) {
+    const std::uint64_t mask = apart(axis, x, y);
+    // A new axis is a line of its own.
+    const int least = axis.named == no_axis ? least_new_ : 1;
+    if (std::popcount(mask & left) < least || (axis.named == no_axis && proof_.axes.size() >= no_axis)) return false;
+    of_step_.push_back(name(axis));
+    left &= ~mask;
+    return true;
+}
+
+Vec3 PairProof::slab_normal(std::size_t body, const Slab& slab) const {
+    return normals_[body] * Vec3(static_cast<double>(slab.normal[0]), static_cast<double>(slab.normal[1]),
+                                 static_cast<double>(slab.normal[2]));
+}
+
+// Chooses the axes of a step, and returns the pairs that none of them proves.
+template <class X, class Y>
+std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
+    std::uint64_t left = all;
+    of_step_.clear();
+    const auto use = [&](std::size_t at) {
+        if (!try_axis(axes_[at], x, y, left)) return;
+        const auto end = recent_.begin() + static_cast<std::ptrdiff_t>(recent_count_);
+        auto found = std::find(recent_.begin(), end, at);
+        if (found == end) {
+            if (recent_count_ < recent_.size()) ++recent_count_;
+            found = recent_.begin() + static_cast<std::ptrdiff_t>(recent_count_) - 1;
+        }
+        std::move_backward(recent_.begin(), found, found + 1);
+        recent_[0] = at;
+    };
+    const std::array<std::size_t, 4> recent = recent_;
+    for (std::size_t k = 0, count = recent_count_; k < count && left != 0; ++k) use(recent[k]);
+    const auto use_new = [&](const Vec3& n, int least) {
+        if (n == Vec3::Zero()) return;
+        axes_.push_back(bind(n));
+        const std::size_t at = axes_.size() - 1;
+        least_new_ = least;
+        use(at);
+        least_new_ = 1;
+        if (axes_[at].named == no_axis) axes_.pop_back();
+    };
+    for (const std::size_t body : {0u, 1u}) {
+        if (left == 0) return 0;
+        use_new(shortened(slab_normal(body, body == 0 ? x.slab : y.slab)), 1);
+    }
+    for (std::size_t k = 0; k < 6 && left != 0; ++k) {
+        const auto end = recent.begin() + static_cast<std::ptrdiff_t>(recent_count_);
+        if (std::find(recent.begin(), end, k) == end) use(k);
+    }
+    if constexpr (
+        requires { x.vertices; } && requires { y.vertices; }) {
+        if (left != 0) {
+            const auto first = static_cast<std::size_t>(std::countr_zero(left));
+            use_new(direction_of(x.triangle[first / tree_width], y.triangle[first % tree_width]),
+                    contact_count_ == 0 ? 1 : 3);
+            ++contact_count_;
+        }
+    }
+    return left;
+}
+
+// From the one triangle to the other where they are closest, about; zero where that is not clear.
+Vec3 PairProof::direction_of(std::uint32_t i, std::uint32_t j) {
+    const DistanceInterval interval = pair_.enclose(i, j);
+    if (!interval.is_certain) return Vec3::Zero();
+    const Mesh &mesh_a = a_.what->mesh(), &mesh_b = b_.what->mesh();
+    const Triangle &a = mesh_a.triangles()[i], &b = mesh_b.triangles()[j];
+    const auto at_a = [&](std::size_t c) -> Vec3 { return a_.pose.R * mesh_a.vertices()[a[c % 3]]; };
+    const auto at_b = [&](std::size_t c) -> Vec3 {
+        return b_.pose.R * mesh_b.vertices()[b[c % 3]] + (b_.pose.t - a_.pose.t);
+    };
+    const AxisFormula f = formula_of(interval, a, b);
+    const auto across = [](const Vec3& w, const Vec3& e) -> Vec3 { return e.dot(e) * w - w.dot(e) * e; };
+    switch (f.kind) {
+        case Kind::normal_a:
+            return shortened((at_a(1) - at_a(0)).cross(at_a(2) - at_a(0)));
+        case Kind::normal_b:
+            return shortened((at_b(1) - at_b(0)).cross(at_b(2) - at_b(0)));
+        case Kind::edges:
+            return shortened((at_a(f.i + 1) - at_a(f.i)).cross(at_b(f.j + 1) - at_b(f.j)));
+        case Kind::vertex_a_edge:
+            return shortened(across(at_a(f.i) - at_b(f.j), at_b(f.j + 1) - at_b(f.j)));
+        case Kind::vertex_b_edge:
+            return shortened(across(at_b(f.i) - at_a(f.j), at_a(f.j + 1) - at_a(f.j)));
+        default:
+            return shortened(at_b(f.j) - at_a(f.i));
+    }
+}
+
+void PairProof::visit(const Parts& top) {
+    const MeshBvh &a = tree_a_.boxes, &b = tree_b_.boxes;
+    const bool opens_a = !top.a.is_leaf() || top.b.is_leaf(), opens_b = !top.b.is_leaf() || top.a.is_leaf();
+    const auto with = [&](const auto& x, const auto& y) {
+        const std::size_t columns = part_count(y, x);
+        std::uint64_t left = open(x, y, lanes_of(part_count(x, y), columns));
+        std::vector<Word> parts;
+        if (opens_a && opens_b) {
+            for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
+                const auto bit = static_cast<std::size_t>(std::countr_zero(rest));
+                parts.push_back(static_cast<Word>(bit / tree_width * columns + bit % tree_width));
+            }
+            proof_.add_opening(StepKind::open_both, of_step_, parts);
+        } else {
+            std::uint64_t lanes = 0;
+            for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
+                const auto bit = static_cast<std::size_t>(std::countr_zero(rest));
+                lanes |= std::uint64_t{1} << (opens_a ? bit / tree_width : bit % tree_width);
+            }
+            left = lanes;
+            for (; lanes != 0; lanes &= lanes - 1) parts.push_back(static_cast<Word>(std::countr_zero(lanes)));
+            proof_.add_opening(opens_a ? StepKind::open_a : StepKind::open_b, of_step_, parts);
+        }
+        for (std::size_t k = parts.size(); k-- > 0;) {
+            if constexpr (
+                requires { x.child; } && requires { y.child; }) {
+                stack_.push_back({x.child[parts[k] / columns], y.child[parts[k] % columns]});
+            } else if constexpr (requires { x.child; }) {
+                stack_.push_back({x.child[parts[k]], top.b});
+            } else if constexpr (requires { y.child; }) {
+                stack_.push_back({top.a, y.child[parts[k]]});
+            }
+        }
+        if constexpr (
+            !requires { x.child; } && !requires { y.child; }) {
+            for (const Word k : parts) {
+                if (!decide(x.triangle[k / columns], y.triangle[k % columns])) return;
+            }
+        }
+    };
+    if (top.a.is_leaf()) {
+        const TreeLeaf& x = a.leaves[top.a.index()];
+        top.b.is_leaf() ? with(x, b.leaves[top.b.index()]) : with(x, b.nodes[top.b.index()]);
+    } else {
+        const BvhNode& x = a.nodes[top.a.index()];
+        top.b.is_leaf() ? with(x, b.leaves[top.b.index()]) : with(x, b.nodes[top.b.index()]);
+    }
+}
+
+// Two triangles that no axis of their parts' proves to be apart. Returns false if they cross.
+bool PairProof::decide(std::uint32_t i, std::uint32_t j) {
+    const DistanceInterval interval = pair_.enclose(i, j);
+    if (interval.is_certain && key_of(interval.lower) > 0) {
+        proof_.add_triangles(formula_of(interval, a_.what->mesh().triangles()[i], b_.what->mesh().triangles()[j]));
+        return true;
+    }
+    const ClosestPoints closest = pair_.closest(i, j);
+    if (closest.kind != ClosestKind::intersecting) {
+        proof_.add_triangles(formula_of(closest));
+        return true;
+    }
+    if (!points_) {
+        points_.emplace(exact::BodyRef{&a_.what->mesh(), &tree_a_.extent, &a_.pose},
+                        exact::BodyRef{&b_.what->mesh(), &tree_b_.extent, &b_.pose});
+    }
+    SixCorners corners;
+    for (std::size_t c = 0; c < 3; ++c) {
+        corners[c] = points_->vertex(0, a_.what->mesh().triangles()[i][c]);
+        corners[3 + c] = points_->vertex(1, b_.what->mesh().triangles()[j][c]);
+    }
+    if (const auto formula = find_axis(corners, ApartBy::weakly)) {
+        proof_.add_triangles(*formula);
+        return true;
+    }
+    crossing_ = TrianglePair{i, j};
+    return false;
+}
+
+std::optional<TrianglePair> PairProof::run(const std::optional<TrianglePair>& closest) {
+    for (const Mat3& normals : normals_) {
+        for (int k = 0; k < 3; ++k) axes_.push_back(bind(shortened(normals.col(k))));
+    }
+    if (closest) {
+        axes_.push_back(bind(direction_of(closest->a, closest->b)));
+        if (axes_.back().n == Vec3::Zero()) {
+            axes_.pop_back();
+        } else {
+            recent_[recent_count_++] = axes_.size() - 1;
+        }
+    }
+    stack_.assign(1, {tree_a_.boxes.root, tree_b_.boxes.root});
+    while (!stack_.empty() && !crossing_) {
+        const Parts top = stack_.back();
+        stack_.pop_back();
+        visit(top);
+    }
+    return crossing_;
+}
+
+}  // namespace ecods

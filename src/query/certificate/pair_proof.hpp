@@ -1,0 +1,76 @@
+// The walk of two trees that proves a claim about every pair of their triangles.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ecods/certificate.hpp"
+#include "ecods/ids.hpp"
+#include "query/certificate/exact_points.hpp"
+#include "query/certificate/proof.hpp"
+#include "query/certificate/proof_axes.hpp"
+#include "query/distance/triangle_distances.hpp"
+#include "query/shape/mesh_tree.hpp"
+
+namespace ecods {
+
+class PairProof {
+  public:
+    // `least` is a distance: what is further apart than that is proven, of the claims distance and beyond. `pair` is
+    // bound to the bodies; it and all others must outlive this.
+    PairProof(const Posed<MeshShape>& a, const Posed<MeshShape>& b, Certificate::Claim claim, double least,
+              TriangleDistances& pair, Proof& proof);
+
+    // The claim must be true, but that touching bodies may cross: then two triangles that do are returned. `closest`
+    // are two triangles between which axes are looked for first.
+    std::optional<TrianglePair> run(const std::optional<TrianglePair>& closest);
+
+  private:
+    using Word = Proof::Word;
+    static constexpr Word no_axis = 0xffff;
+
+    struct Axis {
+        Vec3 n;
+        BodyAxis a, b;
+        double margin = 0;     // by how much more than nothing parts must be apart
+        Word named = no_axis;  // in the proof
+    };
+    struct Parts {
+        TreeRef a, b;
+    };
+
+    Axis bind(const Vec3& n) const;
+    template <class X, class Y>
+    std::uint64_t apart(const Axis& axis, const X& x, const Y& y) const;
+    Word name(Axis& axis);
+    template <class X, class Y>
+    std::uint64_t open(const X& x, const Y& y, std::uint64_t all);
+    template <class X, class Y>
+    bool try_axis(Axis& axis, const X& x, const Y& y, std::uint64_t& left);
+    Vec3 slab_normal(std::size_t body, const Slab& slab) const;
+    Vec3 direction_of(std::uint32_t i, std::uint32_t j);
+    bool decide(std::uint32_t i, std::uint32_t j);
+    void visit(const Parts& top);
+
+    const Posed<MeshShape>& a_;
+    const Posed<MeshShape>& b_;
+    const MeshTree& tree_a_;
+    const MeshTree& tree_b_;
+    Certificate::Claim claim_;
+    double least_;
+    TriangleDistances& pair_;
+    Proof& proof_;
+    BodyFrame frame_a_, frame_b_;
+    std::array<Mat3, 2> normals_;
+    std::vector<Axis> axes_;  // the first six are those of the boxes
+    std::array<std::size_t, 4> recent_{};
+    std::size_t recent_count_ = 0;
+    std::vector<Word> of_step_;
+    int least_new_ = 1;      // a new axis proves as many pairs of a step
+    int contact_count_ = 0;  // of pairs of leaves that axes of boxes did not prove
+    std::vector<Parts> stack_;
+    std::optional<ExactPoints> points_;
+    std::optional<TrianglePair> crossing_;
+};
+
+}  // namespace ecods

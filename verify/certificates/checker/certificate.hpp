@@ -1,0 +1,120 @@
+// A certificate, as its text gives it. Only its form is checked here: that lines and fields are there, and what can be
+// seen of a line without the meshes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "text.hpp"
+
+namespace certificate_checker {
+
+struct Pose {
+    std::array<std::array<double, 3>, 3> R;  // by rows
+    std::array<double, 3> t;
+};
+
+// Which vector of two triangles, one of a and one of b (README.md, "FORMULA"); `given` are three numbers instead.
+enum class Kind : std::uint8_t { given, na, nb, x, ea, eb, c, vv, va, vb };
+struct Formula {
+    Kind kind = Kind::given;
+    std::uint32_t i = 0;
+    std::uint32_t j = 0;
+};
+
+struct AxisLine {
+    std::size_t line = 0;
+    Formula formula;
+    std::array<double, 3> given{};
+    std::array<std::uint32_t, 2> triangles{};  // of a and of b, by the callers' numbers
+};
+
+// Some of Proof::numbers.
+struct Numbers {
+    std::size_t first = 0;
+    std::size_t count = 0;
+};
+
+struct Step {
+    std::size_t line = 0;
+    std::array<bool, 2> opens{};  // a's part, b's
+    bool is_formula = false;      // the line begins with t
+    Formula formula;
+    Numbers axes;
+    Numbers open;  // the pairs left open
+};
+
+enum class Question : std::uint8_t { disjoint, touching, crossing, distance, within, beyond, hit, miss };
+
+struct Feature {
+    char kind = 'v';  // v, e or f
+    std::uint32_t triangle = 0;
+    std::uint32_t k = 0;
+};
+
+struct Claim {
+    std::size_t line = 0;
+    std::string words;
+    Question question = Question::disjoint;
+    double number = 0;                               // D or S
+    std::optional<std::array<Feature, 2>> features;  // F and G
+    std::array<std::uint32_t, 2> triangles{};        // I and J
+    bool has_steps = true;
+};
+
+// A claim with its axes and steps, up to the line `end`.
+struct Proof {
+    Claim claim;
+    std::vector<AxisLine> axes;
+    std::vector<Step> steps;
+    std::vector<std::uint32_t> numbers;
+    std::size_t end = 0;
+};
+
+struct PosedMesh {
+    std::string digest;
+    Pose pose;
+    std::size_t line = 0;
+};
+
+struct PairHead {
+    PosedMesh a;
+    std::optional<PosedMesh> b;
+    std::array<std::array<double, 3>, 2> segment{};  // where there is no b
+};
+
+struct BodyId {
+    std::uint32_t slot = 0;
+    std::uint32_t generation = 0;
+    friend auto operator<=>(const BodyId&, const BodyId&) = default;
+};
+using BodyPair = std::array<BodyId, 2>;
+
+struct WorldBody {
+    BodyId id;
+    std::uint64_t groups = 0;
+    std::uint64_t mask = 0;
+    PosedMesh mesh;
+};
+
+// What stands before the first line `pair`.
+struct WorldHead {
+    std::optional<double> clearance;
+    std::vector<WorldBody> bodies;  // ascending, each once; so are the pairs
+    std::vector<BodyPair> switched_off;
+};
+
+inline constexpr std::string_view pair_first_line = "ecods-certificate 1";
+inline constexpr std::string_view world_first_line = "ecods-world-certificate 1";
+
+// Each reads from the line that follows the current one, and ends at the last line that belongs to it. All throw
+// Refusal.
+PairHead read_pair_head(Text& in);
+void read_proof(Text& in, Proof& proof);
+WorldHead read_world_head(Text& in);  // ends at the first line `pair`, or at `end world`
+BodyPair read_pair_line(Text& in);    // from the current line
+
+}  // namespace certificate_checker

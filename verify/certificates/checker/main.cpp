@@ -1,0 +1,167 @@
+// ecods_check_certificate [--times] CERTIFICATE MESH...   (README.md)
+//
+// --times: prints how long the meshes took to read, and of each certificate how long its check took and how many steps
+// and units of work it has; and at the end the medians of the certificates behind the first.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <map>
+
+#include "claims.hpp"
+#include "world.hpp"
+
+namespace certificate_checker {
+namespace {
+
+class Program {
+  public:
+    explicit Program(bool prints_times) : prints_times_(prints_times) {}
+
+    // All throw Unreadable.
+    void read(const char* path);
+    int check(const char* path);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    const Mesh& find_mesh(const PosedMesh& wanted) const;
+    std::string check_certificate(Text& in);
+    bool print_verdict(Text& in);
+    void print_medians();
+
+    static double microseconds(Clock::duration time) { return std::chrono::duration<double, std::micro>(time).count(); }
+
+    bool prints_times_;
+    std::map<std::string, Mesh, std::less<>> meshes_;
+    double reading_ = 0;          // microseconds
+    std::vector<double> checks_;  // likewise, of each certificate
+    Budget budget_;
+    Proof proof_;
+};
+
+const Mesh& Program::find_mesh(const PosedMesh& wanted) const {
+    const auto found = meshes_.find(wanted.digest);
+    if (found == meshes_.end()) throw Refusal{wanted.line, "no mesh has the digest " + wanted.digest.substr(0, 40)};
+    return found->second;
+}
+
+void Program::read(const char* path) {
+    const auto begin = Clock::now();
+    try {
+        Mesh mesh = read_mesh(path);
+        meshes_.emplace(mesh.digest, std::move(mesh));
+    } catch (const Unreadable& problem) {
+        throw Unreadable{std::string(path) + ": " + problem.why};
+    }
+    reading_ += microseconds(Clock::now() - begin);
+}
+
+// From its first line, which is the current one. Returns the claim.
+std::string Program::check_certificate(Text& in) {
+    if (in.line() == world_first_line) {
+        proof_ = {};
+        return check_world(
+            in, [this](const PosedMesh& wanted) -> const Mesh& { return find_mesh(wanted); }, budget_);
+    }
+    if (in.line() != pair_first_line) in.fail("not the first line of a certificate");
+    const PairHead head = read_pair_head(in);
+    read_proof(in, proof_);
+    const Vector<double>& origin = head.a.pose.t;
+    Body a(find_mesh(head.a), head.a.pose, origin, budget_);
+    if (head.b) {
+        Body b(find_mesh(*head.b), head.b->pose, origin, budget_);
+        check_pair(a, b, proof_);
+    } else {
+        check_segment(a, head.segment, proof_, budget_);
+    }
+    return proof_.claim.words;
+}
+
+// Ends at the last line of the certificate, or before the first line of the next.
+bool Program::print_verdict(Text& in) {
+    const auto begin = Clock::now();
+    const std::uint64_t budget = budget_.left;
+    std::optional<Refusal> refusal;
+    std::string claim;
+    try {
+        claim = check_certificate(in);
+    } catch (const Refusal& why) {
+        refusal = why;
+    } catch (const TooCostly&) {
+        refusal = {in.line_number(), "too costly"};
+    }
+    const double time = microseconds(Clock::now() - begin);
+    if (refusal) {
+        std::printf("refused: line %zu: %s\n", refusal->line, refusal->why.c_str());
+    } else {
+        std::printf("accepted: %s\n", claim.c_str());
+    }
+    checks_.push_back(time);
+    if (prints_times_) {
+        std::printf("  %.1f us, %zu steps, %llu units\n", time, proof_.steps.size(),
+                    static_cast<unsigned long long>(budget - budget_.left));
+    }
+    return !refusal;
+}
+
+void Program::print_medians() {
+    const double first = reading_ + checks_.front();
+    std::printf("reading the meshes: %.1f us; with the first check: %.1f us (%.2f times)\n", reading_, first,
+                first / reading_);
+    if (checks_.size() < 2) return;
+    const auto middle = checks_.begin() + static_cast<std::ptrdiff_t>(checks_.size() / 2);
+    std::nth_element(checks_.begin() + 1, std::max(middle, checks_.begin() + 1), checks_.end());
+    std::printf("each further check: %.1f us (median; 1/%.1f)\n", *std::max(middle, checks_.begin() + 1),
+                first / *std::max(middle, checks_.begin() + 1));
+}
+
+int Program::check(const char* path) {
+    std::string text;
+    try {
+        text = read_file(path);
+    } catch (const Unreadable& problem) {
+        throw Unreadable{std::string(path) + ": " + problem.why};
+    }
+    budget_.left = (std::uint64_t{1} << 33) + 4096 * std::uint64_t{text.size()};
+    const auto is_first_line = [](const Text& in) {
+        return in.line() == pair_first_line || in.line() == world_first_line;
+    };
+    Text in(text);
+    bool is_good = !text.empty();
+    if (text.empty()) std::puts("refused: line 1: no certificate");
+    for (bool has_line = in.skip_line(); has_line;) {
+        const bool is_accepted = print_verdict(in);
+        is_good = is_good && is_accepted;
+        // A refused certificate may end anywhere.
+        if (is_accepted || !is_first_line(in)) has_line = in.skip_line();
+        while (!is_accepted && has_line && !is_first_line(in)) has_line = in.skip_line();
+    }
+    if (prints_times_ && !checks_.empty()) print_medians();
+    return is_good ? 0 : 1;
+}
+
+int run(int count, char** arguments) {
+    const bool prints_times = count > 1 && std::strcmp(arguments[1], "--times") == 0;
+    const int first = prints_times ? 2 : 1;
+    if (count - first < 2) {
+        std::fputs("usage: ecods_check_certificate [--times] CERTIFICATE MESH...\n", stderr);
+        return 2;
+    }
+    try {
+        Program program(prints_times);
+        for (int i = first + 1; i < count; ++i) program.read(arguments[i]);
+        return program.check(arguments[first]);
+    } catch (const Unreadable& problem) {
+        std::printf("unreadable: %s\n", problem.why.c_str());
+    } catch (const std::bad_alloc&) {
+        std::puts("unreadable: not enough memory");
+    }
+    return 2;
+}
+
+}  // namespace
+}  // namespace certificate_checker
+
+int main(int count, char** arguments) {
+    return certificate_checker::run(count, arguments);
+}

@@ -1,0 +1,159 @@
+#include "mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "numbers.hpp"
+#include "text.hpp"
+
+namespace certificate_checker {
+namespace {
+
+constexpr std::string_view first_line = "ecods-mesh 1\n";
+constexpr std::uint32_t parts_max = 64;
+constexpr std::size_t depth_max = 200;
+
+// The bytes as one number, the first the most significant, modulo 2^128 - 159.
+std::string digest_of(std::string_view bytes) {
+    mpz_t number, modulus;
+    mpz_inits(number, modulus, nullptr);
+    mpz_import(number, bytes.size(), 1, 1, 1, 0, bytes.data());
+    mpz_setbit(modulus, 128);
+    mpz_sub_ui(modulus, modulus, 159);
+    mpz_mod(number, number, modulus);
+    std::array<char, 40> digits{};
+    gmp_snprintf(digits.data(), digits.size(), "%032Zx", number);
+    mpz_clears(number, modulus, nullptr);
+    return digits.data();
+}
+
+// Throws Refusal unless the text may hold so many lines of so many bytes each: nothing is allocated for more.
+std::size_t plausible(const Text& in, std::string_view text, std::uint32_t count, std::size_t line_bytes) {
+    if (count > text.size() / line_bytes) in.fail("more than the file can hold");
+    return count;
+}
+
+void read_triangles(Text& in, Mesh& mesh) {
+    constexpr std::uint32_t unset = std::numeric_limits<std::uint32_t>::max();
+    std::fill(mesh.position.begin(), mesh.position.end(), unset);
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+        in.require_line();
+        for (std::uint32_t& corner : mesh.triangles[i]) {
+            corner = in.count();
+            if (corner >= mesh.vertices.size()) in.fail("no such vertex");
+        }
+        const std::uint32_t number = in.count();
+        if (number >= mesh.position.size() || mesh.position[number] != unset) in.fail("not a permutation");
+        mesh.position[number] = i;
+        in.end_of_line();
+    }
+}
+
+void read_tree(Text& in, Mesh& mesh) {
+    const auto node_count = static_cast<std::uint32_t>(mesh.nodes.size());
+    std::uint32_t next_node = 1;
+    std::uint32_t next_triangle = node_count;  // as a part
+    std::vector<Node> open = {{0, 1}};         // on the way from the root: the nodes that have no line yet
+    for (std::uint32_t i = 0; i < node_count; ++i) {
+        in.require_line();
+        while (!open.empty() && open.back().count == 0) open.pop_back();
+        if (open.empty()) in.fail("more nodes than the tree has");
+        Node& node = mesh.nodes[open.back().first++];
+        --open.back().count;
+        const std::string_view kind = in.word();
+        node.count = in.count();
+        in.end_of_line();
+        if ((kind != "n" && kind != "l") || node.count == 0 || node.count > parts_max) in.fail("not a node or a leaf");
+        std::uint32_t& next = kind == "n" ? next_node : next_triangle;
+        const std::size_t end = kind == "n" ? node_count : node_count + mesh.triangles.size();
+        if (node.count > end - next) in.fail("more parts than there are");
+        node.first = next;
+        next += node.count;
+        if (kind == "n") open.push_back(node);
+        if (open.size() > depth_max + 1) in.fail("too deep");
+    }
+    if (next_node != node_count || next_triangle - node_count != mesh.triangles.size()) in.fail("the tree lacks parts");
+}
+
+void include(Box& box, const Box& other) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        box[0][k] = std::min(box[0][k], other[0][k]);
+        box[1][k] = std::max(box[1][k], other[1][k]);
+    }
+}
+
+void read_lines(Text& in, std::string_view text, Mesh& mesh) {
+    in.require_line();
+    in.expect("ecods-mesh");
+    in.expect("1");
+    in.end_of_line();
+    in.require_line();
+    in.expect("vertices");
+    mesh.vertices.resize(plausible(in, text, in.count(), sizeof "0x0p+0 0x0p+0 0x0p+0"));
+    in.expect("triangles");
+    mesh.triangles.resize(plausible(in, text, in.count(), sizeof "0 0 0 0"));
+    mesh.position.resize(mesh.triangles.size());
+    in.expect("nodes");
+    mesh.nodes.resize(plausible(in, text, in.count(), sizeof "l 1"));
+    in.end_of_line();
+    if (mesh.triangles.empty() || mesh.nodes.empty()) in.fail("no triangles");
+    for (auto& vertex : mesh.vertices) {
+        in.require_line();
+        for (double& x : vertex) x = in.number();
+        in.end_of_line();
+    }
+    read_triangles(in, mesh);
+    read_tree(in, mesh);
+    if (in.next_line()) in.fail("more than a mesh");
+}
+
+}  // namespace
+
+void measure(Mesh& mesh) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    for (const auto& vertex : mesh.vertices) {
+        mesh.low = std::min(mesh.low, lowest_bit(vertex));
+        for (std::size_t k = 0; k < 3; ++k) {
+            mesh.magnitude[k] = std::max(mesh.magnitude[k], std::abs(vertex[k]));
+        }
+    }
+    mesh.boxes.assign(mesh.nodes.size(), {{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}}});
+    for (std::size_t i = mesh.nodes.size(); i-- > 0;) {
+        Node& node = mesh.nodes[i];
+        node.first_corner = static_cast<std::uint32_t>(mesh.leaf_corners.size());
+        for (std::uint32_t part = node.first; part < node.first + node.count; ++part) {
+            if (mesh.is_triangle(part)) {
+                for (const auto v : mesh.corners(part)) mesh.leaf_corners.push_back(v);
+            } else {
+                include(mesh.boxes[i], mesh.boxes[part]);
+            }
+        }
+        const auto begin = mesh.leaf_corners.begin() + node.first_corner;
+        std::sort(begin, mesh.leaf_corners.end());
+        mesh.leaf_corners.erase(std::unique(begin, mesh.leaf_corners.end()), mesh.leaf_corners.end());
+        node.corner_count = static_cast<std::uint32_t>(mesh.leaf_corners.size()) - node.first_corner;
+        for (auto v = begin; v != mesh.leaf_corners.end(); ++v) {
+            include(mesh.boxes[i], {mesh.vertices[*v], mesh.vertices[*v]});
+        }
+    }
+}
+
+Mesh parse_mesh(std::string_view text) {
+    Mesh mesh;
+    try {
+        Text in(text);
+        read_lines(in, text, mesh);
+    } catch (const Refusal& refusal) {
+        throw Unreadable{"line " + std::to_string(refusal.line) + ": " + refusal.why};
+    }
+    mesh.digest = digest_of(text);
+    measure(mesh);
+    return mesh;
+}
+
+Mesh read_mesh(const char* path) {
+    return parse_mesh(read_file(path, first_line));
+}
+
+}  // namespace certificate_checker

@@ -1,0 +1,58 @@
+// A mesh, as its file gives it, with the boxes of the parts of its tree.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace certificate_checker {
+
+// The least box that contains a part, in the mesh's own coordinates: bound[0] its least, bound[1] its greatest corner.
+using Box = std::array<std::array<double, 3>, 2>;
+
+// The parts of a node or of a leaf: `count` of them, from part `first` on. A leaf's corners are some of
+// Mesh::leaf_corners.
+struct Node {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::uint32_t first_corner = 0;
+    std::uint32_t corner_count = 0;  // 0 of what is no leaf
+};
+
+// Parts are numbered: first the nodes and leaves, the root 0, each one's parts behind it and next to each other; then
+// the triangles in the order of the tree.
+struct Mesh {
+    std::string digest;
+    std::vector<std::array<double, 3>> vertices;
+    std::vector<std::array<mpz_class, 3>> exact;  // vertices in units of 2^low, where they are no doubles; or empty
+    std::vector<std::array<std::uint32_t, 3>> triangles;  // in the order of the tree
+    std::vector<std::uint32_t> position;                  // of the caller's triangles in this order
+    std::vector<Node> nodes;
+    std::vector<std::uint32_t> leaf_corners;  // the vertices of each leaf's triangles, each once
+    std::vector<Box> boxes;                   // of the nodes
+    std::array<double, 3> magnitude = {};     // the greatest absolute value of each coordinate
+    int low = 0;                              // all coordinates are multiples of 2^low
+
+    bool is_leaf(std::uint32_t part) const { return !is_triangle(part) && nodes[part].corner_count > 0; }
+    bool is_triangle(std::uint32_t part) const { return part >= nodes.size(); }
+    // Of a triangle or a leaf.
+    std::span<const std::uint32_t> all_corners(std::uint32_t part) const {
+        if (is_triangle(part)) return corners(part);
+        return {leaf_corners.data() + nodes[part].first_corner, nodes[part].corner_count};
+    }
+    const std::array<std::uint32_t, 3>& corners(std::uint32_t part) const { return triangles[part - nodes.size()]; }
+};
+
+// Throws Unreadable.
+Mesh read_mesh(const char* path);
+Mesh parse_mesh(std::string_view text);
+
+// Sets what follows from vertices, triangles and nodes: boxes, magnitude, low.
+void measure(Mesh& mesh);
+
+}  // namespace certificate_checker

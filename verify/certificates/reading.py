@@ -1,0 +1,262 @@
+"""Reading for check.py: numbers, mesh files and the lines of certificates, as README.md defines them. Nothing is decided here."""
+import math
+
+DIGEST_MODULUS = 2**128 - 159
+SIZE_MAX = 64  # children of a node, triangles of a leaf
+DEPTH_MAX = 200
+HEADERS = ("ecods-certificate 1", "ecods-world-certificate 1")
+
+
+class Unreadable(Exception):
+    """A mesh file that is malformed."""
+
+
+class Refused(Exception):
+    """Why a certificate is not accepted, and at which line."""
+
+
+# What numbers look like once 0x0 and 0x1 are replaced by X, and each further digit by 0.
+SHAPES = {
+    sign + "X" + fraction + "p" + plus + "0" * exponent
+    for sign in ("", "-")
+    for fraction in ["", *("." + "0" * count for count in range(1, 14))]
+    for plus in "+-"
+    for exponent in range(1, 5)
+}
+ANY_DIGIT = str.maketrans("123456789abcdef", "0" * 15)
+
+
+def is_double(word, value):
+    """Whether a number of the right shape, whose nearest double is below the least normal one, is that double exactly."""
+    significand, exponent = word.removeprefix("-")[2:].split("p")
+    whole, _, fraction = significand.partition(".")
+    power = int(exponent) - 4 * len(fraction)
+    numerator, denominator = abs(value).as_integer_ratio()
+    return int(whole + fraction, 16) * denominator << max(power, 0) == numerator << max(-power, 0)
+
+
+def scaled(values):
+    """Doubles as integers, and the power p: they are in units of 2^-p."""
+    ratios = [value.as_integer_ratio() for value in values]
+    power = max(denominator for _, denominator in ratios).bit_length() - 1
+    return [numerator << power + 1 - denominator.bit_length() for numerator, denominator in ratios], power
+
+
+def numbers(words):
+    """The doubles that words say, or None if one of them is not a number."""
+    text = " ".join(words)
+    shapes = text.replace("0x1", "X").replace("0x0", "X").translate(ANY_DIGIT).split(" ")
+    if not set(shapes) <= SHAPES:
+        return None
+    try:
+        values = list(map(float.fromhex, words))
+    except (ValueError, OverflowError):
+        return None
+    small = {word for word, value in zip(words, values) if -(2.0**-1022) < value < 2.0**-1022}
+    return values if all(is_double(word, float.fromhex(word)) for word in small) else None
+
+
+def counts(words):
+    """The counts that words say, or None if one of them is not a count."""
+    if not words:
+        return []
+    text = "  ".join(words)
+    if not text.isascii() or not text.replace(" ", "").isdecimal() or "" in words:
+        return None
+    text = f" {text} "
+    if text.count(" 0") != text.count(" 0 ") or max(map(len, words)) > 10:
+        return None
+    values = list(map(int, words))
+    return values if max(values) < 2**32 else None
+
+
+class Mesh:
+    """A mesh and its tree. Parts: node i of the tree is part i, the triangle in line k is part node_count + k."""
+
+    def __init__(self, data):
+        self.digest = f"{int.from_bytes(data, 'big') % DIGEST_MODULUS:032x}"
+        lines = data.decode("latin-1").split("\n")
+        if lines.pop() != "":
+            raise Unreadable("the last line does not end")
+        if len(lines) < 2 or lines[0] != "ecods-mesh 1":
+            raise Unreadable("its first line is not ecods-mesh 1")
+        head = lines[1].split(" ")
+        sizes = counts(head[1::2])
+        if len(head) != 6 or head[::2] != ["vertices", "triangles", "nodes"] or not sizes or min(sizes[1:]) == 0:
+            raise Unreadable("line 2 does not give the counts")
+        vertex_count, triangle_count, node_count = sizes
+        if len(lines) != 2 + sum(sizes):
+            raise Unreadable("it has not as many lines as its counts say")
+        separators = data.translate(None, bytes(set(range(256)) - set(b" \n")))
+        rows = b"  \n" * vertex_count + b"   \n" * triangle_count + b" \n" * node_count
+        if separators != b" \n     \n" + rows:
+            raise Unreadable("a line has not as many fields as it should")
+        first_triangle = 2 + vertex_count
+        first_node = first_triangle + triangle_count
+        self.read_vertices(lines[2:first_triangle])
+        self.read_triangles(lines[first_triangle:first_node], vertex_count)
+        self.read_tree(lines[first_node:])
+        self.parts_points = {}
+
+    def read_vertices(self, lines):
+        values = numbers(" ".join(lines).split(" ")) if lines else []
+        if values is None:
+            raise Unreadable("a coordinate is not a number")
+        # Doubles are integers of 2^-fine; the divided ones are at most 1, or 2 where 2^1024 would be needed.
+        self.fine = max((ratio[1] for ratio in map(float.as_integer_ratio, values)), default=1).bit_length() - 1
+        largest = max(max(values, default=0), -min(values, default=0))
+        self.scale = min(max(math.frexp(largest)[1], -1022), 1023)
+        unit = 2.0**self.scale
+        divided = [value / unit for value in values]
+        self.vertices = list(zip(values[::3], values[1::3], values[2::3]))
+        self.divided = list(zip(divided[::3], divided[1::3], divided[2::3]))
+
+    def read_triangles(self, lines, vertex_count):
+        values = counts(" ".join(lines).split(" "))
+        if values is None:
+            raise Unreadable("a triangle's line has a field that is not a count")
+        self.corners = list(zip(values[::4], values[1::4], values[2::4]))
+        names = values[3::4]
+        if max(map(max, self.corners)) >= vertex_count:
+            raise Unreadable("a triangle has a corner that is not a vertex")
+        self.line_of = dict(zip(names, range(len(names))))
+        if len(self.line_of) != len(names) or max(names) >= len(names):
+            raise Unreadable("the triangles' numbers are not a permutation")
+
+    def read_tree(self, lines):
+        self.node_count = len(lines)
+        self.children, self.first, self.last = [], [], [0] * len(lines)
+        sizes = counts([line[2:] for line in lines]) if {line[:2] for line in lines} <= {"n ", "l "} else None
+        if sizes is None or not all(1 <= size <= SIZE_MAX for size in sizes):
+            raise Unreadable("a line of the tree is neither a node nor a leaf")
+        above, at = [], 0  # the nodes that the next one is in, each with how many children it still lacks
+        for node, size in enumerate(sizes):
+            if above:
+                self.children[above[-1][0]].append(node)
+                above[-1][1] -= 1
+            elif node > 0:
+                raise Unreadable("the tree ends before its lines do")
+            if len(above) > DEPTH_MAX:
+                raise Unreadable("the tree is too deep")
+            self.first.append(at)
+            self.children.append([])
+            if lines[node][0] == "n":
+                above.append([node, size])
+                continue
+            self.children[node] = range(self.node_count + at, self.node_count + at + size)
+            at += size
+            self.last[node] = at
+            while above and above[-1][1] == 0:
+                self.last[above.pop()[0]] = at
+        if above or at != len(self.corners):
+            raise Unreadable("the tree has not all its nodes and triangles")
+
+    def is_triangle(self, part):
+        return part >= self.node_count
+
+    def parts(self, part):
+        return [part] if self.is_triangle(part) else self.children[part]
+
+    def points(self, part):
+        """The vertices of a part's triangles, and their divided coordinates."""
+        if part not in self.parts_points:
+            if self.is_triangle(part):
+                used = self.corners[part - self.node_count]
+            else:
+                used = list(set().union(*self.corners[self.first[part] : self.last[part]]))
+            self.parts_points[part] = used, [self.divided[vertex] for vertex in used]
+        return self.parts_points[part]
+
+    def integers(self, vertex):
+        """The coordinates of a vertex, in units of 2^-fine."""
+        values, power = scaled(self.vertices[vertex])
+        return [value << self.fine - power for value in values]
+
+
+class Lines:
+    """The lines of a certificate file, one after the other. What is wrong in a line is refused here, if a look at the line shows it."""
+
+    def __init__(self, data):
+        self.lines = data.decode("latin-1").split("\n")
+        if self.lines.pop() != "":
+            self.lines.append("\r")  # no line reads so: the last one does not end
+        self.at = 0
+
+    def fail(self, why):
+        raise Refused(f"line {max(self.at, 1)}: {why}")
+
+    def next(self):
+        """The fields of the next line."""
+        self.at += 1
+        if self.at > len(self.lines):
+            self.fail("the file ends before its certificate does")
+        return self.lines[self.at - 1].split(" ")
+
+    def peek(self):
+        return self.lines[self.at].split(" ")[0] if self.at < len(self.lines) else ""
+
+    def expect(self, *words):
+        if self.next() != list(words):
+            self.fail(f"this line is not: {' '.join(words)}")
+
+    def skip(self, line):
+        """To the first line behind this one that begins a certificate; whether there is one."""
+        self.at = line
+        while self.at < len(self.lines) and self.lines[self.at] not in HEADERS:
+            self.at += 1
+        return self.at < len(self.lines)
+
+    def numbers(self, words, count):
+        values = numbers(words) if len(words) == count else None
+        return self.fail(f"there are not {count} numbers") if values is None else values
+
+    def distance(self, word):
+        return self.fail("a distance has a sign") if word.startswith("-") else self.numbers([word], 1)[0]
+
+    def counts(self, words, *limits):
+        """Counts, each less than its limit."""
+        values = counts(words) if len(words) == len(limits) else None
+        if values is None or not all(value < limit for value, limit in zip(values, limits)):
+            self.fail(f"there are not {len(limits)} numbers, or one is too large")
+        return values
+
+    def feature(self, words):
+        """A feature's kind, its numbers as they stand, and the words behind it."""
+        kind = words[0] if words else ""
+        size = {"v": 3, "e": 3, "f": 2}.get(kind, len(words) + 1)
+        return (kind, words[1:size], words[size:]) if size <= len(words) else self.fail("there is no such feature")
+
+    def body_id(self, word):
+        return tuple(self.counts(word.split("."), 2**32, 2**32))
+
+    def hexadecimal(self, word):
+        is_one = 1 <= len(word) <= 16 and set(word) <= set("0123456789abcdef")
+        return int(word, 16) if is_one else self.fail("a filter is not 1 to 16 hexadecimal digits")
+
+    def pair(self, word):
+        """Two bodies' ids, the lesser first."""
+        first, *names = self.next()
+        pair = tuple(map(self.body_id, names))
+        if first != word or len(pair) != 2 or not pair[0] < pair[1]:
+            self.fail("these are not two bodies, the lesser id first")
+        return pair
+
+    def world(self, read_body):
+        """The clearance, or None; bodies, groups and masks by ids; the pairs that are switched off."""
+        name, *words = self.next()
+        if name != "clearance" or len(words) != 1:
+            self.fail("this is not a clearance")
+        clearance = None if words == ["none"] else self.distance(words[0])
+        bodies, pairs, last = {}, [()], (-1,)
+        while self.peek() == "body":
+            words = self.next()
+            if len(words) != 17 or self.body_id(words[1]) <= last:
+                self.fail("this is not a body, or its id is not above the last one's")
+            filters = self.hexadecimal(words[3]), self.hexadecimal(words[4])
+            last = self.body_id(words[1])
+            bodies[last] = read_body(words[2], words[5:]), *filters
+        while self.peek() == "off":
+            pairs.append(self.pair("off"))
+            if pairs[-1] <= pairs[-2]:
+                self.fail("the pairs are not ascending")
+        return clearance, bodies, set(pairs)

@@ -1,0 +1,56 @@
+// certificate_samples FOLDER [COUNT [SEED]]: of each case N.cert, and N.a.mesh and N.b.mesh, or of a world all
+// N.*.mesh; prints their names.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include "certificates/samples/samples.hpp"
+
+namespace {
+
+void write_mesh(const std::filesystem::path& path, const ecods::MeshShape& shape) {
+    std::ofstream file(path, std::ios::binary);
+    ecods::write_certified_mesh(file, shape);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        std::cerr << "usage: certificate_samples FOLDER [COUNT [SEED]]\n";
+        return 2;
+    }
+    const std::filesystem::path folder = argv[1];
+    std::filesystem::create_directories(folder);
+    const std::size_t count = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 2;
+    const auto seed = static_cast<std::uint32_t>(argc > 3 ? std::strtoul(argv[3], nullptr, 10) : 1);
+    std::size_t number = 0;
+    std::shared_ptr<const ecods::MeshShape> last;
+    ecods::certificates::make_samples(count, seed, [&](const ecods::certificates::Sample& sample) {
+        const bool is_new = sample.a != last;
+        if (is_new) {
+            ++number;
+            last = sample.a;
+            write_mesh(folder / (std::to_string(number) + ".a.mesh"), *sample.a);
+            if (sample.b) write_mesh(folder / (std::to_string(number) + ".b.mesh"), *sample.b);
+            std::cout << number << ' ' << sample.name << '\n';
+        }
+        std::ofstream file(folder / (std::to_string(number) + ".cert"),
+                           is_new ? std::ios::binary : std::ios::binary | std::ios::app);
+        sample.certificate.write(file);
+    });
+    ecods::certificates::make_worlds(count, seed, [&](const ecods::WorldCertificate& world) {
+        ++number;
+        std::size_t mesh = 0;
+        for (const auto& shape : world.shapes()) {
+            write_mesh(folder / (std::to_string(number) + '.' + std::to_string(mesh++) + ".mesh"), *shape);
+        }
+        std::ofstream file(folder / (std::to_string(number) + ".cert"), std::ios::binary);
+        world.write(file);
+        std::cout << number << " world, " << world.colliding_count() << " colliding, " << world.close_count()
+                  << " close, " << world.apart_count() << " apart\n";
+    });
+    return 0;
+}
