@@ -24,8 +24,9 @@ struct Workload {
     MovingBoxesOptions boxes;
     bool is_main = true;
 };
-constexpr std::array motion_engines = {"ECoDS, automatic", "ECoDS, kept candidates", "ECoDS, sweep and prune",
-                                       broad_yardstick,    "FCL tree, moved only",   "Bullet Dbvt"};
+constexpr std::array motion_engines = {
+    "ECoDS, automatic",     "ECoDS, kept candidates", "ECoDS, sweep and prune", broad_scratch,
+    broad_scratch_unsorted, broad_yardstick,          "FCL tree, moved only",   "Bullet Dbvt"};
 
 // Engines that fatten boxes see all of them leave their fat boxes together, some 40 frames apart. Fewer frames would
 // miss that, or show little else.
