@@ -22,19 +22,19 @@ class BroadBullet final : public BroadEngine {
   public:
     BroadBullet(const scenes::MovingBoxes& boxes, std::unique_ptr<btBroadphaseInterface> broad_phase)
         : dispatcher_(&configuration_), broad_phase_(std::move(broad_phase)) {
-        for (const Aabb& box : boxes.boxes) {
-            const auto index = static_cast<std::uintptr_t>(proxies_.size());
-            proxies_.push_back(broad_phase_->createProxy(
-                to_bullet(box.min), to_bullet(box.max), BOX_SHAPE_PROXYTYPE, reinterpret_cast<void*>(index),
-                btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::AllFilter, &dispatcher_));
-            // As a world does for a new object: AxisSweep3 knows a proxy's exact box from this call only.
-            broad_phase_->setAabb(proxies_.back(), to_bullet(box.min), to_bullet(box.max), &dispatcher_);
-        }
+        for (const Aabb& box : boxes.boxes) proxies_.push_back(create(box, proxies_.size()));
     }
 
     void run_frame(std::span<const scenes::BoxMove> moves) override {
-        for (const scenes::BoxMove& move : moves)
-            broad_phase_->setAabb(proxies_[move.index], to_bullet(move.box.min), to_bullet(move.box.max), &dispatcher_);
+        for (const scenes::BoxMove& move : moves) {
+            btBroadphaseProxy*& proxy = proxies_[move.index];
+            if (move.is_new) {
+                broad_phase_->destroyProxy(proxy, &dispatcher_);
+                proxy = create(move.box, move.index);
+            } else {
+                broad_phase_->setAabb(proxy, to_bullet(move.box.min), to_bullet(move.box.max), &dispatcher_);
+            }
+        }
         broad_phase_->calculateOverlappingPairs(&dispatcher_);
         pairs_.clear();
         const btBroadphasePairArray& cached = broad_phase_->getOverlappingPairCache()->getOverlappingPairArray();
@@ -49,6 +49,15 @@ class BroadBullet final : public BroadEngine {
     std::span<const ProxyPair> pairs() const override { return pairs_; }
 
   private:
+    btBroadphaseProxy* create(const Aabb& box, std::uintptr_t index) {
+        btBroadphaseProxy* const proxy = broad_phase_->createProxy(
+            to_bullet(box.min), to_bullet(box.max), BOX_SHAPE_PROXYTYPE, reinterpret_cast<void*>(index),
+            btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::AllFilter, &dispatcher_);
+        // As a world does for a new object: AxisSweep3 knows a proxy's exact box from this call only.
+        broad_phase_->setAabb(proxy, to_bullet(box.min), to_bullet(box.max), &dispatcher_);
+        return proxy;
+    }
+
     static ProxyIndex index(const btBroadphaseProxy& proxy) {
         return static_cast<ProxyIndex>(reinterpret_cast<std::uintptr_t>(proxy.m_clientObject));
     }

@@ -13,7 +13,14 @@ class BroadEcods final : public BroadEngine {
     }
 
     void run_frame(std::span<const scenes::BoxMove> moves) override {
-        for (const scenes::BoxMove& move : moves) broad_phase_->move(move.index, move.box);
+        for (const scenes::BoxMove& move : moves) {
+            if (move.is_new) {
+                broad_phase_->remove(move.index);
+                broad_phase_->add(move.index, move.box);
+            } else {
+                broad_phase_->move(move.index, move.box);
+            }
+        }
         broad_phase_->update();
         pairs_ = broad_phase_->pairs();  // asked here, because a broad phase may make the list when it is asked
     }

@@ -37,6 +37,8 @@ struct BroadMaker {
 };
 
 std::unique_ptr<BroadEngine> set_up_broad_ecods(BroadPhaseKind kind, const scenes::MovingBoxes& boxes);
+std::unique_ptr<BroadEngine> set_up_broad_scratch(const scenes::MovingBoxes& boxes);
+std::unique_ptr<BroadEngine> set_up_broad_scratch_unsorted(const scenes::MovingBoxes& boxes);
 std::unique_ptr<BroadEngine> set_up_broad_fcl_tree(const scenes::MovingBoxes& boxes);
 std::unique_ptr<BroadEngine> set_up_broad_fcl_tree_moved(const scenes::MovingBoxes& boxes);
 std::unique_ptr<BroadEngine> set_up_broad_fcl_array(const scenes::MovingBoxes& boxes);
@@ -50,6 +52,8 @@ std::unique_ptr<BroadEngine> set_up_broad_cgal(const scenes::MovingBoxes& boxes)
 // All of the above, ECoDS once for each kind. The one that ratios are taken to is FCL DynamicAABBTree.
 std::vector<BroadMaker> broad_engines();
 constexpr const char* broad_yardstick = "FCL DynamicAABBTree";
+constexpr const char* broad_scratch = "ECoDS, from scratch";
+constexpr const char* broad_scratch_unsorted = "ECoDS, from scratch, unsorted";
 constexpr const char* broad_fcl_sweep = "FCL SaP (unsound)";
 
 // The pairs of closed boxes that overlap, ascending, by CGAL's box intersection: for checking large scenes.

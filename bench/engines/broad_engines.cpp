@@ -21,7 +21,12 @@ std::vector<BroadMaker> broad_engines() {
     constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
     std::vector<BroadMaker> makers;
     for (const NamedBroadPhase& named : broad_phase_kinds) makers.push_back(ecods_maker(named));
-    const BroadMaker peers[] = {
+    const BroadMaker others[] = {
+        {broad_scratch,
+         "internal: everything sorted and swept in each frame; pairs ascending, and those that came and went", true,
+         any, set_up_broad_scratch},
+        {broad_scratch_unsorted, "internal: the same; pairs in the order in which they are found, and nothing else",
+         true, any, set_up_broad_scratch_unsorted},
         {broad_yardstick, "update() of all, collide() with a callback that notes each pair; double", false, any,
          set_up_broad_fcl_tree},
         {"FCL tree, moved only", "update() of the moved objects, the rest the same", false, 10000,
@@ -42,7 +47,7 @@ std::vector<BroadMaker> broad_engines() {
          set_up_broad_embree},
         {"CGAL box_self_intersection_d", "closed boxes, from scratch each frame; double", false, 1000,
          set_up_broad_cgal}};
-    makers.insert(makers.end(), std::begin(peers), std::end(peers));
+    makers.insert(makers.end(), std::begin(others), std::end(others));
     return makers;
 }
 

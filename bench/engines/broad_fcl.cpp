@@ -39,8 +39,11 @@ class BroadFcl final : public BroadEngine {
     void run_frame(std::span<const scenes::BoxMove> moves) override {
         moved_.clear();
         for (const scenes::BoxMove& next : moves) {
-            move(*objects_[next.index], next.box);
-            moved_.push_back(objects_[next.index].get());
+            fcl::CollisionObjectd* const object = objects_[next.index].get();
+            if (next.is_new) manager_.unregisterObject(object);
+            move(*object, next.box);
+            if (next.is_new) manager_.registerObject(object);
+            moved_.push_back(object);
         }
         if (!moved_.empty() && update == Update::all) manager_.update();
         if (!moved_.empty() && update == Update::moved) manager_.update(moved_);

@@ -31,7 +31,12 @@ class BroadOde final : public BroadEngine {
     }
 
     void run_frame(std::span<const scenes::BoxMove> moves) override {
-        for (const scenes::BoxMove& next : moves) move(geoms_[next.index], next.box);
+        for (const scenes::BoxMove& next : moves) {
+            const dGeomID geom = geoms_[next.index];
+            if (next.is_new) dSpaceRemove(space_, geom);
+            move(geom, next.box);
+            if (next.is_new) dSpaceAdd(space_, geom);
+        }
         pairs_.clear();
         dSpaceCollide(space_, &pairs_, &note_pair);
     }

@@ -28,9 +28,7 @@ std::vector<ProxyPair> exact_pairs(std::span<const Aabb> boxes) {
     return pairs;
 }
 
-// Trees that are improved little by little, and lists that are kept, are not new any more when times are taken.
 struct Plan {
-    std::size_t untimed_count = 0;
     std::size_t frame_count = 0;
     double ns_max = std::numeric_limits<double>::infinity();
 };
@@ -45,26 +43,22 @@ class Turn {
 
     // Runs the next frame; false when it was the last.
     bool run_frame() {
-        const bool is_timed = frame_ >= plan_.untimed_count || ns_ > plan_.ns_max / 3;
-        const std::span<const scenes::BoxMove> moves = boxes_.frames[frame_];
+        const std::span<const scenes::BoxMove> moves = boxes_.frames[frame_ns_.size()];
         touch_pages(moves);
         const Stopwatch watch;
         engine_->run_frame(moves);
         const double ns = watch.nanoseconds();
         ns_ += ns;
-        if (is_timed) {
-            ++timed_count_;
-            timed_ns_ += ns;
-        }
-        ++frame_;
-        return frame_ < plan_.frame_count && !ends_early();
+        frame_ns_.push_back(ns);
+        return frame_ns_.size() < plan_.frame_count && !ends_early();
     }
 
-    std::size_t frame() const { return frame_ - 1; }  // that was run last
-    bool ends_early() const { return ns_ > plan_.ns_max && timed_count_ >= 3 && frame_ < plan_.frame_count; }
-    Plan same_again() const { return {.untimed_count = frame_ - timed_count_, .frame_count = frame_}; }
-    double nanoseconds_a_frame() const { return timed_ns_ / static_cast<double>(timed_count_); }
-    std::size_t timed_count() const { return timed_count_; }
+    std::size_t frame() const { return frame_ns_.size() - 1; }  // that was run last
+    bool ends_early() const {
+        return ns_ > plan_.ns_max && frame_ns_.size() >= 3 && frame_ns_.size() < plan_.frame_count;
+    }
+    Plan same_again() const { return {.frame_count = frame_ns_.size()}; }
+    const std::vector<double>& frame_ns() const { return frame_ns_; }
 
     std::vector<ProxyPair> pairs() const {
         std::vector<ProxyPair> pairs(engine_->pairs().begin(), engine_->pairs().end());
@@ -76,10 +70,8 @@ class Turn {
     const scenes::MovingBoxes& boxes_;
     Plan plan_;
     std::unique_ptr<BroadEngine> engine_;
-    std::size_t frame_ = 0;
-    std::size_t timed_count_ = 0;
+    std::vector<double> frame_ns_;
     double ns_ = 0;
-    double timed_ns_ = 0;
 };
 
 std::vector<Aabb> boxes_after(const scenes::MovingBoxes& boxes, std::size_t frame) {
@@ -89,10 +81,10 @@ std::vector<Aabb> boxes_after(const scenes::MovingBoxes& boxes, std::size_t fram
     return now;
 }
 
-// Values of a turn: nanoseconds of a frame, timed frames, whether it ended early, false negatives, false positives.
+// Values of a turn: whether it ended early, false negatives, false positives, and the nanoseconds of each frame.
 process::Contained::Run start_frames(const BroadMaker& maker, const scenes::MovingBoxes& boxes, const BroadTruth& truth,
                                      double seconds) {
-    const Plan first{boxes.frames.size() / 3, boxes.frames.size(), seconds * 1e9};
+    const Plan first{boxes.frames.size(), seconds * 1e9};
     return [&maker, &boxes, &truth, plan = first, is_first = true]() mutable -> std::vector<double> {
         Turn turn(maker, boxes, plan);
         std::size_t false_negatives = 0, false_positives = 0;
@@ -114,9 +106,23 @@ process::Contained::Run start_frames(const BroadMaker& maker, const scenes::Movi
         }
         is_first = false;
         plan = turn.same_again();
-        return {turn.nanoseconds_a_frame(), static_cast<double>(turn.timed_count()), turn.ends_early() ? 1.0 : 0.0,
-                static_cast<double>(false_negatives), static_cast<double>(false_positives)};
+        std::vector<double> values = {turn.ends_early() ? 1.0 : 0.0, static_cast<double>(false_negatives),
+                                      static_cast<double>(false_positives)};
+        values.insert(values.end(), turn.frame_ns().begin(), turn.frame_ns().end());
+        return values;
     };
+}
+
+// Adds the times of one repetition.
+void add_times(BroadRun& run, std::span<const double> frame_ns, double box_count) {
+    double sum = 0;
+    run.frame_count = frame_ns.size();
+    run.frame_ns.resize(frame_ns.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t frame = 0; frame < frame_ns.size(); ++frame) {
+        sum += frame_ns[frame];
+        run.frame_ns[frame] = std::min(run.frame_ns[frame], frame_ns[frame] / box_count);
+    }
+    run.ns.push_back(sum / static_cast<double>(frame_ns.size()) / box_count);
 }
 
 }  // namespace
@@ -153,13 +159,13 @@ std::vector<BroadRun> measure_broad(const scenes::MovingBoxes& boxes, const Broa
             if (is_done[i]) continue;
             const process::Outcome outcome = children[i].run();
             runs[i].failure = outcome.failure;
-            is_done[i] = !outcome.is_right() || (outcome.values[2] != 0 && makers[i].name != broad_yardstick);
+            is_done[i] = !outcome.is_right() || (outcome.values[0] != 0 && makers[i].name != broad_yardstick);
             if (!outcome.is_right()) continue;
-            runs[i].ns.push_back(outcome.values[0] / static_cast<double>(boxes.boxes.size()));
-            runs[i].timed_count = static_cast<std::size_t>(outcome.values[1]);
+            const std::span<const double> values = outcome.values;
+            add_times(runs[i], values.subspan(3), static_cast<double>(boxes.boxes.size()));
             if (repetition > 0) continue;
-            runs[i].false_negatives = static_cast<std::size_t>(outcome.values[3]);
-            runs[i].false_positives = static_cast<std::size_t>(outcome.values[4]);
+            runs[i].false_negatives = static_cast<std::size_t>(values[1]);
+            runs[i].false_positives = static_cast<std::size_t>(values[2]);
         }
     }
     return runs;

@@ -14,8 +14,9 @@ namespace ecods::bench {
 struct BroadRun {
     std::string name;
     bool is_ecods = false;
-    std::vector<double> ns;           // per box and frame, the mean over the timed frames; one for each repetition
-    std::size_t timed_count = 0;      // frames of each repetition
+    std::vector<double> ns;           // per box and frame, the mean over the frames; one for each repetition
+    std::vector<double> frame_ns;     // per box, by frame: the least of the repetitions
+    std::size_t frame_count = 0;      // of each repetition
     std::size_t false_negatives = 0;  // pairs, over the frames that are checked
     std::size_t false_positives = 0;  // pairs, one reported twice among them
     std::string failure;              // when it crashed, hung or threw
@@ -35,10 +36,10 @@ struct BroadEffort {
 };
 
 // Engines take turns, each in a process of its own. A turn sets the engine up with the boxes at rest, runs a frame in
-// which nothing moves and the first third of the frames, and times the others; the first turn compares the pairs, too.
-// An engine that needs longer for its first turn than it may runs fewer frames, of which it still times the last two
-// thirds by time and at least three, and has one turn only; its pairs are compared in the last frame that it runs, too.
-// The yardstick may take three times as long, and has all its turns, over the frames of its first.
+// which nothing moves, and times all the others: what an engine has to do once, when boxes begin to move, is part of
+// its time. The first turn compares the pairs, too. An engine that needs longer for its first turn than it may runs
+// fewer frames, but three, and has one turn only; its pairs are compared in the last frame that it runs, too. The
+// yardstick may take three times as long, and has all its turns, over the frames of its first.
 std::vector<BroadRun> measure_broad(const scenes::MovingBoxes& boxes, const BroadTruth& truth,
                                     std::span<const BroadMaker> makers, const BroadEffort& effort);
 

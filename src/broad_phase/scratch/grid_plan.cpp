@@ -1,0 +1,119 @@
+#include "broad_phase/scratch/grid_plan.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace ecods {
+namespace {
+
+constexpr double largest = std::numeric_limits<double>::max() / 8;
+
+// Where the boxes of the sample are on one axis.
+struct AxisSample {
+    double low = 0;  // with nearly all centers between these two
+    double high = 0;
+    double extent = 0;  // of a box, on the average; at most high - low
+
+    double range() const noexcept { return high - low; }
+};
+
+double clamp_finite(double x) noexcept {
+    return std::clamp(x, -largest, largest);
+}
+
+AxisSample look_at_axis(std::span<const PackedBox> sample, std::size_t axis) {
+    std::vector<double> centers;
+    centers.reserve(sample.size());
+    for (const PackedBox& line : sample) {
+        centers.push_back(0.5 * clamp_finite(double_of(line.ends[axis])) +
+                          0.5 * clamp_finite(double_of(~line.ends[axis + 4])));
+    }
+    // Few lie far out, as a rule, and must not make the steps wide in which the others are.
+    const std::size_t few = centers.size() / 20;
+    const auto place = [&](std::size_t rank) { return centers.begin() + static_cast<std::ptrdiff_t>(rank); };
+    std::nth_element(centers.begin(), place(few), centers.end());
+    const double low = centers[few];
+    std::nth_element(centers.begin(), place(centers.size() - 1 - few), centers.end());
+    const double high = centers[centers.size() - 1 - few];
+    const double beyond = few == 0 ? 0 : 0.08 * (high - low);
+    AxisSample result{.low = low - beyond, .high = high + beyond};
+    double sum = 0;
+    for (const PackedBox& line : sample) {
+        const double extent = clamp_finite(double_of(~line.ends[axis + 4])) - clamp_finite(double_of(line.ends[axis]));
+        sum += std::min(extent, result.range()) / static_cast<double>(sample.size());
+    }
+    result.extent = sum;
+    return result;
+}
+
+// How many boxes a box passes on an axis, as a share of all.
+double passed(const AxisSample& axis) noexcept {
+    return axis.range() > 0 ? std::min(1.0, axis.extent / axis.range()) : 1;
+}
+
+// What a search with so many cells costs for each box, in tests. A box is in each cell that it reaches, and is tested
+// against the boxes of the cell that it passes in the sweep. To put a box into a cell costs about as much as so many
+// tests; so does to visit a cell. Measured, on two processors.
+double cost(double count, const std::array<double, 3>& shares, double cells_1, double cells_2) noexcept {
+    constexpr double entry_cost = 40, cell_cost = 80;
+    const double entries = (1 + shares[1] * cells_1) * (1 + shares[2] * cells_2);
+    const double cells = cells_1 * cells_2;
+    const double tests = count * entries / cells * shares[0];
+    return entries * (entry_cost + tests) + cells / count * cell_cost;
+}
+
+// Powers of two, and the numbers half way between.
+constexpr std::array<std::uint32_t, 16> cell_counts = {1,  2,  3,  4,  6,  8,   12,  16,
+                                                       24, 32, 48, 64, 96, 128, 192, GridPlan::cells_max};
+
+}  // namespace
+
+void RankMap::set(std::size_t axis, double from, double to) noexcept {
+    // The largest product must be below rank_end, rounded up: 1 - 2^-40 leaves it more than what two roundings add.
+    constexpr double ranks = rank_end * (1 - 0x1p-40);
+    const double per_unit = ranks / (to - from);
+    low[axis] = from;
+    // Too close together, or too far apart, for ranks: all have rank 0.
+    constexpr double number_max = std::numeric_limits<double>::max();
+    if (!(per_unit <= number_max) || !(to - from <= number_max)) return;
+    width[axis] = to - from;
+    ranks_per_unit[axis] = per_unit;
+}
+
+GridPlan plan_grid(std::span<const PackedBox> lines) {
+    constexpr std::size_t sample_max = 1024;
+    const std::size_t wanted = std::min(64 + lines.size() / 64, sample_max);
+    const std::size_t stride = lines.size() / wanted + 1;
+    std::vector<PackedBox> sample;
+    sample.reserve(lines.size() / stride + 1);
+    for (std::size_t i = 0; i < lines.size(); i += stride) {
+        if (!lines[i].is_empty()) sample.push_back(lines[i]);
+    }
+    GridPlan plan;
+    if (sample.empty()) return plan;
+    std::array<AxisSample, 3> axes;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        axes[axis] = look_at_axis(sample, axis);
+        plan.map.set(axis, axes[axis].low, axes[axis].high);
+    }
+    std::sort(plan.axes.begin(), plan.axes.end(), [&](std::size_t a, std::size_t b) {
+        return passed(axes[a]) < passed(axes[b]) || (passed(axes[a]) == passed(axes[b]) && a < b);
+    });
+    const auto count = static_cast<double>(lines.size());
+    const std::array<double, 3> shares = {passed(axes[plan.axes[0]]), passed(axes[plan.axes[1]]),
+                                          passed(axes[plan.axes[2]])};
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t first : cell_counts) {
+        for (const std::uint32_t second : cell_counts) {
+            if (std::size_t{first} * second > lines.size()) break;
+            const double tests = cost(count, shares, first, second);
+            if (tests >= least) continue;
+            least = tests;
+            plan.cells = {first, second};
+        }
+    }
+    return plan;
+}
+
+}  // namespace ecods

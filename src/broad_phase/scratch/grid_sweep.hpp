@@ -1,0 +1,94 @@
+// All pairs of boxes that overlap, from scratch.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "broad_phase/boxes/box_tree.hpp"
+#include "broad_phase/scratch/grid_plan.hpp"
+
+namespace ecods {
+
+// Sort and sweep in the columns of a grid: boxes are sorted along one axis and put in that order into each cell of the
+// other two axes that they reach. In each cell, a box is compared with those that begin before it ends, eight at once.
+// A pair is found in the first cell, on both axes, that both boxes reach, and in no other. Ends are ranks, of which
+// half as many bits suffice (grid_plan.hpp); where two are equal, the boxes themselves decide. Where the sweep takes
+// many tests for few pairs, it is given up for trees, which no arrangement makes slow. (The sweep is that of D.
+// Baraff's thesis, 1992; that one from scratch, over integers beside each other in memory, may cost less than keeping
+// its lists is from P. Terdiman, "Box pruning revisited".)
+//
+// Its working memory stays, so that the next search need not ask for it: about 130 bytes a box.
+class GridSweep {
+  public:
+    // Appends all pairs of slots whose boxes overlap, each once, in no order. Empty lines overlap none. Returns the
+    // number of box tests. Cost: a few passes over the boxes, and a test for each two of a cell that overlap on the
+    // axis of the sweep; at most as many as make trees cost less. Out of memory, `found` has some of the pairs.
+    std::uint64_t find_pairs(std::span<const PackedBox> lines, std::vector<std::array<SlotIndex, 2>>& found);
+
+    std::size_t bytes() const noexcept;
+
+  private:
+    // The ranks of a box on three axes, and the cells that it reaches.
+    struct alignas(32) RankedBox {
+        std::array<std::int32_t, 4> begin;
+        std::array<std::int32_t, 4> end;
+    };
+    struct Reached {
+        std::array<std::uint8_t, 2> first;
+        std::array<std::uint8_t, 2> last;
+    };
+    struct Begin {
+        std::int32_t rank;
+        SlotIndex slot;
+    };
+    // A cell is eight rows of numbers: where its boxes begin and end on three axes, in the order of the sweep, who they
+    // are, and on which of the axes the cell is the first one that they reach.
+    struct Cell {
+        std::size_t offset = 0;  // of the first row
+        std::uint32_t count = 0;
+        std::uint32_t filled = 0;
+        std::size_t stride() const noexcept { return count + padding; }
+    };
+    // Boxes of a cell that may overlap one of its boxes: bits, from the first of some boxes on. They are noted first,
+    // and looked at when there are many: nothing waits for what is only noted.
+    struct Hits {
+        std::uint32_t own;
+        std::uint32_t first;
+        std::uint32_t bits;
+    };
+    // Tests are for nothing where boxes are in places so far apart that those of one place have the same ranks.
+    struct Work {
+        std::uint64_t tests = 0;
+        std::uint64_t tests_max;
+
+        bool goes_on(std::size_t found_count) noexcept {
+            constexpr std::uint64_t tests_per_pair = 32;
+            if (tests <= tests_max) return true;
+            tests_max *= 2;
+            return tests < tests_per_pair * found_count;
+        }
+    };
+    // What is read beyond the last box of a row begins after all others end.
+    static constexpr std::size_t padding = 8;
+    static constexpr std::size_t rows = 8;
+
+    struct Loops;  // grid_sweep_loops.hpp: what is compiled for each instruction set
+
+    void sort_begins(std::span<const PackedBox> lines);
+    bool count_cells(std::span<const PackedBox> lines);
+    void fill_cells();
+    static std::uint64_t find_in_trees(std::span<const PackedBox> lines, std::vector<std::array<SlotIndex, 2>>& found);
+
+    GridPlan plan_;
+    std::vector<RankedBox> ranked_;  // by slot
+    std::vector<Reached> reached_;   // by slot
+    std::vector<Begin> begins_, spare_;
+    std::vector<Cell> cells_;
+    std::vector<std::int32_t> rows_;
+    std::vector<Hits> hits_;
+};
+
+}  // namespace ecods

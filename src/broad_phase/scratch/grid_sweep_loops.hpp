@@ -1,0 +1,114 @@
+// The loops of GridSweep over all boxes, which are compiled for each instruction set (simd/dispatch.hpp).
+#pragma once
+
+#include <bit>
+
+#include "broad_phase/scratch/grid_sweep.hpp"
+#include "simd/inline.hpp"
+#include "simd/mask_bits.hpp"
+
+namespace ecods {
+
+struct GridSweep::Loops {
+    using Lanes = Vec<std::int32_t, 8>;
+
+    // The rows of a cell.
+    struct View {
+        const std::int32_t *begin, *end, *begin_1, *end_1, *begin_2, *end_2, *slots, *firsts;
+    };
+    ECODS_ALWAYS_INLINE static View view(const std::int32_t* row, std::size_t stride) noexcept {
+        return {row,
+                row + stride,
+                row + 2 * stride,
+                row + 3 * stride,
+                row + 4 * stride,
+                row + 5 * stride,
+                row + 6 * stride,
+                row + 7 * stride};
+    }
+
+    // The pairs among those noted. Some were found here, but another cell is the first that both boxes reach.
+    [[gnu::noinline]] static void take(std::span<const Hits> noted, const View& cell, std::span<const PackedBox> lines,
+                                       std::vector<std::array<SlotIndex, 2>>& found) {
+        constexpr std::int32_t first_of_both = 3;
+        const std::size_t before = found.size();
+        found.resize(before + lane_count<Lanes> * noted.size());
+        std::array<SlotIndex, 2>* write = found.data() + before;
+        for (const Hits& hits : noted) {
+            const std::uint32_t a = hits.own;
+            for (std::uint32_t bits = hits.bits; bits != 0; bits &= bits - 1) {
+                const std::uint32_t b = hits.first + static_cast<std::uint32_t>(std::countr_zero(bits));
+                const auto slot_a = static_cast<SlotIndex>(cell.slots[a]),
+                           slot_b = static_cast<SlotIndex>(cell.slots[b]);
+                *write = {slot_a, slot_b};
+                const bool is_here = (cell.firsts[a] | cell.firsts[b]) == first_of_both;
+                const bool is_certain = (cell.begin[b] < cell.end[a]) & (cell.begin[a] < cell.end[b]) &
+                                        (cell.begin_1[b] < cell.end_1[a]) & (cell.begin_1[a] < cell.end_1[b]) &
+                                        (cell.begin_2[b] < cell.end_2[a]) & (cell.begin_2[a] < cell.end_2[b]);
+                if (!is_certain && !overlap(lines[slot_a], lines[slot_b])) [[unlikely]]
+                    continue;
+                write += is_here ? 1 : 0;
+            }
+        }
+        found.resize(static_cast<std::size_t>(write - found.data()));
+    }
+
+    // Returns false where most tests were for nothing.
+    ECODS_ALWAYS_INLINE static bool sweep(GridSweep& self, std::span<const PackedBox> lines, Work& work,
+                                          std::vector<std::array<SlotIndex, 2>>& found) {
+        for (const Cell& cell : self.cells_) {
+            const View rows = view(self.rows_.data() + cell.offset, cell.stride());
+            if (!sweep_cell(rows, cell.count, self.hits_, lines, work, found)) return false;
+        }
+        return true;
+    }
+
+    // Each box against those that begin with it or after it, and before it ends. On the other axes, two are apart where
+    // the one begins after the other ends.
+    ECODS_ALWAYS_INLINE static bool sweep_cell(const View& cell, std::uint32_t count, std::vector<Hits>& hits,
+                                               std::span<const PackedBox> lines, Work& work,
+                                               std::vector<std::array<SlotIndex, 2>>& found) {
+        constexpr std::uint32_t width = lane_count<Lanes>;
+        static_assert(width <= padding);
+        // Room for those of one more box is all that is asked for: whether there are hits cannot be foretold, so that a
+        // branch on each few boxes would cost more than the tests.
+        constexpr std::size_t enough = 512;
+        if (hits.size() < enough + count / width + 1) hits.resize(enough + count / width + 1);
+        Hits* const noted = hits.data();
+        Hits* next = noted;
+        for (std::uint32_t i = 0; i + 1 < count; ++i) {
+            const std::int32_t last = cell.end[i];
+            const std::int32_t begin_1 = cell.begin_1[i], end_1 = cell.end_1[i];
+            const std::int32_t begin_2 = cell.begin_2[i], end_2 = cell.end_2[i];
+            std::uint32_t k = i + 1;
+            do {
+                const Lanes beyond =
+                    (load_anywhere<Lanes>(cell.begin + k) > last) | (load_anywhere<Lanes>(cell.begin_1 + k) > end_1) |
+                    (load_anywhere<Lanes>(cell.end_1 + k) < begin_1) |
+                    (load_anywhere<Lanes>(cell.begin_2 + k) > end_2) | (load_anywhere<Lanes>(cell.end_2 + k) < begin_2);
+                const std::uint32_t bits = mask_bits(beyond) ^ ((1u << width) - 1);
+                *next = {i, k, bits};
+                next += bits != 0 ? 1 : 0;
+                k += width;
+            } while (cell.begin[k - 1] <= last);
+            work.tests += k - i - 1;
+            if (next >= noted + enough || work.tests > work.tests_max) [[unlikely]] {
+                take({noted, next}, cell, lines, found);
+                next = noted;
+                if (!work.goes_on(found.size())) return false;
+            }
+        }
+        if (next != noted) take({noted, next}, cell, lines, found);
+        return true;
+    }
+
+    ECODS_ALWAYS_INLINE static void rank(GridSweep& self, std::span<const PackedBox> lines) {
+        const RankMap map = self.plan_.map;
+        for (SlotIndex slot = 0; slot < lines.size(); ++slot) {
+            store(self.ranked_[slot].begin.data(), map.at(lanes(&lines[slot].ends[0])));
+            store(self.ranked_[slot].end.data(), map.at(~lanes(&lines[slot].ends[4])));
+        }
+    }
+};
+
+}  // namespace ecods
