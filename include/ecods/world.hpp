@@ -262,8 +262,8 @@ class ECODS_API World {
 
     // ---- pairs of convex solids, as of now; ascending
     //
-    // Those that share a point, and those at a distance of at most `limit`, decided for the real number. Throw
-    // SingularPose if a convex solid is at one, wherever it is; InvalidDistance if the limit is negative or NaN.
+    // Those that share a point, and those within `limit`, decided for the real number. Throw SingularPose if a convex
+    // solid is at one, wherever it is; InvalidDistance if the limit is negative or NaN; without memory, ExecutorFailed.
     std::vector<BodyDepth> depths(QueryMemory& memory) const;
     std::vector<SolidDistance> solid_distances(double limit, QueryMemory& memory) const;
     std::vector<BodyDepth> depths();

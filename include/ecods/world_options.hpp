@@ -16,9 +16,9 @@ namespace ecods {
 struct WorldOptions {
     BroadPhaseKind broad_phase = BroadPhaseKind::automatic;
 
-    // Who runs the two-body tests of an update; null: the thread that calls it. Answers, lists, events, digests and
-    // counts are the same for any executor and any number of workers. Tests of the caller's own are then called by
-    // several threads at once, each with a QueryMemory of its own. Questions about a pair stay on the caller's thread.
+    // Who runs the two-body tests of update(), depths() and solid_distances(); null: the thread that calls. Answers,
+    // lists, events, digests and counts are the same for any executor and number of workers. Tests of the caller's own
+    // are called by several threads, each with its own QueryMemory. Questions about a pair stay on the caller's thread.
     std::shared_ptr<Executor> executor = nullptr;
 };
 

@@ -101,6 +101,8 @@ ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest);
 // Where two solids are closest, by the first of these that knows; nothing if they share a point. The witness as in
 // convex_solid.hpp, or null.
 std::optional<ClosestHulls> find_closest(PosedHulls& hulls, PairWitness* witness);
+// The same from a pair of vertices.
+std::optional<ClosestHulls> find_closest(PosedHulls& hulls, const Simplex& start, PairWitness* witness = nullptr);
 
 // The distance, rounded once; and the sign of the distance less d.
 double round_distance(PosedHulls& hulls, const HullFeatures& found);

@@ -177,6 +177,13 @@ ECODS_ALWAYS_INLINE void descend_scanned(Simplex& simplex, const PosedHulls& hul
 
 }  // namespace
 
+Simplex between_centers(const PosedHulls& hulls) noexcept {
+    const Point between = minus(hulls.center(1), hulls.center(0));
+    Simplex start;
+    add(start, hulls, {hulls.support(0, between), hulls.support(1, negated(between))});
+    return start;
+}
+
 Simplex run_gjk(const PosedHulls& hulls, const Simplex& start) noexcept {
     Simplex simplex = start;
     if (hulls.is_scanned(0) && hulls.is_scanned(1)) {
@@ -185,13 +192,6 @@ Simplex run_gjk(const PosedHulls& hulls, const Simplex& start) noexcept {
         descend(simplex, hulls, OfHulls{hulls});
     }
     return simplex.count > 0 ? simplex : start;
-}
-
-Simplex run_gjk(const PosedHulls& hulls) noexcept {
-    const Point between = minus(hulls.center(1), hulls.center(0));
-    Simplex start;
-    add(start, hulls, {hulls.support(0, between), hulls.support(1, negated(between))});
-    return run_gjk(hulls, start);
 }
 
 Simplex run_gjk_of_triangles(const PosedHulls& hulls,

@@ -15,10 +15,12 @@ struct Simplex {
     std::array<Point, 4> points{};
 };
 
+// The pair that is nearest along the way from one center to the other, about: where a search begins that knows no
+// better.
+Simplex between_centers(const PosedHulls& hulls) noexcept;
+
 // The least pairs of which the nearest point to the origin is a combination, if doubles are right; four if the origin
-// is inside. What is known of the pair is only a matter of time: nothing;
-Simplex run_gjk(const PosedHulls& hulls) noexcept;
-// or a simplex of at least one pair that may be near it.
+// is inside. From at least one pair; how near it is is only a matter of time.
 Simplex run_gjk(const PosedHulls& hulls, const Simplex& start) noexcept;
 
 // The same for two triangles of vertices in place of the solids.

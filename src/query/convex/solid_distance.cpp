@@ -39,14 +39,15 @@ std::optional<ClosestPoints> points_of(PosedHulls& hulls, PairWitness* witness) 
 
 // Features that were the closest before are proven as any others.
 std::optional<ClosestHulls> convex::find_closest(PosedHulls& hulls, PairWitness* witness) {
-    Simplex guess;
-    if (witness != nullptr && is_known(*witness)) {
-        guess = run_gjk_of_triangles(hulls, {hulls.vertices_near(0, witness->a), hulls.vertices_near(1, witness->b)});
-        if (auto proven = prove_closest(hulls, guess)) return proven;
-        guess = run_gjk(hulls, guess);
-    } else {
-        guess = run_gjk(hulls);
-    }
+    if (witness == nullptr || !is_known(*witness)) return find_closest(hulls, between_centers(hulls), witness);
+    const Simplex guess =
+        run_gjk_of_triangles(hulls, {hulls.vertices_near(0, witness->a), hulls.vertices_near(1, witness->b)});
+    if (auto proven = prove_closest(hulls, guess)) return proven;
+    return find_closest(hulls, guess, witness);
+}
+
+std::optional<ClosestHulls> convex::find_closest(PosedHulls& hulls, const Simplex& start, PairWitness* witness) {
+    const Simplex guess = run_gjk(hulls, start);
     if (witness != nullptr) leave(hulls, guess, *witness);
     if (prove_meeting(hulls, guess)) return std::nullopt;
     std::optional<ClosestHulls> closest = prove_closest(hulls, guess);

@@ -19,7 +19,8 @@ using exact::largest;
 using exact::minus;
 using exact::negated;
 
-// Whether a direction from one to the other, as good as any, proves that the solids are further apart than the limit.
+// Whether the direction from one to the other, as good as any, proves that the solids are further apart than the limit,
+// by the pair of vertices that is nearest along it.
 // Not of hulls that are climbed, where what is furthest is not known.
 //
 // With n the direction, u' = two_u and D = delta(), which is at least 4.25 u' sum (find_bounds), sum bounding what is
@@ -30,11 +31,11 @@ using exact::negated;
 // terms' magnitudes S. 9 D and 8 u' also cover the rounding of the sums and of both products below, the root being off
 // by less than 4 u'. What underflows in a product is below 2^-1022, and all of it below 2^-900; n is so large that it
 // shows in no other way, and a limit that is taken for zero is below what 2^-900 / |n| leaves.
-bool is_beyond(const PosedHulls& hulls, double limit) noexcept {
+bool is_beyond(const PosedHulls& hulls, const Simplex& start, double limit) noexcept {
     const Point n = minus(hulls.center(1), hulls.center(0));
     if (hulls.exponent() != 0 || !hulls.is_scanned(0) || !hulls.is_scanned(1) || !(largest(n) >= 0x1p-400))
         return false;
-    const Point gap = minus(hulls.rounded(1, hulls.support(1, negated(n))), hulls.rounded(0, hulls.support(0, n)));
+    const Point& gap = start.points[0];
     double along = 0, magnitudes = 0, sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         along += n[k] * gap[k];
@@ -61,6 +62,15 @@ SolidInMemory::SolidInMemory(const ConvexSolid& solid) noexcept
       points(ConvexSolidAccess::points(solid).groups.data()),
       point_count(ConvexSolidAccess::points(solid).groups.size()) {}
 
+void SolidInMemory::prefetch_solid(const ConvexSolid* solid) noexcept {
+    if (solid == nullptr) return;
+    __builtin_prefetch(solid);
+    __builtin_prefetch(reinterpret_cast<const char*>(solid + 1) - 1);
+}
+void SolidInMemory::prefetch_parts(const ConvexSolid& solid) noexcept {
+    __builtin_prefetch(&ConvexSolidAccess::points(solid));
+}
+
 void SolidInMemory::prefetch() const noexcept {
     constexpr std::size_t line = 64, most = PosedHulls::scanned_max * 3 * sizeof(double);
     const char* const first = static_cast<const char*>(parts);
@@ -74,8 +84,9 @@ void SolidInMemory::prefetch() const noexcept {
 std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit,
                                       QueryMemory& memory) {
     PosedHulls hulls(a, b, memory);
-    if (is_beyond(hulls, limit)) return std::nullopt;
-    const auto closest = find_closest(hulls, nullptr);
+    const Simplex start = between_centers(hulls);
+    if (is_beyond(hulls, start, limit)) return std::nullopt;
+    const auto closest = find_closest(hulls, start);
     if (!closest) return 0;
     const double distance = round_distance(hulls, closest->found);
     const std::int64_t key = key_of(distance), limit_key = key_of(limit);
@@ -86,7 +97,8 @@ std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<C
 
 bool do_meet(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory) {
     PosedHulls hulls(a, b, memory);
-    return !is_beyond(hulls, 0) && !find_closest(hulls, nullptr);
+    const Simplex start = between_centers(hulls);
+    return !is_beyond(hulls, start, 0) && !find_closest(hulls, start);
 }
 
 }  // namespace ecods::convex

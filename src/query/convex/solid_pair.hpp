@@ -21,6 +21,10 @@ struct SolidInMemory {
     SolidInMemory() = default;
     explicit SolidInMemory(const ConvexSolid& solid) noexcept;
     void prefetch() const noexcept;
+
+    // What the constructor reads: a solid first, or null, and when that has come, its parts.
+    static void prefetch_solid(const ConvexSolid* solid) noexcept;
+    static void prefetch_parts(const ConvexSolid& solid) noexcept;
 };
 
 // The distance, rounded once, if the real one is at most the limit. Throws SingularPose. limit >= 0, or infinity.
