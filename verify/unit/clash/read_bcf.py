@@ -22,7 +22,12 @@ NAMES = ["<a & \"b\"> ]]> \u00e9", "\x01\ufffe 'x'", "0N1Bb_$zzzzzzzzzzzzzzz"]
 
 
 def run(*arguments):
-    return subprocess.run(arguments, check=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE).stdout
+    done = subprocess.run(arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    if b"was built without" in done.stderr:
+        print(done.stderr.decode())
+        sys.exit(77)
+    assert done.returncode == 0, (arguments, done.stderr.decode())
+    return done.stdout
 
 
 def write_names(folder):
