@@ -7,9 +7,9 @@
 namespace ecods::clash {
 namespace {
 
-constexpr double veil = 0.36;            // opacity of a surface that a contact is seen through
-constexpr double context_share = 0.22;   // of other parts' shades in what is seen of them
-constexpr double thin = 0.02;            // in samples: regions that are thinner along the line of sight are not painted
+constexpr double veil = 0.36;           // opacity of a surface that a contact is seen through
+constexpr double context_share = 0.22;  // of other parts' shades in what is seen of them
+constexpr double thin = 0.02;           // in samples: regions that are thinner along the line of sight are not painted
 constexpr std::size_t stripe_width = 16;  // in samples
 
 bool is_part(const Fragment& fragment) {
