@@ -8,6 +8,7 @@
 
 #include "process/parallel.hpp"
 #include "process/progress.hpp"
+#include "programs/clash/convex_candidates.hpp"
 #include "programs/clash/make_shape.hpp"
 #include "scenes/io/gltf_file.hpp"
 #include "scenes/io/mesh_file.hpp"
@@ -31,11 +32,13 @@ void find_in_folder(const fs::path& folder, std::vector<fs::path>& files) {
     if (files.size() == count_before) throw scenes::ReadError(folder, "", "no mesh and no assembly is in this folder");
 }
 
-std::vector<MadeShape> make_shapes(const std::vector<scenes::NamedMesh>& meshes, std::size_t jobs) {
+std::vector<MadeShape> make_shapes(const scenes::Scene& scene, std::size_t jobs) {
+    const std::vector<scenes::NamedMesh>& meshes = scene.meshes;
+    const std::vector<char> may_be_convex = find_convex_candidates(scene, jobs);
     std::vector<MadeShape> shapes(meshes.size());
     process::Progress progress("finding solids", meshes.size());
     process::for_each_in_parallel(meshes.size(), jobs, [&](std::size_t i, std::size_t) {
-        shapes[i] = make_shape(meshes[i].mesh);
+        shapes[i] = make_shape(meshes[i].mesh, may_be_convex[i] != 0);
         progress.step();
     });
     return shapes;
@@ -62,7 +65,7 @@ std::vector<ReadFile> read_all(const std::vector<fs::path>& files, std::size_t j
 }
 
 std::vector<Part> make_parts(const scenes::Scene& scene, const std::vector<std::string>& file_of, std::size_t jobs) {
-    const std::vector<MadeShape> shapes = make_shapes(scene.meshes, jobs);
+    const std::vector<MadeShape> shapes = make_shapes(scene, jobs);
     std::vector<std::size_t> order(scene.bodies.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(),

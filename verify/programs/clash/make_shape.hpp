@@ -14,7 +14,7 @@ struct MadeShape {
     std::string not_solid_because;           // empty of a solid
 };
 
-// A mesh with a vertex that is beyond a plane by rounding alone may come out as a Solid though it is convex.
-MadeShape make_shape(const std::shared_ptr<const Mesh>& mesh);
+// A convex mesh becomes a ConvexSolid if `may_be_convex`, otherwise a Solid.
+MadeShape make_shape(const std::shared_ptr<const Mesh>& mesh, bool may_be_convex);
 
 }  // namespace ecods::clash

@@ -67,7 +67,7 @@ void add_clash(Buffer& out, const Clash& clash) {
 }
 
 void add_data(Buffer& out, const ClashReport& report) {
-    add(out, "{{\"size\":[{},{}],\"pairs\":{},\"counts\":[", picture_width, picture_height, report.pair_count);
+    add(out, "{{\"size\":[{},{}],\"counts\":[", picture_width, picture_height);
     for (std::size_t i = 0; i < kind_count; ++i) add(out, "{}{}", i == 0 ? "" : ",", report.counts[i]);
     add(out, "]");
     add_rows(out, "options", report.options, [&](const auto& option) {

@@ -84,7 +84,7 @@ void add_furniture(Bay& bay) {
 
 void add_pipes(Bay& bay) {
     bay.pipe("conduit in the wall, flush", 2, 0, 280, 20, 320, 2);
-    bay.pipe("conduit in the wall", 2, 50, 150, 20, 340, 2);
+    bay.pipe("wire in the wall", 2, 50, 150, 20, 340, 2);
     bay.pipe("pipe through the wall", 1, 2, 300, 230, 450, 5);
     Element& beside = bay.pipe("pipe 0.1 mm from the wall", 0, 310, 590, 35, 150, 5);
     beside.u += 1;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -12,6 +13,7 @@
 
 #include "programs/clash/inputs.hpp"
 #include "programs/clash/judge.hpp"
+#include "programs/clash/penetration.hpp"
 #include "scenes/building/building_relations.hpp"
 
 namespace ecods::clash {
@@ -109,6 +111,26 @@ TEST(ClashBuilding, EveryRelationIsTheKnownOne) {
     const auto elements = scenes::make_large_building();
     ASSERT_EQ(elements.size(), 10000U);
     expect_all_known(elements);
+}
+
+// The wall has a window, so it is not convex; out of it the cabinet gets by the 50 mm, and by no less.
+TEST(ClashBuilding, BoundsHoldTheDepthOfASolidWithDents) {
+    const ClashReport report = report_of(scenes::make_building(1, 1, 1));
+    const double depth = scenes::meters(3000) - scenes::meters(2500);
+    const auto clash = std::find_if(report.clashes.begin(), report.clashes.end(), [&](const Clash& each) {
+        return report.parts[each.a].name.ends_with("cabinet 50 mm in the wall") && each.kind == Kind::overlapping;
+    });
+    ASSERT_NE(clash, report.clashes.end());
+    ASSERT_TRUE(clash->depth);
+    EXPECT_LE(clash->depth->lower, depth);
+    EXPECT_GE(clash->depth->upper, depth);
+    EXPECT_GT(clash->depth->lower, 0);
+    EXPECT_LT(clash->depth->upper, 2 * depth);
+    QueryMemory memory;
+    const Interval quick = depth_of(report.parts[clash->a], report.parts[clash->b], clash->place.box, memory);
+    EXPECT_LE(quick.lower, depth);
+    EXPECT_GE(quick.lower, depth * 0.99);  // the ball around the middle touches both
+    EXPECT_EQ(quick.upper, depth);
 }
 
 // Those that every bay has, counted by hand, beside what touches.

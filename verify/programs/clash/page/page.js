@@ -191,8 +191,7 @@ function table(id, rows) {
 
 function start() {
   const options = data.options.map(([name, value]) => "--" + name + (value === "" ? "" : " " + value)).join(", ");
-  byId("facts").textContent = `${many(data.parts.length, "part", "parts")}, ${many(data.pairs, "pair", "pairs")} judged` +
-    (options === "" ? "" : `, with ${options}`);
+  byId("facts").textContent = many(data.parts.length, "part", "parts") + (options === "" ? "" : `, with ${options}`);
   makeKinds();
   byId("search").addEventListener("input", update);
   byId("order").addEventListener("change", update);

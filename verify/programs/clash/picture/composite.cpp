@@ -7,10 +7,10 @@
 namespace ecods::clash {
 namespace {
 
-constexpr double veil = 0.36;            // opacity of a surface that a contact is seen through
-constexpr double context_share = 0.22;   // of other parts' shades in what is seen of them
-constexpr double thin = 0.02;            // in samples: regions that are thinner along the line of sight are not painted
-constexpr std::size_t stripe_width = 9;  // in samples
+constexpr double veil = 0.36;           // opacity of a surface that a contact is seen through
+constexpr double context_share = 0.22;  // of other parts' shades in what is seen of them
+constexpr double thin = 0.02;           // in samples: regions that are thinner along the line of sight are not painted
+constexpr std::size_t stripe_width = 16;  // in samples
 
 bool is_part(const Fragment& fragment) {
     return fragment.layer <= Layer::second;
@@ -42,7 +42,8 @@ std::optional<double> next_part_depth(std::span<const Fragment> fragments, std::
     return {};
 }
 
-// The fragment at which a contact begins: a mark, or where the line of sight is inside both parts from then on.
+// The fragment at which a contact begins: a mark, a surface inside the other part, or where the line of sight is inside
+// both parts from then on.
 std::optional<std::size_t> find_contact(std::span<const Fragment> fragments, const Look& look) {
     std::array<bool, 2> is_inside{};
     for (std::size_t i = 0; i < fragments.size(); ++i) {
@@ -50,6 +51,7 @@ std::optional<std::size_t> find_contact(std::span<const Fragment> fragments, con
         if (each.layer == Layer::area || each.layer == Layer::line) return i;
         if (!is_part(each)) continue;
         const auto part = static_cast<std::size_t>(each.layer);
+        if (!look.is_solid[part] && is_inside[1 - part]) return i;
         is_inside[part] = look.is_solid[part] && !is_inside[part];
         if (!is_inside[0] || !is_inside[1]) continue;
         const std::optional<double> end = next_part_depth(fragments, i);
