@@ -238,13 +238,14 @@ void PairProof::visit(const Parts& top) {
     const auto with = [&](const auto& x, const auto& y) {
         const std::size_t columns = part_count(y, x);
         std::uint64_t left = open(x, y, lanes_of(part_count(x, y), columns));
-        std::vector<Word> parts;
+        std::array<Word, tree_width * tree_width> parts;
+        std::size_t count = 0;
         if (opens_a && opens_b) {
             for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
                 const auto bit = static_cast<std::size_t>(std::countr_zero(rest));
-                parts.push_back(static_cast<Word>(bit / tree_width * columns + bit % tree_width));
+                parts[count++] = static_cast<Word>(bit / tree_width * columns + bit % tree_width);
             }
-            proof_.add_opening(StepKind::open_both, of_step_, parts);
+            proof_.add_opening(StepKind::open_both, of_step_, {parts.data(), count});
         } else {
             std::uint64_t lanes = 0;
             for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
@@ -252,10 +253,10 @@ void PairProof::visit(const Parts& top) {
                 lanes |= std::uint64_t{1} << (opens_a ? bit / tree_width : bit % tree_width);
             }
             left = lanes;
-            for (; lanes != 0; lanes &= lanes - 1) parts.push_back(static_cast<Word>(std::countr_zero(lanes)));
-            proof_.add_opening(opens_a ? StepKind::open_a : StepKind::open_b, of_step_, parts);
+            for (; lanes != 0; lanes &= lanes - 1) parts[count++] = static_cast<Word>(std::countr_zero(lanes));
+            proof_.add_opening(opens_a ? StepKind::open_a : StepKind::open_b, of_step_, {parts.data(), count});
         }
-        for (std::size_t k = parts.size(); k-- > 0;) {
+        for (std::size_t k = count; k-- > 0;) {
             if constexpr (
                 requires { x.child; } && requires { y.child; }) {
                 stack_.push_back({x.child[parts[k] / columns], y.child[parts[k] % columns]});
@@ -267,8 +268,8 @@ void PairProof::visit(const Parts& top) {
         }
         if constexpr (
             !requires { x.child; } && !requires { y.child; }) {
-            for (const Word k : parts) {
-                if (!decide(x.triangle[k / columns], y.triangle[k % columns])) return;
+            for (std::size_t k = 0; k < count; ++k) {
+                if (!decide(x.triangle[parts[k] / columns], y.triangle[parts[k] % columns])) return;
             }
         }
     };
@@ -347,6 +348,11 @@ void PairProof::try_contact(Contact& contact, const X& x, const Y& y, std::uint6
 }
 
 std::optional<TrianglePair> PairProof::run(const std::optional<TrianglePair>& closest) {
+    axes_.reserve(64);
+    stack_.reserve(256);
+    of_step_.reserve(32);
+    proof_.axes.reserve(32);
+    proof_.words.reserve(1024);
     for (const Mat3& normals : normals_) {
         for (int k = 0; k < 3; ++k) axes_.push_back(bind(shortened(normals.col(k))));
     }
