@@ -77,6 +77,8 @@ AxisFormula formula_of(const DistanceInterval& interval, const Triangle& a, cons
 constexpr std::size_t contacts_max = 8;
 // As many pairs of triangles of two leaves are worth an axis that is tried exactly.
 constexpr int ties_min = 4;
+// So much of the body's size, or less, is the distance of such a pair more than what is to be proven.
+constexpr double tie_share = 0x1p-16;
 
 constexpr double unbounded = 0x1p1000;
 
@@ -182,7 +184,8 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
         if (left == 0) return 0;
         use_new(shortened(slab_normal(body, body == 0 ? x.slab : y.slab)), 1);
     }
-    for (std::size_t k = 0; k < 6 && left != 0; ++k) {
+    const bool tries_boxes = 8 * std::popcount(left) > std::popcount(all);
+    for (std::size_t k = 0; k < 6 && left != 0 && tries_boxes; ++k) {
         const auto end = recent.begin() + static_cast<std::ptrdiff_t>(recent_count_);
         if (std::find(recent.begin(), end, k) == end) use(k);
     }
@@ -197,7 +200,9 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
         if (std::popcount(left) >= ties_min) {
             const auto first = static_cast<std::size_t>(std::countr_zero(left));
             const std::uint32_t i = x.triangle[first / tree_width], j = y.triangle[first % tree_width];
-            if (const auto formula = formula_for(i, j); formula && add_contact(*formula, i, j))
+            // Triangles that are well apart are left open by their boxes' axes alone.
+            const bool is_tie = !(pair_.enclose(i, j).lower > least_ + tie_share * frame_a_.size.sum());
+            if (const auto formula = formula_for(i, j); is_tie && formula && add_contact(*formula, i, j))
                 try_contact(contacts_.back(), x, y, left);
         }
     }
