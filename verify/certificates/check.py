@@ -216,9 +216,8 @@ class Axis:
 def read_axis(lines, a, b, kind, *words):
     if kind in ("na", "nb") and len(words) == 1:
         n = normal((a if kind == "na" else b).named(lines, words[0]))
-    elif kind in ("x", "vv", "va", "vb") and len(words) == 4:
-        i, j = lines.counts(words[1::2], 3, 3)  # of a, of b; the formula vb has them the other way round
-        n = FORMULAS[kind](a.named(lines, words[0]), b.named(lines, words[2]), *((j, i) if kind == "vb" else (i, j)))
+    elif kind == "x" and len(words) == 4:
+        n = FORMULAS["x"](a.named(lines, words[0]), b.named(lines, words[2]), *lines.counts(words[1::2], 3, 3))
     else:
         n = scaled(lines.numbers([kind, *words], 3))[0]
     return n if any(n) else lines.fail("the axis is zero")
