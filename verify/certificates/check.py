@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
-"""Checks certificates: check.py CERTIFICATE MESH... . README.md has the format, and why an accepted certificate is true.
-
-Coordinates are integers here, in units of 2^-fine, which is so small that each posed corner is one. Doubles only look ahead: where
-their error leaves a comparison open, the integers decide.
-"""
+# Checks certificates: check.py CERTIFICATE MESH... . README.md has the format, and why an accepted certificate is true.
+#
+# Coordinates are integers here, in units of 2^-fine, which is so small that each posed corner is one. Doubles only look ahead: where
+# their error leaves a comparison open, the integers decide.
 import math
 import sys
 from itertools import product
 
-from reading import Lines, Mesh, Refused, Unreadable, scaled
+from reading import Mesh, exactly, run, scaled, to_double
 
 UNITS = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 ZERO, ONE = (0, 0), (1, 0)  # real numbers: (n, power) is n 2^-power
@@ -33,8 +32,8 @@ def cross(p, q):
     return p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]
 
 
+# The part of w that is normal to e, e.e times.
 def off(w, e):
-    """The part of w that is normal to e, e.e times."""
     along, length = dot(w, e), dot(e, e)
     return tuple(length * x - along * y for x, y in zip(w, e))
 
@@ -52,24 +51,14 @@ def span(n, points):
     return min(values), max(values)
 
 
-def to_double(x, power):
-    """x 2^power, rounded to a double."""
-    return (x << max(power, 0)) / (1 << max(-power, 0))
-
-
-def exactly(value):
-    (n,), power = scaled([value])
-    return n, power
-
-
+# The midpoint of adjacent doubles; 2^1024 follows the largest.
 def middle(low, high):
-    """The midpoint of adjacent doubles; 2^1024 follows the largest."""
     (x, y), power = scaled((low, min(high, 2.0**1023)))
     return x + (y if high < math.inf else 2 * y), power + 1
 
 
+# The least real number that may round to a positive double, or to infinity.
 def below(value):
-    """The least real number that may round to a positive double, or to infinity."""
     return ZERO if value == 2.0**-1074 else middle(math.nextafter(value, 0), value)
 
 
@@ -96,19 +85,15 @@ FORMULAS = {
 INDICES = {name: formula.__code__.co_argcount - 2 for name, formula in FORMULAS.items()}
 
 
+# Whether two triangles are apart along one of the 32 vectors that suffice.
 def is_apart_by_any(rule, p, q):
-    """Whether two triangles are apart along one of the 32 vectors that suffice."""
-    for name in ("na", "nb", "c", "ea", "eb", "x"):
-        for indices in product(range(3), repeat=INDICES[name]):
-            n = FORMULAS[name](p, q, *indices)
-            if any(n) and rule(n, span(n, p), span(n, q)):
-                return True
-    return False
+    names = ("na", "nb", "c", "ea", "eb", "x")
+    vectors = (FORMULAS[name](p, q, *indices) for name in names for indices in product(range(3), repeat=INDICES[name]))
+    return any(any(n) and rule(n, span(n, p), span(n, q)) for n in vectors)
 
 
+# Whether ranges along n are apart: the gap is positive and more than `least` times the length of n, or (not is_more) that.
 class Apart:
-    """Whether ranges along n are apart: the gap is positive and more than `least` times the length of n, or (not is_more) that."""
-
     def __init__(self, fine, least=ZERO, is_more=True):
         self.is_more, self.left, self.right = is_more, 2 * least[1], least[0] ** 2 << 2 * fine
 
@@ -117,22 +102,20 @@ class Apart:
         left, right = gap * gap << self.left, self.right * dot(n, n)
         return gap > 0 and (left > right or left == right and not self.is_more)
 
+    # The least gap in doubles, in units of 2^unit. No gap reaches 8, so that 16 is as good as more.
     def floor(self, n, unit):
-        """The least gap in doubles, in units of 2^unit. No gap reaches 8, so that 16 is as good as more."""
         square, power = self.right * dot(n, n), self.left + 2 * unit
         return math.sqrt(square / (1 << power)) if square >> power < 256 else 16.0
 
 
+# Whether they do not overlap; touching is allowed.
 class Weak(Apart):
-    """Whether they do not overlap; touching is allowed."""
-
     def __call__(self, n, a, b):
         return max(b[0] - a[1], a[0] - b[1]) >= 0
 
 
+# Whether a is apart from a piece of a segment: its start is strictly on one side, its stop too, or (not is_more) level with a.
 class Ahead(Apart):
-    """Whether a is apart from a piece of a segment: its start is strictly on one side, its stop too, or (not is_more) level with a."""
-
     def __init__(self, fine, piece, is_more):
         super().__init__(fine, ZERO, is_more)
         self.piece = piece
@@ -144,9 +127,8 @@ class Ahead(Apart):
         return start < a[0] and stop <= a[0] or start > a[1] and stop >= a[1]
 
 
+# The piece of a segment between two parameters: one triangle start, stop, stop.
 class Segment(Mesh):
-    """The piece of a segment between two parameters: one triangle start, stop, stop."""
-
     def __init__(self, ends, start, stop):
         values, power = scaled(ends)
         way, more = minus(values[3:], values[:3]), max(start[1], stop[1])
@@ -159,9 +141,8 @@ class Segment(Mesh):
         return self.exact[vertex]
 
 
+# A posed mesh. Its corners are integers in units of 2^-fine, for any fine from finest on.
 class Body:
-    """A posed mesh. Its corners are integers in units of 2^-fine, for any fine from finest on."""
-
     def __init__(self, mesh, pose=(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)):
         self.mesh, self.work = mesh, 0
         values, self.power = scaled(pose)
@@ -171,23 +152,22 @@ class Body:
     def place(self, fine):
         self.fine, self.shift = fine, fine - self.finest
         self.moved = [x << fine - self.power for x in self.translation]
-        power = self.mesh.scale + 1 + fine - self.power
-        spans = [-(-sum(map(abs, row)) << power) if power >= 0 else -(-sum(map(abs, row)) >> -power) for row in self.rotation]
+        # 2^(scale + 1) is above all coordinates, and at least 2^-fine of the mesh, so that nothing is shifted to the right.
+        spans = [sum(map(abs, row)) << self.mesh.scale + 1 + fine - self.power for row in self.rotation]
         self.size = max(x + abs(y) for x, y in zip(spans, self.moved)).bit_length()
 
     def corners(self, part):
         vertices = map(self.mesh.integers, self.mesh.corners[part - self.mesh.node_count])
         return [[(dot(row, v) << self.shift) + x for row, x in zip(self.rotation, self.moved)] for v in vertices]
 
+    # The corners of the triangle with this number in the caller's mesh.
     def named(self, lines, name):
-        """The corners of the triangle with this number in the caller's mesh."""
         (number,) = lines.counts([name], len(self.mesh.line_of))
         return self.corners(self.mesh.node_count + self.mesh.line_of[number])
 
 
+# Ranges of n.x over the parts of a body. In doubles they are in units of 2^unit.
 class Along:
-    """Ranges of n.x over the parts of a body. In doubles they are in units of 2^unit."""
-
     def __init__(self, body, n, unit):
         self.body, self.near_ranges, self.exact_ranges = body, {}, {}
         self.n, self.constant = [dot(n, column) for column in zip(*body.rotation)], dot(n, body.moved)
@@ -200,15 +180,15 @@ class Along:
         self.body.work += len(points)
         return vertices, [x * p + y * q + z * r + constant for p, q, r in points]
 
+    # The range in doubles: each end is within NEAR of the true one.
     def near(self, part):
-        """The range in doubles: each end is within NEAR of the true one."""
         if part not in self.near_ranges:
             values = self.values(part)[1]
             self.near_ranges[part] = min(values), max(values)
         return self.near_ranges[part]
 
+    # The range. In doubles, a vertex that attains an end is within 2 NEAR of the end in doubles.
     def exact(self, part):
-        """The range. In doubles, a vertex that attains an end is within 2 NEAR of the end in doubles."""
         if part not in self.exact_ranges:
             vertices, values = self.values(part)
             low, high = min(values) + 3 * NEAR, max(values) - 3 * NEAR
@@ -217,9 +197,8 @@ class Along:
         return self.exact_ranges[part]
 
 
+# A vector, and which pairs of parts are apart along it.
 class Axis:
-    """A vector, and which pairs of parts are apart along it."""
-
     def __init__(self, n, a, b, rule):
         bits = n[0] | n[1] | n[2]
         self.n, self.rule = [x // (bits & -bits) for x in n], rule
@@ -234,43 +213,29 @@ class Axis:
         return self.looks_apart(i, j, -MARGIN) and self.rule(self.n, self.a.exact(i), self.b.exact(j))
 
 
-def read_axis(lines, words, a, b):
-    match words:
-        case ["na", name]:
-            n = normal(a.named(lines, name))
-        case ["nb", name]:
-            n = normal(b.named(lines, name))
-        case [("x" | "vv" | "va" | "vb") as name, first, i, second, j]:
-            i, j = lines.counts([i, j], 3, 3)  # of a, of b; the steps' vb has them the other way round
-            n = FORMULAS[name](a.named(lines, first), b.named(lines, second), *((j, i) if name == "vb" else (i, j)))
-        case _:
-            n = scaled(lines.numbers(words, 3))[0]
+def read_axis(lines, a, b, kind, *words):
+    if kind in ("na", "nb") and len(words) == 1:
+        n = normal((a if kind == "na" else b).named(lines, words[0]))
+    elif kind == "x" and len(words) == 4:
+        n = FORMULAS["x"](a.named(lines, words[0]), b.named(lines, words[2]), *lines.counts(words[1::2], 3, 3))
+    else:
+        n = scaled(lines.numbers([kind, *words], 3))[0]
     return n if any(n) else lines.fail("the axis is zero")
 
 
-def prove_triangles(lines, words, p, q, rule):
-    if not words or words[0] not in FORMULAS:
-        lines.fail("there is no such formula")
-    n = FORMULAS[words[0]](p, q, *lines.counts(words[1:], *[3] * INDICES[words[0]]))
-    if not any(n) or not rule(n, span(n, p), span(n, q)):
-        lines.fail("the triangles are not apart along this vector, or it is zero")
-
-
+# One step about the parts i and j. Returns the pairs that it leaves open.
 def prove_step(lines, a, b, axes, rule, i, j, kind, *fields):
-    """One step about the parts i and j. Returns the pairs that it leaves open."""
     triangles = a.mesh.is_triangle(i), b.mesh.is_triangle(j)
     if kind == "t" and all(triangles):
-        return prove_triangles(lines, fields, a.corners(i), b.corners(j), rule) or []
+        p, q, name = a.corners(i), b.corners(j), fields[0] if fields and fields[0] in FORMULAS else lines.fail("no such formula")
+        n = FORMULAS[name](p, q, *lines.counts(fields[1:], *[3] * INDICES[name]))
+        return [] if any(n) and rule(n, span(n, p), span(n, q)) else lines.fail("the triangles are not apart so, or it is zero")
     if kind not in ("k", "a", "b", "ab") or kind == "k" and len(fields) != 1:
         lines.fail("this is not a step about such parts")
     if kind != "k" and all(is_triangle for is_triangle, name in zip(triangles, "ab") if name in kind):
         lines.fail("the step opens triangles only")
     pairs = list(product(a.mesh.parts(i) if "a" in kind else [i], b.mesh.parts(j) if "b" in kind else [j]))
-    bar = fields.index("|") if "|" in fields else len(fields)
-    names = lines.counts(fields[:bar], *[len(axes)] * bar)
-    left = lines.counts(fields[bar + 1 :], *[len(pairs)] * (len(fields) - bar - 1))
-    if len(set(names)) < bar or left != sorted(set(left)) or fields[bar:] == ("|",):
-        lines.fail("an axis stands twice, or the pairs left open are not ascending, or none stands behind the bar")
+    names, left = lines.step(fields, len(axes), len(pairs))
     closed = set(range(len(pairs))) - set(left)
     for name in names:
         closed = {at for at in closed if not axes[name].looks_apart(*pairs[at])}
@@ -279,13 +244,13 @@ def prove_step(lines, a, b, axes, rule, i, j, kind, *fields):
     return [pairs[at] for at in left]
 
 
+# Steps until all pairs are apart, axes among them, and the end.
 def prove(lines, a, b, rule):
-    """Steps until all pairs are apart, axes among them, and the end."""
     axes, pending = [], [(0, 0)]
     while pending:
         words = lines.next()
-        if words[0] == "axis":
-            axes.append(Axis(read_axis(lines, words[1:], a, b), a, b, rule))
+        if words[0] == "axis" and len(words) > 1:
+            axes.append(Axis(read_axis(lines, a, b, *words[1:]), a, b, rule))
         else:
             pending.extend(reversed(prove_step(lines, a, b, axes, rule, *pending.pop(), *words)))
         if a.work + b.work > WORK_MAX:
@@ -293,8 +258,8 @@ def prove(lines, a, b, rule):
     lines.expect("end")
 
 
+# The corners of a feature, and the words behind it.
 def feature(lines, body, words):
-    """The corners of a feature, and the words behind it."""
     kind, (name, *corner), words = lines.feature(words)
     corners = body.named(lines, name)
     for k in lines.counts(corner, *[3] * len(corner)):
@@ -302,30 +267,21 @@ def feature(lines, body, words):
     return corners, words
 
 
+# That the closest points of two features, which the words name, are in them, and at most so far apart, or less.
 def check_closest(lines, a, b, words, most, is_less):
-    """That the closest points of two features, which the words name, are in them, and at most so far apart, or less."""
     one, words = feature(lines, a, words)
     other, words = feature(lines, b, words)
     p, q = sorted((one, other), key=len)
-    w = minus(p[0], q[0])
-    match len(p), len(q):
-        case 1, 1:
-            is_in, square, unit = True, dot(w, w), 1
-        case 1, 2:
-            e, n = minus(q[1], q[0]), off(w, minus(q[1], q[0]))
-            is_in, square, unit = 0 <= dot(w, e) <= dot(e, e) > 0, dot(n, n), dot(e, e) ** 2
-        case 1, 3:
-            n = normal(q)
-            is_in = any(n) and all(dot(n, cross(edge(q, i), minus(p[0], q[i]))) >= 0 for i in range(3))
-            square, unit = dot(w, n) ** 2, dot(n, n)
-        case 2, 2:
-            e, f = minus(p[1], p[0]), minus(q[1], q[0])
-            n = cross(e, f)
-            is_in = any(n) and all(0 <= -dot(cross(w, x), n) <= dot(n, n) for x in (e, f))
-            square, unit = dot(w, n) ** 2, dot(n, n)
-        case _:
-            is_in = False
-    if words or not is_in:
+    w, e, f = minus(p[0], q[0]), minus(p[-1], p[0]), minus(q[-1], q[0])
+    n = w if len(q) == 1 else off(w, f) if len(p) < len(q) == 2 else cross(e, f) if len(q) == 2 else normal(q)
+    is_in = {  # by the numbers of corners; e and f are zero at vertices
+        (1, 1): lambda: True,
+        (1, 2): lambda: 0 <= dot(w, f) <= dot(f, f) > 0,
+        (1, 3): lambda: any(n) and all(dot(n, cross(edge(q, i), minus(p[0], q[i]))) >= 0 for i in range(3)),
+        (2, 2): lambda: any(n) and all(0 <= -dot(cross(w, x), n) <= dot(n, n) for x in (e, f)),
+    }.get((len(p), len(q)), lambda: False)
+    square, unit = dot(w, n) ** 2, max(dot(n, n), 1)  # the distance is |w.n| / |n|, and 0 where n is
+    if words or not is_in():
         lines.fail("these are not two features whose closest points are in them")
     left, right = (square << 2 * most[1], unit * most[0] ** 2 << 2 * a.fine) if most else (0, 1)
     if left > right or left == right and is_less:
@@ -338,8 +294,8 @@ def check_meeting(lines, a, b, names, rule):
         lines.fail("the two triangles do not meet as the claim says")
 
 
+# A claim about two bodies, with its proof. Returns the words of the claim.
 def check_pair(lines, a, b, kinds):
-    """A claim about two bodies, with its proof. Returns the words of the claim."""
     words, apart, steps = lines.next(), Apart(a.fine), None
     if words[0] != "claim" or not set(words[1:2]) <= kinds:
         lines.fail("no claim that may stand here")
@@ -372,8 +328,8 @@ def check_pair(lines, a, b, kinds):
     return " ".join(words[1:])
 
 
+# A claim about a segment, with its proof. Returns the words of the claim.
 def check_hit(lines, a, ends):
-    """A claim about a segment, with its proof. Returns the words of the claim."""
     words, value, start, stop = lines.next(), 1, ONE, ONE
     match words:
         case ["claim", "miss"]:
@@ -398,8 +354,8 @@ def place(*bodies):
         body.place(fine)
 
 
+# The pairs of bodies whose boxes have no gap greater than the limit along any coordinate axis.
 def near_pairs(bodies, limit):
-    """The pairs of bodies whose boxes have no gap greater than the limit along any coordinate axis."""
     boxes = [([Along(body, n, body.size + 1).exact(0) for n in UNITS], name) for name, (body, *_) in bodies.items()]
     boxes.sort(key=lambda each: each[0][0][0])
     for at, (box, name) in enumerate(boxes):
@@ -410,17 +366,20 @@ def near_pairs(bodies, limit):
                 yield tuple(sorted((name, other_name)))
 
 
+def may_meet(bodies, off_pairs, pair):
+    (_, groups, mask), (_, other_groups, other_mask) = bodies[pair[0]], bodies[pair[1]]
+    return pair not in off_pairs and groups & other_mask and other_groups & mask
+
+
 def check_world(lines, meshes):
-    clearance, bodies, off_pairs = lines.world(lambda digest, pose: read_body(lines, meshes, digest, pose))
+    clearance, bodies, off_pairs = lines.world(lambda words: Body(*lines.body(meshes, words)))
     place(*(body for body, *_ in bodies.values()))
     kinds, last = {}, ()
     while lines.peek() == "pair":
         pair = lines.pair("pair")
-        if pair[0] not in bodies or pair[1] not in bodies:
-            lines.fail("there are no such bodies")
-        (a, groups, mask), (b, other_groups, other_mask) = bodies[pair[0]], bodies[pair[1]]
-        if pair <= last or pair in off_pairs or not groups & other_mask or not other_groups & mask:
+        if pair <= last or not {*pair} <= bodies.keys() or not may_meet(bodies, off_pairs, pair):
             lines.fail("the pairs are not ascending, or these two cannot meet")
+        a, b = bodies[pair[0]][0], bodies[pair[1]][0]
         kind, *words = check_pair(lines, a, b, {"touching", "crossing", "disjoint", "beyond"}).split(" ")
         if kind == "disjoint" and clearance is not None:
             if lines.pair("pair") != pair:
@@ -432,66 +391,25 @@ def check_world(lines, meshes):
     lines.expect("end", "world")
     n, power = exactly(clearance or 0.0)
     for pair in near_pairs(bodies, (n << next(iter(bodies.values()))[0].fine >> power) if bodies else 0):
-        (_, groups, mask), (_, other_groups, other_mask) = bodies[pair[0]], bodies[pair[1]]
-        if pair not in kinds and pair not in off_pairs and groups & other_mask and other_groups & mask:
+        if pair not in kinds and may_meet(bodies, off_pairs, pair):
             lines.fail("a pair that may meet has no claim: " + " ".join(f"{slot}.{generation}" for slot, generation in pair))
     counts = [list(kinds.values()).count(kind) for kind in ("touching", "crossing", "within")]
     close = f", {sum(counts)} close" if clearance is not None else ""
     return f"world of {len(bodies)} bodies, {sum(counts[:2])} colliding{close}"
 
 
-def read_body(lines, meshes, digest, pose):
-    if digest not in meshes:
-        lines.fail("no mesh has this digest")
-    return Body(meshes[digest], lines.numbers(pose, 12))
-
-
+# The words of what a certificate proves.
 def check_certificate(lines, meshes):
-    """Returns the words of what the certificate proves."""
-    if (words := lines.next()) == ["ecods-world-certificate", "1"]:
+    if lines.is_world():
         return check_world(lines, meshes)
-    if words != ["ecods-certificate", "1"]:
-        lines.fail("no certificate begins so")
-    match lines.next():
-        case ["a", digest, *pose]:
-            a = read_body(lines, meshes, digest, pose)
-        case _:
-            lines.fail("this is not the line of a")
-    match lines.next():
-        case ["segment", *ends]:
-            return check_hit(lines, a, lines.numbers(ends, 6))
-        case ["b", digest, *pose]:
-            b = read_body(lines, meshes, digest, pose)
-            place(a, b)
-            return check_pair(lines, a, b, {"disjoint", "touching", "crossing", "distance", "within", "beyond"})
-    return lines.fail("this is neither the line of b nor a segment")
-
-
-def main(certificate, *mesh_files):
-    """Prints a line for each certificate. Returns 0 if all are accepted, 1 if one is refused, 2 if a file is unreadable."""
-    meshes = {}
-    try:
-        for name in mesh_files:
-            with open(name, "rb") as file:
-                mesh = Mesh(file.read())
-            meshes[mesh.digest] = mesh
-        name = certificate
-        with open(name, "rb") as file:
-            lines = Lines(file.read())
-    except (OSError, Unreadable) as why:
-        print(f"unreadable: {name}: {why}")
-        return 2
-    status, goes_on = 0, True
-    while goes_on:
-        first = lines.at + 1
-        try:
-            print(f"accepted: {check_certificate(lines, meshes)}")
-            goes_on = lines.at < len(lines.lines)
-        except Refused as why:
-            print(f"refused: {why}")
-            status, goes_on = 1, lines.skip(first)
-    return status
+    (mesh, pose), ends = lines.head(meshes)
+    a = Body(mesh, pose)
+    if len(ends) == 6:
+        return check_hit(lines, a, ends)
+    b = Body(*ends)
+    place(a, b)
+    return check_pair(lines, a, b, {"disjoint", "touching", "crossing", "distance", "within", "beyond"})
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]) if len(sys.argv) > 1 else "usage: check.py CERTIFICATE MESH...")
+    sys.exit(run(check_certificate, sys.argv[1:]))

@@ -1,5 +1,6 @@
 """Reading for check.py: numbers, mesh files and the lines of certificates, as README.md defines them. Nothing is decided here."""
 import math
+import sys
 
 DIGEST_MODULUS = 2**128 - 159
 SIZE_MAX = 64  # children of a node, triangles of a leaf
@@ -40,6 +41,16 @@ def scaled(values):
     ratios = [value.as_integer_ratio() for value in values]
     power = max(denominator for _, denominator in ratios).bit_length() - 1
     return [numerator << power + 1 - denominator.bit_length() for numerator, denominator in ratios], power
+
+
+def to_double(x, power):
+    """x 2^power, rounded to a double."""
+    return (x << max(power, 0)) / (1 << max(-power, 0))
+
+
+def exactly(value):
+    (n,), power = scaled([value])
+    return n, power
 
 
 def numbers(words):
@@ -220,6 +231,35 @@ class Lines:
             self.fail(f"there are not {len(limits)} numbers, or one is too large")
         return values
 
+    def is_world(self):
+        """Whether the next line begins a world's certificate; if not, it must begin one of a pair or a segment."""
+        line = " ".join(self.next())
+        return HEADERS.index(line) == 1 if line in HEADERS else self.fail("no certificate begins so")
+
+    def body(self, meshes, words):
+        """The mesh with a digest, and a pose."""
+        if not words or words[0] not in meshes:
+            self.fail("no mesh has this digest")
+        return meshes[words[0]], self.numbers(words[1:], 12)
+
+    def head(self, meshes):
+        """Body a, and body b or the six numbers of a segment."""
+        if (words := self.next())[0] != "a":
+            self.fail("this is not the line of a")
+        a, (kind, *words) = self.body(meshes, words[1:]), self.next()
+        if kind not in ("b", "segment"):
+            self.fail("this is neither the line of b nor a segment")
+        return a, self.body(meshes, words) if kind == "b" else self.numbers(words, 6)
+
+    def step(self, fields, axis_count, pair_count):
+        """The axes that a step names, and the pairs that it leaves open."""
+        bar = fields.index("|") if "|" in fields else len(fields)
+        names, left = self.counts(fields[:bar], *[axis_count] * bar), fields[bar + 1 :]
+        left = self.counts(left, *[pair_count] * len(left))
+        if len(set(names)) < bar or left != sorted(set(left)) or fields[bar:] == ("|",):
+            self.fail("an axis stands twice, or the pairs left open are not ascending, or none stands behind the bar")
+        return names, left
+
     def feature(self, words):
         """A feature's kind, its numbers as they stand, and the words behind it."""
         kind = words[0] if words else ""
@@ -254,9 +294,38 @@ class Lines:
                 self.fail("this is not a body, or its id is not above the last one's")
             filters = self.hexadecimal(words[3]), self.hexadecimal(words[4])
             last = self.body_id(words[1])
-            bodies[last] = read_body(words[2], words[5:]), *filters
+            bodies[last] = read_body([words[2], *words[5:]]), *filters
         while self.peek() == "off":
             pairs.append(self.pair("off"))
             if pairs[-1] <= pairs[-2]:
                 self.fail("the pairs are not ascending")
         return clearance, bodies, set(pairs)
+
+
+def run(check_certificate, names):
+    """Prints a line for each certificate. Returns 0 if all are accepted, 1 if one is refused, 2 if a file is unreadable."""
+    if not names:
+        print("usage: check.py CERTIFICATE MESH...", file=sys.stderr)
+        return 2
+    meshes = {}
+    try:
+        for name in names[1:]:
+            with open(name, "rb") as file:
+                mesh = Mesh(file.read())
+            meshes[mesh.digest] = mesh
+        name = names[0]
+        with open(name, "rb") as file:
+            lines = Lines(file.read())
+    except (OSError, Unreadable) as why:
+        print(f"unreadable: {name}: {why}")
+        return 2
+    status, goes_on = 0, True
+    while goes_on:
+        first = lines.at + 1
+        try:
+            print(f"accepted: {check_certificate(lines, meshes)}")
+            goes_on = lines.at < len(lines.lines)
+        except Refused as why:
+            print(f"refused: {why}")
+            status, goes_on = 1, lines.skip(first)
+    return status

@@ -88,7 +88,7 @@ class Steps:
         """Axes as words, some of them named."""
         random_ = self.random
         i, j = random_.choice(truth.below(one)), random_.choice(truth.below(other))
-        named = [["na", str(i)], ["nb", str(j)], [random_.choice(["x", "vv", "va", "vb"]), str(i), str(random_.randrange(3)), str(j), str(random_.randrange(3))]]
+        named = [["na", str(i)], ["nb", str(j)], ["x", str(i), str(random_.randrange(3)), str(j), str(random_.randrange(3))]]
         free = [shown(random_.randint(-9, 9)) for _ in range(3)]
         return random_.sample([*AXES, *named, free], 3)
 

@@ -321,9 +321,9 @@ class Proof:
     def axis(self, words):
         if words[0] in ("na", "nb"):
             return normal((self.a if words[0] == "na" else self.b)[int(words[1])])
-        if words[0] in ("x", "vv", "va", "vb"):
+        if words[0] == "x":
             name, i, other, j = map(int, words[1:])
-            return self.formula(self.a[name], self.b[other], words[0], *((j, i) if words[0] == "vb" else (i, j)))
+            return self.formula(self.a[name], self.b[other], "x", i, j)
         return [real(word) for word in words]
 
     @staticmethod

@@ -160,7 +160,7 @@ const std::vector<Room>& rooms() {
         {"verify/unit/bvh", {"include", "src/base", "src/bvh", "verify/oracle", "verify/scenes", "verify/environment"}},
         {"verify/unit/query",
          {"include", "src/base", "src/geometry", "src/query/cast", "src/query/convex", "verify/oracle", "verify/judge",
-          "verify/scenes", "verify/environment"}},
+          "verify/scenes", "verify/environment", "verify/certificates/samples"}},
         {"verify/unit/broad_phase",
          {"include", "src/base", "src/geometry", "src/bounds", "src/broad_phase/changes", "src/broad_phase/boxes",
           "src/broad_phase/scratch", "src/broad_phase/sweep", "src/broad_phase/candidates", "src/broad_phase",

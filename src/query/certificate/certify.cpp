@@ -42,7 +42,7 @@ class Maker {
         PairWitness witness;
         if (!intersects(a_, b_, memory_, witness)) return prove(Claim::disjoint, 0);
         name_meeting({witness.a, witness.b});
-        return prove(Claim::touching, 0);
+        return prove(Claim::touching, 0, witness);
     }
 
     Certificate distance() {
@@ -110,7 +110,7 @@ class Maker {
         content_.claim = claim;
         std::optional<TrianglePair> near;
         if (names_pair(closest)) near = TrianglePair{closest.a, closest.b};
-        if (const auto crossing = PairProof(a_, b_, claim, least, pair_, content_.proof).run(near)) {
+        if (const auto crossing = PairProof(a_, b_, least, pair_, content_.proof).run(near)) {
             content_.claim = Claim::crossing;
             content_.proof.clear();
             name_meeting(*crossing);

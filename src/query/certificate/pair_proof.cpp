@@ -10,7 +10,6 @@
 namespace ecods {
 namespace {
 
-using Claim = Certificate::Claim;
 using Kind = AxisFormula::Kind;
 
 // The axis along which a pair of triangles is as far apart as it is.
@@ -75,6 +74,12 @@ AxisFormula formula_of(const DistanceInterval& interval, const Triangle& a, cons
     }
 }
 
+constexpr std::size_t contacts_max = 8;
+// As many pairs of triangles of two leaves are worth an axis that is tried exactly.
+constexpr int ties_min = 4;
+// So much of the body's size, or less, is the distance of such a pair more than what is to be proven.
+constexpr double tie_share = 0x1p-16;
+
 constexpr double unbounded = 0x1p1000;
 
 std::uint64_t lanes_of(std::size_t rows, std::size_t columns) {
@@ -85,13 +90,12 @@ std::uint64_t lanes_of(std::size_t rows, std::size_t columns) {
 
 }  // namespace
 
-PairProof::PairProof(const Posed<MeshShape>& a, const Posed<MeshShape>& b, Claim claim, double least,
-                     TriangleDistances& pair, Proof& proof)
+PairProof::PairProof(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double least, TriangleDistances& pair,
+                     Proof& proof)
     : a_(a),
       b_(b),
       tree_a_(MeshShapeAccess::tree(*a.what)),
       tree_b_(MeshShapeAccess::tree(*b.what)),
-      claim_(claim),
       least_(least),
       pair_(pair),
       proof_(proof),
@@ -164,6 +168,9 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
     };
     const std::array<std::size_t, 4> recent = recent_;
     for (std::size_t k = 0, count = recent_count_; k < count && left != 0; ++k) use(recent[k]);
+    for (Contact& contact : contacts_) {
+        if (left != 0) try_contact(contact, x, y, left);
+    }
     const auto use_new = [&](const Vec3& n, int least) {
         if (n == Vec3::Zero()) return;
         axes_.push_back(bind(n));
@@ -177,7 +184,8 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
         if (left == 0) return 0;
         use_new(shortened(slab_normal(body, body == 0 ? x.slab : y.slab)), 1);
     }
-    for (std::size_t k = 0; k < 6 && left != 0; ++k) {
+    const bool tries_boxes = 8 * std::popcount(left) > std::popcount(all);
+    for (std::size_t k = 0; k < 6 && left != 0 && tries_boxes; ++k) {
         const auto end = recent.begin() + static_cast<std::ptrdiff_t>(recent_count_);
         if (std::find(recent.begin(), end, k) == end) use(k);
     }
@@ -188,6 +196,14 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
             use_new(direction_of(x.triangle[first / tree_width], y.triangle[first % tree_width]),
                     contact_count_ == 0 ? 1 : 3);
             ++contact_count_;
+        }
+        if (std::popcount(left) >= ties_min) {
+            const auto first = static_cast<std::size_t>(std::countr_zero(left));
+            const std::uint32_t i = x.triangle[first / tree_width], j = y.triangle[first % tree_width];
+            // Triangles that are well apart are left open by their boxes' axes alone.
+            const bool is_tie = !(pair_.enclose(i, j).lower > least_ + tie_share * frame_a_.size.sum());
+            if (const auto formula = formula_for(i, j); is_tie && formula && add_contact(*formula, i, j))
+                try_contact(contacts_.back(), x, y, left);
         }
     }
     return left;
@@ -227,13 +243,14 @@ void PairProof::visit(const Parts& top) {
     const auto with = [&](const auto& x, const auto& y) {
         const std::size_t columns = part_count(y, x);
         std::uint64_t left = open(x, y, lanes_of(part_count(x, y), columns));
-        std::vector<Word> parts;
+        std::array<Word, tree_width * tree_width> parts;
+        std::size_t count = 0;
         if (opens_a && opens_b) {
             for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
                 const auto bit = static_cast<std::size_t>(std::countr_zero(rest));
-                parts.push_back(static_cast<Word>(bit / tree_width * columns + bit % tree_width));
+                parts[count++] = static_cast<Word>(bit / tree_width * columns + bit % tree_width);
             }
-            proof_.add_opening(StepKind::open_both, of_step_, parts);
+            proof_.add_opening(StepKind::open_both, of_step_, {parts.data(), count});
         } else {
             std::uint64_t lanes = 0;
             for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
@@ -241,10 +258,10 @@ void PairProof::visit(const Parts& top) {
                 lanes |= std::uint64_t{1} << (opens_a ? bit / tree_width : bit % tree_width);
             }
             left = lanes;
-            for (; lanes != 0; lanes &= lanes - 1) parts.push_back(static_cast<Word>(std::countr_zero(lanes)));
-            proof_.add_opening(opens_a ? StepKind::open_a : StepKind::open_b, of_step_, parts);
+            for (; lanes != 0; lanes &= lanes - 1) parts[count++] = static_cast<Word>(std::countr_zero(lanes));
+            proof_.add_opening(opens_a ? StepKind::open_a : StepKind::open_b, of_step_, {parts.data(), count});
         }
-        for (std::size_t k = parts.size(); k-- > 0;) {
+        for (std::size_t k = count; k-- > 0;) {
             if constexpr (
                 requires { x.child; } && requires { y.child; }) {
                 stack_.push_back({x.child[parts[k] / columns], y.child[parts[k] % columns]});
@@ -256,8 +273,8 @@ void PairProof::visit(const Parts& top) {
         }
         if constexpr (
             !requires { x.child; } && !requires { y.child; }) {
-            for (const Word k : parts) {
-                if (!decide(x.triangle[k / columns], y.triangle[k % columns])) return;
+            for (std::size_t k = 0; k < count; ++k) {
+                if (!decide(x.triangle[parts[k] / columns], y.triangle[parts[k] % columns])) return;
             }
         }
     };
@@ -270,18 +287,7 @@ void PairProof::visit(const Parts& top) {
     }
 }
 
-// Two triangles that no axis of their parts' proves to be apart. Returns false if they cross.
-bool PairProof::decide(std::uint32_t i, std::uint32_t j) {
-    const DistanceInterval interval = pair_.enclose(i, j);
-    if (interval.is_certain && key_of(interval.lower) > 0) {
-        proof_.add_triangles(formula_of(interval, a_.what->mesh().triangles()[i], b_.what->mesh().triangles()[j]));
-        return true;
-    }
-    const ClosestPoints closest = pair_.closest(i, j);
-    if (closest.kind != ClosestKind::intersecting) {
-        proof_.add_triangles(formula_of(closest));
-        return true;
-    }
+SixCorners PairProof::corners_of(std::uint32_t i, std::uint32_t j) {
     if (!points_) {
         points_.emplace(exact::BodyRef{&a_.what->mesh(), &tree_a_.extent, &a_.pose},
                         exact::BodyRef{&b_.what->mesh(), &tree_b_.extent, &b_.pose});
@@ -291,19 +297,74 @@ bool PairProof::decide(std::uint32_t i, std::uint32_t j) {
         corners[c] = points_->vertex(0, a_.what->mesh().triangles()[i][c]);
         corners[3 + c] = points_->vertex(1, b_.what->mesh().triangles()[j][c]);
     }
-    if (const auto formula = find_axis(corners, ApartBy::weakly)) {
-        proof_.add_triangles(*formula);
-        return true;
+    return corners;
+}
+
+// Along which two triangles are apart as far as they can be; nothing if they cross.
+std::optional<AxisFormula> PairProof::formula_for(std::uint32_t i, std::uint32_t j) {
+    const DistanceInterval interval = pair_.enclose(i, j);
+    if (interval.is_certain && key_of(interval.lower) > 0)
+        return formula_of(interval, a_.what->mesh().triangles()[i], b_.what->mesh().triangles()[j]);
+    const ClosestPoints closest = pair_.closest(i, j);
+    if (closest.kind != ClosestKind::intersecting) return formula_of(closest);
+    return find_axis(corners_of(i, j), ApartBy::weakly);
+}
+
+// Two triangles that no axis of their parts' proves to be apart. Returns false if they cross.
+bool PairProof::decide(std::uint32_t i, std::uint32_t j) {
+    const auto formula = formula_for(i, j);
+    if (!formula) {
+        crossing_ = TrianglePair{i, j};
+        return false;
     }
-    crossing_ = TrianglePair{i, j};
-    return false;
+    proof_.add_triangles(*formula);
+    return true;
+}
+
+// Has the axis of two triangles tried exactly from now on. Returns false if there is none more.
+bool PairProof::add_contact(const AxisFormula& formula, std::uint32_t i, std::uint32_t j) {
+    // Of ties at a vertex each pair of triangles has a line of its own.
+    const bool can_be_named =
+        formula.kind == Kind::normal_a || formula.kind == Kind::normal_b || formula.kind == Kind::edges;
+    if (contacts_.size() == contacts_max || !can_be_named) return false;
+    const SixCorners corners = corners_of(i, j);
+    const std::array<ContactAxis::Body, 2> bodies{ContactAxis::Body{&tree_a_.boxes, &a_.what->mesh(), &frame_a_},
+                                                  ContactAxis::Body{&tree_b_.boxes, &b_.what->mesh(), &frame_b_}};
+    const ProofAxis named{.is_given = false, .formula = formula, .a = i, .b = j};
+    contacts_.push_back({ContactAxis(named, corners, *points_, bodies, frame_b_.origin - frame_a_.origin), no_axis});
+    return true;
+}
+
+template <class X, class Y>
+void PairProof::try_contact(Contact& contact, const X& x, const Y& y, std::uint64_t& left) {
+    std::uint32_t rows = contact.axis.lanes_inside(0, x), columns = rows == 0 ? 0 : contact.axis.lanes_inside(1, y);
+    if (is_leaf_beside_node<X, Y>) rows = rows == x.lanes();
+    if (is_leaf_beside_node<Y, X>) columns = columns == y.lanes();
+    std::uint64_t mask = 0;
+    for (; rows != 0; rows &= rows - 1)
+        mask |= std::uint64_t{columns} << (tree_width * static_cast<std::size_t>(std::countr_zero(rows)));
+    if ((mask & left) == 0 || (contact.named == no_axis && proof_.axes.size() >= no_axis)) return;
+    if (contact.named == no_axis) {
+        contact.named = static_cast<Word>(proof_.axes.size());
+        proof_.axes.push_back(contact.axis.named());
+    }
+    of_step_.push_back(contact.named);
+    left &= ~mask;
 }
 
 std::optional<TrianglePair> PairProof::run(const std::optional<TrianglePair>& closest) {
+    axes_.reserve(64);
+    stack_.reserve(256);
+    of_step_.reserve(32);
+    proof_.axes.reserve(32);
+    proof_.words.reserve(1024);
     for (const Mat3& normals : normals_) {
         for (int k = 0; k < 3; ++k) axes_.push_back(bind(shortened(normals.col(k))));
     }
     if (closest) {
+        const auto formula = formula_for(closest->a, closest->b);
+        if (!formula) return closest;
+        add_contact(*formula, closest->a, closest->b);
         axes_.push_back(bind(direction_of(closest->a, closest->b)));
         if (axes_.back().n == Vec3::Zero()) {
             axes_.pop_back();

@@ -6,6 +6,8 @@
 
 #include "ecods/certificate.hpp"
 #include "ecods/ids.hpp"
+#include "query/certificate/contact_axis.hpp"
+#include "query/certificate/exact_axis.hpp"
 #include "query/certificate/exact_points.hpp"
 #include "query/certificate/proof.hpp"
 #include "query/certificate/proof_axes.hpp"
@@ -18,8 +20,8 @@ class PairProof {
   public:
     // `least` is a distance: what is further apart than that is proven, of the claims distance and beyond. `pair` is
     // bound to the bodies; it and all others must outlive this.
-    PairProof(const Posed<MeshShape>& a, const Posed<MeshShape>& b, Certificate::Claim claim, double least,
-              TriangleDistances& pair, Proof& proof);
+    PairProof(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double least, TriangleDistances& pair,
+              Proof& proof);
 
     // The claim must be true, but that touching bodies may cross: then two triangles that do are returned. `closest`
     // are two triangles between which axes are looked for first.
@@ -38,6 +40,10 @@ class PairProof {
     struct Parts {
         TreeRef a, b;
     };
+    struct Contact {
+        ContactAxis axis;
+        Word named = no_axis;
+    };
 
     Axis bind(const Vec3& n) const;
     template <class X, class Y>
@@ -49,6 +55,11 @@ class PairProof {
     bool try_axis(Axis& axis, const X& x, const Y& y, std::uint64_t& left);
     Vec3 slab_normal(std::size_t body, const Slab& slab) const;
     Vec3 direction_of(std::uint32_t i, std::uint32_t j);
+    SixCorners corners_of(std::uint32_t i, std::uint32_t j);
+    std::optional<AxisFormula> formula_for(std::uint32_t i, std::uint32_t j);
+    bool add_contact(const AxisFormula& formula, std::uint32_t i, std::uint32_t j);
+    template <class X, class Y>
+    void try_contact(Contact& contact, const X& x, const Y& y, std::uint64_t& left);
     bool decide(std::uint32_t i, std::uint32_t j);
     void visit(const Parts& top);
 
@@ -56,7 +67,6 @@ class PairProof {
     const Posed<MeshShape>& b_;
     const MeshTree& tree_a_;
     const MeshTree& tree_b_;
-    Certificate::Claim claim_;
     double least_;
     TriangleDistances& pair_;
     Proof& proof_;
@@ -70,6 +80,7 @@ class PairProof {
     int contact_count_ = 0;  // of pairs of leaves that axes of boxes did not prove
     std::vector<Parts> stack_;
     std::optional<ExactPoints> points_;
+    std::vector<Contact> contacts_;
     std::optional<TrianglePair> crossing_;
 };
 

@@ -42,6 +42,7 @@ class Body {
     Body(const Mesh& mesh, const Pose& pose, const Vector<double>& origin, Budget& budget);
 
     const Mesh& mesh() const { return *mesh_; }
+    Budget& budget() const { return *budget_; }
     const Vector<double>& origin() const { return origin_; }
     Direction direction(const Vector<Approximate>& n) const;
     Range<double> box_range(std::uint32_t node, const Direction& d) const;

@@ -74,6 +74,7 @@ bool Pair::is_apart(const Range<Integer>& a, const Range<Integer>& b, const Vect
 
 // Sets the ranges by boxes, of triangles by corners. NaN is never the greatest.
 void Pair::measure_parts() {
+    body_[0]->budget().spend((parts_[0].count + 1) * (parts_[1].count + 1) * (named_.size() + 1));
     for (const std::size_t side : {0, 1}) {
         Ranges& ranges = ranges_[side];
         ranges.exact.clear();
@@ -136,6 +137,7 @@ bool Pair::are_apart(std::uint32_t i, std::uint32_t j) {
         if (b.low[other] - a.high[at] > need || a.low[at] - b.high[other] > need) return true;
     }
     for (std::size_t k = 0; k < named_.size(); ++k) {
+        body_[0]->budget().spend(64);
         const Range<Integer>&x = exact_range(0, k, i), &y = exact_range(1, k, j);
         if (is_apart(x, y, exact(*named_[k]))) return true;
     }

@@ -9,7 +9,7 @@
 namespace certificate_checker {
 namespace {
 
-constexpr std::size_t file_bytes_max = std::size_t{1} << 32;
+constexpr std::size_t file_bytes_max = std::size_t{1} << 30;
 
 // The value of a lower-case hexadecimal digit; 16 if it is none.
 unsigned digit_value(char c) {

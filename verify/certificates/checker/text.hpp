@@ -20,7 +20,7 @@ struct Unreadable {
 };
 
 // All bytes of a file. Throws Unreadable if it cannot be opened, does not begin with `beginning` or is larger than
-// 4 GiB; of a file that begins otherwise, little is read.
+// 1 GiB; of a file that begins otherwise, little is read.
 std::string read_file(const char* path, std::string_view beginning = {});
 
 // Walks over lines. Fields are read from the current line; each function throws Refusal if the line has no such field.

@@ -1,5 +1,5 @@
-// certificate_samples FOLDER [COUNT [SEED]]: of each case N.cert, and N.a.mesh and N.b.mesh, or of a world all
-// N.*.mesh; prints their names.
+// certificate_samples FOLDER [COUNT [SEED [CHECKER]]]: of each case N.cert, and N.a.mesh and N.b.mesh, or of a world
+// all N.*.mesh; prints their names.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -19,7 +19,7 @@ void write_mesh(const std::filesystem::path& path, const ecods::MeshShape& shape
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::cerr << "usage: certificate_samples FOLDER [COUNT [SEED]]\n";
+        std::cerr << "usage: certificate_samples FOLDER [COUNT [SEED [CHECKER]]]\n";
         return 2;
     }
     const std::filesystem::path folder = argv[1];
@@ -52,5 +52,14 @@ int main(int argc, char** argv) {
         std::cout << number << " world, " << world.colliding_count() << " colliding, " << world.close_count()
                   << " close, " << world.apart_count() << " apart\n";
     });
+    if (argc <= 4) return 0;
+    // Of each case, all certificates at once.
+    for (std::size_t k = 1; k <= number; ++k) {
+        const std::string base = (folder / std::to_string(k)).string();
+        const std::string command = std::string(argv[4]) + ' ' + base + ".cert " + base + ".*.mesh > " + base + ".said";
+        if (std::system(command.c_str()) == 0) continue;
+        std::cerr << base << ".cert is refused\n";
+        return 1;
+    }
     return 0;
 }

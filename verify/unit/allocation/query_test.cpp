@@ -13,6 +13,7 @@
 #include "allocation/each_allocation.hpp"
 #include "base/hash.hpp"
 #include "ecods/cast.hpp"
+#include "ecods/certificate.hpp"
 #include "ecods/contact.hpp"
 #include "ecods/convex_solid.hpp"
 #include "ecods/depth.hpp"
@@ -83,6 +84,12 @@ class Digest {
         add(contact.time);
         add(contact.a.triangle);
         add(contact.b.triangle);
+    }
+    void add(const Certificate& certificate) {
+        add(certificate.claim());
+        add(certificate.value());
+        add(certificate.step_count());
+        add(certificate.axis_count());
     }
     void add(const Hit& hit) {
         add(hit.parameter);
@@ -176,6 +183,10 @@ const Question questions[] = {
      [](Pair& p) { p.answer = digest(cast(p.second(), -1.5 * p.pose_b.t, p.first(), p.memory)); }},
     {"cast of a translation, with a witness", [](Pair& p) { p.answer = digest(cast_past(p)); }},
     {"cast between poses", [](Pair& p) { p.answer = digest(move_past(p)); }},
+    {"certify", [](Pair& p) { p.answer = digest(certify(p.first(), p.second(), p.memory)); }},
+    {"certify_distance", [](Pair& p) { p.answer = digest(certify_distance(p.first(), p.second(), p.memory)); }},
+    {"certify_within", [](Pair& p) { p.answer = digest(certify_within(p.first(), p.second(), 0x1p-6, p.memory)); }},
+    {"certify_hit", [](Pair& p) { p.answer = digest(certify_hit(through, p.first(), p.memory)); }},
     {"intersections", [](Pair& p) { p.answer = digest(intersections(p.first(), p.second(), p.memory)); }},
     {"Solid and solid_relation",
      [](Pair& p) {

@@ -1,0 +1,179 @@
+// What certificates claim, how long they are, and how their meshes are named. That they are proofs is for the checkers
+// of verify/certificates to say.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "certificates/samples/samples.hpp"
+#include "ecods/certificate.hpp"
+#include "ecods/distance.hpp"
+#include "ecods/error.hpp"
+#include "ecods/hit.hpp"
+#include "scenes/distance_cases.hpp"
+#include "scenes/mesh_pairs.hpp"
+#include "scenes/shapes.hpp"
+#include "scenes/ship.hpp"
+
+namespace ecods {
+namespace {
+
+using Claim = Certificate::Claim;
+
+Claim claim_of(Relation relation) {
+    return relation == Relation::disjoint   ? Claim::disjoint
+           : relation == Relation::touching ? Claim::touching
+                                            : Claim::crossing;
+}
+
+Posed<MeshShape> at(const MeshShape& shape, const Vec3& t) {
+    Pose pose;
+    pose.t = t;
+    return {shape, pose};
+}
+
+TEST(Certificates, ClaimThePlainAnswers) {
+    scenes::Random random(7);
+    QueryMemory memory;
+    for (const scenes::DistanceFamily family : scenes::distance_families()) {
+        SCOPED_TRACE(name(family));
+        for (int k = 0; k < 5; ++k) {
+            const scenes::DistanceCase made = scenes::make_distance_case(family, random);
+            const MeshShape shape_a(made.a), shape_b(made.b);
+            const Posed<MeshShape> a(shape_a, made.pose_a), b(shape_b, made.pose_b);
+            EXPECT_EQ(certify(a, b, memory).claim(), claim_of(relation(a, b, memory)));
+            const double d = distance(a, b, memory);
+            const Certificate of_distance = certify_distance(a, b, memory);
+            EXPECT_EQ(of_distance.claim(), Claim::distance);
+            EXPECT_EQ(of_distance.value(), d);
+            EXPECT_EQ(of_distance.step_count() == 0, d == 0);
+            for (const double limit : {0.0, d / 2, d, 2 * d}) {
+                const Certificate certificate = certify_within(a, b, limit, memory);
+                EXPECT_EQ(certificate.claim(), within(a, b, limit, memory) ? Claim::within : Claim::beyond);
+                EXPECT_EQ(certificate.value(), limit);
+            }
+        }
+    }
+}
+
+TEST(Certificates, ClaimTheFirstHit) {
+    const MeshShape cube(scenes::cube(1));
+    QueryMemory memory;
+    const Posed<MeshShape> body = at(cube, Vec3::Zero());
+    const Certificate hit = certify_hit({Vec3(-4, 0.25, 0.5), Vec3(4, 0.25, 0.5)}, body, memory);
+    EXPECT_EQ(hit.claim(), Claim::hit);
+    EXPECT_EQ(hit.value(), 0.375);
+    EXPECT_GT(hit.step_count(), 0u);
+    EXPECT_EQ(certify_hit({Vec3(1, 0, 0), Vec3(4, 0, 0)}, body, memory).step_count(), 0u);
+    EXPECT_EQ(certify_hit({Vec3(-4, 0, 2), Vec3(4, 0, 2)}, body, memory).claim(), Claim::miss);
+    EXPECT_THROW(certify_hit({Vec3(NAN, 0, 0), Vec3::Zero()}, body, memory), InvalidSegment);
+}
+
+TEST(Certificates, RefuseWhatIsNoDistance) {
+    const MeshShape cube(scenes::cube(1));
+    QueryMemory memory;
+    EXPECT_THROW(certify_within(at(cube, Vec3::Zero()), at(cube, Vec3::Ones()), -1, memory), InvalidDistance);
+    EXPECT_THROW(certify_within(at(cube, Vec3::Zero()), at(cube, Vec3::Ones()), NAN, memory), InvalidDistance);
+}
+
+TEST(Certificates, AreWithinInfinityAndZeroOfEitherSign) {
+    const MeshShape cube(scenes::cube(1));
+    QueryMemory memory;
+    const Posed<MeshShape> a = at(cube, Vec3::Zero()), b = at(cube, Vec3(5, 0, 0));
+    const std::string text = certify_within(a, b, std::numeric_limits<double>::infinity(), memory).to_string();
+    EXPECT_NE(text.find("\nclaim within inf "), std::string::npos) << text;
+    const std::string zero = certify_within(a, b, -0.0, memory).to_string();
+    EXPECT_NE(zero.find("\nclaim beyond 0x0p+0\n"), std::string::npos) << zero;
+}
+
+TEST(Certificates, ArePrintedAsTheFormatSays) {
+    const MeshShape cube(scenes::cube(1));
+    QueryMemory memory;
+    const std::string digest = certified_mesh_digest(cube);
+    const std::string pose = " 0x1p+0 0x0p+0 0x0p+0 ";
+    const Certificate certificate = certify_distance(at(cube, Vec3::Zero()), at(cube, Vec3(3, 0, 0)), memory);
+    const std::string text = certificate.to_string();
+    EXPECT_EQ(text.rfind("ecods-certificate 1\na " + digest + pose, 0), 0u) << text;
+    EXPECT_NE(text.find("\nb " + digest + pose + "0x1.8p+1 "), std::string::npos) << text;
+    EXPECT_NE(text.find("\nclaim distance 0x1p+0 "), std::string::npos) << text;
+    EXPECT_TRUE(text.ends_with("\nend\n")) << text;
+    std::ostringstream stream;
+    certificate.write(stream);
+    EXPECT_EQ(stream.str(), text);
+}
+
+// The bytes as digits to base 256, a bit after the other, modulo 2^128 - 159.
+std::string plain_digest(const std::string& text) {
+    std::uint64_t high = 0, low = 0;
+    const auto add = [&](std::uint64_t x) {
+        low += x;
+        if (low < x) ++high;
+    };
+    for (const char c : text) {
+        for (int bit = 7; bit >= 0; --bit) {
+            const bool carries = high >> 63 != 0;
+            high = high << 1 | low >> 63;
+            low = low << 1 | (static_cast<unsigned char>(c) >> bit & 1);
+            if (carries) add(159);
+            if (high == ~std::uint64_t{0} && low >= ~std::uint64_t{0} - 158) {
+                high = 0;
+                low -= ~std::uint64_t{0} - 158;
+            }
+        }
+    }
+    std::string digits;
+    for (const std::uint64_t word : {high, low}) {
+        for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[word >> shift & 15];
+    }
+    return digits;
+}
+
+TEST(Certificates, NameAMeshByItsText) {
+    for (const auto& mesh : {scenes::cube(0.1), scenes::ship(), scenes::torus(30, 20, 0.4)}) {
+        const MeshShape shape(mesh);
+        std::ostringstream text;
+        write_certified_mesh(text, shape);
+        EXPECT_EQ(certified_mesh_digest(shape), plain_digest(text.str()));
+        std::istringstream lines(text.str());
+        std::string word, header;
+        std::size_t vertices = 0, triangles = 0;
+        std::getline(lines, header);
+        EXPECT_EQ(header, "ecods-mesh 1");
+        lines >> word >> vertices >> word >> triangles;
+        EXPECT_EQ(vertices, mesh->vertices().size());
+        EXPECT_EQ(triangles, mesh->triangles().size());
+    }
+}
+
+// Each certificate, whatever its shape, is of one line an axis.
+TEST(Certificates, OfFlushFacesAreShort) {
+    for (const std::uint32_t across : {10u, 40u}) {
+        std::size_t steps_max = 0;
+        certificates::make_flush_samples(across, 3, [&](const certificates::Sample& sample) {
+            steps_max = std::max(steps_max, sample.certificate.step_count());
+        });
+        EXPECT_LE(steps_max, 160u) << across;
+    }
+    const auto plate = certificates::plate(40);
+    QueryMemory memory;
+    const Certificate touching = certify(at(*plate, Vec3::Zero()), at(*plate, Vec3(0.25, 0.5, 0)), memory);
+    EXPECT_EQ(touching.claim(), Claim::touching);
+    EXPECT_EQ(touching.step_count(), 1u);
+    EXPECT_EQ(touching.axis_count(), 1u);
+}
+
+TEST(Certificates, OfShipsNearContactAreShort) {
+    const MeshShape shape(scenes::ship());
+    QueryMemory memory;
+    for (const scenes::MeshQuery& query : scenes::gap_pairs("ship", scenes::ship(), 1e-4, 20, 3).queries) {
+        const Posed<MeshShape> a(shape, query.a.pose), b(shape, query.b.pose);
+        EXPECT_LE(certify(a, b, memory).to_string().size(), 3000u);
+        EXPECT_LE(certify_distance(a, b, memory).to_string().size(), 3000u);
+    }
+}
+
+}  // namespace
+}  // namespace ecods
