@@ -32,6 +32,7 @@ std::vector<Suite> all_suites() {
             {"distance", run_distance, names_of(distance_engines())},
             {"casts", run_casts, names_of(hit_engines(), cast_engines())},
             {"solids", run_solids},
+            {"certificates", run_certificates},
             {"convex", run_convex,
              names_of(convex_engines(scenes::ConvexQuestion::distance), convex_engines(scenes::ConvexQuestion::depth),
                       polytopes_engines())},

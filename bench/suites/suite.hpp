@@ -61,20 +61,21 @@ struct Suite {
     bool is_judged = true;                 // whether its engines give answers, which the oracle judges
 };
 
-SuiteResult run_rooms(const SuiteOptions& options);       // all ships move: ECoDS beside FCL and all pairs
-SuiteResult run_hover(const SuiteOptions& options);       // some ships move: what the manager spares
-SuiteResult run_assembly(const SuiteOptions& options);    // the two-cylinder engine: which parts touch, which cross
-SuiteResult run_narrow(const SuiteOptions& options);      // two meshes: time and errors of every engine
-SuiteResult run_distance(const SuiteOptions& options);    // two meshes: how far; time and errors of every engine
-SuiteResult run_casts(const SuiteOptions& options);       // segments, casts and moves: what is in the way, and when
-SuiteResult run_solids(const SuiteOptions& options);      // what is inside what: pairs, points and meshes
-SuiteResult run_convex(const SuiteOptions& options);      // convex solids: how far, how deep, a thousand that move
-SuiteResult run_broad(const SuiteOptions& options);       // boxes only: time of every engine
-SuiteResult run_system(const SuiteOptions& options);      // the report's two experiments
-SuiteResult run_memory(const SuiteOptions& options);      // bytes for a triangle, a box, a body
-SuiteResult run_predicates(const SuiteOptions& options);  // triangle pairs: what exactness costs
-SuiteResult run_hard_cases(const SuiteOptions& options);  // reported failures: who is right
-SuiteResult run_stability(const SuiteOptions& options);   // hard triangle pairs: who is wrong, and how often
+SuiteResult run_rooms(const SuiteOptions& options);         // all ships move: ECoDS beside FCL and all pairs
+SuiteResult run_hover(const SuiteOptions& options);         // some ships move: what the manager spares
+SuiteResult run_assembly(const SuiteOptions& options);      // the two-cylinder engine: which parts touch, which cross
+SuiteResult run_narrow(const SuiteOptions& options);        // two meshes: time and errors of every engine
+SuiteResult run_distance(const SuiteOptions& options);      // two meshes: how far; time and errors of every engine
+SuiteResult run_casts(const SuiteOptions& options);         // segments, casts and moves: what is in the way, and when
+SuiteResult run_certificates(const SuiteOptions& options);  // answers with proofs: time and size
+SuiteResult run_solids(const SuiteOptions& options);        // what is inside what: pairs, points and meshes
+SuiteResult run_convex(const SuiteOptions& options);        // convex solids: how far, how deep, a thousand that move
+SuiteResult run_broad(const SuiteOptions& options);         // boxes only: time of every engine
+SuiteResult run_system(const SuiteOptions& options);        // the report's two experiments
+SuiteResult run_memory(const SuiteOptions& options);        // bytes for a triangle, a box, a body
+SuiteResult run_predicates(const SuiteOptions& options);    // triangle pairs: what exactness costs
+SuiteResult run_hard_cases(const SuiteOptions& options);    // reported failures: who is right
+SuiteResult run_stability(const SuiteOptions& options);     // hard triangle pairs: who is wrong, and how often
 
 // In the order in which they run.
 std::vector<Suite> all_suites();

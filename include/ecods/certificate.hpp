@@ -77,8 +77,12 @@ ECODS_API Certificate certify_within(const Posed<MeshShape>& a, const Posed<Mesh
 // first_hit(segment, body): claims hit or miss. Throws InvalidSegment.
 ECODS_API Certificate certify_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory);
 
-// A world's lists with their proof (World::certify): the text of all bodies, switched pairs, and certificates of the
-// pairs whose boxes may meet. A value, cheap to copy, which keeps the shapes that it is about.
+// A world's lists with their proof (World::certify): which bodies there are, what filters and switches leave, that the
+// pairs of the last update's lists are as they are, and that no other pair whose boxes may meet is. A value, cheap to
+// copy, which keeps the shapes that it is about. World::certify throws NotUpdated if a call since the last update
+// changed the world or the clearance; NotCertified, with the first body of a kind of the caller's own. Where a test of
+// the caller's own replaces that of meshes, the proof is of what the meshes do. Cost: certify(), and with a clearance
+// certify_within(), for each pair of bodies whose boxes are not proven to be further apart.
 class ECODS_API WorldCertificate {
   public:
     // How many pairs collide, how many are close, colliding ones included, and how many were proven to be neither.

@@ -302,13 +302,11 @@ class ECODS_API NotUpdated final : public Error {
 class ECODS_API NotCertified final : public Error {
   public:
     NotCertified(BodyId body, ShapeKind kind);
-
     BodyId body;
     ShapeKind kind;
 };
 
-// A user-defined shape is not what it was when its body was given it: its box or its digest has changed. (A changed
-// shape is a new one, given by World::set_shape.) Thrown by validate() only.
+// A user-defined shape is not what it was when its body got it: its box or digest changed. Thrown by validate() only.
 class ECODS_API ShapeChanged final : public Error {
   public:
     ShapeChanged(BodyId body, ShapeKind kind, const std::string& what_changed);
@@ -337,8 +335,7 @@ class ECODS_API InvalidTrace final : public Error {
     std::size_t line;  // from 1
 };
 
-// An invariant does not hold: a defect in this library (or memory overwritten from outside). Thrown by
-// validate() only.
+// An invariant does not hold: a defect in this library, or memory overwritten. Thrown by validate() only.
 class ECODS_API BrokenInvariant final : public Error {
   public:
     using Error::Error;

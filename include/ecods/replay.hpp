@@ -23,6 +23,10 @@ struct ReplayOptions {
     // Called for the new world: the place for tests of the caller's own.
     std::function<void(World&)> set_up = nullptr;
 
+    // Called after each update that has gone as it did: the place for questions about the lists. May throw, which ends
+    // the replay.
+    std::function<void(const World&)> updated = nullptr;
+
     // Makes a shape from what TraceOptions::write_shape said. May throw.
     std::function<std::shared_ptr<const Shape>(ShapeKind, std::string_view)> read_shape = nullptr;
 };

@@ -306,9 +306,8 @@ class ECODS_API World {
                                     std::optional<CollisionFilter> filter = {});
 
     // All pairs, but for those that are filtered out, that meet while each of the bodies goes from where it is to its
-    // new pose, as Moving does, and the others stay, in the order that Meeting names. Nothing moves. For a body that is
-    // listed twice the later pose holds. Throws as set_poses(), and NotSupported if a test for two kinds that are here
-    // does not answer `cast_moving`.
+    // new pose, as Moving does, and the others stay, in the order that Meeting names. For a body listed twice the later
+    // pose holds. Throws as set_poses(), and NotSupported if a test for kinds that are here does not answer it.
     std::vector<Meeting> meetings(std::span<const BodyId> bodies, std::span<const Pose> poses,
                                   QueryMemory& memory) const;
     std::vector<Meeting> meetings(std::span<const BodyId> bodies, std::span<const Pose> poses);
@@ -326,25 +325,18 @@ class ECODS_API World {
 
     // ---- inspection
 
-    // colliding_pairs() and close_pairs() of the last update with a proof that others can check (certificate.hpp):
-    // which bodies there are, what filters and switches leave, that the listed pairs are as they are, and that no other
-    // pair whose boxes may meet is. Throws NotUpdated if a call since the last update changed the world or the
-    // clearance; NotCertified, with the first body of a kind of the caller's own. Where a test of the caller's own
-    // replaces that of meshes, the proof is of what the meshes do. Cost: certify(), and with a clearance
-    // certify_within(), for each pair of bodies whose boxes are not proven to be further apart.
+    // colliding_pairs() and close_pairs() with their proof: certificate.hpp says more. Throws NotUpdated, NotCertified.
     WorldCertificate certify(QueryMemory& memory) const;
-
     Statistics statistics() const;
 
-    // Checks every invariant, the broad phase's and the cache's own included, and that kept verdicts are those of a
-    // fresh test. Throws BrokenInvariant; or ShapeChanged when a shape of the caller's own is not what it was when its
-    // body was given it. Slow: for tests. Call it after an update that succeeded.
+    // Checks every invariant, the broad phase's included, and kept verdicts by fresh tests, after an update that
+    // succeeded. Throws BrokenInvariant; ShapeChanged when a caller's shape is not what it was. Slow: for tests.
     void validate() const;
 
     // A hash of the bodies (shapes, poses) and of which of them collide, as of the last update; where that was made
-    // with a clearance, also of that and of the pairs within it; where with solids related, also of their pairs. It
-    // does not depend on ids, on the order of creation, on history, or on the broad phase: equal scenes have equal
-    // digests. Filters count by the pairs that they leave.
+    // with a clearance, also of that and of the pairs within it; where with solids related, also of their pairs. Equal
+    // scenes have equal digests, whatever their ids, history or broad phase. Filters count by the pairs that they
+    // leave.
     std::uint64_t digest() const;
 
   private:

@@ -13,7 +13,7 @@ from fractions import Fraction
 
 import small_certificates
 import truth
-from checkers import Checkers
+from checkers import HERE, Checkers
 from small_certificates import Steps, shown
 
 
@@ -165,11 +165,12 @@ def false_moved(random_):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("checker")
+    parser.add_argument("--python", default=HERE / "check.py", help="another Python checker")
     parser.add_argument("--claims", type=int, default=150)
     parser.add_argument("--seed", type=int, default=18)
     options = parser.parse_args()
     random_ = random.Random(options.seed)
-    claims, report, wrong, checkers = [], collections.Counter(), 0, Checkers(options.checker)
+    claims, report, wrong, checkers = [], collections.Counter(), 0, Checkers(options.checker, options.python)
     while sum(report.values()) < options.claims:
         found = random_.choice([false_pair, false_pair, false_pair, false_hit, false_world, false_moved])(random_)
         if found:

@@ -9,7 +9,7 @@ import sys
 
 import small_certificates
 import truth
-from checkers import HEADERS, Checkers, digest, is_accepted
+from checkers import HEADERS, HERE, Checkers, digest, is_accepted
 
 BATCH = 2000
 
@@ -151,12 +151,13 @@ def run(checkers, random_, sources, count, report):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("checker")
+    parser.add_argument("--python", default=HERE / "check.py", help="another Python checker")
     parser.add_argument("--changes", type=int, default=1500)
     parser.add_argument("--sources", type=int, default=60)
     parser.add_argument("--seed", type=int, default=18)
     options = parser.parse_args()
     random_ = random.Random(options.seed)
-    checkers, report = Checkers(options.checker), collections.Counter()
+    checkers, report = Checkers(options.checker, options.python), collections.Counter()
     sources = known_certificates(random_, options.sources)
     wrong = 0
     for (meshes, text), (one, other) in zip(sources, checkers.verdicts([text for _, text in sources], {mesh for meshes, _ in sources for mesh in meshes})):

@@ -2,17 +2,12 @@
 
 namespace ecods::check {
 
-void certify_frame(const SceneWorld& world, std::size_t body_count, certificates::CertificateFolder& folder) {
-    const SceneQuestions& asked = world.questions();
+void certify_frame(SceneWorld& world, std::size_t body_count, certificates::CertificateFolder& folder) {
     QueryMemory memory;
-    for (std::size_t i = 0; i < body_count; ++i) {
-        const Posed<MeshShape> a = world.posed(i);
-        folder.add_mesh(*a.what);
+    folder.add(world.world().certify(memory));
+    for (std::size_t i = 0; world.questions().has_distances && i < body_count; ++i) {
         for (std::size_t j = i + 1; j < body_count; ++j) {
-            const Posed<MeshShape> b = world.posed(j);
-            folder.add(certify(a, b, memory));
-            if (asked.has_distances) folder.add(certify_distance(a, b, memory));
-            if (asked.clearance) folder.add(certify_within(a, b, *asked.clearance, memory));
+            folder.add(certify_distance(world.posed(i), world.posed(j), memory));
         }
     }
 }

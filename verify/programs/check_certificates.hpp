@@ -7,9 +7,9 @@
 
 namespace ecods::check {
 
-// Of each pair of bodies how they are to each other, in this frame; with distances also how far, and with a clearance
-// whether within it.
-void certify_frame(const SceneWorld& world, std::size_t body_count, certificates::CertificateFolder& folder);
+// The lists of this frame: which bodies collide, and with a clearance which are close. With distances also how far the
+// bodies of each pair are from each other.
+void certify_frame(SceneWorld& world, std::size_t body_count, certificates::CertificateFolder& folder);
 
 // How the two bodies are to each other, in both orders, how far, and whether within that distance and nothing.
 void certify_case(const scenes::HardCase& hard, certificates::CertificateFolder& folder);

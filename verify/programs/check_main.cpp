@@ -159,9 +159,11 @@ int run(int argc, char** argv) {
         "Also say of each pair of bodies whose meshes bound convex solids how deep they are in each other, the "
         "direction in which the second gets out, and on which features (triangle:corner); or their gap, as "
         "solids. --oracle does not check these");
-    app.add_option("--certify", options.certificates,
-                   "Also write each pair's answer with a proof (with --distance and --clearance, these too) to "
-                   "certificates.txt in this folder, and meshes to files beside it, for ecods_check_certificate")
+    app.add_option(
+           "--certify", options.certificates,
+           "Also write the lists of each frame (with --distance also distances; with --cases, each case) with a "
+           "proof to "
+           "certificates.txt in this folder, and meshes to files beside it, for ecods_check_certificate")
         ->type_name("FOLDER");
     app.add_flag("--oracle", options.oracle, "Check every answer, of all pairs of bodies, with CGAL's exact numbers");
     programs::add_broad_phase(app, options.broad_phase, "Which broad phase; sweep_and_prune is the default");

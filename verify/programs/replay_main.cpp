@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <fstream>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
+#include "certificates/folder/certificate_folder.hpp"
 #include "command_line.hpp"
 #include "ecods/error.hpp"
 #include "ecods/replay.hpp"
@@ -21,6 +24,7 @@ constexpr int exit_unreadable = 2;
 struct Options {
     std::string file;
     ReplayOptions replay;
+    std::optional<std::filesystem::path> certificates;  // the folder for them
     bool json = false;
 };
 
@@ -56,6 +60,10 @@ int run(int argc, char** argv) {
     const CLI::Option* has_broad_phase =
         programs::add_broad_phase(app, broad_phase, "In place of the one in the trace");
     app.add_flag("--validate", options.replay.validates, "Check every invariant after each update (slow)");
+    app.add_option("--certify", options.certificates,
+                   "Also write the lists after each update with a proof to certificates.txt in this folder, and meshes "
+                   "to files beside it, for ecods_check_certificate")
+        ->type_name("FOLDER");
     app.add_flag("--json", options.json, "Write JSON");
     if (const auto status = programs::parse(app, argc, argv)) return *status;
     if (*has_broad_phase) options.replay.broad_phase = broad_phase;
@@ -65,6 +73,12 @@ int run(int argc, char** argv) {
         return exit_unreadable;
     }
     try {
+        std::optional<certificates::CertificateFolder> folder;
+        QueryMemory memory;
+        if (options.certificates) {
+            folder.emplace(*options.certificates);
+            options.replay.updated = [&](const World& world) { folder->add(world.certify(memory)); };
+        }
         const ReplayReport report = replay(in, options.replay);
         (options.json ? print_json : print_text)(options, report);
         return report.difference ? exit_differs : exit_same;

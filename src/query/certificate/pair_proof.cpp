@@ -5,28 +5,13 @@
 
 #include "base/arithmetic.hpp"
 #include "base/double_key.hpp"
+#include "query/certificate/closest_axis.hpp"
 #include "query/certificate/exact_axis.hpp"
 
 namespace ecods {
 namespace {
 
 using Kind = AxisFormula::Kind;
-
-// The axis along which a pair of triangles is as far apart as it is.
-AxisFormula formula_of(const ClosestPoints& closest) {
-    const auto i = static_cast<std::uint8_t>(closest.a.corner), j = static_cast<std::uint8_t>(closest.b.corner);
-    switch (closest.kind) {
-        case ClosestKind::vertex_vertex:
-            return {Kind::vertices, i, j};
-        case ClosestKind::vertex_edge:
-            return closest.a.kind == Feature::Kind::vertex ? AxisFormula{Kind::vertex_a_edge, i, j}
-                                                           : AxisFormula{Kind::vertex_b_edge, j, i};
-        case ClosestKind::vertex_face:
-            return {closest.a.kind == Feature::Kind::face ? Kind::normal_a : Kind::normal_b};
-        default:
-            return {Kind::edges, i, j};
-    }
-}
 
 // The reach of all parts together, in each lane.
 void join(Reaches& reaches) {
@@ -46,32 +31,6 @@ inline constexpr bool is_leaf_beside_node = requires(X x) {
 template <class X, class Y>
 std::size_t part_count(const X& x, const Y&) {
     return is_leaf_beside_node<X, Y> ? 1 : x.count;
-}
-
-// Corners by which a triangle names a vertex or an edge.
-std::uint8_t corner_of(const SharedFeature& feature, const Triangle& triangle) {
-    for (std::uint8_t c = 0; c < 3; ++c) {
-        const std::uint32_t from = triangle[c], to = triangle[(c + 1u) % 3];
-        if (feature.second == SharedFeature::none ? from == feature.first
-                                                  : std::minmax(from, to) == std::minmax(feature.first, feature.second))
-            return c;
-    }
-    return 0;  // of a face
-}
-
-AxisFormula formula_of(const DistanceInterval& interval, const Triangle& a, const Triangle& b) {
-    const std::uint8_t i = corner_of(interval.a, a), j = corner_of(interval.b, b);
-    switch (interval.kind) {
-        case ClosestKind::vertex_vertex:
-            return {Kind::vertices, i, j};
-        case ClosestKind::vertex_edge:
-            return interval.a.second == SharedFeature::none ? AxisFormula{Kind::vertex_a_edge, i, j}
-                                                            : AxisFormula{Kind::vertex_b_edge, j, i};
-        case ClosestKind::vertex_face:
-            return {interval.a.second == SharedFeature::none ? Kind::normal_b : Kind::normal_a};
-        default:
-            return {Kind::edges, i, j};
-    }
 }
 
 constexpr std::size_t contacts_max = 8;
@@ -213,28 +172,7 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
 Vec3 PairProof::direction_of(std::uint32_t i, std::uint32_t j) {
     const DistanceInterval interval = pair_.enclose(i, j);
     if (!interval.is_certain) return Vec3::Zero();
-    const Mesh &mesh_a = a_.what->mesh(), &mesh_b = b_.what->mesh();
-    const Triangle &a = mesh_a.triangles()[i], &b = mesh_b.triangles()[j];
-    const auto at_a = [&](std::size_t c) -> Vec3 { return a_.pose.R * mesh_a.vertices()[a[c % 3]]; };
-    const auto at_b = [&](std::size_t c) -> Vec3 {
-        return b_.pose.R * mesh_b.vertices()[b[c % 3]] + (b_.pose.t - a_.pose.t);
-    };
-    const AxisFormula f = formula_of(interval, a, b);
-    const auto across = [](const Vec3& w, const Vec3& e) -> Vec3 { return e.dot(e) * w - w.dot(e) * e; };
-    switch (f.kind) {
-        case Kind::normal_a:
-            return shortened((at_a(1) - at_a(0)).cross(at_a(2) - at_a(0)));
-        case Kind::normal_b:
-            return shortened((at_b(1) - at_b(0)).cross(at_b(2) - at_b(0)));
-        case Kind::edges:
-            return shortened((at_a(f.i + 1) - at_a(f.i)).cross(at_b(f.j + 1) - at_b(f.j)));
-        case Kind::vertex_a_edge:
-            return shortened(across(at_a(f.i) - at_b(f.j), at_b(f.j + 1) - at_b(f.j)));
-        case Kind::vertex_b_edge:
-            return shortened(across(at_b(f.i) - at_a(f.j), at_a(f.j + 1) - at_a(f.j)));
-        default:
-            return shortened(at_b(f.j) - at_a(f.i));
-    }
+    return shortened(direction_along(formula_of(interval, a_, i, b_, j), a_, i, b_, j));
 }
 
 void PairProof::visit(const Parts& top) {
@@ -303,8 +241,7 @@ SixCorners PairProof::corners_of(std::uint32_t i, std::uint32_t j) {
 // Along which two triangles are apart as far as they can be; nothing if they cross.
 std::optional<AxisFormula> PairProof::formula_for(std::uint32_t i, std::uint32_t j) {
     const DistanceInterval interval = pair_.enclose(i, j);
-    if (interval.is_certain && key_of(interval.lower) > 0)
-        return formula_of(interval, a_.what->mesh().triangles()[i], b_.what->mesh().triangles()[j]);
+    if (interval.is_certain && key_of(interval.lower) > 0) return formula_of(interval, a_, i, b_, j);
     const ClosestPoints closest = pair_.closest(i, j);
     if (closest.kind != ClosestKind::intersecting) return formula_of(closest);
     return find_axis(corners_of(i, j), ApartBy::weakly);

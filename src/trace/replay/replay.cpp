@@ -163,7 +163,9 @@ void Replayer::take(const TracedUpdate& update) {
             differ(error.what());
         }
     }
-    if (!report_.difference) ++report_.update_count;
+    if (report_.difference) return;
+    ++report_.update_count;
+    if (options_.updated) options_.updated(world_);
 }
 
 void Replayer::compare_events(const Pairs& before, const Pairs& after) {

@@ -30,6 +30,14 @@ void CertificateFolder::add(const Certificate& certificate) {
     ++certificate_count_;
 }
 
+void CertificateFolder::add(const WorldCertificate& certificate) {
+    for (const auto& shape : certificate.shapes()) add_mesh(*shape);
+    certificate.write(certificates_);
+    certificates_.flush();
+    check(certificates_, folder_ / "certificates.txt");
+    ++certificate_count_;
+}
+
 void CertificateFolder::check(const std::ofstream& out, const std::filesystem::path& file) const {
     if (!out) throw std::system_error(errno, std::generic_category(), file.string() + ": cannot be written");
 }

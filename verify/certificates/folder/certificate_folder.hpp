@@ -24,6 +24,9 @@ class CertificateFolder {
 
     void add(const Certificate& certificate);
 
+    // Of a world, with the meshes.
+    void add(const WorldCertificate& certificate);
+
     std::size_t certificate_count() const noexcept { return certificate_count_; }
     std::size_t mesh_count() const noexcept { return digests_.size(); }
 
