@@ -8,7 +8,7 @@
 namespace ecods {
 
 // Decides from the number of boxes alone, so that runs repeat, and no scene pays for a change of mind: whatever many
-// boxes do, kept candidates cost no more than sorted lists, since what comes, goes or moves costs no pass over the rest.
+// boxes do, kept candidates cost no more than sorted lists, since what comes, goes or moves takes no pass over all.
 class ChooseFinder {
   public:
     // What the next update should use, of so many boxes.
