@@ -51,8 +51,8 @@ enum class BroadPhaseKind : std::uint8_t {
     // candidate (some more than there are pairs) and 8 to 16 a pair, as above; up to twice that while boxes move.
     kept_candidates,
 
-    // sweep_and_prune while boxes are few or at rest, otherwise kept_candidates. Counts decide at each update, never
-    // clocks, and nothing but cost shows which one runs.
+    // sweep_and_prune while boxes are few, otherwise kept_candidates. Their number decides at each update, never what
+    // they do and never clocks, and nothing but cost shows which one runs.
     automatic,
 };
 

@@ -2,30 +2,20 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "ecods/broad_phase.hpp"
 
 namespace ecods {
 
-// Decides from counts, so that runs repeat.
+// Decides from the number of boxes alone, so that runs repeat, and no scene pays for a change of mind: whatever many
+// boxes do, kept candidates cost no more than sorted lists, since what comes, goes or moves takes no pass over all.
 class ChooseFinder {
   public:
-    // What an update had to do.
-    struct Work {
-        std::size_t size;     // boxes present
-        std::uint64_t moved;  // boxes that moved; those that came do not count
-        std::uint64_t swaps;  // of sweep and prune
-    };
-
-    // What the next update should use.
-    BroadPhaseKind choose(const Work& last) noexcept;
+    // What the next update should use, of so many boxes.
+    BroadPhaseKind choose(std::size_t size) noexcept;
 
   private:
     BroadPhaseKind kind_ = BroadPhaseKind::sweep_and_prune;
-    std::uint64_t updates_ = 0;  // of the period that the sums below are about
-    std::uint64_t moved_ = 0;
-    std::uint64_t swaps_ = 0;
 };
 
 }  // namespace ecods

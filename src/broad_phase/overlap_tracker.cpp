@@ -48,8 +48,7 @@ void OverlapTracker::update(PairKeeper& keeper) {
         table_.settle();  // of what came and went in between
         return;
     }
-    const std::size_t moved_count = changes.moved.size();
-    counts_.moved += changes.added.size() + moved_count;
+    counts_.moved += changes.added.size() + changes.moved.size();
     try {
         const FindingUpdate update{
             .table = table_, .changes = changes, .keeper = keeper, .events = events_, .counts = counts_};
@@ -62,7 +61,7 @@ void OverlapTracker::update(PairKeeper& keeper) {
     }
     // Nothing below throws.
     table_.settle();
-    if (kind_ == BroadPhaseKind::automatic) choose(moved_count, counts_.swaps - before.swaps);
+    if (kind_ == BroadPhaseKind::automatic) choose();
     if (!finder_) build_finder();
 }
 
@@ -79,8 +78,8 @@ void OverlapTracker::find_pairs_again(const FindingUpdate& update) {
     update.keeper.compare(update.table, update.changes, found, update.events);
 }
 
-void OverlapTracker::choose(std::size_t moved, std::uint64_t swaps) noexcept {
-    const BroadPhaseKind wanted = chooser_.choose({.size = table_.size(), .moved = moved, .swaps = swaps});
+void OverlapTracker::choose() noexcept {
+    const BroadPhaseKind wanted = chooser_.choose(table_.size());
     if (wanted == running_) return;
     running_ = wanted;
     finder_ = nullptr;

@@ -97,7 +97,7 @@ class OverlapTracker {
     void visit_along(const MovingBox& moving, double limit, const std::function<double(ProxyIndex)>& visit) const;
 
     void find_pairs_again(const FindingUpdate& update);
-    void choose(std::size_t moved, std::uint64_t swaps) noexcept;
+    void choose() noexcept;
     void build_finder() noexcept;
 
     BroadPhaseKind kind_;

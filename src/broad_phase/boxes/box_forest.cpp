@@ -78,23 +78,6 @@ void BoxForest::refit(std::span<const PackedBox> lines) {
     for (BoxTree& tree : trees_) tree.refit(lines);
 }
 
-void BoxForest::append_order(std::vector<SlotIndex>& order) const {
-    for (const BoxTree& tree : trees_) {
-        for (std::size_t position = 0; position < tree.size(); ++position) order.push_back(tree.slot(position));
-    }
-}
-
-void BoxForest::renumber() {
-    SlotIndex base = 0;
-    positions_.clear();
-    for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
-        trees_[tree].renumber(base);
-        for (std::uint32_t position = 0; position < trees_[tree].size(); ++position)
-            positions_.push_back({tree, position});
-        base += static_cast<SlotIndex>(trees_[tree].size());
-    }
-}
-
 bool BoxForest::insert(const Item& item, std::span<const PackedBox> lines) {
     for (std::uint32_t tree = 0; tree < class_count_; ++tree) {
         if (largest_[tree] < item.size_exponent) continue;

@@ -29,12 +29,6 @@ class BoxForest {
     // Gives every slot that is in a tree the box that it has now. Cost: n.
     void refit(std::span<const PackedBox> lines);
 
-    // Appends the slots in the order of the trees after build(), in which neighbours are close to each other.
-    void append_order(std::vector<SlotIndex>& order) const;
-
-    // Makes slots the positions in that order. Called after build(), when the owner has put its lines into that order.
-    void renumber();
-
     // Adds boxes: each takes the position of a removed box close to it, if there is one; the others get an unsorted
     // tree.
     void add(std::span<const Item> items, std::span<const PackedBox> lines);

@@ -51,9 +51,6 @@ class BoxTree {
     // Sets every position's box to lines[its slot]; the order stays. Cost: n.
     void refit(std::span<const PackedBox> lines);
 
-    // Makes the slots base, base + 1, ... by position: the owner has put its lines into the order of the tree.
-    void renumber(SlotIndex base);
-
     // Puts a box at an empty position near its center, and returns true, or finds none and returns false. Cost: as
     // find() of a point.
     bool insert(const TreeItem& item, const PackedBox& line, std::uint32_t& position);

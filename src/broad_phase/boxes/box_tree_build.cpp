@@ -85,10 +85,6 @@ void BoxTree::refit(std::span<const PackedBox> lines) {
     }
 }
 
-void BoxTree::renumber(SlotIndex base) {
-    for (SlotIndex& slot : slots_) slot = base++;
-}
-
 void BoxTree::set(std::size_t position, const PackedBox& line) {
     ECODS_ASSERT(position < size());
     ECODS_ASSERT(line.is_empty() || slots_[position] != no_slot);

@@ -38,6 +38,7 @@ void KeptCandidates::update(const FindingUpdate& finding) {
     const auto& [table, changes, keeper, events, counts] = finding;  // the pairs of its candidates it knows itself
     Update update{.table = table, .began = events.began, .ended = events.ended, .counts = counts};
     const std::uint64_t searched_before = counts.box_tests;
+    ++update_number_;
 
     if (!changes.removed.empty()) remove(changes.removed, update);
     wake(changes.moved, update);
@@ -56,7 +57,8 @@ void KeptCandidates::update(const FindingUpdate& finding) {
     if (wasted_work_ + search_work_ > 512 * static_cast<double>(used_count_)) adapt();
     if (!escaped_.empty()) {
         const std::size_t count = table.size();
-        const bool is_degraded = searched_since_sort_ > 4 * count || 4 * forest_.unsorted_count() > count + 64 ||
+        const bool is_degraded = searched_since_sort_ > 4 * count ||
+                                 4 * (forest_.unsorted_count() + forest_lacks_.size()) > count + 64 ||
                                  proxies_.size() > 2 * count + 64;
         const bool many_escaped = 8 * escaped_.size() > count;
         if (many_escaped) {
@@ -87,7 +89,7 @@ void KeptCandidates::update(const FindingUpdate& finding) {
 // from sooner, in inverse proportion. The sum is least where both cost the same, which is off by the root of their
 // ratio. Work is compared from one search of everything to the next, since most of it comes then.
 void KeptCandidates::adapt() {
-    constexpr std::size_t updates_min = 4;  // fewer are no motion to learn from
+    constexpr std::size_t updates_min = 2;  // fewer are no motion to learn from
     if (updates_since_search_ >= updates_min) {
         lookahead_ *= std::clamp(std::sqrt((search_work_ + 1) / (wasted_work_ + 1)), 0.5, 2.0);
         lookahead_ = std::clamp(lookahead_, lookahead_min, lookahead_max);
@@ -124,17 +126,22 @@ void KeptCandidates::put_to_sleep(std::size_t moved_count) {
     });
 }
 
+// The pairs of a removed box with awake ones, and all if it is awake itself, are candidates, which the filter reports.
 void KeptCandidates::remove(const std::vector<ProxyIndex>& proxies, Update& update) {
     BoxReach reach;
     for (const ProxyIndex proxy : proxies) {
         const SlotIndex slot = slots_[proxy];
-        make_reach(lines_[slot], reach);
-        forest_.remove(slot);
-        found_.clear();
-        update.counts.box_tests += forest_.find(reach, found_);
-        for (const SlotIndex partner : found_) {
-            if (overlaps(lines_[partner], reach)) update.ended.push_back(ordered_pair(proxy, proxies_[partner]));
+        if (!has_flag(slot, awake)) {
+            refresh_forest(update.table);
+            make_reach(lines_[slot], reach);
+            found_.clear();
+            update.counts.box_tests += forest_.find(reach, found_);
+            for (const SlotIndex partner : found_) {
+                if (partner == slot || has_flag(partner, awake) || !overlaps(lines_[partner], reach)) continue;
+                update.ended.push_back(ordered_pair(proxy, proxies_[partner]));
+            }
         }
+        forest_.remove(slot);
         lines_[slot] = {};
         fat_lines_[slot] = {};
         slots_[proxy] = no_slot;
@@ -176,7 +183,8 @@ void KeptCandidates::add(const std::vector<ProxyIndex>& proxies, const ProxyTabl
 
 std::size_t KeptCandidates::bytes() const noexcept {
     return bytes_of(lines_, fat_lines_, old_fat_lines_, proxies_, flags_, motion_hints_) +
-           bytes_of(candidates_, slots_, free_slots_, changed_slots_, escaped_, found_) + forest_.bytes();
+           bytes_of(candidates_, slots_, free_slots_, changed_slots_, escaped_, found_) + forest_.bytes() +
+           bytes_of(forest_lacks_) + search_.bytes();
 }
 
 }  // namespace ecods

@@ -7,6 +7,7 @@
 
 #include "broad_phase/boxes/box_forest.hpp"
 #include "broad_phase/changes/pair_finder.hpp"
+#include "broad_phase/scratch/grid_sweep.hpp"
 
 namespace ecods {
 
@@ -14,16 +15,17 @@ namespace ecods {
 // only those can overlap whose fat boxes do. A box that moves is awake, and so it stays until it has been at rest for a
 // while. Pairs whose fat boxes overlap, one of the two awake, are the candidates; an update tests all of them in one
 // go, and nothing else. A box that escaped gets a new fat box and looks for new candidates in trees of fat boxes, as
-// one that awakes does in its old fat box; when many did, all candidates are searched for at once. Boxes are kept in
-// slots, numbered so that neighbours are close in memory.
+// one that awakes does in its old fat box; when many did, all candidates are searched for at once, by a sweep from
+// scratch. Boxes are kept in slots, numbered so that neighbours are close in memory.
 //
 // Right whatever the fat boxes are, as long as they contain their boxes; how fat they are is a matter of speed.
 class KeptCandidates final : public PairFinder {
   public:
-    // How a box moved when it last escaped, by axis.
+    // How a box moved when it last escaped, by axis, and when that was.
     struct MotionHint {
         std::array<std::int8_t, 3> direction{};  // 1 up, -1 down, 0 not known
         std::array<bool, 3> turns{};
+        std::uint32_t escaped_at = 0;  // the number of the update
     };
 
     void build(const ProxyTable& table, BroadPhaseCounts& counts) override;
@@ -69,6 +71,7 @@ class KeptCandidates final : public PairFinder {
     void move_some(std::span<const ProxyIndex> proxies, const ProxyTable& table);
     void filter(Update& update);
     void report(Candidate& candidate, Update& update);
+    void report_removed(const Candidate& candidate, Update& update);
 
     // kept_candidates_margin.cpp
     PackedBox fatten(const Escaped& escaped, const Aabb& box) noexcept;
@@ -84,6 +87,7 @@ class KeptCandidates final : public PairFinder {
     void link(SlotIndex slot, Update& update);
     void search_all(std::span<const BoxForest::Item> unsorted, bool must_sort, Update& update);
     void sort_slots(const ProxyTable& table);
+    void refresh_forest(const ProxyTable& table);
     bool were_candidates(SlotIndex a, SlotIndex b) const noexcept;
     bool has_flag(SlotIndex slot, unsigned flag) const noexcept { return (flags_[slot] & flag) != 0; }
     void set_flag(SlotIndex slot, unsigned flag) noexcept { flags_[slot] |= static_cast<std::uint8_t>(flag); }
@@ -101,7 +105,13 @@ class KeptCandidates final : public PairFinder {
     std::vector<SlotIndex> slots_;  // by proxy
     std::vector<SlotIndex> free_slots_;
     std::vector<SlotIndex> changed_slots_;  // those with the flag
-    BoxForest forest_;                      // of fat boxes
+    GridSweep search_;
+
+    // Of fat boxes, for looking up few. A search for everything leaves it behind; what follows is about that time.
+    BoxForest forest_;
+    bool is_forest_behind_ = true;
+    bool is_forest_renumbered_ = true;     // slots have other numbers in it
+    std::vector<SlotIndex> forest_lacks_;  // slots that are to be put into it, some of them twice or free by now
 
     std::size_t used_count_ = 0;  // slots that are not free
     std::size_t awake_count_ = 0;
@@ -113,11 +123,11 @@ class KeptCandidates final : public PairFinder {
     std::uint64_t jump_tests_ = 0;   // of an update, for boxes that are far from where they were
     std::uint64_t overlapping_ = 0;  // candidates that did so before the last filtering
     std::size_t searched_since_sort_ = 0;
+    std::size_t escaped_since_sort_ = 0;
+    std::uint32_t update_number_ = 0;
     std::size_t updates_since_search_ = 0;  // of everything
     std::array<std::uint64_t, 3> turn_counts_{};
     std::array<bool, 3> is_turning_common_{};
-    double tests_after_sort_ = 0;  // for each box, when everything was looked up
-    bool is_degraded_ = false;     // tests a box became many more than that
 
     // Working memory of an update.
     std::vector<Escaped> escaped_;

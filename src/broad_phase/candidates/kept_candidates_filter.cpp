@@ -21,6 +21,12 @@ void KeptCandidates::report(Candidate& candidate, Update& update) {
     (began ? update.began : update.ended).push_back(pair);
 }
 
+// A candidate goes.
+void KeptCandidates::report_removed(const Candidate& candidate, Update& update) {
+    if ((candidate[1] & overlap_bit) == 0) return;
+    update.ended.push_back(ordered_pair(proxies_[candidate[0]], proxies_[candidate[1] & ~overlap_bit]));
+}
+
 void KeptCandidates::filter(Update& update) {
     update.counts.candidates_filtered += candidates_.size();
     if (changed_slots_.empty()) {

@@ -63,8 +63,7 @@ struct KeptCandidates::Loops {
     }
 
     // Tests all candidates, and reports those that began or ceased to overlap. Where fat boxes changed, candidates that
-    // are none any more go. They do not overlap; those of a box that went may
-    // have done so, which has been reported.
+    // are none any more go. They did not overlap, but for those of a box that was removed.
     template <bool have_some_gone>
     ECODS_ALWAYS_INLINE static void filter(KeptCandidates& self, Update& update) {
         const PackedBox* const lines = self.lines_.data();
@@ -85,7 +84,10 @@ struct KeptCandidates::Loops {
                 if constexpr (have_some_gone) {
                     if (((flags[owner] | flags[partner]) & changed) != 0) [[unlikely]] {
                         make_reach(self.fat_lines_[owner], reach);
-                        if (!overlaps(self.fat_lines_[partner], reach) || self.fat_lines_[owner].is_empty()) continue;
+                        if (!overlaps(self.fat_lines_[partner], reach) || self.fat_lines_[owner].is_empty()) {
+                            self.report_removed(candidate, update);
+                            continue;
+                        }
                     }
                     *write = candidate;
                 }

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double back = 0.125;  // the margin behind, for turning back, as a share of the margin ahead
 
+// A margin that lasts for fewer steps is not worth its candidates.
+constexpr std::uint32_t steps_min = 4;
+
 // How many escaped boxes ahead memory is asked for.
 constexpr std::size_t prefetch_distance = 6;
 
@@ -55,7 +58,9 @@ bool is_about_to_escape(const PackedBox& line, const PackedBox& fat_line,
 
 // The margin is `lookahead_` more steps like the last one, and some for turning back. It is at most half an extent, so
 // that a fast box does not collect candidates that it will not meet. A longer step was a jump, after which the next one
-// is not known; then the box gets the margin that it had before, in the direction that it went.
+// is not known; then the box gets the margin that it had before, in the direction that it went. None is given to a box
+// that would leave it within some steps, or that jumps time after time: to find candidates that it will not meet costs
+// more than to look it up again.
 PackedBox KeptCandidates::fatten(const Escaped& escaped, const Aabb& box) noexcept {
     const double largest = (box.max - box.min).maxCoeff();
     const double margin_max = 0.5 * (largest < mean_extent_ ? mean_extent_ : largest);
@@ -68,8 +73,11 @@ PackedBox KeptCandidates::fatten(const Escaped& escaped, const Aabb& box) noexce
     }
     Aabb fat = box;
     MotionHint& hint = motion_hints_[escaped.slot];
+    const std::uint32_t lasted = update_number_ - std::exchange(hint.escaped_at, update_number_);
     const PackedBox& old_line = fat_lines_[escaped.slot];
-    if (down.cwiseAbs().maxCoeff() <= margin_max && up.cwiseAbs().maxCoeff() <= margin_max) {
+    const double step = std::max(down.cwiseAbs().maxCoeff(), up.cwiseAbs().maxCoeff());
+    if (steps_min * step > margin_max && (step <= margin_max || lasted <= steps_min)) return lines_[escaped.slot];
+    if (step <= margin_max) {
         for (Eigen::Index k = 0; k < 3; ++k) {
             if (down[k] == up[k]) continue;
             const std::int8_t direction = up[k] > down[k] ? 1 : -1;

@@ -1,4 +1,5 @@
 // The candidates of boxes that awoke, came, or left their fat boxes.
+#include <algorithm>
 #include <limits>
 #include <span>
 #include <type_traits>
@@ -37,6 +38,7 @@ void KeptCandidates::wake(std::span<const ProxyIndex> proxies, Update& update) {
         wake_all(update);
         return;
     }
+    if (!woken.empty()) refresh_forest(update.table);
     BoxReach reach;
     for (const SlotIndex slot : woken) {
         make_reach(fat_lines_[slot], reach);
@@ -57,8 +59,12 @@ void KeptCandidates::wake_all(Update& update) {
         if (!lines_[slot].is_empty()) set_flag(slot, awake);
     }
     awake_count_ = used_count_;
+    for (const Candidate& candidate : candidates_) {
+        const bool is_gone = lines_[candidate[0]].is_empty() || lines_[candidate[1] & ~overlap_bit].is_empty();
+        if (is_gone) report_removed(candidate, update);
+    }
     candidates_.clear();
-    update.counts.box_tests += forest_.find_pairs(candidates_);
+    update.counts.box_tests += search_.find_pairs(fat_lines_, candidates_);
     ++update.counts.rebuilds;
     BoxReach reach;
     std::size_t overlapping = 0;
@@ -73,11 +79,16 @@ void KeptCandidates::wake_all(Update& update) {
 
 void KeptCandidates::search_escaped(std::span<const BoxForest::Item> unsorted, Update& update) {
     for (const BoxForest::Item& each : unsorted) forest_.remove(each.item.slot);
-    for (std::size_t i = 0; i < escaped_.size(); ++i) {
-        if (i + prefetch_distance < escaped_.size()) forest_.prefetch(escaped_[i + prefetch_distance].slot);
-        forest_.set(escaped_[i].slot, fat_lines_[escaped_[i].slot]);
+    if (is_forest_behind_) {
+        for (const BoxForest::Item& each : unsorted) forest_lacks_.push_back(each.item.slot);
+        refresh_forest(update.table);
+    } else {
+        for (std::size_t i = 0; i < escaped_.size(); ++i) {
+            if (i + prefetch_distance < escaped_.size()) forest_.prefetch(escaped_[i + prefetch_distance].slot);
+            forest_.set(escaped_[i].slot, fat_lines_[escaped_[i].slot]);
+        }
+        forest_.add(unsorted, fat_lines_);
     }
-    forest_.add(unsorted, fat_lines_);
     for (std::size_t i = 0; i < escaped_.size(); ++i) {
         if (i + prefetch_distance < escaped_.size()) forest_.prefetch(escaped_[i + prefetch_distance].slot);
         link(escaped_[i].slot, update);
@@ -118,45 +129,44 @@ void KeptCandidates::link(SlotIndex slot, Update& update) {
 
 void KeptCandidates::search_all(std::span<const BoxForest::Item> unsorted, bool must_sort, Update& update) {
     fatten_used_up(update.table);
-    const bool do_sort = must_sort || is_degraded_ || 64 * forest_.unsorted_count() > update.table.size() ||
-                         8 * unsorted.size() > update.table.size();
-    if (do_sort) {
+    // Boxes drift away from those that they are beside in memory, and those that came are beside any.
+    escaped_since_sort_ += escaped_.size();
+    const auto came_count =
+        static_cast<std::size_t>(std::count_if(unsorted.begin(), unsorted.end(), [&](const BoxForest::Item& each) {
+            return old_fat_lines_[each.item.slot].is_empty();
+        }));
+    const bool many_came = 8 * came_count > update.table.size();
+    constexpr std::size_t escapes_per_sort = 8;
+    if (must_sort || many_came || escaped_since_sort_ > escapes_per_sort * update.table.size()) {
         sort_slots(update.table);
     } else {
-        for (const BoxForest::Item& each : unsorted) forest_.remove(each.item.slot);
-        forest_.refit(fat_lines_);
-        forest_.add(unsorted, fat_lines_);
+        for (const BoxForest::Item& each : unsorted) {
+            forest_.remove(each.item.slot);
+            forest_lacks_.push_back(each.item.slot);
+        }
+        is_forest_behind_ = true;
     }
     candidates_.clear();
-    const std::uint64_t tests = forest_.find_pairs(candidates_) + candidates_.size();
-    update.counts.box_tests += tests;
-    // Boxes drift away from those that they are in a block with. Sorting costs about as much as half of the tests.
-    const double tests_per_box = static_cast<double>(tests) / static_cast<double>(update.table.size() + 1);
-    if (do_sort) tests_after_sort_ = tests_per_box;
-    is_degraded_ = tests_per_box > 1.25 * tests_after_sort_;
+    update.counts.box_tests += search_.find_pairs(fat_lines_, candidates_) + candidates_.size();
+    if (many_came) search_ = {};  // its memory: they may be at rest from now on
     dispatch<Loops::take_found>(*this, update);
     for (std::uint8_t& flags : flags_) flags &= static_cast<std::uint8_t>(~(searching | changed));
     changed_slots_.clear();
 }
 
-// Builds the forest from scratch and puts everything that is kept by slot in its order.
+// Puts everything that is kept by slot in the order in which the search goes through boxes.
 void KeptCandidates::sort_slots(const ProxyTable& table) {
-    std::vector<BoxForest::Item> items;
-    items.reserve(table.size());
     double sum = 0;
     for (SlotIndex slot = 0; slot < proxies_.size(); ++slot) {
         if (lines_[slot].is_empty()) continue;
         const Aabb& box = table.boxes()[proxies_[slot]];
-        items.push_back(BoxForest::make_item(box, slot));
         const double extent = (box.max - box.min).maxCoeff();
         if (extent < std::numeric_limits<double>::max()) sum += extent / static_cast<double>(table.size());
     }
     mean_extent_ = sum;
-    forest_.build(items, fat_lines_);
     std::vector<SlotIndex> order;
-    order.reserve(items.size());
-    forest_.append_order(order);
-    forest_.renumber();
+    order.reserve(table.size());
+    search_.append_order(fat_lines_, order);
 
     const auto reorder = [&order](auto& values) {
         std::remove_reference_t<decltype(values)> ordered(order.size());
@@ -171,7 +181,30 @@ void KeptCandidates::sort_slots(const ProxyTable& table) {
     reorder(motion_hints_);
     for (SlotIndex slot = 0; slot < order.size(); ++slot) slots_[proxies_[slot]] = slot;
     free_slots_.clear();
-    searched_since_sort_ = 0;
+    searched_since_sort_ = escaped_since_sort_ = 0;
+    forest_lacks_.clear();
+    is_forest_behind_ = is_forest_renumbered_ = true;
+}
+
+// Makes the forest that of the fat boxes that are there now, before few are looked up.
+void KeptCandidates::refresh_forest(const ProxyTable& table) {
+    if (!is_forest_behind_) return;
+    std::vector<BoxForest::Item> items;
+    const auto add_item = [&](SlotIndex slot) {
+        if (!lines_[slot].is_empty()) items.push_back(BoxForest::make_item(table.boxes()[proxies_[slot]], slot));
+    };
+    if (is_forest_renumbered_) {
+        for (SlotIndex slot = 0; slot < lines_.size(); ++slot) add_item(slot);
+        forest_.build(items, fat_lines_);
+    } else {
+        std::sort(forest_lacks_.begin(), forest_lacks_.end());
+        forest_lacks_.erase(std::unique(forest_lacks_.begin(), forest_lacks_.end()), forest_lacks_.end());
+        for (const SlotIndex slot : forest_lacks_) add_item(slot);
+        forest_.refit(fat_lines_);
+        forest_.add(items, fat_lines_);
+    }
+    forest_lacks_.clear();
+    is_forest_behind_ = is_forest_renumbered_ = false;
 }
 
 }  // namespace ecods

@@ -17,7 +17,8 @@ constexpr std::size_t prefetch_distance = 12;
 
 }  // namespace
 
-std::uint64_t GridSweep::find_pairs(std::span<const PackedBox> lines, std::vector<std::array<SlotIndex, 2>>& found) {
+// Puts the boxes into their cells.
+void GridSweep::arrange(std::span<const PackedBox> lines) {
     plan_ = plan_grid(lines);
     ranked_.resize(lines.size());
     dispatch<Loops::rank>(*this, lines);
@@ -27,6 +28,20 @@ std::uint64_t GridSweep::find_pairs(std::span<const PackedBox> lines, std::vecto
     }
     sort_begins(lines);
     fill_cells();
+}
+
+void GridSweep::append_order(std::span<const PackedBox> lines, std::vector<SlotIndex>& order) {
+    arrange(lines);
+    for (const Cell& cell : cells_) {
+        const Loops::View rows = Loops::view(rows_.data() + cell.offset, cell.stride());
+        for (std::uint32_t i = 0; i < cell.count; ++i) {
+            if (rows.firsts[i] == Loops::first_of_both) order.push_back(static_cast<SlotIndex>(rows.slots[i]));
+        }
+    }
+}
+
+std::uint64_t GridSweep::find_pairs(std::span<const PackedBox> lines, std::vector<std::array<SlotIndex, 2>>& found) {
+    arrange(lines);
     constexpr std::uint64_t tests_per_box = 512;
     const std::size_t before = found.size();
     Work work{.tests_max = tests_per_box * lines.size()};
@@ -97,7 +112,7 @@ bool GridSweep::count_cells(std::span<const PackedBox> lines) {
     std::size_t offset = 0;
     for (Cell& cell : cells_) {
         cell.offset = offset;
-        offset += rows * cell.stride();
+        offset += row_count * cell.stride();
     }
     rows_.resize(offset);
     return true;

@@ -28,6 +28,10 @@ class GridSweep {
     // axis of the sweep; at most as many as make trees cost less. Out of memory, `found` has some of the pairs.
     std::uint64_t find_pairs(std::span<const PackedBox> lines, std::vector<std::array<SlotIndex, 2>>& found);
 
+    // Appends the slots of all lines that are not empty, in the order in which the search goes through boxes:
+    // neighbours are mostly close to each other.
+    void append_order(std::span<const PackedBox> lines, std::vector<SlotIndex>& order);
+
     std::size_t bytes() const noexcept;
 
   private:
@@ -73,10 +77,11 @@ class GridSweep {
     };
     // What is read beyond the last box of a row begins after all others end.
     static constexpr std::size_t padding = 8;
-    static constexpr std::size_t rows = 8;
+    static constexpr std::size_t row_count = 8;
 
     struct Loops;  // grid_sweep_loops.hpp: what is compiled for each instruction set
 
+    void arrange(std::span<const PackedBox> lines);
     void sort_begins(std::span<const PackedBox> lines);
     bool count_cells(std::span<const PackedBox> lines);
     void fill_cells();

@@ -27,10 +27,11 @@ struct GridSweep::Loops {
                 row + 7 * stride};
     }
 
+    static constexpr std::int32_t first_of_both = 3;
+
     // The pairs among those noted. Some were found here, but another cell is the first that both boxes reach.
     [[gnu::noinline]] static void take(std::span<const Hits> noted, const View& cell, std::span<const PackedBox> lines,
                                        std::vector<std::array<SlotIndex, 2>>& found) {
-        constexpr std::int32_t first_of_both = 3;
         const std::size_t before = found.size();
         found.resize(before + lane_count<Lanes> * noted.size());
         std::array<SlotIndex, 2>* write = found.data() + before;

@@ -106,18 +106,6 @@ TEST(BoxForest, MostThatJumpAmongOthersAreNoNewcomers) {
     planted.expect_all_found();
 }
 
-TEST(BoxForest, OrderIsThatOfTheSlotsAfterwards) {
-    PlantedForest planted(500, Spread::decades);
-    std::vector<SlotIndex> order;
-    planted.forest.append_order(order);
-    ASSERT_EQ(order.size(), 500u);
-    std::vector<PackedBox> lines;
-    for (const SlotIndex slot : order) lines.push_back(planted.lines[slot]);
-    planted.forest.renumber();
-    planted.lines = lines;
-    planted.expect_all_found();
-}
-
 // One large box in each block of small ones would make every search a search of everything.
 TEST(BoxForest, LargeBoxesDoNotSpoilTheTreeOfSmallOnes) {
     std::vector<Aabb> boxes = random_boxes(4000, Spread::cube);

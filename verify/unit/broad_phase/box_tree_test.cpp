@@ -99,20 +99,6 @@ TEST(BoxTree, ARefittedTreeIsRightForAnyBoxes) {
     planted.expect_all_found(7);
 }
 
-TEST(BoxTree, RenumberedSlotsArePositions) {
-    Planted planted(100, Spread::cube);
-    std::vector<Aabb> boxes(100);
-    for (std::size_t position = 0; position < 100; ++position) {
-        boxes[position] = planted.boxes[planted.tree.slot(position)];
-    }
-    planted.tree.renumber(0);
-    planted.boxes = boxes;
-    planted.lines = lines_of(boxes);
-    planted.expect_all_found();
-    planted.tree.renumber(1000);
-    EXPECT_EQ(planted.tree.slot(99), 1099u);
-}
-
 // Where a box was taken out close by, another is put; else nothing changes.
 TEST(BoxTree, ABoxTakesTheNearbyPlaceOfAnother) {
     Planted planted(600, Spread::cube);

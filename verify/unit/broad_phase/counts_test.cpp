@@ -146,10 +146,10 @@ TEST(Counts, MemoryIsAsStated) {
     }
 }
 
-TEST(Counts, AutomaticChoosesByTheWork) {
+TEST(Counts, AutomaticChoosesByTheNumber) {
     const auto phase = make_grid(BroadPhaseKind::automatic, 10);
+    EXPECT_EQ(phase->counts().switches, 1u) << "many";
     for (int step = 1; step <= 10; ++step) phase->move(0, make_cube(0.01 * step, 0, 0)), phase->update();
-    EXPECT_EQ(phase->counts().switches, 0u) << "nearly all rest";
     for (int step = 0; step < 40; ++step) {
         for (ProxyIndex proxy = 0; proxy < 1000; ++proxy) {
             Aabb box = phase->box(proxy);
@@ -161,7 +161,7 @@ TEST(Counts, AutomaticChoosesByTheWork) {
         phase->update();
         phase->validate();
     }
-    EXPECT_EQ(phase->counts().switches, 1u) << "all move";
+    EXPECT_EQ(phase->counts().switches, 1u) << "whatever they do";
     for (ProxyIndex proxy = 20; proxy < 1000; ++proxy) phase->remove(proxy);
     phase->update();
     EXPECT_EQ(phase->counts().switches, 2u) << "few are left";
