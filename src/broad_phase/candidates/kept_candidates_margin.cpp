@@ -12,7 +12,7 @@ namespace {
 constexpr double back = 0.125;  // the margin behind, for turning back, as a share of the margin ahead
 
 // A margin that lasts for fewer steps is not worth its candidates.
-constexpr std::uint32_t steps_min = 4;
+constexpr std::uint32_t steps_min = 2;
 
 // How many escaped boxes ahead memory is asked for.
 constexpr std::size_t prefetch_distance = 6;

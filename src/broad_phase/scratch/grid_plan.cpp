@@ -74,9 +74,10 @@ void RankMap::set(std::size_t axis, double from, double to) noexcept {
     constexpr double ranks = rank_end * (1 - 0x1p-40);
     const double per_unit = ranks / (to - from);
     low[axis] = from;
-    // Too close together, or too far apart, for ranks: all have rank 0.
+    // Too close together, or too far apart, for ranks: all have rank 0. Where rounding is downward, the difference of
+    // equal numbers is -0, and the quotient negative.
     constexpr double number_max = std::numeric_limits<double>::max();
-    if (!(per_unit <= number_max) || !(to - from <= number_max)) return;
+    if (!(per_unit > 0) || !(per_unit <= number_max) || !(to - from <= number_max)) return;
     width[axis] = to - from;
     ranks_per_unit[axis] = per_unit;
 }

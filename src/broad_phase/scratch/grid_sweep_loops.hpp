@@ -71,8 +71,8 @@ struct GridSweep::Loops {
                                                std::vector<std::array<SlotIndex, 2>>& found) {
         constexpr std::uint32_t width = lane_count<Lanes>;
         static_assert(width <= padding);
-        // Room for those of one more box is all that is asked for: whether there are hits cannot be foretold, so that a
-        // branch on each few boxes would cost more than the tests.
+        // Notes are taken in when there are enough, between two boxes. A branch on whether some boxes have hits would
+        // cost more than the tests: it goes either way.
         constexpr std::size_t enough = 512;
         if (hits.size() < enough + count / width + 1) hits.resize(enough + count / width + 1);
         Hits* const noted = hits.data();

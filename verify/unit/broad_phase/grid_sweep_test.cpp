@@ -153,7 +153,7 @@ TEST(GridSweep, RanksNeverDescend) {
     for (int i = 0; i < 2000; ++i) values.push_back(random.uniform(-20, 20));
     std::sort(values.begin(), values.end());
     for (const auto& [low, high] :
-         {std::pair(-10.0, 10.0), {0.0, 0.0}, {0.0, 0x1p-1070}, {-1e308, 1e308}, {5.0, 1e9}}) {
+         {std::pair(-10.0, 10.0), {0.0, 0.0}, {0.0, -0.0}, {0.0, 0x1p-1070}, {-1e308, 1e308}, {5.0, 1e9}}) {
         RankMap map;
         map.set(0, low, high);
         std::int32_t last = 0;
