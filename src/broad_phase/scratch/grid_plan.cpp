@@ -54,7 +54,7 @@ double passed(const AxisSample& axis) noexcept {
 
 // What a search with so many cells costs for each box, in tests. A box is in each cell that it reaches, and is tested
 // against the boxes of the cell that it passes in the sweep. To put a box into a cell costs about as much as so many
-// tests; so does to visit a cell. Measured, on two processors.
+// tests; so does to visit a cell. Both are estimates, of which only the speed depends.
 double cost(double count, const std::array<double, 3>& shares, double cells_1, double cells_2) noexcept {
     constexpr double entry_cost = 40, cell_cost = 80;
     const double entries = (1 + shares[1] * cells_1) * (1 + shares[2] * cells_2);

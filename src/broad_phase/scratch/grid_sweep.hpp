@@ -20,7 +20,7 @@ namespace ecods {
 // Baraff's thesis, 1992; that one from scratch, over integers beside each other in memory, may cost less than keeping
 // its lists is from P. Terdiman, "Box pruning revisited".)
 //
-// Its working memory stays, so that the next search need not ask for it: about 130 bytes a box.
+// Its working memory stays, so that the next search need not ask for it.
 class GridSweep {
   public:
     // Appends all pairs of slots whose boxes overlap, each once, in no order. Empty lines overlap none. Returns the
