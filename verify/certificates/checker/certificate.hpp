@@ -74,10 +74,12 @@ struct Proof {
     std::size_t end = 0;
 };
 
+struct Mesh;
 struct PosedMesh {
     std::string digest;
     Pose pose;
     std::size_t line = 0;
+    const Mesh* mesh = nullptr;  // once the digest is found
 };
 
 struct PairHead {
@@ -107,6 +109,15 @@ struct WorldHead {
     std::vector<BodyPair> switched_off;
 };
 
+// A line `pair` with the proof behind it.
+struct Section {
+    std::size_t line = 0;
+    BodyPair pair;
+    std::array<const WorldBody*, 2> bodies;
+    bool is_second = false;  // of its pair
+    Proof proof;
+};
+
 inline constexpr std::string_view pair_first_line = "ecods-certificate 1";
 inline constexpr std::string_view world_first_line = "ecods-world-certificate 1";
 
@@ -115,6 +126,8 @@ inline constexpr std::string_view world_first_line = "ecods-world-certificate 1"
 PairHead read_pair_head(Text& in);
 void read_proof(Text& in, Proof& proof);
 WorldHead read_world_head(Text& in);  // ends at the first line `pair`, or at `end world`
-BodyPair read_pair_line(Text& in);    // from the current line
+// Reads from the current line, which is the first behind the section before (if any); false at `end world`. Pairs are
+// ascending, once each, or twice where the first section says that they are disjoint and there is a clearance.
+bool read_section(Text& in, const WorldHead& head, Section& section);
 
 }  // namespace certificate_checker

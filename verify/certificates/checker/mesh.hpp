@@ -1,8 +1,6 @@
 // A mesh, as its file gives it, with the boxes of the parts of its tree.
 #pragma once
 
-#include <gmpxx.h>
-
 #include <array>
 #include <cstdint>
 #include <span>
@@ -19,7 +17,7 @@ using Box = std::array<std::array<double, 3>, 2>;
 // Mesh::leaf_corners.
 struct Node {
     std::uint32_t first = 0;
-    std::uint32_t count = 0;
+    std::uint32_t count = 1;
     std::uint32_t first_corner = 0;
     std::uint32_t corner_count = 0;  // 0 of what is no leaf
 };
@@ -29,7 +27,6 @@ struct Node {
 struct Mesh {
     std::string digest;
     std::vector<std::array<double, 3>> vertices;
-    std::vector<std::array<mpz_class, 3>> exact;  // vertices in units of 2^low, where they are no doubles; or empty
     std::vector<std::array<std::uint32_t, 3>> triangles;  // in the order of the tree
     std::vector<std::uint32_t> position;                  // of the caller's triangles in this order
     std::vector<Node> nodes;
@@ -46,11 +43,23 @@ struct Mesh {
         return {leaf_corners.data() + nodes[part].first_corner, nodes[part].corner_count};
     }
     const std::array<std::uint32_t, 3>& corners(std::uint32_t part) const { return triangles[part - nodes.size()]; }
+    // Calls use(vertex) for all corners of a part, some twice. The depth of the tree is limited.
+    template <class Use>
+    void for_corners(std::uint32_t part, const Use& use) const {
+        if (is_triangle(part) || is_leaf(part)) {
+            for (const std::uint32_t vertex : all_corners(part)) use(vertex);
+        } else {
+            for (std::uint32_t i = 0; i < nodes[part].count; ++i) for_corners(nodes[part].first + i, use);
+        }
+    }
 };
 
 // Throws Unreadable.
 Mesh read_mesh(const char* path);
 Mesh parse_mesh(std::string_view text);
+
+// A mesh of one triangle, with the corners 0, 1 and 1.
+Mesh mesh_of(const std::array<std::array<double, 3>, 2>& vertices);
 
 // Sets what follows from vertices, triangles and nodes: boxes, magnitude, low.
 void measure(Mesh& mesh);
