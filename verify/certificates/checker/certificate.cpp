@@ -300,6 +300,11 @@ WorldHead read_world_head(Text& in) {
     return head;
 }
 
+bool may_meet(const WorldHead& head, const WorldBody& a, const WorldBody& b) {
+    const bool is_off = std::ranges::binary_search(head.switched_off, BodyPair{a.id, b.id});
+    return (a.groups & b.mask) != 0 && (b.groups & a.mask) != 0 && !is_off;
+}
+
 bool read_section(Text& in, const WorldHead& head, Section& section) {
     const bool is_first = section.line == 0;
     const bool lacks_within = !is_first && head.clearance && section.proof.claim.question == Question::disjoint;
@@ -317,7 +322,16 @@ bool read_section(Text& in, const WorldHead& head, Section& section) {
         if (place == head.bodies.end() || place->id != pair[i]) in.fail("no such body");
         section.bodies[i] = &*place;
     }
+    if (!may_meet(head, *section.bodies[0], *section.bodies[1])) in.fail("these two are not meant to meet");
     read_proof(in, section.proof);
+    const Claim& claim = section.proof.claim;
+    const bool has_number = claim.question == Question::within || claim.question == Question::beyond;
+    bool is_expected = claim.question == Question::touching || claim.question == Question::crossing ||
+                       claim.question == Question::disjoint || claim.question == Question::beyond;
+    if (section.is_second) is_expected = claim.question == Question::within;
+    if (!is_expected || (has_number && claim.number != head.clearance)) {
+        throw Refusal{claim.line, "not a claim that decides this pair"};
+    }
     in.require_line();
     return true;
 }

@@ -30,8 +30,8 @@ bool are_features_near(const std::array<Body*, 2>& body, const Claim& claim, con
     const std::array<Feature, 2>& named = *claim.features;
     const std::size_t first = named[0].kind == 'v' || named[1].kind != 'v' ? 0 : 1;  // a vertex comes first
     const Feature &f = named[first], &g = named[1 - first];
-    const std::uint32_t i = body[first]->part(f.triangle, claim.line),
-                        j = body[1 - first]->part(g.triangle, claim.line);
+    const std::uint32_t i = body[first]->mesh.part(f.triangle, claim.line),
+                        j = body[1 - first]->mesh.part(g.triangle, claim.line);
     const auto of_f = [&](std::size_t k) { return body[first]->corner(i, k); };
     const auto of_g = [&](std::size_t k) { return body[1 - first]->corner(j, k); };
     const auto is_within = [](const Integer& x, const Integer& end) { return x >= 0 && x <= end && end > 0; };
@@ -59,30 +59,16 @@ void require(bool is_true, const Claim& claim, const char* why) {
     if (!is_true) throw Refusal{claim.line, why};
 }
 
-using Segment = std::array<std::array<double, 3>, 2>;
-int unit_on(const Segment& segment, const Midpoint& s) {
-    return std::min(unit_of(segment[0]), unit_of(segment[1])) + std::min(unit_of(s), unit_of(Midpoint{1})) - 1;
-}
-// The points of a segment at two parameters.
-std::array<Vector<Integer>, 2> piece_of(const Segment& segment, const std::array<Midpoint, 2>& parameters, int unit) {
-    std::array<Vector<Integer>, 2> ends;
-    const int unit_x = std::min(unit_of(segment[0]), unit_of(segment[1]));
-    for (std::size_t i = 0; i < 6; ++i) {
-        const Integer s = half_sum(parameters[i / 3], unit - unit_x), rest = integer(1, unit - unit_x) - s;
-        ends[i / 3][i % 3] = rest * integer(segment[0][i % 3], unit_x) + s * integer(segment[1][i % 3], unit_x);
+// The piece between two points, as a mesh of the triangle from', p', p'.
+struct Piece {
+    Piece(const Vector<Integer>& from, const Vector<Integer>& to, int unit)
+        : mesh(mesh_of({Filter::approximation(from, unit), Filter::approximation(to, unit)}, unit)), body(posed, unit) {
+        body.points = {{0, from}, {1, to}};
     }
-    return ends;
-}
-// Calls check(body) with them as the triangle from', p', p'.
-template <class Check>
-void with_piece(const std::array<Vector<Integer>, 2>& ends, int unit, const Check& check) {
-    Mesh mesh = mesh_of({Filter::approximation(ends[0], unit), Filter::approximation(ends[1], unit)});
-    mesh.low = unit;
-    const PosedMesh posed{{}, {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}}, 0, &mesh};
-    Body body(posed, unit);
-    body.points = {{0, ends[0]}, {1, ends[1]}};
-    check(body);
-}
+    Mesh mesh;
+    PosedMesh posed{{}, {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}}, 0, &mesh};
+    Body body;
+};
 
 }  // namespace
 
@@ -94,18 +80,15 @@ void check_pair(const PosedMesh& a, const PosedMesh& b, const Proof& proof, Budg
     const auto [lower, upper, is_odd] = rounding_to(d);
     const int unit = std::min({unit_of(a), unit_of(b), unit_of(lower) - 1, unit_of(upper) - 1});
     Body x(a, unit), y(b, unit);
-    const auto require_meeting = [&](Gap gap, const char* why) {
-        require(!are_separated(x, y, gap, claim, budget), claim, why);
-    };
     require(question != Question::hit && question != Question::miss, claim, "this claim needs a segment");
     if (claim.features) {
         const Integer most = is_distance ? half_sum(upper, unit) : integer(d, unit);
         const bool is_near = are_features_near({&x, &y}, claim, most, is_distance && is_odd);
         require(is_near || d == infinity, claim, "the features do not prove this distance");
-    } else if (question == Question::touching || question == Question::within || (is_distance && d == 0)) {
-        require_meeting(Gap::positive, "these two do not meet");
-    } else if (question == Question::crossing) {
-        require_meeting(Gap::weak, "these two do not cross");
+    } else if (question != Question::disjoint && question != Question::beyond && (!is_distance || d == 0)) {
+        const bool is_crossing = question == Question::crossing;
+        const bool is_separated = are_separated(x, y, is_crossing ? Gap::weak : Gap::positive, claim, budget);
+        require(!is_separated, claim, is_crossing ? "these two do not cross" : "these two do not meet");
     }
     Rule rule;
     if (question == Question::touching) rule = {Gap::weak};
@@ -119,19 +102,23 @@ void check_segment(const PosedMesh& a, const Segment& segment, const Proof& proo
     const bool is_hit = claim.question == Question::hit;
     require(is_hit || claim.question == Question::miss, claim, "this claim needs two meshes");
     const auto [lower, upper, is_odd] = rounding_to(claim.number);
-    const int unit = std::min({unit_of(a), unit_on(segment, lower), unit_on(segment, upper)});
     const Midpoint one = {1, 1}, last = claim.number < 1 ? upper : one;
+    const int unit_x = std::min(unit_of(segment[0]), unit_of(segment[1]));
+    const int unit_s = std::min({unit_of(lower), unit_of(upper), unit_of(one), unit_of(a) - unit_x + 1}) - 1;
+    const int unit = unit_x + unit_s;
+    const auto at = [&](const Midpoint& parameter) {
+        const Integer s = half_sum(parameter, unit_s), rest = integer(1, unit_s) - s;
+        Vector<Integer> x;
+        for (std::size_t k = 0; k < 3; ++k)
+            x[k] = rest * integer(segment[0][k], unit_x) + s * integer(segment[1][k], unit_x);
+        return x;
+    };
     Body x(a, unit);
-    if (is_hit) {
-        with_piece(piece_of(segment, {lower, last}, unit), unit,
-                   [&, gap = is_odd ? Gap::half_open : Gap::positive](Body& y) {
-                       require(!are_separated(x, y, gap, claim, budget), claim, "the triangle is not met there");
-                   });
-    }
-    if (!claim.has_steps) return;
-    with_piece(piece_of(segment, {Midpoint{}, is_hit ? lower : one}, unit), unit, [&](Body& y) {
-        check_steps(x, y, {is_hit && !is_odd ? Gap::half_open : Gap::positive}, proof, budget);
-    });
+    Piece first(at({}), at(is_hit ? lower : one), unit), second(at(lower), at(last), unit);
+    const Gap gap = is_odd ? Gap::half_open : Gap::positive;
+    require(!is_hit || !are_separated(x, second.body, gap, claim, budget), claim, "the triangle is not met there");
+    const Gap before = is_hit && !is_odd ? Gap::half_open : Gap::positive;
+    if (claim.has_steps) check_steps(x, first.body, {before}, proof, budget);
 }
 
 }  // namespace certificate_checker

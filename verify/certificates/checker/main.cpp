@@ -64,7 +64,10 @@ std::string Program::check_certificate(Text& in) {
         proof_ = {};
         WorldHead head = read_world_head(in);
         for (WorldBody& body : head.bodies) find_mesh(body.mesh);
-        return check_world(in, head, budget_);
+        const WorldCounts counts = check_world(in, head, budget_);
+        const std::string words = "world of " + std::to_string(head.bodies.size()) + " bodies, " +
+                                  std::to_string(counts.colliding) + " colliding";
+        return head.clearance ? words + ", " + std::to_string(counts.close) + " close" : words;
     }
     if (in.line() != pair_first_line) in.fail("not the first line of a certificate");
     PairHead head = read_pair_head(in);

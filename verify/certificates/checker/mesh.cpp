@@ -138,12 +138,13 @@ void measure(Mesh& mesh) {
     }
 }
 
-Mesh mesh_of(const std::array<std::array<double, 3>, 2>& vertices) {
+Mesh mesh_of(const std::array<std::array<double, 3>, 2>& vertices, int low) {
     Mesh mesh;
     mesh.vertices = {vertices[0], vertices[1]};
     mesh.triangles = {{0, 1, 1}};
     mesh.position = {0};
     measure(mesh);
+    mesh.low = low;
     return mesh;
 }
 

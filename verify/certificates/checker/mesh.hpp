@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "text.hpp"
+
 namespace certificate_checker {
 
 // The least box that contains a part, in the mesh's own coordinates: bound[0] its least, bound[1] its greatest corner.
@@ -43,9 +45,14 @@ struct Mesh {
         return {leaf_corners.data() + nodes[part].first_corner, nodes[part].corner_count};
     }
     const std::array<std::uint32_t, 3>& corners(std::uint32_t part) const { return triangles[part - nodes.size()]; }
+    // The part that is the caller's triangle of this number; throws Refusal for the line if there is none.
+    std::uint32_t part(std::uint32_t number, std::size_t line) const {
+        if (number >= position.size()) throw Refusal{line, "no such triangle"};
+        return static_cast<std::uint32_t>(nodes.size()) + position[number];
+    }
     // Calls use(vertex) for all corners of a part, some twice. The depth of the tree is limited.
     template <class Use>
-    void for_corners(std::uint32_t part, const Use& use) const {
+    void for_corners(std::uint32_t part, Use& use) const {
         if (is_triangle(part) || is_leaf(part)) {
             for (const std::uint32_t vertex : all_corners(part)) use(vertex);
         } else {
@@ -58,8 +65,8 @@ struct Mesh {
 Mesh read_mesh(const char* path);
 Mesh parse_mesh(std::string_view text);
 
-// A mesh of one triangle, with the corners 0, 1 and 1.
-Mesh mesh_of(const std::array<std::array<double, 3>, 2>& vertices);
+// A mesh of one triangle, with the corners 0, 1 and 1; its vertices stand for multiples of 2^low.
+Mesh mesh_of(const std::array<std::array<double, 3>, 2>& vertices, int low);
 
 // Sets what follows from vertices, triangles and nodes: boxes, magnitude, low.
 void measure(Mesh& mesh);

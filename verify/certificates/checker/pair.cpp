@@ -1,5 +1,7 @@
 #include "pair.hpp"
 
+#include <map>
+
 #include "filter.hpp"
 
 namespace certificate_checker {
@@ -13,16 +15,15 @@ struct Axis {
 
 struct Pair {
     std::array<Body*, 2> body;
-    const Rule& rule;
+    Rule rule;
     Budget& budget;
     std::optional<Filter> filter = {};
     std::vector<Axis> axes = {};
     std::vector<std::array<std::uint32_t, 2>> stack = {};  // pairs of parts to be proven apart, the next one last
-    // Of the current step: a's parts and b's, its axes, and the reach of part i of a side along axis k, at k * count of
-    // parts + i.
+    // Of the current step: a's parts and b's, its axes, and the reaches of {side, axis, part} that were asked for.
     std::array<Node, 2> parts = {};
     std::span<const std::uint32_t> named = {};
-    std::array<std::vector<std::optional<Range>>, 2> reaches = {};
+    std::map<std::array<std::size_t, 3>, Range> reaches = {};
 
     void use_filter() {
         if (budget.has_filter) filter.emplace(body[0]->posed, body[1]->posed, rule.m_at_most, budget);
@@ -34,37 +35,37 @@ struct Pair {
     const Vector<Integer>& vector(std::uint32_t number) {
         auto& [source, triangles, n] = axes[number];
         if (n) return *n;
-        const auto& x = source.given;
-        n = {integer(x[0], unit_of(x)), integer(x[1], unit_of(x)), integer(x[2], unit_of(x))};
         const auto corner = [&, &on = triangles](std::size_t side, std::size_t k) {
             return body[side]->corner(on[side], k);
         };
-        if (source.formula.kind != Kind::given) n = vector_of<Integer>(source.formula, corner);
+        const auto given = [&, &x = source.given](std::size_t k) { return integer(x[k], unit_of(x)); };
+        n = source.formula.kind == Kind::given ? Vector<Integer>{given(0), given(1), given(2)}
+                                               : vector_of<Integer>(source.formula, corner);
         return *n;
     }
     void open(const std::array<Node, 2>& step_parts, std::span<const std::uint32_t> step_axes) {
         parts = step_parts;
         named = step_axes;
         budget.spend((parts[0].count + 1) * (parts[1].count + 1) * (named.size() + 1));
-        for (auto& each : reaches) each.clear();
+        reaches.clear();
         if (filter) filter->open(parts, named);
     }
 
     // The range of n.x over the corners x of part i of a side. The filter leaves out some that lie surely within it.
     const Range& reach(std::size_t side, std::size_t k, std::uint32_t i) {
-        reaches[side].resize(named.size() * parts[side].count);
-        std::optional<Range>& range = reaches[side][k * parts[side].count + i];
-        if (range) return *range;
-        const auto include = [&, &n = vector(named[k])](std::uint32_t vertex) {
+        const auto [place, is_new] = reaches.try_emplace({side, k, i});
+        if (!is_new) return place->second;
+        auto include = [&, &n = vector(named[k]), &range = place->second,
+                        is_first = true](std::uint32_t vertex) mutable {
             const Integer x = dot(n, body[side]->point(vertex));
             budget.spend(64 + mpz_size(x.get_mpz_t()) * mpz_size(x.get_mpz_t()));
-            if (!range) range = {x, x};
-            if (x < range->low) range->low = x;
-            if (x > range->high) range->high = x;
+            if (std::exchange(is_first, false)) range = {x, x};
+            if (x < range.low) range.low = x;
+            if (x > range.high) range.high = x;
         };
         if (!filter) body[side]->mesh.for_corners(parts[side].first + i, include);
-        if (filter) std::ranges::for_each(filter->extremes(side, k, i), include);
-        return *range;
+        if (filter) std::ranges::for_each(filter->extremes(side, k, i), std::ref(include));
+        return place->second;
     }
 
     bool is_apart(const Range& a, const Range& b, const Vector<Integer>& n) {
@@ -130,11 +131,10 @@ void check_steps(Body& a, Body& b, const Rule& rule, const Proof& proof, Budget&
     pair.use_filter();
     pair.axes.reserve(proof.axes.size() + 1);
     for (const AxisLine& axis : proof.axes) {
-        pair.add_axis(axis, {a.part(axis.triangles[0], axis.line), b.part(axis.triangles[1], axis.line)});
-        const bool is_given = axis.formula.kind == Kind::given;
-        const auto number = static_cast<std::uint32_t>(pair.axes.size() - 1);
-        const bool is_zero = is_given ? axis.given == Vector<double>{} : pair.vector(number) == Vector<Integer>{};
-        if (is_zero) throw Refusal{axis.line, "the axis is zero"};
+        pair.add_axis(axis, {a.mesh.part(axis.triangles[0], axis.line), b.mesh.part(axis.triangles[1], axis.line)});
+        if (axis.given != Vector<double>{}) continue;
+        const Vector<Integer>& n = pair.vector(static_cast<std::uint32_t>(pair.axes.size() - 1));
+        if (n == Vector<Integer>{}) throw Refusal{axis.line, "the axis is zero"};
     }
     pair.stack = {{0, 0}};
     for (const Step& step : proof.steps) pair.check_step(proof, step);
@@ -142,10 +142,9 @@ void check_steps(Body& a, Body& b, const Rule& rule, const Proof& proof, Budget&
 }
 
 bool are_separated(Body& a, Body& b, Gap gap, const Claim& claim, Budget& budget) {
-    const Rule rule{gap};
-    Pair pair{{&a, &b}, rule, budget};
-    const std::uint32_t axis = 0, i = a.part(claim.triangles[0], claim.line),
-                        j = b.part(claim.triangles[1], claim.line);
+    Pair pair{{&a, &b}, {gap}, budget};
+    const std::uint32_t axis = 0, i = a.mesh.part(claim.triangles[0], claim.line),
+                        j = b.mesh.part(claim.triangles[1], claim.line);
     return std::ranges::any_of(separating_formulas(), [&](const Formula& formula) {
         pair.axes.clear();
         pair.add_axis({claim.line, formula}, {i, j});
@@ -155,8 +154,7 @@ bool are_separated(Body& a, Body& b, Gap gap, const Claim& claim, Budget& budget
 }
 
 Vector<Range> box_of(Body& body, Budget& budget) {
-    const Rule rule;
-    Pair pair{{&body, &body}, rule, budget};
+    Pair pair{{&body, &body}, {}, budget};
     pair.use_filter();
     const std::array<std::uint32_t, 3> axes = {0, 1, 2};
     for (const std::uint32_t c : axes) pair.add_axis({0, {Kind::c, c, 0}}, {0, 0});

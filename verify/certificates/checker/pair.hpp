@@ -29,11 +29,6 @@ struct Body {
         return place->second;
     }
     const Vector<Integer>& corner(std::uint32_t part, std::size_t k) { return point(mesh.corners(part)[k % 3]); }
-    // The part that is the caller's triangle of this number.
-    std::uint32_t part(std::uint32_t number, std::size_t line) const {
-        if (number >= mesh.position.size()) throw Refusal{line, "no such triangle"};
-        return static_cast<std::uint32_t>(mesh.nodes.size()) + mesh.position[number];
-    }
 
     const PosedMesh& posed;
     const Mesh& mesh;
