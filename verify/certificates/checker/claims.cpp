@@ -2,7 +2,6 @@
 
 #include <bit>
 
-#include "filter.hpp"
 #include "pair.hpp"
 
 namespace certificate_checker {
@@ -14,12 +13,8 @@ Integer half_sum(const Midpoint& x, int unit) {
     return integer(x[0], unit + 1) + integer(x[1], unit + 1);
 }
 
-// What rounds to a double: from the lower to the upper midpoint. No positive number rounds to 0.
-struct Rounding {
-    Midpoint lower, upper;
-    bool is_odd;
-};
-Rounding rounding_to(double x) {
+// What rounds to a double: from the lower to the upper midpoint, and whether it is odd. No positive number rounds to 0.
+std::tuple<Midpoint, Midpoint, bool> rounding_to(double x) {
     const double below = std::nextafter(x, 0), above = x == 0 ? 0 : std::nextafter(x, infinity);
     return {below == 0 ? Midpoint{} : Midpoint{x, below}, {x, above}, (std::bit_cast<std::uint64_t>(x) & 1) != 0};
 }
@@ -50,8 +45,7 @@ bool are_features_near(const std::array<Body*, 2>& body, const Claim& claim, con
         is_in = n != Vector<Integer>{};
         for (std::size_t k = 0; k < 3; ++k) is_in = is_in && dot(n, cross(of_g(k + 1) - of_g(k), p - of_g(k))) >= 0;
     }
-    const Integer difference = dot(n, w);
-    const int order = cmp(difference * difference, m * m * dot(n, n));
+    const int order = cmp(dot(n, w) * dot(n, w), m * m * dot(n, n));
     return is_in && (order < 0 || (order == 0 && !is_strict));
 }
 
@@ -62,13 +56,44 @@ void require(bool is_true, const Claim& claim, const char* why) {
 // The piece between two points, as a mesh of the triangle from', p', p'.
 struct Piece {
     Piece(const Vector<Integer>& from, const Vector<Integer>& to, int unit)
-        : mesh(mesh_of({Filter::approximation(from, unit), Filter::approximation(to, unit)}, unit)), body(posed, unit) {
+        : mesh(mesh_of({from, to}, unit)), body(posed, unit) {
         body.points = {{0, from}, {1, to}};
     }
     Mesh mesh;
     PosedMesh posed{{}, {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}}, 0, &mesh};
     Body body;
 };
+
+// A body and its box, in a unit that all bodies share; the clearance is added to the upper ends.
+struct Boxed {
+    const WorldBody* body;
+    Vector<Range> box;
+};
+// Every pair without a section is apart by its boxes, or may not meet.
+void require_the_rest(const Text& in, const WorldHead& head, const std::vector<BodyPair>& decided, Budget& budget) {
+    const double clearance = head.clearance.value_or(0);
+    int unit = unit_of(std::array{clearance});
+    for (const WorldBody& each : head.bodies) unit = std::min(unit, unit_of(each.mesh));
+    std::vector<Boxed> boxes;
+    for (const WorldBody& each : head.bodies) {
+        Body body(each.mesh, unit);
+        boxes.push_back({&each, box_of(body, budget)});
+        for (Range& range : boxes.back().box) range.high += integer(clearance, unit);
+    }
+    std::ranges::sort(boxes, [](const Boxed& x, const Boxed& y) { return x.box[0].low < y.box[0].low; });
+    const auto is_below = [](const Boxed& x, const Boxed& y, std::size_t k) { return x.box[k].high < y.box[k].low; };
+    for (auto x = boxes.begin(); x != boxes.end(); ++x) {
+        for (auto y = x + 1; y != boxes.end() && !is_below(*x, *y, 0); ++y) {
+            budget.spend(2);
+            const auto [a, b] = std::minmax(x->body, y->body);  // as they are listed
+            const bool is_apart =
+                is_below(*x, *y, 1) || is_below(*y, *x, 1) || is_below(*x, *y, 2) || is_below(*y, *x, 2);
+            if (is_apart || !may_meet(head, *a, *b)) continue;
+            if (std::ranges::binary_search(decided, BodyPair{a->id, b->id})) continue;
+            in.fail("not decided: bodies of slots " + std::to_string(a->id.slot) + ", " + std::to_string(b->id.slot));
+        }
+    }
+}
 
 }  // namespace
 
@@ -92,8 +117,8 @@ void check_pair(const PosedMesh& a, const PosedMesh& b, const Proof& proof, Budg
     }
     Rule rule;
     if (question == Question::touching) rule = {Gap::weak};
-    if (question == Question::beyond) rule = {Gap::more_than, integer(d, unit), d};
-    if (is_distance) rule = {is_odd ? Gap::more_than : Gap::at_least, half_sum(lower, unit), d};
+    if (question == Question::beyond) rule = {Gap::more_than, integer(d, unit)};
+    if (is_distance) rule = {is_odd ? Gap::more_than : Gap::at_least, half_sum(lower, unit)};
     if (claim.has_steps) check_steps(x, y, rule, proof, budget);
 }
 
@@ -109,16 +134,32 @@ void check_segment(const PosedMesh& a, const Segment& segment, const Proof& proo
     const auto at = [&](const Midpoint& parameter) {
         const Integer s = half_sum(parameter, unit_s), rest = integer(1, unit_s) - s;
         Vector<Integer> x;
-        for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t k = 0; k < 3; ++k) {
             x[k] = rest * integer(segment[0][k], unit_x) + s * integer(segment[1][k], unit_x);
+        }
         return x;
     };
     Body x(a, unit);
     Piece first(at({}), at(is_hit ? lower : one), unit), second(at(lower), at(last), unit);
-    const Gap gap = is_odd ? Gap::half_open : Gap::positive;
+    const Gap before = is_hit && !is_odd ? Gap::half_open : Gap::positive,
+              gap = is_odd ? Gap::half_open : Gap::positive;
     require(!is_hit || !are_separated(x, second.body, gap, claim, budget), claim, "the triangle is not met there");
-    const Gap before = is_hit && !is_odd ? Gap::half_open : Gap::positive;
     if (claim.has_steps) check_steps(x, first.body, {before}, proof, budget);
+}
+
+WorldCounts check_world(Text& in, const WorldHead& head, Budget& budget) {
+    std::vector<BodyPair> decided;
+    WorldCounts counts;
+    for (Section section; read_section(in, head, section);) {
+        check_pair(section.bodies[0]->mesh, section.bodies[1]->mesh, section.proof, budget);
+        const Question question = section.proof.claim.question;
+        const bool is_contact = question == Question::touching || question == Question::crossing;
+        if (!section.is_second) decided.push_back(section.pair);
+        counts.colliding += is_contact ? 1 : 0;
+        counts.close += is_contact || question == Question::within ? 1 : 0;
+    }
+    require_the_rest(in, head, decided, budget);
+    return counts;
 }
 
 }  // namespace certificate_checker

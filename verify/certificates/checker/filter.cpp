@@ -49,21 +49,11 @@ Filter::Filter(const PosedMesh& a, const PosedMesh& b, double m, Budget& budget)
     }
 }
 
-std::array<double, 3> Filter::approximation(const std::array<mpz_class, 3>& x, int unit) {
-    std::array<double, 3> nearby{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        long exponent = 0;
-        const double leading = mpz_get_d_2exp(&exponent, x[k].get_mpz_t());
-        nearby[k] = std::ldexp(leading, static_cast<int>(exponent) + unit);
-    }
-    return nearby;
-}
-
 // A corner: its error is as below, with n a coordinate axis. The vector is scaled to at most 1.
 //
 // Directions: let S = sum of |n_i| magnitude_i. R^T n takes 3 products and 2 sums, v.(R^T n) again, so each is wrong by
 // 3u S; the offset, which takes a rounded difference, 3 products and 2 sums, by 4u S; the last sum by u S; a vertex
-// that is itself rounded (approximation) by 2u S. With what comparing two such numbers takes this is 11u S (up
+// that is itself rounded (mesh_of in mesh.cpp) by 2u S. With what comparing two such numbers takes this is 11u S (up
 // to terms in u^2), and 16u covers these and the roundings of the bound itself.
 void Filter::set_axis(std::size_t k, const AxisLine& source, const std::array<std::uint32_t, 2>& triangles) {
     const auto corner = [&](std::size_t number, std::size_t corner_number) {

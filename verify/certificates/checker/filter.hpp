@@ -2,8 +2,6 @@
 // are surely no extremes; without it (--exact) the same proofs are accepted, only later. README.md, section 6.
 #pragma once
 
-#include <gmpxx.h>
-
 #include <span>
 
 #include "certificate.hpp"
@@ -24,9 +22,6 @@ class Filter {
     bool are_apart(std::uint32_t i, std::uint32_t j);
     // Corners of part i of a side, among them all that are least or greatest along the step's axis k.
     const std::vector<std::uint32_t>& extremes(std::size_t side, std::size_t k, std::uint32_t i);
-
-    // x 2^unit, wrong by at most 2u of itself: for vertices that are no doubles.
-    static std::array<double, 3> approximation(const std::array<mpz_class, 3>& x, int unit);
 
   private:
     struct Range {

@@ -138,9 +138,16 @@ void measure(Mesh& mesh) {
     }
 }
 
-Mesh mesh_of(const std::array<std::array<double, 3>, 2>& vertices, int low) {
+Mesh mesh_of(const std::array<std::array<mpz_class, 3>, 2>& vertices, int low) {
     Mesh mesh;
-    mesh.vertices = {vertices[0], vertices[1]};
+    for (const auto& vertex : vertices) {
+        auto& nearby = mesh.vertices.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            long exponent = 0;
+            const double leading = mpz_get_d_2exp(&exponent, vertex[k].get_mpz_t());
+            nearby[k] = std::ldexp(leading, static_cast<int>(exponent) + low);
+        }
+    }
     mesh.triangles = {{0, 1, 1}};
     mesh.position = {0};
     measure(mesh);

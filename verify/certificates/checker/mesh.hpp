@@ -1,6 +1,8 @@
 // A mesh, as its file gives it, with the boxes of the parts of its tree.
 #pragma once
 
+#include <gmpxx.h>
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -65,8 +67,9 @@ struct Mesh {
 Mesh read_mesh(const char* path);
 Mesh parse_mesh(std::string_view text);
 
-// A mesh of one triangle, with the corners 0, 1 and 1; its vertices stand for multiples of 2^low.
-Mesh mesh_of(const std::array<std::array<double, 3>, 2>& vertices, int low);
+// A mesh of one triangle, with the corners 0, 1 and 1. Its vertices, in units of 2^low, need not be doubles: for the
+// filter, which allows for it, they are wrong by at most 2u of themselves.
+Mesh mesh_of(const std::array<std::array<mpz_class, 3>, 2>& vertices, int low);
 
 // Sets what follows from vertices, triangles and nodes: boxes, magnitude, low.
 void measure(Mesh& mesh);

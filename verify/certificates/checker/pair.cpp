@@ -25,27 +25,21 @@ struct Pair {
     std::span<const std::uint32_t> named = {};
     std::map<std::array<std::size_t, 3>, Range> reaches = {};
 
-    void use_filter() {
-        if (budget.has_filter) filter.emplace(body[0]->posed, body[1]->posed, rule.m_at_most, budget);
-    }
     void add_axis(const AxisLine& source, const std::array<std::uint32_t, 2>& triangles) {
         axes.push_back({source, triangles, {}});
         if (filter) filter->set_axis(axes.size() - 1, source, triangles);
     }
-    const Vector<Integer>& vector(std::uint32_t number) {
+    const Vector<Integer>& vector(std::size_t number) {
         auto& [source, triangles, n] = axes[number];
         if (n) return *n;
-        const auto corner = [&, &on = triangles](std::size_t side, std::size_t k) {
-            return body[side]->corner(on[side], k);
-        };
+        const auto corner = [&, &on = triangles](auto side, auto k) { return body[side]->corner(on[side], k); };
         const auto given = [&, &x = source.given](std::size_t k) { return integer(x[k], unit_of(x)); };
         n = source.formula.kind == Kind::given ? Vector<Integer>{given(0), given(1), given(2)}
                                                : vector_of<Integer>(source.formula, corner);
         return *n;
     }
-    void open(const std::array<Node, 2>& step_parts, std::span<const std::uint32_t> step_axes) {
-        parts = step_parts;
-        named = step_axes;
+    void measure_along(std::span<const std::uint32_t> axis_numbers) {
+        named = axis_numbers;
         budget.spend((parts[0].count + 1) * (parts[1].count + 1) * (named.size() + 1));
         reaches.clear();
         if (filter) filter->open(parts, named);
@@ -55,8 +49,8 @@ struct Pair {
     const Range& reach(std::size_t side, std::size_t k, std::uint32_t i) {
         const auto [place, is_new] = reaches.try_emplace({side, k, i});
         if (!is_new) return place->second;
-        auto include = [&, &n = vector(named[k]), &range = place->second,
-                        is_first = true](std::uint32_t vertex) mutable {
+        Range& range = place->second;
+        auto include = [&, &n = vector(named[k]), is_first = true](std::uint32_t vertex) mutable {
             const Integer x = dot(n, body[side]->point(vertex));
             budget.spend(64 + mpz_size(x.get_mpz_t()) * mpz_size(x.get_mpz_t()));
             if (std::exchange(is_first, false)) range = {x, x};
@@ -65,7 +59,7 @@ struct Pair {
         };
         if (!filter) body[side]->mesh.for_corners(parts[side].first + i, include);
         if (filter) std::ranges::for_each(filter->extremes(side, k, i), std::ref(include));
-        return place->second;
+        return range;
     }
 
     bool is_apart(const Range& a, const Range& b, const Vector<Integer>& n) {
@@ -94,12 +88,11 @@ struct Pair {
         if (stack.empty()) throw Refusal{step.line, "all is proven already"};
         const auto pair = stack.back();
         stack.pop_back();
-        std::array<Node, 2> opened;
         bool is_progress = !step.opens[0] && !step.opens[1];
         for (const std::size_t side : {0, 1}) {
             const bool is_node = !body[side]->mesh.is_triangle(pair[side]);
             if (step.is_formula && is_node) throw Refusal{step.line, "not two triangles"};
-            opened[side] = step.opens[side] && is_node ? body[side]->mesh.nodes[pair[side]] : Node{pair[side]};
+            parts[side] = step.opens[side] && is_node ? body[side]->mesh.nodes[pair[side]] : Node{pair[side]};
             is_progress = is_progress || (step.opens[side] && is_node);
         }
         if (!is_progress) throw Refusal{step.line, "nothing to open"};
@@ -107,7 +100,7 @@ struct Pair {
         if (step.is_formula) add_axis({step.line, step.formula}, pair);
         const auto last = static_cast<std::uint32_t>(axes.size() - 1);
         const auto given = std::span(proof.numbers).subspan(step.axes.first, step.axes.count);
-        open(opened, step.is_formula ? std::span(&last, 1) : given);
+        measure_along(step.is_formula ? std::span(&last, 1) : given);
         auto left_open = std::span(proof.numbers).subspan(step.open.first, step.open.count);
         const auto bottom = static_cast<std::ptrdiff_t>(stack.size());
         for (std::uint32_t number = 0; number < parts[0].count * parts[1].count; ++number) {
@@ -128,13 +121,12 @@ struct Pair {
 
 void check_steps(Body& a, Body& b, const Rule& rule, const Proof& proof, Budget& budget) {
     Pair pair{{&a, &b}, rule, budget};
-    pair.use_filter();
-    pair.axes.reserve(proof.axes.size() + 1);
+    const double m_at_most = rule.m == 0 ? 0 : proof.claim.number;
+    if (budget.has_filter) pair.filter.emplace(a.posed, b.posed, m_at_most, budget);
     for (const AxisLine& axis : proof.axes) {
         pair.add_axis(axis, {a.mesh.part(axis.triangles[0], axis.line), b.mesh.part(axis.triangles[1], axis.line)});
-        if (axis.given != Vector<double>{}) continue;
-        const Vector<Integer>& n = pair.vector(static_cast<std::uint32_t>(pair.axes.size() - 1));
-        if (n == Vector<Integer>{}) throw Refusal{axis.line, "the axis is zero"};
+        const bool is_zero = axis.given == Vector<double>{} && pair.vector(pair.axes.size() - 1) == Vector<Integer>{};
+        if (is_zero) throw Refusal{axis.line, "the axis is zero"};
     }
     pair.stack = {{0, 0}};
     for (const Step& step : proof.steps) pair.check_step(proof, step);
@@ -145,20 +137,21 @@ bool are_separated(Body& a, Body& b, Gap gap, const Claim& claim, Budget& budget
     Pair pair{{&a, &b}, {gap}, budget};
     const std::uint32_t axis = 0, i = a.mesh.part(claim.triangles[0], claim.line),
                         j = b.mesh.part(claim.triangles[1], claim.line);
+    pair.parts = {Node{i}, Node{j}};
     return std::ranges::any_of(separating_formulas(), [&](const Formula& formula) {
         pair.axes.clear();
         pair.add_axis({claim.line, formula}, {i, j});
-        pair.open({Node{i}, Node{j}}, {&axis, 1});
+        pair.measure_along({&axis, 1});
         return pair.are_apart(0, 0);
     });
 }
 
 Vector<Range> box_of(Body& body, Budget& budget) {
     Pair pair{{&body, &body}, {}, budget};
-    pair.use_filter();
+    if (budget.has_filter) pair.filter.emplace(body.posed, body.posed, 0, budget);
     const std::array<std::uint32_t, 3> axes = {0, 1, 2};
     for (const std::uint32_t c : axes) pair.add_axis({0, {Kind::c, c, 0}}, {0, 0});
-    pair.open({Node{0}, Node{0}}, axes);
+    pair.measure_along(axes);
     return {pair.reach(0, 0, 0), pair.reach(0, 1, 0), pair.reach(0, 2, 0)};
 }
 

@@ -41,8 +41,7 @@ struct Body {
 enum class Gap : std::uint8_t { positive, weak, half_open, at_least, more_than };
 struct Rule {
     Gap gap = Gap::positive;
-    Integer m = 0;         // in the bodies' unit
-    double m_at_most = 0;  // for the filter
+    Integer m = 0;  // in the bodies' unit
 };
 struct Range {
     Integer low, high;

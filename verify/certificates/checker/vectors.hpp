@@ -53,9 +53,8 @@ template <class Number, class Corner>
 Vector<Number> vector_of(const Formula& formula, const Corner& corner) {
     const std::size_t i = formula.i, j = formula.j;
     const auto edge = [&](std::size_t side, std::size_t k) { return corner(side, k + 1) - corner(side, k); };
-    const auto unit = [](std::size_t c) {
-        return Vector<Number>{Number{c == 0 ? 1.0 : 0.0}, Number{c == 1 ? 1.0 : 0.0}, Number{c == 2 ? 1.0 : 0.0}};
-    };
+    Vector<Number> x_i{}, x_j{};  // coordinate axes
+    x_i[i] = x_j[j] = Number{1};
     // In the plane of edge k of one triangle and the corner p of the other, normal to the edge.
     const auto to_edge = [&](std::size_t side, std::size_t k, const Vector<Number>& p) {
         const Vector<Number> e = edge(side, k), w = p - corner(side, k);
@@ -64,12 +63,12 @@ Vector<Number> vector_of(const Formula& formula, const Corner& corner) {
     if (formula.kind == Kind::na) return cross(edge(0, 0), edge(0, 1));
     if (formula.kind == Kind::nb) return cross(edge(1, 0), edge(1, 1));
     if (formula.kind == Kind::x) return cross(edge(0, i), edge(1, j));
-    if (formula.kind == Kind::ea) return cross(edge(0, i), unit(j));
-    if (formula.kind == Kind::eb) return cross(edge(1, i), unit(j));
+    if (formula.kind == Kind::ea) return cross(edge(0, i), x_j);
+    if (formula.kind == Kind::eb) return cross(edge(1, i), x_j);
     if (formula.kind == Kind::vv) return corner(1, j) - corner(0, i);
     if (formula.kind == Kind::va) return to_edge(1, j, corner(0, i));
     if (formula.kind == Kind::vb) return to_edge(0, j, corner(1, i));
-    return unit(i);
+    return x_i;
 }
 
 // The 32 formulas of which one separates two triangles whenever anything does (README.md, section 2).
