@@ -74,16 +74,19 @@ struct Proof {
     std::size_t end = 0;
 };
 
+struct Mesh;
 struct PosedMesh {
     std::string digest;
     Pose pose;
     std::size_t line = 0;
+    const Mesh* mesh = nullptr;  // once the digest is found
 };
 
+using Segment = std::array<std::array<double, 3>, 2>;
 struct PairHead {
     PosedMesh a;
     std::optional<PosedMesh> b;
-    std::array<std::array<double, 3>, 2> segment{};  // where there is no b
+    Segment segment{};  // where there is no b
 };
 
 struct BodyId {
@@ -107,6 +110,24 @@ struct WorldHead {
     std::vector<BodyPair> switched_off;
 };
 
+// Whether filters let a and b meet; a is the lesser.
+bool may_meet(const WorldHead& head, const WorldBody& a, const WorldBody& b);
+
+// A line `pair` with the proof behind it.
+struct Section {
+    std::size_t line = 0;
+    BodyPair pair;
+    std::array<const WorldBody*, 2> bodies;
+    bool is_second = false;  // of its pair
+    Proof proof;
+};
+
+// How many pairs of a world meet, and how many do or are within the clearance.
+struct WorldCounts {
+    std::size_t colliding = 0;
+    std::size_t close = 0;
+};
+
 inline constexpr std::string_view pair_first_line = "ecods-certificate 1";
 inline constexpr std::string_view world_first_line = "ecods-world-certificate 1";
 
@@ -115,6 +136,9 @@ inline constexpr std::string_view world_first_line = "ecods-world-certificate 1"
 PairHead read_pair_head(Text& in);
 void read_proof(Text& in, Proof& proof);
 WorldHead read_world_head(Text& in);  // ends at the first line `pair`, or at `end world`
-BodyPair read_pair_line(Text& in);    // from the current line
+// Reads from the current line, which is the first behind the section before (if any); false at `end world`. Pairs are
+// ascending, once each, or twice where the first section says that they are disjoint and there is a clearance; they
+// may meet, and the claims are such as decide a pair.
+bool read_section(Text& in, const WorldHead& head, Section& section);
 
 }  // namespace certificate_checker

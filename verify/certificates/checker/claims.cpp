@@ -5,139 +5,161 @@
 #include "pair.hpp"
 
 namespace certificate_checker {
+namespace {
 
-// README.md, section 3: the squared distance as a fraction, if signs say that the closest points are in the features.
-bool Pair::are_features_near(const Claim& claim, bool is_strict) {
-    make_exact();
+// Half the sum of two doubles, a multiple of 2^unit. Infinity stands for 2^1024.
+using Midpoint = std::array<double, 2>;
+Integer half_sum(const Midpoint& x, int unit) {
+    return integer(x[0], unit + 1) + integer(x[1], unit + 1);
+}
+
+// What rounds to a double: from the lower to the upper midpoint, and whether it is odd. No positive number rounds to 0.
+std::tuple<Midpoint, Midpoint, bool> rounding_to(double x) {
+    const double below = std::nextafter(x, 0), above = x == 0 ? 0 : std::nextafter(x, infinity);
+    return {below == 0 ? Midpoint{} : Midpoint{x, below}, {x, above}, (std::bit_cast<std::uint64_t>(x) & 1) != 0};
+}
+
+// README.md, section 3: whether signs say that the closest points are in the features, and whether their squared
+// distance, (n.w)^2 / n.n, is at most (less than) m^2.
+bool are_features_near(const std::array<Body*, 2>& body, const Claim& claim, const Integer& m, bool is_strict) {
     const std::array<Feature, 2>& named = *claim.features;
     const std::size_t first = named[0].kind == 'v' || named[1].kind != 'v' ? 0 : 1;  // a vertex comes first
     const Feature &f = named[first], &g = named[1 - first];
-    const std::uint32_t i = triangle(first, f.triangle, claim.line), j = triangle(1 - first, g.triangle, claim.line);
-    const auto of_f = [&](std::size_t k) { return body_[first]->corner(i, k); };
-    const auto of_g = [&](std::size_t k) { return body_[1 - first]->corner(j, k); };
-    const auto is_within = [](const Integer& x, const Integer& end) { return x >= 0 && x <= end; };
+    const std::uint32_t i = body[first]->mesh.part(f.triangle, claim.line),
+                        j = body[1 - first]->mesh.part(g.triangle, claim.line);
+    const auto of_f = [&](std::size_t k) { return body[first]->corner(i, k); };
+    const auto of_g = [&](std::size_t k) { return body[1 - first]->corner(j, k); };
+    const auto is_within = [](const Integer& x, const Integer& end) { return x >= 0 && x <= end && end > 0; };
     const Vector<Integer> p = of_f(f.k), q = of_g(g.k), w = p - q, e = of_g(g.k + 1) - q;
-    Vector<Integer> n = w;
-    Integer denominator = 1;
+    Vector<Integer> n = w;  // the difference of the closest points is along n
     bool is_in = true;
-    if (f.kind == 'v' && g.kind == 'e') {
-        n = cross(e, w);
-        denominator = dot(e, e);
-        is_in = is_within(dot(w, e), denominator);
-    } else if (g.kind == 'f') {
-        n = cross(e, of_g(2) - q);
-        denominator = dot(n, n);
-        for (std::size_t k = 0; k < 3; ++k) is_in = is_in && dot(n, cross(of_g(k + 1) - of_g(k), p - of_g(k))) >= 0;
-    } else if (f.kind == 'e') {
+    if (f.kind == 'e') {
         const Vector<Integer> d = of_f(f.k + 1) - p;
         n = cross(d, e);
-        denominator = dot(n, n);
-        is_in = is_within(dot(cross(e, w), n), denominator) && is_within(dot(cross(d, w), n), denominator);
+        is_in = is_within(dot(cross(e, w), n), dot(n, n)) && is_within(dot(cross(d, w), n), dot(n, n));
+    } else if (g.kind == 'e') {
+        n = dot(e, e) * w - dot(w, e) * e;
+        is_in = is_within(dot(w, e), dot(e, e));
+    } else if (g.kind == 'f') {
+        n = cross(e, of_g(2) - q);
+        is_in = n != Vector<Integer>{};
+        for (std::size_t k = 0; k < 3; ++k) is_in = is_in && dot(n, cross(of_g(k + 1) - of_g(k), p - of_g(k))) >= 0;
     }
-    if (!is_in || denominator == 0) return false;
-    const bool is_along_n = g.kind == 'f' || f.kind == 'e';
-    const Integer numerator = is_along_n ? Integer(dot(n, w) * dot(n, w)) : dot(n, n);
-    const int order = cmp(numerator, m() * m() * denominator);
-    return order < 0 || (order == 0 && !is_strict);
-}
-
-namespace {
-
-bool is_odd(double x) {
-    return (std::bit_cast<std::uint64_t>(x) & 1) != 0;
-}
-// No positive number rounds to 0.
-Midpoint lower_midpoint(double x) {
-    return x <= underflow ? Midpoint{} : Midpoint{x, std::nextafter(x, 0)};
-}
-Midpoint upper_midpoint(double x) {
-    return {x, std::nextafter(x, infinity)};
-}
-
-Rule rule_of(const Claim& claim) {
-    const double d = claim.number;
-    switch (claim.question) {
-        case Question::touching:
-            return {Gap::weak};
-        case Question::distance:
-            return {is_odd(d) ? Gap::more_than : Gap::at_least, lower_midpoint(d)};
-        case Question::beyond:
-            return {Gap::more_than, {d, d}};
-        case Question::hit:
-            return {is_odd(d) ? Gap::positive : Gap::half_open};
-        default:
-            return {};
-    }
-}
-
-// The segment's piece between two parameters, as a mesh of the triangle (from', p', p').
-Mesh piece_of(const std::array<Vector<double>, 2>& segment, const std::array<Midpoint, 2>& parameters) {
-    Mesh mesh;
-    const int low_s = std::min(lowest_bit(parameters[0]), lowest_bit(parameters[1]));
-    const int low_x = std::min(lowest_bit(segment[0]), lowest_bit(segment[1]));
-    for (const Midpoint& half : parameters) {
-        const Integer s = integer(half[0], low_s) + integer(half[1], low_s), rest = integer(2, low_s) - s;
-        auto& exact = mesh.exact.emplace_back();
-        auto& vertex = mesh.vertices.emplace_back();
-        for (std::size_t k = 0; k < 3; ++k) {
-            exact[k] = rest * integer(segment[0][k], low_x) + s * integer(segment[1][k], low_x);
-            long exponent = 0;
-            const double leading = mpz_get_d_2exp(&exponent, exact[k].get_mpz_t());  // wrong by at most 2u of itself
-            vertex[k] = std::ldexp(leading, static_cast<int>(exponent) + low_s + low_x - 1);
-        }
-    }
-    mesh.triangles = {{0, 1, 1}};
-    mesh.position = {0};
-    measure(mesh);
-    mesh.low = low_s + low_x - 1;
-    return mesh;
+    const int order = cmp(dot(n, w) * dot(n, w), m * m * dot(n, n));
+    return is_in && (order < 0 || (order == 0 && !is_strict));
 }
 
 void require(bool is_true, const Claim& claim, const char* why) {
     if (!is_true) throw Refusal{claim.line, why};
 }
 
+// The piece between two points, as a mesh of the triangle from', p', p'.
+struct Piece {
+    Piece(const Vector<Integer>& from, const Vector<Integer>& to, int unit)
+        : mesh(mesh_of({from, to}, unit)), body(posed, unit) {
+        body.points = {{0, from}, {1, to}};
+    }
+    Mesh mesh;
+    PosedMesh posed{{}, {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}}, 0, &mesh};
+    Body body;
+};
+
+// A body and its box, in a unit that all bodies share; the clearance is added to the upper ends.
+struct Boxed {
+    const WorldBody* body;
+    Vector<Range> box;
+};
+// Every pair without a section is apart by its boxes, or may not meet.
+void require_the_rest(const Text& in, const WorldHead& head, const std::vector<BodyPair>& decided, Budget& budget) {
+    const double clearance = head.clearance.value_or(0);
+    int unit = unit_of(std::array{clearance});
+    for (const WorldBody& each : head.bodies) unit = std::min(unit, unit_of(each.mesh));
+    std::vector<Boxed> boxes;
+    for (const WorldBody& each : head.bodies) {
+        Body body(each.mesh, unit);
+        boxes.push_back({&each, box_of(body, budget)});
+        for (Range& range : boxes.back().box) range.high += integer(clearance, unit);
+    }
+    std::ranges::sort(boxes, [](const Boxed& x, const Boxed& y) { return x.box[0].low < y.box[0].low; });
+    const auto is_below = [](const Boxed& x, const Boxed& y, std::size_t k) { return x.box[k].high < y.box[k].low; };
+    for (auto x = boxes.begin(); x != boxes.end(); ++x) {
+        for (auto y = x + 1; y != boxes.end() && !is_below(*x, *y, 0); ++y) {
+            budget.spend(2);
+            const auto [a, b] = std::minmax(x->body, y->body);  // as they are listed
+            const bool is_apart =
+                is_below(*x, *y, 1) || is_below(*y, *x, 1) || is_below(*x, *y, 2) || is_below(*y, *x, 2);
+            if (is_apart || !may_meet(head, *a, *b)) continue;
+            if (std::ranges::binary_search(decided, BodyPair{a->id, b->id})) continue;
+            in.fail("not decided: bodies of slots " + std::to_string(a->id.slot) + ", " + std::to_string(b->id.slot));
+        }
+    }
+}
+
 }  // namespace
 
-void check_pair(Body& a, Body& b, const Proof& proof) {
+void check_pair(const PosedMesh& a, const PosedMesh& b, const Proof& proof, Budget& budget) {
     const Claim& claim = proof.claim;
+    const Question question = claim.question;
     const double d = claim.number;
-    const bool is_distance = claim.question == Question::distance;
-    require(claim.question != Question::hit && claim.question != Question::miss, claim, "this claim needs a segment");
+    const bool is_distance = question == Question::distance;
+    const auto [lower, upper, is_odd] = rounding_to(d);
+    const int unit = std::min({unit_of(a), unit_of(b), unit_of(lower) - 1, unit_of(upper) - 1});
+    Body x(a, unit), y(b, unit);
+    require(question != Question::hit && question != Question::miss, claim, "this claim needs a segment");
     if (claim.features) {
-        Pair upper(a, b, {Gap::positive, is_distance ? upper_midpoint(d) : Midpoint{d, d}});
-        const bool is_near = upper.are_features_near(claim, is_distance && is_odd(d));
-        require(is_near || (d == infinity && !is_distance), claim, "the features do not prove this distance");
-    } else if (claim.question == Question::crossing) {
-        require(!Pair(a, b, {Gap::weak}).is_separated(claim), claim, "these two do not cross");
-    } else if (claim.question == Question::touching || claim.question == Question::within || (is_distance && d == 0)) {
-        require(!Pair(a, b, {}).is_separated(claim), claim, "these two do not meet");
+        const Integer most = is_distance ? half_sum(upper, unit) : integer(d, unit);
+        const bool is_near = are_features_near({&x, &y}, claim, most, is_distance && is_odd);
+        require(is_near || d == infinity, claim, "the features do not prove this distance");
+    } else if (question != Question::disjoint && question != Question::beyond && (!is_distance || d == 0)) {
+        const bool is_crossing = question == Question::crossing;
+        const bool is_separated = are_separated(x, y, is_crossing ? Gap::weak : Gap::positive, claim, budget);
+        require(!is_separated, claim, is_crossing ? "these two do not cross" : "these two do not meet");
     }
-    if (claim.has_steps) Pair(a, b, rule_of(claim)).check_steps(proof);
+    Rule rule;
+    if (question == Question::touching) rule = {Gap::weak};
+    if (question == Question::beyond) rule = {Gap::more_than, integer(d, unit)};
+    if (is_distance) rule = {is_odd ? Gap::more_than : Gap::at_least, half_sum(lower, unit)};
+    if (claim.has_steps) check_steps(x, y, rule, proof, budget);
 }
 
-void check_segment(Body& a, const std::array<Vector<double>, 2>& segment, const Proof& proof, Budget& budget) {
+void check_segment(const PosedMesh& a, const Segment& segment, const Proof& proof, Budget& budget) {
     const Claim& claim = proof.claim;
-    const double s = claim.number;
     const bool is_hit = claim.question == Question::hit;
     require(is_hit || claim.question == Question::miss, claim, "this claim needs two meshes");
-    const Pose unmoved{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}};
-    const Midpoint low = lower_midpoint(s);
-    if (is_hit) {
-        const Midpoint high = s == 0 ? Midpoint{} : s < 1 ? upper_midpoint(s) : Midpoint{1, 1};
-        const Mesh piece = piece_of(segment, {low, high});
-        Body last(piece, unmoved, a.origin(), budget);
-        Pair upper(a, last, {is_odd(s) ? Gap::half_open : Gap::positive});
-        require(!upper.is_separated(claim), claim, "the triangle is not met there");
-    }
-    const Mesh piece = piece_of(segment, {Midpoint{}, is_hit ? low : Midpoint{1, 1}});
-    Body first(piece, unmoved, a.origin(), budget);
-    if (claim.has_steps) Pair(a, first, rule_of(claim)).check_steps(proof);
+    const auto [lower, upper, is_odd] = rounding_to(claim.number);
+    const Midpoint one = {1, 1}, last = claim.number < 1 ? upper : one;
+    const int unit_x = std::min(unit_of(segment[0]), unit_of(segment[1]));
+    const int unit_s = std::min({unit_of(lower), unit_of(upper), unit_of(one), unit_of(a) - unit_x + 1}) - 1;
+    const int unit = unit_x + unit_s;
+    const auto at = [&](const Midpoint& parameter) {
+        const Integer s = half_sum(parameter, unit_s), rest = integer(1, unit_s) - s;
+        Vector<Integer> x;
+        for (std::size_t k = 0; k < 3; ++k) {
+            x[k] = rest * integer(segment[0][k], unit_x) + s * integer(segment[1][k], unit_x);
+        }
+        return x;
+    };
+    Body x(a, unit);
+    Piece first(at({}), at(is_hit ? lower : one), unit), second(at(lower), at(last), unit);
+    const Gap before = is_hit && !is_odd ? Gap::half_open : Gap::positive,
+              gap = is_odd ? Gap::half_open : Gap::positive;
+    require(!is_hit || !are_separated(x, second.body, gap, claim, budget), claim, "the triangle is not met there");
+    if (claim.has_steps) check_steps(x, first.body, {before}, proof, budget);
 }
 
-bool are_boxes_apart(Body& a, Body& b, const std::optional<double>& clearance) {
-    Pair pair(a, b, clearance ? Rule{Gap::more_than, {*clearance, *clearance}} : Rule{});
-    return pair.is_apart_along_coordinate(0) || pair.is_apart_along_coordinate(1) || pair.is_apart_along_coordinate(2);
+WorldCounts check_world(Text& in, const WorldHead& head, Budget& budget) {
+    std::vector<BodyPair> decided;
+    WorldCounts counts;
+    for (Section section; read_section(in, head, section);) {
+        check_pair(section.bodies[0]->mesh, section.bodies[1]->mesh, section.proof, budget);
+        const Question question = section.proof.claim.question;
+        const bool is_contact = question == Question::touching || question == Question::crossing;
+        if (!section.is_second) decided.push_back(section.pair);
+        counts.colliding += is_contact ? 1 : 0;
+        counts.close += is_contact || question == Question::within ? 1 : 0;
+    }
+    require_the_rest(in, head, decided, budget);
+    return counts;
 }
 
 }  // namespace certificate_checker

@@ -1,15 +1,14 @@
-// Checks claims about two posed meshes, or a segment and one.
+// Checks claims about two posed meshes, a segment and one, or the bodies of a world.
 #pragma once
 
-#include "body.hpp"
+#include "certificate.hpp"
 
 namespace certificate_checker {
 
 // Throws Refusal unless the proof proves its claim about a and b; `hit` and `miss` are about the segment.
-void check_pair(Body& a, Body& b, const Proof& proof);
-void check_segment(Body& a, const std::array<Vector<double>, 2>& segment, const Proof& proof, Budget& budget);
-
-// Whether the boxes of a and b have a gap that is greater than 0, or than a clearance.
-bool are_boxes_apart(Body& a, Body& b, const std::optional<double>& clearance);
+void check_pair(const PosedMesh& a, const PosedMesh& b, const Proof& proof, Budget& budget);
+void check_segment(const PosedMesh& a, const Segment& segment, const Proof& proof, Budget& budget);
+// Reads and checks the sections of a world.
+WorldCounts check_world(Text& in, const WorldHead& head, Budget& budget);
 
 }  // namespace certificate_checker

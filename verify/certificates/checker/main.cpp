@@ -1,22 +1,24 @@
-// ecods_check_certificate [--times] CERTIFICATE MESH...   (README.md)
+// ecods_check_certificate [--exact] [--times] CERTIFICATE MESH...   (README.md)
 //
+// --exact: no doubles are asked, integers decide everything (README.md, section 6); the work has no limit then.
 // --times: prints how long the meshes took to read, and of each certificate how long its check took and how many steps
 // and units of work it has; and at the end the medians of the certificates behind the first.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <map>
 
 #include "claims.hpp"
-#include "world.hpp"
+#include "mesh.hpp"
 
 namespace certificate_checker {
 namespace {
 
 class Program {
   public:
-    explicit Program(bool prints_times) : prints_times_(prints_times) {}
+    Program(bool is_exact, bool prints_times) : is_exact_(is_exact), prints_times_(prints_times) {}
 
     // All throw Unreadable.
     void read(const char* path);
@@ -24,14 +26,14 @@ class Program {
 
   private:
     using Clock = std::chrono::steady_clock;
-    const Mesh& find_mesh(const PosedMesh& wanted) const;
+    void find_mesh(PosedMesh& wanted) const;
     std::string check_certificate(Text& in);
     bool print_verdict(Text& in);
     void print_medians();
 
     static double microseconds(Clock::duration time) { return std::chrono::duration<double, std::micro>(time).count(); }
 
-    bool prints_times_;
+    bool is_exact_, prints_times_;
     std::map<std::string, Mesh, std::less<>> meshes_;
     double reading_ = 0;          // microseconds
     std::vector<double> checks_;  // likewise, of each certificate
@@ -39,10 +41,10 @@ class Program {
     Proof proof_;
 };
 
-const Mesh& Program::find_mesh(const PosedMesh& wanted) const {
+void Program::find_mesh(PosedMesh& wanted) const {
     const auto found = meshes_.find(wanted.digest);
     if (found == meshes_.end()) throw Refusal{wanted.line, "no mesh has the digest " + wanted.digest.substr(0, 40)};
-    return found->second;
+    wanted.mesh = &found->second;
 }
 
 void Program::read(const char* path) {
@@ -60,19 +62,22 @@ void Program::read(const char* path) {
 std::string Program::check_certificate(Text& in) {
     if (in.line() == world_first_line) {
         proof_ = {};
-        return check_world(
-            in, [this](const PosedMesh& wanted) -> const Mesh& { return find_mesh(wanted); }, budget_);
+        WorldHead head = read_world_head(in);
+        for (WorldBody& body : head.bodies) find_mesh(body.mesh);
+        const WorldCounts counts = check_world(in, head, budget_);
+        const std::string words = "world of " + std::to_string(head.bodies.size()) + " bodies, " +
+                                  std::to_string(counts.colliding) + " colliding";
+        return head.clearance ? words + ", " + std::to_string(counts.close) + " close" : words;
     }
     if (in.line() != pair_first_line) in.fail("not the first line of a certificate");
-    const PairHead head = read_pair_head(in);
+    PairHead head = read_pair_head(in);
     read_proof(in, proof_);
-    const Vector<double>& origin = head.a.pose.t;
-    Body a(find_mesh(head.a), head.a.pose, origin, budget_);
+    find_mesh(head.a);
     if (head.b) {
-        Body b(find_mesh(*head.b), head.b->pose, origin, budget_);
-        check_pair(a, b, proof_);
+        find_mesh(*head.b);
+        check_pair(head.a, *head.b, proof_, budget_);
     } else {
-        check_segment(a, head.segment, proof_, budget_);
+        check_segment(head.a, head.segment, proof_, budget_);
     }
     return proof_.claim.words;
 }
@@ -123,6 +128,7 @@ int Program::check(const char* path) {
         throw Unreadable{std::string(path) + ": " + problem.why};
     }
     budget_.left = (std::uint64_t{1} << 33) + 4096 * std::uint64_t{text.size()};
+    if (is_exact_) budget_ = {std::numeric_limits<std::uint64_t>::max(), false};
     const auto is_first_line = [](const Text& in) {
         return in.line() == pair_first_line || in.line() == world_first_line;
     };
@@ -141,14 +147,19 @@ int Program::check(const char* path) {
 }
 
 int run(int count, char** arguments) {
-    const bool prints_times = count > 1 && std::strcmp(arguments[1], "--times") == 0;
-    const int first = prints_times ? 2 : 1;
+    int first = 1;
+    bool is_exact = false, prints_times = false;
+    for (; first < count && std::strncmp(arguments[first], "--", 2) == 0; ++first) {
+        const bool is_times = std::strcmp(arguments[first], "--times") == 0;
+        if (!is_times && std::strcmp(arguments[first], "--exact") != 0) count = 0;
+        (is_times ? prints_times : is_exact) = true;
+    }
     if (count - first < 2) {
-        std::fputs("usage: ecods_check_certificate [--times] CERTIFICATE MESH...\n", stderr);
+        std::fputs("usage: ecods_check_certificate [--exact] [--times] CERTIFICATE MESH...\n", stderr);
         return 2;
     }
     try {
-        Program program(prints_times);
+        Program program(is_exact, prints_times);
         for (int i = first + 1; i < count; ++i) program.read(arguments[i]);
         return program.check(arguments[first]);
     } catch (const Unreadable& problem) {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "numbers.hpp"
 #include "text.hpp"
+#include "vectors.hpp"
 
 namespace certificate_checker {
 namespace {
@@ -111,9 +111,8 @@ void read_lines(Text& in, std::string_view text, Mesh& mesh) {
 }  // namespace
 
 void measure(Mesh& mesh) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     for (const auto& vertex : mesh.vertices) {
-        mesh.low = std::min(mesh.low, lowest_bit(vertex));
+        mesh.low = std::min(mesh.low, unit_of(vertex));
         for (std::size_t k = 0; k < 3; ++k) {
             mesh.magnitude[k] = std::max(mesh.magnitude[k], std::abs(vertex[k]));
         }
@@ -137,6 +136,23 @@ void measure(Mesh& mesh) {
             include(mesh.boxes[i], {mesh.vertices[*v], mesh.vertices[*v]});
         }
     }
+}
+
+Mesh mesh_of(const std::array<std::array<mpz_class, 3>, 2>& vertices, int low) {
+    Mesh mesh;
+    for (const auto& vertex : vertices) {
+        auto& nearby = mesh.vertices.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            long exponent = 0;
+            const double leading = mpz_get_d_2exp(&exponent, vertex[k].get_mpz_t());
+            nearby[k] = std::ldexp(leading, static_cast<int>(exponent) + low);
+        }
+    }
+    mesh.triangles = {{0, 1, 1}};
+    mesh.position = {0};
+    measure(mesh);
+    mesh.low = low;
+    return mesh;
 }
 
 Mesh parse_mesh(std::string_view text) {

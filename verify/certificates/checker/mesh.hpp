@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "text.hpp"
+
 namespace certificate_checker {
 
 // The least box that contains a part, in the mesh's own coordinates: bound[0] its least, bound[1] its greatest corner.
@@ -19,7 +21,7 @@ using Box = std::array<std::array<double, 3>, 2>;
 // Mesh::leaf_corners.
 struct Node {
     std::uint32_t first = 0;
-    std::uint32_t count = 0;
+    std::uint32_t count = 1;
     std::uint32_t first_corner = 0;
     std::uint32_t corner_count = 0;  // 0 of what is no leaf
 };
@@ -29,7 +31,6 @@ struct Node {
 struct Mesh {
     std::string digest;
     std::vector<std::array<double, 3>> vertices;
-    std::vector<std::array<mpz_class, 3>> exact;  // vertices in units of 2^low, where they are no doubles; or empty
     std::vector<std::array<std::uint32_t, 3>> triangles;  // in the order of the tree
     std::vector<std::uint32_t> position;                  // of the caller's triangles in this order
     std::vector<Node> nodes;
@@ -46,11 +47,29 @@ struct Mesh {
         return {leaf_corners.data() + nodes[part].first_corner, nodes[part].corner_count};
     }
     const std::array<std::uint32_t, 3>& corners(std::uint32_t part) const { return triangles[part - nodes.size()]; }
+    // The part that is the caller's triangle of this number; throws Refusal for the line if there is none.
+    std::uint32_t part(std::uint32_t number, std::size_t line) const {
+        if (number >= position.size()) throw Refusal{line, "no such triangle"};
+        return static_cast<std::uint32_t>(nodes.size()) + position[number];
+    }
+    // Calls use(vertex) for all corners of a part, some twice. The depth of the tree is limited.
+    template <class Use>
+    void for_corners(std::uint32_t part, Use& use) const {
+        if (is_triangle(part) || is_leaf(part)) {
+            for (const std::uint32_t vertex : all_corners(part)) use(vertex);
+        } else {
+            for (std::uint32_t i = 0; i < nodes[part].count; ++i) for_corners(nodes[part].first + i, use);
+        }
+    }
 };
 
 // Throws Unreadable.
 Mesh read_mesh(const char* path);
 Mesh parse_mesh(std::string_view text);
+
+// A mesh of one triangle, with the corners 0, 1 and 1. Its vertices, in units of 2^low, need not be doubles: for the
+// filter, which allows for it, they are wrong by at most 2u of themselves.
+Mesh mesh_of(const std::array<std::array<mpz_class, 3>, 2>& vertices, int low);
 
 // Sets what follows from vertices, triangles and nodes: boxes, magnitude, low.
 void measure(Mesh& mesh);

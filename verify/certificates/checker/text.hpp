@@ -14,6 +14,14 @@ struct Refusal {
     std::string why;
 };
 
+// Thrown where the work of a file exceeds its budget (README.md, "Limits").
+struct TooCostly {};
+struct Budget {
+    std::uint64_t left = 0;
+    bool has_filter = true;  // doubles may be asked first
+    void spend(std::uint64_t units) { units > left ? throw TooCostly{} : left -= units; }
+};
+
 // Why a file cannot be read.
 struct Unreadable {
     std::string why;
