@@ -213,7 +213,7 @@ class Axis:
         return self.looks_apart(i, j, -MARGIN) and self.rule(self.n, self.a.exact(i), self.b.exact(j))
 
 
-def read_axis(lines, a, b, kind, *words):
+def read_axis(lines, a, b, kind="", *words):
     if kind in ("na", "nb") and len(words) == 1:
         n = normal((a if kind == "na" else b).named(lines, words[0]))
     elif kind == "x" and len(words) == 4:
@@ -247,9 +247,9 @@ def prove_step(lines, a, b, axes, rule, i, j, kind, *fields):
 # Steps until all pairs are apart, axes among them, and the end.
 def prove(lines, a, b, rule):
     axes, pending = [], [(0, 0)]
-    while pending:
+    while pending or lines.peek() == "axis":
         words = lines.next()
-        if words[0] == "axis" and len(words) > 1:
+        if words[0] == "axis":
             axes.append(Axis(read_axis(lines, a, b, *words[1:]), a, b, rule))
         else:
             pending.extend(reversed(prove_step(lines, a, b, axes, rule, *pending.pop(), *words)))
