@@ -48,9 +48,9 @@ class Campaign {
 void Campaign::begin_job() {
     const std::uint32_t seed = options_.seed + begun_++;
     const std::string& profile = profiles_[seed % profiles_.size()];
-    const Canary canary = options_.canary;
+    const PlayOptions play = options_.play;
     jobs_.push_back(
-        {profile, seed, contained([=] { return text_of(fuzz::run(profile, seed, canary)); }, options_.seconds_max)});
+        {profile, seed, contained([=] { return text_of(fuzz::run(profile, seed, play)); }, options_.seconds_max)});
     jobs_.back().child.begin();
 }
 

@@ -18,7 +18,7 @@ struct CampaignOptions {
     std::uint32_t jobs = 1;     // processes at once
     unsigned seconds_max = 60;  // of processor time, that a run may take
     std::uint32_t failures_max = 1;
-    Canary canary = Canary::none;
+    PlayOptions play = {};
 };
 
 struct CampaignReport {

@@ -59,9 +59,10 @@ void print(const RunFailure& failure) {
 }
 
 int run_campaign(Options& options) {
-    CampaignReport report = run_campaign(options.campaign);
-    options.record.canary = options.campaign.canary;
+    options.campaign.play.certificates.folder = options.record.folder;
+    options.record.play = options.campaign.play;
     options.record.run_seconds = options.campaign.seconds_max;
+    CampaignReport report = run_campaign(options.campaign);
     for (RunFailure& failure : report.failures) record(failure, options.record);
     const std::string json = to_json(options.campaign, report);
     if (options.json_file.empty()) {
@@ -71,15 +72,19 @@ int run_campaign(Options& options) {
         return exit_unusable;
     }
     for (const RunFailure& failure : report.failures) print(failure);
+    if (const auto made = report.counters.find("certificates: made");
+        options.campaign.play.certificates.checker.empty() && made != report.counters.end())
+        fmt::print(stderr, "ecods_fuzz: {} certificates, not checked: there is no --checker\n", made->second);
     return report.failures.empty() ? exit_held : exit_failed;
 }
 
 int replay(const Options& options) {
     Counters counters;
+    PlayOptions play = options.campaign.play;
+    play.certificates.folder = options.record.folder / "replay.certificates";
     int failed_count = 0;
     for (const std::string& file : options.replays) {
-        const auto failure =
-            replay_trace(file, {.canary = options.campaign.canary, .compares_digests = !options.renews}, counters);
+        const auto failure = replay_trace(file, {.play = play, .compares_digests = !options.renews}, counters);
         if (!failure && options.renews) renew_trace(file);
         if (!failure) continue;
         ++failed_count;
@@ -94,18 +99,30 @@ int replay(const Options& options) {
 bool is_for_engines(int argc, char** argv) {
     return std::any_of(argv + 1, argv + argc, [](std::string_view option) { return option.starts_with("--engine"); });
 }
+std::filesystem::path own_folder() {
+    return std::filesystem::read_symlink("/proc/self/exe").parent_path();
+}
 int run_engines(char** argv) {
-    std::string program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "engines/ecods_fuzz_engine";
+    std::string program = own_folder() / "engines/ecods_fuzz_engine";
     argv[0] = program.data();
     execv(program.c_str(), argv);
     fmt::print(stderr, "ecods_fuzz: {}: {}\n", program, std::strerror(errno));
     return exit_unusable;
 }
 
+// Beside this program, or where it is built. None: empty.
+std::filesystem::path find_checker() {
+    for (const char* place : {"ecods_check_certificate", "../verify/certificates/checker/ecods_check_certificate"}) {
+        if (auto program = own_folder() / place; exists(program)) return program;
+    }
+    return {};
+}
+
 int run_program(int argc, char** argv) {
     if (is_for_engines(argc, argv)) return run_engines(argv);
     Options options;
     CampaignOptions& campaign = options.campaign;
+    campaign.play.certificates.checker = find_checker();
     CLI::App app(
         "Random input; every answer is checked by an exact oracle, and by what does not share its code. The same seed "
         "is\n"
@@ -132,10 +149,14 @@ int run_program(int argc, char** argv) {
     app.add_option("--shrink-seconds", options.record.shrink_seconds, "How long a failure is shrunk; 0: not at all")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
+    app.add_option("--checker", campaign.play.certificates.checker,
+                   "What checks certificates of a sample of the answers; none: only their claims are compared")
+        ->default_str("ecods_check_certificate, where it is built or installed");
     const std::map<std::string, Canary> canaries{
-        {"answer", Canary::answer}, {"crash", Canary::crash}, {"hang", Canary::hang}};
-    programs::add_choice(app, "--canary", campaign.canary, canaries,
-                         "Go wrong on purpose, where a collision is; answer, if nothing is named")
+        {"answer", Canary::answer}, {"crash", Canary::crash}, {"hang", Canary::hang}, {"proof", Canary::proof}};
+    programs::add_choice(
+        app, "--canary", campaign.play.canary, canaries,
+        "Go wrong on purpose, where a collision is (proof: in a certificate); answer, if nothing is named")
         ->expected(0, 1)
         ->default_str("answer");
     if (const auto status = programs::parse(app, argc, argv)) return *status;

@@ -20,7 +20,7 @@ std::optional<Failure> failure_of(const Script& script, const RecordOptions& opt
     const auto work = [&]() -> std::string {
         Counters counters;
         try {
-            play(script, {.canary = options.canary}, counters);
+            play(script, options.play, counters);
         } catch (const Failure& failure) {
             return nlohmann::json{failure.update, failure.check, failure.expected, failure.got}.dump();
         }
@@ -76,9 +76,10 @@ std::string notes_for_people(const std::filesystem::path& file) {
 
 }  // namespace
 
-void record(RunFailure& failure, const RecordOptions& options) {
+void record(RunFailure& failure, RecordOptions options) {
     const Profile* profile = find_profile(failure.profile);
     if (profile == nullptr) return;
+    options.play = options_of_run(options.play, failure.profile, failure.seed);
     Counters counters;
     Script script = generate(*profile, failure.seed, counters);
     std::optional<Failure> found = failure_of(script, options);
@@ -128,7 +129,7 @@ std::optional<Failure> replay_trace(const std::filesystem::path& file, const Rep
             update->digest = {};
     }
     try {
-        play(script, {.canary = options.canary}, counters);
+        play(script, options.play, counters);
     } catch (const Failure& failure) {
         return failure;
     }

@@ -11,17 +11,17 @@ struct RecordOptions {
     std::filesystem::path folder;
     double shrink_seconds = 60;  // on the clock
     unsigned run_seconds = 60;   // of processor time, that a run may take
-    Canary canary = Canary::none;
+    PlayOptions play = {};
 };
 
 // Generates the run's script again, shrinks it to what fails the same check, writes PROFILE-SEED.trace and .obj, and
 // says in the failure what they are, and what the short script's check expected and got. Pairs of triangles have their
 // numbers in the failure already.
-void record(RunFailure& failure, const RecordOptions& options);
+void record(RunFailure& failure, RecordOptions options);
 
 // Plays a trace with all checks, in this process. What failed, if anything.
 struct ReplayOptions {
-    Canary canary = Canary::none;
+    PlayOptions play = {};
     bool compares_digests = true;
 };
 std::optional<Failure> replay_trace(const std::filesystem::path& file, const ReplayOptions& options,

@@ -18,10 +18,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunFailure, profile, seed, where, check, expe
 
 namespace {
 
-RunReport run_motion(const Profile& profile, std::uint32_t seed, Canary canary) {
+RunReport run_motion(const Profile& profile, std::uint32_t seed, const PlayOptions& options) {
     RunReport report;
     try {
-        play(generate(profile, seed, report.counters), {.canary = canary}, report.counters);
+        play(generate(profile, seed, report.counters), options_of_run(options, profile.name, seed), report.counters);
     } catch (const Failure& failure) {
         report.failure = {.profile = std::string(profile.name),
                           .seed = seed,
@@ -133,7 +133,13 @@ std::vector<std::string> profiles_of(const std::string& name) {
     return names;
 }
 
-RunReport run(const std::string& profile, std::uint32_t seed, Canary canary) {
+PlayOptions options_of_run(PlayOptions options, std::string_view profile, std::uint32_t seed) {
+    options.certificates.folder /= fmt::format("{}-{}.certificates", profile, seed);
+    return options;
+}
+
+RunReport run(const std::string& profile, std::uint32_t seed, const PlayOptions& options) {
+    const Canary canary = options.canary;
     if (profile == pairs_profile) return run_counted(pairs_profile, run_pairs, seed, canary);
     if (profile == distances_profile) return run_counted(distances_profile, run_distances, seed, canary);
     if (profile == hits_profile) return run_counted(hits_profile, run_hits, seed, canary);
@@ -142,7 +148,7 @@ RunReport run(const std::string& profile, std::uint32_t seed, Canary canary) {
     if (profile == polycubes_profile) return run_counted(polycubes_profile, run_polycubes, seed, canary);
     if (profile == placements_profile) return run_counted(placements_profile, run_placements, seed, canary);
     if (profile == convex_profile) return run_counted(convex_profile, run_convex, seed, canary);
-    return run_motion(*find_profile(profile), seed, canary);
+    return run_motion(*find_profile(profile), seed, options);
 }
 
 process::Contained contained(std::function<std::string()> work, unsigned seconds_max) {

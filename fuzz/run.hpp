@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fuzz/base/counters.hpp"
@@ -52,7 +53,10 @@ struct RunReport {
 std::vector<std::string> profiles_of(const std::string& name);
 
 // Deterministic; it may crash or hang if the library does.
-RunReport run(const std::string& profile, std::uint32_t seed, Canary canary);
+RunReport run(const std::string& profile, std::uint32_t seed, const PlayOptions& options);
+
+// The options with a folder of the run's own in the folder of certificates.
+PlayOptions options_of_run(PlayOptions options, std::string_view profile, std::uint32_t seed);
 
 // Work in a process of its own, in one turn: more processor time than that, or twenty times that time on the clock, is
 // a hang.

@@ -38,7 +38,10 @@ constexpr std::array broad_phases = {BroadPhaseKind::brute_force, BroadPhaseKind
 
 class Player {
   public:
-    Player(const PlayOptions& options, Counters& counters) : options_(options), counters_(counters) {}
+    Player(const PlayOptions& options, Counters& counters)
+        : options_(options),
+          counters_(counters),
+          certificates_(options.certificates, options.canary == Canary::proof) {}
 
     void make(const Call& call);
     void finish();
@@ -66,6 +69,7 @@ class Player {
     BoxQuestions questions_;
     DistanceQuestions distances_;
     SolidQuestions solids_;
+    Certificates certificates_;
     std::optional<Manner> manner_;     // of the next call
     std::vector<BodyPair> colliding_;  // at the last update
     std::vector<BodyPair> close_;
@@ -152,6 +156,7 @@ void Player::check() {
         check_answers(asked, truth_, counters_);
         distances_.check(counters_);
         solids_.check(counters_);
+        certificates_.ask(asked, truth_, static_cast<std::uint32_t>(update_count_), counters_);
     }
     ++counters_[std::string("checked: answers with instructions of ") + environment::name(sets[turn.set])];
     ++counters_[std::string("checked: answers, ") + mode.name];
@@ -235,7 +240,7 @@ void Player::check_tampering(const World& world) {
 }
 
 void Player::plant_canary(std::vector<BodyPair>& expected) const {
-    if (options_.canary == Canary::none || expected.empty()) return;
+    if (options_.canary == Canary::none || options_.canary == Canary::proof || expected.empty()) return;
     if (options_.canary == Canary::crash) std::abort();
     for (volatile bool goes_on = true; options_.canary == Canary::hang && goes_on;) {
     }
@@ -245,6 +250,7 @@ void Player::plant_canary(std::vector<BodyPair>& expected) const {
 void Player::finish() {
     count_work();
     check_replay();
+    certificates_.check(counters_);
 }
 
 // In another world than it was traced in.

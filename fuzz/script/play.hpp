@@ -5,6 +5,7 @@
 #include <string>
 
 #include "fuzz/base/counters.hpp"
+#include "fuzz/checks/certificates.hpp"
 #include "fuzz/script/scene.hpp"
 #include "fuzz/script/script.hpp"
 
@@ -16,10 +17,12 @@ enum class Canary {
     answer,  // the first true collision is taken for none
     crash,   // at the first collision, the process aborts
     hang,    // ... or does not go on
+    proof,   // a certificate's proof loses a line
 };
 
 struct PlayOptions {
     Canary canary = Canary::none;
+    CertificateOptions certificates = {};
 };
 
 // Where a check failed.

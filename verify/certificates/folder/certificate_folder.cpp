@@ -24,15 +24,16 @@ void CertificateFolder::add_mesh(const MeshShape& shape) {
 }
 
 void CertificateFolder::add(const Certificate& certificate) {
-    certificate.write(certificates_);
-    certificates_.flush();
-    check(certificates_, folder_ / "certificates.txt");
-    ++certificate_count_;
+    add(certificate.to_string());
 }
 
 void CertificateFolder::add(const WorldCertificate& certificate) {
     for (const auto& shape : certificate.shapes()) add_mesh(*shape);
-    certificate.write(certificates_);
+    add(certificate.to_string());
+}
+
+void CertificateFolder::add(const std::string& certificate) {
+    certificates_ << certificate;
     certificates_.flush();
     check(certificates_, folder_ / "certificates.txt");
     ++certificate_count_;

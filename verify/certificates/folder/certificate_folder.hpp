@@ -24,6 +24,9 @@ class CertificateFolder {
 
     void add(const Certificate& certificate);
 
+    // The text of one.
+    void add(const std::string& certificate);
+
     // Of a world, with the meshes.
     void add(const WorldCertificate& certificate);
 

@@ -1,0 +1,198 @@
+#include "fuzz/checks/certificates.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <sstream>
+
+#include "certificates/folder/certificate_folder.hpp"
+#include "ecods/distance.hpp"
+#include "ecods/hit.hpp"
+#include "fuzz/base/failure.hpp"
+#include "fuzz/checks/text.hpp"
+#include "process/program.hpp"
+#include "scenes/random.hpp"
+
+namespace ecods::fuzz {
+
+struct Certificates::Pair {
+    BodyPair ids;
+    Posed<MeshShape> a, b;
+};
+
+namespace {
+
+using Claim = Certificate::Claim;
+
+constexpr std::array claims{"disjoint", "touching", "crossing", "distance", "within", "beyond", "hit", "miss"};
+// Checking is exact, and takes some microseconds for a pair of triangles that the proof names.
+constexpr std::size_t triangle_pairs_max = 20000;
+// Lists of a world: one frame of so many, where it has few bodies.
+constexpr std::uint32_t frames_a_world = 8;
+constexpr std::size_t bodies_max = 12;
+
+const TrueBody& any(const std::vector<const TrueBody*>& bodies, scenes::Random& random) {
+    return *bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
+}
+
+// A vertex, as posed in doubles; the origin where that overflows.
+Vec3 any_point(const Posed<MeshShape>& body, scenes::Random& random) {
+    const auto vertices = body.what->mesh().vertices();
+    const Vec3 v = vertices[random.below(static_cast<std::uint32_t>(vertices.size()))];
+    const Vec3 point = body.pose.R * v + body.pose.t;
+    return point.allFinite() ? point : Vec3(0, 0, 0);
+}
+
+// The distance itself and its neighbours are where a proof has no room.
+double any_limit(double distance, scenes::Random& random) {
+    const std::array limits{distance, std::nextafter(distance, 0), 2 * distance, 0.0};
+    return std::min(limits[random.below(limits.size())], std::numeric_limits<double>::max());
+}
+
+std::string words(const std::string& claim, const std::optional<double>& value) {
+    return value ? fmt::format("{} {:a}", claim, *value) : claim;
+}
+
+// Without its last step that a pair of parts is apart along an axis. False: it has none.
+bool spoil(std::string& text) {
+    const std::size_t begin = text.rfind("\nk ");
+    if (begin == std::string::npos) return false;
+    text.erase(begin, text.find('\n', begin + 1) - begin);
+    return true;
+}
+
+}  // namespace
+
+void Certificates::ask(const World& world, const Truth& truth, std::uint32_t frame, Counters& counters) {
+    if (frame % frames_a_world == 0) ask_world(world, frame, counters);
+    std::vector<const TrueBody*> all, changed;
+    for (const TrueBody& body : truth.bodies()) {
+        if (dynamic_cast<const MeshShape*>(world.shape(body.id).get()) == nullptr) continue;
+        all.push_back(&body);
+        if (body.is_changed) changed.push_back(&body);
+    }
+    if (all.size() < 2) return;
+    scenes::Random random(frame);
+    const TrueBody& a = any(changed.empty() ? all : changed, random);
+    const TrueBody& b = any(all, random);
+    if (a.id == b.id || a.mesh->triangles().size() * b.mesh->triangles().size() > triangle_pairs_max) return;
+    const auto shape_a = world.shape(a.id), shape_b = world.shape(b.id);
+    shapes_.insert(shapes_.end(), {shape_a, shape_b});
+    ask_pair({{a.id, b.id},
+              {dynamic_cast<const MeshShape&>(*shape_a), a.pose},
+              {dynamic_cast<const MeshShape&>(*shape_b), b.pose}},
+             frame, counters);
+}
+
+void Certificates::ask_pair(const Pair& pair, std::uint32_t frame, Counters& counters) {
+    const auto& [ids, a, b] = pair;
+    const std::string about = fmt::format("bodies {} at update {}", text(ids), frame);
+    scenes::Random random(frame);
+    const double d = frame % 4 == 1 || frame % 4 == 2 ? distance(a, b, memory_) : 0;
+    if (frame % 4 == 0) {
+        take(certify(a, b, memory_), {about, text(relation(a, b, memory_)), {}, {}}, counters);
+    } else if (frame % 4 == 1) {
+        take(certify_distance(a, b, memory_), {about, "distance", d, {}}, counters);
+    } else if (frame % 4 == 2) {
+        const double limit = any_limit(d, random);
+        const char* words = within(a, b, limit, memory_) ? "within" : "beyond";
+        take(certify_within(a, b, limit, memory_), {about, words, limit, {}}, counters);
+    } else {
+        const Segment segment{any_point(b, random), any_point(a, random)};
+        const auto hit = first_hit(segment, a, memory_);
+        Made plain{about, hit ? "hit" : "miss", {}, {}};
+        if (hit) plain.value = hit->parameter;
+        take(certify_hit(segment, a, memory_), plain, counters);
+    }
+}
+
+void Certificates::ask_world(const World& world, std::uint32_t frame, Counters& counters) {
+    const auto bodies = world.bodies();
+    const auto is_mesh = [&](BodyId body) { return world.shape(body)->kind() == ShapeKind::mesh(); };
+    if (bodies.size() > bodies_max || !std::ranges::all_of(bodies, is_mesh)) return;
+    const WorldCertificate certificate = world.certify(memory_);
+    const std::size_t colliding = world.colliding_pairs().size(), close = world.close_pairs().size();
+    if (certificate.colliding_count() != colliding || certificate.close_count() != close) {
+        throw CheckFailed(
+            "lists of a certificate", fmt::format("{} colliding, {} close", colliding, close),
+            fmt::format("{} colliding, {} close", certificate.colliding_count(), certificate.close_count()));
+    }
+    const auto shapes = certificate.shapes();
+    shapes_.insert(shapes_.end(), shapes.begin(), shapes.end());
+    made_.push_back({fmt::format("the world at update {}", frame),
+                     fmt::format("world of {} bodies, {} colliding", bodies.size(), colliding),
+                     {},
+                     certificate.to_string()});
+    ++counters["certificates: made"];
+    ++counters["certificates: claims of world"];
+}
+
+// `plain`: but for the text.
+void Certificates::take(const Certificate& certificate, Made plain, Counters& counters) {
+    const std::string claim = claims[static_cast<std::size_t>(certificate.claim())];
+    if (claim != plain.words || (plain.value && certificate.value() != *plain.value)) {
+        throw CheckFailed("claim of a certificate", plain.about + ": " + words(plain.words, plain.value),
+                          words(claim, certificate.value()));
+    }
+    plain.text = certificate.to_string();
+    made_.push_back(std::move(plain));
+    ++counters["certificates: made"];
+    ++counters["certificates: claims of " + claim];
+}
+
+void Certificates::check(Counters& counters) const {
+    if (options_.checker.empty() || made_.empty()) return;
+    namespace fs = std::filesystem;
+    // Of this process, so that runs at once do not meet; only what was refused stays.
+    const fs::path folder = fs::temp_directory_path() / fmt::format("ecods_fuzz-{}.certificates", getpid());
+    fs::remove_all(folder);
+    certificates::CertificateFolder files(folder);
+    bool spoils = spoils_;
+    for (const Made& made : made_) {
+        std::string text = made.text;
+        if (spoils && spoil(text)) spoils = false;
+        files.add(text);
+    }
+    for (const auto& shape : shapes_) files.add_mesh(dynamic_cast<const MeshShape&>(*shape));
+    std::vector<std::string> command{options_.checker, folder / "certificates.txt"};
+    for (const auto& file : fs::directory_iterator(folder)) {
+        if (file.path().extension() == ".mesh") command.push_back(file.path());
+    }
+    const process::ProgramResult result = process::run_program(command);
+    try {
+        if (result.status > 1) throw CheckFailed("checker of certificates", "an end", result.text());
+        judge(result.out);
+    } catch (const CheckFailed&) {
+        fs::remove_all(options_.folder);
+        fs::create_directories(options_.folder);
+        fs::copy(folder, options_.folder);
+        fs::remove_all(folder);
+        throw;
+    }
+    fs::remove_all(folder);
+    counters["certificates: accepted"] += made_.size();
+}
+
+// One line each, in their order.
+void Certificates::judge(const std::string& lines) const {
+    std::istringstream in(lines);
+    for (const Made& made : made_) {
+        std::string line;
+        std::getline(in, line);
+        const std::string start = "accepted: " + made.words;
+        const bool is_accepted = line.starts_with(start) && (line.size() == start.size() || line[start.size()] == ' ' ||
+                                                             line[start.size()] == ',');
+        const bool has_value =
+            !made.value || (is_accepted && std::strtod(line.c_str() + start.size(), nullptr) == *made.value);
+        if (is_accepted && has_value) continue;
+        throw CheckFailed("check of a certificate", fmt::format("accepted: {}", words(made.words, made.value)),
+                          fmt::format("{}: {}; files are in {}", made.about, line, options_.folder.string()));
+    }
+}
+
+}  // namespace ecods::fuzz
