@@ -58,11 +58,14 @@ std::string words(const std::string& claim, const std::optional<double>& value) 
     return value ? fmt::format("{} {:a}", claim, *value) : claim;
 }
 
-// Without its last step that a pair of parts is apart along an axis. False: it has none.
+// Without its last step. False: it has none.
 bool spoil(std::string& text) {
-    const std::size_t begin = text.rfind("\nk ");
+    const std::size_t end = text.rfind("\nend\n");
+    const std::size_t begin = end == 0 || end == std::string::npos ? end : text.rfind('\n', end - 1);
     if (begin == std::string::npos) return false;
-    text.erase(begin, text.find('\n', begin + 1) - begin);
+    const std::string line = text.substr(begin + 1, end - begin - 1);
+    if (line.starts_with("claim ") || line.starts_with("axis ")) return false;
+    text.erase(begin, end - begin);
     return true;
 }
 

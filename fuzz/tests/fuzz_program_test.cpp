@@ -53,6 +53,30 @@ TEST_F(FuzzProgramTest, AWrongAnswerBecomesAShortTrace) {
     EXPECT_NE(again.out.find("update 0: colliding pairs: expected"), std::string::npos) << again.out;
 }
 
+TEST_F(FuzzProgramTest, AWrongProofIsRefused) {
+    const auto summary = campaign("--profile tiny --seed 1 --runs 1 --canary proof", 1);
+    ASSERT_EQ(summary["failures"].size(), 1U);
+    const auto& failure = summary["failures"][0];
+    EXPECT_EQ(failure["check"], "check of a certificate");
+    const std::string got = failure["got"];
+    EXPECT_NE(got.find("refused: line"), std::string::npos) << got;
+    EXPECT_EQ(count(text_of(failure["trace"]), "\nnote check: check of a certificate\n"), 1);
+    const std::string kept = text_of(path("failures/tiny-1.certificates/certificates.txt"));
+    EXPECT_GE(count(kept, "certificate 1\n"), 1) << got;
+}
+
+TEST_F(FuzzProgramTest, CertificatesAreCheckedWhereThereIsAChecker) {
+    const auto checked = campaign("--profile tiny --seed 1 --runs 2", 0)["counts"]["certificates"];
+    EXPECT_GT(checked["made"], 0);
+    EXPECT_EQ(checked["accepted"], checked["made"]);
+    const auto without = run_program(fuzz, "--profile tiny --seed 1 --runs 2 --checker \"\"");
+    EXPECT_EQ(without.status, 0);
+    EXPECT_NE(without.err.find("certificates, not checked"), std::string::npos) << without.err;
+    const auto counts = nlohmann::json::parse(without.out)["counts"]["certificates"];
+    EXPECT_EQ(counts["made"], checked["made"]);
+    EXPECT_FALSE(counts.contains("accepted"));
+}
+
 TEST_F(FuzzProgramTest, ACrashIsAFailure) {
     const auto summary = campaign("--profile tiny --seed 2 --runs 5 --jobs 2 --canary crash", 1);
     ASSERT_GE(summary["failures"].size(), 1U);

@@ -1,6 +1,7 @@
 #include "base/number_text.hpp"
 
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 
@@ -16,11 +17,20 @@ void append_chars(std::string& text, Number x, How... how) {
 
 }  // namespace
 
-// to_chars writes no 0x, and depends on no locale.
+// From the bits: to_chars takes a subnormal for zero where the processor does (denormals are zero).
 void append_hex(std::string& text, double x) {
-    if (std::signbit(x)) text.push_back('-');
-    text.append("0x");
-    append_chars(text, std::abs(x), std::chars_format::hex);
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const int biased = static_cast<int>(bits >> 52 & 0x7ff);
+    std::uint64_t fraction = bits << 12;
+    text.append(bits >> 63 != 0 ? "-0x" : "0x");
+    if (biased == 0x7ff) return append_chars(text, std::abs(x), std::chars_format::hex);
+    text.push_back(biased == 0 ? '0' : '1');
+    if (fraction != 0) text.push_back('.');
+    for (; fraction != 0; fraction <<= 4) text.push_back("0123456789abcdef"[fraction >> 60]);
+    const bool is_zero = bits << 1 == 0;
+    const int exponent = is_zero ? 0 : biased == 0 ? -1022 : biased - 1023;
+    text.append(exponent < 0 ? "p" : "p+");
+    append_chars(text, exponent);
 }
 
 void append_hex(std::string& text, std::uint64_t x) {

@@ -124,6 +124,14 @@ void add_rays(CLI::App& app, std::vector<Ray>& rays) {
         ->type_name("X Y Z DX DY DZ");
 }
 
+void add_certify(CLI::App& app, std::optional<std::filesystem::path>& folder) {
+    app.add_option(
+           "--certify", folder,
+           "Also write the lists of each frame (with --distance also distances; with --cases, each case) with a "
+           "proof to certificates.txt in this folder, and meshes to files beside it, for ecods_check_certificate")
+        ->type_name("FOLDER");
+}
+
 int run(int argc, char** argv) {
     Options options;
     CLI::App app(
@@ -159,12 +167,7 @@ int run(int argc, char** argv) {
         "Also say of each pair of bodies whose meshes bound convex solids how deep they are in each other, the "
         "direction in which the second gets out, and on which features (triangle:corner); or their gap, as "
         "solids. --oracle does not check these");
-    app.add_option(
-           "--certify", options.certificates,
-           "Also write the lists of each frame (with --distance also distances; with --cases, each case) with a "
-           "proof to "
-           "certificates.txt in this folder, and meshes to files beside it, for ecods_check_certificate")
-        ->type_name("FOLDER");
+    add_certify(app, options.certificates);
     app.add_flag("--oracle", options.oracle, "Check every answer, of all pairs of bodies, with CGAL's exact numbers");
     programs::add_broad_phase(app, options.broad_phase, "Which broad phase; sweep_and_prune is the default");
     std::map<std::string, InstructionSet> sets;

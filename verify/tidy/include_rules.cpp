@@ -17,7 +17,7 @@ const std::vector<std::pair<std::string_view, std::vector<std::string_view>>> th
     {"CGAL/", {"verify/oracle", "verify/scenes/plane", "verify/unit", "bench/engines", "bench/suites"}},
     {"ccd/", {"bench/engines"}},
     {"fcl/", {"bench/engines", "bench/report", "bench/suites", "fuzz/engines"}},
-    {"gmp", {"verify/oracle", "verify/unit", "fuzz/targets"}},
+    {"gmp", {"verify/certificates/checker", "verify/oracle", "verify/unit", "fuzz/targets"}},
     {"BulletCollision/", {"bench/engines"}},
     {"bt", {"bench/engines"}},
     {"ode/", {"bench/engines"}},
