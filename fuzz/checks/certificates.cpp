@@ -14,6 +14,7 @@
 #include "ecods/distance.hpp"
 #include "ecods/hit.hpp"
 #include "fuzz/base/failure.hpp"
+#include "fuzz/checks/any_pair.hpp"
 #include "fuzz/checks/text.hpp"
 #include "process/program.hpp"
 #include "scenes/random.hpp"
@@ -35,10 +36,6 @@ constexpr std::size_t triangle_pairs_max = 20000;
 // Lists of a world: one frame of so many, where it has few bodies.
 constexpr std::uint32_t frames_a_world = 8;
 constexpr std::size_t bodies_max = 12;
-
-const TrueBody& any(const std::vector<const TrueBody*>& bodies, scenes::Random& random) {
-    return *bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
-}
 
 // A vertex, as posed in doubles; the origin where that overflows.
 Vec3 any_point(const Posed<MeshShape>& body, scenes::Random& random) {
@@ -73,22 +70,15 @@ bool spoil(std::string& text) {
 
 void Certificates::ask(const World& world, const Truth& truth, std::uint32_t frame, Counters& counters) {
     if (frame % frames_a_world == 0) ask_world(world, frame, counters);
-    std::vector<const TrueBody*> all, changed;
-    for (const TrueBody& body : truth.bodies()) {
-        if (dynamic_cast<const MeshShape*>(world.shape(body.id).get()) == nullptr) continue;
-        all.push_back(&body);
-        if (body.is_changed) changed.push_back(&body);
-    }
-    if (all.size() < 2) return;
     scenes::Random random(frame);
-    const TrueBody& a = any(changed.empty() ? all : changed, random);
-    const TrueBody& b = any(all, random);
-    if (a.id == b.id || a.mesh->triangles().size() * b.mesh->triangles().size() > triangle_pairs_max) return;
-    const auto shape_a = world.shape(a.id), shape_b = world.shape(b.id);
+    const auto drawn = AnyPair(world, truth).draw(random, triangle_pairs_max);
+    if (!drawn) return;
+    const auto& [a, b] = *drawn;
+    const auto shape_a = world.shape(a->id), shape_b = world.shape(b->id);
     shapes_.insert(shapes_.end(), {shape_a, shape_b});
-    ask_pair({{a.id, b.id},
-              {dynamic_cast<const MeshShape&>(*shape_a), a.pose},
-              {dynamic_cast<const MeshShape&>(*shape_b), b.pose}},
+    ask_pair({{a->id, b->id},
+              {dynamic_cast<const MeshShape&>(*shape_a), a->pose},
+              {dynamic_cast<const MeshShape&>(*shape_b), b->pose}},
              frame, counters);
 }
 

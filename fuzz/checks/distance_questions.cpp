@@ -4,6 +4,7 @@
 #include <string>
 
 #include "fuzz/base/failure.hpp"
+#include "fuzz/checks/any_pair.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::fuzz {
@@ -15,30 +16,19 @@ constexpr std::size_t triangle_pairs_max = 100000;
 
 constexpr std::array kinds{"vertex-vertex", "vertex-edge", "vertex-face", "edge-edge", "intersecting"};
 
-const TrueBody& any(const std::vector<const TrueBody*>& bodies, scenes::Random& random) {
-    return *bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
-}
-
 }  // namespace
 
 void DistanceQuestions::choose(const World& world, const Truth& truth, std::uint32_t seed) {
     chosen_.clear();
-    // Of bodies with shapes of the caller's own nobody asks here.
-    std::vector<const TrueBody*> all, changed;
-    for (const TrueBody& body : truth.bodies()) {
-        if (dynamic_cast<const MeshShape*>(world.shape(body.id).get()) == nullptr) continue;
-        all.push_back(&body);
-        if (body.is_changed) changed.push_back(&body);
-    }
-    if (all.size() < 2) return;
+    const AnyPair pairs(world, truth);
     scenes::Random random(seed);
     for (std::size_t i = 0; i < pairs_a_frame; ++i) {
-        const TrueBody& a = any(changed.empty() ? all : changed, random);
-        const TrueBody& b = any(all, random);
-        if (a.id == b.id || a.mesh->triangles().size() * b.mesh->triangles().size() > triangle_pairs_max) continue;
-        const auto shape_a = world.shape(a.id), shape_b = world.shape(b.id);
-        const Posed<MeshShape> posed_a{dynamic_cast<const MeshShape&>(*shape_a), a.pose};
-        const Posed<MeshShape> posed_b{dynamic_cast<const MeshShape&>(*shape_b), b.pose};
+        const auto pair = pairs.draw(random, triangle_pairs_max);
+        if (!pair) continue;
+        const auto& [a, b] = *pair;
+        const auto shape_a = world.shape(a->id), shape_b = world.shape(b->id);
+        const Posed<MeshShape> posed_a{dynamic_cast<const MeshShape&>(*shape_a), a->pose};
+        const Posed<MeshShape> posed_b{dynamic_cast<const MeshShape&>(*shape_b), b->pose};
         const bool asks_all = random.below(4) == 0;
         chosen_.push_back({shape_a, shape_b,
                            judge::DistanceTruth(posed_a, posed_b, {.has_bounds = asks_all, .has_lists = asks_all})});
