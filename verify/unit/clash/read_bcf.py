@@ -15,19 +15,11 @@ import tempfile
 import xml.etree.ElementTree as ElementTree
 import zipfile
 
+from clash_program import run
 from png import read_png, share
 
 TETRAHEDRON = "o %s\nv %s 0 0\nv %s 0 0\nv %s 2 0\nv %s 0 2\nf -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n"
 NAMES = ["<a & \"b\"> ]]> \u00e9", "\x01\ufffe 'x'", "0N1Bb_$zzzzzzzzzzzzzzz"]
-
-
-def run(*arguments):
-    done = subprocess.run(arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    if b"was built without" in done.stderr:
-        print(done.stderr.decode())
-        sys.exit(77)
-    assert done.returncode == 0, (arguments, done.stderr.decode())
-    return done.stdout
 
 
 def write_names(folder):

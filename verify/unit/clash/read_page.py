@@ -11,10 +11,10 @@ import json
 import os
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 
+from clash_program import run
 from png import read_png
 
 KINDS = ["equal", "inside", "overlapping", "crossing", "touching", "clearance"]
@@ -63,15 +63,6 @@ window.addEventListener("message", (event) => {
 </script>
 <iframe style="width: %dpx; height: 900px; border: 0" src="%s"></iframe>
 """
-
-
-def run(*arguments):
-    done = subprocess.run(arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    if b"was built without" in done.stderr:
-        print(done.stderr.decode())
-        sys.exit(77)
-    assert done.returncode == 0, (arguments, done.stderr.decode())
-    return done.stdout
 
 
 class Page(html.parser.HTMLParser):
