@@ -8,6 +8,7 @@
 #include "query/solid/self_contacts.hpp"
 #include "query/solid/solid_parts.hpp"
 #include "query/solid/split_edges.hpp"
+#include "query/solid/star_proof.hpp"
 
 namespace ecods {
 namespace {
@@ -29,6 +30,7 @@ Checked check(const MeshShape& shape) {
     result.proper = find_proper(shape.mesh_ptr());
     result.edges = MeshEdges(result.proper);
     check_closed(shape.mesh(), result.proper, result.edges);
+    if (is_proven_star(result.proper, result.edges)) return result;
     SelfContacts contacts(result.proper, MeshShapeAccess::tree(shape));
     const std::optional<TrianglePair> least = contacts.find_least(result.overlaps);
     if (least) throw SelfIntersecting(*least);

@@ -1,0 +1,179 @@
+#include "query/solid/star_proof.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "exact/sign/filter_bound.hpp"
+#include "exact/sign/plain_signs.hpp"
+
+// Theorem. Let o be a point on the plane of no triangle, such that
+//   (1) every edge is a side of exactly two triangles, and their third corners are strictly on different sides of the
+//       plane through o and the edge; and
+//   (2) some half-line from o meets no edge, and exactly one triangle.
+// Then no two triangles share a segment or more which is not a side of both, and no two different edges share one.
+//
+// Proof. Let P be the central projection from o onto a sphere around it. As o is off the plane of a triangle, P is one
+// to one on the triangle, and maps its inside to an open set and its sides to arcs of great circles. Let N(x) be the
+// number of triangles with x in the image of their inside, for x on the sphere but on no arc. N is constant where no
+// arc is crossed. Let x be a point of arcs that is the end of none and not where arcs of two circles meet: these are
+// all points of the arcs but for finitely many. All arcs through x lie along one circle; by (1) each is the side of one
+// triangle on this side of it and of one on that side, and any other triangle with x in its image has it inside. So N
+// is the same on both sides of x. Finitely many points do not part a sphere, so N is constant, and by (2) it is 1.
+//
+// So the images of the insides of two triangles are disjoint: what they shared would be open, and N were 2 at a point
+// of it. Let triangles S and T share a segment s. If P(s) had a point in the image of the inside of S, that image,
+// being open, would have points of the inside of T's: so s is in the border of S, along a side, and likewise of T.
+// Let s be along sides that are not one edge, and x a point of P(s) of the kind above. The two triangles of S's edge fill
+// both sides of the circle near x, and so does the image of T's inside one of them: T is one of these two. But then T
+// has two sides along one line, and no area. QED.
+//
+// All signs are those of the filter: what is not certain proves nothing, and neither the choice of o nor its rounding
+// can make the answer wrong. That o is near the middle only makes it likely that a convex body is seen.
+
+namespace ecods {
+namespace {
+
+using namespace exact;
+
+// Coordinates are what they are; subnormal ones may be taken for zero.
+constexpr double own_delta = 0x1p-1000;
+
+Point point_of(const Vec3& v) noexcept {
+    return {v[0], v[1], v[2]};
+}
+
+enum class Hit { none, inside, unknown };
+
+class StarProof {
+  public:
+    explicit StarProof(const ProperMesh& proper)
+        : proper_(proper), triangles_(proper.mesh->triangles()), vertices_(proper.mesh->vertices()) {}
+
+    bool find(const MeshEdges& edges) {
+        if (!choose_origin() || !are_planes_off_origin()) return false;
+        for (std::size_t i = 0; i < edges.count(); ++i) {
+            if (!is_seen_between(edges.sides(i))) return false;
+        }
+        return std::ranges::any_of(std::array{0, 1, 2}, [&](int axis) { return is_met_once(axis); });
+    }
+
+  private:
+    template <class Visit>
+    void visit_corners(Visit&& visit) const {
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+            if (!proper_.is_proper(i)) continue;
+            for (const std::uint32_t vertex : triangles_[i]) visit(point_of(vertices_[vertex]));
+        }
+    }
+
+    // A mean of all corners, with weights of no pattern: from the very middle of a box, the half-lines along the axes
+    // meet the diagonals of its faces. If it was rounded out of the box around the corners, for which the bounds are, it
+    // is moved into it.
+    bool choose_origin() {
+        Point min, max, sum{};
+        min.fill(std::numeric_limits<double>::infinity());
+        max.fill(-std::numeric_limits<double>::infinity());
+        constexpr double golden_part = 0.6180339887498949;
+        double total = 0, part = 0;
+        visit_corners([&](const Point& p) {
+            part += golden_part;
+            if (part >= 1) part -= 1;
+            const double weight = 1 + part;
+            total += weight;
+            for (std::size_t k = 0; k < 3; ++k) {
+                min[k] = std::min(min[k], p[k]);
+                max[k] = std::max(max[k], p[k]);
+                sum[k] += weight * p[k];
+            }
+        });
+        if (total == 0) return false;
+        std::array<double, 3> extent;
+        for (std::size_t k = 0; k < 3; ++k) {
+            origin_[k] = std::clamp(sum[k] / total, min[k], max[k]);
+            extent[k] = max[k] - min[k];
+        }
+        const DifferenceBound d = difference_bound(extent, own_delta);
+        bounds_ = {orient3d_bound(d), {orient2d_bound(d, 1, 2), orient2d_bound(d, 2, 0), orient2d_bound(d, 0, 1)}};
+        return bounds_.orient3d < infinite_bound;
+    }
+
+    // Fills in on which side of each triangle's plane the origin is.
+    bool are_planes_off_origin() {
+        is_above_.assign(triangles_.size(), 0);
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+            if (!proper_.is_proper(i)) continue;
+            const auto [a, b, c] = corners(i);
+            const int side = certain_sign(plain_orient3d(a, b, c, origin_), bounds_.orient3d);
+            if (side == 0) return false;
+            is_above_[i] = side > 0;
+        }
+        return true;
+    }
+
+    // (1) for an edge: the sign of a triangle's corners and the origin is that of the edge in the order of the side, the
+    // third corner and the origin.
+    bool is_seen_between(std::span<const SideRef> sides) const {
+        if (sides.size() != 2) return false;
+        const auto is_third_above = [&](const SideRef& side) {
+            const Triangle& t = triangles_[side.triangle];
+            return (t[side.corner] < t[(side.corner + 1) % 3]) == (is_above_[side.triangle] != 0);
+        };
+        return is_third_above(sides[0]) != is_third_above(sides[1]);
+    }
+
+    // (2) for the half-line from the origin along an axis.
+    bool is_met_once(int axis) const {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+            if (!proper_.is_proper(i)) continue;
+            const Hit hit = hit_of(i, axis);
+            if (hit == Hit::unknown) return false;
+            count += hit == Hit::inside ? 1 : 0;
+        }
+        return count == 1;
+    }
+
+    // Along the axis the triangle turns as its normal's component n says. Where the line meets it inside, at o + t e,
+    // t n is minus the height of o above the plane: t > 0 if they have different signs.
+    Hit hit_of(std::size_t i, int axis) const {
+        const auto t = corners(i);
+        for (const int k : {(axis + 1) % 3, (axis + 2) % 3}) {
+            const auto at = static_cast<std::size_t>(k);
+            if (std::min({t[0][at], t[1][at], t[2][at]}) > origin_[at]) return Hit::none;
+            if (std::max({t[0][at], t[1][at], t[2][at]}) < origin_[at]) return Hit::none;
+        }
+        const double bound = bounds_.orient2d[static_cast<std::size_t>(axis)];
+        std::array<int, 3> turns;
+        for (std::size_t k = 0; k < 3; ++k)
+            turns[k] = certain_sign(plain_orient2d(t[k], t[(k + 1) % 3], origin_, axis), bound);
+        const auto [least, most] = std::ranges::minmax(turns);
+        if (least < 0 && most > 0) return Hit::none;
+        if (least == 0 || most == 0) return Hit::unknown;
+        return (most > 0) != (is_above_[i] != 0) ? Hit::inside : Hit::none;
+    }
+
+    std::array<Point, 3> corners(std::size_t i) const {
+        const Triangle& t = triangles_[i];
+        return {point_of(vertices_[t[0]]), point_of(vertices_[t[1]]), point_of(vertices_[t[2]])};
+    }
+
+    const ProperMesh& proper_;
+    std::span<const Triangle> triangles_;
+    std::span<const Vec3> vertices_;
+    Point origin_{};
+    DeterminantBounds bounds_{};
+    std::vector<std::uint8_t> is_above_;  // by triangle: whether the origin is above its plane
+};
+
+}  // namespace
+
+bool is_proven_star(const ProperMesh& proper, const MeshEdges& edges) {
+    return StarProof(proper).find(edges);
+}
+
+}  // namespace ecods
