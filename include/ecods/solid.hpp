@@ -44,7 +44,8 @@ namespace ecods {
 
 // Throws unless the mesh bounds a solid: NotClosed, which names an edge; SelfIntersecting, which names two triangles,
 // if it is closed. Of several defects the first is named: of edges by triangle and corner, of pairs of triangles the
-// least. Cost: about that of the mesh's tree, which it makes, and that of sorting vertices and edges.
+// least. Cost: about that of the mesh's tree, which it makes, and that of sorting vertices and edges; of a surface that
+// is seen as a whole from the middle of its corners, as that of nearly every convex body is, no tree is made.
 ECODS_API void check_solid(const Mesh& mesh);
 
 // Every pair of triangles, the lesser index first, that share a segment or more which is not a side of both: those

@@ -1,7 +1,9 @@
 #include "query/solid/proper_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cmath>
 #include <utility>
 
 #include "base/double_key.hpp"
@@ -10,6 +12,7 @@
 #include "exact/point/posed_points.hpp"
 #include "exact/sign/filter_bound.hpp"
 #include "exact/sign/filtered_signs.hpp"
+#include "exact/sign/plain_signs.hpp"
 
 namespace ecods {
 namespace {
@@ -24,6 +27,31 @@ bool are_equal(const Vec3& a, const Vec3& b) noexcept {
 std::size_t hash_of(const Vec3& v) noexcept {
     return combine(combine(coordinate_bits(v[0]), coordinate_bits(v[1])), coordinate_bits(v[2]));
 }
+
+// Whether a triangle has area for certain, by one bound for all points of a mesh: most have, and then no bound of their
+// own is worked out.
+class AreaFilter {
+  public:
+    explicit AreaFilter(std::span<const Vec3> vertices) noexcept {
+        Vec3 min = vertices[0], max = vertices[0];
+        for (const Vec3& v : vertices) {
+            min = min.cwiseMin(v);
+            max = max.cwiseMax(v);
+        }
+        // Coordinates are what they are; subnormal ones may be taken for zero.
+        const exact::DifferenceBound d =
+            exact::difference_bound({max[0] - min[0], max[1] - min[1], max[2] - min[2]}, 0x1p-1000);
+        bounds_ = {exact::orient2d_bound(d, 1, 2), exact::orient2d_bound(d, 2, 0), exact::orient2d_bound(d, 0, 1)};
+    }
+
+    bool is_certain(const Vec3& a, const Vec3& b, const Vec3& c) const noexcept {
+        const exact::PlainNormal n = exact::plain_normal({a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]});
+        return std::abs(n[0]) > bounds_[0] || std::abs(n[1]) > bounds_[1] || std::abs(n[2]) > bounds_[2];
+    }
+
+  private:
+    std::array<double, 3> bounds_;
+};
 
 }  // namespace
 
@@ -81,9 +109,13 @@ ProperMesh find_proper(std::shared_ptr<const Mesh> mesh) {
     }
     const auto triangles = result.mesh->triangles();
     const auto points = result.mesh->vertices();
+    const AreaFilter filter(points);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const auto& [a, b, c] = triangles[i];
-        if (a != b && b != c && c != a && have_area(points[a], points[b], points[c])) continue;
+        if (a != b && b != c && c != a &&
+            (filter.is_certain(points[a], points[b], points[c]) || have_area(points[a], points[b], points[c]))) {
+            continue;
+        }
         if (result.has_area.empty()) result.has_area.assign(triangles.size(), 1);
         result.has_area[i] = 0;
     }

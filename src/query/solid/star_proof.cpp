@@ -28,9 +28,9 @@
 // So the images of the insides of two triangles are disjoint: what they shared would be open, and N were 2 at a point
 // of it. Let triangles S and T share a segment s. If P(s) had a point in the image of the inside of S, that image,
 // being open, would have points of the inside of T's: so s is in the border of S, along a side, and likewise of T.
-// Let s be along sides that are not one edge, and x a point of P(s) of the kind above. The two triangles of S's edge fill
-// both sides of the circle near x, and so does the image of T's inside one of them: T is one of these two. But then T
-// has two sides along one line, and no area. QED.
+// Let s be along sides that are not one edge, and x a point of P(s) of the kind above. The two triangles of S's edge
+// fill both sides of the circle near x, and so does the image of T's inside one of them: T is one of these two. But
+// then T has two sides along one line, and no area. QED.
 //
 // All signs are those of the filter: what is not certain proves nothing, and neither the choice of o nor its rounding
 // can make the answer wrong. That o is near the middle only makes it likely that a convex body is seen.
@@ -72,8 +72,8 @@ class StarProof {
     }
 
     // A mean of all corners, with weights of no pattern: from the very middle of a box, the half-lines along the axes
-    // meet the diagonals of its faces. If it was rounded out of the box around the corners, for which the bounds are, it
-    // is moved into it.
+    // meet the diagonals of its faces. If it was rounded out of the box around the corners, for which the bounds are,
+    // it is moved into it.
     bool choose_origin() {
         Point min, max, sum{};
         min.fill(std::numeric_limits<double>::infinity());
@@ -115,8 +115,8 @@ class StarProof {
         return true;
     }
 
-    // (1) for an edge: the sign of a triangle's corners and the origin is that of the edge in the order of the side, the
-    // third corner and the origin.
+    // (1) for an edge: the sign of a triangle's corners and the origin is that of the edge in the order of the side,
+    // the third corner and the origin.
     bool is_seen_between(std::span<const SideRef> sides) const {
         if (sides.size() != 2) return false;
         const auto is_third_above = [&](const SideRef& side) {

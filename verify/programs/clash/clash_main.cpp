@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
 #include <stdexcept>
+#include <system_error>
 
 #include "process/progress.hpp"
 #include "programs/clash/command.hpp"
@@ -18,14 +20,26 @@
 namespace ecods::clash {
 namespace {
 
+// What is left of a file that could not be written to its end, so that nobody takes it for a report.
+void remove_half(const std::string& file) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(file, error)) std::filesystem::remove(file, error);
+}
+
 void write(const std::string& file, const ClashReport& report,
            const std::function<void(std::ostream&, const ClashReport&)>& write_format) {
     if (file.empty()) return;
     std::ofstream opened;
     if (file != "-") opened.open(file, std::ios::binary);
     std::ostream& out = file == "-" ? std::cout : opened;
-    if (out) write_format(out, report);
-    if (!out.flush()) throw std::runtime_error((file == "-" ? "standard output" : file) + ": cannot be written");
+    try {
+        if (out) write_format(out, report);
+        if (!out.flush()) throw std::runtime_error((file == "-" ? "standard output" : file) + ": cannot be written");
+    } catch (...) {
+        opened.close();
+        if (file != "-") remove_half(file);
+        throw;
+    }
 }
 
 // What has pictures, which are made once.

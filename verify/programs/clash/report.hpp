@@ -99,7 +99,6 @@ struct ClashReport {
     std::vector<FailedFile> failed;                // with --keep-going; ascending by file
     std::vector<std::string> notes;                // what a file has, and the report has not; ascending
     std::array<std::size_t, kind_count> counts{};  // of clashes, by kind; of the kinds that were not asked for, 0
-    std::size_t pair_count = 0;                    // pairs of parts that were to be judged, by groups and rules
     std::size_t line_limit = 0;                    // 0: points and lines were not asked for
 
     // Those options that may change the report, as name and value: {"clearance", "0.05"}. In the order of --help.

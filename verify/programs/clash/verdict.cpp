@@ -9,14 +9,17 @@
 namespace ecods::clash {
 namespace {
 
+// Of zero-area triangles a solid has nothing, but a part has them.
+std::optional<Verdict> judge_apart(const Part& a, const Part& b, QueryMemory& memory) {
+    if (!intersects(surface_of(a), surface_of(b), memory)) return std::nullopt;
+    return Verdict{Kind::touching, "touching"};
+}
+
 std::optional<Verdict> judge_solids(const Part& a, const Part& b, bool can_be_deep, QueryMemory& memory) {
-    if (!can_be_deep) {
-        if (!intersects(surface_of(a), surface_of(b), memory)) return std::nullopt;
-        return Verdict{Kind::touching, "touching"};
-    }
+    if (!can_be_deep) return judge_apart(a, b, memory);
     switch (solid_relation(solid_of(a), solid_of(b), memory)) {
         case SolidRelation::apart:
-            return std::nullopt;
+            return judge_apart(a, b, memory);
         case SolidRelation::touching:
             return Verdict{Kind::touching, "touching"};
         case SolidRelation::overlapping:
@@ -35,7 +38,7 @@ std::optional<Verdict> judge_solids(const Part& a, const Part& b, bool can_be_de
 std::optional<Verdict> judge_surface(const Part& surface, const Part& solid, bool is_first, QueryMemory& memory) {
     switch (surface_relation(surface_of(surface), solid_of(solid), memory)) {
         case SurfaceRelation::apart:
-            return std::nullopt;
+            return judge_apart(surface, solid, memory);
         case SurfaceRelation::touching:
             return Verdict{Kind::touching, "touching"};
         case SurfaceRelation::inside:

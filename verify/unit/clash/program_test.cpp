@@ -107,6 +107,32 @@ TEST_F(ClashProgram, DuplicatesOfSurfacesAreEqual) {
     EXPECT_NE(result.out.find("not a solid: a: triangle 0: its edge"), std::string::npos) << result.out;
 }
 
+TEST_F(ClashProgram, WhatHasNoAreaTouches) {
+    // A wire that ends at a corner of a, one that is inside it, one beside it, and a solid with a wire of its own.
+    const std::string text = tetrahedron("a", 0) + "o end\nv 0 0 0\nv -1 0 0\nv -2 0 0\nf -3 -2 -1\n" +
+                             "o inner\nv 0.1 0.1 0.1\nv 0.2 0.2 0.2\nf -2 -1 -1\n" +
+                             "o beside\nv 0 0 -0.0005\nv 0 0 -1\nf -2 -1 -1\n" + tetrahedron("with wire", 9) +
+                             "v 2 0 0\nf -5 -1 -1\n";
+    const std::string file = write("wires.obj", text).string();
+    const ProgramResult result = run(file + " --touching --clearance 0.001 --csv -");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("touching,touching,a,"), std::string::npos) << result.out;
+    EXPECT_NE(run(file + " --touching --clearance 0.001").out.find("5 parts, 1 inside, 2 touching, 2 clearance"),
+              std::string::npos)
+        << run(file + " --touching --clearance 0.001").out;
+    EXPECT_NE(run(file + " --touching").out.find("5 parts, 1 inside, 2 touching"), std::string::npos);
+}
+
+TEST_F(ClashProgram, ReportsThatCannotBeWritten) {
+    const std::string two = write("two.obj", tetrahedron("a", 0) + tetrahedron("b", 1)).string();
+    for (const char* format : {"--json", "--csv", "--html", "--bcf"}) {
+        const ProgramResult full = run(two + " " + format + " /dev/full");
+        EXPECT_EQ(full.status, 2) << format;
+        EXPECT_NE(full.err.find("/dev/full: cannot be written"), std::string::npos) << full.err;
+        EXPECT_EQ(run(two + " " + format + " /nowhere/report").status, 2) << format;
+    }
+}
+
 TEST_F(ClashProgram, RealAssembly) {
     const std::string engine = "/usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb";
     if (!std::filesystem::exists(engine)) GTEST_SKIP() << "assimp-testmodels is not installed";

@@ -17,6 +17,7 @@ import zipfile
 
 from clash_program import run
 from png import read_png, share
+from read_formats import split_into_files
 
 TETRAHEDRON = "o %s\nv %s 0 0\nv %s 0 0\nv %s 2 0\nv %s 0 2\nf -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n"
 NAMES = ["<a & \"b\"> ]]> \u00e9", "\x01\ufffe 'x'", "0N1Bb_$zzzzzzzzzzzzzzz"]
@@ -121,6 +122,18 @@ def check_bcf(data, report, schemas, folder, picture_count):
     return entries
 
 
+def check_orders(program, source, folder):
+    """Other orders of files and numbers of jobs give the same page and the same BCF."""
+    with open(source, "rb") as file:
+        paths = split_into_files(file.read(), folder)
+    outputs = []
+    for order, jobs in [(paths, "1"), (paths[::-1], "2"), (paths[1:] + paths[:1], "3")]:
+        names = [os.path.join(folder, name) for name in ("orders.html", "orders.bcf")]
+        run(program, *order, "--quiet", "--jobs", jobs, "--pictures", "4", "--html", names[0], "--bcf", names[1])
+        outputs.append([open(name, "rb").read() for name in names])
+    assert outputs[1:] == outputs[:1] * 2, "the same input gives other bytes"
+
+
 def main():
     program, building, schemas = sys.argv[1:]
     with tempfile.TemporaryDirectory() as folder:
@@ -133,6 +146,7 @@ def main():
         assert count >= 30
         check_bcf(data, report, schemas, folder, count)
         assert make(program, source, folder, "--jobs", "3", "--pictures", "99", *options)[0] == data
+        check_orders(program, source, folder)
         few, _ = make(program, source, folder, "--pictures", "2", "--lines", "5", *options)
         check_bcf(few, report, schemas, folder, 2)
 

@@ -78,9 +78,10 @@ TEST(StarProof, ConvexBodiesAreSeen) {
                                                            {"prism", prism(24)},
                                                            {"bipyramid", bipyramid(7, 1)}};
     for (const auto& [name, soup] : bodies) {
-        environment::in_each_environment(
-            [&, &body = soup] { return is_proven(body.mesh()); },
-            [&, label = name](bool answer, const std::string& where) { EXPECT_TRUE(answer) << label << ", " << where; });
+        environment::in_each_environment([&, &body = soup] { return is_proven(body.mesh()); },
+                                         [&, label = name](bool answer, const std::string& where) {
+                                             EXPECT_TRUE(answer) << label << ", " << where;
+                                         });
         EXPECT_TRUE(is_rightly_proven(soup.mesh(), true)) << name;
     }
 }
