@@ -1,9 +1,8 @@
 // ECoDS's search from scratch, at every frame: what its broad phases do when everything is to be looked up, and the
 // least that one must be worth that keeps anything.
-#include "broad_phase/changes/pair_list.hpp"
-#include "broad_phase/changes/proxy_table.hpp"
-#include "broad_phase/scratch/sort_and_sweep.hpp"
+#include "broad_phase/scratch/grid_sweep.hpp"
 #include "engines/broad_engine.hpp"
+#include "engines/sort_and_sweep.hpp"
 
 namespace ecods::bench {
 
@@ -13,39 +12,27 @@ namespace {
 class BroadScratch final : public BroadEngine {
   public:
     explicit BroadScratch(const scenes::MovingBoxes& boxes) {
-        for (std::size_t i = 0; i < boxes.boxes.size(); ++i) table_.add(static_cast<ProxyIndex>(i), boxes.boxes[i]);
+        for (std::size_t i = 0; i < boxes.boxes.size(); ++i) search_.add(static_cast<ProxyIndex>(i), boxes.boxes[i]);
     }
 
     void run_frame(std::span<const scenes::BoxMove> moves) override {
         for (const scenes::BoxMove& move : moves) {
             if (move.is_new) {
-                table_.remove(move.index);
-                table_.add(move.index, move.box);
+                search_.remove(move.index);
+                search_.add(move.index, move.box);
             } else {
-                table_.move(move.index, move.box);
+                search_.move(move.index, move.box);
             }
         }
-        pairs_.begin_update();
-        events_.clear();
-        const ProxyChanges& changes = table_.collect();
-        if (!changes.empty()) {
-            finder_.update(
-                {.table = table_, .changes = changes, .keeper = pairs_, .events = events_, .counts = counts_});
-        }
-        table_.settle();
-        pairs_.end_update();
-        listed_ = pairs_.sorted();
+        search_.update();
+        pairs_ = search_.pairs();
     }
 
-    std::span<const ProxyPair> pairs() const override { return listed_; }
+    std::span<const ProxyPair> pairs() const override { return pairs_; }
 
   private:
-    ProxyTable table_;
-    PairEvents events_;
-    PairList pairs_{events_};
-    SortAndSweep finder_;
-    BroadPhaseCounts counts_;
-    std::span<const ProxyPair> listed_;
+    SortAndSweep search_;
+    std::span<const ProxyPair> pairs_;
 };
 
 // The pairs alone, as they are found: what searches of other libraries deliver.

@@ -1,62 +1,50 @@
-#include "broad_phase/scratch/sort_and_sweep.hpp"
+#include "engines/sort_and_sweep.hpp"
 
 #include <gtest/gtest.h>
 
-#include "broad_phase/changes/pair_list.hpp"
 #include "scenes/random.hpp"
 #include "unit/broad_phase/lockstep.hpp"
 
-namespace ecods::test {
+namespace ecods::bench {
 namespace {
 
-// The finder with what it is used with, beside the model.
+using test::Model;
+
+// Beside the model.
 class Swept {
   public:
     void add(ProxyIndex proxy, const Aabb& box) {
         model.add(proxy, box);
-        table_.add(proxy, box);
+        search_.add(proxy, box);
     }
     void move(ProxyIndex proxy, const Aabb& box) {
         model.move(proxy, box);
-        table_.move(proxy, box);
+        search_.move(proxy, box);
     }
     void remove(ProxyIndex proxy) {
         model.remove(proxy);
-        table_.remove(proxy);
+        search_.remove(proxy);
     }
 
     void update() {
         model.update();
-        pairs_.begin_update();
-        events_.clear();
-        const ProxyChanges& changes = table_.collect();
-        if (!changes.empty()) {
-            finder_.update(
-                {.table = table_, .changes = changes, .keeper = pairs_, .events = events_, .counts = counts_});
-        }
-        table_.settle();
-        pairs_.end_update();
-        EXPECT_EQ(pairs_.sorted(), model.pairs);
-        EXPECT_EQ(events_.began, model.began);
-        EXPECT_EQ(events_.ended, model.ended);
-        EXPECT_NO_THROW(finder_.validate(table_));
+        search_.update();
+        EXPECT_EQ(search_.pairs(), model.pairs);
+        EXPECT_EQ(search_.began(), model.began);
+        EXPECT_EQ(search_.ended(), model.ended);
     }
 
     Model model;
 
   private:
-    ProxyTable table_;
-    PairEvents events_;
-    PairList pairs_{events_};
-    SortAndSweep finder_;
-    BroadPhaseCounts counts_;
+    SortAndSweep search_;
 };
 
 TEST(SortAndSweep, BoxesComeMoveAndGo) {
     scenes::Random random(11);
     Swept swept;
     const auto draw = [&] {
-        return make_cube(random.below(12), random.below(12), random.below(12), 1 + random.below(2));
+        return test::make_cube(random.below(12), random.below(12), random.below(12), 1 + random.below(2));
     };
     for (int frame = 0; frame < 60; ++frame) {
         for (ProxyIndex proxy = 0; proxy < 150; ++proxy) {
@@ -81,4 +69,4 @@ TEST(SortAndSweep, BoxesComeMoveAndGo) {
 }
 
 }  // namespace
-}  // namespace ecods::test
+}  // namespace ecods::bench
