@@ -11,6 +11,7 @@
 #include "bvh/walk_two.hpp"
 #include "query/intersection/mesh_intersection_test.hpp"
 #include "query/intersection/overlap_bound.hpp"
+#include "query/intersection/plane_bound.hpp"
 #include "query/intersection/query_memory.hpp"
 #include "query/shape/mesh_tree.hpp"
 
@@ -108,7 +109,11 @@ class Query {
     // After bind_axes.
     template <class Visit>
     void visit_near_pairs(Visit&& visit) {
-        walk_two(tree_a_.boxes, tree_b_.boxes, state_.stack, OverlapBound(state_.axes.sets(), state_.counts), visit);
+        if (!pair_is_bound_) state_.pair.forget_groups();
+        const OverlapBound boxes(state_.axes.sets(), state_.counts);
+        walk_two(tree_a_.boxes, tree_b_.boxes, state_.stack,
+                 PlaneBound(boxes, tree_a_.boxes, tree_b_.boxes, state_.pair),
+                 [&](std::uint32_t i, std::uint32_t j) { return visit(i, j) && !state_.pair.are_parted(); });
     }
 
   private:
@@ -116,6 +121,7 @@ class Query {
     void bind_pair() {
         state_.pair.reset_counts();
         state_.pair.bind({&a_.shape.mesh(), &tree_a_.extent, &a_.pose}, {&b_.shape.mesh(), &tree_b_.extent, &b_.pose});
+        state_.pair.offer_groups(a_.shape, b_.shape);
         pair_is_bound_ = true;
     }
 
