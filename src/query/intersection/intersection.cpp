@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "query/intersection/overlap_bound.hpp"
 #include "query/intersection/plane_bound.hpp"
 #include "query/intersection/query_memory.hpp"
+#include "query/intersection/single_triangles.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
@@ -143,7 +145,25 @@ PairWitness witness_of(int axis) {
     return {PairWitness::none, static_cast<std::uint32_t>(axis)};
 }
 
+// The relation of two meshes of one triangle each, if that takes no more than a filter; nothing of other meshes.
+std::optional<Relation> filter_singles(const MeshAt& a, const MeshAt& b, QueryMemory& memory) {
+    if (a.shape.mesh().triangles().size() != 1 || b.shape.mesh().triangles().size() != 1) return std::nullopt;
+    const std::optional<Relation> relation = filter_single_triangles(a.shape.mesh(), a.pose, b.shape.mesh(), b.pose);
+    if (relation) {
+        QueryCounts& counts = QueryMemoryAccess::state(memory).counts;
+        ++counts.queries;
+        ++counts.stages.triangle_tests;
+        ++counts.stages.semi_static_passes;
+    }
+    return relation;
+}
+
 bool find_contact(const MeshAt& a, const MeshAt& b, QueryMemory& memory, PairWitness& witness) {
+    if (const std::optional<Relation> relation = filter_singles(a, b, memory)) {
+        const bool hits = *relation != Relation::disjoint;
+        witness = hits ? PairWitness{0, 0} : PairWitness{};
+        return hits;
+    }
     Query query(a, b, memory);
     QueryCounts& counts = QueryMemoryAccess::state(memory).counts;
     if (holds_triangles(witness, a, b) && query.relation_of(witness.a, witness.b) != Relation::disjoint) {
@@ -168,6 +188,7 @@ bool find_contact(const MeshAt& a, const MeshAt& b, QueryMemory& memory, PairWit
 }
 
 Relation find_relation(const MeshAt& a, const MeshAt& b, QueryMemory& memory) {
+    if (const std::optional<Relation> relation = filter_singles(a, b, memory)) return *relation;
     Query query(a, b, memory);
     Relation strongest = Relation::disjoint;
     if (query.bind_axes() >= 0) return strongest;

@@ -8,6 +8,7 @@
 #include "exact/sign/plain_signs.hpp"
 #include "exact/simplex/common_pose.hpp"
 #include "exact/simplex/edge_axes.hpp"
+#include "exact/simplex/flat_filter.hpp"
 #include "exact/simplex/triangle_pair.hpp"
 #include "query/shape/mesh_tree.hpp"
 
@@ -23,6 +24,7 @@ void TriangleRelations::bind(const BodyRef& a, const BodyRef& b) {
     triangles_ = {a.mesh->triangles().data(), b.mesh->triangles().data()};
     static_bound_ = orient3d_bound(frame_);
     doubles_are_exact_ = false;
+    flat_axis_ = -1;
     forget_groups();
     open_count_ = 0;
 }
@@ -43,6 +45,7 @@ Relation TriangleRelations::relation(std::uint32_t a, std::uint32_t b) {
     const Triangle& tb = triangles_[1][b];
     const Points<6> points = rounded(ta, tb);
     if (doubles_are_exact_) return decide_in_doubles(points);
+    if (flat_axis_ >= 0) return decide_flat(a, b, points);
     FilterTrace trace;
     const FilterAnswer answer = filter(points, static_bound_, trace);
     if (answer == FilterAnswer::unknown) [[unlikely]]
@@ -67,10 +70,15 @@ Relation TriangleRelations::decide_in_doubles(const Points<6>& points) {
 [[gnu::noinline]] Relation TriangleRelations::decide_open(std::uint32_t a, std::uint32_t b, const Points<6>& points,
                                                           const FilterTrace& trace) {
     const Triangle &ta = triangles_[0][a], &tb = triangles_[1][b];
+    const bool is_first = frame_.arithmetic() == Arithmetic::unknown;
     frame_.find_arithmetic();
     doubles_are_exact_ = frame_.arithmetic() >= Arithmetic::differences;
     // `points` may be in other units than the frame's points are now.
     if (doubles_are_exact_) return decide_in_doubles(rounded(ta, tb));
+    if (is_first) {
+        find_flat_axis();
+        if (flat_axis_ >= 0) return decide_flat(a, b, points);
+    }
     if (planes_.are_used() && planes_.are_triangles_apart(a, b)) {
         ++counts_.plane_passes;
         return Relation::disjoint;
@@ -93,6 +101,60 @@ Relation TriangleRelations::decide_in_doubles(const Points<6>& points) {
     }
     const Corners corners{VertexRef{0, ta[0]}, {0, ta[1]}, {0, ta[2]}, {1, tb[0]}, {1, tb[1]}, {1, tb[2]}};
     if (may_use_groups()) return decide_by_planes(a, b, corners, points, bounds, trace);
+    return decide_by_integers(corners, points, bounds, trace);
+}
+
+namespace {
+
+// Whether all points of the mesh have the same coordinate. Half of it is the rounded half of a difference of doubles,
+// which loses nothing where one of them is not near the least ones. Zeros are known by their bits: a processor may take
+// other numbers for them.
+bool is_constant(const MeshExtent& extent, int axis) noexcept {
+    if (extent.digits[static_cast<std::size_t>(axis)].empty()) return true;
+    return extent.half[axis] == 0 && extent.magnitude[axis] > 0x1p-900;
+}
+
+// Whether all points of the body have the same coordinate on this axis of the world.
+bool is_flat(const BodyRef& body, int row) noexcept {
+    for (int column = 0; column < 3; ++column) {
+        if (decode(body.pose->R(row, column)).m != 0 && !is_constant(*body.extent, column)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+void TriangleRelations::find_flat_axis() {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!is_flat(frame_.body(0), axis) || !is_flat(frame_.body(1), axis)) continue;
+        const std::array<VertexRef, 2> any{VertexRef{0, triangles_[0][0][0]}, {1, triangles_[1][0][0]}};
+        const bool is_same = frame_.with_integers(
+            any, [axis](const auto& points) { return ExactSigns(points).compare(0, 1, axis) == 0; });
+        if (!is_same) continue;
+        const Vec3& extent = frame_.extent();
+        const DifferenceBound differences = difference_bound({extent[0], extent[1], extent[2]}, frame_.delta());
+        const auto k = static_cast<std::size_t>(axis);
+        flat_axis_ = axis;
+        flat_bound_ = orient2d_bound(differences, (k + 1) % 3, (k + 2) % 3);
+        return;
+    }
+}
+
+Relation TriangleRelations::decide_flat(std::uint32_t a, std::uint32_t b, const Points<6>& points) {
+    if (const FlatAnswer answer = filter_flat(points, flat_axis_, flat_bound_); answer != FlatAnswer::unknown) {
+        ++counts_.filter_passes;
+        return answer == FlatAnswer::disjoint ? Relation::disjoint : Relation::touching;
+    }
+    const DeterminantBounds bounds = determinant_bounds(points, frame_.delta());
+    const double bound = bounds.orient2d[static_cast<std::size_t>(flat_axis_)];
+    if (const FlatAnswer answer = filter_flat(points, flat_axis_, bound); answer != FlatAnswer::unknown) {
+        ++counts_.semi_static_passes;
+        return answer == FlatAnswer::disjoint ? Relation::disjoint : Relation::touching;
+    }
+    const Triangle &ta = triangles_[0][a], &tb = triangles_[1][b];
+    const Corners corners{VertexRef{0, ta[0]}, {0, ta[1]}, {0, ta[2]}, {1, tb[0]}, {1, tb[1]}, {1, tb[2]}};
+    FilterTrace trace;
+    filter(points, infinite_bound, trace);
     return decide_by_integers(corners, points, bounds, trace);
 }
 

@@ -48,6 +48,8 @@ class TriangleRelations {
     Relation decide_in_doubles(const exact::Points<6>& points);
     Relation decide_open(std::uint32_t a, std::uint32_t b, const exact::Points<6>& points,
                          const exact::FilterTrace& trace);
+    void find_flat_axis();
+    Relation decide_flat(std::uint32_t a, std::uint32_t b, const exact::Points<6>& points);
     bool may_use_groups();
     Relation decide_by_planes(std::uint32_t a, std::uint32_t b, const Corners& corners, const exact::Points<6>& points,
                               const exact::DeterminantBounds& bounds, const exact::FilterTrace& trace);
@@ -57,8 +59,11 @@ class TriangleRelations {
 
     exact::Frame frame_;
     std::array<const Triangle*, 2> triangles_{};
-    double static_bound_ = 0;                   // for every orient3d of points of the two bodies
-    bool doubles_are_exact_ = false;            // whether decide_in_doubles answers everything
+    double static_bound_ = 0;         // for every orient3d of points of the two bodies
+    bool doubles_are_exact_ = false;  // whether decide_in_doubles answers everything
+    // The axis along which both bodies have one coordinate, the same in all their points; -1: none, or not known yet.
+    int flat_axis_ = -1;
+    double flat_bound_ = 0;                     // for every orient2d along it
     std::array<const MeshShape*, 2> shapes_{};  // null: none, or their groups are used, or there are none
     std::size_t open_count_ = 0;                // pairs that were left to integers while there were shapes
     PlaneSigns planes_;
