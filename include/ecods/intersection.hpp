@@ -26,6 +26,7 @@ struct StageCounts {
     std::uint64_t filter_passes = 0;       // of these, decided by the bound of the body pair
     std::uint64_t semi_static_passes = 0;  // ... by the bound of the triangle pair
     std::uint64_t local_passes = 0;        // ... because both bodies have one pose or short coordinates
+    std::uint64_t plane_passes = 0;        // ... by signs that were known of whole planes
     std::uint64_t one_limb = 0;            // ... by integers of one limb (60 bits)
     std::uint64_t two_limbs = 0;           // ... of two limbs (125 bits)
     std::uint64_t many_limbs = 0;          // ... of more
@@ -41,10 +42,11 @@ struct Stage {
 };
 
 // The stages that decide, from the cheapest to the dearest: their counts add up to triangle_tests.
-inline constexpr std::array<Stage, 6> stages{{
+inline constexpr std::array<Stage, 7> stages{{
     {"filter", &StageCounts::filter_passes},
     {"semi-static", &StageCounts::semi_static_passes},
     {"local", &StageCounts::local_passes},
+    {"planes", &StageCounts::plane_passes},
     {"one limb", &StageCounts::one_limb},
     {"two limbs", &StageCounts::two_limbs},
     {"many limbs", &StageCounts::many_limbs},

@@ -1,6 +1,7 @@
 #include "scenes/narrow_workloads.hpp"
 
 #include "scenes/fitted_parts.hpp"
+#include "scenes/flush_parts.hpp"
 #include "scenes/io/mesh_file.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
@@ -41,6 +42,10 @@ std::vector<MeshPairs> narrow_workloads(WorkloadSize size) {
         add_near_and_random(workloads, mesh, is_tiny ? 4 : 100, is_tiny ? 4 : 200);
     workloads.push_back(stacked_bricks(is_tiny ? 12 : 400, 3));
     workloads.push_back(splined_shafts(is_tiny ? 4 : 40, 4));
+    workloads.push_back(flush_plates("flush boxes", 1, 1, is_tiny ? 12 : 400, 7));
+    workloads.push_back(flush_plates("flush plates", is_tiny ? 8 : 34, 0.125, is_tiny ? 4 : 30, 8));
+    workloads.push_back(flat_polygons(is_tiny ? 100 : 1000, is_tiny ? 4 : 40, 9));
+    add_near_and_random(workloads, {"one triangle", one_triangle()}, is_tiny ? 20 : 400, is_tiny ? 20 : 1000);
     return workloads;
 }
 

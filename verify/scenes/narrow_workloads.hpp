@@ -14,7 +14,8 @@ enum class WorkloadSize {
     large,  // full, with a mesh of ten million triangles
 };
 
-// Near and random poses of the ship, tori of 10,000 and 100,000 triangles and real meshes, then parts in exact contact.
+// Near and random poses of the ship, tori of 10,000 and 100,000 triangles and real meshes; parts in exact contact;
+// flush boxes and plates, polygons in one plane, and single triangles.
 std::vector<MeshPairs> narrow_workloads(WorkloadSize size);
 
 // The ship near contact, with gaps from 1e-3 radii down to adjacent doubles.

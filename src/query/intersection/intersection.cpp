@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -11,7 +12,9 @@
 #include "bvh/walk_two.hpp"
 #include "query/intersection/mesh_intersection_test.hpp"
 #include "query/intersection/overlap_bound.hpp"
+#include "query/intersection/plane_bound.hpp"
 #include "query/intersection/query_memory.hpp"
+#include "query/intersection/single_triangles.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
@@ -108,7 +111,11 @@ class Query {
     // After bind_axes.
     template <class Visit>
     void visit_near_pairs(Visit&& visit) {
-        walk_two(tree_a_.boxes, tree_b_.boxes, state_.stack, OverlapBound(state_.axes.sets(), state_.counts), visit);
+        if (!pair_is_bound_) state_.pair.forget_groups();
+        const OverlapBound boxes(state_.axes.sets(), state_.counts);
+        walk_two(tree_a_.boxes, tree_b_.boxes, state_.stack,
+                 PlaneBound(boxes, tree_a_.boxes, tree_b_.boxes, state_.pair),
+                 [&](std::uint32_t i, std::uint32_t j) { return visit(i, j) && !state_.pair.are_parted(); });
     }
 
   private:
@@ -116,6 +123,7 @@ class Query {
     void bind_pair() {
         state_.pair.reset_counts();
         state_.pair.bind({&a_.shape.mesh(), &tree_a_.extent, &a_.pose}, {&b_.shape.mesh(), &tree_b_.extent, &b_.pose});
+        state_.pair.offer_groups(a_.shape, b_.shape);
         pair_is_bound_ = true;
     }
 
@@ -137,7 +145,25 @@ PairWitness witness_of(int axis) {
     return {PairWitness::none, static_cast<std::uint32_t>(axis)};
 }
 
+// The relation of two meshes of one triangle each, if that takes no more than a filter; nothing of other meshes.
+std::optional<Relation> filter_singles(const MeshAt& a, const MeshAt& b, QueryMemory& memory) {
+    if (a.shape.mesh().triangles().size() != 1 || b.shape.mesh().triangles().size() != 1) return std::nullopt;
+    const std::optional<Relation> relation = filter_single_triangles(a.shape.mesh(), a.pose, b.shape.mesh(), b.pose);
+    if (relation) {
+        QueryCounts& counts = QueryMemoryAccess::state(memory).counts;
+        ++counts.queries;
+        ++counts.stages.triangle_tests;
+        ++counts.stages.semi_static_passes;
+    }
+    return relation;
+}
+
 bool find_contact(const MeshAt& a, const MeshAt& b, QueryMemory& memory, PairWitness& witness) {
+    if (const std::optional<Relation> relation = filter_singles(a, b, memory)) {
+        const bool hits = *relation != Relation::disjoint;
+        witness = hits ? PairWitness{0, 0} : PairWitness{};
+        return hits;
+    }
     Query query(a, b, memory);
     QueryCounts& counts = QueryMemoryAccess::state(memory).counts;
     if (holds_triangles(witness, a, b) && query.relation_of(witness.a, witness.b) != Relation::disjoint) {
@@ -162,6 +188,7 @@ bool find_contact(const MeshAt& a, const MeshAt& b, QueryMemory& memory, PairWit
 }
 
 Relation find_relation(const MeshAt& a, const MeshAt& b, QueryMemory& memory) {
+    if (const std::optional<Relation> relation = filter_singles(a, b, memory)) return *relation;
     Query query(a, b, memory);
     Relation strongest = Relation::disjoint;
     if (query.bind_axes() >= 0) return strongest;

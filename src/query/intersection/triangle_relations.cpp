@@ -8,7 +8,9 @@
 #include "exact/sign/plain_signs.hpp"
 #include "exact/simplex/common_pose.hpp"
 #include "exact/simplex/edge_axes.hpp"
+#include "exact/simplex/flat_filter.hpp"
 #include "exact/simplex/triangle_pair.hpp"
+#include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
 
@@ -22,6 +24,9 @@ void TriangleRelations::bind(const BodyRef& a, const BodyRef& b) {
     triangles_ = {a.mesh->triangles().data(), b.mesh->triangles().data()};
     static_bound_ = orient3d_bound(frame_);
     doubles_are_exact_ = false;
+    flat_axis_ = -1;
+    forget_groups();
+    open_count_ = 0;
 }
 
 ECODS_ALWAYS_INLINE Points<6> TriangleRelations::rounded(const Triangle& a, const Triangle& b) {
@@ -40,10 +45,11 @@ Relation TriangleRelations::relation(std::uint32_t a, std::uint32_t b) {
     const Triangle& tb = triangles_[1][b];
     const Points<6> points = rounded(ta, tb);
     if (doubles_are_exact_) return decide_in_doubles(points);
+    if (flat_axis_ >= 0) return decide_flat(a, b, points);
     FilterTrace trace;
     const FilterAnswer answer = filter(points, static_bound_, trace);
     if (answer == FilterAnswer::unknown) [[unlikely]]
-        return decide_open(ta, tb, points, trace);
+        return decide_open(a, b, points, trace);
     ++counts_.filter_passes;
     return answer == FilterAnswer::disjoint ? Relation::disjoint : Relation::crossing;
 }
@@ -61,12 +67,22 @@ Relation TriangleRelations::decide_in_doubles(const Points<6>& points) {
 }
 
 // Decides triangles that the filter left open with the bound of the bodies.
-[[gnu::noinline]] Relation TriangleRelations::decide_open(const Triangle& a, const Triangle& b, const Points<6>& points,
+[[gnu::noinline]] Relation TriangleRelations::decide_open(std::uint32_t a, std::uint32_t b, const Points<6>& points,
                                                           const FilterTrace& trace) {
+    const Triangle &ta = triangles_[0][a], &tb = triangles_[1][b];
+    const bool is_first = frame_.arithmetic() == Arithmetic::unknown;
     frame_.find_arithmetic();
     doubles_are_exact_ = frame_.arithmetic() >= Arithmetic::differences;
     // `points` may be in other units than the frame's points are now.
-    if (doubles_are_exact_) return decide_in_doubles(rounded(a, b));
+    if (doubles_are_exact_) return decide_in_doubles(rounded(ta, tb));
+    if (is_first) {
+        find_flat_axis();
+        if (flat_axis_ >= 0) return decide_flat(a, b, points);
+    }
+    if (planes_.are_used() && planes_.are_triangles_apart(a, b)) {
+        ++counts_.plane_passes;
+        return Relation::disjoint;
+    }
     const DeterminantBounds bounds = determinant_bounds(points, frame_.delta());
     switch (filter_again(points, bounds.orient3d, trace)) {
         case FilterAnswer::disjoint:
@@ -83,8 +99,157 @@ Relation TriangleRelations::decide_in_doubles(const Points<6>& points) {
         ++counts_.semi_static_passes;
         return Relation::disjoint;
     }
-    const Corners corners{VertexRef{0, a[0]}, {0, a[1]}, {0, a[2]}, {1, b[0]}, {1, b[1]}, {1, b[2]}};
+    const Corners corners{VertexRef{0, ta[0]}, {0, ta[1]}, {0, ta[2]}, {1, tb[0]}, {1, tb[1]}, {1, tb[2]}};
+    if (may_use_groups()) return decide_by_planes(a, b, corners, points, bounds, trace);
     return decide_by_integers(corners, points, bounds, trace);
+}
+
+namespace {
+
+// Whether all points of the mesh have the same coordinate. Half of it is the rounded half of a difference of doubles,
+// which loses nothing where one of them is not near the least ones. Zeros are known by their bits: a processor may take
+// other numbers for them.
+bool is_constant(const MeshExtent& extent, int axis) noexcept {
+    if (extent.digits[static_cast<std::size_t>(axis)].empty()) return true;
+    return extent.half[axis] == 0 && extent.magnitude[axis] > 0x1p-900;
+}
+
+// Whether all points of the body have the same coordinate on this axis of the world.
+bool is_flat(const BodyRef& body, int row) noexcept {
+    for (int column = 0; column < 3; ++column) {
+        if (decode(body.pose->R(row, column)).m != 0 && !is_constant(*body.extent, column)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+void TriangleRelations::find_flat_axis() {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!is_flat(frame_.body(0), axis) || !is_flat(frame_.body(1), axis)) continue;
+        const std::array<VertexRef, 2> any{VertexRef{0, triangles_[0][0][0]}, {1, triangles_[1][0][0]}};
+        const bool is_same = frame_.with_integers(
+            any, [axis](const auto& points) { return ExactSigns(points).compare(0, 1, axis) == 0; });
+        if (!is_same) continue;
+        const Vec3& extent = frame_.extent();
+        const DifferenceBound differences = difference_bound({extent[0], extent[1], extent[2]}, frame_.delta());
+        const auto k = static_cast<std::size_t>(axis);
+        flat_axis_ = axis;
+        flat_bound_ = orient2d_bound(differences, (k + 1) % 3, (k + 2) % 3);
+        return;
+    }
+}
+
+Relation TriangleRelations::decide_flat(std::uint32_t a, std::uint32_t b, const Points<6>& points) {
+    if (const FlatAnswer answer = filter_flat(points, flat_axis_, flat_bound_); answer != FlatAnswer::unknown) {
+        ++counts_.filter_passes;
+        return answer == FlatAnswer::disjoint ? Relation::disjoint : Relation::touching;
+    }
+    const DeterminantBounds bounds = determinant_bounds(points, frame_.delta());
+    const double bound = bounds.orient2d[static_cast<std::size_t>(flat_axis_)];
+    if (const FlatAnswer answer = filter_flat(points, flat_axis_, bound); answer != FlatAnswer::unknown) {
+        ++counts_.semi_static_passes;
+        return answer == FlatAnswer::disjoint ? Relation::disjoint : Relation::touching;
+    }
+    const Triangle &ta = triangles_[0][a], &tb = triangles_[1][b];
+    const Corners corners{VertexRef{0, ta[0]}, {0, ta[1]}, {0, ta[2]}, {1, tb[0]}, {1, tb[1]}, {1, tb[2]}};
+    FilterTrace trace;
+    filter(points, infinite_bound, trace);
+    return decide_by_integers(corners, points, bounds, trace);
+}
+
+// Groups are found when integers have decided so many pairs of the query that finding them, which costs about as much
+// as a pair for each triangle and is done once for a mesh, is not much beside it. That depends on the query alone, and
+// so do its counts.
+bool TriangleRelations::may_use_groups() {
+    if (planes_.are_used()) return true;
+    if (shapes_[0] == nullptr) return false;
+    const std::size_t triangle_count =
+        frame_.body(0).mesh->triangles().size() + frame_.body(1).mesh->triangles().size();
+    constexpr std::size_t triangles_a_pair = 512;
+    if (triangles_a_pair * ++open_count_ < triangle_count) return false;
+    if (triangle_count <= PlaneSigns::triangle_count_max) {
+        const CoplanarGroups& a = MeshShapeAccess::groups(*shapes_[0]);
+        const CoplanarGroups& b = MeshShapeAccess::groups(*shapes_[1]);
+        if (!a.empty() || !b.empty()) planes_.use(frame_, a, b);
+    }
+    shapes_ = {};
+    return planes_.are_used();
+}
+
+namespace {
+
+// The signs that triangle_pair needs of triangles in different planes: the filter's, then those known of planes, then
+// integers.
+class SignsOfPlanes {
+  public:
+    SignsOfPlanes(Frame& frame, const std::array<VertexRef, 6>& corners, const Points<6>& points,
+                  const DeterminantBounds& bounds, const std::array<Sides, 2>& sides) noexcept
+        : frame_(frame), corners_(corners), filter_(points, bounds), sides_(sides) {}
+
+    const Sides& sides(int plane, int /*points*/) const noexcept { return sides_[plane == 3 ? 0 : 1]; }
+    int orient3d(int a, int b, int c, int d) {
+        if (const int s = filter_.orient3d(a, b, c, d)) return s;
+        return ask_integers([=](const auto& signs) { return signs.orient3d(a, b, c, d); });
+    }
+    int orient2d(int a, int b, int c, int axis) {
+        if (const int s = filter_.orient2d(a, b, c, axis)) return s;
+        return ask_integers([=](const auto& signs) { return signs.orient2d(a, b, c, axis); });
+    }
+    int compare(int a, int b, int axis) {
+        return ask_integers([=](const auto& signs) { return signs.compare(a, b, axis); });
+    }
+    int normal_axis(int plane) {
+        if (const int axis = filter_.normal_axis(plane); axis >= 0) return axis;
+        return ask_integers([=](const auto& signs) { return signs.normal_axis(plane); });
+    }
+    bool has_used_integers() const noexcept { return has_used_integers_; }
+
+  private:
+    template <class Ask>
+    int ask_integers(const Ask& ask) {
+        has_used_integers_ = true;
+        return frame_.with_integers(corners_, [&](const auto& integers) { return ask(ExactSigns(integers)); });
+    }
+
+    Frame& frame_;
+    const std::array<VertexRef, 6>& corners_;
+    FilterSigns<6> filter_;
+    const std::array<Sides, 2>& sides_;
+    bool has_used_integers_ = false;
+};
+
+}  // namespace
+
+// Triangles of one plane need many more signs than those of planes: they are left to integers.
+Relation TriangleRelations::decide_by_planes(std::uint32_t a, std::uint32_t b, const Corners& corners,
+                                             const Points<6>& points, const DeterminantBounds& bounds,
+                                             const FilterTrace& trace) {
+    const std::uint64_t computed_before = planes_.computed_count();
+    const Sides first = planes_.complete(trace.first.certain_signs(bounds.orient3d), 1, b, a);
+    const bool is_flat = all_zero(first);
+    if (is_flat) return decide_by_integers(corners, points, bounds, trace);
+    std::array<Sides, 2> sides{first, first};
+    Relation relation = Relation::disjoint;
+    bool has_used_integers = false;
+    if (!all_positive(first) && !all_negative(first)) {
+        sides[1] = planes_.complete(trace.second.certain_signs(bounds.orient3d), 0, a, b);
+        SignsOfPlanes signs(frame_, corners, points, bounds, sides);
+        relation = triangle_pair(signs);
+        has_used_integers = signs.has_used_integers();
+    }
+    if (has_used_integers || planes_.computed_count() != computed_before) {
+        count_integers();
+    } else {
+        ++counts_.plane_passes;
+    }
+    return relation;
+}
+
+void TriangleRelations::count_integers() noexcept {
+    ++(frame_.arithmetic() == Arithmetic::one_limb    ? counts_.one_limb
+       : frame_.arithmetic() == Arithmetic::two_limbs ? counts_.two_limbs
+                                                      : counts_.many_limbs);
 }
 
 Relation TriangleRelations::decide_by_integers(const Corners& corners, const Points<6>& points,

@@ -9,6 +9,7 @@
 #include "ecods/predicates.hpp"
 #include "exact/point/frame.hpp"
 #include "exact/simplex/triangle_filter.hpp"
+#include "query/intersection/plane_signs.hpp"
 
 namespace ecods {
 
@@ -16,6 +17,22 @@ class TriangleRelations {
   public:
     // Cost: constant. Everything that the arguments refer to must outlive the questions.
     void bind(const exact::BodyRef& a, const exact::BodyRef& b);
+
+    // The shapes of the meshes, after bind(): once integers have decided some pairs, their coplanar triangles are found
+    // and decided together. Without them every pair is decided on its own.
+    void offer_groups(const MeshShape& a, const MeshShape& b) noexcept { shapes_ = {&a, &b}; }
+
+    // Those of the bodies that were bound last are used no more.
+    void forget_groups() noexcept {
+        shapes_ = {};
+        planes_.clear();
+    }
+
+    // The shapes' groups are used, and all triangles of these two are known to be apart: they may be skipped.
+    bool uses_groups() const noexcept { return planes_.are_used(); }
+    bool are_parted() const noexcept { return planes_.are_parted(); }  // the bodies share no point
+    bool are_apart(std::uint32_t group_a, std::uint32_t group_b) { return planes_.are_apart(group_a, group_b); }
+    const CoplanarGroups& groups(std::size_t body) const noexcept { return planes_.groups(body); }
 
     // The exact relation of triangle `a` of the first mesh and `b` of the second.
     Relation relation(std::uint32_t a, std::uint32_t b);
@@ -29,8 +46,14 @@ class TriangleRelations {
 
     exact::Points<6> rounded(const Triangle& a, const Triangle& b);
     Relation decide_in_doubles(const exact::Points<6>& points);
-    Relation decide_open(const Triangle& a, const Triangle& b, const exact::Points<6>& points,
+    Relation decide_open(std::uint32_t a, std::uint32_t b, const exact::Points<6>& points,
                          const exact::FilterTrace& trace);
+    void find_flat_axis();
+    Relation decide_flat(std::uint32_t a, std::uint32_t b, const exact::Points<6>& points);
+    bool may_use_groups();
+    Relation decide_by_planes(std::uint32_t a, std::uint32_t b, const Corners& corners, const exact::Points<6>& points,
+                              const exact::DeterminantBounds& bounds, const exact::FilterTrace& trace);
+    void count_integers() noexcept;
     Relation decide_by_integers(const Corners& corners, const exact::Points<6>& points,
                                 const exact::DeterminantBounds& bounds, const exact::FilterTrace& trace);
 
@@ -38,6 +61,12 @@ class TriangleRelations {
     std::array<const Triangle*, 2> triangles_{};
     double static_bound_ = 0;         // for every orient3d of points of the two bodies
     bool doubles_are_exact_ = false;  // whether decide_in_doubles answers everything
+    // The axis along which both bodies have one coordinate, the same in all their points; -1: none, or not known yet.
+    int flat_axis_ = -1;
+    double flat_bound_ = 0;                     // for every orient2d along it
+    std::array<const MeshShape*, 2> shapes_{};  // null: none, or their groups are used, or there are none
+    std::size_t open_count_ = 0;                // pairs that were left to integers while there were shapes
+    PlaneSigns planes_;
     StageCounts counts_;
 };
 

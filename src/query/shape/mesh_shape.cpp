@@ -26,6 +26,7 @@ struct MeshShape::Parts {
     Lazy<LocalFrame> frame;
     Lazy<SupportTable> support_table;
     Lazy<std::unique_ptr<const MeshTree>> tree;
+    Lazy<std::unique_ptr<const CoplanarGroups>> groups;
     Lazy<MeshShapeAccess::Digest> digest;
 };
 
@@ -43,6 +44,13 @@ const MeshTree& MeshShapeAccess::tree(const MeshShape& shape) {
     return *shape.parts_->tree.get([&] {
         return std::make_unique<const MeshTree>(
             MeshTree{exact::measure(shape.mesh()), build_mesh_bvh(shape.mesh(), frame(shape)), next_tree_id()});
+    });
+}
+
+const CoplanarGroups& MeshShapeAccess::groups(const MeshShape& shape) {
+    return *shape.parts_->groups.get([&] {
+        const MeshTree& own = tree(shape);
+        return std::make_unique<const CoplanarGroups>(find_coplanar_groups(shape.mesh(), own.extent, own.boxes));
     });
 }
 

@@ -9,6 +9,7 @@
 #include "bvh/mesh_bvh.hpp"
 #include "ecods/shape.hpp"
 #include "exact/point/mesh_extent.hpp"
+#include "query/shape/coplanar_groups.hpp"
 
 namespace ecods {
 
@@ -22,6 +23,7 @@ struct MeshTree {
 struct MeshShapeAccess {
     static const LocalFrame& frame(const MeshShape& shape);
     static const MeshTree& tree(const MeshShape& shape);
+    static const CoplanarGroups& groups(const MeshShape& shape);
 
     // Of the text by which certificates mean the mesh (query/certificate): what `make` makes when it is asked first.
     using Digest = std::array<std::uint64_t, 2>;

@@ -1,0 +1,52 @@
+// The bound of walks of two trees that look for common points, where coplanar triangles are known.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "query/intersection/overlap_bound.hpp"
+#include "query/intersection/triangle_relations.hpp"
+
+namespace ecods {
+
+// OverlapBound, and once the relations use groups, nodes whose triangles are in one plane each are skipped where these
+// planes are parallel with a gap, however small.
+class PlaneBound {
+  public:
+    // The arguments must outlive the bound; the relations need not be bound.
+    PlaneBound(const OverlapBound& boxes, const MeshBvh& a, const MeshBvh& b, TriangleRelations& relations)
+        : boxes_(boxes), a_(a), b_(b), relations_(relations) {}
+
+    template <class X, class Y>
+    std::uint64_t operator()(const X& x, const Y& y) {
+        if (relations_.uses_groups()) {
+            const std::uint32_t group_a = group_of(relations_.groups(0), a_, x);
+            const std::uint32_t group_b = group_of(relations_.groups(1), b_, y);
+            if (group_a != CoplanarGroups::none && group_b != CoplanarGroups::none &&
+                relations_.are_apart(group_a, group_b))
+                return 0;
+        }
+        return boxes_(x, y);
+    }
+
+    void order(const BvhNode& x, const BvhNode& y, LanePairs pairs, std::span<NodePair> children) const {
+        boxes_.order(x, y, pairs, children);
+    }
+
+  private:
+    static std::uint32_t group_of(const CoplanarGroups& groups, const MeshBvh& tree, const BvhNode& node) noexcept {
+        return groups.empty() ? CoplanarGroups::none
+                              : groups.of_node[static_cast<std::size_t>(&node - tree.nodes.data())];
+    }
+    static std::uint32_t group_of(const CoplanarGroups& groups, const MeshBvh& tree, const TreeLeaf& leaf) noexcept {
+        return groups.empty() ? CoplanarGroups::none
+                              : groups.of_leaf[static_cast<std::size_t>(&leaf - tree.leaves.data())];
+    }
+
+    OverlapBound boxes_;
+    const MeshBvh& a_;
+    const MeshBvh& b_;
+    TriangleRelations& relations_;
+};
+
+}  // namespace ecods

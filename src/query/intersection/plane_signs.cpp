@@ -1,0 +1,100 @@
+#include "query/intersection/plane_signs.hpp"
+
+#include "base/assert.hpp"
+#include "exact/simplex/common_pose.hpp"
+
+namespace ecods {
+
+using namespace exact;
+
+namespace {
+
+// Planes of the two bodies have different keys; triangles and groups have 31 bits.
+std::uint64_t key_of(std::size_t body, std::uint32_t own, std::uint32_t other) noexcept {
+    return (std::uint64_t{own} << 33) | (std::uint64_t{other} << 1) | body;
+}
+
+std::uint32_t group_of(const CoplanarGroups& groups, std::uint32_t triangle) noexcept {
+    return groups.empty() ? CoplanarGroups::none : groups.of_triangle[triangle];
+}
+
+}  // namespace
+
+void PlaneSigns::use(Frame& frame, const CoplanarGroups& a, const CoplanarGroups& b) noexcept {
+    frame_ = &frame;
+    groups_ = {&a, &b};
+    for (std::size_t i = 0; i < 2; ++i) turn_[i] = is_mirror(frame.body(i).pose->R) ? -1 : 1;
+}
+
+bool PlaneSigns::are_triangles_apart(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t group_a = group_of(*groups_[0], a), group_b = group_of(*groups_[1], b);
+    return group_a != CoplanarGroups::none && group_b != CoplanarGroups::none && are_apart(group_a, group_b);
+}
+
+Sides PlaneSigns::complete(Sides sides, std::size_t body, std::uint32_t own, std::uint32_t other) {
+    if (sides[0] != 0 && sides[1] != 0 && sides[2] != 0) return sides;
+    const std::uint32_t group = group_of(*groups_[body], own);
+    if (sides == Sides{0, 0, 0} && group != CoplanarGroups::none) {
+        const std::uint32_t other_group = group_of(*groups_[1 - body], other);
+        if (other_group != CoplanarGroups::none) {
+            const int all = side_of_parallel(body, group, other_group);
+            if (all != not_parallel) return {all, all, all};
+        }
+    }
+    const std::uint32_t plane = group == CoplanarGroups::none ? own : groups_[body]->first[group];
+    const Triangle& corners = triangle(1 - body, other);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (sides[i] == 0) sides[i] = side(body, plane, corners[i]);
+    }
+    return sides;
+}
+
+// With n = normal(p0, p1, p2), n . (q1 - q0) = n . (q2 - q0) = 0 says that n . q is the same for all points of the
+// plane of q, which a triangle of positive area spans in the mesh, and affine maps keep: every point of it is
+// q0 + x (q1 - q0) + y (q2 - q0) for some real x and y. If the pose makes n zero, so are all signs.
+int PlaneSigns::compute_side_of_parallel(std::size_t body, std::uint32_t group, std::uint32_t other_group) {
+    ++computed_count_;
+    const std::size_t other = 1 - body;
+    const Triangle& p = triangle(body, groups_[body]->first[group]);
+    const Triangle& q = triangle(other, groups_[other]->first[other_group]);
+    const std::array<VertexRef, 6> corners{VertexRef{body, p[0]}, {body, p[1]},  {body, p[2]},
+                                           {other, q[0]},         {other, q[1]}, {other, q[2]}};
+    return frame_->with_integers(corners, []<class Kernel>(const IntegerPoints<Kernel, 6>& points) {
+        const auto& at = points.at;
+        const auto n = Kernel::normal(at[0], at[1], at[2]);
+        if (Kernel::side(n, at[3], at[4]) != 0 || Kernel::side(n, at[3], at[5]) != 0) return not_parallel;
+        return Kernel::side(n, at[0], at[3]);
+    });
+}
+
+int PlaneSigns::side_of_parallel(std::size_t body, std::uint32_t group, std::uint32_t other_group) {
+    return parallel_.get(key_of(body, group, other_group), [&] {
+        const int side = compute_side_of_parallel(body, group, other_group);
+        is_parted_ |= part_bodies(body, group, other_group, side);
+        return side;
+    });
+}
+
+// `side` is that of the other group's points and the plane P of the body's group. If all of the body is on the other
+// closed side of P, and all of the other body is on the closed side of its plane Q where P is not, then the open slab
+// between P and Q is between them. A pose R takes the side of a point of the mesh times the sign of det R; where that
+// is zero the body is in P, and so on both closed sides.
+bool PlaneSigns::part_bodies(std::size_t body, std::uint32_t group, std::uint32_t other_group, int side) {
+    const std::size_t other = 1 - body;
+    const int own_side = turn_[body] * groups_[body]->side[group];
+    const int other_side = turn_[other] * groups_[other]->side[other_group];
+    if ((side != 1 && side != -1) || own_side != -side || other_side == 0) return false;
+    return compute_side_of_parallel(other, other_group, group) == -other_side;
+}
+
+int PlaneSigns::side(std::size_t body, std::uint32_t own, std::uint32_t vertex) {
+    return sides_.get(key_of(body, own, vertex), [&] {
+        ++computed_count_;
+        const Triangle& p = triangle(body, own);
+        const std::array<VertexRef, 4> corners{VertexRef{body, p[0]}, {body, p[1]}, {body, p[2]}, {1 - body, vertex}};
+        return frame_->with_integers(corners,
+                                     [](const auto& points) { return ExactSigns(points).orient3d(0, 1, 2, 3); });
+    });
+}
+
+}  // namespace ecods
