@@ -13,12 +13,6 @@ namespace {
 
 using Kind = AxisFormula::Kind;
 
-// The reach of all parts together, in each lane.
-void join(Reaches& reaches) {
-    reaches.low.fill(*std::ranges::min_element(reaches.low));
-    reaches.high.fill(*std::ranges::max_element(reaches.high));
-}
-
 // Beside a node, a leaf is not opened: all of it must be apart along one axis.
 template <class X, class Y>
 inline constexpr bool is_leaf_beside_node = requires(X x) {
@@ -39,7 +33,17 @@ constexpr int ties_min = 4;
 // So much of the body's size, or less, is the distance of such a pair more than what is to be proven.
 constexpr double tie_share = 0x1p-16;
 
+// As many pairs of leaves that only doubles proved anything of say that gaps are too small for floats.
+constexpr int fine_min = 4;
+
 constexpr double unbounded = 0x1p1000;
+
+// Bit j: of some i, bit 8 i + j is set.
+std::uint32_t columns_of(std::uint64_t pairs) {
+    pairs |= pairs >> 32;
+    pairs |= pairs >> 16;
+    return static_cast<std::uint32_t>((pairs | pairs >> 8) & 0xff);
+}
 
 std::uint64_t lanes_of(std::size_t rows, std::size_t columns) {
     std::uint64_t all = 0;
@@ -69,20 +73,12 @@ PairProof::Axis PairProof::bind(const Vec3& n) const {
     axis.b = put_on_axis(frame_b_, n);
     // Seven roundings of a product of positive numbers, and two of sums.
     axis.margin = (axis.a.error + axis.b.error) * (1 + 0x1p-20) + least_ * n.norm() * (1 + 0x1p-40);
-    if (!axis.a.is_bounded || !axis.b.is_bounded || !(axis.margin < 0x1p600)) axis.margin = unbounded;
+    if (!axis.a.is_bounded || !axis.b.is_bounded || !(axis.margin < 0x1p600)) {
+        axis.margin = unbounded;
+    } else {
+        axis.in_floats = pair_axis(axis.a, axis.b, least_ * n.norm() * (1 + 0x1p-40));
+    }
     return axis;
-}
-
-// Bit 8 i + j: parts i and j are apart.
-template <class X, class Y>
-std::uint64_t PairProof::apart(const Axis& axis, const X& x, const Y& y) const {
-    if (axis.margin == unbounded) return 0;
-    Reaches p, q;
-    find_reaches(axis.a, x, p);
-    find_reaches(axis.b, y, q);
-    if (is_leaf_beside_node<X, Y>) join(p);
-    if (is_leaf_beside_node<Y, X>) join(q);
-    return apart_mask(p, q, axis.margin);
 }
 
 PairProof::Word PairProof::name(Axis& axis) {
@@ -94,12 +90,16 @@ PairProof::Word PairProof::name(Axis& axis) {
 }
 
 template <class X, class Y>
-bool PairProof::try_axis(Axis& axis, const X& x, const Y& y, std::uint64_t& left) {
-    const std::uint64_t mask = apart(axis, x, y);
+bool PairProof::try_axis(Axis& axis, const X& x, const Y& y, bool is_fine, std::uint64_t& left) {
+    if (axis.margin == unbounded) return false;
+    std::uint64_t mask = apart_mask(axis.in_floats, x, y, columns_of(left));
+    if (is_fine && (left & ~mask) != 0)
+        mask |= apart_mask(axis.a, axis.b, axis.margin, x, y, columns_of(left & ~mask));
     // A new axis is a line of its own.
     const int least = axis.named == no_axis ? least_new_ : 1;
     if (std::popcount(mask & left) < least || (axis.named == no_axis && proof_.axes.size() >= no_axis)) return false;
-    of_step_.push_back(name(axis));
+    const Word named = name(axis);
+    if (std::ranges::find(of_step_, named) == of_step_.end()) of_step_.push_back(named);
     left &= ~mask;
     return true;
 }
@@ -114,8 +114,10 @@ template <class X, class Y>
 std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
     std::uint64_t left = all;
     of_step_.clear();
+    constexpr bool are_leaves = requires { x.vertices; } && requires { y.vertices; };
+    bool is_fine = fine_count_ == fine_min;  // whether doubles are asked
     const auto use = [&](std::size_t at) {
-        if (!try_axis(axes_[at], x, y, left)) return;
+        if (!try_axis(axes_[at], x, y, is_fine, left)) return;
         const auto end = recent_.begin() + static_cast<std::ptrdiff_t>(recent_count_);
         auto found = std::find(recent_.begin(), end, at);
         if (found == end) {
@@ -126,7 +128,14 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
         recent_[0] = at;
     };
     const std::array<std::size_t, 4> recent = recent_;
-    for (std::size_t k = 0, count = recent_count_; k < count && left != 0; ++k) use(recent[k]);
+    const std::size_t recent_count = recent_count_;
+    for (std::size_t k = 0; k < recent_count && left != 0; ++k) use(recent[k]);
+    if (are_leaves && left != 0) {
+        const std::uint64_t before = left;
+        is_fine = true;
+        for (std::size_t k = 0; k < recent_count && left != 0; ++k) use(recent[k]);
+        if (left != before && fine_count_ < fine_min) ++fine_count_;
+    }
     for (Contact& contact : contacts_) {
         if (left != 0) try_contact(contact, x, y, left);
     }
@@ -148,8 +157,7 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
         const auto end = recent.begin() + static_cast<std::ptrdiff_t>(recent_count_);
         if (std::find(recent.begin(), end, k) == end) use(k);
     }
-    if constexpr (
-        requires { x.vertices; } && requires { y.vertices; }) {
+    if constexpr (are_leaves) {
         if (left != 0) {
             const auto first = static_cast<std::size_t>(std::countr_zero(left));
             use_new(direction_of(x.triangle[first / tree_width], y.triangle[first % tree_width]),

@@ -9,6 +9,7 @@
 #include "query/certificate/contact_axis.hpp"
 #include "query/certificate/exact_axis.hpp"
 #include "query/certificate/exact_points.hpp"
+#include "query/certificate/pair_axis.hpp"
 #include "query/certificate/proof.hpp"
 #include "query/certificate/proof_axes.hpp"
 #include "query/distance/triangle_distances.hpp"
@@ -35,6 +36,7 @@ class PairProof {
         Vec3 n;
         BodyAxis a, b;
         double margin = 0;     // by how much more than nothing parts must be apart
+        PairAxis in_floats;
         Word named = no_axis;  // in the proof
     };
     struct Parts {
@@ -46,13 +48,11 @@ class PairProof {
     };
 
     Axis bind(const Vec3& n) const;
-    template <class X, class Y>
-    std::uint64_t apart(const Axis& axis, const X& x, const Y& y) const;
     Word name(Axis& axis);
     template <class X, class Y>
     std::uint64_t open(const X& x, const Y& y, std::uint64_t all);
     template <class X, class Y>
-    bool try_axis(Axis& axis, const X& x, const Y& y, std::uint64_t& left);
+    bool try_axis(Axis& axis, const X& x, const Y& y, bool is_fine, std::uint64_t& left);
     Vec3 slab_normal(std::size_t body, const Slab& slab) const;
     Vec3 direction_of(std::uint32_t i, std::uint32_t j);
     SixCorners corners_of(std::uint32_t i, std::uint32_t j);
@@ -78,6 +78,7 @@ class PairProof {
     std::vector<Word> of_step_;
     int least_new_ = 1;      // a new axis proves as many pairs of a step
     int contact_count_ = 0;  // of pairs of leaves that axes of boxes did not prove
+    int fine_count_ = 0;     // of pairs of leaves that need doubles
     std::vector<Parts> stack_;
     std::optional<ExactPoints> points_;
     std::vector<Contact> contacts_;
