@@ -27,16 +27,32 @@ struct PairAxis {
     // What is added to where parts of b begin, and to where they end. As they are, nothing is apart.
     float below = -std::numeric_limits<float>::infinity();
     float above = std::numeric_limits<float>::infinity();
+    double scale = 0;  // by which a and b are multiplied
 };
 
 // Parts are apart if there is more than `need` between them, which is finite.
 PairAxis pair_axis(const BodyAxis& a, const BodyAxis& b, double need) noexcept;
 
+// The slab of a node on an axis that is about the slab's: p . y = slope (normal . y) + rest . y.
+struct SlabEnds {
+    std::array<float, 3> rest{};
+    // slope (normal . y) is between these.
+    float low = -std::numeric_limits<float>::infinity();
+    float high = std::numeric_limits<float>::infinity();
+};
+
+// `p` is that of the slab's tree, of which the axis was made.
+SlabEnds slab_ends(const PairAxis& axis, const BodyAxis& of_tree, const Slab& slab) noexcept;
+
 // Bit 8 i + j: parts i of x and j of y are certainly apart, on either side. Of all lanes i, and of those j that
-// `columns` has. A leaf beside a node is one part, 0, of all of its triangles.
-std::uint64_t apart_mask(const PairAxis& axis, const BvhNode& x, const BvhNode& y, std::uint32_t columns) noexcept;
-std::uint64_t apart_mask(const PairAxis& axis, const BvhNode& x, const TreeLeaf& y, std::uint32_t columns) noexcept;
-std::uint64_t apart_mask(const PairAxis& axis, const TreeLeaf& x, const BvhNode& y, std::uint32_t columns) noexcept;
-std::uint64_t apart_mask(const PairAxis& axis, const TreeLeaf& x, const TreeLeaf& y, std::uint32_t columns) noexcept;
+// `columns` has. A leaf beside a node is one part, 0, of all of its triangles. A slab is that of x or of y.
+std::uint64_t apart_mask(const PairAxis& axis, const BvhNode& x, const BvhNode& y, std::uint32_t columns,
+                         const SlabEnds* of_x = nullptr, const SlabEnds* of_y = nullptr) noexcept;
+std::uint64_t apart_mask(const PairAxis& axis, const BvhNode& x, const TreeLeaf& y, std::uint32_t columns,
+                         const SlabEnds* of_x = nullptr, const SlabEnds* of_y = nullptr) noexcept;
+std::uint64_t apart_mask(const PairAxis& axis, const TreeLeaf& x, const BvhNode& y, std::uint32_t columns,
+                         const SlabEnds* of_x = nullptr, const SlabEnds* of_y = nullptr) noexcept;
+std::uint64_t apart_mask(const PairAxis& axis, const TreeLeaf& x, const TreeLeaf& y, std::uint32_t columns,
+                         const SlabEnds* of_x = nullptr, const SlabEnds* of_y = nullptr) noexcept;
 
 }  // namespace ecods

@@ -27,6 +27,9 @@ std::size_t part_count(const X& x, const Y&) {
     return is_leaf_beside_node<X, Y> ? 1 : x.count;
 }
 
+// As many bits has the normal of a slab, and as many pairs of a step it must prove to be worth a line.
+constexpr int slab_bits = 12;
+constexpr int slab_min = 2;
 constexpr std::size_t contacts_max = 8;
 // As many pairs of triangles of two leaves are worth an axis that is tried exactly.
 constexpr int ties_min = 4;
@@ -43,6 +46,29 @@ std::uint32_t columns_of(std::uint64_t pairs) {
     pairs |= pairs >> 32;
     pairs |= pairs >> 16;
     return static_cast<std::uint32_t>((pairs | pairs >> 8) & 0xff);
+}
+
+// Bit 8 i + j to 8 j + i: blocks of one, two and four are exchanged (Warren, Hacker's Delight, 7-3).
+std::uint64_t transposed(std::uint64_t mask) {
+    std::uint64_t t = (mask ^ (mask >> 7)) & 0x00aa00aa00aa00aa;
+    mask ^= t ^ (t << 7);
+    t = (mask ^ (mask >> 14)) & 0x0000cccc0000cccc;
+    mask ^= t ^ (t << 14);
+    t = (mask ^ (mask >> 28)) & 0x00000000f0f0f0f0;
+    return mask ^ (t ^ (t << 28));
+}
+
+// Bit j: of all of the first `count` i, bit 8 i + j is set.
+std::uint64_t row_of_all(std::uint64_t pairs, std::size_t count) {
+    std::uint64_t row = 0xff;
+    for (std::size_t i = 0; i < count; ++i) row &= pairs >> (tree_width * i);
+    return row;
+}
+// Bit 8 i: of all of the first `count` j, bit 8 i + j is set.
+std::uint64_t column_of_all(std::uint64_t pairs, std::size_t count) {
+    std::uint64_t column = 0x0101010101010101;
+    for (std::size_t j = 0; j < count; ++j) column &= pairs >> j;
+    return column;
 }
 
 std::uint64_t lanes_of(std::size_t rows, std::size_t columns) {
@@ -64,7 +90,8 @@ PairProof::PairProof(const Posed<MeshShape>& a, const Posed<MeshShape>& b, doubl
       proof_(proof),
       frame_a_(tree_a_.boxes, a.pose.R, Vec3::Zero()),
       frame_b_(tree_b_.boxes, b.pose.R, b.pose.t - a.pose.t),
-      normals_{box_normals(tree_a_.boxes.frame, a.pose.R), box_normals(tree_b_.boxes.frame, b.pose.R)} {}
+      normals_{box_normals(tree_a_.boxes.frame, a.pose.R), box_normals(tree_b_.boxes.frame, b.pose.R)},
+      is_guided_(guide_.bind({tree_a_.boxes, a.pose.R}, {tree_b_.boxes, b.pose.R}, b.pose.t - a.pose.t) < 0) {}
 
 PairProof::Axis PairProof::bind(const Vec3& n) const {
     Axis axis;
@@ -90,9 +117,9 @@ PairProof::Word PairProof::name(Axis& axis) {
 }
 
 template <class X, class Y>
-bool PairProof::try_axis(Axis& axis, const X& x, const Y& y, bool is_fine, std::uint64_t& left) {
+bool PairProof::try_axis(Axis& axis, const X& x, const Y& y, bool is_fine, std::uint64_t& left, const SlabEnds* of_x, const SlabEnds* of_y) {
     if (axis.margin == unbounded) return false;
-    std::uint64_t mask = apart_mask(axis.in_floats, x, y, columns_of(left));
+    std::uint64_t mask = apart_mask(axis.in_floats, x, y, columns_of(left), of_x, of_y);
     if (is_fine && (left & ~mask) != 0)
         mask |= apart_mask(axis.a, axis.b, axis.margin, x, y, columns_of(left & ~mask));
     // A new axis is a line of its own.
@@ -116,8 +143,8 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
     of_step_.clear();
     constexpr bool are_leaves = requires { x.vertices; } && requires { y.vertices; };
     bool is_fine = fine_count_ == fine_min;  // whether doubles are asked
-    const auto use = [&](std::size_t at) {
-        if (!try_axis(axes_[at], x, y, is_fine, left)) return;
+    const auto use = [&](std::size_t at, const SlabEnds* of_x = nullptr, const SlabEnds* of_y = nullptr) {
+        if (!try_axis(axes_[at], x, y, is_fine, left, of_x, of_y)) return;
         const auto end = recent_.begin() + static_cast<std::ptrdiff_t>(recent_count_);
         auto found = std::find(recent_.begin(), end, at);
         if (found == end) {
@@ -139,21 +166,30 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
     for (Contact& contact : contacts_) {
         if (left != 0) try_contact(contact, x, y, left);
     }
-    const auto use_new = [&](const Vec3& n, int least) {
+    const auto use_new = [&](const Vec3& n, int least, const Slab* slab_x = nullptr, const Slab* slab_y = nullptr) {
         if (n == Vec3::Zero()) return;
         axes_.push_back(bind(n));
         const std::size_t at = axes_.size() - 1;
         least_new_ = least;
-        use(at);
+        SlabEnds ends;
+        if (slab_x) ends = slab_ends(axes_[at].in_floats, axes_[at].a, *slab_x);
+        if (slab_y) ends = slab_ends(axes_[at].in_floats, axes_[at].b, *slab_y);
+        use(at, slab_x ? &ends : nullptr, slab_y ? &ends : nullptr);
         least_new_ = 1;
         if (axes_[at].named == no_axis) axes_.pop_back();
     };
+    std::uint64_t hope = ~std::uint64_t{0};
+    if (!are_leaves && is_guided_ && left != 0) {
+        hope = transposed(~overlap_mask(guide_.sets(), x, y));
+        if (is_leaf_beside_node<X, Y>) hope = row_of_all(hope, x.count);
+        if (is_leaf_beside_node<Y, X>) hope = column_of_all(hope, y.count);
+    }
     for (const std::size_t body : {0u, 1u}) {
-        if (left == 0) return 0;
-        use_new(shortened(slab_normal(body, body == 0 ? x.slab : y.slab)), 1);
+        if ((left & hope) == 0) break;
+        use_new(shortened(slab_normal(body, body == 0 ? x.slab : y.slab), slab_bits), slab_min, body == 0 ? &x.slab : nullptr, body == 0 ? nullptr : &y.slab);
     }
     const bool tries_boxes = 8 * std::popcount(left) > std::popcount(all);
-    for (std::size_t k = 0; k < 6 && left != 0 && tries_boxes; ++k) {
+    for (std::size_t k = 0; k < 6 && (left & hope) != 0 && tries_boxes; ++k) {
         const auto end = recent.begin() + static_cast<std::ptrdiff_t>(recent_count_);
         if (std::find(recent.begin(), end, k) == end) use(k);
     }

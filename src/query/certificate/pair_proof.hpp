@@ -6,6 +6,7 @@
 
 #include "ecods/certificate.hpp"
 #include "ecods/ids.hpp"
+#include "bvh/separating_axes.hpp"
 #include "query/certificate/contact_axis.hpp"
 #include "query/certificate/exact_axis.hpp"
 #include "query/certificate/exact_points.hpp"
@@ -52,7 +53,7 @@ class PairProof {
     template <class X, class Y>
     std::uint64_t open(const X& x, const Y& y, std::uint64_t all);
     template <class X, class Y>
-    bool try_axis(Axis& axis, const X& x, const Y& y, bool is_fine, std::uint64_t& left);
+    bool try_axis(Axis& axis, const X& x, const Y& y, bool is_fine, std::uint64_t& left, const SlabEnds* of_x, const SlabEnds* of_y);
     Vec3 slab_normal(std::size_t body, const Slab& slab) const;
     Vec3 direction_of(std::uint32_t i, std::uint32_t j);
     SixCorners corners_of(std::uint32_t i, std::uint32_t j);
@@ -72,6 +73,8 @@ class PairProof {
     Proof& proof_;
     BodyFrame frame_a_, frame_b_;
     std::array<Mat3, 2> normals_;
+    SeparatingAxes guide_;  // says which pairs axes of boxes and slabs may prove
+    bool is_guided_;
     std::vector<Axis> axes_;  // the first six are those of the boxes
     std::array<std::size_t, 4> recent_{};
     std::size_t recent_count_ = 0;

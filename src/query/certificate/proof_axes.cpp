@@ -141,14 +141,16 @@ std::uint64_t apart_mask(const BodyAxis& a, const BodyAxis& b, double margin, co
     return dispatch<mask_of<TreeLeaf, TreeLeaf>>(a, b, margin, x, y, columns);
 }
 
-Vec3 shortened(const Vec3& direction) {
+Vec3 shortened(const Vec3& direction, int bits) {
     const double largest = direction.cwiseAbs().maxCoeff();
     if (!(largest >= 0x1p-900 && largest <= 0x1p900)) return Vec3::Zero();
     const auto biased = static_cast<std::uint64_t>(std::bit_cast<std::uint64_t>(largest) >> 52);
-    const double scale = std::bit_cast<double>((1023 + 16 + 1023 - biased) << 52);
+    const auto digits = static_cast<std::uint64_t>(bits);
+    const double scale = std::bit_cast<double>((1023 + digits + 1023 - biased) << 52),
+                 unit = std::bit_cast<double>((1023 - digits) << 52);
     Vec3 result;
     for (int k = 0; k < 3; ++k)
-        result[k] = static_cast<double>(static_cast<std::int64_t>(direction[k] * scale)) * 0x1p-16;
+        result[k] = static_cast<double>(static_cast<std::int64_t>(direction[k] * scale)) * unit;
     return result;
 }
 

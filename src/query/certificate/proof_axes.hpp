@@ -63,9 +63,9 @@ std::uint64_t apart_mask(const BodyAxis& a, const BodyAxis& b, double margin, co
 std::uint64_t apart_mask(const BodyAxis& a, const BodyAxis& b, double margin, const TreeLeaf& x, const TreeLeaf& y,
                          std::uint32_t columns) noexcept;
 
-// About the same direction in few digits: the largest coordinate is between 1 and 2, and all are multiples of 2^-16.
+// About the same direction in few digits: the largest coordinate is between 1 and 2, and all are multiples of 2^-bits.
 // Zero where there is no direction.
-Vec3 shortened(const Vec3& direction);
+Vec3 shortened(const Vec3& direction, int bits = 16);
 
 // The normals of a tree's boxes in the world, or the axes of the world where the pose is too flat for these. Columns.
 Mat3 box_normals(const LocalFrame& frame, const Mat3& R);
