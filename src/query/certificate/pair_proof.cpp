@@ -136,6 +136,17 @@ Vec3 PairProof::slab_normal(std::size_t body, const Slab& slab) const {
                                  static_cast<double>(slab.normal[2]));
 }
 
+// Nodes come again, beside others.
+const PairProof::SlabAxis& PairProof::slab_axis(std::size_t body, const void* node, const Slab& slab) {
+    SlabAxis& kept = slabs_[(reinterpret_cast<std::uintptr_t>(node) >> 6) % slabs_.size()];
+    if (kept.node == node && kept.body == body) return kept;
+    kept = {node, body, axes_.size(), {}};
+    axes_.push_back(bind(shortened(slab_normal(body, slab), slab_bits)));
+    const Axis& axis = axes_.back();
+    kept.ends = slab_ends(axis.in_floats, body == 0 ? axis.a : axis.b, slab);
+    return kept;
+}
+
 // Chooses the axes of a step, and returns the pairs that none of them proves.
 template <class X, class Y>
 std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
@@ -166,15 +177,12 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
     for (Contact& contact : contacts_) {
         if (left != 0) try_contact(contact, x, y, left);
     }
-    const auto use_new = [&](const Vec3& n, int least, const Slab* slab_x = nullptr, const Slab* slab_y = nullptr) {
+    const auto use_new = [&](const Vec3& n, int least) {
         if (n == Vec3::Zero()) return;
         axes_.push_back(bind(n));
         const std::size_t at = axes_.size() - 1;
         least_new_ = least;
-        SlabEnds ends;
-        if (slab_x) ends = slab_ends(axes_[at].in_floats, axes_[at].a, *slab_x);
-        if (slab_y) ends = slab_ends(axes_[at].in_floats, axes_[at].b, *slab_y);
-        use(at, slab_x ? &ends : nullptr, slab_y ? &ends : nullptr);
+        use(at);
         least_new_ = 1;
         if (axes_[at].named == no_axis) axes_.pop_back();
     };
@@ -186,7 +194,10 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
     }
     for (const std::size_t body : {0u, 1u}) {
         if ((left & hope) == 0) break;
-        use_new(shortened(slab_normal(body, body == 0 ? x.slab : y.slab), slab_bits), slab_min, body == 0 ? &x.slab : nullptr, body == 0 ? nullptr : &y.slab);
+        const SlabAxis& slab = body == 0 ? slab_axis(0, &x, x.slab) : slab_axis(1, &y, y.slab);
+        least_new_ = slab_min;
+        use(slab.at, body == 0 ? &slab.ends : nullptr, body == 0 ? nullptr : &slab.ends);
+        least_new_ = 1;
     }
     const bool tries_boxes = 8 * std::popcount(left) > std::popcount(all);
     for (std::size_t k = 0; k < 6 && (left & hope) != 0 && tries_boxes; ++k) {
@@ -334,7 +345,7 @@ void PairProof::try_contact(Contact& contact, const X& x, const Y& y, std::uint6
 }
 
 std::optional<TrianglePair> PairProof::run(const std::optional<TrianglePair>& closest) {
-    axes_.reserve(64);
+    axes_.reserve(256);
     stack_.reserve(256);
     of_step_.reserve(32);
     proof_.axes.reserve(32);

@@ -40,6 +40,13 @@ class PairProof {
         PairAxis in_floats;
         Word named = no_axis;  // in the proof
     };
+    // The axis of the slab of a node or leaf.
+    struct SlabAxis {
+        const void* node = nullptr;
+        std::size_t body = 0;
+        std::size_t at = 0;  // in axes_
+        SlabEnds ends;
+    };
     struct Parts {
         TreeRef a, b;
     };
@@ -54,6 +61,7 @@ class PairProof {
     std::uint64_t open(const X& x, const Y& y, std::uint64_t all);
     template <class X, class Y>
     bool try_axis(Axis& axis, const X& x, const Y& y, bool is_fine, std::uint64_t& left, const SlabEnds* of_x, const SlabEnds* of_y);
+    const SlabAxis& slab_axis(std::size_t body, const void* node, const Slab& slab);
     Vec3 slab_normal(std::size_t body, const Slab& slab) const;
     Vec3 direction_of(std::uint32_t i, std::uint32_t j);
     SixCorners corners_of(std::uint32_t i, std::uint32_t j);
@@ -76,6 +84,7 @@ class PairProof {
     SeparatingAxes guide_;  // says which pairs axes of boxes and slabs may prove
     bool is_guided_;
     std::vector<Axis> axes_;  // the first six are those of the boxes
+    std::array<SlabAxis, 128> slabs_{};
     std::array<std::size_t, 4> recent_{};
     std::size_t recent_count_ = 0;
     std::vector<Word> of_step_;
