@@ -97,9 +97,8 @@ struct Kernel : ProjectedLanes<width> {
     }
 
     template <class X, class Y>
-    ECODS_ALWAYS_INLINE static std::uint64_t apart(const PairAxis& axis, const X& x, const Y& y,
-                                                   std::uint32_t columns, const SlabEnds* slab_x,
-                                                   const SlabEnds* slab_y) noexcept {
+    ECODS_ALWAYS_INLINE static std::uint64_t apart(const PairAxis& axis, const X& x, const Y& y, std::uint32_t columns,
+                                                   const SlabEnds* slab_x, const SlabEnds* slab_y) noexcept {
         Ends of_x, of_y;
         project(axis.a, x, slab_x, of_x);
         project(axis.b, y, slab_y, of_y);

@@ -48,29 +48,6 @@ std::uint32_t columns_of(std::uint64_t pairs) {
     return static_cast<std::uint32_t>((pairs | pairs >> 8) & 0xff);
 }
 
-// Bit 8 i + j to 8 j + i: blocks of one, two and four are exchanged (Warren, Hacker's Delight, 7-3).
-std::uint64_t transposed(std::uint64_t mask) {
-    std::uint64_t t = (mask ^ (mask >> 7)) & 0x00aa00aa00aa00aa;
-    mask ^= t ^ (t << 7);
-    t = (mask ^ (mask >> 14)) & 0x0000cccc0000cccc;
-    mask ^= t ^ (t << 14);
-    t = (mask ^ (mask >> 28)) & 0x00000000f0f0f0f0;
-    return mask ^ (t ^ (t << 28));
-}
-
-// Bit j: of all of the first `count` i, bit 8 i + j is set.
-std::uint64_t row_of_all(std::uint64_t pairs, std::size_t count) {
-    std::uint64_t row = 0xff;
-    for (std::size_t i = 0; i < count; ++i) row &= pairs >> (tree_width * i);
-    return row;
-}
-// Bit 8 i: of all of the first `count` j, bit 8 i + j is set.
-std::uint64_t column_of_all(std::uint64_t pairs, std::size_t count) {
-    std::uint64_t column = 0x0101010101010101;
-    for (std::size_t j = 0; j < count; ++j) column &= pairs >> j;
-    return column;
-}
-
 std::uint64_t lanes_of(std::size_t rows, std::size_t columns) {
     std::uint64_t all = 0;
     for (std::size_t i = 0; i < rows; ++i) all |= ((std::uint64_t{1} << columns) - 1) << (tree_width * i);
@@ -90,8 +67,7 @@ PairProof::PairProof(const Posed<MeshShape>& a, const Posed<MeshShape>& b, doubl
       proof_(proof),
       frame_a_(tree_a_.boxes, a.pose.R, Vec3::Zero()),
       frame_b_(tree_b_.boxes, b.pose.R, b.pose.t - a.pose.t),
-      normals_{box_normals(tree_a_.boxes.frame, a.pose.R), box_normals(tree_b_.boxes.frame, b.pose.R)},
-      is_guided_(guide_.bind({tree_a_.boxes, a.pose.R}, {tree_b_.boxes, b.pose.R}, b.pose.t - a.pose.t) < 0) {}
+      normals_{box_normals(tree_a_.boxes.frame, a.pose.R), box_normals(tree_b_.boxes.frame, b.pose.R)} {}
 
 PairProof::Axis PairProof::bind(const Vec3& n) const {
     Axis axis;
@@ -117,11 +93,11 @@ PairProof::Word PairProof::name(Axis& axis) {
 }
 
 template <class X, class Y>
-bool PairProof::try_axis(Axis& axis, const X& x, const Y& y, bool is_fine, std::uint64_t& left, const SlabEnds* of_x, const SlabEnds* of_y) {
+bool PairProof::try_axis(Axis& axis, const X& x, const Y& y, bool is_fine, std::uint64_t& left, const SlabEnds* of_x,
+                         const SlabEnds* of_y) {
     if (axis.margin == unbounded) return false;
     std::uint64_t mask = apart_mask(axis.in_floats, x, y, columns_of(left), of_x, of_y);
-    if (is_fine && (left & ~mask) != 0)
-        mask |= apart_mask(axis.a, axis.b, axis.margin, x, y, columns_of(left & ~mask));
+    if (is_fine && (left & ~mask) != 0) mask |= apart_mask(axis.a, axis.b, axis.margin, x, y, columns_of(left & ~mask));
     // A new axis is a line of its own.
     const int least = axis.named == no_axis ? least_new_ : 1;
     if (std::popcount(mask & left) < least || (axis.named == no_axis && proof_.axes.size() >= no_axis)) return false;
@@ -137,13 +113,20 @@ Vec3 PairProof::slab_normal(std::size_t body, const Slab& slab) const {
 }
 
 // Nodes come again, beside others.
-const PairProof::SlabAxis& PairProof::slab_axis(std::size_t body, const void* node, const Slab& slab) {
-    SlabAxis& kept = slabs_[(reinterpret_cast<std::uintptr_t>(node) >> 6) % slabs_.size()];
-    if (kept.node == node && kept.body == body) return kept;
-    kept = {node, body, axes_.size(), {}};
-    axes_.push_back(bind(shortened(slab_normal(body, slab), slab_bits)));
+template <class X>
+const PairProof::SlabAxis& PairProof::slab_axis(const MeshTree& tree, const X& x, std::size_t body) {
+    std::size_t node;
+    if constexpr (requires { x.child; }) {
+        node = 4 * static_cast<std::size_t>(&x - tree.boxes.nodes.data()) + body;
+    } else {
+        node = 4 * static_cast<std::size_t>(&x - tree.boxes.leaves.data()) + 2 + body;
+    }
+    SlabAxis& kept = slabs_[node % slabs_.size()];
+    if (kept.node == node) return kept;
+    kept = {node, axes_.size(), {}};
+    axes_.push_back(bind(shortened(slab_normal(body, x.slab), slab_bits)));
     const Axis& axis = axes_.back();
-    kept.ends = slab_ends(axis.in_floats, body == 0 ? axis.a : axis.b, slab);
+    kept.ends = slab_ends(axis.in_floats, body == 0 ? axis.a : axis.b, x.slab);
     return kept;
 }
 
@@ -152,7 +135,12 @@ template <class X, class Y>
 std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
     std::uint64_t left = all;
     of_step_.clear();
-    constexpr bool are_leaves = requires { x.vertices; } && requires { y.vertices; };
+    constexpr bool are_leaves = requires {
+        x.vertices;
+    }
+    &&requires {
+        y.vertices;
+    };
     bool is_fine = fine_count_ == fine_min;  // whether doubles are asked
     const auto use = [&](std::size_t at, const SlabEnds* of_x = nullptr, const SlabEnds* of_y = nullptr) {
         if (!try_axis(axes_[at], x, y, is_fine, left, of_x, of_y)) return;
@@ -186,21 +174,15 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
         least_new_ = 1;
         if (axes_[at].named == no_axis) axes_.pop_back();
     };
-    std::uint64_t hope = ~std::uint64_t{0};
-    if (!are_leaves && is_guided_ && left != 0) {
-        hope = transposed(~overlap_mask(guide_.sets(), x, y));
-        if (is_leaf_beside_node<X, Y>) hope = row_of_all(hope, x.count);
-        if (is_leaf_beside_node<Y, X>) hope = column_of_all(hope, y.count);
-    }
     for (const std::size_t body : {0u, 1u}) {
-        if ((left & hope) == 0) break;
-        const SlabAxis& slab = body == 0 ? slab_axis(0, &x, x.slab) : slab_axis(1, &y, y.slab);
+        if (left == 0) return 0;
+        const SlabAxis& slab = body == 0 ? slab_axis(tree_a_, x, body) : slab_axis(tree_b_, y, body);
         least_new_ = slab_min;
         use(slab.at, body == 0 ? &slab.ends : nullptr, body == 0 ? nullptr : &slab.ends);
         least_new_ = 1;
     }
     const bool tries_boxes = 8 * std::popcount(left) > std::popcount(all);
-    for (std::size_t k = 0; k < 6 && (left & hope) != 0 && tries_boxes; ++k) {
+    for (std::size_t k = 0; k < 6 && left != 0 && tries_boxes; ++k) {
         const auto end = recent.begin() + static_cast<std::ptrdiff_t>(recent_count_);
         if (std::find(recent.begin(), end, k) == end) use(k);
     }
@@ -293,20 +275,21 @@ SixCorners PairProof::corners_of(std::uint32_t i, std::uint32_t j) {
     return corners;
 }
 
-// Along which two triangles are apart as far as they can be; nothing if they cross.
+// Along which two triangles are apart as far as they can be; nothing where the walk ends.
 std::optional<AxisFormula> PairProof::formula_for(std::uint32_t i, std::uint32_t j) {
     const DistanceInterval interval = pair_.enclose(i, j);
     if (interval.is_certain && key_of(interval.lower) > 0) return formula_of(interval, a_, i, b_, j);
     const ClosestPoints closest = pair_.closest(i, j);
     if (closest.kind != ClosestKind::intersecting) return formula_of(closest);
+    if (ends_at_ == EndsAt::meeting) return std::nullopt;
     return find_axis(corners_of(i, j), ApartBy::weakly);
 }
 
-// Two triangles that no axis of their parts' proves to be apart. Returns false if they cross.
+// Two triangles that no axis of their parts' proves to be apart. Returns false if the walk ends here.
 bool PairProof::decide(std::uint32_t i, std::uint32_t j) {
     const auto formula = formula_for(i, j);
     if (!formula) {
-        crossing_ = TrianglePair{i, j};
+        found_ = TrianglePair{i, j};
         return false;
     }
     proof_.add_triangles(*formula);
@@ -344,7 +327,8 @@ void PairProof::try_contact(Contact& contact, const X& x, const Y& y, std::uint6
     left &= ~mask;
 }
 
-std::optional<TrianglePair> PairProof::run(const std::optional<TrianglePair>& closest) {
+std::optional<TrianglePair> PairProof::run(const std::optional<TrianglePair>& closest, EndsAt ends_at) {
+    ends_at_ = ends_at;
     axes_.reserve(256);
     stack_.reserve(256);
     of_step_.reserve(32);
@@ -365,12 +349,12 @@ std::optional<TrianglePair> PairProof::run(const std::optional<TrianglePair>& cl
         }
     }
     stack_.assign(1, {tree_a_.boxes.root, tree_b_.boxes.root});
-    while (!stack_.empty() && !crossing_) {
+    while (!stack_.empty() && !found_) {
         const Parts top = stack_.back();
         stack_.pop_back();
         visit(top);
     }
-    return crossing_;
+    return found_;
 }
 
 }  // namespace ecods

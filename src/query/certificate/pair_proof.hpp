@@ -6,7 +6,6 @@
 
 #include "ecods/certificate.hpp"
 #include "ecods/ids.hpp"
-#include "bvh/separating_axes.hpp"
 #include "query/certificate/contact_axis.hpp"
 #include "query/certificate/exact_axis.hpp"
 #include "query/certificate/exact_points.hpp"
@@ -25,9 +24,11 @@ class PairProof {
     PairProof(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double least, TriangleDistances& pair,
               Proof& proof);
 
-    // The claim must be true, but that touching bodies may cross: then two triangles that do are returned. `closest`
-    // are two triangles between which axes are looked for first.
-    std::optional<TrianglePair> run(const std::optional<TrianglePair>& closest);
+    enum class EndsAt : std::uint8_t { meeting, crossing };
+    // The claim must be true, but that bodies may cross where touching is claimed, or share a point where a walk ends
+    // at any: then two triangles that do are returned. `closest` are two triangles between which axes are looked for
+    // first.
+    std::optional<TrianglePair> run(const std::optional<TrianglePair>& closest, EndsAt ends_at);
 
   private:
     using Word = Proof::Word;
@@ -36,14 +37,13 @@ class PairProof {
     struct Axis {
         Vec3 n;
         BodyAxis a, b;
-        double margin = 0;     // by how much more than nothing parts must be apart
+        double margin = 0;  // by how much more than nothing parts must be apart
         PairAxis in_floats;
         Word named = no_axis;  // in the proof
     };
     // The axis of the slab of a node or leaf.
     struct SlabAxis {
-        const void* node = nullptr;
-        std::size_t body = 0;
+        std::size_t node = ~std::size_t{0};
         std::size_t at = 0;  // in axes_
         SlabEnds ends;
     };
@@ -60,8 +60,10 @@ class PairProof {
     template <class X, class Y>
     std::uint64_t open(const X& x, const Y& y, std::uint64_t all);
     template <class X, class Y>
-    bool try_axis(Axis& axis, const X& x, const Y& y, bool is_fine, std::uint64_t& left, const SlabEnds* of_x, const SlabEnds* of_y);
-    const SlabAxis& slab_axis(std::size_t body, const void* node, const Slab& slab);
+    bool try_axis(Axis& axis, const X& x, const Y& y, bool is_fine, std::uint64_t& left, const SlabEnds* of_x,
+                  const SlabEnds* of_y);
+    template <class X>
+    const SlabAxis& slab_axis(const MeshTree& tree, const X& x, std::size_t body);
     Vec3 slab_normal(std::size_t body, const Slab& slab) const;
     Vec3 direction_of(std::uint32_t i, std::uint32_t j);
     SixCorners corners_of(std::uint32_t i, std::uint32_t j);
@@ -81,8 +83,6 @@ class PairProof {
     Proof& proof_;
     BodyFrame frame_a_, frame_b_;
     std::array<Mat3, 2> normals_;
-    SeparatingAxes guide_;  // says which pairs axes of boxes and slabs may prove
-    bool is_guided_;
     std::vector<Axis> axes_;  // the first six are those of the boxes
     std::array<SlabAxis, 128> slabs_{};
     std::array<std::size_t, 4> recent_{};
@@ -94,7 +94,8 @@ class PairProof {
     std::vector<Parts> stack_;
     std::optional<ExactPoints> points_;
     std::vector<Contact> contacts_;
-    std::optional<TrianglePair> crossing_;
+    EndsAt ends_at_ = EndsAt::crossing;
+    std::optional<TrianglePair> found_;  // where the walk ends
 };
 
 }  // namespace ecods

@@ -149,8 +149,7 @@ Vec3 shortened(const Vec3& direction, int bits) {
     const double scale = std::bit_cast<double>((1023 + digits + 1023 - biased) << 52),
                  unit = std::bit_cast<double>((1023 - digits) << 52);
     Vec3 result;
-    for (int k = 0; k < 3; ++k)
-        result[k] = static_cast<double>(static_cast<std::int64_t>(direction[k] * scale)) * unit;
+    for (int k = 0; k < 3; ++k) result[k] = static_cast<double>(static_cast<std::int64_t>(direction[k] * scale)) * unit;
     return result;
 }
 
