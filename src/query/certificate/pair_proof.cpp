@@ -5,13 +5,9 @@
 
 #include "base/arithmetic.hpp"
 #include "base/double_key.hpp"
-#include "query/certificate/closest_axis.hpp"
-#include "query/certificate/exact_axis.hpp"
 
 namespace ecods {
 namespace {
-
-using Kind = AxisFormula::Kind;
 
 // Beside a node, a leaf is not opened: all of it must be apart along one axis.
 template <class X, class Y>
@@ -30,7 +26,6 @@ std::size_t part_count(const X& x, const Y&) {
 // As many bits has the normal of a slab, and as many pairs of a step it must prove to be worth a line.
 constexpr int slab_bits = 12;
 constexpr int slab_min = 2;
-constexpr std::size_t contacts_max = 8;
 // As many pairs of triangles of two leaves are worth an axis that is tried exactly.
 constexpr int ties_min = 4;
 // So much of the body's size, or less, is the distance of such a pair more than what is to be proven.
@@ -93,13 +88,13 @@ PairProof::Word PairProof::name(Axis& axis) {
 }
 
 template <class X, class Y>
-bool PairProof::try_axis(Axis& axis, const X& x, const Y& y, bool is_fine, std::uint64_t& left, const SlabEnds* of_x,
-                         const SlabEnds* of_y) {
+bool PairProof::try_axis(Axis& axis, const X& x, const Y& y, const Trial& trial, std::uint64_t& left) {
     if (axis.margin == unbounded) return false;
-    std::uint64_t mask = apart_mask(axis.in_floats, x, y, columns_of(left), of_x, of_y);
-    if (is_fine && (left & ~mask) != 0) mask |= apart_mask(axis.a, axis.b, axis.margin, x, y, columns_of(left & ~mask));
+    std::uint64_t mask = apart_mask(axis.in_floats, x, y, columns_of(left), trial.of_x, trial.of_y);
+    if (trial.is_fine && (left & ~mask) != 0)
+        mask |= apart_mask(axis.a, axis.b, axis.margin, x, y, columns_of(left & ~mask));
     // A new axis is a line of its own.
-    const int least = axis.named == no_axis ? least_new_ : 1;
+    const int least = axis.named == no_axis ? trial.least : 1;
     if (std::popcount(mask & left) < least || (axis.named == no_axis && proof_.axes.size() >= no_axis)) return false;
     const Word named = name(axis);
     if (std::ranges::find(of_step_, named) == of_step_.end()) of_step_.push_back(named);
@@ -114,19 +109,22 @@ Vec3 PairProof::slab_normal(std::size_t body, const Slab& slab) const {
 
 // Nodes come again, beside others.
 template <class X>
-const PairProof::SlabAxis& PairProof::slab_axis(const MeshTree& tree, const X& x, std::size_t body) {
+PairProof::SlabAxis& PairProof::slab_axis(const MeshTree& tree, const X& x, std::size_t body) {
     std::size_t node;
     if constexpr (requires { x.child; }) {
         node = 4 * static_cast<std::size_t>(&x - tree.boxes.nodes.data()) + body;
     } else {
         node = 4 * static_cast<std::size_t>(&x - tree.boxes.leaves.data()) + 2 + body;
     }
-    SlabAxis& kept = slabs_[node % slabs_.size()];
+    std::uint8_t& place = slab_places_[node % slab_places_.size()];
+    if (place == 0) {
+        slabs_.emplace_back();
+        place = static_cast<std::uint8_t>(slabs_.size());
+    }
+    SlabAxis& kept = slabs_[place - 1u];
     if (kept.node == node) return kept;
-    kept = {node, axes_.size(), {}};
-    axes_.push_back(bind(shortened(slab_normal(body, x.slab), slab_bits)));
-    const Axis& axis = axes_.back();
-    kept.ends = slab_ends(axis.in_floats, body == 0 ? axis.a : axis.b, x.slab);
+    kept = {.node = node, .axis = bind(shortened(slab_normal(body, x.slab), slab_bits))};
+    kept.ends = slab_ends(kept.axis.in_floats, body == 0 ? kept.axis.a : kept.axis.b, x.slab);
     return kept;
 }
 
@@ -142,8 +140,7 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
         y.vertices;
     };
     bool is_fine = fine_count_ == fine_min;  // whether doubles are asked
-    const auto use = [&](std::size_t at, const SlabEnds* of_x = nullptr, const SlabEnds* of_y = nullptr) {
-        if (!try_axis(axes_[at], x, y, is_fine, left, of_x, of_y)) return;
+    const auto remember = [&](std::size_t at) {
         const auto end = recent_.begin() + static_cast<std::ptrdiff_t>(recent_count_);
         auto found = std::find(recent_.begin(), end, at);
         if (found == end) {
@@ -152,6 +149,9 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
         }
         std::move_backward(recent_.begin(), found, found + 1);
         recent_[0] = at;
+    };
+    const auto use = [&](std::size_t at) {
+        if (try_axis(axes_[at], x, y, {.least = 1, .is_fine = is_fine}, left)) remember(at);
     };
     const std::array<std::size_t, 4> recent = recent_;
     const std::size_t recent_count = recent_count_;
@@ -165,21 +165,17 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
     for (Contact& contact : contacts_) {
         if (left != 0) try_contact(contact, x, y, left);
     }
-    const auto use_new = [&](const Vec3& n, int least) {
-        if (n == Vec3::Zero()) return;
-        axes_.push_back(bind(n));
-        const std::size_t at = axes_.size() - 1;
-        least_new_ = least;
-        use(at);
-        least_new_ = 1;
-        if (axes_[at].named == no_axis) axes_.pop_back();
-    };
     for (const std::size_t body : {0u, 1u}) {
         if (left == 0) return 0;
-        const SlabAxis& slab = body == 0 ? slab_axis(tree_a_, x, body) : slab_axis(tree_b_, y, body);
-        least_new_ = slab_min;
-        use(slab.at, body == 0 ? &slab.ends : nullptr, body == 0 ? nullptr : &slab.ends);
-        least_new_ = 1;
+        SlabAxis& slab = body == 0 ? slab_axis(tree_a_, x, body) : slab_axis(tree_b_, y, body);
+        Axis& axis = slab.at == SlabAxis::none ? slab.axis : axes_[slab.at];
+        const Trial trial{slab_min, is_fine, body == 0 ? &slab.ends : nullptr, body == 0 ? nullptr : &slab.ends};
+        if (!try_axis(axis, x, y, trial, left)) continue;
+        if (slab.at == SlabAxis::none) {
+            slab.at = axes_.size();
+            axes_.push_back(slab.axis);
+        }
+        remember(slab.at);
     }
     const bool tries_boxes = 8 * std::popcount(left) > std::popcount(all);
     for (std::size_t k = 0; k < 6 && left != 0 && tries_boxes; ++k) {
@@ -189,8 +185,11 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
     if constexpr (are_leaves) {
         if (left != 0) {
             const auto first = static_cast<std::size_t>(std::countr_zero(left));
-            use_new(direction_of(x.triangle[first / tree_width], y.triangle[first % tree_width]),
-                    contact_count_ == 0 ? 1 : 3);
+            Axis axis = bind(direction_of(x.triangle[first / tree_width], y.triangle[first % tree_width]));
+            if (try_axis(axis, x, y, {.least = contact_count_ == 0 ? 1 : 3, .is_fine = true}, left)) {
+                axes_.push_back(axis);
+                remember(axes_.size() - 1);
+            }
             ++contact_count_;
         }
         if (std::popcount(left) >= ties_min) {
@@ -203,13 +202,6 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
         }
     }
     return left;
-}
-
-// From the one triangle to the other where they are closest, about; zero where that is not clear.
-Vec3 PairProof::direction_of(std::uint32_t i, std::uint32_t j) {
-    const DistanceInterval interval = pair_.enclose(i, j);
-    if (!interval.is_certain) return Vec3::Zero();
-    return shortened(direction_along(formula_of(interval, a_, i, b_, j), a_, i, b_, j));
 }
 
 void PairProof::visit(const Parts& top) {
@@ -260,54 +252,6 @@ void PairProof::visit(const Parts& top) {
         const BvhNode& x = a.nodes[top.a.index()];
         top.b.is_leaf() ? with(x, b.leaves[top.b.index()]) : with(x, b.nodes[top.b.index()]);
     }
-}
-
-SixCorners PairProof::corners_of(std::uint32_t i, std::uint32_t j) {
-    if (!points_) {
-        points_.emplace(exact::BodyRef{&a_.what->mesh(), &tree_a_.extent, &a_.pose},
-                        exact::BodyRef{&b_.what->mesh(), &tree_b_.extent, &b_.pose});
-    }
-    SixCorners corners;
-    for (std::size_t c = 0; c < 3; ++c) {
-        corners[c] = points_->vertex(0, a_.what->mesh().triangles()[i][c]);
-        corners[3 + c] = points_->vertex(1, b_.what->mesh().triangles()[j][c]);
-    }
-    return corners;
-}
-
-// Along which two triangles are apart as far as they can be; nothing where the walk ends.
-std::optional<AxisFormula> PairProof::formula_for(std::uint32_t i, std::uint32_t j) {
-    const DistanceInterval interval = pair_.enclose(i, j);
-    if (interval.is_certain && key_of(interval.lower) > 0) return formula_of(interval, a_, i, b_, j);
-    const ClosestPoints closest = pair_.closest(i, j);
-    if (closest.kind != ClosestKind::intersecting) return formula_of(closest);
-    if (ends_at_ == EndsAt::meeting) return std::nullopt;
-    return find_axis(corners_of(i, j), ApartBy::weakly);
-}
-
-// Two triangles that no axis of their parts' proves to be apart. Returns false if the walk ends here.
-bool PairProof::decide(std::uint32_t i, std::uint32_t j) {
-    const auto formula = formula_for(i, j);
-    if (!formula) {
-        found_ = TrianglePair{i, j};
-        return false;
-    }
-    proof_.add_triangles(*formula);
-    return true;
-}
-
-// Has the axis of two triangles tried exactly from now on. Returns false if there is none more.
-bool PairProof::add_contact(const AxisFormula& formula, std::uint32_t i, std::uint32_t j) {
-    // Of ties at a vertex each pair of triangles has a line of its own.
-    const bool can_be_named =
-        formula.kind == Kind::normal_a || formula.kind == Kind::normal_b || formula.kind == Kind::edges;
-    if (contacts_.size() == contacts_max || !can_be_named) return false;
-    const SixCorners corners = corners_of(i, j);
-    const std::array<ContactAxis::Body, 2> bodies{ContactAxis::Body{&tree_a_.boxes, &a_.what->mesh(), &frame_a_},
-                                                  ContactAxis::Body{&tree_b_.boxes, &b_.what->mesh(), &frame_b_}};
-    const ProofAxis named{.is_given = false, .formula = formula, .a = i, .b = j};
-    contacts_.push_back({ContactAxis(named, corners, *points_, bodies, frame_b_.origin - frame_a_.origin), no_axis});
-    return true;
 }
 
 template <class X, class Y>

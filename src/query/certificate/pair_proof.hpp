@@ -43,9 +43,18 @@ class PairProof {
     };
     // The axis of the slab of a node or leaf.
     struct SlabAxis {
-        std::size_t node = ~std::size_t{0};
-        std::size_t at = 0;  // in axes_
-        SlabEnds ends;
+        static constexpr std::size_t none = ~std::size_t{0};
+        std::size_t node = none;
+        std::size_t at = none;  // in axes_, once it is named
+        Axis axis{};
+        SlabEnds ends{};
+    };
+    // How an axis is tried: it must prove `least` pairs to be named; doubles are asked where floats fail.
+    struct Trial {
+        int least;
+        bool is_fine;
+        const SlabEnds* of_x = nullptr;
+        const SlabEnds* of_y = nullptr;
     };
     struct Parts {
         TreeRef a, b;
@@ -60,10 +69,9 @@ class PairProof {
     template <class X, class Y>
     std::uint64_t open(const X& x, const Y& y, std::uint64_t all);
     template <class X, class Y>
-    bool try_axis(Axis& axis, const X& x, const Y& y, bool is_fine, std::uint64_t& left, const SlabEnds* of_x,
-                  const SlabEnds* of_y);
+    bool try_axis(Axis& axis, const X& x, const Y& y, const Trial& trial, std::uint64_t& left);
     template <class X>
-    const SlabAxis& slab_axis(const MeshTree& tree, const X& x, std::size_t body);
+    SlabAxis& slab_axis(const MeshTree& tree, const X& x, std::size_t body);
     Vec3 slab_normal(std::size_t body, const Slab& slab) const;
     Vec3 direction_of(std::uint32_t i, std::uint32_t j);
     SixCorners corners_of(std::uint32_t i, std::uint32_t j);
@@ -84,11 +92,11 @@ class PairProof {
     BodyFrame frame_a_, frame_b_;
     std::array<Mat3, 2> normals_;
     std::vector<Axis> axes_;  // the first six are those of the boxes
-    std::array<SlabAxis, 128> slabs_{};
+    std::vector<SlabAxis> slabs_;
+    std::array<std::uint8_t, 128> slab_places_{};  // by nodes: 1 + where in slabs_, or 0
     std::array<std::size_t, 4> recent_{};
     std::size_t recent_count_ = 0;
     std::vector<Word> of_step_;
-    int least_new_ = 1;      // a new axis proves as many pairs of a step
     int contact_count_ = 0;  // of pairs of leaves that axes of boxes did not prove
     int fine_count_ = 0;     // of pairs of leaves that need doubles
     std::vector<Parts> stack_;
