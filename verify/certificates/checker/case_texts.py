@@ -182,6 +182,7 @@ BAD = [
     above(1, "claim beyond -0x0p+0", Z, "k 0"),
     above(1, "claim hit 0x1p-1 0", Z, "k 0"),
     above(1, "claim hit 0x0p+0 0"),
+    above(0, "claim hit 0x0p+0 0"),
     above(1, "claim miss", Z, "k 0"),
     above(1, "claim within 0x1p-1 e 0 0 e 0 0"),
     # Feet outside of the features: before and behind an edge, beside each edge of a triangle; and features of no extent.
