@@ -5,12 +5,12 @@
 # their error leaves a comparison open, the integers decide.
 import math
 import sys
+from bisect import bisect_right
 from itertools import product
 
-from reading import Mesh, exactly, run, scaled, to_double
+from apart import FORMULAS, INDICES, ONE, UNITS, ZERO, Ahead, Apart, Weak, above, below, cross, dot, edge, is_apart_by_any, minus, normal, off, span
+from reading import Mesh, exactly, is_odd, run, scaled, to_double
 
-UNITS = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
-ZERO, ONE = (0, 0), (1, 0)  # real numbers: (n, power) is n 2^-power
 WORK_MAX = 2**30  # products of a vector and a vertex: minutes
 # The error of a range in doubles. n is scaled so that |n_i| < 1, lengths so that |R_i1| X + |R_i2| X + |R_i3| X + |t_i| <= 1, where X is at
 # least each |coordinate of v|. So the coefficients of n R v + n t, the products and the partial sums are below 3 together; with u = 2^-53,
@@ -18,113 +18,6 @@ WORK_MAX = 2**30  # products of a vector and a vertex: minutes
 NEAR = 2.0**-47
 # The error of a difference of ranges less a floor: 2 NEAR, its own roundings (12u), and the floor's (16 * 4u), together below 2^-45.
 MARGIN = 2.0**-44
-
-
-def minus(p, q):
-    return p[0] - q[0], p[1] - q[1], p[2] - q[2]
-
-
-def dot(p, q):
-    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
-
-
-def cross(p, q):
-    return p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]
-
-
-# The part of w that is normal to e, e.e times.
-def off(w, e):
-    along, length = dot(w, e), dot(e, e)
-    return tuple(length * x - along * y for x, y in zip(w, e))
-
-
-def edge(corners, i):
-    return minus(corners[(i + 1) % 3], corners[i])
-
-
-def normal(corners):
-    return cross(edge(corners, 0), edge(corners, 1))
-
-
-def span(n, points):
-    values = [dot(n, point) for point in points]
-    return min(values), max(values)
-
-
-# The midpoint of adjacent doubles; 2^1024 follows the largest.
-def middle(low, high):
-    (x, y), power = scaled((low, min(high, 2.0**1023)))
-    return x + (y if high < math.inf else 2 * y), power + 1
-
-
-# The least real number that may round to a positive double, or to infinity.
-def below(value):
-    return ZERO if value == 2.0**-1074 else middle(math.nextafter(value, 0), value)
-
-
-def above(value):
-    return middle(value, math.nextafter(value, math.inf))
-
-
-def is_odd(value):
-    return 0 < value < math.inf and int(value / math.ulp(value)) % 2 == 1
-
-
-# The vectors that two triangles p and q have, by name.
-FORMULAS = {
-    "na": lambda p, q: normal(p),
-    "nb": lambda p, q: normal(q),
-    "x": lambda p, q, i, j: cross(edge(p, i), edge(q, j)),
-    "ea": lambda p, q, i, c: cross(edge(p, i), UNITS[c]),
-    "eb": lambda p, q, j, c: cross(edge(q, j), UNITS[c]),
-    "c": lambda p, q, c: UNITS[c],
-    "vv": lambda p, q, i, j: minus(q[j], p[i]),
-    "va": lambda p, q, i, j: off(minus(p[i], q[j]), edge(q, j)),
-    "vb": lambda p, q, i, j: off(minus(q[i], p[j]), edge(p, j)),
-}
-INDICES = {name: formula.__code__.co_argcount - 2 for name, formula in FORMULAS.items()}
-
-
-# Whether two triangles are apart along one of the 32 vectors that suffice.
-def is_apart_by_any(rule, p, q):
-    names = ("na", "nb", "c", "ea", "eb", "x")
-    vectors = (FORMULAS[name](p, q, *indices) for name in names for indices in product(range(3), repeat=INDICES[name]))
-    return any(any(n) and rule(n, span(n, p), span(n, q)) for n in vectors)
-
-
-# Whether ranges along n are apart: the gap is positive and more than `least` times the length of n, or (not is_more) that.
-class Apart:
-    def __init__(self, fine, least=ZERO, is_more=True):
-        self.is_more, self.left, self.right = is_more, 2 * least[1], least[0] ** 2 << 2 * fine
-
-    def __call__(self, n, a, b):
-        gap = max(b[0] - a[1], a[0] - b[1])
-        left, right = gap * gap << self.left, self.right * dot(n, n)
-        return gap > 0 and (left > right or left == right and not self.is_more)
-
-    # The least gap in doubles, in units of 2^unit. No gap reaches 8, so that 16 is as good as more.
-    def floor(self, n, unit):
-        square, power = self.right * dot(n, n), self.left + 2 * unit
-        return math.sqrt(square / (1 << power)) if square >> power < 256 else 16.0
-
-
-# Whether they do not overlap; touching is allowed.
-class Weak(Apart):
-    def __call__(self, n, a, b):
-        return max(b[0] - a[1], a[0] - b[1]) >= 0
-
-
-# Whether a is apart from a piece of a segment: its start is strictly on one side, its stop too, or (not is_more) level with a.
-class Ahead(Apart):
-    def __init__(self, fine, piece, is_more):
-        super().__init__(fine, ZERO, is_more)
-        self.piece = piece
-
-    def __call__(self, n, a, b):
-        start, stop = dot(n, self.piece[0]), dot(n, self.piece[1])
-        if self.is_more:
-            return max(start, stop) < a[0] or min(start, stop) > a[1]
-        return start < a[0] and stop <= a[0] or start > a[1] and stop >= a[1]
 
 
 # The piece of a segment between two parameters: one triangle start, stop, stop.
@@ -314,12 +207,10 @@ def check_pair(lines, a, b, kinds):
         case ["distance", d, *names] if (value := lines.distance(d)) > 0:
             check_closest(lines, a, b, names, above(value), is_odd(value))
             steps = Apart(a.fine, below(value), is_odd(value))
+        case ["within", d, i, j] if d == "inf" or lines.distance(d) >= 0:
+            check_meeting(lines, a, b, (i, j), apart)
         case ["within", d, *names]:
-            most = None if d == "inf" else exactly(lines.distance(d))
-            if len(names) == 2:
-                check_meeting(lines, a, b, names, apart)
-            else:
-                check_closest(lines, a, b, names, most, False)
+            check_closest(lines, a, b, names, None if d == "inf" else exactly(lines.distance(d)), False)
         case ["beyond", d]:
             steps = Apart(a.fine, exactly(lines.distance(d)))
         case _:
@@ -354,14 +245,17 @@ def place(*bodies):
         body.place(fine)
 
 
-# The pairs of bodies whose boxes have no gap greater than the limit along any coordinate axis.
-def near_pairs(bodies, limit):
+# The pairs of bodies whose boxes have no gap greater than the limit along any coordinate axis. Looked at are the pairs that have none along
+# one of the axes: that along which these are fewest.
+def near_pairs(lines, bodies, limit):
     boxes = [([Along(body, n, body.size + 1).exact(0) for n in UNITS], name) for name, (body, *_) in bodies.items()]
-    boxes.sort(key=lambda each: each[0][0][0])
+    starts = [sorted(box[k][0] - limit for box, _ in boxes) for k in range(3)]
+    work, k = min((sum(bisect_right(starts[k], box[k][1]) for box, _ in boxes), k) for k in range(3))
+    if work - len(boxes) ** 2 // 2 > WORK_MAX // 8:
+        lines.fail("too costly")
+    boxes.sort(key=lambda each: each[0][k][0])
     for at, (box, name) in enumerate(boxes):
-        for other, other_name in boxes[at + 1 :]:
-            if other[0][0] - box[0][1] > limit:
-                break
+        for other, other_name in boxes[at + 1 : bisect_right(starts[k], box[k][1])]:
             if all(max(b[0] - a[1], a[0] - b[1]) <= limit for a, b in zip(box, other)):
                 yield tuple(sorted((name, other_name)))
 
@@ -390,7 +284,7 @@ def check_world(lines, meshes):
         kinds[pair], last = kind, pair
     lines.expect("end", "world")
     n, power = exactly(clearance or 0.0)
-    for pair in near_pairs(bodies, (n << next(iter(bodies.values()))[0].fine >> power) if bodies else 0):
+    for pair in near_pairs(lines, bodies, (n << next(iter(bodies.values()))[0].fine >> power) if bodies else 0):
         if pair not in kinds and may_meet(bodies, off_pairs, pair):
             lines.fail("a pair that may meet has no claim: " + " ".join(f"{slot}.{generation}" for slot, generation in pair))
     counts = [list(kinds.values()).count(kind) for kind in ("touching", "crossing", "within")]

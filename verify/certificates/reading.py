@@ -53,6 +53,11 @@ def exactly(value):
     return n, power
 
 
+def is_odd(value):
+    """Whether the last bit of a double's significand is 1."""
+    return 0 < value < math.inf and int(value / math.ulp(value)) % 2 == 1
+
+
 def numbers(words):
     """The doubles that words say, or None if one of them is not a number."""
     text = " ".join(words)

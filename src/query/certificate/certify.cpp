@@ -39,10 +39,13 @@ class Maker {
     }
 
     Certificate relation() {
-        PairWitness witness;
-        if (!intersects(a_, b_, memory_, witness)) return prove(Claim::disjoint, 0);
-        name_meeting({witness.a, witness.b});
-        return prove(Claim::touching, 0, witness);
+        // A proof that they are disjoint is begun as if they were: it ends where they meet.
+        content_.claim = Claim::disjoint;
+        const auto meeting = PairProof(a_, b_, 0, pair_, content_.proof).run(std::nullopt, PairProof::EndsAt::meeting);
+        if (!meeting) return CertificateAccess::make(std::move(content_));
+        content_.proof.clear();
+        name_meeting(*meeting);
+        return prove(Claim::touching, 0, {.a = meeting->a, .b = meeting->b});
     }
 
     Certificate distance() {
@@ -110,7 +113,8 @@ class Maker {
         content_.claim = claim;
         std::optional<TrianglePair> near;
         if (names_pair(closest)) near = TrianglePair{closest.a, closest.b};
-        if (const auto crossing = PairProof(a_, b_, least, pair_, content_.proof).run(near)) {
+        if (const auto crossing =
+                PairProof(a_, b_, least, pair_, content_.proof).run(near, PairProof::EndsAt::crossing)) {
             content_.claim = Claim::crossing;
             content_.proof.clear();
             name_meeting(*crossing);

@@ -5,19 +5,9 @@
 
 #include "base/arithmetic.hpp"
 #include "base/double_key.hpp"
-#include "query/certificate/closest_axis.hpp"
-#include "query/certificate/exact_axis.hpp"
 
 namespace ecods {
 namespace {
-
-using Kind = AxisFormula::Kind;
-
-// The reach of all parts together, in each lane.
-void join(Reaches& reaches) {
-    reaches.low.fill(*std::ranges::min_element(reaches.low));
-    reaches.high.fill(*std::ranges::max_element(reaches.high));
-}
 
 // Beside a node, a leaf is not opened: all of it must be apart along one axis.
 template <class X, class Y>
@@ -33,13 +23,25 @@ std::size_t part_count(const X& x, const Y&) {
     return is_leaf_beside_node<X, Y> ? 1 : x.count;
 }
 
-constexpr std::size_t contacts_max = 8;
+// As many bits has the normal of a slab, and as many pairs of a step it must prove to be worth a line.
+constexpr int slab_bits = 12;
+constexpr int slab_min = 2;
 // As many pairs of triangles of two leaves are worth an axis that is tried exactly.
 constexpr int ties_min = 4;
 // So much of the body's size, or less, is the distance of such a pair more than what is to be proven.
 constexpr double tie_share = 0x1p-16;
 
+// As many pairs of leaves that only doubles proved anything of say that gaps are too small for floats.
+constexpr int fine_min = 4;
+
 constexpr double unbounded = 0x1p1000;
+
+// Bit j: of some i, bit 8 i + j is set.
+std::uint32_t columns_of(std::uint64_t pairs) {
+    pairs |= pairs >> 32;
+    pairs |= pairs >> 16;
+    return static_cast<std::uint32_t>((pairs | pairs >> 8) & 0xff);
+}
 
 std::uint64_t lanes_of(std::size_t rows, std::size_t columns) {
     std::uint64_t all = 0;
@@ -69,20 +71,12 @@ PairProof::Axis PairProof::bind(const Vec3& n) const {
     axis.b = put_on_axis(frame_b_, n);
     // Seven roundings of a product of positive numbers, and two of sums.
     axis.margin = (axis.a.error + axis.b.error) * (1 + 0x1p-20) + least_ * n.norm() * (1 + 0x1p-40);
-    if (!axis.a.is_bounded || !axis.b.is_bounded || !(axis.margin < 0x1p600)) axis.margin = unbounded;
+    if (!axis.a.is_bounded || !axis.b.is_bounded || !(axis.margin < 0x1p600)) {
+        axis.margin = unbounded;
+    } else {
+        axis.in_floats = pair_axis(axis.a, axis.b, least_ * n.norm() * (1 + 0x1p-40));
+    }
     return axis;
-}
-
-// Bit 8 i + j: parts i and j are apart.
-template <class X, class Y>
-std::uint64_t PairProof::apart(const Axis& axis, const X& x, const Y& y) const {
-    if (axis.margin == unbounded) return 0;
-    Reaches p, q;
-    find_reaches(axis.a, x, p);
-    find_reaches(axis.b, y, q);
-    if (is_leaf_beside_node<X, Y>) join(p);
-    if (is_leaf_beside_node<Y, X>) join(q);
-    return apart_mask(p, q, axis.margin);
 }
 
 PairProof::Word PairProof::name(Axis& axis) {
@@ -94,12 +88,16 @@ PairProof::Word PairProof::name(Axis& axis) {
 }
 
 template <class X, class Y>
-bool PairProof::try_axis(Axis& axis, const X& x, const Y& y, std::uint64_t& left) {
-    const std::uint64_t mask = apart(axis, x, y);
+bool PairProof::try_axis(Axis& axis, const X& x, const Y& y, const Trial& trial, std::uint64_t& left) {
+    if (axis.margin == unbounded) return false;
+    std::uint64_t mask = apart_mask(axis.in_floats, x, y, columns_of(left), trial.of_x, trial.of_y);
+    if (trial.is_fine && (left & ~mask) != 0)
+        mask |= apart_mask(axis.a, axis.b, axis.margin, x, y, columns_of(left & ~mask));
     // A new axis is a line of its own.
-    const int least = axis.named == no_axis ? least_new_ : 1;
+    const int least = axis.named == no_axis ? trial.least : 1;
     if (std::popcount(mask & left) < least || (axis.named == no_axis && proof_.axes.size() >= no_axis)) return false;
-    of_step_.push_back(name(axis));
+    const Word named = name(axis);
+    if (std::ranges::find(of_step_, named) == of_step_.end()) of_step_.push_back(named);
     left &= ~mask;
     return true;
 }
@@ -109,13 +107,40 @@ Vec3 PairProof::slab_normal(std::size_t body, const Slab& slab) const {
                                  static_cast<double>(slab.normal[2]));
 }
 
+// Nodes come again, beside others.
+template <class X>
+PairProof::SlabAxis& PairProof::slab_axis(const MeshTree& tree, const X& x, std::size_t body) {
+    std::size_t node;
+    if constexpr (requires { x.child; }) {
+        node = 4 * static_cast<std::size_t>(&x - tree.boxes.nodes.data()) + body;
+    } else {
+        node = 4 * static_cast<std::size_t>(&x - tree.boxes.leaves.data()) + 2 + body;
+    }
+    std::uint8_t& place = slab_places_[node % slab_places_.size()];
+    if (place == 0) {
+        slabs_.emplace_back();
+        place = static_cast<std::uint8_t>(slabs_.size());
+    }
+    SlabAxis& kept = slabs_[place - 1u];
+    if (kept.node == node) return kept;
+    kept = {.node = node, .axis = bind(shortened(slab_normal(body, x.slab), slab_bits))};
+    kept.ends = slab_ends(kept.axis.in_floats, body == 0 ? kept.axis.a : kept.axis.b, x.slab);
+    return kept;
+}
+
 // Chooses the axes of a step, and returns the pairs that none of them proves.
 template <class X, class Y>
 std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
     std::uint64_t left = all;
     of_step_.clear();
-    const auto use = [&](std::size_t at) {
-        if (!try_axis(axes_[at], x, y, left)) return;
+    constexpr bool are_leaves = requires {
+        x.vertices;
+    }
+    &&requires {
+        y.vertices;
+    };
+    bool is_fine = fine_count_ == fine_min;  // whether doubles are asked
+    const auto remember = [&](std::size_t at) {
         const auto end = recent_.begin() + static_cast<std::ptrdiff_t>(recent_count_);
         auto found = std::find(recent_.begin(), end, at);
         if (found == end) {
@@ -125,35 +150,46 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
         std::move_backward(recent_.begin(), found, found + 1);
         recent_[0] = at;
     };
+    const auto use = [&](std::size_t at) {
+        if (try_axis(axes_[at], x, y, {.least = 1, .is_fine = is_fine}, left)) remember(at);
+    };
     const std::array<std::size_t, 4> recent = recent_;
-    for (std::size_t k = 0, count = recent_count_; k < count && left != 0; ++k) use(recent[k]);
+    const std::size_t recent_count = recent_count_;
+    for (std::size_t k = 0; k < recent_count && left != 0; ++k) use(recent[k]);
+    if (are_leaves && left != 0) {
+        const std::uint64_t before = left;
+        is_fine = true;
+        for (std::size_t k = 0; k < recent_count && left != 0; ++k) use(recent[k]);
+        if (left != before && fine_count_ < fine_min) ++fine_count_;
+    }
     for (Contact& contact : contacts_) {
         if (left != 0) try_contact(contact, x, y, left);
     }
-    const auto use_new = [&](const Vec3& n, int least) {
-        if (n == Vec3::Zero()) return;
-        axes_.push_back(bind(n));
-        const std::size_t at = axes_.size() - 1;
-        least_new_ = least;
-        use(at);
-        least_new_ = 1;
-        if (axes_[at].named == no_axis) axes_.pop_back();
-    };
     for (const std::size_t body : {0u, 1u}) {
         if (left == 0) return 0;
-        use_new(shortened(slab_normal(body, body == 0 ? x.slab : y.slab)), 1);
+        SlabAxis& slab = body == 0 ? slab_axis(tree_a_, x, body) : slab_axis(tree_b_, y, body);
+        Axis& axis = slab.at == SlabAxis::none ? slab.axis : axes_[slab.at];
+        const Trial trial{slab_min, is_fine, body == 0 ? &slab.ends : nullptr, body == 0 ? nullptr : &slab.ends};
+        if (!try_axis(axis, x, y, trial, left)) continue;
+        if (slab.at == SlabAxis::none) {
+            slab.at = axes_.size();
+            axes_.push_back(slab.axis);
+        }
+        remember(slab.at);
     }
     const bool tries_boxes = 8 * std::popcount(left) > std::popcount(all);
     for (std::size_t k = 0; k < 6 && left != 0 && tries_boxes; ++k) {
         const auto end = recent.begin() + static_cast<std::ptrdiff_t>(recent_count_);
         if (std::find(recent.begin(), end, k) == end) use(k);
     }
-    if constexpr (
-        requires { x.vertices; } && requires { y.vertices; }) {
+    if constexpr (are_leaves) {
         if (left != 0) {
             const auto first = static_cast<std::size_t>(std::countr_zero(left));
-            use_new(direction_of(x.triangle[first / tree_width], y.triangle[first % tree_width]),
-                    contact_count_ == 0 ? 1 : 3);
+            Axis axis = bind(direction_of(x.triangle[first / tree_width], y.triangle[first % tree_width]));
+            if (try_axis(axis, x, y, {.least = contact_count_ == 0 ? 1 : 3, .is_fine = true}, left)) {
+                axes_.push_back(axis);
+                remember(axes_.size() - 1);
+            }
             ++contact_count_;
         }
         if (std::popcount(left) >= ties_min) {
@@ -166,13 +202,6 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
         }
     }
     return left;
-}
-
-// From the one triangle to the other where they are closest, about; zero where that is not clear.
-Vec3 PairProof::direction_of(std::uint32_t i, std::uint32_t j) {
-    const DistanceInterval interval = pair_.enclose(i, j);
-    if (!interval.is_certain) return Vec3::Zero();
-    return shortened(direction_along(formula_of(interval, a_, i, b_, j), a_, i, b_, j));
 }
 
 void PairProof::visit(const Parts& top) {
@@ -225,53 +254,6 @@ void PairProof::visit(const Parts& top) {
     }
 }
 
-SixCorners PairProof::corners_of(std::uint32_t i, std::uint32_t j) {
-    if (!points_) {
-        points_.emplace(exact::BodyRef{&a_.what->mesh(), &tree_a_.extent, &a_.pose},
-                        exact::BodyRef{&b_.what->mesh(), &tree_b_.extent, &b_.pose});
-    }
-    SixCorners corners;
-    for (std::size_t c = 0; c < 3; ++c) {
-        corners[c] = points_->vertex(0, a_.what->mesh().triangles()[i][c]);
-        corners[3 + c] = points_->vertex(1, b_.what->mesh().triangles()[j][c]);
-    }
-    return corners;
-}
-
-// Along which two triangles are apart as far as they can be; nothing if they cross.
-std::optional<AxisFormula> PairProof::formula_for(std::uint32_t i, std::uint32_t j) {
-    const DistanceInterval interval = pair_.enclose(i, j);
-    if (interval.is_certain && key_of(interval.lower) > 0) return formula_of(interval, a_, i, b_, j);
-    const ClosestPoints closest = pair_.closest(i, j);
-    if (closest.kind != ClosestKind::intersecting) return formula_of(closest);
-    return find_axis(corners_of(i, j), ApartBy::weakly);
-}
-
-// Two triangles that no axis of their parts' proves to be apart. Returns false if they cross.
-bool PairProof::decide(std::uint32_t i, std::uint32_t j) {
-    const auto formula = formula_for(i, j);
-    if (!formula) {
-        crossing_ = TrianglePair{i, j};
-        return false;
-    }
-    proof_.add_triangles(*formula);
-    return true;
-}
-
-// Has the axis of two triangles tried exactly from now on. Returns false if there is none more.
-bool PairProof::add_contact(const AxisFormula& formula, std::uint32_t i, std::uint32_t j) {
-    // Of ties at a vertex each pair of triangles has a line of its own.
-    const bool can_be_named =
-        formula.kind == Kind::normal_a || formula.kind == Kind::normal_b || formula.kind == Kind::edges;
-    if (contacts_.size() == contacts_max || !can_be_named) return false;
-    const SixCorners corners = corners_of(i, j);
-    const std::array<ContactAxis::Body, 2> bodies{ContactAxis::Body{&tree_a_.boxes, &a_.what->mesh(), &frame_a_},
-                                                  ContactAxis::Body{&tree_b_.boxes, &b_.what->mesh(), &frame_b_}};
-    const ProofAxis named{.is_given = false, .formula = formula, .a = i, .b = j};
-    contacts_.push_back({ContactAxis(named, corners, *points_, bodies, frame_b_.origin - frame_a_.origin), no_axis});
-    return true;
-}
-
 template <class X, class Y>
 void PairProof::try_contact(Contact& contact, const X& x, const Y& y, std::uint64_t& left) {
     std::uint32_t rows = contact.axis.lanes_inside(0, x), columns = rows == 0 ? 0 : contact.axis.lanes_inside(1, y);
@@ -289,8 +271,9 @@ void PairProof::try_contact(Contact& contact, const X& x, const Y& y, std::uint6
     left &= ~mask;
 }
 
-std::optional<TrianglePair> PairProof::run(const std::optional<TrianglePair>& closest) {
-    axes_.reserve(64);
+std::optional<TrianglePair> PairProof::run(const std::optional<TrianglePair>& closest, EndsAt ends_at) {
+    ends_at_ = ends_at;
+    axes_.reserve(256);
     stack_.reserve(256);
     of_step_.reserve(32);
     proof_.axes.reserve(32);
@@ -310,12 +293,12 @@ std::optional<TrianglePair> PairProof::run(const std::optional<TrianglePair>& cl
         }
     }
     stack_.assign(1, {tree_a_.boxes.root, tree_b_.boxes.root});
-    while (!stack_.empty() && !crossing_) {
+    while (!stack_.empty() && !found_) {
         const Parts top = stack_.back();
         stack_.pop_back();
         visit(top);
     }
-    return crossing_;
+    return found_;
 }
 
 }  // namespace ecods

@@ -9,6 +9,7 @@
 #include "query/certificate/contact_axis.hpp"
 #include "query/certificate/exact_axis.hpp"
 #include "query/certificate/exact_points.hpp"
+#include "query/certificate/pair_axis.hpp"
 #include "query/certificate/proof.hpp"
 #include "query/certificate/proof_axes.hpp"
 #include "query/distance/triangle_distances.hpp"
@@ -23,9 +24,11 @@ class PairProof {
     PairProof(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double least, TriangleDistances& pair,
               Proof& proof);
 
-    // The claim must be true, but that touching bodies may cross: then two triangles that do are returned. `closest`
-    // are two triangles between which axes are looked for first.
-    std::optional<TrianglePair> run(const std::optional<TrianglePair>& closest);
+    enum class EndsAt : std::uint8_t { meeting, crossing };
+    // The claim must be true, but that bodies may cross where touching is claimed, or share a point where a walk ends
+    // at any: then two triangles that do are returned. `closest` are two triangles between which axes are looked for
+    // first.
+    std::optional<TrianglePair> run(const std::optional<TrianglePair>& closest, EndsAt ends_at);
 
   private:
     using Word = Proof::Word;
@@ -34,8 +37,24 @@ class PairProof {
     struct Axis {
         Vec3 n;
         BodyAxis a, b;
-        double margin = 0;     // by how much more than nothing parts must be apart
+        double margin = 0;  // by how much more than nothing parts must be apart
+        PairAxis in_floats;
         Word named = no_axis;  // in the proof
+    };
+    // The axis of the slab of a node or leaf.
+    struct SlabAxis {
+        static constexpr std::size_t none = ~std::size_t{0};
+        std::size_t node = none;
+        std::size_t at = none;  // in axes_, once it is named
+        Axis axis{};
+        SlabEnds ends{};
+    };
+    // How an axis is tried: it must prove `least` pairs to be named; doubles are asked where floats fail.
+    struct Trial {
+        int least;
+        bool is_fine;
+        const SlabEnds* of_x = nullptr;
+        const SlabEnds* of_y = nullptr;
     };
     struct Parts {
         TreeRef a, b;
@@ -46,13 +65,13 @@ class PairProof {
     };
 
     Axis bind(const Vec3& n) const;
-    template <class X, class Y>
-    std::uint64_t apart(const Axis& axis, const X& x, const Y& y) const;
     Word name(Axis& axis);
     template <class X, class Y>
     std::uint64_t open(const X& x, const Y& y, std::uint64_t all);
     template <class X, class Y>
-    bool try_axis(Axis& axis, const X& x, const Y& y, std::uint64_t& left);
+    bool try_axis(Axis& axis, const X& x, const Y& y, const Trial& trial, std::uint64_t& left);
+    template <class X>
+    SlabAxis& slab_axis(const MeshTree& tree, const X& x, std::size_t body);
     Vec3 slab_normal(std::size_t body, const Slab& slab) const;
     Vec3 direction_of(std::uint32_t i, std::uint32_t j);
     SixCorners corners_of(std::uint32_t i, std::uint32_t j);
@@ -73,15 +92,18 @@ class PairProof {
     BodyFrame frame_a_, frame_b_;
     std::array<Mat3, 2> normals_;
     std::vector<Axis> axes_;  // the first six are those of the boxes
+    std::vector<SlabAxis> slabs_;
+    std::array<std::uint8_t, 128> slab_places_{};  // by nodes: 1 + where in slabs_, or 0
     std::array<std::size_t, 4> recent_{};
     std::size_t recent_count_ = 0;
     std::vector<Word> of_step_;
-    int least_new_ = 1;      // a new axis proves as many pairs of a step
     int contact_count_ = 0;  // of pairs of leaves that axes of boxes did not prove
+    int fine_count_ = 0;     // of pairs of leaves that need doubles
     std::vector<Parts> stack_;
     std::optional<ExactPoints> points_;
     std::vector<Contact> contacts_;
-    std::optional<TrianglePair> crossing_;
+    EndsAt ends_at_ = EndsAt::crossing;
+    std::optional<TrianglePair> found_;  // where the walk ends
 };
 
 }  // namespace ecods

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 #include "base/arithmetic.hpp"
 #include "simd/dispatch.hpp"
@@ -47,71 +48,108 @@ ECODS_ALWAYS_INLINE Half load_half(const FloatLanes& lanes, std::size_t part) no
     return convert<Half>(load<Vec<float, 4>>(lanes.data() + 4 * part));
 }
 
-ECODS_ALWAYS_INLINE void reaches_of_node(const BodyAxis& axis, const BvhNode& node, Reaches& reaches) noexcept {
+ECODS_ALWAYS_INLINE void find_ends(const BodyAxis& axis, const BvhNode& node, std::size_t part, Half& low,
+                                   Half& high) noexcept {
     const auto& p = axis.p;
+    const Half middle = (p[0] * load_half(node.center[0], part) + p[1] * load_half(node.center[1], part)) +
+                        (p[2] * load_half(node.center[2], part) + axis.q);
+    const Half reach =
+        (std::abs(p[0]) * load_half(node.half[0], part) + std::abs(p[1]) * load_half(node.half[1], part)) +
+        std::abs(p[2]) * load_half(node.half[2], part);
+    low = middle - reach;
+    high = middle + reach;
+}
+
+ECODS_ALWAYS_INLINE void find_ends(const BodyAxis& axis, const TreeLeaf& leaf, std::size_t part, Half& low,
+                                   Half& high) noexcept {
+    const auto& p = axis.p;
+    const auto at = [&](std::size_t c) -> Half {
+        const auto& y = leaf.corner[c];
+        return (p[0] * load_half(y[0], part) + p[1] * load_half(y[1], part)) + (p[2] * load_half(y[2], part) + axis.q);
+    };
+    const Half x = at(0), y = at(1), z = at(2);
+    low = min(x, min(y, z)) - axis.corner_reach;
+    high = max(x, max(y, z)) + axis.corner_reach;
+}
+
+template <class X>
+ECODS_ALWAYS_INLINE void reaches_of(const BodyAxis& axis, const X& x, Reaches& reaches) noexcept {
     for (std::size_t part = 0; part < 2; ++part) {
-        const Half middle = (p[0] * load_half(node.center[0], part) + p[1] * load_half(node.center[1], part)) +
-                            (p[2] * load_half(node.center[2], part) + axis.q);
-        const Half reach =
-            (std::abs(p[0]) * load_half(node.half[0], part) + std::abs(p[1]) * load_half(node.half[1], part)) +
-            std::abs(p[2]) * load_half(node.half[2], part);
-        store(reaches.low.data() + 4 * part, middle - reach);
-        store(reaches.high.data() + 4 * part, middle + reach);
+        Half low, high;
+        find_ends(axis, x, part, low, high);
+        store(reaches.low.data() + 4 * part, low);
+        store(reaches.high.data() + 4 * part, high);
     }
 }
 
-ECODS_ALWAYS_INLINE void reaches_of_leaf(const BodyAxis& axis, const TreeLeaf& leaf, Reaches& reaches) noexcept {
-    const auto& p = axis.p;
-    for (std::size_t part = 0; part < 2; ++part) {
-        const auto at = [&](std::size_t c) -> Half {
-            const auto& y = leaf.corner[c];
-            return (p[0] * load_half(y[0], part) + p[1] * load_half(y[1], part)) +
-                   (p[2] * load_half(y[2], part) + axis.q);
-        };
-        const Half x = at(0), y = at(1), z = at(2);
-        store(reaches.low.data() + 4 * part, min(x, min(y, z)) - axis.corner_reach);
-        store(reaches.high.data() + 4 * part, max(x, max(y, z)) + axis.corner_reach);
+// The reach of all parts together, in each lane.
+ECODS_ALWAYS_INLINE void join(Reaches& reaches) noexcept {
+    double low = reaches.low[0], high = reaches.high[0];
+    for (std::size_t lane = 1; lane < tree_width; ++lane) {
+        low = reaches.low[lane] < low ? reaches.low[lane] : low;
+        high = reaches.high[lane] > high ? reaches.high[lane] : high;
     }
+    reaches.low.fill(low);
+    reaches.high.fill(high);
 }
 
-ECODS_ALWAYS_INLINE std::uint64_t mask_of(const Reaches& a, const Reaches& b, double margin) noexcept {
-    std::uint64_t mask = 0;
+template <class X, class Y>
+ECODS_ALWAYS_INLINE std::uint64_t mask_of(const BodyAxis& a, const BodyAxis& b, double margin, const X& x, const Y& y,
+                                          std::uint32_t columns) noexcept {
+    constexpr bool is_mixed = !std::is_same_v<X, Y>;
+    Reaches of_x, of_y;
+    reaches_of(a, x, of_x);
+    reaches_of(b, y, of_y);
+    if constexpr (is_mixed && std::is_same_v<X, TreeLeaf>) join(of_x);
+    if constexpr (is_mixed && std::is_same_v<Y, TreeLeaf>) join(of_y);
+    MaskOf<Half> apart[2]{};
+    Half low[2], high[2];
     for (std::size_t part = 0; part < 2; ++part) {
-        const Half low = load<Half>(b.low.data() + 4 * part) - margin,
-                   high = load<Half>(b.high.data() + 4 * part) + margin;
-        MaskOf<Half> apart{};
-        for (std::size_t i = 0; i < tree_width; ++i) apart |= ((low > a.high[i]) | (high < a.low[i])) & (1 << i);
-        mask |= low_bytes(apart) << (32 * part);
+        low[part] = load<Half>(of_x.low.data() + 4 * part) - margin;
+        high[part] = load<Half>(of_x.high.data() + 4 * part) + margin;
     }
-    // Bits 8 j + i to 8 i + j: blocks of one, two and four are exchanged (Warren, Hacker's Delight, 7-3).
-    std::uint64_t t = (mask ^ (mask >> 7)) & 0x00aa00aa00aa00aa;
-    mask ^= t ^ (t << 7);
-    t = (mask ^ (mask >> 14)) & 0x0000cccc0000cccc;
-    mask ^= t ^ (t << 14);
-    t = (mask ^ (mask >> 28)) & 0x00000000f0f0f0f0;
-    return mask ^ (t ^ (t << 28));
+    for (; columns != 0; columns &= columns - 1) {
+        const auto j = static_cast<std::size_t>(std::countr_zero(columns));
+        for (std::size_t part = 0; part < 2; ++part)
+            apart[part] |= ((low[part] > of_y.high[j]) | (high[part] < of_y.low[j])) & (1 << j);
+    }
+    return low_bytes(apart[0]) | low_bytes(apart[1]) << 32;
 }
 
 }  // namespace
 
 void find_reaches(const BodyAxis& axis, const BvhNode& node, Reaches& reaches) noexcept {
-    dispatch<reaches_of_node>(axis, node, reaches);
+    dispatch<reaches_of<BvhNode>>(axis, node, reaches);
 }
 void find_reaches(const BodyAxis& axis, const TreeLeaf& leaf, Reaches& reaches) noexcept {
-    dispatch<reaches_of_leaf>(axis, leaf, reaches);
+    dispatch<reaches_of<TreeLeaf>>(axis, leaf, reaches);
 }
-std::uint64_t apart_mask(const Reaches& a, const Reaches& b, double margin) noexcept {
-    return dispatch<mask_of>(a, b, margin);
+std::uint64_t apart_mask(const BodyAxis& a, const BodyAxis& b, double margin, const BvhNode& x, const BvhNode& y,
+                         std::uint32_t columns) noexcept {
+    return dispatch<mask_of<BvhNode, BvhNode>>(a, b, margin, x, y, columns);
+}
+std::uint64_t apart_mask(const BodyAxis& a, const BodyAxis& b, double margin, const BvhNode& x, const TreeLeaf& y,
+                         std::uint32_t columns) noexcept {
+    return dispatch<mask_of<BvhNode, TreeLeaf>>(a, b, margin, x, y, columns);
+}
+std::uint64_t apart_mask(const BodyAxis& a, const BodyAxis& b, double margin, const TreeLeaf& x, const BvhNode& y,
+                         std::uint32_t columns) noexcept {
+    return dispatch<mask_of<TreeLeaf, BvhNode>>(a, b, margin, x, y, columns);
+}
+std::uint64_t apart_mask(const BodyAxis& a, const BodyAxis& b, double margin, const TreeLeaf& x, const TreeLeaf& y,
+                         std::uint32_t columns) noexcept {
+    return dispatch<mask_of<TreeLeaf, TreeLeaf>>(a, b, margin, x, y, columns);
 }
 
-Vec3 shortened(const Vec3& direction) {
+Vec3 shortened(const Vec3& direction, int bits) {
     const double largest = direction.cwiseAbs().maxCoeff();
     if (!(largest >= 0x1p-900 && largest <= 0x1p900)) return Vec3::Zero();
     const auto biased = static_cast<std::uint64_t>(std::bit_cast<std::uint64_t>(largest) >> 52);
-    const double scale = std::bit_cast<double>((1023 + 16 + 1023 - biased) << 52);
+    const auto digits = static_cast<std::uint64_t>(bits);
+    const double scale = std::bit_cast<double>((1023 + digits + 1023 - biased) << 52),
+                 unit = std::bit_cast<double>((1023 - digits) << 52);
     Vec3 result;
-    for (int k = 0; k < 3; ++k)
-        result[k] = static_cast<double>(static_cast<std::int64_t>(direction[k] * scale)) * 0x1p-16;
+    for (int k = 0; k < 3; ++k) result[k] = static_cast<double>(static_cast<std::int64_t>(direction[k] * scale)) * unit;
     return result;
 }
 

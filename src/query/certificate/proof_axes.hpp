@@ -52,12 +52,20 @@ struct Reaches {
 void find_reaches(const BodyAxis& axis, const BvhNode& node, Reaches& reaches) noexcept;
 void find_reaches(const BodyAxis& axis, const TreeLeaf& leaf, Reaches& reaches) noexcept;
 
-// Bit 8 i + j: parts i and j are apart by more than the margin, on either side. Of all lanes.
-std::uint64_t apart_mask(const Reaches& a, const Reaches& b, double margin) noexcept;
+// Bit 8 i + j: parts i of x and j of y are apart by more than the margin, on either side. Of all lanes i, and of those
+// j that `columns` has. A leaf beside a node is one part, 0, of all of its triangles.
+std::uint64_t apart_mask(const BodyAxis& a, const BodyAxis& b, double margin, const BvhNode& x, const BvhNode& y,
+                         std::uint32_t columns) noexcept;
+std::uint64_t apart_mask(const BodyAxis& a, const BodyAxis& b, double margin, const BvhNode& x, const TreeLeaf& y,
+                         std::uint32_t columns) noexcept;
+std::uint64_t apart_mask(const BodyAxis& a, const BodyAxis& b, double margin, const TreeLeaf& x, const BvhNode& y,
+                         std::uint32_t columns) noexcept;
+std::uint64_t apart_mask(const BodyAxis& a, const BodyAxis& b, double margin, const TreeLeaf& x, const TreeLeaf& y,
+                         std::uint32_t columns) noexcept;
 
-// About the same direction in few digits: the largest coordinate is between 1 and 2, and all are multiples of 2^-16.
+// About the same direction in few digits: the largest coordinate is between 1 and 2, and all are multiples of 2^-bits.
 // Zero where there is no direction.
-Vec3 shortened(const Vec3& direction);
+Vec3 shortened(const Vec3& direction, int bits = 16);
 
 // The normals of a tree's boxes in the world, or the axes of the world where the pose is too flat for these. Columns.
 Mat3 box_normals(const LocalFrame& frame, const Mat3& R);
