@@ -118,7 +118,7 @@ std::string shortened(std::string svg, std::span<const std::string> texts, const
     static const std::regex title("<title>gnuplot</title>\\s*<desc>[^<]*</desc>");
     static const std::regex empty("<g [^>]*>\\s*</g>\n?");
     static const std::regex hover(
-        R"(<g onmousemove="gnuplot_svg\.showHypertext\(evt,'text(\d+)'\)" onmouseout="[^"]*"><title> </title>)");
+        R"re(<g onmousemove="gnuplot_svg\.showHypertext\(evt,'text(\d+)'\)" onmouseout="[^"]*"><title> </title>)re");
     svg = std::regex_replace(svg, title, "<title>" + escape_html(panel.title) + "</title>");
     svg = std::regex_replace(svg, empty, "");
     std::string result;
@@ -165,6 +165,25 @@ Drawing draw_chart(const Chart& chart, const std::filesystem::path& folder) {
         drawing.panels.push_back(shortened(read_all(picture(p)), texts, chart.panels[p], drawing.marks));
     if (result.status != 0) drawing.failure = "gnuplot failed: " + result.text();
     return drawing;
+}
+
+void write_svg(const Chart& chart, const std::filesystem::path& file) {
+    const Drawing drawing = draw_chart(chart, file.parent_path());
+    if (drawing.panels.size() != 1) throw std::runtime_error("cannot draw " + chart.name + ": " + drawing.failure);
+    std::string light, dark;
+    for (const Colour& colour : colours()) {
+        light += fmt::format("--{}:{};", colour.name, colour.light);
+        dark += fmt::format("--{}:{};", colour.name, colour.dark);
+    }
+    const std::string& svg = drawing.panels.front();
+    const std::size_t inside = svg.find('>') + 1;
+    std::ofstream out(file);
+    out << svg.substr(0, inside) << "\n<style>svg{" << light
+        << "background:var(--paper)} @media (prefers-color-scheme:dark){svg{" << dark << "}}</style>\n"
+        << drawing.marks << svg.substr(inside) << "\n";
+    out.close();
+    if (!out) throw std::runtime_error("cannot write " + file.string());
+    for (const char* ending : {".gnuplot", "-1.svg"}) std::filesystem::remove(file.parent_path() / (chart.name + ending));
 }
 
 }  // namespace ecods::bench
