@@ -2,6 +2,7 @@
 // report. Exit status: 0 when ECoDS was right throughout, 1 when it was not, 2 for an error; with --compare: 1 when
 // answers or counts of work differ.
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -14,13 +15,17 @@
 
 #include "programs/command_line.hpp"
 #include "report/csv.hpp"
+#include "report/draw_chart.hpp"
 #include "report/environment.hpp"
+#include "report/headline.hpp"
 #include "report/instruction_set.hpp"
 #include "report/json.hpp"
 #include "report/page.hpp"
+#include "report/read_page.hpp"
 #include "suites/asked.hpp"
 #include "suites/compare_builds.hpp"
 #include "suites/comparison.hpp"
+#include "suites/sign_maps.hpp"
 #include "suites/suite.hpp"
 
 namespace {
@@ -34,6 +39,8 @@ struct Arguments {
     std::filesystem::path json;  // these three: none when empty
     std::filesystem::path csv;
     std::filesystem::path results;
+    std::filesystem::path from;     // a saved page, in place of a run
+    std::filesystem::path sample;   // folder
     std::string instruction_set = "native";
     std::vector<std::string> builds;  // two to be compared, or none
     bool is_own = false;
@@ -64,7 +71,7 @@ Page make_page(const std::string& command) {
 // All comparisons as one table.
 Table join(const std::vector<Table>& comparisons) {
     Table all;
-    all.title = "All scenes";
+    all.title = scenes_title;
     all.text_columns = 2;
     all.header = comparisons.front().header;
     all.header.insert(all.header.begin(), "scene");
@@ -75,6 +82,21 @@ Table join(const std::vector<Table>& comparisons) {
         }
     }
     return all;
+}
+
+// The images that README shows.
+void write_sample(const Page& page, const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder);
+    const auto chart = summary_chart(page);
+    if (!chart) throw std::runtime_error("--sample: the page has no results of the suite narrow");
+    write_svg(*chart, folder / "summary.svg");
+    const std::filesystem::path parts = std::filesystem::temp_directory_path() / fmt::format("ecods_sample.{}", getpid());
+    std::filesystem::create_directory(parts);
+    const Picture map = draw_orient2d(map_orient2d(), parts, "sign-map");
+    if (!map.failure.empty()) throw std::runtime_error("--sample: " + map.failure);
+    std::filesystem::copy_file(map.file, folder / "sign-map.png", std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::remove_all(parts);
+    fmt::print("sample: {}\n", folder.string());
 }
 
 bool run(const Arguments& arguments, const std::string& command) {
@@ -108,7 +130,19 @@ bool run(const Arguments& arguments, const std::string& command) {
         write_page(page, file);
         fmt::print("report: {}\n", file.string());
     }
+    if (!arguments.sample.empty()) write_sample(page, arguments.sample);
     return is_right;
+}
+
+// The page of an earlier run.
+void draw_again(const Arguments& arguments) {
+    const Page page = read_page(arguments.from);
+    if (arguments.has_report) {
+        const std::filesystem::path file = arguments.report / "index.html";
+        write_page(page, file);
+        fmt::print("report: {}\n", file.string());
+    }
+    if (!arguments.sample.empty()) write_sample(page, arguments.sample);
 }
 
 bool compare(const Arguments& arguments) {
@@ -144,10 +178,16 @@ void add_options(CLI::App& app, Arguments& arguments) {
         "out");
     app.add_option("--sizes", options.sizes,
                    "Numbers of boxes (suite broad) and ships (suite system) to run, of those that the suite has");
-    app.add_option("--json", arguments.json, "Also write all tables to this file");
+    app.add_option("--json", arguments.json, "Also write the page to this file, for programs and for --from");
     app.add_option("--csv", arguments.csv, "Also write all figures to this file, one in a line");
     app.add_option("--results", arguments.results,
                    "As --csv, into this folder, to a file named after the processor and the day");
+    app.add_option("--from", arguments.from,
+                   "Run nothing: draw the page of an earlier run again, from its --json (all of it) or --csv (the "
+                   "tables)")
+        ->check(CLI::ExistingFile);
+    app.add_option("--sample", arguments.sample,
+                   "Also write the summary chart and the map of signs into this folder, as images");
     app.add_option("--instruction-set", arguments.instruction_set,
                    "What ECoDS, Embree and the C library may use; the other engines are built for the baseline")
         ->check(CLI::IsMember({"native", "avx2", "baseline"}))
@@ -195,6 +235,10 @@ int main(int argc, char** argv) {
         use_instruction_set(arguments.instruction_set, argv);
         if (arguments.is_own) {
             serve_own_work(arguments.is_quick);
+            return 0;
+        }
+        if (!arguments.from.empty()) {
+            draw_again(arguments);
             return 0;
         }
         if (!arguments.builds.empty()) return compare(arguments) ? 0 : 1;

@@ -6,43 +6,26 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "report/chart_html.hpp"
+#include "report/engine_style.hpp"
+#include "report/headline.hpp"
+#include "report/page_style.hpp"
+
 namespace ecods::bench {
 
 namespace {
 
-// Wide things scroll in their own box, so that the page itself never does; on paper nothing is cut off.
-constexpr const char* style = R"(
-:root { color-scheme: light; }
-body { font: 16px/1.5 Georgia, "Times New Roman", serif; color: #1b1b1b; background: #fff; margin: 0 auto;
-       max-width: 68rem; padding: 1.2rem; }
-h1 { font-size: 1.7rem; line-height: 1.2; margin: .5rem 0 1rem; }
-h2 { font-size: 1.25rem; margin: 2.6rem 0 .6rem; border-top: 1px solid #999; padding-top: 1rem; }
-p { margin: .5rem 0; max-width: 46rem; }
-.table { overflow-x: auto; margin: 1rem 0 .3rem; }
-table { border-collapse: collapse; font: 14px/1.4 "DejaVu Sans", Verdana, sans-serif;
-        font-variant-numeric: tabular-nums; }
-caption { text-align: left; font-weight: bold; padding-bottom: .35rem; }
-th, td { padding: .22rem .75rem; text-align: right; border-bottom: 1px solid #ddd; vertical-align: top; }
-td { white-space: nowrap; }
-thead th { border-bottom: 1.5px solid #333; vertical-align: bottom; }
-th:first-child, td:first-child { padding-left: 0; }
-.text { text-align: left; }
-.group td { border-top: 2px solid #aaa; }
-.words td + td { white-space: normal; }
-.note { font-size: .85rem; color: #444; margin: .15rem 0; }
-figure { margin: 1.2rem 0; }
-figure img, figure svg { width: 100%; height: auto; display: block; }
-figure img { border: 1px solid #bbb; box-sizing: border-box; }
-figcaption { font-size: .9rem; color: #333; margin-top: .4rem; }
-.origin { display: block; font: 11px/1.4 "DejaVu Sans", Verdana, sans-serif; color: #666; overflow-wrap: anywhere; }
-@media screen and (max-width: 44rem) {
-  body { font-size: 15px; padding: .7rem; } table { font-size: 12px; } th, td { padding: .2rem .45rem; }
-  .chart { overflow-x: auto; } .chart img { min-width: 46rem; }  /* else the letters in it are too small to be read */
+// The colours, by what the reader's system prefers; paper is always light.
+std::string colour_variables() {
+    std::string light, dark;
+    for (const Colour& colour : colours()) {
+        light += fmt::format("--{}:{};", colour.name, colour.light);
+        dark += fmt::format("--{}:{};", colour.name, colour.dark);
+    }
+    return fmt::format(":root {{ {} --soft:#aaa; --soft-ink:#555; }}\n"
+                       "@media screen and (prefers-color-scheme: dark) {{ :root {{ {} --soft:#555; --soft-ink:#aaa; }} }}\n",
+                       light, dark);
 }
-@media print { body { max-width: none; padding: 0; font-size: 10.5pt; } table { font-size: 8.5pt; }
-               .table { overflow: visible; } figure, tr { break-inside: avoid; } h2 { break-after: avoid; }
-               td { white-space: normal; } }
-)";
 
 std::string read_all(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -74,36 +57,62 @@ std::string origin(const Page& page) {
 }
 
 std::string to_html(const Picture& picture, const std::string& origin) {
-    std::string html = "<figure>";
+    std::string html = "<figure class=\"picture\">";
     if (!picture.failure.empty()) {
         html += "<p>No picture: " + escape_html(picture.failure) + "</p>";
     } else {
-        // SVG goes in as an image, too: identifiers of several plots in one page would clash.
-        const bool is_chart = picture.file.extension() == ".svg";
-        html += fmt::format("<div class=\"{}\"><img alt=\"{}\" src=\"data:image/{};base64,{}\"></div>",
-                            is_chart ? "chart" : "picture", escape_html(picture.caption), is_chart ? "svg+xml" : "png",
+        const char* type = picture.file.extension() == ".svg" ? "svg+xml" : "png";
+        html += fmt::format("<img alt=\"{}\" src=\"data:image/{};base64,{}\">", escape_html(picture.caption), type,
                             base64(read_all(picture.file)));
     }
     return html + "<figcaption>" + escape_html(picture.caption) + " <span class=\"origin\">" + escape_html(origin) +
            "</span></figcaption></figure>\n";
 }
 
+void write_contents(std::ostream& out, const std::vector<Section>& sections) {
+    out << "<nav aria-label=\"Contents\"><ol>\n";
+    for (std::size_t i = 0; i < sections.size(); ++i)
+        out << fmt::format("<li><a href=\"#section-{}\">{}</a></li>\n", i + 1, escape_html(sections[i].title));
+    out << "<li><a href=\"#environment\">Where and how this was measured</a></li></ol></nav>\n";
+}
+
+// Sections with their charts. The marks of charts are in `marks`.
+std::string to_html(const Section& section, std::size_t number, const Page& page, const std::filesystem::path& parts,
+                    std::string& marks) {
+    std::string html = fmt::format("<h2 id=\"section-{}\">{}</h2>\n", number, escape_html(section.title));
+    for (const std::string& text : section.paragraphs) html += "<p>" + escape_html(text) + "</p>\n";
+    for (const Chart& chart : section.charts) html += to_html(chart, parts, origin(page), marks);
+    for (const Table& table : section.tables) html += to_html(table);
+    for (const Picture& picture : section.pictures) html += to_html(picture, origin(page));
+    return html;
+}
+
 }  // namespace
 
 void write_page(const Page& page, const std::filesystem::path& file) {
+    const std::filesystem::path parts = file.parent_path() / "parts";
+    std::filesystem::create_directories(parts);
+    std::vector<Section> sections = headline(page);
+    const std::size_t headline_count = sections.size();
+    sections.insert(sections.end(), page.sections.begin(), page.sections.end());
+    std::string body, marks;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        body += to_html(sections[i], i + 1, page, parts, marks);
+        if (i + 1 == headline_count)
+            for (const std::string& text : page.summary) body += "<p>" + escape_html(text) + "</p>\n";
+    }
     std::ofstream out(file);
     out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        << "<title>" << escape_html(page.title) << "</title>\n<style>" << style << "</style></head><body>\n"
+        << "<title>" << escape_html(page.title) << "</title>\n<style>" << colour_variables() << page_style
+        << "</style></head><body>\n"
+        << "<svg width=\"0\" height=\"0\" style=\"position:absolute\" aria-hidden=\"true\">" << marks << "</svg>\n"
         << "<h1>" << escape_html(page.title) << "</h1>\n";
-    for (const std::string& text : page.summary) out << "<p>" << escape_html(text) << "</p>\n";
-    for (const Section& section : page.sections) {
-        out << "<h2>" << escape_html(section.title) << "</h2>\n";
-        for (const std::string& text : section.paragraphs) out << "<p>" << escape_html(text) << "</p>\n";
-        for (const Table& table : section.tables) out << to_html(table);
-        for (const Picture& picture : section.pictures) out << to_html(picture, origin(page));
-    }
-    out << "<h2>Where and how this was measured</h2>\n" << to_html(page.environment) << "</body></html>\n";
+    write_contents(out, sections);
+    out << body << "<h2 id=\"environment\">Where and how this was measured</h2>\n" << to_html(page.environment)
+        // What is folded on the screen is on paper, too.
+        << "<script>addEventListener('beforeprint',()=>document.querySelectorAll('details')"
+           ".forEach(d=>{d.open=true}))</script>\n</body></html>\n";
     out.close();
     if (!out) throw std::runtime_error("cannot write " + file.string());
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "report/chart.hpp"
 #include "report/table.hpp"
 
 namespace ecods::bench {
@@ -21,6 +22,7 @@ struct Section {
     std::vector<std::string> paragraphs;
     std::vector<Table> tables;
     std::vector<Picture> pictures;
+    std::vector<Chart> charts = {};
 };
 
 struct Page {
@@ -30,7 +32,8 @@ struct Page {
     std::vector<Section> sections;
 };
 
-// Throws std::runtime_error when a file cannot be read or written.
+// The page begins with the headline (headline.hpp) and a contents list. Charts are drawn into the folder `parts` beside
+// the file. Throws std::runtime_error when a file cannot be read or written.
 void write_page(const Page& page, const std::filesystem::path& file);
 
 }  // namespace ecods::bench

@@ -51,11 +51,16 @@ std::string escape_html(const std::string& text) {
     return escaped;
 }
 
+// Of a row that is none of the table's own: the header.
+static constexpr auto no_row = static_cast<std::size_t>(-1);
+
 std::string to_html(const Table& table) {
-    const auto row_of = [&](const std::vector<std::string>& cells, const char* tag, bool begins_group) {
+    const auto row_of = [&](const std::vector<std::string>& cells, const char* tag, bool begins_group, std::size_t row = no_row) {
         std::string html = begins_group ? "<tr class=\"group\">" : "<tr>";
         for (std::size_t c = 0; c < cells.size(); ++c)
-            html += fmt::format("<{0}{1}>{2}</{0}>", tag, c < table.text_columns ? " class=\"text\"" : "",
+            html += fmt::format("<{0}{1}>{2}</{0}>", tag, c < table.text_columns            ? " class=\"text\""
+                                : table.loud.contains({row, c}) ? " class=\"loud\""
+                                                                : "",
                                 escape_html(cells[c]));
         return html + "</tr>\n";
     };
@@ -69,7 +74,7 @@ std::string to_html(const Table& table) {
         // Several rows for one thing, engines for a workload say, belong together.
         const bool begins_group =
             table.text_columns > 1 && !is_words && previous != nullptr && previous->front() != row.front();
-        html += row_of(row, "td", begins_group);
+        html += row_of(row, "td", begins_group, static_cast<std::size_t>(&row - table.rows.data()));
         previous = &row;
     }
     html += "</tbody></table></div>\n";

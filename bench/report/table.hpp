@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ecods::bench {
@@ -13,6 +15,7 @@ struct Table {
     std::vector<std::vector<std::string>> rows;  // as wide as the header
     std::size_t text_columns = 1;                // so many are aligned left; the rest are numbers, aligned right
     std::vector<std::string> notes;              // one line each, below
+    std::set<std::pair<std::size_t, std::size_t>> loud = {};  // row and column of cells to be seen first, on the page
 };
 
 std::string to_text(const Table& table);

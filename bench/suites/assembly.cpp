@@ -9,8 +9,8 @@
 
 #include "ecods/world.hpp"
 #include "process/progress.hpp"
-#include "report/plot.hpp"
 #include "report/povray.hpp"
+#include "report/time_chart.hpp"
 #include "scenes/engine_motion.hpp"
 #include "scenes/io/gltf_file.hpp"
 #include "suites/comparison.hpp"
@@ -215,7 +215,7 @@ SuiteResult run_assembly(const SuiteOptions& options) {
     if (options.has_pictures) {
         section.pictures.push_back(draw_engine(scene, comparison.truth, 0, options.folder));
         section.pictures.push_back(draw_engine(scene, comparison.truth, frame_count * 5 / 12, options.folder));
-        section.pictures.push_back(plot_times(comparison.runs, options.folder, "engine-times",
+        section.charts.push_back(time_chart(comparison.runs, "engine-times",
                                               "The engine: milliseconds per frame. The scale is logarithmic."));
     }
     result.sections.push_back(std::move(section));

@@ -6,6 +6,7 @@
 
 #include "harness/statistics.hpp"
 #include "process/progress.hpp"
+#include "report/headline.hpp"
 #include "suites/broad_measure.hpp"
 #include "suites/broad_swaps.hpp"
 #include "suites/comparison.hpp"
@@ -142,7 +143,7 @@ void add_rows(Table& table, const scenes::MovingBoxes& boxes, const BroadTruth& 
 
 Table empty_table(const SuiteOptions& options) {
     Table table;
-    table.title = "Boxes that move: which overlap?";
+    table.title = boxes_title;
     table.text_columns = 2;
     table.header = {"boxes",  "engine",    "ns/box/frame", "spread %", "slowest",
                     "frames", "times FCL", "pairs/box",    "false -",  "false +"};

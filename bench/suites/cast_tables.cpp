@@ -3,11 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
 
 #include "harness/statistics.hpp"
 #include "process/progress.hpp"
-#include "report/error_chart.hpp"
+#include "report/error_panel.hpp"
 #include "suites/cast_measure.hpp"
 #include "suites/comparison.hpp"
 #include "suites/timed_rows.hpp"
@@ -101,32 +100,26 @@ Table turn_table(std::size_t repetition_count) {
     return table;
 }
 
-Section chart_of(const std::vector<Measured>& all, std::span<const CastMaker> makers, const SuiteOptions& options) {
-    std::vector<std::string> names;
-    std::map<const CastMaker*, std::size_t> index;
-    for (const CastMaker& maker : makers) {
-        if (maker.answer != CastAnswer::time) continue;
-        index[&maker] = names.size();
-        names.push_back(maker.name);
-    }
-    std::vector<ErrorPanel> panels;
+Section chart_of(const std::vector<Measured>& all) {
+    std::vector<Panel> panels;
     for (const Measured& measured : all) {
         if (!measured.workload.is_translation) continue;
-        ErrorPanel panel{measured.workload.name, {}};
+        std::vector<ErrorPoint> points;
         for (const CastRun& run : measured.runs) {
             if (!run.failure.empty() || run.maker->answer != CastAnswer::time) continue;
             const CastErrors errors = errors_of(run, measured.truth);
-            panel.points.push_back({index[run.maker], median(run.us),
+            points.push_back({run.maker->name, median(run.us),
                                     static_cast<double>(errors.false_negatives + errors.false_positives) /
                                         static_cast<double>(run.answers.size())});
         }
-        panels.push_back(std::move(panel));
+        panels.push_back(error_panel(measured.workload.name, "us per motion", points));
     }
     return {"Casts: speed against error",
             {"Each engine is a point for each workload: time per motion across; up the share of motions of which it "
              "says wrongly whether there is contact. The line at 0 is no error at all."},
             {},
-            {plot_errors(panels, names, "us per motion", options.folder, "cast-errors",
+            {},
+            {error_chart("cast-errors", std::move(panels),
                          "Speed against error of casts. The better engine is lower and further left.")}};
 }
 
@@ -154,7 +147,7 @@ SuiteResult run_two_body_casts(const SuiteOptions& options) {
     }
     print(slides);
     print(turns);
-    if (options.has_pictures) result.sections.push_back(chart_of(all, makers, options));
+    if (options.has_pictures) result.sections.push_back(chart_of(all));
     result.sections.push_back(
         {"Casts of two meshes",
          {},

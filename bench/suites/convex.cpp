@@ -6,7 +6,7 @@
 
 #include "harness/statistics.hpp"
 #include "process/progress.hpp"
-#include "report/error_chart.hpp"
+#include "report/error_panel.hpp"
 #include "suites/comparison.hpp"
 #include "suites/convex_frames.hpp"
 #include "suites/convex_measure.hpp"
@@ -96,36 +96,17 @@ Table empty_table(ConvexQuestion question, std::size_t repetition_count) {
     return table;
 }
 
-// One panel for each workload.
-class Chart {
-  public:
-    explicit Chart(std::span<const ConvexMaker> makers) {
-        for (const ConvexMaker& maker : makers) names_.push_back(maker.name);
-    }
-
-    void add(const Measured& measured) {
-        ErrorPanel panel{measured.workload.pairs.name, {}};
+Panel panel_of(const Measured& measured) {
+        std::vector<ErrorPoint> points;
         for (std::size_t i = 0; i < measured.runs.size(); ++i) {
             if (!measured.runs[i].failure.empty()) continue;
             const ConvexErrors& errors = measured.errors[i];
-            panel.points.push_back({i, median(measured.runs[i].us),
+            points.push_back({measured.runs[i].maker->name, median(measured.runs[i].us),
                                     static_cast<double>(errors.contradicted + errors.off) /
                                         static_cast<double>(measured.truth.numbers.size())});
         }
-        panels_.push_back(std::move(panel));
-    }
-
-    Picture plot(const std::string& name, const SuiteOptions& options) const {
-        return plot_errors(panels_, names_, "us per query", options.folder, name,
-                           "Speed against error. Up: the share of pairs that are wrongly said to meet or to be apart, "
-                           "or of which the number is off by more than a hundredth. The better engine is lower and "
-                           "further left.");
-    }
-
-  private:
-    std::vector<std::string> names_;
-    std::vector<ErrorPanel> panels_;
-};
+        return error_panel(measured.workload.pairs.name, "us per query", points);
+}
 
 struct Part {
     ConvexQuestion question;
@@ -139,7 +120,7 @@ void measure_part(const Part& part, const std::vector<ConvexWorkload>& workloads
     options.keep_wanted(makers);
     if (makers.empty()) return;
     Table table = empty_table(part.question, options.repetition_count);
-    Chart chart(makers);
+    std::vector<Panel> panels;
     {
         process::Progress progress(part.picture, workloads.size());
         for (const ConvexWorkload& workload : workloads) {
@@ -147,7 +128,7 @@ void measure_part(const Part& part, const std::vector<ConvexWorkload>& workloads
                 const Measured measured = measure(workload, makers, options);
                 result.is_right &= measured.is_right();
                 add_rows(table, measured);
-                chart.add(measured);
+                panels.push_back(panel_of(measured));
             }
             progress.step();
         }
@@ -155,7 +136,10 @@ void measure_part(const Part& part, const std::vector<ConvexWorkload>& workloads
     print(table);
     Section section{
         part.title, {}, {table, use_table<ConvexMaker>("How each engine is asked", makers, poses_are_timed)}, {}};
-    if (options.has_pictures) section.pictures.push_back(chart.plot(part.picture, options));
+    if (options.has_pictures) section.charts.push_back(error_chart(
+            part.picture, std::move(panels),
+            "Speed against error. Up: the share of pairs that are wrongly said to meet or to be apart, or of which the "
+            "number is off by more than a hundredth. The better engine is lower and further left."));
     result.sections.push_back(std::move(section));
 }
 

@@ -2,11 +2,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
 
 #include "harness/statistics.hpp"
 #include "process/progress.hpp"
-#include "report/error_chart.hpp"
+#include "report/error_panel.hpp"
 #include "suites/clearance.hpp"
 #include "suites/comparison.hpp"
 #include "suites/distance_measure.hpp"
@@ -83,30 +82,24 @@ Table empty_table(std::size_t repetition_count) {
 }
 
 // One panel for each workload, of the engines that answer with a number.
-Section chart_of(const std::vector<Measured>& all, std::span<const DistanceMaker> makers, const SuiteOptions& options) {
-    std::vector<std::string> names;
-    std::map<const DistanceMaker*, std::size_t> index;
-    for (const DistanceMaker& maker : makers) {
-        if (maker.answer == DistanceAnswer::within) continue;
-        index[&maker] = names.size();
-        names.push_back(maker.name);
-    }
-    std::vector<ErrorPanel> panels;
+Section chart_of(const std::vector<Measured>& all) {
+    std::vector<Panel> panels;
     for (const Measured& measured : all) {
-        ErrorPanel panel{measured.workload.pairs.name, {}};
+        std::vector<ErrorPoint> points;
         for (const DistanceRun& run : measured.runs) {
             const DistanceErrors errors = errors_of(run, measured.truth);
-            if (!run.failure.empty() || errors.ulps.empty()) continue;
-            panel.points.push_back({index[run.maker], median(run.us), median(errors.ulps)});
+            if (!run.failure.empty() || errors.ulps.empty() || run.maker->answer == DistanceAnswer::within) continue;
+            points.push_back({run.maker->name, median(run.us), median(errors.ulps)});
         }
-        panels.push_back(std::move(panel));
+        panels.push_back(error_panel(measured.workload.pairs.name, "us per query", points, ErrorScale::ulps));
     }
     return {"Distances: speed against error",
             {"Each engine is a point for each workload: time per query across; up the median of its errors, in units "
              "in the last place of the true distance. The line at 0 is no error at all: rounded once."},
             {},
-            {plot_ulps(panels, names, "us per query", options.folder, "distance-errors",
-                       "Speed against error of distances. The better engine is lower and further left.")}};
+            {},
+            {error_chart("distance-errors", std::move(panels),
+                         "Speed against error of distances. The better engine is lower and further left.")}};
 }
 
 }  // namespace
@@ -131,7 +124,7 @@ SuiteResult run_distance(const SuiteOptions& options) {
         }
     }
     print(table);
-    if (options.has_pictures) result.sections.push_back(chart_of(all, makers, options));
+    if (options.has_pictures) result.sections.push_back(chart_of(all));
     result.sections.push_back(
         {"Distances of two meshes",
          {},

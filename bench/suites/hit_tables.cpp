@@ -7,7 +7,7 @@
 
 #include "harness/statistics.hpp"
 #include "process/progress.hpp"
-#include "report/error_chart.hpp"
+#include "report/error_panel.hpp"
 #include "suites/comparison.hpp"
 #include "suites/hit_measure.hpp"
 #include "suites/timed_rows.hpp"
@@ -117,31 +117,25 @@ Table empty_list_table(std::size_t repetition_count) {
     return table;
 }
 
-Section chart_of(const std::vector<Measured>& all, std::span<const HitMaker> makers, const SuiteOptions& options) {
-    std::vector<std::string> names;
-    std::map<const HitMaker*, std::size_t> index;
-    for (const HitMaker& maker : makers) {
-        if (maker.is_for_paths) continue;
-        index[&maker] = names.size();
-        names.push_back(maker.name);
-    }
-    std::vector<ErrorPanel> panels;
+Section chart_of(const std::vector<Measured>& all) {
+    std::vector<Panel> panels;
     for (const Measured& measured : all) {
-        ErrorPanel panel{measured.workload.name, {}};
+        std::vector<ErrorPoint> points;
         for (const HitRun& run : measured.runs) {
             if (!run.failure.empty() || run.maker->is_for_paths) continue;
             const HitErrors errors = errors_of(run, measured.truth);
             const std::size_t bad = errors.false_negatives + errors.false_positives + errors.other_triangles;
-            panel.points.push_back(
-                {index[run.maker], median(run.us), static_cast<double>(bad) / static_cast<double>(run.answers.size())});
+            points.push_back(
+                {run.maker->name, median(run.us), static_cast<double>(bad) / static_cast<double>(run.answers.size())});
         }
-        panels.push_back(std::move(panel));
+        panels.push_back(error_panel(measured.workload.name, "us per segment", points));
     }
     return {"Segments: speed against error",
             {"Each engine is a point for each workload: time per segment across; up the share of segments whose first "
              "hit is missed, is none, or is another triangle. The line at 0 is no error at all."},
             {},
-            {plot_errors(panels, names, "us per segment", options.folder, "hit-errors",
+            {},
+            {error_chart("hit-errors", std::move(panels),
                          "Speed against error of first hits. The better engine is lower and further left.")}};
 }
 
@@ -175,7 +169,7 @@ SuiteResult run_hits(const SuiteOptions& options) {
     }
     print(table);
     print(lists);
-    if (options.has_pictures) result.sections.push_back(chart_of(all, makers, options));
+    if (options.has_pictures) result.sections.push_back(chart_of(all));
     result.sections.push_back({"Segments against one mesh",
                                {},
                                {table, lists,

@@ -5,7 +5,8 @@
 
 #include "harness/statistics.hpp"
 #include "process/progress.hpp"
-#include "report/error_chart.hpp"
+#include "report/error_panel.hpp"
+#include "report/headline.hpp"
 #include "scenes/narrow_workloads.hpp"
 #include "suites/comparison.hpp"
 #include "suites/narrow_builds.hpp"
@@ -103,7 +104,7 @@ Table empty_table(const std::string& title, std::size_t repetition_count) {
 // Wrong answers by gap, one column for each engine.
 Table gap_table(std::span<const Measured> all) {
     Table table;
-    table.title = "Ships at controlled gaps: false negatives / false positives";
+    table.title = gaps_title;
     table.header = {"gap in radii", "queries", "judged"};
     for (const NarrowRun& run : all.front().runs) table.header.push_back(run.name);
     for (const Measured& measured : all) {
@@ -144,8 +145,8 @@ Table list_table(const MeshPairs& workload, const ListTruth& truth, const std::v
     return table;
 }
 
-ErrorPanel panel_of(const std::string& title, std::span<const Measured> all) {
-    ErrorPanel panel{title, {}};
+Panel panel_of(const std::string& title, std::span<const Measured> all) {
+    std::vector<ErrorPoint> points;
     for (std::size_t e = 0; e < all.front().runs.size(); ++e) {
         std::vector<double> us;
         double wrong = 0;
@@ -154,15 +155,15 @@ ErrorPanel panel_of(const std::string& title, std::span<const Measured> all) {
             us.push_back(median(measured.runs[e].us));
             wrong += measured.wrong_share(measured.runs[e]);
         }
-        if (!us.empty()) panel.points.push_back({e, median(us), wrong / static_cast<double>(us.size())});
+        if (!us.empty()) points.push_back({all.front().runs[e].name, median(us), wrong / static_cast<double>(us.size())});
     }
-    return panel;
+    return error_panel(title, "us per query", points);
 }
 
 // The gaps come after the first `workload_count`.
 Section chart_of(std::span<const MeshPairs> workloads, std::span<const Measured> all, std::size_t workload_count,
-                 std::span<const NarrowMaker> makers, const SuiteOptions& options) {
-    Section chart{
+                 const SuiteOptions& options) {
+    Section section{
         "Speed against error",
         {"Each engine is a point for each workload: time per query across, share of wrong answers up. The line at "
          "0 is no error at all. Near: two copies of a mesh whose gap, or depth, is 1e-4 to 1e-2 radii; half of "
@@ -170,15 +171,13 @@ Section chart_of(std::span<const MeshPairs> workloads, std::span<const Measured>
          "exact contact, and the same parts with a clearance."},
         {},
         {}};
-    if (!options.has_pictures) return chart;
-    std::vector<ErrorPanel> panels;
+    if (!options.has_pictures) return section;
+    std::vector<Panel> panels;
     for (std::size_t i = 0; i < workload_count; ++i) panels.push_back(panel_of(workloads[i].name, all.subspan(i, 1)));
     panels.push_back(panel_of("ships, gaps 1e-3 to adjacent doubles", all.subspan(workload_count)));
-    std::vector<std::string> names;
-    for (const NarrowMaker& maker : makers) names.push_back(maker.name);
-    chart.pictures.push_back(plot_errors(panels, names, "us per query", options.folder, "narrow-errors",
+    section.charts.push_back(error_chart("narrow-errors", std::move(panels),
                                          "Speed against error. The better engine is lower and further left."));
-    return chart;
+    return section;
 }
 
 }  // namespace
@@ -192,7 +191,7 @@ SuiteResult run_narrow(const SuiteOptions& options) {
     std::vector<MeshPairs> workloads = narrow_workloads(size_of(options));
     const std::size_t workload_count = workloads.size();
     for (MeshPairs& workload : gap_workloads(size_of(options))) workloads.push_back(std::move(workload));
-    Table table = empty_table("Two meshes: do they touch?", repetition_count);
+    Table table = empty_table(two_meshes_title, repetition_count);
     std::vector<Measured> all;
     {
         process::Progress progress("narrow", workloads.size());
@@ -224,8 +223,8 @@ SuiteResult run_narrow(const SuiteOptions& options) {
     const Table builds = build_table(build_workloads(size_of(options)), makers, repetition_count);
     print(builds);
 
-    Section chart = chart_of(workloads, all, workload_count, makers, options);
-    if (!chart.pictures.empty()) result.sections.push_back(std::move(chart));
+    Section chart = chart_of(workloads, all, workload_count, options);
+    if (!chart.charts.empty()) result.sections.push_back(std::move(chart));
     std::vector<Table> tables = {table, gaps};
     if (!distances.rows.empty()) tables.push_back(distances);
     tables.insert(tables.end(),

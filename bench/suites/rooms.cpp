@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "harness/statistics.hpp"
-#include "report/plot.hpp"
 #include "report/povray.hpp"
+#include "report/time_chart.hpp"
 #include "scenes/ship.hpp"
 #include "suites/comparison.hpp"
 #include "suites/suite.hpp"
@@ -82,8 +82,8 @@ SuiteResult run_rooms(const SuiteOptions& options) {
         Section section{room_case.title, {room_case.text}, {comparison.table, work}, {}};
         if (options.has_pictures) {
             section.pictures.push_back(draw_room(room_case, scene, comparison.truth, options.folder));
-            section.pictures.push_back(
-                plot_times(comparison.runs, options.folder, room_case.name + "-times",
+            section.charts.push_back(
+                time_chart(comparison.runs, room_case.name + "-times",
                            fmt::format("{}: milliseconds per frame, {}. The scale is logarithmic.", room_case.title,
                                        medians_of(options.repetition_count))));
         }

@@ -1,21 +1,18 @@
 // Numerical stability: how often each way to test two triangles is wrong where it is hard to be right, at what price.
 #include <fmt/core.h>
 #include <gsl/gsl_statistics_double.h>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 
 #include "ecods/predicates.hpp"
-#include "exact/point/point.hpp"
-#include "exact/sign/plain_signs.hpp"
 #include "harness/stopwatch.hpp"
 #include "oracle/oracle.hpp"
 #include "process/progress.hpp"
 #include "suites/comparison.hpp"
+#include "suites/sign_maps.hpp"
 #include "suites/stability_engines.hpp"
 #include "suites/stability_families.hpp"
-#include "suites/stability_plots.hpp"
 #include "suites/suite.hpp"
 
 namespace ecods::bench {
@@ -90,72 +87,6 @@ Measured measure_family(const StabilityFamily& family, std::size_t repetition_co
     return measured;
 }
 
-// Two to the power of -53: neighbours of 0.5 are so far apart.
-constexpr double step = 0x1p-53;
-constexpr std::size_t map_size = 256;
-
-template <class SignOf>
-SignMap make_map(std::string title, SignOf&& sign_of) {
-    SignMap map{std::move(title), map_size, {}};
-    map.signs.reserve(map_size * map_size);
-    for (std::size_t j = 0; j < map_size; ++j) {
-        for (std::size_t i = 0; i < map_size; ++i) {
-            map.signs.push_back(sign_of(0.5 + static_cast<double>(i) * step, 0.5 + static_cast<double>(j) * step));
-        }
-    }
-    return map;
-}
-
-struct MapPair {
-    SignMap plain, exact;
-    std::size_t plain_wrong = 0, exact_wrong = 0;
-};
-
-// The true sign depends on which of x and y is larger alone.
-MapPair judge(SignMap plain, SignMap exact, int sign_below_diagonal) {
-    MapPair maps{std::move(plain), std::move(exact)};
-    for (std::size_t j = 0; j < map_size; ++j) {
-        for (std::size_t i = 0; i < map_size; ++i) {
-            const int truth = i == j ? 0 : i > j ? sign_below_diagonal : -sign_below_diagonal;
-            maps.plain_wrong += maps.plain.signs[j * map_size + i] != truth;
-            maps.exact_wrong += maps.exact.signs[j * map_size + i] != truth;
-        }
-    }
-    return maps;
-}
-
-// Kettner, Mehlhorn, Pion, Schirra, Yap, Classroom Examples of Robustness Problems in Geometric Computations, 2008: the
-// side of the line through (12, 12) and (24, 24) on which points near (0.5, 0.5) are.
-MapPair map_orient2d() {
-    const Vec2 q(12, 12), r(24, 24);
-    SignMap plain = make_map("plain double", [&](double x, double y) {
-        return exact::sign_of((q[0] - x) * (r[1] - y) - (q[1] - y) * (r[0] - x));
-    });
-    SignMap exact = make_map("ECoDS", [&](double x, double y) { return static_cast<int>(orient2d(Vec2(x, y), q, r)); });
-    return judge(std::move(plain), std::move(exact), -1);
-}
-
-// The same under a pose: the side of the plane x = y, rotated and moved, on which the posed points are.
-MapPair map_posed_orient3d() {
-    Pose pose;
-    pose.R = Eigen::Quaterniond(0.6, 0.3, -0.5, 0.55).normalized().toRotationMatrix();
-    pose.t = Vec3(0.7, -1.3, 0.4);
-    const Vec3 a(12, 12, 0), b(24, 24, 1), c(12, 12, 7);
-    SignMap plain = make_map("plain double, from rounded posed points", [&](double x, double y) {
-        const auto at = [&](const Vec3& v) { return exact::pose_point(pose.R, v, pose.t); };
-        return exact::sign_of(exact::plain_orient3d(at(a), at(b), at(c), at(Vec3(x, y, 0.5))));
-    });
-    SignMap exact = make_map("ECoDS", [&](double x, double y) {
-        return static_cast<int>(
-            orient3d(PosedPoint{pose, a}, PosedPoint{pose, b}, PosedPoint{pose, c}, PosedPoint{pose, Vec3(x, y, 0.5)}));
-    });
-    return judge(std::move(plain), std::move(exact), 1);
-}
-
-std::string wrong_share(std::size_t wrong) {
-    return fmt::format("{:.1f} %", 100 * static_cast<double>(wrong) / (map_size * map_size));
-}
-
 std::string percent(double value) {
     if (value == 0) return "0";
     return value < 0.01 ? "<0.01" : fmt::format("{:.2f}", value);
@@ -192,56 +123,63 @@ Table make_table(std::span<const StabilityFamily> families, std::span<const Meas
     return table;
 }
 
-void add_pictures(Section& section, std::span<const StabilityFamily> families, std::span<const Measured> measured,
-                  const MapPair& flat, const MapPair& posed, const std::filesystem::path& folder) {
-    std::vector<std::string> names;
-    for (const TriangleEngine& engine : engines()) names.push_back(engine.name);
-
-    std::vector<std::string> groups;
-    std::vector<std::vector<double>> bars(names.size());
-    WrongCurves far{"distance from the origin", true, {}, std::vector<std::vector<double>>(names.size())};
-    WrongCurves thin{"thickness of slivers", false, {}, std::vector<std::vector<double>>(names.size())};
-    WrongCurves scale{"scale", false, {}, std::vector<std::vector<double>>(names.size())};
+// Bars lie, so that the families' names can be read: each family is a line, each engine a mark on it.
+Panel family_panel(std::span<const StabilityFamily> families, std::span<const Measured> measured) {
+    Panel panel{.title = "",
+                .x = {.title = "wrong answers, percent", .low = -2, .high = 102},
+                .y = {.title = ""},
+                .curves = {}};
+    for (const TriangleEngine& engine : engines()) panel.curves.push_back({engine.name, {}});
     for (std::size_t f = 0; f < families.size(); ++f) {
-        WrongCurves* curves = nullptr;
-        switch (families[f].parameter) {
-            case Parameter::none:
-                groups.push_back(families[f].name);
-                break;
-            case Parameter::distance:
-                curves = &far;
-                break;
-            case Parameter::thickness_exponent:
-                curves = &thin;
-                break;
-            case Parameter::scale_exponent:
-                curves = &scale;
-                break;
-        }
-        if (curves != nullptr) curves->x.push_back(families[f].value);
-        for (std::size_t e = 0; e < names.size(); ++e) {
-            (curves != nullptr ? curves->percent[e] : bars[e]).push_back(measured[f].wrong_percent[e]);
+        if (families[f].parameter != Parameter::none) continue;
+        const double row = -static_cast<double>(panel.y.tics.size());
+        panel.y.tics.emplace_back(families[f].name, row);
+        for (std::size_t e = 0; e < engines().size(); ++e) {
+            const double wrong = measured[f].wrong_percent[e];
+            panel.curves[e].points.push_back(
+                {wrong, row, fmt::format("{}, {}: {} % wrong", engines()[e].name, families[f].name, percent(wrong))});
         }
     }
-    section.pictures.push_back(plot_wrong_bars(groups, names, bars, folder, "stability-families",
-                                               "Wrong answers by family. ECoDS has none anywhere, hence no bar."));
-    section.pictures.push_back(
-        plot_wrong_curves(std::vector{far, thin, scale}, names, folder, "stability-curves",
-                          "The same pairs of triangles, moved away, made thin, and scaled. All three axes are "
-                          "logarithmic; in float, coordinates overflow or vanish at the outer scales."));
-    section.pictures.push_back(plot_sign_maps(
-        std::vector{flat.plain, flat.exact}, folder, "sign-map",
-        fmt::format("Which side of the line through (12, 12) and (24, 24)? Each cell is one of 256 x 256 neighbouring "
-                    "points (0.5 + i u, 0.5 + j u), u = 2^-53; orient2d is negative (dark), zero (white: on the line) "
-                    "or positive (grey). The line is the diagonal. Wrong signs: plain double {}, ECoDS {}.",
-                    wrong_share(flat.plain_wrong), wrong_share(flat.exact_wrong))));
-    section.pictures.push_back(plot_sign_maps(
-        std::vector{posed.plain, posed.exact}, folder, "sign-map-posed",
-        fmt::format(
-            "The same in space, under a pose: which side of the plane x = y of a rotated body? Each cell is one "
-            "of 256 x 256 neighbouring points of the body. Rounding the posed points breaks the plane into steps. "
-            "Wrong signs: plain double {}, ECoDS {}.",
-            wrong_share(posed.plain_wrong), wrong_share(posed.exact_wrong))));
+    panel.y.low = 0.5 - static_cast<double>(panel.y.tics.size());
+    panel.y.high = 0.5;
+    return panel;
+}
+
+Panel curve_panel(Parameter parameter, const std::string& title, std::span<const StabilityFamily> families,
+                  std::span<const Measured> measured) {
+    const bool is_distance = parameter == Parameter::distance;
+    Panel panel{.title = "",
+                .x = {.title = is_distance ? title : title + ", power of 2", .is_logarithmic = is_distance},
+                .y = {.title = "wrong answers, percent", .low = -3, .high = 103},
+                .curves = {},
+                .has_lines = true};
+    for (std::size_t e = 0; e < engines().size(); ++e) {
+        Curve& curve = panel.curves.emplace_back();
+        curve.name = engines()[e].name;
+        for (std::size_t f = 0; f < families.size(); ++f) {
+            if (families[f].parameter != parameter) continue;
+            const double wrong = measured[f].wrong_percent[e];
+            curve.points.push_back({families[f].value, wrong,
+                                    fmt::format("{}, {}: {} % wrong", curve.name, families[f].name, percent(wrong))});
+        }
+    }
+    return panel;
+}
+
+void add_pictures(Section& section, std::span<const StabilityFamily> families, std::span<const Measured> measured,
+                  const SignMaps& flat, const SignMaps& posed, const std::filesystem::path& folder) {
+    section.charts.push_back({"stability-families",
+                              {family_panel(families, measured)},
+                              "Wrong answers by family. ECoDS has none anywhere."});
+    section.charts.push_back(
+        {"stability-curves",
+         {curve_panel(Parameter::distance, "distance from the origin", families, measured),
+          curve_panel(Parameter::thickness_exponent, "thickness of slivers", families, measured),
+          curve_panel(Parameter::scale_exponent, "scale", families, measured)},
+         "The same pairs of triangles, moved away, made thin, and scaled. In float, coordinates overflow or vanish at "
+         "the outer scales."});
+    section.pictures.push_back(draw_orient2d(flat, folder, "sign-map"));
+    section.pictures.push_back(draw_posed_orient3d(posed, folder, "sign-map-posed"));
 }
 
 }  // namespace
@@ -258,7 +196,7 @@ SuiteResult run_stability(const SuiteOptions& options) {
             progress.step();
         }
     }
-    const MapPair flat = map_orient2d(), posed = map_posed_orient3d();
+    const SignMaps flat = map_orient2d(), posed = map_posed_orient3d();
     result.is_right &= flat.exact_wrong == 0 && posed.exact_wrong == 0;
 
     Section section{
@@ -274,7 +212,7 @@ SuiteResult run_stability(const SuiteOptions& options) {
         {}};
     print(section.tables.front());
     fmt::print("  signs around a line, wrong of {}: plain double {}, ECoDS {}; under a pose: {} and {}\n\n",
-               map_size * map_size, flat.plain_wrong, flat.exact_wrong, posed.plain_wrong, posed.exact_wrong);
+               sign_map_size * sign_map_size, flat.plain_wrong, flat.exact_wrong, posed.plain_wrong, posed.exact_wrong);
     if (!options.is_quick()) add_pictures(section, families, measured, flat, posed, options.folder);
     result.sections.push_back(std::move(section));
     return result;

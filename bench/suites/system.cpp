@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 
 #include "harness/statistics.hpp"
 #include "process/progress.hpp"
-#include "report/growth_plot.hpp"
+#include "report/chart.hpp"
 #include "scenes/room.hpp"
 #include "suites/comparison.hpp"
 #include "suites/suite.hpp"
@@ -130,6 +131,29 @@ Table work_table(const Experiment& experiment, const std::vector<Size>& sizes) {
     return table;
 }
 
+// How something grows with the number of bodies.
+struct GrowthCurve {
+    std::string name;
+    std::vector<double> x, y;
+};
+
+// With the values where the marks are; all are "per frame".
+Panel growth_panel(const std::string& title, const std::string& unit, std::span<const GrowthCurve> curves) {
+    Panel panel{.title = title,
+                .x = {.title = "ships", .is_logarithmic = true},
+                .y = {.title = unit + " per frame", .is_logarithmic = true},
+                .curves = {},
+                .has_lines = true};
+    for (const GrowthCurve& growth : curves) {
+        Curve& curve = panel.curves.emplace_back();
+        curve.name = growth.name;
+        for (std::size_t i = 0; i < growth.x.size(); ++i)
+            curve.points.push_back({growth.x[i], growth.y[i],
+                                    fmt::format("{}: {:.0f} ships, {:.3g} {}", growth.name, growth.x[i], growth.y[i], unit)});
+    }
+    return panel;
+}
+
 // One curve for each engine, by the `value` of a run.
 template <class Value>
 std::vector<GrowthCurve> curves_of(const std::vector<Size>& sizes, const Value& value) {
@@ -198,14 +222,14 @@ Section run_experiment(const Experiment& experiment, const SuiteOptions& options
                     {}};
     for (const Table& table : section.tables) print(table);
     if (!options.has_pictures) return section;
-    GrowthPanel work{"ships", "per frame", {}};  // engines first, so that each has the colour of the other panel
-    for (const GrowthCurve& curve : calls) work.curves.push_back({"calls: " + curve.name, curve.x, curve.y});
-    work.curves.push_back(hits);
-    section.pictures.push_back(plot_growth(std::vector{GrowthPanel{"ships", "milliseconds per frame", times}, work},
-                                           options.folder, "system-" + experiment.name,
-                                           experiment.figure +
-                                               " of the report: time per frame, and collisions and calls "
-                                               "of the two-body test per frame."));
+    std::vector<GrowthCurve> work = calls;
+    work.push_back(hits);
+    section.charts.push_back({"system-" + experiment.name,
+                              {growth_panel("Time", "milliseconds", times),
+                               growth_panel("Collisions, and calls of the two-body test", "pairs", work)},
+                              experiment.figure +
+                                  " of the ECoDS report: time per frame, and collisions and calls of the two-body test "
+                                  "per frame."});
     return section;
 }
 

@@ -1,0 +1,15 @@
+// Time per frame as a curve for each engine.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "harness/measure.hpp"
+#include "report/chart.hpp"
+
+namespace ecods::bench {
+
+// Frame 0 is left out. Every twelfth of the frames has a mark that tells its time.
+Chart time_chart(std::span<const Run> runs, const std::string& name, const std::string& caption);
+
+}  // namespace ecods::bench
