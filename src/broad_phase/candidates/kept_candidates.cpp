@@ -36,9 +36,16 @@ void KeptCandidates::reserve(std::size_t count) {
 
 void KeptCandidates::update(const FindingUpdate& finding) {
     const auto& [table, changes, keeper, events, counts] = finding;  // the pairs of its candidates it knows itself
+    ++update_number_;
+    const std::size_t woken = count_asleep(changes.moved);
+    if (rule_.searches() || 8 * (woken + changes.added.size()) > used_count_ + 64) {
+        find_everything(finding);
+        return;
+    }
     Update update{.table = table, .began = events.began, .ended = events.ended, .counts = counts};
     const std::uint64_t searched_before = counts.box_tests;
-    ++update_number_;
+    std::uint64_t looked_up = woken + changes.added.size();
+    bool searched_all = false;
 
     if (!changes.removed.empty()) remove(changes.removed, update);
     wake(changes.moved, update);
@@ -69,8 +76,10 @@ void KeptCandidates::update(const FindingUpdate& finding) {
         if (many_escaped || is_degraded) {
             search_all(unsorted, is_degraded, update);
             ++counts.rebuilds;
+            searched_all = true;
         } else {
             searched_since_sort_ += escaped_.size();
+            looked_up += escaped_.size() - changes.added.size();
             search_escaped(unsorted, update);
         }
         escaped_.clear();
@@ -80,6 +89,13 @@ void KeptCandidates::update(const FindingUpdate& finding) {
     constexpr double search_cost = 2;
     search_work_ += search_cost * static_cast<double>(counts.box_tests - searched_before - jump_tests_);
     jump_tests_ = 0;
+    rule_.note_kept({.boxes = table.size(),
+                     .moved = changes.moved.size(),
+                     .filtered = filtered,
+                     .looked_up = looked_up,
+                     .tree_tests = counts.box_tests - searched_before,
+                     .searched_all = searched_all,
+                     .candidates = candidates_.size()});
     put_to_sleep(changes.moved.size());
     sort_pairs(events.began);
     sort_pairs(events.ended);
@@ -184,7 +200,7 @@ void KeptCandidates::add(const std::vector<ProxyIndex>& proxies, const ProxyTabl
 std::size_t KeptCandidates::bytes() const noexcept {
     return bytes_of(lines_, fat_lines_, old_fat_lines_, proxies_, flags_, motion_hints_) +
            bytes_of(candidates_, slots_, free_slots_, changed_slots_, escaped_, found_) + forest_.bytes() +
-           bytes_of(forest_lacks_) + search_.bytes();
+           bytes_of(forest_lacks_) + bytes_of(pairs_) + search_.bytes();
 }
 
 }  // namespace ecods

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "broad_phase/boxes/box_forest.hpp"
+#include "broad_phase/candidates/keeping_rule.hpp"
 #include "broad_phase/changes/pair_finder.hpp"
 #include "broad_phase/scratch/grid_sweep.hpp"
 
@@ -16,7 +17,8 @@ namespace ecods {
 // while. Pairs whose fat boxes overlap, one of the two awake, are the candidates; an update tests all of them in one
 // go, and nothing else. A box that escaped gets a new fat box and looks for new candidates in trees of fat boxes, as
 // one that awakes does in its old fat box; when many did, all candidates are searched for at once, by a sweep from
-// scratch. Boxes are kept in slots, numbered so that neighbours are close in memory.
+// scratch. Where that would be so time after time, boxes have no margins, none is awake, and each update searches for
+// the pairs themselves (keeping_rule.hpp). Boxes are kept in slots, numbered so that neighbours are close in memory.
 //
 // Right whatever the fat boxes are, as long as they contain their boxes; how fat they are is a matter of speed.
 class KeptCandidates final : public PairFinder {
@@ -66,6 +68,14 @@ class KeptCandidates final : public PairFinder {
     void guess_lookahead(std::size_t pair_count);
     void put_to_sleep(std::size_t moved_count);
 
+    // kept_candidates_everything.cpp
+    KeepingRule::Forecast foresee(const ProxyTable& table, const ProxyChanges& changes) const;
+    void find_everything(const FindingUpdate& finding);
+    void drop(ProxyIndex proxy);
+    std::vector<BoxForest::Item> give_margins(const ProxyTable& table, const ProxyChanges& changes);
+    void take_as_they_are(const ProxyTable& table, const ProxyChanges& changes);
+    void mark_overlapping();
+
     // kept_candidates_filter.cpp
     void move_all(const ProxyTable& table);
     void move_some(std::span<const ProxyIndex> proxies, const ProxyTable& table);
@@ -82,9 +92,10 @@ class KeptCandidates final : public PairFinder {
 
     // kept_candidates_search.cpp
     void wake(std::span<const ProxyIndex> proxies, Update& update);
-    void wake_all(Update& update);
+    std::size_t count_asleep(std::span<const ProxyIndex> proxies) const noexcept;
     void search_escaped(std::span<const BoxForest::Item> unsorted, Update& update);
     void link(SlotIndex slot, Update& update);
+    void order_slots(std::span<const BoxForest::Item> unsorted, const ProxyTable& table, bool must_sort = false);
     void search_all(std::span<const BoxForest::Item> unsorted, bool must_sort, Update& update);
     void sort_slots(const ProxyTable& table);
     void refresh_forest(const ProxyTable& table);
@@ -106,6 +117,8 @@ class KeptCandidates final : public PairFinder {
     std::vector<SlotIndex> free_slots_;
     std::vector<SlotIndex> changed_slots_;  // those with the flag
     GridSweep search_;
+    KeepingRule rule_;
+    ProxyPairs pairs_;  // working memory: those of an update that searched for everything
 
     // Of fat boxes, for looking up few. A search for everything leaves it behind; what follows is about that time.
     BoxForest forest_;

@@ -62,6 +62,40 @@ struct KeptCandidates::Loops {
         }
     }
 
+    // The boxes of some proxies, as boxes and as fat ones.
+    ECODS_ALWAYS_INLINE static void take_lines(KeptCandidates& self, std::span<const ProxyIndex> proxies,
+                                               const ProxyTable& table) {
+        for (std::size_t i = 0; i < proxies.size(); ++i) {
+            if (i + prefetch_distance < proxies.size()) {
+                const SlotIndex ahead = self.slots_[proxies[i + prefetch_distance]];
+                __builtin_prefetch(&self.lines_[ahead], 1);
+                __builtin_prefetch(&self.fat_lines_[ahead], 1);
+            }
+            const SlotIndex slot = self.slots_[proxies[i]];
+            make_packed_box(table.boxes()[proxies[i]], self.lines_[slot]);
+            self.fat_lines_[slot] = self.lines_[slot];
+        }
+    }
+
+    // Notes which of the pairs found overlap, whose proxies go to a list, and leaves those with a box that is awake.
+    ECODS_ALWAYS_INLINE static void mark_overlapping(KeptCandidates& self, std::vector<Candidate>& overlapping) {
+        overlapping.resize(self.candidates_.size());
+        Candidate* pair = overlapping.data();
+        Candidate* write = self.candidates_.data();
+        BoxReach reach;
+        for (const Candidate candidate : self.candidates_) {
+            const auto [a, b] = candidate;
+            make_reach(self.lines_[a], reach);
+            const bool now = overlaps(self.lines_[b], reach);
+            *pair = {self.proxies_[a], self.proxies_[b]};
+            pair += now ? 1 : 0;
+            *write = {a, b | (static_cast<SlotIndex>(now) * overlap_bit)};
+            write += ((self.flags_[a] | self.flags_[b]) & awake) != 0 ? 1 : 0;
+        }
+        self.candidates_.resize(static_cast<std::size_t>(write - self.candidates_.data()));
+        overlapping.resize(static_cast<std::size_t>(pair - overlapping.data()));
+    }
+
     // Tests all candidates, and reports those that began or ceased to overlap. Where fat boxes changed, candidates that
     // are none any more go. They did not overlap, but for those of a box that was removed.
     template <bool have_some_gone>

@@ -25,6 +25,12 @@ bool KeptCandidates::were_candidates(SlotIndex a, SlotIndex b) const noexcept {
     return overlaps(fat_b, reach);
 }
 
+std::size_t KeptCandidates::count_asleep(std::span<const ProxyIndex> proxies) const noexcept {
+    if (awake_count_ == used_count_) return 0;
+    return static_cast<std::size_t>(
+        std::count_if(proxies.begin(), proxies.end(), [&](ProxyIndex proxy) { return !has_flag(slots_[proxy], awake); }));
+}
+
 // Before boxes move: the candidates of those that do.
 void KeptCandidates::wake(std::span<const ProxyIndex> proxies, Update& update) {
     if (awake_count_ == used_count_ && proxies.size() == used_count_) return;
@@ -33,10 +39,6 @@ void KeptCandidates::wake(std::span<const ProxyIndex> proxies, Update& update) {
         const SlotIndex slot = slots_[proxy];
         if (!has_flag(slot, awake)) woken.push_back(slot);
         set_flag(slot, moved);
-    }
-    if (8 * woken.size() > used_count_ + 64) {
-        wake_all(update);
-        return;
     }
     if (!woken.empty()) refresh_forest(update.table);
     BoxReach reach;
@@ -52,29 +54,6 @@ void KeptCandidates::wake(std::span<const ProxyIndex> proxies, Update& update) {
         set_flag(slot, awake);
     }
     awake_count_ += woken.size();
-}
-
-void KeptCandidates::wake_all(Update& update) {
-    for (SlotIndex slot = 0; slot < lines_.size(); ++slot) {
-        if (!lines_[slot].is_empty()) set_flag(slot, awake);
-    }
-    awake_count_ = used_count_;
-    for (const Candidate& candidate : candidates_) {
-        const bool is_gone = lines_[candidate[0]].is_empty() || lines_[candidate[1] & ~overlap_bit].is_empty();
-        if (is_gone) report_removed(candidate, update);
-    }
-    candidates_.clear();
-    update.counts.box_tests += search_.find_pairs(fat_lines_, candidates_);
-    ++update.counts.rebuilds;
-    BoxReach reach;
-    std::size_t overlapping = 0;
-    for (Candidate& candidate : candidates_) {
-        make_reach(lines_[candidate[0]], reach);
-        if (!overlaps(lines_[candidate[1]], reach)) continue;
-        candidate[1] |= overlap_bit;
-        ++overlapping;
-    }
-    guess_lookahead(overlapping);
 }
 
 void KeptCandidates::search_escaped(std::span<const BoxForest::Item> unsorted, Update& update) {
@@ -127,18 +106,18 @@ void KeptCandidates::link(SlotIndex slot, Update& update) {
     }
 }
 
-void KeptCandidates::search_all(std::span<const BoxForest::Item> unsorted, bool must_sort, Update& update) {
-    fatten_used_up(update.table);
+// Before a search for everything: puts neighbours beside each other where they are not, or leaves the forest behind.
+void KeptCandidates::order_slots(std::span<const BoxForest::Item> unsorted, const ProxyTable& table, bool must_sort) {
     // Boxes drift away from those that they are beside in memory, and those that came are beside any.
     escaped_since_sort_ += escaped_.size();
     const auto came_count =
         static_cast<std::size_t>(std::count_if(unsorted.begin(), unsorted.end(), [&](const BoxForest::Item& each) {
             return old_fat_lines_[each.item.slot].is_empty();
         }));
-    const bool many_came = 8 * came_count > update.table.size();
+    const bool many_came = 8 * came_count > table.size();
     constexpr std::size_t escapes_per_sort = 8;
-    if (must_sort || many_came || escaped_since_sort_ > escapes_per_sort * update.table.size()) {
-        sort_slots(update.table);
+    if (must_sort || many_came || escaped_since_sort_ > escapes_per_sort * table.size()) {
+        sort_slots(table);
     } else {
         for (const BoxForest::Item& each : unsorted) {
             forest_.remove(each.item.slot);
@@ -146,9 +125,13 @@ void KeptCandidates::search_all(std::span<const BoxForest::Item> unsorted, bool 
         }
         is_forest_behind_ = true;
     }
+}
+
+void KeptCandidates::search_all(std::span<const BoxForest::Item> unsorted, bool must_sort, Update& update) {
+    fatten_used_up(update.table);
+    order_slots(unsorted, update.table, must_sort);
     candidates_.clear();
     update.counts.box_tests += search_.find_pairs(fat_lines_, candidates_) + candidates_.size();
-    if (many_came) search_ = {};  // its memory: they may be at rest from now on
     dispatch<Loops::take_found>(*this, update);
     for (std::uint8_t& flags : flags_) flags &= static_cast<std::uint8_t>(~(searching | changed));
     changed_slots_.clear();
