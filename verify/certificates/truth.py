@@ -368,7 +368,10 @@ class Proof:
                 if at not in left and not self.parted(named, x, y):
                     return False
             pending.extend(pairs[at] for at in reversed(left))
-        return next(self.lines) == "end"
+        while (line := next(self.lines)).startswith("axis "):  # that no step names
+            if not any(self.axis(line.split()[1:])):
+                return False
+        return line == "end"
 
     def parted(self, named, x, y):
         triangles = [(self.a[i], self.b[j]) for i in below(x) for j in below(y)]

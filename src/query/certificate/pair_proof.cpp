@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <type_traits>
 
 #include "base/arithmetic.hpp"
 #include "base/double_key.hpp"
@@ -128,28 +129,61 @@ PairProof::SlabAxis& PairProof::slab_axis(const MeshTree& tree, const X& x, std:
     return kept;
 }
 
+void PairProof::remember(std::size_t at) {
+    const auto end = recent_.begin() + static_cast<std::ptrdiff_t>(recent_count_);
+    auto found = std::find(recent_.begin(), end, at);
+    if (found == end) {
+        if (recent_count_ < recent_.size()) ++recent_count_;
+        found = recent_.begin() + static_cast<std::ptrdiff_t>(recent_count_) - 1;
+    }
+    std::move_backward(recent_.begin(), found, found + 1);
+    recent_[0] = at;
+}
+
+template <class X, class Y>
+void PairProof::try_slabs(const X& x, const Y& y, bool is_fine, std::uint64_t& left) {
+    for (const std::size_t body : {0u, 1u}) {
+        if (left == 0) return;
+        SlabAxis& slab = body == 0 ? slab_axis(tree_a_, x, body) : slab_axis(tree_b_, y, body);
+        Axis& axis = slab.at == SlabAxis::none ? slab.axis : axes_[slab.at];
+        const Trial trial{slab_min, is_fine, body == 0 ? &slab.ends : nullptr, body == 0 ? nullptr : &slab.ends};
+        if (!try_axis(axis, x, y, trial, left)) continue;
+        if (slab.at == SlabAxis::none) {
+            slab.at = axes_.size();
+            axes_.push_back(slab.axis);
+        }
+        remember(slab.at);
+    }
+}
+
+// The axis of the closest features of the first pair of triangles that is left, as a vector, and as a formula.
+void PairProof::try_features(const TreeLeaf& x, const TreeLeaf& y, std::uint64_t& left) {
+    if (left != 0) {
+        const auto first = static_cast<std::size_t>(std::countr_zero(left));
+        Axis axis = bind(direction_of(x.triangle[first / tree_width], y.triangle[first % tree_width]));
+        if (try_axis(axis, x, y, {.least = contact_count_ == 0 ? 1 : 3, .is_fine = true}, left)) {
+            axes_.push_back(axis);
+            remember(axes_.size() - 1);
+        }
+        ++contact_count_;
+    }
+    if (std::popcount(left) >= ties_min) {
+        const auto first = static_cast<std::size_t>(std::countr_zero(left));
+        const std::uint32_t i = x.triangle[first / tree_width], j = y.triangle[first % tree_width];
+        // Triangles that are well apart are left open by their boxes' axes alone.
+        const bool is_tie = !(pair_.enclose(i, j).lower > least_ + tie_share * frame_a_.size.sum());
+        if (const auto formula = formula_for(i, j); is_tie && formula && add_contact(*formula, i, j))
+            try_contact(contacts_.back(), x, y, left);
+    }
+}
+
 // Chooses the axes of a step, and returns the pairs that none of them proves.
 template <class X, class Y>
 std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
+    constexpr bool are_leaves = std::is_same_v<X, TreeLeaf> && std::is_same_v<Y, TreeLeaf>;
     std::uint64_t left = all;
     of_step_.clear();
-    constexpr bool are_leaves = requires {
-        x.vertices;
-    }
-    &&requires {
-        y.vertices;
-    };
-    bool is_fine = fine_count_ == fine_min;  // whether doubles are asked
-    const auto remember = [&](std::size_t at) {
-        const auto end = recent_.begin() + static_cast<std::ptrdiff_t>(recent_count_);
-        auto found = std::find(recent_.begin(), end, at);
-        if (found == end) {
-            if (recent_count_ < recent_.size()) ++recent_count_;
-            found = recent_.begin() + static_cast<std::ptrdiff_t>(recent_count_) - 1;
-        }
-        std::move_backward(recent_.begin(), found, found + 1);
-        recent_[0] = at;
-    };
+    bool is_fine = fine_count_ == fine_min;
     const auto use = [&](std::size_t at) {
         if (try_axis(axes_[at], x, y, {.least = 1, .is_fine = is_fine}, left)) remember(at);
     };
@@ -165,42 +199,13 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
     for (Contact& contact : contacts_) {
         if (left != 0) try_contact(contact, x, y, left);
     }
-    for (const std::size_t body : {0u, 1u}) {
-        if (left == 0) return 0;
-        SlabAxis& slab = body == 0 ? slab_axis(tree_a_, x, body) : slab_axis(tree_b_, y, body);
-        Axis& axis = slab.at == SlabAxis::none ? slab.axis : axes_[slab.at];
-        const Trial trial{slab_min, is_fine, body == 0 ? &slab.ends : nullptr, body == 0 ? nullptr : &slab.ends};
-        if (!try_axis(axis, x, y, trial, left)) continue;
-        if (slab.at == SlabAxis::none) {
-            slab.at = axes_.size();
-            axes_.push_back(slab.axis);
-        }
-        remember(slab.at);
-    }
+    try_slabs(x, y, is_fine, left);
     const bool tries_boxes = 8 * std::popcount(left) > std::popcount(all);
     for (std::size_t k = 0; k < 6 && left != 0 && tries_boxes; ++k) {
-        const auto end = recent.begin() + static_cast<std::ptrdiff_t>(recent_count_);
+        const auto end = recent.begin() + static_cast<std::ptrdiff_t>(recent_count);
         if (std::find(recent.begin(), end, k) == end) use(k);
     }
-    if constexpr (are_leaves) {
-        if (left != 0) {
-            const auto first = static_cast<std::size_t>(std::countr_zero(left));
-            Axis axis = bind(direction_of(x.triangle[first / tree_width], y.triangle[first % tree_width]));
-            if (try_axis(axis, x, y, {.least = contact_count_ == 0 ? 1 : 3, .is_fine = true}, left)) {
-                axes_.push_back(axis);
-                remember(axes_.size() - 1);
-            }
-            ++contact_count_;
-        }
-        if (std::popcount(left) >= ties_min) {
-            const auto first = static_cast<std::size_t>(std::countr_zero(left));
-            const std::uint32_t i = x.triangle[first / tree_width], j = y.triangle[first % tree_width];
-            // Triangles that are well apart are left open by their boxes' axes alone.
-            const bool is_tie = !(pair_.enclose(i, j).lower > least_ + tie_share * frame_a_.size.sum());
-            if (const auto formula = formula_for(i, j); is_tie && formula && add_contact(*formula, i, j))
-                try_contact(contacts_.back(), x, y, left);
-        }
-    }
+    if constexpr (are_leaves) try_features(x, y, left);
     return left;
 }
 

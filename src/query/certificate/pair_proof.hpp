@@ -68,6 +68,10 @@ class PairProof {
     Word name(Axis& axis);
     template <class X, class Y>
     std::uint64_t open(const X& x, const Y& y, std::uint64_t all);
+    void remember(std::size_t at);
+    template <class X, class Y>
+    void try_slabs(const X& x, const Y& y, bool is_fine, std::uint64_t& left);
+    void try_features(const TreeLeaf& x, const TreeLeaf& y, std::uint64_t& left);
     template <class X, class Y>
     bool try_axis(Axis& axis, const X& x, const Y& y, const Trial& trial, std::uint64_t& left);
     template <class X>

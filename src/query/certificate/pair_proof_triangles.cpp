@@ -56,9 +56,9 @@ bool PairProof::decide(std::uint32_t i, std::uint32_t j) {
 // Has the axis of two triangles tried exactly from now on. Returns false if there is none more.
 bool PairProof::add_contact(const AxisFormula& formula, std::uint32_t i, std::uint32_t j) {
     // Of ties at a vertex each pair of triangles has a line of its own.
-    const bool can_be_named =
+    const bool is_axis =
         formula.kind == Kind::normal_a || formula.kind == Kind::normal_b || formula.kind == Kind::edges;
-    if (contacts_.size() == contacts_max || !can_be_named) return false;
+    if (contacts_.size() == contacts_max || !is_axis) return false;
     const SixCorners corners = corners_of(i, j);
     const std::array<ContactAxis::Body, 2> bodies{ContactAxis::Body{&tree_a_.boxes, &a_.what->mesh(), &frame_a_},
                                                   ContactAxis::Body{&tree_b_.boxes, &b_.what->mesh(), &frame_b_}};

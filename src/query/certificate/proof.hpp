@@ -31,7 +31,7 @@ struct AxisFormula {
     friend bool operator==(const AxisFormula&, const AxisFormula&) = default;
 };
 
-// An axis that steps name: a vector of short doubles, or a formula of two triangles.
+// An axis that steps name: a vector of short doubles, or a formula of two triangles that is one of the first three.
 struct ProofAxis {
     bool is_given = true;
     Vec3 given = Vec3::Zero();

@@ -66,16 +66,11 @@ void append_axis(std::string& text, const ProofAxis& axis) {
         text.append(" nb");
         append_count(text, axis.b);
     } else {
-        text.append(f.kind == Kind::edges           ? " x"
-                    : f.kind == Kind::vertices      ? " vv"
-                    : f.kind == Kind::vertex_a_edge ? " va"
-                                                    : " vb");
-        // Of vertex_b_edge, i is the corner of b's: the triangles stand in the order of the bodies.
-        const bool is_turned = f.kind == Kind::vertex_b_edge;
+        text.append(" x");
         append_count(text, axis.a);
-        append_count(text, is_turned ? f.j : f.i);
+        append_count(text, f.i);
         append_count(text, axis.b);
-        append_count(text, is_turned ? f.i : f.j);
+        append_count(text, f.j);
     }
     text.push_back('\n');
 }

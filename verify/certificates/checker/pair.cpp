@@ -58,7 +58,7 @@ struct Pair {
             if (x > range.high) range.high = x;
         };
         if (!filter) body[side]->mesh.for_corners(parts[side].first + i, include);
-        if (filter) std::ranges::for_each(filter->extremes(side, k, i), std::ref(include));
+        if (filter) std::ranges::for_each(filter->extremes(side, k, i), [&](std::uint32_t v) { include(v); });
         return range;
     }
 
