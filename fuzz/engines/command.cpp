@@ -35,6 +35,7 @@ class Command final : public EngineUnderTest {
     // setpriv: when this process is ended because the engine hangs, the engine is ended, too.
     Command(const std::string& command, std::span<const scenes::NamedMesh> meshes)
         : program_({"setpriv", "--pdeathsig", "KILL", "sh", "-c", "exec " + command}),
+          command_(command),
           meshes_(meshes),
           is_sent_(meshes.size(), false) {}
 
@@ -46,10 +47,18 @@ class Command final : public EngineUnderTest {
         }
         const std::size_t number = count_++;
         const Json question = {{"query", number}, {"a", body_json(query.a)}, {"b", body_json(query.b)}};
-        return answer_in(program_.ask(lines + question.dump()), number);
+        return answer_in(answer_to(lines + question.dump()), number);
     }
 
   private:
+    std::string answer_to(const std::string& lines) {
+        try {
+            return program_.ask(lines);
+        } catch (const std::runtime_error&) {  // which would name setpriv
+            throw std::runtime_error(command_ + ": ended without an answer");
+        }
+    }
+
     static bool answer_in(const std::string& line, std::size_t number) {
         const Json answer = Json::parse(line, nullptr, false);
         if (answer.is_object() && answer.contains("query") && answer["query"] == number &&
@@ -60,6 +69,7 @@ class Command final : public EngineUnderTest {
     }
 
     process::Conversation program_;
+    std::string command_;
     std::span<const scenes::NamedMesh> meshes_;
     std::vector<bool> is_sent_;
     std::size_t count_ = 0;
