@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 #include "unit/programs/program_test.hpp"
 
@@ -45,6 +48,26 @@ TEST_F(BenchProgramTest, AReportIsWrittenWhereItIsAskedFor) {
     EXPECT_TRUE(std::filesystem::exists(report / "index.html"));
     EXPECT_NE(quick.out.find("report: " + (report / "index.html").string()), std::string::npos) << quick.out;
     EXPECT_EQ(run("--quick --suite hard_cases --engines ECoDS").out.find("report: "), std::string::npos);
+}
+
+// The page of results that are saved here: the headline comes first, charts are drawn in it, and it names no other file.
+TEST_F(BenchProgramTest, APageIsDrawnAgainFromSavedResults) {
+    const std::filesystem::path report = path("report"), sample = path("sample");
+    const auto drawn = run("--from " ECODS_BENCH_RESULTS "/AMD-EPYC-2026-11-21.csv --report " + report.string() +
+                           " --sample " + sample.string());
+    EXPECT_EQ(drawn.status, 0) << drawn.err;
+    std::ifstream in(report / "index.html");
+    const std::string html{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    const std::size_t chart = html.find("<figure class=\"chart\">"), tables = html.find("In three tables</h2>"),
+                      losses = html.find("Where ECoDS loses</h2>"), rest = html.find("Engines on all scenes</h2>");
+    EXPECT_TRUE(chart < tables && tables < losses && losses < rest && rest != std::string::npos);
+    EXPECT_NE(html.find("<title>Bullet GImpact: "), std::string::npos) << "values when one points at a mark";
+    EXPECT_NE(html.find("prefers-color-scheme: dark"), std::string::npos);
+    EXPECT_EQ(html.find("rgb("), std::string::npos) << "a colour that does not change in the dark";
+    EXPECT_EQ(html.find("src=\"http"), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(sample / "summary.svg"));
+    EXPECT_TRUE(std::filesystem::exists(sample / "sign-map.png"));
+    EXPECT_EQ(run("--from " ECODS_BENCH_RESULTS "/README.md --report " + report.string()).status, 2);
 }
 
 }  // namespace

@@ -92,7 +92,11 @@ CampaignReport Campaign::run() {
             take_in(*job);
             job = jobs_.erase(job);
         }
-        progress.show(fmt::format("{} runs, {} failures", report_.runs, report_.failures.size()));
+        progress.show(options_.seconds > 0
+                          ? fmt::format("{}: {:.0f} of {:.0f} s, {} runs, {} failures", options_.profile, seconds(),
+                                        options_.seconds, report_.runs, report_.failures.size())
+                          : fmt::format("{}: {} of {} runs, {} failures", options_.profile, report_.runs, options_.runs,
+                                        report_.failures.size()));
     }
     std::ranges::sort(report_.failures, {}, &RunFailure::seed);
     report_.seconds = seconds();

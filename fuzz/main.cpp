@@ -58,6 +58,16 @@ void print(const RunFailure& failure) {
     fmt::print(stderr, "to see it again: ecods_fuzz --profile {} --seed {} --runs 1\n", failure.profile, failure.seed);
 }
 
+// The last line, on the error stream: the output is JSON.
+void print_verdict(const CampaignOptions& campaign, const CampaignReport& report) {
+    const auto updates = report.counters.find("frames");
+    const std::string asked = updates == report.counters.end() ? "" : fmt::format(", {} updates", updates->second);
+    const std::string outcome = report.failures.empty() ? "every check held"
+                                                        : fmt::format("{} FAILED", report.failures.size());
+    fmt::print(stderr, "ecods_fuzz: {}: {} runs from seed {}{}, {:.1f} s: {}\n", campaign.profile, report.runs,
+               campaign.seed, asked, report.seconds, outcome);
+}
+
 int run_campaign(Options& options) {
     options.campaign.play.certificates.folder = options.record.folder;
     options.record.play = options.campaign.play;
@@ -75,6 +85,7 @@ int run_campaign(Options& options) {
     if (const auto made = report.counters.find("certificates: made");
         options.campaign.play.certificates.checker.empty() && made != report.counters.end())
         fmt::print(stderr, "ecods_fuzz: {} certificates, not checked: there is no --checker\n", made->second);
+    print_verdict(options.campaign, report);
     return report.failures.empty() ? exit_held : exit_failed;
 }
 

@@ -27,7 +27,7 @@ std::string key(const Chart& chart) {
             html += fmt::format("<path d=\"M0,6h26\" stroke=\"{}\" stroke-width=\"1.8\" stroke-dasharray=\"{}\"/>", colour,
                                 dashes[static_cast<std::size_t>(styles[e].dash - 1)]);
         // gnuplot's point types count from 1, the marks of its SVG from 0.
-        html += fmt::format("<use href=\"#gpPt{}\" transform=\"translate(13,6) scale({})\" color=\"{}\"/></svg>{}</li>",
+        html += fmt::format("<use href=\"#gpPt{}\" transform=\"translate(13,6) scale({})\" color=\"{}\" fill=\"none\"/></svg>{}</li>",
                             styles[e].mark - 1, has_lines ? 3.5 : 5, colour, escape_html(names[e]));
     }
     return html + "</ul>\n";

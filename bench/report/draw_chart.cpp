@@ -80,6 +80,11 @@ void write_panel(std::ostream& out, const Panel& panel, std::span<const std::str
                                  (panel.has_lines ? 0.6 : 1.1) + 0.3 * std::min(style.variant, 3), style.colour->light);
             data += marks + "e\n";
         }
+        if (panel.has_names && !curve.points.empty()) {
+            plots += fmt::format(", '-' using 1:2:3 with labels offset 0,{} tc rgb '{}'", style.variant % 2 == 0 ? 1.1 : -1.1,
+                                 style.colour->light);
+            data += fmt::format("{} {} \"{}\"\ne\n", curve.points.front().x, curve.points.front().y, curve.name);
+        }
     }
     out << "plot " << (plots.empty() ? "NaN" : plots) << "\n" << data;
 }
@@ -104,6 +109,8 @@ std::string with_variables(std::string svg) {
         svg = replace_all(std::move(svg), fmt::format("rgb({:3}, {:3}, {:3})", rgb[0], rgb[1], rgb[2]), variable);
         svg = replace_all(std::move(svg), fmt::format("rgb({},{},{})", rgb[0], rgb[1], rgb[2]), variable);
     }
+    for (const char* black : {"stroke='black'", "stroke=\"black\"", "stroke='rgb(  0,   0,   0)'"})
+        svg = replace_all(std::move(svg), black, "stroke=\"var(--ink)\"");
     svg = replace_all(std::move(svg), "color=\"black\"", "color=\"var(--ink)\"");
     return replace_all(std::move(svg), "fill=\"black\"", "fill=\"var(--ink)\"");
 }

@@ -22,7 +22,7 @@ Drawing draw_chart(const Chart& chart, const std::filesystem::path& folder);
 // The names of all curves, in the order of their first appearance.
 std::vector<std::string> names_of(const Chart& chart);
 
-// One panel as a file that stands for itself, with a key, in light and dark. Throws std::runtime_error when it cannot be
+// A chart of one panel as a file that stands for itself, in light and dark. Throws std::runtime_error when it cannot be
 // drawn or written.
 void write_svg(const Chart& chart, const std::filesystem::path& file);
 

@@ -164,6 +164,8 @@ std::optional<Chart> summary_chart(const Page& page) {
     if (points.empty()) return std::nullopt;
     Panel panel = error_panel("Do two meshes touch?", "times that of the fastest", points);
     panel.y.title = "wrong answers at exact contact";
+    panel.x.title = "time over that of the fastest engine";
+    panel.has_names = true;
     panel.is_folded = false;
     return Chart{"summary",
                  {std::move(panel)},

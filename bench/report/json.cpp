@@ -65,11 +65,11 @@ Curve to_curve(const Json& json) {
 
 Json from_panel(const Panel& panel) {
     return {{"title", panel.title},      {"x", from_axis(panel.x)},     {"y", from_axis(panel.y)},
-            {"lines", panel.has_lines}, {"folded", panel.is_folded}, {"curves", list(panel.curves, from_curve)}};
+            {"lines", panel.has_lines}, {"names", panel.has_names}, {"folded", panel.is_folded}, {"curves", list(panel.curves, from_curve)}};
 }
 Panel to_panel(const Json& json) {
     return {json.at("title"),           to_axis(json.at("x")), to_axis(json.at("y")), unlist(json.at("curves"), to_curve),
-            json.at("lines").get<bool>(), json.at("folded")};
+            json.at("lines").get<bool>(), json.at("names"), json.at("folded")};
 }
 
 Json from_chart(const Chart& chart) {

@@ -93,14 +93,12 @@ void write_page(const Page& page, const std::filesystem::path& file) {
     const std::filesystem::path parts = file.parent_path() / "parts";
     std::filesystem::create_directories(parts);
     std::vector<Section> sections = headline(page);
-    const std::size_t headline_count = sections.size();
+    // The first of the paragraphs is the verdict, which stands on top.
+    if (page.summary.size() > 1)
+        sections.push_back({"How to read this page", {page.summary.begin() + 1, page.summary.end()}, {}, {}});
     sections.insert(sections.end(), page.sections.begin(), page.sections.end());
     std::string body, marks;
-    for (std::size_t i = 0; i < sections.size(); ++i) {
-        body += to_html(sections[i], i + 1, page, parts, marks);
-        if (i + 1 == headline_count)
-            for (const std::string& text : page.summary) body += "<p>" + escape_html(text) + "</p>\n";
-    }
+    for (std::size_t i = 0; i < sections.size(); ++i) body += to_html(sections[i], i + 1, page, parts, marks);
     std::ofstream out(file);
     out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -108,6 +106,7 @@ void write_page(const Page& page, const std::filesystem::path& file) {
         << "</style></head><body>\n"
         << "<svg width=\"0\" height=\"0\" style=\"position:absolute\" aria-hidden=\"true\">" << marks << "</svg>\n"
         << "<h1>" << escape_html(page.title) << "</h1>\n";
+    if (!page.summary.empty()) out << "<p class=\"verdict\">" << escape_html(page.summary.front()) << "</p>\n";
     write_contents(out, sections);
     out << body << "<h2 id=\"environment\">Where and how this was measured</h2>\n" << to_html(page.environment)
         // What is folded on the screen is on paper, too.

@@ -5,10 +5,12 @@
 //    is the shortest example). Use the engine as its documentation advises; an answer must not depend on those before.
 // 2. Add a line with its name to the table in engines.cpp, and the file and the engine's library to CMakeLists.txt.
 // 3. `ecods_fuzz_engine --engine NAME` then counts its false negatives and false positives, family by family.
+// An engine in another language is a program of its own, with --engine-command: see README.md here.
 // An engine may crash, hang or throw: it runs in a process of its own and is started again behind the query that did
 // it. An engine of the benchmark (bench/engines/narrow_engine.hpp) needs no file here: peers.cpp hands them all on.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -32,7 +34,8 @@ struct EngineMaker {
     std::string use;   // how it is used, and what its precision is
     bool must_be_right = false;
     // `meshes` outlives what is made.
-    std::unique_ptr<EngineUnderTest> (*make)(std::span<const scenes::NamedMesh> meshes) = nullptr;
+    std::function<std::unique_ptr<EngineUnderTest>(std::span<const scenes::NamedMesh> meshes)> make = {};
+    bool shows_errors = false;  // its error stream is for whoever writes it; otherwise it is thrown away
 };
 
 // All that this program was built with, ECoDS first.

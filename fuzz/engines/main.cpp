@@ -9,9 +9,12 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "fuzz/engines/command.hpp"
+#include "fuzz/engines/dump.hpp"
 #include "fuzz/engines/engine_under_test.hpp"
 #include "fuzz/engines/families.hpp"
 #include "fuzz/engines/judge.hpp"
+#include "process/progress.hpp"
 #include "programs/command_line.hpp"
 
 namespace {
@@ -21,6 +24,9 @@ using namespace ecods::fuzz;
 
 struct Options {
     std::vector<std::string> engines;
+    std::vector<std::string> commands;
+    std::filesystem::path dump;  // none when empty
+    std::size_t pictures = 10;
     std::vector<std::string> families;
     std::uint32_t seed = 1;
     std::size_t runs = 200;
@@ -87,11 +93,39 @@ void list(const std::vector<EngineMaker>& engines, const std::vector<EngineFamil
     for (const EngineFamily& family : families) fmt::print("family '{}': {}\n", family.name, family.what);
 }
 
-int run(const Options& options) {
+// Those that are named, and commands; without either, all but the canary.
+std::vector<EngineMaker> asked_engines(const Options& options) {
     std::vector<EngineMaker> all = engines_under_test();
     const bool has_canary = std::ranges::find(options.engines, "canary") != options.engines.end();
     if (has_canary) all.push_back(canary_engine());
-    const auto engines = chosen(all, options.engines, "engine");
+    std::vector<EngineMaker> engines;
+    if (!options.engines.empty() || options.commands.empty()) engines = chosen(all, options.engines, "engine");
+    for (std::size_t i = 0; i < options.commands.size(); ++i)
+        engines.push_back(command_engine(i == 0 ? "command" : fmt::format("command-{}", i + 1), options.commands[i]));
+    return engines;
+}
+
+void dump_wrong(const Options& options, const std::string& engine, const std::string& family,
+                const scenes::MeshPairs& pairs, const std::vector<bool>& truth, const Verdicts& verdicts,
+                std::size_t& dumped) {
+    if (options.dump.empty()) return;
+    for (const std::size_t query : verdicts.wrong)
+        dump({engine, family, query, truth[query]}, pairs, options.dump, dumped++ < options.pictures);
+}
+
+// One line for each engine.
+void print_verdict(const std::string& engine, const Verdicts& sum, const std::string& first_failure) {
+    const std::size_t wrong = sum.false_negatives + sum.false_positives;
+    std::string text = fmt::format("{}: {} of {} answers wrong", engine, wrong == 0 ? "none" : fmt::format("{}", wrong),
+                                   sum.answered);
+    if (sum.asymmetric > 0) text += fmt::format(", {} differ when swapped", sum.asymmetric);
+    if (sum.answered < sum.queries) text += fmt::format(", {} of {} queries without an answer", sum.queries - sum.answered, sum.queries);
+    if (!first_failure.empty()) text += fmt::format("; the first failure: {}", first_failure);
+    fmt::print("{}\n", text);
+}
+
+int run(const Options& options) {
+    const auto engines = asked_engines(options);
     const auto families = chosen(engine_families(), options.families, "family");
     if (options.lists) {
         list(engines, families);
@@ -99,6 +133,9 @@ int run(const Options& options) {
     }
     nlohmann::json results = nlohmann::json::array();
     std::vector<Verdicts> sums(engines.size());
+    std::vector<std::string> failures(engines.size());
+    std::size_t dumped = 0;
+    process::Progress progress;
     bool is_right = true;
     fmt::print(
         "Wrong answers, false negatives/false positives, of so many queries, of which so many touch. ~: answers that "
@@ -108,24 +145,32 @@ int run(const Options& options) {
     for (const EngineMaker& engine : engines) header.push_back(engine.name);
     print_row(header);
     for (const EngineFamily& family : families) {
+        progress.show(fmt::format("{}: the oracle", family.name));
         const scenes::MeshPairs pairs = family.make(options.runs, options.seed);
         const std::vector<bool> truth = ask_oracle(pairs);
         const auto hits = std::ranges::count(truth, true);
         std::vector<std::string> row = {family.name, fmt::format("{} ({})", truth.size(), hits)};
         for (std::size_t i = 0; i < engines.size(); ++i) {
+            progress.show(fmt::format("{}: {}", family.name, engines[i].name));
             const Verdicts verdicts = judge(engines[i], pairs, truth, std::chrono::seconds(options.limit));
             is_right &= verdicts.is_right() || !engines[i].must_be_right;
             add(sums[i], verdicts);
+            if (failures[i].empty()) failures[i] = verdicts.first_failure;
+            dump_wrong(options, engines[i].name, family.name, pairs, truth, verdicts, dumped);
             row.push_back(to_cell(verdicts));
             auto& result = results.emplace_back(to_json(verdicts));
             result["engine"] = engines[i].name;
             result["family"] = family.name;
         }
+        progress.wipe();
         print_row(row);
     }
     std::vector<std::string> last = {"all", fmt::format("{} ({})", sums[0].queries, sums[0].hits)};
     for (const Verdicts& sum : sums) last.push_back(to_cell(sum));
     print_row(last);
+    fmt::print("\n");
+    for (std::size_t i = 0; i < engines.size(); ++i) print_verdict(engines[i].name, sums[i], failures[i]);
+    if (dumped > 0) fmt::print("{} wrong answers as scene files in {}\n", dumped, options.dump.string());
     if (!options.json.empty()) {
         const nlohmann::json summary = {
             {"seed", options.seed}, {"runs", options.runs}, {"right", is_right}, {"results", results}};
@@ -147,6 +192,12 @@ int main(int argc, char** argv) {
         "for an\nerror.",
         "ecods_fuzz_engine"};
     app.add_option("--engine", options.engines, "which (may be repeated; all but the canary if none is named)");
+    app.add_option("--engine-command", options.commands,
+                   "a program that is asked by lines of JSON, see fuzz/engines/README.md (may be repeated)")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_option("--dump", options.dump, "folder for the first wrong answers of each family, as scene files");
+    app.add_option("--pictures", options.pictures, "of so many of them")->capture_default_str();
     app.add_option("--family", options.families, "which scenes (likewise)");
     app.add_option("--seed", options.seed, "of every family")->capture_default_str();
     app.add_option("--runs", options.runs, "queries of each family")->check(CLI::PositiveNumber)->capture_default_str();
