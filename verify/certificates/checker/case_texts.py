@@ -196,6 +196,8 @@ BAD = [
     # A point in the plane and in the box of a triangle, and outside: an edge of the one x a coordinate axis parts them.
     pair("point", pose(0.5, 0.5, 0), "triangle", pose(), "claim distance 0x0p+0 0 0"),
     pair("triangle", pose(), "point", pose(0.5, 0.5, 0), "claim distance 0x0p+0 0 0"),
+    # A point in the second part, which the axis parts from the first one only.
+    pair("square", pose(), "point", pose(x=0.5), "claim disjoint", "axis 0x1p+0 -0x1p+0 0x0p+0", "a 0"),
     # A formula that is zero parts nothing.
     pair("triangle", pose(), "triangle", pose(), "claim touching 0 0", "ab | 0", "t x 0 0"),
     pair("square", pose(), "needle", pose(), "claim crossing 0 0"),
