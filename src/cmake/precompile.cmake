@@ -1,0 +1,19 @@
+# Headers that most files of a target include are compiled once for all of its files: a third of the time of a clean
+# build. Only for whoever builds the whole project; -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without, as the presets
+# of the library do, so that no file of it can rely on what it does not include.
+set(ECODS_STANDARD_HEADERS <algorithm> <array> <bit> <cmath> <cstdint> <limits> <memory> <optional> <span> <string>
+                           <utility> <vector>)
+
+# usage: ecods_precompile(TARGET HEADERS...)
+function(ecods_precompile target)
+  if(PROJECT_IS_TOP_LEVEL)
+    target_precompile_headers(${target} PRIVATE ${ECODS_STANDARD_HEADERS} ${ARGN})
+  endif()
+endfunction()
+
+# The target takes what was compiled for another one of the same flags. usage: ecods_share_precompiled(TARGET OTHER)
+function(ecods_share_precompiled target other)
+  if(PROJECT_IS_TOP_LEVEL)
+    target_precompile_headers(${target} REUSE_FROM ${other})
+  endif()
+endfunction()
