@@ -107,16 +107,19 @@ class Motion : public ::testing::TestWithParam<std::tuple<Scene, int>> {
 TEST_P(Motion, AllAgreeWithTheModel) {
     std::uint64_t pairs = 0, began = 0;
     for (int frame = 0; frame < scene.frames; ++frame) {
+        // Where all jump, candidates are not worth keeping: most frames are calm enough that they are kept.
+        const bool is_calm = frame % 64 >= 16;
+        const auto takes_part = [&] { return !is_calm || one_in(scene.numbers > 200 ? 16 : 4); };
         for (int number = 0; number < scene.numbers; ++number) {
             const auto proxy = static_cast<ProxyIndex>(number);
-            if (frame == 0 || one_in(scene.change_one_in)) {
+            if (frame == 0 || (one_in(scene.change_one_in) && takes_part())) {
                 if (lockstep.model.has(proxy)) {
                     lockstep.remove(proxy);
                     if (one_in(2)) lockstep.add(proxy, anywhere());
                 } else {
                     lockstep.add(proxy, anywhere());
                 }
-            } else if (lockstep.model.has(proxy) && one_in(scene.move_one_in)) {
+            } else if (lockstep.model.has(proxy) && one_in(scene.move_one_in) && takes_part()) {
                 lockstep.move(proxy, one_in(scene.teleport_one_in) ? anywhere() : moved(lockstep.model.box(proxy)));
             }
         }

@@ -40,7 +40,8 @@ void KeepingRule::note_kept(const Kept& kept) noexcept {
     if (kept.searched_all) {
         work += search_work(boxes, static_cast<double>(kept.candidates));
     } else {
-        work += lookup_work * static_cast<double>(kept.looked_up) + tree_test_work * static_cast<double>(kept.tree_tests);
+        work +=
+            lookup_work * static_cast<double>(kept.looked_up) + tree_test_work * static_cast<double>(kept.tree_tests);
     }
     lost_ = std::max(lost_ + work - scratch, -searches_won_max * scratch);
     if (lost_ <= -searches_won_max * scratch) trial_patience_ = patience_min;

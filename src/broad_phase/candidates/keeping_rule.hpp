@@ -16,7 +16,7 @@ class KeepingRule {
     struct Forecast {
         std::size_t boxes;
         std::size_t moved;
-        std::size_t looked_up;  // boxes that come, and those that go from among boxes at rest
+        std::size_t looked_up;  // boxes that come
         double lifetime;        // updates for which a margin would last: a moved box of the middle
         double growth;          // of the pairs, by margins that last so long
     };
@@ -28,7 +28,7 @@ class KeepingRule {
         std::size_t candidates;  // after that search
     };
 
-    // Whether the next update is to search from scratch or give margins to all: when it keeps nothing, or many look up.
+    // Whether the last decision was to keep nothing: then the next update searches for everything.
     bool searches() const noexcept { return is_scratch_; }
 
     // For an update that searches for everything: whether boxes are to have margins from then on.
@@ -36,7 +36,6 @@ class KeepingRule {
 
     // After an update that searched for everything: the pairs there are.
     void note_pairs(std::size_t count) noexcept { pairs_ = static_cast<double>(count); }
-    std::size_t pair_count() const noexcept { return static_cast<std::size_t>(pairs_); }
 
     // After an update that kept candidates. Where they have cost more than searches from scratch would have, the
     // updates that follow are such, and the more of them the more often that was so.

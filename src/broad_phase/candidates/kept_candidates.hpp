@@ -72,7 +72,7 @@ class KeptCandidates final : public PairFinder {
     KeepingRule::Forecast foresee(const ProxyTable& table, const ProxyChanges& changes) const;
     void find_everything(const FindingUpdate& finding);
     void drop(ProxyIndex proxy);
-    std::vector<BoxForest::Item> give_margins(const ProxyTable& table, const ProxyChanges& changes);
+    std::vector<BoxForest::Item> give_margins(const FindingUpdate& finding);
     void take_as_they_are(const ProxyTable& table, const ProxyChanges& changes);
     void mark_overlapping();
 
@@ -118,7 +118,8 @@ class KeptCandidates final : public PairFinder {
     std::vector<SlotIndex> changed_slots_;  // those with the flag
     GridSweep search_;
     KeepingRule rule_;
-    ProxyPairs pairs_;  // working memory: those of an update that searched for everything
+    bool has_margins_ = true;  // otherwise fat_lines_ are of any time, and there are no candidates
+    ProxyPairs pairs_;         // working memory: those of an update that searched for everything
 
     // Of fat boxes, for looking up few. A search for everything leaves it behind; what follows is about that time.
     BoxForest forest_;

@@ -60,15 +60,16 @@ void KeptCandidates::find_everything(const FindingUpdate& finding) {
     changed_slots_.clear();
     candidates_.clear();
     for (const ProxyIndex proxy : changes.removed) drop(proxy);
+    if (keeps && !has_margins_) fat_lines_ = lines_;
+    has_margins_ = keeps;
     if (keeps) {
-        std::vector<BoxForest::Item> unsorted = give_margins(table, changes);
-        order_slots(unsorted, table);
+        order_slots(give_margins(finding), table);
     } else {
         take_as_they_are(table, changes);
         is_forest_behind_ = is_forest_renumbered_ = true;
     }
     const std::vector<Candidate>& found = candidates_;
-    counts.box_tests += search_.find_pairs(fat_lines_, candidates_) + found.size();
+    counts.box_tests += search_.find_pairs(keeps ? fat_lines_ : lines_, candidates_) + found.size();
     ++counts.rebuilds;
     if (keeps) {
         mark_overlapping();
@@ -80,15 +81,19 @@ void KeptCandidates::find_everything(const FindingUpdate& finding) {
         candidates_.clear();
     }
     rule_.note_pairs(pairs_.size());
-    counts.escaped += keeps ? escaped_.size() : 0;
     escaped_.clear();
     keeper.compare(table, changes, pairs_, events);
+    const bool many_came = 8 * changes.added.size() > table.size();
+    if (!many_came) return;
+    search_ = {};  // its memory: they may be at rest from now on
+    pairs_ = {};
+    if (keeps && changes.moved.empty()) refresh_forest(table);  // which the first one to move or to come would wait for
 }
 
 // Frees the slot of a removed box at once: no candidate is left that names it.
 void KeptCandidates::drop(ProxyIndex proxy) {
     const SlotIndex slot = slots_[proxy];
-    forest_.remove(slot);
+    if (!is_forest_renumbered_) forest_.remove(slot);
     lines_[slot] = {};
     fat_lines_[slot] = {};
     slots_[proxy] = no_slot;
@@ -99,29 +104,31 @@ void KeptCandidates::drop(ProxyIndex proxy) {
 }
 
 // Boxes that moved are awake and have new fat boxes where they left theirs.
-std::vector<BoxForest::Item> KeptCandidates::give_margins(const ProxyTable& table, const ProxyChanges& changes) {
+std::vector<BoxForest::Item> KeptCandidates::give_margins(const FindingUpdate& finding) {
+    const auto& [table, changes, keeper, events, counts] = finding;
     for (const ProxyIndex proxy : changes.moved) {
         const SlotIndex slot = slots_[proxy];
         if (!has_flag(slot, awake)) ++awake_count_;
         set_flag(slot, awake | moved);
     }
     move_some(changes.moved, table);
+    counts.escaped += escaped_.size();
     add(changes.added, table);
     std::vector<BoxForest::Item> unsorted = fatten_escaped(table);
     fatten_used_up(table);
     return unsorted;
 }
 
-// Boxes have no margins, and none is awake.
+// Boxes have no fat boxes, and none is awake.
 void KeptCandidates::take_as_they_are(const ProxyTable& table, const ProxyChanges& changes) {
     add(changes.added, table);
-    for (const auto& escaped : escaped_) fat_lines_[escaped.slot] = lines_[escaped.slot];
-    if (awake_count_ > 0) {
-        std::fill(flags_.begin(), flags_.end(), std::uint8_t{0});
-        awake_count_ = 0;
-        for (SlotIndex slot = 0; slot < lines_.size(); ++slot) fat_lines_[slot] = lines_[slot];
+    if (awake_count_ > 0) std::fill(flags_.begin(), flags_.end(), std::uint8_t{0});
+    awake_count_ = 0;
+    if (2 * changes.moved.size() > proxies_.size()) {
+        dispatch<Loops::take_all_lines>(*this, table);
+    } else {
+        for (const ProxyIndex proxy : changes.moved) make_packed_box(table.boxes()[proxy], lines_[slots_[proxy]]);
     }
-    dispatch<Loops::take_lines>(*this, changes.moved, table);
 }
 
 // Makes `pairs_` the pairs of boxes among those of fat boxes that were found, and these the candidates.

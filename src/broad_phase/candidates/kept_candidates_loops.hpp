@@ -62,18 +62,17 @@ struct KeptCandidates::Loops {
         }
     }
 
-    // The boxes of some proxies, as boxes and as fat ones.
-    ECODS_ALWAYS_INLINE static void take_lines(KeptCandidates& self, std::span<const ProxyIndex> proxies,
-                                               const ProxyTable& table) {
-        for (std::size_t i = 0; i < proxies.size(); ++i) {
-            if (i + prefetch_distance < proxies.size()) {
-                const SlotIndex ahead = self.slots_[proxies[i + prefetch_distance]];
-                __builtin_prefetch(&self.lines_[ahead], 1);
-                __builtin_prefetch(&self.fat_lines_[ahead], 1);
-            }
-            const SlotIndex slot = self.slots_[proxies[i]];
-            make_packed_box(table.boxes()[proxies[i]], self.lines_[slot]);
-            self.fat_lines_[slot] = self.lines_[slot];
+    // Takes the boxes of all slots, whose fat boxes are not looked at.
+    ECODS_ALWAYS_INLINE static void take_all_lines(KeptCandidates& self, const ProxyTable& table) {
+        const Aabb* const boxes = table.boxes().data();
+        const std::size_t count = self.proxies_.size();
+        for (std::size_t slot = 0; slot < count; ++slot) {
+            const auto* ahead = reinterpret_cast<const char*>(
+                &boxes[self.proxies_[slot + prefetch_distance < count ? slot + prefetch_distance : count - 1]]);
+            __builtin_prefetch(ahead);
+            __builtin_prefetch(ahead + sizeof(Aabb) - 1);
+            if (self.lines_[slot].is_empty()) continue;  // a free slot
+            make_packed_box(boxes[self.proxies_[slot]], self.lines_[slot]);
         }
     }
 

@@ -27,8 +27,8 @@ bool KeptCandidates::were_candidates(SlotIndex a, SlotIndex b) const noexcept {
 
 std::size_t KeptCandidates::count_asleep(std::span<const ProxyIndex> proxies) const noexcept {
     if (awake_count_ == used_count_) return 0;
-    return static_cast<std::size_t>(
-        std::count_if(proxies.begin(), proxies.end(), [&](ProxyIndex proxy) { return !has_flag(slots_[proxy], awake); }));
+    return static_cast<std::size_t>(std::count_if(proxies.begin(), proxies.end(),
+                                                  [&](ProxyIndex proxy) { return !has_flag(slots_[proxy], awake); }));
 }
 
 // Before boxes move: the candidates of those that do.

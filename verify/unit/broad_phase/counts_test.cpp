@@ -113,6 +113,54 @@ TEST(Counts, BoxesOnTheirWayAreFilteredAndNotSearched) {
     phase->validate();
 }
 
+// Boxes that leave any margin at once: each update searches once, and as soon as they are slow, none does.
+TEST(Counts, FastBoxesAreSearchedFromScratchUntilTheyAreSlow) {
+    Lockstep lockstep;
+    constexpr ProxyIndex count = 300;
+    const auto step = [&](int frame, double by) {
+        for (ProxyIndex proxy = 0; proxy < count; ++proxy) {
+            Aabb box = lockstep.model.box(proxy);
+            box.min[proxy % 3] += (proxy + frame) % 5 < 2 ? by : -by;
+            box.max[proxy % 3] += (proxy + frame) % 5 < 2 ? by : -by;
+            lockstep.move(proxy, box);
+        }
+        if (frame % 4 == 3) lockstep.remove(static_cast<ProxyIndex>(frame)), lockstep.add(frame, make_cube(1, 1, 1));
+        ASSERT_TRUE(lockstep.update());
+    };
+    for (ProxyIndex proxy = 0; proxy < count; ++proxy)
+        lockstep.add(proxy, make_cube(proxy % 7, proxy / 7 % 7, proxy / 49));
+    ASSERT_TRUE(lockstep.update());
+    const BroadPhaseCounts& counts = lockstep.counts(BroadPhaseKind::kept_candidates);
+    BroadPhaseCounts before = counts;
+    for (int frame = 0; frame < 20; ++frame) step(frame, 0.6);
+    EXPECT_EQ(counts.rebuilds - before.rebuilds, 20u);
+    EXPECT_EQ(counts.candidates_filtered, before.candidates_filtered);
+    before = counts;
+    for (int frame = 20; frame < 60; ++frame) step(frame, 0x1p-8);
+    EXPECT_LE(counts.rebuilds - before.rebuilds, 20u);
+    EXPECT_GT(counts.candidates_filtered, before.candidates_filtered);
+}
+
+// One that comes or goes in a resting scene costs what it finds.
+TEST(Counts, OneThatComesOrGoesCostsAtMostTenMoves) {
+    const auto phase = make_grid(BroadPhaseKind::automatic, 47);  // 103,823
+    const auto work = [&] {
+        const BroadPhaseCounts before = phase->counts();
+        phase->update();
+        const BroadPhaseCounts& after = phase->counts();
+        return after.box_tests - before.box_tests + after.candidates_filtered - before.candidates_filtered;
+    };
+    const std::uint64_t rebuilds = phase->counts().rebuilds;
+    phase->move(50'000, make_cube(40.25, 40, 40));
+    const std::uint64_t of_move = work();
+    EXPECT_GT(of_move, 0u);
+    phase->add(200'000, make_cube(31, 31, 31));
+    EXPECT_LE(work(), 10 * of_move);
+    phase->remove(70'000);
+    EXPECT_LE(work(), 10 * of_move);
+    EXPECT_EQ(phase->counts().rebuilds, rebuilds);
+}
+
 // From nothing, by jumping all at once, and of sizes from 1 to 1000: no structure may degrade to n^2.
 TEST(Counts, JumpsAndSizesOfThreeDecadesAreNotQuadratic) {
     constexpr ProxyIndex count = 20'000;
