@@ -9,7 +9,7 @@ namespace ecods::bench {
 
 namespace {
 
-// Each is told from the others by the colour-blind, and has a contrast of at least 3 to its paper.
+// The colour-blind can distinguish them, and each has a contrast of at least 3 to its paper.
 constexpr std::array palette = {
     Colour{"ecods", "#0b62b8", "#5eb0ff"},  Colour{"fcl", "#c1272d", "#ff7b72"},
     Colour{"bullet", "#b85f00", "#f0a83c"}, Colour{"ode", "#2a8a4a", "#5fd08a"},

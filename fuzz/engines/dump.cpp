@@ -47,7 +47,7 @@ void paint(const scenes::MeshPairs& pairs, const scenes::MeshQuery& query, const
     const Vec3 origin = query.a.pose.t;
     scenes::Scene scene;
     std::vector<bench::PaintedBody> bodies;
-    std::vector<Vec3> centres;
+    std::vector<Vec3> centers;
     double radius = 0;
     for (const scenes::MeshAt& at : {query.a, query.b}) {
         scene.meshes.push_back(pairs.meshes[at.mesh_index]);
@@ -61,13 +61,13 @@ void paint(const scenes::MeshPairs& pairs, const scenes::MeshQuery& query, const
             low = low.cwiseMin(point);
             high = high.cwiseMax(point);
         }
-        centres.emplace_back((low + high) / 2);
+        centers.emplace_back((low + high) / 2);
         radius = std::max(radius, (high - low).norm() / 2);
     }
-    const Vec3 middle = (centres[0] + centres[1]) / 2;
-    Vec3 side = (centres[1] - centres[0]).cross(Vec3::UnitZ());
+    const Vec3 middle = (centers[0] + centers[1]) / 2;
+    Vec3 side = (centers[1] - centers[0]).cross(Vec3::UnitZ());
     side = side.norm() > 0 ? Vec3(side.normalized()) : Vec3::UnitX();
-    const double reach = radius + (centres[1] - centres[0]).norm() / 2;
+    const double reach = radius + (centers[1] - centers[0]).norm() / 2;
     const bench::View view{.name = name,
                            .eye = middle + 3.2 * reach * (side + 0.45 * Vec3::UnitZ()).normalized(),
                            .target = middle,
