@@ -30,7 +30,8 @@ Json mesh_json(const std::string& name, const Mesh& mesh) {
 Json body_json(const std::string& name, const Pose& pose) {
     Json rows = Json::array();
     for (int row = 0; row < 3; ++row) rows.push_back(vector_json(pose.R.row(row)));
-    return {{"name", name}, {"mesh", "mesh of " + name}, {"pose", {{"R", std::move(rows)}, {"t", vector_json(pose.t)}}}};
+    return {
+        {"name", name}, {"mesh", "mesh of " + name}, {"pose", {{"R", std::move(rows)}, {"t", vector_json(pose.t)}}}};
 }
 
 std::string file_name(const WrongAnswer& wrong) {
@@ -85,15 +86,15 @@ std::filesystem::path dump(const WrongAnswer& wrong, const scenes::MeshPairs& pa
     const scenes::MeshQuery& query = pairs.queries.at(wrong.query);
     const std::string name = file_name(wrong);
     const std::filesystem::path file = folder / (name + ".json");
-    const Json scene = {
-        {"_engine", wrong.engine},
-        {"_family", wrong.family},
-        {"_query", wrong.query},
-        {"_truth", wrong.touches ? "they share a point" : "they share no point"},
-        {"_wrong", "said of a and b, or of b and a, the opposite"},
-        {"meshes", {mesh_json("mesh of a", *pairs.meshes[query.a.mesh_index].mesh),
-                    mesh_json("mesh of b", *pairs.meshes[query.b.mesh_index].mesh)}},
-        {"bodies", {body_json("a", query.a.pose), body_json("b", query.b.pose)}}};
+    const Json scene = {{"_engine", wrong.engine},
+                        {"_family", wrong.family},
+                        {"_query", wrong.query},
+                        {"_truth", wrong.touches ? "they share a point" : "they share no point"},
+                        {"_wrong", "said of a and b, or of b and a, the opposite"},
+                        {"meshes",
+                         {mesh_json("mesh of a", *pairs.meshes[query.a.mesh_index].mesh),
+                          mesh_json("mesh of b", *pairs.meshes[query.b.mesh_index].mesh)}},
+                        {"bodies", {body_json("a", query.a.pose), body_json("b", query.b.pose)}}};
     std::ofstream out(file);
     out << scene.dump(1) << "\n";
     out.close();
