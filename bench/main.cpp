@@ -39,8 +39,8 @@ struct Arguments {
     std::filesystem::path json;  // these three: none when empty
     std::filesystem::path csv;
     std::filesystem::path results;
-    std::filesystem::path from;     // a saved page, in place of a run
-    std::filesystem::path sample;   // folder
+    std::filesystem::path from;    // a saved page, in place of a run
+    std::filesystem::path sample;  // folder
     std::string instruction_set = "native";
     std::vector<std::string> builds;  // two to be compared, or none
     bool is_own = false;
@@ -90,7 +90,8 @@ void write_sample(const Page& page, const std::filesystem::path& folder) {
     const auto chart = summary_chart(page);
     if (!chart) throw std::runtime_error("--sample: the page has no results of the suite narrow");
     write_svg(*chart, folder / "summary.svg");
-    const std::filesystem::path parts = std::filesystem::temp_directory_path() / fmt::format("ecods_sample.{}", getpid());
+    const std::filesystem::path parts =
+        std::filesystem::temp_directory_path() / fmt::format("ecods_sample.{}", getpid());
     std::filesystem::create_directory(parts);
     const Picture map = draw_orient2d(map_orient2d(), parts, "sign-map");
     if (!map.failure.empty()) throw std::runtime_error("--sample: " + map.failure);

@@ -50,7 +50,8 @@ TEST_F(BenchProgramTest, AReportIsWrittenWhereItIsAskedFor) {
     EXPECT_EQ(run("--quick --suite hard_cases --engines ECoDS").out.find("report: "), std::string::npos);
 }
 
-// The page of results that are saved here: the headline comes first, charts are drawn in it, and it names no other file.
+// The page of results that are saved here: the headline comes first, charts are drawn in it, and it names no other
+// file.
 TEST_F(BenchProgramTest, APageIsDrawnAgainFromSavedResults) {
     const std::filesystem::path report = path("report"), sample = path("sample");
     const auto drawn = run("--from " ECODS_BENCH_RESULTS "/AMD-EPYC-2026-11-21.csv --report " + report.string() +

@@ -62,8 +62,8 @@ void print(const RunFailure& failure) {
 void print_verdict(const CampaignOptions& campaign, const CampaignReport& report) {
     const auto updates = report.counters.find("frames");
     const std::string asked = updates == report.counters.end() ? "" : fmt::format(", {} updates", updates->second);
-    const std::string outcome = report.failures.empty() ? "every check held"
-                                                        : fmt::format("{} FAILED", report.failures.size());
+    const std::string outcome =
+        report.failures.empty() ? "every check held" : fmt::format("{} FAILED", report.failures.size());
     fmt::print(stderr, "ecods_fuzz: {}: {} runs from seed {}{}, {:.1f} s: {}\n", campaign.profile, report.runs,
                campaign.seed, asked, report.seconds, outcome);
 }

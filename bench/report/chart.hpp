@@ -20,9 +20,9 @@ struct Curve {
 
 struct Axis {
     std::string title;
-    bool is_logarithmic = false;                           // points at 0 or below are left out
-    std::vector<std::pair<std::string, double>> tics = {}; // gnuplot's choice when empty
-    double low = 0, high = 0;                              // the range of the data when equal
+    bool is_logarithmic = false;                            // points at 0 or below are left out
+    std::vector<std::pair<std::string, double>> tics = {};  // gnuplot's choice when empty
+    double low = 0, high = 0;                               // the range of the data when equal
 };
 
 struct Panel {

@@ -24,11 +24,12 @@ std::string key(const Chart& chart) {
         const std::string colour = fmt::format("var(--{})", styles[e].colour->name);
         html += "<li><svg viewBox=\"0 0 26 12\" aria-hidden=\"true\">";
         if (has_lines)
-            html += fmt::format("<path d=\"M0,6h26\" stroke=\"{}\" stroke-width=\"1.8\" stroke-dasharray=\"{}\"/>", colour,
-                                dashes[static_cast<std::size_t>(styles[e].dash - 1)]);
+            html += fmt::format("<path d=\"M0,6h26\" stroke=\"{}\" stroke-width=\"1.8\" stroke-dasharray=\"{}\"/>",
+                                colour, dashes[static_cast<std::size_t>(styles[e].dash - 1)]);
         // gnuplot's point types count from 1, the marks of its SVG from 0.
-        html += fmt::format("<use href=\"#gpPt{}\" transform=\"translate(13,6) scale({})\" color=\"{}\" fill=\"none\"/></svg>{}</li>",
-                            styles[e].mark - 1, has_lines ? 3.5 : 5, colour, escape_html(names[e]));
+        html += fmt::format(
+            "<use href=\"#gpPt{}\" transform=\"translate(13,6) scale({})\" color=\"{}\" fill=\"none\"/></svg>{}</li>",
+            styles[e].mark - 1, has_lines ? 3.5 : 5, colour, escape_html(names[e]));
     }
     return html + "</ul>\n";
 }

@@ -37,7 +37,8 @@ std::string quoted(const std::string& text) {
 void write_axis(std::ostream& out, char name, const Axis& axis) {
     out << fmt::format("set {}label {}\n{} logscale {}\n", name, quoted(axis.title),
                        axis.is_logarithmic ? "set" : "unset", name)
-        << fmt::format("set {}range [{}]\n", name, axis.low == axis.high ? "*:*" : fmt::format("{}:{}", axis.low, axis.high))
+        << fmt::format("set {}range [{}]\n", name,
+                       axis.low == axis.high ? "*:*" : fmt::format("{}:{}", axis.low, axis.high))
         << fmt::format("set format {} '%g'\nset {}tics autofreq\n", name, name);
     if (axis.tics.empty()) return;
     out << fmt::format("set {}tics (", name);
@@ -81,7 +82,7 @@ void write_panel(std::ostream& out, const Panel& panel, std::span<const std::str
             data += marks + "e\n";
         }
         if (panel.has_names && !curve.points.empty()) {
-            plots += fmt::format(", '-' using 1:2:3 with labels offset 0,{} tc rgb '{}'", style.variant % 2 == 0 ? 1.1 : -1.1,
+            plots += fmt::format(", '-' using 1:2:3 with labels offset 0,{} tc rgb '{}'", e % 2 == 0 ? 1.1 : -1.1,
                                  style.colour->light);
             data += fmt::format("{} {} \"{}\"\ne\n", curve.points.front().x, curve.points.front().y, curve.name);
         }
@@ -157,8 +158,8 @@ Drawing draw_chart(const Chart& chart, const std::filesystem::path& folder) {
     const Size size = size_of(chart);
     std::vector<std::string> texts;
     std::ofstream out(script);
-    out << fmt::format("set terminal svg size {},{} dynamic noenhanced font 'DejaVu Sans,{}'\n", size.width, size.height,
-                       chart.panels.size() > 2 ? 12 : 13)
+    out << fmt::format("set terminal svg size {},{} dynamic noenhanced font 'DejaVu Sans,{}'\n", size.width,
+                       size.height, chart.panels.size() > 2 ? 12 : 13)
         << "set border 3\nset tics nomirror\nset grid xtics ytics lt 1 lc rgb '#dcdcdc'\nunset key\n"
         << "set offsets graph 0.06, graph 0.06, graph 0.04, graph 0.04\n";
     for (std::size_t p = 0; p < chart.panels.size(); ++p) {
@@ -190,7 +191,8 @@ void write_svg(const Chart& chart, const std::filesystem::path& file) {
         << drawing.marks << svg.substr(inside) << "\n";
     out.close();
     if (!out) throw std::runtime_error("cannot write " + file.string());
-    for (const char* ending : {".gnuplot", "-1.svg"}) std::filesystem::remove(file.parent_path() / (chart.name + ending));
+    for (const char* ending : {".gnuplot", "-1.svg"})
+        std::filesystem::remove(file.parent_path() / (chart.name + ending));
 }
 
 }  // namespace ecods::bench

@@ -18,8 +18,8 @@ std::span<const Colour> colours();
 
 struct EngineStyle {
     const Colour* colour = nullptr;
-    int mark = 0;  // gnuplot's point type
-    int dash = 0;  // gnuplot's dash type
+    int mark = 0;     // gnuplot's point type
+    int dash = 0;     // gnuplot's dash type
     int variant = 0;  // the how manieth use of its library among the names
 };
 

@@ -84,9 +84,10 @@ Table ratio_table(const TimedTable& timed, const std::string& title) {
         }
         table.rows.push_back(std::move(row));
     }
-    table.notes = {fmt::format("Each engine's time over that of ECoDS: above 1 ECoDS is faster, below 1 (bold) it is "
-                               "slower.{}",
-                               has_wrong ? " Wrong: so many answers. ECoDS has none." : "")};
+    table.notes = {
+        fmt::format("Each engine's time over that of ECoDS: above 1 ECoDS is faster, below 1 (bold) it is "
+                    "slower.{}",
+                    has_wrong ? " Wrong: so many answers. ECoDS has none." : "")};
     return table;
 }
 
@@ -108,11 +109,11 @@ Section losses(const std::vector<TimedTable>& tables) {
                 if (!timing.is_ecods() && timing.time < (best == nullptr ? own->time : best->time)) best = &timing;
             if (best == nullptr) continue;
             const double ratio = own->time / best->time;
-            rows.emplace_back(ratio, std::vector<std::string>{
-                                         timed.title, workload.name, best->engine,
-                                         fmt::format("{:.4g} {}", best->time, timed.unit), fmt::format("{:.4g}", own->time),
-                                         fmt::format("{:.2f} ×", ratio),
-                                         best->wrong ? fmt::format("{:.0f}", *best->wrong) : "not counted"});
+            rows.emplace_back(
+                ratio, std::vector<std::string>{timed.title, workload.name, best->engine,
+                                                fmt::format("{:.4g} {}", best->time, timed.unit),
+                                                fmt::format("{:.4g}", own->time), fmt::format("{:.2f} ×", ratio),
+                                                best->wrong ? fmt::format("{:.0f}", *best->wrong) : "not counted"});
         }
     }
     std::ranges::stable_sort(rows, [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -121,13 +122,14 @@ Section losses(const std::vector<TimedTable>& tables) {
         table.rows.push_back(std::move(row));
     }
     table.notes = {"The fastest of the others beside the first way to ask ECoDS in that table, worst first."};
-    Section section{"Where ECoDS loses",
-                    {rows.empty() ? fmt::format("On none of the {} timed workloads of this page is another engine faster.",
-                                                workload_count)
-                                  : fmt::format("On {} of the {} timed workloads of this page another engine is faster.",
-                                                rows.size(), workload_count)},
-                    {},
-                    {}};
+    Section section{
+        "Where ECoDS loses",
+        {rows.empty()
+             ? fmt::format("On none of the {} timed workloads of this page is another engine faster.", workload_count)
+             : fmt::format("On {} of the {} timed workloads of this page another engine is faster.", rows.size(),
+                           workload_count)},
+        {},
+        {}};
     if (!rows.empty()) section.tables.push_back(std::move(table));
     return section;
 }
@@ -167,13 +169,14 @@ std::optional<Chart> summary_chart(const Page& page) {
     panel.x.title = "time over that of the fastest engine";
     panel.has_names = true;
     panel.is_folded = false;
-    return Chart{"summary",
-                 {std::move(panel)},
-                 fmt::format("Each engine is a point; the better is lower and further left. Across: its time over that "
-                             "of the fastest, the geometric mean over {} workloads of two meshes. Up: the share of wrong "
-                             "answers to {:.0f} questions about meshes in exact contact, with a small clearance, or an "
-                             "ulp apart, beside an exact oracle.",
-                             timed_table->workloads.size(), asked)};
+    return Chart{
+        "summary",
+        {std::move(panel)},
+        fmt::format("Each engine is a point; the better is lower and further left. Across: its time over that "
+                    "of the fastest, the geometric mean over {} workloads of two meshes. Up: the share of wrong "
+                    "answers to {:.0f} questions about meshes in exact contact, with a small clearance, or an "
+                    "ulp apart, beside an exact oracle.",
+                    timed_table->workloads.size(), asked)};
 }
 
 std::vector<Section> headline(const Page& page) {

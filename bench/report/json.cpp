@@ -39,12 +39,16 @@ Table to_table(const Json& json) {
     table.rows = json.at("rows").get<std::vector<std::vector<std::string>>>();
     table.notes = json.at("notes").get<std::vector<std::string>>();
     for (const std::vector<std::string>& row : table.rows)
-        if (row.size() != table.header.size()) throw std::runtime_error("a row of \"" + table.title + "\" has other columns");
+        if (row.size() != table.header.size())
+            throw std::runtime_error("a row of \"" + table.title + "\" has other columns");
     return table;
 }
 
 Json from_axis(const Axis& axis) {
-    return {{"title", axis.title}, {"logarithmic", axis.is_logarithmic}, {"tics", axis.tics}, {"range", {axis.low, axis.high}}};
+    return {{"title", axis.title},
+            {"logarithmic", axis.is_logarithmic},
+            {"tics", axis.tics},
+            {"range", {axis.low, axis.high}}};
 }
 Axis to_axis(const Json& json) {
     return {json.at("title"), json.at("logarithmic"),
@@ -64,12 +68,22 @@ Curve to_curve(const Json& json) {
 }
 
 Json from_panel(const Panel& panel) {
-    return {{"title", panel.title},      {"x", from_axis(panel.x)},     {"y", from_axis(panel.y)},
-            {"lines", panel.has_lines}, {"names", panel.has_names}, {"folded", panel.is_folded}, {"curves", list(panel.curves, from_curve)}};
+    return {{"title", panel.title},
+            {"x", from_axis(panel.x)},
+            {"y", from_axis(panel.y)},
+            {"lines", panel.has_lines},
+            {"names", panel.has_names},
+            {"folded", panel.is_folded},
+            {"curves", list(panel.curves, from_curve)}};
 }
 Panel to_panel(const Json& json) {
-    return {json.at("title"),           to_axis(json.at("x")), to_axis(json.at("y")), unlist(json.at("curves"), to_curve),
-            json.at("lines").get<bool>(), json.at("names"), json.at("folded")};
+    return {json.at("title"),
+            to_axis(json.at("x")),
+            to_axis(json.at("y")),
+            unlist(json.at("curves"), to_curve),
+            json.at("lines").get<bool>(),
+            json.at("names"),
+            json.at("folded")};
 }
 
 Json from_chart(const Chart& chart) {

@@ -22,9 +22,10 @@ std::string colour_variables() {
         light += fmt::format("--{}:{};", colour.name, colour.light);
         dark += fmt::format("--{}:{};", colour.name, colour.dark);
     }
-    return fmt::format(":root {{ {} --soft:#aaa; --soft-ink:#555; }}\n"
-                       "@media screen and (prefers-color-scheme: dark) {{ :root {{ {} --soft:#555; --soft-ink:#aaa; }} }}\n",
-                       light, dark);
+    return fmt::format(
+        ":root {{ {} --soft:#aaa; --soft-ink:#555; }}\n"
+        "@media screen and (prefers-color-scheme: dark) {{ :root {{ {} --soft:#555; --soft-ink:#aaa; }} }}\n",
+        light, dark);
 }
 
 std::string read_all(const std::filesystem::path& file) {
@@ -108,7 +109,8 @@ void write_page(const Page& page, const std::filesystem::path& file) {
         << "<h1>" << escape_html(page.title) << "</h1>\n";
     if (!page.summary.empty()) out << "<p class=\"verdict\">" << escape_html(page.summary.front()) << "</p>\n";
     write_contents(out, sections);
-    out << body << "<h2 id=\"environment\">Where and how this was measured</h2>\n" << to_html(page.environment)
+    out << body << "<h2 id=\"environment\">Where and how this was measured</h2>\n"
+        << to_html(page.environment)
         // What is folded on the screen is on paper, too.
         << "<script>addEventListener('beforeprint',()=>document.querySelectorAll('details')"
            ".forEach(d=>{d.open=true}))</script>\n</body></html>\n";

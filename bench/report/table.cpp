@@ -55,10 +55,12 @@ std::string escape_html(const std::string& text) {
 static constexpr auto no_row = static_cast<std::size_t>(-1);
 
 std::string to_html(const Table& table) {
-    const auto row_of = [&](const std::vector<std::string>& cells, const char* tag, bool begins_group, std::size_t row = no_row) {
+    const auto row_of = [&](const std::vector<std::string>& cells, const char* tag, bool begins_group,
+                            std::size_t row = no_row) {
         std::string html = begins_group ? "<tr class=\"group\">" : "<tr>";
         for (std::size_t c = 0; c < cells.size(); ++c)
-            html += fmt::format("<{0}{1}>{2}</{0}>", tag, c < table.text_columns            ? " class=\"text\""
+            html += fmt::format("<{0}{1}>{2}</{0}>", tag,
+                                c < table.text_columns          ? " class=\"text\""
                                 : table.loud.contains({row, c}) ? " class=\"loud\""
                                                                 : "",
                                 escape_html(cells[c]));

@@ -18,8 +18,9 @@ Chart time_chart(std::span<const Run> runs, const std::string& name, const std::
         const std::size_t step = std::max<std::size_t>(1, run.frame_ms.size() / 12);
         for (std::size_t frame = 1; frame < run.frame_ms.size(); ++frame) {
             const double ms = run.frame_ms[frame];
-            curve.points.push_back({static_cast<double>(frame), ms,
-                                    frame % step == 0 ? fmt::format("{}: frame {}, {:.3g} ms", run.name, frame, ms) : ""});
+            curve.points.push_back(
+                {static_cast<double>(frame), ms,
+                 frame % step == 0 ? fmt::format("{}: frame {}, {:.3g} ms", run.name, frame, ms) : ""});
         }
     }
     return {name, {std::move(panel)}, caption};

@@ -9,7 +9,7 @@
 
 namespace ecods::bench {
 
-// Frame 0 is left out. Every twelfth of the frames has a mark that tells its time.
+// Frame 0 is left out. Every twelfth of the frames has a mark with its time.
 Chart time_chart(std::span<const Run> runs, const std::string& name, const std::string& caption);
 
 }  // namespace ecods::bench

@@ -10,8 +10,8 @@ namespace ecods::bench {
 namespace {
 
 // Columns that count wrong answers.
-constexpr std::array wrong_columns = {"false -",        "false +", "said to meet", "said apart", "off by 1 %",
-                                      "other triangle", "missing", "extra"};
+constexpr std::array wrong_columns = {"false -",    "false +",        "said to meet", "said apart",
+                                      "off by 1 %", "other triangle", "missing",      "extra"};
 
 bool is_time(const std::string& column) {
     return column.starts_with("us/") || column.starts_with("ns/") || column.starts_with("ms/");
@@ -54,7 +54,8 @@ std::optional<TimedTable> timed(const Table& table) {
     for (const std::vector<std::string>& row : table.rows) {
         const std::optional<double> time = number_in(row.at(2));
         if (!time || *time <= 0) continue;
-        if (result.workloads.empty() || result.workloads.back().name != row[0]) result.workloads.push_back({row[0], {}});
+        if (result.workloads.empty() || result.workloads.back().name != row[0])
+            result.workloads.push_back({row[0], {}});
         Timing& timing = result.workloads.back().engines.emplace_back();
         timing.engine = row[1];
         timing.time = *time;

@@ -12,9 +12,9 @@ namespace ecods::bench {
 
 struct Timing {
     std::string engine;
-    double time = 0;                 // in the unit of the table
-    std::optional<double> wrong;     // answers, if the table counts them
-    std::optional<double> asked;     // questions, if the table says how many
+    double time = 0;              // in the unit of the table
+    std::optional<double> wrong;  // answers, if the table counts them
+    std::optional<double> asked;  // questions, if the table says how many
     bool is_ecods() const { return engine.starts_with("ECoDS"); }
 };
 

@@ -216,7 +216,7 @@ SuiteResult run_assembly(const SuiteOptions& options) {
         section.pictures.push_back(draw_engine(scene, comparison.truth, 0, options.folder));
         section.pictures.push_back(draw_engine(scene, comparison.truth, frame_count * 5 / 12, options.folder));
         section.charts.push_back(time_chart(comparison.runs, "engine-times",
-                                              "The engine: milliseconds per frame. The scale is logarithmic."));
+                                            "The engine: milliseconds per frame. The scale is logarithmic."));
     }
     result.sections.push_back(std::move(section));
     result.sections.push_back({"Which parts of the engine meet", {at_rest}, {moving, resting}, {}});

@@ -109,8 +109,8 @@ Section chart_of(const std::vector<Measured>& all) {
             if (!run.failure.empty() || run.maker->answer != CastAnswer::time) continue;
             const CastErrors errors = errors_of(run, measured.truth);
             points.push_back({run.maker->name, median(run.us),
-                                    static_cast<double>(errors.false_negatives + errors.false_positives) /
-                                        static_cast<double>(run.answers.size())});
+                              static_cast<double>(errors.false_negatives + errors.false_positives) /
+                                  static_cast<double>(run.answers.size())});
         }
         panels.push_back(error_panel(measured.workload.name, "us per motion", points));
     }

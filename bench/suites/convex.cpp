@@ -97,15 +97,15 @@ Table empty_table(ConvexQuestion question, std::size_t repetition_count) {
 }
 
 Panel panel_of(const Measured& measured) {
-        std::vector<ErrorPoint> points;
-        for (std::size_t i = 0; i < measured.runs.size(); ++i) {
-            if (!measured.runs[i].failure.empty()) continue;
-            const ConvexErrors& errors = measured.errors[i];
-            points.push_back({measured.runs[i].maker->name, median(measured.runs[i].us),
-                                    static_cast<double>(errors.contradicted + errors.off) /
-                                        static_cast<double>(measured.truth.numbers.size())});
-        }
-        return error_panel(measured.workload.pairs.name, "us per query", points);
+    std::vector<ErrorPoint> points;
+    for (std::size_t i = 0; i < measured.runs.size(); ++i) {
+        if (!measured.runs[i].failure.empty()) continue;
+        const ConvexErrors& errors = measured.errors[i];
+        points.push_back({measured.runs[i].maker->name, median(measured.runs[i].us),
+                          static_cast<double>(errors.contradicted + errors.off) /
+                              static_cast<double>(measured.truth.numbers.size())});
+    }
+    return error_panel(measured.workload.pairs.name, "us per query", points);
 }
 
 struct Part {
@@ -136,7 +136,8 @@ void measure_part(const Part& part, const std::vector<ConvexWorkload>& workloads
     print(table);
     Section section{
         part.title, {}, {table, use_table<ConvexMaker>("How each engine is asked", makers, poses_are_timed)}, {}};
-    if (options.has_pictures) section.charts.push_back(error_chart(
+    if (options.has_pictures)
+        section.charts.push_back(error_chart(
             part.picture, std::move(panels),
             "Speed against error. Up: the share of pairs that are wrongly said to meet or to be apart, or of which the "
             "number is off by more than a hundredth. The better engine is lower and further left."));

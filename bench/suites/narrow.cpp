@@ -155,7 +155,8 @@ Panel panel_of(const std::string& title, std::span<const Measured> all) {
             us.push_back(median(measured.runs[e].us));
             wrong += measured.wrong_share(measured.runs[e]);
         }
-        if (!us.empty()) points.push_back({all.front().runs[e].name, median(us), wrong / static_cast<double>(us.size())});
+        if (!us.empty())
+            points.push_back({all.front().runs[e].name, median(us), wrong / static_cast<double>(us.size())});
     }
     return error_panel(title, "us per query", points);
 }

@@ -82,10 +82,9 @@ SuiteResult run_rooms(const SuiteOptions& options) {
         Section section{room_case.title, {room_case.text}, {comparison.table, work}, {}};
         if (options.has_pictures) {
             section.pictures.push_back(draw_room(room_case, scene, comparison.truth, options.folder));
-            section.charts.push_back(
-                time_chart(comparison.runs, room_case.name + "-times",
-                           fmt::format("{}: milliseconds per frame, {}. The scale is logarithmic.", room_case.title,
-                                       medians_of(options.repetition_count))));
+            section.charts.push_back(time_chart(comparison.runs, room_case.name + "-times",
+                                                fmt::format("{}: milliseconds per frame, {}. The scale is logarithmic.",
+                                                            room_case.title, medians_of(options.repetition_count))));
         }
         result.sections.push_back(std::move(section));
     }

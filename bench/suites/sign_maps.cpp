@@ -113,10 +113,11 @@ Picture draw_orient2d(const SignMaps& maps, const std::filesystem::path& folder,
 Picture draw_posed_orient3d(const SignMaps& maps, const std::filesystem::path& folder, const std::string& name) {
     return plot_sign_maps(
         {&maps.plain, &maps.exact}, folder, name,
-        fmt::format("The same in space, under a pose: which side of the plane x = y of a rotated body? Each cell is one "
-                    "of 256 x 256 neighbouring points of the body. Rounding the posed points breaks the plane into "
-                    "steps. Wrong signs: plain double {}, ECoDS {}.",
-                    wrong_share(maps.plain_wrong), wrong_share(maps.exact_wrong)));
+        fmt::format(
+            "The same in space, under a pose: which side of the plane x = y of a rotated body? Each cell is one "
+            "of 256 x 256 neighbouring points of the body. Rounding the posed points breaks the plane into "
+            "steps. Wrong signs: plain double {}, ECoDS {}.",
+            wrong_share(maps.plain_wrong), wrong_share(maps.exact_wrong)));
 }
 
 }  // namespace ecods::bench

@@ -1,5 +1,5 @@
-// Maps of signs: which side of a line, or of a plane, are points beside it that differ by units in the last place? Plain
-// double beside ECoDS.
+// Maps of signs: which side of a line, or of a plane, are points beside it that differ by units in the last place?
+// Plain double beside ECoDS.
 #pragma once
 
 #include <cstddef>

@@ -153,6 +153,11 @@ Panel curve_panel(Parameter parameter, const std::string& title, std::span<const
                 .y = {.title = "wrong answers, percent", .low = -3, .high = 103},
                 .curves = {},
                 .has_lines = true};
+    if (is_distance) panel.x.tics = {{"1", 1}, {"10³", 1e3}, {"10⁶", 1e6}, {"10⁹", 1e9}, {"10¹²", 1e12}};
+    for (std::size_t f = 0; f < families.size() && !is_distance; ++f) {
+        if (families[f].parameter != parameter) continue;
+        panel.x.tics.emplace_back(fmt::format("{:.0f}", families[f].value), families[f].value);
+    }
     for (std::size_t e = 0; e < engines().size(); ++e) {
         Curve& curve = panel.curves.emplace_back();
         curve.name = engines()[e].name;

@@ -148,8 +148,9 @@ Panel growth_panel(const std::string& title, const std::string& unit, std::span<
         Curve& curve = panel.curves.emplace_back();
         curve.name = growth.name;
         for (std::size_t i = 0; i < growth.x.size(); ++i)
-            curve.points.push_back({growth.x[i], growth.y[i],
-                                    fmt::format("{}: {:.0f} ships, {:.3g} {}", growth.name, growth.x[i], growth.y[i], unit)});
+            curve.points.push_back(
+                {growth.x[i], growth.y[i],
+                 fmt::format("{}: {:.0f} ships, {:.3g} {}", growth.name, growth.x[i], growth.y[i], unit)});
     }
     return panel;
 }

@@ -80,10 +80,9 @@ class Command final : public EngineUnderTest {
 EngineMaker command_engine(const std::string& name, const std::string& command) {
     return {.name = name,
             .use = command,
-            .make =
-                [command](std::span<const scenes::NamedMesh> meshes) -> std::unique_ptr<EngineUnderTest> {
-                    return std::make_unique<Command>(command, meshes);
-                },
+            .make = [command](std::span<const scenes::NamedMesh> meshes) -> std::unique_ptr<EngineUnderTest> {
+                return std::make_unique<Command>(command, meshes);
+            },
             .shows_errors = true};
 }
 

@@ -30,7 +30,8 @@ Json mesh_json(const std::string& name, const Mesh& mesh) {
 Json body_json(const std::string& name, const Pose& pose) {
     Json rows = Json::array();
     for (int row = 0; row < 3; ++row) rows.push_back(vector_json(pose.R.row(row)));
-    return {{"name", name}, {"mesh", "mesh of " + name}, {"pose", {{"R", std::move(rows)}, {"t", vector_json(pose.t)}}}};
+    return {
+        {"name", name}, {"mesh", "mesh of " + name}, {"pose", {{"R", std::move(rows)}, {"t", vector_json(pose.t)}}}};
 }
 
 std::string file_name(const WrongAnswer& wrong) {
@@ -47,7 +48,7 @@ void paint(const scenes::MeshPairs& pairs, const scenes::MeshQuery& query, const
     const Vec3 origin = query.a.pose.t;
     scenes::Scene scene;
     std::vector<bench::PaintedBody> bodies;
-    std::vector<Vec3> centres;
+    std::vector<Vec3> centers;
     double radius = 0;
     for (const scenes::MeshAt& at : {query.a, query.b}) {
         scene.meshes.push_back(pairs.meshes[at.mesh_index]);
@@ -61,13 +62,13 @@ void paint(const scenes::MeshPairs& pairs, const scenes::MeshQuery& query, const
             low = low.cwiseMin(point);
             high = high.cwiseMax(point);
         }
-        centres.emplace_back((low + high) / 2);
+        centers.emplace_back((low + high) / 2);
         radius = std::max(radius, (high - low).norm() / 2);
     }
-    const Vec3 middle = (centres[0] + centres[1]) / 2;
-    Vec3 side = (centres[1] - centres[0]).cross(Vec3::UnitZ());
+    const Vec3 middle = (centers[0] + centers[1]) / 2;
+    Vec3 side = (centers[1] - centers[0]).cross(Vec3::UnitZ());
     side = side.norm() > 0 ? Vec3(side.normalized()) : Vec3::UnitX();
-    const double reach = radius + (centres[1] - centres[0]).norm() / 2;
+    const double reach = radius + (centers[1] - centers[0]).norm() / 2;
     const bench::View view{.name = name,
                            .eye = middle + 3.2 * reach * (side + 0.45 * Vec3::UnitZ()).normalized(),
                            .target = middle,
@@ -85,15 +86,15 @@ std::filesystem::path dump(const WrongAnswer& wrong, const scenes::MeshPairs& pa
     const scenes::MeshQuery& query = pairs.queries.at(wrong.query);
     const std::string name = file_name(wrong);
     const std::filesystem::path file = folder / (name + ".json");
-    const Json scene = {
-        {"_engine", wrong.engine},
-        {"_family", wrong.family},
-        {"_query", wrong.query},
-        {"_truth", wrong.touches ? "they share a point" : "they share no point"},
-        {"_wrong", "said of a and b, or of b and a, the opposite"},
-        {"meshes", {mesh_json("mesh of a", *pairs.meshes[query.a.mesh_index].mesh),
-                    mesh_json("mesh of b", *pairs.meshes[query.b.mesh_index].mesh)}},
-        {"bodies", {body_json("a", query.a.pose), body_json("b", query.b.pose)}}};
+    const Json scene = {{"_engine", wrong.engine},
+                        {"_family", wrong.family},
+                        {"_query", wrong.query},
+                        {"_truth", wrong.touches ? "they share a point" : "they share no point"},
+                        {"_wrong", "said of a and b, or of b and a, the opposite"},
+                        {"meshes",
+                         {mesh_json("mesh of a", *pairs.meshes[query.a.mesh_index].mesh),
+                          mesh_json("mesh of b", *pairs.meshes[query.b.mesh_index].mesh)}},
+                        {"bodies", {body_json("a", query.a.pose), body_json("b", query.b.pose)}}};
     std::ofstream out(file);
     out << scene.dump(1) << "\n";
     out.close();

@@ -18,7 +18,8 @@ std::function<process::Contained::Run()> asker(const EngineMaker& engine, const 
                                                std::size_t first) {
     return [&engine, &pairs, first]() -> process::Contained::Run {
         // Engines complain there about what they were asked.
-        if (!engine.shows_errors && std::freopen("/dev/null", "w", stderr) == nullptr) throw std::runtime_error("no /dev/null");
+        if (!engine.shows_errors && std::freopen("/dev/null", "w", stderr) == nullptr)
+            throw std::runtime_error("no /dev/null");
         const std::shared_ptr<EngineUnderTest> made = engine.make(pairs.meshes);
         return [made, &pairs, next = first]() mutable -> std::vector<double> {
             const scenes::MeshQuery& query = pairs.queries[next++];

@@ -116,10 +116,11 @@ void dump_wrong(const Options& options, const std::string& engine, const std::st
 // One line for each engine.
 void print_verdict(const std::string& engine, const Verdicts& sum, const std::string& first_failure) {
     const std::size_t wrong = sum.false_negatives + sum.false_positives;
-    std::string text = fmt::format("{}: {} of {} answers wrong", engine, wrong == 0 ? "none" : fmt::format("{}", wrong),
-                                   sum.answered);
+    std::string text =
+        fmt::format("{}: {} of {} answers wrong", engine, wrong == 0 ? "none" : fmt::format("{}", wrong), sum.answered);
     if (sum.asymmetric > 0) text += fmt::format(", {} differ when swapped", sum.asymmetric);
-    if (sum.answered < sum.queries) text += fmt::format(", {} of {} queries without an answer", sum.queries - sum.answered, sum.queries);
+    if (sum.answered < sum.queries)
+        text += fmt::format(", {} of {} queries without an answer", sum.queries - sum.answered, sum.queries);
     if (!first_failure.empty()) text += fmt::format("; the first failure: {}", first_failure);
     fmt::print("{}\n", text);
 }

@@ -220,7 +220,7 @@ const std::vector<Room>& rooms() {
          {"include", "verify/process", "verify/programs", "verify/unit/programs", "bench/report", "bench/suites"}},
         {"fuzz/engines",
          {"include", "verify/process", "verify/programs", "verify/oracle", "verify/scenes", "bench/engines",
-          "bench/harness"}},
+          "bench/harness", "bench/report"}},
     };
     return table;
 }
