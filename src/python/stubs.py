@@ -7,7 +7,9 @@ import enum
 import re
 import sys
 
-import ecods
+sys.path.pop(0)  # the folder of this file, where the package has no module
+
+import ecods  # noqa: E402
 
 TAKEN = {"numpy.ndarray": "ArrayLike", "object": "ArrayLike", "Posed": "Posed | Mesh"}
 GIVEN = {"object": "Any", "dict": "dict[str, Any]"}

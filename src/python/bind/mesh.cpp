@@ -147,8 +147,7 @@ void add_solids(py::module_& m) {
         "Raises InvalidVertex, NoInterior.");
 }
 
-void add_places(py::module_& m) {
-    py::class_<PosedMesh> posed(m, "Posed", "A mesh at a pose: the set of the real points R v + t. Made by Mesh.at().");
+void add_places(py::module_& m, py::class_<PosedMesh>& posed, py::class_<MovingMesh>& moving) {
     posed.def(py::init([](std::shared_ptr<MeshShape> mesh) {
                   return PosedMesh{std::move(mesh), {}};
               }),
@@ -158,7 +157,6 @@ void add_places(py::module_& m) {
         "pose", [](const PosedMesh& self) { return self.pose; }, "(4, 4) float64.");
     py::implicitly_convertible<MeshShape, PosedMesh>();
 
-    py::class_<MovingMesh> moving(m, "Moving", "A mesh on its way from one pose to another. Made by Mesh.moving().");
     moving.def_property_readonly("mesh", [](const MovingMesh& self) { return self.shape; });
     moving.def_property_readonly(
         "start", [](const MovingMesh& self) { return self.from; }, "(4, 4) float64.");
@@ -174,6 +172,9 @@ void add_places(py::module_& m) {
 }  // namespace
 
 void bind_meshes(py::module_& m) {
+    // Named in signatures of Mesh.
+    py::class_<PosedMesh> posed(m, "Posed", "A mesh at a pose: the set of the real points R v + t. Made by Mesh.at().");
+    py::class_<MovingMesh> moving(m, "Moving", "A mesh on its way from one pose to another. Made by Mesh.moving().");
     py::class_<MeshShape, std::shared_ptr<MeshShape>> mesh(
         m, "Mesh",
         "Closed triangles, immutable: a surface, which need not be closed or connected. Triangles of zero area are the "
@@ -182,7 +183,7 @@ void bind_meshes(py::module_& m) {
     add_making<MeshShape>(mesh);
     add_mesh_calls(mesh);
     add_solids(m);
-    add_places(m);
+    add_places(m, posed, moving);
 }
 
 }  // namespace ecods::python

@@ -9,6 +9,15 @@ namespace {
 
 using Shape = std::shared_ptr<MeshShape>;
 
+// The pose of a body to be moved: an error names the body, as World::set_pose does.
+Pose pose_for(BodyId body, const py::object& pose) {
+    try {
+        return to_pose(pose);
+    } catch (const InvalidPose& error) {
+        throw InvalidPose(error.row, error.column, error.value, body);
+    }
+}
+
 void add_bodies(WorldClass& type, const py::arg& body) {
     type.def(
         "create_body",
@@ -28,8 +37,9 @@ void add_bodies(WorldClass& type, const py::arg& body) {
         "The id is stale from now on. Raises StaleBody, as every call that is given an id does.");
     type.def(
         "set_pose",
-        [](SharedWorld& self, BodyId id, const Pose& pose) {
-            self.change([&](World& world) { world.set_pose(id, pose); });
+        [](SharedWorld& self, BodyId id, const py::object& pose) {
+            const Pose place = pose_for(id, pose);
+            self.change([&](World& world) { world.set_pose(id, place); });
         },
         body, py::arg("pose"), "Moves a body; for the lists at update(). Raises InvalidPose.");
     type.def(
