@@ -127,6 +127,7 @@ const std::vector<Room>& rooms() {
           "src/query/distance", "src/query/hit", "src/query/cast", "src/query/solid", "src/query/convex",
           "src/query/depth", "src/query/certificate", "src/broad_phase/changes", "src/trace", "src/world",
           "src/trace/replay"}},
+        {"src/python", {"include"}},
 
         // What checks it, and is not installed.
         {"verify/process", {}},
@@ -213,6 +214,7 @@ const std::vector<Room>& rooms() {
          {"include", "src/exact/point", "src/exact/sign", "src/exact/simplex", "src/query/intersection",
           "verify/process", "verify/oracle", "verify/judge", "verify/scenes", "bench/engines", "bench/harness",
           "bench/report"}},
+        {"bench/python", {"include"}},
         {"bench/micro",
          {"include", "src/exact/point", "src/query/intersection", "src/bounds", "src/bvh", "verify/scenes",
           "verify/environment"}},

@@ -22,6 +22,7 @@ const std::vector<std::pair<std::string_view, std::vector<std::string_view>>> th
     {"bt", {"bench/engines"}},
     {"ode/", {"bench/engines"}},
     {"embree3/", {"bench/engines"}},
+    {"pybind11/", {"src/python"}},
 };
 
 bool is_below(std::string_view file, std::string_view folder) {
@@ -38,7 +39,8 @@ bool is_standard(std::string_view path) {
 }
 
 std::optional<std::string> check_third_party(std::string_view file, std::string_view path) {
-    if (is_library(file)) {
+    // The module is built on the library, and is no part of it.
+    if (is_library(file) && !is_below(file, "src/python")) {
         if (is_standard(path) || path.starts_with("Eigen/")) return std::nullopt;
         return "uses a third party that the installed library does not";
     }

@@ -1,0 +1,33 @@
+// How a question is asked from Python: with the memory of the thread, and without the interpreter's lock.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "ecods/intersection.hpp"
+#include "ecods/shape.hpp"
+
+namespace ecods::python {
+
+// Of the thread that calls: it grows to what the largest query of that thread needed.
+inline QueryMemory& thread_memory() {
+    thread_local QueryMemory memory;
+    return memory;
+}
+
+// The answer of question(memory), asked without the interpreter's lock.
+template <class Question>
+auto ask(Question question) {
+    const pybind11::gil_scoped_release release;
+    return question(thread_memory());
+}
+
+// The same with a witness, which other threads may be using: the question works on a copy.
+template <class Question>
+auto ask(PairWitness* witness, Question question) {
+    PairWitness known = witness == nullptr ? PairWitness{} : *witness;
+    auto answer = ask([&](QueryMemory& memory) { return question(memory, known); });
+    if (witness != nullptr) *witness = known;
+    return answer;
+}
+
+}  // namespace ecods::python

@@ -1,0 +1,68 @@
+// Which boxes overlap, without a world: broad_phase.hpp. All under the interpreter's lock.
+#include "ecods/broad_phase.hpp"
+
+#include "ecods/error.hpp"
+#include "python/bind/bind.hpp"
+#include "python/bind/casters.hpp"
+
+namespace ecods::python {
+namespace {
+
+void require_box(const Aabb& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(box.min[axis] <= box.max[axis])) throw InvalidBox(axis, box.min[axis], box.max[axis]);
+    }
+}
+
+py::array_t<ProxyIndex> array_of(const std::vector<ProxyIndex>& proxies) {
+    return py::array_t<ProxyIndex>(static_cast<py::ssize_t>(proxies.size()), proxies.data());
+}
+
+py::array_t<ProxyIndex> array_of(const std::vector<ProxyPair>& pairs) {
+    py::array_t<ProxyIndex> array({static_cast<py::ssize_t>(pairs.size()), py::ssize_t{2}});
+    ProxyIndex* out = array.mutable_data();
+    for (const ProxyPair& pair : pairs) {
+        *out++ = pair.a;
+        *out++ = pair.b;
+    }
+    return array;
+}
+
+}  // namespace
+
+void bind_broad_phase(py::module_& m) {
+    const py::arg proxy("proxy");
+    const py::arg box("box");
+    py::class_<BroadPhase> type(
+        m, "BroadPhase", "Which boxes (2, 3) overlap. Each has a number of the caller's, a proxy: keep them dense.");
+    type.def(py::init([](BroadPhaseKind kind) { return make_broad_phase(kind); }), py::arg("kind") = "automatic");
+    const auto add = [](BroadPhase& self, ProxyIndex which, const Aabb& at) {
+        require_box(at);
+        self.add(which, at);
+    };
+    type.def("add", add, proxy, box, "Adds a box. Raises InvalidBox; Error if the proxy is there, or not below 2**31.");
+    const auto move = [](BroadPhase& self, ProxyIndex which, const Aabb& at) {
+        require_box(at);
+        self.move(which, at);
+    };
+    type.def("move", move, proxy, box, "Gives a proxy another box. Raises InvalidBox; Error if there is none.");
+    type.def("remove", &BroadPhase::remove, proxy, "Raises Error if there is none.");
+    type.def("box", &BroadPhase::box, proxy, "(2, 3) float64.");
+    type.def("__len__", &BroadPhase::size);
+    type.def("update", &BroadPhase::update, "Makes pairs() those that overlap now.");
+    type.def(
+        "pairs", [](BroadPhase& self) { return array_of(self.pairs()); }, "(k, 2) uint32, ascending.");
+    type.def(
+        "began", [](BroadPhase& self) { return array_of(self.began()); }, "(k, 2) uint32.");
+    type.def(
+        "ended", [](BroadPhase& self) { return array_of(self.ended()); }, "(k, 2) uint32.");
+    type.def(
+        "find", [](BroadPhase& self, const Segment& what) { return array_of(self.find(what)); }, py::arg("what"),
+        "Boxes that share a point with a Segment, a Ball or a box, as of now: (k,) uint32.");
+    type.def(
+        "find", [](BroadPhase& self, const Ball& what) { return array_of(self.find(what)); }, py::arg("what"));
+    type.def(
+        "find", [](BroadPhase& self, const Aabb& what) { return array_of(self.find(what)); }, py::arg("what"));
+}
+
+}  // namespace ecods::python

@@ -1,0 +1,187 @@
+// How the library's plain values cross between C++ and Python. Every file that binds something includes this one, so
+// that a value is the same thing in all signatures.
+//
+//     BodyId              an int; an array of them is an array of uint64
+//     TrianglePair        a tuple of two ints
+//     Vec3                an array (3,)
+//     Pose                an array (4, 4); taken: also (3, 4), or None
+//     Aabb                an array (2, 3)
+//     an enum             a member of Python's enum.IntEnum; taken: also the name of one
+#pragma once
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ecods/broad_phase.hpp"
+#include "ecods/certificate.hpp"
+#include "ecods/closest_points.hpp"
+#include "ecods/ids.hpp"
+#include "ecods/instruction_set.hpp"
+#include "ecods/predicates.hpp"
+#include "ecods/solid.hpp"
+#include "ecods/triangle_hit.hpp"
+#include "python/bind/arrays.hpp"
+
+namespace ecods::python {
+
+// Python's enum that stands for one of the library's: the type, and its members in the order of their values, of which
+// the first is `least`. Lives as long as the process.
+struct Enumeration {
+    PyObject* type = nullptr;
+    std::vector<PyObject*> members;
+    int least = 0;
+};
+
+template <class Enum>
+Enumeration& enumeration() {
+    static Enumeration* const kept = new Enumeration;
+    return *kept;
+}
+
+// The value of a member, or of its name; nothing if it is neither.
+std::optional<int> value_of(py::handle member_or_name, const Enumeration& enumeration);
+
+}  // namespace ecods::python
+
+namespace pybind11::detail {
+
+template <class Enum>
+struct ecods_enum_caster {
+    PYBIND11_TYPE_CASTER(Enum, const_name("int"));
+
+    bool load(handle source, bool) {
+        const auto found = ecods::python::value_of(source, ecods::python::enumeration<Enum>());
+        if (found) value = static_cast<Enum>(*found);
+        return found.has_value();
+    }
+    static handle cast(Enum member, return_value_policy, handle) {
+        const auto& known = ecods::python::enumeration<Enum>();
+        return handle(known.members.at(static_cast<std::size_t>(static_cast<int>(member) - known.least))).inc_ref();
+    }
+};
+
+#define ECODS_PYTHON_ENUM(Enum, python_name)                  \
+    template <>                                               \
+    struct type_caster<Enum> : ecods_enum_caster<Enum> {      \
+        static constexpr auto name = const_name(python_name); \
+    }
+
+ECODS_PYTHON_ENUM(ecods::Sign, "Sign");
+ECODS_PYTHON_ENUM(ecods::Relation, "Relation");
+ECODS_PYTHON_ENUM(ecods::Feature::Kind, "FeatureKind");
+ECODS_PYTHON_ENUM(ecods::ClosestKind, "ClosestKind");
+ECODS_PYTHON_ENUM(ecods::HitKind, "HitKind");
+ECODS_PYTHON_ENUM(ecods::Side, "Side");
+ECODS_PYTHON_ENUM(ecods::SolidRelation, "SolidRelation");
+ECODS_PYTHON_ENUM(ecods::SurfaceRelation, "SurfaceRelation");
+ECODS_PYTHON_ENUM(ecods::BroadPhaseKind, "BroadPhaseKind");
+ECODS_PYTHON_ENUM(ecods::InstructionSet, "InstructionSet");
+ECODS_PYTHON_ENUM(ecods::Certificate::Claim, "Claim");
+ECODS_PYTHON_ENUM(ecods::Question, "Question");
+#undef ECODS_PYTHON_ENUM
+
+template <>
+struct type_caster<ecods::BodyId> {
+    PYBIND11_TYPE_CASTER(ecods::BodyId, const_name("int"));
+
+    bool load(handle source, bool) {
+        if (PyFloat_Check(source.ptr()) || !PyIndex_Check(source.ptr())) return false;
+        const auto index = reinterpret_steal<object>(PyNumber_Index(source.ptr()));
+        if (!index) throw error_already_set();
+        const std::uint64_t number = PyLong_AsUnsignedLongLong(index.ptr());
+        const bool is_none = PyErr_Occurred() != nullptr;  // negative, or of more than 64 bits: no body has it
+        if (is_none) PyErr_Clear();
+        value = is_none ? ecods::BodyId{} : ecods::python::body_of(number);
+        return true;
+    }
+    static handle cast(ecods::BodyId body, return_value_policy, handle) {
+        return PyLong_FromUnsignedLongLong(ecods::python::number_of(body));
+    }
+};
+
+template <>
+struct type_caster<ecods::BodyPair> {
+    PYBIND11_TYPE_CASTER(ecods::BodyPair, const_name("Tuple[int, int]"));
+
+    bool load(handle source, bool) {
+        const auto pair = pybind11::cast<std::pair<ecods::BodyId, ecods::BodyId>>(source);
+        value = {pair.first, pair.second};
+        return true;
+    }
+    static handle cast(const ecods::BodyPair& pair, return_value_policy, handle) {
+        return make_tuple(pair.a, pair.b).release();
+    }
+};
+
+template <>
+struct type_caster<ecods::TrianglePair> {
+    PYBIND11_TYPE_CASTER(ecods::TrianglePair, const_name("Tuple[int, int]"));
+
+    bool load(handle source, bool) {
+        const auto pair = pybind11::cast<std::pair<std::uint32_t, std::uint32_t>>(source);
+        value = {pair.first, pair.second};
+        return true;
+    }
+    static handle cast(const ecods::TrianglePair& pair, return_value_policy, handle) {
+        return make_tuple(pair.a, pair.b).release();
+    }
+};
+
+template <>
+struct type_caster<ecods::ShapeKind> {
+    PYBIND11_TYPE_CASTER(ecods::ShapeKind, const_name("int"));
+
+    bool load(handle source, bool) {
+        value = {pybind11::cast<std::uint32_t>(source)};
+        return true;
+    }
+    static handle cast(ecods::ShapeKind kind, return_value_policy, handle) {
+        return PyLong_FromUnsignedLong(kind.value);
+    }
+};
+
+template <>
+struct type_caster<ecods::Vec3> {
+    PYBIND11_TYPE_CASTER(ecods::Vec3, const_name("numpy.ndarray"));
+
+    bool load(handle source, bool) {
+        value = ecods::python::to_vec3(source, "point or vector");
+        return true;
+    }
+    static handle cast(const ecods::Vec3& v, return_value_policy, handle) {
+        return ecods::python::from_vec3(v).release();
+    }
+};
+
+template <>
+struct type_caster<ecods::Pose> {
+    PYBIND11_TYPE_CASTER(ecods::Pose, const_name("numpy.ndarray"));
+
+    bool load(handle source, bool) {
+        value = ecods::python::to_pose(source);
+        return true;
+    }
+    static handle cast(const ecods::Pose& pose, return_value_policy, handle) {
+        return ecods::python::from_pose(pose).release();
+    }
+};
+
+template <>
+struct type_caster<ecods::Aabb> {
+    PYBIND11_TYPE_CASTER(ecods::Aabb, const_name("numpy.ndarray"));
+
+    bool load(handle source, bool) {
+        value = ecods::python::to_box(source);
+        return true;
+    }
+    static handle cast(const ecods::Aabb& box, return_value_policy, handle) {
+        return ecods::python::from_box(box).release();
+    }
+};
+
+}  // namespace pybind11::detail

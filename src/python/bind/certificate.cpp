@@ -1,0 +1,70 @@
+// Answers with a proof: certificate.hpp.
+#include "ecods/certificate.hpp"
+
+#include <sstream>
+
+#include "python/bind/ask.hpp"
+#include "python/bind/bind.hpp"
+#include "python/bind/shapes.hpp"
+
+namespace ecods::python {
+
+void bind_certificates(py::module_& m) {
+    py::class_<Certificate>(m, "Certificate",
+                            "A claim and its proof, which verify/certificates checks. str() is the text.")
+        .def_property_readonly("claim", &Certificate::claim, "Claim: what is proved.")
+        .def_property_readonly("value", &Certificate::value,
+                               "The number of a distance, within, beyond or hit; otherwise 0.")
+        .def_property_readonly("step_count", &Certificate::step_count, "How many steps the proof has.")
+        .def_property_readonly("axis_count", &Certificate::axis_count, "How many directions the steps name.")
+        .def("__str__", &Certificate::to_string);
+    py::class_<WorldCertificate>(m, "WorldCertificate", "The lists of a world with their proof. str() is the text.")
+        .def_property_readonly("colliding_count", &WorldCertificate::colliding_count)
+        .def_property_readonly("close_count", &WorldCertificate::close_count)
+        .def_property_readonly("apart_count", &WorldCertificate::apart_count)
+        .def(
+            "meshes",
+            [](const WorldCertificate& self) {
+                std::vector<std::shared_ptr<MeshShape>> meshes;
+                for (const auto& shape : self.shapes()) meshes.push_back(std::const_pointer_cast<MeshShape>(shape));
+                return meshes;
+            },
+            "Each mesh once, in the order of the bodies: checkers need certified_mesh() of each.")
+        .def("__str__", &WorldCertificate::to_string);
+
+    const py::keep_alive<0, 1> keeps_a;
+    const py::keep_alive<0, 2> keeps_b;
+    m.def(
+        "certify",
+        [](const PosedMesh& a, const PosedMesh& b) { return ask([&](auto& memory) { return certify(a, b, memory); }); },
+        py::arg("a"), py::arg("b"), keeps_a, keeps_b, "relation(a, b) with its proof.");
+    m.def(
+        "certify_distance",
+        [](const PosedMesh& a, const PosedMesh& b) {
+            return ask([&](auto& memory) { return certify_distance(a, b, memory); });
+        },
+        py::arg("a"), py::arg("b"), keeps_a, keeps_b, "distance(a, b) with its proof.");
+    m.def(
+        "certify_within",
+        [](const PosedMesh& a, const PosedMesh& b, double d) {
+            return ask([&](auto& memory) { return certify_within(a, b, d, memory); });
+        },
+        py::arg("a"), py::arg("b"), py::arg("d"), keeps_a, keeps_b, "within(a, b, d) with its proof.");
+    m.def(
+        "certify_hit",
+        [](const Segment& segment, const PosedMesh& body) {
+            return ask([&](auto& memory) { return certify_hit(segment, body, memory); });
+        },
+        py::arg("segment"), py::arg("body"), keeps_b, "first_hit(segment, body) with its proof.");
+    m.def(
+        "certified_mesh",
+        [](const MeshShape& mesh) {
+            std::ostringstream text;
+            write_certified_mesh(text, mesh);
+            return text.str();
+        },
+        py::arg("mesh"), "The mesh as certificates mean it: the text that checkers read.");
+    m.def("certified_mesh_digest", &certified_mesh_digest, py::arg("mesh"), "By which certificates name that text.");
+}
+
+}  // namespace ecods::python

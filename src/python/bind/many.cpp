@@ -1,0 +1,144 @@
+// The same question for many poses, points or rays at once: one call, without the interpreter's lock, on some threads.
+#include <algorithm>
+#include <exception>
+#include <functional>
+
+#include "ecods/distance.hpp"
+#include "ecods/error.hpp"
+#include "ecods/hit.hpp"
+#include "python/bind/ask.hpp"
+#include "python/bind/bind.hpp"
+#include "python/bind/shapes.hpp"
+#include "python/bind/threads.hpp"
+
+namespace ecods::python {
+namespace {
+
+// Calls part(begin, end) for the parts of a list. Parts are long, so that what a call keeps for the next one helps.
+template <class Part>
+void in_parts(std::size_t count, std::size_t threads, const Part& part) {
+    const auto executor = make_threads(threads);
+    const py::gil_scoped_release release;
+    if (!executor || count < 2) return part(std::size_t{0}, count);
+    const std::size_t parts = std::min(count, 8 * threads);
+    std::vector<std::exception_ptr> failures(parts);
+    executor->run(parts, [&](std::size_t i, std::size_t) {
+        try {
+            part(count * i / parts, count * (i + 1) / parts);
+        } catch (...) {
+            failures[i] = std::current_exception();
+        }
+    });
+    for (const auto& failure : failures) {
+        if (failure) std::rethrow_exception(failure);
+    }
+}
+
+std::size_t common_length(const PoseList& a, const PoseList& b) {
+    if (a.is_single()) return b.size();
+    if (!b.is_single() && a.size() != b.size()) {
+        throw py::value_error("poses: " + std::to_string(a.size()) + " of a, " + std::to_string(b.size()) + " of b");
+    }
+    return a.size();
+}
+
+// The answers of question(a, b, memory, witness) at pose after pose.
+template <class Answer, class Question>
+py::array_t<Answer> at_poses(const MeshShape& a, const py::object& poses_a, const MeshShape& b,
+                             const py::object& poses_b, std::size_t threads, const Question& question) {
+    const PoseList of_a(poses_a, "poses_a");
+    const PoseList of_b(poses_b, "poses_b");
+    const std::size_t count = common_length(of_a, of_b);
+    py::array_t<Answer> answers(static_cast<py::ssize_t>(count));
+    Answer* const out = answers.mutable_data();
+    in_parts(count, threads, [&](std::size_t begin, std::size_t end) {
+        PairWitness witness;
+        QueryMemory& memory = thread_memory();
+        for (std::size_t i = begin; i < end; ++i) {
+            const Posed<MeshShape> x{a, of_a[i]};
+            const Posed<MeshShape> y{b, of_b[i]};
+            out[i] = static_cast<Answer>(question(x, y, memory, witness));
+        }
+    });
+    return answers;
+}
+
+template <class Answer, class Question>
+void add_at_poses(py::module_& m, const char* name, const char* doc, Question question) {
+    m.def(
+        name,
+        [question](const MeshShape& a, const py::object& poses_a, const MeshShape& b, const py::object& poses_b,
+                   std::size_t threads) { return at_poses<Answer>(a, poses_a, b, poses_b, threads, question); },
+        py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b") = py::none(), py::arg("threads") = 1, doc);
+}
+
+py::tuple first_hits(const py::object& origins, const py::object& directions, const PosedMesh& body,
+                     double parameter_max, std::size_t threads) {
+    constexpr std::array<py::ssize_t, 2> shape = {-1, 3};
+    const Doubles from = exact_doubles(origins, "origins", shape);
+    const Doubles along = exact_doubles(directions, "directions", shape);
+    if (from.shape(0) != along.shape(0)) throw py::value_error("origins and directions: of different lengths");
+    py::array_t<double> parameters(from.shape(0));
+    py::array_t<std::int64_t> triangles(from.shape(0));
+    double* const s = parameters.mutable_data();
+    std::int64_t* const t = triangles.mutable_data();
+    in_parts(static_cast<std::size_t>(from.shape(0)), threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const double* o = from.data() + 3 * i;
+            const double* d = along.data() + 3 * i;
+            const Ray ray{
+                .origin = {o[0], o[1], o[2]}, .direction = {d[0], d[1], d[2]}, .parameter_max = parameter_max};
+            const auto hit = first_hit(ray, body, thread_memory());
+            s[i] = hit ? hit->parameter : std::numeric_limits<double>::quiet_NaN();
+            t[i] = hit ? std::int64_t{hit->triangle()} : -1;
+        }
+    });
+    return py::make_tuple(parameters, triangles);
+}
+
+py::array_t<std::uint8_t> locate_many(const py::object& points, const PosedMesh& solid, std::size_t threads) {
+    constexpr std::array<py::ssize_t, 2> shape = {-1, 3};
+    const Doubles rows = exact_doubles(points, "points", shape);
+    const auto posed = as<Solid>(solid, "solid");
+    py::array_t<std::uint8_t> sides(rows.shape(0));
+    std::uint8_t* const out = sides.mutable_data();
+    in_parts(static_cast<std::size_t>(rows.shape(0)), threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const double* x = rows.data() + 3 * i;
+            out[i] = static_cast<std::uint8_t>(locate({x[0], x[1], x[2]}, posed, thread_memory()).side);
+        }
+    });
+    return sides;
+}
+
+}  // namespace
+
+void bind_many(py::module_& m) {
+    add_at_poses<bool>(
+        m, "collide_many",
+        "intersects() of a at each of its poses and b at each of its own: (k,) bool. Poses are (k, 4, 4) or "
+        "(k, 3, 4); one pose, or None, stands for all. Raises InvalidPose with the index.",
+        [](auto& x, auto& y, auto& memory, auto& w) { return intersects(x, y, memory, w); });
+    add_at_poses<double>(m, "distance_many", "distance() likewise: (k,) float64, each the true one, rounded once.",
+                         [](auto& x, auto& y, auto& memory, auto& w) { return distance(x, y, memory, w); });
+    add_at_poses<std::uint8_t>(m, "relation_many", "relation() likewise: (k,) uint8, values of Relation.",
+                               [](auto& x, auto& y, auto& memory, auto&) { return relation(x, y, memory); });
+    m.def(
+        "within_many",
+        [](const MeshShape& a, const py::object& poses_a, const MeshShape& b, const py::object& poses_b, double d,
+           std::size_t threads) {
+            return at_poses<bool>(a, poses_a, b, poses_b, threads,
+                                  [d](auto& x, auto& y, auto& memory, auto& w) { return within(x, y, d, memory, w); });
+        },
+        py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b"), py::arg("d"), py::arg("threads") = 1,
+        "within(d) likewise: (k,) bool. Raises InvalidDistance.");
+    m.def("first_hits", &first_hits, py::arg("origins"), py::arg("directions"), py::arg("body"),
+          py::arg("parameter_max") = std::numeric_limits<double>::infinity(), py::arg("threads") = 1,
+          "first_hit() of rays (k, 3), (k, 3): parameters (k,) float64, NaN where nothing is hit, and triangles (k,) "
+          "int64, "
+          "-1 there. Raises InvalidRay.");
+    m.def("locate_many", &locate_many, py::arg("points"), py::arg("solid"), py::arg("threads") = 1,
+          "locate() of points (k, 3): (k,) uint8, values of Side. Raises InvalidPoint.");
+}
+
+}  // namespace ecods::python

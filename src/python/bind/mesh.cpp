@@ -1,0 +1,189 @@
+// Mesh, Solid, ConvexSolid; Posed and Moving.
+#include <array>
+#include <memory>
+#include <sstream>
+
+#include "ecods/aabb.hpp"
+#include "python/bind/ask.hpp"
+#include "python/bind/bind.hpp"
+#include "python/bind/shapes.hpp"
+
+namespace ecods::python {
+namespace {
+
+constexpr std::array<py::ssize_t, 2> triples = {-1, 3};
+
+// Indices as they are where they are of 32 bits, otherwise in 64, where a negative one becomes a large one.
+std::shared_ptr<const Mesh> make_mesh(py::handle vertices, py::handle faces) {
+    const py::array indices = py::array::ensure(faces);
+    if (!indices) throw py::error_already_set();
+    const char kind = indices.dtype().kind();
+    if (kind != 'i' && kind != 'u' && indices.size() > 0) throw py::type_error("faces: integers are expected");
+    if (indices.size() > 0 && (indices.ndim() != 2 || indices.shape(1) != 3)) {
+        throw py::value_error("faces: the shape (n, 3) is expected, not " + shape_text(indices));
+    }
+    Doubles points = exact_doubles(vertices, "vertices");
+    if (points.size() > 0) points = exact_doubles(points, "vertices", triples);
+    const std::span coordinates(points.data(), static_cast<std::size_t>(points.size()));
+    const auto create = [&](const auto& numbers) {
+        const std::span given(numbers.data(), static_cast<std::size_t>(numbers.size()));
+        const py::gil_scoped_release release;
+        return Mesh::create(coordinates, given);
+    };
+    if (py::isinstance<py::array_t<std::uint32_t>>(indices)) {
+        return create(py::array_t<std::uint32_t, py::array::c_style | py::array::forcecast>::ensure(indices));
+    }
+    return create(py::array_t<std::uint64_t, py::array::c_style | py::array::forcecast>::ensure(indices));
+}
+
+template <class Shape>
+std::shared_ptr<Shape> make_shape(const std::shared_ptr<const Mesh>& mesh) {
+    const py::gil_scoped_release release;
+    return std::make_shared<Shape>(mesh);
+}
+
+// The numbers where they lie: the array refers to the mesh and keeps it.
+template <class Number, class Rows>
+py::array view(const py::object& owner, const Rows& rows) {
+    py::array array(py::dtype::of<Number>(), {static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}}, rows.data(),
+                    owner);
+    py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+    return array;
+}
+
+const Mesh& mesh_of(const py::object& self) {
+    return self.cast<const MeshShape&>().mesh();
+}
+
+// A class that is made of vertices and faces, or of a Mesh, and pickled as those.
+template <class Shape, class Type>
+void add_making(Type& type) {
+    type.def(py::init([](const py::object& vertices, const py::object& faces) {
+                 return make_shape<Shape>(make_mesh(vertices, faces));
+             }),
+             py::arg("vertices"), py::arg("faces"),
+             "Of vertices (n, 3), floats or integers that doubles hold, in a unit of the caller's, and faces (m, 3), "
+             "indices of vertices. Raises EmptyMesh, InvalidVertex, InvalidIndex, MeshTooLarge; TypeError and "
+             "ValueError for what is no such array.");
+    type.def(py::pickle(
+        [](const py::object& self) {
+            return py::make_tuple(self.attr("vertices").attr("copy")(), self.attr("faces").attr("copy")());
+        },
+        [](const py::tuple& state) { return make_shape<Shape>(make_mesh(state[0], state[1])); }));
+}
+
+std::string text_of(const py::object& self) {
+    std::ostringstream text;
+    text << "<ecods." << std::string(py::str(py::type::of(self).attr("__name__"))) << " of "
+         << mesh_of(self).vertices().size() << " vertices, " << mesh_of(self).triangles().size() << " triangles>";
+    return text.str();
+}
+
+void add_mesh_calls(py::class_<MeshShape, std::shared_ptr<MeshShape>>& type) {
+    type.def_property_readonly(
+        "vertices", [](const py::object& self) { return view<double>(self, mesh_of(self).vertices()); },
+        "(n, 3) float64: the mesh's own memory, read-only.");
+    type.def_property_readonly(
+        "faces", [](const py::object& self) { return view<std::uint32_t>(self, mesh_of(self).triangles()); },
+        "(m, 3) uint32: the mesh's own memory, read-only.");
+    type.def_property_readonly("digest", &MeshShape::digest,
+                               "A hash of coordinates and indices, the same on every machine.");
+    type.def_property_readonly("uses_all_vertices",
+                               [](const MeshShape& self) { return self.mesh().uses_all_vertices(); });
+    type.def("tree_bytes", &MeshShape::tree_bytes, "Memory of the tree, which is made if there is none yet.");
+    type.def("box", &MeshShape::box, py::arg("pose") = py::none(),
+             "A box (2, 3) that contains the posed mesh: quick, and close to the least one. box_of() is closer.");
+    type.def(
+        "at",
+        [](std::shared_ptr<MeshShape> self, const Pose& pose) {
+            return PosedMesh{std::move(self), pose};
+        },
+        py::arg("pose"), "The mesh at a pose (4, 4) or (3, 4): the real points R v + t. Raises InvalidPose.");
+    type.def(
+        "moving",
+        [](std::shared_ptr<MeshShape> self, const Pose& from, const Pose& to) {
+            return MovingMesh{std::move(self), from, to};
+        },
+        py::arg("start"), py::arg("end"),
+        "The mesh on its way from one pose to another in the time from 0 to 1, each point on a straight line.");
+    type.def(
+        "refit",
+        [](const MeshShape& self, const py::object& vertices) {
+            const Doubles points = exact_doubles(vertices, "vertices", triples);
+            std::vector<Vec3> moved(static_cast<std::size_t>(points.shape(0)));
+            std::copy_n(points.data(), points.size(), moved.empty() ? nullptr : moved.front().data());
+            const py::gil_scoped_release release;
+            return std::const_pointer_cast<MeshShape>(ecods::refit(self, std::move(moved)));
+        },
+        py::arg("vertices"),
+        "The same triangles with other vertices (n, 3), as a new Mesh, whose tree is that of this one with new boxes. "
+        "Raises InvalidVertex, InvalidIndex.");
+    type.def("__repr__", &text_of);
+}
+
+void add_solids(py::module_& m) {
+    py::class_<Solid, MeshShape, std::shared_ptr<Solid>> solid(
+        m, "Solid",
+        "A mesh that bounds a solid: closed and free of self-intersection, which is checked exactly. Every call that "
+        "takes a Mesh takes it. Raises NotClosed and SelfIntersecting, which name the place.");
+    add_making<Solid>(solid);
+    solid.def(py::init([](const MeshShape& mesh) { return make_shape<Solid>(mesh.mesh_ptr()); }), py::arg("mesh"));
+
+    py::class_<ConvexSolid, Solid, std::shared_ptr<ConvexSolid>> convex(
+        m, "ConvexSolid", "A Solid without dents. Raises as Solid does, and NoInterior, NotConvex.");
+    add_making<ConvexSolid>(convex);
+    convex.def(py::init([](const MeshShape& mesh) { return make_shape<ConvexSolid>(mesh.mesh_ptr()); }),
+               py::arg("mesh"));
+    convex.def_static(
+        "hull",
+        [](const py::object& points) {
+            const Doubles rows = exact_doubles(points, "points", triples);
+            const std::span given(reinterpret_cast<const Vec3*>(rows.data()), static_cast<std::size_t>(rows.shape(0)));
+            const py::gil_scoped_release release;
+            return std::make_shared<ConvexSolid>(given);
+        },
+        py::arg("points"),
+        "The convex hull of points (n, 3), exactly: its vertices are those points that are no combination of others. "
+        "Raises InvalidVertex, NoInterior.");
+}
+
+void add_places(py::module_& m, py::class_<PosedMesh>& posed, py::class_<MovingMesh>& moving) {
+    posed.def(py::init([](std::shared_ptr<MeshShape> mesh) {
+                  return PosedMesh{std::move(mesh), {}};
+              }),
+              py::arg("mesh"));
+    posed.def_property_readonly("mesh", [](const PosedMesh& self) { return self.shape; });
+    posed.def_property_readonly(
+        "pose", [](const PosedMesh& self) { return self.pose; }, "(4, 4) float64.");
+    py::implicitly_convertible<MeshShape, PosedMesh>();
+
+    moving.def_property_readonly("mesh", [](const MovingMesh& self) { return self.shape; });
+    moving.def_property_readonly(
+        "start", [](const MovingMesh& self) { return self.from; }, "(4, 4) float64.");
+    moving.def_property_readonly(
+        "end", [](const MovingMesh& self) { return self.to; }, "(4, 4) float64.");
+
+    m.def(
+        "box_of", [](const PosedMesh& body) { return box_of(body.shape->mesh(), body.pose); }, py::arg("body"),
+        "A box (2, 3) that contains the posed mesh and exceeds the least one by rounding only. One pass over "
+        "vertices.");
+}
+
+}  // namespace
+
+void bind_meshes(py::module_& m) {
+    // Named in signatures of Mesh.
+    py::class_<PosedMesh> posed(m, "Posed", "A mesh at a pose: the set of the real points R v + t. Made by Mesh.at().");
+    py::class_<MovingMesh> moving(m, "Moving", "A mesh on its way from one pose to another. Made by Mesh.moving().");
+    py::class_<MeshShape, std::shared_ptr<MeshShape>> mesh(
+        m, "Mesh",
+        "Closed triangles, immutable: a surface, which need not be closed or connected. Triangles of zero area are the "
+        "segments or points that they span. What questions need of it is made once, when the first one asks: keep the "
+        "object to ask again. Arrays that are given are copied.");
+    add_making<MeshShape>(mesh);
+    add_mesh_calls(mesh);
+    add_solids(m);
+    add_places(m, posed, moving);
+}
+
+}  // namespace ecods::python

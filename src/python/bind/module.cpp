@@ -1,0 +1,28 @@
+// The module ecods._ecods, of which the package ecods shows everything.
+#include "python/bind/bind.hpp"
+
+namespace py = pybind11;
+
+PYBIND11_MODULE(_ecods, m) {
+    using namespace ecods::python;
+    m.doc() = "Exact answers about many moving triangle meshes.";
+    bind_enums(m);
+    bind_errors(m);
+    bind_meshes(m);
+    bind_results(m);
+    bind_line_questions(m);
+    bind_pair_questions(m);
+    bind_solid_questions(m);
+    bind_casts(m);
+    bind_many(m);
+    bind_predicates(m);
+    bind_certificates(m);
+    bind_broad_phase(m);
+    bind_trace(m);
+    bind_world(m);
+    bind_process(m);
+    // Types are found, shown and pickled by the name of the package.
+    for (const auto& item : m.attr("__dict__").cast<py::dict>()) {
+        if (py::isinstance<py::type>(item.second)) item.second.attr("__module__") = "ecods";
+    }
+}

@@ -1,0 +1,62 @@
+// Answers of several fields as Python objects: read-only, compared field by field, written as they are made, pickled.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "python/bind/casters.hpp"
+
+namespace ecods::python {
+
+// Whether two values of a field are the same.
+template <class T>
+bool are_same(const T& a, const T& b) {
+    return a == b;
+}
+inline bool are_same(const ClosestPoints& a, const ClosestPoints& b) {
+    return a.distance == b.distance && a.kind == b.kind && a.a == b.a && a.b == b.b && a.point_a == b.point_a &&
+           a.point_b == b.point_b;
+}
+inline bool are_same(const Hit& a, const Hit& b) {
+    return a.parameter == b.parameter && a.leave_parameter == b.leave_parameter && a.kind == b.kind &&
+           a.rank == b.rank && a.feature == b.feature && a.point == b.point && a.leave_point == b.leave_point;
+}
+
+template <class T, class Value>
+struct Field {
+    const char* name;
+    Value T::*member;
+    const char* doc;
+};
+
+template <class T, class... Values>
+py::class_<T> add_record(py::module_& m, const char* name, const char* doc, Field<T, Values>... fields) {
+    py::class_<T> type(m, name, doc);
+    (type.def_property_readonly(
+         fields.name, [member = fields.member](const T& self) { return self.*member; }, fields.doc),
+     ...);
+    type.def(
+        "__eq__",
+        [fields...](const T& self, const T& other) {
+            return (are_same(self.*fields.member, other.*fields.member) && ...);
+        },
+        py::is_operator());
+    type.def("__repr__", [name, fields...](const T& self) {
+        std::string text;
+        ((text += (text.empty() ? "" : ", ") + std::string(fields.name) + "=" +
+                  std::string(py::repr(py::cast(self.*fields.member)))),
+         ...);
+        return std::string(name) + "(" + text + ")";
+    });
+    type.def(py::pickle([fields...](const T& self) { return py::make_tuple(self.*fields.member...); },
+                        [fields...](const py::tuple& state) {
+                            if (state.size() != sizeof...(Values)) throw py::value_error("a state of another type");
+                            T made{};
+                            std::size_t at = 0;
+                            ((made.*fields.member = state[at++].template cast<Values>()), ...);
+                            return made;
+                        }));
+    return type;
+}
+
+}  // namespace ecods::python

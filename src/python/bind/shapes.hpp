@@ -1,0 +1,46 @@
+// Meshes and solids as Python holds them: shared, so that whatever refers to one keeps it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "ecods/convex_solid.hpp"
+#include "ecods/motion.hpp"
+#include "ecods/posed.hpp"
+#include "ecods/shape.hpp"
+#include "python/bind/casters.hpp"
+
+namespace ecods::python {
+
+// What a Posed of Python's is: it owns its shape, which the library's does not.
+struct PosedMesh {
+    std::shared_ptr<MeshShape> shape;  // never null
+    Pose pose;
+
+    operator Posed<MeshShape>() const { return {*shape, pose}; }
+};
+
+// The same of a Moving.
+struct MovingMesh {
+    std::shared_ptr<MeshShape> shape;  // never null
+    Pose from;
+    Pose to;
+
+    operator Moving<MeshShape>() const { return {*shape, from, to}; }
+};
+
+// The posed mesh as a Solid, or as a ConvexSolid. Throws TypeError if it is none.
+template <class Shape>
+Posed<Shape> as(const PosedMesh& posed, const char* argument) {
+    const auto* solid = dynamic_cast<const Shape*>(posed.shape.get());
+    if (solid == nullptr) {
+        const py::object type = py::type::of(py::cast(posed.shape));
+        throw py::type_error(std::string(argument) + ": a " +
+                             std::string(py::str(py::type::of<Shape>().attr("__name__"))) + " is expected, not a " +
+                             std::string(py::str(type.attr("__name__"))));
+    }
+    return {*solid, posed.pose};
+}
+
+}  // namespace ecods::python

@@ -1,0 +1,103 @@
+// Traces of a world's calls, and running them again: trace.hpp, replay.hpp.
+#include <cerrno>
+#include <fstream>
+#include <sstream>
+
+#include "ecods/replay.hpp"
+#include "python/bind/bind.hpp"
+#include "python/bind/record.hpp"
+#include "python/bind/world.hpp"
+
+namespace ecods::python {
+namespace {
+
+// The text of a trace.
+struct Trace {
+    std::string text;
+};
+
+std::unique_ptr<std::ostream> open(const std::optional<std::string>& path) {
+    if (!path) return std::make_unique<std::ostringstream>();
+    auto file = std::make_unique<std::ofstream>(*path, std::ios::binary);
+    if (!*file) {
+        PyErr_SetFromErrnoWithFilename(PyExc_OSError, path->c_str());
+        throw py::error_already_set();
+    }
+    return file;
+}
+
+ReplayReport run(const Trace& trace, std::optional<BroadPhaseKind> broad_phase, std::size_t threads, bool validates) {
+    const ReplayOptions options{.broad_phase = broad_phase, .executor = make_threads(threads), .validates = validates};
+    const py::gil_scoped_release release;
+    std::istringstream in(trace.text);
+    return replay(in, options);
+}
+
+}  // namespace
+
+void SharedWorld::begin_trace(std::unique_ptr<std::ostream> out, bool questions) {
+    change([&](World& world) {
+        TraceOptions options;
+        options.questions = questions;
+        traces_questions_ = false;
+        world.trace_to(*out, options);
+        trace_ = std::move(out);
+        traces_questions_ = questions;
+    });
+}
+
+std::unique_ptr<std::ostream> SharedWorld::end_trace() {
+    return change([&](World& world) {
+        traces_questions_ = false;
+        auto ended = std::exchange(trace_, nullptr);
+        world.end_trace();
+        return ended;
+    });
+}
+
+void add_trace_calls(WorldClass& type) {
+    type.def(
+        "start_trace",
+        [](SharedWorld& self, const std::optional<std::string>& path, bool questions) {
+            self.begin_trace(open(path), questions);
+        },
+        py::arg("path") = py::none(), py::arg("questions") = false,
+        "Records every call that changes the world from now on, in memory or in a file; with `questions`, also what is "
+        "asked about more than two bodies. Raises OSError.");
+    type.def(
+        "end_trace",
+        [](SharedWorld& self) -> std::optional<Trace> {
+            const auto stream = self.end_trace();
+            const auto* text = dynamic_cast<const std::ostringstream*>(stream.get());
+            return text == nullptr ? std::nullopt : std::optional(Trace{text->str()});
+        },
+        "Ends it: a Trace, or None if it went to a file or there is none. Raises TraceFailed.");
+}
+
+void bind_trace(py::module_& m) {
+    using Difference = ReplayReport::Difference;
+    add_record(m, "ReplayDifference", "The first thing that is not as a trace says.",
+               Field<Difference, std::size_t>{"update", &Difference::update, "From 0."},
+               Field<Difference, std::size_t>{"call", &Difference::call, "From 0."},
+               Field<Difference, std::size_t>{"line", &Difference::line, "From 1."},
+               Field<Difference, std::string>{"what", &Difference::what, "In words."});
+    using Report = ReplayReport;
+    py::class_<Report>(m, "ReplayReport", "How a replay went.")
+        .def_readonly("call_count", &Report::call_count)
+        .def_readonly("update_count", &Report::update_count)
+        .def_readonly("question_count", &Report::question_count)
+        .def_readonly("body_count", &Report::body_count)
+        .def_readonly("colliding_count", &Report::colliding_count)
+        .def_readonly("difference", &Report::difference, "ReplayDifference, or None if all is as it was.");
+    py::class_<Trace>(m, "Trace", "The calls that changed a world, as text.")
+        .def(py::init<std::string>(), py::arg("text"))
+        .def_readonly("text", &Trace::text)
+        .def("replay", &run, py::arg("broad_phase") = py::none(), py::arg("threads") = 1, py::arg("validates") = false,
+             "Runs it again, until its end or the first difference: a ReplayReport. Raises InvalidTrace.")
+        .def(
+            "__eq__", [](const Trace& self, const Trace& other) { return self.text == other.text; }, py::is_operator())
+        .def(py::pickle([](const Trace& self) { return py::make_tuple(self.text); },
+                        [](const py::tuple& state) { return Trace{state[0].cast<std::string>()}; }));
+}
+
+}  // namespace ecods::python

@@ -1,0 +1,165 @@
+// World: bodies, and what is asked of them.
+#include "python/bind/world.hpp"
+
+#include "python/bind/bind.hpp"
+#include "python/bind/record.hpp"
+
+namespace ecods::python {
+namespace {
+
+using Shape = std::shared_ptr<MeshShape>;
+
+// The pose of a body to be moved: an error names the body, as World::set_pose does.
+Pose pose_for(BodyId body, const py::object& pose) {
+    try {
+        return to_pose(pose);
+    } catch (const InvalidPose& error) {
+        throw InvalidPose(error.row, error.column, error.value, body);
+    }
+}
+
+void add_bodies(WorldClass& type, const py::arg& body) {
+    type.def(
+        "create_body",
+        [](SharedWorld& self, const Shape& mesh, const Pose& pose, std::uint64_t groups, std::uint64_t mask,
+           std::uint64_t user_data) {
+            const BodyOptions options{
+                .shape = mesh, .pose = pose, .filter = {.groups = groups, .mask = mask}, .user_data = user_data};
+            return self.change([&](World& world) { return world.create_body(options); });
+        },
+        py::arg("mesh"), py::arg("pose") = py::none(), py::kw_only(), py::arg("groups") = CollisionFilter{}.groups,
+        py::arg("mask") = CollisionFilter{}.mask, py::arg("user_data") = 0,
+        "Makes a body and returns its id, an int. Bodies of one Mesh share its tree. `groups` and `mask` are bits: two "
+        "bodies may meet if each is in a group that the other's mask names. Raises InvalidPose, NullArgument.");
+    type.def(
+        "destroy_body",
+        [](SharedWorld& self, BodyId id) { self.change([&](World& world) { world.destroy_body(id); }); }, body,
+        "The id is stale from now on. Raises StaleBody, as every call that is given an id does.");
+    type.def(
+        "set_pose",
+        [](SharedWorld& self, BodyId id, const py::object& pose) {
+            const Pose place = pose_for(id, pose);
+            self.change([&](World& world) { world.set_pose(id, place); });
+        },
+        body, py::arg("pose"), "Moves a body; for the lists at update(). Raises InvalidPose.");
+    type.def(
+        "set_poses",
+        [](SharedWorld& self, const py::object& bodies, const py::object& poses) {
+            const auto ids = to_bodies(bodies);
+            const auto places = to_poses(poses);
+            self.change([&](World& world) { world.set_poses(ids, places); });
+        },
+        py::arg("bodies"), py::arg("poses"),
+        "Moves many bodies, (k,) ids and (k, 4, 4) or (k, 3, 4) poses: all of them, or none if it raises "
+        "LengthMismatch, "
+        "StaleBody or InvalidPose, with the index of the entry.");
+    type.def(
+        "set_shape",
+        [](SharedWorld& self, BodyId id, const Shape& mesh) {
+            const std::shared_ptr<const ecods::Shape> shape = mesh;
+            self.change([&](World& world) { world.set_shape(id, shape); });
+        },
+        body, py::arg("mesh"), "Gives a body another mesh; of one that deforms, Mesh.refit() makes it.");
+    type.def(
+        "set_user_data",
+        [](SharedWorld& self, BodyId id, std::uint64_t data) {
+            self.change([&](World& world) { world.set_user_data(id, data); });
+        },
+        body, py::arg("data"), "A number of the caller's, below 2**64, kept with the body.");
+    type.def(
+        "reserve", [](SharedWorld& self, std::size_t n) { self.change([&](World& world) { world.reserve(n); }); },
+        py::arg("body_count"), "Reserves memory for so many bodies.");
+}
+
+void add_facts(WorldClass& type, const py::arg& body) {
+    type.def(
+        "is_alive",
+        [](SharedWorld& self, BodyId id) { return self.read([&](const World& world) { return world.is_alive(id); }); },
+        body, "Whether the id names a body of this world.");
+    type.def(
+        "pose",
+        [](SharedWorld& self, BodyId id) { return self.read([&](const World& world) { return world.pose(id); }); },
+        body, "(4, 4) float64, set last.");
+    const auto mesh = [](SharedWorld& self, BodyId id) {
+        const auto shape = self.read([&](const World& world) { return world.shape(id); });
+        return std::const_pointer_cast<MeshShape>(std::static_pointer_cast<const MeshShape>(shape));
+    };
+    type.def("mesh", mesh, body, "The Mesh, Solid or ConvexSolid set last.");
+    type.def(
+        "posed",
+        [mesh](SharedWorld& self, BodyId id) {
+            const auto pose = self.read([&](const World& world) { return world.pose(id); });
+            return PosedMesh{mesh(self, id), pose};
+        },
+        body, "The body as a Posed, for questions that need no world.");
+    type.def(
+        "box",
+        [](SharedWorld& self, BodyId id) { return self.read([&](const World& world) { return world.box(id); }); }, body,
+        "A box (2, 3) that contains the body.");
+    type.def(
+        "user_data",
+        [](SharedWorld& self, BodyId id) { return self.read([&](const World& world) { return world.user_data(id); }); },
+        body, "The number given last; 0 at first.");
+    type.def(
+        "bodies",
+        [](SharedWorld& self) { return from_bodies(self.read([](const World& world) { return world.bodies(); })); },
+        "All ids, ascending: (n,) uint64.");
+    type.def("__len__", [](SharedWorld& self) {
+        return self.read([](const World& world) { return world.statistics().body_count; });
+    });
+}
+
+void add_filters(WorldClass& type, const py::arg& body) {
+    type.def(
+        "set_filter",
+        [](SharedWorld& self, BodyId id, std::uint64_t groups, std::uint64_t mask) {
+            self.change([&](World& world) { world.set_filter(id, {.groups = groups, .mask = mask}); });
+        },
+        body, py::arg("groups"), py::arg("mask"), "Which groups a body is in, and which it meets, as bits.");
+    type.def(
+        "filter",
+        [](SharedWorld& self, BodyId id) { return self.read([&](const World& world) { return world.filter(id); }); },
+        body, "The CollisionFilter set last.");
+    type.def(
+        "set_pair_enabled",
+        [](SharedWorld& self, BodyId a, BodyId b, bool is_enabled) {
+            self.change([&](World& world) { world.set_pair_enabled(a, b, is_enabled); });
+        },
+        py::arg("a"), py::arg("b"), py::arg("is_enabled"), "Switches one pair off, or on again. Raises SameBody.");
+    type.def(
+        "is_pair_enabled",
+        [](SharedWorld& self, BodyId a, BodyId b) {
+            return self.read([&](const World& world) { return world.is_pair_enabled(a, b); });
+        },
+        py::arg("a"), py::arg("b"), "By that switch alone, whatever the filters are.");
+}
+
+}  // namespace
+
+void bind_world(py::module_& m) {
+    using Filter = CollisionFilter;
+    add_record(m, "CollisionFilter", "Which groups a body is in, and which it meets, as bits.",
+               Field<Filter, std::uint64_t>{"groups", &Filter::groups, "The groups that it is in."},
+               Field<Filter, std::uint64_t>{"mask", &Filter::mask, "The groups that it meets."})
+        .def(py::init([](std::uint64_t groups, std::uint64_t mask) { return Filter{.groups = groups, .mask = mask}; }),
+             py::arg("groups") = Filter{}.groups, py::arg("mask") = Filter{}.mask);
+    WorldClass type(
+        m, "World",
+        "Many moving bodies: which of them touch, which come close, and which is the nearest? Changes take effect "
+        "at once for questions, and at update() for the lists. Any thread may call; calls that only ask run "
+        "beside each other.");
+    type.def(
+        py::init<BroadPhaseKind, std::size_t>(), py::arg("broad_phase") = "automatic", py::arg("threads") = 1,
+        "`threads`: how many run the two-body tests of update(), depths() and solid_distances(). No answer depends on "
+        "either.");
+    const py::arg body("body");
+    add_bodies(type, body);
+    add_facts(type, body);
+    add_filters(type, body);
+    add_lists(type);
+    add_pair_questions(type);
+    add_questions_about_everything(type);
+    add_trace_calls(type);
+}
+
+}  // namespace ecods::python

@@ -1,0 +1,72 @@
+// A world as Python holds it: calls from several threads wait for each other where they must.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <mutex>
+#include <ostream>
+#include <shared_mutex>
+
+#include "ecods/world.hpp"
+#include "python/bind/ask.hpp"
+#include "python/bind/shapes.hpp"
+#include "python/bind/threads.hpp"
+
+namespace ecods::python {
+
+// Each call gives up the interpreter's lock before it waits for the world's, and nothing done to the world needs the
+// interpreter, so no two locks can wait for each other.
+class SharedWorld {
+  public:
+    SharedWorld(BroadPhaseKind broad_phase, std::size_t threads)
+        : world_({.broad_phase = broad_phase, .executor = make_threads(threads)}) {}
+
+    // The world alone: for calls that change it.
+    template <class Change>
+    auto change(Change what) {
+        const pybind11::gil_scoped_release release;
+        const std::unique_lock lock(mutex_);
+        return what(world_);
+    }
+
+    // Beside other calls that only read.
+    template <class Read>
+    auto read(Read what) const {
+        const pybind11::gil_scoped_release release;
+        const std::shared_lock lock(mutex_);
+        return what(world_);
+    }
+
+    // question(world, memory...): in the memory of the thread, beside others; or, while a trace is to have questions,
+    // in the world's own.
+    template <class Question>
+    auto ask(Question question) {
+        const pybind11::gil_scoped_release release;
+        {
+            const std::shared_lock lock(mutex_);
+            if (!traces_questions_) return question(std::as_const(world_), thread_memory());
+        }
+        const std::unique_lock lock(mutex_);
+        return question(world_);
+    }
+
+    // A trace on a stream, which the world keeps until the trace ends. Without a trace, the end gives null.
+    void begin_trace(std::unique_ptr<std::ostream> out, bool questions);
+    std::unique_ptr<std::ostream> end_trace();
+
+  private:
+    mutable std::shared_mutex mutex_;
+    std::unique_ptr<std::ostream> trace_;  // before the world, which writes to it until it ends
+    bool traces_questions_ = false;
+    World world_;
+};
+
+using WorldClass = pybind11::class_<SharedWorld>;
+
+void add_lists(WorldClass& type);
+void add_pair_questions(WorldClass& type);
+void add_questions_about_everything(WorldClass& type);
+void add_trace_calls(WorldClass& type);
+
+}  // namespace ecods::python

@@ -1,0 +1,108 @@
+// World: updates and the lists that they make, and what a world says about itself.
+#include "python/bind/world.hpp"
+
+namespace ecods::python {
+namespace {
+
+// A list of pairs: (k, 2) ids. A copy, as the world's own changes with it.
+template <class List>
+void add_list(WorldClass& type, const char* name, List list, const char* doc) {
+    type.def(
+        name,
+        [list](SharedWorld& self) {
+            return from_pairs(self.change([list](World& world) {
+                const std::span<const BodyPair> pairs = (world.*list)();
+                return std::vector<BodyPair>(pairs.begin(), pairs.end());
+            }));
+        },
+        doc);
+}
+
+py::dict counts_of(const QueryCounts& counts) {
+    py::dict by_stage;
+    for (const Stage& stage : ecods::stages) by_stage[stage.name] = counts.stages.*stage.count;
+    py::dict made;
+    made["queries"] = counts.queries;
+    made["witness_hits"] = counts.witness_hits;
+    made["box_tests"] = counts.box_tests;
+    made["triangle_tests"] = counts.stages.triangle_tests;
+    made["stages"] = by_stage;
+    return made;
+}
+
+py::dict dict_of(const Statistics& s) {
+    py::dict made;
+    made["updates"] = s.updates;
+    made["moved_bodies"] = s.moved_bodies;
+    made["two_body_tests"] = s.two_body_tests;
+    made["cache_hits"] = s.cache_hits;
+    made["visited_pairs"] = s.visited_pairs;
+    made["body_count"] = s.body_count;
+    made["overlapping_count"] = s.overlapping_count;
+    made["filtered_count"] = s.filtered_count;
+    made["colliding_count"] = s.colliding_count;
+    made["close_count"] = s.clearance.close_count;
+    made["memory_bytes"] = s.memory_bytes;
+    made["queries"] = counts_of(s.queries);
+    return made;
+}
+
+void add_settings(WorldClass& type) {
+    type.def(
+        "set_clearance",
+        [](SharedWorld& self, std::optional<double> d) { self.change([&](World& world) { world.set_clearance(d); }); },
+        py::arg("clearance"),
+        "From the next update on, close_pairs() are those at a distance of at most this, decided for the real number; "
+        "None "
+        "ends it. Raises InvalidDistance.");
+    type.def(
+        "clearance", [](SharedWorld& self) { return self.read([](const World& world) { return world.clearance(); }); },
+        "Set last, or None.");
+    type.def(
+        "set_solids",
+        [](SharedWorld& self, bool are_related) { self.change([&](World& world) { world.set_solids(are_related); }); },
+        py::arg("are_related"), "Whether updates make solid_pairs(), from the next one on.");
+    type.def(
+        "are_solids_related",
+        [](SharedWorld& self) { return self.read([](const World& world) { return world.are_solids_related(); }); },
+        "Set last; False at first.");
+}
+
+}  // namespace
+
+void add_lists(WorldClass& type) {
+    add_settings(type);
+    type.def(
+        "update", [](SharedWorld& self) { self.change([](World& world) { world.update(); }); },
+        "Brings the lists up to date, with work that follows what changed.");
+    add_list(type, "overlapping_pairs", &World::overlapping_pairs,
+             "Pairs whose boxes overlap and that are not filtered out: (k, 2) uint64.");
+    add_list(type, "colliding_pairs", &World::colliding_pairs,
+             "Pairs that share a point as of the last update, ascending: (k, 2) uint64. Exact.");
+    add_list(type, "began", &World::began, "Pairs that began to collide with the last update: (k, 2) uint64.");
+    add_list(type, "ended", &World::ended, "Pairs that ended to collide with the last update: (k, 2) uint64.");
+    add_list(type, "close_pairs", &World::close_pairs, "Pairs within the clearance, colliding ones included. Exact.");
+    add_list(type, "close_began", &World::close_began, "Pairs that came to be within the clearance.");
+    add_list(type, "close_ended", &World::close_ended, "Pairs that are within the clearance no more.");
+    type.def(
+        "solid_pairs",
+        [](SharedWorld& self) {
+            return self.read([](const World& world) {
+                return std::vector<SolidPair>(world.solid_pairs().begin(), world.solid_pairs().end());
+            });
+        },
+        "Pairs of solids that are not apart: a list of SolidPair; empty unless set_solids(True) came before the "
+        "update.");
+    type.def(
+        "statistics",
+        [](SharedWorld& self) { return dict_of(self.read([](const World& world) { return world.statistics(); })); },
+        "What the world did, as counts.");
+    type.def(
+        "validate", [](SharedWorld& self) { self.change([](World& world) { world.validate(); }); },
+        "Checks every invariant. Slow: for tests. Raises BrokenInvariant.");
+    type.def(
+        "digest", [](SharedWorld& self) { return self.read([](const World& world) { return world.digest(); }); },
+        "A hash of the bodies and their collisions as of the last update. Equal scenes have equal digests.");
+}
+
+}  // namespace ecods::python

@@ -1,0 +1,182 @@
+"""Collisions and distances of named meshes, with the calls of trimesh's collision manager."""
+import math
+
+import numpy as np
+
+from . import _ecods
+
+EXTERNAL = "__external"
+
+
+def as_mesh(mesh):
+    """A Mesh of a Mesh, of an object with `vertices` and `faces`, or of the two in a tuple."""
+    if isinstance(mesh, _ecods.Mesh):
+        return mesh
+    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
+        return _ecods.Mesh(mesh.vertices, mesh.faces)
+    vertices, faces = mesh
+    return _ecods.Mesh(vertices, faces)
+
+
+class ContactData:
+    """Two triangles that share a point.
+
+    point: (3,) float, the least corner of what they share. normal: (3,) float, the unit normal that a face or two edges
+    define there, or the direction of the depth; NaN where there is none. depth: of two ConvexSolids how deep they are in
+    each other, exactly; otherwise NaN, as no depth of two surfaces is defined.
+    """
+
+    def __init__(self, names, contact, depth):
+        self.names = set(names)
+        self._indices = dict(zip(names, contact.triangles))
+        self.point = contact.corners[0]
+        normal = contact.normal if depth is None else depth.direction
+        self.normal = np.full(3, np.nan) if normal is None else normal
+        self.depth = math.nan if depth is None else depth.depth
+
+    def index(self, name):
+        """The index of the face of the mesh with that name."""
+        return self._indices[name]
+
+
+class DistanceData:
+    """Where two meshes are closest to each other."""
+
+    def __init__(self, names, closest):
+        self.names = set(names)
+        self.distance = closest.distance
+        self._indices = dict(zip(names, closest.triangles))
+        self._points = dict(zip(names, (closest.point_a, closest.point_b)))
+
+    def index(self, name):
+        """The index of the closest face of the mesh with that name."""
+        return self._indices[name]
+
+    def point(self, name):
+        """The closest point (3,) of the mesh with that name."""
+        return self._points[name]
+
+
+def _contacts(names, a, b):
+    depth = None
+    if isinstance(a.mesh, _ecods.ConvexSolid) and isinstance(b.mesh, _ecods.ConvexSolid):
+        depth = _ecods.depth(a, b)
+    return [ContactData(names, contact, depth) for contact in _ecods.intersections(a, b)]
+
+
+def _answer(first, *rest):
+    """The first, and those of the rest that were asked for: pairs of whether and what."""
+    wanted = [what for is_wanted, what in rest if is_wanted]
+    return (first, *wanted) if wanted else first
+
+
+class CollisionManager:
+    """Named meshes: which collide, and how far are they apart?
+
+    The methods, arguments and results are those of trimesh.collision.CollisionManager. Answers are exact: touching
+    counts, and a distance is the true one, rounded once; 0 where meshes share a point, infinity where there is nothing to
+    measure to. A mesh is its surface. Give an ecods.Mesh, in place of another object, where the same one is asked about
+    again: its tree is then made once. Names are any hashable values.
+    """
+
+    def __init__(self, threads=1):
+        self._world = _ecods.World(threads=threads)
+        self._bodies = {}
+        self._names = {}
+
+    def _body(self, name):
+        if name not in self._bodies:
+            raise ValueError(f"{name} not in collision manager!")
+        return self._bodies[name]
+
+    def _posed(self):
+        return [(name, self._world.posed(body)) for name, body in self._bodies.items()]
+
+    def add_object(self, name, mesh, transform=None):
+        """Adds a mesh at a transform (4, 4), in place of one of the same name."""
+        body = self._world.create_body(as_mesh(mesh), transform)
+        if name in self._bodies:
+            self.remove_object(name)
+        self._bodies[name] = body
+        self._names[body] = name
+
+    def remove_object(self, name):
+        """Removes it. Raises ValueError if there is none."""
+        body = self._body(name)
+        self._world.destroy_body(body)
+        del self._bodies[name], self._names[body]
+
+    def set_transform(self, name, transform):
+        """Moves it to a transform (4, 4). Raises ValueError if there is none."""
+        self._world.set_pose(self._body(name), transform)
+
+    def in_collision_single(self, mesh, transform=None, return_names=False, return_data=False):
+        """Whether a mesh collides with any object; with the names of those, and a list of ContactData."""
+        external = as_mesh(mesh).at(transform)
+        bodies = self._world.intersecting_bodies(external)
+        names = {self._names[body] for body in bodies}
+        data = []
+        if return_data:
+            for body in bodies:
+                data += _contacts((self._names[body], EXTERNAL), self._world.posed(body), external)
+        return _answer(len(bodies) > 0, (return_names, names), (return_data, data))
+
+    def in_collision_internal(self, return_names=False, return_data=False):
+        """Whether any two objects collide; with pairs of names, each in order, and a list of ContactData."""
+        self._world.update()
+        pairs = self._world.colliding_pairs()
+        names, data = set(), []
+        for a, b in pairs:
+            pair = (self._names[a], self._names[b])
+            names.add(tuple(sorted(pair)))
+            if return_data:
+                data += _contacts(pair, self._world.posed(a), self._world.posed(b))
+        return _answer(len(pairs) > 0, (return_names, names), (return_data, data))
+
+    def in_collision_other(self, other_manager, return_names=False, return_data=False):
+        """Whether an object collides with one of another manager's; pairs of names begin with this one's."""
+        names, data = set(), []
+        for other_name, other in other_manager._posed():
+            for body in self._world.intersecting_bodies(other):
+                names.add((self._names[body], other_name))
+                if return_data:
+                    data += _contacts((self._names[body], other_name), self._world.posed(body), other)
+        return _answer(len(names) > 0, (return_names, names), (return_data, data))
+
+    def min_distance_single(self, mesh, transform=None, return_name=False, return_data=False):
+        """The least distance of a mesh from any object; with the name of that, and its DistanceData."""
+        external = as_mesh(mesh).at(transform)
+        nearest = self._world.nearest(external)
+        if nearest is None:
+            return _answer(math.inf, (return_name, None), (return_data, None))
+        name = self._names[nearest.body]
+        data = None
+        if return_data:
+            data = DistanceData((name, EXTERNAL), _ecods.closest(self._world.posed(nearest.body), external))
+        return _answer(nearest.distance, (return_name, name), (return_data, data))
+
+    def min_distance_internal(self, name=None, return_names=False, return_data=False):
+        """The least distance of two objects, or of one of that name from the others; with names in order, and data."""
+        if name is None:
+            closest = self._world.closest_pair()
+            bodies = None if closest is None else closest.bodies
+        else:
+            closest = self._world.nearest(self._body(name))
+            bodies = None if closest is None else (self._body(name), closest.body)
+        if bodies is None:
+            return _answer(math.inf, (return_names, None), (return_data, None))
+        pair = tuple(self._names[body] for body in bodies)
+        data = DistanceData(pair, self._world.closest(*bodies)) if return_data else None
+        return _answer(closest.distance, (return_names, tuple(sorted(pair))), (return_data, data))
+
+    def min_distance_other(self, other_manager, return_names=False, return_data=False):
+        """The least distance from the objects of another manager; names begin with this one's."""
+        best, pair, other_posed = math.inf, None, None
+        for other_name, other in other_manager._posed():
+            nearest = self._world.nearest(other, limit=best)
+            if nearest is not None and (pair is None or nearest.distance < best):
+                best, pair, other_posed = nearest.distance, (self._names[nearest.body], other_name), other
+        data = None
+        if return_data and pair is not None:
+            data = DistanceData(pair, _ecods.closest(self._world.posed(self._bodies[pair[0]]), other_posed))
+        return _answer(best, (return_names, pair), (return_data, data))
