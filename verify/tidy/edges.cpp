@@ -147,7 +147,7 @@ const std::vector<Room>& rooms() {
          {"include", "src/simd", "verify/process", "verify/certificates/folder", "verify/oracle", "verify/judge",
           "verify/scenes", "verify/environment"}},
         {"verify/programs/clash", {"include", "verify/process", "verify/scenes", "verify/programs"}},
-        {"verify/examples", {"include", "verify/scenes"}},
+        {"verify/examples", {"include", "verify/oracle", "verify/scenes"}},
         {"verify/tidy", {}},
         {"verify/consumer", {"include"}},
         {"verify/unit/base", {"include", "src/base", "src/simd", "verify/environment"}},

@@ -16,7 +16,8 @@ namespace {
 const std::vector<std::pair<std::string_view, std::vector<std::string_view>>> third_party_places = {
     {"CGAL/", {"verify/oracle", "verify/scenes/plane", "verify/unit", "bench/engines", "bench/suites"}},
     {"ccd/", {"bench/engines"}},
-    {"fcl/", {"bench/engines", "bench/report", "bench/suites", "fuzz/engines"}},
+    {"fcl/", {"bench/engines", "bench/report", "bench/suites", "fuzz/engines", "verify/examples/coming_from"}},
+    {"tbb/", {"verify/examples/thread_pool"}},
     {"gmp", {"verify/certificates/checker", "verify/oracle", "verify/unit", "fuzz/targets"}},
     {"BulletCollision/", {"bench/engines"}},
     {"bt", {"bench/engines"}},

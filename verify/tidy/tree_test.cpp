@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 const fs::path root = ECODS_SOURCE_DIR;
 const std::set<std::string> folders = {"bench", "fuzz", "include", "src", "verify"};
 // Of the tools around the sources.
-const std::set<std::string> other_folders = {".ci", ".git", "build"};
+const std::set<std::string> other_folders = {".github", ".ci", ".git", "build"};
 
 std::string read(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
