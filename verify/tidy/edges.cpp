@@ -161,7 +161,8 @@ const std::vector<Room>& rooms() {
         {"verify/unit/bvh", {"include", "src/base", "src/bvh", "verify/oracle", "verify/scenes", "verify/environment"}},
         {"verify/unit/query",
          {"include", "src/query/shape", "src/base", "src/geometry", "src/query/cast", "src/query/convex",
-          "verify/oracle", "verify/judge", "verify/scenes", "verify/environment", "verify/certificates/samples"}},
+          "src/query/solid", "verify/oracle", "verify/judge", "verify/scenes", "verify/environment",
+          "verify/certificates/samples"}},
         {"verify/unit/broad_phase",
          {"include", "src/base", "src/geometry", "src/bounds", "src/broad_phase/changes", "src/broad_phase/boxes",
           "src/broad_phase/scratch", "src/broad_phase/sweep", "src/broad_phase/candidates", "src/broad_phase",
@@ -206,7 +207,7 @@ const std::vector<Room>& rooms() {
         // What measures it.
         {"bench/engines",
          {"include", "src/simd", "src/broad_phase/changes", "src/broad_phase/boxes", "src/broad_phase/scratch",
-          "verify/scenes"}},
+          "verify/scenes", "verify/unit/broad_phase"}},
         {"bench/harness", {"include", "verify/process", "verify/oracle", "bench/engines"}},
         {"bench/report",
          {"include", "src/simd", "verify/process", "verify/scenes", "verify/environment", "bench/harness"}},

@@ -63,25 +63,8 @@ void KeptCandidates::update(const FindingUpdate& finding) {
     ++updates_since_search_;
     if (wasted_work_ + search_work_ > 512 * static_cast<double>(used_count_)) adapt();
     if (!escaped_.empty()) {
-        const std::size_t count = table.size();
-        const bool is_degraded = searched_since_sort_ > 4 * count ||
-                                 4 * (forest_.unsorted_count() + forest_lacks_.size()) > count + 64 ||
-                                 proxies_.size() > 2 * count + 64;
-        const bool many_escaped = 8 * escaped_.size() > count;
-        if (many_escaped) {
-            adapt();
-            learn_turns();
-        }
-        const std::vector<BoxForest::Item> unsorted = fatten_escaped(table);
-        if (many_escaped || is_degraded) {
-            search_all(unsorted, is_degraded, update);
-            ++counts.rebuilds;
-            searched_all = true;
-        } else {
-            searched_since_sort_ += escaped_.size();
-            looked_up += escaped_.size() - changes.added.size();
-            search_escaped(unsorted, update);
-        }
+        searched_all = search_where_escaped(table, update);
+        if (!searched_all) looked_up += escaped_.size() - changes.added.size();
         escaped_.clear();
     }
     // A test in a search costs more than one in the filter, since it comes with sorting, linking and a new fat box.
@@ -99,6 +82,28 @@ void KeptCandidates::update(const FindingUpdate& finding) {
     put_to_sleep(changes.moved.size());
     sort_pairs(events.began);
     sort_pairs(events.ended);
+}
+
+// Finds the candidates of the boxes that escaped: says whether by a search for all boxes.
+bool KeptCandidates::search_where_escaped(const ProxyTable& table, Update& update) {
+    const std::size_t count = table.size();
+    const bool is_degraded = searched_since_sort_ > 4 * count ||
+                             4 * (forest_.unsorted_count() + forest_lacks_.size()) > count + 64 ||
+                             proxies_.size() > 2 * count + 64;
+    const bool many_escaped = 8 * escaped_.size() > count;
+    if (many_escaped) {
+        adapt();
+        learn_turns();
+    }
+    const std::vector<BoxForest::Item> unsorted = fatten_escaped(table);
+    if (many_escaped || is_degraded) {
+        search_all(unsorted, is_degraded, update);
+        ++update.counts.rebuilds;
+        return true;
+    }
+    searched_since_sort_ += escaped_.size();
+    search_escaped(unsorted, update);
+    return false;
 }
 
 // Wide fat boxes make candidates that are filtered for nothing, in proportion to their width; narrow ones are escaped

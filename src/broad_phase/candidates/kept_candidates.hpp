@@ -93,6 +93,7 @@ class KeptCandidates final : public PairFinder {
     // kept_candidates_search.cpp
     void wake(std::span<const ProxyIndex> proxies, Update& update);
     std::size_t count_asleep(std::span<const ProxyIndex> proxies) const noexcept;
+    bool search_where_escaped(const ProxyTable& table, Update& update);
     void search_escaped(std::span<const BoxForest::Item> unsorted, Update& update);
     void link(SlotIndex slot, Update& update);
     void order_slots(std::span<const BoxForest::Item> unsorted, const ProxyTable& table, bool must_sort = false);

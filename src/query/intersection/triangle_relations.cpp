@@ -10,7 +10,6 @@
 #include "exact/simplex/edge_axes.hpp"
 #include "exact/simplex/flat_filter.hpp"
 #include "exact/simplex/triangle_pair.hpp"
-#include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
 
@@ -169,8 +168,8 @@ bool TriangleRelations::may_use_groups() {
     constexpr std::size_t triangles_a_pair = 512;
     if (triangles_a_pair * ++open_count_ < triangle_count) return false;
     if (triangle_count <= PlaneSigns::triangle_count_max) {
-        const CoplanarGroups& a = MeshShapeAccess::groups(*shapes_[0]);
-        const CoplanarGroups& b = MeshShapeAccess::groups(*shapes_[1]);
+        const CoplanarGroups& a = groups_of_(*shapes_[0]);
+        const CoplanarGroups& b = groups_of_(*shapes_[1]);
         if (!a.empty() || !b.empty()) planes_.use(frame_, a, b);
     }
     shapes_ = {};

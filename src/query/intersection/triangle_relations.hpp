@@ -10,6 +10,7 @@
 #include "exact/point/frame.hpp"
 #include "exact/simplex/triangle_filter.hpp"
 #include "query/intersection/plane_signs.hpp"
+#include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
 
@@ -20,7 +21,10 @@ class TriangleRelations {
 
     // The shapes of the meshes, after bind(): once integers have decided some pairs, their coplanar triangles are found
     // and decided together. Without them every pair is decided on its own.
-    void offer_groups(const MeshShape& a, const MeshShape& b) noexcept { shapes_ = {&a, &b}; }
+    void offer_groups(const MeshShape& a, const MeshShape& b) noexcept {
+        shapes_ = {&a, &b};
+        groups_of_ = &MeshShapeAccess::groups;
+    }
 
     // Those of the bodies that were bound last are used no more.
     void forget_groups() noexcept {
@@ -63,7 +67,9 @@ class TriangleRelations {
     bool doubles_are_exact_ = false;  // whether decide_in_doubles answers everything
     // The axis along which both bodies have one coordinate, the same in all their points; -1: none, or not known yet.
     int flat_axis_ = -1;
-    double flat_bound_ = 0;                     // for every orient2d along it
+    double flat_bound_ = 0;  // for every orient2d along it
+    // What finds groups, so that without shapes triangles are decided without trees.
+    const CoplanarGroups& (*groups_of_)(const MeshShape&) = nullptr;
     std::array<const MeshShape*, 2> shapes_{};  // null: none, or their groups are used, or there are none
     std::size_t open_count_ = 0;                // pairs that were left to integers while there were shapes
     PlaneSigns planes_;
