@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What Python adds: collide_many and distance_many beside the same loop in C++, and single calls beside collide_many.
 
-usage: PYTHONPATH=build/release/python bench/python/overhead.py build/release/bench/ecods_python_loop
+usage: PYTHONPATH=build/release/python python3 bench/python/overhead.py build/release/bench/ecods_python_loop
 """
 import statistics
 import subprocess

@@ -10,8 +10,8 @@ PYBIND11_MODULE(_ecods, m) {
     bind_errors(m);
     bind_meshes(m);
     bind_results(m);
-    bind_line_questions(m);
     bind_pair_questions(m);
+    bind_line_questions(m);
     bind_solid_questions(m);
     bind_casts(m);
     bind_many(m);

@@ -20,7 +20,7 @@ class Rows {
         bool fits = array_.ndim() >= axes;
         for (py::ssize_t i = 0; fits && i < axes; ++i) fits = array_.shape(array_.ndim() - axes + i) == tail_[i];
         if (!fits) throw py::value_error(std::string(what) + ": has the shape " + shape_text(array_));
-        for (const double x : std::span(array_.data(), static_cast<std::size_t>(array_.size()))) {
+        for (const double& x : std::span(array_.data(), static_cast<std::size_t>(array_.size()))) {
             if (!std::isfinite(x)) throw InvalidPoint(axis_of(x), x);
         }
     }
