@@ -66,17 +66,17 @@ class Grouper {
         for (const PlaneKey& key : keys) add(key.triangle);
     }
 
-    // On which side of the group's plane all triangles are, in the closed sense, or 0 if there are corners on both.
+    // On which side of the group's plane all vertices are, in the closed sense, and so all triangles; or 0 if there are
+    // some on both. Vertices are a third to a sixth of the corners; those of no triangle can only hide a side.
     std::int8_t side_of_mesh(std::uint32_t group) {
         const Triangle& t = mesh_.triangles()[first_[group]];
+        const auto count = static_cast<std::uint32_t>(mesh_.vertices().size());
         int side = 0;
-        for (const Triangle& triangle : mesh_.triangles()) {
-            for (const std::uint32_t v : triangle) {
-                const std::array<VertexRef, 4> corners{VertexRef{0, t[0]}, {0, t[1]}, {0, t[2]}, {0, v}};
-                const int s = with_signs(frame_, corners, [](auto& signs) { return signs.orient3d(0, 1, 2, 3); });
-                if (s * side < 0) return 0;
-                if (s != 0) side = s;
-            }
+        for (std::uint32_t v = 0; v < count; ++v) {
+            const std::array<VertexRef, 4> corners{VertexRef{0, t[0]}, {0, t[1]}, {0, t[2]}, {0, v}};
+            const int s = with_signs(frame_, corners, [](auto& signs) { return signs.orient3d(0, 1, 2, 3); });
+            if (s * side < 0) return 0;
+            if (s != 0) side = s;
         }
         return static_cast<std::int8_t>(side);
     }
