@@ -24,15 +24,22 @@ struct KeptCandidates::Loops {
         std::size_t ahead;
     };
 
+    // Of a walk over all slots in their order: the box that comes some slots later, which may lie on two cache lines.
+    ECODS_ALWAYS_INLINE static void prefetch_box_ahead(const KeptCandidates& self, const Aabb* boxes,
+                                                       std::size_t slot) noexcept {
+        const std::size_t count = self.proxies_.size();
+        const auto* ahead = reinterpret_cast<const char*>(
+            &boxes[self.proxies_[slot + prefetch_distance < count ? slot + prefetch_distance : count - 1]]);
+        __builtin_prefetch(ahead);
+        __builtin_prefetch(ahead + sizeof(Aabb) - 1);
+    }
+
     // Takes the boxes of all slots from the table, and notes those that escaped from their fat boxes.
     ECODS_ALWAYS_INLINE static void move_all(KeptCandidates& self, const ProxyTable& table) {
         const Aabb* const boxes = table.boxes().data();
         const std::size_t count = self.proxies_.size();
         for (std::size_t slot = 0; slot < count; ++slot) {
-            const auto* ahead = reinterpret_cast<const char*>(
-                &boxes[self.proxies_[slot + prefetch_distance < count ? slot + prefetch_distance : count - 1]]);
-            __builtin_prefetch(ahead);
-            __builtin_prefetch(ahead + sizeof(Aabb) - 1);
+            prefetch_box_ahead(self, boxes, slot);
             PackedBox line;
             make_packed_box(boxes[self.proxies_[slot]], line);
             if (!contains(self.fat_lines_[slot], line)) [[unlikely]] {
@@ -67,10 +74,7 @@ struct KeptCandidates::Loops {
         const Aabb* const boxes = table.boxes().data();
         const std::size_t count = self.proxies_.size();
         for (std::size_t slot = 0; slot < count; ++slot) {
-            const auto* ahead = reinterpret_cast<const char*>(
-                &boxes[self.proxies_[slot + prefetch_distance < count ? slot + prefetch_distance : count - 1]]);
-            __builtin_prefetch(ahead);
-            __builtin_prefetch(ahead + sizeof(Aabb) - 1);
+            prefetch_box_ahead(self, boxes, slot);
             if (self.lines_[slot].is_empty()) continue;  // a free slot
             make_packed_box(boxes[self.proxies_[slot]], self.lines_[slot]);
         }
