@@ -85,25 +85,14 @@ struct Kernel : ProjectedLanes<width> {
         }
     }
 
-    // The ends of all parts together, in each lane.
-    ECODS_ALWAYS_INLINE static void join(Ends& ends) noexcept {
-        float low = ends.low[0], high = ends.high[0];
-        for (std::size_t lane = 1; lane < tree_width; ++lane) {
-            low = ends.low[lane] < low ? ends.low[lane] : low;
-            high = ends.high[lane] > high ? ends.high[lane] : high;
-        }
-        ends.low.fill(low);
-        ends.high.fill(high);
-    }
-
     template <class X, class Y>
     ECODS_ALWAYS_INLINE static std::uint64_t apart(const PairAxis& axis, const X& x, const Y& y, std::uint32_t columns,
                                                    const SlabEnds* slab_x, const SlabEnds* slab_y) noexcept {
         Ends of_x, of_y;
         project(axis.a, x, slab_x, of_x);
         project(axis.b, y, slab_y, of_y);
-        if constexpr (std::is_same_v<X, TreeLeaf> && !std::is_same_v<Y, TreeLeaf>) join(of_x);
-        if constexpr (std::is_same_v<Y, TreeLeaf> && !std::is_same_v<X, TreeLeaf>) join(of_y);
+        if constexpr (std::is_same_v<X, TreeLeaf> && !std::is_same_v<Y, TreeLeaf>) join_lanes(of_x);
+        if constexpr (std::is_same_v<Y, TreeLeaf> && !std::is_same_v<X, TreeLeaf>) join_lanes(of_y);
         Ints apart[part_count]{};
         for (; columns != 0; columns &= columns - 1) {
             const auto j = static_cast<std::size_t>(std::countr_zero(columns));

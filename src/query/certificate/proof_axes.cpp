@@ -82,17 +82,6 @@ ECODS_ALWAYS_INLINE void reaches_of(const BodyAxis& axis, const X& x, Reaches& r
     }
 }
 
-// The reach of all parts together, in each lane.
-ECODS_ALWAYS_INLINE void join(Reaches& reaches) noexcept {
-    double low = reaches.low[0], high = reaches.high[0];
-    for (std::size_t lane = 1; lane < tree_width; ++lane) {
-        low = reaches.low[lane] < low ? reaches.low[lane] : low;
-        high = reaches.high[lane] > high ? reaches.high[lane] : high;
-    }
-    reaches.low.fill(low);
-    reaches.high.fill(high);
-}
-
 template <class X, class Y>
 ECODS_ALWAYS_INLINE std::uint64_t mask_of(const BodyAxis& a, const BodyAxis& b, double margin, const X& x, const Y& y,
                                           std::uint32_t columns) noexcept {
@@ -100,8 +89,8 @@ ECODS_ALWAYS_INLINE std::uint64_t mask_of(const BodyAxis& a, const BodyAxis& b, 
     Reaches of_x, of_y;
     reaches_of(a, x, of_x);
     reaches_of(b, y, of_y);
-    if constexpr (is_mixed && std::is_same_v<X, TreeLeaf>) join(of_x);
-    if constexpr (is_mixed && std::is_same_v<Y, TreeLeaf>) join(of_y);
+    if constexpr (is_mixed && std::is_same_v<X, TreeLeaf>) join_lanes(of_x);
+    if constexpr (is_mixed && std::is_same_v<Y, TreeLeaf>) join_lanes(of_y);
     MaskOf<Half> apart[2]{};
     Half low[2], high[2];
     for (std::size_t part = 0; part < 2; ++part) {

@@ -14,10 +14,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "bvh/mesh_bvh.hpp"
 #include "ecods/pose.hpp"
+#include "simd/inline.hpp"
 
 namespace ecods {
 
@@ -49,6 +51,19 @@ struct Reaches {
     alignas(32) std::array<double, tree_width> low;
     alignas(32) std::array<double, tree_width> high;
 };
+
+// Gives each lane the reach of all parts together: of Reaches, or of their like in floats.
+template <class Ends>
+ECODS_ALWAYS_INLINE void join_lanes(Ends& ends) noexcept {
+    auto low = ends.low[0], high = ends.high[0];
+    for (std::size_t lane = 1; lane < tree_width; ++lane) {
+        low = ends.low[lane] < low ? ends.low[lane] : low;
+        high = ends.high[lane] > high ? ends.high[lane] : high;
+    }
+    ends.low.fill(low);
+    ends.high.fill(high);
+}
+
 void find_reaches(const BodyAxis& axis, const BvhNode& node, Reaches& reaches) noexcept;
 void find_reaches(const BodyAxis& axis, const TreeLeaf& leaf, Reaches& reaches) noexcept;
 
