@@ -11,6 +11,7 @@
 #include "scenes/flush_parts.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
+#include "unit/query/expect_intersection.hpp"
 
 namespace ecods {
 namespace {
@@ -18,18 +19,10 @@ namespace {
 using scenes::plate;
 
 // The relation of the bodies, after all three queries in both orders are found to be right.
-Relation expect_right(const MeshShape& a, const Pose& pose_a, const MeshShape& b, const Pose& pose_b,
-                      QueryMemory& memory) {
-    const oracle::OracleMesh exact_a(a.mesh_ptr(), pose_a), exact_b(b.mesh_ptr(), pose_b);
-    const auto expected = oracle::intersecting_triangles(exact_a, exact_b);
-    const Posed<MeshShape> x{a, pose_a}, y{b, pose_b};
-    EXPECT_EQ(intersecting_triangles(x, y, memory), expected);
-    EXPECT_EQ(intersects(x, y, memory), !expected.empty());
-    EXPECT_EQ(intersects(y, x, memory), !expected.empty());
-    EXPECT_EQ(relation(x, y, memory), oracle::relation(exact_a, exact_b));
-    EXPECT_EQ(relation(y, x, memory), oracle::relation(exact_a, exact_b));
-    EXPECT_EQ(intersecting_triangles(y, x, memory).size(), expected.size());
-    return relation(x, y, memory);
+Relation right_relation(const MeshShape& a, const Pose& pose_a, const MeshShape& b, const Pose& pose_b,
+                        QueryMemory& memory) {
+    expect_right(a, pose_a, b, pose_b, memory);
+    return relation(Posed<MeshShape>{a, pose_a}, Posed<MeshShape>{b, pose_b}, memory);
 }
 
 // Meshes in one.
@@ -75,7 +68,7 @@ void place_neighbours(const std::shared_ptr<const Mesh>& lower, const std::share
         for (int k = 0; k < 3; ++k) {
             if (random.below(2) == 0) pose_b.t[k] = step(pose_b.t[k], static_cast<int>(random.below(5)) - 2);
         }
-        seen.insert(expect_right(a, pose_a, b, pose_b, memory));
+        seen.insert(right_relation(a, pose_a, b, pose_b, memory));
         if (testing::Test::HasFailure()) FAIL() << "case " << i << " of seed " << seed;
     }
 }
@@ -123,7 +116,7 @@ TEST(FlushFaces, OneCornerBehindThePlane) {
         Pose b = a;
         b.t += a.R.col(2) * 2;
         for (int k = 0; k < 3; ++k) b.t[k] = step(b.t[k], static_cast<int>(random.below(5)) - 2);
-        expect_right(below, a, above, b, memory);
+        right_relation(below, a, above, b, memory);
         ASSERT_FALSE(testing::Test::HasFailure()) << "case " << i;
     }
 }

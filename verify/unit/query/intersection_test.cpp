@@ -12,6 +12,7 @@
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
+#include "unit/query/expect_intersection.hpp"
 
 namespace ecods {
 namespace {
@@ -21,18 +22,6 @@ Pose random_pose(scenes::Random& random, double reach) {
     pose.R = random.rotation().toRotationMatrix();
     for (int k = 0; k < 3; ++k) pose.t[k] = random.uniform(-reach, reach);
     return pose;
-}
-
-// All three queries, in both orders, against the oracle.
-void expect_right(const MeshShape& a, const Pose& pose_a, const MeshShape& b, const Pose& pose_b, QueryMemory& memory) {
-    const oracle::OracleMesh exact_a(a.mesh_ptr(), pose_a), exact_b(b.mesh_ptr(), pose_b);
-    const auto expected = oracle::intersecting_triangles(exact_a, exact_b);
-    const Posed<MeshShape> x{a, pose_a}, y{b, pose_b};
-    ASSERT_EQ(intersecting_triangles(x, y, memory), expected);
-    ASSERT_EQ(intersects(x, y, memory), !expected.empty());
-    ASSERT_EQ(intersects(y, x, memory), !expected.empty());
-    ASSERT_EQ(relation(x, y, memory), oracle::relation(exact_a, exact_b));
-    ASSERT_EQ(intersecting_triangles(y, x, memory).size(), expected.size());
 }
 
 TEST(TwoBody, RandomPosesOfShips) {
