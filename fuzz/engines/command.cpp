@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "fuzz/engines/body_json.hpp"
 #include "process/program.hpp"
 
 namespace ecods::fuzz {
@@ -13,21 +14,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json vector_json(const Vec3& v) {
-    return {v[0], v[1], v[2]};
-}
-
 Json mesh_json(std::size_t index, const Mesh& mesh) {
-    Json vertices = Json::array(), triangles = Json::array();
-    for (const Vec3& vertex : mesh.vertices()) vertices.push_back(vector_json(vertex));
-    for (const Triangle& t : mesh.triangles()) triangles.push_back({t[0], t[1], t[2]});
-    return {{"mesh", index}, {"vertices", std::move(vertices)}, {"triangles", std::move(triangles)}};
+    Json json = {{"mesh", index}};
+    add_mesh(json, mesh);
+    return json;
 }
 
 Json body_json(const scenes::MeshAt& at) {
-    Json rows = Json::array();
-    for (int row = 0; row < 3; ++row) rows.push_back(vector_json(at.pose.R.row(row)));
-    return {{"mesh", at.mesh_index}, {"R", std::move(rows)}, {"t", vector_json(at.pose.t)}};
+    Json json = {{"mesh", at.mesh_index}};
+    add_pose(json, at.pose);
+    return json;
 }
 
 class Command final : public EngineUnderTest {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "fuzz/engines/body_json.hpp"
 #include "report/povray.hpp"
 
 namespace ecods::fuzz {
@@ -16,22 +17,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json vector_json(const Vec3& v) {
-    return {v[0], v[1], v[2]};
-}
-
 Json mesh_json(const std::string& name, const Mesh& mesh) {
-    Json vertices = Json::array(), triangles = Json::array();
-    for (const Vec3& vertex : mesh.vertices()) vertices.push_back(vector_json(vertex));
-    for (const Triangle& t : mesh.triangles()) triangles.push_back({t[0], t[1], t[2]});
-    return {{"name", name}, {"vertices", std::move(vertices)}, {"triangles", std::move(triangles)}};
+    Json json = {{"name", name}};
+    add_mesh(json, mesh);
+    return json;
 }
 
 Json body_json(const std::string& name, const Pose& pose) {
-    Json rows = Json::array();
-    for (int row = 0; row < 3; ++row) rows.push_back(vector_json(pose.R.row(row)));
-    return {
-        {"name", name}, {"mesh", "mesh of " + name}, {"pose", {{"R", std::move(rows)}, {"t", vector_json(pose.t)}}}};
+    Json json = {{"name", name}, {"mesh", "mesh of " + name}};
+    add_pose(json["pose"], pose);
+    return json;
 }
 
 std::string file_name(const WrongAnswer& wrong) {
