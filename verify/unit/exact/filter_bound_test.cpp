@@ -12,6 +12,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cfenv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -256,7 +257,7 @@ TEST(FilterBound, EveryTermOfAPosedPointCounts) {
 
 // The claim of a proof, as it stands in its file: "<= 225b-55" is 225 * 2^-55. In units of u' = 2^-52.
 double proven(const char* file) {
-    std::ifstream in(std::string(ECODS_PROOFS) + "/" + file);
+    std::ifstream in(std::filesystem::path(ECODS_PROOFS) / file);
     const std::string text{std::istreambuf_iterator<char>(in), {}};
     std::smatch found;
     const bool is_claim = std::regex_search(text, found, std::regex(R"((?:<= |F0 in \[-\d+b-\d+,)(\d+)b-(\d+))"));
