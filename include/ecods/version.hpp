@@ -2,5 +2,5 @@
 #pragma once
 
 #define ECODS_VERSION_MAJOR 0
-#define ECODS_VERSION_MINOR 2
+#define ECODS_VERSION_MINOR 3
 #define ECODS_VERSION_PATCH 0
