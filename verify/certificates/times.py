@@ -4,7 +4,7 @@ usage: times.py CHECKER FOLDER [--rounds N]
 
 FOLDER is what `certificate_samples FOLDER gaps COUNT` writes: NAME.mesh and NAME.QUESTION.cert. Prints, of each file, how long the mesh
 takes to be read, how long that takes with the first certificate, and the median of the others, for both checkers, in ms; each is the
-median of the rounds. The Python checker is timed within its process, as the other one times itself (--times).
+least of the rounds. The Python checker is timed within this process, as the other one times itself (--times).
 """
 import argparse
 import re
@@ -25,13 +25,13 @@ def of_cpp(checker, certificates, mesh):
 
 
 def of_python(certificates, mesh):
-    times = [time.perf_counter()]
+    times = [time.process_time()]
     read = Mesh(mesh.read_bytes())
     lines = Lines(certificates.read_bytes())
-    times.append(time.perf_counter())
+    times.append(time.process_time())
     while lines.at < len(lines.lines):
         check.check_certificate(lines, {read.digest: read})
-        times.append(time.perf_counter())
+        times.append(time.process_time())
     return [1e3 * x for x in (times[1] - times[0], times[2] - times[0], median(b - a for a, b in zip(times[2:], times[3:])))]
 
 
@@ -45,7 +45,7 @@ def main():
     for certificates in sorted(options.folder.glob("*.cert")):
         mesh = options.folder / (certificates.name.split(".")[0] + ".mesh")
         rounds = [(of_cpp(options.checker, certificates, mesh), of_python(certificates, mesh)) for _ in range(options.rounds)]
-        cpp, python = ([median(values) for values in zip(*each)] for each in zip(*rounds))
+        cpp, python = ([min(values) for values in zip(*each)] for each in zip(*rounds))
         numbers = " ".join(f"{x:9.3f}" for x in cpp), " ".join(f"{x:9.2f}" for x in python)
         ratios = " ".join(f"{y / x:7.1f}" for x, y in zip(cpp, python))
         print(f"{certificates.stem:22}{numbers[0]} (1/{cpp[1] / cpp[2]:.1f})   {numbers[1]}   {ratios}")
