@@ -126,7 +126,7 @@ def read_axis(lines, a, b, kind="", *words):
 
 
 # One step about the parts i and j. Returns the pairs that it leaves open.
-def prove_step(lines, a, b, axes, rule, i, j, kind, *fields):
+def prove_step(lines, a, b, axes, axis_count, rule, i, j, kind, *fields):
     triangles = a.mesh.is_triangle(i), b.mesh.is_triangle(j)
     if kind == "t" and all(triangles):
         p, q, name = a.corners(i), b.corners(j), fields[0] if fields and fields[0] in FORMULAS else lines.fail("no such formula")
@@ -138,7 +138,7 @@ def prove_step(lines, a, b, axes, rule, i, j, kind, *fields):
         lines.fail("the step opens triangles only")
     opens_i, opens_j = "a" in kind, "b" in kind
     rows, columns = a.mesh.parts(i) if opens_i else [i], b.mesh.parts(j) if opens_j else [j]
-    names, left = lines.step(fields, len(axes), len(rows) * len(columns))
+    names, left = lines.step(fields, axis_count, len(rows) * len(columns))
     closed = set(range(len(rows) * len(columns))).difference(left)
     for name in names:
         closed = axes[name].not_apart(i, opens_i, j, opens_j, closed) if closed else []
@@ -152,13 +152,13 @@ def prove_step(lines, a, b, axes, rule, i, j, kind, *fields):
 
 # Steps until all pairs are apart, axes among them, and the end.
 def prove(lines, a, b, rule):
-    axes, pending = [], [(0, 0)]
+    vectors, pending, axes = [], [(0, 0)], Kept(lambda name: Axis(vectors[name], a, b, rule))
     while pending or lines.peek() == "axis":
         words = lines.next()
         if words[0] == "axis":
-            axes.append(Axis(read_axis(lines, a, b, *words[1:]), a, b, rule))
+            vectors.append(read_axis(lines, a, b, *words[1:]))
         else:
-            pending.extend(reversed(prove_step(lines, a, b, axes, rule, *pending.pop(), *words)))
+            pending.extend(reversed(prove_step(lines, a, b, axes, len(vectors), rule, *pending.pop(), *words)))
         if a.work + b.work > WORK_MAX:
             lines.fail("too costly")
     lines.expect("end")
