@@ -1,11 +1,10 @@
-"""For check.py: the vectors of triangles, midpoints of doubles, and when ranges along a vector are apart, as README.md defines them."""
+"""For check.py: the vectors of triangles, and when ranges along a vector are apart, as README.md defines them."""
 import math
 from itertools import product
 
-from reading import scaled
+from reading import ZERO
 
 UNITS = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
-ZERO, ONE = (0, 0), (1, 0)  # real numbers: (n, power) is n 2^-power
 
 
 def minus(p, q):
@@ -37,21 +36,6 @@ def normal(corners):
 def span(n, points):
     values = [dot(n, point) for point in points]
     return min(values), max(values)
-
-
-# The midpoint of adjacent doubles; 2^1024 follows the largest.
-def middle(low, high):
-    (x, y), power = scaled((low, min(high, 2.0**1023)))
-    return x + (y if high < math.inf else 2 * y), power + 1
-
-
-# The least real number that may round to a positive double, or to infinity.
-def below(value):
-    return ZERO if value == 2.0**-1074 else middle(math.nextafter(value, 0), value)
-
-
-def above(value):
-    return middle(value, math.nextafter(value, math.inf))
 
 
 # The vectors that two triangles p and q have, by name.

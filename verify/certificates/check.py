@@ -6,10 +6,9 @@
 import math
 import sys
 from bisect import bisect_right
-from itertools import product
 
-from apart import FORMULAS, INDICES, ONE, UNITS, ZERO, Ahead, Apart, Weak, above, below, cross, dot, edge, is_apart_by_any, minus, normal, off, span
-from reading import Mesh, exactly, is_odd, run, scaled, to_double
+from apart import FORMULAS, INDICES, UNITS, Ahead, Apart, Weak, cross, dot, edge, is_apart_by_any, minus, normal, off, span
+from reading import ONE, ZERO, Kept, Segment, above, below, exactly, is_odd, run, scaled, to_double
 
 WORK_MAX = 2**30  # products of a vector and a vertex: minutes
 # The error of a range in doubles. n is scaled so that |n_i| < 1, lengths so that |R_i1| X + |R_i2| X + |R_i3| X + |t_i| <= 1, where X is at
@@ -18,20 +17,6 @@ WORK_MAX = 2**30  # products of a vector and a vertex: minutes
 NEAR = 2.0**-47
 # The error of a difference of ranges less a floor: 2 NEAR, its own roundings (12u), and the floor's (16 * 4u), together below 2^-45.
 MARGIN = 2.0**-44
-
-
-# The piece of a segment between two parameters: one triangle start, stop, stop.
-class Segment(Mesh):
-    def __init__(self, ends, start, stop):
-        values, power = scaled(ends)
-        way, more = minus(values[3:], values[:3]), max(start[1], stop[1])
-        self.exact = [[(x << more) + (y * s << more - p) for x, y in zip(values, way)] for s, p in (start, stop)]
-        self.fine, self.scale = power + more, max(map(abs, self.exact[0] + self.exact[1])).bit_length() - power - more
-        self.divided = [[to_double(x, -self.fine - self.scale) for x in point] for point in self.exact]
-        self.node_count, self.corners, self.line_of, self.parts_points = 0, [(0, 1, 1)], {0: 0}, {}
-
-    def integers(self, vertex):
-        return self.exact[vertex]
 
 
 # A posed mesh. Its corners are integers in units of 2^-fine, for any fine from finest on.
@@ -62,10 +47,13 @@ class Body:
 # Ranges of n.x over the parts of a body. In doubles they are in units of 2^unit.
 class Along:
     def __init__(self, body, n, unit):
-        self.body, self.near_ranges, self.exact_ranges = body, {}, {}
+        self.body, self.sharp, self.near, self.exact = body, Kept(self.sharp), Kept(self.near), Kept(self.exact)
         self.n, self.constant = [dot(n, column) for column in zip(*body.rotation)], dot(n, body.moved)
         factors = [to_double(x, body.mesh.scale + body.fine - body.power - unit) for x in self.n]
         self.doubles = *factors, to_double(self.constant, -unit)
+
+        # Where a box, of six numbers, is least along n.
+        self.least = [k if factor >= 0 else k + 3 for k, factor in enumerate(factors)]
 
     def values(self, part):
         x, y, z, constant = self.doubles
@@ -74,20 +62,34 @@ class Along:
         return vertices, [x * p + y * q + z * r + constant for p, q, r in points]
 
     # The range in doubles: each end is within NEAR of the true one.
-    def near(self, part):
-        if part not in self.near_ranges:
+    def sharp(self, part):
+        values = self.values(part)[1]
+        return min(values), max(values)
+
+    # The same of a box around the part, whose corners are as good as vertices.
+    def loose(self, part):
+        if self.body.mesh.is_triangle(part):
+            return self.sharp[part]
+        (x, y, z, constant), (i, j, k), box = self.doubles, self.least, self.body.mesh.box(part)
+        return x * box[i] + y * box[j] + z * box[k] + constant, x * box[i - 3] + y * box[j - 3] + z * box[k - 3] + constant
+
+    # Of the parts of a part, or of itself: ends of ranges that contain theirs, but for NEAR, and the least and the greatest end.
+    def near(self, of):
+        (part, is_opened), mesh = of, self.body.mesh
+        if is_opened and mesh.is_leaf(part):
             values = self.values(part)[1]
-            self.near_ranges[part] = min(values), max(values)
-        return self.near_ranges[part]
+            corners = [(values[i], values[j], values[k]) for i, j, k in mesh.places(part)]
+            lows, highs = list(map(min, corners)), list(map(max, corners))
+        else:
+            lows, highs = zip(*map(self.loose, mesh.parts(part) if is_opened else [part]))
+        return lows, highs, min(lows), max(highs)
 
     # The range. In doubles, a vertex that attains an end is within 2 NEAR of the end in doubles.
     def exact(self, part):
-        if part not in self.exact_ranges:
-            vertices, values = self.values(part)
-            low, high = min(values) + 3 * NEAR, max(values) - 3 * NEAR
-            ends = [dot(self.n, self.body.mesh.integers(v)) for v, x in zip(vertices, values) if not low < x < high]
-            self.exact_ranges[part] = [(end << self.body.shift) + self.constant for end in (min(ends), max(ends))]
-        return self.exact_ranges[part]
+        vertices, values = self.values(part)
+        low, high = min(values) + 3 * NEAR, max(values) - 3 * NEAR
+        ends = [dot(self.n, self.body.mesh.integers(v)) for v, x in zip(vertices, values) if not low < x < high]
+        return [(end << self.body.shift) + self.constant for end in (min(ends), max(ends))]
 
 
 # A vector, and which pairs of parts are apart along it.
@@ -99,11 +101,18 @@ class Axis:
         self.a, self.b, self.floor = Along(a, self.n, unit), Along(b, self.n, unit), rule.floor(self.n, unit)
 
     def looks_apart(self, i, j, margin=MARGIN):
-        (la, ha), (lb, hb) = self.a.near(i), self.b.near(j)
+        (la, ha), (lb, hb) = self.a.sharp[i], self.b.sharp[j]
         return max(lb - ha, la - hb) - self.floor > margin
 
+    # Of pairs of parts of i and j, or of themselves: those that do not look apart. Pair `at` is in row at // columns.
+    def not_apart(self, i, opens_i, j, opens_j, pairs):
+        (la, ha, *_), (lb, hb, low, high) = self.a.near[i, opens_i], self.b.near[j, opens_j]
+        need, count = self.floor + MARGIN, len(lb)
+        rows = [low - y > need or x - high > need for x, y in zip(la, ha)]
+        return [at for at in pairs if not (rows[k := at // count] or lb[at % count] - ha[k] > need or la[k] - hb[at % count] > need)]
+
     def is_apart(self, i, j):
-        return self.looks_apart(i, j, -MARGIN) and self.rule(self.n, self.a.exact(i), self.b.exact(j))
+        return self.looks_apart(i, j, -MARGIN) and self.rule(self.n, self.a.exact[i], self.b.exact[j])
 
 
 def read_axis(lines, a, b, kind="", *words):
@@ -117,7 +126,7 @@ def read_axis(lines, a, b, kind="", *words):
 
 
 # One step about the parts i and j. Returns the pairs that it leaves open.
-def prove_step(lines, a, b, axes, rule, i, j, kind, *fields):
+def prove_step(lines, a, b, axes, axis_count, rule, i, j, kind, *fields):
     triangles = a.mesh.is_triangle(i), b.mesh.is_triangle(j)
     if kind == "t" and all(triangles):
         p, q, name = a.corners(i), b.corners(j), fields[0] if fields and fields[0] in FORMULAS else lines.fail("no such formula")
@@ -127,25 +136,29 @@ def prove_step(lines, a, b, axes, rule, i, j, kind, *fields):
         lines.fail("this is not a step about such parts")
     if kind != "k" and all(is_triangle for is_triangle, name in zip(triangles, "ab") if name in kind):
         lines.fail("the step opens triangles only")
-    pairs = list(product(a.mesh.parts(i) if "a" in kind else [i], b.mesh.parts(j) if "b" in kind else [j]))
-    names, left = lines.step(fields, len(axes), len(pairs))
-    closed = set(range(len(pairs))) - set(left)
+    opens_i, opens_j = "a" in kind, "b" in kind
+    rows, columns = a.mesh.parts(i) if opens_i else [i], b.mesh.parts(j) if opens_j else [j]
+    names, left = lines.step(fields, axis_count, len(rows) * len(columns))
+    closed = set(range(len(rows) * len(columns))).difference(left)
     for name in names:
-        closed = {at for at in closed if not axes[name].looks_apart(*pairs[at])}
-    if not all(any(axes[name].is_apart(*pairs[at]) for name in names) for at in closed):
+        closed = axes[name].not_apart(i, opens_i, j, opens_j, closed) if closed else []
+    closed = [(rows[at // len(columns)], columns[at % len(columns)]) for at in closed]
+    for name in names:
+        closed = [pair for pair in closed if not axes[name].looks_apart(*pair)]
+    if not all(any(axes[name].is_apart(*pair) for name in names) for pair in closed):
         lines.fail("a pair that is not left open is not apart along any of the axes")
-    return [pairs[at] for at in left]
+    return [(rows[at // len(columns)], columns[at % len(columns)]) for at in left]
 
 
 # Steps until all pairs are apart, axes among them, and the end.
 def prove(lines, a, b, rule):
-    axes, pending = [], [(0, 0)]
+    vectors, pending, axes = [], [(0, 0)], Kept(lambda name: Axis(vectors[name], a, b, rule))
     while pending or lines.peek() == "axis":
         words = lines.next()
         if words[0] == "axis":
-            axes.append(Axis(read_axis(lines, a, b, *words[1:]), a, b, rule))
+            vectors.append(read_axis(lines, a, b, *words[1:]))
         else:
-            pending.extend(reversed(prove_step(lines, a, b, axes, rule, *pending.pop(), *words)))
+            pending.extend(reversed(prove_step(lines, a, b, axes, len(vectors), rule, *pending.pop(), *words)))
         if a.work + b.work > WORK_MAX:
             lines.fail("too costly")
     lines.expect("end")
@@ -248,7 +261,7 @@ def place(*bodies):
 # The pairs of bodies whose boxes have no gap greater than the limit along any coordinate axis. Looked at are the pairs that have none along
 # one of the axes: that along which these are fewest.
 def near_pairs(lines, bodies, limit):
-    boxes = [([Along(body, n, body.size + 1).exact(0) for n in UNITS], name) for name, (body, *_) in bodies.items()]
+    boxes = [([Along(body, n, body.size + 1).exact[0] for n in UNITS], name) for name, (body, *_) in bodies.items()]
     starts = [sorted(box[k][0] - limit for box, _ in boxes) for k in range(3)]
     work, k = min((sum(bisect_right(starts[k], box[k][1]) for box, _ in boxes), k) for k in range(3))
     if work - len(boxes) ** 2 // 2 > WORK_MAX // 8:

@@ -12,6 +12,7 @@ import sys
 from fractions import Fraction
 
 import small_certificates
+import triangles
 import truth
 from checkers import HERE, Checkers
 from small_certificates import Steps, shown
@@ -32,9 +33,9 @@ class FalseSteps(Steps):
         n = self.proof.formula(t, u, *words)
         if not any(n):
             return -math.inf
-        one, other = [truth.dot(n, p) for p in t], [truth.dot(n, p) for p in u]
+        one, other = [triangles.dot(n, p) for p in t], [triangles.dot(n, p) for p in u]
         gap = max(min(other) - max(one), min(one) - max(other))
-        return float(Fraction(abs(gap) * gap, 1) / Fraction(truth.dot(n, n))) if abs(gap) < 2**400 else 0.0
+        return float(Fraction(abs(gap) * gap, 1) / Fraction(triangles.dot(n, n))) if abs(gap) < 2**400 else 0.0
 
 
 def steps_of(random_, words, a, b, soups, power):
@@ -58,7 +59,7 @@ def false_pair(random_):
     reach = random_.choice([1, 2, 4])
     poses = [small_certificates.pose_text(1.0, small_certificates.random_pose(random_, reach)) for _ in range(2)]
     (a, b), power = truth.integers(*(truth.posed(soup, pose.split()) for soup, pose in zip(soups, poses)))
-    square = truth.least_squared(a, b)
+    square = triangles.least_squared(a, b)
     words = false_words(random_, a, b, square, power)
     if words is None or truth.claim_holds(words, a, b, power):
         return None
@@ -69,8 +70,8 @@ def false_pair(random_):
 
 def false_words(random_, a, b, square, power):
     if square == 0:
-        pairs = [(i, j) for i in a for j in b if truth.meet(a[i], b[j])]
-        crossing = [(i, j) for i, j in pairs if truth.cross_each_other(a[i], b[j])]
+        pairs = [(i, j) for i in a for j in b if triangles.meet(a[i], b[j])]
+        crossing = [(i, j) for i, j in pairs if triangles.cross_each_other(a[i], b[j])]
         level = [pair for pair in pairs if pair not in crossing]
         if random_.random() < 0.4:
             return random_.choice([["disjoint"], ["beyond", "0x0p+0"], ["distance", "0x0.0000000000001p-1022", "v", "0", "0", "v", "0", "0"]])
@@ -97,7 +98,7 @@ def false_hit(random_):
     texts, certificate = small_certificates.random_hit(random_)
     lines = certificate.split("\n")
     soup = truth.Soup(texts[0].encode())
-    numbers = [truth.real(word) for word in lines[2].split()[1:]]
+    numbers = [triangles.real(word) for word in lines[2].split()[1:]]
     (body, piece), _ = truth.integers(truth.posed(soup, lines[1].split()[2:]), {0: [numbers[:3], numbers[3:]]})
     words = lines[3].split()[1:]
     name = str(random_.choice(list(body)))

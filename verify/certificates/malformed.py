@@ -79,6 +79,12 @@ def huge_certificates():
     yield from (b"", b"\n", b"ecods-certificate 1", b"ecods-certificate 1\n", b"ecods-certificate 2\n", b"ecods-certificate 1\n" * 1000)
 
 
+def costly_world():
+    """So many bodies at one place that the Python checker, which looks at all pairs, refuses to."""
+    bodies = "".join(f"body {at}.0 {digest(MARKER_MESH)} 1 1 {IDENTITY}\n" for at in range(16_500))
+    return f"ecods-world-certificate 1\nclearance none\n{bodies}end world\n".encode()
+
+
 def disagreement(checkers, data, meshes):
     """What is wrong with how the checkers end, if anything."""
     paths = []
@@ -121,7 +127,12 @@ def main():
         if why:
             wrong += 1
             print(f"--- {at}: {why}\n{data[:2000]!r}\n{[each[:1000] for each in meshes]}", flush=True)
-    print(f"{len(tasks)} files, most of them malformed: {wrong} wrong")
+    checkers.path("mesh0").write_bytes(marker_mesh)
+    said = checkers.run(costly_world(), [checkers.path("mesh0")])
+    if said["Python"][:2] != (1, "refused: line 16503: too costly\n") or said["C++"][0] != 1:
+        wrong += 1
+        print(f"--- a costly world: {said}")
+    print(f"{len(tasks) + 1} files, most of them malformed: {wrong} wrong")
     return 1 if wrong else 0
 
 

@@ -5,6 +5,7 @@ import sys
 DIGEST_MODULUS = 2**128 - 159
 SIZE_MAX = 64  # children of a node, triangles of a leaf
 DEPTH_MAX = 200
+ZERO, ONE = (0, 0), (1, 0)  # real numbers: (n, power) is n 2^-power
 HEADERS = ("ecods-certificate 1", "ecods-world-certificate 1")
 
 
@@ -53,6 +54,22 @@ def exactly(value):
     return n, power
 
 
+def middle(low, high):
+    """The midpoint of adjacent doubles, like `exactly`; 2^1024 follows the largest."""
+    (x, y), power = scaled((low, min(high, 2.0**1023)))
+    return x + (y if high < math.inf else 2 * y), power + 1
+
+
+def below(value):
+    """The least real number that may round to a positive double, or to infinity."""
+    return ZERO if value == 2.0**-1074 else middle(math.nextafter(value, 0), value)
+
+
+def above(value):
+    """The greatest such number."""
+    return middle(value, math.nextafter(value, math.inf))
+
+
 def is_odd(value):
     """Whether the last bit of a double's significand is 1."""
     return 0 < value < math.inf and int(value / math.ulp(value)) % 2 == 1
@@ -86,6 +103,18 @@ def counts(words):
     return values if max(values) < 2**32 else None
 
 
+class Kept(dict):
+    """The results of a function of one argument."""
+
+    def __init__(self, function):
+        super().__init__()
+        self.function = function
+
+    def __missing__(self, argument):
+        self[argument] = result = self.function(argument)
+        return result
+
+
 class Mesh:
     """A mesh and its tree. Parts: node i of the tree is part i, the triangle in line k is part node_count + k."""
 
@@ -112,7 +141,7 @@ class Mesh:
         self.read_vertices(lines[2:first_triangle])
         self.read_triangles(lines[first_triangle:first_node], vertex_count)
         self.read_tree(lines[first_node:])
-        self.parts_points = {}
+        self.parts_points, self.boxes, self.leaf_places = {}, {}, {}
 
     def read_vertices(self, lines):
         values = numbers(" ".join(lines).split(" ")) if lines else []
@@ -183,10 +212,43 @@ class Mesh:
             self.parts_points[part] = used, [self.divided[vertex] for vertex in used]
         return self.parts_points[part]
 
+    def is_leaf(self, part):
+        return not self.is_triangle(part) and self.children[part][0] >= self.node_count
+
+    def box(self, part):
+        """The least box around a part's points: its least and its greatest corner, six numbers."""
+        if part not in self.boxes:
+            columns = list(zip(*self.points(part)[1]))
+            self.boxes[part] = *map(min, columns), *map(max, columns)
+        return self.boxes[part]
+
+    def places(self, leaf):
+        """Of each triangle of a leaf, which three of the leaf's points are its corners."""
+        if leaf not in self.leaf_places:
+            at = {vertex: number for number, vertex in enumerate(self.points(leaf)[0])}
+            triangles = self.corners[self.first[leaf] : self.last[leaf]]
+            self.leaf_places[leaf] = [(at[i], at[j], at[k]) for i, j, k in triangles]
+        return self.leaf_places[leaf]
+
     def integers(self, vertex):
         """The coordinates of a vertex, in units of 2^-fine."""
         values, power = scaled(self.vertices[vertex])
         return [value << self.fine - power for value in values]
+
+
+class Segment(Mesh):
+    """The piece of a segment between two parameters, as a mesh of one triangle: start, stop, stop."""
+
+    def __init__(self, ends, start, stop):
+        values, power = scaled(ends)
+        way, more = [y - x for x, y in zip(values[:3], values[3:])], max(start[1], stop[1])
+        self.exact = [[(x << more) + (y * s << more - p) for x, y in zip(values, way)] for s, p in (start, stop)]
+        self.fine, self.scale = power + more, max(map(abs, self.exact[0] + self.exact[1])).bit_length() - power - more
+        self.divided = [[to_double(x, -self.fine - self.scale) for x in point] for point in self.exact]
+        self.node_count, self.corners, self.line_of, self.parts_points = 0, [(0, 1, 1)], {0: 0}, {}
+
+    def integers(self, vertex):
+        return self.exact[vertex]
 
 
 class Lines:

@@ -6,6 +6,7 @@ import math
 import random
 from fractions import Fraction
 
+import triangles
 import truth
 
 AXES = [["0x1p+0", "0x0p+0", "0x0p+0"], ["0x0p+0", "0x1p+0", "0x0p+0"], ["0x0p+0", "0x0p+0", "0x1p+0"]]
@@ -171,9 +172,9 @@ def pair_section(random_, soups, poses, kinds):
     """The lines of a claim of one of the kinds, if one of them is true here, and its steps."""
     bodies = [truth.posed(soup, pose.split()) for soup, pose in zip(soups, poses)]
     (a, b), power = truth.integers(*bodies)
-    meeting = [(i, j) for i in a for j in b if truth.meet(a[i], b[j])]
-    crossing = [(i, j) for i, j in meeting if truth.cross_each_other(a[i], b[j])]
-    square = truth.least_squared(a, b)
+    meeting = [(i, j) for i in a for j in b if triangles.meet(a[i], b[j])]
+    crossing = [(i, j) for i, j in meeting if triangles.cross_each_other(a[i], b[j])]
+    square = triangles.least_squared(a, b)
     value = rounded(square, power) if square else 0.0
     wide = min(value * random_.choice([1, 1.5, 1000]), 1.7e308)
     close = value * random_.choice([0, 0.5, 0.999])
@@ -235,9 +236,9 @@ def random_hit(random_):
     start = [x + random_.choice([0.0, 1.0, -2.0, random_.random()]) for x in target]
     stop = [x + random_.choice([0.5, 1.0, 1.0, 3.0]) * (x - y) for x, y in zip(target, start)]
     words = [shown(x) for x in (*start, *stop)]
-    ends = [truth.real(word) for word in words]
+    ends = [triangles.real(word) for word in words]
     ends = ends[:3], ends[3:]
-    found = {name: s for name, t in body.items() if (s := truth.first_parameter(ends, t)) is not None}
+    found = {name: s for name, t in body.items() if (s := triangles.first_parameter(ends, t)) is not None}
     lines = ["ecods-certificate 1", head, "segment " + " ".join(words)]
     piece, is_apart, steps = [ends[0], ends[1], ends[1]], lambda n, t, u: truth.parts_pair(n, t, u, (0, True)), ["end"]
     if found:
@@ -284,7 +285,7 @@ def world_sections(random_, head, soups, poses, clearance):
         return pair_section(random_, soups, poses, ["disjoint", "touching", "crossing"])
     bodies = [truth.posed(soup, pose.split()) for soup, pose in zip(soups, poses)]
     (a, b), power = truth.integers(*bodies)
-    square = truth.least_squared(a, b)
+    square = triangles.least_squared(a, b)
     if square == 0:
         return pair_section(random_, soups, poses, ["touching", "crossing"])
     if square > Fraction(clearance) ** 2 * 4**power:

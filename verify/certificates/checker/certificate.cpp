@@ -170,7 +170,7 @@ class StepReader {
         const bool is_opened = step.opens[0] || step.opens[1];
         if (!is_opened && word != "k") in_.fail("no such step");
         step.axes.first = proof_.numbers.size();
-        while (!in_.is_at_end() && in_.peek() != "|" && (is_opened || step.axes.count == 0)) {
+        while (!in_.is_at_end() && !in_.begins_with('|') && (is_opened || step.axes.count == 0)) {
             proof_.numbers.push_back(axis(step.line));
             ++step.axes.count;
         }

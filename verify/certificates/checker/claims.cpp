@@ -67,7 +67,7 @@ struct Piece {
 // A body and its box, in a unit that all bodies share; the clearance is added to the upper ends.
 struct Boxed {
     const WorldBody* body;
-    Vector<Range> box;
+    Vector<Span> box;
 };
 // Every pair without a section is apart by its boxes, or may not meet.
 void require_the_rest(const Text& in, const WorldHead& head, const std::vector<BodyPair>& decided, Budget& budget) {
@@ -78,7 +78,7 @@ void require_the_rest(const Text& in, const WorldHead& head, const std::vector<B
     for (const WorldBody& each : head.bodies) {
         Body body(each.mesh, unit);
         boxes.push_back({&each, box_of(body, budget)});
-        for (Range& range : boxes.back().box) range.high += integer(clearance, unit);
+        for (Span& range : boxes.back().box) range.high += integer(clearance, unit);
     }
     std::ranges::sort(boxes, [](const Boxed& x, const Boxed& y) { return x.box[0].low < y.box[0].low; });
     const auto is_below = [](const Boxed& x, const Boxed& y, std::size_t k) { return x.box[k].high < y.box[k].low; };

@@ -1,6 +1,6 @@
 #include "filter.hpp"
 
-#include <utility>
+#include <bit>
 
 #include "vectors.hpp"
 
@@ -34,9 +34,12 @@ Approximate operator*(const Approximate& a, const Approximate& b) {
 
 // Vertices, R and t - origin up to 2^300 and n up to 2^24 let no product of them overflow; what underflows then amounts
 // to less than 2^-400.
-Filter::Filter(const PosedMesh& a, const PosedMesh& b, double m, Budget& budget)
-    : sides_{Side{a.mesh, &a.pose}, Side{b.mesh, &b.pose}}, m_(m), budget_(&budget) {
+Filter::Filter(const PosedMesh& a, const PosedMesh& b, double m, std::size_t axis_count, Budget& budget)
+    : sides_{Side{a.mesh, &a.pose}, Side{b.mesh, &b.pose}}, m_(m), budget_(&budget), axis_count_(axis_count) {
+    ranges_.reserve(1024);
+    places_.reserve(1024);
     for (Side& side : sides_) {
+        side.rows.resize(side.mesh->nodes.size());
         for (std::size_t i = 0; i < 3; ++i) {
             side.offset[i] = side.pose->t[i] - a.pose.t[i];
             side.magnitude[i] = std::abs(side.offset[i]);
@@ -145,54 +148,118 @@ const std::vector<std::uint32_t>& Filter::extremes(std::size_t side, std::size_t
     return extremes_;
 }
 
-// Sets the ranges by boxes, of triangles by corners. NaN is never the greatest.
-void Filter::open(const std::array<Node, 2>& parts, std::span<const std::uint32_t> axes) {
+// Sets ranges of the parts of a node or a leaf, or of one part: by boxes, of triangles by corners.
+void Filter::measure(const Side& side, const Node& parts, const Direction& d, Range* ranges) {
+    const Mesh& mesh = *side.mesh;
+    if (parts.corner_count == 0) {
+        for (std::uint32_t i = 0; i < parts.count; ++i) {
+            const std::uint32_t part = parts.first + i;
+            ranges[i] = mesh.is_triangle(part) ? range(side, part, d) : box_range(side, part, d);
+        }
+        return;
+    }
+    std::array<double, std::size_t{3} * parts_max> x;
+    const auto* const points = &mesh.leaf_points[parts.first_corner];
+    for (std::uint32_t c = 0; c < parts.corner_count; ++c) x[c] = dot(d.n, points[c]) + d.offset;
+    const auto* const places = &mesh.leaf_places[parts.first - mesh.nodes.size()];
+    for (std::uint32_t i = 0; i < parts.count; ++i) {
+        const double p = x[places[i][0]], q = x[places[i][1]], r = x[places[i][2]];
+        ranges[i] = {std::min(std::min(p, q), r), std::max(std::max(p, q), r), true};
+    }
+}
+
+// Of the step's parts along an axis. Each node that was opened has a row, but for the root, which is opened once or
+// twice.
+std::size_t Filter::place_of_ranges(std::size_t number, std::uint32_t axis) {
+    Side& side = sides_[number];
+    std::size_t* place = nullptr;
+    if (side.parts.number != 0 && axis < axis_count_) {
+        std::uint32_t& row = side.rows[side.parts.number];
+        if (row == 0) {
+            places_.resize(places_.size() + axis_count_);
+            row = static_cast<std::uint32_t>(places_.size() / axis_count_);
+        }
+        place = &places_[(row - 1) * axis_count_ + axis];
+        if (*place != 0) return *place - 1;
+    }
+    const std::size_t begin = ranges_.size();
+    ranges_.resize(begin + side.parts.count);
+    measure(side, side.parts, axes_[axis].along[number], &ranges_[begin]);
+    if (place != nullptr) *place = begin + 1;
+    return begin;
+}
+
+void Filter::open(const std::array<Node, 2>& parts, std::span<const std::uint32_t> axes, Pairs& left) {
     named_ = axes;
     for (const std::size_t number : {0, 1}) {
-        Side& side = sides_[number];
-        side.parts = parts[number];
-        side.ranges.resize(axes.size() * side.parts.count);
-        side.is_best.assign(side.ranges.size(), 0);
-        for (std::size_t k = 0, at = 0; k < axes.size(); ++k) {
-            for (std::uint32_t i = 0; i < side.parts.count; ++i, ++at) {
-                if (side.mesh->is_triangle(side.parts.first + i)) {
-                    sharpen(number, k, i);
-                } else {
-                    side.ranges[at] = box_range(side, side.parts.first + i, axes_[axes[k]].along[number]);
-                }
-            }
-        }
+        sides_[number].parts = parts[number];
+        sides_[number].ranges.clear();
     }
-    excess_.assign(std::size_t{parts[0].count} * parts[1].count, -infinity);
-    for (std::size_t k = 0; k < axes.size(); ++k) {
-        const double need = axes_[axes[k]].need;
-        const Range *const a = &sides_[0].ranges[k * parts[0].count], *const b = &sides_[1].ranges[k * parts[1].count];
-        for (std::uint32_t i = 0; i < parts[0].count; ++i) {
-            double* const excess = &excess_[std::size_t{i} * parts[1].count];
-            for (std::uint32_t j = 0; j < parts[1].count; ++j) {
-                excess[j] = std::max(excess[j], std::max(b[j].low - a[i].high, a[i].low - b[j].high) - need);
-            }
+    bool is_any_left = true;
+    for (std::size_t k = 0; k < axes.size() && is_any_left; ++k) {
+        for (const std::size_t number : {0, 1}) {
+            sides_[number].ranges.push_back(place_of_ranges(number, axes[k]));
+        }
+        is_any_left = take_out(k, left);
+    }
+    for (std::uint32_t i = 0; i < parts[0].count && is_any_left; ++i) {
+        for (std::uint64_t rest = left[i]; rest != 0; rest &= rest - 1) {
+            const auto j = static_cast<std::uint32_t>(std::countr_zero(rest));
+            if (are_apart_by_corners(i, j)) left[i] &= ~(std::uint64_t{1} << j);
         }
     }
 }
 
-void Filter::sharpen(std::size_t side, std::size_t k, std::uint32_t i) {
-    const std::size_t at = k * sides_[side].parts.count + i;
-    if (std::exchange(sides_[side].is_best[at], 1) != 0) return;
-    sides_[side].ranges[at] = range(sides_[side], sides_[side].parts.first + i, axes_[named_[k]].along[side]);
+// Takes out the pairs that are apart along the step's axis k by their ranges, as they are. Returns whether any is left.
+bool Filter::take_out(std::size_t k, Pairs& left) {
+    const std::uint32_t row_count = sides_[0].parts.count, count = sides_[1].parts.count;
+    const Range *const a = &range_of(0, k, 0), *const b = &range_of(1, k, 0);
+    const double need = axes_[named_[k]].need;
+    Range all = b[0];
+    for (std::uint32_t j = 1; j < count; ++j) {
+        all = {std::min(all.low, b[j].low), std::max(all.high, b[j].high)};
+    }
+    bool is_any_left = false;
+    for (std::uint32_t i = 0; i < row_count; ++i) {
+        if (left[i] == 0) continue;
+        std::uint64_t apart = 0;
+        if (excess(a[i], all, need) > 0) {
+            apart = ~apart;
+        } else {
+            for (std::uint32_t j = 0; j < count; ++j) {
+                apart |= std::uint64_t{excess(a[i], b[j], need) > 0} << j;
+            }
+        }
+        left[i] &= ~apart;
+        is_any_left = is_any_left || left[i] != 0;
+    }
+    return is_any_left;
 }
 
-bool Filter::are_apart(std::uint32_t i, std::uint32_t j) {
-    if (excess_[i * sides_[1].parts.count + j] > 0) return true;
+bool Filter::are_apart_by_corners(std::uint32_t i, std::uint32_t j) {
     for (std::size_t k = 0; k < named_.size(); ++k) {
-        sharpen(0, k, i);
-        sharpen(1, k, j);
-        const Range &a = sides_[0].ranges[k * sides_[0].parts.count + i],
-                    &b = sides_[1].ranges[k * sides_[1].parts.count + j];
-        const double need = axes_[named_[k]].need;
-        if (b.low - a.high > need || a.low - b.high > need) return true;
+        bool is_new = false;
+        for (const std::size_t number : {0, 1}) {
+            Range& reach = range_of(number, k, number == 0 ? i : j);
+            if (reach.is_best) continue;
+            const Side& side = sides_[number];
+            reach = range(side, side.parts.first + (number == 0 ? i : j), axes_[named_[k]].along[number]);
+            is_new = reach.is_best = true;
+        }
+        if (is_new && excess(k, i, j) > 0) return true;
     }
     return false;
+}
+
+std::size_t Filter::best_axis(std::uint32_t i, std::uint32_t j) {
+    std::size_t best = 0;
+    double most = -infinity;
+    for (std::size_t k = 0; k < named_.size(); ++k) {
+        const double x = excess(k, i, j);
+        if (x > most) best = k;
+        most = std::max(most, x);
+    }
+    return best;
 }
 
 }  // namespace certificate_checker

@@ -2,6 +2,7 @@
 // are surely no extremes; without it (--exact) the same proofs are accepted, only later. README.md, section 6.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "certificate.hpp"
@@ -9,23 +10,28 @@
 
 namespace certificate_checker {
 
+// Of at most 64 parts each.
+using Pairs = std::array<std::uint64_t, parts_max>;
+
 class Filter {
   public:
-    // Parts are surely apart if their gap is greater than m |n|.
-    Filter(const PosedMesh& a, const PosedMesh& b, double m, Budget& budget);
+    // Parts are surely apart if their gap is greater than m |n|. So many axes stay as they are once steps begin.
+    Filter(const PosedMesh& a, const PosedMesh& b, double m, std::size_t axis_count, Budget& budget);
 
     // Sets axis k, behind those set so far or in place of one: of parts of a and b that are triangles.
     void set_axis(std::size_t k, const AxisLine& source, const std::array<std::uint32_t, 2>& triangles);
-    // Begins a step, with parts of a and b, along axes that are set.
-    void open(const std::array<Node, 2>& parts, std::span<const std::uint32_t> axes);
-    // Of this step, parts i of a's and j of b's: whether they are surely apart along one of its axes.
-    bool are_apart(std::uint32_t i, std::uint32_t j);
+    // Begins a step, with parts of a and b, along axes that are set. Of the pairs in `left`, of part i of a's with each
+    // part j of b's whose bit j is set in left[i], those that are surely apart along one of these axes are taken out.
+    void open(const std::array<Node, 2>& parts, std::span<const std::uint32_t> axes, Pairs& left);
+    // Of this step: along which of its axes parts i and j seem to be furthest apart.
+    std::size_t best_axis(std::uint32_t i, std::uint32_t j);
     // Corners of part i of a side, among them all that are least or greatest along the step's axis k.
     const std::vector<std::uint32_t>& extremes(std::size_t side, std::size_t k, std::uint32_t i);
 
   private:
     struct Range {
         double low, high;
+        bool is_best = false;  // by corners, not by boxes
     };
     // Along a vector n, vertex v of the mesh, posed, is at v.n + offset, but for at most `error`. So are the corners of
     // boxes.
@@ -39,10 +45,9 @@ class Filter {
         std::array<double, 3> offset{};     // t - a's t, rounded
         std::array<double, 3> magnitude{};  // the sum of absolute values of R's row times vertex, and of t - a's t
         bool is_moderate = true;            // no double can overflow
-        // Of the step: part i, axis k at k * count of parts + i.
-        Node parts{};
-        std::vector<Range> ranges{};
-        std::vector<std::uint8_t> is_best{};  // by corners, not by boxes
+        Node parts{};                       // of the step
+        std::vector<std::size_t> ranges{};  // of the step's axis k, in ranges_: where those of its parts begin
+        std::vector<std::uint32_t> rows{};  // of a node: 1 + its row in places_, 0 if it has none yet
     };
     struct Axis {
         std::array<Direction, 2> along;  // of a and of b
@@ -51,16 +56,30 @@ class Filter {
 
     static Range box_range(const Side& side, std::uint32_t node, const Direction& d);
     Range range(const Side& side, std::uint32_t part, const Direction& d);
+    void measure(const Side& side, const Node& parts, const Direction& d, Range* ranges);
+    std::size_t place_of_ranges(std::size_t side, std::uint32_t axis);
+    bool take_out(std::size_t k, Pairs& left);
     template <class Use>
     void visit(const Side& side, std::uint32_t part, const Direction& d, const Range& inner, const Use& use);
-    void sharpen(std::size_t side, std::size_t k, std::uint32_t i);
+    Range& range_of(std::size_t side, std::size_t k, std::uint32_t i) { return ranges_[sides_[side].ranges[k] + i]; }
+    // By how much the gap of two ranges exceeds what it needs; so of parts i and j along axis k of the step.
+    static double excess(const Range& a, const Range& b, double need) {
+        return std::max(b.low - a.high, a.low - b.high) - need;
+    }
+    double excess(std::size_t k, std::uint32_t i, std::uint32_t j) {
+        return excess(range_of(0, k, i), range_of(1, k, j), axes_[named_[k]].need);
+    }
+    bool are_apart_by_corners(std::uint32_t i, std::uint32_t j);
 
     std::array<Side, 2> sides_;
     double m_;
     Budget* budget_;
     std::vector<Axis> axes_;
     std::span<const std::uint32_t> named_;
-    std::vector<double> excess_;  // by how much the greatest gap of each pair exceeds what it needs
+    // Ranges of the parts of each node that was opened, along each axis that was named then, and of the step.
+    std::vector<Range> ranges_;
+    std::vector<std::size_t> places_;  // rows: for each axis 1 + where the node's ranges begin, 0 if they are not set
+    std::size_t axis_count_;           // a row's length
     std::vector<std::uint32_t> extremes_;
 };
 

@@ -11,7 +11,6 @@ namespace certificate_checker {
 namespace {
 
 constexpr std::string_view first_line = "ecods-mesh 1\n";
-constexpr std::uint32_t parts_max = 64;
 constexpr std::size_t depth_max = 200;
 
 // The bytes as one number, the first the most significant, modulo 2^128 - 159.
@@ -118,8 +117,10 @@ void measure(Mesh& mesh) {
         }
     }
     mesh.boxes.assign(mesh.nodes.size(), {{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}}});
+    mesh.leaf_places.resize(mesh.triangles.size());
     for (std::size_t i = mesh.nodes.size(); i-- > 0;) {
         Node& node = mesh.nodes[i];
+        node.number = static_cast<std::uint32_t>(i);
         node.first_corner = static_cast<std::uint32_t>(mesh.leaf_corners.size());
         for (std::uint32_t part = node.first; part < node.first + node.count; ++part) {
             if (mesh.is_triangle(part)) {
@@ -134,6 +135,13 @@ void measure(Mesh& mesh) {
         node.corner_count = static_cast<std::uint32_t>(mesh.leaf_corners.size()) - node.first_corner;
         for (auto v = begin; v != mesh.leaf_corners.end(); ++v) {
             include(mesh.boxes[i], {mesh.vertices[*v], mesh.vertices[*v]});
+            mesh.leaf_points.push_back(mesh.vertices[*v]);
+        }
+        for (std::uint32_t part = node.first; mesh.is_triangle(part) && part < node.first + node.count; ++part) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto place = std::lower_bound(begin, mesh.leaf_corners.end(), mesh.corners(part)[k]) - begin;
+                mesh.leaf_places[part - mesh.nodes.size()][k] = static_cast<std::uint8_t>(place);
+            }
         }
     }
 }

@@ -24,7 +24,10 @@ struct Node {
     std::uint32_t count = 1;
     std::uint32_t first_corner = 0;
     std::uint32_t corner_count = 0;  // 0 of what is no leaf
+    std::uint32_t number = 0;        // its own as a part; 0 where this is one part that is not opened, or the root
 };
+
+inline constexpr std::uint32_t parts_max = 64;  // of a node or of a leaf
 
 // Parts are numbered: first the nodes and leaves, the root 0, each one's parts behind it and next to each other; then
 // the triangles in the order of the tree.
@@ -34,10 +37,12 @@ struct Mesh {
     std::vector<std::array<std::uint32_t, 3>> triangles;  // in the order of the tree
     std::vector<std::uint32_t> position;                  // of the caller's triangles in this order
     std::vector<Node> nodes;
-    std::vector<std::uint32_t> leaf_corners;  // the vertices of each leaf's triangles, each once
-    std::vector<Box> boxes;                   // of the nodes
-    std::array<double, 3> magnitude = {};     // the greatest absolute value of each coordinate
-    int low = 0;                              // all coordinates are multiples of 2^low
+    std::vector<std::uint32_t> leaf_corners;               // the vertices of each leaf's triangles, each once
+    std::vector<std::array<double, 3>> leaf_points;        // their coordinates
+    std::vector<std::array<std::uint8_t, 3>> leaf_places;  // of each triangle's corners, among those of its leaf
+    std::vector<Box> boxes;                                // of the nodes
+    std::array<double, 3> magnitude = {};                  // the greatest absolute value of each coordinate
+    int low = 0;                                           // all coordinates are multiples of 2^low
 
     bool is_leaf(std::uint32_t part) const { return !is_triangle(part) && nodes[part].corner_count > 0; }
     bool is_triangle(std::uint32_t part) const { return part >= nodes.size(); }
@@ -71,7 +76,7 @@ Mesh parse_mesh(std::string_view text);
 // filter, which allows for it, they are wrong by at most 2u of themselves.
 Mesh mesh_of(const std::array<std::array<mpz_class, 3>, 2>& vertices, int low);
 
-// Sets what follows from vertices, triangles and nodes: boxes, magnitude, low.
+// Sets what follows from vertices, triangles and nodes: what leaves hold, boxes, magnitude, low.
 void measure(Mesh& mesh);
 
 }  // namespace certificate_checker

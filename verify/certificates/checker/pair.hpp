@@ -43,7 +43,8 @@ struct Rule {
     Gap gap = Gap::positive;
     Integer m = 0;  // in the bodies' unit
 };
-struct Range {
+// The ranges of a body along the coordinate axes, in its unit.
+struct Span {
     Integer low, high;
 };
 
@@ -51,6 +52,6 @@ struct Range {
 void check_steps(Body& a, Body& b, const Rule& rule, const Proof& proof, Budget& budget);
 // Whether one of the 32 formulas has the claim's triangles apart.
 bool are_separated(Body& a, Body& b, Gap gap, const Claim& claim, Budget& budget);
-Vector<Range> box_of(Body& body, Budget& budget);
+Vector<Span> box_of(Body& body, Budget& budget);
 
 }  // namespace certificate_checker

@@ -108,6 +108,19 @@ void Text::expect(std::string_view word_wanted) {
 }
 
 std::uint32_t Text::count() {
+    // Most fields are good.
+    std::uint32_t good = 0;
+    std::size_t size = 0;
+    while (size < std::min<std::size_t>(fields_.size(), 9) && digit_value(fields_[size]) < 10) {
+        good = 10 * good + digit_value(fields_[size++]);
+    }
+    if (size > 0 && (fields_[0] != '0' || size == 1)) {
+        const bool is_last = size == fields_.size();
+        if (is_last || (fields_[size] == ' ' && size + 1 < fields_.size())) {
+            fields_.remove_prefix(is_last ? size : size + 1);
+            return good;
+        }
+    }
     const std::string_view field = word();
     std::uint64_t value = 0;
     bool is_good = field.size() <= 10 && (field[0] != '0' || field.size() == 1);

@@ -46,7 +46,8 @@ class Text {
     std::string_view line() const { return line_; }
 
     bool is_at_end() const { return fields_.empty(); }
-    std::string_view peek() const;  // the next field, empty if there is none
+    bool begins_with(char c) const { return fields_.starts_with(c); }  // the next field
+    std::string_view peek() const;                                     // the next field, empty if there is none
     std::string_view word();
     void expect(std::string_view word);
     std::uint32_t count();

@@ -1,20 +1,13 @@
-// Vectors, the formulas of README.md for them, and how doubles become integers.
+// Vectors, and the formulas of README.md for them.
 #pragma once
 
-#include <gmpxx.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "certificate.hpp"
+#include "numbers.hpp"
 
 namespace certificate_checker {
 
-using Integer = mpz_class;
 template <class Number>
 using Vector = std::array<Number, 3>;
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <class Number>
 Vector<Number> operator-(const Vector<Number>& a, const Vector<Number>& b) {
@@ -31,21 +24,6 @@ Number dot(const Vector<Number>& a, const Vector<Number>& b) {
 template <class Number>
 Vector<Number> cross(const Vector<Number>& a, const Vector<Number>& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-// An exponent e of at most 0 such that all these doubles are multiples of 2^e. Infinity stands for 2^1024.
-template <class Numbers>
-int unit_of(const Numbers& numbers) {
-    int unit = 0;
-    for (const double x : numbers) unit = x == 0 ? unit : std::min(unit, std::ilogb(x) - 52);
-    return unit;
-}
-// x / 2^unit, which must be an integer.
-inline Integer integer(double x, int unit) {
-    int exponent = 1025;
-    const Integer significand(std::isinf(x) ? 0x1p52 : std::ldexp(std::frexp(x, &exponent), 53));
-    const long shift = exponent - 53 - unit;
-    return shift < 0 ? Integer(significand >> -shift) : Integer(significand << shift);
 }
 
 // `corner(side, k)` is corner k (modulo 3) of a's (side 0) or b's (side 1) triangle.

@@ -1,5 +1,7 @@
 // certificate_samples FOLDER [COUNT [SEED [CHECKER]]]: of each case N.cert, and N.a.mesh and N.b.mesh, or of a world
 // all N.*.mesh; prints their names.
+//
+// certificate_samples FOLDER gaps COUNT: NAME.QUESTION.cert of pairs a small distance apart, and NAME.mesh (times.py).
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -15,15 +17,29 @@ void write_mesh(const std::filesystem::path& path, const ecods::MeshShape& shape
     ecods::write_certified_mesh(file, shape);
 }
 
+void write_gaps(const std::filesystem::path& folder, std::size_t count) {
+    ecods::certificates::make_gap_samples(count, 5, [&](const ecods::certificates::Sample& sample) {
+        const auto mesh = folder / (sample.name.substr(0, sample.name.find('.')) + ".mesh");
+        if (!std::filesystem::exists(mesh)) write_mesh(mesh, *sample.a);
+        std::ofstream file(folder / (sample.name + ".cert"), std::ios::binary | std::ios::app);
+        sample.certificate.write(file);
+    });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::cerr << "usage: certificate_samples FOLDER [COUNT [SEED [CHECKER]]]\n";
+        std::cerr << "usage: certificate_samples FOLDER [COUNT [SEED [CHECKER]]]\n"
+                     "       certificate_samples FOLDER gaps COUNT\n";
         return 2;
     }
     const std::filesystem::path folder = argv[1];
     std::filesystem::create_directories(folder);
+    if (argc == 4 && std::string(argv[2]) == "gaps") {
+        write_gaps(folder, std::strtoul(argv[3], nullptr, 10));
+        return 0;
+    }
     const std::size_t count = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 2;
     const auto seed = static_cast<std::uint32_t>(argc > 3 ? std::strtoul(argv[3], nullptr, 10) : 1);
     std::size_t number = 0;

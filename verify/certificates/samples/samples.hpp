@@ -27,6 +27,10 @@ void make_samples(std::size_t count, std::uint32_t seed, const std::function<voi
 std::shared_ptr<const MeshShape> plate(std::uint32_t across);
 void make_flush_samples(std::uint32_t across, std::uint32_t seed, const std::function<void(const Sample&)>& take);
 
+// Of ships and of two tori, pairs that are 1e-4 radii apart: their relation, their distance, and that they are further
+// apart than half of that. All certificates of one mesh are about the same shape.
+void make_gap_samples(std::size_t count, std::uint32_t seed, const std::function<void(const Sample&)>& take);
+
 // The certificates of worlds of a dozen bodies, some of them touching, crossing, filtered out or switched off: for each
 // broad phase `count` worlds, each without and with clearances.
 void make_worlds(std::size_t count, std::uint32_t seed, const std::function<void(const WorldCertificate&)>& take);
