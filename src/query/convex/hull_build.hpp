@@ -24,6 +24,8 @@ struct Border {
     const ProperMesh* named;
     std::span<const TriangleOrigin> origins;
 
+    double orient3d_bound;  // of points of `proper`, see own_bounds()
+
     bool turns_right(std::uint32_t triangle) const noexcept { return !faces_in.empty() && faces_in[triangle] != 0; }
     // The side of a triangle of `named` of which a side is part; its corner is TriangleOrigin::none if it is inside
     // one.

@@ -20,14 +20,21 @@ namespace {
 
 using Pair = std::pair<std::size_t, std::size_t>;
 
+// A part's box, and whether each of its triangles is known to have an area.
+struct Extent {
+    Aabb box;
+    bool has_areas = true;
+};
+
 // Pairs whose boxes are not proven to be further apart than the clearance, ascending. Which these are may depend on
 // rounding; what they are judged to be does not.
-std::vector<Pair> find_candidates(const std::vector<Part>& parts, const JudgeOptions& options) {
+std::vector<Pair> find_candidates(const std::vector<Part>& parts, const std::vector<Extent>& extents,
+                                  const JudgeOptions& options) {
     const PairFilter filter(parts, options.rules);
     const auto broad_phase = make_broad_phase(BroadPhaseKind::kept_candidates);
     broad_phase->reserve(parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i)
-        broad_phase->add(static_cast<ProxyIndex>(i), parts[i].shape->box(parts[i].pose));
+        broad_phase->add(static_cast<ProxyIndex>(i), extents[i].box);
     std::vector<Pair> pairs;
     const double limit = options.clearance.value_or(0);
     broad_phase->visit_near_pairs(limit, [&](ProxyPair pair) {
@@ -53,12 +60,6 @@ void for_each_block(std::size_t count, const JudgeOptions& options, const char* 
     });
 }
 
-// A part's box, and whether each of its triangles is known to have an area.
-struct Extent {
-    Aabb box;
-    bool has_areas = true;
-};
-
 // A coordinate of the product of two sides is computed with an error of at most 4 u (|x y'| + |x' y|) for sides of
 // coordinates x, y and x', y', so of at most 8 u e^2 for the largest of these; 16 u covers its own rounding.
 bool has_area(const Mesh& mesh, const Triangle& triangle) {
@@ -71,15 +72,14 @@ bool has_area(const Mesh& mesh, const Triangle& triangle) {
     return p.cross(q).cwiseAbs().maxCoeff() > bound;
 }
 
-std::vector<Extent> find_extents(const std::vector<Part>& parts) {
-    std::vector<Extent> extents;
-    extents.reserve(parts.size());
-    for (const Part& part : parts) {
-        const Mesh& mesh = part.shape->mesh();
+std::vector<Extent> find_extents(const std::vector<Part>& parts, const JudgeOptions& options) {
+    std::vector<Extent> extents(parts.size());
+    for_each_block(parts.size(), options, "finding boxes", [&](std::size_t i, QueryMemory&) {
+        const Mesh& mesh = parts[i].shape->mesh();
         const bool has_areas = std::all_of(mesh.triangles().begin(), mesh.triangles().end(),
                                            [&](const Triangle& triangle) { return has_area(mesh, triangle); });
-        extents.push_back({bounds_of(part), has_areas});
-    }
+        extents[i] = {bounds_of(parts[i]), has_areas};
+    });
     return extents;
 }
 
@@ -91,8 +91,8 @@ bool can_be_deep(const Extent& a, const Extent& b) {
 }
 
 std::vector<Clash> find_clashes(const std::vector<Part>& parts, const JudgeOptions& options) {
-    const std::vector<Pair> pairs = find_candidates(parts, options);
-    const std::vector<Extent> extents = find_extents(parts);
+    const std::vector<Extent> extents = find_extents(parts, options);
+    const std::vector<Pair> pairs = find_candidates(parts, extents, options);
     std::vector<std::optional<Verdict>> verdicts(pairs.size());
     for_each_block(pairs.size(), options, "judging", [&](std::size_t i, QueryMemory& memory) {
         const auto [a, b] = pairs[i];
