@@ -26,7 +26,7 @@ Hull make_hull(const Solid& solid) {
                         shells.faces_in,
                         parts.origins.empty() ? &parts.proper : &whole,
                         parts.origins,
-                        own_bounds(parts.proper.mesh->vertices()).orient3d};
+                        exact::VertexSigns(parts.proper.mesh->vertices())};
     return build_hull(border, require_convex(border, shells, mesh));
 }
 

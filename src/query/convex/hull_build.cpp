@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "base/assert.hpp"
-#include "ecods/predicates.hpp"
-#include "exact/sign/plain_signs.hpp"
 
 namespace ecods::convex {
 namespace {
@@ -216,11 +214,7 @@ class Builder {
 
 int side_of_plane(const Border& border, std::uint32_t triangle, std::uint32_t vertex) noexcept {
     const auto& [a, b, c] = border.proper->mesh->triangles()[triangle];
-    const auto points = border.proper->mesh->vertices();
-    const auto point = [&](std::uint32_t i) { return exact::Point{points[i][0], points[i][1], points[i][2]}; };
-    int sign = exact::certain_sign(exact::plain_orient3d(point(a), point(b), point(c), point(vertex)),
-                                   border.orient3d_bound);
-    if (sign == 0) sign = static_cast<int>(orient3d(points[a], points[b], points[c], points[vertex]));
+    const int sign = border.signs.orient3d(a, b, c, vertex);
     return border.turns_right(triangle) ? -sign : sign;
 }
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "ecods/mesh.hpp"
-#include "exact/sign/filter_bound.hpp"
 
 namespace ecods {
 
@@ -25,10 +24,6 @@ std::vector<std::uint32_t> least_equals(std::span<const Vec3> vertices);
 
 // Cost: one pass over the vertices, with a hash table, and one over the triangles.
 ProperMesh find_proper(std::shared_ptr<const Mesh> mesh);
-
-// One bound each for all determinants of some points of meshes, whose coordinates have no error: what is certain by it
-// needs no bound of its own.
-exact::DeterminantBounds own_bounds(std::span<const Vec3> vertices) noexcept;
 
 // Whether three points are not on one line: exact.
 bool have_area(const Vec3& a, const Vec3& b, const Vec3& c) noexcept;

@@ -1,4 +1,4 @@
-// What is_proven_star proves is so, by the search that it replaces and by the oracle; and what it is for, it proves.
+// What prove_star proves is so, by the search that it replaces and by the oracle; and what it is for, it proves.
 #include "query/solid/star_proof.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace {
 
 bool is_proven(const MeshPtr& mesh) {
     const ProperMesh proper = find_proper(mesh);
-    return is_proven_star(proper, MeshEdges(proper));
+    return !prove_star(proper, MeshEdges(proper)).empty();
 }
 
 // Whether it is proven, of a mesh of which it may be.
