@@ -52,9 +52,14 @@ int VertexSigns::orient3d(std::uint32_t a, std::uint32_t b, std::uint32_t c, std
     return static_cast<int>(ecods::orient3d(*points[0], *points[1], *points[2], *points[3]));
 }
 
-int VertexSigns::certain_normal(std::uint32_t a, std::uint32_t b, std::uint32_t c, int axis) const noexcept {
-    const auto k = static_cast<std::size_t>(axis);
-    return certain_sign(plain_normal(point(a), point(b), point(c))[k], bounds_.orient2d[k]);
+int VertexSigns::orient2d(std::uint32_t a, std::uint32_t b, std::uint32_t c, int axis) const noexcept {
+    const double turned = plain_orient2d(point(a), point(b), point(c), axis);
+    if (const int sign = certain_sign(turned, bounds_.orient2d[static_cast<std::size_t>(axis)])) return sign;
+    const Vec3 &p = vertices_[a], &q = vertices_[b], &r = vertices_[c];
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const auto are_level = [&](int k) { return key_of(p[k]) == key_of(q[k]) && key_of(p[k]) == key_of(r[k]); };
+    if (are_level(u) || are_level(v)) return 0;
+    return static_cast<int>(ecods::orient2d(Vec2(p[u], p[v]), Vec2(q[u], q[v]), Vec2(r[u], r[v])));
 }
 
 }  // namespace ecods::exact

@@ -22,8 +22,8 @@ class VertexSigns {
     // As ecods::orient3d: exact.
     int orient3d(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const noexcept;
 
-    // The sign of a component of (b - a) x (c - a), if it is certain; otherwise 0.
-    int certain_normal(std::uint32_t a, std::uint32_t b, std::uint32_t c, int axis) const noexcept;
+    // The sign of a component of (b - a) x (c - a): exact.
+    int orient2d(std::uint32_t a, std::uint32_t b, std::uint32_t c, int axis) const noexcept;
 
   private:
     Point point(std::uint32_t i) const noexcept { return {vertices_[i][0], vertices_[i][1], vertices_[i][2]}; }

@@ -7,7 +7,6 @@
 #include <optional>
 #include <span>
 
-#include "ecods/predicates.hpp"
 #include "exact/sign/vertex_signs.hpp"
 
 namespace ecods {
@@ -39,18 +38,6 @@ std::optional<PlaneKey> key_of(const Mesh& mesh, const MeshExtent& extent, std::
     return PlaneKey{{steps(n[0], 0x1p10), steps(n[1], 0x1p10), steps(n[2], 0x1p10), steps(distance, 0x1p20)}, triangle};
 }
 
-// Whether the normals of two triangles of parallel planes have the same direction: exact. False if one has no area.
-bool are_turned_alike(const Mesh& mesh, const Triangle& s, const Triangle& t) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto shadow = [&](std::uint32_t vertex) {
-            return Vec2(mesh.vertices()[vertex][axis], mesh.vertices()[vertex][(axis + 1) % 3]);
-        };
-        const Sign turn = orient2d(shadow(s[0]), shadow(s[1]), shadow(s[2]));
-        if (turn != Sign::zero) return turn == orient2d(shadow(t[0]), shadow(t[1]), shadow(t[2]));
-    }
-    return false;
-}
-
 // Whether two triangles are in one plane and turned the same way: exact.
 bool is_coplanar(const VertexSigns& signs, const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
     const Triangle &s = mesh.triangles()[a], &t = mesh.triangles()[b];
@@ -58,11 +45,10 @@ bool is_coplanar(const VertexSigns& signs, const Mesh& mesh, std::uint32_t a, st
         if (signs.orient3d(s[0], s[1], s[2], vertex) != 0) return false;
     }
     for (int axis = 0; axis < 3; ++axis) {
-        const int turn = signs.certain_normal(s[0], s[1], s[2], axis);
-        const int other = turn == 0 ? 0 : signs.certain_normal(t[0], t[1], t[2], axis);
-        if (other != 0) return turn == other;
+        const int turn = signs.orient2d(s[0], s[1], s[2], axis);
+        if (turn != 0) return turn == signs.orient2d(t[0], t[1], t[2], axis);
     }
-    return are_turned_alike(mesh, s, t);
+    return false;
 }
 
 // Gives triangles of one key their groups. Of the planes of a key only some are remembered: so many different planes
