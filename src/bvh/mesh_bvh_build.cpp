@@ -1,31 +1,15 @@
 #include <algorithm>
 #include <array>
-#include <bit>
+#include <span>
 #include <utility>
 
 #include "bvh/frame_box.hpp"
 #include "bvh/mesh_bvh.hpp"
 #include "bvh/slabs.hpp"
+#include "bvh/sweep_split.hpp"
 
 namespace ecods {
 namespace {
-
-// A triangle's index and its box, which has a lane to spare for the index.
-struct PrimitiveRef {
-    FrameBox box;
-
-    PrimitiveRef() = default;
-    PrimitiveRef(const FrameBox& around, std::uint32_t triangle) : box(around) {
-        box.min[3] = std::bit_cast<float>(triangle);
-    }
-
-    Float4 middle() const noexcept { return box.min + box.max; }  // twice
-    std::uint32_t triangle() const noexcept {
-        const float lane = box.min[3];
-        return std::bit_cast<std::uint32_t>(lane);
-    }
-};
-static_assert(sizeof(PrimitiveRef) == 32);
 
 using PrimitiveRefs = std::vector<PrimitiveRef>;
 
@@ -38,21 +22,27 @@ struct Range {
     std::uint32_t size() const noexcept { return end - begin; }
 };
 
-// The leaves that this many triangles need: the cost of visiting them, since a leaf is tested whole.
-float visits(std::uint32_t count) noexcept {
-    const std::size_t leaves = (count + tree_width - 1) / tree_width;
-    return static_cast<float>(leaves);
-}
-
 // Splits parts in two where the surface area heuristic says.
 class Splitter {
   public:
     explicit Splitter(PrimitiveRefs& items) : items_(items) {}
 
-    // The two halves of `part`, neither of them empty.
+    // The two halves of `part`, neither of them empty. A part is split right after the one that it is half of, or after
+    // all that the other half is split into: so the parts of a block come one after the other.
     std::array<Range, 2> split(const Range& part) {
-        const std::uint32_t middle = part.size() <= sweep_max ? split_by_sweep(part) : split_by_bins(part);
-        return {box_of(part.begin, middle), box_of(middle, part.end)};
+        if (part.size() > SweepSplit::size_max) {
+            const std::uint32_t middle = split_by_bins(part);
+            return {box_of(part.begin, middle), box_of(middle, part.end)};
+        }
+        if (part.begin < block_begin_ || part.end > block_end_) {
+            block_begin_ = part.begin;
+            block_end_ = part.end;
+            block_.begin(std::span(items_).subspan(part.begin, part.size()));
+        }
+        const std::uint32_t begin = part.begin - block_begin_, end = part.end - block_begin_;
+        const std::uint32_t middle = block_.split(begin, end);
+        return {Range{part.begin, block_begin_ + middle, block_.box_of(begin, middle)},
+                Range{block_begin_ + middle, part.end, block_.box_of(middle, end)}};
     }
 
     Range box_of(std::uint32_t begin, std::uint32_t end) const {
@@ -62,51 +52,12 @@ class Splitter {
     }
 
   private:
-    static constexpr std::uint32_t sweep_max = 64;  // above it, sorting costs more than it gains
     static constexpr std::size_t bin_count = 16;
 
     struct Bin {
         FrameBox box;
         std::uint32_t count = 0;
     };
-
-    // Every way to cut the items in their order on some axis.
-    std::uint32_t split_by_sweep(const Range& part) {
-        const std::uint32_t count = part.size();
-        float best = FrameBox::infinity;
-        std::uint32_t best_size = count / 2;
-        int best_axis = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            sort(part, axis);
-            std::array<float, sweep_max + 1> left_cost;
-            FrameBox box;
-            for (std::uint32_t i = 0; i < count; ++i) {
-                box.include(items_[part.begin + i].box);
-                left_cost[i + 1] = box.surface() * visits(i + 1);
-            }
-            box = {};
-            for (std::uint32_t i = count - 1; i > 0; --i) {
-                box.include(items_[part.begin + i].box);
-                const float cost = left_cost[i] + box.surface() * visits(count - i);
-                // Flat parts may cost nothing wherever they are cut: then in the middle.
-                if (cost < best || (cost == best && best == 0 && i >= count / 2)) {
-                    best = cost;
-                    best_size = i;
-                    best_axis = axis;
-                }
-            }
-        }
-        if (best_axis != 2) sort(part, best_axis);
-        return part.begin + best_size;
-    }
-
-    void sort(const Range& part, int axis) {
-        std::sort(items_.begin() + part.begin, items_.begin() + part.end,
-                  [axis](const PrimitiveRef& a, const PrimitiveRef& b) {
-                      const float x = a.middle()[axis], y = b.middle()[axis];
-                      return x < y || (x == y && a.triangle() < b.triangle());
-                  });
-    }
 
     // Cuts between bins of equal width. Middles that are all the same, and those of infinite boxes, are cut in half.
     std::uint32_t split_by_bins(const Range& part) {
@@ -146,7 +97,7 @@ class Splitter {
             const auto add = [&](const Bin& bin) {
                 sum.box.include(bin.box);
                 sum.count += bin.count;
-                return sum.count == 0 ? 0 : sum.box.surface() * visits(sum.count);
+                return sum.count == 0 ? 0 : sum.box.surface() * leaf_visits(sum.count);
             };
             for (std::size_t b = 0; b + 1 < bin_count; ++b) left_cost[b + 1] = add(row[b]);
             sum = {};
@@ -167,6 +118,8 @@ class Splitter {
     }
 
     PrimitiveRefs& items_;
+    SweepSplit block_;
+    std::uint32_t block_begin_ = 0, block_end_ = 0;
 };
 
 // How many of some roots are in which half.

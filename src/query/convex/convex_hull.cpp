@@ -17,7 +17,7 @@ using namespace convex;
 Hull hull_of(std::span<const Vec3> points) {
     const ProperMesh proper{Mesh::create({points.begin(), points.end()}, triangulate_hull(points)), {}};
     const MeshEdges edges(proper);
-    const Border border{&proper, &edges, {}, &proper, {}};
+    const Border border{&proper, &edges, {}, &proper, {}, exact::VertexSigns(proper.mesh->vertices())};
     return build_hull(border, find_flat_edges(border));
 }
 

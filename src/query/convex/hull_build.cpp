@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/assert.hpp"
-#include "ecods/predicates.hpp"
 
 namespace ecods::convex {
 namespace {
@@ -215,8 +214,7 @@ class Builder {
 
 int side_of_plane(const Border& border, std::uint32_t triangle, std::uint32_t vertex) noexcept {
     const auto& [a, b, c] = border.proper->mesh->triangles()[triangle];
-    const auto points = border.proper->mesh->vertices();
-    const auto sign = static_cast<int>(orient3d(points[a], points[b], points[c], points[vertex]));
+    const int sign = border.signs.orient3d(a, b, c, vertex);
     return border.turns_right(triangle) ? -sign : sign;
 }
 

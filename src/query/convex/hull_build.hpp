@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "exact/sign/vertex_signs.hpp"
 #include "query/convex/hull.hpp"
 #include "query/solid/mesh_edges.hpp"
 #include "query/solid/proper_mesh.hpp"
@@ -23,6 +24,8 @@ struct Border {
     // `origins` is empty.
     const ProperMesh* named;
     std::span<const TriangleOrigin> origins;
+
+    exact::VertexSigns signs;  // of the vertices of `proper`
 
     bool turns_right(std::uint32_t triangle) const noexcept { return !faces_in.empty() && faces_in[triangle] != 0; }
     // The side of a triangle of `named` of which a side is part; its corner is TriangleOrigin::none if it is inside

@@ -7,9 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "ecods/pose.hpp"
-#include "exact/point/frame.hpp"
-#include "exact/sign/frame_signs.hpp"
+#include "exact/sign/vertex_signs.hpp"
 
 namespace ecods {
 namespace {
@@ -41,25 +39,24 @@ std::optional<PlaneKey> key_of(const Mesh& mesh, const MeshExtent& extent, std::
 }
 
 // Whether two triangles are in one plane and turned the same way: exact.
-bool is_coplanar(Frame& frame, const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
+bool is_coplanar(const VertexSigns& signs, const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
     const Triangle &s = mesh.triangles()[a], &t = mesh.triangles()[b];
-    const std::array<VertexRef, 6> corners{VertexRef{0, s[0]}, {0, s[1]}, {0, s[2]}, {0, t[0]}, {0, t[1]}, {0, t[2]}};
-    return with_signs(frame, corners, [](auto& signs) {
-        if (signs.sides(0, 3) != Sides{0, 0, 0}) return false;
-        const int axis = signs.normal_axis(0);
-        return axis >= 0 && signs.orient2d(0, 1, 2, axis) == signs.orient2d(3, 4, 5, axis);
-    });
+    for (const std::uint32_t vertex : t) {
+        if (signs.orient3d(s[0], s[1], s[2], vertex) != 0) return false;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const int turn = signs.orient2d(s[0], s[1], s[2], axis);
+        if (turn != 0) return turn == signs.orient2d(t[0], t[1], t[2], axis);
+    }
+    return false;
 }
 
 // Gives triangles of one key their groups. Of the planes of a key only some are remembered: so many different planes
 // that are so near are those of a surface with hardly a group.
 class Grouper {
   public:
-    Grouper(const Mesh& mesh, const MeshExtent& extent)
-        : mesh_(mesh), group_(mesh.triangles().size(), CoplanarGroups::none) {
-        const BodyRef body{&mesh, &extent, &identity_};
-        frame_.bind({&body, 1});
-    }
+    explicit Grouper(const Mesh& mesh)
+        : mesh_(mesh), signs_(mesh.vertices()), group_(mesh.triangles().size(), CoplanarGroups::none) {}
 
     void add(std::span<const PlaneKey> keys) {
         plane_count_ = 0;
@@ -73,8 +70,7 @@ class Grouper {
         const auto count = static_cast<std::uint32_t>(mesh_.vertices().size());
         int side = 0;
         for (std::uint32_t v = 0; v < count; ++v) {
-            const std::array<VertexRef, 4> corners{VertexRef{0, t[0]}, {0, t[1]}, {0, t[2]}, {0, v}};
-            const int s = with_signs(frame_, corners, [](auto& signs) { return signs.orient3d(0, 1, 2, 3); });
+            const int s = signs_.orient3d(t[0], t[1], t[2], v);
             if (s * side < 0) return 0;
             if (s != 0) side = s;
         }
@@ -88,7 +84,7 @@ class Grouper {
     void add(std::uint32_t triangle) {
         for (std::size_t i = 0; i < plane_count_; ++i) {
             const std::uint32_t known = planes_[i];
-            if (!is_coplanar(frame_, mesh_, known, triangle)) continue;
+            if (!is_coplanar(signs_, mesh_, known, triangle)) continue;
             if (group_[known] == CoplanarGroups::none) {
                 group_[known] = static_cast<std::uint32_t>(first_.size());
                 first_.push_back(known);
@@ -100,8 +96,7 @@ class Grouper {
     }
 
     const Mesh& mesh_;
-    const Pose identity_;
-    Frame frame_;
+    VertexSigns signs_;
     std::vector<std::uint32_t> group_, first_;
     std::array<std::uint32_t, 4> planes_;
     std::size_t plane_count_ = 0;
@@ -142,7 +137,7 @@ CoplanarGroups find_coplanar_groups(const Mesh& mesh, const MeshExtent& extent, 
         if (const auto key = key_of(mesh, extent, i)) keys.push_back(*key);
     }
     std::ranges::sort(keys);
-    Grouper grouper(mesh, extent);
+    Grouper grouper(mesh);
     for (std::size_t begin = 0, end; begin < keys.size(); begin = end) {
         for (end = begin + 1; end < keys.size() && keys[end].is_of_one_plane_with(keys[begin]);) ++end;
         if (end - begin > 1) grouper.add(std::span(keys).subspan(begin, end - begin));

@@ -13,6 +13,7 @@
 #include "exact/sign/filter_bound.hpp"
 #include "exact/sign/filtered_signs.hpp"
 #include "exact/sign/plain_signs.hpp"
+#include "exact/sign/vertex_signs.hpp"
 
 namespace ecods {
 namespace {
@@ -32,17 +33,7 @@ std::size_t hash_of(const Vec3& v) noexcept {
 // own is worked out.
 class AreaFilter {
   public:
-    explicit AreaFilter(std::span<const Vec3> vertices) noexcept {
-        Vec3 min = vertices[0], max = vertices[0];
-        for (const Vec3& v : vertices) {
-            min = min.cwiseMin(v);
-            max = max.cwiseMax(v);
-        }
-        // Coordinates are what they are; subnormal ones may be taken for zero.
-        const exact::DifferenceBound d =
-            exact::difference_bound({max[0] - min[0], max[1] - min[1], max[2] - min[2]}, 0x1p-1000);
-        bounds_ = {exact::orient2d_bound(d, 1, 2), exact::orient2d_bound(d, 2, 0), exact::orient2d_bound(d, 0, 1)};
-    }
+    explicit AreaFilter(std::span<const Vec3> vertices) noexcept : bounds_(exact::own_bounds(vertices).orient2d) {}
 
     bool is_certain(const Vec3& a, const Vec3& b, const Vec3& c) const noexcept {
         const exact::PlainNormal n = exact::plain_normal({a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]});

@@ -101,4 +101,18 @@ Shells find_shells(const ProperMesh& proper, const MeshEdges& edges, const MeshT
     return ShellFinder(proper, edges, tree).find();
 }
 
+Shells shells_of_star(const ProperMesh& proper, std::span<const std::uint8_t> faces_in) {
+    Shells shells;
+    shells.faces_in.assign(faces_in.begin(), faces_in.end());
+    shells.of_triangle.assign(faces_in.size(), 0);
+    for (std::uint32_t i = 0; i < faces_in.size(); ++i) {
+        if (!proper.is_proper(i)) {
+            shells.of_triangle[i] = no_shell;
+        } else if (shells.first.empty()) {
+            shells.first.push_back(i);
+        }
+    }
+    return shells;
+}
+
 }  // namespace ecods

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "query/shape/mesh_tree.hpp"
@@ -21,5 +22,8 @@ struct Shells {
 // `tree` is that of the mesh, which bounds a solid and has no edges that lie along each other and are not one.
 // Cost: some passes over the triangles, and one ray for each shell.
 Shells find_shells(const ProperMesh& proper, const MeshEdges& edges, const MeshTree& tree);
+
+// Those of a surface of which prove_star() has found `faces_in`. Cost: one pass over the triangles.
+Shells shells_of_star(const ProperMesh& proper, std::span<const std::uint8_t> faces_in);
 
 }  // namespace ecods

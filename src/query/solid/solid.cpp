@@ -23,6 +23,7 @@ struct Checked {
     ProperMesh proper;
     MeshEdges edges;
     std::vector<EdgeOverlap> overlaps;
+    std::vector<std::uint8_t> star_faces_in;
 };
 
 Checked check(const MeshShape& shape) {
@@ -30,7 +31,8 @@ Checked check(const MeshShape& shape) {
     result.proper = find_proper(shape.mesh_ptr());
     result.edges = MeshEdges(result.proper);
     check_closed(shape.mesh(), result.proper, result.edges);
-    if (is_proven_star(result.proper, result.edges)) return result;
+    result.star_faces_in = prove_star(result.proper, result.edges);
+    if (!result.star_faces_in.empty()) return result;
     SelfContacts contacts(result.proper, MeshShapeAccess::tree(shape));
     const std::optional<TrianglePair> least = contacts.find_least(result.overlaps);
     if (least) throw SelfIntersecting(*least);
@@ -55,6 +57,7 @@ Solid::Solid(std::shared_ptr<const Mesh> mesh) : MeshShape(std::move(mesh)), sol
     if (checked.overlaps.empty()) {
         parts.proper = std::move(checked.proper);
         parts.edges = std::move(checked.edges);
+        parts.star_faces_in = std::move(checked.star_faces_in);
         return;
     }
     SplitMesh split = split_edges(checked.proper, checked.overlaps);
@@ -73,7 +76,10 @@ const MeshTree& SolidAccess::tree(const Solid& solid) {
 
 const Shells& SolidAccess::shells(const Solid& solid) {
     Parts& parts = *solid.solid_parts_;
-    return parts.shells.get([&] { return find_shells(parts.proper, parts.edges, tree(solid)); });
+    return parts.shells.get([&] {
+        return parts.star_faces_in.empty() ? find_shells(parts.proper, parts.edges, tree(solid))
+                                           : shells_of_star(parts.proper, parts.star_faces_in);
+    });
 }
 
 }  // namespace ecods

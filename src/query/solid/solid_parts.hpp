@@ -22,6 +22,8 @@ struct Solid::Parts {
     std::vector<TriangleOrigin> origins;
     // The shape of proper.mesh where edges were split; otherwise null, and the solid's own tree is its tree.
     std::unique_ptr<const MeshShape> split_shape;
+    // What prove_star() has found out, before the shells are made of it; empty if it has proven nothing.
+    std::vector<std::uint8_t> star_faces_in;
     Lazy<Shells> shells;
 };
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "exact/sign/filter_bound.hpp"
@@ -31,6 +32,10 @@
 // Let s be along sides that are not one edge, and x a point of P(s) of the kind above. The two triangles of S's edge
 // fill both sides of the circle near x, and so does the image of T's inside one of them: T is one of these two. But
 // then T has two sides along one line, and no area. QED.
+//
+// The surface is connected over edges: a way on the sphere from one triangle to another need not meet the ends of arcs,
+// and where it crosses an arc it goes to the other triangle of an edge. So it is one shell. By N = 1 every half-line
+// from o meets it once: o is inside, and so is the side of each triangle on which o is.
 //
 // All signs are those of the filter: what is not certain proves nothing, and neither the choice of o nor its rounding
 // can make the answer wrong. That o is near the middle only makes it likely that a convex body is seen.
@@ -61,6 +66,9 @@ class StarProof {
         }
         return std::ranges::any_of(std::array{0, 1, 2}, [&](int axis) { return is_met_once(axis); });
     }
+
+    // By triangle: whether its corners turn right, seen from outside.
+    std::vector<std::uint8_t> take_sides() noexcept { return std::move(is_above_); }
 
   private:
     template <class Visit>
@@ -172,8 +180,9 @@ class StarProof {
 
 }  // namespace
 
-bool is_proven_star(const ProperMesh& proper, const MeshEdges& edges) {
-    return StarProof(proper).find(edges);
+std::vector<std::uint8_t> prove_star(const ProperMesh& proper, const MeshEdges& edges) {
+    StarProof proof(proper);
+    return proof.find(edges) ? proof.take_sides() : std::vector<std::uint8_t>();
 }
 
 }  // namespace ecods

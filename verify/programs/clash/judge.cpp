@@ -1,7 +1,6 @@
 #include "programs/clash/judge.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -22,12 +21,13 @@ using Pair = std::pair<std::size_t, std::size_t>;
 
 // Pairs whose boxes are not proven to be further apart than the clearance, ascending. Which these are may depend on
 // rounding; what they are judged to be does not.
-std::vector<Pair> find_candidates(const std::vector<Part>& parts, const JudgeOptions& options) {
+std::vector<Pair> find_candidates(const std::vector<Part>& parts, const std::vector<Aabb>& boxes,
+                                  const JudgeOptions& options) {
     const PairFilter filter(parts, options.rules);
     const auto broad_phase = make_broad_phase(BroadPhaseKind::kept_candidates);
     broad_phase->reserve(parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i)
-        broad_phase->add(static_cast<ProxyIndex>(i), parts[i].shape->box(parts[i].pose));
+        broad_phase->add(static_cast<ProxyIndex>(i), boxes[i]);
     std::vector<Pair> pairs;
     const double limit = options.clearance.value_or(0);
     broad_phase->visit_near_pairs(limit, [&](ProxyPair pair) {
@@ -53,50 +53,26 @@ void for_each_block(std::size_t count, const JudgeOptions& options, const char* 
     });
 }
 
-// A part's box, and whether each of its triangles is known to have an area.
-struct Extent {
-    Aabb box;
-    bool has_areas = true;
-};
-
-// A coordinate of the product of two sides is computed with an error of at most 4 u (|x y'| + |x' y|) for sides of
-// coordinates x, y and x', y', so of at most 8 u e^2 for the largest of these; 16 u covers its own rounding.
-bool has_area(const Mesh& mesh, const Triangle& triangle) {
-    constexpr double u = std::numeric_limits<double>::epsilon() / 2;
-    const auto vertices = mesh.vertices();
-    const Vec3 p = vertices[triangle[1]] - vertices[triangle[0]];
-    const Vec3 q = vertices[triangle[2]] - vertices[triangle[0]];
-    const double e = std::max(p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff());
-    const double bound = std::max(16 * u * e * e, std::numeric_limits<double>::min());
-    return p.cross(q).cwiseAbs().maxCoeff() > bound;
+std::vector<Aabb> find_boxes(const std::vector<Part>& parts, const JudgeOptions& options) {
+    std::vector<Aabb> boxes(parts.size());
+    for_each_block(parts.size(), options, "finding boxes",
+                   [&](std::size_t i, QueryMemory&) { boxes[i] = bounds_of(parts[i]); });
+    return boxes;
 }
 
-std::vector<Extent> find_extents(const std::vector<Part>& parts) {
-    std::vector<Extent> extents;
-    extents.reserve(parts.size());
-    for (const Part& part : parts) {
-        const Mesh& mesh = part.shape->mesh();
-        const bool has_areas = std::all_of(mesh.triangles().begin(), mesh.triangles().end(),
-                                           [&](const Triangle& triangle) { return has_area(mesh, triangle); });
-        extents.push_back({bounds_of(part), has_areas});
-    }
-    return extents;
-}
-
-// As judge_pair() asks.
-bool can_be_deep(const Extent& a, const Extent& b) {
-    const bool share_inner_points =
-        (a.box.min.array() < b.box.max.array()).all() && (b.box.min.array() < a.box.max.array()).all();
-    return share_inner_points || !a.has_areas || !b.has_areas;
+// As judge_pair() asks: interiors that meet do so inside both boxes. Triangles without area belong to no interior, so
+// that a box around them is only larger.
+bool can_be_deep(const Aabb& a, const Aabb& b) {
+    return (a.min.array() < b.max.array()).all() && (b.min.array() < a.max.array()).all();
 }
 
 std::vector<Clash> find_clashes(const std::vector<Part>& parts, const JudgeOptions& options) {
-    const std::vector<Pair> pairs = find_candidates(parts, options);
-    const std::vector<Extent> extents = find_extents(parts);
+    const std::vector<Aabb> boxes = find_boxes(parts, options);
+    const std::vector<Pair> pairs = find_candidates(parts, boxes, options);
     std::vector<std::optional<Verdict>> verdicts(pairs.size());
     for_each_block(pairs.size(), options, "judging", [&](std::size_t i, QueryMemory& memory) {
         const auto [a, b] = pairs[i];
-        verdicts[i] = judge_pair(parts[a], parts[b], options.clearance, memory, can_be_deep(extents[a], extents[b]));
+        verdicts[i] = judge_pair(parts[a], parts[b], options.clearance, memory, can_be_deep(boxes[a], boxes[b]));
     });
     std::vector<Clash> clashes;
     for (std::size_t i = 0; i < pairs.size(); ++i) {

@@ -129,7 +129,11 @@ TEST_F(ClashProgram, ReportsThatCannotBeWritten) {
         const ProgramResult full = run(two + " " + format + " /dev/full");
         EXPECT_EQ(full.status, 2) << format;
         EXPECT_NE(full.err.find("/dev/full: cannot be written"), std::string::npos) << full.err;
-        EXPECT_EQ(run(two + " " + format + " /nowhere/report").status, 2) << format;
+        for (const std::string& folder : {std::string("/nowhere"), two}) {
+            const ProgramResult none = run(two + " " + format + " " + folder + "/report");
+            EXPECT_EQ(none.status, 2) << format;
+            EXPECT_NE(none.err.find(folder + "/report: cannot be written"), std::string::npos) << none.err;
+        }
     }
 }
 

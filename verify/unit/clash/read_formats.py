@@ -2,7 +2,7 @@
 
 usage: read_formats.py ECODS_CLASH ECODS_CLASH_BUILDING
 
-JSON, CSV and the table must say the same; and other orders of files, other numbers of jobs and a second run must give
+JSON, CSV and the table must say the same; what cannot be written to its end must not be left; and other orders of files, other numbers of jobs and a second run must give
 the same bytes.
 """
 
@@ -10,6 +10,7 @@ import csv
 import json
 import os
 import re
+import resource
 import subprocess
 import sys
 import tempfile
@@ -57,6 +58,21 @@ def check_formats(program, paths, folder):
     return outputs[0]
 
 
+def check_halves(program, paths, folder):
+    """Of a file that is cut off, as on a full disk, nothing is left, and the error names it."""
+    for option in ("--json", "--csv", "--html", "--bcf"):
+        file = os.path.join(folder, "half" + option)
+        # Python ignores the signal of a file that grows too large, so that its child has an error instead.
+        done = subprocess.run([program, *paths, "--touching", "--quiet", option, file], stderr=subprocess.PIPE,
+                              restore_signals=False,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)))
+        if b"was built without" in done.stderr:
+            continue
+        assert done.returncode == 2, (option, done)
+        assert (file + ": cannot be written").encode() in done.stderr, done.stderr
+        assert not os.path.exists(file), option
+
+
 def check_clash(clash, row, names):
     for key in ("kind", "relation", "a", "b"):
         assert clash[key] == row[key], (clash, row)
@@ -85,6 +101,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         paths = split_into_files(run(building, "2", "2", "2"), folder)
         table, text, rows = check_formats(program, paths, folder)
+        check_halves(program, paths, folder)
     report = json.loads(text)
     rows = list(csv.DictReader(rows.decode().splitlines()))
     names = {part["name"]: part for part in report["parts"]}

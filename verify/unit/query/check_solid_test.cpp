@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "ecods/error.hpp"
+#include "environment/each_environment.hpp"
 #include "unit/query/solid_soup.hpp"
 
 namespace ecods {
@@ -55,6 +57,21 @@ TEST(CheckSolid, ClosedAlongLines) {
     EXPECT_EQ(solid_relation({below, {}}, {solid, {}}, memory), SolidRelation::touching);
     mixed.triangles.pop_back();
     EXPECT_THROW(check_solid(*mixed.mesh()), NotClosed);
+}
+
+// Corners p, p + d and p + 3 d, of which one difference is no double: computed, a normal is not zero.
+TEST(CheckSolid, ZeroAreaThatRoundingHides) {
+    const Vec3 p(-0x1.3c01788a9278cp-1, 0x1.aa42ad66b829fp+0, 0x1.08ea25f2f1b10p-1);
+    const Vec3 q(-0x1.24ac050a63e9cp-2, 0x1.76a7a4b072938p-1, 0x1.7a82ed99eb3bcp-2);
+    const Vec3 r(0x1.8201d30b1e25cp-2, -0x1.2289e3c4c476ap+0, 0x1.2f80c407ebbd0p-4);
+    Soup soup = soup_of_box({-4, -4, -4}, {4, 4, 4});
+    soup.add(p, q, r);
+    environment::in_each_environment(
+        [&] {
+            check_solid(*soup.mesh());
+            return true;
+        },
+        [](bool answer, const std::string& where) { EXPECT_TRUE(answer) << where; });
 }
 
 TEST(CheckSolid, NegativeZeroIsZero) {

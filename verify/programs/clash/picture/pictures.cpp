@@ -66,7 +66,8 @@ bool can_make_pictures() noexcept {
 std::vector<Picture> make_pictures(const ClashReport& report, std::size_t count, std::size_t jobs,
                                    const std::function<void()>& step) {
     count = std::min(count, report.clashes.size());
-    if (count > 0 && !can_write_png()) to_png({});  // which throws
+    if (count == 0) return {};
+    if (!can_write_png()) to_png({});  // which throws
     const std::vector<Aabb> boxes = part_boxes(report);
     std::vector<Picture> pictures(count);
     process::for_each_in_parallel(count, jobs, [&](std::size_t i, std::size_t) {
