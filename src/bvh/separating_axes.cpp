@@ -43,8 +43,8 @@ ECODS_ALWAYS_INLINE int separating_edges(const DoubleAxes& set, const RootBox& x
     return -1;
 }
 
-// Returns the axis on which both boxes have less than 2^-20 of their greatest extent, or -1: there triangles are told
-// apart by edges, not by planes. Any answer is sound.
+// Returns the axis on which both boxes have less than 2^-20 of their greatest extent, or -1: there triangles are parted
+// by edges, not by planes. Any answer is sound.
 ECODS_ALWAYS_INLINE int find_flat_axis(const DoubleAxes& set, const RootBox& x, const RootBox& y) noexcept {
     if (!set.is_unit) return -1;
     const Double4 y_half = absolute(set.b) * y.half;
