@@ -56,12 +56,12 @@ struct PosedTree {
 
 // The map from one tree's coordinates to three axes.
 struct Projection {
-    std::array<std::array<float, 4>, 3> p;     // columns; rows are axes, the fourth is zero
+    std::array<std::array<float, 4>, 3> p;     // columns; rows are axes, the fourth is zero; unless is_unit
     std::array<std::array<float, 4>, 3> size;  // |p|
     std::array<std::array<float, 4>, 3> row;   // of p, with the shift as the fourth
     std::array<float, 4> shift;                // added to p y
     std::array<float, 4> margin;               // added to the reach of boxes
-    bool is_unit;                              // p is the identity
+    bool is_unit;                              // p is the identity: of p, size and row only the shift is set
 };
 
 // Three axes, and both trees' boxes on them.
