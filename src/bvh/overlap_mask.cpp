@@ -2,6 +2,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "bvh/flat_lanes.hpp"
 #include "bvh/projected_lanes.hpp"
 #include "bvh/separating_axes.hpp"
 #include "simd/dispatch.hpp"
@@ -84,7 +85,10 @@ struct Kernel : ProjectedLanes<width> {
         std::uint64_t pairs = 0;
         for (std::size_t part = 0; part < part_count; ++part) {
             if constexpr (std::is_same_v<X, TreeLeaf> && std::is_same_v<Y, TreeLeaf>) {
-                near[part] &= find_near_planes(sets[0].point_error, corners_x, spans_x, corners_y, spans_y, part, rows);
+                near[part] &=
+                    sets[0].flat_axis >= 0
+                        ? FlatLanes<width>::find_near_edges(sets[0], corners_x, spans_x, corners_y, spans_y, part, rows)
+                        : find_near_planes(sets[0].point_error, corners_x, spans_x, corners_y, spans_y, part, rows);
             }
             collect(near[part], part, pairs);
         }

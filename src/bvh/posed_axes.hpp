@@ -131,11 +131,21 @@ ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Matrix4& P
     projection.is_unit = false;
 }
 
+// Of a tree on its own normals, whose P is taken for the identity, nothing but the shift is asked for.
+ECODS_ALWAYS_INLINE void set_own_projection(Projection& projection, const Matrix4& P, Double4 shift,
+                                            bool is_unit) noexcept {
+    if (!is_unit) return set_projection(projection, P, shift);
+    projection.shift = to_floats(shift);
+    for (std::size_t j = 0; j < 3; ++j) projection.row[j][3] = projection.shift[j];
+    projection.margin = {};
+    projection.is_unit = true;
+}
+
 // The last factor covers the rounding of the bounds to floats.
 ECODS_ALWAYS_INLINE void set_floats(AxisSet& set, const DoubleAxes& exact, Projection& own) noexcept {
-    set_projection(set.a, exact.a, Double4{});
-    set_projection(set.b, exact.b, exact.offset);
-    own.is_unit = exact.is_unit;
+    const bool a_is_unit = exact.is_unit && &own == &set.a, b_is_unit = exact.is_unit && &own == &set.b;
+    set_own_projection(set.a, exact.a, Double4{}, a_is_unit);
+    set_own_projection(set.b, exact.b, exact.offset, b_is_unit);
     const Double4 in_float = float_u * exact.s, in_double = 16 * two_u * exact.w + underflow;
     const double unbounded = exact.is_bounded() ? 0 : infinity;
     set.b.margin = to_floats((16 * in_float + in_double + 2 * exact.e) * (1 + 0x1p-22) + unbounded);

@@ -43,6 +43,18 @@ ECODS_ALWAYS_INLINE int separating_edges(const DoubleAxes& set, const RootBox& x
     return -1;
 }
 
+// Returns the axis on which both boxes have less than 2^-20 of their greatest extent, or -1: there triangles are parted
+// by edges, not by planes. Any answer is sound.
+ECODS_ALWAYS_INLINE int find_flat_axis(const DoubleAxes& set, const RootBox& x, const RootBox& y) noexcept {
+    if (!set.is_unit) return -1;
+    const Double4 y_half = absolute(set.b) * y.half;
+    const double x_thin = 0x1p-20 * largest(x.half), y_thin = 0x1p-20 * largest(y_half);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (x.half[axis] <= x_thin && y_half[axis] <= y_thin) return axis;
+    }
+    return -1;
+}
+
 // Returns the number of an axis that separates the roots, or sets the sets and returns -1. Tests the normals of b
 // before those of a, or the edges before the normals of b, if the axis `preferred` is one of them.
 ECODS_ALWAYS_INLINE int bind_sets(std::array<AxisSet, 2>& sets, const PosedTree& a, const PosedTree& b,
@@ -71,6 +83,7 @@ ECODS_ALWAYS_INLINE int bind_sets(std::array<AxisSet, 2>& sets, const PosedTree&
     }
     set_floats(sets[0], first, sets[0].a);
     set_floats(sets[1], second, sets[1].b);
+    sets[0].flat_axis = find_flat_axis(first, root_a, root_b);
     return -1;
 }
 

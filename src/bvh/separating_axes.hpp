@@ -56,18 +56,19 @@ struct PosedTree {
 
 // The map from one tree's coordinates to three axes.
 struct Projection {
-    std::array<std::array<float, 4>, 3> p;     // columns; rows are axes, the fourth is zero
+    std::array<std::array<float, 4>, 3> p;     // columns; rows are axes, the fourth is zero; unless is_unit
     std::array<std::array<float, 4>, 3> size;  // |p|
     std::array<std::array<float, 4>, 3> row;   // of p, with the shift as the fourth
     std::array<float, 4> shift;                // added to p y
     std::array<float, 4> margin;               // added to the reach of boxes
-    bool is_unit;                              // p is the identity
+    bool is_unit;                              // p is the identity: of p, size and row only the shift is set
 };
 
 // Three axes, and both trees' boxes on them.
 struct AxisSet {
     Projection a, b;                   // shift and margin are zero for a
     std::array<float, 4> point_error;  // of a corner of either
+    int flat_axis = -1;                // along which both trees are flat, or nearly; -1: none
 
     // From then on the set proves nothing to be apart.
     void set_unbounded() noexcept {
@@ -93,7 +94,7 @@ class SeparatingAxes {
 
 // Returns a mask of the pairs of lanes that may overlap: bit 8 j + i is clear if lane i of x, of the first tree, and
 // lane j of y, of the second, are proven disjoint, by one of the six face normals or a slab, or for the triangles of
-// two leaves by the plane of one of them. Bits of lanes that repeat another are clear.
+// two leaves by the plane of one of them, or an edge where all is flat. Bits of lanes that repeat another are clear.
 std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const BvhNode& x, const BvhNode& y) noexcept;
 std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const BvhNode& x, const TreeLeaf& y) noexcept;
 std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const TreeLeaf& x, const BvhNode& y) noexcept;

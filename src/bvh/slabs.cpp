@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
@@ -39,6 +40,41 @@ Vec3 area_of(const TreeLeaf& leaf) {
         sum += (corner_of(leaf, lane, 1) - a).cross(corner_of(leaf, lane, 2) - a);
     }
     return sum;
+}
+
+// The axis on which all points of the mesh have hardly any extent, or -1.
+int flat_axis_of(const LocalFrame& frame) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (frame.is_bounded && frame.half[axis] <= 0x1p-20 * frame.half.maxCoeff()) return axis;
+    }
+    return -1;
+}
+
+// The direction in the plane of a flat mesh along which the corners of the leaves spread least: boxes say all about the
+// other one, and in the plane slender triangles have boxes that are much too large. The zero vector where all corners
+// are one point.
+Vec3 thinnest(std::span<const TreeLeaf> leaves, int flat_axis) {
+    const auto k = static_cast<Eigen::Index>(flat_axis + 1) % 3, l = static_cast<Eigen::Index>(flat_axis + 2) % 3;
+    const Vec3 middle = corner_of(leaves.front(), 0, 0);
+    double count = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+    for (const TreeLeaf& leaf : leaves) {
+        for (std::size_t lane = 0; lane < leaf.count; ++lane) {
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const Vec3 d = corner_of(leaf, lane, corner) - middle;
+                count += 1;
+                x += d[k];
+                y += d[l];
+                xx += d[k] * d[k];
+                xy += d[k] * d[l];
+                yy += d[l] * d[l];
+            }
+        }
+    }
+    const double longest = 0.5 * std::atan2(2 * (xy - x * y / count), (xx - x * x / count) - (yy - y * y / count));
+    Vec3 direction = Vec3::Zero();
+    direction[k] = -std::sin(longest);
+    direction[l] = std::cos(longest);
+    return direction;
 }
 
 // A slab along `area` that contains the triangles of the leaves; any normal is sound. Its products with corners are off
@@ -80,12 +116,16 @@ struct LeafRange {
 
 void set_corners_and_slabs(MeshBvh& tree, const Mesh& mesh) {
     const std::span<const TreeLeaf> leaves = tree.leaves;
+    const int flat_axis = flat_axis_of(tree.frame);
+    const auto slab_along = [&](std::span<const TreeLeaf> part, const Vec3& area) {
+        return slab_of(part, flat_axis < 0 ? area : thinnest(part, flat_axis));
+    };
     std::vector<Vec3> areas;
     areas.reserve(leaves.size());
     for (TreeLeaf& leaf : tree.leaves) {
         set_vertices(leaf, mesh, tree.frame);
         areas.push_back(area_of(leaf));
-        leaf.slab = slab_of({&leaf, 1}, areas.back());
+        leaf.slab = slab_along({&leaf, 1}, areas.back());
     }
     std::vector<LeafRange> ranges(tree.nodes.size());
     for (std::size_t i = tree.nodes.size(); i-- > 0;) {
@@ -100,7 +140,7 @@ void set_corners_and_slabs(MeshBvh& tree, const Mesh& mesh) {
             ranges[i].end = more.end;
             ranges[i].area += more.area;
         }
-        node.slab = slab_of(leaves.subspan(ranges[i].begin, ranges[i].end - ranges[i].begin), ranges[i].area);
+        node.slab = slab_along(leaves.subspan(ranges[i].begin, ranges[i].end - ranges[i].begin), ranges[i].area);
     }
 }
 

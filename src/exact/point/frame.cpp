@@ -61,13 +61,17 @@ void Frame::find_bounds() noexcept {
 }
 
 // The digits of the products R_ij v_j of all bodies.
-BitRange Frame::digits_of_products() const noexcept {
+BitRange Frame::digits_of_products() noexcept {
     BitRange digits;
-    for (const Body& body : bodies()) {
-        for (int column = 0; column < 3; ++column) {
+    for (Body& body : bodies()) {
+        for (std::size_t column = 0; column < 3; ++column) {
             BitRange r;
-            for (int row = 0; row < 3; ++row) r.include(decode(body.ref.pose->R(row, column)));
-            digits.include(r * body.ref.extent->digits[static_cast<std::size_t>(column)]);
+            for (std::size_t row = 0; row < 3; ++row) {
+                Dyadic& entry = body.columns[column][row];
+                entry = decode(body.ref.pose->R.data()[3 * column + row]);
+                r.include(entry);
+            }
+            digits.include(r * body.ref.extent->digits[column]);
         }
     }
     return digits;
@@ -77,7 +81,8 @@ BitRange Frame::digits_of_products() const noexcept {
 // the translations, are in the coordinates: near bodies far from the origin have short ones.
 bool Frame::find_differences(BitRange& digits) noexcept {
     const Pose& base = *bodies_[0].ref.pose;
-    for (Body& body : bodies()) {
+    bodies_[0].difference = {};
+    for (Body& body : bodies().subspan(1)) {
         for (std::size_t row = 0; row < 3; ++row) {
             const auto at = static_cast<Eigen::Index>(row);
             const auto difference = subtract(decode(body.ref.pose->t[at]), decode(base.t[at]));
@@ -124,9 +129,10 @@ bool Frame::points_are_doubles(const BitRange& digits) const noexcept {
     if (digits.empty()) return true;
     if (digits.width() + 3 > mantissa_bits || digits.low < -300 || digits.high > 200) return false;
     for (const Body& body : bodies()) {
-        for (int i = 0; i < 9; ++i) {
-            const Dyadic r = decode(body.ref.pose->R.data()[i]);
-            if (r.m != 0 && (r.e < -300 || r.e > 200)) return false;
+        for (const auto& column : body.columns) {
+            for (const Dyadic& r : column) {
+                if (r.m != 0 && (r.e < -300 || r.e > 200)) return false;
+            }
         }
         for (const BitRange& v : body.ref.extent->digits) {
             if (!v.empty() && (v.low < -300 || v.high > 300)) return false;
@@ -156,9 +162,8 @@ Vec3 Frame::common_unit() const noexcept {
         CommonUnit unit;
         for (const Body& body : bodies()) {
             unit.include(body.difference[static_cast<std::size_t>(row)]);
-            for (int column = 0; column < 3; ++column) {
-                unit.include(decode(body.ref.pose->R(row, column)),
-                             body.ref.extent->units[static_cast<std::size_t>(column)]);
+            for (std::size_t column = 0; column < 3; ++column) {
+                unit.include(body.columns[column][static_cast<std::size_t>(row)], body.ref.extent->units[column]);
             }
         }
         result[row] = unit.m == 0 ? 1 : std::ldexp(static_cast<double>(unit.m), unit.e);
@@ -174,31 +179,29 @@ void Frame::count_in(const Vec3& unit) noexcept {
     forget_points();
 }
 
-// R v + t - t0 in units of 2^exact_low_. The digits fit, see measure_digits.
-TwoLimbKernel::Point Frame::exact_point(const Body& body, std::uint32_t vertex) const noexcept {
-    TwoLimbKernel::Point p = body.exact_offset;
+// R v + t - t0 in units of 2^exact_low_. The digits fit, see measure_digits: each product is a multiple of the unit,
+// and so many units are a number, as are all sums.
+template <class Number>
+void Frame::find_exact(const Body& body, std::uint32_t vertex, std::array<Number, 3>& p) const noexcept {
+    for (std::size_t row = 0; row < 3; ++row) p[row] = static_cast<Number>(body.exact_offset[row]);
     const Vec3& v = body.ref.mesh->vertices()[vertex];
-    for (int column = 0; column < 3; ++column) {
-        const Dyadic x = decode(v[column]);
+    for (std::size_t column = 0; column < 3; ++column) {
+        const Dyadic x = decode(v[static_cast<Eigen::Index>(column)]);
         if (x.m == 0) continue;
-        for (int row = 0; row < 3; ++row) {
-            const Dyadic r = decode(body.ref.pose->R(row, column));
-            if (r.m != 0) p[static_cast<std::size_t>(row)] += (Int128{r.m} * x.m) << (r.e + x.e - exact_low_);
+        const int shift = x.e - exact_low_;
+        for (std::size_t row = 0; row < 3; ++row) {
+            const Dyadic& r = body.columns[column][row];
+            if (r.m != 0) p[row] += (Number{r.m} * x.m) << (r.e + shift);
         }
     }
-    return p;
 }
 
 const OneLimbKernel::Point& Frame::one_limb(std::size_t body, std::uint32_t vertex) {
-    return bodies_[body].one_limb.get(vertex, [&](OneLimbKernel::Point& p) {
-        const TwoLimbKernel::Point exact = exact_point(bodies_[body], vertex);
-        for (std::size_t k = 0; k < 3; ++k) p[k] = static_cast<std::int64_t>(exact[k]);
-    });
+    return bodies_[body].one_limb.get(vertex, [&](OneLimbKernel::Point& p) { find_exact(bodies_[body], vertex, p); });
 }
 
 const TwoLimbKernel::Point& Frame::two_limbs(std::size_t body, std::uint32_t vertex) {
-    return bodies_[body].two_limbs.get(vertex,
-                                       [&](TwoLimbKernel::Point& p) { p = exact_point(bodies_[body], vertex); });
+    return bodies_[body].two_limbs.get(vertex, [&](TwoLimbKernel::Point& p) { find_exact(bodies_[body], vertex, p); });
 }
 
 }  // namespace ecods::exact

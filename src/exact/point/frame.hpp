@@ -99,8 +99,10 @@ class Frame {
         BodyRef ref{};
         Vec3 offset = Vec3::Zero();  // fl(t - t0)
         double delta = 0;
-        std::array<DyadicDifference, 3> difference{};  // t - t0
-        TwoLimbKernel::Point exact_offset{};           // t - t0 in units of 2^exact_low_
+        // Once digits are measured.
+        std::array<std::array<Dyadic, 3>, 3> columns{};  // of R
+        std::array<DyadicDifference, 3> difference{};    // t - t0
+        TwoLimbKernel::Point exact_offset{};             // t - t0 in units of 2^exact_low_
         VertexCache<Point> rounded;
         VertexCache<OneLimbKernel::Point> one_limb;
         VertexCache<TwoLimbKernel::Point> two_limbs;
@@ -115,12 +117,13 @@ class Frame {
     void find_bounds() noexcept;
     void measure_digits() noexcept;
     bool find_differences(BitRange& digits) noexcept;
-    BitRange digits_of_products() const noexcept;
+    BitRange digits_of_products() noexcept;
     bool points_are_doubles(const BitRange& digits) const noexcept;
     bool are_short(const Vec3& unit) const noexcept;
     Vec3 common_unit() const noexcept;
     void count_in(const Vec3& unit) noexcept;
-    TwoLimbKernel::Point exact_point(const Body& body, std::uint32_t vertex) const noexcept;
+    template <class Number>
+    void find_exact(const Body& body, std::uint32_t vertex, std::array<Number, 3>& p) const noexcept;
     const OneLimbKernel::Point& one_limb(std::size_t body, std::uint32_t vertex);
     const TwoLimbKernel::Point& two_limbs(std::size_t body, std::uint32_t vertex);
 

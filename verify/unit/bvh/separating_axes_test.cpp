@@ -10,6 +10,7 @@
 #include "ecods/predicates.hpp"
 #include "environment/instruction_sets.hpp"
 #include "oracle/oracle.hpp"
+#include "scenes/flush_parts.hpp"
 #include "scenes/hard_pairs.hpp"
 #include "scenes/shapes.hpp"
 
@@ -229,6 +230,72 @@ TEST(SeparatingAxes, NeverSeparateFlatBoxesUnderShearedPoses) {
         ASSERT_TRUE(oracle::intersects({flat, sheared}, {through, there}));
         const Body a(flat, sheared), b(through, there);
         ASSERT_TRUE(let_through_in_every_rounding_mode(a, b, 0, 0)) << i;
+    }
+}
+
+// The filled polygon as slivers that share its corner 0, or as strips.
+std::shared_ptr<const Mesh> polygon(std::uint32_t corners, bool is_fan) {
+    const auto strips = scenes::flat_polygon(corners);
+    if (!is_fan) return strips;
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 1; i + 1 < corners; ++i) triangles.push_back({0, i, i + 1});
+    return Mesh::create({strips->vertices().begin(), strips->vertices().end()}, std::move(triangles));
+}
+
+// A body in a plane across a coordinate axis, the same for all bodies: turned, sheared and mirrored in the plane.
+Pose in_plane(scenes::Random& random, int axis, double size) {
+    Pose pose;
+    const int x = (axis + 1) % 3, y = (axis + 2) % 3;
+    for (const int i : {x, y})
+        for (const int k : {x, y}) pose.R(i, k) = size * random.uniform(-1, 1);
+    return pose;
+}
+
+// The mesh, flat at z = 0, so that it is flat across the axis.
+std::shared_ptr<const Mesh> across(const Mesh& mesh, int axis) {
+    std::vector<Vec3> vertices;
+    for (const Vec3& v : mesh.vertices()) {
+        Vec3 w;
+        for (int k = 0; k < 3; ++k) w[(axis + 1 + k) % 3] = v[k];
+        vertices.push_back(w);
+    }
+    return Mesh::create(std::move(vertices), {mesh.triangles().begin(), mesh.triangles().end()});
+}
+
+// In one plane triangles are told apart by their edges, slivers above all: their edges are short beside the rest, and
+// contacts here are as thin as doubles can say.
+TEST(SeparatingAxes, NeverSeparateFlatBodiesInContact) {
+    scenes::Random random(41);
+    for (int i = 0; i < 60; ++i) {
+        const int axis = i % 3;
+        const double size = i % 5 == 0 ? 0x1p-40 : 1;
+        const Body a(across(*polygon(5 + random.below(20), i % 2 == 0), axis), in_plane(random, axis, 1));
+        Body b(across(*polygon(5 + random.below(20), i % 4 < 2), axis), in_plane(random, axis, size));
+        Vec3 direction(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        direction[axis] = 0;
+        bring_into_contact(a, b, direction);
+        const std::vector<TrianglePair> pairs = pairs_of(a, b);
+        ASSERT_FALSE(pairs.empty());
+        for (const TrianglePair& pair : pairs)
+            ASSERT_TRUE(let_through_in_every_rounding_mode(a, b, pair.a, pair.b)) << i;
+    }
+}
+
+// Nearly all of what is apart in one plane is separated, though every two slivers have boxes that overlap.
+TEST(SeparatingAxes, SeparateSliversOfOnePlane) {
+    scenes::Random random(43);
+    for (const bool is_fan : {true, false}) {
+        const Body a(polygon(100, is_fan), Pose());
+        Pose turned;
+        turned.R.topLeftCorner<2, 2>() << 0.8, -0.6, 0.6, 0.8;
+        Body b(a.mesh, turned);
+        bring_into_contact(a, b, Vec3(1, 0, 0));
+        b.pose.t[0] += 0x1p-12;
+        ASSERT_TRUE(pairs_of(a, b).empty());
+        std::size_t through = 0;
+        for (std::uint32_t k = 0; k < a.mesh->triangles().size(); ++k)
+            for (std::uint32_t l = 0; l < a.mesh->triangles().size(); l += 7) through += let_through(a, b, k, l);
+        EXPECT_EQ(through, 0u) << is_fan;
     }
 }
 
