@@ -21,7 +21,9 @@ void KeptCandidates::build(const ProxyTable& table, BroadPhaseCounts& counts) {
     Update update{.table = table, .began = began, .ended = ended, .counts = counts};
     add(present, table);
     search_all(fatten_escaped(table), true, update);
+    rule_.note_pairs(began.size());
     escaped_.clear();
+    refresh_forest(table);  // which the first one to move or to come would wait for
 }
 
 void KeptCandidates::reserve(std::size_t count) {
