@@ -44,9 +44,17 @@ void KeptCandidates::update(const FindingUpdate& finding) {
         find_everything(finding);
         return;
     }
-    Update update{.table = table, .began = events.began, .ended = events.ended, .counts = counts};
+    // Where many go at once, whoever keeps the pairs knows theirs; otherwise they are looked up.
+    constexpr std::size_t pass_per_removal = 128;
+    const bool many_go = pass_per_removal * changes.removed.size() > used_count_;
+    if (many_go) keeper.append_removed(table, changes, events.ended);
+    Update update{.table = table,
+                  .began = events.began,
+                  .ended = events.ended,
+                  .counts = counts,
+                  .are_removed_reported = many_go};
     const std::uint64_t searched_before = counts.box_tests;
-    std::uint64_t looked_up = woken + changes.added.size();
+    std::uint64_t looked_up = woken + changes.added.size() + (many_go ? 0 : changes.removed.size());
     bool searched_all = false;
 
     if (!changes.removed.empty()) remove(changes.removed, update);
@@ -154,7 +162,7 @@ void KeptCandidates::remove(const std::vector<ProxyIndex>& proxies, Update& upda
     BoxReach reach;
     for (const ProxyIndex proxy : proxies) {
         const SlotIndex slot = slots_[proxy];
-        if (!has_flag(slot, awake)) {
+        if (!has_flag(slot, awake) && !update.are_removed_reported) {
             refresh_forest(update.table);
             make_reach(lines_[slot], reach);
             found_.clear();

@@ -43,6 +43,7 @@ class KeptCandidates final : public PairFinder {
         ProxyPairs& began;
         ProxyPairs& ended;
         BroadPhaseCounts& counts;
+        bool are_removed_reported = false;  // the pairs of boxes that were removed are in `ended`
     };
     struct Escaped {
         SlotIndex slot;
