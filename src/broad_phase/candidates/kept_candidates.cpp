@@ -61,8 +61,10 @@ void KeptCandidates::update(const FindingUpdate& finding) {
     wake(changes.moved, update);
     // Going through all boxes in the order of memory costs less for each.
     if (2 * changes.moved.size() > proxies_.size()) {
+        frame_.advance();
         move_all(table);
     } else {
+        frame_.stay();
         move_some(changes.moved, table);
     }
     const std::size_t filtered = candidates_.size();
@@ -164,9 +166,10 @@ void KeptCandidates::remove(const std::vector<ProxyIndex>& proxies, Update& upda
         const SlotIndex slot = slots_[proxy];
         if (!has_flag(slot, awake) && !update.are_removed_reported) {
             refresh_forest(update.table);
-            make_reach(lines_[slot], reach);
+            make_reach(packed_box(key_box(frame_.of(box_of(lines_[slot])))), reach);
             found_.clear();
             update.counts.box_tests += forest_.find(reach, found_);
+            make_reach(lines_[slot], reach);
             for (const SlotIndex partner : found_) {
                 if (partner == slot || has_flag(partner, awake) || !overlaps(lines_[partner], reach)) continue;
                 update.ended.push_back(ordered_pair(proxy, proxies_[partner]));
