@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "fuzz/motion/calm.hpp"
 #include "fuzz/motion/meshes.hpp"
 #include "fuzz/motion/poses.hpp"
 #include "fuzz/script/bad_calls.hpp"
@@ -262,6 +263,7 @@ const std::array change_table = {
     Change{"solids related", &Weights::solids, [](Writing& w) { w.make(SetSolids{w.random.below(3) != 0}); }},
     Change{"another form", &Weights::solids, other_form},
     Change{"any call", &Weights::any, any_call},
+    Change{"calm motion", &Weights::calm, calm_motion},
 };
 
 }  // namespace

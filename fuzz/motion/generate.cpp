@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fuzz/base/user_shape.hpp"
+#include "fuzz/motion/calm.hpp"
 #include "fuzz/motion/changes.hpp"
 #include "fuzz/motion/extremes.hpp"
 #include "fuzz/motion/meshes.hpp"
@@ -23,7 +24,8 @@ using Group = std::uint32_t Weights::*;
 constexpr Group groups[] = {&Weights::step,    &Weights::contact, &Weights::ulp,    &Weights::size,
                             &Weights::jump,    &Weights::matrix,  &Weights::life,   &Weights::shape,
                             &Weights::filter,  &Weights::bulk,    &Weights::tests,  &Weights::misuse,
-                            &Weights::extreme, &Weights::own,     &Weights::solids, &Weights::any};
+                            &Weights::extreme, &Weights::own,     &Weights::solids, &Weights::any,
+                            &Weights::calm};
 
 Group any_group(const Weights& weights, scenes::Random& random) {
     std::uint32_t sum = 0;
@@ -122,6 +124,18 @@ void take_forms(std::vector<Part>& parts, scenes::Random& random) {
     if (random.below(2) == 0) surface.mesh = parts.front().mesh;
 }
 
+Pose first_pose(const Writing& w, std::uint32_t i) {
+    switch (w.setting.profile.layout) {
+        case Layout::stacked:
+            return stacked_pose(w.setting, i);
+        case Layout::crowded:
+            return calm_pose(w.setting, w.model, i, w.random);
+        case Layout::scattered:
+            break;
+    }
+    return any_pose(w.setting, w.random);
+}
+
 }  // namespace
 
 Setting make_setting(const Profile& profile, scenes::Random& random, Counters& counters) {
@@ -166,9 +180,8 @@ Script generate(const Profile& profile, std::uint32_t seed, Counters& counters) 
     const Setting setting = make_setting(profile, random, counters);
     Writing writing{setting, random, counters};
     for (std::uint32_t i = 0; i < setting.body_count; ++i) {
-        const bool is_stacked = profile.layout == Layout::stacked;
         const Part& part = writing.any_part();
-        writing.create(part, is_stacked ? stacked_pose(setting, i) : any_pose(setting, random));
+        writing.create(part, first_pose(writing, i));
     }
     if (profile.weights.solids > 0 && random.below(4) != 0) writing.make(SetSolids{true});
     writing.make(Update{});

@@ -7,8 +7,8 @@
 
 namespace ecods::fuzz {
 
-// How often changes of a group are made, beside one another. The groups are described in poses.cpp, extremes.cpp
-// and changes.cpp.
+// How often changes of a group are made, beside one another. The groups are described in poses.cpp, extremes.cpp,
+// calm.cpp and changes.cpp.
 struct Weights {
     std::uint32_t step = 0;     // to somewhere near
     std::uint32_t contact = 0;  // into exact contact, by construction
@@ -20,6 +20,7 @@ struct Weights {
     std::uint32_t shape = 0;    // another shape, refits
     std::uint32_t filter = 0;   // filters, pairs switched off and on, user data
     std::uint32_t bulk = 0;     // many poses at once
+    std::uint32_t calm = 0;     // all go on as they did
     std::uint32_t tests = 0;    // two-body tests that are registered again, or throw
     std::uint32_t misuse = 0;   // bad input
     std::uint32_t extreme = 0;  // to the ends of the range of doubles
@@ -36,7 +37,7 @@ enum class Scale {
     extreme
 };                                         // any: now and then subnormal, huge or far; far: always; extreme: each
                                            // mesh has a size of its own
-enum class Layout { scattered, stacked };  // stacked: a lattice of bodies that touch exactly
+enum class Layout { scattered, stacked, crowded };  // stacked: a lattice of bodies that touch exactly; crowded: calm.hpp
 
 struct Profile {
     std::string_view name;

@@ -50,6 +50,7 @@ void OverlapTracker::update(PairKeeper& keeper) {
     }
     counts_.moved += changes.added.size() + changes.moved.size();
     try {
+        if (changes.added.size() == table_.size() && changes.removed.empty()) begin();
         const FindingUpdate update{
             .table = table_, .changes = changes, .keeper = keeper, .events = events_, .counts = counts_};
         finder_ ? finder_->update(update) : find_pairs_again(update);
@@ -63,6 +64,13 @@ void OverlapTracker::update(PairKeeper& keeper) {
     table_.settle();
     if (kind_ == BroadPhaseKind::automatic) choose();
     if (!finder_) build_finder();
+}
+
+// Before an update that sees nothing but new boxes: what it keeps is kept by the way of finding that suits them, from
+// the start.
+void OverlapTracker::begin() {
+    if (kind_ == BroadPhaseKind::automatic) choose();
+    if (!finder_) finder_ = make_finder(running_);
 }
 
 // The pairs, without a finder.

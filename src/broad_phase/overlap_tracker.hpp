@@ -96,6 +96,7 @@ class OverlapTracker {
 
     void visit_along(const MovingBox& moving, double limit, const std::function<double(ProxyIndex)>& visit) const;
 
+    void begin();
     void find_pairs_again(const FindingUpdate& update);
     void choose() noexcept;
     void build_finder() noexcept;

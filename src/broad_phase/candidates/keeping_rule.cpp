@@ -3,7 +3,11 @@
 namespace ecods {
 namespace {
 
+// Updates of slow boxes that search for nothing: 13 a box with 0.3 candidates each, 31 with 4, of which 5 a box are not
+// the finder's.
 constexpr double filter_work = 3, move_work = 8;
+
+// 500 of 10,000 that come take 1600 each, for 160 tests.
 constexpr double lookup_work = 800, tree_test_work = 5.3;
 
 // Of a box that comes or goes, before its tests are counted.

@@ -21,7 +21,9 @@ void KeptCandidates::build(const ProxyTable& table, BroadPhaseCounts& counts) {
     Update update{.table = table, .began = began, .ended = ended, .counts = counts};
     add(present, table);
     search_all(fatten_escaped(table), true, update);
+    rule_.note_pairs(began.size());
     escaped_.clear();
+    refresh_forest(table);  // which the first one to move or to come would wait for
 }
 
 void KeptCandidates::reserve(std::size_t count) {
@@ -42,17 +44,27 @@ void KeptCandidates::update(const FindingUpdate& finding) {
         find_everything(finding);
         return;
     }
-    Update update{.table = table, .began = events.began, .ended = events.ended, .counts = counts};
+    // Where many go at once, whoever keeps the pairs knows theirs; otherwise they are looked up.
+    constexpr std::size_t pass_per_removal = 128;
+    const bool many_go = pass_per_removal * changes.removed.size() > used_count_;
+    if (many_go) keeper.append_removed(table, changes, events.ended);
+    Update update{.table = table,
+                  .began = events.began,
+                  .ended = events.ended,
+                  .counts = counts,
+                  .are_removed_reported = many_go};
     const std::uint64_t searched_before = counts.box_tests;
-    std::uint64_t looked_up = woken + changes.added.size();
+    std::uint64_t looked_up = woken + changes.added.size() + (many_go ? 0 : changes.removed.size());
     bool searched_all = false;
 
     if (!changes.removed.empty()) remove(changes.removed, update);
     wake(changes.moved, update);
     // Going through all boxes in the order of memory costs less for each.
     if (2 * changes.moved.size() > proxies_.size()) {
+        frame_.advance();
         move_all(table);
     } else {
+        frame_.stay();
         move_some(changes.moved, table);
     }
     const std::size_t filtered = candidates_.size();
@@ -152,11 +164,12 @@ void KeptCandidates::remove(const std::vector<ProxyIndex>& proxies, Update& upda
     BoxReach reach;
     for (const ProxyIndex proxy : proxies) {
         const SlotIndex slot = slots_[proxy];
-        if (!has_flag(slot, awake)) {
+        if (!has_flag(slot, awake) && !update.are_removed_reported) {
             refresh_forest(update.table);
-            make_reach(lines_[slot], reach);
+            make_reach(packed_box(key_box(frame_.of(box_of(lines_[slot])))), reach);
             found_.clear();
             update.counts.box_tests += forest_.find(reach, found_);
+            make_reach(lines_[slot], reach);
             for (const SlotIndex partner : found_) {
                 if (partner == slot || has_flag(partner, awake) || !overlaps(lines_[partner], reach)) continue;
                 update.ended.push_back(ordered_pair(proxy, proxies_[partner]));

@@ -7,6 +7,7 @@
 
 #include "broad_phase/boxes/box_forest.hpp"
 #include "broad_phase/candidates/keeping_rule.hpp"
+#include "broad_phase/candidates/moving_frame.hpp"
 #include "broad_phase/changes/pair_finder.hpp"
 #include "broad_phase/scratch/grid_sweep.hpp"
 
@@ -43,6 +44,11 @@ class KeptCandidates final : public PairFinder {
         ProxyPairs& began;
         ProxyPairs& ended;
         BroadPhaseCounts& counts;
+        bool are_removed_reported = false;  // the pairs of boxes that were removed are in `ended`
+    };
+    struct Foresight {
+        KeepingRule::Forecast forecast;
+        Vec3 common_step;
     };
     struct Escaped {
         SlotIndex slot;
@@ -69,7 +75,7 @@ class KeptCandidates final : public PairFinder {
     void put_to_sleep(std::size_t moved_count);
 
     // kept_candidates_everything.cpp
-    KeepingRule::Forecast foresee(const ProxyTable& table, const ProxyChanges& changes) const;
+    Foresight foresee(const ProxyTable& table, const ProxyChanges& changes) const;
     void find_everything(const FindingUpdate& finding);
     void drop(ProxyIndex proxy);
     std::vector<BoxForest::Item> give_margins(const FindingUpdate& finding);
@@ -84,6 +90,7 @@ class KeptCandidates final : public PairFinder {
     void report_removed(const Candidate& candidate, Update& update);
 
     // kept_candidates_margin.cpp
+    PackedBox line_in_frame(SlotIndex slot, const Aabb& box) const noexcept;
     PackedBox fatten(const Escaped& escaped, const Aabb& box) noexcept;
     std::vector<BoxForest::Item> fatten_escaped(const ProxyTable& table);
     void prefetch(SlotIndex slot) const noexcept;
@@ -105,7 +112,7 @@ class KeptCandidates final : public PairFinder {
     void set_flag(SlotIndex slot, unsigned flag) noexcept { flags_[slot] |= static_cast<std::uint8_t>(flag); }
     void clear_flag(SlotIndex slot, unsigned flag) noexcept { flags_[slot] &= static_cast<std::uint8_t>(~flag); }
 
-    // By slot. A free slot has empty boxes.
+    // By slot. A free slot has empty boxes. Fat boxes are in a frame of their own.
     std::vector<PackedBox> lines_;
     std::vector<PackedBox> fat_lines_;
     std::vector<PackedBox> old_fat_lines_;
@@ -117,6 +124,7 @@ class KeptCandidates final : public PairFinder {
     std::vector<SlotIndex> slots_;  // by proxy
     std::vector<SlotIndex> free_slots_;
     std::vector<SlotIndex> changed_slots_;  // those with the flag
+    MovingFrame frame_;
     GridSweep search_;
     KeepingRule rule_;
     bool has_margins_ = true;  // otherwise fat_lines_ are of any time, and there are no candidates

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "broad_phase/candidates/kept_candidates.hpp"
@@ -13,23 +15,60 @@
 namespace ecods {
 namespace {
 
-// The step of a box as a share of its extent.
-double relative_step(const PackedBox& before, const Aabb& now) noexcept {
-    const double extent = (now.max - now.min).maxCoeff();
-    if (!(extent > 0)) return 1;
-    double step = 0;
+struct Step {
+    std::array<double, 3> down, up;  // of the lower and of the upper end
+    double extent;
+
+    // As a share of the extent, beside what all do; at most 1.
+    double relative(const Vec3& common) const noexcept {
+        double step = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double all = common[static_cast<Eigen::Index>(axis)];
+            step = std::max({step, std::abs(down[axis] - all), std::abs(up[axis] - all)});
+        }
+        return step < extent ? step / extent : 1;
+    }
+};
+
+Step step_of(const PackedBox& before, const Aabb& now) noexcept {
+    Step step{.down = {}, .up = {}, .extent = (now.max - now.min).maxCoeff()};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<Eigen::Index>(axis);
-        step = std::max({step, std::abs(now.min[k] - double_of(before.ends[axis])),
-                         std::abs(now.max[k] - double_of(~before.ends[axis + 4]))});
+        step.down[axis] = now.min[k] - double_of(before.ends[axis]);
+        step.up[axis] = now.max[k] - double_of(~before.ends[axis + 4]);
     }
-    return std::min(step / extent, 1.0);
+    return step;
+}
+
+// The value that a share of them does not exceed.
+double quantile(std::vector<double> values, double share) {
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+}
+
+double relative_step(std::span<const Step> steps, const Vec3& common, double share) {
+    std::vector<double> relative;
+    for (const Step& step : steps) relative.push_back(step.relative(common));
+    return quantile(std::move(relative), share);
+}
+
+// By axis, what the middle one of them does.
+Vec3 common_step(std::span<const Step> steps) {
+    constexpr double middle = 0.5;
+    Vec3 common;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::vector<double> values;
+        for (const Step& step : steps) values.push_back(std::isfinite(step.down[axis]) ? step.down[axis] : 0);
+        common[static_cast<Eigen::Index>(axis)] = quantile(std::move(values), middle);
+    }
+    return common;
 }
 
 }  // namespace
 
 // From a sample of the boxes that moved.
-KeepingRule::Forecast KeptCandidates::foresee(const ProxyTable& table, const ProxyChanges& changes) const {
+KeptCandidates::Foresight KeptCandidates::foresee(const ProxyTable& table, const ProxyChanges& changes) const {
     constexpr std::size_t sample_max = 128;
     constexpr double margin_max = 0.5;
     KeepingRule::Forecast forecast{.boxes = table.size(),
@@ -37,30 +76,44 @@ KeepingRule::Forecast KeptCandidates::foresee(const ProxyTable& table, const Pro
                                    .looked_up = changes.added.size(),
                                    .lifetime = lookahead_,
                                    .growth = 1};
-    if (changes.moved.empty()) return forecast;
-    std::vector<double> steps;
-    const std::size_t stride = changes.moved.size() / sample_max + 1;
-    for (std::size_t i = 0; i < changes.moved.size(); i += stride) {
-        const ProxyIndex proxy = changes.moved[i];
-        steps.push_back(relative_step(lines_[slots_[proxy]], table.boxes()[proxy]));
+    Vec3 common = Vec3::Zero();
+    if (changes.moved.empty()) return {forecast, common};
+    std::vector<Step> steps;
+    const std::size_t count = std::min(changes.moved.size(), sample_max);
+    for (std::size_t i = 0; i < count; ++i) {
+        // By multiples of a large prime, lest all have something in common.
+        const ProxyIndex proxy = changes.moved[i * std::size_t{2654435761} % changes.moved.size()];
+        steps.push_back(step_of(lines_[slots_[proxy]], table.boxes()[proxy]));
     }
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    if (*middle > 0) forecast.lifetime = std::min(lookahead_, margin_max / *middle);
+    double middle = relative_step(steps, common, 0.5);
+    // A frame that goes along takes a pass over all boxes in each update, and must spare nearly all most of what they
+    // do.
+    if (changes.moved.size() + changes.added.size() == table.size()) {
+        constexpr double nearly_all = 0.875, most = 0.25;
+        const Vec3 of_all = common_step(steps);
+        if (relative_step(steps, of_all, nearly_all) < most * middle) {
+            common = of_all;
+            middle = relative_step(steps, common, 0.5);
+        }
+    }
+    if (middle > 0) forecast.lifetime = std::min(lookahead_, margin_max / middle);
     // Boxes grow ahead, and by a part of that behind; each of a pair does. Measured: 1.5 times the margin on each axis.
-    const double growth = 1 + 1.5 * forecast.lifetime * *middle;
+    const double growth = 1 + 1.5 * forecast.lifetime * middle;
     forecast.growth = growth * growth * growth;
-    return forecast;
+    return {forecast, common};
 }
 
 void KeptCandidates::find_everything(const FindingUpdate& finding) {
     const auto& [table, changes, keeper, events, counts] = finding;
-    const bool keeps = rule_.pays(foresee(table, changes));
+    const auto [forecast, common_step] = foresee(table, changes);
+    const bool keeps = rule_.pays(forecast);
     for (const SlotIndex slot : changed_slots_) clear_flag(slot, changed);
     changed_slots_.clear();
     candidates_.clear();
     for (const ProxyIndex proxy : changes.removed) drop(proxy);
     if (keeps && !has_margins_) fat_lines_ = lines_;
+    if (!keeps) frame_ = {};
+    frame_.start(keeps ? common_step : Vec3::Zero());
     has_margins_ = keeps;
     if (keeps) {
         order_slots(give_margins(finding), table);

@@ -23,7 +23,7 @@ void KeptCandidates::report(Candidate& candidate, Update& update) {
 
 // A candidate goes.
 void KeptCandidates::report_removed(const Candidate& candidate, Update& update) {
-    if ((candidate[1] & overlap_bit) == 0) return;
+    if ((candidate[1] & overlap_bit) == 0 || update.are_removed_reported) return;
     update.ended.push_back(ordered_pair(proxies_[candidate[0]], proxies_[candidate[1] & ~overlap_bit]));
 }
 

@@ -34,15 +34,26 @@ struct KeptCandidates::Loops {
         __builtin_prefetch(ahead + sizeof(Aabb) - 1);
     }
 
+    // Whether a box is in its fat box; `line` is the box in space.
+    ECODS_ALWAYS_INLINE static bool is_in_fat_box(const MovingFrame& frame, const PackedBox& fat_line, const Aabb& box,
+                                                  const PackedBox& line) noexcept {
+        if (frame.is_at_origin()) return contains(fat_line, line);
+        PackedBox in_frame;
+        make_packed_box(frame.of(box), in_frame);
+        return contains(fat_line, in_frame);
+    }
+
     // Takes the boxes of all slots from the table, and notes those that escaped from their fat boxes.
     ECODS_ALWAYS_INLINE static void move_all(KeptCandidates& self, const ProxyTable& table) {
         const Aabb* const boxes = table.boxes().data();
         const std::size_t count = self.proxies_.size();
+        const MovingFrame frame = self.frame_;
         for (std::size_t slot = 0; slot < count; ++slot) {
             prefetch_box_ahead(self, boxes, slot);
             PackedBox line;
-            make_packed_box(boxes[self.proxies_[slot]], line);
-            if (!contains(self.fat_lines_[slot], line)) [[unlikely]] {
+            const Aabb& box = boxes[self.proxies_[slot]];
+            make_packed_box(box, line);
+            if (!is_in_fat_box(frame, self.fat_lines_[slot], box, line)) [[unlikely]] {
                 if (self.fat_lines_[slot].is_empty()) continue;  // a free slot
                 self.escaped_.push_back({static_cast<SlotIndex>(slot), self.lines_[slot]});
             }
@@ -53,6 +64,7 @@ struct KeptCandidates::Loops {
     // The same for some proxies.
     ECODS_ALWAYS_INLINE static void move_some(KeptCandidates& self, std::span<const ProxyIndex> proxies,
                                               const ProxyTable& table) {
+        const MovingFrame frame = self.frame_;
         for (std::size_t i = 0; i < proxies.size(); ++i) {
             if (i + prefetch_distance < proxies.size()) {
                 const SlotIndex ahead = self.slots_[proxies[i + prefetch_distance]];
@@ -61,8 +73,9 @@ struct KeptCandidates::Loops {
             }
             const SlotIndex slot = self.slots_[proxies[i]];
             PackedBox line;
-            make_packed_box(table.boxes()[proxies[i]], line);
-            if (!contains(self.fat_lines_[slot], line)) [[unlikely]] {
+            const Aabb& box = table.boxes()[proxies[i]];
+            make_packed_box(box, line);
+            if (!is_in_fat_box(frame, self.fat_lines_[slot], box, line)) [[unlikely]] {
                 self.escaped_.push_back({slot, self.lines_[slot]});
             }
             self.lines_[slot] = line;

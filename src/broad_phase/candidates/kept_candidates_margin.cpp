@@ -11,6 +11,9 @@ namespace {
 
 constexpr double back = 0.125;  // the margin behind, for turning back, as a share of the margin ahead
 
+// Of boxes that move together, as a share of the extent, for what each does beside that.
+constexpr double common_motion_margin = 0x1p-7;
+
 // A margin that lasts for fewer steps is not worth its candidates.
 constexpr std::uint32_t steps_min = 2;
 
@@ -56,6 +59,14 @@ bool is_about_to_escape(const PackedBox& line, const PackedBox& fat_line,
 
 }  // namespace
 
+// The box of a slot as fat boxes are.
+PackedBox KeptCandidates::line_in_frame(SlotIndex slot, const Aabb& box) const noexcept {
+    if (frame_.is_at_origin()) return lines_[slot];
+    PackedBox line;
+    make_packed_box(frame_.of(box), line);
+    return line;
+}
+
 // The margin is `lookahead_` more steps like the last one, and some for turning back. It is at most half an extent, so
 // that a fast box does not collect candidates that it will not meet. A longer step was a jump, after which the next one
 // is not known; then the box gets the margin that it had before, in the direction that it went. None is given to a box
@@ -64,19 +75,25 @@ bool is_about_to_escape(const PackedBox& line, const PackedBox& fat_line,
 PackedBox KeptCandidates::fatten(const Escaped& escaped, const Aabb& box) noexcept {
     const double largest = (box.max - box.min).maxCoeff();
     const double margin_max = 0.5 * (largest < mean_extent_ ? mean_extent_ : largest);
-    if (!(margin_max <= std::numeric_limits<double>::max())) return lines_[escaped.slot];
+    const PackedBox here_line = line_in_frame(escaped.slot, box);
+    if (!(margin_max <= std::numeric_limits<double>::max())) return here_line;
+    const Vec3 went = frame_.went();
     Vec3 down, up;  // how far each side moved out
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<Eigen::Index>(axis);
-        down[k] = double_of(escaped.before.ends[axis]) - box.min[k];
-        up[k] = box.max[k] - double_of(~escaped.before.ends[axis + 4]);
+        down[k] = double_of(escaped.before.ends[axis]) - box.min[k] + went[k];
+        up[k] = box.max[k] - double_of(~escaped.before.ends[axis + 4]) - went[k];
     }
-    Aabb fat = box;
+    Aabb fat = frame_.of(box);
+    if (frame_.is_moving()) {
+        fat.min.array() -= common_motion_margin * largest;
+        fat.max.array() += common_motion_margin * largest;
+    }
     MotionHint& hint = motion_hints_[escaped.slot];
     const std::uint32_t lasted = update_number_ - std::exchange(hint.escaped_at, update_number_);
     const PackedBox& old_line = fat_lines_[escaped.slot];
     const double step = std::max(down.cwiseAbs().maxCoeff(), up.cwiseAbs().maxCoeff());
-    if (steps_min * step > margin_max && (step <= margin_max || lasted <= steps_min)) return lines_[escaped.slot];
+    if (steps_min * step > margin_max && (step <= margin_max || lasted <= steps_min)) return here_line;
     if (step <= margin_max) {
         for (Eigen::Index k = 0; k < 3; ++k) {
             if (down[k] == up[k]) continue;
@@ -92,12 +109,12 @@ PackedBox KeptCandidates::fatten(const Escaped& escaped, const Aabb& box) noexce
             fat.max[k] += std::min(margin_max, lookahead_ * std::max(up[k], -behind * up[k]));
         }
     } else if (!old_line.is_empty()) {
-        turn_margin(escaped.before, old_line, hint, margin_max, fat);
+        turn_margin(packed_box(key_box(frame_.of_before(box_of(escaped.before)))), old_line, hint, margin_max, fat);
     }
     // Rounding, in whatever direction, must not leave the box outside.
     PackedBox line;
     make_packed_box(fat, line);
-    enlarge(line, lines_[escaped.slot]);
+    enlarge(line, here_line);
     return line;
 }
 
@@ -125,7 +142,7 @@ std::vector<BoxForest::Item> KeptCandidates::fatten_escaped(const ProxyTable& ta
         const PackedBox old = std::exchange(fat_lines_[slot], fat);
         old_fat_lines_[slot] = old;
         set_flag(slot, searching);
-        if (old.is_empty() || !overlap(old, fat)) unsorted.push_back(BoxForest::make_item(box, slot));
+        if (old.is_empty() || !overlap(old, fat)) unsorted.push_back(BoxForest::make_item(frame_.of(box), slot));
     }
     return unsorted;
 }
@@ -146,13 +163,15 @@ void KeptCandidates::learn_turns() {
 void KeptCandidates::fatten_used_up(const ProxyTable& table) {
     for (SlotIndex slot = 0; slot < lines_.size(); ++slot) {
         if (!has_flag(slot, awake) || has_flag(slot, searching)) continue;
-        if (!is_about_to_escape(lines_[slot], fat_lines_[slot], motion_hints_[slot])) continue;
-        Aabb fat = table.boxes()[proxies_[slot]];
-        turn_margin(lines_[slot], fat_lines_[slot], motion_hints_[slot], std::numeric_limits<double>::infinity(), fat);
+        const Aabb& box = table.boxes()[proxies_[slot]];
+        const PackedBox line = line_in_frame(slot, box);
+        if (!is_about_to_escape(line, fat_lines_[slot], motion_hints_[slot])) continue;
+        Aabb fat = frame_.of(box);
+        turn_margin(line, fat_lines_[slot], motion_hints_[slot], std::numeric_limits<double>::infinity(), fat);
         old_fat_lines_[slot] = fat_lines_[slot];
         set_flag(slot, searching);
         make_packed_box(fat, fat_lines_[slot]);
-        enlarge(fat_lines_[slot], lines_[slot]);
+        enlarge(fat_lines_[slot], line);
     }
 }
 

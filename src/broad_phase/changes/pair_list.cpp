@@ -1,6 +1,8 @@
 #include "broad_phase/changes/pair_list.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <iterator>
 
 #include "base/bytes_of.hpp"
@@ -18,6 +20,39 @@ const ProxyPair* find_from(const ProxyPair* first, const ProxyPair* last, const 
         step *= 2;
     }
     return std::lower_bound(first, first + std::min(step + 1, last - first), pair, is_before);
+}
+
+// What two ascending lists do not share, in order: of the old one to `ended`, of the new one to `began`. Most that is in
+// one is in both: as long as the next few are, nothing else is looked at. Among others nothing is foretold, so both
+// lists go on, or the one that is behind, without a branch.
+void append_differences(const ProxyPairs& old_list, const ProxyPairs& new_list, ProxyPairs& ended, ProxyPairs& began) {
+    constexpr std::size_t few = 8;
+    const ProxyPair* gone = old_list.data();
+    const ProxyPair* const gone_end = gone + old_list.size();
+    const ProxyPair* come = new_list.data();
+    const ProxyPair* const come_end = come + new_list.size();
+    std::array<ProxyPair, few> only_gone, only_come;
+    while (gone_end - gone >= std::ptrdiff_t{few} && come_end - come >= std::ptrdiff_t{few}) {
+        if (std::memcmp(gone, come, sizeof(only_gone)) == 0) {
+            gone += few;
+            come += few;
+            continue;
+        }
+        std::size_t gone_count = 0, come_count = 0;
+        for (std::size_t i = 0; i < few; ++i) {
+            const std::uint64_t a = rank_of(*gone), b = rank_of(*come);
+            only_gone[gone_count] = *gone;
+            only_come[come_count] = *come;
+            gone_count += a < b ? 1 : 0;
+            come_count += b < a ? 1 : 0;
+            gone += a <= b ? 1 : 0;
+            come += b <= a ? 1 : 0;
+        }
+        ended.insert(ended.end(), only_gone.begin(), only_gone.begin() + gone_count);
+        began.insert(began.end(), only_come.begin(), only_come.begin() + come_count);
+    }
+    std::set_difference(gone, gone_end, come, come_end, std::back_inserter(ended), is_before);
+    std::set_difference(come, come_end, gone, gone_end, std::back_inserter(began), is_before);
 }
 
 }  // namespace
@@ -50,8 +85,16 @@ void PairList::drop_update() noexcept {
 
 void PairList::append_removed(const ProxyTable& table, const ProxyChanges&, ProxyPairs& ended) {
     apply_log();
-    for (const ProxyPair& pair : list_) {
-        if (table.is_removed(pair.a) || table.is_removed(pair.b)) ended.push_back(pair);
+    // Some of many, which nobody can foretell: all are written, and the next one over those that do not belong.
+    constexpr std::size_t some = 64;
+    std::array<ProxyPair, some> removed;
+    for (std::size_t begin = 0; begin < list_.size(); begin += some) {
+        std::size_t count = 0;
+        for (std::size_t i = begin; i < std::min(begin + some, list_.size()); ++i) {
+            removed[count] = list_[i];
+            count += static_cast<unsigned>(table.is_removed(list_[i].a)) | table.is_removed(list_[i].b);
+        }
+        ended.insert(ended.end(), removed.begin(), removed.begin() + count);
     }
 }
 
@@ -62,8 +105,7 @@ void PairList::compare(const ProxyTable& table, const ProxyChanges& changes, Pro
     if (!changes.removed.empty()) append_removed(table, changes, ended);
     if (!ended.empty()) make_patched(ended, {});
     const ProxyPairs& kept = ended.empty() ? list_ : spare_;
-    std::set_difference(found.begin(), found.end(), kept.begin(), kept.end(), std::back_inserter(began), is_before);
-    std::set_difference(kept.begin(), kept.end(), found.begin(), found.end(), std::back_inserter(ended), is_before);
+    append_differences(kept, found, ended, began);
     sort_pairs(ended);
     spare_.swap(found);
     is_replaced_ = true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bit>
+#include <utility>
 
 #include "broad_phase/scratch/grid_sweep.hpp"
 #include "simd/inline.hpp"
@@ -29,16 +30,20 @@ struct GridSweep::Loops {
 
     static constexpr std::int32_t first_of_both = 3;
 
-    // The pairs among those noted. Some were found here, but another cell is the first that both boxes reach.
-    [[gnu::noinline]] static void take(std::span<const Hits> noted, const View& cell, std::span<const PackedBox> lines,
+    // The pairs among those noted. Some were found here, but another cell is the first that both boxes reach. Each pass
+    // takes one pair of each note and leaves those with more: a loop over the bits of each would end where nobody can
+    // foretell, and a processor that guesses wrong loses more than the work of a pair.
+    [[gnu::noinline]] static void take(std::span<Hits> noted, const View& cell, std::span<const PackedBox> lines,
                                        std::vector<std::array<SlotIndex, 2>>& found) {
-        const std::size_t before = found.size();
-        found.resize(before + lane_count<Lanes> * noted.size());
-        std::array<SlotIndex, 2>* write = found.data() + before;
-        for (const Hits& hits : noted) {
-            const std::uint32_t a = hits.own;
-            for (std::uint32_t bits = hits.bits; bits != 0; bits &= bits - 1) {
-                const std::uint32_t b = hits.first + static_cast<std::uint32_t>(std::countr_zero(bits));
+        for (std::size_t left = 0, count = noted.size(); count != 0; count = std::exchange(left, 0)) {
+            const std::size_t before = found.size();
+            found.resize(before + count);
+            std::array<SlotIndex, 2>* write = found.data() + before;
+            for (std::size_t i = 0; i < count; ++i) {
+                const auto [a, first, bits] = noted[i];
+                const std::uint32_t b = first + static_cast<std::uint32_t>(std::countr_zero(bits));
+                noted[left] = {a, first, bits & (bits - 1)};
+                left += noted[left].bits != 0 ? 1 : 0;
                 const auto slot_a = static_cast<SlotIndex>(cell.slots[a]),
                            slot_b = static_cast<SlotIndex>(cell.slots[b]);
                 *write = {slot_a, slot_b};
@@ -50,8 +55,8 @@ struct GridSweep::Loops {
                     continue;
                 write += is_here ? 1 : 0;
             }
+            found.resize(static_cast<std::size_t>(write - found.data()));
         }
-        found.resize(static_cast<std::size_t>(write - found.data()));
     }
 
     // Returns false where most tests were for nothing.

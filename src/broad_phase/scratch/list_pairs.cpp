@@ -7,23 +7,26 @@
 
 namespace ecods {
 
-// Counted by their first numbers, put where those begin, and sorted by the second ones, of which there are few each.
+// By the second numbers and then by the first ones, as digits are sorted: counted, and put where those of a number begin.
+// Sorting the few pairs of each first number by comparing them costs more, since nobody can foretell how that ends.
 void list_pairs(std::span<const std::array<SlotIndex, 2>> found, std::size_t proxy_end, ProxyPairs& list) {
-    std::vector<std::size_t> next(proxy_end + 1);  // where the next pair of this first number goes
-    for (const auto& [a, b] : found) ++next[std::min(a, b)];
-    std::size_t sum = 0;
-    for (std::size_t& place : next) sum += std::exchange(place, sum);
-    list.resize(found.size());
-    for (const auto& [a, b] : found) list[next[std::min(a, b)]++] = ordered_pair(a, b);
-    std::size_t begin = 0;
-    for (std::size_t a = 0; a < proxy_end; ++a) {
-        const std::size_t end = next[a];
-        if (end - begin > 1) {
-            std::sort(list.begin() + static_cast<std::ptrdiff_t>(begin),
-                      list.begin() + static_cast<std::ptrdiff_t>(end), is_before);
-        }
-        begin = end;
+    struct Next {
+        std::uint32_t first = 0, second = 0;  // where the next pair goes of which this is that number
+    };
+    std::vector<Next> next(proxy_end);
+    for (const auto& [a, b] : found) {
+        ++next[std::min(a, b)].first;
+        ++next[std::max(a, b)].second;
     }
+    Next sum;
+    for (Next& place : next) {
+        sum.first += std::exchange(place.first, sum.first);
+        sum.second += std::exchange(place.second, sum.second);
+    }
+    ProxyPairs by_second(found.size());
+    for (const auto& [a, b] : found) by_second[next[std::max(a, b)].second++] = ordered_pair(a, b);
+    list.resize(found.size());
+    for (const ProxyPair& pair : by_second) list[next[pair.a].first++] = pair;
 }
 
 }  // namespace ecods

@@ -141,6 +141,37 @@ TEST(Counts, FastBoxesAreSearchedFromScratchUntilTheyAreSlow) {
     EXPECT_GT(counts.candidates_filtered, before.candidates_filtered);
 }
 
+// Boxes that fly in formation far beyond their size are neither searched nor leave their margins, whatever a few others
+// do; nor when they slow down, stop, or fly on.
+TEST(Counts, ASwarmThatFliesIsNotSearched) {
+    Lockstep lockstep;
+    constexpr ProxyIndex count = 400;
+    for (ProxyIndex proxy = 0; proxy < count; ++proxy)
+        lockstep.add(proxy, make_cube(proxy % 8 * 0.9, proxy / 8 % 8 * 1.1, proxy / 64 * 0.7));
+    ASSERT_TRUE(lockstep.update());
+    const BroadPhaseCounts& counts = lockstep.counts(BroadPhaseKind::kept_candidates);
+    const auto fly = [&](const Vec3& by, int frame) {
+        for (ProxyIndex proxy = 0; proxy < count; ++proxy) {
+            Aabb box = lockstep.model.box(proxy);
+            const Vec3 step = by + Vec3::Constant((proxy + frame) % 3 == 0 ? 0x1p-9 : -0x1p-10);
+            box.min += step;
+            box.max += step;
+            lockstep.move(proxy, box);
+        }
+        const ProxyIndex other = static_cast<ProxyIndex>(frame) % count;
+        if (frame % 3 == 0) lockstep.move(other, make_cube(1, frame, 1));
+        if (frame % 7 == 0) lockstep.remove(other), lockstep.add(other, lockstep.model.box((other + 1) % count));
+        ASSERT_TRUE(lockstep.update());
+    };
+    for (int frame = 0; frame < 8; ++frame) fly({40.3, -17, 5}, frame);
+    BroadPhaseCounts before = counts;
+    for (int frame = 8; frame < 40; ++frame) fly({40.3, -17, 5}, frame);
+    EXPECT_LE(counts.rebuilds - before.rebuilds, 16u) << "some come, go and jump; but for them there would be none";
+    for (int frame = 40; frame < 50; ++frame) fly({0, 0, 0}, frame);
+    for (int frame = 50; frame < 60; ++frame) fly({-3e5, 1e-3, 0}, frame);
+    for (int frame = 60; frame < 70; ++frame) fly({1e306, 0, 0}, frame);
+}
+
 // One that comes or goes in a resting scene costs what it finds.
 TEST(Counts, OneThatComesOrGoesCostsAtMostTenMoves) {
     const auto phase = make_grid(BroadPhaseKind::automatic, 47);  // 103,823
