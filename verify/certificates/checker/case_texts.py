@@ -138,6 +138,8 @@ GOOD = [
 BAD = [
     # A part's range along one axis is none along another: in x it is beside what lies where it is in y.
     pair("deep", pose(), "two", pose(), "claim disjoint", X, Y, "ab | 0 1", "ab 0", "ab 1"),
+    # Only the first of b's parts is apart.
+    pair("deep", pose(), "two", pose(), "claim disjoint", X, "ab 0"),
     tie(1, 1 + 2.0**-52),
     tie(3, 1 + 2.0**-52),
     tie(2, 1.0),
