@@ -1,6 +1,7 @@
 // What an answer with its proof costs beside the plain answer, and how long its text is.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
@@ -8,9 +9,11 @@
 
 #include "ecods/certificate.hpp"
 #include "ecods/distance.hpp"
+#include "ecods/hit.hpp"
 #include "harness/statistics.hpp"
 #include "harness/stopwatch.hpp"
 #include "scenes/mesh_pairs.hpp"
+#include "scenes/segment_workloads.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
 #include "suites/comparison.hpp"
@@ -76,6 +79,41 @@ std::vector<std::string> measure(const Question& question, const scenes::MeshPai
             fmt::format("{:.0f}", median(bytes))};
 }
 
+// One row: the segments of a workload of one body, medians as above; those that miss are asked, too.
+std::vector<std::string> measure_hits(const scenes::SegmentWorkload& workload, std::size_t repetitions) {
+    const MeshShape shape(workload.meshes.front().mesh);
+    const Body body(shape, workload.bodies.front().pose);
+    QueryMemory memory;
+    std::vector<double> plain, proven, shares, bytes, steps;
+    for (std::size_t k = 0; k < std::min<std::size_t>(workload.segments.size(), 200); ++k) {
+        const Segment& segment = workload.segments[k];
+        plain.push_back(microseconds(repetitions, [&] { (void)first_hit(segment, body, memory); }));
+        proven.push_back(microseconds(repetitions, [&] { (void)certify_hit(segment, body, memory); }));
+        shares.push_back(proven.back() / plain.back());
+        const Certificate certificate = certify_hit(segment, body, memory);
+        bytes.push_back(static_cast<double>(certificate.to_string().size()));
+        steps.push_back(static_cast<double>(certificate.step_count()));
+    }
+    return {workload.name,
+            fmt::format("{:.1f}", median(plain)),
+            fmt::format("{:.1f}", median(proven)),
+            fmt::format("{:.1f}", median(shares)),
+            fmt::format("{:.0f}", median(steps)),
+            fmt::format("{:.0f}", median(bytes))};
+}
+
+Table table_of_hits(const SuiteOptions& options) {
+    Table table;
+    table.title = "First hits of segments with their proof";
+    table.text_columns = 1;
+    table.header = {"segments", "plain us", "with proof us", "proof/plain", "steps", "bytes"};
+    const auto size = options.is_quick() ? scenes::WorkloadSize::tiny : scenes::WorkloadSize::full;
+    for (const scenes::SegmentWorkload& workload : scenes::segment_workloads(size)) {
+        if (workload.bodies.size() == 1) table.rows.push_back(measure_hits(workload, 3 * options.repetition_count));
+    }
+    return table;
+}
+
 }  // namespace
 
 SuiteResult run_certificates(const SuiteOptions& options) {
@@ -95,8 +133,10 @@ SuiteResult run_certificates(const SuiteOptions& options) {
     table.notes = {
         "Pairs that are apart; medians. Whether the proofs hold is for the checkers of verify/certificates."};
     print(table);
+    const Table hits = table_of_hits(options);
+    print(hits);
     SuiteResult result;
-    result.sections.push_back({"Certificates", {"What a proof costs beside the plain answer."}, {table}, {}});
+    result.sections.push_back({"Certificates", {"What a proof costs beside the plain answer."}, {table, hits}, {}});
     return result;
 }
 

@@ -94,10 +94,14 @@ IntegerVector3 normal_of(const AxisFormula& f, const SixCorners& corners) {
     return {};
 }
 
+bool is_axis(const AxisFormula& formula, const SixCorners& corners, ApartBy apart) {
+    const IntegerVector3 n = normal_of(formula, corners);
+    return !is_zero(n) && is_apart(n, corners, apart);
+}
+
 std::optional<AxisFormula> find_axis(const SixCorners& corners, ApartBy apart) {
     for (const AxisFormula& formula : formulas) {
-        const IntegerVector3 n = normal_of(formula, corners);
-        if (!is_zero(n) && is_apart(n, corners, apart)) return formula;
+        if (is_axis(formula, corners, apart)) return formula;
     }
     return std::nullopt;
 }

@@ -24,5 +24,7 @@ enum class ApartBy : std::uint8_t {
 // The first of the 32 axes of verify/certificates/README.md along which the triangles are apart; they are complete: if
 // there is none, triangles cross (weakly), meet (strictly), or a's meets the segment before its end (half_open).
 std::optional<AxisFormula> find_axis(const SixCorners& corners, ApartBy apart);
+// Whether they are apart along this one.
+bool is_axis(const AxisFormula& formula, const SixCorners& corners, ApartBy apart);
 
 }  // namespace ecods

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "base/arithmetic.hpp"
 #include "base/assert.hpp"
@@ -94,11 +95,42 @@ void LineProof::visit(TreeRef top) {
     top.is_leaf() ? with(tree_.boxes.leaves[top.index()]) : with(tree_.boxes.nodes[top.index()]);
 }
 
+// The formula along which the triangle and the piece seem to be furthest apart in doubles. It is only a guess, which
+// integers confirm: trying the 32 formulas with them, one after the other, takes most of the time of a proof.
+AxisFormula LineProof::likely_axis(const Triangle& triangle) const {
+    std::array<Vec3, 3> corner;
+    for (std::size_t c = 0; c < 3; ++c) corner[c] = body_.pose.R * body_.what->mesh().vertices()[triangle[c]];
+    const Vec3 way = parameter_ * (to_ - from_);
+    AxisFormula best{};
+    double most = -std::numeric_limits<double>::infinity();
+    const auto consider = [&](const AxisFormula& formula, const Vec3& n) {
+        const double length = n.norm(), x = n.dot(corner[0]), y = n.dot(corner[1]), z = n.dot(corner[2]);
+        const double from = n.dot(from_), to = from + n.dot(way);
+        const double gap = std::max(std::min(from, to) - std::max({x, y, z}), std::min({x, y, z}) - std::max(from, to));
+        if (!(gap > most * length) || length == 0) return;
+        best = formula;
+        most = gap / length;
+    };
+    using Kind = AxisFormula::Kind;
+    consider({Kind::normal_a}, (corner[1] - corner[0]).cross(corner[2] - corner[1]));
+    for (std::uint8_t i = 0; i < 3; ++i) {
+        const Vec3 edge = corner[(i + 1u) % 3] - corner[i];
+        consider({Kind::edges, i, 0}, edge.cross(way));
+        for (std::uint8_t k = 0; k < 3; ++k) consider({Kind::edge_a, i, k}, edge.cross(Vec3::Unit(k)));
+        consider({Kind::edge_b, 0, i}, way.cross(Vec3::Unit(i)));
+        consider({Kind::coordinate, i}, Vec3::Unit(i));
+    }
+    return best;
+}
+
 void LineProof::decide(std::uint32_t triangle) {
+    const Triangle& vertices = body_.what->mesh().triangles()[triangle];
     SixCorners corners;
-    for (std::size_t c = 0; c < 3; ++c) corners[c] = points_.vertex(0, body_.what->mesh().triangles()[triangle][c]);
+    for (std::size_t c = 0; c < 3; ++c) corners[c] = points_.vertex(0, vertices[c]);
     corners[3] = exact_from_;
     corners[4] = corners[5] = exact_to_;
+    const AxisFormula likely = likely_axis(vertices);
+    if (is_axis(likely, corners, apart_)) return proof_.add_triangles(likely);
     const auto formula = find_axis(corners, apart_);
     ECODS_ASSERT(formula);
     proof_.add_triangles(*formula);

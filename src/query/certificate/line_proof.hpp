@@ -37,6 +37,7 @@ class LineProof {
     template <class X>
     std::uint32_t open(const X& x);
     void visit(TreeRef top);
+    AxisFormula likely_axis(const Triangle& triangle) const;
     void decide(std::uint32_t triangle);
 
     const Posed<MeshShape>& body_;

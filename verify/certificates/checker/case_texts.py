@@ -30,7 +30,9 @@ SQUARE = mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 2, 3, 1), (0, 1
 NEEDLE = mesh([(0.25, 0.25, 0), (0.25, 0.25, 1)], [(0, 1, 1, 0)], ["l 1"])
 POINT = mesh([(0.25, 0.25, 0)], [(0, 0, 0, 0)], ["l 1"])
 WALL = mesh([(0, 0, -1), (0, 0, 1), (0, 1, 0)], [(0, 1, 2, 0)], ["l 1"])
-MESHES = {"triangle": TRIANGLE, "square": SQUARE, "needle": NEEDLE, "point": POINT, "wall": WALL}
+DEEP = mesh([(0, 10, 0), (1, 10, 0), (0, 11, 0)], [(0, 1, 2, 0)], ["n 1", "l 1"])
+TWO = mesh([(5, 10, 0), (6, 10, 0), (5, 11, 0), (0, 10, 0), (1, 10, 0), (0, 11, 0)], [(0, 1, 2, 0), (3, 4, 5, 1)], ["n 2", "l 1", "l 1"])
+MESHES = {"deep": DEEP, "two": TWO, "triangle": TRIANGLE, "square": SQUARE, "needle": NEEDLE, "point": POINT, "wall": WALL}
 
 
 def pair(a, pose_a, b, pose_b, *lines):
@@ -45,6 +47,7 @@ def segment(a, pose_a, start, end, *lines):
 
 TINY = 2.0**-1074
 Z = "axis 0x0p+0 0x0p+0 0x1p+0"
+Y = "axis 0x0p+0 0x1p+0 0x0p+0"
 X = "axis 0x1p+0 0x0p+0 0x0p+0"
 
 
@@ -133,6 +136,10 @@ GOOD = [
     segment("square", pose(), (2, 2, 0), (2, 2, 0), "claim miss", X, "k 0"),
 ]
 BAD = [
+    # A part's range along one axis is none along another: in x it is beside what lies where it is in y.
+    pair("deep", pose(), "two", pose(), "claim disjoint", X, Y, "ab | 0 1", "ab 0", "ab 1"),
+    # Only the first of b's parts is apart.
+    pair("deep", pose(), "two", pose(), "claim disjoint", X, "ab 0"),
     tie(1, 1 + 2.0**-52),
     tie(3, 1 + 2.0**-52),
     tie(2, 1.0),

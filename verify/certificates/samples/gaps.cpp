@@ -11,7 +11,8 @@ namespace ecods::certificates {
 
 void make_gap_samples(std::size_t count, std::uint32_t seed, const std::function<void(const Sample&)>& take) {
     QueryMemory memory;
-    for (const auto& [name, mesh] : {std::pair{"ship", scenes::ship()}, {"torus_10k", scenes::torus(100, 50, 0.4)},
+    for (const auto& [name, mesh] : {std::pair{"ship", scenes::ship()},
+                                     {"torus_10k", scenes::torus(100, 50, 0.4)},
                                      {"torus_100k", scenes::torus(400, 125, 0.4)}}) {
         const auto shape = std::make_shared<const MeshShape>(mesh);
         for (const scenes::MeshQuery& query : scenes::gap_pairs(name, mesh, 1e-4, count, seed).queries) {
