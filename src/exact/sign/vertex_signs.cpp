@@ -9,8 +9,8 @@
 namespace ecods::exact {
 namespace {
 
-// Whether the points are in a plane across an axis, or along an axis are seen as two points at most, so that they are in
-// a plane along it: faces of boxes and prisms. Bits are compared, so a mode that takes subnormals for zero does not
+// Whether the points are in a plane across an axis, or along an axis are seen as two points at most, so that they are
+// in a plane along it: faces of boxes and prisms. Bits are compared, so a mode that takes subnormals for zero does not
 // matter.
 bool are_level(const std::array<const Vec3*, 4>& points) noexcept {
     std::array<std::array<std::int64_t, 4>, 3> keys;

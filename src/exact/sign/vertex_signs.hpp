@@ -17,7 +17,8 @@ DeterminantBounds own_bounds(std::span<const Vec3> points) noexcept;
 class VertexSigns {
   public:
     // The vertices must outlive it. Cost: one pass over them.
-    explicit VertexSigns(std::span<const Vec3> vertices) noexcept : vertices_(vertices), bounds_(own_bounds(vertices)) {}
+    explicit VertexSigns(std::span<const Vec3> vertices) noexcept
+        : vertices_(vertices), bounds_(own_bounds(vertices)) {}
 
     // As ecods::orient3d: exact.
     int orient3d(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const noexcept;

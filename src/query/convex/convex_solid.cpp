@@ -21,12 +21,9 @@ Hull make_hull(const Solid& solid) {
     // Where edges were split, features are named in the mesh before that.
     ProperMesh whole;
     if (!parts.origins.empty()) whole = find_proper({std::shared_ptr<const void>(), &mesh});  // kept by the solid
-    const Border border{&parts.proper,
-                        &parts.edges,
-                        shells.faces_in,
-                        parts.origins.empty() ? &parts.proper : &whole,
-                        parts.origins,
-                        exact::VertexSigns(parts.proper.mesh->vertices())};
+    const Border border{&parts.proper,   &parts.edges,
+                        shells.faces_in, parts.origins.empty() ? &parts.proper : &whole,
+                        parts.origins,   exact::VertexSigns(parts.proper.mesh->vertices())};
     return build_hull(border, require_convex(border, shells, mesh));
 }
 

@@ -26,8 +26,7 @@ std::vector<Pair> find_candidates(const std::vector<Part>& parts, const std::vec
     const PairFilter filter(parts, options.rules);
     const auto broad_phase = make_broad_phase(BroadPhaseKind::kept_candidates);
     broad_phase->reserve(parts.size());
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        broad_phase->add(static_cast<ProxyIndex>(i), boxes[i]);
+    for (std::size_t i = 0; i < parts.size(); ++i) broad_phase->add(static_cast<ProxyIndex>(i), boxes[i]);
     std::vector<Pair> pairs;
     const double limit = options.clearance.value_or(0);
     broad_phase->visit_near_pairs(limit, [&](ProxyPair pair) {
