@@ -4,88 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include <cfenv>
 #include <cmath>
 
-#include "ecods/predicates.hpp"
-#include "environment/instruction_sets.hpp"
 #include "oracle/oracle.hpp"
-#include "scenes/flush_parts.hpp"
 #include "scenes/hard_pairs.hpp"
 #include "scenes/shapes.hpp"
+#include "unit/bvh/separated_bodies.hpp"
 
 namespace ecods {
 namespace {
-
-MeshBvh build(const Mesh& mesh) {
-    return build_mesh_bvh(mesh, fit_frame(mesh));
-}
-
-constexpr std::array rounding_modes{FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-
-struct Body {
-    std::shared_ptr<const Mesh> mesh;
-    MeshBvh tree;
-    Pose pose;
-
-    Body(std::shared_ptr<const Mesh> m, const Pose& p) : mesh(std::move(m)), tree(build(*mesh)), pose(p) {}
-};
-
-// overlap_mask(), once it is the same for every instruction set.
-template <class X, class Y>
-std::uint64_t near_lanes_of_all(const std::array<AxisSet, 2>& sets, const X& x, const Y& y) {
-    const std::uint64_t near = overlap_mask(sets, x, y);
-    for (const InstructionSet set : environment::supported_instruction_sets()) {
-        const environment::InstructionSetLimit limit(set);
-        EXPECT_EQ(overlap_mask(sets, x, y), near) << environment::name(set);
-    }
-    return near;
-}
-
-// Whether the trees let triangles i and j through, from the roots down.
-bool let_through(const Body& a, const Body& b, std::uint32_t i, std::uint32_t j) {
-    SeparatingAxes axes;
-    if (axes.bind({a.tree, a.pose.R}, {b.tree, b.pose.R}, b.pose.t - a.pose.t) >= 0) return false;
-    const auto& sets = axes.sets();
-    std::vector<std::pair<TreeRef, TreeRef>> open{{a.tree.root, b.tree.root}};
-    while (!open.empty()) {
-        const auto [x, y] = open.back();
-        open.pop_back();
-        const auto visit = [&](std::uint64_t near, const auto& below_x, const auto& below_y) {
-            for (std::size_t bit = 0; bit < 64; ++bit) {
-                if (near >> bit & 1) open.emplace_back(below_x(bit % 8), below_y(bit / 8));
-            }
-        };
-        const auto x_itself = [&](std::size_t) { return x; };
-        const auto y_itself = [&](std::size_t) { return y; };
-        const auto x_child = [&](std::size_t lane) { return a.tree.nodes[x.index()].child[lane]; };
-        const auto y_child = [&](std::size_t lane) { return b.tree.nodes[y.index()].child[lane]; };
-        if (x.is_leaf() && y.is_leaf()) {
-            const TreeLeaf &p = a.tree.leaves[x.index()], &q = b.tree.leaves[y.index()];
-            const std::uint64_t near = near_lanes_of_all(sets, p, q);
-            for (std::size_t bit = 0; bit < 64; ++bit) {
-                if (near >> bit & 1 && p.triangle[bit % 8] == i && q.triangle[bit / 8] == j) return true;
-            }
-        } else if (x.is_leaf()) {
-            visit(near_lanes_of_all(sets, a.tree.leaves[x.index()], b.tree.nodes[y.index()]), x_itself, y_child);
-        } else if (y.is_leaf()) {
-            visit(near_lanes_of_all(sets, a.tree.nodes[x.index()], b.tree.leaves[y.index()]), x_child, y_itself);
-        } else {
-            visit(near_lanes_of_all(sets, a.tree.nodes[x.index()], b.tree.nodes[y.index()]), x_child, y_child);
-        }
-    }
-    return false;
-}
-
-bool let_through_in_every_rounding_mode(const Body& a, const Body& b, std::uint32_t i, std::uint32_t j) {
-    bool all = true;
-    for (const int mode : rounding_modes) {
-        std::fesetround(mode);
-        all = all && let_through(a, b, i, j) && let_through(b, a, j, i);
-    }
-    std::fesetround(FE_TONEAREST);
-    return all;
-}
 
 TEST(SeparatingAxes, NeverSeparateTrianglesThatMeet) {
     scenes::Random random(5);
@@ -107,35 +34,6 @@ TEST(SeparatingAxes, NeverSeparateTrianglesThatMeet) {
         }
     }
     EXPECT_GT(separated, apart / 2) << "the test would be sound if it separated nothing";
-}
-
-// The pairs of triangles that share a point, without a tree.
-std::vector<TrianglePair> pairs_of(const Body& a, const Body& b) {
-    std::vector<TrianglePair> pairs;
-    for (std::uint32_t i = 0; i < a.mesh->triangles().size(); ++i) {
-        for (std::uint32_t j = 0; j < b.mesh->triangles().size(); ++j) {
-            const auto corners = [](const Body& body, std::uint32_t t) {
-                const Triangle& indices = body.mesh->triangles()[t];
-                const auto v = body.mesh->vertices();
-                return std::array<Vec3, 3>{v[indices[0]], v[indices[1]], v[indices[2]]};
-            };
-            if (triangle_triangle({a.pose, corners(a, i)}, {b.pose, corners(b, j)}) != Relation::disjoint) {
-                pairs.push_back({i, j});
-            }
-        }
-    }
-    return pairs;
-}
-
-// Moves b towards a along a line until the last double at which they still touch: a contact that is as thin as can be.
-void bring_into_contact(const Body& a, Body& b, const Vec3& direction) {
-    double touching = 0, apart = 8;
-    for (int i = 0; i < 70; ++i) {
-        const double middle = 0.5 * touching + 0.5 * apart;
-        b.pose.t = a.pose.t + middle * direction;
-        (pairs_of(a, b).empty() ? apart : touching) = middle;
-    }
-    b.pose.t = a.pose.t + touching * direction;
 }
 
 // Boxes in contact under rotations that are off by more and more: rounding, shear, scale.
@@ -230,72 +128,6 @@ TEST(SeparatingAxes, NeverSeparateFlatBoxesUnderShearedPoses) {
         ASSERT_TRUE(oracle::intersects({flat, sheared}, {through, there}));
         const Body a(flat, sheared), b(through, there);
         ASSERT_TRUE(let_through_in_every_rounding_mode(a, b, 0, 0)) << i;
-    }
-}
-
-// The filled polygon as slivers that share its corner 0, or as strips.
-std::shared_ptr<const Mesh> polygon(std::uint32_t corners, bool is_fan) {
-    const auto strips = scenes::flat_polygon(corners);
-    if (!is_fan) return strips;
-    std::vector<Triangle> triangles;
-    for (std::uint32_t i = 1; i + 1 < corners; ++i) triangles.push_back({0, i, i + 1});
-    return Mesh::create({strips->vertices().begin(), strips->vertices().end()}, std::move(triangles));
-}
-
-// A body in a plane across a coordinate axis, the same for all bodies: turned, sheared and mirrored in the plane.
-Pose in_plane(scenes::Random& random, int axis, double size) {
-    Pose pose;
-    const int x = (axis + 1) % 3, y = (axis + 2) % 3;
-    for (const int i : {x, y})
-        for (const int k : {x, y}) pose.R(i, k) = size * random.uniform(-1, 1);
-    return pose;
-}
-
-// The mesh, flat at z = 0, so that it is flat across the axis.
-std::shared_ptr<const Mesh> across(const Mesh& mesh, int axis) {
-    std::vector<Vec3> vertices;
-    for (const Vec3& v : mesh.vertices()) {
-        Vec3 w;
-        for (int k = 0; k < 3; ++k) w[(axis + 1 + k) % 3] = v[k];
-        vertices.push_back(w);
-    }
-    return Mesh::create(std::move(vertices), {mesh.triangles().begin(), mesh.triangles().end()});
-}
-
-// In one plane triangles are told apart by their edges, slivers above all: their edges are short beside the rest, and
-// contacts here are as thin as doubles can say.
-TEST(SeparatingAxes, NeverSeparateFlatBodiesInContact) {
-    scenes::Random random(41);
-    for (int i = 0; i < 60; ++i) {
-        const int axis = i % 3;
-        const double size = i % 5 == 0 ? 0x1p-40 : 1;
-        const Body a(across(*polygon(5 + random.below(20), i % 2 == 0), axis), in_plane(random, axis, 1));
-        Body b(across(*polygon(5 + random.below(20), i % 4 < 2), axis), in_plane(random, axis, size));
-        Vec3 direction(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-        direction[axis] = 0;
-        bring_into_contact(a, b, direction);
-        const std::vector<TrianglePair> pairs = pairs_of(a, b);
-        ASSERT_FALSE(pairs.empty());
-        for (const TrianglePair& pair : pairs)
-            ASSERT_TRUE(let_through_in_every_rounding_mode(a, b, pair.a, pair.b)) << i;
-    }
-}
-
-// Nearly all of what is apart in one plane is separated, though every two slivers have boxes that overlap.
-TEST(SeparatingAxes, SeparateSliversOfOnePlane) {
-    scenes::Random random(43);
-    for (const bool is_fan : {true, false}) {
-        const Body a(polygon(100, is_fan), Pose());
-        Pose turned;
-        turned.R.topLeftCorner<2, 2>() << 0.8, -0.6, 0.6, 0.8;
-        Body b(a.mesh, turned);
-        bring_into_contact(a, b, Vec3(1, 0, 0));
-        b.pose.t[0] += 0x1p-12;
-        ASSERT_TRUE(pairs_of(a, b).empty());
-        std::size_t through = 0;
-        for (std::uint32_t k = 0; k < a.mesh->triangles().size(); ++k)
-            for (std::uint32_t l = 0; l < a.mesh->triangles().size(); l += 7) through += let_through(a, b, k, l);
-        EXPECT_EQ(through, 0u) << is_fan;
     }
 }
 

@@ -199,5 +199,34 @@ TEST(CoplanarGroups, AreWhatTheySay) {
     }
 }
 
+// Needles in one plane of which doubles get the turn wrong (Kettner and others, Classroom examples of robustness
+// problems in geometric computations, 2008).
+TEST(CoplanarGroups, KnowTheTurnOfNeedles) {
+    std::vector<Vec3> vertices = {{0, 0, 1}, {30, 0, 1}, {0, 30, 1}, {12, 12, 1}, {24, 24, 1}};
+    std::vector<Triangle> triangles = {{0, 1, 2}, {0, 2, 1}};
+    for (int i = 0; i < 64; ++i) {
+        for (int k = 0; k < 64; ++k) {
+            const auto at = static_cast<std::uint32_t>(vertices.size());
+            vertices.emplace_back(0.5 + i * 0x1p-53, 0.5 + k * 0x1p-53, 1);
+            triangles.push_back({at, 3, 4});
+        }
+    }
+    const auto turn = [&](std::uint32_t triangle) {
+        const auto [a, b, c] = triangles[triangle];
+        return orient2d(vertices[a].head<2>(), vertices[b].head<2>(), vertices[c].head<2>());
+    };
+    const CoplanarGroups groups = groups_of(Mesh::create(vertices, triangles));
+    std::size_t wrong_in_doubles = 0;
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        const auto [a, b, c] = triangles[i];
+        const double z = (vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]).z();
+        wrong_in_doubles += z != 0 && (z > 0 ? Sign::positive : Sign::negative) != turn(i);
+        if (groups.of_triangle[i] == CoplanarGroups::none) continue;
+        ASSERT_NE(turn(i), Sign::zero);
+        ASSERT_EQ(turn(i), turn(groups.first[groups.of_triangle[i]]));
+    }
+    EXPECT_GT(wrong_in_doubles, 10u);
+}
+
 }  // namespace
 }  // namespace ecods
