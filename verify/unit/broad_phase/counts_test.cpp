@@ -172,6 +172,37 @@ TEST(Counts, ASwarmThatFliesIsNotSearched) {
     for (int frame = 60; frame < 70; ++frame) fly({1e306, 0, 0}, frame);
 }
 
+// A swarm that has flown, and of which most boxes rest then: those that move, come or go find them where they are.
+TEST(Counts, ASwarmThatLandedIsFoundWhereItIs) {
+    Lockstep lockstep;
+    constexpr ProxyIndex count = 400;
+    for (ProxyIndex proxy = 0; proxy < count; ++proxy)
+        lockstep.add(proxy, make_cube(proxy % 8 * 0.9, proxy / 8 % 8 * 1.1, proxy / 64 * 0.7));
+    ASSERT_TRUE(lockstep.update());
+    const auto shift = [&](ProxyIndex proxy, const Vec3& by) {
+        Aabb box = lockstep.model.box(proxy);
+        box.min += by;
+        box.max += by;
+        lockstep.move(proxy, box);
+    };
+    for (int frame = 0; frame < 8; ++frame) {
+        for (ProxyIndex proxy = 0; proxy < count; ++proxy) shift(proxy, {40.3, -17, 5});
+        ASSERT_TRUE(lockstep.update());
+    }
+    // As long as it takes until those at rest have no candidates with each other.
+    for (int frame = 0; frame < 40; ++frame) {
+        shift(7, {0x1p-6, 0, 0});
+        shift(300, {0, frame % 2 == 0 ? 0.5 : -0.5, 0});
+        ASSERT_TRUE(lockstep.update());
+    }
+    for (ProxyIndex proxy = 20; proxy < 24; ++proxy) {
+        EXPECT_FALSE(lockstep.model.pairs.empty());
+        lockstep.remove(proxy);
+        ASSERT_TRUE(lockstep.update());
+        EXPECT_FALSE(lockstep.model.ended.empty());
+    }
+}
+
 // One that comes or goes in a resting scene costs what it finds.
 TEST(Counts, OneThatComesOrGoesCostsAtMostTenMoves) {
     const auto phase = make_grid(BroadPhaseKind::automatic, 47);  // 103,823
