@@ -22,8 +22,8 @@ const ProxyPair* find_from(const ProxyPair* first, const ProxyPair* last, const 
     return std::lower_bound(first, first + std::min(step + 1, last - first), pair, is_before);
 }
 
-// What two ascending lists do not share, in order: of the old one to `ended`, of the new one to `began`. Most that is in
-// one is in both: as long as the next few are, nothing else is looked at. Among others nothing is foretold, so both
+// What two ascending lists do not share, in order: of the old one to `ended`, of the new one to `began`. Most that is
+// in one is in both: as long as the next few are, nothing else is looked at. Among others nothing is foretold, so both
 // lists go on, or the one that is behind, without a branch.
 void append_differences(const ProxyPairs& old_list, const ProxyPairs& new_list, ProxyPairs& ended, ProxyPairs& began) {
     constexpr std::size_t few = 8;
