@@ -93,8 +93,14 @@ const std::array motions = {
                teleport_few(w);
            }},
     Motion{"a swarm turns", turn},
-    Motion{"a swarm flies", [](Writing& w) { drift(w, 0, all, {4, 3, 0}); }},
-    Motion{"a swarm flies, not quite together", [](Writing& w) { drift(w, 0.01, all, {-40, 3, 0.1}); }},
+    Motion{"a swarm flies",
+           [](Writing& w) {
+               drift(w, 0, all, {4, 3, 0});
+           }},
+    Motion{"a swarm flies, not quite together",
+           [](Writing& w) {
+               drift(w, 0.01, all, {-40, 3, 0.1});
+           }},
     Motion{"some come and go",
            [](Writing& w) {
                churn(w);
@@ -109,8 +115,8 @@ const std::array motions = {
 
 void calm_motion(Writing& w) {
     constexpr std::uint32_t frames_each = 6;
-    const auto frame = static_cast<std::uint32_t>(std::ranges::count_if(
-        w.script, [](const Call& call) { return std::holds_alternative<Update>(call); }));
+    const auto frame = static_cast<std::uint32_t>(
+        std::ranges::count_if(w.script, [](const Call& call) { return std::holds_alternative<Update>(call); }));
     const Motion& motion = motions[(w.setting.body_count + 5 * (frame / frames_each)) % motions.size()];
     ++w.counters["calm motions: " + std::string(motion.name)];
     motion.make(w);

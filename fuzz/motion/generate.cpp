@@ -21,11 +21,10 @@ namespace {
 
 using Group = std::uint32_t Weights::*;
 
-constexpr Group groups[] = {&Weights::step,    &Weights::contact, &Weights::ulp,    &Weights::size,
-                            &Weights::jump,    &Weights::matrix,  &Weights::life,   &Weights::shape,
-                            &Weights::filter,  &Weights::bulk,    &Weights::tests,  &Weights::misuse,
-                            &Weights::extreme, &Weights::own,     &Weights::solids, &Weights::any,
-                            &Weights::calm};
+constexpr Group groups[] = {&Weights::step,   &Weights::contact, &Weights::ulp,     &Weights::size,   &Weights::jump,
+                            &Weights::matrix, &Weights::life,    &Weights::shape,   &Weights::filter, &Weights::bulk,
+                            &Weights::tests,  &Weights::misuse,  &Weights::extreme, &Weights::own,    &Weights::solids,
+                            &Weights::any,    &Weights::calm};
 
 Group any_group(const Weights& weights, scenes::Random& random) {
     std::uint32_t sum = 0;

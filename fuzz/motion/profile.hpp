@@ -35,9 +35,13 @@ enum class Scale {
     any,
     far,
     extreme
-};                                         // any: now and then subnormal, huge or far; far: always; extreme: each
-                                           // mesh has a size of its own
-enum class Layout { scattered, stacked, crowded };  // stacked: a lattice of bodies that touch exactly; crowded: calm.hpp
+};  // any: now and then subnormal, huge or far; far: always; extreme: each
+    // mesh has a size of its own
+enum class Layout {
+    scattered,
+    stacked,
+    crowded
+};  // stacked: a lattice of bodies that touch exactly; crowded: calm.hpp
 
 struct Profile {
     std::string_view name;

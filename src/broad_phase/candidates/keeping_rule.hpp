@@ -7,8 +7,8 @@
 
 namespace ecods {
 
-// Decides from counts alone, never from clocks, so that runs repeat. Work is in units of about a nanosecond, measured of
-// 10,000 boxes on one machine (bench, suite broad): only ratios matter, and no answer depends on them.
+// Decides from counts alone, never from clocks, so that runs repeat. Work is in units of about a nanosecond, measured
+// of 10,000 boxes on one machine (bench, suite broad): only ratios matter, and no answer depends on them.
 class KeepingRule {
   public:
     // What is known of an update before it.

@@ -174,7 +174,8 @@ void KeptCandidates::refresh_forest(const ProxyTable& table) {
     if (!is_forest_behind_) return;
     std::vector<BoxForest::Item> items;
     const auto add_item = [&](SlotIndex slot) {
-        if (!lines_[slot].is_empty()) items.push_back(BoxForest::make_item(frame_.of(table.boxes()[proxies_[slot]]), slot));
+        if (!lines_[slot].is_empty())
+            items.push_back(BoxForest::make_item(frame_.of(table.boxes()[proxies_[slot]]), slot));
     };
     if (is_forest_renumbered_) {
         for (SlotIndex slot = 0; slot < lines_.size(); ++slot) add_item(slot);

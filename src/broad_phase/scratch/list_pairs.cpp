@@ -7,8 +7,9 @@
 
 namespace ecods {
 
-// By the second numbers and then by the first ones, as digits are sorted: counted, and put where those of a number begin.
-// Sorting the few pairs of each first number by comparing them costs more, since nobody can foretell how that ends.
+// By the second numbers and then by the first ones, as digits are sorted: counted, and put where those of a number
+// begin. Sorting the few pairs of each first number by comparing them costs more, since nobody can foretell how that
+// ends.
 void list_pairs(std::span<const std::array<SlotIndex, 2>> found, std::size_t proxy_end, ProxyPairs& list) {
     struct Next {
         std::uint32_t first = 0, second = 0;  // where the next pair goes of which this is that number
