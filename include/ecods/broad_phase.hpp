@@ -47,9 +47,8 @@ enum class BroadPhaseKind : std::uint8_t {
     // is awake until it has been at rest for some updates. One that left its margin, or awoke, is looked up in trees
     // over all boxes, one for each class of sizes; when many did at once, everything is looked up. How wide margins are
     // is adapted from counts, and those of boxes that all move together go along with them. Where boxes leave any
-    // margin
-    // at once, or come and go in numbers, none has one, and each update searches for all pairs from scratch: counts
-    // decide, which are looked at again some updates later.
+    // margin at once, or come and go in numbers, none has one, and each update searches for all pairs from scratch:
+    // counts decide, which are looked at again some updates later.
     // Work per update: a few tests for each box that moved, or did so lately; or that of a search from scratch, a sort
     // and a sweep in the cells of a grid, whatever boxes do. Memory: about 450 bytes a box, 8 bytes a
     // candidate (some more than there are pairs) and 8 to 16 a pair, as above; up to twice that while boxes move.

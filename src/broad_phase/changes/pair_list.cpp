@@ -48,8 +48,8 @@ void append_differences(const ProxyPairs& old_list, const ProxyPairs& new_list, 
             gone += a <= b ? 1 : 0;
             come += b <= a ? 1 : 0;
         }
-        ended.insert(ended.end(), only_gone.begin(), only_gone.begin() + gone_count);
-        began.insert(began.end(), only_come.begin(), only_come.begin() + come_count);
+        ended.insert(ended.end(), only_gone.data(), only_gone.data() + gone_count);
+        began.insert(began.end(), only_come.data(), only_come.data() + come_count);
     }
     std::set_difference(gone, gone_end, come, come_end, std::back_inserter(ended), is_before);
     std::set_difference(come, come_end, gone, gone_end, std::back_inserter(began), is_before);
@@ -94,7 +94,7 @@ void PairList::append_removed(const ProxyTable& table, const ProxyChanges&, Prox
             removed[count] = list_[i];
             count += static_cast<unsigned>(table.is_removed(list_[i].a)) | table.is_removed(list_[i].b);
         }
-        ended.insert(ended.end(), removed.begin(), removed.begin() + count);
+        ended.insert(ended.end(), removed.data(), removed.data() + count);
     }
 }
 
