@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# Checks certificates: check.py CERTIFICATE MESH... . README.md has the format, and why an accepted certificate is true.
+# Checks certificates: check.py CERTIFICATE [MESH...] . README.md has the format, and why an accepted certificate is true.
 #
 # Coordinates are integers here, in units of 2^-fine, which is so small that each posed corner is one. Doubles only look ahead: where
 # their error leaves a comparison open, the integers decide.

@@ -372,7 +372,7 @@ class Lines:
 def run(check_certificate, names):
     """Prints a line for each certificate. Returns 0 if all are accepted, 1 if one is refused, 2 if a file is unreadable."""
     if not names:
-        print("usage: check.py CERTIFICATE MESH...", file=sys.stderr)
+        print("usage: check.py CERTIFICATE [MESH...]", file=sys.stderr)
         return 2
     meshes = {}
     try:

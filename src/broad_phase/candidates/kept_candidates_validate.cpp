@@ -26,10 +26,8 @@ void KeptCandidates::validate(const ProxyTable& table) const {
         const ProxyIndex proxy = proxies_[slot];
         require(table.is_present(proxy) && slots_[proxy] == slot, slot, "its proxy is not here");
         // Through the numbers, not the lanes.
-        const KeyBox box = key_box(table.box(proxy));
-        const KeyBox in_frame = key_box(frame_.of(table.box(proxy)));
-        const KeyBox fat = key_box(fat_lines[slot]);
-        require(lines_[slot] == packed_box(box), slot, "its box is not the proxy's");
+        const KeyBox in_frame = key_box(frame_.of(table.box(proxy))), fat = key_box(fat_lines[slot]);
+        require(lines_[slot] == packed_box(key_box(table.box(proxy))), slot, "its box is not the proxy's");
         for (std::size_t axis = 0; axis < 3; ++axis) {
             require(fat.min[axis] <= in_frame.min[axis] && in_frame.max[axis] <= fat.max[axis], slot,
                     "it is not in its fat box");

@@ -23,7 +23,7 @@ const ProxyPair* find_from(const ProxyPair* first, const ProxyPair* last, const 
 }
 
 // What two ascending lists do not share, in order: of the old one to `ended`, of the new one to `began`. Most that is
-// in one is in both: as long as the next few are, nothing else is looked at. Among others nothing is foretold, so both
+// in one is in both: as long as the next few are, nothing else is looked at. Among others nothing is known, so both
 // lists go on, or the one that is behind, without a branch.
 void append_differences(const ProxyPairs& old_list, const ProxyPairs& new_list, ProxyPairs& ended, ProxyPairs& began) {
     constexpr std::size_t few = 8;

@@ -1,4 +1,4 @@
-// ecods_check_certificate [--exact] [--times] CERTIFICATE MESH...   (README.md)
+// ecods_check_certificate [--exact] [--times] CERTIFICATE [MESH...]   (README.md)
 //
 // --exact: no doubles are asked, integers decide everything (README.md, section 6); the work has no limit then.
 // --times: prints how long the meshes took to read, and of each certificate how long its check took and how many steps
@@ -154,8 +154,8 @@ int run(int count, char** arguments) {
         if (!is_times && std::strcmp(arguments[first], "--exact") != 0) count = 0;
         (is_times ? prints_times : is_exact) = true;
     }
-    if (count - first < 2) {
-        std::fputs("usage: ecods_check_certificate [--exact] [--times] CERTIFICATE MESH...\n", stderr);
+    if (count - first < 1) {
+        std::fputs("usage: ecods_check_certificate [--exact] [--times] CERTIFICATE [MESH...]\n", stderr);
         return 2;
     }
     try {
