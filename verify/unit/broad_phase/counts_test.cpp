@@ -141,26 +141,35 @@ TEST(Counts, FastBoxesAreSearchedFromScratchUntilTheyAreSlow) {
     EXPECT_GT(counts.candidates_filtered, before.candidates_filtered);
 }
 
+// Cubes of which neighbours overlap.
+constexpr ProxyIndex swarm_count = 400;
+
+void add_swarm(Lockstep& lockstep) {
+    for (ProxyIndex proxy = 0; proxy < swarm_count; ++proxy)
+        lockstep.add(proxy, make_cube(proxy % 8 * 0.9, proxy / 8 % 8 * 1.1, proxy / 64 * 0.7));
+}
+
+void shift(Lockstep& lockstep, ProxyIndex proxy, const Vec3& by) {
+    Aabb box = lockstep.model.box(proxy);
+    box.min += by;
+    box.max += by;
+    lockstep.move(proxy, box);
+}
+
 // Boxes that fly in formation far beyond their size are neither searched nor leave their margins, whatever a few others
 // do; nor when they slow down, stop, or fly on.
 TEST(Counts, ASwarmThatFliesIsNotSearched) {
     Lockstep lockstep;
-    constexpr ProxyIndex count = 400;
-    for (ProxyIndex proxy = 0; proxy < count; ++proxy)
-        lockstep.add(proxy, make_cube(proxy % 8 * 0.9, proxy / 8 % 8 * 1.1, proxy / 64 * 0.7));
+    add_swarm(lockstep);
     ASSERT_TRUE(lockstep.update());
     const BroadPhaseCounts& counts = lockstep.counts(BroadPhaseKind::kept_candidates);
     const auto fly = [&](const Vec3& by, int frame) {
-        for (ProxyIndex proxy = 0; proxy < count; ++proxy) {
-            Aabb box = lockstep.model.box(proxy);
-            const Vec3 step = by + Vec3::Constant((proxy + frame) % 3 == 0 ? 0x1p-9 : -0x1p-10);
-            box.min += step;
-            box.max += step;
-            lockstep.move(proxy, box);
+        for (ProxyIndex proxy = 0; proxy < swarm_count; ++proxy) {
+            shift(lockstep, proxy, by + Vec3::Constant((proxy + frame) % 3 == 0 ? 0x1p-9 : -0x1p-10));
         }
-        const ProxyIndex other = static_cast<ProxyIndex>(frame) % count;
+        const ProxyIndex other = static_cast<ProxyIndex>(frame) % swarm_count;
         if (frame % 3 == 0) lockstep.move(other, make_cube(1, frame, 1));
-        if (frame % 7 == 0) lockstep.remove(other), lockstep.add(other, lockstep.model.box((other + 1) % count));
+        if (frame % 7 == 0) lockstep.remove(other), lockstep.add(other, lockstep.model.box((other + 1) % swarm_count));
         ASSERT_TRUE(lockstep.update());
     };
     for (int frame = 0; frame < 8; ++frame) fly({40.3, -17, 5}, frame);
@@ -175,24 +184,16 @@ TEST(Counts, ASwarmThatFliesIsNotSearched) {
 // A swarm that has flown, and of which most boxes rest then: those that move, come or go find them where they are.
 TEST(Counts, ASwarmThatLandedIsFoundWhereItIs) {
     Lockstep lockstep;
-    constexpr ProxyIndex count = 400;
-    for (ProxyIndex proxy = 0; proxy < count; ++proxy)
-        lockstep.add(proxy, make_cube(proxy % 8 * 0.9, proxy / 8 % 8 * 1.1, proxy / 64 * 0.7));
+    add_swarm(lockstep);
     ASSERT_TRUE(lockstep.update());
-    const auto shift = [&](ProxyIndex proxy, const Vec3& by) {
-        Aabb box = lockstep.model.box(proxy);
-        box.min += by;
-        box.max += by;
-        lockstep.move(proxy, box);
-    };
     for (int frame = 0; frame < 8; ++frame) {
-        for (ProxyIndex proxy = 0; proxy < count; ++proxy) shift(proxy, {40.3, -17, 5});
+        for (ProxyIndex proxy = 0; proxy < swarm_count; ++proxy) shift(lockstep, proxy, {40.3, -17, 5});
         ASSERT_TRUE(lockstep.update());
     }
     // As long as it takes until those at rest have no candidates with each other.
     for (int frame = 0; frame < 40; ++frame) {
-        shift(7, {0x1p-6, 0, 0});
-        shift(300, {0, frame % 2 == 0 ? 0.5 : -0.5, 0});
+        shift(lockstep, 7, {0x1p-6, 0, 0});
+        shift(lockstep, 300, {0, frame % 2 == 0 ? 0.5 : -0.5, 0});
         ASSERT_TRUE(lockstep.update());
     }
     for (ProxyIndex proxy = 20; proxy < 24; ++proxy) {
