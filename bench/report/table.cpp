@@ -3,10 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace ecods::bench {
 
 std::string to_text(const Table& table) {
+    for (const std::vector<std::string>& row : table.rows)
+        if (row.size() != table.header.size())
+            throw std::logic_error(fmt::format("table \"{}\": a row of {} cells under a header of {}", table.title,
+                                               row.size(), table.header.size()));
     std::vector<std::size_t> widths;
     for (std::size_t c = 0; c < table.header.size(); ++c) {
         widths.push_back(table.header[c].size());

@@ -170,8 +170,8 @@ Tables empty_tables(std::size_t repetition_count) {
                            "%",     "Epeck", "asked of the oracle", "ECoDS wrong"};
     tables.wrong.notes = {"Counted against ECoDS, which is itself checked with the oracle on pairs spread evenly."};
     tables.stages.title = "Which stage decided, percent of the pairs";
-    tables.stages.header = {"scene",    "filter",    "semi-static filter", "exact in plain double",
-                            "one limb", "two limbs", "more limbs"};
+    tables.stages.header = {"scene"};
+    for (const Stage& stage : stages) tables.stages.header.emplace_back(stage.name);
     tables.all_pairs.title = "Every triangle of a sphere with every one of another: most points come from the caches";
     tables.all_pairs.header = {"way", "ns per pair", "to plain double"};
     return tables;
