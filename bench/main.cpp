@@ -100,6 +100,19 @@ void write_sample(const Page& page, const std::filesystem::path& folder) {
     fmt::print("sample: {}\n", folder.string());
 }
 
+// The page in all forms that were asked for.
+void write_all(const Page& page, const Arguments& arguments) {
+    if (!arguments.json.empty()) write_json(page, arguments.json);
+    if (!arguments.csv.empty()) write_csv(page, arguments.csv);
+    if (!arguments.results.empty()) write_csv(page, arguments.results / results_name(page));
+    if (arguments.has_report) {
+        const std::filesystem::path file = arguments.report / "index.html";
+        write_page(page, file);
+        fmt::print("report: {}\n", file.string());
+    }
+    if (!arguments.sample.empty()) write_sample(page, arguments.sample);
+}
+
 bool run(const Arguments& arguments, const std::string& command) {
     const auto start = std::chrono::steady_clock::now();
     const std::vector<Suite> suites = asked_suites(all_suites(), arguments.suites, arguments.options);
@@ -123,27 +136,8 @@ bool run(const Arguments& arguments, const std::string& command) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     page.environment.rows.push_back({"whole run", fmt::format("{:.0f} s", seconds.count())});
     fmt::print("{}\n", words);
-    if (!arguments.json.empty()) write_json(page, arguments.json);
-    if (!arguments.csv.empty()) write_csv(page, arguments.csv);
-    if (!arguments.results.empty()) write_csv(page, arguments.results / results_name(page));
-    if (arguments.has_report) {
-        const std::filesystem::path file = arguments.report / "index.html";
-        write_page(page, file);
-        fmt::print("report: {}\n", file.string());
-    }
-    if (!arguments.sample.empty()) write_sample(page, arguments.sample);
+    write_all(page, arguments);
     return is_right;
-}
-
-// The page of an earlier run.
-void draw_again(const Arguments& arguments) {
-    const Page page = read_page(arguments.from);
-    if (arguments.has_report) {
-        const std::filesystem::path file = arguments.report / "index.html";
-        write_page(page, file);
-        fmt::print("report: {}\n", file.string());
-    }
-    if (!arguments.sample.empty()) write_sample(page, arguments.sample);
 }
 
 bool compare(const Arguments& arguments) {
@@ -184,7 +178,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
     app.add_option("--results", arguments.results,
                    "As --csv, into this folder, to a file named after the processor and the day");
     app.add_option("--from", arguments.from,
-                   "Run nothing: draw the page of an earlier run again, from its --json (all of it) or --csv (the "
+                   "Run nothing: write the page of an earlier run again, from its --json (all of it) or --csv (the "
                    "tables)")
         ->check(CLI::ExistingFile);
     app.add_option("--sample", arguments.sample,
@@ -239,7 +233,7 @@ int main(int argc, char** argv) {
             return 0;
         }
         if (!arguments.from.empty()) {
-            draw_again(arguments);
+            write_all(read_page(arguments.from), arguments);
             return 0;
         }
         if (!arguments.builds.empty()) return compare(arguments) ? 0 : 1;
