@@ -50,7 +50,7 @@ figcaption { font-size: .9rem; margin-top: .4rem; max-width: 46rem; }
 }
 @media print { body { max-width: none; padding: 0; font-size: 10.5pt; } table { font-size: 7.5pt; }
                .table { overflow: visible; } figcaption, tr, .panels svg, .picture { break-inside: avoid; }
-               .key { break-after: avoid; } h2, caption { break-after: avoid; } td { white-space: normal; }
+               .key { break-after: avoid; break-inside: avoid; } h2, caption { break-after: avoid; } td { white-space: normal; }
                th, td { padding: .15rem .35rem; } th:first-child, td:first-child { position: static; }
                .panels { display: block; font-size: 0; } .panels svg { display: inline-block; width: 32.6%; }
                .panels.two svg { width: 49%; } .panels.one svg { width: 70%; } .picture img { max-height: 24cm;
