@@ -105,8 +105,14 @@ def test_a_refused_call_changes_nothing():
     body = world.create_body(mesh())
     with pytest.raises(ecods.InvalidPose) as caught:
         world.set_poses([body, body], [at(1), np.full((4, 4), np.nan)])
-    assert caught.value.index == 1
+    assert caught.value.index == 1 and caught.value.body == body
     assert np.array_equal(world.pose(body), np.eye(4))
+    with pytest.raises(ecods.InvalidPose) as caught:
+        world.meetings([body], [np.full((4, 4), np.inf)])
+    assert caught.value.index == 0 and caught.value.body == body
+    with pytest.raises(ecods.InvalidPose) as caught:
+        world.set_poses([body], [at(1), np.full((4, 4), np.nan)])
+    assert caught.value.index == 1 and caught.value.body == 0  # there is none
     with pytest.raises(ecods.LengthMismatch):
         world.set_poses([body, body], [at(1)])
 

@@ -211,8 +211,22 @@ std::vector<BodyId> to_bodies(py::handle value) {
     return bodies;
 }
 
-std::vector<Pose> to_poses(py::handle value) {
-    const PoseList list(value, "poses");
+namespace {
+
+PoseList poses_of_bodies(py::handle value, std::span<const BodyId> bodies) {
+    try {
+        return PoseList(value, "poses");
+    } catch (const InvalidPose& error) {
+        const bool is_of_body = error.index && *error.index < bodies.size();
+        throw InvalidPose(error.row, error.column, error.value, is_of_body ? bodies[*error.index] : BodyId(),
+                          error.index);
+    }
+}
+
+}  // namespace
+
+std::vector<Pose> to_poses(py::handle value, std::span<const BodyId> bodies) {
+    const PoseList list = poses_of_bodies(value, bodies);
     if (list.is_single()) throw py::value_error("poses: one for each body is expected");
     std::vector<Pose> poses;
     poses.reserve(list.size());

@@ -79,6 +79,7 @@ py::array_t<std::uint64_t> from_bodies(std::span<const BodyId> bodies);         
 py::array_t<std::uint64_t> from_pairs(std::span<const BodyPair> pairs);          // (n, 2)
 py::array_t<std::uint32_t> from_triangles(std::span<const TrianglePair> pairs);  // (n, 2)
 std::vector<BodyId> to_bodies(py::handle value);
-std::vector<Pose> to_poses(py::handle value);  // of a list, checked as PoseList does
+// The poses that bodies are to have, checked as PoseList does; errors name the body, as World::set_poses does.
+std::vector<Pose> to_poses(py::handle value, std::span<const BodyId> bodies);
 
 }  // namespace ecods::python

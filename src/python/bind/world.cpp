@@ -46,13 +46,12 @@ void add_bodies(WorldClass& type, const py::arg& body) {
         "set_poses",
         [](SharedWorld& self, const py::object& bodies, const py::object& poses) {
             const auto ids = to_bodies(bodies);
-            const auto places = to_poses(poses);
+            const auto places = to_poses(poses, ids);
             self.change([&](World& world) { world.set_poses(ids, places); });
         },
         py::arg("bodies"), py::arg("poses"),
         "Moves many bodies, (k,) ids and (k, 4, 4) or (k, 3, 4) poses: all of them, or none if it raises "
-        "LengthMismatch, "
-        "StaleBody or InvalidPose, with the index of the entry.");
+        "LengthMismatch, StaleBody or InvalidPose, with the index of the entry.");
     type.def(
         "set_shape",
         [](SharedWorld& self, BodyId id, const Shape& mesh) {

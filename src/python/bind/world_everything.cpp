@@ -104,13 +104,12 @@ void add_casts(WorldClass& type, const py::arg_v& filter) {
         "meetings",
         [](SharedWorld& self, const py::object& bodies, const py::object& poses) {
             const auto ids = to_bodies(bodies);
-            const auto places = to_poses(poses);
+            const auto places = to_poses(poses, ids);
             return self.ask([&](auto& world, auto&... memory) { return world.meetings(ids, places, memory...); });
         },
         py::arg("bodies"), py::arg("poses"),
         "All pairs that meet while these bodies (k,) go to new poses (k, 4, 4), and the others stay: a list of "
-        "Meeting, by "
-        "time. Raises as set_poses() does.");
+        "Meeting, by time. Raises as set_poses() does.");
 }
 
 }  // namespace
