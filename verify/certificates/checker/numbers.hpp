@@ -4,6 +4,7 @@
 #include <gmpxx.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -22,9 +23,13 @@ int unit_of(const Numbers& numbers) {
 // x / 2^unit, which must be an integer.
 inline Integer integer(double x, int unit) {
     int exponent = 1025;
-    const Integer significand(std::isinf(x) ? 0x1p52 : std::ldexp(std::frexp(x, &exponent), 53));
+    Integer result(std::isinf(x) ? 0x1p52 : std::ldexp(std::frexp(x, &exponent), 53));
     const long shift = exponent - 53 - unit;
-    return shift < 0 ? Integer(significand >> -shift) : Integer(significand << shift);
+    shift < 0 ? result >>= -shift : result <<= shift;
+    return result;
+}
+inline std::array<Integer, 3> integers(const std::array<double, 3>& x, int unit) {
+    return {integer(x[0], unit), integer(x[1], unit), integer(x[2], unit)};
 }
 
 }  // namespace certificate_checker
