@@ -1,6 +1,9 @@
 #include "filter.hpp"
 
 #include <bit>
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
 
 #include "vectors.hpp"
 
@@ -33,13 +36,28 @@ Approximate operator*(const Approximate& a, const Approximate& b) {
     return rounded(a.value * b.value, std::abs(a.value) * b.error + std::abs(b.value) * a.error + a.error * b.error);
 }
 
+// Bit j of eight: low[j] is greater than `above`, or high[j] less than `below`.
+unsigned outside(const double* low, const double* high, double below, double above) {
+    unsigned bits = 0;
+#if defined(__SSE2__)
+    const __m128d least = _mm_set1_pd(below), most = _mm_set1_pd(above);
+    for (unsigned j = 0; j < 8; j += 2) {
+        const __m128d is_above = _mm_cmpgt_pd(_mm_loadu_pd(low + j), most);
+        const __m128d is_below = _mm_cmplt_pd(_mm_loadu_pd(high + j), least);
+        bits |= static_cast<unsigned>(_mm_movemask_pd(_mm_or_pd(is_above, is_below))) << j;
+    }
+#else
+    for (unsigned j = 0; j < 8; ++j) bits |= (low[j] > above || high[j] < below ? 1u : 0u) << j;
+#endif
+    return bits;
+}
+
 }  // namespace
 
 // Vertices, R and t - origin up to 2^300 and n up to 2^24 let no product of them overflow; what underflows then amounts
 // to less than 2^-400.
 Filter::Filter(const PosedMesh& a, const PosedMesh& b, double m, std::size_t axis_count, Budget& budget)
     : sides_{Side{a.mesh, &a.pose}, Side{b.mesh, &b.pose}}, m_(m), budget_(&budget), axis_count_(axis_count) {
-    ends_.reserve(1024);
     ranges_.reserve(128);
     places_.reserve(1024);
     for (Side& side : sides_) {
@@ -144,8 +162,7 @@ const std::vector<std::uint32_t>& Filter::extremes(std::size_t side, std::size_t
 }
 
 // The sums are as those of a vertex, so their errors are, too. Along -n, a box is least where it is greatest along n.
-void Filter::measure_boxes(const Mesh& mesh, std::uint32_t first, std::size_t count, const Direction& d,
-                           double* ends) {
+void Filter::measure_boxes(const Mesh& mesh, std::uint32_t first, std::size_t count, const Direction& d, double* ends) {
     const auto [x, y, z] = d.n;
     const std::size_t i = x < 0 ? 1 : 0, j = y < 0 ? 1 : 0, k = z < 0 ? 1 : 0;
     for (const std::size_t end : {0u, 1u}) {
@@ -172,11 +189,23 @@ void Filter::measure_leaf(const Mesh& mesh, const Node& leaf, const Direction& d
     }
 }
 
+double* Filter::add_ends(std::size_t count) {
+    const std::size_t begin = ends_used_;
+    ends_used_ += count;
+    if (ends_used_ > ends_size_) {
+        ends_size_ = 2 * ends_used_ + 1024;
+        auto larger = std::make_unique_for_overwrite<double[]>(ends_size_);
+        std::copy_n(ends_.get(), begin, larger.get());
+        ends_ = std::move(larger);
+    }
+    return &ends_[begin];
+}
+
 // Ranges of the parts of a node or a leaf, or of one part: by boxes, of triangles by corners.
 Filter::Ranges Filter::measure(const Side& side, const Node& parts, const Direction& d) {
-    const std::size_t begin = ends_.size();
-    ends_.resize(begin + 2 * padded(parts.count));
-    double* const ends = &ends_[begin];
+    const std::size_t begin = ends_used_;
+    double* const ends = add_ends(2 * padded(parts.count));
+    for (std::size_t i = parts.count; i < padded(parts.count); ++i) ends[i] = ends[padded(parts.count) + i] = 0;
     const bool is_triangle = parts.corner_count == 0 && side.mesh->is_triangle(parts.first);
     if (is_triangle) {
         const Range r = range(side, parts.first, d);
@@ -230,27 +259,20 @@ void Filter::open(const std::array<Node, 2>& parts, std::span<const std::uint32_
     }
 }
 
-// Bit j: part j of eight, from `low` and `high` on, is apart from that range.
-std::uint64_t Filter::apart_of_eight(const Range& range, const double* low, const double* high, double need) {
-    static constexpr std::array<std::uint64_t, lanes> bits = {1, 2, 4, 8, 16, 32, 64, 128};
-    std::uint64_t apart = 0;
-    for (std::size_t j = 0; j < lanes; ++j) apart |= excess(range, {low[j], high[j]}, need) > 0 ? bits[j] : 0;
-    return apart;
-}
-
 // Takes out the pairs that are apart along the step's axis k by their ranges, as they are. Returns whether any is left.
 bool Filter::take_out(std::size_t k, Pairs& left) {
-    const std::size_t row_count = sides_[0].parts.count, rows = padded(row_count), columns = padded(sides_[1].parts.count);
-    const double *const a = ends_of(0, k), *const low = ends_of(1, k), *const high = low + columns;
-    const double need = axes_[named_[k]].need;
-    std::uint64_t any_left = 0;
-    for (std::size_t i = 0; i < row_count; ++i) {
-        if (left[i] == 0) continue;
-        for (std::size_t j = 0; j < columns; j += lanes) {
-            left[i] &= ~(apart_of_eight({a[i], a[rows + i]}, low + j, high + j, need) << j);
+    const std::size_t row_count = sides_[0].parts.count, rows = padded(row_count),
+                      columns = padded(sides_[1].parts.count);
+    const double *const a = ends_of(0, k), *const b = ends_of(1, k), need = axes_[named_[k]].need;
+    for (std::size_t first = 0; first < columns; first += lanes) {
+        const double *const low = b + first, *const high = low + columns;
+        for (std::size_t i = 0; i < row_count; ++i) {
+            const double above = a[rows + i] + need, below = a[i] - need;
+            left[i] &= ~(std::uint64_t{outside(low, high, below, above)} << first);
         }
-        any_left |= left[i];
     }
+    std::uint64_t any_left = 0;
+    for (std::size_t i = 0; i < row_count; ++i) any_left |= left[i];
     return any_left != 0;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <span>
 
 #include "certificate.hpp"
@@ -32,9 +33,9 @@ class Filter {
     struct Range {
         double low, high;
     };
-    // Of a node's parts along an axis: their low ends begin there in ends_, their high ends behind them; each are followed
-    // by any numbers up to a multiple of eight. Bit i is set if the range of part i is that of its corners, not of a box
-    // around them.
+    // Of a node's parts along an axis: their low ends begin there in ends_, their high ends behind them; each are
+    // followed by any numbers up to a multiple of eight. Bit i is set if the range of part i is that of its corners,
+    // not of a box around them.
     struct Ranges {
         std::size_t begin;
         std::uint64_t best;
@@ -66,9 +67,9 @@ class Filter {
                               double* ends);
     static void measure_leaf(const Mesh& mesh, const Node& leaf, const Direction& d, double* ends);
     Range range(const Side& side, std::uint32_t part, const Direction& d);
+    double* add_ends(std::size_t count);
     Ranges measure(const Side& side, const Node& parts, const Direction& d);
     std::size_t place_of_ranges(std::size_t side, std::uint32_t axis);
-    static std::uint64_t apart_of_eight(const Range& range, const double* low, const double* high, double need);
     bool take_out(std::size_t k, Pairs& left);
     template <class Use>
     void visit(const Side& side, std::uint32_t part, const Direction& d, const Range& inner, const Use& use);
@@ -95,7 +96,9 @@ class Filter {
     std::span<const std::uint32_t> named_;
     // Of the parts of each node that was opened, along each axis that was named then, and of the step.
     std::vector<Ranges> ranges_;
-    std::vector<double> ends_;
+    std::unique_ptr<double[]> ends_;  // not set where it is not used yet
+    std::size_t ends_used_ = 0;
+    std::size_t ends_size_ = 0;
     std::vector<std::size_t> places_;  // rows: for each axis 1 + where the node's are in ranges_, 0 if they are not set
     std::size_t axis_count_;           // a row's length
     std::vector<std::uint32_t> extremes_;

@@ -110,7 +110,7 @@ struct Pair {
         if (step.is_formula) add_axis({step.line, step.formula}, pair);
         const auto last = static_cast<std::uint32_t>(axes.size() - 1);
         const auto given = std::span(proof.numbers).subspan(step.axes.first, step.axes.count);
-        Pairs left = {};
+        Pairs left;
         for (std::uint32_t i = 0; i < parts[0].count; ++i) left[i] = ~std::uint64_t{0} >> (64 - parts[1].count);
         const auto bottom = static_cast<std::ptrdiff_t>(stack.size());
         for (const std::uint32_t number : std::span(proof.numbers).subspan(step.open.first, step.open.count)) {
@@ -142,6 +142,7 @@ void check_steps(Body& a, Body& b, const Rule& rule, const Proof& proof, Budget&
         const bool is_zero = axis.given == Vector<double>{} && pair.vector(pair.axes.size() - 1) == Vector<Integer>{};
         if (is_zero) throw Refusal{axis.line, "the axis is zero"};
     }
+    pair.axes.reserve(proof.axes.size() + 1);
     pair.stack = {{0, 0}};
     for (const Step& step : proof.steps) pair.check_step(proof, step);
     if (!pair.stack.empty()) throw Refusal{proof.end, "steps are missing"};
