@@ -57,10 +57,15 @@ ECODS_ALWAYS_INLINE V load_anywhere(const LaneType<V>* first) noexcept {
     return *reinterpret_cast<const typename VecTypes<LaneType<V>, lane_count<V>>::Anywhere*>(first);
 }
 
-// first[i] = lane i. `first` is aligned as V is.
+// first[i] = lane i. `first` is aligned as V is; in store_anywhere, as a number is.
 template <IsVec V>
 ECODS_ALWAYS_INLINE void store(LaneType<V>* first, V v) noexcept {
     *reinterpret_cast<typename VecTypes<LaneType<V>, lane_count<V>>::InMemory*>(first) = v;
+}
+
+template <IsVec V>
+ECODS_ALWAYS_INLINE void store_anywhere(LaneType<V>* first, V v) noexcept {
+    *reinterpret_cast<typename VecTypes<LaneType<V>, lane_count<V>>::Anywhere*>(first) = v;
 }
 
 // x in each lane.

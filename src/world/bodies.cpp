@@ -62,6 +62,7 @@ std::vector<BodyId> Bodies::ids() const {
 // ---- coming, changing and going
 
 void Bodies::reserve(std::size_t count) {
+    reserved_ = count;
     slots_.reserve(count);
     free_slots_.reserve(count);
 }
@@ -69,11 +70,18 @@ void Bodies::reserve(std::size_t count) {
 ProxyIndex Bodies::make_slot(ShapeKind kind) {
     if (free_slots_.empty()) {
         make_room(free_slots_);
+        make_room(slots_);
         slots_.emplace_back();
         free_slots_.push_back(end() - 1);
     }
     make_room_for(kind);
     return free_slots_.back();
+}
+
+void Bodies::trim() noexcept {
+    if (slots_.size() <= trimmed_size_ + trimmed_size_ / 8) return;
+    ecods::trim(slots_, reserved_);
+    trimmed_size_ = slots_.size();
 }
 
 void Bodies::create(const BodyOptions& options, std::shared_ptr<const Shape> shape) noexcept {

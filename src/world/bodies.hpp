@@ -64,6 +64,7 @@ class Bodies {
     // ---- coming, changing and going: first what may throw, then what does not
     void reserve(std::size_t count);
     ProxyIndex make_slot(ShapeKind kind);  // the free slot that create() takes next, of a body of this kind
+    void trim() noexcept;  // after an update: gives back memory for slots, where an eighth of them is new
     void create(const BodyOptions& options, std::shared_ptr<const Shape> shape) noexcept;
     void make_room_for(ShapeKind kind) { kind_counts_[kind]; }  // before set_shape()
     void set_shape(ProxyIndex proxy, std::shared_ptr<const Shape> shape) noexcept;
@@ -101,6 +102,8 @@ class Bodies {
     const std::uint16_t world_number_;  // for ids
     std::vector<Slot> slots_;
     std::vector<ProxyIndex> free_slots_;
+    std::size_t reserved_ = 0;
+    std::size_t trimmed_size_ = 0;   // slots when they were last trimmed
     std::size_t retired_count_ = 0;  // slots that were used once for each generation: neither free nor used
     std::map<ShapeKind, std::size_t> kind_counts_;  // of living bodies
     std::size_t without_hits_count_ = 0;            // of living bodies

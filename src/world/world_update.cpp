@@ -45,6 +45,7 @@ void World::Impl::commit() noexcept {
         statistics.moved_bodies += bodies[proxy].is_alive() && changes.of(proxy) == Change::body;
     }
     changes.clear();
+    bodies.trim();
     statistics.two_body_tests += test_count;
     statistics.cache_hits += collisions.verdicts().enabled_count() - test_count;
 }

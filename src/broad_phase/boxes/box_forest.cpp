@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/bytes_of.hpp"
+#include "base/make_room.hpp"
 #include "ecods/error.hpp"
 
 namespace ecods {
@@ -51,6 +52,7 @@ BoxForest::Item BoxForest::make_item(const Aabb& box, SlotIndex slot) noexcept {
 
 void BoxForest::build(std::span<Item> items, std::span<const PackedBox> lines) {
     trees_.clear();
+    positions_.reserve(lines.size() + lines.size() / 32);  // lest the first one that comes copies all
     positions_.assign(lines.size(), {});
     const auto classes = choose_classes(items);
     const std::size_t count = items.empty() ? 0 : std::size_t{classes[exponent_count - 1]} + 1;
@@ -90,7 +92,7 @@ bool BoxForest::insert(const Item& item, std::span<const PackedBox> lines) {
 }
 
 void BoxForest::add(std::span<const Item> items, std::span<const PackedBox> lines) {
-    if (positions_.size() < lines.size()) positions_.resize(lines.size());
+    if (positions_.size() < lines.size()) grow_to(positions_, lines.size());
     std::vector<TreeItem> unsorted;
     for (const Item& item : items) {
         if (!insert(item, lines)) unsorted.push_back(item.item);

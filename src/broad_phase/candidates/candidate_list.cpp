@@ -51,7 +51,7 @@ ECODS_ALWAYS_INLINE std::uint64_t test_all(const Testing& testing, std::vector<C
     Candidate* write = candidates;
     const std::size_t count = list.size();
     std::uint64_t overlapping = 0;
-    BoxReach reach;
+    BoxLanes reach;
     const Stretch parts[] = {{count - std::min(count, candidates_ahead), candidates_ahead}, {count, 0}};
     std::size_t i = 0;
     for (const Stretch& part : parts) {
@@ -91,7 +91,7 @@ ECODS_ALWAYS_INLINE void settle_all(const SlotTable& slots, std::vector<Candidat
     overlapping.resize(list.size());
     std::array<ProxyIndex, 2>* pair = overlapping.data();
     Candidate* write = list.data();
-    BoxReach reach;
+    BoxLanes reach;
     for (const Candidate candidate : list) {
         const auto [a, b] = candidate;
         make_reach(lines[a], reach);

@@ -1,6 +1,7 @@
 #include "broad_phase/candidates/kept_candidates.hpp"
 
 #include "base/bytes_of.hpp"
+#include "base/make_room.hpp"
 
 namespace ecods {
 
@@ -22,20 +23,18 @@ void KeptCandidates::update(const FindingUpdate& finding) {
     const auto& [table, changes, keeper, events, counts] = finding;
     margins_.begin_update();
     const std::size_t woken = slots_.count_asleep(changes.moved);
-    bool has_searched = keeping_.searches() || 8 * (woken + changes.added.size()) > slots_.used_count() + 64;
-    if (has_searched) {
-        replace_everything(finding);
-    } else {
-        has_searched = look_up_changes(finding, woken);
-    }
+    const bool replaces = keeping_.searches() || 8 * (woken + changes.added.size()) > slots_.used_count() + 64;
+    if (replaces) replace_everything(finding);
+    const bool has_searched = replaces || look_up_changes(finding, woken);
     if (has_searched) {
         keeper.compare(table, changes, pairs_, events);
-        // They may be at rest from now on.
-        if (RebuildRule::are_many(changes.added.size(), table.size())) release_working_memory();
     } else {
         sort_pairs(events.began);
         sort_pairs(events.ended);
     }
+    if (!replaces) put_to_sleep(changes.moved.size());
+    // They may be at rest from now on.
+    if (RebuildRule::are_many(changes.added.size(), table.size())) release_working_memory();
 }
 
 // Looks up what came, awoke or escaped, unless so many escaped that everything is searched for: says whether it did
@@ -80,7 +79,6 @@ bool KeptCandidates::look_up_changes(const FindingUpdate& finding, std::size_t w
                         .tree_tests = tests,
                         .searched_all = searches_all,
                         .candidates = candidates_.size()});
-    put_to_sleep(changes.moved.size());
     return searches_all;
 }
 
@@ -162,14 +160,14 @@ void KeptCandidates::add(ProxyIndex proxy, const ProxyTable& table) {
 }
 
 void KeptCandidates::put_to_sleep(std::size_t moved_count) {
-    if (slots_.put_resting_to_sleep(moved_count)) candidates_.drop_asleep(slots_);
+    if (!slots_.put_resting_to_sleep(moved_count)) return;
+    candidates_.drop_asleep(slots_);
+    if (8 * slots_.awake_count() < slots_.used_count()) release_working_memory();
 }
 
 void KeptCandidates::release_working_memory() {
     search_ = {};
-    escaped_ = {};
-    found_ = {};
-    pairs_ = {};
+    release(escaped_, found_, pairs_);
     candidates_.release_spare();
 }
 

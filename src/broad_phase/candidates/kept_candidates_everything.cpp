@@ -33,7 +33,7 @@ Step step_of(const PackedBox& before, const Aabb& now) noexcept {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<Eigen::Index>(axis);
         step.down[axis] = now.min[k] - double_of(before.ends[axis]);
-        step.up[axis] = now.max[k] - double_of(~before.ends[axis + 4]);
+        step.up[axis] = now.max[k] - double_of(~before.ends[axis + 3]);
     }
     return step;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/bytes_of.hpp"
+#include "base/make_room.hpp"
 
 namespace ecods {
 namespace {
@@ -18,15 +19,22 @@ constexpr double common_motion_margin = 0x1p-7;
 // A margin that lasts for fewer steps is not worth its candidates.
 constexpr std::uint32_t steps_min = 2;
 
+constexpr std::uint32_t all_axes = 7;
+
+// Of the number of an update, so much is kept.
+constexpr std::uint32_t escape_numbers = 1u << 23;
+
 }  // namespace
 
 void Margins::add(SlotIndex slot) {
-    if (hints_.size() <= slot) hints_.resize(std::size_t{slot} + 1);
+    if (hints_.size() <= slot) grow_to(hints_, std::size_t{slot} + 1);
     hints_[slot] = {};
 }
 
 void Margins::reorder(std::span<const SlotIndex> order) {
-    std::vector<MotionHint> ordered(order.size());
+    std::vector<MotionHint> ordered;
+    ordered.reserve(order.size() + order.size() / 32);  // lest the first one that comes copies all
+    ordered.resize(order.size());
     for (SlotIndex slot = 0; slot < order.size(); ++slot) ordered[slot] = hints_[order[slot]];
     hints_ = std::move(ordered);
 }
@@ -40,7 +48,7 @@ PackedBox Margins::in_frame(const Aabb& box, const PackedBox& line) const noexce
 }
 
 double Margins::share_behind(const MotionHint& hint, std::size_t axis) noexcept {
-    return hint.turns_on(axis) || hint.direction[axis] == 0 ? 0.5 : back / (1 + back);
+    return MotionHint::has(hint.turns, axis) || !hint.knows(axis) ? 0.5 : back / (1 + back);
 }
 
 // Enlarges `fat` by the margin that a box had, shifted towards the side that the box went to.
@@ -54,7 +62,7 @@ void Margins::turn_margin(const PackedBox& line, const PackedBox& old_line, cons
                               (double_of(old.max[axis]) - double_of(box.max[axis]));
         if (!(margin > 0)) continue;
         const double behind = share_behind(hint, axis);
-        const double low = hint.direction[axis] > 0 ? behind : 1 - behind;
+        const double low = MotionHint::has(hint.up, axis) ? behind : 1 - behind;
         fat.min[k] -= std::min(limit, low * margin);
         fat.max[k] += std::min(limit, (1 - low) * margin);
     }
@@ -66,10 +74,10 @@ bool Margins::is_about_to_escape(const PackedBox& line, const PackedBox& fat_lin
     const KeyBox box = key_box(line);
     const KeyBox fat = key_box(fat_line);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (hint.direction[axis] == 0) continue;
+        if (!hint.knows(axis)) continue;
         const double low = double_of(box.min[axis]) - double_of(fat.min[axis]);
         const double high = double_of(fat.max[axis]) - double_of(box.max[axis]);
-        const double ahead = hint.direction[axis] > 0 ? high : low;
+        const double ahead = MotionHint::has(hint.up, axis) ? high : low;
         if (ahead < left * (low + high)) return true;
     }
     return false;
@@ -80,14 +88,16 @@ void Margins::grow_ahead(MotionHint& hint, const Vec3& down, const Vec3& up, dou
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<Eigen::Index>(axis);
         if (down[k] == up[k]) continue;
-        const std::int8_t direction = up[k] > down[k] ? 1 : -1;
+        const std::uint32_t bit = 1u << axis;
+        const bool goes_up = up[k] > down[k];
         // What turned before its margin was used up will turn again, as what lies between two others does.
-        if (direction == -hint.direction[axis]) {
-            hint.turns |= static_cast<std::uint8_t>(1u << axis);
+        if (((goes_up ? hint.down : hint.up) & bit) != 0) {
+            hint.turns = (hint.turns | bit) & all_axes;
             ++turn_counts_[axis];
         }
-        hint.direction[axis] = direction;
-        const double behind = hint.turns_on(axis) || is_turning_common_[axis] ? 1 : back;
+        hint.up = (goes_up ? hint.up | bit : hint.up & ~bit) & all_axes;
+        hint.down = (goes_up ? hint.down & ~bit : hint.down | bit) & all_axes;
+        const double behind = MotionHint::has(hint.turns, axis) || is_turning_common_[axis] ? 1 : back;
         fat.min[k] -= std::min(limit, lookahead_.updates() * std::max(down[k], -behind * down[k]));
         fat.max[k] += std::min(limit, lookahead_.updates() * std::max(up[k], -behind * up[k]));
     }
@@ -109,7 +119,7 @@ PackedBox Margins::fat_box(const EscapedBox& escaped, const Aabb& box, const Pac
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<Eigen::Index>(axis);
         down[k] = double_of(escaped.before.ends[axis]) - box.min[k] + went[k];
-        up[k] = box.max[k] - double_of(~escaped.before.ends[axis + 4]) - went[k];
+        up[k] = box.max[k] - double_of(~escaped.before.ends[axis + 3]) - went[k];
     }
     Aabb fat = frame_.of(box);
     if (frame_.is_moving()) {
@@ -117,7 +127,8 @@ PackedBox Margins::fat_box(const EscapedBox& escaped, const Aabb& box, const Pac
         fat.max.array() += common_motion_margin * largest;
     }
     MotionHint& hint = hints_[escaped.slot];
-    const std::uint32_t lasted = update_number_ - std::exchange(hint.escaped_at, update_number_);
+    const std::uint32_t lasted = (update_number_ - hint.escaped_at) % escape_numbers;
+    hint.escaped_at = update_number_ % escape_numbers;
     const double step = std::max(down.cwiseAbs().maxCoeff(), up.cwiseAbs().maxCoeff());
     if (steps_min * step > margin_max && (step <= margin_max || lasted <= steps_min)) return here;
     if (step <= margin_max) {

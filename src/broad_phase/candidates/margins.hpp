@@ -43,11 +43,12 @@ class Margins {
   private:
     // How a box moved when it last escaped, by axis, and when that was.
     struct MotionHint {
-        std::array<std::int8_t, 3> direction{};  // 1 up, -1 down, 0 not known
-        std::uint8_t turns = 0;                  // a bit for each axis
-        std::uint32_t escaped_at = 0;            // the number of the update
+        std::uint32_t up : 3 = 0, down : 3 = 0;  // a bit for each axis; none of the two: not known
+        std::uint32_t turns : 3 = 0;
+        std::uint32_t escaped_at : 23 = 0;  // the last digits of the number of the update
 
-        bool turns_on(std::size_t axis) const noexcept { return (turns >> axis & 1) != 0; }
+        static bool has(std::uint32_t axes, std::size_t axis) noexcept { return (axes >> axis & 1) != 0; }
+        bool knows(std::size_t axis) const noexcept { return has(up | down, axis); }
     };
 
     PackedBox in_frame(const Aabb& box, const PackedBox& line) const noexcept;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/bytes_of.hpp"
+#include "base/make_room.hpp"
 #include "ecods/error.hpp"
 
 namespace ecods {
@@ -25,13 +26,17 @@ void SlotTable::prefetch(SlotIndex slot) const noexcept {
 }
 
 SlotIndex SlotTable::add(ProxyIndex proxy, const Aabb& box) {
-    if (slots_.size() <= proxy) slots_.resize(std::size_t{proxy} + 1, no_slot);
+    if (slots_.size() <= proxy) {
+        make_room(slots_, std::size_t{proxy} + 1 - slots_.size());
+        slots_.resize(std::size_t{proxy} + 1, no_slot);
+    }
     if (free_slots_.empty()) {
-        lines_.emplace_back();
-        fat_lines_.emplace_back();
-        proxies_.push_back(0);
-        flags_.push_back(0);
-        free_slots_.push_back(static_cast<SlotIndex>(lines_.size() - 1));
+        const std::size_t count = lines_.size() + 1;
+        grow_to(lines_, count);
+        grow_to(fat_lines_, count);
+        grow_to(proxies_, count);
+        grow_to(flags_, count);
+        free_slots_.push_back(static_cast<SlotIndex>(count - 1));
     }
     const SlotIndex slot = free_slots_.back();
     free_slots_.pop_back();
@@ -107,7 +112,9 @@ void SlotTable::forget_changes() {
 
 void SlotTable::reorder(std::span<const SlotIndex> order) {
     const auto reorder_one = [&order](auto& values) {
-        std::remove_reference_t<decltype(values)> ordered(order.size());
+        std::remove_reference_t<decltype(values)> ordered;
+        ordered.reserve(order.size() + order.size() / 32);  // lest the first one that comes copies all
+        ordered.resize(order.size());
         for (SlotIndex slot = 0; slot < order.size(); ++slot) ordered[slot] = values[order[slot]];
         values = std::move(ordered);
     };

@@ -24,12 +24,12 @@ ECODS_ALWAYS_INLINE void prefetch_box_ahead(const SlotView& slots, const Aabb* b
     __builtin_prefetch(ahead + sizeof(Aabb) - 1);
 }
 
-// Whether a box is in its fat box; `line` is the box in space.
+// Whether a box is in its fat box; `lanes` are the box in space.
 ECODS_ALWAYS_INLINE bool is_in_fat_box(const MovingFrame& frame, const PackedBox& fat_line, const Aabb& box,
-                                       const PackedBox& line) noexcept {
-    if (frame.is_at_origin()) return contains(fat_line, line);
-    PackedBox in_frame;
-    make_packed_box(frame.of(box), in_frame);
+                                       const BoxLanes& lanes) noexcept {
+    if (frame.is_at_origin()) return contains(fat_line, lanes);
+    BoxLanes in_frame;
+    make_lanes(frame.of(box), in_frame);
     return contains(fat_line, in_frame);
 }
 
@@ -38,14 +38,14 @@ ECODS_ALWAYS_INLINE void move_all_slots(const SlotView& slots, const Aabb* boxes
     const MovingFrame frame = moving_frame;
     for (std::size_t slot = 0; slot < slots.size; ++slot) {
         prefetch_box_ahead(slots, boxes, slot);
-        PackedBox line;
+        BoxLanes lanes;
         const Aabb& box = boxes[slots.proxies[slot]];
-        make_packed_box(box, line);
-        if (!is_in_fat_box(frame, slots.fat_lines[slot], box, line)) [[unlikely]] {
+        make_lanes(box, lanes);
+        if (!is_in_fat_box(frame, slots.fat_lines[slot], box, lanes)) [[unlikely]] {
             if (slots.fat_lines[slot].is_empty()) continue;  // a free slot
             escaped.push_back({static_cast<SlotIndex>(slot), slots.lines[slot]});
         }
-        slots.lines[slot] = line;
+        store_lanes(lanes, slots.lines[slot]);
     }
 }
 
@@ -60,13 +60,13 @@ ECODS_ALWAYS_INLINE void move_slots_of(const SlotView& slots, const SlotIndex* s
             __builtin_prefetch(&slots.fat_lines[ahead]);
         }
         const SlotIndex slot = slots_by_proxy[proxies[i]];
-        PackedBox line;
+        BoxLanes lanes;
         const Aabb& box = boxes[proxies[i]];
-        make_packed_box(box, line);
-        if (!is_in_fat_box(frame, slots.fat_lines[slot], box, line)) [[unlikely]] {
+        make_lanes(box, lanes);
+        if (!is_in_fat_box(frame, slots.fat_lines[slot], box, lanes)) [[unlikely]] {
             escaped.push_back({slot, slots.lines[slot]});
         }
-        slots.lines[slot] = line;
+        store_lanes(lanes, slots.lines[slot]);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/bytes_of.hpp"
+#include "base/make_room.hpp"
 #include "base/misuse.hpp"
 #include "simd/vec.hpp"
 
@@ -28,6 +29,7 @@ void ProxyTable::require_present(ProxyIndex proxy) const {
 }
 
 void ProxyTable::reserve(std::size_t count) {
+    reserved_ = count;
     states_.reserve(count);
     boxes_.reserve(count);
     queued_at_.reserve(count);
@@ -41,9 +43,9 @@ void ProxyTable::add(ProxyIndex proxy, const Aabb& box) {
     const Aabb added = box;
     if (proxy >= end()) {
         const std::size_t count = std::size_t{proxy} + 1;
-        boxes_.resize(count);
-        queued_at_.resize(count);
-        states_.resize(count);  // last: where memory ends before, end() is what it was
+        grow_to(boxes_, count);
+        grow_to(queued_at_, count);
+        grow_to(states_, count);  // last: where memory ends before, end() is what it was
     }
     enqueue(proxy);
     has_moves_only_ = false;
@@ -108,6 +110,13 @@ void ProxyTable::settle() {
         }
         changes_.removed.clear();
         has_moves_only_ = true;
+        // Boxes that were just placed are at rest for a while, as a rule. A pass over all is paid for by so many.
+        if (8 * changes_.added.size() > size_) {
+            release(changes_.added, queue_, moved_);
+            trim(states_, reserved_);
+            trim(boxes_, reserved_);
+            trim(queued_at_, reserved_);
+        }
     }
     queue_.clear();
     changes_.moved = {};

@@ -79,6 +79,7 @@ class ProxyTable {
     std::vector<ProxyIndex> moved_;  // those of them that moved, where there are others
     ProxyChanges changes_;           // `removed` is kept as it happens, the others are made by collect()
     std::size_t size_ = 0;
+    std::size_t reserved_ = 0;
 };
 
 }  // namespace ecods

@@ -27,7 +27,7 @@ AxisSample look_at_axis(std::span<const PackedBox> sample, std::size_t axis) {
     centers.reserve(sample.size());
     for (const PackedBox& line : sample) {
         centers.push_back(0.5 * clamp_finite(double_of(line.ends[axis])) +
-                          0.5 * clamp_finite(double_of(~line.ends[axis + 4])));
+                          0.5 * clamp_finite(double_of(~line.ends[axis + 3])));
     }
     // Few lie far out, as a rule, and must not make the steps wide in which the others are.
     const std::size_t few = centers.size() / 20;
@@ -40,7 +40,7 @@ AxisSample look_at_axis(std::span<const PackedBox> sample, std::size_t axis) {
     AxisSample result{.low = low - beyond, .high = high + beyond};
     double sum = 0;
     for (const PackedBox& line : sample) {
-        const double extent = clamp_finite(double_of(~line.ends[axis + 4])) - clamp_finite(double_of(line.ends[axis]));
+        const double extent = clamp_finite(double_of(~line.ends[axis + 3])) - clamp_finite(double_of(line.ends[axis]));
         sum += std::min(extent, result.range()) / static_cast<double>(sample.size());
     }
     result.extent = sum;

@@ -111,8 +111,11 @@ struct GridSweep::Loops {
     ECODS_ALWAYS_INLINE static void rank(GridSweep& self, std::span<const PackedBox> lines) {
         const RankMap map = self.plan_.map;
         for (SlotIndex slot = 0; slot < lines.size(); ++slot) {
-            store(self.ranked_[slot].begin.data(), map.at(lanes(&lines[slot].ends[0])));
-            store(self.ranked_[slot].end.data(), map.at(~lanes(&lines[slot].ends[4])));
+            BoxLanes ends;
+            load_lanes(lines[slot], ends);
+            const KeyLanes nothing{};
+            store(self.ranked_[slot].begin.data(), map.at(shuffle<0, 1, 2, 4>(ends.first, nothing)));
+            store(self.ranked_[slot].end.data(), map.at(shuffle<1, 2, 3, 4>(~ends.second, nothing)));
         }
     }
 };
