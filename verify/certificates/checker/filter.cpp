@@ -10,10 +10,10 @@
 namespace certificate_checker {
 namespace {
 
-constexpr double u = 0x1p-53;              // half the distance from 1 to the next double
-constexpr double underflow = 0x1p-1074;    // at most this is lost where a result is subnormal
+constexpr double u = 0x1p-53;                           // half the distance from 1 to the next double
+constexpr double underflow = 0x1p-1074;                 // at most this is lost where a result is subnormal
 constexpr std::size_t kept_max = std::size_t{1} << 24;  // numbers: no certificate of use needs as many
-constexpr double inflation = 1 + 0x1p-48;  // more than the roundings of the few sums of a bound
+constexpr double inflation = 1 + 0x1p-48;               // more than the roundings of the few sums of a bound
 
 // The true number is within `error` of `value`. An operation adds what it rounds, u times its result, to what the
 // operands are wrong by; the bound is inflated because it is rounded itself. Infinity and NaN are passed on, and no
