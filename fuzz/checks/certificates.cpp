@@ -144,7 +144,7 @@ void Certificates::check(Counters& counters) const {
     // Of this process, so that runs at once do not meet; only what was refused stays.
     const fs::path folder = fs::temp_directory_path() / fmt::format("ecods_fuzz-{}.certificates", getpid());
     fs::remove_all(folder);
-    certificates::CertificateFolder files(folder);
+    certificates::CertificateFolder files(folder / "certificates.txt");
     bool spoils = spoils_;
     for (const Made& made : made_) {
         std::string text = made.text;

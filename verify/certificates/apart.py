@@ -1,5 +1,4 @@
 """For check.py: the vectors of triangles, and when ranges along a vector are apart, as README.md defines them."""
-import math
 from itertools import product
 
 from reading import ZERO
@@ -72,7 +71,7 @@ class Apart:
     # The least gap in doubles, in units of 2^unit. No gap reaches 8, so that 16 is as good as more.
     def floor(self, n, unit):
         square, power = self.right * dot(n, n), self.left + 2 * unit
-        return math.sqrt(square / (1 << power)) if square >> power < 256 else 16.0
+        return (square / (1 << power)) ** 0.5 if square >> power < 256 else 16.0
 
 
 # Whether they do not overlap; touching is allowed.

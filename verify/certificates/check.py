@@ -3,13 +3,12 @@
 #
 # Coordinates are integers here, in units of 2^-fine, which is so small that each posed corner is one. Doubles only look ahead: where
 # their error leaves a comparison open, the integers decide.
-import math
 import sys
 from bisect import bisect_right
 
 from apart import FORMULAS, INDICES, UNITS, Ahead, Apart, Weak, cross, dot, edge, is_apart_by_any, minus, normal, off, span
 from command_line import run
-from reading import ONE, ZERO, Kept, Segment, above, below, exactly, is_odd, scaled, to_double
+from reading import INFINITY, ONE, ZERO, Kept, Segment, above, below, exactly, is_odd, scaled, to_double
 
 WORK_MAX = 2**30  # products of a vector and a vertex: minutes
 # The error of a range in doubles. n is scaled so that |n_i| < 1, lengths so that |R_i1| X + |R_i2| X + |R_i3| X + |t_i| <= 1, where X is at
@@ -138,6 +137,7 @@ def prove_step(lines, a, b, axes, axis_count, rule, i, j, kind, *fields):
         lines.fail("this is not a step about such parts, or it opens triangles only")
     rows, columns = a.mesh.parts(i) if opens_i else [i], b.mesh.parts(j) if opens_j else [j]
     names, left, closed = lines.step(fields, axis_count, len(rows), len(columns))
+    a.work += len(rows) * len(columns)
     for name in names:
         closed = axes[name].not_apart(i, opens_i, j, opens_j, closed) if closed else closed
     closed = [(rows[k], columns[at]) for k, row in closed.items() for at in row]
@@ -212,7 +212,7 @@ def check_pair(lines, a, b, kinds):
         case ["crossing", i, j]:
             check_meeting(lines, a, b, (i, j), Weak(a.fine))
         case ["distance", "inf"]:
-            steps = Apart(a.fine, below(math.inf), False)
+            steps = Apart(a.fine, below(INFINITY), False)
         case ["distance", d, i, j] if lines.distance(d) == 0:
             check_meeting(lines, a, b, (i, j), apart)
         case ["distance", d, *names] if (value := lines.distance(d)) > 0:

@@ -15,7 +15,8 @@ def run(check_certificate, names):
         for name in names[1:]:
             with open(name, "rb") as file:
                 mesh = Mesh(file.read())
-            meshes[mesh.digest] = mesh
+            if not meshes.setdefault(mesh.digest, mesh).is_same(mesh):
+                raise Unreadable("another mesh has this digest")
         name = names[0]
         with open(name, "rb") as file:
             lines = Lines(file.read())

@@ -7,6 +7,7 @@ gc.set_threshold(100_000, 20, 100)  # what is read stays, and most else goes wit
 DIGEST_MODULUS = 2**128 - 159
 SIZE_MAX = 64  # children of a node, triangles of a leaf
 DEPTH_MAX = 200
+INFINITY = math.inf
 ZERO, ONE = (0, 0), (1, 0)  # real numbers: (n, power) is n 2^-power
 
 
@@ -199,6 +200,10 @@ class Mesh:
                 self.last[above.pop()[0]] = at
         if above or at != len(self.corners):
             raise Unreadable("the tree has not all its nodes and triangles")
+
+    def is_same(self, other):
+        """Whether it is the same mesh with the same tree."""
+        return (self.vertices, self.corners, self.line_of, self.children) == (other.vertices, other.corners, other.line_of, other.children)
 
     def is_triangle(self, part):
         return part >= self.node_count

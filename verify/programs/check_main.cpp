@@ -31,7 +31,7 @@ constexpr int exit_unreadable = 2;
 struct Options {
     std::vector<std::filesystem::path> files;
     std::filesystem::path cases;
-    std::optional<std::filesystem::path> certificates;  // the folder for them
+    std::optional<std::filesystem::path> certificates;  // the file for them, or its folder
     bool json = false;
     bool oracle = false;
     SceneQuestions questions;
@@ -128,8 +128,9 @@ void add_certify(CLI::App& app, std::optional<std::filesystem::path>& folder) {
     app.add_option(
            "--certify", folder,
            "Also write the lists of each frame (with --distance also distances; with --cases, each case) with a "
-           "proof to certificates.txt in this folder, and meshes to files beside it, for ecods_check_certificate")
-        ->type_name("FOLDER");
+           "proof to this file, and meshes to files DIGEST.mesh beside it, for ecods_check_certificate; to "
+           "certificates.txt in it if it is a folder, or ends with /")
+        ->type_name("FILE");
 }
 
 int run(int argc, char** argv) {

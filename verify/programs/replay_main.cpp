@@ -24,7 +24,7 @@ constexpr int exit_unreadable = 2;
 struct Options {
     std::string file;
     ReplayOptions replay;
-    std::optional<std::filesystem::path> certificates;  // the folder for them
+    std::optional<std::filesystem::path> certificates;  // the file for them, or its folder
     bool json = false;
 };
 
@@ -60,10 +60,11 @@ int run(int argc, char** argv) {
     const CLI::Option* has_broad_phase =
         programs::add_broad_phase(app, broad_phase, "In place of the one in the trace");
     app.add_flag("--validate", options.replay.validates, "Check every invariant after each update (slow)");
-    app.add_option("--certify", options.certificates,
-                   "Also write the lists after each update with a proof to certificates.txt in this folder, and meshes "
-                   "to files beside it, for ecods_check_certificate")
-        ->type_name("FOLDER");
+    app.add_option(
+           "--certify", options.certificates,
+           "Also write the lists after each update with a proof to this file, and meshes to files DIGEST.mesh "
+           "beside it, for ecods_check_certificate; to certificates.txt in it if it is a folder, or ends with /")
+        ->type_name("FILE");
     app.add_flag("--json", options.json, "Write JSON");
     if (const auto status = programs::parse(app, argc, argv)) return *status;
     if (*has_broad_phase) options.replay.broad_phase = broad_phase;

@@ -32,7 +32,10 @@ POINT = mesh([(0.25, 0.25, 0)], [(0, 0, 0, 0)], ["l 1"])
 WALL = mesh([(0, 0, -1), (0, 0, 1), (0, 1, 0)], [(0, 1, 2, 0)], ["l 1"])
 DEEP = mesh([(0, 10, 0), (1, 10, 0), (0, 11, 0)], [(0, 1, 2, 0)], ["n 1", "l 1"])
 TWO = mesh([(5, 10, 0), (6, 10, 0), (5, 11, 0), (0, 10, 0), (1, 10, 0), (0, 11, 0)], [(0, 1, 2, 0), (3, 4, 5, 1)], ["n 2", "l 1", "l 1"])
-MESHES = {"deep": DEEP, "two": TWO, "triangle": TRIANGLE, "square": SQUARE, "needle": NEEDLE, "point": POINT, "wall": WALL}
+# Another mesh with the same digest: byte p + 16 of a file, counted from its end, weighs 159 times as much as byte p.
+DIGITS = mesh([(0, 0, 0)], [(0, 0, 0, 0)], ["l 1"]).replace("0x0.0p+0 0x0.0p+0", "0x1.0000000000000p+0 0x1.0050000000000p+0", 1)
+TWIN = DIGITS.replace("0x1.0000000000000p+0 0x1.0050000000000p+0", "0x1.0000000080000p+0 0x1.0008000000000p+0")
+MESHES = {"digits": DIGITS, "deep": DEEP, "two": TWO, "triangle": TRIANGLE, "square": SQUARE, "needle": NEEDLE, "point": POINT, "wall": WALL}
 
 
 def pair(a, pose_a, b, pose_b, *lines):
@@ -285,6 +288,7 @@ BAD += [
     world("inf", {}),
 ]
 BAD_MESHES = [
+    TWIN,
     "",
     "ecods-mesh 2\n",
     TRIANGLE[:-1],

@@ -10,9 +10,10 @@
 namespace certificate_checker {
 namespace {
 
-constexpr double u = 0x1p-53;              // half the distance from 1 to the next double
-constexpr double underflow = 0x1p-1074;    // at most this is lost where a result is subnormal
-constexpr double inflation = 1 + 0x1p-48;  // more than the roundings of the few sums of a bound
+constexpr double u = 0x1p-53;                           // half the distance from 1 to the next double
+constexpr double underflow = 0x1p-1074;                 // at most this is lost where a result is subnormal
+constexpr std::size_t kept_max = std::size_t{1} << 24;  // numbers: no certificate of use needs as many
+constexpr double inflation = 1 + 0x1p-48;               // more than the roundings of the few sums of a bound
 
 // The true number is within `error` of `value`. An operation adds what it rounds, u times its result, to what the
 // operands are wrong by; the bound is inflated because it is rounded itself. Infinity and NaN are passed on, and no
@@ -238,8 +239,17 @@ std::size_t Filter::place_of_ranges(std::size_t number, std::uint32_t axis) {
     return ranges_.size() - 1;
 }
 
+// Ranges are found again where they are asked for.
+void Filter::forget() {
+    ranges_.clear();
+    places_.clear();
+    ends_used_ = 0;
+    for (Side& side : sides_) side.rows.assign(side.rows.size(), 0);
+}
+
 void Filter::open(const std::array<Node, 2>& parts, std::span<const std::uint32_t> axes, Pairs& left) {
     named_ = axes;
+    if (ends_used_ + places_.size() > kept_max) forget();
     for (const std::size_t number : {0, 1}) {
         sides_[number].parts = parts[number];
         sides_[number].ranges.clear();

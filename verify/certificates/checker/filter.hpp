@@ -70,6 +70,7 @@ class Filter {
     double* add_ends(std::size_t count);
     Ranges measure(const Side& side, const Node& parts, const Direction& d);
     std::size_t place_of_ranges(std::size_t side, std::uint32_t axis);
+    void forget();
     bool take_out(std::size_t k, Pairs& left);
     template <class Use>
     void visit(const Side& side, std::uint32_t part, const Direction& d, const Range& inner, const Use& use);

@@ -52,7 +52,9 @@ void Program::read(const char* path) {
     const auto begin = Clock::now();
     try {
         Mesh mesh = read_mesh(path);
-        meshes_.emplace(mesh.digest, std::move(mesh));
+        const auto [place, is_new] = meshes_.try_emplace(mesh.digest);
+        if (!is_new && !place->second.is_same(mesh)) throw Unreadable{"another mesh has this digest"};
+        place->second = std::move(mesh);
     } catch (const Unreadable& problem) {
         throw Unreadable{std::string(path) + ": " + problem.why};
     }

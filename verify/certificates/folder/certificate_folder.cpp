@@ -2,21 +2,20 @@
 
 #include <cerrno>
 #include <system_error>
-#include <utility>
 
 namespace ecods::certificates {
 
-CertificateFolder::CertificateFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
-    std::filesystem::create_directories(folder_);
-    const auto file = folder_ / "certificates.txt";
-    certificates_.open(file, std::ios::binary);
-    check(certificates_, file);
+CertificateFolder::CertificateFolder(const std::filesystem::path& place) : file_(place) {
+    if (std::filesystem::is_directory(place) || !place.has_filename()) file_ /= "certificates.txt";
+    if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path());
+    certificates_.open(file_, std::ios::binary);
+    check(certificates_, file_);
 }
 
 void CertificateFolder::add_mesh(const MeshShape& shape) {
     const std::string digest = certified_mesh_digest(shape);
     if (!digests_.insert(digest).second) return;
-    const auto file = folder_ / (digest + ".mesh");
+    const auto file = file_.parent_path() / (digest + ".mesh");
     std::ofstream out(file, std::ios::binary);
     write_certified_mesh(out, shape);
     out.flush();
@@ -35,7 +34,7 @@ void CertificateFolder::add(const WorldCertificate& certificate) {
 void CertificateFolder::add(const std::string& certificate) {
     certificates_ << certificate;
     certificates_.flush();
-    check(certificates_, folder_ / "certificates.txt");
+    check(certificates_, file_);
     ++certificate_count_;
 }
 

@@ -1,5 +1,5 @@
-// A folder of certificates, and of the meshes that they are about: `certificates.txt`, and a file DIGEST.mesh for each
-// mesh. What is in it is checked by `ecods_check_certificate FOLDER/certificates.txt FOLDER/*.mesh`.
+// A file of certificates, and beside it a file DIGEST.mesh for each mesh that they are about. What is in its folder is
+// checked by `ecods_check_certificate FOLDER/FILE FOLDER/*.mesh`.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,10 @@ namespace ecods::certificates {
 
 class CertificateFolder {
   public:
-    // Makes the folder, if there is none, and the file of certificates, which is overwritten. Throws std::system_error
-    // here and below where a file cannot be written.
-    explicit CertificateFolder(std::filesystem::path folder);
+    // Makes the file of certificates, or overwrites it, and the folder it is in if there is none. `place` is the file;
+    // where it is a folder that exists, or ends with a separator, the file is certificates.txt in it. Throws
+    // std::system_error here and below where a file cannot be written.
+    explicit CertificateFolder(const std::filesystem::path& place);
 
     // Writes the mesh of a shape, unless it is there.
     void add_mesh(const MeshShape& shape);
@@ -36,7 +37,7 @@ class CertificateFolder {
   private:
     void check(const std::ofstream& out, const std::filesystem::path& file) const;
 
-    std::filesystem::path folder_;
+    std::filesystem::path file_;
     std::ofstream certificates_;
     std::set<std::string> digests_;
     std::size_t certificate_count_ = 0;
