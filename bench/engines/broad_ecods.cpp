@@ -13,14 +13,18 @@ class BroadEcods final : public BroadEngine {
     }
 
     void run_frame(std::span<const scenes::BoxMove> moves) override {
+        proxies_.clear();
+        moved_.clear();
         for (const scenes::BoxMove& move : moves) {
             if (move.is_new) {
                 broad_phase_->remove(move.index);
                 broad_phase_->add(move.index, move.box);
             } else {
-                broad_phase_->move(move.index, move.box);
+                proxies_.push_back(move.index);
+                moved_.push_back(move.box);
             }
         }
+        broad_phase_->move(proxies_, moved_);
         broad_phase_->update();
         pairs_ = broad_phase_->pairs();  // asked here, because a broad phase may make the list when it is asked
     }
@@ -30,6 +34,8 @@ class BroadEcods final : public BroadEngine {
   private:
     std::unique_ptr<BroadPhase> broad_phase_;
     std::span<const ProxyPair> pairs_;
+    std::vector<ProxyIndex> proxies_;  // that move in a frame
+    std::vector<Aabb> moved_;
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "ecods/aabb.hpp"
@@ -50,8 +51,9 @@ enum class BroadPhaseKind : std::uint8_t {
     // margin at once, or come and go in numbers, none has one, and each update searches for all pairs from scratch:
     // counts decide, which are looked at again some updates later.
     // Work per update: a few tests for each box that moved, or did so lately; or that of a search from scratch, a sort
-    // and a sweep in the cells of a grid, whatever boxes do. Memory: about 450 bytes a box, 8 bytes a
-    // candidate (some more than there are pairs) and 8 to 16 a pair, as above; up to twice that while boxes move.
+    // and a sweep in the cells of a grid, whatever boxes do. Memory: about 240 bytes a box at rest, and
+    // 8 to 16 a pair, as above; while boxes move, about 200 more for searches from scratch, and 8 a candidate, of which
+    // there are some more than pairs.
     kept_candidates,
 
     // sweep_and_prune while boxes are few, otherwise kept_candidates. Their number decides at each update, and before
@@ -96,8 +98,14 @@ class ECODS_API BroadPhase {
     virtual void add(ProxyIndex proxy, const Aabb& box) = 0;
     virtual void move(ProxyIndex proxy, const Aabb& box) = 0;  // `proxy` must be present
     virtual void remove(ProxyIndex proxy) = 0;                 // `proxy` must be present
-    virtual Aabb box(ProxyIndex proxy) const = 0;              // `proxy` must be present
-    virtual std::size_t size() const noexcept = 0;             // boxes present
+
+    // The same for many, in their order: the last box of a proxy that is named more than once holds. All are moved or
+    // none: throws Error where one is not present, or where there is not a box for each. Cost: less than that of a call
+    // for each.
+    virtual void move(std::span<const ProxyIndex> proxies, std::span<const Aabb> boxes) = 0;
+
+    virtual Aabb box(ProxyIndex proxy) const = 0;   // `proxy` must be present
+    virtual std::size_t size() const noexcept = 0;  // boxes present
 
     // Reserves memory for `count` boxes of numbers below that, so that adding them allocates little.
     virtual void reserve(std::size_t count) = 0;

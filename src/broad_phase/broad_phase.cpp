@@ -16,6 +16,9 @@ class ListingBroadPhase final : public BroadPhase {
     void reserve(std::size_t count) override { tracker_.reserve(count); }
     void add(ProxyIndex proxy, const Aabb& box) override { tracker_.add(proxy, box); }
     void move(ProxyIndex proxy, const Aabb& box) override { tracker_.move(proxy, box); }
+    void move(std::span<const ProxyIndex> proxies, std::span<const Aabb> boxes) override {
+        tracker_.move(proxies, boxes);
+    }
     void remove(ProxyIndex proxy) override { tracker_.remove(proxy); }
     Aabb box(ProxyIndex proxy) const override { return tracker_.box(proxy); }
     std::size_t size() const noexcept override { return tracker_.size(); }

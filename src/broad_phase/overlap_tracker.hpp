@@ -36,6 +36,11 @@ class OverlapTracker {
         table_.move(proxy, box);
         note(proxy);
     }
+    void move(std::span<const ProxyIndex> proxies, std::span<const Aabb> boxes) {
+        table_.move(proxies, boxes);
+        if (!index_) return;
+        for (const ProxyIndex proxy : proxies) note(proxy);
+    }
     void remove(ProxyIndex proxy) {
         table_.remove(proxy);
         note(proxy);

@@ -1,5 +1,7 @@
 #include "allocation/failing_allocations.hpp"
 
+#include <malloc.h>
+
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -13,6 +15,20 @@ constinit std::atomic<bool> is_lasting{false};
 constinit std::atomic<std::uint64_t> failing_number{0};
 constinit std::atomic<std::uint64_t> asked_count{0};
 
+// Of the HeldBytes that lives.
+constinit std::atomic<bool> is_weighing{false};
+constinit std::atomic<std::uint64_t> held_bytes{0};
+
+void* weighed(void* memory) noexcept {
+    if (is_weighing.load(std::memory_order_relaxed)) held_bytes += malloc_usable_size(memory);
+    return memory;
+}
+
+void release(void* memory) noexcept {
+    if (is_weighing.load(std::memory_order_relaxed)) held_bytes -= malloc_usable_size(memory);
+    std::free(memory);
+}
+
 bool fails_now() noexcept {
     if (!is_watching.load(std::memory_order_relaxed)) return false;
     const std::uint64_t number = asked_count.fetch_add(1);
@@ -21,7 +37,7 @@ bool fails_now() noexcept {
 }
 
 void* allocate(std::size_t size) noexcept {
-    return fails_now() ? nullptr : std::malloc(size == 0 ? 1 : size);
+    return fails_now() ? nullptr : weighed(std::malloc(size == 0 ? 1 : size));
 }
 
 void* allocate(std::size_t size, std::align_val_t alignment) noexcept {
@@ -29,7 +45,7 @@ void* allocate(std::size_t size, std::align_val_t alignment) noexcept {
     void* memory = nullptr;
     const auto at_least =
         static_cast<std::size_t>(alignment) < sizeof(void*) ? sizeof(void*) : static_cast<std::size_t>(alignment);
-    return posix_memalign(&memory, at_least, size == 0 ? 1 : size) == 0 ? memory : nullptr;
+    return posix_memalign(&memory, at_least, size == 0 ? 1 : size) == 0 ? weighed(memory) : nullptr;
 }
 
 void* require(void* memory) {
@@ -54,9 +70,23 @@ std::uint64_t FailingAllocation::count() const noexcept {
     return asked_count;
 }
 
+HeldBytes::HeldBytes() noexcept {
+    held_bytes = 0;
+    is_weighing = true;
+}
+
+HeldBytes::~HeldBytes() {
+    is_weighing = false;
+}
+
+std::uint64_t HeldBytes::count() const noexcept {
+    return held_bytes;
+}
+
 }  // namespace ecods::allocation
 
 using ecods::allocation::allocate;
+using ecods::allocation::release;
 using ecods::allocation::require;
 
 void* operator new(std::size_t size) {
@@ -85,38 +115,38 @@ void* operator new[](std::size_t size, std::align_val_t alignment, const std::no
 }
 
 void operator delete(void* memory) noexcept {
-    std::free(memory);
+    release(memory);
 }
 void operator delete[](void* memory) noexcept {
-    std::free(memory);
+    release(memory);
 }
 void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
+    release(memory);
 }
 void operator delete[](void* memory, std::size_t) noexcept {
-    std::free(memory);
+    release(memory);
 }
 void operator delete(void* memory, std::align_val_t) noexcept {
-    std::free(memory);
+    release(memory);
 }
 void operator delete[](void* memory, std::align_val_t) noexcept {
-    std::free(memory);
+    release(memory);
 }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-    std::free(memory);
+    release(memory);
 }
 void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
-    std::free(memory);
+    release(memory);
 }
 void operator delete(void* memory, const std::nothrow_t&) noexcept {
-    std::free(memory);
+    release(memory);
 }
 void operator delete[](void* memory, const std::nothrow_t&) noexcept {
-    std::free(memory);
+    release(memory);
 }
 void operator delete(void* memory, std::align_val_t, const std::nothrow_t&) noexcept {
-    std::free(memory);
+    release(memory);
 }
 void operator delete[](void* memory, std::align_val_t, const std::nothrow_t&) noexcept {
-    std::free(memory);
+    release(memory);
 }

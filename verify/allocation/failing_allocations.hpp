@@ -34,4 +34,16 @@ class CountedAllocations {
     FailingAllocation none_{~std::uint64_t{0}};
 };
 
+// While it lives, the bytes that were allocated and not freed are counted, as the C library rounds them. One at a time;
+// what was allocated before must not be freed.
+class HeldBytes {
+  public:
+    HeldBytes() noexcept;
+    ~HeldBytes();
+    HeldBytes(const HeldBytes&) = delete;
+    HeldBytes& operator=(const HeldBytes&) = delete;
+
+    std::uint64_t count() const noexcept;
+};
+
 }  // namespace ecods::allocation

@@ -89,8 +89,8 @@ ECODS_ALWAYS_INLINE void make_lanes(const Aabb& box, BoxLanes& lanes) noexcept {
     const KeyLanes bits[2] = {load_anywhere<KeyLanes>(first), load_anywhere<KeyLanes>(first + PackedBox::second)};
     const KeyLanes signs[2] = {bits[0] < 0, bits[1] < 0};
     const KeyLanes keys[2] = {((bits[0] & rest) ^ signs[0]) - signs[0], ((bits[1] & rest) ^ signs[1]) - signs[1]};
-    lanes.first = keys[0] ^ KeyLanes{0, 0, 0, -1};
-    lanes.second = keys[1] ^ KeyLanes{0, -1, -1, -1};
+    lanes.first = keys[0] ^ KeyLanes { 0, 0, 0, -1 };
+    lanes.second = keys[1] ^ KeyLanes { 0, -1, -1, -1 };
 }
 ECODS_ALWAYS_INLINE void make_packed_box(const Aabb& box, PackedBox& line) noexcept {
     BoxLanes lanes;

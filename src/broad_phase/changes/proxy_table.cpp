@@ -65,6 +65,24 @@ void ProxyTable::move(ProxyIndex proxy, const Aabb& box) {
     current = box;
 }
 
+void ProxyTable::move(std::span<const ProxyIndex> proxies, std::span<const Aabb> boxes) {
+    if (proxies.size() != boxes.size()) {
+        throw_misuse(
+            Error(std::to_string(proxies.size()) + " proxies, and " + std::to_string(boxes.size()) + " boxes"));
+    }
+    for (const ProxyIndex proxy : proxies) require_present(proxy);
+    make_room(queue_, proxies.size());
+    // Nothing below throws.
+    constexpr std::size_t ahead = 8;
+    for (std::size_t i = 0; i < proxies.size(); ++i) {
+        if (i + ahead < proxies.size()) __builtin_prefetch(&boxes_[proxies[i + ahead]], 1);
+        Aabb& current = boxes_[proxies[i]];
+        if (is_same(current, boxes[i])) continue;
+        enqueue(proxies[i]);
+        current = boxes[i];
+    }
+}
+
 void ProxyTable::remove(ProxyIndex proxy) {
     require_present(proxy);
     if (has(proxy, settled)) {
@@ -118,7 +136,8 @@ void ProxyTable::settle() {
             trim(queued_at_, reserved_);
         }
     }
-    queue_.clear();
+    constexpr std::size_t few = 64;
+    few* queue_.size() < queue_.capacity() ? release(queue_) : queue_.clear();
     changes_.moved = {};
     if (++turn_ == 0) {  // turns are numbered from one again: those of long ago must not be taken for later ones
         std::fill(queued_at_.begin(), queued_at_.end(), 0);

@@ -29,6 +29,7 @@ class ProxyTable {
     void reserve(std::size_t count);
     void add(ProxyIndex proxy, const Aabb& box);
     void move(ProxyIndex proxy, const Aabb& box);
+    void move(std::span<const ProxyIndex> proxies, std::span<const Aabb> boxes);
     void remove(ProxyIndex proxy);
     const Aabb& box(ProxyIndex proxy) const;
     std::size_t size() const noexcept { return size_; }

@@ -101,6 +101,12 @@ const std::array calls = {
     Call{"add", [](Boxes& b) { b->add(90, box_at(1)); }},
     Call{"add far beyond", [](Boxes& b) { b->add(5000, box_at(1)); }},
     Call{"move", [](Boxes& b) { b->move(0, box_at(1)); }},
+    Call{"move, many",
+         [](Boxes& b) {
+             const ProxyIndex proxies[] = {0, 2, 0, 1};
+             const Aabb boxes[] = {box_at(1), box_at(0.5), box_at(3), box_at(0.3)};
+             b->move(proxies, boxes);
+         }},
     Call{"remove", [](Boxes& b) { b->remove(1); }},
     Call{"reserve", [](Boxes& b) { b->reserve(1000); }},
     Call{"pairs", [](Boxes& b) { b->pairs(); }},

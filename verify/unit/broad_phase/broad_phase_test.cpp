@@ -131,5 +131,34 @@ TEST_P(EveryBroadPhase, WrongProxiesAreErrorsAndChangeNothing) {
     update();
 }
 
+TEST_P(EveryBroadPhase, ManyMoveAsEachWould) {
+    for (ProxyIndex proxy = 0; proxy < 5; ++proxy) phase->add(proxy, make_cube(3 * proxy, 0, 0));
+    update();
+    const std::vector<ProxyIndex> proxies = {4, 1, 2, 1};
+    const std::vector<Aabb> boxes = {phase->box(4), make_cube(90, 0, 0), make_cube(0.5, 0, 0), make_cube(9.5, 0, 0)};
+    phase->move(proxies, boxes);
+    EXPECT_EQ(phase->box(1), boxes[3]) << "the last one holds";
+    EXPECT_EQ(phase->box(2), boxes[2]);
+    const std::uint64_t moved = phase->counts().moved;
+    update();
+    EXPECT_EQ(phase->counts().moved - moved, 2u) << "one got the box that it had, and one was named twice";
+    EXPECT_EQ(phase->pairs(), (Pairs{{0, 2}, {1, 3}}));
+}
+
+TEST_P(EveryBroadPhase, ManyMoveOrNone) {
+    for (ProxyIndex proxy = 0; proxy < 3; ++proxy) phase->add(proxy, make_cube(3 * proxy, 0, 0));
+    phase->remove(1);
+    update();
+    const std::vector<ProxyIndex> proxies = {0, 1};
+    const std::vector<Aabb> boxes = {make_cube(7, 0, 0), make_cube(8, 0, 0)};
+    EXPECT_THROW(phase->move(proxies, boxes), Error);
+    EXPECT_THROW(phase->move(std::span(proxies).first(1), boxes), Error);
+    EXPECT_EQ(phase->box(0), make_cube(0, 0, 0));
+    phase->move(std::vector<ProxyIndex>(), std::vector<Aabb>());
+    const std::uint64_t moved = phase->counts().moved;
+    update();
+    EXPECT_EQ(phase->counts().moved, moved);
+}
+
 }  // namespace
 }  // namespace ecods::test
