@@ -6,8 +6,8 @@
 
 #include "allocation/failing_allocations.hpp"
 #include "ecods/world.hpp"
-#include "meshes.hpp"
-#include "random.hpp"
+#include "scenes/random.hpp"
+#include "scenes/shapes.hpp"
 
 namespace ecods::allocation {
 namespace {

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -99,27 +100,27 @@ class Model {
 };
 
 // Forwards each call to the model and to every broad phase; update() compares all that they answer. kept_candidates
-// gets the moves in between two other calls at once.
+// is called as for many boxes.
 class Lockstep {
   public:
     enum class Checks { answers, invariants_too };
 
     void add(ProxyIndex proxy, const Aabb& box) {
         model.add(proxy, box);
-        move_many();
         for (const auto& engine : engines) engine->add(proxy, box);
     }
     void move(ProxyIndex proxy, const Aabb& box) {
         model.move(proxy, box);
         for (const auto& engine : engines) {
-            if (engine->kind() != BroadPhaseKind::kept_candidates) engine->move(proxy, box);
+            if (engine->kind() == BroadPhaseKind::kept_candidates) {
+                engine->move(std::span(&proxy, 1), std::span(&box, 1));
+            } else {
+                engine->move(proxy, box);
+            }
         }
-        movers_.push_back(proxy);
-        boxes_.push_back(box);
     }
     void remove(ProxyIndex proxy) {
         model.remove(proxy);
-        move_many();
         for (const auto& engine : engines) engine->remove(proxy);
     }
     void set(ProxyIndex proxy, const Aabb& box) { model.has(proxy) ? move(proxy, box) : add(proxy, box); }
@@ -127,7 +128,6 @@ class Lockstep {
     // False, with the reason recorded, when something differs.
     [[nodiscard]] bool update(Checks checks = Checks::invariants_too) {
         model.update();
-        move_many();
         for (const auto& engine : engines) {
             engine->update();
             EXPECT_EQ(engine->pairs(), model.pairs) << name(*engine);
@@ -157,16 +157,6 @@ class Lockstep {
     std::array<std::unique_ptr<BroadPhase>, 4> engines = {
         make_broad_phase(BroadPhaseKind::brute_force), make_broad_phase(BroadPhaseKind::sweep_and_prune),
         make_broad_phase(BroadPhaseKind::kept_candidates), make_broad_phase(BroadPhaseKind::automatic)};
-
-  private:
-    void move_many() {
-        engines[static_cast<std::size_t>(BroadPhaseKind::kept_candidates)]->move(movers_, boxes_);
-        movers_.clear();
-        boxes_.clear();
-    }
-
-    std::vector<ProxyIndex> movers_;
-    std::vector<Aabb> boxes_;
 };
 
 using Pairs = std::vector<ProxyPair>;
