@@ -30,7 +30,7 @@ struct Panel {
     Axis x, y;
     std::vector<Curve> curves;
     bool has_lines = false;  // between the points of a curve
-    bool has_names = false;  // beside the first point of each curve
+    bool has_names = false;  // beside the first point of each curve; both axes have ranges
     bool is_folded = false;  // nothing to see unless one wants to: all engines are right
 };
 

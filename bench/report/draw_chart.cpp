@@ -10,6 +10,7 @@
 
 #include "process/program.hpp"
 #include "report/engine_style.hpp"
+#include "report/place_names.hpp"
 #include "report/table.hpp"
 
 namespace ecods::bench {
@@ -53,13 +54,16 @@ bool is_drawn(const Panel& panel, const ChartPoint& point) {
 
 // Points with texts are labels whose text is their number, which stands for the text until the SVG is there: so
 // no text has to be quoted for gnuplot.
-void write_panel(std::ostream& out, const Panel& panel, std::span<const std::string> names,
+void write_panel(std::ostream& out, const Panel& panel, const Size& size, std::span<const std::string> names,
                  std::span<const EngineStyle> styles, std::vector<std::string>& texts) {
     write_axis(out, 'x', panel.x);
     write_axis(out, 'y', panel.y);
     out << fmt::format("set title {}\n", quoted(panel.title));
+    const std::vector<NamePlace> places =
+        panel.has_names ? place_names(panel, size.width, size.height) : std::vector<NamePlace>{};
     std::string plots, data;
-    for (const Curve& curve : panel.curves) {
+    for (std::size_t c = 0; c < panel.curves.size(); ++c) {
+        const Curve& curve = panel.curves[c];
         const auto e = static_cast<std::size_t>(std::ranges::find(names, curve.name) - names.begin());
         const EngineStyle& style = styles[e];
         std::string line, marks;
@@ -82,8 +86,8 @@ void write_panel(std::ostream& out, const Panel& panel, std::span<const std::str
             data += marks + "e\n";
         }
         if (panel.has_names && !curve.points.empty()) {
-            plots += fmt::format(", '-' using 1:2:3 with labels offset 0,{} tc rgb '{}'", e % 2 == 0 ? 1.1 : -1.1,
-                                 style.colour->light);
+            plots += fmt::format(", '-' using 1:2:3 with labels {} offset {},{} tc rgb '{}'", places[c].alignment,
+                                 places[c].across, places[c].up, style.colour->light);
             data += fmt::format("{} {} \"{}\"\ne\n", curve.points.front().x, curve.points.front().y, curve.name);
         }
     }
@@ -164,7 +168,7 @@ Drawing draw_chart(const Chart& chart, const std::filesystem::path& folder) {
         << "set offsets graph 0.06, graph 0.06, graph 0.04, graph 0.04\n";
     for (std::size_t p = 0; p < chart.panels.size(); ++p) {
         out << fmt::format("set output '{}'\n", picture(p).string());
-        write_panel(out, chart.panels[p], names, styles, texts);
+        write_panel(out, chart.panels[p], size, names, styles, texts);
     }
     out.close();
     Drawing drawing;

@@ -167,6 +167,9 @@ std::optional<Chart> summary_chart(const Page& page) {
     Panel panel = error_panel("Do two meshes touch?", "times that of the fastest", points);
     panel.y.title = "wrong answers at exact contact";
     panel.x.title = "time over that of the fastest engine";
+    const auto [least, greatest] = std::ranges::minmax(points, {}, &ErrorPoint::time);
+    panel.x.low = least.time / 2;
+    panel.x.high = greatest.time * 4;
     panel.has_names = true;
     panel.is_folded = false;
     return Chart{

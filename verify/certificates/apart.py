@@ -55,8 +55,7 @@ INDICES = {name: formula.__code__.co_argcount - 2 for name, formula in FORMULAS.
 
 # Whether two triangles are apart along one of the 32 vectors that suffice.
 def is_apart_by_any(rule, p, q):
-    names = ("na", "nb", "c", "ea", "eb", "x")
-    vectors = (FORMULAS[name](p, q, *indices) for name in names for indices in product(range(3), repeat=INDICES[name]))
+    vectors = (FORMULAS[name](p, q, *indices) for name in ("na", "nb", "c", "ea", "eb", "x") for indices in product(range(3), repeat=INDICES[name]))
     return any(any(n) and rule(n, span(n, p), span(n, q)) for n in vectors)
 
 

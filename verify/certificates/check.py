@@ -8,7 +8,8 @@ import sys
 from bisect import bisect_right
 
 from apart import FORMULAS, INDICES, UNITS, Ahead, Apart, Weak, cross, dot, edge, is_apart_by_any, minus, normal, off, span
-from reading import ONE, ZERO, Kept, Segment, above, below, exactly, is_odd, run, scaled, to_double
+from command_line import run
+from reading import ONE, ZERO, Kept, Segment, above, below, exactly, is_odd, scaled, to_double
 
 WORK_MAX = 2**30  # products of a vector and a vertex: minutes
 # The error of a range in doubles. n is scaled so that |n_i| < 1, lengths so that |R_i1| X + |R_i2| X + |R_i3| X + |t_i| <= 1, where X is at
@@ -28,20 +29,20 @@ class Body:
         self.finest = self.power + mesh.fine
 
     def place(self, fine):
-        self.fine, self.shift = fine, fine - self.finest
+        self.fine, self.shift, self.corners = fine, fine - self.finest, Kept(self.corners_of)
         self.moved = [x << fine - self.power for x in self.translation]
         # 2^(scale + 1) is above all coordinates, and at least 2^-fine of the mesh, so that nothing is shifted to the right.
         spans = [sum(map(abs, row)) << self.mesh.scale + 1 + fine - self.power for row in self.rotation]
         self.size = max(x + abs(y) for x, y in zip(spans, self.moved)).bit_length()
 
-    def corners(self, part):
+    def corners_of(self, part):
         vertices = map(self.mesh.integers, self.mesh.corners[part - self.mesh.node_count])
         return [[(dot(row, v) << self.shift) + x for row, x in zip(self.rotation, self.moved)] for v in vertices]
 
     # The corners of the triangle with this number in the caller's mesh.
     def named(self, lines, name):
         (number,) = lines.counts([name], len(self.mesh.line_of))
-        return self.corners(self.mesh.node_count + self.mesh.line_of[number])
+        return self.corners[self.mesh.node_count + self.mesh.line_of[number]]
 
 
 # Ranges of n.x over the parts of a body. In doubles they are in units of 2^unit.
@@ -66,22 +67,19 @@ class Along:
         values = self.values(part)[1]
         return min(values), max(values)
 
-    # The same of a box around the part, whose corners are as good as vertices.
-    def loose(self, part):
-        if self.body.mesh.is_triangle(part):
-            return self.sharp[part]
-        (x, y, z, constant), (i, j, k), box = self.doubles, self.least, self.body.mesh.box(part)
-        return x * box[i] + y * box[j] + z * box[k] + constant, x * box[i - 3] + y * box[j - 3] + z * box[k - 3] + constant
-
     # Of the parts of a part, or of itself: ends of ranges that contain theirs, but for NEAR, and the least and the greatest end.
     def near(self, of):
         (part, is_opened), mesh = of, self.body.mesh
+        if mesh.is_triangle(part):
+            return (ends := self.sharp[part])[:1], ends[1:], *ends
         if is_opened and mesh.is_leaf(part):
             values = self.values(part)[1]
             corners = [(values[i], values[j], values[k]) for i, j, k in mesh.places(part)]
             lows, highs = list(map(min, corners)), list(map(max, corners))
-        else:
-            lows, highs = zip(*map(self.loose, mesh.parts(part) if is_opened else [part]))
+        else:  # of boxes, whose corners are as good as vertices
+            (x, y, z, constant), (i, j, k), boxes = self.doubles, self.least, mesh.boxes[of]
+            lows = [x * box[i] + y * box[j] + z * box[k] + constant for box in boxes]
+            highs = [x * box[i - 3] + y * box[j - 3] + z * box[k - 3] + constant for box in boxes]
         return lows, highs, min(lows), max(highs)
 
     # The range. In doubles, a vertex that attains an end is within 2 NEAR of the end in doubles.
@@ -104,12 +102,15 @@ class Axis:
         (la, ha), (lb, hb) = self.a.sharp[i], self.b.sharp[j]
         return max(lb - ha, la - hb) - self.floor > margin
 
-    # Of pairs of parts of i and j, or of themselves: those that do not look apart. Pair `at` is in row at // columns.
-    def not_apart(self, i, opens_i, j, opens_j, pairs):
+    # Of pairs of parts of i and j, or of themselves: those that do not look apart. `rows` has the columns of each row that has any.
+    def not_apart(self, i, opens_i, j, opens_j, rows):
         (la, ha, *_), (lb, hb, low, high) = self.a.near[i, opens_i], self.b.near[j, opens_j]
-        need, count = self.floor + MARGIN, len(lb)
-        rows = [low - y > need or x - high > need for x, y in zip(la, ha)]
-        return [at for at in pairs if not (rows[k := at // count] or lb[at % count] - ha[k] > need or la[k] - hb[at % count] > need)]
+        need, left = self.floor + MARGIN, {}
+        for k, columns in rows.items():
+            least, most = la[k] - need, ha[k] + need
+            if low <= most and high >= least and (columns := [at for at in columns if lb[at] <= most and hb[at] >= least]):
+                left[k] = columns
+        return left
 
     def is_apart(self, i, j):
         return self.looks_apart(i, j, -MARGIN) and self.rule(self.n, self.a.exact[i], self.b.exact[j])
@@ -129,25 +130,22 @@ def read_axis(lines, a, b, kind="", *words):
 def prove_step(lines, a, b, axes, axis_count, rule, i, j, kind, *fields):
     triangles = a.mesh.is_triangle(i), b.mesh.is_triangle(j)
     if kind == "t" and all(triangles):
-        p, q, name = a.corners(i), b.corners(j), fields[0] if fields and fields[0] in FORMULAS else lines.fail("no such formula")
+        p, q, name = a.corners[i], b.corners[j], fields[0] if fields and fields[0] in FORMULAS else lines.fail("no such formula")
         n = FORMULAS[name](p, q, *lines.counts(fields[1:], *[3] * INDICES[name]))
         return [] if any(n) and rule(n, span(n, p), span(n, q)) else lines.fail("the triangles are not apart so, or it is zero")
-    if kind not in ("k", "a", "b", "ab") or kind == "k" and len(fields) != 1:
-        lines.fail("this is not a step about such parts")
-    if kind != "k" and all(is_triangle for is_triangle, name in zip(triangles, "ab") if name in kind):
-        lines.fail("the step opens triangles only")
     opens_i, opens_j = "a" in kind, "b" in kind
+    if kind not in ("a", "b", "ab") and (kind != "k" or len(fields) != 1) or kind != "k" and opens_i <= triangles[0] and opens_j <= triangles[1]:
+        lines.fail("this is not a step about such parts, or it opens triangles only")
     rows, columns = a.mesh.parts(i) if opens_i else [i], b.mesh.parts(j) if opens_j else [j]
-    names, left = lines.step(fields, axis_count, len(rows) * len(columns))
-    closed = set(range(len(rows) * len(columns))).difference(left)
+    names, left, closed = lines.step(fields, axis_count, len(rows), len(columns))
     for name in names:
-        closed = axes[name].not_apart(i, opens_i, j, opens_j, closed) if closed else []
-    closed = [(rows[at // len(columns)], columns[at % len(columns)]) for at in closed]
+        closed = axes[name].not_apart(i, opens_i, j, opens_j, closed) if closed else closed
+    closed = [(rows[k], columns[at]) for k, row in closed.items() for at in row]
     for name in names:
         closed = [pair for pair in closed if not axes[name].looks_apart(*pair)]
     if not all(any(axes[name].is_apart(*pair) for name in names) for pair in closed):
         lines.fail("a pair that is not left open is not apart along any of the axes")
-    return [(rows[at // len(columns)], columns[at % len(columns)]) for at in left]
+    return [(rows[k], columns[at]) for k, at in left]
 
 
 # Steps until all pairs are apart, axes among them, and the end.
@@ -246,8 +244,8 @@ def check_hit(lines, a, ends):
     place(a, piece, rest)
     steps = Apart(a.fine)
     if words[1] == "hit":
-        check_meeting(lines, a, rest, (words[3], "0"), Ahead(a.fine, rest.corners(0), not is_odd(value)))
-        steps = Ahead(a.fine, piece.corners(0), is_odd(value))
+        check_meeting(lines, a, rest, (words[3], "0"), Ahead(a.fine, rest.corners[0], not is_odd(value)))
+        steps = Ahead(a.fine, piece.corners[0], is_odd(value))
     prove(lines, a, piece, steps) if value > 0 else lines.expect("end")
     return " ".join(words[1:])
 

@@ -1,20 +1,17 @@
-"""Reading for check.py: numbers, mesh files and the lines of certificates, as README.md defines them. Nothing is decided here."""
+"""Reading for check.py: numbers and mesh files, as README.md defines them. Nothing is decided here."""
+import gc
 import math
-import sys
+
+gc.set_threshold(100_000, 20, 100)  # what is read stays, and most else goes without it
 
 DIGEST_MODULUS = 2**128 - 159
 SIZE_MAX = 64  # children of a node, triangles of a leaf
 DEPTH_MAX = 200
 ZERO, ONE = (0, 0), (1, 0)  # real numbers: (n, power) is n 2^-power
-HEADERS = ("ecods-certificate 1", "ecods-world-certificate 1")
 
 
 class Unreadable(Exception):
     """A mesh file that is malformed."""
-
-
-class Refused(Exception):
-    """Why a certificate is not accepted, and at which line."""
 
 
 # What numbers look like once 0x0 and 0x1 are replaced by X, and each further digit by 0.
@@ -89,10 +86,13 @@ def numbers(words):
     return values if all(is_double(word, float.fromhex(word)) for word in small) else None
 
 
+COUNTS = {str(number): number for number in range(4096)}
+
+
 def counts(words):
     """The counts that words say, or None if one of them is not a count."""
-    if not words:
-        return []
+    if len(words) < 8192 and None not in (values := list(map(COUNTS.get, words))):
+        return values
     text = "  ".join(words)
     if not text.isascii() or not text.replace(" ", "").isdecimal() or "" in words:
         return None
@@ -115,6 +115,9 @@ class Kept(dict):
         return result
 
 
+NO_SEPARATORS = bytes(set(range(256)) - set(b" \n"))
+
+
 class Mesh:
     """A mesh and its tree. Parts: node i of the tree is part i, the triangle in line k is part node_count + k."""
 
@@ -132,7 +135,7 @@ class Mesh:
         vertex_count, triangle_count, node_count = sizes
         if len(lines) != 2 + sum(sizes):
             raise Unreadable("it has not as many lines as its counts say")
-        separators = data.translate(None, bytes(set(range(256)) - set(b" \n")))
+        separators = data.translate(None, NO_SEPARATORS)
         rows = b"  \n" * vertex_count + b"   \n" * triangle_count + b" \n" * node_count
         if separators != b" \n     \n" + rows:
             raise Unreadable("a line has not as many fields as it should")
@@ -141,15 +144,16 @@ class Mesh:
         self.read_vertices(lines[2:first_triangle])
         self.read_triangles(lines[first_triangle:first_node], vertex_count)
         self.read_tree(lines[first_node:])
-        self.parts_points, self.boxes, self.leaf_places = {}, {}, {}
+        self.parts_points, self.boxes, self.leaf_places = {}, Kept(self.boxes_of), {}
 
     def read_vertices(self, lines):
         values = numbers(" ".join(lines).split(" ")) if lines else []
         if values is None:
             raise Unreadable("a coordinate is not a number")
-        # Doubles are integers of 2^-fine; the divided ones are at most 1, or 2 where 2^1024 would be needed.
-        self.fine = max((ratio[1] for ratio in map(float.as_integer_ratio, values)), default=1).bit_length() - 1
-        largest = max(max(values, default=0), -min(values, default=0))
+        # Doubles are integers of 2^-fine, the last place of the least; the divided ones are at most 1, or 2 where 2^1024 would be needed.
+        sizes = list(map(abs, values))
+        self.fine = max(0, 1 - math.frexp(math.ulp(min(filter(None, sizes), default=1.0)))[1])
+        largest = max(sizes, default=0)
         self.scale = min(max(math.frexp(largest)[1], -1022), 1023)
         unit = 2.0**self.scale
         divided = [value / unit for value in values]
@@ -162,7 +166,7 @@ class Mesh:
             raise Unreadable("a triangle's line has a field that is not a count")
         self.corners = list(zip(values[::4], values[1::4], values[2::4]))
         names = values[3::4]
-        if max(map(max, self.corners)) >= vertex_count:
+        if max(max(values[k::4]) for k in range(3)) >= vertex_count:
             raise Unreadable("a triangle has a corner that is not a vertex")
         self.line_of = dict(zip(names, range(len(names))))
         if len(self.line_of) != len(names) or max(names) >= len(names):
@@ -215,12 +219,15 @@ class Mesh:
     def is_leaf(self, part):
         return not self.is_triangle(part) and self.children[part][0] >= self.node_count
 
-    def box(self, part):
-        """The least box around a part's points: its least and its greatest corner, six numbers."""
-        if part not in self.boxes:
-            columns = list(zip(*self.points(part)[1]))
-            self.boxes[part] = *map(min, columns), *map(max, columns)
-        return self.boxes[part]
+    def boxes_of(self, of):
+        """Of the parts of a node, or of a part itself: the least box around its points, its least and its greatest corner, six numbers."""
+        part, is_opened = of
+        if is_opened:
+            return [self.boxes[child, False][0] for child in self.children[part]]
+        corners = self.corners[self.first[part] : self.last[part]]
+        vertices = [vertex for corner in corners for vertex in corner] if len(corners) <= SIZE_MAX else set().union(*corners)
+        columns = list(zip(*[self.divided[vertex] for vertex in vertices]))
+        return [(*map(min, columns), *map(max, columns))]
 
     def places(self, leaf):
         """Of each triangle of a leaf, which three of the leaf's points are its corners."""
@@ -249,150 +256,3 @@ class Segment(Mesh):
 
     def integers(self, vertex):
         return self.exact[vertex]
-
-
-class Lines:
-    """The lines of a certificate file, one after the other. What is wrong in a line is refused here, if a look at the line shows it."""
-
-    def __init__(self, data):
-        self.lines = data.decode("latin-1").split("\n")
-        if self.lines.pop() != "":
-            self.lines.append("\r")  # no line reads so: the last one does not end
-        self.at = 0
-
-    def fail(self, why):
-        raise Refused(f"line {max(self.at, 1)}: {why}")
-
-    def next(self):
-        """The fields of the next line."""
-        self.at += 1
-        if self.at > len(self.lines):
-            self.fail("the file ends before its certificate does")
-        return self.lines[self.at - 1].split(" ")
-
-    def peek(self):
-        return self.lines[self.at].split(" ")[0] if self.at < len(self.lines) else ""
-
-    def expect(self, *words):
-        if self.next() != list(words):
-            self.fail(f"this line is not: {' '.join(words)}")
-
-    def skip(self, line):
-        """To the first line behind this one that begins a certificate; whether there is one."""
-        self.at = line
-        while self.at < len(self.lines) and self.lines[self.at] not in HEADERS:
-            self.at += 1
-        return self.at < len(self.lines)
-
-    def numbers(self, words, count):
-        values = numbers(words) if len(words) == count else None
-        return self.fail(f"there are not {count} numbers") if values is None else values
-
-    def distance(self, word):
-        return self.fail("a distance has a sign") if word.startswith("-") else self.numbers([word], 1)[0]
-
-    def counts(self, words, *limits):
-        """Counts, each less than its limit."""
-        values = counts(words) if len(words) == len(limits) else None
-        if values is None or not all(value < limit for value, limit in zip(values, limits)):
-            self.fail(f"there are not {len(limits)} numbers, or one is too large")
-        return values
-
-    def is_world(self):
-        """Whether the next line begins a world's certificate; if not, it must begin one of a pair or a segment."""
-        line = " ".join(self.next())
-        return HEADERS.index(line) == 1 if line in HEADERS else self.fail("no certificate begins so")
-
-    def body(self, meshes, words):
-        """The mesh with a digest, and a pose."""
-        if not words or words[0] not in meshes:
-            self.fail("no mesh has this digest")
-        return meshes[words[0]], self.numbers(words[1:], 12)
-
-    def head(self, meshes):
-        """Body a, and body b or the six numbers of a segment."""
-        if (words := self.next())[0] != "a":
-            self.fail("this is not the line of a")
-        a, (kind, *words) = self.body(meshes, words[1:]), self.next()
-        if kind not in ("b", "segment"):
-            self.fail("this is neither the line of b nor a segment")
-        return a, self.body(meshes, words) if kind == "b" else self.numbers(words, 6)
-
-    def step(self, fields, axis_count, pair_count):
-        """The axes that a step names, and the pairs that it leaves open."""
-        bar = fields.index("|") if "|" in fields else len(fields)
-        names, left = self.counts(fields[:bar], *[axis_count] * bar), fields[bar + 1 :]
-        left = self.counts(left, *[pair_count] * len(left))
-        if len(set(names)) < bar or left != sorted(set(left)) or fields[bar:] == ("|",):
-            self.fail("an axis stands twice, or the pairs left open are not ascending, or none stands behind the bar")
-        return names, left
-
-    def feature(self, words):
-        """A feature's kind, its numbers as they stand, and the words behind it."""
-        kind = words[0] if words else ""
-        size = {"v": 3, "e": 3, "f": 2}.get(kind, len(words) + 1)
-        return (kind, words[1:size], words[size:]) if size <= len(words) else self.fail("there is no such feature")
-
-    def body_id(self, word):
-        return tuple(self.counts(word.split("."), 2**32, 2**32))
-
-    def hexadecimal(self, word):
-        is_one = 1 <= len(word) <= 16 and set(word) <= set("0123456789abcdef")
-        return int(word, 16) if is_one else self.fail("a filter is not 1 to 16 hexadecimal digits")
-
-    def pair(self, word):
-        """Two bodies' ids, the lesser first."""
-        first, *names = self.next()
-        pair = tuple(map(self.body_id, names))
-        if first != word or len(pair) != 2 or not pair[0] < pair[1]:
-            self.fail("these are not two bodies, the lesser id first")
-        return pair
-
-    def world(self, read_body):
-        """The clearance, or None; bodies, groups and masks by ids; the pairs that are switched off."""
-        name, *words = self.next()
-        if name != "clearance" or len(words) != 1:
-            self.fail("this is not a clearance")
-        clearance = None if words == ["none"] else self.distance(words[0])
-        bodies, pairs, last = {}, [()], (-1,)
-        while self.peek() == "body":
-            words = self.next()
-            if len(words) != 17 or self.body_id(words[1]) <= last:
-                self.fail("this is not a body, or its id is not above the last one's")
-            filters = self.hexadecimal(words[3]), self.hexadecimal(words[4])
-            last = self.body_id(words[1])
-            bodies[last] = read_body([words[2], *words[5:]]), *filters
-        while self.peek() == "off":
-            pairs.append(self.pair("off"))
-            if pairs[-1] <= pairs[-2]:
-                self.fail("the pairs are not ascending")
-        return clearance, bodies, set(pairs)
-
-
-def run(check_certificate, names):
-    """Prints a line for each certificate. Returns 0 if all are accepted, 1 if one is refused, 2 if a file is unreadable."""
-    if not names:
-        print("usage: check.py CERTIFICATE [MESH...]", file=sys.stderr)
-        return 2
-    meshes = {}
-    try:
-        for name in names[1:]:
-            with open(name, "rb") as file:
-                mesh = Mesh(file.read())
-            meshes[mesh.digest] = mesh
-        name = names[0]
-        with open(name, "rb") as file:
-            lines = Lines(file.read())
-    except (OSError, Unreadable) as why:
-        print(f"unreadable: {name}: {why}")
-        return 2
-    status, goes_on = 0, True
-    while goes_on:
-        first = lines.at + 1
-        try:
-            print(f"accepted: {check_certificate(lines, meshes)}")
-            goes_on = lines.at < len(lines.lines)
-        except Refused as why:
-            print(f"refused: {why}")
-            status, goes_on = 1, lines.skip(first)
-    return status

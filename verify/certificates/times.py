@@ -14,7 +14,8 @@ from pathlib import Path
 from statistics import median
 
 import check
-from reading import Lines, Mesh
+from lines import Lines
+from reading import Mesh
 
 
 def of_cpp(checker, certificates, mesh):

@@ -136,7 +136,7 @@ TEST_P(Motion, AllAgreeWithTheModel) {
     EXPECT_GT(lockstep.sweep_counts().swaps, 0u);
     const BroadPhaseCounts& kept = lockstep.counts(BroadPhaseKind::kept_candidates);
     EXPECT_GT(kept.escaped, 0u);
-    EXPECT_GT(kept.candidates_filtered, 0u);
+    EXPECT_GT(kept.candidates_filtered + kept.rebuilds, 0u);
     if (scene.numbers == 600) {
         EXPECT_LT(kept.rebuilds, static_cast<std::uint64_t>(scene.frames) / 2) << "boxes are searched one by one, too";
         EXPECT_GT(kept.rebuilds, 2u);

@@ -80,3 +80,13 @@ def test_depths_of_convex_solids():
     made.add_object("b", ecods.ConvexSolid(*box()), shifted(0.75))
     _, data = made.in_collision_internal(return_data=True)
     assert {each.depth for each in data} == {0.25} and data[0].normal.tolist() == [1, 0, 0]
+
+
+def test_names_without_an_order():
+    made = ecods.CollisionManager()
+    made.add_object(1, box())
+    made.add_object("one", box(), shifted(3))
+    assert made.min_distance_internal(return_names=True) == (2.0, (1, "one"))
+    assert made.min_distance_internal("one", return_names=True)[1] == (1, "one")
+    made.set_transform("one", shifted(1))
+    assert made.in_collision_internal(return_names=True) == (True, {(1, "one")})

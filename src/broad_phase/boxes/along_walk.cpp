@@ -16,12 +16,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Numbers = Vec<double, 4>;
 
-// double_of() of each lane: of a negative key k, the bits of -k and the sign.
-ECODS_ALWAYS_INLINE Numbers numbers_of(KeyLanes keys) noexcept {
-    const KeyLanes negatives = std::numeric_limits<std::int64_t>::min() - keys;
-    return bits_as<Numbers>(keys < 0 ? negatives : keys);
-}
-
 using Course = MovingBox::Course;
 
 // When the boxes of a block are met, as MovingBox::meets_from has it, step by step; infinity where a box is never met,
@@ -56,7 +50,7 @@ struct BlockTimes {
             const KeyLanes keys[2] = {lanes(&ends[k][0]), lanes(&ends[k][4])};
             if (course == Course::coming) {
                 for (std::size_t half = 0; half < 2; ++half) {
-                    const Numbers at = numbers_of(are_minima ? keys[half] : ~keys[half]);
+                    const Numbers at = doubles_of(are_minima ? keys[half] : ~keys[half]);
                     const Numbers gap = are_minima ? at - end : -end - at;
                     const Numbers counted = min(broadcast<Numbers>(MovingBox::number_max), gap);
                     from[half] = max((counted - MovingBox::gap_min) * factor, from[half]);
@@ -66,7 +60,7 @@ struct BlockTimes {
             for (std::size_t half = 0; half < 2; ++half) never[half] |= keys[half] > (are_minima ? key : key - 1);
             if (course == Course::resting) continue;
             for (std::size_t half = 0; half < 2; ++half) {
-                const Numbers at = numbers_of(are_minima ? keys[half] : ~keys[half]);
+                const Numbers at = doubles_of(are_minima ? keys[half] : ~keys[half]);
                 const Numbers left = are_minima ? end - at : at + end;
                 to[half] = min((left + MovingBox::gap_min) * factor, to[half]);
             }

@@ -38,6 +38,13 @@ ECODS_ALWAYS_INLINE KeyLanes lanes(const std::int64_t* first) noexcept {
     return load<KeyLanes>(first);
 }
 
+// double_of() of each lane. In unsigned numbers, for ends of empty boxes are no keys of doubles, and would overflow.
+ECODS_ALWAYS_INLINE Vec<double, 4> doubles_of(KeyLanes keys) noexcept {
+    using Words = Vec<std::uint64_t, 4>;
+    const Words signs = bits_as<Words>(keys < 0);
+    return bits_as<Vec<double, 4>>(((bits_as<Words>(keys) ^ signs) - signs) | (signs & std::uint64_t{1} << 63));
+}
+
 inline PackedBox packed_box(const KeyBox& box) noexcept {
     return {{box.min[0], box.min[1], box.min[2], -1, ~box.max[0], ~box.max[1], ~box.max[2], -1}};
 }

@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "broad_phase/candidates/kept_candidates.hpp"
-#include "broad_phase/candidates/kept_candidates_loops.hpp"
 #include "broad_phase/scratch/list_pairs.hpp"
-#include "simd/dispatch.hpp"
 
 namespace ecods {
 namespace {
@@ -74,7 +72,7 @@ KeptCandidates::Foresight KeptCandidates::foresee(const ProxyTable& table, const
     KeepingRule::Forecast forecast{.boxes = table.size(),
                                    .moved = changes.moved.size(),
                                    .looked_up = changes.added.size(),
-                                   .lifetime = lookahead_,
+                                   .lifetime = margins_.lookahead().updates(),
                                    .growth = 1};
     Vec3 common = Vec3::Zero();
     if (changes.moved.empty()) return {forecast, common};
@@ -83,7 +81,7 @@ KeptCandidates::Foresight KeptCandidates::foresee(const ProxyTable& table, const
     for (std::size_t i = 0; i < count; ++i) {
         // By multiples of a large prime, lest all have something in common.
         const ProxyIndex proxy = changes.moved[i * std::size_t{2654435761} % changes.moved.size()];
-        steps.push_back(step_of(lines_[slots_[proxy]], table.boxes()[proxy]));
+        steps.push_back(step_of(slots_.lines()[slots_.slot_of(proxy)], table.boxes()[proxy]));
     }
     double middle = relative_step(steps, common, 0.5);
     // A frame that goes along takes a pass over all boxes in each update, and must spare nearly all most of what they
@@ -96,100 +94,109 @@ KeptCandidates::Foresight KeptCandidates::foresee(const ProxyTable& table, const
             middle = relative_step(steps, common, 0.5);
         }
     }
-    if (middle > 0) forecast.lifetime = std::min(lookahead_, margin_max / middle);
+    if (middle > 0) forecast.lifetime = std::min(margins_.lookahead().updates(), margin_max / middle);
     // Boxes grow ahead, and by a part of that behind; each of a pair does. Measured: 1.5 times the margin on each axis.
     const double growth = 1 + 1.5 * forecast.lifetime * middle;
     forecast.growth = growth * growth * growth;
     return {forecast, common};
 }
 
-void KeptCandidates::find_everything(const FindingUpdate& finding) {
+// An update that keeps nothing but boxes, and decides whether they have margins from now on.
+void KeptCandidates::replace_everything(const FindingUpdate& finding) {
     const auto& [table, changes, keeper, events, counts] = finding;
     const auto [forecast, common_step] = foresee(table, changes);
-    const bool keeps = rule_.pays(forecast);
-    for (const SlotIndex slot : changed_slots_) clear_flag(slot, changed);
-    changed_slots_.clear();
-    candidates_.clear();
-    for (const ProxyIndex proxy : changes.removed) drop(proxy);
-    if (keeps && !has_margins_) fat_lines_ = lines_;
-    if (!keeps) frame_ = {};
-    frame_.start(keeps ? common_step : Vec3::Zero());
-    has_margins_ = keeps;
-    if (keeps) {
-        order_slots(give_margins(finding), table);
-    } else {
-        take_as_they_are(table, changes);
-        is_forest_behind_ = is_forest_renumbered_ = true;
+    const bool had_margins = std::exchange(has_margins_, keeping_.pays(forecast));
+    for (const ProxyIndex proxy : changes.removed) {
+        forest_.remove(slots_.slot_of(proxy));
+        slots_.remove(slots_.slot_of(proxy));
     }
-    const std::vector<Candidate>& found = candidates_;
-    counts.box_tests += search_.find_pairs(keeps ? fat_lines_ : lines_, candidates_) + found.size();
-    ++counts.rebuilds;
-    if (keeps) {
-        mark_overlapping();
-        guess_lookahead(pairs_.size());
+    drop_candidates();
+    MovingFrame& frame = margins_.frame();
+    if (!has_margins_) frame = {};
+    frame.start(has_margins_ ? common_step : Vec3::Zero());
+    if (has_margins_) {
+        if (!had_margins) slots_.drop_margins();
+        for (const ProxyIndex proxy : changes.moved) slots_.wake(slots_.slot_of(proxy));
+        slots_.move(changes.moved, table, frame, escaped_);
+        counts.escaped += escaped_.size();
     } else {
-        pairs_.resize(found.size());
-        for (Candidate& pair : candidates_) pair = {proxies_[pair[0]], proxies_[pair[1]]};
-        list_pairs(candidates_, table.end(), pairs_);
+        slots_.put_all_to_sleep();
+        slots_.take(changes.moved, table);
+    }
+    for (const ProxyIndex proxy : changes.added) add(proxy, table);
+    search_everything(table, false, counts);
+    ++counts.rebuilds;
+    if (has_margins_) margins_.lookahead().guess(pairs_.size(), slots_.used_count());
+    if (has_margins_ && changes.moved.empty() && RebuildRule::are_many(changes.added.size(), table.size())) {
+        forest_.refresh(slots_.fat_lines());  // which the first one to move or to come would wait for
+    }
+}
+
+void KeptCandidates::drop_candidates() {
+    candidates_.clear();
+    slots_.forget_changes();
+}
+
+// Makes `pairs_` the pairs of boxes, and the candidates those of fat boxes, where there are any. Boxes that escaped get
+// new ones.
+void KeptCandidates::search_everything(const ProxyTable& table, bool must_sort, BroadPhaseCounts& counts) {
+    std::vector<CandidateList::SlotPair>& found = candidates_.found();
+    if (has_margins_) {
+        fatten_everything(table, must_sort);
+        counts.box_tests += search_.find_pairs(slots_.fat_lines(), found) + found.size();
+        std::vector<std::array<ProxyIndex, 2>> overlapping;
+        candidates_.settle(slots_, overlapping);
+        slots_.settle_all_escaped();
+        list_pairs(overlapping, table.end(), pairs_);
+    } else {
+        forest_.forget();
+        counts.box_tests += search_.find_pairs(slots_.lines(), found) + found.size();
+        for (auto& [a, b] : found) a = slots_.proxies()[a], b = slots_.proxies()[b];
+        list_pairs(found, table.end(), pairs_);
         candidates_.clear();
     }
-    rule_.note_pairs(pairs_.size());
+    keeping_.note_pairs(pairs_.size());
     escaped_.clear();
-    keeper.compare(table, changes, pairs_, events);
-    const bool many_came = 8 * changes.added.size() > table.size();
-    if (!many_came) return;
-    search_ = {};  // its memory: they may be at rest from now on
-    pairs_ = {};
-    if (keeps && changes.moved.empty()) refresh_forest(table);  // which the first one to move or to come would wait for
 }
 
-// Frees the slot of a removed box at once: no candidate is left that names it.
-void KeptCandidates::drop(ProxyIndex proxy) {
-    const SlotIndex slot = slots_[proxy];
-    if (!is_forest_renumbered_) forest_.remove(slot);
-    lines_[slot] = {};
-    fat_lines_[slot] = {};
-    slots_[proxy] = no_slot;
-    --used_count_;
-    if (has_flag(slot, awake)) --awake_count_;
-    flags_[slot] = 0;
-    free_slots_.push_back(slot);
-}
-
-// Boxes that moved are awake and have new fat boxes where they left theirs.
-std::vector<BoxForest::Item> KeptCandidates::give_margins(const FindingUpdate& finding) {
-    const auto& [table, changes, keeper, events, counts] = finding;
-    for (const ProxyIndex proxy : changes.moved) {
-        const SlotIndex slot = slots_[proxy];
-        if (!has_flag(slot, awake)) ++awake_count_;
-        set_flag(slot, awake | moved);
+// Gives the boxes that escaped, or would soon, other fat boxes. Puts neighbours beside each other where they are not,
+// or leaves the forest behind.
+void KeptCandidates::fatten_everything(const ProxyTable& table, bool must_sort) {
+    const std::vector<SlotIndex> far = fatten_escaped(table);
+    for (SlotIndex slot = 0; slot < slots_.size(); ++slot) {
+        if (!slots_.has(slot, SlotTable::awake) || slots_.has(slot, SlotTable::escaped)) continue;
+        PackedBox fat = slots_.fat_lines()[slot];
+        if (margins_.renew(slot, table.boxes()[slots_.proxies()[slot]], slots_.lines()[slot], fat)) {
+            slots_.set_fat(slot, fat);
+        }
     }
-    move_some(changes.moved, table);
-    counts.escaped += escaped_.size();
-    add(changes.added, table);
-    std::vector<BoxForest::Item> unsorted = fatten_escaped(table);
-    fatten_used_up(table);
-    return unsorted;
-}
-
-// Boxes have no fat boxes, and none is awake.
-void KeptCandidates::take_as_they_are(const ProxyTable& table, const ProxyChanges& changes) {
-    add(changes.added, table);
-    if (awake_count_ > 0) std::fill(flags_.begin(), flags_.end(), std::uint8_t{0});
-    awake_count_ = 0;
-    if (2 * changes.moved.size() > proxies_.size()) {
-        dispatch<Loops::take_all_lines>(*this, table);
+    const auto came = static_cast<std::size_t>(std::count_if(
+        escaped_.begin(), escaped_.end(), [](const EscapedBox& escaped) { return escaped.old_fat.is_empty(); }));
+    if (rebuild_.is_order_due(escaped_.size(), came, table.size()) || must_sort) {
+        sort_slots(table);
     } else {
-        for (const ProxyIndex proxy : changes.moved) make_packed_box(table.boxes()[proxy], lines_[slots_[proxy]]);
+        forest_.leave_behind();
+        forest_.add(far, slots_.fat_lines());
     }
 }
 
-// Makes `pairs_` the pairs of boxes among those of fat boxes that were found, and these the candidates.
-void KeptCandidates::mark_overlapping() {
-    std::vector<Candidate> overlapping;
-    dispatch<Loops::mark_overlapping>(*this, overlapping);
-    list_pairs(overlapping, slots_.size(), pairs_);
-    for (std::uint8_t& flags : flags_) flags &= static_cast<std::uint8_t>(~(searching | changed));
+// Puts everything that is kept by slot in the order in which the search goes through boxes.
+void KeptCandidates::sort_slots(const ProxyTable& table) {
+    double sum = 0;
+    for (SlotIndex slot = 0; slot < slots_.size(); ++slot) {
+        if (slots_.is_free(slot)) continue;
+        const Aabb& box = table.boxes()[slots_.proxies()[slot]];
+        const double extent = (box.max - box.min).maxCoeff();
+        if (extent < std::numeric_limits<double>::max()) sum += extent / static_cast<double>(table.size());
+    }
+    margins_.set_mean_extent(sum);
+    std::vector<SlotIndex> order;
+    order.reserve(table.size());
+    search_.append_order(slots_.fat_lines(), order);
+    slots_.reorder(order);
+    margins_.reorder(order);
+    rebuild_.note_order();
+    forest_.forget();
 }
 
 }  // namespace ecods

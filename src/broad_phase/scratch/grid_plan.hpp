@@ -30,10 +30,7 @@ struct alignas(32) RankMap {
     void set(std::size_t axis, double from, double to) noexcept;
 
     ECODS_ALWAYS_INLINE Ranks at(KeyLanes keys) const noexcept {
-        const KeyLanes signs = keys < 0;
-        constexpr std::int64_t sign_bit = std::numeric_limits<std::int64_t>::min();
-        const auto numbers = bits_as<Doubles>(((keys ^ signs) - signs) | (signs & sign_bit));
-        const Doubles from_low = max(numbers - load<Doubles>(low.data()), Doubles{});
+        const Doubles from_low = max(doubles_of(keys) - load<Doubles>(low.data()), Doubles{});
         return convert<Ranks>(min(from_low, load<Doubles>(width.data())) * load<Doubles>(ranks_per_unit.data()));
     }
 };

@@ -142,6 +142,7 @@ bool round_coordinate(double x, Int128 d, int unit, std::uint64_t digits, std::u
     const int top_of_x = from.m == 0 ? e : from.e + static_cast<int>(std::bit_width(magnitude(from.m)));
     const int common = std::max(e + bit_width(product), top_of_x) - bits_max;
     const auto in_common = [&](Uint128 y, int of) -> Uint128 {
+        if (y == 0) return 0;  // whatever its unit is
         if (of >= common) return y << (of - common);
         return common - of < 128 ? y >> (common - of) : 0;
     };

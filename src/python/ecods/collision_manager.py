@@ -89,6 +89,14 @@ class CollisionManager:
             raise ValueError(f"{name} not in collision manager!")
         return self._bodies[name]
 
+    def _names_in_order(self, bodies):
+        """Sorted, as trimesh does; names that have no order, as an int and a str, as they were added."""
+        names = tuple(self._names[body] for body in sorted(bodies))
+        try:
+            return tuple(sorted(names))
+        except TypeError:
+            return names
+
     def _posed(self):
         return [(name, self._world.posed(body)) for name, body in self._bodies.items()]
 
@@ -128,7 +136,7 @@ class CollisionManager:
         names, data = set(), []
         for a, b in pairs:
             pair = (self._names[a], self._names[b])
-            names.add(tuple(sorted(pair)))
+            names.add(self._names_in_order((a, b)))
             if return_data:
                 data += _contacts(pair, self._world.posed(a), self._world.posed(b))
         return _answer(len(pairs) > 0, (return_names, names), (return_data, data))
@@ -167,7 +175,7 @@ class CollisionManager:
             return _answer(math.inf, (return_names, None), (return_data, None))
         pair = tuple(self._names[body] for body in bodies)
         data = DistanceData(pair, self._world.closest(*bodies)) if return_data else None
-        return _answer(closest.distance, (return_names, tuple(sorted(pair))), (return_data, data))
+        return _answer(closest.distance, (return_names, self._names_in_order(bodies)), (return_data, data))
 
     def min_distance_other(self, other_manager, return_names=False, return_data=False):
         """The least distance from the objects of another manager; names begin with this one's."""

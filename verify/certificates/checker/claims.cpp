@@ -132,12 +132,8 @@ void check_segment(const PosedMesh& a, const Segment& segment, const Proof& proo
     const int unit_s = std::min({unit_of(lower), unit_of(upper), unit_of(one), unit_of(a) - unit_x + 1}) - 1;
     const int unit = unit_x + unit_s;
     const auto at = [&](const Midpoint& parameter) {
-        const Integer s = half_sum(parameter, unit_s), rest = integer(1, unit_s) - s;
-        Vector<Integer> x;
-        for (std::size_t k = 0; k < 3; ++k) {
-            x[k] = rest * integer(segment[0][k], unit_x) + s * integer(segment[1][k], unit_x);
-        }
-        return x;
+        const Vector<Integer> from = integers(segment[0], unit_x), to = integers(segment[1], unit_x);
+        return integer(1, unit_s) * from - half_sum(parameter, unit_s) * (from - to);
     };
     Body x(a, unit);
     Piece first(at({}), at(is_hit ? lower : one), unit), second(at(lower), at(last), unit);

@@ -1,6 +1,9 @@
 #include "filter.hpp"
 
 #include <bit>
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
 
 #include "vectors.hpp"
 
@@ -23,11 +26,30 @@ Approximate rounded(double value, double error) {
 Approximate operator+(const Approximate& a, const Approximate& b) {
     return rounded(a.value + b.value, a.error + b.error);
 }
+Approximate& operator+=(Approximate& a, const Approximate& b) {
+    return a = a + b;
+}
 Approximate operator-(const Approximate& a, const Approximate& b) {
     return rounded(a.value - b.value, a.error + b.error);
 }
 Approximate operator*(const Approximate& a, const Approximate& b) {
     return rounded(a.value * b.value, std::abs(a.value) * b.error + std::abs(b.value) * a.error + a.error * b.error);
+}
+
+// Bit j of eight: low[j] is greater than `above`, or high[j] less than `below`.
+unsigned outside(const double* low, const double* high, double below, double above) {
+    unsigned bits = 0;
+#if defined(__SSE2__)
+    const __m128d least = _mm_set1_pd(below), most = _mm_set1_pd(above);
+    for (unsigned j = 0; j < 8; j += 2) {
+        const __m128d is_above = _mm_cmpgt_pd(_mm_loadu_pd(low + j), most);
+        const __m128d is_below = _mm_cmplt_pd(_mm_loadu_pd(high + j), least);
+        bits |= static_cast<unsigned>(_mm_movemask_pd(_mm_or_pd(is_above, is_below))) << j;
+    }
+#else
+    for (unsigned j = 0; j < 8; ++j) bits |= (low[j] > above || high[j] < below ? 1u : 0u) << j;
+#endif
+    return bits;
 }
 
 }  // namespace
@@ -36,7 +58,7 @@ Approximate operator*(const Approximate& a, const Approximate& b) {
 // to less than 2^-400.
 Filter::Filter(const PosedMesh& a, const PosedMesh& b, double m, std::size_t axis_count, Budget& budget)
     : sides_{Side{a.mesh, &a.pose}, Side{b.mesh, &b.pose}}, m_(m), budget_(&budget), axis_count_(axis_count) {
-    ranges_.reserve(1024);
+    ranges_.reserve(128);
     places_.reserve(1024);
     for (Side& side : sides_) {
         side.rows.resize(side.mesh->nodes.size());
@@ -98,16 +120,6 @@ void Filter::set_axis(std::size_t k, const AxisLine& source, const std::array<st
     axis.need *= inflation;
 }
 
-Filter::Range Filter::box_range(const Side& side, std::uint32_t node, const Direction& d) {
-    Range r{d.offset, d.offset};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const double x = d.n[k] * side.mesh->boxes[node][0][k], y = d.n[k] * side.mesh->boxes[node][1][k];
-        r.low += std::min(x, y);
-        r.high += std::max(x, y);
-    }
-    return r;
-}
-
 // Calls use(vertex, its place along d) for all corners of the part but such as are within `inner`, which may grow
 // meanwhile. The depth of the recursion is that of the tree, which is limited.
 template <class Use>
@@ -122,9 +134,10 @@ void Filter::visit(const Side& side, std::uint32_t part, const Direction& d, con
     }
     const Node& node = side.mesh->nodes[part];
     budget_->spend(8 * node.count);
-    for (std::uint32_t p = node.first; p < node.first + node.count; ++p) {
-        const Range box = box_range(side, p, d);
-        if (!contains(box.low) || !contains(box.high)) visit(side, p, d, inner, use);
+    std::array<double, std::size_t{2} * parts_max> ends;
+    measure_boxes(*side.mesh, node.first, node.count, d, ends.data());
+    for (std::uint32_t i = 0; i < node.count; ++i) {
+        if (!contains(ends[i]) || !contains(ends[padded(node.count) + i])) visit(side, node.first + i, d, inner, use);
     }
 }
 
@@ -148,24 +161,62 @@ const std::vector<std::uint32_t>& Filter::extremes(std::size_t side, std::size_t
     return extremes_;
 }
 
-// Sets ranges of the parts of a node or a leaf, or of one part: by boxes, of triangles by corners.
-void Filter::measure(const Side& side, const Node& parts, const Direction& d, Range* ranges) {
-    const Mesh& mesh = *side.mesh;
-    if (parts.corner_count == 0) {
-        for (std::uint32_t i = 0; i < parts.count; ++i) {
-            const std::uint32_t part = parts.first + i;
-            ranges[i] = mesh.is_triangle(part) ? range(side, part, d) : box_range(side, part, d);
-        }
-        return;
+// The sums are as those of a vertex, so their errors are, too. Along -n, a box is least where it is greatest along n.
+void Filter::measure_boxes(const Mesh& mesh, std::uint32_t first, std::size_t count, const Direction& d, double* ends) {
+    const auto [x, y, z] = d.n;
+    const std::size_t i = x < 0 ? 1 : 0, j = y < 0 ? 1 : 0, k = z < 0 ? 1 : 0;
+    for (const std::size_t end : {0u, 1u}) {
+        const double* const px = &mesh.boxes[i ^ end][0][first];
+        const double* const py = &mesh.boxes[j ^ end][1][first];
+        const double* const pz = &mesh.boxes[k ^ end][2][first];
+        double* const of_end = ends + end * padded(count);
+        for (std::size_t p = 0; p < count; ++p) of_end[p] = x * px[p] + y * py[p] + z * pz[p] + d.offset;
     }
-    std::array<double, std::size_t{3} * parts_max> x;
-    const auto* const points = &mesh.leaf_points[parts.first_corner];
-    for (std::uint32_t c = 0; c < parts.corner_count; ++c) x[c] = dot(d.n, points[c]) + d.offset;
-    const auto* const places = &mesh.leaf_places[parts.first - mesh.nodes.size()];
-    for (std::uint32_t i = 0; i < parts.count; ++i) {
-        const double p = x[places[i][0]], q = x[places[i][1]], r = x[places[i][2]];
-        ranges[i] = {std::min(std::min(p, q), r), std::max(std::max(p, q), r), true};
+}
+
+void Filter::measure_leaf(const Mesh& mesh, const Node& leaf, const Direction& d, double* ends) {
+    std::array<double, std::size_t{3} * parts_max> at;
+    const auto [x, y, z] = d.n;
+    const double* const px = &mesh.leaf_points[0][leaf.first_corner];
+    const double* const py = &mesh.leaf_points[1][leaf.first_corner];
+    const double* const pz = &mesh.leaf_points[2][leaf.first_corner];
+    for (std::size_t c = 0; c < leaf.corner_count; ++c) at[c] = x * px[c] + y * py[c] + z * pz[c] + d.offset;
+    const auto* const places = &mesh.leaf_places[leaf.first - mesh.nodes.size()];
+    for (std::size_t i = 0; i < leaf.count; ++i) {
+        const double p = at[places[i][0]], q = at[places[i][1]], r = at[places[i][2]];
+        ends[i] = std::min(std::min(p, q), r);
+        ends[padded(leaf.count) + i] = std::max(std::max(p, q), r);
     }
+}
+
+double* Filter::add_ends(std::size_t count) {
+    const std::size_t begin = ends_used_;
+    ends_used_ += count;
+    if (ends_used_ > ends_size_) {
+        ends_size_ = 2 * ends_used_ + 1024;
+        auto larger = std::make_unique_for_overwrite<double[]>(ends_size_);
+        std::copy_n(ends_.get(), begin, larger.get());
+        ends_ = std::move(larger);
+    }
+    return &ends_[begin];
+}
+
+// Ranges of the parts of a node or a leaf, or of one part: by boxes, of triangles by corners.
+Filter::Ranges Filter::measure(const Side& side, const Node& parts, const Direction& d) {
+    const std::size_t begin = ends_used_;
+    double* const ends = add_ends(2 * padded(parts.count));
+    for (std::size_t i = parts.count; i < padded(parts.count); ++i) ends[i] = ends[padded(parts.count) + i] = 0;
+    const bool is_triangle = parts.corner_count == 0 && side.mesh->is_triangle(parts.first);
+    if (is_triangle) {
+        const Range r = range(side, parts.first, d);
+        ends[0] = r.low;
+        ends[lanes] = r.high;
+    } else if (parts.corner_count == 0) {
+        measure_boxes(*side.mesh, parts.first, parts.count, d, ends);
+    } else {
+        measure_leaf(*side.mesh, parts, d, ends);
+    }
+    return {begin, is_triangle || parts.corner_count > 0 ? ~std::uint64_t{0} : 0};
 }
 
 // Of the step's parts along an axis. Each node that was opened has a row, but for the root, which is opened once or
@@ -182,11 +233,9 @@ std::size_t Filter::place_of_ranges(std::size_t number, std::uint32_t axis) {
         place = &places_[(row - 1) * axis_count_ + axis];
         if (*place != 0) return *place - 1;
     }
-    const std::size_t begin = ranges_.size();
-    ranges_.resize(begin + side.parts.count);
-    measure(side, side.parts, axes_[axis].along[number], &ranges_[begin]);
-    if (place != nullptr) *place = begin + 1;
-    return begin;
+    ranges_.push_back(measure(side, side.parts, axes_[axis].along[number]));
+    if (place != nullptr) *place = ranges_.size();
+    return ranges_.size() - 1;
 }
 
 void Filter::open(const std::array<Node, 2>& parts, std::span<const std::uint32_t> axes, Pairs& left) {
@@ -212,39 +261,34 @@ void Filter::open(const std::array<Node, 2>& parts, std::span<const std::uint32_
 
 // Takes out the pairs that are apart along the step's axis k by their ranges, as they are. Returns whether any is left.
 bool Filter::take_out(std::size_t k, Pairs& left) {
-    const std::uint32_t row_count = sides_[0].parts.count, count = sides_[1].parts.count;
-    const Range *const a = &range_of(0, k, 0), *const b = &range_of(1, k, 0);
-    const double need = axes_[named_[k]].need;
-    Range all = b[0];
-    for (std::uint32_t j = 1; j < count; ++j) {
-        all = {std::min(all.low, b[j].low), std::max(all.high, b[j].high)};
-    }
-    bool is_any_left = false;
-    for (std::uint32_t i = 0; i < row_count; ++i) {
-        if (left[i] == 0) continue;
-        std::uint64_t apart = 0;
-        if (excess(a[i], all, need) > 0) {
-            apart = ~apart;
-        } else {
-            for (std::uint32_t j = 0; j < count; ++j) {
-                apart |= std::uint64_t{excess(a[i], b[j], need) > 0} << j;
-            }
+    const std::size_t row_count = sides_[0].parts.count, rows = padded(row_count),
+                      columns = padded(sides_[1].parts.count);
+    const double *const a = ends_of(0, k), *const b = ends_of(1, k), need = axes_[named_[k]].need;
+    for (std::size_t first = 0; first < columns; first += lanes) {
+        const double *const low = b + first, *const high = low + columns;
+        for (std::size_t i = 0; i < row_count; ++i) {
+            const double above = a[rows + i] + need, below = a[i] - need;
+            left[i] &= ~(std::uint64_t{outside(low, high, below, above)} << first);
         }
-        left[i] &= ~apart;
-        is_any_left = is_any_left || left[i] != 0;
     }
-    return is_any_left;
+    std::uint64_t any_left = 0;
+    for (std::size_t i = 0; i < row_count; ++i) any_left |= left[i];
+    return any_left != 0;
 }
 
 bool Filter::are_apart_by_corners(std::uint32_t i, std::uint32_t j) {
     for (std::size_t k = 0; k < named_.size(); ++k) {
         bool is_new = false;
         for (const std::size_t number : {0, 1}) {
-            Range& reach = range_of(number, k, number == 0 ? i : j);
-            if (reach.is_best) continue;
             const Side& side = sides_[number];
-            reach = range(side, side.parts.first + (number == 0 ? i : j), axes_[named_[k]].along[number]);
-            is_new = reach.is_best = true;
+            const std::uint32_t part = number == 0 ? i : j;
+            Ranges& ranges = ranges_of(number, k);
+            if ((ranges.best >> part & 1) != 0) continue;
+            const Range found = range(side, side.parts.first + part, axes_[named_[k]].along[number]);
+            ends_[ranges.begin + part] = found.low;
+            ends_[ranges.begin + padded(side.parts.count) + part] = found.high;
+            ranges.best |= std::uint64_t{1} << part;
+            is_new = true;
         }
         if (is_new && excess(k, i, j) > 0) return true;
     }

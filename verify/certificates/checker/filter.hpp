@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <span>
 
 #include "certificate.hpp"
@@ -31,8 +32,16 @@ class Filter {
   private:
     struct Range {
         double low, high;
-        bool is_best = false;  // by corners, not by boxes
     };
+    // Of a node's parts along an axis: their low ends begin there in ends_, their high ends behind them; each are
+    // followed by any numbers up to a multiple of eight. Bit i is set if the range of part i is that of its corners,
+    // not of a box around them.
+    struct Ranges {
+        std::size_t begin;
+        std::uint64_t best;
+    };
+    static constexpr std::size_t lanes = 8;
+    static std::size_t padded(std::size_t count) { return (count + lanes - 1) / lanes * lanes; }
     // Along a vector n, vertex v of the mesh, posed, is at v.n + offset, but for at most `error`. So are the corners of
     // boxes.
     struct Direction {
@@ -46,7 +55,7 @@ class Filter {
         std::array<double, 3> magnitude{};  // the sum of absolute values of R's row times vertex, and of t - a's t
         bool is_moderate = true;            // no double can overflow
         Node parts{};                       // of the step
-        std::vector<std::size_t> ranges{};  // of the step's axis k, in ranges_: where those of its parts begin
+        std::vector<std::size_t> ranges{};  // of the step's axis k: where those of its parts are in ranges_
         std::vector<std::uint32_t> rows{};  // of a node: 1 + its row in places_, 0 if it has none yet
     };
     struct Axis {
@@ -54,14 +63,23 @@ class Filter {
         double need = 0;                 // a gap in doubles that is greater than this proves that parts are apart
     };
 
-    static Range box_range(const Side& side, std::uint32_t node, const Direction& d);
+    static void measure_boxes(const Mesh& mesh, std::uint32_t first, std::size_t count, const Direction& d,
+                              double* ends);
+    static void measure_leaf(const Mesh& mesh, const Node& leaf, const Direction& d, double* ends);
     Range range(const Side& side, std::uint32_t part, const Direction& d);
-    void measure(const Side& side, const Node& parts, const Direction& d, Range* ranges);
+    double* add_ends(std::size_t count);
+    Ranges measure(const Side& side, const Node& parts, const Direction& d);
     std::size_t place_of_ranges(std::size_t side, std::uint32_t axis);
     bool take_out(std::size_t k, Pairs& left);
     template <class Use>
     void visit(const Side& side, std::uint32_t part, const Direction& d, const Range& inner, const Use& use);
-    Range& range_of(std::size_t side, std::size_t k, std::uint32_t i) { return ranges_[sides_[side].ranges[k] + i]; }
+    // Of the step's axis k.
+    Ranges& ranges_of(std::size_t side, std::size_t k) { return ranges_[sides_[side].ranges[k]]; }
+    const double* ends_of(std::size_t side, std::size_t k) { return &ends_[ranges_of(side, k).begin]; }
+    Range range_of(std::size_t side, std::size_t k, std::uint32_t i) {
+        const double* const ends = ends_of(side, k);
+        return {ends[i], ends[padded(sides_[side].parts.count) + i]};
+    }
     // By how much the gap of two ranges exceeds what it needs; so of parts i and j along axis k of the step.
     static double excess(const Range& a, const Range& b, double need) {
         return std::max(b.low - a.high, a.low - b.high) - need;
@@ -76,9 +94,12 @@ class Filter {
     Budget* budget_;
     std::vector<Axis> axes_;
     std::span<const std::uint32_t> named_;
-    // Ranges of the parts of each node that was opened, along each axis that was named then, and of the step.
-    std::vector<Range> ranges_;
-    std::vector<std::size_t> places_;  // rows: for each axis 1 + where the node's ranges begin, 0 if they are not set
+    // Of the parts of each node that was opened, along each axis that was named then, and of the step.
+    std::vector<Ranges> ranges_;
+    std::unique_ptr<double[]> ends_;  // not set where it is not used yet
+    std::size_t ends_used_ = 0;
+    std::size_t ends_size_ = 0;
+    std::vector<std::size_t> places_;  // rows: for each axis 1 + where the node's are in ranges_, 0 if they are not set
     std::size_t axis_count_;           // a row's length
     std::vector<std::uint32_t> extremes_;
 };

@@ -11,6 +11,7 @@
 #include <map>
 
 #include "claims.hpp"
+#include "memory.hpp"
 #include "mesh.hpp"
 
 namespace certificate_checker {
@@ -174,5 +175,6 @@ int run(int count, char** arguments) {
 }  // namespace certificate_checker
 
 int main(int count, char** arguments) {
+    certificate_checker::keep_memory_of_numbers();
     return certificate_checker::run(count, arguments);
 }

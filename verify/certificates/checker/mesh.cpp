@@ -75,11 +75,10 @@ void read_tree(Text& in, Mesh& mesh) {
     if (next_node != node_count || next_triangle - node_count != mesh.triangles.size()) in.fail("the tree lacks parts");
 }
 
-void include(Box& box, const Box& other) {
-    for (std::size_t k = 0; k < 3; ++k) {
-        box[0][k] = std::min(box[0][k], other[0][k]);
-        box[1][k] = std::max(box[1][k], other[1][k]);
-    }
+// Lets the box of a node contain what lies in these bounds along axis k.
+void include(Mesh& mesh, std::size_t node, std::size_t k, double low, double high) {
+    mesh.boxes[0][k][node] = std::min(mesh.boxes[0][k][node], low);
+    mesh.boxes[1][k][node] = std::max(mesh.boxes[1][k][node], high);
 }
 
 void read_lines(Text& in, std::string_view text, Mesh& mesh) {
@@ -116,7 +115,10 @@ void measure(Mesh& mesh) {
             mesh.magnitude[k] = std::max(mesh.magnitude[k], std::abs(vertex[k]));
         }
     }
-    mesh.boxes.assign(mesh.nodes.size(), {{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}}});
+    for (std::size_t k = 0; k < 3; ++k) {
+        mesh.boxes[0][k].assign(mesh.nodes.size(), infinity);
+        mesh.boxes[1][k].assign(mesh.nodes.size(), -infinity);
+    }
     mesh.leaf_places.resize(mesh.triangles.size());
     for (std::size_t i = mesh.nodes.size(); i-- > 0;) {
         Node& node = mesh.nodes[i];
@@ -126,7 +128,9 @@ void measure(Mesh& mesh) {
             if (mesh.is_triangle(part)) {
                 for (const auto v : mesh.corners(part)) mesh.leaf_corners.push_back(v);
             } else {
-                include(mesh.boxes[i], mesh.boxes[part]);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    include(mesh, i, k, mesh.boxes[0][k][part], mesh.boxes[1][k][part]);
+                }
             }
         }
         const auto begin = mesh.leaf_corners.begin() + node.first_corner;
@@ -134,8 +138,11 @@ void measure(Mesh& mesh) {
         mesh.leaf_corners.erase(std::unique(begin, mesh.leaf_corners.end()), mesh.leaf_corners.end());
         node.corner_count = static_cast<std::uint32_t>(mesh.leaf_corners.size()) - node.first_corner;
         for (auto v = begin; v != mesh.leaf_corners.end(); ++v) {
-            include(mesh.boxes[i], {mesh.vertices[*v], mesh.vertices[*v]});
-            mesh.leaf_points.push_back(mesh.vertices[*v]);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double x = mesh.vertices[*v][k];
+                include(mesh, i, k, x, x);
+                mesh.leaf_points[k].push_back(x);
+            }
         }
         for (std::uint32_t part = node.first; mesh.is_triangle(part) && part < node.first + node.count; ++part) {
             for (std::size_t k = 0; k < 3; ++k) {

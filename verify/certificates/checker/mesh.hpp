@@ -14,8 +14,8 @@
 
 namespace certificate_checker {
 
-// The least box that contains a part, in the mesh's own coordinates: bound[0] its least, bound[1] its greatest corner.
-using Box = std::array<std::array<double, 3>, 2>;
+// Coordinate k of all points is in [k].
+using Points = std::array<std::vector<double>, 3>;
 
 // The parts of a node or of a leaf: `count` of them, from part `first` on. A leaf's corners are some of
 // Mesh::leaf_corners.
@@ -38,9 +38,9 @@ struct Mesh {
     std::vector<std::uint32_t> position;                  // of the caller's triangles in this order
     std::vector<Node> nodes;
     std::vector<std::uint32_t> leaf_corners;               // the vertices of each leaf's triangles, each once
-    std::vector<std::array<double, 3>> leaf_points;        // their coordinates
+    Points leaf_points;                                    // their coordinates
     std::vector<std::array<std::uint8_t, 3>> leaf_places;  // of each triangle's corners, among those of its leaf
-    std::vector<Box> boxes;                                // of the nodes
+    std::array<Points, 2> boxes;                           // of the nodes: their least and their greatest corners
     std::array<double, 3> magnitude = {};                  // the greatest absolute value of each coordinate
     int low = 0;                                           // all coordinates are multiples of 2^low
 

@@ -1,7 +1,6 @@
 #include "pair.hpp"
 
 #include <bit>
-#include <map>
 
 #include "filter.hpp"
 
@@ -27,10 +26,10 @@ struct Pair {
     std::optional<Filter> filter = {};
     std::vector<Axis> axes = {};
     std::vector<std::array<std::uint32_t, 2>> stack = {};  // pairs of parts to be proven apart, the next one last
-    // Of the current step: a's parts and b's, its axes, and the reaches of {side, axis, part} that were asked for.
+    // Of the current step: a's parts and b's, its axes, and the reaches of their parts, as far as they were asked for.
     std::array<Node, 2> parts = {};
     std::span<const std::uint32_t> named = {};
-    std::map<std::array<std::size_t, 3>, Range> reaches = {};
+    std::vector<Range> reaches = {};
 
     void add_axis(const AxisLine& source, const std::array<std::uint32_t, 2>& triangles) {
         axes.push_back({source, triangles});
@@ -40,8 +39,7 @@ struct Pair {
         auto& [source, triangles, n, places, least] = axes[number];
         if (n) return *n;
         const auto corner = [&, &on = triangles](auto side, auto k) { return body[side]->corner(on[side], k); };
-        const auto given = [&, &x = source.given](std::size_t k) { return integer(x[k], unit_of(x)); };
-        n = source.formula.kind == Kind::given ? Vector<Integer>{given(0), given(1), given(2)}
+        n = source.formula.kind == Kind::given ? integers(source.given, unit_of(source.given))
                                                : vector_of<Integer>(source.formula, corner);
         least = rule.m * rule.m * dot(*n, *n);
         return *n;
@@ -56,9 +54,10 @@ struct Pair {
 
     // The range of n.x over the corners x of part i of a side. The filter leaves out some that lie surely within it.
     const Range& reach(std::size_t side, std::size_t k, std::uint32_t i) {
-        const auto [place, is_new] = reaches.try_emplace({side, k, i});
-        if (!is_new) return place->second;
-        Range& range = place->second;
+        const std::size_t count = parts[0].count + parts[1].count;
+        reaches.resize(named.size() * count);
+        Range& range = reaches[k * count + side * parts[0].count + i];
+        if (range.low != nullptr) return range;
         auto include = [&, &n = vector(named[k]), &places = axes[named[k]].places[side]](std::uint32_t vertex) {
             const auto [found, is_first] = places.try_emplace(vertex);
             const Integer& x = found->second;
@@ -111,7 +110,7 @@ struct Pair {
         if (step.is_formula) add_axis({step.line, step.formula}, pair);
         const auto last = static_cast<std::uint32_t>(axes.size() - 1);
         const auto given = std::span(proof.numbers).subspan(step.axes.first, step.axes.count);
-        Pairs left = {};
+        Pairs left;
         for (std::uint32_t i = 0; i < parts[0].count; ++i) left[i] = ~std::uint64_t{0} >> (64 - parts[1].count);
         const auto bottom = static_cast<std::ptrdiff_t>(stack.size());
         for (const std::uint32_t number : std::span(proof.numbers).subspan(step.open.first, step.open.count)) {
@@ -143,6 +142,7 @@ void check_steps(Body& a, Body& b, const Rule& rule, const Proof& proof, Budget&
         const bool is_zero = axis.given == Vector<double>{} && pair.vector(pair.axes.size() - 1) == Vector<Integer>{};
         if (is_zero) throw Refusal{axis.line, "the axis is zero"};
     }
+    pair.axes.reserve(proof.axes.size() + 1);
     pair.stack = {{0, 0}};
     for (const Step& step : proof.steps) pair.check_step(proof, step);
     if (!pair.stack.empty()) throw Refusal{proof.end, "steps are missing"};

@@ -17,15 +17,16 @@ inline int unit_of(const PosedMesh& posed) {
 // A posed mesh: its corners in units of 2^unit, at most unit_of.
 struct Body {
     Body(const PosedMesh& posed_mesh, int unit_exponent)
-        : posed(posed_mesh), mesh(*posed_mesh.mesh), unit(unit_exponent) {
-        for (std::size_t k = 0; k < 9; ++k) R[k / 3][k % 3] = integer(posed.pose.R[k / 3][k % 3], unit - mesh.low);
-    }
+        : posed(posed_mesh), mesh(*posed_mesh.mesh), unit(unit_exponent) {}
     const Vector<Integer>& point(std::uint32_t vertex) {
         const auto [place, is_new] = points.try_emplace(vertex);
         if (!is_new) return place->second;
-        Vector<Integer> v;
-        for (std::size_t l = 0; l < 3; ++l) v[l] = integer(mesh.vertices[vertex][l], mesh.low);
-        for (std::size_t k = 0; k < 3; ++k) place->second[k] = dot(R[k], v) + integer(posed.pose.t[k], unit);
+        if (pose.empty()) {
+            for (const auto& row : posed.pose.R) pose.push_back(integers(row, unit - mesh.low));
+            pose.push_back(integers(posed.pose.t, unit));
+        }
+        const Vector<Integer> v = integers(mesh.vertices[vertex], mesh.low);
+        for (std::size_t k = 0; k < 3; ++k) place->second[k] = dot(pose[k], v) + pose[3][k];
         return place->second;
     }
     const Vector<Integer>& corner(std::uint32_t part, std::size_t k) { return point(mesh.corners(part)[k % 3]); }
@@ -33,7 +34,7 @@ struct Body {
     const PosedMesh& posed;
     const Mesh& mesh;
     int unit;
-    Vector<Vector<Integer>> R;
+    std::vector<Vector<Integer>> pose;                          // R's rows and t, once a point is asked for
     std::unordered_map<std::uint32_t, Vector<Integer>> points;  // those asked for so far
 };
 

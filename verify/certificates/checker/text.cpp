@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -12,9 +13,14 @@ namespace {
 constexpr std::size_t file_bytes_max = std::size_t{1} << 30;
 
 // The value of a lower-case hexadecimal digit; 16 if it is none.
+constexpr auto digit_values = [] {
+    std::array<std::uint8_t, 256> table{};
+    table.fill(16);
+    for (std::uint8_t k = 0; k < 16; ++k) table[static_cast<unsigned char>("0123456789abcdef"[k])] = k;
+    return table;
+}();
 unsigned digit_value(char c) {
-    if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
-    return c >= 'a' && c <= 'f' ? static_cast<unsigned>(c - 'a') + 10 : 16;
+    return digit_values[static_cast<unsigned char>(c)];
 }
 
 bool take(std::string_view& text, char c) {
@@ -23,30 +29,43 @@ bool take(std::string_view& text, char c) {
     return true;
 }
 
-// Reads -?0x[01](\.[0-9a-f]{1,13})?p[+-][0-9]{1,4}, which must be a finite double exactly.
-bool parse_number(std::string_view text, double& value) {
+// Takes -?0x[01](\.[0-9a-f]{1,13})?p[+-][0-9]{1,4} off the text, which must be a finite double exactly. False: the text
+// does not begin so.
+bool take_number(std::string_view& text, double& value) {
     const bool is_negative = take(text, '-');
-    if (!take(text, '0') || !take(text, 'x') || text.empty() || (text[0] != '0' && text[0] != '1')) return false;
-    std::uint64_t mantissa = digit_value(text[0]);
-    text.remove_prefix(1);
+    if (!text.starts_with("0x0") && !text.starts_with("0x1")) return false;
+    std::uint64_t mantissa = digit_value(text[2]);
+    text.remove_prefix(3);
     int exponent = 0;
     if (take(text, '.')) {
-        for (; !text.empty() && digit_value(text[0]) < 16; text.remove_prefix(1), exponent -= 4) {
-            if (exponent == -52) return false;
-            mantissa = mantissa << 4 | digit_value(text[0]);
+        std::size_t digits = 0;
+        for (; digits < text.size() && digit_value(text[digits]) < 16; ++digits) {
+            if (digits == 13) return false;
+            mantissa = mantissa << 4 | digit_value(text[digits]);
         }
-        if (exponent == 0) return false;
+        if (digits == 0) return false;
+        text.remove_prefix(digits);
+        exponent = -4 * static_cast<int>(digits);
     }
-    if (!take(text, 'p') || text.size() < 2 || text.size() > 5 || (text[0] != '+' && text[0] != '-')) return false;
+    const bool is_less = text.starts_with("p-");
+    if (!is_less && !text.starts_with("p+")) return false;
+    text.remove_prefix(2);
     int power = 0;
-    for (const char c : text.substr(1)) {
-        if (digit_value(c) > 9) return false;
-        power = 10 * power + static_cast<int>(digit_value(c));
+    std::size_t digits = 0;
+    for (; digits < text.size() && digit_value(text[digits]) < 10; ++digits) {
+        if (digits == 4) return false;
+        power = 10 * power + static_cast<int>(digit_value(text[digits]));
     }
-    exponent += text[0] == '-' ? -power : power;
+    if (digits == 0) return false;
+    text.remove_prefix(digits);
+    exponent += is_less ? -power : power;
     const double whole = static_cast<double>(mantissa);  // below 2^53, so exactly
-    value = std::ldexp(whole, exponent);
-    if (!std::isfinite(value) || std::ldexp(value, -exponent) != whole) return false;
+    if (exponent >= -1000 && exponent <= 900) {          // no product of it and 2^exponent is rounded
+        value = whole * std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+    } else {
+        value = std::ldexp(whole, exponent);
+        if (!std::isfinite(value) || std::ldexp(value, -exponent) != whole) return false;
+    }
     if (is_negative) value = -value;
     return true;
 }
@@ -133,10 +152,17 @@ std::uint32_t Text::count() {
 }
 
 double Text::number() {
-    const std::string_view field = word();
+    std::string_view rest = fields_;
     double value = 0;
-    if (!parse_number(field, value)) fail("not a finite double: " + std::string(field.substr(0, 40)));
-    return value;
+    if (take_number(rest, value)) {
+        const bool is_last = rest.empty();
+        if (is_last || (take(rest, ' ') && !rest.empty())) {
+            fields_ = rest;
+            return value;
+        }
+    }
+    const std::string_view field = word();
+    fail("not a finite double: " + std::string(field.substr(0, 40)));
 }
 
 double Text::distance() {

@@ -19,7 +19,10 @@ Vector<Number> operator*(const Number& s, const Vector<Number>& a) {
 }
 template <class Number>
 Number dot(const Vector<Number>& a, const Vector<Number>& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    Number sum = a[0] * b[0];
+    sum += a[1] * b[1];
+    sum += a[2] * b[2];
+    return sum;
 }
 template <class Number>
 Vector<Number> cross(const Vector<Number>& a, const Vector<Number>& b) {

@@ -69,7 +69,7 @@ ECODS_ALWAYS_INLINE bool finds_lanes(int) {
         mask[lane] = -1;
         holds &= any(mask) && !all(mask) && !all(~mask);
         holds &= any_bits(mask & lane_bits<V>()) == T{1} << lane;
-        holds &= low_bytes(mask & lane_bits<V>(2)) == std::uint64_t{1} << (8 * lane + lane + 2) || lane > 5;
+        holds &= lane > 5 || low_bytes(mask & lane_bits<V>(2)) == std::uint64_t{1} << (8 * lane + lane + 2);
     }
     return holds;
 }

@@ -1,0 +1,162 @@
+#include "broad_phase/candidates/candidate_list.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "base/bytes_of.hpp"
+#include "ecods/error.hpp"
+#include "simd/dispatch.hpp"
+
+namespace ecods {
+namespace {
+
+using Candidate = CandidateList::SlotPair;
+constexpr SlotIndex overlap_bit = CandidateList::overlap_bit;
+
+// How many candidates ahead memory is asked for. The last ones are a part of their own, with none ahead.
+constexpr std::size_t candidates_ahead = 24;
+struct Stretch {
+    std::size_t end;
+    std::size_t ahead;
+};
+
+// What the tests of all candidates read and write.
+struct Testing {
+    const SlotTable& slots;
+    PairEvents& events;
+    bool are_removed_reported;
+
+    // A candidate began or ceased to overlap.
+    void report(Candidate& candidate) const {
+        const bool began = (candidate[1] & overlap_bit) == 0;
+        candidate[1] ^= overlap_bit;
+        const ProxyPair pair = slots.pair_of(candidate[0], candidate[1] & ~overlap_bit);
+        (began ? events.began : events.ended).push_back(pair);
+    }
+
+    // A candidate goes.
+    void report_removed(const Candidate& candidate) const {
+        if ((candidate[1] & overlap_bit) == 0 || are_removed_reported) return;
+        events.ended.push_back(slots.pair_of(candidate[0], candidate[1] & ~overlap_bit));
+    }
+};
+
+// Returns how many overlapped before.
+template <bool have_some_gone>
+ECODS_ALWAYS_INLINE std::uint64_t test_all(const Testing& testing, std::vector<Candidate>& list) {
+    const PackedBox* const lines = testing.slots.lines().data();
+    const PackedBox* const fat_lines = testing.slots.fat_lines().data();
+    const std::uint8_t* const flags = testing.slots.flags().data();
+    Candidate* const candidates = list.data();
+    Candidate* write = candidates;
+    const std::size_t count = list.size();
+    std::uint64_t overlapping = 0;
+    BoxReach reach;
+    const Stretch parts[] = {{count - std::min(count, candidates_ahead), candidates_ahead}, {count, 0}};
+    std::size_t i = 0;
+    for (const Stretch& part : parts) {
+        for (; i < part.end; ++i) {
+            __builtin_prefetch(&lines[candidates[i + part.ahead][1] & ~overlap_bit]);
+            const Candidate candidate = candidates[i];
+            const auto [owner, entry] = candidate;
+            const SlotIndex partner = entry & ~overlap_bit;
+            if constexpr (have_some_gone) {
+                if (((flags[owner] | flags[partner]) & SlotTable::changed) != 0) [[unlikely]] {
+                    make_reach(fat_lines[owner], reach);
+                    if (!overlaps(fat_lines[partner], reach) || fat_lines[owner].is_empty()) {
+                        testing.report_removed(candidate);
+                        continue;
+                    }
+                }
+                *write = candidate;
+            }
+            make_reach(lines[owner], reach);
+            const bool now = overlaps(lines[partner], reach);
+            overlapping += entry / overlap_bit;
+            if (now != (entry >= overlap_bit)) [[unlikely]] {
+                testing.report(have_some_gone ? *write : candidates[i]);
+            }
+            if constexpr (have_some_gone) ++write;
+        }
+    }
+    if constexpr (have_some_gone) list.resize(static_cast<std::size_t>(write - candidates));
+    return overlapping;
+}
+
+ECODS_ALWAYS_INLINE void settle_all(const SlotTable& slots, std::vector<Candidate>& list,
+                                    std::vector<std::array<ProxyIndex, 2>>& overlapping) {
+    const PackedBox* const lines = slots.lines().data();
+    const std::uint8_t* const flags = slots.flags().data();
+    const ProxyIndex* const proxies = slots.proxies().data();
+    overlapping.resize(list.size());
+    std::array<ProxyIndex, 2>* pair = overlapping.data();
+    Candidate* write = list.data();
+    BoxReach reach;
+    for (const Candidate candidate : list) {
+        const auto [a, b] = candidate;
+        make_reach(lines[a], reach);
+        const bool now = overlaps(lines[b], reach);
+        *pair = {proxies[a], proxies[b]};
+        pair += now ? 1 : 0;
+        *write = {a, b | (static_cast<SlotIndex>(now) * overlap_bit)};
+        write += ((flags[a] | flags[b]) & SlotTable::awake) != 0 ? 1 : 0;
+    }
+    list.resize(static_cast<std::size_t>(write - list.data()));
+    overlapping.resize(static_cast<std::size_t>(pair - overlapping.data()));
+}
+
+}  // namespace
+
+void CandidateList::test(const SlotTable& slots, bool are_removed_reported, PairEvents& events) {
+    const Testing testing{slots, events, are_removed_reported};
+    overlapping_count_ = slots.changed_slots().empty() ? dispatch<test_all<false>>(testing, pairs_)
+                                                       : dispatch<test_all<true>>(testing, pairs_);
+}
+
+void CandidateList::drop_asleep(const SlotTable& slots) {
+    std::erase_if(pairs_, [&](const Candidate& candidate) {
+        return !slots.has(candidate[0], SlotTable::awake) && !slots.has(candidate[1] & ~overlap_bit, SlotTable::awake);
+    });
+}
+
+void CandidateList::settle(const SlotTable& slots, std::vector<std::array<ProxyIndex, 2>>& overlapping) {
+    dispatch<settle_all>(slots, pairs_, overlapping);
+}
+
+std::size_t CandidateList::bytes() const noexcept {
+    return bytes_of(pairs_);
+}
+
+void CandidateList::validate(const SlotTable& slots) const {
+    const auto require = [](bool holds, SlotIndex slot, const char* what) {
+        if (!holds) throw BrokenInvariant("kept candidates, slot " + std::to_string(slot) + ": " + what);
+    };
+    const auto lines = slots.lines(), fat_lines = slots.fat_lines();
+    std::vector<Candidate> kept;
+    for (const Candidate& candidate : pairs_) {
+        const SlotIndex a = candidate[0], b = candidate[1] & ~overlap_bit;
+        require(a < lines.size() && b < lines.size() && a != b, a, "a candidate is none");
+        require(overlap(lines[a], lines[b]) == ((candidate[1] & overlap_bit) != 0), a,
+                "what is known of a candidate is wrong");
+        if (overlap(fat_lines[a], fat_lines[b])) {
+            kept.push_back({std::min(a, b), std::max(a, b)});
+        } else {
+            require(slots.has(a, SlotTable::changed) || slots.has(b, SlotTable::changed), a,
+                    "a candidate has gone and will stay");
+        }
+    }
+    std::sort(kept.begin(), kept.end());
+    std::size_t next = 0;
+    for (SlotIndex a = 0; a < lines.size(); ++a) {
+        if (slots.is_free(a)) continue;
+        for (SlotIndex b = a + 1; b < lines.size(); ++b) {
+            if (slots.is_free(b) || !overlap(fat_lines[a], fat_lines[b])) continue;
+            if (!slots.has(a, SlotTable::awake) && !slots.has(b, SlotTable::awake)) continue;
+            require(next < kept.size() && kept[next] == Candidate{a, b}, a, "a candidate is missing or there twice");
+            ++next;
+        }
+    }
+    if (next != kept.size()) throw BrokenInvariant("kept candidates: there is one too many");
+}
+
+}  // namespace ecods

@@ -1,0 +1,58 @@
+// Pairs that may overlap for a while.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "broad_phase/candidates/slot_table.hpp"
+#include "broad_phase/changes/pair_events.hpp"
+
+namespace ecods {
+
+// Pairs of slots whose fat boxes overlap, one of the two awake, each once; and whether their boxes overlapped when they
+// were last tested.
+class CandidateList {
+  public:
+    using SlotPair = std::array<SlotIndex, 2>;
+
+    // In the second one of a candidate, as they are stored: they overlapped.
+    static constexpr SlotIndex overlap_bit = SlotIndex{1} << 31;
+
+    std::size_t size() const noexcept { return pairs_.size(); }
+    SlotPair operator[](std::size_t index) const noexcept {
+        return {pairs_[index][0], pairs_[index][1] & ~overlap_bit};
+    }
+    bool overlapped(std::size_t index) const noexcept { return (pairs_[index][1] & overlap_bit) != 0; }
+    std::size_t overlapping_count() const noexcept { return overlapping_count_; }  // before the last test
+
+    void add(SlotIndex a, SlotIndex b, bool do_overlap) { pairs_.push_back({a, b | (do_overlap ? overlap_bit : 0)}); }
+    void clear() noexcept { pairs_.clear(); }
+
+    // Tests all, and reports those that began or ceased to overlap. What is no candidate any more since fat boxes
+    // changed goes: it does not overlap, but for pairs of a slot that was removed, which end unless they are reported
+    // already.
+    void test(const SlotTable& slots, bool are_removed_reported, PairEvents& events);
+
+    // Those of boxes that were put to sleep go.
+    void drop_asleep(const SlotTable& slots);
+
+    // Where a search puts the pairs of fat boxes that overlap. settle() makes those of which one is awake the
+    // candidates, and appends the proxies of all whose boxes overlap.
+    std::vector<SlotPair>& found() noexcept { return pairs_; }
+    void settle(const SlotTable& slots, std::vector<std::array<ProxyIndex, 2>>& overlapping);
+
+    void release_spare() { pairs_.shrink_to_fit(); }
+    std::size_t bytes() const noexcept;
+
+    // Throws BrokenInvariant unless these are the candidates of these slots: all of them, from the boxes alone; and
+    // some that were before fat boxes changed.
+    void validate(const SlotTable& slots) const;
+
+  private:
+    std::vector<SlotPair> pairs_;
+    std::uint64_t overlapping_count_ = 0;
+};
+
+}  // namespace ecods

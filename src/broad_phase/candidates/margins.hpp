@@ -1,0 +1,69 @@
+// Margins: how far a fat box reaches beyond its box, and to which sides.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "broad_phase/candidates/lookahead.hpp"
+#include "broad_phase/candidates/moving_frame.hpp"
+#include "broad_phase/candidates/slot_table.hpp"
+
+namespace ecods {
+
+// Makes fat boxes, and remembers of each slot how its box moved. Any fat box that contains its box is right; how fat it
+// is is a matter of speed.
+class Margins {
+  public:
+    MovingFrame& frame() noexcept { return frame_; }
+    const MovingFrame& frame() const noexcept { return frame_; }
+    Lookahead& lookahead() noexcept { return lookahead_; }
+    const Lookahead& lookahead() const noexcept { return lookahead_; }
+
+    void reserve(std::size_t count) { hints_.reserve(count); }
+    void begin_update() noexcept { ++update_number_; }
+    void add(SlotIndex slot);  // nothing is known of its box
+    void reorder(std::span<const SlotIndex> order);
+    void set_mean_extent(double extent) noexcept { mean_extent_ = extent; }
+
+    // A fat box for one that escaped, which is `box` now, and `line` packed. `fat` is the fat box that it left.
+    PackedBox fat_box(const EscapedBox& escaped, const Aabb& box, const PackedBox& line, const PackedBox& fat) noexcept;
+
+    // Whether a box has nearly used up the margin ahead, and `fat` is another fat box for it: what would escape soon
+    // would ask for another search of everything then.
+    bool renew(SlotIndex slot, const Aabb& box, const PackedBox& line, PackedBox& fat) const noexcept;
+
+    // Learns which directions boxes often turn in, say because they lie in one layer, from the moves of so many boxes.
+    void learn_turns(std::size_t awake_count) noexcept;
+
+    std::size_t bytes() const noexcept;
+
+  private:
+    // How a box moved when it last escaped, by axis, and when that was.
+    struct MotionHint {
+        std::array<std::int8_t, 3> direction{};  // 1 up, -1 down, 0 not known
+        std::uint8_t turns = 0;                  // a bit for each axis
+        std::uint32_t escaped_at = 0;            // the number of the update
+
+        bool turns_on(std::size_t axis) const noexcept { return (turns >> axis & 1) != 0; }
+    };
+
+    PackedBox in_frame(const Aabb& box, const PackedBox& line) const noexcept;
+    static double share_behind(const MotionHint& hint, std::size_t axis) noexcept;
+    static void turn_margin(const PackedBox& line, const PackedBox& old_line, const MotionHint& hint, double limit,
+                            Aabb& fat) noexcept;
+    static bool is_about_to_escape(const PackedBox& line, const PackedBox& fat_line, const MotionHint& hint) noexcept;
+    void grow_ahead(MotionHint& hint, const Vec3& down, const Vec3& up, double limit, Aabb& fat) noexcept;
+
+    MovingFrame frame_;
+    Lookahead lookahead_;
+    std::vector<MotionHint> hints_;  // by slot
+    double mean_extent_ = 0;
+    std::uint32_t update_number_ = 0;
+    std::array<std::uint64_t, 3> turn_counts_{};
+    std::array<bool, 3> is_turning_common_{};
+};
+
+}  // namespace ecods

@@ -1,0 +1,104 @@
+// Boxes that moved: they are taken from the table, and those that left their fat boxes are noted.
+#include "broad_phase/candidates/slot_table.hpp"
+#include "simd/dispatch.hpp"
+
+namespace ecods {
+namespace {
+
+// How many boxes ahead memory is asked for.
+constexpr std::size_t boxes_ahead = 12;
+
+// What the loops go through.
+struct SlotView {
+    PackedBox* lines;
+    const PackedBox* fat_lines;
+    const ProxyIndex* proxies;
+    std::size_t size;
+};
+
+// The box that comes some slots later in a walk over all slots, which may lie on two cache lines.
+ECODS_ALWAYS_INLINE void prefetch_box_ahead(const SlotView& slots, const Aabb* boxes, std::size_t slot) noexcept {
+    const auto* ahead = reinterpret_cast<const char*>(
+        &boxes[slots.proxies[slot + boxes_ahead < slots.size ? slot + boxes_ahead : slots.size - 1]]);
+    __builtin_prefetch(ahead);
+    __builtin_prefetch(ahead + sizeof(Aabb) - 1);
+}
+
+// Whether a box is in its fat box; `line` is the box in space.
+ECODS_ALWAYS_INLINE bool is_in_fat_box(const MovingFrame& frame, const PackedBox& fat_line, const Aabb& box,
+                                       const PackedBox& line) noexcept {
+    if (frame.is_at_origin()) return contains(fat_line, line);
+    PackedBox in_frame;
+    make_packed_box(frame.of(box), in_frame);
+    return contains(fat_line, in_frame);
+}
+
+ECODS_ALWAYS_INLINE void move_all_slots(const SlotView& slots, const Aabb* boxes, const MovingFrame& moving_frame,
+                                        std::vector<EscapedBox>& escaped) {
+    const MovingFrame frame = moving_frame;
+    for (std::size_t slot = 0; slot < slots.size; ++slot) {
+        prefetch_box_ahead(slots, boxes, slot);
+        PackedBox line;
+        const Aabb& box = boxes[slots.proxies[slot]];
+        make_packed_box(box, line);
+        if (!is_in_fat_box(frame, slots.fat_lines[slot], box, line)) [[unlikely]] {
+            if (slots.fat_lines[slot].is_empty()) continue;  // a free slot
+            escaped.push_back({static_cast<SlotIndex>(slot), slots.lines[slot]});
+        }
+        slots.lines[slot] = line;
+    }
+}
+
+ECODS_ALWAYS_INLINE void move_slots_of(const SlotView& slots, const SlotIndex* slots_by_proxy,
+                                       std::span<const ProxyIndex> proxies, const Aabb* boxes,
+                                       const MovingFrame& moving_frame, std::vector<EscapedBox>& escaped) {
+    const MovingFrame frame = moving_frame;
+    for (std::size_t i = 0; i < proxies.size(); ++i) {
+        if (i + boxes_ahead < proxies.size()) {
+            const SlotIndex ahead = slots_by_proxy[proxies[i + boxes_ahead]];
+            __builtin_prefetch(&slots.lines[ahead]);
+            __builtin_prefetch(&slots.fat_lines[ahead]);
+        }
+        const SlotIndex slot = slots_by_proxy[proxies[i]];
+        PackedBox line;
+        const Aabb& box = boxes[proxies[i]];
+        make_packed_box(box, line);
+        if (!is_in_fat_box(frame, slots.fat_lines[slot], box, line)) [[unlikely]] {
+            escaped.push_back({slot, slots.lines[slot]});
+        }
+        slots.lines[slot] = line;
+    }
+}
+
+ECODS_ALWAYS_INLINE void take_all_slots(const SlotView& slots, const Aabb* boxes) {
+    for (std::size_t slot = 0; slot < slots.size; ++slot) {
+        prefetch_box_ahead(slots, boxes, slot);
+        if (slots.lines[slot].is_empty()) continue;  // a free slot
+        make_packed_box(boxes[slots.proxies[slot]], slots.lines[slot]);
+    }
+}
+
+}  // namespace
+
+void SlotTable::move_all(const ProxyTable& table, const MovingFrame& frame, std::vector<EscapedBox>& escaped_boxes) {
+    const SlotView slots{lines_.data(), fat_lines_.data(), proxies_.data(), size()};
+    dispatch<move_all_slots>(slots, table.boxes().data(), frame, escaped_boxes);
+}
+
+void SlotTable::move(std::span<const ProxyIndex> proxies, const ProxyTable& table, const MovingFrame& frame,
+                     std::vector<EscapedBox>& escaped_boxes) {
+    const SlotView slots{lines_.data(), fat_lines_.data(), proxies_.data(), size()};
+    dispatch<move_slots_of>(slots, slots_.data(), proxies, table.boxes().data(), frame, escaped_boxes);
+}
+
+void SlotTable::take(std::span<const ProxyIndex> proxies, const ProxyTable& table) {
+    // Going through all boxes in the order of memory costs less for each.
+    if (2 * proxies.size() > size()) {
+        dispatch<take_all_slots>(SlotView{lines_.data(), fat_lines_.data(), proxies_.data(), size()},
+                                 table.boxes().data());
+        return;
+    }
+    for (const ProxyIndex proxy : proxies) make_packed_box(table.boxes()[proxy], lines_[slots_[proxy]]);
+}
+
+}  // namespace ecods
