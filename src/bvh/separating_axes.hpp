@@ -69,6 +69,7 @@ struct AxisSet {
     Projection a, b;                   // shift and margin are zero for a
     std::array<float, 4> point_error;  // of a corner of either
     int flat_axis = -1;                // along which both trees are flat, or nearly; -1: none
+    bool is_bijective = false;         // the map to the axes' coordinates certainly is
 
     // From then on the set proves nothing to be apart.
     void set_unbounded() noexcept {
@@ -94,10 +95,17 @@ class SeparatingAxes {
 
 // Returns a mask of the pairs of lanes that may overlap: bit 8 j + i is clear if lane i of x, of the first tree, and
 // lane j of y, of the second, are proven disjoint, by one of the six face normals or a slab, or for the triangles of
-// two leaves by the plane of one of them, or an edge where all is flat. Bits of lanes that repeat another are clear.
+// two leaves by triangle_pairs. Bits of lanes that repeat another are clear.
 std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const BvhNode& x, const BvhNode& y) noexcept;
 std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const BvhNode& x, const TreeLeaf& y) noexcept;
 std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const TreeLeaf& x, const BvhNode& y) noexcept;
 std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept;
+
+// Pairs of triangles of two leaves, as bits.
+struct TrianglePairs {
+    std::uint64_t near = 0;      // not proven disjoint: by an axis, the plane of one of them, or an edge of each
+    std::uint64_t crossing = 0;  // of these, proven to cross
+};
+TrianglePairs triangle_pairs(const std::array<AxisSet, 2>& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept;
 
 }  // namespace ecods

@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "bvh/mesh_bvh.hpp"
+#include "bvh/separating_axes.hpp"
 #include "simd/inline.hpp"
 
 namespace ecods {
@@ -31,6 +33,7 @@ class LanePairs {
     void next() noexcept { bits_ &= bits_ - 1; }
     std::size_t i() const noexcept { return static_cast<std::size_t>(std::countr_zero(bits_)) % tree_width; }
     std::size_t j() const noexcept { return static_cast<std::size_t>(std::countr_zero(bits_)) / tree_width; }
+    bool is_in(std::uint64_t bits) const noexcept { return (bits_ & (0 - bits_) & bits) != 0; }
 
   private:
     static constexpr std::uint64_t all_of_one = 0xff, lane_of_each = 0x0101010101010101;
@@ -46,8 +49,15 @@ ECODS_ALWAYS_INLINE bool visit_two(const MeshBvh& a, const MeshBvh& b, const Nod
     if (top.a.is_leaf() && top.b.is_leaf()) {
         const TreeLeaf& x = a.leaves[top.a.index()];
         const TreeLeaf& y = b.leaves[top.b.index()];
-        for (LanePairs pairs(bound(x, y)); pairs.more(); pairs.next()) {
-            if (!result(x.triangle[pairs.i()], y.triangle[pairs.j()])) return false;
+        const auto found = bound(x, y);
+        if constexpr (std::is_same_v<decltype(found), const TrianglePairs>) {
+            for (LanePairs pairs(found.near); pairs.more(); pairs.next()) {
+                if (!result(x.triangle[pairs.i()], y.triangle[pairs.j()], pairs.is_in(found.crossing))) return false;
+            }
+        } else {
+            for (LanePairs pairs(found); pairs.more(); pairs.next()) {
+                if (!result(x.triangle[pairs.i()], y.triangle[pairs.j()])) return false;
+            }
         }
     } else if (top.a.is_leaf()) {
         const BvhNode& y = b.nodes[top.b.index()];

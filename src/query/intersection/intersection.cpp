@@ -102,20 +102,30 @@ class Query {
         return state_.pair.relation(i, j);
     }
 
+    // The same of a pair that is visited.
+    Relation relation_of(std::uint32_t i, std::uint32_t j, bool crosses) {
+        if (!crosses) return relation_of(i, j);
+        ++state_.counts.stages.triangle_tests;
+        ++state_.counts.stages.filter_passes;
+        return Relation::crossing;
+    }
+
     // The axis that separates the roots, or -1. `first` is tried first.
     int bind_axes(int first = -1) {
         return state_.axes.bind({tree_a_.boxes, a_.pose.R}, {tree_b_.boxes, b_.pose.R}, b_.pose.t - a_.pose.t, first);
     }
 
-    // Calls visit(i, j) for pairs of triangles, among them every pair that shares a point, until it returns false.
-    // After bind_axes.
+    // Calls visit(i, j, crosses) for pairs of triangles, among them every pair that shares a point, until it returns
+    // false; `crosses` of those that are known to cross. After bind_axes.
     template <class Visit>
     void visit_near_pairs(Visit&& visit) {
         if (!pair_is_bound_) state_.pair.forget_groups();
         const OverlapBound boxes(state_.axes.sets(), state_.counts);
         walk_two(tree_a_.boxes, tree_b_.boxes, state_.stack,
                  PlaneBound(boxes, tree_a_.boxes, tree_b_.boxes, state_.pair),
-                 [&](std::uint32_t i, std::uint32_t j) { return visit(i, j) && !state_.pair.are_parted(); });
+                 [&](std::uint32_t i, std::uint32_t j, bool crosses) {
+                     return visit(i, j, crosses) && !state_.pair.are_parted();
+                 });
     }
 
   private:
@@ -179,8 +189,8 @@ bool find_contact(const MeshAt& a, const MeshAt& b, QueryMemory& memory, PairWit
     }
     witness = {};
     bool found = false;
-    query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j) {
-        found = query.relation_of(i, j) != Relation::disjoint;
+    query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j, bool crosses) {
+        found = query.relation_of(i, j, crosses) != Relation::disjoint;
         if (found) witness = {i, j};
         return !found;
     });
@@ -192,8 +202,8 @@ Relation find_relation(const MeshAt& a, const MeshAt& b, QueryMemory& memory) {
     Query query(a, b, memory);
     Relation strongest = Relation::disjoint;
     if (query.bind_axes() >= 0) return strongest;
-    query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j) {
-        strongest = std::max(strongest, query.relation_of(i, j));
+    query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j, bool crosses) {
+        strongest = std::max(strongest, query.relation_of(i, j, crosses));
         return strongest != Relation::crossing;
     });
     return strongest;
@@ -203,8 +213,8 @@ std::vector<TrianglePair> find_triangles(const MeshAt& a, const MeshAt& b, Query
     std::vector<TrianglePair> pairs;
     Query query(a, b, memory);
     if (query.bind_axes() >= 0) return pairs;
-    query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j) {
-        if (query.relation_of(i, j) != Relation::disjoint) pairs.push_back({i, j});
+    query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j, bool crosses) {
+        if (query.relation_of(i, j, crosses) != Relation::disjoint) pairs.push_back({i, j});
         return true;
     });
     std::ranges::sort(pairs);

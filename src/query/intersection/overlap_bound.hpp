@@ -24,6 +24,11 @@ class OverlapBound {
         return overlap_mask(sets_, x, y);
     }
 
+    TrianglePairs triangle_pairs(const TreeLeaf& x, const TreeLeaf& y) {
+        ++counts_.box_tests;
+        return ecods::triangle_pairs(sets_, x, y);
+    }
+
     // A heuristic for deep penetration: when many pairs of children overlap, the pair with the nearest centers is
     // visited first, since it nearly always intersects. Only the order of the walk depends on it.
     void order(const BvhNode& x, const BvhNode& y, LanePairs pairs, std::span<NodePair> children) const {

@@ -19,14 +19,10 @@ class PlaneBound {
 
     template <class X, class Y>
     std::uint64_t operator()(const X& x, const Y& y) {
-        if (relations_.uses_groups()) {
-            const std::uint32_t group_a = group_of(relations_.groups(0), a_, x);
-            const std::uint32_t group_b = group_of(relations_.groups(1), b_, y);
-            if (group_a != CoplanarGroups::none && group_b != CoplanarGroups::none &&
-                relations_.are_apart(group_a, group_b))
-                return 0;
-        }
-        return boxes_(x, y);
+        return are_apart(x, y) ? 0 : boxes_(x, y);
+    }
+    TrianglePairs operator()(const TreeLeaf& x, const TreeLeaf& y) {
+        return are_apart(x, y) ? TrianglePairs{} : boxes_.triangle_pairs(x, y);
     }
 
     void order(const BvhNode& x, const BvhNode& y, LanePairs pairs, std::span<NodePair> children) const {
@@ -34,6 +30,16 @@ class PlaneBound {
     }
 
   private:
+    // Whether all triangles of two nodes are in parallel planes with a gap, as far as that is known.
+    template <class X, class Y>
+    bool are_apart(const X& x, const Y& y) {
+        if (!relations_.uses_groups()) return false;
+        const std::uint32_t group_a = group_of(relations_.groups(0), a_, x);
+        const std::uint32_t group_b = group_of(relations_.groups(1), b_, y);
+        return group_a != CoplanarGroups::none && group_b != CoplanarGroups::none &&
+               relations_.are_apart(group_a, group_b);
+    }
+
     static std::uint32_t group_of(const CoplanarGroups& groups, const MeshBvh& tree, const BvhNode& node) noexcept {
         return groups.empty() ? CoplanarGroups::none
                               : groups.of_node[static_cast<std::size_t>(&node - tree.nodes.data())];
