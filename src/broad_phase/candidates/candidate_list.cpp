@@ -83,26 +83,13 @@ ECODS_ALWAYS_INLINE std::uint64_t test_all(const Testing& testing, std::vector<C
     return overlapping;
 }
 
-ECODS_ALWAYS_INLINE void settle_all(const SlotTable& slots, std::vector<Candidate>& list,
-                                    std::vector<std::array<ProxyIndex, 2>>& overlapping) {
+ECODS_ALWAYS_INLINE void settle_all(const SlotTable& slots, std::vector<Candidate>& list) {
     const PackedBox* const lines = slots.lines().data();
-    const std::uint8_t* const flags = slots.flags().data();
-    const ProxyIndex* const proxies = slots.proxies().data();
-    overlapping.resize(list.size());
-    std::array<ProxyIndex, 2>* pair = overlapping.data();
-    Candidate* write = list.data();
     BoxLanes reach;
-    for (const Candidate candidate : list) {
-        const auto [a, b] = candidate;
+    for (auto& [a, b] : list) {
         make_reach(lines[a], reach);
-        const bool now = overlaps(lines[b], reach);
-        *pair = {proxies[a], proxies[b]};
-        pair += now ? 1 : 0;
-        *write = {a, b | (static_cast<SlotIndex>(now) * overlap_bit)};
-        write += ((flags[a] | flags[b]) & SlotTable::awake) != 0 ? 1 : 0;
+        b |= static_cast<SlotIndex>(overlaps(lines[b], reach)) * overlap_bit;
     }
-    list.resize(static_cast<std::size_t>(write - list.data()));
-    overlapping.resize(static_cast<std::size_t>(pair - overlapping.data()));
 }
 
 }  // namespace
@@ -114,13 +101,14 @@ void CandidateList::test(const SlotTable& slots, bool are_removed_reported, Pair
 }
 
 void CandidateList::drop_asleep(const SlotTable& slots) {
+    if (slots.awake_count() == slots.used_count()) return;
     std::erase_if(pairs_, [&](const Candidate& candidate) {
         return !slots.has(candidate[0], SlotTable::awake) && !slots.has(candidate[1] & ~overlap_bit, SlotTable::awake);
     });
 }
 
-void CandidateList::settle(const SlotTable& slots, std::vector<std::array<ProxyIndex, 2>>& overlapping) {
-    dispatch<settle_all>(slots, pairs_, overlapping);
+void CandidateList::settle(const SlotTable& slots) {
+    dispatch<settle_all>(slots, pairs_);
 }
 
 std::size_t CandidateList::bytes() const noexcept {

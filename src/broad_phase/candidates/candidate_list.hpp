@@ -35,13 +35,21 @@ class CandidateList {
     // already.
     void test(const SlotTable& slots, bool are_removed_reported, PairEvents& events);
 
-    // Those of boxes that were put to sleep go.
+    // Those of boxes that are asleep go.
     void drop_asleep(const SlotTable& slots);
 
-    // Where a search puts the pairs of fat boxes that overlap. settle() makes those of which one is awake the
-    // candidates, and appends the proxies of all whose boxes overlap.
+    // Where a search puts the pairs of fat boxes that overlap. settle() makes them the candidates, until drop_asleep().
     std::vector<SlotPair>& found() noexcept { return pairs_; }
-    void settle(const SlotTable& slots, std::vector<std::array<ProxyIndex, 2>>& overlapping);
+    void settle(const SlotTable& slots);
+
+    // Calls visit(a, b) with the proxies of each candidate whose boxes overlapped when it was last tested.
+    template <class Visit>
+    void for_each_overlapping(const SlotTable& slots, const Visit& visit) const {
+        const ProxyIndex* const proxies = slots.proxies().data();
+        for (const auto& [a, b] : pairs_) {
+            if (b >= overlap_bit) visit(proxies[a], proxies[b & ~overlap_bit]);
+        }
+    }
 
     void release_spare() { pairs_.shrink_to_fit(); }
     std::size_t bytes() const noexcept;

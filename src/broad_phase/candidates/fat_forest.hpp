@@ -25,8 +25,10 @@ class FatForest {
     // Makes the trees those of these fat boxes. Cost: a constant, unless they were left behind.
     void refresh(std::span<const PackedBox> fat_lines);
 
-    // A slot that is free from now on. In trees that were forgotten it is another's, which does no harm.
-    void remove(SlotIndex slot) { forest_.remove(slot); }
+    // A slot that is free from now on.
+    void remove(SlotIndex slot) {
+        if (!is_forgotten_) forest_.remove(slot);
+    }
 
     // Puts slots into the trees: those that were removed or never there; at once, or when trees are brought up to date.
     void add(std::span<const SlotIndex> slots, std::span<const PackedBox> fat_lines);

@@ -56,10 +56,12 @@ bool KeptCandidates::look_up_changes(const FindingUpdate& finding, std::size_t w
     const std::size_t escaped = escaped_.size() + changes.added.size();
     const bool many_escaped = RebuildRule::are_many(escaped, table.size());
     const bool is_degraded = escaped > 0 && rebuild_.is_degraded(forest_.unsorted_count(), slots_.size(), table.size());
-    const bool searches_all = many_escaped || is_degraded;
+    const bool searches_all =
+        many_escaped || is_degraded || (escaped > 0 && rebuild_.is_due(slots_.awake_count(), table.size()));
     const std::size_t filtered = searches_all ? 0 : candidates_.size();
     if (!searches_all) test_candidates(update);
     if (searches_all) drop_candidates();
+    if (RebuildRule::are_many(escaped_.size(), table.size())) margins_.lookahead().limit(lifetime_of_escaped(table));
     for (const ProxyIndex proxy : changes.added) add(proxy, table);
     if (many_escaped || margins_.lookahead().is_due(table.size())) margins_.lookahead().adapt();
     if (many_escaped) margins_.learn_turns(slots_.awake_count());
@@ -71,10 +73,11 @@ bool KeptCandidates::look_up_changes(const FindingUpdate& finding, std::size_t w
         search_escaped(update);
     }
     const std::uint64_t tests = counts.box_tests - tests_before;
-    margins_.lookahead().note(0, tests - update.jump_tests);
+    if (!searches_all) margins_.lookahead().note(0, tests - update.jump_tests);
     keeping_.note_kept({.boxes = table.size(),
                         .moved = changes.moved.size(),
                         .filtered = filtered,
+                        .events = events.began.size() + events.ended.size(),
                         .looked_up = looked_up,
                         .tree_tests = tests,
                         .searched_all = searches_all,
@@ -133,15 +136,19 @@ void KeptCandidates::wake(const FindingUpdate& finding) {
 
 void KeptCandidates::move(const FindingUpdate& finding) {
     const auto& [table, changes, keeper, events, counts] = finding;
-    // Going through all boxes in the order of memory costs less for each.
-    if (2 * changes.moved.size() > slots_.size()) {
+    if (do_most_move(changes)) {
         margins_.frame().advance();
-        slots_.move_all(table, margins_.frame(), escaped_);
+        slots_.move_range(0, slots_.size(), table, margins_.frame(), escaped_);
     } else {
         margins_.frame().stay();
         slots_.move(changes.moved, table, margins_.frame(), escaped_);
     }
     counts.escaped += escaped_.size();
+}
+
+// Going through all boxes in the order of memory costs less for each.
+bool KeptCandidates::do_most_move(const ProxyChanges& changes) const noexcept {
+    return 2 * changes.moved.size() > slots_.size();
 }
 
 void KeptCandidates::test_candidates(const Update& update) {
@@ -167,13 +174,13 @@ void KeptCandidates::put_to_sleep(std::size_t moved_count) {
 
 void KeptCandidates::release_working_memory() {
     search_ = {};
-    release(escaped_, found_, pairs_);
+    release(escaped_, old_fats_, found_, pairs_);
     candidates_.release_spare();
 }
 
 std::size_t KeptCandidates::bytes() const noexcept {
     return slots_.bytes() + margins_.bytes() + candidates_.bytes() + forest_.bytes() + search_.bytes() +
-           bytes_of(escaped_) + bytes_of(found_) + bytes_of(pairs_);
+           bytes_of(escaped_, found_, pairs_) + bytes_of(old_fats_);
 }
 
 void KeptCandidates::validate(const ProxyTable& table) const {

@@ -41,9 +41,15 @@ class KeptCandidates final : public PairFinder {
         bool are_removed_reported;     // the pairs of boxes that were removed are among the events
         std::uint64_t jump_tests = 0;  // for boxes that are far from where they were
     };
+    // Boxes that were given other fat boxes, in an update.
+    struct Fattened {
+        std::size_t count = 0, came = 0;
+        std::vector<SlotIndex> far;  // from where they were
+    };
     struct Foresight {
         KeepingRule::Forecast forecast;
         Vec3 common_step;
+        double lifetime_of_fast;  // updates for which the widest margins last
     };
 
     // kept_candidates.cpp
@@ -51,23 +57,29 @@ class KeptCandidates final : public PairFinder {
     void remove(Update& update);
     void wake(const FindingUpdate& finding);
     void move(const FindingUpdate& finding);
+    bool do_most_move(const ProxyChanges& changes) const noexcept;
     void test_candidates(const Update& update);
     void add(ProxyIndex proxy, const ProxyTable& table);
     void put_to_sleep(std::size_t moved_count);
     void release_working_memory();
 
     // kept_candidates_search.cpp
-    std::vector<SlotIndex> fatten_escaped(const ProxyTable& table);
+    PackedBox fatten(std::size_t index, const ProxyTable& table);
     void search_escaped(Update& update);
-    void link(const EscapedBox& escaped, Update& update);
+    void link(std::size_t index, Update& update);
     const PackedBox& fat_line_before(SlotIndex slot) const noexcept;
 
-    // kept_candidates_everything.cpp
+    // kept_candidates_foresight.cpp
     Foresight foresee(const ProxyTable& table, const ProxyChanges& changes) const;
+    double lifetime_of_escaped(const ProxyTable& table) const;
+
+    // kept_candidates_everything.cpp
     void replace_everything(const FindingUpdate& finding);
     void search_everything(const ProxyTable& table, bool must_sort, BroadPhaseCounts& counts);
     void fatten_everything(const ProxyTable& table, bool must_sort);
     void sort_slots(const ProxyTable& table);
+    void fatten_moved(const FindingUpdate& finding);
+    void fatten_escaped(const ProxyTable& table);
     void drop_candidates();
 
     SlotTable slots_;
@@ -81,6 +93,8 @@ class KeptCandidates final : public PairFinder {
 
     // Working memory of an update.
     std::vector<EscapedBox> escaped_;
+    std::vector<PackedBox> old_fats_;  // of those that are looked up: their fat boxes before; empty of one that came
+    Fattened fattened_;
     std::vector<SlotIndex> found_;
     ProxyPairs pairs_;  // that a search for everything found
 };

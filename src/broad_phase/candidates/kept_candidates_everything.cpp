@@ -1,9 +1,7 @@
 // Updates that search for everything, and compare what they find with the pairs there were: nothing that is kept is
 // asked for.
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -11,101 +9,13 @@
 #include "broad_phase/scratch/list_pairs.hpp"
 
 namespace ecods {
-namespace {
-
-struct Step {
-    std::array<double, 3> down, up;  // of the lower and of the upper end
-    double extent;
-
-    // As a share of the extent, beside what all do; at most 1.
-    double relative(const Vec3& common) const noexcept {
-        double step = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double all = common[static_cast<Eigen::Index>(axis)];
-            step = std::max({step, std::abs(down[axis] - all), std::abs(up[axis] - all)});
-        }
-        return step < extent ? step / extent : 1;
-    }
-};
-
-Step step_of(const PackedBox& before, const Aabb& now) noexcept {
-    Step step{.down = {}, .up = {}, .extent = (now.max - now.min).maxCoeff()};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto k = static_cast<Eigen::Index>(axis);
-        step.down[axis] = now.min[k] - double_of(before.ends[axis]);
-        step.up[axis] = now.max[k] - double_of(~before.ends[axis + 3]);
-    }
-    return step;
-}
-
-// The value that a share of them does not exceed.
-double quantile(std::vector<double> values, double share) {
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-}
-
-double relative_step(std::span<const Step> steps, const Vec3& common, double share) {
-    std::vector<double> relative;
-    for (const Step& step : steps) relative.push_back(step.relative(common));
-    return quantile(std::move(relative), share);
-}
-
-// By axis, what the middle one of them does.
-Vec3 common_step(std::span<const Step> steps) {
-    constexpr double middle = 0.5;
-    Vec3 common;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::vector<double> values;
-        for (const Step& step : steps) values.push_back(std::isfinite(step.down[axis]) ? step.down[axis] : 0);
-        common[static_cast<Eigen::Index>(axis)] = quantile(std::move(values), middle);
-    }
-    return common;
-}
-
-}  // namespace
-
-// From a sample of the boxes that moved.
-KeptCandidates::Foresight KeptCandidates::foresee(const ProxyTable& table, const ProxyChanges& changes) const {
-    constexpr std::size_t sample_max = 128;
-    constexpr double margin_max = 0.5;
-    KeepingRule::Forecast forecast{.boxes = table.size(),
-                                   .moved = changes.moved.size(),
-                                   .looked_up = changes.added.size(),
-                                   .lifetime = margins_.lookahead().updates(),
-                                   .growth = 1};
-    Vec3 common = Vec3::Zero();
-    if (changes.moved.empty()) return {forecast, common};
-    std::vector<Step> steps;
-    const std::size_t count = std::min(changes.moved.size(), sample_max);
-    for (std::size_t i = 0; i < count; ++i) {
-        // By multiples of a large prime, lest all have something in common.
-        const ProxyIndex proxy = changes.moved[i * std::size_t{2654435761} % changes.moved.size()];
-        steps.push_back(step_of(slots_.lines()[slots_.slot_of(proxy)], table.boxes()[proxy]));
-    }
-    double middle = relative_step(steps, common, 0.5);
-    // A frame that goes along takes a pass over all boxes in each update, and must spare nearly all most of what they
-    // do.
-    if (changes.moved.size() + changes.added.size() == table.size()) {
-        constexpr double nearly_all = 0.875, most = 0.25;
-        const Vec3 of_all = common_step(steps);
-        if (relative_step(steps, of_all, nearly_all) < most * middle) {
-            common = of_all;
-            middle = relative_step(steps, common, 0.5);
-        }
-    }
-    if (middle > 0) forecast.lifetime = std::min(margins_.lookahead().updates(), margin_max / middle);
-    // Boxes grow ahead, and by a part of that behind; each of a pair does. Measured: 1.5 times the margin on each axis.
-    const double growth = 1 + 1.5 * forecast.lifetime * middle;
-    forecast.growth = growth * growth * growth;
-    return {forecast, common};
-}
 
 // An update that keeps nothing but boxes, and decides whether they have margins from now on.
 void KeptCandidates::replace_everything(const FindingUpdate& finding) {
     const auto& [table, changes, keeper, events, counts] = finding;
-    const auto [forecast, common_step] = foresee(table, changes);
+    const auto [forecast, common_step, lifetime_of_fast] = foresee(table, changes);
     const bool had_margins = std::exchange(has_margins_, keeping_.pays(forecast));
+    if (has_margins_ && !changes.moved.empty()) margins_.lookahead().start(keeping_.lifetime(), lifetime_of_fast);
     for (const ProxyIndex proxy : changes.removed) {
         forest_.remove(slots_.slot_of(proxy));
         slots_.remove(slots_.slot_of(proxy));
@@ -117,8 +27,7 @@ void KeptCandidates::replace_everything(const FindingUpdate& finding) {
     if (has_margins_) {
         if (!had_margins) slots_.drop_margins();
         for (const ProxyIndex proxy : changes.moved) slots_.wake(slots_.slot_of(proxy));
-        slots_.move(changes.moved, table, frame, escaped_);
-        counts.escaped += escaped_.size();
+        fatten_moved(finding);
     } else {
         slots_.put_all_to_sleep();
         slots_.take(changes.moved, table);
@@ -126,10 +35,34 @@ void KeptCandidates::replace_everything(const FindingUpdate& finding) {
     for (const ProxyIndex proxy : changes.added) add(proxy, table);
     search_everything(table, false, counts);
     ++counts.rebuilds;
-    if (has_margins_) margins_.lookahead().guess(pairs_.size(), slots_.used_count());
+    if (has_margins_ && changes.moved.empty()) {
+        margins_.lookahead().start(Lookahead::guess(pairs_.size(), slots_.used_count()));
+    }
     if (has_margins_ && changes.moved.empty() && RebuildRule::are_many(changes.added.size(), table.size())) {
         forest_.refresh(slots_.fat_lines());  // which the first one to move or to come would wait for
     }
+}
+
+// Boxes move, and those that escape get other fat boxes. A part at a time: most of them do, and a list of all would be
+// written to memory and read again.
+void KeptCandidates::fatten_moved(const FindingUpdate& finding) {
+    constexpr std::size_t part = 1024;
+    const std::size_t end = do_most_move(finding.changes) ? slots_.size() : 0;
+    for (std::size_t begin = 0; begin < end; begin += part) {
+        slots_.move_range(begin, std::min(begin + part, end), finding.table, margins_.frame(), escaped_);
+        finding.counts.escaped += escaped_.size();
+        fatten_escaped(finding.table);
+    }
+    if (end > 0) return;
+    slots_.move(finding.changes.moved, finding.table, margins_.frame(), escaped_);
+    finding.counts.escaped += escaped_.size();
+    fatten_escaped(finding.table);
+}
+
+void KeptCandidates::fatten_escaped(const ProxyTable& table) {
+    for (std::size_t i = 0; i < escaped_.size(); ++i) fattened_.came += fatten(i, table).is_empty() ? 1 : 0;
+    fattened_.count += escaped_.size();
+    escaped_.clear();
 }
 
 void KeptCandidates::drop_candidates() {
@@ -143,16 +76,21 @@ void KeptCandidates::search_everything(const ProxyTable& table, bool must_sort, 
     std::vector<CandidateList::SlotPair>& found = candidates_.found();
     if (has_margins_) {
         fatten_everything(table, must_sort);
-        counts.box_tests += search_.find_pairs(slots_.fat_lines(), found) + found.size();
-        std::vector<std::array<ProxyIndex, 2>> overlapping;
-        candidates_.settle(slots_, overlapping);
+        const std::uint64_t tests = search_.find_pairs(slots_.fat_lines(), found) + found.size();
+        counts.box_tests += tests;
+        margins_.lookahead().note_everything(tests);
+        candidates_.settle(slots_);
+        const auto for_each = [&](const auto& visit) { candidates_.for_each_overlapping(slots_, visit); };
+        list_each_pair(for_each, table.end(), pairs_);
+        candidates_.drop_asleep(slots_);
         slots_.settle_all_escaped();
-        list_pairs(overlapping, table.end(), pairs_);
     } else {
         forest_.forget();
         counts.box_tests += search_.find_pairs(slots_.lines(), found) + found.size();
-        for (auto& [a, b] : found) a = slots_.proxies()[a], b = slots_.proxies()[b];
-        list_pairs(found, table.end(), pairs_);
+        const auto for_each = [&, proxies = slots_.proxies().data()](const auto& visit) {
+            for (const auto& [a, b] : found) visit(proxies[a], proxies[b]);
+        };
+        list_each_pair(for_each, table.end(), pairs_);
         candidates_.clear();
     }
     keeping_.note_pairs(pairs_.size());
@@ -162,21 +100,23 @@ void KeptCandidates::search_everything(const ProxyTable& table, bool must_sort, 
 // Gives the boxes that escaped, or would soon, other fat boxes. Puts neighbours beside each other where they are not,
 // or leaves the forest behind.
 void KeptCandidates::fatten_everything(const ProxyTable& table, bool must_sort) {
-    const std::vector<SlotIndex> far = fatten_escaped(table);
+    fatten_escaped(table);
+    Fattened fattened = std::exchange(fattened_, {});
+    std::size_t renewed = fattened.count;
     for (SlotIndex slot = 0; slot < slots_.size(); ++slot) {
         if (!slots_.has(slot, SlotTable::awake) || slots_.has(slot, SlotTable::escaped)) continue;
         PackedBox fat = slots_.fat_lines()[slot];
         if (margins_.renew(slot, table.boxes()[slots_.proxies()[slot]], slots_.lines()[slot], fat)) {
             slots_.set_fat(slot, fat);
+            ++renewed;
         }
     }
-    const auto came = static_cast<std::size_t>(std::count_if(
-        escaped_.begin(), escaped_.end(), [](const EscapedBox& escaped) { return escaped.old_fat.is_empty(); }));
-    if (rebuild_.is_order_due(escaped_.size(), came, table.size()) || must_sort) {
+    rebuild_.note_everything(renewed, table.size());
+    if (rebuild_.is_order_due(fattened.count, fattened.came, table.size()) || must_sort) {
         sort_slots(table);
     } else {
         forest_.leave_behind();
-        forest_.add(far, slots_.fat_lines());
+        forest_.add(fattened.far, slots_.fat_lines());
     }
 }
 

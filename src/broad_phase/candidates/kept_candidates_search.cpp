@@ -1,5 +1,6 @@
 // The candidates of boxes that came, or left their fat boxes.
 #include <algorithm>
+#include <utility>
 
 #include "broad_phase/candidates/kept_candidates.hpp"
 
@@ -15,35 +16,33 @@ bool has_lower_slot(const EscapedBox& a, const EscapedBox& b) noexcept {
 
 }  // namespace
 
-// Gives the escaped boxes their new fat boxes. Returns those that are far from where they were, or new: in their old
-// place in the forest, they would stretch the bounds around it.
-std::vector<SlotIndex> KeptCandidates::fatten_escaped(const ProxyTable& table) {
-    std::vector<SlotIndex> far;
-    for (std::size_t i = 0; i < escaped_.size(); ++i) {
-        if (i + 2 * escaped_ahead < escaped_.size()) slots_.prefetch(escaped_[i + 2 * escaped_ahead].slot);
-        if (i + escaped_ahead < escaped_.size()) {
-            __builtin_prefetch(&table.boxes()[slots_.proxies()[escaped_[i + escaped_ahead].slot]]);
-        }
-        EscapedBox& escaped = escaped_[i];
-        const SlotIndex slot = escaped.slot;
-        escaped.old_fat = slots_.fat_lines()[slot];
-        const PackedBox fat =
-            margins_.fat_box(escaped, table.boxes()[slots_.proxies()[slot]], slots_.lines()[slot], escaped.old_fat);
-        slots_.set_fat(slot, fat);
-        if (escaped.old_fat.is_empty() || !overlap(escaped.old_fat, fat)) far.push_back(slot);
+// Gives an escaped box its new fat box, and returns the old one. One that is far from where it was, or new, is noted:
+// in its old place in the forest, it would stretch the bounds around it.
+PackedBox KeptCandidates::fatten(std::size_t index, const ProxyTable& table) {
+    if (index + 2 * escaped_ahead < escaped_.size()) slots_.prefetch(escaped_[index + 2 * escaped_ahead].slot);
+    if (index + escaped_ahead < escaped_.size()) {
+        __builtin_prefetch(&table.boxes()[slots_.proxies()[escaped_[index + escaped_ahead].slot]]);
     }
-    return far;
+    const EscapedBox& escaped = escaped_[index];
+    const SlotIndex slot = escaped.slot;
+    const PackedBox old_fat = slots_.fat_lines()[slot];
+    const PackedBox fat =
+        margins_.fat_box(escaped, table.boxes()[slots_.proxies()[slot]], slots_.lines()[slot], old_fat);
+    slots_.set_fat(slot, fat);
+    if (old_fat.is_empty() || !overlap(old_fat, fat)) fattened_.far.push_back(slot);
+    return old_fat;
 }
 
 void KeptCandidates::search_escaped(Update& update) {
     if (escaped_.empty()) return;
-    rebuild_.note_searched(escaped_.size());
-    const std::vector<SlotIndex> far = fatten_escaped(update.finding.table);
+    rebuild_.note_looked_up(escaped_.size());
     if (!std::is_sorted(escaped_.begin(), escaped_.end(), has_lower_slot)) {
         std::sort(escaped_.begin(), escaped_.end(), has_lower_slot);
     }
+    old_fats_.clear();
+    for (std::size_t i = 0; i < escaped_.size(); ++i) old_fats_.push_back(fatten(i, update.finding.table));
     const auto fat_lines = slots_.fat_lines();
-    forest_.add(far, fat_lines);
+    forest_.add(std::exchange(fattened_, {}).far, fat_lines);
     if (forest_.is_behind()) {
         forest_.refresh(fat_lines);
     } else {
@@ -54,7 +53,7 @@ void KeptCandidates::search_escaped(Update& update) {
     }
     for (std::size_t i = 0; i < escaped_.size(); ++i) {
         if (i + escaped_ahead < escaped_.size()) forest_.prefetch(escaped_[i + escaped_ahead].slot);
-        link(escaped_[i], update);
+        link(i, update);
     }
     slots_.settle_escaped(escaped_);
     escaped_.clear();
@@ -63,28 +62,30 @@ void KeptCandidates::search_escaped(Update& update) {
 // The fat box that a slot had before boxes escaped, which are in the order of their slots.
 const PackedBox& KeptCandidates::fat_line_before(SlotIndex slot) const noexcept {
     if (!slots_.has(slot, SlotTable::escaped)) return slots_.fat_lines()[slot];
-    return std::lower_bound(escaped_.begin(), escaped_.end(), slot,
-                            [](const EscapedBox& escaped, SlotIndex wanted) { return escaped.slot < wanted; })
-        ->old_fat;
+    const auto place =
+        std::lower_bound(escaped_.begin(), escaped_.end(), slot,
+                         [](const EscapedBox& escaped, SlotIndex wanted) { return escaped.slot < wanted; });
+    return old_fats_[static_cast<std::size_t>(place - escaped_.begin())];
 }
 
 // Adds the candidates of a box with a new fat box. What is known of those that it had is right already, and one that is
 // new and overlaps did not do so before: it would have been a candidate.
-void KeptCandidates::link(const EscapedBox& escaped, Update& update) {
+void KeptCandidates::link(std::size_t index, Update& update) {
     const auto lines = slots_.lines(), fat_lines = slots_.fat_lines();
-    const SlotIndex slot = escaped.slot;
+    const SlotIndex slot = escaped_[index].slot;
+    const PackedBox& old_fat = old_fats_[index];
     BoxReach reach, reach_before;
     make_reach(fat_lines[slot], reach);
     found_.clear();
     const std::uint64_t tests = forest_.find(reach, found_) + found_.size();
     update.finding.counts.box_tests += tests;
-    if (!overlaps(escaped.old_fat, reach)) update.jump_tests += tests;
+    if (!overlaps(old_fat, reach)) update.jump_tests += tests;
     for (const SlotIndex partner : found_) {
         __builtin_prefetch(&fat_lines[partner]);
         __builtin_prefetch(&lines[partner]);
     }
     make_reach(lines[slot], reach);
-    make_reach(escaped.old_fat, reach_before);
+    make_reach(old_fat, reach_before);
     for (const SlotIndex partner : found_) {
         // Of two that escaped, the first does it.
         if (partner == slot || (slots_.has(partner, SlotTable::escaped) && partner < slot)) continue;

@@ -18,14 +18,15 @@ class Lookahead {
     double updates() const noexcept { return updates_; }
 
     // Of an update: candidates that were tested and had not overlapped, and tests that looked for candidates of boxes
-    // that escaped. Those for boxes that jumped do not count: no margin would have spared them.
+    // that escaped, in trees. Those for boxes that jumped do not count: no margin would have spared them.
     void note(std::size_t wasted, std::uint64_t searched) noexcept {
-        // A test in a search costs more than one of a candidate, since it comes with sorting, linking and a new fat
-        // box.
+        // A test in trees costs more than one of a candidate, since it comes with linking and a new fat box.
         constexpr double search_cost = 2;
         wasted_ += static_cast<double>(wasted);
         searched_ += search_cost * static_cast<double>(searched);
     }
+    // That a search for everything made, many at a time. It sorts boxes and gives them margins beside.
+    void note_everything(std::uint64_t tests) noexcept { searched_ += static_cast<double>(tests); }
     void note_update() noexcept { ++updates_since_adapted_; }
 
     // Whether so much work was noted of so many boxes that there is something to learn.
@@ -35,7 +36,7 @@ class Lookahead {
         constexpr std::size_t updates_min = 2;  // fewer are no motion to learn from
         if (updates_since_adapted_ >= updates_min) {
             updates_ *= std::clamp(std::sqrt((searched_ + 1) / (wasted_ + 1)), 0.5, 2.0);
-            updates_ = std::clamp(updates_, least, most);
+            updates_ = std::clamp(updates_, least, limit_);
         }
         wasted_ = searched_ = 0;
     }
@@ -43,11 +44,19 @@ class Lookahead {
     // Before anything is known of a motion: what is tested for nothing grows with the pairs there are, and what a
     // search costs does not, so that the best lookahead falls with the root of the pairs a box has. Measured, of boxes
     // of like sizes.
-    void guess(std::size_t pairs, std::size_t boxes) noexcept {
+    static double guess(std::size_t pairs, std::size_t boxes) noexcept {
         constexpr double for_one_pair = 50;
         const double pairs_per_box = static_cast<double>(pairs + 1) / static_cast<double>(boxes + 1);
-        updates_ = std::clamp(for_one_pair / std::sqrt(pairs_per_box), least, most);
+        return std::clamp(for_one_pair / std::sqrt(pairs_per_box), least, most);
     }
+
+    // Of a motion that has just begun, or changed, and of which fast boxes have margins for so many updates at most.
+    void start(double updates, double limit = most) noexcept {
+        this->limit(limit);
+        updates_ = std::clamp(updates, least, limit_);
+        wasted_ = searched_ = 0;
+    }
+    void limit(double updates) noexcept { limit_ = std::clamp(updates, least, most); }
 
     // The updates that were noted since all boxes got other margins.
     std::size_t restart() noexcept { return std::exchange(updates_since_adapted_, 0); }
@@ -56,6 +65,7 @@ class Lookahead {
     static constexpr double least = 2, most = 64;
 
     double updates_ = 24;
+    double limit_ = most;
     double wasted_ = 0, searched_ = 0;
     std::size_t updates_since_adapted_ = 0;
 };

@@ -16,9 +16,6 @@ constexpr double back = 0.125;  // the margin behind, for turning back, as a sha
 // Of boxes that move together, as a share of the extent, for what each does beside that.
 constexpr double common_motion_margin = 0x1p-7;
 
-// A margin that lasts for fewer steps is not worth its candidates.
-constexpr std::uint32_t steps_min = 2;
-
 constexpr std::uint32_t all_axes = 7;
 
 // Of the number of an update, so much is kept.
@@ -68,9 +65,9 @@ void Margins::turn_margin(const PackedBox& line, const PackedBox& old_line, cons
     }
 }
 
-// Whether the margin ahead is nearly used up.
+// Whether half of the margin is used up.
 bool Margins::is_about_to_escape(const PackedBox& line, const PackedBox& fat_line, const MotionHint& hint) noexcept {
-    constexpr double left = 0.125;
+    constexpr double left = 0.5;
     const KeyBox box = key_box(line);
     const KeyBox fat = key_box(fat_line);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -111,7 +108,7 @@ void Margins::grow_ahead(MotionHint& hint, const Vec3& down, const Vec3& up, dou
 PackedBox Margins::fat_box(const EscapedBox& escaped, const Aabb& box, const PackedBox& line,
                            const PackedBox& old_fat) noexcept {
     const double largest = (box.max - box.min).maxCoeff();
-    const double margin_max = 0.5 * (largest < mean_extent_ ? mean_extent_ : largest);
+    const double margin_max = widest * (largest < mean_extent_ ? mean_extent_ : largest);
     const PackedBox here = in_frame(box, line);
     if (!(margin_max <= std::numeric_limits<double>::max())) return here;
     const Vec3 went = frame_.went();

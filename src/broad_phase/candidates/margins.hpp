@@ -17,6 +17,9 @@ namespace ecods {
 // is is a matter of speed.
 class Margins {
   public:
+    static constexpr double widest = 0.5;          // of margins, as a share of the extent
+    static constexpr std::uint32_t steps_min = 2;  // one that lasts for fewer is not worth its candidates
+
     MovingFrame& frame() noexcept { return frame_; }
     const MovingFrame& frame() const noexcept { return frame_; }
     Lookahead& lookahead() noexcept { return lookahead_; }
@@ -31,8 +34,8 @@ class Margins {
     // A fat box for one that escaped, which is `box` now, and `line` packed. `fat` is the fat box that it left.
     PackedBox fat_box(const EscapedBox& escaped, const Aabb& box, const PackedBox& line, const PackedBox& fat) noexcept;
 
-    // Whether a box has nearly used up the margin ahead, and `fat` is another fat box for it: what would escape soon
-    // would ask for another search of everything then.
+    // Whether a box has used up half of its margin, and `fat` is another fat box for it: what would escape before
+    // others do would be looked up alone, or ask for another search of everything.
     bool renew(SlotIndex slot, const Aabb& box, const PackedBox& line, PackedBox& fat) const noexcept;
 
     // Learns which directions boxes often turn in, say because they lie in one layer, from the moves of so many boxes.

@@ -16,8 +16,7 @@ namespace ecods {
 // A box that left its fat box, or came.
 struct EscapedBox {
     SlotIndex slot;
-    PackedBox before;     // the box that it was before the update
-    PackedBox old_fat{};  // what its fat box was before it got another; empty of one that came
+    PackedBox before;  // the box that it was before the update
 };
 
 // Boxes and their fat boxes in slots, numbered so that neighbours are close in memory, and what is known of each. Fat
@@ -55,7 +54,8 @@ class SlotTable {
     void remove(SlotIndex slot);
 
     // ---- moving: takes boxes from the table, and appends those that left their fat boxes
-    void move_all(const ProxyTable& table, const MovingFrame& frame, std::vector<EscapedBox>& escaped);
+    void move_range(std::size_t begin, std::size_t end, const ProxyTable& table, const MovingFrame& frame,
+                    std::vector<EscapedBox>& escaped);  // of all slots, in the order of memory
     void move(std::span<const ProxyIndex> proxies, const ProxyTable& table, const MovingFrame& frame,
               std::vector<EscapedBox>& escaped);
     void take(std::span<const ProxyIndex> proxies, const ProxyTable& table);  // fat boxes are not looked at

@@ -33,10 +33,10 @@ ECODS_ALWAYS_INLINE bool is_in_fat_box(const MovingFrame& frame, const PackedBox
     return contains(fat_line, in_frame);
 }
 
-ECODS_ALWAYS_INLINE void move_all_slots(const SlotView& slots, const Aabb* boxes, const MovingFrame& moving_frame,
-                                        std::vector<EscapedBox>& escaped) {
+ECODS_ALWAYS_INLINE void move_slots(const SlotView& slots, std::size_t begin, std::size_t end, const Aabb* boxes,
+                                    const MovingFrame& moving_frame, std::vector<EscapedBox>& escaped) {
     const MovingFrame frame = moving_frame;
-    for (std::size_t slot = 0; slot < slots.size; ++slot) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
         prefetch_box_ahead(slots, boxes, slot);
         BoxLanes lanes;
         const Aabb& box = boxes[slots.proxies[slot]];
@@ -80,9 +80,10 @@ ECODS_ALWAYS_INLINE void take_all_slots(const SlotView& slots, const Aabb* boxes
 
 }  // namespace
 
-void SlotTable::move_all(const ProxyTable& table, const MovingFrame& frame, std::vector<EscapedBox>& escaped_boxes) {
+void SlotTable::move_range(std::size_t begin, std::size_t end, const ProxyTable& table, const MovingFrame& frame,
+                           std::vector<EscapedBox>& escaped_boxes) {
     const SlotView slots{lines_.data(), fat_lines_.data(), proxies_.data(), size()};
-    dispatch<move_all_slots>(slots, table.boxes().data(), frame, escaped_boxes);
+    dispatch<move_slots>(slots, begin, end, table.boxes().data(), frame, escaped_boxes);
 }
 
 void SlotTable::move(std::span<const ProxyIndex> proxies, const ProxyTable& table, const MovingFrame& frame,

@@ -1,0 +1,131 @@
+// What is foreseen of boxes that move: whether they do so together, how far, and for how long margins can last.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "broad_phase/candidates/kept_candidates.hpp"
+
+namespace ecods {
+namespace {
+
+struct Step {
+    std::array<double, 3> down, up;  // of the lower and of the upper end
+    double extent;
+
+    // As a share of the extent, beside what all do; at most 1.
+    double relative(const Vec3& common) const noexcept {
+        double step = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double all = common[static_cast<Eigen::Index>(axis)];
+            step = std::max({step, std::abs(down[axis] - all), std::abs(up[axis] - all)});
+        }
+        return step < extent ? step / extent : 1;
+    }
+};
+
+Step step_of(const PackedBox& before, const Aabb& now) noexcept {
+    Step step{.down = {}, .up = {}, .extent = (now.max - now.min).maxCoeff()};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto k = static_cast<Eigen::Index>(axis);
+        step.down[axis] = now.min[k] - double_of(before.ends[axis]);
+        step.up[axis] = now.max[k] - double_of(~before.ends[axis + 3]);
+    }
+    return step;
+}
+
+// The value that a share of them does not exceed.
+double quantile(std::vector<double> values, double share) {
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+}
+
+double relative_step(std::span<const Step> steps, const Vec3& common, double share) {
+    std::vector<double> relative;
+    for (const Step& step : steps) relative.push_back(step.relative(common));
+    return quantile(std::move(relative), share);
+}
+
+// By axis, what the middle one of them does.
+Vec3 common_step(std::span<const Step> steps) {
+    constexpr double middle = 0.5;
+    Vec3 common;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::vector<double> values;
+        for (const Step& step : steps) values.push_back(std::isfinite(step.down[axis]) ? step.down[axis] : 0);
+        common[static_cast<Eigen::Index>(axis)] = quantile(std::move(values), middle);
+    }
+    return common;
+}
+
+// The updates for which the widest margin of a fast box lasts. One that is meant to last longer would be escaped from
+// by some before it is by all, and those would be looked up one by one.
+double lifetime_of_fast(std::span<const Step> steps, const Vec3& common) {
+    constexpr double fast_share = 0.9;
+    const double fast = relative_step(steps, common, fast_share);
+    return fast > 0 ? Margins::widest / fast : std::numeric_limits<double>::infinity();
+}
+
+// Of those that would leave any margin within some steps, and get none.
+double share_without_margins(std::span<const Step> steps, const Vec3& common) {
+    const auto leaves = [&](const Step& step) { return Margins::steps_min * step.relative(common) > Margins::widest; };
+    return static_cast<double>(std::ranges::count_if(steps, leaves)) / static_cast<double>(steps.size());
+}
+
+// The places of a sample of so many. By multiples of a large prime, lest all have something in common.
+template <class Visit>
+void for_some_of(std::size_t count, const Visit& visit) {
+    constexpr std::size_t sample_max = 128, prime = 2654435761;
+    for (std::size_t i = 0; i < std::min(count, sample_max); ++i) visit(i * prime % count);
+}
+
+}  // namespace
+
+// From a sample of the boxes that moved.
+KeptCandidates::Foresight KeptCandidates::foresee(const ProxyTable& table, const ProxyChanges& changes) const {
+    KeepingRule::Forecast forecast{.boxes = table.size(),
+                                   .moved = changes.moved.size(),
+                                   .came = changes.added.size(),
+                                   .jumping = 0,
+                                   .step = 0,
+                                   .lifetime_max = Lookahead::guess(keeping_.pairs(), table.size())};
+    Vec3 common = Vec3::Zero();
+    if (changes.moved.empty()) return {forecast, common, forecast.lifetime_max};
+    std::vector<Step> steps;
+    for_some_of(changes.moved.size(), [&](std::size_t place) {
+        const ProxyIndex proxy = changes.moved[place];
+        steps.push_back(step_of(slots_.lines()[slots_.slot_of(proxy)], table.boxes()[proxy]));
+    });
+    double middle = relative_step(steps, common, 0.5);
+    // A frame that goes along takes a pass over all boxes in each update, and must spare nearly all most of what they
+    // do.
+    if (changes.moved.size() + changes.added.size() == table.size()) {
+        constexpr double nearly_all = 0.875, most = 0.25;
+        const Vec3 of_all = common_step(steps);
+        if (relative_step(steps, of_all, nearly_all) < most * middle) {
+            common = of_all;
+            middle = relative_step(steps, common, 0.5);
+        }
+    }
+    forecast.step = middle;
+    forecast.jumping = static_cast<double>(changes.moved.size()) * share_without_margins(steps, common);
+    const double limit = lifetime_of_fast(steps, common);
+    forecast.lifetime_max = std::min(forecast.lifetime_max, limit);
+    return {forecast, common, limit};
+}
+
+// From a sample of the boxes that escaped, many at once.
+double KeptCandidates::lifetime_of_escaped(const ProxyTable& table) const {
+    std::vector<Step> steps;
+    for_some_of(escaped_.size(), [&](std::size_t place) {
+        const EscapedBox& escaped = escaped_[place];
+        steps.push_back(step_of(escaped.before, table.boxes()[slots_.proxies()[escaped.slot]]));
+    });
+    return lifetime_of_fast(steps, margins_.frame().went());
+}
+
+}  // namespace ecods
