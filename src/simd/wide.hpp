@@ -22,7 +22,7 @@ namespace ecods::wide {
 using Floats = __m512;
 using Mask = __mmask16;
 
-// For intrinsics whose plain form g++ 12 takes for a use of something uninitialised.
+// Every lane. Intrinsics are given it where g++ 12 takes their plain form for a use of something uninitialised.
 inline constexpr Mask all = 0xffff;
 
 // Eight floats, aligned as a vector of them, in the first eight lanes and again in the last.
