@@ -76,8 +76,10 @@ ECODS_ALWAYS_INLINE decltype(auto) dispatch_by_width(Arguments&&... arguments) {
 #if ECODS_CAN_DISPATCH
 template <auto four_wide, auto eight_wide, auto sixteen_wide, class... Arguments>
 ECODS_ALWAYS_INLINE decltype(auto) dispatch_by_three_widths(Arguments&&... arguments) {
-    if (read_instruction_set() == InstructionSet::avx512) return sixteen_wide(std::forward<Arguments>(arguments)...);
-    return dispatch_by_width<four_wide, eight_wide>(std::forward<Arguments>(arguments)...);
+    const InstructionSet in_use = read_instruction_set();
+    if (in_use == InstructionSet::avx512) return sixteen_wide(std::forward<Arguments>(arguments)...);
+    if (in_use == InstructionSet::avx2) return on_avx2<eight_wide>(std::forward<Arguments>(arguments)...);
+    return on_baseline<four_wide>(std::forward<Arguments>(arguments)...);
 }
 #endif
 
