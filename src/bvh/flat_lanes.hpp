@@ -84,7 +84,8 @@ struct FlatLanes : ProjectedLanes<width> {
         for (; rows != 0; rows &= rows - 1) {
             const auto i = static_cast<std::size_t>(std::countr_zero(rows));
             const auto extent = [&](std::size_t axis) -> Floats {
-                const Floats low = x_spans.low[axis][i] + Floats{}, high = x_spans.high[axis][i] + Floats{};
+                const auto low = broadcast<Floats>(x_spans.low[axis][i]),
+                           high = broadcast<Floats>(x_spans.high[axis][i]);
                 return max(high, load(y_spans.high[axis], part)) - min(low, load(y_spans.low[axis], part));
             };
             const Floats ex = extent(k), ey = extent(l);

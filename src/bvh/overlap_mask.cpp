@@ -7,6 +7,7 @@
 #include "bvh/triangle_lanes.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/vec.hpp"
+#include "simd/wide.hpp"
 
 namespace ecods {
 namespace {
@@ -55,11 +56,11 @@ struct Kernel : ProjectedLanes<width> {
 
     // Clears the bits of pairs of triangles that are proven to be apart, and returns which are proven to cross.
     ECODS_ALWAYS_INLINE static std::uint64_t find_triangles(const AxisSet& set, const Triangles& x, const Triangles& y,
-                                                            Ints (&near)[part_count], std::uint32_t rows) noexcept {
+                                                            Ints (&near)[part_count]) noexcept {
         if (set.flat_axis >= 0) {
             for (std::size_t part = 0; part < part_count; ++part) {
-                near[part] &=
-                    FlatLanes<width>::find_near_edges(set, x.corners, x.spans, y.corners, y.spans, part, rows);
+                near[part] &= FlatLanes<width>::find_near_edges(set, x.corners, x.spans, y.corners, y.spans, part,
+                                                                rows_of(near[part]));
             }
             return 0;
         }
@@ -67,11 +68,14 @@ struct Kernel : ProjectedLanes<width> {
         std::uint64_t crossing = 0;
         for (std::size_t part = 0; part < part_count; ++part) {
             const auto found = TriangleLanes<width>::find(set.point_error, x.corners, x.spans, normals, y.corners,
-                                                          y.spans, part, near[part], rows);
+                                                          y.spans, part, near[part], rows_of(near[part]));
             near[part] = found.near;
             collect(found.crossing, part, crossing);
         }
         return set.is_bijective ? crossing : 0;
+    }
+    ECODS_ALWAYS_INLINE static std::uint32_t rows_of(const Ints& near) noexcept {
+        return static_cast<std::uint32_t>(any_bits(near));
     }
 
     // Nothing crosses but triangles of two leaves.
@@ -106,24 +110,108 @@ struct Kernel : ProjectedLanes<width> {
         place(sets[1].a, x, other, other_x);
         place(sets[1].b, y, other, other_y);
         for (std::size_t part = 0; part < part_count; ++part) near[part] &= find_near(other_x, other_y, part, rows);
-        rows = bits_of(near);
-        if (rows == 0) return {};
+        if (bits_of(near) == 0) return {};
 
         const std::uint64_t lanes_of_y = ~std::uint64_t{0} >> (64 - tree_width * y.count);
         std::uint64_t pairs = 0, crossing = 0;
         if constexpr (std::is_same_v<X, TreeLeaf> && std::is_same_v<Y, TreeLeaf>) {
-            crossing = find_triangles(sets[0], {corners_x, spans_x}, {corners_y, spans_y}, near, rows);
+            crossing = find_triangles(sets[0], {corners_x, spans_x}, {corners_y, spans_y}, near);
         }
         for (std::size_t part = 0; part < part_count; ++part) collect(near[part], part, pairs);
         return {pairs & lanes_of_y, crossing & lanes_of_y};
     }
 };
 
+#if ECODS_CAN_DISPATCH
+// Two rows of pairs at once: masks of sixteen bits are two bytes of the answer. What has no pairs is that of the
+// others.
+struct WideKernel : Kernel<8> {
+    // Returns those of `pairs` whose spans are not apart on any axis.
+    ECODS_WIDE_INLINE static std::uint64_t find_near(const Spans& x, const Spans& y, std::uint64_t pairs) noexcept {
+        const wide::Floats x_low[3] = {twice(x.low[0]), twice(x.low[1]), twice(x.low[2])},
+                           x_high[3] = {twice(x.high[0]), twice(x.high[1]), twice(x.high[2])},
+                           y_low[3] = {twice(y.low[0]), twice(y.low[1]), twice(y.low[2])},
+                           y_high[3] = {twice(y.high[0]), twice(y.high[1]), twice(y.high[2])};
+        return near_two<0>(x_low, x_high, y_low, y_high, pairs) | near_two<2>(x_low, x_high, y_low, y_high, pairs) |
+               near_two<4>(x_low, x_high, y_low, y_high, pairs) | near_two<6>(x_low, x_high, y_low, y_high, pairs);
+    }
+
+    // As Kernel::find_in_slab, as bits.
+    template <class Other>
+    ECODS_WIDE_INLINE static std::uint32_t in_slab(const AxisSet& set, const Slab& slab, const Projection& p,
+                                                   const Other& other, float shift) noexcept {
+        const SlabAxis axis(set, slab, p, shift);
+        Floats low, high;
+        find_ends(other, axis.m, 0, low, high);
+        return wide::not_outside(low, high, axis.low, axis.high);
+    }
+
+    // As Kernel::find.
+    template <class X, class Y>
+    ECODS_WIDE static TrianglePairs find(const Sets& sets, const X& x, const Y& y) noexcept {
+        std::uint64_t pairs = ~std::uint64_t{0} >> (64 - tree_width * y.count);
+        if (sets[0].a.is_unit) {
+            pairs &= wide::bytes_of(in_slab(sets[0], x.slab, sets[0].b, y, 1));
+            if (pairs == 0) return {};
+        }
+        std::uint32_t lanes_of_x = x.lanes();
+        if (sets[1].b.is_unit) {
+            lanes_of_x &= in_slab(sets[1], y.slab, sets[1].a, x, -1);
+            if (lanes_of_x == 0) return {};
+        }
+        pairs &= lanes_of_x * 0x0101010101010101;
+
+        Corners corners_x, corners_y, other;
+        Spans spans_x, spans_y, other_x, other_y;
+        place(sets[0].a, x, corners_x, spans_x);
+        place(sets[0].b, y, corners_y, spans_y);
+        pairs = find_near(spans_x, spans_y, pairs);
+        if (pairs == 0) return {};
+        place(sets[1].a, x, other, other_x);
+        place(sets[1].b, y, other, other_y);
+        pairs = find_near(other_x, other_y, pairs);
+        if (pairs == 0) return {};
+
+        std::uint64_t crossing = 0;
+        if constexpr (std::is_same_v<X, TreeLeaf> && std::is_same_v<Y, TreeLeaf>) {
+            Ints near[1];
+            wide::store_bytes(pairs, near[0]);
+            crossing = pairs & find_triangles(sets[0], {corners_x, spans_x}, {corners_y, spans_y}, near);
+            pairs = wide::load_bytes(near[0]);
+        }
+        return {pairs, crossing};
+    }
+
+  private:
+    ECODS_WIDE_INLINE static wide::Floats twice(const FloatLanes& lanes) noexcept { return wide::twice(lanes.data()); }
+
+    // Of lanes j and j + 1 of y.
+    template <int j>
+    ECODS_WIDE_INLINE static std::uint64_t near_two(const wide::Floats (&x_low)[3], const wide::Floats (&x_high)[3],
+                                                    const wide::Floats (&y_low)[3], const wide::Floats (&y_high)[3],
+                                                    std::uint64_t pairs) noexcept {
+        // A comparison waits for the mask of the one before it: two chains take half as long as one, and more are no
+        // faster.
+        auto begin = static_cast<wide::Mask>(pairs >> (8 * j));
+        wide::Mask end = wide::all;
+        for (std::size_t k = 0; k < 3; ++k) {
+            begin = wide::not_above(begin, x_low[k], wide::two_of<j>(y_high[k]));
+            end = wide::not_below(end, x_high[k], wide::two_of<j>(y_low[k]));
+        }
+        return static_cast<std::uint64_t>(begin & end) << (8 * j);
+    }
+};
+#endif
+
 using Sets = std::array<AxisSet, 2>;
 
 template <class X, class Y>
 TrianglePairs widest(const Sets& sets, const X& x, const Y& y) noexcept {
+#if ECODS_CAN_DISPATCH
+    return dispatch_by_three_widths<Kernel<4>::find<X, Y>, Kernel<8>::find<X, Y>, WideKernel::find<X, Y>>(sets, x, y);
+#else
     return dispatch_by_width<Kernel<4>::find<X, Y>, Kernel<8>::find<X, Y>>(sets, x, y);
+#endif
 }
 
 }  // namespace

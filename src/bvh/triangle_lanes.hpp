@@ -47,7 +47,7 @@ struct TriangleLanes : ProjectedLanes<width> {
     // The corner of triangle i, in all lanes.
     ECODS_ALWAYS_INLINE static Vectors corner_of(const Corners& corners, std::size_t c, std::size_t i) noexcept {
         const auto& at = corners.at[c];
-        return {at[0][i] + Floats{}, at[1][i] + Floats{}, at[2][i] + Floats{}};
+        return {broadcast<Floats>(at[0][i]), broadcast<Floats>(at[1][i]), broadcast<Floats>(at[2][i])};
     }
 
     ECODS_ALWAYS_INLINE static Vectors choose(Ints mask, const Vectors& yes, const Vectors& no) noexcept {
@@ -131,7 +131,7 @@ struct TriangleLanes : ProjectedLanes<width> {
             const auto i = static_cast<std::size_t>(std::countr_zero(rows));
             const int bit = 1 << i;
             const auto extent = [&](std::size_t k) -> Floats {
-                const Floats low = x_spans.low[k][i] + Floats{}, high = x_spans.high[k][i] + Floats{};
+                const auto low = broadcast<Floats>(x_spans.low[k][i]), high = broadcast<Floats>(x_spans.high[k][i]);
                 return max(high, load(y_spans.high[k], part)) - min(low, load(y_spans.low[k], part));
             };
             const Floats ex = extent(0), ey = extent(1), ez = extent(2);

@@ -71,4 +71,16 @@ ECODS_ALWAYS_INLINE decltype(auto) dispatch_by_width(Arguments&&... arguments) {
     return on_baseline<four_wide>(std::forward<Arguments>(arguments)...);
 }
 
+// As dispatch_by_width, with a third body for registers of sixteen floats: a function for InstructionSet::avx512 itself
+// (ECODS_WIDE in simd/wide.hpp), which is called as it is.
+#if ECODS_CAN_DISPATCH
+template <auto four_wide, auto eight_wide, auto sixteen_wide, class... Arguments>
+ECODS_ALWAYS_INLINE decltype(auto) dispatch_by_three_widths(Arguments&&... arguments) {
+    const InstructionSet in_use = read_instruction_set();
+    if (in_use == InstructionSet::avx512) return sixteen_wide(std::forward<Arguments>(arguments)...);
+    if (in_use == InstructionSet::avx2) return on_avx2<eight_wide>(std::forward<Arguments>(arguments)...);
+    return on_baseline<four_wide>(std::forward<Arguments>(arguments)...);
+}
+#endif
+
 }  // namespace ecods

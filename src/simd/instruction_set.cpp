@@ -12,7 +12,11 @@ constinit std::atomic<InstructionSet> instruction_set_in_use = InstructionSet::b
 InstructionSet supported_instruction_set() noexcept {
 #if ECODS_CAN_DISPATCH
     __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx512f")) return InstructionSet::avx512;
+    // What simd/wide.hpp asks for. The first processors with registers of 512 bits lacked the other three.
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl")) {
+        return InstructionSet::avx512;
+    }
     if (__builtin_cpu_supports("avx2")) return InstructionSet::avx2;
 #endif
     return InstructionSet::baseline;

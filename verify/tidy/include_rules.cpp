@@ -40,6 +40,11 @@ bool is_standard(std::string_view path) {
 }
 
 std::optional<std::string> check_third_party(std::string_view file, std::string_view path) {
+    // The compiler's own, of a processor's instructions.
+    if (path == "immintrin.h") {
+        if (is_below(file, "src/simd")) return std::nullopt;
+        return "uses instructions of a processor outside src/simd";
+    }
     // The module is built on the library, and is no part of it.
     if (is_library(file) && !is_below(file, "src/python")) {
         if (is_standard(path) || path.starts_with("Eigen/")) return std::nullopt;

@@ -27,8 +27,8 @@ using Files = std::set<std::string, std::less<>>;
 std::optional<std::string> resolve(const Files& files, std::string_view file, const Include& include);
 
 // What is wrong with a file including another, or nothing. Files include their own room and the rooms that edges.cpp
-// allows; include and src use no third party but Eigen, and the other third parties have the places that
-// include_rules.cpp lists.
+// allows; include and src use no third party but Eigen, and src/simd the compiler's header of intrinsics; the other
+// third parties have the places that include_rules.cpp lists.
 std::optional<std::string> check_include(const Files& files, std::string_view file, const Include& include);
 
 // What is wrong with the place of the file itself: it is in no room.

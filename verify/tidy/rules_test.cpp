@@ -76,6 +76,8 @@ TEST(IncludeRules, PublicHeadersAreAmongThemselves) {
 TEST(IncludeRules, ThirdParties) {
     EXPECT_TRUE(is_allowed_angled("src/world/world.cpp", "vector"));
     EXPECT_TRUE(is_allowed_angled("src/world/world.cpp", "Eigen/Core"));
+    EXPECT_TRUE(is_allowed_angled("src/simd/wide.hpp", "immintrin.h"));
+    EXPECT_FALSE(is_allowed_angled("src/bvh/overlap_mask.cpp", "immintrin.h"));
     EXPECT_FALSE(is_allowed_angled("include/ecods/world.hpp", "hwy/highway.h"));
     EXPECT_FALSE(is_allowed_angled("src/world/world.cpp", "gsl/gsl_rng.h"));
     EXPECT_FALSE(is_allowed_angled("src/world/world.cpp", "CGAL/Gmpq.h"));

@@ -74,7 +74,9 @@ TEST(InstructionSet, WhatIsNotSupportedIsNotUsed) {
     EXPECT_EQ(instruction_set(), supported_instruction_set());
 #if ECODS_CAN_DISPATCH
     EXPECT_EQ(supported_instruction_set() >= InstructionSet::avx2, __builtin_cpu_supports("avx2") != 0);
-    EXPECT_EQ(supported_instruction_set() == InstructionSet::avx512, __builtin_cpu_supports("avx512f") != 0);
+    const bool has_all = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    EXPECT_EQ(supported_instruction_set() == InstructionSet::avx512, has_all);
 #else
     EXPECT_EQ(supported_instruction_set(), InstructionSet::baseline);
 #endif

@@ -1,0 +1,72 @@
+// Registers of sixteen floats, on processors that have them, and masks of as many bits: two rows of eight lanes at
+// once.
+//
+// Intrinsics and not Vec, because comparisons give masks here: g++ turns those of Vec into lanes and back. Whoever uses
+// these must be a function for InstructionSet::avx512: ECODS_WIDE. (A template that is not, but ends up in one, is
+// enough for Vec; what is always inlined into another function here must have that function's instruction set.)
+#pragma once
+
+#include <cstdint>
+
+#include "simd/dispatch.hpp"
+#include "simd/vec.hpp"
+
+#if ECODS_CAN_DISPATCH
+#include <immintrin.h>
+
+#define ECODS_WIDE [[gnu::target("avx512f,avx512bw,avx512dq,avx512vl")]]
+#define ECODS_WIDE_INLINE [[gnu::target("avx512f,avx512bw,avx512dq,avx512vl"), gnu::always_inline]] inline
+
+namespace ecods::wide {
+
+using Floats = __m512;
+using Mask = __mmask16;
+
+// Every lane. Intrinsics are given it where g++ 12 takes their plain form for a use of something uninitialised.
+inline constexpr Mask all = 0xffff;
+
+// Eight floats, aligned as a vector of them, in the first eight lanes and again in the last.
+ECODS_WIDE_INLINE Floats twice(const float* eight) noexcept {
+    return _mm512_maskz_broadcast_f32x8(all, _mm256_load_ps(eight));
+}
+
+// Of what twice() gave: number `first` in the first eight lanes, and the next one in the last.
+template <int first>
+ECODS_WIDE_INLINE Floats two_of(Floats v) noexcept {
+    constexpr int a = first, b = first + 1;
+    return _mm512_maskz_permutexvar_ps(all, _mm512_setr_epi32(a, a, a, a, a, a, a, a, b, b, b, b, b, b, b, b), v);
+}
+
+// The lanes of a mask in which x > y does not hold, or x < y; of a NaN, neither does.
+ECODS_WIDE_INLINE Mask not_above(Mask lanes, Floats x, Floats y) noexcept {
+    return _mm512_mask_cmp_ps_mask(lanes, x, y, _CMP_NGT_UQ);
+}
+ECODS_WIDE_INLINE Mask not_below(Mask lanes, Floats x, Floats y) noexcept {
+    return _mm512_mask_cmp_ps_mask(lanes, x, y, _CMP_NLT_UQ);
+}
+
+// The lanes, as bits, of which neither low > to nor high < from holds.
+ECODS_WIDE_INLINE std::uint32_t not_outside(__m256 low, __m256 high, float from, float to) noexcept {
+    const __mmask8 not_beyond = _mm256_cmp_ps_mask(low, _mm256_set1_ps(to), _CMP_NGT_UQ);
+    return _mm256_mask_cmp_ps_mask(not_beyond, high, _mm256_set1_ps(from), _CMP_NLT_UQ);
+}
+
+// Eight bits for each bit of a mask of eight.
+ECODS_WIDE_INLINE std::uint64_t bytes_of(std::uint32_t mask) noexcept {
+    return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm_movm_epi8(static_cast<__mmask16>(mask))));
+}
+
+// Byte i to lane i, and back, where lanes hold no more. By reference: clang does not let a Vec of eight go from a
+// function for an instruction set to one for none.
+ECODS_WIDE_INLINE void store_bytes(std::uint64_t bytes, Vec<std::int32_t, 8>& lanes) noexcept {
+    const __m256i v = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(bytes)));
+    _mm256_store_si256(reinterpret_cast<__m256i*>(&lanes), v);
+}
+ECODS_WIDE_INLINE std::uint64_t load_bytes(const Vec<std::int32_t, 8>& lanes) noexcept {
+    const __m256i v = _mm256_load_si256(reinterpret_cast<const __m256i*>(&lanes));
+    return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm256_maskz_cvtepi32_epi8(0xff, v)));
+}
+
+}  // namespace ecods::wide
+
+#endif
