@@ -20,7 +20,13 @@ class EcodsWorld final : public Engine {
     }
 
     void run_frame(std::span<const scenes::Move> moves) override {
-        for (const scenes::Move& move : moves) world_.set_pose(ids_[move.body_index], move.pose);
+        moved_.clear();
+        poses_.clear();
+        for (const scenes::Move& move : moves) {
+            moved_.push_back(ids_[move.body_index]);
+            poses_.push_back(move.pose);
+        }
+        world_.set_poses(moved_, poses_);
         world_.update();
     }
 
@@ -38,6 +44,8 @@ class EcodsWorld final : public Engine {
   private:
     World world_;
     std::vector<BodyId> ids_;
+    std::vector<BodyId> moved_;  // of a frame: putting its moves into the form of the call is timed, too
+    std::vector<Pose> poses_;
     std::map<BodyId, std::size_t> index_of_;
 };
 

@@ -36,13 +36,14 @@ struct Reaches {
 
 // h(d) and h(-d) for the rows d of R, from above, in units of the scale.
 //
-// All three rows of R at once: row k in lane k of x, y and z. The table has both ends of each direction side by side:
-// -d is in the same cell, with the same shares.
+// Several rows at once, one in each of the first `row_count` lanes of x, y and z: the three of one R, or one of each of
+// four. The table has both ends of each direction side by side: -d is in the same cell, with the same shares.
 //
 // Bound, with m = |d_axis| and u' = 2^-52: the factor to cells is off by u', a place in the grid by 17 u' (of 8 cells,
 // each a quarter of m wide), what is left of it in a cell is exact, and the shares by 2 u'. So d and m sum l_k p_k
 // differ by less than 8 u' m on each axis, worth 8 u' m 3 sqrt(3) < 42 u' m; the shares' errors and the roundings of
 // the sum cost 8 u' m |h| < 24 u' m. 512 u' m covers all. Below 2^-1000, |h(d)| <= 3 m will do.
+template <int row_count>
 ECODS_ALWAYS_INLINE Reaches reaches(const Row& support, Double4 x, Double4 y, Double4 z) noexcept {
     const Double4 size_x = absolute(x), size_y = absolute(y), size_z = absolute(z);
     const Double4 size_xy = size_y > size_x ? size_y : size_x, m = size_z > size_xy ? size_z : size_xy;
@@ -52,7 +53,8 @@ ECODS_ALWAYS_INLINE Reaches reaches(const Row& support, Double4 x, Double4 y, Do
     const Double4 none{}, one = none + 1;
     const auto is_tiny = m < none + 0x1p-1000;
     const Double4 d = is_tiny ? one : by_axis(x, y, z);
-    const Double4 start = by_axis(none, none + face_size, none + 2 * face_size);
+    constexpr auto face = static_cast<double>(face_size);
+    const Double4 start = by_axis(none, none + face, none + 2 * face);
 
     const Double4 to_cells = middle / d;
     const auto place = [&](Double4 coordinate) {
@@ -79,8 +81,9 @@ ECODS_ALWAYS_INLINE Reaches reaches(const Row& support, Double4 x, Double4 y, Do
         return (first_share[k] * table(first[k]) + across_share[k] * table(across[k])) +
                low[k] * table(first[k] + side_count + 1);
     };
-    const Double2 h[3] = {both(0), both(1), both(2)};
-    const Double4 up = {h[0][0], h[1][0], h[2][0], 0}, down = {h[0][1], h[1][1], h[2][1], 0};
+    const Double2 last_row = row_count == 4 ? both(3) : Double2{};
+    const Double2 h[4] = {both(0), both(1), both(2), last_row};
+    const Double4 up = {h[0][0], h[1][0], h[2][0], h[3][0]}, down = {h[0][1], h[1][1], h[2][1], h[3][1]};
     const auto is_negative = d < none;
     const Double4 along = is_negative ? down : up, against = is_negative ? up : down;
     return {.along = is_tiny ? 4 * m : m * (along + 512 * double_u),
@@ -115,7 +118,7 @@ ECODS_ALWAYS_INLINE Aabb box_by_table(const TableView& table, const Pose& pose) 
     const double delta = exact::point_error_bound(sum_max, std::max(size_max, table.v_max_of_all));
     const Double4 oriented =
         absolute(R * load3(table.frame.axes)) * load3(table.frame.half.data()) + 16 * double_u * row_sums(size);
-    const Reaches h = reaches(table.support, R.column[0], R.column[1], R.column[2]);
+    const Reaches h = reaches<3>(table.support, R.column[0], R.column[1], R.column[2]);
     const auto outwards = [&](Double4 units) {
         return ((units < oriented ? units : oriented) * table.frame.scale + delta) * (1 + 4 * double_u);
     };
@@ -126,6 +129,99 @@ ECODS_ALWAYS_INLINE Aabb box_by_table(const TableView& table, const Pose& pose) 
         box.min[k] = next_down(min[k]);
     }
     return box;
+}
+
+// ---- four poses at once: lane i is the i-th one's. Each number is made by the same operations in the same order as
+// for one pose, so the boxes are the same bits.
+
+struct RowsOfFour {
+    Double4 R[3][3], t[3];  // by row, and column
+};
+
+ECODS_ALWAYS_INLINE void transpose4(const double* const (&rows)[4], Double4 (&columns)[4]) noexcept {
+    const Double4 a = load_anywhere<Double4>(rows[0]), b = load_anywhere<Double4>(rows[1]);
+    const Double4 c = load_anywhere<Double4>(rows[2]), d = load_anywhere<Double4>(rows[3]);
+    const Double4 ab_low = shuffle<0, 4, 2, 6>(a, b), ab_high = shuffle<1, 5, 3, 7>(a, b);
+    const Double4 cd_low = shuffle<0, 4, 2, 6>(c, d), cd_high = shuffle<1, 5, 3, 7>(c, d);
+    columns[0] = shuffle<0, 1, 4, 5>(ab_low, cd_low);
+    columns[1] = shuffle<0, 1, 4, 5>(ab_high, cd_high);
+    columns[2] = shuffle<2, 3, 6, 7>(ab_low, cd_low);
+    columns[3] = shuffle<2, 3, 6, 7>(ab_high, cd_high);
+}
+
+ECODS_ALWAYS_INLINE RowsOfFour load_four(const std::array<const Pose*, 4>& poses) noexcept {
+    static_assert(sizeof(Pose) == 12 * sizeof(double), "R by columns, then t: three registers of four");
+    RowsOfFour rows;
+    for (int part = 0; part < 3; ++part) {
+        const double* numbers[4];
+        for (std::size_t i = 0; i < 4; ++i) numbers[i] = poses[i]->R.data() + 4 * part;
+        Double4 columns[4];
+        transpose4(numbers, columns);
+        for (int k = 0; k < 4; ++k) {
+            const int at = 4 * part + k;
+            (at < 9 ? rows.R[at % 3][at / 3] : rows.t[at - 9]) = columns[k];
+        }
+    }
+    return rows;
+}
+
+ECODS_ALWAYS_INLINE Double4 larger(Double4 a, Double4 b) noexcept {
+    return a > b ? a : b;
+}
+
+// next_up(x) of what is neither infinite nor NaN, and next_down(x) = -next_up(-x).
+ECODS_ALWAYS_INLINE Double4 next_up_of_finite(Double4 x) noexcept {
+    using Bits = Vec<std::int64_t, 4>;
+    const Bits bits = bits_as<Bits>(x), zero{}, one = zero + 1;
+    const Bits next = bits < zero ? bits - 1 : bits + 1;
+    return bits_as<Double4>(bits + bits == zero ? one : next);
+}
+ECODS_ALWAYS_INLINE Double4 negative(Double4 x) noexcept {
+    using Bits = Vec<std::uint64_t, 4>;
+    return bits_as<Double4>(bits_as<Bits>(x) ^ (std::uint64_t{1} << 63));
+}
+
+// Returns whether all four are bounded; otherwise the boxes are not set.
+ECODS_ALWAYS_INLINE bool four_boxes_by_table(const TableView& table, const std::array<const Pose*, 4>& poses,
+                                             const std::array<Aabb*, 4>& boxes) noexcept {
+    const RowsOfFour rows = load_four(poses);
+    const LocalFrame& frame = table.frame;
+    Double4 size[3][3], sum_max{}, size_max{};
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            size[row][column] = absolute(rows.R[row][column]);
+            size_max = larger(size_max, size[row][column]);
+        }
+        const Double4* const s = size[row];
+        const Double4 sum = (s[0] * table.v_max[0] + s[1] * table.v_max[1]) + s[2] * table.v_max[2];
+        sum_max = larger(sum_max, sum + absolute(rows.t[row]));
+    }
+    const Double4 none{};
+    if (!all((sum_max < none + 0x1p1020) & (size_max < none + 0x1p1000))) return false;
+    const Double4 factor_max = larger(size_max, none + table.v_max_of_all);
+    // point_error_bound
+    const Double4 underflow = factor_max < none + 0x1p19 ? none + 0x1p-1000 : 0x1p-1000 + 0x1p-1000 * factor_max;
+    const Double4 delta = 4.25 * double_u * sum_max + underflow;
+    for (int row = 0; row < 3; ++row) {
+        const Double4* const r = rows.R[row];
+        const auto times = [&](const Vec3& v) { return (r[0] * v[0] + r[1] * v[1]) + r[2] * v[2]; };
+        const Double4 center = times(frame.center) + rows.t[row];
+        const Double4 x = absolute(times(frame.axes.col(0))), y = absolute(times(frame.axes.col(1))),
+                      z = absolute(times(frame.axes.col(2)));
+        const Double4 oriented = ((x * frame.half[0] + y * frame.half[1]) + z * frame.half[2]) +
+                                 16 * double_u * ((size[row][0] + size[row][1]) + size[row][2]);
+        const Reaches h = reaches<4>(table.support, r[0], r[1], r[2]);
+        const auto outwards = [&](Double4 units) {
+            return ((units < oriented ? units : oriented) * frame.scale + delta) * (1 + 4 * double_u);
+        };
+        const Double4 max = next_up_of_finite(center + outwards(h.along));
+        const Double4 min = negative(next_up_of_finite(negative(center - outwards(h.against))));
+        for (int i = 0; i < 4; ++i) {
+            boxes[static_cast<std::size_t>(i)]->max[row] = max[i];
+            boxes[static_cast<std::size_t>(i)]->min[row] = min[i];
+        }
+    }
+    return true;
 }
 
 }  // namespace
@@ -162,6 +258,12 @@ SupportTable::SupportTable(const Mesh& mesh, const LocalFrame& frame) : frame_(f
 
 Aabb SupportTable::box(const Pose& pose) const {
     return dispatch<box_by_table>(TableView{frame_, v_max_, v_max_of_all_, support_}, pose);
+}
+
+void SupportTable::boxes(const std::array<const Pose*, 4>& poses, const std::array<Aabb*, 4>& boxes) const {
+    const TableView view{frame_, v_max_, v_max_of_all_, support_};
+    if (dispatch<four_boxes_by_table>(view, poses, boxes)) return;
+    for (std::size_t i = 0; i < 4; ++i) *boxes[i] = box(*poses[i]);
 }
 
 }  // namespace ecods

@@ -35,6 +35,9 @@ class SupportTable {
     // large for the bound.
     Aabb box(const Pose& pose) const;
 
+    // The same of four poses, the same bits in about half the time. Poses, and boxes, may repeat.
+    void boxes(const std::array<const Pose*, 4>& poses, const std::array<Aabb*, 4>& boxes) const;
+
   private:
     const LocalFrame& frame_;
     Vec3 v_max_;           // upper bounds of |coordinate| of the center and of every point of the mesh

@@ -109,6 +109,8 @@ struct DoubleAxes {
     ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return margin[0] < infinity; }
 };
 
+using Float4 = Vec<float, 4>;
+
 ECODS_ALWAYS_INLINE std::array<float, 4> to_floats(Double4 v) noexcept {
     const Vec<float, 4> f = convert<Vec<float, 4>>(v);
     std::array<float, 4> result;
@@ -116,17 +118,25 @@ ECODS_ALWAYS_INLINE std::array<float, 4> to_floats(Double4 v) noexcept {
     return result;
 }
 
+// Four rows of four floats, as columns.
+ECODS_ALWAYS_INLINE void store_transposed(const Float4 (&rows)[4], std::array<std::array<float, 4>, 3>& first_three) {
+    const Float4 low_01 = shuffle<0, 4, 1, 5>(rows[0], rows[1]), high_01 = shuffle<2, 6, 3, 7>(rows[0], rows[1]);
+    const Float4 low_23 = shuffle<0, 4, 1, 5>(rows[2], rows[3]), high_23 = shuffle<2, 6, 3, 7>(rows[2], rows[3]);
+    store_anywhere(first_three[0].data(), shuffle<0, 1, 4, 5>(low_01, low_23));
+    store_anywhere(first_three[1].data(), shuffle<2, 3, 6, 7>(low_01, low_23));
+    store_anywhere(first_three[2].data(), shuffle<0, 1, 4, 5>(high_01, high_23));
+}
+
+// Sizes are those of the numbers as converted: conversion is off by float_u of either.
 ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Matrix4& P, Double4 shift) noexcept {
-    const Matrix4 size = absolute(P);
-    const Matrix4 rows = transpose(P);
+    const Float4 columns[4] = {convert<Float4>(P.column[0]), convert<Float4>(P.column[1]), convert<Float4>(P.column[2]),
+                               convert<Float4>(shift)};
     for (std::size_t j = 0; j < 3; ++j) {
-        projection.p[j] = to_floats(P.column[j]);
-        projection.size[j] = to_floats(size.column[j]);
-        Double4 row = rows.column[j];
-        row[3] = shift[static_cast<int>(j)];
-        projection.row[j] = to_floats(row);
+        store_anywhere(projection.p[j].data(), columns[j]);
+        store_anywhere(projection.size[j].data(), absolute(columns[j]));
     }
-    projection.shift = to_floats(shift);
+    store_transposed(columns, projection.row);
+    store_anywhere(projection.shift.data(), columns[3]);
     projection.margin = {};
     projection.is_unit = false;
 }

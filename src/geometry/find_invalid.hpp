@@ -6,12 +6,29 @@
 #include <optional>
 
 #include "ecods/pose.hpp"
+#include "simd/vec.hpp"
 
 namespace ecods {
 
 constexpr bool is_finite(double x) noexcept {
     constexpr std::uint64_t exponent_mask = std::uint64_t{0x7ff} << 52;
     return (std::bit_cast<std::uint64_t>(x) & exponent_mask) != exponent_mask;
+}
+
+// Whether all of [R t] is finite. Two entries at a time: one added to an exponent of all ones carries into the sign.
+inline bool is_finite(const Pose& pose) noexcept {
+    using Two = Vec<std::uint64_t, 2>;
+    constexpr std::uint64_t exponent_mask = std::uint64_t{0x7ff} << 52, exponent_one = std::uint64_t{1} << 52;
+    Two carries{};
+    const auto add_entries = [&](const double* entries, int count) {
+        const auto* const bits = reinterpret_cast<const std::uint64_t*>(entries);  // read as vectors, which may alias
+        for (int i = 0; i < count; i += 2) carries |= (load_anywhere<Two>(bits + i) & exponent_mask) + exponent_one;
+    };
+    add_entries(pose.R.data(), 8);
+    add_entries(pose.R.data() + 7, 2);
+    add_entries(pose.t.data(), 2);
+    add_entries(pose.t.data() + 1, 2);
+    return (any_bits(carries) >> 63) == 0;
 }
 
 struct InvalidEntry {
@@ -22,6 +39,7 @@ struct InvalidEntry {
 
 // The first entry of [R t], row by row, that is not finite.
 inline std::optional<InvalidEntry> find_invalid(const Pose& pose) {
+    if (is_finite(pose)) return std::nullopt;
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 4; ++column) {
             const double value = column == 3 ? pose.t[row] : pose.R(row, column);

@@ -59,6 +59,14 @@ class Bodies {
     const Slot& operator[](ProxyIndex proxy) const noexcept { return slots_[proxy]; }
     Slot& operator[](ProxyIndex proxy) noexcept { return slots_[proxy]; }
     ProxyIndex end() const noexcept { return static_cast<ProxyIndex>(slots_.size()); }  // slots are below
+    void prefetch(ProxyPair pair) const noexcept {
+        constexpr std::size_t line_size = 64;
+        for (const Slot* const slot : {&slots_[pair.a], &slots_[pair.b]}) {
+            for (std::size_t at = 0; at < sizeof(Slot); at += line_size) {
+                __builtin_prefetch(reinterpret_cast<const char*>(slot) + at);
+            }
+        }
+    }
     std::size_t alive_count() const noexcept { return slots_.size() - free_slots_.size() - retired_count_; }
 
     // ---- coming, changing and going: first what may throw, then what does not

@@ -1,6 +1,7 @@
 #include <vector>
 
 #include "geometry/same_bits.hpp"
+#include "world/moved_boxes.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -25,17 +26,21 @@ void World::set_poses(std::span<const BodyId> bodies, std::span<const Pose> pose
     Impl& w = impl();
     if (bodies.size() != poses.size()) throw LengthMismatch(bodies.size(), poses.size());
     std::vector<ProxyIndex> proxies;
-    std::vector<Aabb> boxes;
+    std::vector<Aabb> boxes(bodies.size());
     proxies.reserve(bodies.size());
-    boxes.reserve(bodies.size());
+    MovedBoxes moved(boxes);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const ProxyIndex proxy = w.bodies.require(bodies[i], i);
         require_valid(poses[i], bodies[i], i);
         const Slot& slot = w.bodies[proxy];
         proxies.push_back(proxy);
-        boxes.push_back(same_bits(slot.pose, poses[i]) ? w.broad_phase.box(proxy)
-                                                       : box_for(*slot.shape, poses[i], bodies[i], i));
+        if (same_bits(slot.pose, poses[i])) {
+            boxes[i] = w.broad_phase.box(proxy);
+        } else if (!moved.add(*slot.shape, poses[i], i)) {
+            boxes[i] = box_for(*slot.shape, poses[i], bodies[i], i);
+        }
     }
+    moved.finish();
     w.changes.make_room_for(bodies.size());
     w.broad_phase.move(proxies, boxes);
     // Nothing below throws.

@@ -25,6 +25,9 @@ void World::Impl::answer_tests(PairVerdicts& pairs, const Ask& ask) {
     FirstFailure failure;
     const std::span<const VerdictIndex> pair_tests = pairs.tests();
     workers.run(pair_tests.size(), [&](std::size_t at, QueryMemory& memory) {
+        // A pair's bodies lie anywhere: those of a later pair are fetched while this one is decided.
+        constexpr std::size_t ahead = 2;
+        if (at + ahead < pair_tests.size()) bodies.prefetch(pairs.verdicts()[pair_tests[at + ahead]].proxies());
         const VerdictIndex index = pair_tests[at];
         Answer& answer = pairs.answer(index);
         if (answer != Answer::none) return;

@@ -102,6 +102,16 @@ class Query {
         return state_.pair.relation(i, j);
     }
 
+    // The same of a pair of triangles from which nothing is prepared if a filter decides it.
+    Relation relation_of_witness(const PairWitness& witness) {
+        const std::optional<Relation> relation =
+            filter_triangles(a_.shape.mesh(), witness.a, a_.pose, b_.shape.mesh(), witness.b, b_.pose);
+        if (!relation) return relation_of(witness.a, witness.b);
+        ++state_.counts.stages.triangle_tests;
+        ++state_.counts.stages.filter_passes;
+        return *relation;
+    }
+
     // The same of a pair that is visited.
     Relation relation_of(std::uint32_t i, std::uint32_t j, bool crosses) {
         if (!crosses) return relation_of(i, j);
@@ -158,7 +168,7 @@ PairWitness witness_of(int axis) {
 // The relation of two meshes of one triangle each, if that takes no more than a filter; nothing of other meshes.
 std::optional<Relation> filter_singles(const MeshAt& a, const MeshAt& b, QueryMemory& memory) {
     if (a.shape.mesh().triangles().size() != 1 || b.shape.mesh().triangles().size() != 1) return std::nullopt;
-    const std::optional<Relation> relation = filter_single_triangles(a.shape.mesh(), a.pose, b.shape.mesh(), b.pose);
+    const std::optional<Relation> relation = filter_triangles(a.shape.mesh(), 0, a.pose, b.shape.mesh(), 0, b.pose);
     if (relation) {
         QueryCounts& counts = QueryMemoryAccess::state(memory).counts;
         ++counts.queries;
@@ -176,7 +186,7 @@ bool find_contact(const MeshAt& a, const MeshAt& b, QueryMemory& memory, PairWit
     }
     Query query(a, b, memory);
     QueryCounts& counts = QueryMemoryAccess::state(memory).counts;
-    if (holds_triangles(witness, a, b) && query.relation_of(witness.a, witness.b) != Relation::disjoint) {
+    if (holds_triangles(witness, a, b) && query.relation_of_witness(witness) != Relation::disjoint) {
         ++counts.witness_hits;
         return true;
     }

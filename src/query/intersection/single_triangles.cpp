@@ -13,10 +13,10 @@ using namespace exact;
 
 namespace {
 
-// Poses the corners of the mesh's triangle, and returns the bound of their error.
-ECODS_ALWAYS_INLINE double pose_corners(const Mesh& mesh, const Pose& pose, const Vec3& offset,
+// Poses the corners of a triangle of the mesh, and returns the bound of their error.
+ECODS_ALWAYS_INLINE double pose_corners(const Mesh& mesh, std::uint32_t index, const Pose& pose, const Vec3& offset,
                                         std::array<Point, 6>& points, std::size_t first) noexcept {
-    const Triangle& triangle = mesh.triangles().front();
+    const Triangle& triangle = mesh.triangles()[index];
     Vec3 magnitude = Vec3::Zero();
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3& v = mesh.vertices()[triangle[i]];
@@ -28,12 +28,12 @@ ECODS_ALWAYS_INLINE double pose_corners(const Mesh& mesh, const Pose& pose, cons
 
 }  // namespace
 
-std::optional<Relation> filter_single_triangles(const Mesh& a, const Pose& pose_a, const Mesh& b,
-                                                const Pose& pose_b) noexcept {
-    ECODS_ASSERT(a.triangles().size() == 1 && b.triangles().size() == 1);
+std::optional<Relation> filter_triangles(const Mesh& a, std::uint32_t i, const Pose& pose_a, const Mesh& b,
+                                         std::uint32_t j, const Pose& pose_b) noexcept {
+    ECODS_ASSERT(i < a.triangles().size() && j < b.triangles().size());
     Points<6> points;
-    const double delta_a = pose_corners(a, pose_a, Vec3::Zero(), points, 0);
-    const double delta_b = pose_corners(b, pose_b, pose_b.t - pose_a.t, points, 3);
+    const double delta_a = pose_corners(a, i, pose_a, Vec3::Zero(), points, 0);
+    const double delta_b = pose_corners(b, j, pose_b, pose_b.t - pose_a.t, points, 3);
     const DeterminantBounds bounds = determinant_bounds(points, std::max(delta_a, delta_b));
     FilterTrace trace;
     switch (filter(points, bounds.orient3d, trace)) {

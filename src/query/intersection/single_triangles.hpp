@@ -1,6 +1,7 @@
-// Two meshes of one triangle each.
+// Two triangles, each of a mesh at a pose, of which nothing else is asked.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "ecods/mesh.hpp"
@@ -9,9 +10,9 @@
 
 namespace ecods {
 
-// The relation of the posed triangles if plain doubles and one bound decide it: with neither trees nor anything that is
-// made for a pair of bodies. Both meshes must have one triangle.
-std::optional<Relation> filter_single_triangles(const Mesh& a, const Pose& pose_a, const Mesh& b,
-                                                const Pose& pose_b) noexcept;
+// The relation of triangle i of a and j of b if plain doubles and one bound decide it: with neither trees nor anything
+// that is made for a pair of bodies.
+std::optional<Relation> filter_triangles(const Mesh& a, std::uint32_t i, const Pose& pose_a, const Mesh& b,
+                                         std::uint32_t j, const Pose& pose_b) noexcept;
 
 }  // namespace ecods

@@ -28,6 +28,9 @@ struct MeshShape::Parts {
     Lazy<std::unique_ptr<const MeshTree>> tree;
     Lazy<std::unique_ptr<const CoplanarGroups>> groups;
     Lazy<MeshShapeAccess::Digest> digest;
+
+    // What boxes are looked up in; null where vertices are posed for them.
+    const SupportTable* table_for(const MeshShape& shape);
 };
 
 MeshShape::MeshShape(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), parts_(std::make_unique<Parts>()) {
@@ -65,11 +68,22 @@ void MeshShapeAccess::refit_tree(const MeshShape& shape, const MeshShape& model)
     });
 }
 
+const SupportTable* MeshShape::Parts::table_for(const MeshShape& shape) {
+    if (shape.mesh().vertices().size() <= vertices_posed_max) return nullptr;
+    const LocalFrame& own = MeshShapeAccess::frame(shape);
+    if (!own.is_bounded) return nullptr;
+    return &support_table.get([&] { return SupportTable(shape.mesh(), own); });
+}
+
 Aabb MeshShape::box(const Pose& pose) const {
-    if (mesh_->vertices().size() <= vertices_posed_max) return box_of(*mesh_, pose);
-    const LocalFrame& frame = MeshShapeAccess::frame(*this);
-    if (!frame.is_bounded) return box_of(*mesh_, pose);
-    return parts_->support_table.get([&] { return SupportTable(*mesh_, frame); }).box(pose);
+    const SupportTable* const table = parts_->table_for(*this);
+    return table != nullptr ? table->box(pose) : box_of(*mesh_, pose);
+}
+
+void MeshShapeAccess::find_boxes(const MeshShape& shape, const std::array<const Pose*, 4>& poses,
+                                 const std::array<Aabb*, 4>& boxes) {
+    if (const SupportTable* const table = shape.parts_->table_for(shape)) return table->boxes(poses, boxes);
+    for (std::size_t i = 0; i < 4; ++i) *boxes[i] = box_of(shape.mesh(), *poses[i]);
 }
 
 std::size_t MeshShape::tree_bytes() const {

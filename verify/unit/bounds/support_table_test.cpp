@@ -5,7 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cfenv>
+#include <cmath>
+#include <cstring>
+#include <vector>
 
+#include "environment/each_environment.hpp"
 #include "oracle/oracle.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
@@ -109,6 +113,53 @@ TEST(SupportTable, ContainsBodiesNearTheEndOfTheRange) {
         std::fesetround(FE_TONEAREST);
         EXPECT_TRUE(oracle::box_contains(round_box, exact_sphere)) << mode;
         EXPECT_TRUE(oracle::box_contains(few_box, exact_few)) << mode;
+    }
+}
+
+// Four poses at once give the bits that each gives alone: turned, sheared and flat ones, bodies that are tiny, far away
+// or at the ends of the range, zeros of either sign, and one beyond the bound among others that are not.
+TEST(SupportTable, FourPosesAtOnceGetTheBoxOfEach) {
+    scenes::Random random(23);
+    std::vector<Pose> poses;
+    for (int i = 0; i < 400; ++i) {
+        Pose& pose = poses.emplace_back();
+        pose.R = random.rotation().toRotationMatrix();
+        for (int k = 0; k < 3; ++k) pose.t[k] = random.uniform(-10, 10);
+        if (i % 5 == 1) pose.R.col(i % 3).setZero();
+        if (i % 7 == 2) pose.R = -Mat3::Identity();
+        if (i % 11 == 3) pose.R *= std::ldexp(1, static_cast<int>(random.below(2100)) - 1080);
+        if (i % 13 == 4) pose.t *= std::ldexp(1, static_cast<int>(random.below(2000)) - 1000);
+        if (i % 17 == 5) pose.t = Vec3(0, -0.0, 0x1p-1074);
+        if (i % 29 == 6) pose.R.setConstant(1.7e308);
+    }
+    // A side at zero: a point whose distance from the origin is the bound of its error.
+    for (int i = 0; i < 32; ++i) {
+        Pose& pose = poses.emplace_back();
+        pose.R.setZero();
+        pose.t.setConstant(std::ldexp((i < 16 ? 1 : -1) * (1 + i % 16 * 0x1p-52), -1000));
+    }
+    const auto ship = scenes::ship();
+    for (const auto& mesh : {scaled(*ship, Vec3::Ones(), Vec3(1, 2, 3)), scaled(*ship, Vec3(1, 1, 0), Vec3::Zero()),
+                             scaled(*ship, Vec3::Constant(0x1p-1060), Vec3::Zero()),
+                             scaled(*ship, Vec3::Constant(0x1p1000), Vec3::Zero())}) {
+        const LocalFrame frame = fit_frame(*mesh);
+        if (!frame.is_bounded) continue;
+        const SupportTable support_table(*mesh, frame);
+        const auto differing_pose = [&]() -> std::size_t {
+            std::vector<Aabb> boxes(poses.size());
+            for (std::size_t i = 0; i + 4 <= poses.size(); i += 4) {
+                support_table.boxes({&poses[i], &poses[i + 1], &poses[i + 2], &poses[i + 3]},
+                                    {&boxes[i], &boxes[i + 1], &boxes[i + 2], &boxes[i + 3]});
+            }
+            for (std::size_t i = 0; i < poses.size(); ++i) {
+                const Aabb box = support_table.box(poses[i]);
+                if (std::memcmp(&box, &boxes[i], sizeof box) != 0) return i;
+            }
+            return poses.size();
+        };
+        environment::in_each_environment(differing_pose, [&](std::size_t differing, const std::string& where) {
+            EXPECT_EQ(differing, poses.size()) << where;
+        });
     }
 }
 

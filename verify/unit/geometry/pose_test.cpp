@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "ecods/error.hpp"
@@ -46,6 +47,17 @@ TEST(Pose, SameBitsIsFinerThanEqual) {
     b = a;
     b.R(2, 1) = std::numeric_limits<double>::denorm_min();
     EXPECT_FALSE(same_bits(a, b));
+}
+
+TEST(Pose, SameBitsComparesEachEntry) {
+    const Pose pose = Pose::from_quaternion(Eigen::Quaterniond(0.5, -0.5, 0.5, 0.5), Vec3(1, 2, 3));
+    for (int k = 0; k < 12; ++k) {
+        Pose other = pose;
+        double& entry = k < 9 ? other.R.data()[k] : other.t[k - 9];
+        entry = std::nextafter(entry, 10);
+        EXPECT_FALSE(same_bits(pose, other)) << k;
+    }
+    EXPECT_TRUE(same_bits(pose, Pose(pose)));
 }
 
 TEST(Pose, IsMadeOfWhatOthersHave) {

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "ecods/convex_solid.hpp"
 #include "ecods/world.hpp"
 #include "scenes/numbers_of.hpp"
 #include "scenes/shapes.hpp"
@@ -48,6 +49,46 @@ TEST_P(WorldMoveTest, ManyPosesAreThoseOneByOne) {
     world.update();
     EXPECT_EQ(world.statistics().moved_bodies, before.moved_bodies);
     EXPECT_EQ(world.statistics().two_body_tests, before.two_body_tests);
+}
+
+// A mesh whose box is not the library's own.
+class CautiousMesh final : public MeshShape {
+  public:
+    using MeshShape::MeshShape;
+    Aabb box(const Pose& pose) const override {
+        Aabb box = MeshShape::box(pose);
+        box.max += Vec3::Ones();
+        return box;
+    }
+};
+
+// Boxes of bodies of one mesh are found some at a time: shapes that take turns, in numbers that do not divide by four,
+// of few vertices and of many, and classes of a caller's own among them.
+TEST_P(WorldMoveTest, ManyBoxesAreThoseOneByOne) {
+    std::vector<std::shared_ptr<const Shape>> shapes;
+    for (std::uint32_t i = 0; i < 11; ++i) {
+        const auto sphere = scenes::sphere(8 + i, i == 0 ? 3 : 6);
+        if (i % 3 == 0) shapes.push_back(std::make_shared<const MeshShape>(sphere));
+        if (i % 3 == 1) shapes.push_back(std::make_shared<const ConvexSolid>(sphere->vertices()));
+        if (i % 3 == 2) shapes.push_back(std::make_shared<const Solid>(i == 2 ? scenes::cube(1) : sphere));
+    }
+    shapes.push_back(std::make_shared<const CautiousMesh>(scenes::sphere(12, 8)));
+    std::vector<BodyId> many;
+    std::vector<Pose> poses;
+    for (int i = 0; i < 101; ++i) {
+        const auto& shape = shapes[static_cast<std::size_t>(i < 50 ? i % 12 : i / 4 % 12)];
+        many.push_back(world.create_body(shape, at(10 + i)));
+        Pose& pose = poses.emplace_back(at(i % 4 == 0 ? 10 + i : 0.5 * i, 0.1 * i, -i));
+        if (i % 2 == 1) pose.R << 0.6, 0.8, 0, -0.8, 0.6, 0, 0, 0, 1 + i;
+    }
+    world.update();
+    world.set_poses(many, poses);
+    for (std::size_t i = 0; i < many.size(); ++i) {
+        EXPECT_EQ(world.pose(many[i]), poses[i]);
+        EXPECT_EQ(world.box(many[i]), world.shape(many[i])->box(poses[i])) << i;
+    }
+    world.update();
+    world.validate();
 }
 
 TEST_P(WorldMoveTest, TheLaterPoseOfABodyHolds) {

@@ -1,0 +1,51 @@
+#include "world/moved_boxes.hpp"
+
+#include <typeinfo>
+
+#include "ecods/convex_solid.hpp"
+#include "query/shape/mesh_tree.hpp"
+
+namespace ecods {
+namespace {
+
+// The shape as a mesh whose box() is the library's own: a class derived from these may have another.
+const MeshShape* as_own_mesh(const Shape& shape) {
+    const std::type_info& type = typeid(shape);
+    const bool is_own = type == typeid(MeshShape) || type == typeid(Solid) || type == typeid(ConvexSolid);
+    return is_own ? static_cast<const MeshShape*>(&shape) : nullptr;
+}
+
+}  // namespace
+
+bool MovedBoxes::add(const Shape& shape, const Pose& pose, std::size_t index) {
+    // Shapes lie some hundred bytes from each other.
+    const auto address = reinterpret_cast<std::uintptr_t>(&shape);
+    Batch& batch = batches_[(address >> 4 ^ address >> 7) % batches_.size()];
+    if (batch.shape != &shape) {
+        find(batch);
+        batch.shape = &shape;
+        batch.mesh = as_own_mesh(shape);
+    }
+    if (batch.mesh == nullptr) return false;
+    batch.poses[batch.count] = &pose;
+    batch.indices[batch.count] = index;
+    if (++batch.count == batch_size) find(batch);
+    return true;
+}
+
+void MovedBoxes::finish() {
+    for (Batch& batch : batches_) find(batch);
+}
+
+void MovedBoxes::find(Batch& batch) {
+    if (batch.count == batch_size) {
+        std::array<Aabb*, batch_size> boxes;
+        for (std::size_t i = 0; i < batch_size; ++i) boxes[i] = &boxes_[batch.indices[i]];
+        MeshShapeAccess::find_boxes(*batch.mesh, batch.poses, boxes);
+    } else {
+        for (std::size_t i = 0; i < batch.count; ++i) boxes_[batch.indices[i]] = batch.mesh->box(*batch.poses[i]);
+    }
+    batch.count = 0;
+}
+
+}  // namespace ecods
