@@ -77,8 +77,7 @@ void add_motions(std::size_t count, const SuiteOptions& options, std::vector<Wor
         const std::size_t frames = std::min<std::size_t>(frame_count(count, options), options.is_long ? 150 : 100);
         list.push_back({{layout, motion, count, frames, speed}, false});
     };
-    add(BoxLayout::dense, BoxMotion::all, 0.1);
-    add(BoxLayout::dense, BoxMotion::all, 0.5);
+    for (const double speed : {0.03, 0.06, 0.1, 0.5}) add(BoxLayout::dense, BoxMotion::all, speed);
     add(BoxLayout::ball, BoxMotion::turn);
     add(BoxLayout::ball, BoxMotion::fly);
     for (const BoxMotion motion :

@@ -1,5 +1,7 @@
 #include "broad_phase/candidates/kept_candidates.hpp"
 
+#include <algorithm>
+
 #include "base/bytes_of.hpp"
 #include "base/make_room.hpp"
 
@@ -51,20 +53,18 @@ bool KeptCandidates::look_up_changes(const FindingUpdate& finding, std::size_t w
 
     remove(update);
     wake(finding);
-    move(finding);
     margins_.lookahead().note_update();
-    const std::size_t escaped = escaped_.size() + changes.added.size();
-    const bool many_escaped = RebuildRule::are_many(escaped, table.size());
+    do_most_move(changes) ? margins_.frame().advance() : margins_.frame().stay();
+    const bool many_escaped = move(finding, false);
+    const std::size_t escaped = fattened_.count + escaped_.size() + changes.added.size();
     const bool is_degraded = escaped > 0 && rebuild_.is_degraded(forest_.unsorted_count(), slots_.size(), table.size());
     const bool searches_all =
         many_escaped || is_degraded || (escaped > 0 && rebuild_.is_due(slots_.awake_count(), table.size()));
     const std::size_t filtered = searches_all ? 0 : candidates_.size();
     if (!searches_all) test_candidates(update);
     if (searches_all) drop_candidates();
-    if (RebuildRule::are_many(escaped_.size(), table.size())) margins_.lookahead().limit(lifetime_of_escaped(table));
     for (const ProxyIndex proxy : changes.added) add(proxy, table);
-    if (many_escaped || margins_.lookahead().is_due(table.size())) margins_.lookahead().adapt();
-    if (many_escaped) margins_.learn_turns(slots_.awake_count());
+    if (!many_escaped && margins_.lookahead().is_due(table.size())) margins_.lookahead().adapt();
     if (searches_all) {
         search_everything(table, is_degraded, counts);
         ++counts.rebuilds;
@@ -134,16 +134,41 @@ void KeptCandidates::wake(const FindingUpdate& finding) {
     }
 }
 
-void KeptCandidates::move(const FindingUpdate& finding) {
+// Boxes move, a part of them at a time. Where those that escape are to be fattened, or turn out to be many, they get
+// other fat boxes part by part, and true is returned: a list of all would be written to memory and read again.
+// Otherwise they are listed.
+bool KeptCandidates::move(const FindingUpdate& finding, bool fattens) {
+    constexpr std::size_t part = 1024;
     const auto& [table, changes, keeper, events, counts] = finding;
-    if (do_most_move(changes)) {
-        margins_.frame().advance();
-        slots_.move_range(0, slots_.size(), table, margins_.frame(), escaped_);
-    } else {
-        margins_.frame().stay();
-        slots_.move(changes.moved, table, margins_.frame(), escaped_);
+    const auto fatten_many = [&, &table = table, &added = changes.added] {
+        if (!fattens && RebuildRule::are_many(escaped_.size() + added.size(), table.size())) {
+            fattens = true;
+            adapt_margins(table);
+        }
+        if (fattens) fatten_escaped(table);
+    };
+    const bool do_most = do_most_move(changes);
+    const std::size_t count = do_most ? slots_.size() : changes.moved.size();
+    for (std::size_t begin = 0; begin < count; begin += part) {
+        const std::size_t size = std::min(part, count - begin), before = escaped_.size();
+        if (do_most) {
+            slots_.move_range(begin, begin + size, table, margins_.frame(), escaped_);
+        } else {
+            slots_.move(changes.moved.subspan(begin, size), table, margins_.frame(), escaped_);
+        }
+        counts.escaped += escaped_.size() - before;
+        fatten_many();
     }
-    counts.escaped += escaped_.size();
+    fatten_many();
+    return fattens;
+}
+
+// Before many that escaped get other margins.
+void KeptCandidates::adapt_margins(const ProxyTable& table) {
+    Lookahead& lookahead = margins_.lookahead();
+    if (RebuildRule::are_many(escaped_.size(), table.size())) lookahead.limit(lifetime_of_escaped(table));
+    lookahead.adapt();
+    margins_.learn_turns(slots_.awake_count());
 }
 
 // Going through all boxes in the order of memory costs less for each.

@@ -56,7 +56,8 @@ class KeptCandidates final : public PairFinder {
     bool look_up_changes(const FindingUpdate& finding, std::size_t woken);
     void remove(Update& update);
     void wake(const FindingUpdate& finding);
-    void move(const FindingUpdate& finding);
+    bool move(const FindingUpdate& finding, bool fattens);
+    void adapt_margins(const ProxyTable& table);
     bool do_most_move(const ProxyChanges& changes) const noexcept;
     void test_candidates(const Update& update);
     void add(ProxyIndex proxy, const ProxyTable& table);
@@ -78,7 +79,6 @@ class KeptCandidates final : public PairFinder {
     void search_everything(const ProxyTable& table, bool must_sort, BroadPhaseCounts& counts);
     void fatten_everything(const ProxyTable& table, bool must_sort);
     void sort_slots(const ProxyTable& table);
-    void fatten_moved(const FindingUpdate& finding);
     void fatten_escaped(const ProxyTable& table);
     void drop_candidates();
 

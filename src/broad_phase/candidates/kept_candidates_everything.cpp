@@ -27,7 +27,7 @@ void KeptCandidates::replace_everything(const FindingUpdate& finding) {
     if (has_margins_) {
         if (!had_margins) slots_.drop_margins();
         for (const ProxyIndex proxy : changes.moved) slots_.wake(slots_.slot_of(proxy));
-        fatten_moved(finding);
+        move(finding, true);
     } else {
         slots_.put_all_to_sleep();
         slots_.take(changes.moved, table);
@@ -41,22 +41,6 @@ void KeptCandidates::replace_everything(const FindingUpdate& finding) {
     if (has_margins_ && changes.moved.empty() && RebuildRule::are_many(changes.added.size(), table.size())) {
         forest_.refresh(slots_.fat_lines());  // which the first one to move or to come would wait for
     }
-}
-
-// Boxes move, and those that escape get other fat boxes. A part at a time: most of them do, and a list of all would be
-// written to memory and read again.
-void KeptCandidates::fatten_moved(const FindingUpdate& finding) {
-    constexpr std::size_t part = 1024;
-    const std::size_t end = do_most_move(finding.changes) ? slots_.size() : 0;
-    for (std::size_t begin = 0; begin < end; begin += part) {
-        slots_.move_range(begin, std::min(begin + part, end), finding.table, margins_.frame(), escaped_);
-        finding.counts.escaped += escaped_.size();
-        fatten_escaped(finding.table);
-    }
-    if (end > 0) return;
-    slots_.move(finding.changes.moved, finding.table, margins_.frame(), escaped_);
-    finding.counts.escaped += escaped_.size();
-    fatten_escaped(finding.table);
 }
 
 void KeptCandidates::fatten_escaped(const ProxyTable& table) {
@@ -87,10 +71,8 @@ void KeptCandidates::search_everything(const ProxyTable& table, bool must_sort, 
     } else {
         forest_.forget();
         counts.box_tests += search_.find_pairs(slots_.lines(), found) + found.size();
-        const auto for_each = [&, proxies = slots_.proxies().data()](const auto& visit) {
-            for (const auto& [a, b] : found) visit(proxies[a], proxies[b]);
-        };
-        list_each_pair(for_each, table.end(), pairs_);
+        for (auto& [a, b] : found) a = slots_.proxies()[a], b = slots_.proxies()[b];
+        list_pairs(found, table.end(), pairs_);
         candidates_.clear();
     }
     keeping_.note_pairs(pairs_.size());

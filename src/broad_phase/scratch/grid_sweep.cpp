@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/bytes_of.hpp"
+#include "base/make_room.hpp"
 #include "broad_phase/boxes/box_forest.hpp"
 #include "broad_phase/scratch/grid_sweep_loops.hpp"
 #include "simd/dispatch.hpp"
@@ -113,6 +114,10 @@ bool GridSweep::count_cells(std::span<const PackedBox> lines) {
     for (Cell& cell : cells_) {
         cell.offset = offset;
         offset += row_count * cell.stride();
+    }
+    if (rows_.capacity() < offset) {  // nothing in it is to be copied; and the next time it is a little more, as a rule
+        release(rows_);
+        rows_.reserve(offset + offset / 8);
     }
     rows_.resize(offset);
     return true;
