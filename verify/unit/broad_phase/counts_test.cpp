@@ -141,49 +141,6 @@ TEST(Counts, FastBoxesAreSearchedFromScratchUntilTheyAreSlow) {
     EXPECT_GT(counts.candidates_filtered, before.candidates_filtered);
 }
 
-// Of boxes that move straight on, each by its own way, by so much of their size at most: the tests of an update for
-// each.
-double tests_of_fast_boxes(double speed) {
-    constexpr ProxyIndex count = 4000;
-    constexpr int updates = 80;
-    constexpr double space = 24;
-    std::uint64_t state = 1;
-    const auto next = [&] {
-        state = state * 6364136223846793005u + 1442695040888963407u;
-        return static_cast<double>(state >> 40) / 0x1p24;
-    };
-    const auto phase = make_broad_phase(BroadPhaseKind::kept_candidates);
-    std::vector<Vec3> at(count), way(count);
-    for (ProxyIndex proxy = 0; proxy < count; ++proxy) {
-        for (Eigen::Index k = 0; k < 3; ++k) at[proxy][k] = space * next(), way[proxy][k] = speed * (2 * next() - 1);
-        phase->add(proxy, make_cube(at[proxy][0], at[proxy][1], at[proxy][2], 2));
-    }
-    phase->update();
-    const BroadPhaseCounts before = phase->counts();
-    for (int update = 0; update < updates; ++update) {
-        for (ProxyIndex proxy = 0; proxy < count; ++proxy) {
-            for (Eigen::Index k = 0; k < 3; ++k) {
-                if (at[proxy][k] + way[proxy][k] < 0 || at[proxy][k] + way[proxy][k] > space) way[proxy][k] *= -1;
-            }
-            at[proxy] += way[proxy];
-            phase->move(proxy, make_cube(at[proxy][0], at[proxy][1], at[proxy][2], 2));
-        }
-        phase->update();
-    }
-    const BroadPhaseCounts& after = phase->counts();
-    return static_cast<double>(after.box_tests - before.box_tests + after.candidates_filtered -
-                               before.candidates_filtered) /
-           (count * updates);
-}
-
-// Their margins end at different times; yet they are not looked up one by one, which takes several times the tests.
-TEST(Counts, FastBoxesGetOtherMarginsTogether) {
-    EXPECT_LE(tests_of_fast_boxes(0.02), 1.0);
-    EXPECT_LE(tests_of_fast_boxes(0.06), 1.0);
-    EXPECT_LE(tests_of_fast_boxes(0.1), 1.0);
-    EXPECT_LE(tests_of_fast_boxes(0.2), 1.0);
-}
-
 // Cubes of which neighbours overlap.
 constexpr ProxyIndex swarm_count = 400;
 

@@ -10,15 +10,10 @@
 #include "ecods/world.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
+#include "unit/world/world_fixture.hpp"
 
 namespace ecods {
 namespace {
-
-Pose at(double x, double y = 0) {
-    Pose pose;
-    pose.t = Vec3(x, y, 0);
-    return pose;
-}
 
 class WorldCertificates : public testing::TestWithParam<BroadPhaseKind> {};
 
