@@ -139,8 +139,66 @@ void PairList::apply_log() {
 // changes is copied as a block.
 void PairList::patch(const ProxyPairs& gone, const ProxyPairs& come) {
     if (gone.empty() && come.empty()) return;
-    make_patched(gone, come);
-    list_.swap(spare_);
+    constexpr std::size_t long_block = 32;  // shorter ones cost more to move than to copy
+    if (long_block * (gone.size() + come.size()) < list_.size()) {
+        patch_in_place(gone, come);
+    } else {
+        make_patched(gone, come);
+        list_.swap(spare_);
+    }
+}
+
+// As make_patched(), within the list, which takes no memory for another one. What lies between two changes moves as a
+// block: what moves down from the first block on, and then what moves up from the last one on, so that none is written
+// over before it has moved.
+void PairList::patch_in_place(const ProxyPairs& gone, const ProxyPairs& come) {
+    std::vector<Block> blocks;
+    blocks.reserve(gone.size() + come.size() + 1);
+    std::vector<std::size_t> places;  // of those that come
+    places.reserve(come.size());
+    find_blocks(gone, come, blocks, places);
+    const auto [last_begin, last_end, last_shift] = blocks.back();
+    const std::size_t size = last_end + static_cast<std::size_t>(last_shift);
+    if (size > list_.size()) grow_to(list_, size);
+    // Nothing below throws.
+    ProxyPair* const list = list_.data();
+    for (const auto& [begin, end, shift] : blocks) {
+        if (shift < 0) std::move(list + begin, list + end, list + begin + shift);
+    }
+    for (auto block = blocks.rbegin(); block != blocks.rend(); ++block) {
+        if (block->shift > 0)
+            std::move_backward(list + block->begin, list + block->end, list + block->end + block->shift);
+    }
+    for (std::size_t i = 0; i < come.size(); ++i) list[places[i]] = come[i];
+    list_.resize(size);
+}
+
+// The parts of the list that stay, with how far each is to move, and where those that come are to be put.
+void PairList::find_blocks(const ProxyPairs& gone, const ProxyPairs& come, std::vector<Block>& blocks,
+                           std::vector<std::size_t>& places) const {
+    const ProxyPair* const begin = list_.data();
+    const ProxyPair* const end = begin + list_.size();
+    const ProxyPair* read = begin;
+    std::ptrdiff_t shift = 0;
+    const auto pass = [&](const ProxyPair* next) {
+        blocks.push_back({static_cast<std::size_t>(read - begin), static_cast<std::size_t>(next - begin), shift});
+        read = next;
+    };
+    auto next_gone = gone.begin();
+    auto next_come = come.begin();
+    while (next_gone != gone.end() || next_come != come.end()) {
+        const bool is_gone = next_come == come.end() || (next_gone != gone.end() && !is_before(*next_come, *next_gone));
+        const ProxyPair& pair = is_gone ? *next_gone++ : *next_come++;
+        pass(find_from(read, end, pair));
+        if (!is_gone) {
+            places.push_back(static_cast<std::size_t>(read - begin + shift));
+            ++shift;
+        } else if (read != end && *read == pair) {
+            ++read;
+            --shift;
+        }
+    }
+    pass(end);
 }
 
 void PairList::make_patched(const ProxyPairs& gone, const ProxyPairs& come) {
