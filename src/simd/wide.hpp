@@ -15,7 +15,7 @@
 #include <immintrin.h>
 
 #define ECODS_WIDE [[gnu::target("avx512f,avx512bw,avx512dq,avx512vl")]]
-#define ECODS_WIDE_INLINE [[gnu::target("avx512f,avx512bw,avx512dq,avx512vl"), gnu::always_inline]] inline
+#define ECODS_WIDE_INLINE ECODS_WIDE ECODS_ALWAYS_INLINE
 
 namespace ecods::wide {
 

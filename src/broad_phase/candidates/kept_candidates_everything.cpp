@@ -37,9 +37,9 @@ void KeptCandidates::replace_everything(const FindingUpdate& finding) {
     ++counts.rebuilds;
     if (has_margins_ && changes.moved.empty()) {
         margins_.lookahead().start(Lookahead::guess(pairs_.size(), slots_.used_count()));
-    }
-    if (has_margins_ && changes.moved.empty() && RebuildRule::are_many(changes.added.size(), table.size())) {
-        forest_.refresh(slots_.fat_lines());  // which the first one to move or to come would wait for
+        if (RebuildRule::are_many(changes.added.size(), table.size())) {
+            forest_.refresh(slots_.fat_lines());  // which the first one to move or to come would wait for
+        }
     }
 }
 

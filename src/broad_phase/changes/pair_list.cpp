@@ -22,6 +22,32 @@ const ProxyPair* find_from(const ProxyPair* first, const ProxyPair* last, const 
     return std::lower_bound(first, first + std::min(step + 1, last - first), pair, is_before);
 }
 
+// Goes through a list without `gone`, which need not all be in it, and with `come`; all are ascending. Calls
+// keep(begin, end) for what lies between two changes, and put(pair) for each that comes, in order.
+template <class Keep, class Put>
+void for_each_part(const ProxyPairs& list, const ProxyPairs& gone, const ProxyPairs& come, const Keep& keep,
+                   const Put& put) {
+    const ProxyPair* read = list.data();
+    const ProxyPair* const read_end = read + list.size();
+    auto next_gone = gone.begin();
+    auto next_come = come.begin();
+    while (next_gone != gone.end() || next_come != come.end()) {
+        const bool is_gone = next_come == come.end() || (next_gone != gone.end() && !is_before(*next_come, *next_gone));
+        const ProxyPair pair = is_gone ? *next_gone : *next_come;
+        const ProxyPair* const next = find_from(read, read_end, pair);
+        keep(read, next);
+        read = next;
+        if (is_gone) {
+            if (read != read_end && *read == pair) ++read;
+            ++next_gone;
+        } else {
+            put(pair);
+            ++next_come;
+        }
+    }
+    keep(read, read_end);
+}
+
 // What two ascending lists do not share, in order: of the old one to `ended`, of the new one to `began`. Most that is
 // in one is in both: as long as the next few are, nothing else is looked at. Among others nothing is known, so both
 // lists go on, or the one that is behind, without a branch.
@@ -152,77 +178,38 @@ void PairList::patch(const ProxyPairs& gone, const ProxyPairs& come) {
 // block: what moves down from the first block on, and then what moves up from the last one on, so that none is written
 // over before it has moved.
 void PairList::patch_in_place(const ProxyPairs& gone, const ProxyPairs& come) {
+    struct Block {
+        std::size_t begin, end, to;
+    };
     std::vector<Block> blocks;
     blocks.reserve(gone.size() + come.size() + 1);
     std::vector<std::size_t> places;  // of those that come
     places.reserve(come.size());
-    find_blocks(gone, come, blocks, places);
-    const auto [last_begin, last_end, last_shift] = blocks.back();
-    const std::size_t size = last_end + static_cast<std::size_t>(last_shift);
+    std::size_t size = 0;
+    const auto keep = [&, first = list_.data()](const ProxyPair* begin, const ProxyPair* end) {
+        blocks.push_back({static_cast<std::size_t>(begin - first), static_cast<std::size_t>(end - first), size});
+        size += static_cast<std::size_t>(end - begin);
+    };
+    for_each_part(list_, gone, come, keep, [&](const ProxyPair&) { places.push_back(size++); });
     if (size > list_.size()) grow_to(list_, size);
     // Nothing below throws.
     ProxyPair* const list = list_.data();
-    for (const auto& [begin, end, shift] : blocks) {
-        if (shift < 0) std::move(list + begin, list + end, list + begin + shift);
+    for (const auto& [begin, end, to] : blocks) {
+        if (to < begin) std::move(list + begin, list + end, list + to);
     }
     for (auto block = blocks.rbegin(); block != blocks.rend(); ++block) {
-        if (block->shift > 0)
-            std::move_backward(list + block->begin, list + block->end, list + block->end + block->shift);
+        const auto [begin, end, to] = *block;
+        if (to > begin) std::move_backward(list + begin, list + end, list + to + (end - begin));
     }
     for (std::size_t i = 0; i < come.size(); ++i) list[places[i]] = come[i];
     list_.resize(size);
 }
 
-// The parts of the list that stay, with how far each is to move, and where those that come are to be put.
-void PairList::find_blocks(const ProxyPairs& gone, const ProxyPairs& come, std::vector<Block>& blocks,
-                           std::vector<std::size_t>& places) const {
-    const ProxyPair* const begin = list_.data();
-    const ProxyPair* const end = begin + list_.size();
-    const ProxyPair* read = begin;
-    std::ptrdiff_t shift = 0;
-    const auto pass = [&](const ProxyPair* next) {
-        blocks.push_back({static_cast<std::size_t>(read - begin), static_cast<std::size_t>(next - begin), shift});
-        read = next;
-    };
-    auto next_gone = gone.begin();
-    auto next_come = come.begin();
-    while (next_gone != gone.end() || next_come != come.end()) {
-        const bool is_gone = next_come == come.end() || (next_gone != gone.end() && !is_before(*next_come, *next_gone));
-        const ProxyPair& pair = is_gone ? *next_gone++ : *next_come++;
-        pass(find_from(read, end, pair));
-        if (!is_gone) {
-            places.push_back(static_cast<std::size_t>(read - begin + shift));
-            ++shift;
-        } else if (read != end && *read == pair) {
-            ++read;
-            --shift;
-        }
-    }
-    pass(end);
-}
-
 void PairList::make_patched(const ProxyPairs& gone, const ProxyPairs& come) {
     spare_.resize(list_.size() + come.size());
-    const ProxyPair* read = list_.data();
-    const ProxyPair* const read_end = read + list_.size();
     ProxyPair* write = spare_.data();
-    auto next_gone = gone.begin();
-    auto next_come = come.begin();
-    while (next_gone != gone.end() || next_come != come.end()) {
-        const bool is_gone = next_come == come.end() || (next_gone != gone.end() && !is_before(*next_come, *next_gone));
-        const ProxyPair pair = is_gone ? *next_gone : *next_come;
-        const ProxyPair* next = find_from(read, read_end, pair);
-        write = std::copy(read, next, write);
-        read = next;
-        if (is_gone) {
-            if (read != read_end && *read == pair) ++read;
-            ++next_gone;
-        } else {
-            *write++ = pair;
-            ++next_come;
-        }
-    }
-    write = std::copy(read, read_end, write);
+    const auto keep = [&](const ProxyPair* begin, const ProxyPair* end) { write = std::copy(begin, end, write); };
+    for_each_part(list_, gone, come, keep, [&](const ProxyPair& pair) { *write++ = pair; });
     spare_.resize(static_cast<std::size_t>(write - spare_.data()));
 }
 

@@ -38,18 +38,11 @@ class PairList final : public PairKeeper {
         ProxyPair pair;
         std::uint32_t order;  // even: ended; odd: began
     };
-    // A part of the list that moves as a whole.
-    struct Block {
-        std::size_t begin, end;
-        std::ptrdiff_t shift;
-    };
 
     void log_events();
     void apply_log();
     void patch(const ProxyPairs& gone, const ProxyPairs& come);
     void patch_in_place(const ProxyPairs& gone, const ProxyPairs& come);
-    void find_blocks(const ProxyPairs& gone, const ProxyPairs& come, std::vector<Block>& blocks,
-                     std::vector<std::size_t>& places) const;
     void make_patched(const ProxyPairs& gone, const ProxyPairs& come);
 
     const PairEvents& events_;
