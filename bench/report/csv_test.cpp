@@ -1,6 +1,7 @@
 #include "report/csv.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
@@ -27,7 +28,8 @@ Page page() {
 }
 
 TEST(Csv, ListsEveryNumberWithItsLabels) {
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "ecods_csv_test" / "out.csv";
+    const std::string folder = "ecods_csv_test_" + std::to_string(getpid());
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / folder / "out.csv";
     write_csv(page(), file);
     std::ifstream in(file, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};

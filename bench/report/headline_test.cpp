@@ -1,6 +1,7 @@
 #include "report/headline.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -78,7 +79,8 @@ class Saved : public testing::Test {
     std::filesystem::path file(const std::string& name) const { return folder_ / name; }
 
   private:
-    std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "ecods_headline_test";
+    std::filesystem::path folder_ =
+        std::filesystem::path(testing::TempDir()) / ("ecods_headline_test_" + std::to_string(getpid()));
 };
 
 TEST(Headline, SaysWhatTheTablesSay) {

@@ -3,6 +3,7 @@
 #include "scenes/building/building.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -26,12 +27,15 @@ using scenes::KnownRelation;
 constexpr scenes::Length clearance = 10;  // 1 mm
 
 ClashReport report_of(const std::vector<Element>& elements) {
-    const std::string file = testing::TempDir() + "clash_building.obj";
+    // Two tests of this file may run at once, each in a process of its own.
+    const std::string file = testing::TempDir() + "clash_building_" + std::to_string(getpid()) + ".obj";
     std::ofstream out(file);
     write_obj(out, elements);
     out.close();
     const JudgeOptions options{.clearance = scenes::meters(clearance), .has_touching = true, .jobs = 2};
-    return judge(read_inputs({file}, 2, false), options);
+    const ClashReport report = judge(read_inputs({file}, 2, false), options);
+    std::filesystem::remove(file);
+    return report;
 }
 
 std::string word_of(Contact contact, bool is_exchanged) {
