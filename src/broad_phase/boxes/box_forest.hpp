@@ -51,6 +51,13 @@ class BoxForest {
         return tests;
     }
 
+    std::uint64_t find_each(std::span<const BoxReach> reaches, BlockVisits& visits,
+                            std::vector<FoundBox>& found) const {
+        std::uint64_t tests = 0;
+        for (const BoxTree& tree : trees_) tests += tree.find_each(reaches, visits, found);
+        return tests;
+    }
+
     // Appends all pairs of slots whose boxes overlap, each once. Returns the number of box tests.
     std::uint64_t find_pairs(std::vector<std::array<SlotIndex, 2>>& found) const;
 

@@ -166,11 +166,11 @@ struct alignas(64) BoxBlock {
         for (std::size_t row = 0; row < 6; ++row) is_same &= ends[row][index] == line.ends[row];
         return is_same;
     }
-    // The smallest box that contains all.
+    // The smallest box that contains all. By values, of which none is branched on, as min_element() would.
     PackedBox bounds() const noexcept {
         PackedBox line;
         for (std::size_t row = 0; row < 6; ++row) {
-            line.ends[row] = *std::min_element(ends[row].begin(), ends[row].end());
+            for (const std::int64_t end : ends[row]) line.ends[row] = end < line.ends[row] ? end : line.ends[row];
         }
         return line;
     }

@@ -43,6 +43,12 @@ class FatForest {
         return forest_.find(reach, found);
     }
 
+    std::uint64_t find_each(std::span<const BoxReach> reaches, BlockVisits& visits,
+                            std::vector<FoundBox>& found) const {
+        ECODS_ASSERT(!is_behind_);
+        return forest_.find_each(reaches, visits, found);
+    }
+
     // Slots that are, or will be, in trees which are not in order.
     std::size_t unsorted_count() const noexcept { return forest_.unsorted_count() + lacking_.size(); }
 

@@ -109,31 +109,6 @@ void KeptCandidates::remove(Update& update) {
     }
 }
 
-// Before boxes move: the candidates of those that do.
-void KeptCandidates::wake(const FindingUpdate& finding) {
-    const auto& moved = finding.changes.moved;
-    if (slots_.awake_count() == slots_.used_count() && moved.size() == slots_.used_count()) return;
-    std::vector<SlotIndex> woken;
-    for (const ProxyIndex proxy : moved) {
-        const SlotIndex slot = slots_.slot_of(proxy);
-        if (!slots_.has(slot, SlotTable::awake)) woken.push_back(slot);
-        slots_.note_moved(slot);
-    }
-    if (!woken.empty()) forest_.refresh(slots_.fat_lines());
-    BoxReach reach;
-    for (const SlotIndex slot : woken) {
-        make_reach(slots_.fat_lines()[slot], reach);
-        found_.clear();
-        finding.counts.box_tests += forest_.find(reach, found_);
-        make_reach(slots_.lines()[slot], reach);
-        for (const SlotIndex partner : found_) {
-            if (partner == slot || slots_.has(partner, SlotTable::awake)) continue;
-            candidates_.add(slot, partner, overlaps(slots_.lines()[partner], reach));
-        }
-        slots_.wake(slot);
-    }
-}
-
 // Boxes move, a part of them at a time. Where those that escape are to be fattened, or turn out to be many, they get
 // other fat boxes part by part, and true is returned: a list of all would be written to memory and read again.
 // Otherwise they are listed.
@@ -199,13 +174,15 @@ void KeptCandidates::put_to_sleep(std::size_t moved_count) {
 
 void KeptCandidates::release_working_memory() {
     search_ = {};
-    release(escaped_, old_fats_, found_, pairs_);
+    look_ups_ = {};
+    release(escaped_, woken_, old_fats_, found_, pairs_);
     candidates_.release_spare();
 }
 
 std::size_t KeptCandidates::bytes() const noexcept {
     return slots_.bytes() + margins_.bytes() + candidates_.bytes() + forest_.bytes() + search_.bytes() +
-           bytes_of(escaped_, found_, pairs_) + bytes_of(old_fats_);
+           bytes_of(escaped_, found_, pairs_) + bytes_of(woken_) + bytes_of(old_fats_) + bytes_of(look_ups_.reaches) +
+           bytes_of(look_ups_.visits.level, look_ups_.visits.next) + bytes_of(look_ups_.found);
 }
 
 void KeptCandidates::validate(const ProxyTable& table) const {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "broad_phase/candidates/candidate_list.hpp"
@@ -46,6 +47,13 @@ class KeptCandidates final : public PairFinder {
         std::size_t count = 0, came = 0;
         std::vector<SlotIndex> far;  // from where they were
     };
+    // Some boxes that are looked up at once.
+    struct LookUps {
+        static constexpr std::size_t part = 128;  // whose working memory is in the nearest cache
+        std::vector<BoxReach> reaches;
+        BlockVisits visits;
+        std::vector<FoundBox> found;
+    };
     struct Foresight {
         KeepingRule::Forecast forecast;
         Vec3 common_step;
@@ -55,7 +63,6 @@ class KeptCandidates final : public PairFinder {
     // kept_candidates.cpp
     bool look_up_changes(const FindingUpdate& finding, std::size_t woken);
     void remove(Update& update);
-    void wake(const FindingUpdate& finding);
     bool move(const FindingUpdate& finding, bool fattens);
     void adapt_margins(const ProxyTable& table);
     bool do_most_move(const ProxyChanges& changes) const noexcept;
@@ -64,10 +71,16 @@ class KeptCandidates final : public PairFinder {
     void put_to_sleep(std::size_t moved_count);
     void release_working_memory();
 
+    // kept_candidates_wake.cpp
+    void wake(const FindingUpdate& finding);
+    void widen_woken(const ProxyTable& table);
+    void link_woken(std::span<const SlotIndex> woken, std::span<const PackedBox> old_fats, BroadPhaseCounts& counts);
+
     // kept_candidates_search.cpp
     PackedBox fatten(std::size_t index, const ProxyTable& table);
     void search_escaped(Update& update);
-    void link(std::size_t index, Update& update);
+    void link(std::size_t begin, std::size_t end, Update& update);
+    void link(const EscapedBox& escaped, const PackedBox& old_fat, SlotIndex partner, const Update& update);
     const PackedBox& fat_line_before(SlotIndex slot) const noexcept;
 
     // kept_candidates_foresight.cpp
@@ -93,8 +106,10 @@ class KeptCandidates final : public PairFinder {
 
     // Working memory of an update.
     std::vector<EscapedBox> escaped_;
+    std::vector<SlotIndex> woken_;
     std::vector<PackedBox> old_fats_;  // of those that are looked up: their fat boxes before; empty of one that came
     Fattened fattened_;
+    LookUps look_ups_;
     std::vector<SlotIndex> found_;
     ProxyPairs pairs_;  // that a search for everything found
 };

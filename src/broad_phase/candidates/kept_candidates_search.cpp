@@ -7,8 +7,8 @@
 namespace ecods {
 namespace {
 
-// How many escaped boxes ahead memory is asked for.
-constexpr std::size_t escaped_ahead = 6;
+// How many boxes ahead memory is asked for.
+constexpr std::size_t escaped_ahead = 6, found_ahead = 8;
 
 bool has_lower_slot(const EscapedBox& a, const EscapedBox& b) noexcept {
     return a.slot < b.slot;
@@ -51,9 +51,8 @@ void KeptCandidates::search_escaped(Update& update) {
             forest_.set(escaped_[i].slot, fat_lines[escaped_[i].slot]);
         }
     }
-    for (std::size_t i = 0; i < escaped_.size(); ++i) {
-        if (i + escaped_ahead < escaped_.size()) forest_.prefetch(escaped_[i + escaped_ahead].slot);
-        link(i, update);
+    for (std::size_t begin = 0; begin < escaped_.size(); begin += LookUps::part) {
+        link(begin, std::min(begin + LookUps::part, escaped_.size()), update);
     }
     slots_.settle_escaped(escaped_);
     escaped_.clear();
@@ -68,33 +67,41 @@ const PackedBox& KeptCandidates::fat_line_before(SlotIndex slot) const noexcept 
     return old_fats_[static_cast<std::size_t>(place - escaped_.begin())];
 }
 
-// Adds the candidates of a box with a new fat box. What is known of those that it had is right already, and one that is
-// new and overlaps did not do so before: it would have been a candidate.
-void KeptCandidates::link(std::size_t index, Update& update) {
-    const auto lines = slots_.lines(), fat_lines = slots_.fat_lines();
-    const SlotIndex slot = escaped_[index].slot;
-    const PackedBox& old_fat = old_fats_[index];
-    BoxReach reach, reach_before;
-    make_reach(fat_lines[slot], reach);
-    found_.clear();
-    const std::uint64_t tests = forest_.find(reach, found_) + found_.size();
-    update.finding.counts.box_tests += tests;
-    if (!overlaps(old_fat, reach)) update.jump_tests += tests;
-    for (const SlotIndex partner : found_) {
-        __builtin_prefetch(&fat_lines[partner]);
-        __builtin_prefetch(&lines[partner]);
+// Adds the candidates of some boxes with new fat boxes.
+void KeptCandidates::link(std::size_t begin, std::size_t end, Update& update) {
+    const auto fat_lines = slots_.fat_lines();
+    auto& [reaches, visits, found] = look_ups_;
+    reaches.resize(end - begin);
+    std::size_t jumped = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+        make_reach(fat_lines[escaped_[i].slot], reaches[i - begin]);
+        jumped += overlaps(old_fats_[i], reaches[i - begin]) ? 0 : 1;
     }
-    make_reach(lines[slot], reach);
-    make_reach(old_fat, reach_before);
-    for (const SlotIndex partner : found_) {
-        // Of two that escaped, the first does it.
-        if (partner == slot || (slots_.has(partner, SlotTable::escaped) && partner < slot)) continue;
-        if (overlaps(fat_line_before(partner), reach_before)) continue;  // a candidate already, if one of them is awake
-        const bool now = overlaps(lines[partner], reach);
-        if (now) update.finding.events.began.push_back(slots_.pair_of(slot, partner));
-        if (slots_.has(slot, SlotTable::awake) || slots_.has(partner, SlotTable::awake)) {
-            candidates_.add(slot, partner, now);
-        }
+    found.clear();
+    const std::uint64_t tests = forest_.find_each(reaches, visits, found) + found.size();
+    update.finding.counts.box_tests += tests;
+    update.jump_tests += tests * jumped / reaches.size();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        slots_.prefetch(found[std::min(i + found_ahead, found.size() - 1)].slot);
+        const std::size_t index = begin + found[i].query;
+        link(escaped_[index], old_fats_[index], found[i].slot, update);
+    }
+}
+
+// What is known of candidates that there were is right already, and one that is new and overlaps did not do so before:
+// it would have been a candidate. Of two that escaped, the first does it.
+void KeptCandidates::link(const EscapedBox& escaped, const PackedBox& old_fat, SlotIndex partner,
+                          const Update& update) {
+    const SlotIndex slot = escaped.slot;
+    if (partner == slot || (slots_.has(partner, SlotTable::escaped) && partner < slot)) return;
+    BoxReach reach;
+    make_reach(old_fat, reach);
+    if (overlaps(fat_line_before(partner), reach)) return;  // a candidate already, if one of them is awake
+    make_reach(slots_.lines()[slot], reach);
+    const bool now = overlaps(slots_.lines()[partner], reach);
+    if (now) update.finding.events.began.push_back(slots_.pair_of(slot, partner));
+    if (slots_.has(slot, SlotTable::awake) || slots_.has(partner, SlotTable::awake)) {
+        candidates_.add(slot, partner, now);
     }
 }
 

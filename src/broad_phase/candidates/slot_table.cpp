@@ -53,7 +53,7 @@ void SlotTable::remove(SlotIndex slot) {
     slots_[proxies_[slot]] = no_slot;
     --used_count_;
     if (has(slot, awake)) --awake_count_;
-    if (!has(slot, changed)) changed_slots_.push_back(slot);
+    note_changed(slot);
     flags_[slot] = changed;
 }
 
@@ -66,6 +66,15 @@ std::size_t SlotTable::count_asleep(std::span<const ProxyIndex> proxies) const n
 void SlotTable::wake(SlotIndex slot) noexcept {
     if (!has(slot, awake)) ++awake_count_;
     flags_[slot] |= awake | moved;
+}
+
+void SlotTable::settle_woken(std::span<const SlotIndex> slots) noexcept {
+    for (const SlotIndex slot : slots) clear(slot, woken);
+}
+
+void SlotTable::widen(SlotIndex slot, const PackedBox& fat) {
+    note_changed(slot);
+    fat_lines_[slot] = fat;
 }
 
 void SlotTable::put_all_to_sleep() noexcept {
@@ -92,10 +101,14 @@ bool SlotTable::put_resting_to_sleep(std::size_t moved_count) noexcept {
 void SlotTable::settle_escaped(std::span<const EscapedBox> escaped_boxes) {
     for (const EscapedBox& box : escaped_boxes) {
         clear(box.slot, escaped);
-        if (has(box.slot, changed)) continue;
-        flags_[box.slot] |= changed;
-        changed_slots_.push_back(box.slot);
+        note_changed(box.slot);
     }
+}
+
+void SlotTable::note_changed(SlotIndex slot) {
+    if (has(slot, changed)) return;
+    changed_slots_.push_back(slot);
+    flags_[slot] |= changed;
 }
 
 void SlotTable::settle_all_escaped() noexcept {
@@ -136,7 +149,7 @@ void SlotTable::validate(const ProxyTable& table, const MovingFrame& frame, bool
     };
     std::size_t used_count = 0, awake_count = 0;
     for (SlotIndex slot = 0; slot < lines_.size(); ++slot) {
-        require(!has(slot, escaped), slot, "flags of an update are left");
+        require(!has(slot, escaped | woken), slot, "flags of an update are left");
         require(has(slot, changed) == (std::count(changed_slots_.begin(), changed_slots_.end(), slot) == 1), slot,
                 "the changed slots are not those with the flag");
         if (is_free(slot)) {

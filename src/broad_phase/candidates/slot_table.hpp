@@ -28,6 +28,7 @@ class SlotTable {
         moved = 2,    // since boxes were last put to sleep
         changed = 4,  // its fat box did, or it went: some of its candidates may be none any more
         escaped = 8,  // during an update: it has another fat box than before
+        woken = 16,   // while boxes awake: its candidates are known
     };
 
     void reserve(std::size_t count);
@@ -73,6 +74,11 @@ class SlotTable {
     std::size_t count_asleep(std::span<const ProxyIndex> proxies) const noexcept;
     void note_moved(SlotIndex slot) noexcept { flags_[slot] |= moved; }
     void wake(SlotIndex slot) noexcept;
+    void note_woken(SlotIndex slot) noexcept { flags_[slot] |= woken; }
+    void settle_woken(std::span<const SlotIndex> slots) noexcept;
+
+    // Before its candidates are looked for: a slot has another fat box, which contains the box, too.
+    void widen(SlotIndex slot, const PackedBox& fat);
     void put_all_to_sleep() noexcept;
 
     // After an update in which so many moved: puts to sleep what has been at rest for so long that it has cost as much
@@ -95,6 +101,7 @@ class SlotTable {
     void validate(const ProxyTable& table, const MovingFrame& frame, bool has_margins) const;
 
   private:
+    void note_changed(SlotIndex slot);
     void clear(SlotIndex slot, unsigned flag) noexcept { flags_[slot] &= static_cast<std::uint8_t>(~flag); }
 
     std::vector<PackedBox> lines_;

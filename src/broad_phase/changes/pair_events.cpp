@@ -16,6 +16,7 @@ void sort_pairs(ProxyPairs& pairs) {
         std::sort(pairs.begin(), pairs.end(), is_before);
         return;
     }
+    if (std::is_sorted(pairs.begin(), pairs.end(), is_before)) return;
     std::uint64_t varying = 0;
     for (const ProxyPair& pair : pairs) varying |= rank_of(pair) ^ rank_of(pairs.front());
     ProxyPairs spare(pairs.size());

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 #include <iterator>
+#include <limits>
 
 #include "base/bytes_of.hpp"
 #include "base/make_room.hpp"
@@ -165,7 +166,7 @@ void PairList::apply_log() {
 // changes is copied as a block.
 void PairList::patch(const ProxyPairs& gone, const ProxyPairs& come) {
     if (gone.empty() && come.empty()) return;
-    constexpr std::size_t long_block = 32;  // shorter ones cost more to move than to copy
+    constexpr std::size_t long_block = 16;  // shorter ones cost more to move than to copy
     if (long_block * (gone.size() + come.size()) < list_.size()) {
         patch_in_place(gone, come);
     } else {
@@ -205,11 +206,30 @@ void PairList::patch_in_place(const ProxyPairs& gone, const ProxyPairs& come) {
     list_.resize(size);
 }
 
+// Changes are close to each other here: all three lists go on step by step, and no branch depends on which does.
 void PairList::make_patched(const ProxyPairs& gone, const ProxyPairs& come) {
+    constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
     spare_.resize(list_.size() + come.size());
     ProxyPair* write = spare_.data();
-    const auto keep = [&](const ProxyPair* begin, const ProxyPair* end) { write = std::copy(begin, end, write); };
-    for_each_part(list_, gone, come, keep, [&](const ProxyPair& pair) { *write++ = pair; });
+    const ProxyPair *next_gone = gone.data(), *next_come = come.data();
+    const ProxyPair* const gone_end = next_gone + gone.size();
+    const ProxyPair* const come_end = next_come + come.size();
+    for (const ProxyPair *read = list_.data(), *const end = read + list_.size(); read != end;) {
+        const std::uint64_t kept = rank_of(*read);
+        const std::uint64_t goes = next_gone != gone_end ? rank_of(*next_gone) : none;
+        const std::uint64_t comes = next_come != come_end ? rank_of(*next_come) : none;
+        if (goes < kept) [[unlikely]] {  // it was not there
+            ++next_gone;
+            continue;
+        }
+        const bool is_new = comes <= kept, is_gone = !is_new && goes == kept;
+        *write = *(is_new ? next_come : read);
+        write += is_gone ? 0 : 1;
+        next_come += is_new ? 1 : 0;
+        next_gone += is_gone ? 1 : 0;
+        read += is_new ? 0 : 1;
+    }
+    write = std::copy(next_come, come_end, write);
     spare_.resize(static_cast<std::size_t>(write - spare_.data()));
 }
 

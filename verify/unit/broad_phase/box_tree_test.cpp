@@ -39,6 +39,28 @@ struct Planted {
         std::vector<SlotPair> pairs;
         tree.join(tree, pairs);
         EXPECT_EQ(sorted(pairs), overlapping_slot_pairs(lines));
+        expect_each_found(stride);
+    }
+    // Of many that are looked up at once, each finds what it finds alone, by as many tests.
+    void expect_each_found(std::size_t stride) const {
+        std::vector<BoxReach> reaches;
+        std::vector<SlotPair> expected, found_pairs;
+        std::uint64_t tests = 0;
+        for (std::size_t i = 0; i < boxes.size(); i += stride) {
+            const auto query = static_cast<std::uint32_t>(reaches.size());
+            make_reach(lines_of({boxes[i]})[0], reaches.emplace_back());
+            std::vector<SlotIndex> found;
+            tests += tree.find(reaches.back(), found);
+            for (const SlotIndex slot : found) expected.push_back({query, slot});
+        }
+        BlockVisits visits;
+        std::vector<FoundBox> found;
+        EXPECT_EQ(tree.find_each(reaches, visits, found), tests);
+        for (const auto& [query, slot] : found) found_pairs.push_back({query, slot});
+        EXPECT_EQ(sorted(found_pairs), sorted(expected));
+        found.clear();
+        EXPECT_EQ(tree.find_each({}, visits, found), 0u);
+        EXPECT_TRUE(found.empty());
     }
 };
 

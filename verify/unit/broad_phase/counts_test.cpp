@@ -94,6 +94,26 @@ TEST(Counts, OneMoverAmongManyCostsWhatItCosts) {
     EXPECT_LE(phase->counts().escaped, 50u) << "a box on its way has room for many steps";
 }
 
+// What lay at rest has no margin: to look it up where it was, and then again where it goes, takes twice the tests.
+TEST(Counts, BoxesThatAwakeAreLookedUpOnce) {
+    const auto phase = make_grid(BroadPhaseKind::kept_candidates, 20);
+    constexpr ProxyIndex awaking = 80, every = 100;
+    for (ProxyIndex i = 0; i < awaking; ++i) {
+        const Aabb& box = phase->box(i * every);
+        phase->move(i * every, {.min = box.min.array() + 0.01, .max = box.max.array() + 0.01});
+    }
+    const Work work = work_of_update(*phase);
+    EXPECT_GT(work.box_tests, 32 * awaking);
+    EXPECT_LT(work.box_tests, 72 * awaking);
+    // They have margins now.
+    for (ProxyIndex i = 0; i < awaking; ++i) {
+        const Aabb& box = phase->box(i * every);
+        phase->move(i * every, {.min = box.min.array() + 0.01, .max = box.max.array() + 0.01});
+    }
+    EXPECT_EQ(work_of_update(*phase).box_tests, 0u);
+    EXPECT_NO_THROW(phase->validate());
+}
+
 TEST(Counts, BoxesOnTheirWayAreFilteredAndNotSearched) {
     const auto phase = make_grid(BroadPhaseKind::kept_candidates, 12);
     for (int step = 1; step <= 60; ++step) {
