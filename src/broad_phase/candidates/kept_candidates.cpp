@@ -175,14 +175,13 @@ void KeptCandidates::put_to_sleep(std::size_t moved_count) {
 void KeptCandidates::release_working_memory() {
     search_ = {};
     look_ups_ = {};
-    release(escaped_, woken_, old_fats_, found_, pairs_);
+    release(escaped_, looked_up_, old_fats_, found_, pairs_);
     candidates_.release_spare();
 }
 
 std::size_t KeptCandidates::bytes() const noexcept {
     return slots_.bytes() + margins_.bytes() + candidates_.bytes() + forest_.bytes() + search_.bytes() +
-           bytes_of(escaped_, found_, pairs_) + bytes_of(woken_) + bytes_of(old_fats_) + bytes_of(look_ups_.reaches) +
-           bytes_of(look_ups_.visits.level, look_ups_.visits.next) + bytes_of(look_ups_.found);
+           look_ups_.bytes() + bytes_of(escaped_, looked_up_, found_, pairs_) + bytes_of(old_fats_);
 }
 
 void KeptCandidates::validate(const ProxyTable& table) const {

@@ -9,6 +9,7 @@
 #include "broad_phase/candidates/candidate_list.hpp"
 #include "broad_phase/candidates/fat_forest.hpp"
 #include "broad_phase/candidates/keeping_rule.hpp"
+#include "broad_phase/candidates/look_ups.hpp"
 #include "broad_phase/candidates/margins.hpp"
 #include "broad_phase/candidates/rebuild_rule.hpp"
 #include "broad_phase/candidates/slot_table.hpp"
@@ -47,13 +48,6 @@ class KeptCandidates final : public PairFinder {
         std::size_t count = 0, came = 0;
         std::vector<SlotIndex> far;  // from where they were
     };
-    // Some boxes that are looked up at once.
-    struct LookUps {
-        static constexpr std::size_t part = 128;  // whose working memory is in the nearest cache
-        std::vector<BoxReach> reaches;
-        BlockVisits visits;
-        std::vector<FoundBox> found;
-    };
     struct Foresight {
         KeepingRule::Forecast forecast;
         Vec3 common_step;
@@ -74,13 +68,13 @@ class KeptCandidates final : public PairFinder {
     // kept_candidates_wake.cpp
     void wake(const FindingUpdate& finding);
     void widen_woken(const ProxyTable& table);
-    void link_woken(std::span<const SlotIndex> woken, std::span<const PackedBox> old_fats, BroadPhaseCounts& counts);
+    void link_woken(std::size_t begin, std::size_t end, BroadPhaseCounts& counts);
 
     // kept_candidates_search.cpp
     PackedBox fatten(std::size_t index, const ProxyTable& table);
     void search_escaped(Update& update);
     void link(std::size_t begin, std::size_t end, Update& update);
-    void link(const EscapedBox& escaped, const PackedBox& old_fat, SlotIndex partner, const Update& update);
+    void link(SlotIndex slot, const PackedBox& old_fat, const LookUps::NewPartner& found, const Update& update);
     const PackedBox& fat_line_before(SlotIndex slot) const noexcept;
 
     // kept_candidates_foresight.cpp
@@ -106,8 +100,8 @@ class KeptCandidates final : public PairFinder {
 
     // Working memory of an update.
     std::vector<EscapedBox> escaped_;
-    std::vector<SlotIndex> woken_;
-    std::vector<PackedBox> old_fats_;  // of those that are looked up: their fat boxes before; empty of one that came
+    std::vector<SlotIndex> looked_up_;  // those that awake, and then those that escaped
+    std::vector<PackedBox> old_fats_;   // of those that are looked up: their fat boxes before; empty of one that came
     Fattened fattened_;
     LookUps look_ups_;
     std::vector<SlotIndex> found_;

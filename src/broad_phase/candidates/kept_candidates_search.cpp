@@ -8,7 +8,7 @@ namespace ecods {
 namespace {
 
 // How many boxes ahead memory is asked for.
-constexpr std::size_t escaped_ahead = 6, found_ahead = 8;
+constexpr std::size_t escaped_ahead = 6;
 
 bool has_lower_slot(const EscapedBox& a, const EscapedBox& b) noexcept {
     return a.slot < b.slot;
@@ -40,7 +40,11 @@ void KeptCandidates::search_escaped(Update& update) {
         std::sort(escaped_.begin(), escaped_.end(), has_lower_slot);
     }
     old_fats_.clear();
-    for (std::size_t i = 0; i < escaped_.size(); ++i) old_fats_.push_back(fatten(i, update.finding.table));
+    looked_up_.clear();
+    for (std::size_t i = 0; i < escaped_.size(); ++i) {
+        old_fats_.push_back(fatten(i, update.finding.table));
+        looked_up_.push_back(escaped_[i].slot);
+    }
     const auto fat_lines = slots_.fat_lines();
     forest_.add(std::exchange(fattened_, {}).far, fat_lines);
     if (forest_.is_behind()) {
@@ -69,39 +73,29 @@ const PackedBox& KeptCandidates::fat_line_before(SlotIndex slot) const noexcept 
 
 // Adds the candidates of some boxes with new fat boxes.
 void KeptCandidates::link(std::size_t begin, std::size_t end, Update& update) {
-    const auto fat_lines = slots_.fat_lines();
-    auto& [reaches, visits, found] = look_ups_;
-    reaches.resize(end - begin);
+    const std::span wanted = std::span<const SlotIndex>(looked_up_).subspan(begin, end - begin);
+    const std::span old_fats = std::span<const PackedBox>(old_fats_).subspan(begin, end - begin);
+    // Of two that are asleep, nothing was known, and nothing is needed.
+    constexpr LookUps::Known known{.looked_up = SlotTable::escaped, .has = 0};
+    const std::uint64_t tests = look_ups_.find(wanted, old_fats, known, slots_, forest_);
     std::size_t jumped = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-        make_reach(fat_lines[escaped_[i].slot], reaches[i - begin]);
-        jumped += overlaps(old_fats_[i], reaches[i - begin]) ? 0 : 1;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        jumped += overlap(old_fats[i], slots_.fat_lines()[wanted[i]]) ? 0 : 1;
     }
-    found.clear();
-    const std::uint64_t tests = forest_.find_each(reaches, visits, found) + found.size();
     update.finding.counts.box_tests += tests;
-    update.jump_tests += tests * jumped / reaches.size();
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        slots_.prefetch(found[std::min(i + found_ahead, found.size() - 1)].slot);
-        const std::size_t index = begin + found[i].query;
-        link(escaped_[index], old_fats_[index], found[i].slot, update);
-    }
+    update.jump_tests += tests * jumped / wanted.size();
+    for (const auto& found : look_ups_.found()) link(wanted[found.query], old_fats[found.query], found, update);
 }
 
 // What is known of candidates that there were is right already, and one that is new and overlaps did not do so before:
-// it would have been a candidate. Of two that escaped, the first does it.
-void KeptCandidates::link(const EscapedBox& escaped, const PackedBox& old_fat, SlotIndex partner,
+// it would have been a candidate.
+void KeptCandidates::link(SlotIndex slot, const PackedBox& old_fat, const LookUps::NewPartner& found,
                           const Update& update) {
-    const SlotIndex slot = escaped.slot;
-    if (partner == slot || (slots_.has(partner, SlotTable::escaped) && partner < slot)) return;
-    BoxReach reach;
-    make_reach(old_fat, reach);
-    if (overlaps(fat_line_before(partner), reach)) return;  // a candidate already, if one of them is awake
-    make_reach(slots_.lines()[slot], reach);
-    const bool now = overlaps(slots_.lines()[partner], reach);
-    if (now) update.finding.events.began.push_back(slots_.pair_of(slot, partner));
+    const auto [query, partner, overlaps] = found;
+    if (slots_.has(partner, SlotTable::escaped) && overlap(fat_line_before(partner), old_fat)) return;
+    if (overlaps) update.finding.events.began.push_back(slots_.pair_of(slot, partner));
     if (slots_.has(slot, SlotTable::awake) || slots_.has(partner, SlotTable::awake)) {
-        candidates_.add(slot, partner, now);
+        candidates_.add(slot, partner, overlaps);
     }
 }
 

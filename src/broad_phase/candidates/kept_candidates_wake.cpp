@@ -8,7 +8,7 @@ namespace ecods {
 namespace {
 
 // How many boxes ahead memory is asked for.
-constexpr std::size_t woken_ahead = 6, found_ahead = 8;
+constexpr std::size_t woken_ahead = 6;
 
 }  // namespace
 
@@ -16,23 +16,20 @@ constexpr std::size_t woken_ahead = 6, found_ahead = 8;
 void KeptCandidates::wake(const FindingUpdate& finding) {
     const auto& moved = finding.changes.moved;
     if (slots_.awake_count() == slots_.used_count() && moved.size() == slots_.used_count()) return;
-    woken_.clear();
+    looked_up_.clear();
     for (const ProxyIndex proxy : moved) {
         const SlotIndex slot = slots_.slot_of(proxy);
-        if (!slots_.has(slot, SlotTable::awake)) woken_.push_back(slot);
+        if (!slots_.has(slot, SlotTable::awake)) looked_up_.push_back(slot);
         slots_.note_moved(slot);
     }
-    if (woken_.empty()) return;
+    if (looked_up_.empty()) return;
     forest_.refresh(slots_.fat_lines());
-    if (!std::is_sorted(woken_.begin(), woken_.end())) std::sort(woken_.begin(), woken_.end());
+    if (!std::is_sorted(looked_up_.begin(), looked_up_.end())) std::sort(looked_up_.begin(), looked_up_.end());
     widen_woken(finding.table);
-    const std::span<const SlotIndex> woken = woken_;
-    const std::span<const PackedBox> old_fats = old_fats_;
-    for (std::size_t begin = 0; begin < woken.size(); begin += LookUps::part) {
-        const std::size_t count = std::min(LookUps::part, woken.size() - begin);
-        link_woken(woken.subspan(begin, count), old_fats.subspan(begin, count), finding.counts);
+    for (std::size_t begin = 0; begin < looked_up_.size(); begin += LookUps::part) {
+        link_woken(begin, std::min(begin + LookUps::part, looked_up_.size()), finding.counts);
     }
-    slots_.settle_woken(woken_);
+    slots_.settle_woken(looked_up_);
 }
 
 // What lay at rest has no margin, as a rule, and would escape at once, and be looked up twice. So those that are about
@@ -42,14 +39,14 @@ void KeptCandidates::widen_woken(const ProxyTable& table) {
     const auto lines = slots_.lines(), fat_lines = slots_.fat_lines();
     const bool are_in_space = margins_.frame().is_at_origin() && !margins_.frame().is_moving();
     old_fats_.clear();
-    for (std::size_t i = 0; i < woken_.size(); ++i) {
-        if (i + 2 * woken_ahead < woken_.size()) slots_.prefetch(woken_[i + 2 * woken_ahead]);
-        if (i + woken_ahead < woken_.size()) {
-            const SlotIndex ahead = woken_[i + woken_ahead];
+    for (std::size_t i = 0; i < looked_up_.size(); ++i) {
+        if (i + 2 * woken_ahead < looked_up_.size()) slots_.prefetch(looked_up_[i + 2 * woken_ahead]);
+        if (i + woken_ahead < looked_up_.size()) {
+            const SlotIndex ahead = looked_up_[i + woken_ahead];
             __builtin_prefetch(&table.boxes()[slots_.proxies()[ahead]]);
             forest_.prefetch(ahead);
         }
-        const SlotIndex slot = woken_[i];
+        const SlotIndex slot = looked_up_[i];
         const PackedBox line = lines[slot], old_fat = fat_lines[slot];
         old_fats_.push_back(old_fat);
         slots_.wake(slot);
@@ -65,29 +62,14 @@ void KeptCandidates::widen_woken(const ProxyTable& table) {
     }
 }
 
-// Adds the candidates of boxes that awake, as they are before boxes move. Those of boxes that were awake already are
-// there, unless the fat box has grown towards them; of two that awake, the first does it.
-void KeptCandidates::link_woken(std::span<const SlotIndex> woken, std::span<const PackedBox> old_fats,
-                                BroadPhaseCounts& counts) {
-    const auto lines = slots_.lines(), fat_lines = slots_.fat_lines();
-    auto& [reaches, visits, found] = look_ups_;
-    reaches.resize(woken.size());
-    for (std::size_t i = 0; i < woken.size(); ++i) make_reach(fat_lines[woken[i]], reaches[i]);
-    found.clear();
-    counts.box_tests += forest_.find_each(reaches, visits, found);
-    BoxReach reach;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        slots_.prefetch(found[std::min(i + found_ahead, found.size() - 1)].slot);
-        const auto [query, partner] = found[i];
-        const SlotIndex slot = woken[query];
-        if (slots_.has(partner, SlotTable::woken) && partner <= slot) continue;
-        if (slots_.has(partner, SlotTable::awake) && !slots_.has(partner, SlotTable::woken)) {
-            make_reach(old_fats[query], reach);
-            if (overlaps(fat_lines[partner], reach)) continue;
-        }
-        make_reach(lines[slot], reach);
-        candidates_.add(slot, partner, overlaps(lines[partner], reach));
-    }
+// Adds the candidates of some boxes that awake, as they are before boxes move. Those of boxes that were awake already
+// are there, unless the fat box has grown towards them.
+void KeptCandidates::link_woken(std::size_t begin, std::size_t end, BroadPhaseCounts& counts) {
+    const std::span woken = std::span<const SlotIndex>(looked_up_).subspan(begin, end - begin);
+    const std::span old_fats = std::span<const PackedBox>(old_fats_).subspan(begin, end - begin);
+    constexpr LookUps::Known known{.looked_up = SlotTable::woken, .has = SlotTable::awake};
+    counts.box_tests += look_ups_.find(woken, old_fats, known, slots_, forest_);
+    for (const auto& [query, partner, overlaps] : look_ups_.found()) candidates_.add(woken[query], partner, overlaps);
 }
 
 }  // namespace ecods
