@@ -14,7 +14,8 @@ constexpr double filter_work = 3, move_work = 8;
 // Boxes that move by a tenth of their size see a fifth of their pairs do so in an update, and others in proportion.
 constexpr double event_work = 55, events_by_step = 1.9;
 
-// 500 of 10,000 that come take 1600 each, for 160 tests.
+// 500 of 10,000 that come, while the others move, take 1600 each, for 160 tests; at rest, where they meet no margins,
+// 1000.
 constexpr double lookup_work = 800, tree_test_work = 5.3;
 
 // Of a box that comes or goes, before its tests are counted.
