@@ -65,8 +65,9 @@ void go_on_without(const Trial<Scene>& trial, Scene before, std::uint64_t number
 // For each allocation of the call: it fails once, and it and all after it fail. Each time the scene is then as one in
 // which nothing was called, and so is its future; the same call succeeds; and both that scene and its future are those
 // of one in which nothing failed. A call may also succeed in spite of the failure, with the same consequences.
+// With a stride, only every so manieth allocation: the first, and in a lasting shortage the second, and so on.
 template <class Scene>
-void fail_each_allocation(const Trial<Scene>& trial, Failures& failures) {
+void fail_each_allocation(const Trial<Scene>& trial, Failures& failures, std::uint64_t stride = 1) {
     std::uint64_t count = 0;
     Scene after = trial.make();
     {
@@ -78,7 +79,8 @@ void fail_each_allocation(const Trial<Scene>& trial, Failures& failures) {
     trial.call(future);
     trial.go_on(future);
     for (const Shortage shortage : {Shortage::once, Shortage::lasting}) {
-        for (std::uint64_t number = 0; number < count; ++number) {
+        const std::uint64_t first = shortage == Shortage::once ? 0 : 1 % stride;
+        for (std::uint64_t number = first; number < count; number += stride) {
             ++failures.allocations;
             try {
                 Scene scene = trial.make();

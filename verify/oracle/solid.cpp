@@ -23,27 +23,27 @@ bool share_a_point(const Soup& a, const Triangles& of_a, const Soup& b, const Tr
     return false;
 }
 
-bool is_same(const IntegerPoint& p, const IntegerPoint& q) {
+bool is_same(const SolidPoint& p, const SolidPoint& q) {
     return p == q;
 }
 
 // On the open segment between two points.
-bool is_between(const IntegerPoint& x, const IntegerPoint& p, const IntegerPoint& q) {
-    const IntegerPoint from = x - p, to = q - x;
-    const IntegerPoint normal = cross(from, to);
+bool is_between(const SolidPoint& x, const SolidPoint& p, const SolidPoint& q) {
+    const SolidPoint from = x - p, to = q - x;
+    const SolidPoint normal = cross(from, to);
     return std::ranges::all_of(normal, [](const mpz_class& n) { return sgn(n) == 0; }) && sgn(dot(from, to)) > 0;
 }
 
-bool is_inside_face(const IntegerPoint& x, const IntegerTriangle& t) {
-    if (!t.has_area() || sgn(dot(t.normal, IntegerPoint(x - t.corners[0]))) != 0) return false;
+bool is_inside_face(const SolidPoint& x, const IntegerTriangle& t) {
+    if (!t.has_area() || sgn(dot(t.normal, SolidPoint(x - t.corners[0]))) != 0) return false;
     for (std::size_t c = 0; c < 3; ++c) {
-        const IntegerPoint edge = t.corners[(c + 1) % 3] - t.corners[c];
-        if (sgn(dot(t.normal, cross(edge, IntegerPoint(x - t.corners[c])))) <= 0) return false;
+        const SolidPoint edge = t.corners[(c + 1) % 3] - t.corners[c];
+        if (sgn(dot(t.normal, cross(edge, SolidPoint(x - t.corners[c])))) <= 0) return false;
     }
     return true;
 }
 
-std::optional<NamedFeature> feature_at(const IntegerPoint& x, const Triangles& triangles) {
+std::optional<NamedFeature> feature_at(const SolidPoint& x, const Triangles& triangles) {
     for (const IntegerTriangle& t : triangles) {
         for (std::uint32_t c = 0; c < 3; ++c) {
             if (is_same(x, t.corners[c])) return NamedFeature{0, t.index, c};
@@ -61,7 +61,7 @@ std::optional<NamedFeature> feature_at(const IntegerPoint& x, const Triangles& t
 }
 
 // Whether a point that is not on the surface is in the solid.
-bool is_in(const IntegerPoint& x, const Triangles& solid) {
+bool is_in(const SolidPoint& x, const Triangles& solid) {
     Directions directions;
     CrossedSurface surface(solid);
     while (true) {
@@ -110,7 +110,7 @@ PointLocation locate(const Vec3& point, const Soup& solid) {
     const Soup alone{{&point, 1}, {&corner, 1}, Pose()};
     const std::array<SoupChoice, 2> soups{{{&alone, true}, {&solid, false}}};
     const auto triangles = integer_triangles(soups);
-    const IntegerPoint& x = triangles[0].front().corners[0];
+    const SolidPoint& x = triangles[0].front().corners[0];
     if (const auto feature = feature_at(x, triangles[1])) return {PointSide::on, *feature};
     if (is_singular(solid.pose) || !is_in(x, triangles[1])) return {PointSide::outside, {}};
     return {PointSide::inside, {}};

@@ -21,14 +21,14 @@ struct Line {
     std::string name;
     mpz_class from, to;  // the ends along it
 
-    Line(const IntegerPoint& p, const IntegerPoint& q) {
-        IntegerPoint d = q - p;
+    Line(const SolidPoint& p, const SolidPoint& q) {
+        SolidPoint d = q - p;
         mpz_class divisor = gcd(gcd(d[0], d[1]), d[2]);
         const auto first = std::ranges::find_if(d, [](const mpz_class& x) { return sgn(x) != 0; });
         if (sgn(*first) < 0) divisor = -divisor;
         for (mpz_class& x : d) x /= divisor;
-        const IntegerPoint moment = cross(p, d);
-        for (const IntegerPoint& vector : {d, moment}) {
+        const SolidPoint moment = cross(p, d);
+        for (const SolidPoint& vector : {d, moment}) {
             for (const mpz_class& x : vector) name += x.get_str(36) + ' ';
         }
         from = dot(p, d);
@@ -43,12 +43,12 @@ struct Interval {
     bool is_segment = false;
 };
 
-Interval on_plane(const IntegerTriangle& triangle, const IntegerTriangle& plane, const IntegerPoint& direction) {
+Interval on_plane(const IntegerTriangle& triangle, const IntegerTriangle& plane, const SolidPoint& direction) {
     std::array<mpz_class, 3> heights;
     std::vector<mpq_class> ends;
     int zero_count = 0;
     for (std::size_t c = 0; c < 3; ++c) {
-        heights[c] = dot(plane.normal, IntegerPoint(triangle.corners[c] - plane.corners[0]));
+        heights[c] = dot(plane.normal, SolidPoint(triangle.corners[c] - plane.corners[0]));
         if (sgn(heights[c]) != 0) continue;
         ++zero_count;
         ends.emplace_back(dot(triangle.corners[c], direction));
@@ -93,7 +93,7 @@ bool share_area(const IntegerTriangle& a, const IntegerTriangle& b) {
     while (sgn(a.normal[axis]) == 0) ++axis;
     const auto flat = [&](const IntegerTriangle& triangle) {
         std::vector<Flat> corners;
-        for (const IntegerPoint& p : triangle.corners) corners.push_back({p[(axis + 1) % 3], p[(axis + 2) % 3]});
+        for (const SolidPoint& p : triangle.corners) corners.push_back({p[(axis + 1) % 3], p[(axis + 2) % 3]});
         if (sgn(left_of(corners[0], corners[1], corners[2])) < 0) std::swap(corners[1], corners[2]);
         return corners;
     };
@@ -106,9 +106,9 @@ bool share_area(const IntegerTriangle& a, const IntegerTriangle& b) {
 }
 
 bool meet_wrongly(const IntegerTriangle& a, const IntegerTriangle& b) {
-    const IntegerPoint direction = cross(a.normal, b.normal);
+    const SolidPoint direction = cross(a.normal, b.normal);
     if (std::ranges::all_of(direction, [](const mpz_class& x) { return sgn(x) == 0; })) {
-        return sgn(dot(a.normal, IntegerPoint(b.corners[0] - a.corners[0]))) == 0 && share_area(a, b);
+        return sgn(dot(a.normal, SolidPoint(b.corners[0] - a.corners[0]))) == 0 && share_area(a, b);
     }
     const Interval of_a = on_plane(a, b, direction), of_b = on_plane(b, a, direction);
     if (!of_a.is_segment || !of_b.is_segment || (of_a.is_side && of_b.is_side)) return false;

@@ -8,17 +8,17 @@ namespace {
 
 // The points x with normal . x = offset.
 struct Plane {
-    IntegerPoint normal;
+    SolidPoint normal;
     mpz_class offset;
 
-    Plane(const IntegerPoint& n, const IntegerPoint& through) : normal(n), offset(dot(n, through)) {}
+    Plane(const SolidPoint& n, const SolidPoint& through) : normal(n), offset(dot(n, through)) {}
 
     mpq_class height(const RationalPoint& x) const {
         mpq_class sum = -offset;
         for (std::size_t k = 0; k < 3; ++k) sum += mpq_class(normal[k]) * x[k];
         return sum;
     }
-    int side(const IntegerPoint& x) const { return sgn(mpz_class(dot(normal, x) - offset)); }
+    int side(const SolidPoint& x) const { return sgn(mpz_class(dot(normal, x) - offset)); }
     // Whether all three corners are strictly on one side.
     bool misses(const IntegerTriangle& t) const {
         const int first = side(t.corners[0]);
@@ -56,7 +56,7 @@ void cut(std::vector<RationalPolygon>& polygons, const Plane& plane) {
     polygons = std::move(halves);
 }
 
-RationalPoint rational(const IntegerPoint& p) {
+RationalPoint rational(const SolidPoint& p) {
     return {mpq_class(p[0]), mpq_class(p[1]), mpq_class(p[2])};
 }
 
@@ -85,13 +85,13 @@ HomogeneousPoint inner_point(const RationalPolygon& piece, Directions& direction
     return point;
 }
 
-IntegerPoint from(const HomogeneousPoint& point, const IntegerPoint& corner) {
+SolidPoint from(const HomogeneousPoint& point, const SolidPoint& corner) {
     return {point.denominator * corner[0] - point.x[0], point.denominator * corner[1] - point.x[1],
             point.denominator * corner[2] - point.x[2]};
 }
 
 // Two numbers that are the same for all points of a line of this direction: no coordinate of it is zero.
-mpz_class across(const IntegerPoint& direction, const IntegerPoint& x, std::size_t k) {
+mpz_class across(const SolidPoint& direction, const SolidPoint& x, std::size_t k) {
     return direction[k + 1] * x[k] - direction[k] * x[k + 1];
 }
 
@@ -109,7 +109,7 @@ std::vector<RationalPolygon> pieces(const IntegerTriangle& triangle, const std::
             continue;
         }
         for (std::size_t c = 0; c < 3; ++c) {
-            const IntegerPoint edge = other.corners[(c + 1) % 3] - other.corners[c];
+            const SolidPoint edge = other.corners[(c + 1) % 3] - other.corners[c];
             cut(result, Plane(cross(other.normal, edge), other.corners[c]));
         }
     }
@@ -120,7 +120,7 @@ void Directions::take_next() {
     for (mpz_class& x : current_) x = 1 + static_cast<long>(generator_() % 1000003);
 }
 
-void CrossedSurface::look_along(const IntegerPoint& direction) {
+void CrossedSurface::look_along(const SolidPoint& direction) {
     direction_ = direction;
     boxes_.clear();
     for (const IntegerTriangle& triangle : triangles_) {
@@ -134,7 +134,7 @@ void CrossedSurface::look_along(const IntegerPoint& direction) {
     }
 }
 
-std::optional<Crossings> CrossedSurface::count(const HomogeneousPoint& point, const IntegerPoint& direction) {
+std::optional<Crossings> CrossedSurface::count(const HomogeneousPoint& point, const SolidPoint& direction) {
     if (direction != direction_) look_along(direction);
     const std::array<mpz_class, 2> at{across(direction, point.x, 0), across(direction, point.x, 1)};
     const auto is_beside = [&](const Box& box) {
@@ -148,9 +148,9 @@ std::optional<Crossings> CrossedSurface::count(const HomogeneousPoint& point, co
         if (is_beside(boxes_[i])) continue;
         const IntegerTriangle& triangle = triangles_[i];
         // With s d = x u + y v + z w for the corners seen from the point: x = s [d v w] / [u v w], and x + y + z = 1.
-        const IntegerPoint u = from(point, triangle.corners[0]), v = from(point, triangle.corners[1]),
-                           w = from(point, triangle.corners[2]);
-        const IntegerPoint vw = cross(v, w);
+        const SolidPoint u = from(point, triangle.corners[0]), v = from(point, triangle.corners[1]),
+                         w = from(point, triangle.corners[2]);
+        const SolidPoint vw = cross(v, w);
         const std::array<mpz_class, 3> parts{dot(direction, vw), dot(direction, cross(w, u)),
                                              dot(direction, cross(u, v))};
         const int slope = sgn(mpz_class(parts[0] + parts[1] + parts[2]));

@@ -20,7 +20,7 @@ std::vector<RationalPolygon> pieces(const IntegerTriangle& triangle, const std::
 
 // A point as integers over one denominator.
 struct HomogeneousPoint {
-    IntegerPoint x;
+    SolidPoint x;
     mpz_class denominator = 1;
 };
 
@@ -28,13 +28,13 @@ struct HomogeneousPoint {
 class Directions {
   public:
     Directions() { take_next(); }
-    const IntegerPoint& current() const { return current_; }
+    const SolidPoint& current() const { return current_; }
     void take_next();
     std::uint32_t weight() { return 1 + static_cast<std::uint32_t>(generator_() % 97); }
 
   private:
     std::mt19937_64 generator_{1};
-    IntegerPoint current_;
+    SolidPoint current_;
 };
 
 // How many triangles a line passes through behind a point, before it, and at it.
@@ -49,16 +49,16 @@ class CrossedSurface {
     explicit CrossedSurface(const std::vector<IntegerTriangle>& triangles) : triangles_(triangles) {}
 
     // None if the line meets an edge, or is in a triangle's plane: another direction may do.
-    std::optional<Crossings> count(const HomogeneousPoint& point, const IntegerPoint& direction);
+    std::optional<Crossings> count(const HomogeneousPoint& point, const SolidPoint& direction);
 
   private:
     struct Box {
         std::array<mpz_class, 2> low, high;
     };
-    void look_along(const IntegerPoint& direction);
+    void look_along(const SolidPoint& direction);
 
     const std::vector<IntegerTriangle>& triangles_;
-    IntegerPoint direction_{0, 0, 0};
+    SolidPoint direction_{0, 0, 0};
     std::vector<Box> boxes_;
 };
 

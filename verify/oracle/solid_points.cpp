@@ -24,7 +24,7 @@ bool has_own_area(const std::array<Vec3, 3>& v) {
 
 }  // namespace
 
-mpz_class determinant(const IntegerPoint& u, const IntegerPoint& v, const IntegerPoint& w) {
+mpz_class determinant(const SolidPoint& u, const SolidPoint& v, const SolidPoint& w) {
     return dot(u, cross(v, w));
 }
 
@@ -66,11 +66,11 @@ std::vector<std::vector<IntegerTriangle>> integer_triangles(std::span<const Soup
                 }
             }
             if (!soups[s].takes_zero_area && !has_own_area(triangle.vertices)) continue;
-            const IntegerPoint& a = triangle.corners[0];
-            triangle.normal = cross(IntegerPoint(triangle.corners[1] - a), IntegerPoint(triangle.corners[2] - a));
+            const SolidPoint& a = triangle.corners[0];
+            triangle.normal = cross(SolidPoint(triangle.corners[1] - a), SolidPoint(triangle.corners[2] - a));
             triangle.low = triangle.high = a;
             for (std::size_t k = 0; k < 3; ++k) {
-                for (const IntegerPoint& corner : triangle.corners) {
+                for (const SolidPoint& corner : triangle.corners) {
                     if (corner[k] < triangle.low[k]) triangle.low[k] = corner[k];
                     if (corner[k] > triangle.high[k]) triangle.high[k] = corner[k];
                 }

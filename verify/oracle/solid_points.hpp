@@ -13,15 +13,15 @@
 
 namespace ecods::oracle {
 
-using IntegerPoint = Vector<mpz_class>;
+using SolidPoint = Vector<mpz_class>;
 using RationalPoint = Vector<mpq_class>;
 
 struct IntegerTriangle {
     std::uint32_t index = 0;  // in the soup
-    std::array<IntegerPoint, 3> corners;
+    std::array<SolidPoint, 3> corners;
     std::array<Vec3, 3> vertices;  // without the pose
-    IntegerPoint normal;           // zero if the pose, or nothing but the pose, leaves no area
-    IntegerPoint low, high;        // its box
+    SolidPoint normal;             // zero if the pose, or nothing but the pose, leaves no area
+    SolidPoint low, high;          // its box
 
     bool has_area() const { return sgn(normal[0]) != 0 || sgn(normal[1]) != 0 || sgn(normal[2]) != 0; }
 };
@@ -39,6 +39,6 @@ bool boxes_are_apart(const IntegerTriangle& a, const IntegerTriangle& b);
 // Whether the pose's matrix has no inverse.
 bool is_singular(const Pose& pose);
 
-mpz_class determinant(const IntegerPoint& u, const IntegerPoint& v, const IntegerPoint& w);
+mpz_class determinant(const SolidPoint& u, const SolidPoint& v, const SolidPoint& w);
 
 }  // namespace ecods::oracle

@@ -44,11 +44,12 @@ TEST_P(UpdateOutOfMemory, TheNextUpdateFindsAll) {
     }
 }
 
-// So many pairs that tests are handed to workers.
+// So many pairs that tests are handed to workers. Each allocation fails in the smaller scene; here most are the same
+// lines of code for more pairs, so every fifth fails.
 TEST_P(UpdateOutOfMemory, TheNextUpdateFindsAllOfMany) {
     for (const Stage stage : stages) {
         Failures failures;
-        fail_each_allocation(trial_of(40, 0.2, stage), failures);
+        fail_each_allocation(trial_of(40, 0.2, stage), failures, 5);
         expect_none(failures, "update, stage " + std::to_string(static_cast<int>(stage)), 10);
     }
 }
