@@ -89,9 +89,11 @@ bool KeptCandidates::look_up_changes(const FindingUpdate& finding, std::size_t w
 // tested.
 void KeptCandidates::remove(Update& update) {
     const auto& [table, changes, keeper, events, counts] = update.finding;
+    constexpr std::size_t ahead = 6;  // so many boxes ahead memory is asked for
     BoxReach reach;
-    for (const ProxyIndex proxy : changes.removed) {
-        const SlotIndex slot = slots_.slot_of(proxy);
+    for (std::size_t i = 0; i < changes.removed.size(); ++i) {
+        forest_.prefetch(slots_.slot_of(changes.removed[std::min(i + ahead, changes.removed.size() - 1)]));
+        const SlotIndex slot = slots_.slot_of(changes.removed[i]);
         if (!slots_.has(slot, SlotTable::awake) && !update.are_removed_reported) {
             const PackedBox& line = slots_.lines()[slot];
             forest_.refresh(slots_.fat_lines());
