@@ -25,6 +25,14 @@ struct Testing {
     const SlotTable& slots;
     PairEvents& events;
     bool are_removed_reported;
+    const std::vector<Candidate>& doubtful;  // ascending
+    std::vector<Candidate>& there;
+
+    // A candidate with a slot that changed stays.
+    void note_there(SlotIndex a, SlotIndex b) const {
+        const Candidate pair = {std::min(a, b), std::max(a, b)};
+        if (std::binary_search(doubtful.begin(), doubtful.end(), pair)) there.push_back(pair);
+    }
 
     // A candidate began or ceased to overlap.
     void report(Candidate& candidate) const {
@@ -67,6 +75,7 @@ ECODS_ALWAYS_INLINE std::uint64_t test_all(const Testing& testing, std::vector<C
                         testing.report_removed(candidate);
                         continue;
                     }
+                    testing.note_there(owner, partner);
                 }
                 *write = candidate;
             }
@@ -95,9 +104,23 @@ ECODS_ALWAYS_INLINE void settle_all(const SlotTable& slots, std::vector<Candidat
 }  // namespace
 
 void CandidateList::test(const SlotTable& slots, bool are_removed_reported, PairEvents& events) {
-    const Testing testing{slots, events, are_removed_reported};
+    std::sort(doubtful_.begin(), doubtful_.end());
+    const Testing testing{slots, events, are_removed_reported, doubtful_, there_};
     overlapping_count_ = slots.changed_slots().empty() ? dispatch<test_all<false>>(testing, pairs_)
                                                        : dispatch<test_all<true>>(testing, pairs_);
+    if (!doubtful_.empty()) add_doubtful(slots, events);
+}
+
+void CandidateList::add_doubtful(const SlotTable& slots, PairEvents& events) {
+    std::sort(there_.begin(), there_.end());
+    for (const auto& [a, b] : doubtful_) {
+        if (std::binary_search(there_.begin(), there_.end(), Candidate{a, b})) continue;
+        const bool now = overlap(slots.lines()[a], slots.lines()[b]);
+        if (now) events.began.push_back(slots.pair_of(a, b));
+        add(a, b, now);
+    }
+    doubtful_.clear();
+    there_.clear();
 }
 
 void CandidateList::drop_asleep(const SlotTable& slots) {
@@ -112,7 +135,7 @@ void CandidateList::settle(const SlotTable& slots) {
 }
 
 std::size_t CandidateList::bytes() const noexcept {
-    return bytes_of(pairs_);
+    return bytes_of(pairs_, doubtful_, there_);
 }
 
 void CandidateList::validate(const SlotTable& slots) const {

@@ -1,6 +1,7 @@
 // Pairs that may overlap for a while.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +29,14 @@ class CandidateList {
     std::size_t overlapping_count() const noexcept { return overlapping_count_; }  // before the last test
 
     void add(SlotIndex a, SlotIndex b, bool do_overlap) { pairs_.push_back({a, b | (do_overlap ? overlap_bit : 0)}); }
-    void clear() noexcept { pairs_.clear(); }
+    void clear() noexcept {
+        pairs_.clear();
+        doubtful_.clear();
+    }
+
+    // Adds a pair that may be here already: one that was none any more since a fat box changed, and is one again. Its
+    // boxes did not overlap. The next test finds out.
+    void add_if_new(SlotIndex a, SlotIndex b) { doubtful_.push_back({std::min(a, b), std::max(a, b)}); }
 
     // Tests all, and reports those that began or ceased to overlap. What is no candidate any more since fat boxes
     // changed goes: it does not overlap, but for pairs of a slot that was removed, which end unless they are reported
@@ -59,7 +67,10 @@ class CandidateList {
     void validate(const SlotTable& slots) const;
 
   private:
+    void add_doubtful(const SlotTable& slots, PairEvents& events);
+
     std::vector<SlotPair> pairs_;
+    std::vector<SlotPair> doubtful_, there_;  // those that may be here, and those of them that are
     std::uint64_t overlapping_count_ = 0;
 };
 

@@ -11,18 +11,18 @@ constexpr auto kept = BroadPhaseKind::kept_candidates;
 TEST(ChooseFinder, SmallScenesAreSweptLargeOnesAreNot) {
     ChooseFinder chooser;
     EXPECT_EQ(chooser.choose(0), sweep);
-    EXPECT_EQ(chooser.choose(256), sweep);
-    EXPECT_EQ(chooser.choose(257), kept);
+    EXPECT_EQ(chooser.choose(32), sweep);
+    EXPECT_EQ(chooser.choose(33), kept);
     EXPECT_EQ(chooser.choose(1'000'000), kept);
 }
 
 TEST(ChooseFinder, DoesNotSwitchBackUntilFewAreLeft) {
     ChooseFinder chooser;
-    ASSERT_EQ(chooser.choose(257), kept);
-    EXPECT_EQ(chooser.choose(256), kept);
-    EXPECT_EQ(chooser.choose(64), kept);
-    EXPECT_EQ(chooser.choose(63), sweep);
-    EXPECT_EQ(chooser.choose(256), sweep) << "grown again, not enough";
+    ASSERT_EQ(chooser.choose(33), kept);
+    EXPECT_EQ(chooser.choose(32), kept);
+    EXPECT_EQ(chooser.choose(16), kept);
+    EXPECT_EQ(chooser.choose(15), sweep);
+    EXPECT_EQ(chooser.choose(32), sweep) << "grown again, not enough";
 }
 
 }  // namespace

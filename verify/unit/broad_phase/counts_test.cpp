@@ -293,7 +293,7 @@ TEST(Counts, AutomaticChoosesByTheNumber) {
         phase->validate();
     }
     EXPECT_EQ(phase->counts().switches, 1u) << "whatever they do";
-    for (ProxyIndex proxy = 20; proxy < 1000; ++proxy) phase->remove(proxy);
+    for (ProxyIndex proxy = 15; proxy < 1000; ++proxy) phase->remove(proxy);
     phase->update();
     EXPECT_EQ(phase->counts().switches, 2u) << "few are left";
     phase->validate();

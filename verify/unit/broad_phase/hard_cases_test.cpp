@@ -149,5 +149,40 @@ TEST(HardCases, bp_coal_501_and_750) {
     }
 }
 
+// One that awoke was given a fat box that reaches another's, which had just moved away from it and towards where it
+// goes: they were candidates twice.
+TEST(HardCases, FewThatRestAndAwakeInTurn) {
+    constexpr ProxyIndex count = 10;
+    constexpr int updates = 60;
+    std::uint64_t state = 1;
+    const auto next = [&](std::uint64_t end) {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        return static_cast<int>((state >> 33) % end);
+    };
+    for (int scene = 0; scene < 150; ++scene) {
+        const auto phase = make_broad_phase(BroadPhaseKind::kept_candidates);
+        const auto model = make_broad_phase(BroadPhaseKind::brute_force);
+        std::array<int, count> at{};  // in tenths of a size, along one line
+        const auto place = [&](ProxyIndex proxy) { return make_cube(0.1 * at[proxy], 0, 0); };
+        for (ProxyIndex proxy = 0; proxy < count; ++proxy) {
+            at[proxy] = next(60);
+            phase->add(proxy, place(proxy));
+            model->add(proxy, place(proxy));
+        }
+        for (int update = 0; update < updates; ++update) {
+            for (ProxyIndex proxy = 0; proxy < count; ++proxy) {
+                if (next(8) != 0) continue;
+                at[proxy] += next(5) - 2;
+                phase->move(proxy, place(proxy));
+                model->move(proxy, place(proxy));
+            }
+            phase->update();
+            model->update();
+            ASSERT_NO_THROW(phase->validate()) << scene << ", " << update;
+            ASSERT_TRUE(std::ranges::equal(phase->pairs(), model->pairs())) << scene << ", " << update;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace ecods::test
