@@ -70,8 +70,8 @@ void KeptCandidates::link_woken(std::size_t begin, std::size_t end, BroadPhaseCo
     constexpr LookUps::Known known{.looked_up = SlotTable::woken, .has = SlotTable::awake};
     counts.box_tests += look_ups_.find(woken, old_fats, known, slots_, forest_);
     for (const auto& [query, partner, overlaps] : look_ups_.found()) {
-        // One that moved away in the last update may be a candidate still, for those are tested after this. The one that
-        // awakes has moved nowhere: it was asleep.
+        // One that moved away in the last update may be a candidate still, for those are tested after this. The one
+        // that awakes has moved nowhere: it was asleep.
         const bool moved_away = slots_.has(partner, SlotTable::awake) && slots_.has(partner, SlotTable::changed);
         if (moved_away && !slots_.has(partner, SlotTable::woken)) {
             candidates_.add_if_new(woken[query], partner);
