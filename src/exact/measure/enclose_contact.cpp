@@ -8,9 +8,11 @@
 // No error of n matters. G is bounded as there, by r3 - 4 u' r1; n.m, in units of m, by the product as computed and E,
 // since m has an eta of 1. The quotient has three more roundings.
 //
-// Above. Where the signs that say so are certain, the features share a point at the time n.w / n.m, and n.w and n.m are
-// known to E. Signs, in one power of two, for det(x, y, m) = (x x y).m and f, g the powers of two between the unit of w
-// and those of u, v: a vertex with -w or w as `foot` and a face from q, p + s m = q + s1 u + s2 v,
+// Above. Where the signs that say so are certain, the features share a point at the time n.w / n.m for the true n,
+// which the one as computed is not: of a sliver it is off by more than it is long. So the determinants det(u, v, w) and
+// det(u, v, m) are known to the bound of signs, not to E. Signs, in one power of two, for det(x, y, m) = (x x y).m and
+// f, g the powers of two between the unit of w and those of u, v: a vertex with -w or w as `foot` and a face from q, p
+// + s m = q + s1 u + s2 v,
 //     s1 = det(foot, v, m) / (f det(u, v, m)),  s2 = det(u, foot, m) / (g det(u, v, m)),  1 - s1 - s2;
 // edges, p + s1 u + s m = q + s2 v,
 //     s1 = det(w, v, m) / (f det(u, v, m)),     s2 = det(w, u, m) / (g det(u, v, m)).
@@ -100,8 +102,8 @@ ECODS_ALWAYS_INLINE ContactEnclosure Contact::result() const noexcept {
         return result;
     }
     result.lower = scaled_down(gap / (speed + error) * (1 - 8 * two_u), exponent_);
-    if (is_inside_ && speed > error) {
-        result.upper = scaled_up((dot(n_, x_.w.x) + error) / (speed - error) * (1 + 8 * two_u), exponent_);
+    if (is_inside_ && speed > bound_) {
+        result.upper = scaled_up((dot(n_, x_.w.x) + bound_) / (speed - bound_) * (1 + 8 * two_u), exponent_);
         result.is_certain = is_outside_;
     }
     return result;

@@ -258,5 +258,24 @@ TEST(Cast, EqualBodies) {
     EXPECT_EQ(contact->b, (Feature{Feature::Kind::face, 0, 0}));
 }
 
+// The normal of a sliver 2^55 long is off by more than its own length, and so were bounds of the time that took it for
+// the true one: they ended before the contact.
+TEST(Cast, SliverWhoseNormalIsNotKnown) {
+    const MeshShape sliver = shape_of({{0x1.8d3b6d48616b8p+55, -0x1.6eba578a151acp+43, -0x1.928c621b1e158p-15},
+                                       {0x1.830f8f32715fcp-36, 0x1.d2e9156e736p-55, 0},
+                                       {-0x1.afc2e26434888p+47, 0x1.4f9099c8e6fd4p+35, 0x1.e708b20e47286p+21}}),
+                    other = shape_of({{-0x1.c940952531854p-40, -0x1.3f256bd912238p+21, -0x1.92b5fe8e9afd9p-43},
+                                      {0x1.7687857ce21f4p+40, 0, 0x1.7c39fe74e2f5p-6},
+                                      {-0x1.a5da22b753d48p+28, 0x1.3281ee340c1c4p-55, 0}});
+    Pose pose;
+    pose.R << -0x1.887132e5a70b4p-1, -0x1.1a8a77a905fc6p-1, 0x1.50797ba3ef50ep-2, 0x1.7e3bf3959fdp-2,
+        0x1.13087714d844p-5, 0x1.daae87fca42d6p-1, -0x1.0b987761959eap-1, 0x1.aaa31527290aep-1, 0x1.7128f6d601dc8p-3;
+    pose.t = Vec3(0x1.2e8de37f2349dp+53, -0x1.26a8d2aa0af9ep+52, -0x1.f7b9cfad10f59p+58);
+    Pose still;
+    still.t = Vec3(-0x1.a86b7b0e7786p-61, -0x1.d86a1288d608cp+24, -0x1.fe2cb9fbe111cp+58);
+    const Vec3 motion(-0x1.7687857ce3c18p+40, -0x1.3f25688d608cp+21, 0);
+    expect_contact(contact_of({sliver, pose}, motion, {other, still}), 0x1.ffffffffd89ebp-2, ClosestKind::vertex_face);
+}
+
 }  // namespace
 }  // namespace ecods
