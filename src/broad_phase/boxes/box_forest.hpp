@@ -51,6 +51,7 @@ class BoxForest {
         return tests;
     }
 
+    // As BoxTree::find_each, over all trees.
     std::uint64_t find_each(std::span<const BoxReach> reaches, BlockVisits& visits,
                             std::vector<FoundBox>& found) const {
         std::uint64_t tests = 0;

@@ -43,6 +43,7 @@ class FatForest {
         return forest_.find(reach, found);
     }
 
+    // The same for many at once: BoxTree::find_each.
     std::uint64_t find_each(std::span<const BoxReach> reaches, BlockVisits& visits,
                             std::vector<FoundBox>& found) const {
         ECODS_ASSERT(!is_behind_);

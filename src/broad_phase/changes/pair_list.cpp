@@ -23,30 +23,38 @@ const ProxyPair* find_from(const ProxyPair* first, const ProxyPair* last, const 
     return std::lower_bound(first, first + std::min(step + 1, last - first), pair, is_before);
 }
 
-// Goes through a list without `gone`, which need not all be in it, and with `come`; all are ascending. Calls
-// keep(begin, end) for what lies between two changes, and put(pair) for each that comes, in order.
-template <class Keep, class Put>
-void for_each_part(const ProxyPairs& list, const ProxyPairs& gone, const ProxyPairs& come, const Keep& keep,
-                   const Put& put) {
-    const ProxyPair* read = list.data();
-    const ProxyPair* const read_end = read + list.size();
+// What lies between two changes of a list, and where it goes.
+struct Block {
+    std::size_t begin, end, to;
+};
+
+// The blocks of a list without `gone`, which need not all be in it, and with `come`, and the places of these; all are
+// ascending. Returns the size that the list will have.
+std::size_t find_blocks(const ProxyPairs& list, const ProxyPairs& gone, const ProxyPairs& come,
+                        std::vector<Block>& blocks, std::vector<std::size_t>& places) {
+    const ProxyPair* const first = list.data();
+    const ProxyPair* const read_end = first + list.size();
+    const ProxyPair* read = first;
     auto next_gone = gone.begin();
     auto next_come = come.begin();
+    std::size_t size = 0;
+    const auto keep_until = [&](const ProxyPair* end) {
+        blocks.push_back({static_cast<std::size_t>(read - first), static_cast<std::size_t>(end - first), size});
+        size += static_cast<std::size_t>(end - read);
+        read = end;
+    };
     while (next_gone != gone.end() || next_come != come.end()) {
         const bool is_gone = next_come == come.end() || (next_gone != gone.end() && !is_before(*next_come, *next_gone));
-        const ProxyPair pair = is_gone ? *next_gone : *next_come;
-        const ProxyPair* const next = find_from(read, read_end, pair);
-        keep(read, next);
-        read = next;
-        if (is_gone) {
-            if (read != read_end && *read == pair) ++read;
-            ++next_gone;
-        } else {
-            put(pair);
-            ++next_come;
+        const ProxyPair pair = is_gone ? *next_gone++ : *next_come++;
+        keep_until(find_from(read, read_end, pair));
+        if (!is_gone) {
+            places.push_back(size++);
+        } else if (read != read_end && *read == pair) {
+            ++read;
         }
     }
-    keep(read, read_end);
+    keep_until(read_end);
+    return size;
 }
 
 // What two ascending lists do not share, in order: of the old one to `ended`, of the new one to `began`. Most that is
@@ -162,8 +170,7 @@ void PairList::apply_log() {
     order_ = 0;
 }
 
-// The list without `gone`, which need not all be in it, and with `come`; both are ascending. What lies between two
-// changes is copied as a block.
+// The list without `gone`, which need not all be in it, and with `come`; both are ascending.
 void PairList::patch(const ProxyPairs& gone, const ProxyPairs& come) {
     if (gone.empty() && come.empty()) return;
     constexpr std::size_t long_block = 16;  // shorter ones cost more to move than to copy
@@ -175,23 +182,15 @@ void PairList::patch(const ProxyPairs& gone, const ProxyPairs& come) {
     }
 }
 
-// As make_patched(), within the list, which takes no memory for another one. What lies between two changes moves as a
+// Within the list, which takes no memory for another one. What lies between two changes moves as a
 // block: what moves down from the first block on, and then what moves up from the last one on, so that none is written
 // over before it has moved.
 void PairList::patch_in_place(const ProxyPairs& gone, const ProxyPairs& come) {
-    struct Block {
-        std::size_t begin, end, to;
-    };
     std::vector<Block> blocks;
     blocks.reserve(gone.size() + come.size() + 1);
     std::vector<std::size_t> places;  // of those that come
     places.reserve(come.size());
-    std::size_t size = 0;
-    const auto keep = [&, first = list_.data()](const ProxyPair* begin, const ProxyPair* end) {
-        blocks.push_back({static_cast<std::size_t>(begin - first), static_cast<std::size_t>(end - first), size});
-        size += static_cast<std::size_t>(end - begin);
-    };
-    for_each_part(list_, gone, come, keep, [&](const ProxyPair&) { places.push_back(size++); });
+    const std::size_t size = find_blocks(list_, gone, come, blocks, places);
     if (size > list_.size()) grow_to(list_, size);
     // Nothing below throws.
     ProxyPair* const list = list_.data();
