@@ -6,11 +6,11 @@
 namespace ecods {
 namespace {
 
-std::string text(BodyId body) {
+std::string text_of(BodyId body) {
     return std::to_string(body.slot).append(".").append(std::to_string(body.generation));
 }
 
-std::string text(const std::string& a, const std::string& b) {
+std::string text_of(const std::string& a, const std::string& b) {
     return std::string("(").append(a).append(", ").append(b).append(")");
 }
 
@@ -20,15 +20,15 @@ std::string text(const std::string& a, const std::string& b) {
 // say.
 
 std::ostream& operator<<(std::ostream& out, BodyId body) {
-    return out << text(body);
+    return out << text_of(body);
 }
 
 std::ostream& operator<<(std::ostream& out, const BodyPair& pair) {
-    return out << text(text(pair.a), text(pair.b));
+    return out << text_of(text_of(pair.a), text_of(pair.b));
 }
 
 std::ostream& operator<<(std::ostream& out, const TrianglePair& pair) {
-    return out << text(std::to_string(pair.a), std::to_string(pair.b));
+    return out << text_of(std::to_string(pair.a), std::to_string(pair.b));
 }
 
 std::ostream& operator<<(std::ostream& out, ShapeKind kind) {

@@ -7,7 +7,7 @@
 namespace ecods {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double speed_min = 0x1p-1000, speed_max = 0x1p1000;
 constexpr double less = 1 - 0x1p-48, more = 1 + 0x1p-48;
 
@@ -26,14 +26,14 @@ void MovingBox::set(std::size_t side, double p, double velocity) noexcept {
     const std::int64_t key = key_of(velocity);
     Side& s = sides_[side];
     s = {Course::resting, p, key_of(p), 0};
-    if (p == infinity) {
+    if (p == infinite) {
         s.course = Course::without_end;
     } else if (key > 0) {
         s.course = Course::coming;
         s.factor = velocity > speed_max ? 0 : less * (1 / std::max(velocity, speed_min));
-    } else if (key < 0 && p != -infinity) {
+    } else if (key < 0 && p != -infinite) {
         s.course = Course::going;
-        s.factor = -velocity < speed_min ? infinity : more * (1 / std::min(-velocity, speed_max));
+        s.factor = -velocity < speed_min ? infinite : more * (1 / std::min(-velocity, speed_max));
     }
 }
 

@@ -64,8 +64,8 @@ ECODS_ALWAYS_INLINE void bind_set(DistanceSet& set, const EvenAxes& even, const 
     set.square_up = round_up((1 + 2 * even.tau) / even.factor * (1 + 0x1p-18));
 }
 
-ECODS_ALWAYS_INLINE double bind_sets(std::array<DistanceSet, 2>& sets, const PosedTree& a, const PosedTree& b,
-                                     const Vec3& difference) noexcept {
+ECODS_ALWAYS_INLINE double bind_distance_sets(std::array<DistanceSet, 2>& sets, const PosedTree& a, const PosedTree& b,
+                                              const Vec3& difference) noexcept {
     const Edges edges_a(a.tree.frame, a.R), edges_b(b.tree.frame, b.R);
     const Double4 d = load3(difference.data());
     const double unit = power_of_two(std::max(largest(absolute(edges_a.edges)), largest(absolute(edges_b.edges))));
@@ -79,7 +79,7 @@ ECODS_ALWAYS_INLINE double bind_sets(std::array<DistanceSet, 2>& sets, const Pos
 
 void DistanceAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d) {
     if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) {
-        unit_ = dispatch<bind_sets>(sets_, a, b, d);
+        unit_ = dispatch<bind_distance_sets>(sets_, a, b, d);
         return;
     }
     // Nothing is known about the nodes of a tree without bounds.

@@ -7,7 +7,7 @@ namespace ecods {
 namespace {
 
 template <std::size_t width>
-struct Kernel : ProjectedLanes<width> {
+struct FarKernel : ProjectedLanes<width> {
     using Lanes = ProjectedLanes<width>;
     using Lanes::collect, Lanes::find_ends, Lanes::part_count;
     using typename Lanes::Floats, typename Lanes::Ints;
@@ -39,7 +39,7 @@ struct Kernel : ProjectedLanes<width> {
 
 template <class X, class Y>
 std::uint64_t widest(const FarGap& gap, float limit, const X& x, const Y& y, LaneSquares& ranks) noexcept {
-    return dispatch_by_width<Kernel<4>::far_mask<X, Y>, Kernel<8>::far_mask<X, Y>>(gap, limit, x, y, ranks);
+    return dispatch_by_width<FarKernel<4>::far_mask<X, Y>, FarKernel<8>::far_mask<X, Y>>(gap, limit, x, y, ranks);
 }
 
 }  // namespace

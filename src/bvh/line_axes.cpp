@@ -20,7 +20,7 @@ constexpr double direction_error_max = 0x1p-20;
 constexpr double scaled_direction_min = 0x1p-960;  // of D, whose inverse must not overflow
 constexpr double length_min = 0x1p-900;            // of s
 constexpr float direction_min = 0x1p-30f;
-constexpr double unit_distance_max = 0x1p-40;
+constexpr double own_distance_max = 0x1p-40;
 
 // N, the map P of the tree to the axes, and the sums of magnitudes that enter the bounds.
 struct Bound {
@@ -63,7 +63,7 @@ void LineAxes::bind(const MeshBvh& tree, const Pose& pose) {
             distance += std::abs(bound.P[k][row] - (k == row ? 1 : 0));
         }
         s.own_error[row] = 8 * two_u * product_error + axes::underflow;
-        s.is_unit = s.is_unit && distance <= unit_distance_max;
+        s.is_unit = s.is_unit && distance <= own_distance_max;
         s.origin[row] = bound.origin[row];
         s.origin_size[row] = bound.origin_size[row];
         s.t[row] = pose.t[static_cast<Eigen::Index>(row)];
@@ -73,7 +73,7 @@ void LineAxes::bind(const MeshBvh& tree, const Pose& pose) {
     for (std::size_t row = 0; row < 3; ++row) {
         double center = tree.root_center[row], half = tree.root_half[row];
         if (s.is_unit) {
-            s.own_error[row] += unit_distance_max;
+            s.own_error[row] += own_distance_max;
         } else {
             center = half = 0;
             for (std::size_t k = 0; k < 3; ++k) {

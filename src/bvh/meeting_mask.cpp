@@ -18,10 +18,10 @@
 namespace ecods {
 namespace {
 
-using Sets = std::array<MotionSet, 2>;
+using MotionSets = std::array<MotionSet, 2>;
 
 template <std::size_t width>
-struct Kernel : ProjectedLanes<width> {
+struct MeetingKernel : ProjectedLanes<width> {
     using Lanes = ProjectedLanes<width>;
     using Lanes::bits_of, Lanes::collect, Lanes::load, Lanes::part_count, Lanes::place;
     using typename Lanes::Corners, typename Lanes::Floats, typename Lanes::Ints, typename Lanes::Spans;
@@ -65,7 +65,7 @@ struct Kernel : ProjectedLanes<width> {
     }
 
     template <class X, class Y>
-    ECODS_ALWAYS_INLINE static std::uint64_t meeting_mask(const Sets& sets, float limit, const X& x, const Y& y,
+    ECODS_ALWAYS_INLINE static std::uint64_t meeting_mask(const MotionSets& sets, float limit, const X& x, const Y& y,
                                                           LaneTimes& times) noexcept {
         const Moving x0(sets[0].start.a, sets[0].end.a, x), y0(sets[0].start.b, sets[0].end.b, y);
         const Moving x1(sets[1].start.a, sets[1].end.a, x), y1(sets[1].start.b, sets[1].end.b, y);
@@ -87,25 +87,26 @@ struct Kernel : ProjectedLanes<width> {
 };
 
 template <class X, class Y>
-std::uint64_t widest(const Sets& sets, float limit, const X& x, const Y& y, LaneTimes& times) noexcept {
-    return dispatch_by_width<Kernel<4>::meeting_mask<X, Y>, Kernel<8>::meeting_mask<X, Y>>(sets, limit, x, y, times);
+std::uint64_t widest(const MotionSets& sets, float limit, const X& x, const Y& y, LaneTimes& times) noexcept {
+    return dispatch_by_width<MeetingKernel<4>::meeting_mask<X, Y>, MeetingKernel<8>::meeting_mask<X, Y>>(sets, limit, x,
+                                                                                                         y, times);
 }
 
 }  // namespace
 
-std::uint64_t meeting_mask(const Sets& sets, float limit, const BvhNode& x, const BvhNode& y,
+std::uint64_t meeting_mask(const MotionSets& sets, float limit, const BvhNode& x, const BvhNode& y,
                            LaneTimes& times) noexcept {
     return widest(sets, limit, x, y, times);
 }
-std::uint64_t meeting_mask(const Sets& sets, float limit, const BvhNode& x, const TreeLeaf& y,
+std::uint64_t meeting_mask(const MotionSets& sets, float limit, const BvhNode& x, const TreeLeaf& y,
                            LaneTimes& times) noexcept {
     return widest(sets, limit, x, y, times);
 }
-std::uint64_t meeting_mask(const Sets& sets, float limit, const TreeLeaf& x, const BvhNode& y,
+std::uint64_t meeting_mask(const MotionSets& sets, float limit, const TreeLeaf& x, const BvhNode& y,
                            LaneTimes& times) noexcept {
     return widest(sets, limit, x, y, times);
 }
-std::uint64_t meeting_mask(const Sets& sets, float limit, const TreeLeaf& x, const TreeLeaf& y,
+std::uint64_t meeting_mask(const MotionSets& sets, float limit, const TreeLeaf& x, const TreeLeaf& y,
                            LaneTimes& times) noexcept {
     return widest(sets, limit, x, y, times);
 }

@@ -15,8 +15,8 @@ ECODS_ALWAYS_INLINE Matrix4 middle(const Edges& start, const Edges& end) noexcep
 }
 
 // The normals of either tree's boxes as they are half-way.
-ECODS_ALWAYS_INLINE void bind_sets(std::array<MotionSet, 2>& sets, const MovingTree& a, const MovingTree& b,
-                                   const Vec3& d_from, const Vec3& d_to) noexcept {
+ECODS_ALWAYS_INLINE void bind_motion_sets(std::array<MotionSet, 2>& sets, const MovingTree& a, const MovingTree& b,
+                                          const Vec3& d_from, const Vec3& d_to) noexcept {
     const Edges a_from(a.tree.frame, a.from), a_to(a.tree.frame, a.to);
     const Edges b_from(b.tree.frame, b.from), b_to(b.tree.frame, b.to);
     const Matrix4 a_middle = middle(a_from, a_to), b_middle = middle(b_from, b_to);
@@ -32,7 +32,7 @@ ECODS_ALWAYS_INLINE void bind_sets(std::array<MotionSet, 2>& sets, const MovingT
 
 void MotionAxes::bind(const MovingTree& a, const MovingTree& b, const Vec3& d_from, const Vec3& d_to) {
     if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) {
-        return dispatch<bind_sets>(sets_, a, b, d_from, d_to);
+        return dispatch<bind_motion_sets>(sets_, a, b, d_from, d_to);
     }
     // A tree without bounds is never apart from anything.
     for (MotionSet& set : sets_) {

@@ -10,10 +10,10 @@
 namespace ecods {
 namespace {
 
-using Sets = std::array<DistanceSet, 2>;
+using DistanceSets = std::array<DistanceSet, 2>;
 
 template <std::size_t width>
-struct Kernel : ProjectedLanes<width> {
+struct NearKernel : ProjectedLanes<width> {
     using Lanes = ProjectedLanes<width>;
     using Lanes::bits_of, Lanes::collect, Lanes::find_ends, Lanes::load, Lanes::part_count, Lanes::place;
     using typename Lanes::Corners, typename Lanes::Floats, typename Lanes::Ints, typename Lanes::SlabAxis,
@@ -94,8 +94,8 @@ struct Kernel : ProjectedLanes<width> {
     }
 
     template <class X, class Y>
-    ECODS_ALWAYS_INLINE static std::uint64_t near_mask(const Sets& sets, const Direction& n, float limit, const X& x,
-                                                       const Y& y, LaneSquares& squares) noexcept {
+    ECODS_ALWAYS_INLINE static std::uint64_t near_mask(const DistanceSets& sets, const Direction& n, float limit,
+                                                       const X& x, const Y& y, LaneSquares& squares) noexcept {
         constexpr bool are_leaves = std::is_same_v<X, TreeLeaf> && std::is_same_v<Y, TreeLeaf>;
         Floats over_x[part_count]{}, over_y[part_count]{};
         Ints near[part_count], lanes[part_count];
@@ -155,26 +155,27 @@ struct Kernel : ProjectedLanes<width> {
 };
 
 template <class X, class Y>
-std::uint64_t widest(const Sets& sets, const Direction& n, float limit, const X& x, const Y& y,
+std::uint64_t widest(const DistanceSets& sets, const Direction& n, float limit, const X& x, const Y& y,
                      LaneSquares& squares) noexcept {
-    return dispatch_by_width<Kernel<4>::near_mask<X, Y>, Kernel<8>::near_mask<X, Y>>(sets, n, limit, x, y, squares);
+    return dispatch_by_width<NearKernel<4>::near_mask<X, Y>, NearKernel<8>::near_mask<X, Y>>(sets, n, limit, x, y,
+                                                                                             squares);
 }
 
 }  // namespace
 
-std::uint64_t near_mask(const Sets& sets, const Direction& n, float limit, const BvhNode& x, const BvhNode& y,
+std::uint64_t near_mask(const DistanceSets& sets, const Direction& n, float limit, const BvhNode& x, const BvhNode& y,
                         LaneSquares& squares) noexcept {
     return widest(sets, n, limit, x, y, squares);
 }
-std::uint64_t near_mask(const Sets& sets, const Direction& n, float limit, const BvhNode& x, const TreeLeaf& y,
+std::uint64_t near_mask(const DistanceSets& sets, const Direction& n, float limit, const BvhNode& x, const TreeLeaf& y,
                         LaneSquares& squares) noexcept {
     return widest(sets, n, limit, x, y, squares);
 }
-std::uint64_t near_mask(const Sets& sets, const Direction& n, float limit, const TreeLeaf& x, const BvhNode& y,
+std::uint64_t near_mask(const DistanceSets& sets, const Direction& n, float limit, const TreeLeaf& x, const BvhNode& y,
                         LaneSquares& squares) noexcept {
     return widest(sets, n, limit, x, y, squares);
 }
-std::uint64_t near_mask(const Sets& sets, const Direction& n, float limit, const TreeLeaf& x, const TreeLeaf& y,
+std::uint64_t near_mask(const DistanceSets& sets, const Direction& n, float limit, const TreeLeaf& x, const TreeLeaf& y,
                         LaneSquares& squares) noexcept {
     return widest(sets, n, limit, x, y, squares);
 }

@@ -9,7 +9,7 @@ namespace ecods {
 namespace {
 
 template <std::size_t width>
-struct Kernel : ProjectedLanes<width> {
+struct NearestKernel : ProjectedLanes<width> {
     using Lanes = ProjectedLanes<width>;
     using Lanes::load, Lanes::part_count, Lanes::place;
     using typename Lanes::Corners, typename Lanes::Floats, typename Lanes::Spans;
@@ -47,7 +47,7 @@ struct Kernel : ProjectedLanes<width> {
 
 template <class X, class Y>
 LanePair widest(const DistanceSet& set, const X& x, const Y& y) noexcept {
-    return dispatch_by_width<Kernel<4>::find<X, Y>, Kernel<8>::find<X, Y>>(set, x, y);
+    return dispatch_by_width<NearestKernel<4>::find<X, Y>, NearestKernel<8>::find<X, Y>>(set, x, y);
 }
 
 }  // namespace

@@ -13,12 +13,12 @@ namespace ecods {
 namespace {
 
 template <std::size_t width>
-struct Kernel : ProjectedLanes<width> {
+struct OverlapKernel : ProjectedLanes<width> {
     using Lanes = ProjectedLanes<width>;
     using Lanes::bits_of, Lanes::collect, Lanes::find_ends, Lanes::load, Lanes::part_count, Lanes::place;
     using typename Lanes::Corners, typename Lanes::Floats, typename Lanes::Ints, typename Lanes::SlabAxis,
         typename Lanes::Spans;
-    using Sets = std::array<AxisSet, 2>;
+    using AxisSets = std::array<AxisSet, 2>;
 
     // Returns in lane j those bits i of `rows` for which span i of x and span j of y are not apart on any axis. NaN
     // compares false: not apart.
@@ -80,7 +80,7 @@ struct Kernel : ProjectedLanes<width> {
 
     // Nothing crosses but triangles of two leaves.
     template <class X, class Y>
-    ECODS_ALWAYS_INLINE static TrianglePairs find(const Sets& sets, const X& x, const Y& y) noexcept {
+    ECODS_ALWAYS_INLINE static TrianglePairs find(const AxisSets& sets, const X& x, const Y& y) noexcept {
         // Slabs first: they separate most pairs whose boxes overlap, nearly flat parts of smooth surfaces above each
         // other.
         Ints near[part_count], lanes[part_count];
@@ -125,7 +125,7 @@ struct Kernel : ProjectedLanes<width> {
 #if ECODS_CAN_DISPATCH
 // Two rows of pairs at once: masks of sixteen bits are two bytes of the answer. What has no pairs is that of the
 // others.
-struct WideKernel : Kernel<8> {
+struct WideKernel : OverlapKernel<8> {
     // Returns those of `pairs` whose spans are not apart on any axis.
     ECODS_WIDE_INLINE static std::uint64_t find_near(const Spans& x, const Spans& y, std::uint64_t pairs) noexcept {
         const wide::Floats x_low[3] = {twice(x.low[0]), twice(x.low[1]), twice(x.low[2])},
@@ -136,7 +136,7 @@ struct WideKernel : Kernel<8> {
                near_two<4>(x_low, x_high, y_low, y_high, pairs) | near_two<6>(x_low, x_high, y_low, y_high, pairs);
     }
 
-    // As Kernel::find_in_slab, as bits.
+    // As OverlapKernel::find_in_slab, as bits.
     template <class Other>
     ECODS_WIDE_INLINE static std::uint32_t in_slab(const AxisSet& set, const Slab& slab, const Projection& p,
                                                    const Other& other, float shift) noexcept {
@@ -146,9 +146,9 @@ struct WideKernel : Kernel<8> {
         return wide::not_outside(low, high, axis.low, axis.high);
     }
 
-    // As Kernel::find.
+    // As OverlapKernel::find.
     template <class X, class Y>
-    ECODS_WIDE static TrianglePairs find(const Sets& sets, const X& x, const Y& y) noexcept {
+    ECODS_WIDE static TrianglePairs find(const AxisSets& sets, const X& x, const Y& y) noexcept {
         std::uint64_t pairs = ~std::uint64_t{0} >> (64 - tree_width * y.count);
         if (sets[0].a.is_unit) {
             pairs &= wide::bytes_of(in_slab(sets[0], x.slab, sets[0].b, y, 1));
@@ -203,32 +203,33 @@ struct WideKernel : Kernel<8> {
 };
 #endif
 
-using Sets = std::array<AxisSet, 2>;
+using AxisSets = std::array<AxisSet, 2>;
 
 template <class X, class Y>
-TrianglePairs widest(const Sets& sets, const X& x, const Y& y) noexcept {
+TrianglePairs widest(const AxisSets& sets, const X& x, const Y& y) noexcept {
 #if ECODS_CAN_DISPATCH
-    return dispatch_by_three_widths<Kernel<4>::find<X, Y>, Kernel<8>::find<X, Y>, WideKernel::find<X, Y>>(sets, x, y);
+    return dispatch_by_three_widths<OverlapKernel<4>::find<X, Y>, OverlapKernel<8>::find<X, Y>, WideKernel::find<X, Y>>(
+        sets, x, y);
 #else
-    return dispatch_by_width<Kernel<4>::find<X, Y>, Kernel<8>::find<X, Y>>(sets, x, y);
+    return dispatch_by_width<OverlapKernel<4>::find<X, Y>, OverlapKernel<8>::find<X, Y>>(sets, x, y);
 #endif
 }
 
 }  // namespace
 
-std::uint64_t overlap_mask(const Sets& sets, const BvhNode& x, const BvhNode& y) noexcept {
+std::uint64_t overlap_mask(const AxisSets& sets, const BvhNode& x, const BvhNode& y) noexcept {
     return widest(sets, x, y).near;
 }
-std::uint64_t overlap_mask(const Sets& sets, const BvhNode& x, const TreeLeaf& y) noexcept {
+std::uint64_t overlap_mask(const AxisSets& sets, const BvhNode& x, const TreeLeaf& y) noexcept {
     return widest(sets, x, y).near;
 }
-std::uint64_t overlap_mask(const Sets& sets, const TreeLeaf& x, const BvhNode& y) noexcept {
+std::uint64_t overlap_mask(const AxisSets& sets, const TreeLeaf& x, const BvhNode& y) noexcept {
     return widest(sets, x, y).near;
 }
-std::uint64_t overlap_mask(const Sets& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept {
+std::uint64_t overlap_mask(const AxisSets& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept {
     return widest(sets, x, y).near;
 }
-TrianglePairs triangle_pairs(const Sets& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept {
+TrianglePairs triangle_pairs(const AxisSets& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept {
     return widest(sets, x, y);
 }
 

@@ -11,7 +11,7 @@
 namespace ecods {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double float_u = 0x1p-23;
 
 // The tree at its pose, in units: entries of R map are at most about one.
@@ -67,7 +67,7 @@ void set_row(RayRow& row, const PosedRoot& root, const Vec3& n) {
     const double in_floats = 16 * float_u * (std::abs(exact.shift) + exact.g.cwiseAbs().sum());
     // The last factor covers the rounding of the margin.
     const double margin = ((in_floats + exact.margin) + 0x1p-100) * (1 + 0x1p-20);
-    row.margin = static_cast<float>(root.is_bounded ? margin : infinity);
+    row.margin = static_cast<float>(root.is_bounded ? margin : infinite);
 }
 
 // What the root's box spans on a row, widened by the row's margin.
@@ -106,7 +106,7 @@ Vec3 across_edge(const Vec3& edge, int axis) {
 }
 
 template <std::size_t width>
-struct Kernel {
+struct RayKernel {
     using Floats = Vec<float, width>;
     using Ints = Vec<std::int32_t, width>;
 
@@ -162,7 +162,7 @@ struct Kernel {
 
 bool set_ray(TreeRay& ray, const MeshBvh& tree, const Mat3& R, const RayOrigin& origin, std::uint32_t axes) {
     const PosedRoot root(tree, R, origin);
-    double least = infinity;
+    double least = infinite;
     ray.axis = -1;
     for (int axis = 0; axis < 3; ++axis) {
         const RootSpan span(tree, root.row(unit_vector(axis)));
@@ -195,10 +195,10 @@ bool set_point(TreeRay& point, const MeshBvh& tree, const Mat3& R, const RayOrig
 }
 
 std::uint32_t ray_mask(const TreeRay& ray, const BvhNode& node) noexcept {
-    return dispatch_by_width<Kernel<4>::node_mask, Kernel<8>::node_mask>(ray, node);
+    return dispatch_by_width<RayKernel<4>::node_mask, RayKernel<8>::node_mask>(ray, node);
 }
 std::uint32_t ray_mask(const TreeRay& ray, const TreeLeaf& leaf) noexcept {
-    return dispatch_by_width<Kernel<4>::leaf_mask, Kernel<8>::leaf_mask>(ray, leaf);
+    return dispatch_by_width<RayKernel<4>::leaf_mask, RayKernel<8>::leaf_mask>(ray, leaf);
 }
 
 }  // namespace ecods

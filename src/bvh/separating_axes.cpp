@@ -57,8 +57,8 @@ ECODS_ALWAYS_INLINE int find_flat_axis(const DoubleAxes& set, const RootBox& x, 
 
 // Returns the number of an axis that separates the roots, or sets the sets and returns -1. Tests the normals of b
 // before those of a, or the edges before the normals of b, if the axis `preferred` is one of them.
-ECODS_ALWAYS_INLINE int bind_sets(std::array<AxisSet, 2>& sets, const PosedTree& a, const PosedTree& b,
-                                  const Vec3& difference, int preferred) noexcept {
+ECODS_ALWAYS_INLINE int bind_axis_sets(std::array<AxisSet, 2>& sets, const PosedTree& a, const PosedTree& b,
+                                       const Vec3& difference, int preferred) noexcept {
     const Edges edges_a(a.tree.frame, a.R), edges_b(b.tree.frame, b.R);
     const RootBox root_a(a.tree), root_b(b.tree);
     const Double4 d = load3(difference.data());
@@ -90,7 +90,7 @@ ECODS_ALWAYS_INLINE int bind_sets(std::array<AxisSet, 2>& sets, const PosedTree&
 }  // namespace
 
 int SeparatingAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d, int first) {
-    if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) return dispatch<bind_sets>(sets_, a, b, d, first);
+    if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) return dispatch<bind_axis_sets>(sets_, a, b, d, first);
     // A tree without bounds is never separated.
     for (AxisSet& set : sets_) {
         set = {};

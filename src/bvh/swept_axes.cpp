@@ -50,8 +50,8 @@ struct Sweep {
     }
 };
 
-ECODS_ALWAYS_INLINE Window bind_sets(std::array<SweptSet, 2>& sets, const PosedTree& a, const PosedTree& b,
-                                     const Vec3& difference, const Vec3& motion, double latest) noexcept {
+ECODS_ALWAYS_INLINE Window bind_swept_sets(std::array<SweptSet, 2>& sets, const PosedTree& a, const PosedTree& b,
+                                           const Vec3& difference, const Vec3& motion, double latest) noexcept {
     const Sweep sweep(a, b);
     const Double4 d = load3(difference.data()), m = load3(motion.data());
     Window window{0, latest};
@@ -78,7 +78,7 @@ ECODS_ALWAYS_INLINE Window bind_sets(std::array<SweptSet, 2>& sets, const PosedT
 
 bool SweptAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d, const Vec3& motion, double latest) {
     if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) {
-        const Window window = dispatch<bind_sets>(sets_, a, b, d, motion, latest);
+        const Window window = dispatch<bind_swept_sets>(sets_, a, b, d, motion, latest);
         start_ = window.begin;
         length_ = window.end;
         return length_ > 0;

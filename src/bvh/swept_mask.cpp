@@ -9,7 +9,7 @@
 namespace ecods {
 namespace {
 
-using Sets = std::array<SweptSet, 2>;
+using SweptSets = std::array<SweptSet, 2>;
 
 // From the gap between two intervals that approach each other, and from how far they are from having passed, to times.
 struct Pace {
@@ -18,10 +18,10 @@ struct Pace {
     ECODS_ALWAYS_INLINE explicit Pace(float speed) noexcept
         : to_begin(std::min((1 - 0x1p-20f) / speed, 0x1p100f)), to_end((1 + 0x1p-20f) / speed) {}
 };
-constexpr float least_time = 0x1p-100f;
+constexpr float lost_time = 0x1p-100f;
 
 template <std::size_t width>
-struct Kernel : ProjectedLanes<width> {
+struct SweptKernel : ProjectedLanes<width> {
     using Lanes = ProjectedLanes<width>;
     using Lanes::bits_of, Lanes::collect, Lanes::find_ends, Lanes::load, Lanes::part_count, Lanes::place;
     using typename Lanes::Corners, typename Lanes::Floats, typename Lanes::Ints, typename Lanes::SlabAxis,
@@ -35,7 +35,7 @@ struct Kernel : ProjectedLanes<width> {
     // Where a time is a NaN, it limits nothing.
     ECODS_ALWAYS_INLINE static void meet(Interval& interval, const Pace& pace, Floats gap, Floats rest) noexcept {
         interval.begin = max(gap * pace.to_begin, interval.begin);
-        interval.end = min(rest * pace.to_end + least_time, interval.end);
+        interval.end = min(rest * pace.to_end + lost_time, interval.end);
     }
 
     // Turns axes so that the first tree moves upwards on them.
@@ -105,7 +105,7 @@ struct Kernel : ProjectedLanes<width> {
     }
 
     template <class X, class Y>
-    ECODS_ALWAYS_INLINE static std::uint64_t swept_mask(const Sets& sets, float limit, const X& x, const Y& y,
+    ECODS_ALWAYS_INLINE static std::uint64_t swept_mask(const SweptSets& sets, float limit, const X& x, const Y& y,
                                                         LaneTimes& times) noexcept {
         Interval over_x[part_count], over_y[part_count];
         for (std::size_t part = 0; part < part_count; ++part) {
@@ -167,24 +167,26 @@ struct Kernel : ProjectedLanes<width> {
 };
 
 template <class X, class Y>
-std::uint64_t widest(const Sets& sets, float limit, const X& x, const Y& y, LaneTimes& times) noexcept {
-    return dispatch_by_width<Kernel<4>::swept_mask<X, Y>, Kernel<8>::swept_mask<X, Y>>(sets, limit, x, y, times);
+std::uint64_t widest(const SweptSets& sets, float limit, const X& x, const Y& y, LaneTimes& times) noexcept {
+    return dispatch_by_width<SweptKernel<4>::swept_mask<X, Y>, SweptKernel<8>::swept_mask<X, Y>>(sets, limit, x, y,
+                                                                                                 times);
 }
 
 }  // namespace
 
-std::uint64_t swept_mask(const Sets& sets, float limit, const BvhNode& x, const BvhNode& y, LaneTimes& times) noexcept {
-    return widest(sets, limit, x, y, times);
-}
-std::uint64_t swept_mask(const Sets& sets, float limit, const BvhNode& x, const TreeLeaf& y,
+std::uint64_t swept_mask(const SweptSets& sets, float limit, const BvhNode& x, const BvhNode& y,
                          LaneTimes& times) noexcept {
     return widest(sets, limit, x, y, times);
 }
-std::uint64_t swept_mask(const Sets& sets, float limit, const TreeLeaf& x, const BvhNode& y,
+std::uint64_t swept_mask(const SweptSets& sets, float limit, const BvhNode& x, const TreeLeaf& y,
                          LaneTimes& times) noexcept {
     return widest(sets, limit, x, y, times);
 }
-std::uint64_t swept_mask(const Sets& sets, float limit, const TreeLeaf& x, const TreeLeaf& y,
+std::uint64_t swept_mask(const SweptSets& sets, float limit, const TreeLeaf& x, const BvhNode& y,
+                         LaneTimes& times) noexcept {
+    return widest(sets, limit, x, y, times);
+}
+std::uint64_t swept_mask(const SweptSets& sets, float limit, const TreeLeaf& x, const TreeLeaf& y,
                          LaneTimes& times) noexcept {
     return widest(sets, limit, x, y, times);
 }

@@ -25,7 +25,7 @@ namespace {
 // sum of |n_k| (E + 4.01 v M). Two of them, and the rounding of M, make 2 E + 9 v M; the difference, its square, n . n,
 // the quotient and the factor are below 10 v, relative, and 2^-18 of `square` covers them with those of near_mask.
 template <std::size_t width>
-struct Kernel : ProjectedLanes<width> {
+struct BoundsKernel : ProjectedLanes<width> {
     using Lanes = ProjectedLanes<width>;
     using Lanes::load, Lanes::part_count, Lanes::pose, Lanes::store;
     using typename Lanes::Corners, typename Lanes::Floats, typename Lanes::Ints;
@@ -183,11 +183,11 @@ struct Kernel : ProjectedLanes<width> {
 }  // namespace
 
 void put_on_axes(const DistanceSet& set, const TreeLeaf& x, const TreeLeaf& y, LeavesOnAxes& leaves) noexcept {
-    dispatch_by_width<Kernel<4>::put, Kernel<8>::put>(set, x, y, leaves);
+    dispatch_by_width<BoundsKernel<4>::put, BoundsKernel<8>::put>(set, x, y, leaves);
 }
 
 void bound_triangles(const DistanceSet& set, const TriangleBatch& batch, TriangleSquares& squares) noexcept {
-    dispatch_by_width<Kernel<4>::bound, Kernel<8>::bound>(set, batch, squares);
+    dispatch_by_width<BoundsKernel<4>::bound, BoundsKernel<8>::bound>(set, batch, squares);
 }
 
 }  // namespace ecods

@@ -9,8 +9,6 @@
 namespace ecods {
 namespace {
 
-constexpr std::uint32_t width = BoxBlock::width;
-
 // Appends the slots of the lanes of blocks of boxes.
 class SlotResult {
   public:
@@ -19,7 +17,8 @@ class SlotResult {
 
     ECODS_ALWAYS_INLINE bool operator()(const TreeNode& node, std::uint32_t lanes) {
         for (; lanes != 0; lanes &= lanes - 1) {
-            found_.push_back(slots_[node.block * width + static_cast<std::uint32_t>(std::countr_zero(lanes))]);
+            found_.push_back(
+                slots_[node.block * BoxBlock::width + static_cast<std::uint32_t>(std::countr_zero(lanes))]);
         }
         return true;
     }
@@ -35,7 +34,7 @@ ECODS_ALWAYS_INLINE std::uint64_t find_slots(const BoxLevels& levels, const std:
     const LevelsView<0> view(levels);
     std::uint64_t tests = 0;
     const auto bound = [&](const TreeNode& node) {
-        tests += width;
+        tests += BoxBlock::width;
         return overlapping(view.block(node), reach);
     };
     walk_one(view, bound, SlotResult(slots, found));
@@ -45,8 +44,8 @@ ECODS_ALWAYS_INLINE std::uint64_t find_slots(const BoxLevels& levels, const std:
 }  // namespace
 
 void BoxTree::prefetch(std::size_t position) const noexcept {
-    prefetch_block(levels_[0][position / width]);
-    if (levels_.size() > 1) prefetch_block(levels_[1][position / width / width]);
+    prefetch_block(levels_[0][position / BoxBlock::width]);
+    if (levels_.size() > 1) prefetch_block(levels_[1][position / BoxBlock::width / BoxBlock::width]);
 }
 
 std::uint64_t BoxTree::find(const BoxReach& reach, std::vector<SlotIndex>& found) const {
@@ -62,7 +61,7 @@ std::uint64_t BoxTree::find(const Bounds& bounds, std::vector<SlotIndex>& found)
     make_reach(around, reach);
     std::uint64_t tests = 0;
     const auto bound = [&](const TreeNode& node) {
-        tests += width;
+        tests += BoxBlock::width;
         std::uint32_t lanes = overlapping(view.block(node), reach);
         for (std::uint32_t rest = lanes; rest != 0; rest &= rest - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(rest));

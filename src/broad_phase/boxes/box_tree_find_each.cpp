@@ -8,8 +8,6 @@
 namespace ecods {
 namespace {
 
-constexpr std::uint32_t width = BoxBlock::width;
-
 // Appends make(query, child) of each lane of the visits, which are used up. Each pass takes one lane of each and leaves
 // those with more: a loop over the lanes of each would end where nobody can foretell.
 template <class Result, class Make>
@@ -21,7 +19,7 @@ ECODS_ALWAYS_INLINE void append_children(std::vector<BlockVisit>& visits, std::v
         Result* write = results.data() + before;
         for (std::size_t i = 0; i < count; ++i) {
             const auto [query, block, lanes] = visits[i];
-            *write++ = make(query, block * width + static_cast<std::uint32_t>(std::countr_zero(lanes)));
+            *write++ = make(query, block * BoxBlock::width + static_cast<std::uint32_t>(std::countr_zero(lanes)));
             visits[left] = {query, block, lanes & (lanes - 1)};
             left += visits[left].lanes != 0 ? 1 : 0;
         }
@@ -49,7 +47,7 @@ ECODS_ALWAYS_INLINE std::uint64_t find_each_slot(const BoxLevels& levels, const 
     for (std::uint32_t query = 0; query < reaches.size(); ++query) visited.push_back({query, 0, 0});
     std::uint64_t tests = 0;
     for (std::size_t level = levels.size() - 1;; --level) {
-        tests += width * visited.size();
+        tests += BoxBlock::width * visited.size();
         visit_blocks(levels[level], reaches, visited);
         if (level == 0) break;
         next.clear();

@@ -7,8 +7,6 @@
 namespace ecods {
 namespace {
 
-constexpr std::uint32_t width = BoxBlock::width;
-
 // What a tree holds, by reference.
 struct TreeView {
     const BoxLevels& levels;
@@ -35,26 +33,26 @@ ECODS_ALWAYS_INLINE std::uint64_t join_trees(const TreeView& tree, const TreeVie
         } else {
             tests += find_parents(other.levels, reach, is_self ? own : 0, parents);
         }
-        for (std::uint32_t lane = 0; lane < width; ++lane) {
+        for (std::uint32_t lane = 0; lane < BoxBlock::width; ++lane) {
             const PackedBox line = block.get(lane);
             if (line.is_empty()) continue;
-            const SlotIndex slot = tree.slots[own * width + lane];
+            const SlotIndex slot = tree.slots[own * BoxBlock::width + lane];
             make_reach(line, reach);
             for (const ParentBlock& parent : parents) {
                 std::uint32_t leaves = parent.children;
                 if (!is_one_block) {
                     leaves &= overlapping(other.levels[1][parent.block], reach);
-                    tests += width;
+                    tests += BoxBlock::width;
                 }
                 for (; leaves != 0; leaves &= leaves - 1) {
                     const std::uint32_t leaf =
-                        parent.block * width + static_cast<std::uint32_t>(std::countr_zero(leaves));
+                        parent.block * BoxBlock::width + static_cast<std::uint32_t>(std::countr_zero(leaves));
                     std::uint32_t bits = overlapping(other.levels[0][leaf], reach);
-                    tests += width;
+                    tests += BoxBlock::width;
                     if (is_self && leaf == own) bits &= ~std::uint32_t{1} << lane;
                     for (; bits != 0; bits &= bits - 1) {
                         const auto partner = static_cast<std::uint32_t>(std::countr_zero(bits));
-                        found.push_back({slot, other.slots[leaf * width + partner]});
+                        found.push_back({slot, other.slots[leaf * BoxBlock::width + partner]});
                     }
                 }
             }

@@ -10,8 +10,6 @@
 namespace ecods {
 namespace {
 
-constexpr std::uint32_t width = BoxBlock::width;
-
 struct NearPair {
     double lower;
     Part a, b;
@@ -71,7 +69,7 @@ class PairWalk {
     Parts parts_;
     double limit_;
     Waiting<NearPair> waiting_;
-    std::array<PartBox, width> lanes_;
+    std::array<PartBox, BoxBlock::width> lanes_;
     std::uint64_t tests_ = 0;
 };
 
@@ -82,7 +80,7 @@ std::uint64_t walk_near(std::span<const BoxTree> trees, std::span<const Aabb> bo
     const Parts parts(trees, boxes);
     Waiting<NearPart> waiting;
     for (const Part& root : parts.roots()) waiting.push({0, root});
-    std::array<PartBox, width> lanes;
+    std::array<PartBox, BoxBlock::width> lanes;
     std::uint64_t tests = 0;
     while (waiting.has_below(limit)) {
         const Part part = waiting.pop().part;

@@ -18,25 +18,25 @@ static_assert(fraction_limbs <= divisor_limbs);
 constexpr std::size_t double_limbs = 1074 / 64 + 1;
 
 // Terms are products of a double, a multiple of 2^-1074 below 2^1024, and a number of fraction_limbs; three of them.
-using Sum = NaturalSum<fraction_limbs + (1074 + 1024 + 8) / 64 + 2>;
+using CoordinateSum = NaturalSum<fraction_limbs + (1074 + 1024 + 8) / 64 + 2>;
 
 // A term of a coordinate: x times a natural number.
-struct Term {
+struct Summand {
     Dyadic x;
     NaturalSpan times;
     bool is_negative;
 };
 
-double round_coordinate(std::span<const Term> terms, NaturalSpan den) noexcept {
+double round_coordinate(std::span<const Summand> terms, NaturalSpan den) noexcept {
     BitRange range;
-    for (const Term& term : terms) {
+    for (const Summand& term : terms) {
         if (term.x.m == 0 || term.times.empty()) continue;
         const int width = static_cast<int>(std::bit_width(magnitude(term.x.m)));
         range.include(term.x.e, term.x.e + width + bit_width(term.times));
     }
     if (range.empty()) return 0;
-    Sum sum(range.low, range.high);
-    for (const Term& term : terms) {
+    CoordinateSum sum(range.low, range.high);
+    for (const Summand& term : terms) {
         if (term.x.m == 0 || term.times.empty()) continue;
         const std::uint64_t m = magnitude(term.x.m);
         Natural<fraction_limbs + 1> product;
@@ -147,7 +147,7 @@ RoundedOnLine round_on_line(const Vec3& a, const Vec3& b, bool is_direction, con
         const Dyadic from = decode(a[k]), to = decode(b[k]);
         const auto along = subtract(to, is_direction ? Dyadic{} : from);
         if (along && round_from_digits(from, *along, digits, result.point[k])) continue;
-        const std::array<Term, 3> terms{{{from, at.den, false}, {to, at.num, false}, {from, at.num, true}}};
+        const std::array<Summand, 3> terms{{{from, at.den, false}, {to, at.num, false}, {from, at.num, true}}};
         result.point[k] = round_coordinate(std::span(terms).first(is_direction ? 2 : 3), at.den);
     }
     return result;

@@ -31,9 +31,9 @@ struct Candidate {
     FeaturePair features;
 };
 
-class Guess {
+class FeatureGuess {
   public:
-    explicit Guess(const Points<6>& x) noexcept : x_(x) {
+    explicit FeatureGuess(const Points<6>& x) noexcept : x_(x) {
         for (Index i = 0; i < 3; ++i) {
             edge_[0][i] = minus(x[next_corner(i)], x[i]);
             edge_[1][i] = minus(x[3 + next_corner(i)], x[3 + i]);
@@ -110,7 +110,7 @@ class Guess {
 }  // namespace
 
 FeaturePair guess_features(const Points<6>& points) noexcept {
-    return Guess(points).find();
+    return FeatureGuess(points).find();
 }
 
 }  // namespace ecods::exact

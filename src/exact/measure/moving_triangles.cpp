@@ -8,17 +8,17 @@ using Vector = MovingTriangles::Vector;
 Vector operator-(const Vector& u, const Vector& v) {
     return {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
 }
-Vector cross(const Vector& u, const Vector& v) {
+Vector cross_product(const Vector& u, const Vector& v) {
     return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
-Polynomial dot(const Vector& u, const Vector& v) {
+Polynomial dot_product(const Vector& u, const Vector& v) {
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
 constexpr std::size_t index_of(const CornerAndEdge& which) {
     return 9 * which.side + 3 * which.corner + which.edge;
 }
-constexpr std::size_t after(std::size_t corner) {
+constexpr std::size_t corner_after(std::size_t corner) {
     return corner == 2 ? 0 : corner + 1;
 }
 
@@ -33,7 +33,7 @@ const Vector& MovingTriangles::turn(const CornerAndEdge& which) {
     if (!turn) {
         const Triangle& other = corners_[1 - which.side];
         const Vector& from = other[which.edge];
-        turn = cross(other[after(which.edge)] - from, corners_[which.side][which.corner] - from);
+        turn = cross_product(other[corner_after(which.edge)] - from, corners_[which.side][which.corner] - from);
     }
     return *turn;
 }
@@ -41,13 +41,14 @@ const Vector& MovingTriangles::turn(const CornerAndEdge& which) {
 Polynomial MovingTriangles::corner_volume(std::size_t side, std::size_t corner) {
     const Triangle& other = corners_[1 - side];
     std::optional<Vector>& normal = normals_[1 - side];
-    if (!normal) normal = cross(other[1] - other[0], other[2] - other[0]);
-    return dot(*normal, corners_[side][corner] - other[0]);
+    if (!normal) normal = cross_product(other[1] - other[0], other[2] - other[0]);
+    return dot_product(*normal, corners_[side][corner] - other[0]);
 }
 
 Polynomial MovingTriangles::edge_volume(std::size_t edge_a, std::size_t edge_b) const {
     const Vector &p = corners_[0][edge_a], &q = corners_[1][edge_b];
-    return dot(cross(corners_[0][after(edge_a)] - p, corners_[1][after(edge_b)] - q), q - p);
+    return dot_product(cross_product(corners_[0][corner_after(edge_a)] - p, corners_[1][corner_after(edge_b)] - q),
+                       q - p);
 }
 
 int TrianglesAtRoot::order(std::size_t i, std::size_t j, std::size_t axis) {
@@ -83,7 +84,7 @@ bool TrianglesAtRoot::is_inside_edge(const CornerAndEdge& which) {
         return which.side == 0 ? order(which.corner, end, axis) : order(end, which.corner, axis);
     };
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (order_of(which.edge, axis) * order_of(after(which.edge), axis) < 0) return true;
+        if (order_of(which.edge, axis) * order_of(corner_after(which.edge), axis) < 0) return true;
     }
     return false;
 }
@@ -105,8 +106,8 @@ bool TrianglesAtRoot::is_inside_face(std::size_t side, std::size_t corner) {
 // along that axis keeps points of the plane apart.
 bool TrianglesAtRoot::edges_cross(std::size_t edge_a, std::size_t edge_b) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (turn({0, edge_a, edge_b}, axis) * turn({0, after(edge_a), edge_b}, axis) < 0 &&
-            turn({1, edge_b, edge_a}, axis) * turn({1, after(edge_b), edge_a}, axis) < 0) {
+        if (turn({0, edge_a, edge_b}, axis) * turn({0, corner_after(edge_a), edge_b}, axis) < 0 &&
+            turn({1, edge_b, edge_a}, axis) * turn({1, corner_after(edge_b), edge_a}, axis) < 0) {
             return edge_volume(edge_a, edge_b) == 0;
         }
     }

@@ -7,7 +7,7 @@
 namespace ecods::exact {
 namespace {
 
-constexpr std::size_t after(std::size_t corner) {
+constexpr std::size_t next_corner(std::size_t corner) {
     return corner == 2 ? 0 : corner + 1;
 }
 
@@ -24,7 +24,7 @@ constexpr std::array<CornerPairs, feature_pairs.size()> corners_of_features = []
             const bool is_vertex = pair.kind == FeatureKind::vertex_vertex ||
                                    (pair.kind != FeatureKind::edge_edge && pair.vertex_side == side);
             if (is_vertex) return 1u << corner;
-            return pair.kind == FeatureKind::vertex_face ? 7u : 1u << corner | 1u << after(corner);
+            return pair.kind == FeatureKind::vertex_face ? 7u : 1u << corner | 1u << next_corner(corner);
         };
         for (std::size_t a = 0; a < 3; ++a) {
             if (corners(0) >> a & 1) result[k] |= corners(1) << 3 * a;
@@ -42,8 +42,8 @@ class Sieve {
         const Point way = corners_.way();
         for (std::size_t k = 0; k < 3; ++k) error_[k] = corners_.error()[k] + 2.25 * length * way[k];
         for (std::size_t i = 0; i < 3; ++i) {
-            a_[i] = minus(p_[after(i)], p_[i]);
-            b_[i] = minus(p_[3 + after(i)], p_[3 + i]);
+            a_[i] = minus(p_[next_corner(i)], p_[i]);
+            b_[i] = minus(p_[3 + next_corner(i)], p_[3 + i]);
         }
     }
 

@@ -63,7 +63,7 @@ Normal normal_of(const std::array<IntegerVector, 3>& corners) noexcept {
 }
 
 // The leading digits of a sum: sum = digits 2^exponent, rounded down; none where it is zero or too short to be known.
-struct Leading {
+struct LeadingDot {
     Uint128 digits = 0;
     int exponent = 0;
     bool is_negative = false;
@@ -71,7 +71,7 @@ struct Leading {
 
 // Of n . p, `count` <= 127 digits: if n was cut, it is off by less than 1, so that is off by less than 2^(width of p +
 // 2).
-Leading leading_of_dot(const Normal& normal, const IntegerVector& p, int count) noexcept {
+LeadingDot leading_of_dot(const Normal& normal, const IntegerVector& p, int count) noexcept {
     const IntegerVector& n = normal.n;
     Int256 sum = multiply(n[0], p[0]) + multiply(n[1], p[1]) + multiply(n[2], p[2]);
     const bool is_negative = sum.high < 0;
@@ -166,9 +166,9 @@ bool round_coordinate(double x, Int128 d, int unit, std::uint64_t digits, std::u
 bool round_crossing(const LineInUnits& line, const std::array<IntegerVector, 3>& corners,
                     RoundedCrossing& result) noexcept {
     const Normal n = normal_of(corners);
-    const Leading den = leading_of_dot(n, line.direction, 64);
+    const LeadingDot den = leading_of_dot(n, line.direction, 64);
     if (den.digits == 0) return false;
-    const Leading num = leading_of_dot(n, corners[0], 127);
+    const LeadingDot num = leading_of_dot(n, corners[0], 127);
     if (num.digits == 0 || num.is_negative != den.is_negative) return false;
     const auto q = static_cast<std::uint64_t>(num.digits / static_cast<std::uint64_t>(den.digits));
     constexpr std::uint64_t too_large = 3, width = 5;

@@ -10,7 +10,7 @@ namespace {
 
 using namespace exact;
 
-const Pose identity;
+const Pose in_place;
 
 Relation decide(const PosedPoints<6>& exact, const RoundedPoints<6>& rounded) noexcept {
     const DeterminantBounds bounds = determinant_bounds(rounded.points, rounded.delta);
@@ -38,7 +38,7 @@ PosedPoints<6> six(const Pose& pose_a, const std::array<Vec3, 3>& a, const Pose&
 }  // namespace
 
 Relation triangle_triangle(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) noexcept {
-    const PosedPoints<6> points = six(identity, a, identity, b);
+    const PosedPoints<6> points = six(in_place, a, in_place, b);
     return decide(points, plain_points(points));
 }
 

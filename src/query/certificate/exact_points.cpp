@@ -27,7 +27,7 @@ BitRange digits_of(const BodyRef& body) {
     return range;
 }
 
-BitRange digits_of(const Segment& segment) {
+BitRange digits_of(const ecods::Segment& segment) {
     BitRange range;
     for (const Vec3& end : {segment.a, segment.b}) {
         for (int axis = 0; axis < 3; ++axis) range.include(decode(end[axis]));
@@ -43,7 +43,7 @@ ExactPoints::ExactPoints(const BodyRef& a, const BodyRef& b) : bodies_{a, b} {
     low_ = range.empty() ? 0 : range.low;
 }
 
-ExactPoints::ExactPoints(const BodyRef& a, const Segment& segment, const Parameter& finest) : bodies_{a, a} {
+ExactPoints::ExactPoints(const BodyRef& a, const ecods::Segment& segment, const Parameter& finest) : bodies_{a, a} {
     BitRange range = digits_of(a);
     const BitRange ends = digits_of(segment);
     range.include(ends);
@@ -73,7 +73,7 @@ IntegerVector3 ExactPoints::vertex(std::size_t body, std::uint32_t index) const 
     return point;
 }
 
-IntegerVector3 ExactPoints::on_segment(const Segment& segment, const Parameter& s) const {
+IntegerVector3 ExactPoints::on_segment(const ecods::Segment& segment, const Parameter& s) const {
     IntegerVector3 point;
     for (int axis = 0; axis < 3; ++axis) {
         Integer& sum = point[static_cast<std::size_t>(axis)];

@@ -17,7 +17,7 @@ double about(const Parameter& s) {
 
 }  // namespace
 
-LineProof::LineProof(const Posed<MeshShape>& body, const Segment& segment, const Parameter& end, ApartBy apart,
+LineProof::LineProof(const Posed<MeshShape>& body, const ecods::Segment& segment, const Parameter& end, ApartBy apart,
                      Proof& proof)
     : body_(body),
       tree_(MeshShapeAccess::tree(*body.what)),

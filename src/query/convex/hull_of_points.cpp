@@ -21,17 +21,17 @@
 namespace ecods::convex {
 namespace {
 
-constexpr std::uint32_t none = ~std::uint32_t{0};
+constexpr std::uint32_t nothing = ~std::uint32_t{0};
 
 class QuickHull {
   public:
-    explicit QuickHull(std::span<const Vec3> points) : points_(points), next_(points.size(), none) {}
+    explicit QuickHull(std::span<const Vec3> points) : points_(points), next_(points.size(), nothing) {}
 
     std::vector<Triangle> build() {
         find_candidates();
         begin(find_simplex());
         for (std::uint32_t i = 0; i < facets_.size(); ++i) {
-            if (facets_[i].is_alive && facets_[i].first != none) add(take_furthest(i), i);
+            if (facets_[i].is_alive && facets_[i].first != nothing) add(take_furthest(i), i);
         }
         std::vector<Triangle> result;
         for (const Facet& facet : facets_) {
@@ -44,7 +44,7 @@ class QuickHull {
     struct Facet {
         Triangle corners;                        // counterclockwise, seen from outside
         std::array<std::uint32_t, 3> neighbors;  // over the side from a corner to the next one
-        std::uint32_t first = none;              // of the points beyond it that are in its list
+        std::uint32_t first = nothing;           // of the points beyond it that are in its list
         bool is_alive = true;
         bool is_visible = false;
     };
@@ -136,9 +136,9 @@ class QuickHull {
     std::uint32_t take_furthest(std::uint32_t of) {
         Facet& facet = facets_[of];
         const Vec3 &a = at(facet.corners[0]), &b = at(facet.corners[1]), &c = at(facet.corners[2]);
-        std::uint32_t best = facet.first, before_best = none;
+        std::uint32_t best = facet.first, before_best = nothing;
         double most = height(a, b, c, at(best));
-        for (std::uint32_t before = facet.first, i = next_[before]; i != none; before = i, i = next_[i]) {
+        for (std::uint32_t before = facet.first, i = next_[before]; i != nothing; before = i, i = next_[i]) {
             const double h = height(a, b, c, at(i));
             if (h > most) {
                 most = h;
@@ -146,7 +146,7 @@ class QuickHull {
                 before_best = before;
             }
         }
-        (before_best == none ? facet.first : next_[before_best]) = next_[best];
+        (before_best == nothing ? facet.first : next_[before_best]) = next_[best];
         return best;
     }
 
@@ -156,11 +156,11 @@ class QuickHull {
     void add(std::uint32_t point, std::uint32_t beyond) {
         find_visible(point, beyond);
         const std::size_t first_new = facets_.size();
-        starts_.resize(points_.size(), none);
+        starts_.resize(points_.size(), nothing);
         for (const RimEdge& edge : rim_) {
             const auto index = static_cast<std::uint32_t>(facets_.size());
             starts_[edge.from] = index;
-            facets_.push_back({{edge.from, edge.to, point}, {edge.behind, none, none}});
+            facets_.push_back({{edge.from, edge.to, point}, {edge.behind, nothing, nothing}});
             Facet& behind = facets_[edge.behind];
             for (std::size_t k = 0; k < 3; ++k) {
                 if (behind.corners[k] == edge.to && behind.corners[(k + 1) % 3] == edge.from)
@@ -174,12 +174,12 @@ class QuickHull {
             facets_[next].neighbors[2] = static_cast<std::uint32_t>(i);
         }
         for (const std::uint32_t gone : visible_) {
-            for (std::uint32_t i = facets_[gone].first; i != none;) {
+            for (std::uint32_t i = facets_[gone].first; i != nothing;) {
                 const std::uint32_t after = next_[i];
                 assign(i, first_new);
                 i = after;
             }
-            facets_[gone].first = none;
+            facets_[gone].first = nothing;
             facets_[gone].is_alive = false;
         }
     }

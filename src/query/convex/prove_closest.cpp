@@ -80,7 +80,7 @@ Bounded across(const Bounded& w, const Bounded& u) noexcept {
 }
 
 // Whether the vector is known well enough for the bounds.
-bool is_known(const Bounded& a) noexcept {
+bool is_certain(const Bounded& a) noexcept {
     return 16 * a.error <= a.size;
 }
 
@@ -117,7 +117,7 @@ class Proof {
     // Sets n_, from the first solid to the second, and asks whether the foot is inside the features.
     bool find_direction() noexcept {
         const Bounded w = difference(points_[1][0], points_[0][0], hulls_.delta());
-        if (!is_known(w)) return false;
+        if (!is_certain(w)) return false;
         switch (found_.features.kind) {
             case FeatureKind::vertex_vertex:
                 n_ = w;
@@ -134,7 +134,7 @@ class Proof {
     bool find_from_edge(const Bounded& w) noexcept {
         const std::size_t of = 1 - found_.features.vertex_side;
         const Bounded u = from(of, 1);
-        if (!is_known(u)) return false;
+        if (!is_certain(u)) return false;
         const BoundedNumber along = dot(of == 0 ? w : negated(w), u);
         n_ = across(w, u);
         if (!(n_.size > n_.error)) return false;  // The vertex may be on the edge.
@@ -144,7 +144,7 @@ class Proof {
     bool find_from_face(const Bounded& w) noexcept {
         const std::size_t of = 1 - found_.features.vertex_side;
         const Bounded u = from(of, 1), v = from(of, 2);
-        if (!is_known(u) || !is_known(v)) return false;
+        if (!is_certain(u) || !is_certain(v)) return false;
         const Bounded foot = of == 0 ? w : negated(w);
         n_ = cross(u, v);
         const BoundedNumber s = dot(cross(foot, v), n_), t = dot(cross(u, foot), n_);
@@ -153,7 +153,7 @@ class Proof {
 
     bool find_from_edges(const Bounded& w) noexcept {
         const Bounded u = from(0, 1), v = from(1, 1);
-        if (!is_known(u) || !is_known(v)) return false;
+        if (!is_certain(u) || !is_certain(v)) return false;
         n_ = cross(u, v);
         const BoundedNumber s = dot(cross(w, v), n_), t = dot(cross(w, u), n_), nn = dot(n_, n_);
         return may_hold(s) && may_hold(t) && may_hold(nn - s) && may_hold(nn - t) && turn_along(w);
@@ -281,7 +281,7 @@ bool prove_meeting(const PosedHulls& hulls, const Simplex& guess) noexcept {
     for (std::size_t i = 0; i < 4; ++i) {
         const double size = largest(guess.points[i]);
         w[i] = {guess.points[i], size, 2 * hulls.delta() + two_u * size};
-        if (!is_known(w[i])) return false;
+        if (!is_certain(w[i])) return false;
     }
     // With the origin 0, det(w_j, w_k, w_l) is of one sign for all four, where their order alternates.
     const auto det = [&](std::size_t i, std::size_t j, std::size_t k) { return dot(cross(w[i], w[j]), w[k]); };

@@ -18,7 +18,7 @@
 namespace ecods {
 namespace {
 
-constexpr std::uint32_t none = ~std::uint32_t{0};
+constexpr std::uint32_t no_vertex = ~std::uint32_t{0};
 
 bool are_equal(const Vec3& a, const Vec3& b) noexcept {
     return coordinate_bits(a[0]) == coordinate_bits(b[0]) && coordinate_bits(a[1]) == coordinate_bits(b[1]) &&
@@ -49,13 +49,13 @@ class AreaFilter {
 // Linear probing.
 std::vector<std::uint32_t> least_equals(std::span<const Vec3> vertices) {
     const std::size_t size = std::bit_ceil(2 * vertices.size());
-    std::vector<std::uint32_t> table(size, none);
+    std::vector<std::uint32_t> table(size, no_vertex);
     std::vector<std::uint32_t> least;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const auto index = static_cast<std::uint32_t>(i);
         std::size_t at = hash_of(vertices[i]) & (size - 1);
-        while (table[at] != none && !are_equal(vertices[table[at]], vertices[i])) at = (at + 1) & (size - 1);
-        if (table[at] == none) {
+        while (table[at] != no_vertex && !are_equal(vertices[table[at]], vertices[i])) at = (at + 1) & (size - 1);
+        if (table[at] == no_vertex) {
             table[at] = index;
             if (!least.empty()) least[i] = index;
             continue;

@@ -7,13 +7,13 @@
 namespace ecods {
 namespace {
 
-const Pose identity;
+const Pose in_place;
 
 class ShellFinder {
   public:
     ShellFinder(const ProperMesh& proper, const MeshEdges& edges, const MeshTree& tree)
         : proper_(proper), edges_(edges), tree_(tree), signs_(frame_) {
-        const exact::BodyRef body{proper.mesh.get(), &tree.extent, &identity};
+        const exact::BodyRef body{proper.mesh.get(), &tree.extent, &in_place};
         frame_.bind({&body, 1});
     }
 

@@ -8,7 +8,7 @@
 #include "ecods/broad_phase.hpp"
 #include "ecods/error.hpp"
 
-namespace ecods::allocation {
+namespace ecods::allocation::broad_phase_test {
 namespace {
 
 Aabb box_at(double x, double size = 1) {
@@ -152,4 +152,4 @@ TEST_P(BroadPhaseOutOfMemory, EveryCallThenChangesNothing) {
 }
 
 }  // namespace
-}  // namespace ecods::allocation
+}  // namespace ecods::allocation::broad_phase_test

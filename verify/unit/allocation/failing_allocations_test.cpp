@@ -11,7 +11,7 @@
 
 #include "allocation/each_allocation.hpp"
 
-namespace ecods::allocation {
+namespace ecods::allocation::failing_allocations_test {
 namespace {
 
 bool fails() {
@@ -107,4 +107,4 @@ TEST(FailEachAllocation, FindsWhatIsNotTakenBack) {
 }
 
 }  // namespace
-}  // namespace ecods::allocation
+}  // namespace ecods::allocation::failing_allocations_test

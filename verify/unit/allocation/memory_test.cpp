@@ -9,7 +9,7 @@
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 
-namespace ecods::allocation {
+namespace ecods::allocation::memory_test {
 namespace {
 
 TEST(HeldBytes, AreThoseThatWereNotFreed) {
@@ -77,4 +77,4 @@ TEST(Memory, OfAWorldAtRest) {
 }
 
 }  // namespace
-}  // namespace ecods::allocation
+}  // namespace ecods::allocation::memory_test

@@ -24,7 +24,7 @@
 #include "ecods/solid.hpp"
 #include "scenes/shapes.hpp"
 
-namespace ecods::allocation {
+namespace ecods::allocation::query_test {
 namespace {
 
 // Two spheres of a size at which queries use all their memory, with trees that nobody has made yet.
@@ -315,4 +315,4 @@ TEST(QueryOutOfMemory, ASharedShapeKeepsWhatItHas) {
 }
 
 }  // namespace
-}  // namespace ecods::allocation
+}  // namespace ecods::allocation::query_test

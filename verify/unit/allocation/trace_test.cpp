@@ -2,7 +2,7 @@
 #include "ecods/replay.hpp"
 #include "unit/allocation/scene.hpp"
 
-namespace ecods::allocation {
+namespace ecods::allocation::trace_test {
 namespace {
 
 const TraceOptions writing{.write_shape = [](const Shape& shape) {
@@ -111,4 +111,4 @@ TEST(TraceOutOfMemory, OneThatIsRunAgain) {
 }
 
 }  // namespace
-}  // namespace ecods::allocation
+}  // namespace ecods::allocation::trace_test

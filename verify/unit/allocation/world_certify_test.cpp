@@ -2,7 +2,7 @@
 #include "ecods/certificate.hpp"
 #include "unit/allocation/scene.hpp"
 
-namespace ecods::allocation {
+namespace ecods::allocation::world_certify_test {
 namespace {
 
 // Meshes only, some that touch, some that cross, some that are close; up to date.
@@ -66,4 +66,4 @@ TEST_P(WorldCertifyOutOfMemory, ChangesNothing) {
 }
 
 }  // namespace
-}  // namespace ecods::allocation
+}  // namespace ecods::allocation::world_certify_test

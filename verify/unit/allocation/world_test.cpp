@@ -6,7 +6,7 @@
 #include "ecods/replay.hpp"
 #include "unit/allocation/scene.hpp"
 
-namespace ecods::allocation {
+namespace ecods::allocation::world_test {
 namespace {
 
 template <class List>
@@ -235,4 +235,4 @@ TEST(WorldOutOfMemory, AWorldThatIsNotMade) {
 }
 
 }  // namespace
-}  // namespace ecods::allocation
+}  // namespace ecods::allocation::world_test

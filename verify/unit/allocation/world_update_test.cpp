@@ -2,7 +2,7 @@
 #include "scenes/thread_executor.hpp"
 #include "unit/allocation/scene.hpp"
 
-namespace ecods::allocation {
+namespace ecods::allocation::world_update_test {
 namespace {
 
 using Tested = std::tuple<BroadPhaseKind, std::size_t>;  // with so many workers; 0: no executor
@@ -55,4 +55,4 @@ TEST_P(UpdateOutOfMemory, TheNextUpdateFindsAllOfMany) {
 }
 
 }  // namespace
-}  // namespace ecods::allocation
+}  // namespace ecods::allocation::world_update_test

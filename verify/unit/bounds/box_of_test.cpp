@@ -8,7 +8,7 @@
 #include "oracle/oracle.hpp"
 #include "scenes/hard_pairs.hpp"
 
-namespace ecods {
+namespace ecods::box_of_test {
 namespace {
 
 std::shared_ptr<const Mesh> one_triangle(const std::array<Vec3, 3>& corners) {
@@ -84,4 +84,4 @@ TEST(Aabb, OverlapIsClosed) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::box_of_test

@@ -10,7 +10,7 @@
 
 #include "scenes/random.hpp"
 
-namespace ecods {
+namespace ecods::moving_box_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -148,4 +148,4 @@ TEST_F(MovingBoxTest, BoxesWithinAreMetNoEarlier) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::moving_box_test

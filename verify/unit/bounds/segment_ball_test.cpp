@@ -20,7 +20,7 @@
 #include "ecods/error.hpp"
 #include "scenes/random.hpp"
 
-namespace ecods {
+namespace ecods::segment_ball_test {
 namespace {
 
 using Rational = CGAL::Gmpq;
@@ -273,4 +273,4 @@ TEST(BallBox, CentersMustBeFiniteAndRadiiNotNegative) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::segment_ball_test

@@ -15,7 +15,7 @@
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
 
-namespace ecods {
+namespace ecods::support_table_test {
 namespace {
 
 std::shared_ptr<const Mesh> scaled(const Mesh& mesh, const Vec3& factor, const Vec3& shift) {
@@ -178,4 +178,4 @@ TEST(SupportTable, IsOfTheVerticesInUse) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::support_table_test

@@ -5,7 +5,7 @@
 #include "ecods/error.hpp"
 #include "unit/broad_phase/random_boxes.hpp"
 
-namespace ecods::test {
+namespace ecods::test::box_forest_test {
 namespace {
 
 struct PlantedForest {
@@ -129,4 +129,4 @@ TEST(BoxForest, ValidateSeesAWrongBox) {
 }
 
 }  // namespace
-}  // namespace ecods::test
+}  // namespace ecods::test::box_forest_test

@@ -4,7 +4,7 @@
 
 #include "unit/broad_phase/random_boxes.hpp"
 
-namespace ecods::test {
+namespace ecods::test::box_tree_test {
 namespace {
 
 constexpr std::size_t sizes[] = {1, 2, 7, 8, 9, 63, 64, 65, 100, 511, 513, 700};
@@ -158,4 +158,4 @@ TEST(BoxTree, ASearchCostsLittle) {
 }
 
 }  // namespace
-}  // namespace ecods::test
+}  // namespace ecods::test::box_tree_test

@@ -8,7 +8,7 @@
 #include "ecods/error.hpp"
 #include "unit/broad_phase/lockstep.hpp"
 
-namespace ecods::test {
+namespace ecods::test::broad_phase_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -161,4 +161,4 @@ TEST_P(EveryBroadPhase, ManyMoveOrNone) {
 }
 
 }  // namespace
-}  // namespace ecods::test
+}  // namespace ecods::test::broad_phase_test

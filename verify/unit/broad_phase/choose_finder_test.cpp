@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ecods::test {
+namespace ecods::test::choose_finder_test {
 namespace {
 
 constexpr auto sweep = BroadPhaseKind::sweep_and_prune;
@@ -26,4 +26,4 @@ TEST(ChooseFinder, DoesNotSwitchBackUntilFewAreLeft) {
 }
 
 }  // namespace
-}  // namespace ecods::test
+}  // namespace ecods::test::choose_finder_test

@@ -5,7 +5,7 @@
 
 #include "unit/broad_phase/lockstep.hpp"
 
-namespace ecods::test {
+namespace ecods::test::counts_test {
 namespace {
 
 struct Work {
@@ -337,4 +337,4 @@ TEST(Counts, TeleportingAllIsNotQuadraticInSwaps) {
 }
 
 }  // namespace
-}  // namespace ecods::test
+}  // namespace ecods::test::counts_test

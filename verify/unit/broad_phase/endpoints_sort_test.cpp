@@ -7,7 +7,7 @@
 
 #include "unit/broad_phase/lockstep.hpp"
 
-namespace ecods {
+namespace ecods::endpoints_sort_test {
 namespace {
 
 struct Fixture {
@@ -97,4 +97,4 @@ TEST(SortAxis, GivingUpLosesNoEnd) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::endpoints_sort_test

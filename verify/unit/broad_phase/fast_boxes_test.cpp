@@ -5,7 +5,7 @@
 
 #include "unit/broad_phase/lockstep.hpp"
 
-namespace ecods::test {
+namespace ecods::test::fast_boxes_test {
 namespace {
 
 // Of boxes that move straight on, each by its own way, by so much of their size at most, three of four of them by a
@@ -60,4 +60,4 @@ TEST(FastBoxes, ThoseThatEscapeOneByOneEndInOneSearch) {
 }
 
 }  // namespace
-}  // namespace ecods::test
+}  // namespace ecods::test::fast_boxes_test

@@ -13,7 +13,7 @@
 #include "unit/broad_phase/lockstep.hpp"
 #include "unit/broad_phase/random_boxes.hpp"
 
-namespace ecods::test {
+namespace ecods::test::find_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -264,4 +264,4 @@ TEST(Find, WorkIsProportionalToWhatChanged) {
 }
 
 }  // namespace
-}  // namespace ecods::test
+}  // namespace ecods::test::find_test

@@ -9,7 +9,7 @@
 #include "unit/broad_phase/lockstep.hpp"
 #include "unit/broad_phase/random_boxes.hpp"
 
-namespace ecods::test {
+namespace ecods::test::grid_sweep_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -176,4 +176,4 @@ TEST(ListPairs, AscendAndAreComplete) {
 }
 
 }  // namespace
-}  // namespace ecods::test
+}  // namespace ecods::test::grid_sweep_test

@@ -5,7 +5,7 @@
 
 #include "unit/broad_phase/lockstep.hpp"
 
-namespace ecods::test {
+namespace ecods::test::hard_cases_test {
 namespace {
 
 // The box of a unit cube turned by 45 degrees about z.
@@ -185,4 +185,4 @@ TEST(HardCases, FewThatRestAndAwakeInTurn) {
 }
 
 }  // namespace
-}  // namespace ecods::test
+}  // namespace ecods::test::hard_cases_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace ecods {
+namespace ecods::moving_frame_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -88,4 +88,4 @@ TEST(MovingFrame, StaysWhereNumbersEnd) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::moving_frame_test

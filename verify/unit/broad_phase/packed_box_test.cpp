@@ -6,7 +6,7 @@
 
 #include "unit/broad_phase/lockstep.hpp"
 
-namespace ecods::test {
+namespace ecods::test::packed_box_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -93,4 +93,4 @@ TEST(BoxBlock, HoldsEightBoxesOrFewer) {
 }
 
 }  // namespace
-}  // namespace ecods::test
+}  // namespace ecods::test::packed_box_test

@@ -4,7 +4,7 @@
 
 #include "unit/broad_phase/lockstep.hpp"
 
-namespace ecods {
+namespace ecods::pair_list_test {
 namespace {
 
 using test::Pairs;
@@ -117,4 +117,4 @@ TEST(PairList, NormaliseSortsAndLeavesEachOnce) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::pair_list_test

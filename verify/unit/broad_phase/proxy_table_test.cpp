@@ -5,7 +5,7 @@
 #include "ecods/error.hpp"
 #include "unit/broad_phase/lockstep.hpp"
 
-namespace ecods::test {
+namespace ecods::test::proxy_table_test {
 namespace {
 
 using Proxies = std::vector<ProxyIndex>;
@@ -110,4 +110,4 @@ TEST(ProxyTable, WrongNumbersAreErrorsAndChangeNothing) {
 }
 
 }  // namespace
-}  // namespace ecods::test
+}  // namespace ecods::test::proxy_table_test

@@ -14,7 +14,7 @@
 #include "unit/broad_phase/lockstep.hpp"
 #include "unit/broad_phase/random_boxes.hpp"
 
-namespace ecods::test {
+namespace ecods::test::visit_along_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -223,4 +223,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, AlongCost,
                                             ::testing::Values(std::size_t{1000}, std::size_t{30000})));
 
 }  // namespace
-}  // namespace ecods::test
+}  // namespace ecods::test::visit_along_test

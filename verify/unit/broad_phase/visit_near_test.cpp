@@ -12,7 +12,7 @@
 #include "scenes/random.hpp"
 #include "unit/broad_phase/lockstep.hpp"
 
-namespace ecods::test {
+namespace ecods::test::visit_near_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -224,4 +224,4 @@ TEST(VisitsNearCounts, WorkIsThatOfWhatIsNear) {
 }
 
 }  // namespace
-}  // namespace ecods::test
+}  // namespace ecods::test::visit_near_test

@@ -17,7 +17,7 @@
 #include "scenes/distance_cases.hpp"
 #include "unit/bvh/mask_of_all.hpp"
 
-namespace ecods {
+namespace ecods::distance_axes_test {
 namespace {
 
 constexpr std::array rounding_modes{FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
@@ -186,4 +186,4 @@ TEST(NearestQueue, GivesEachPairOnceAndTheNearestFirst) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::distance_axes_test

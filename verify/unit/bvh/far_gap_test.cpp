@@ -13,7 +13,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/bvh/mask_of_all.hpp"
 
-namespace ecods {
+namespace ecods::far_gap_test {
 namespace {
 
 constexpr std::array rounding_modes{FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
@@ -118,4 +118,4 @@ TEST(FarGap, OnlyBodiesThatAreFar) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::far_gap_test

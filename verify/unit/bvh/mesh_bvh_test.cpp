@@ -13,7 +13,7 @@
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
 
-namespace ecods {
+namespace ecods::mesh_bvh_test {
 namespace {
 
 MeshBvh build(const Mesh& mesh) {
@@ -247,4 +247,4 @@ TEST(MeshBvh, RefitContainsTheNewTriangles) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::mesh_bvh_test

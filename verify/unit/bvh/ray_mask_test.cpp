@@ -12,7 +12,7 @@
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 
-namespace ecods {
+namespace ecods::ray_mask_test {
 namespace {
 
 // The triangles that a walk comes to: the same for every instruction set.
@@ -101,4 +101,4 @@ TEST(RayMask, NothingIsFoundFromOutsideTheBox) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::ray_mask_test

@@ -11,7 +11,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/bvh/separated_bodies.hpp"
 
-namespace ecods {
+namespace ecods::separating_axes_test {
 namespace {
 
 TEST(SeparatingAxes, NeverSeparateTrianglesThatMeet) {
@@ -148,4 +148,4 @@ TEST(SeparatingAxes, AllFifteenAxesSeparateSomething) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::separating_axes_test

@@ -7,7 +7,7 @@
 #include "scenes/random.hpp"
 #include "unit/bvh/separated_bodies.hpp"
 
-namespace ecods {
+namespace ecods::separating_edges_test {
 namespace {
 
 // The filled polygon as slivers that share its corner 0, or as strips.
@@ -144,4 +144,4 @@ TEST(SeparatingEdges, SeparateTrianglesOfOnePlaneByEdgesOfEither) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::separating_edges_test

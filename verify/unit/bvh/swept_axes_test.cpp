@@ -14,7 +14,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/bvh/mask_of_all.hpp"
 
-namespace ecods {
+namespace ecods::swept_axes_test {
 namespace {
 
 struct Body {
@@ -175,4 +175,4 @@ TEST(SweptAxes, AreNarrow) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::swept_axes_test

@@ -11,7 +11,7 @@
 #include "scenes/hard_pairs.hpp"
 #include "unit/bvh/separated_bodies.hpp"
 
-namespace ecods {
+namespace ecods::triangle_pairs_test {
 namespace {
 
 struct Tally {
@@ -155,4 +155,4 @@ TEST(TrianglePairs, NextToContactAreSound) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::triangle_pairs_test

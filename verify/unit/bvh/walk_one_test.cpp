@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace ecods {
+namespace ecods::walk_one_test {
 namespace {
 
 // Numbers below 8^3, by their digits: a node is the digits of its numbers from the left.
@@ -59,4 +59,4 @@ TEST(WalkOne, EndsWhenTheResultSaysSo) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::walk_one_test

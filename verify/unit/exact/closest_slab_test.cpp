@@ -6,7 +6,7 @@
 #include "query/distance/triangle_distances.hpp"
 #include "scenes/distance_cases.hpp"
 
-namespace ecods {
+namespace ecods::closest_slab_test {
 namespace {
 
 struct Counts {
@@ -66,4 +66,4 @@ TEST(ClosestSlab, SaysNothingUntilItIsReferredTo) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::closest_slab_test

@@ -11,7 +11,7 @@
 #include "query/intersection/triangle_relations.hpp"
 #include "scenes/random.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::common_unit_test {
 namespace {
 
 using scenes::Random;
@@ -168,4 +168,4 @@ TEST(CommonUnit, GridsOfOneLength) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::common_unit_test

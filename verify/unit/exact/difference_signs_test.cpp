@@ -9,7 +9,7 @@
 
 #include "scenes/random.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::difference_signs_test {
 namespace {
 
 using scenes::Random;
@@ -92,4 +92,4 @@ TEST(DifferenceSigns, ConstantsAreTheDerivedOnes) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::difference_signs_test

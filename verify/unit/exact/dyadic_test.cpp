@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ecods::exact {
+namespace ecods::exact::dyadic_test {
 namespace {
 
 TEST(Dyadic, DecodesEveryKindOfDouble) {
@@ -47,4 +47,4 @@ TEST(Dyadic, DifferencesAreExact) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::dyadic_test

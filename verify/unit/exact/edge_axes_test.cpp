@@ -14,7 +14,7 @@
 #include "query/intersection/triangle_relations.hpp"
 #include "scenes/random.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::edge_axes_test {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
@@ -118,4 +118,4 @@ TEST(EdgeAxes, OnlyDisjointTrianglesAreSeparated) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::edge_axes_test

@@ -7,7 +7,7 @@
 #include "measured_pairs.hpp"
 #include "oracle/first_contact.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::enclose_contact_test {
 namespace {
 
 using What = ContactGuess::What;
@@ -132,4 +132,4 @@ TEST(EncloseContact, IsNarrow) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::enclose_contact_test

@@ -12,7 +12,7 @@
 #include "oracle_pair.hpp"
 #include "query/distance/triangle_distances.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::enclose_distance_test {
 namespace {
 
 bool contains(const Enclosure& enclosure, const oracle::ExactRoot& root) {
@@ -83,4 +83,4 @@ TEST(EncloseDistance, IsNarrow) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::enclose_distance_test

@@ -10,7 +10,7 @@
 #include "measured_pairs.hpp"
 #include "oracle_pair.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::exact_features_test {
 namespace {
 
 // Calls use(points, features) with a pair's points in the narrowest kernel.
@@ -80,4 +80,4 @@ TEST(FeaturePairs, AreAllInOrder) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::exact_features_test

@@ -11,7 +11,7 @@
 #include "query/intersection/triangle_relations.hpp"
 #include "scenes/random.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::far_frame_test {
 namespace {
 
 // A corner next to the face z = 0 of the other triangle: on which side is a matter of the roundings of R v + t.
@@ -50,4 +50,4 @@ TEST(FarFrame, ErrorsOfEitherBodyCount) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::far_frame_test

@@ -24,7 +24,7 @@
 #include "exact/sign/plain_signs.hpp"
 #include "scenes/random.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::filter_bound_test {
 namespace {
 
 using scenes::Random;
@@ -295,4 +295,4 @@ TEST(FilterBound, NoBoundWhereProductsOverflowOrUnderflow) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::filter_bound_test

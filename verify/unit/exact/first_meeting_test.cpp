@@ -13,7 +13,7 @@
 #include "exact/point/integer_points.hpp"
 #include "scenes/random.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::first_meeting_test {
 namespace {
 
 // Corners at the start, then at the end: of the first triangle, then of the second.
@@ -212,4 +212,4 @@ TEST(FirstMeeting, CellsAtTheEndsOfTime) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::first_meeting_test

@@ -12,7 +12,7 @@
 #include "exact/measure/limb_vectors.hpp"
 #include "exact/measure/squared_distance.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::fixed_length_test {
 namespace {
 
 using Vector = IntegerVector;
@@ -151,4 +151,4 @@ TEST(FixedLength, IsNotCertainOfTies) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::fixed_length_test

@@ -13,7 +13,7 @@
 #include "exact/measure/limb_vectors.hpp"
 #include "exact/measure/squared_distance.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::fixed_plane_test {
 namespace {
 
 using Vector = FixedPlane::Vector;
@@ -159,4 +159,4 @@ TEST(FixedPlane, ComparesAsLongIntegersDo) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::fixed_plane_test

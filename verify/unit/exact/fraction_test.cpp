@@ -11,7 +11,7 @@
 #include "oracle/nearest.hpp"
 #include "oracle_pair.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::fraction_test {
 namespace {
 
 Natural<fraction_limbs> natural_of(const mpz_class& x) {
@@ -130,4 +130,4 @@ TEST(Fractions, CompareAsRationals) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::fraction_test

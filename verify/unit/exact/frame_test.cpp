@@ -17,7 +17,7 @@
 #include "exact/sign/frame_signs.hpp"
 #include "scenes/random.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::frame_test {
 namespace {
 
 using scenes::Random;
@@ -304,4 +304,4 @@ TEST(Frame, PredicatesOfFourBodies) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::frame_test

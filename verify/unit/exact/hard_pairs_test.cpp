@@ -7,7 +7,7 @@
 #include "ecods/predicates.hpp"
 #include "oracle/oracle.hpp"
 
-namespace ecods {
+namespace ecods::hard_pairs_test {
 namespace {
 
 class HardPairs : public testing::TestWithParam<scenes::HardFamily> {};
@@ -40,4 +40,4 @@ TEST_P(HardPairs, RelationIsTheOraclesAndSymmetric) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::hard_pairs_test

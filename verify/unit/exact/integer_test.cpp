@@ -5,7 +5,7 @@
 #include "exact/number/integer.hpp"
 #include "integers.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::integer_test {
 namespace {
 
 using testing::integer_of;
@@ -66,4 +66,4 @@ TEST(Integer, MovesAndCopies) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::integer_test

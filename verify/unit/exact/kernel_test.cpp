@@ -10,7 +10,7 @@
 #include "exact/sign/exact_signs.hpp"
 #include "scenes/random.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::kernel_test {
 namespace {
 
 using boost::multiprecision::cpp_int;
@@ -159,4 +159,4 @@ TEST(Kernel, WidestLimbs) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::kernel_test

@@ -10,7 +10,7 @@
 #include "exact/point/mesh_extent.hpp"
 #include "scenes/random.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::line_points_test {
 namespace {
 
 mpq_class rational(Int128 x, int unit) {
@@ -50,7 +50,7 @@ void check(scenes::Random& random, int kind, double far, Count& count) {
     for (int k = 0; k < 3; ++k) pose.R.col(k) = vector(of_R);
     const Vec3 origin = Vec3::Constant(far);
     pose.t = origin + vector(of_R);
-    Segment segment{origin + vector(0), origin + vector(0)};
+    ecods::Segment segment{origin + vector(0), origin + vector(0)};
     const bool is_ray = random.below(2) == 0;
     const Line line = is_ray ? Line(Ray{segment.a, vector(of_R)}) : Line(segment);
     const MeshExtent extent = measure(*mesh);
@@ -91,4 +91,4 @@ TEST(LinePoints, AreTheExactPoints) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::line_points_test

@@ -4,7 +4,7 @@
 
 #include "ecods/predicates.hpp"
 
-namespace ecods {
+namespace ecods::names_test {
 namespace {
 
 TEST(Names, SignsAndRelationsPrint) {
@@ -15,4 +15,4 @@ TEST(Names, SignsAndRelationsPrint) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::names_test

@@ -7,7 +7,7 @@
 
 #include "scenes/random.hpp"
 
-namespace ecods {
+namespace ecods::predicates_test {
 namespace {
 
 constexpr double max = std::numeric_limits<double>::max();
@@ -78,4 +78,4 @@ TEST(TriangleTriangle, KnownRelations) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::predicates_test

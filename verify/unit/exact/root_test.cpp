@@ -10,7 +10,7 @@
 #include "exact/number/root.hpp"
 #include "integers.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::root_test {
 namespace {
 
 using testing::polynomial_of;
@@ -246,4 +246,4 @@ TEST(Root, InShortIntervals) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::root_test

@@ -14,7 +14,7 @@
 #include "oracle/nearest.hpp"
 #include "oracle_pair.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::round_crossing_test {
 namespace {
 
 using Vector = TwoLimbKernel::Point;
@@ -160,4 +160,4 @@ TEST(RoundCrossing, HalfWayAndBesideIt) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::round_crossing_test

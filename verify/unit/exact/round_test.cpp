@@ -11,7 +11,7 @@
 #include "oracle/nearest.hpp"
 #include "oracle_pair.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::round_test {
 namespace {
 
 std::vector<std::uint64_t> limbs_of(const mpz_class& x) {
@@ -163,4 +163,4 @@ TEST(Round, QuotientsAtAndNextToHalfWayPoints) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::round_test

@@ -10,7 +10,7 @@
 #include "oracle_pair.hpp"
 #include "query/distance/triangle_distances.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::shared_set_test {
 namespace {
 
 TEST(SharedSet, CornersAndNormalsAreThoseOfTheOracle) {
@@ -118,4 +118,4 @@ TEST(SharedSet, NormalsAreRoundedOnce) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::shared_set_test

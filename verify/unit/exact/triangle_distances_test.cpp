@@ -11,7 +11,7 @@
 #include "oracle/distance.hpp"
 #include "oracle_pair.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::triangle_distances_test {
 namespace {
 
 TEST(TriangleDistances, AreRoundedOnceInEveryEnvironment) {
@@ -125,4 +125,4 @@ TEST(TriangleDistances, AreComparedWithEachOtherExactly) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::triangle_distances_test

@@ -8,7 +8,7 @@
 #include "scenes/hard_pairs.hpp"
 #include "scenes/shapes.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::triangle_relations_test {
 namespace {
 
 std::shared_ptr<const Mesh> one_triangle(const std::array<Vec3, 3>& corners) {
@@ -78,4 +78,4 @@ TEST(TriangleRelations, ShortcutsAreTaken) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::triangle_relations_test

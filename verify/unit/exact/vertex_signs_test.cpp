@@ -13,7 +13,7 @@
 #include "environment/each_environment.hpp"
 #include "scenes/random.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::vertex_signs_test {
 namespace {
 
 // Points of a small lattice, most of whose fours are in planes across or along axes; of some, bits are moved.
@@ -55,4 +55,4 @@ TEST(VertexSigns, AreThoseOfThePredicates) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::vertex_signs_test

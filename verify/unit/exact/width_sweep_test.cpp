@@ -12,7 +12,7 @@
 #include "query/intersection/triangle_relations.hpp"
 #include "scenes/random.hpp"
 
-namespace ecods::exact {
+namespace ecods::exact::width_sweep_test {
 namespace {
 
 using scenes::Random;
@@ -148,4 +148,4 @@ TEST(WidthSweep, PosedPointsThatAreNoDoubles) {
 }
 
 }  // namespace
-}  // namespace ecods::exact
+}  // namespace ecods::exact::width_sweep_test

@@ -6,7 +6,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace ecods {
+namespace ecods::aabb_test {
 namespace {
 
 constexpr double tiny = 0x1p-1074;
@@ -43,4 +43,4 @@ TEST(Aabb, TheSmallestNumbersCountWhereTheProcessorTakesThemForZero) {
 #endif
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::aabb_test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace ecods {
+namespace ecods::key_box_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -46,4 +46,4 @@ TEST(KeyBox, EachAxisAloneSeparatesAndASharedPointDoesNot) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::key_box_test

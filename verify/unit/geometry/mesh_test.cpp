@@ -9,7 +9,7 @@
 
 #include "ecods/error.hpp"
 
-namespace ecods {
+namespace ecods::mesh_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -141,4 +141,4 @@ TEST(Mesh, FloatsAreExact) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::mesh_test

@@ -8,7 +8,7 @@
 #include "ecods/error.hpp"
 #include "geometry/same_bits.hpp"
 
-namespace ecods {
+namespace ecods::pose_test {
 namespace {
 
 TEST(Pose, AnyFinitePoseIsValid) {
@@ -100,4 +100,4 @@ TEST(Pose, TheLastRowOfAMatrixIsChecked) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::pose_test

@@ -12,7 +12,7 @@
 #include "oracle/oracle.hpp"
 #include "scenes/hard_pairs.hpp"
 
-namespace ecods::oracle {
+namespace ecods::oracle::oracle_clipping_test {
 namespace {
 
 using lattice::Corners;
@@ -158,4 +158,4 @@ TEST(OracleClipping, Meshes) {
 }
 
 }  // namespace
-}  // namespace ecods::oracle
+}  // namespace ecods::oracle::oracle_clipping_test

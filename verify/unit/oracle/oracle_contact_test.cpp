@@ -6,7 +6,7 @@
 #include "oracle/oracle.hpp"
 #include "scenes/cast_cases.hpp"
 
-namespace ecods::oracle {
+namespace ecods::oracle::oracle_contact_test {
 namespace {
 
 struct Body {
@@ -164,4 +164,4 @@ TEST(OracleContact, AgreesWithContactAtSingleTimes) {
 }
 
 }  // namespace
-}  // namespace ecods::oracle
+}  // namespace ecods::oracle::oracle_contact_test

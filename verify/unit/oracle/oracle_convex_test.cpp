@@ -12,7 +12,7 @@
 #include "scenes/hard_pair_parts.hpp"
 #include "scenes/lattice_hull.hpp"
 
-namespace ecods {
+namespace ecods::oracle_convex_test {
 namespace {
 
 using oracle::ConvexPair;
@@ -215,4 +215,4 @@ TEST(OracleConvex, FacesOfTheFirstGoFirst) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::oracle_convex_test

@@ -11,7 +11,7 @@
 #include "scenes/hard_pairs.hpp"
 #include "scenes/shapes.hpp"
 
-namespace ecods::oracle {
+namespace ecods::oracle::oracle_distance_test {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
@@ -280,4 +280,4 @@ TEST(OracleDistance, TheEnvironmentDoesNotMatterAndStays) {
 }
 
 }  // namespace
-}  // namespace ecods::oracle
+}  // namespace ecods::oracle::oracle_distance_test

@@ -8,7 +8,7 @@
 
 #include "scenes/hit_cases.hpp"
 
-namespace ecods::oracle {
+namespace ecods::oracle::oracle_hits_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -133,4 +133,4 @@ TEST(OracleHits, KnownByTheirRecipes) {
 }
 
 }  // namespace
-}  // namespace ecods::oracle
+}  // namespace ecods::oracle::oracle_hits_test

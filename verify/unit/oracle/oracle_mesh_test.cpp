@@ -11,7 +11,7 @@
 
 #include "oracle/oracle.hpp"
 
-namespace ecods::oracle {
+namespace ecods::oracle::oracle_mesh_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -131,4 +131,4 @@ TEST(OracleBox, OverlapIsClosed) {
 }
 
 }  // namespace
-}  // namespace ecods::oracle
+}  // namespace ecods::oracle::oracle_mesh_test

@@ -8,7 +8,7 @@
 #include "scenes/shapes.hpp"
 #include "scenes/solid_cases.hpp"
 
-namespace ecods {
+namespace ecods::oracle_solid_test {
 namespace {
 
 oracle::Soup soup(const scenes::PosedMesh& body) {
@@ -134,4 +134,4 @@ TEST(OracleSolid, FeaturesAreNamed) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::oracle_solid_test

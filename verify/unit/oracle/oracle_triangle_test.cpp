@@ -11,7 +11,7 @@
 #include "convex_pair.hpp"
 #include "oracle/oracle.hpp"
 
-namespace ecods::oracle {
+namespace ecods::oracle::oracle_triangle_test {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
@@ -157,4 +157,4 @@ TEST(OracleTriangle, IsIndependentOfTheRoundingMode) {
 }
 
 }  // namespace
-}  // namespace ecods::oracle
+}  // namespace ecods::oracle::oracle_triangle_test

@@ -9,7 +9,7 @@
 #include "oracle/linear_program.hpp"
 #include "scenes/random.hpp"
 
-namespace ecods::oracle {
+namespace ecods::oracle::polynomial_test {
 namespace {
 
 Polynomial polynomial(std::initializer_list<int> coefficients) {
@@ -115,4 +115,4 @@ TEST(OraclePolynomial, LinearPrograms) {
 }
 
 }  // namespace
-}  // namespace ecods::oracle
+}  // namespace ecods::oracle::polynomial_test

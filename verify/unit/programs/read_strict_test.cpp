@@ -2,7 +2,7 @@
 #include "file_test.hpp"
 #include "scenes/io/mesh_file.hpp"
 
-namespace ecods::scenes {
+namespace ecods::scenes::read_strict_test {
 namespace {
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -145,4 +145,4 @@ TEST_F(ReadStrict, StlLinesEndWhereTheyShould) {
 }
 
 }  // namespace
-}  // namespace ecods::scenes
+}  // namespace ecods::scenes::read_strict_test

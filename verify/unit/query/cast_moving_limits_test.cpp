@@ -15,7 +15,7 @@
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 
-namespace ecods {
+namespace ecods::cast_moving_limits_test {
 namespace {
 
 MeshShape shape_of(const std::vector<Vec3>& vertices) {
@@ -217,4 +217,4 @@ TEST(CastMovingLimits, ShortStacks) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::cast_moving_limits_test

@@ -7,7 +7,7 @@
 #include "oracle/solid.hpp"
 #include "unit/query/solid_soup.hpp"
 
-namespace ecods {
+namespace ecods::surface_relation_test {
 namespace {
 
 constexpr auto apart = SurfaceRelation::apart, touching = SurfaceRelation::touching, inside = SurfaceRelation::inside,
@@ -169,4 +169,4 @@ TEST(SurfaceRelation, SmallSurfacesAsTheOracle) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::surface_relation_test

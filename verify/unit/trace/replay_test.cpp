@@ -11,7 +11,7 @@
 #include "unit/trace/replay_text.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::replay_test {
 namespace {
 
 const std::string pose = " 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0 0x0p+0\n";
@@ -199,4 +199,4 @@ TEST(Replay, AnExecutorThatFailsIsTold) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::replay_test

@@ -10,7 +10,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::trace_questions_test {
 namespace {
 
 // Of three cubes in a row, of which the second is asked about.
@@ -139,4 +139,4 @@ TEST(TraceQuestions, WhatIsNoQuestionIsRefused) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::trace_questions_test

@@ -12,7 +12,7 @@
 #include "unit/trace/replay_text.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::trace_shapes_test {
 namespace {
 
 constexpr ShapeKind ball_kind{9};
@@ -155,4 +155,4 @@ TEST(Trace, ManyMeshesComeAndGo) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::trace_shapes_test

@@ -15,7 +15,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::trace_stream_test {
 namespace {
 
 // Decimal commas, and digits in groups.
@@ -220,4 +220,4 @@ TEST(TraceStream, ABodyMadeWithOptionsIsOneLine) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::trace_stream_test

@@ -14,7 +14,7 @@
 #include "unit/trace/replay_text.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::trace_test {
 namespace {
 
 TEST(Trace, IsTheTextThatTheHeaderShows) {
@@ -209,4 +209,4 @@ TEST(Trace, GoesWithItsWorld) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::trace_test

@@ -9,7 +9,7 @@
 #include "scenes/random.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::cached_pairs_test {
 namespace {
 
 Aabb box_at(scenes::Random& random) {
@@ -83,4 +83,4 @@ TEST(CachedPairs, APairOfTwoBoxesThatGoEndsOnce) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::cached_pairs_test

@@ -8,7 +8,7 @@
 
 #include "scenes/random.hpp"
 
-namespace ecods {
+namespace ecods::sorted_pairs_test {
 namespace {
 
 BodyPairs random_pairs(std::uint32_t count, scenes::Random& random) {
@@ -46,4 +46,4 @@ TEST(SortedPairs, AreSetsChangedInPlace) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::sorted_pairs_test

@@ -7,7 +7,7 @@
 
 #include "scenes/random.hpp"
 
-namespace ecods {
+namespace ecods::verdict_cache_test {
 namespace {
 
 using Model = std::map<ProxyPair, Verdict>;
@@ -114,4 +114,4 @@ TEST(VerdictCache, MemoryIsWhatTheHeaderSays) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::verdict_cache_test

@@ -15,7 +15,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_cast_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -242,4 +242,4 @@ TEST_P(WorldCastTest, IsWhatAskingAllSays) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_cast_test

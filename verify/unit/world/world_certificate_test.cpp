@@ -12,7 +12,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_certificate_test {
 namespace {
 
 class WorldCertificates : public testing::TestWithParam<BroadPhaseKind> {};
@@ -135,4 +135,4 @@ TEST_P(WorldCertificates, KeepWhatTheyAreOf) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_certificate_test

@@ -11,7 +11,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_clearance_shapes_test {
 namespace {
 
 constexpr ShapeKind point_kind{2};
@@ -143,4 +143,4 @@ TEST_P(WorldClearanceShapesTest, SoIsTheCallThatBringsAKindIn) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_clearance_shapes_test

@@ -17,7 +17,7 @@
 #include "scenes/thread_executor.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_clearance_test {
 namespace {
 
 using Pairs = std::vector<BodyPair>;
@@ -293,4 +293,4 @@ TEST_F(WorldsWithAClearance, HaveWhatAllPairsSayWhateverMoves) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_clearance_test

@@ -10,7 +10,7 @@
 #include "unit/world/slab_shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_contact_test {
 namespace {
 
 Posed<MeshShape> posed(const Shape& shape, const Pose& pose) {
@@ -74,4 +74,4 @@ TEST(WorldContact, WhatIsNoPairOrNoDistanceIsRefused) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_contact_test

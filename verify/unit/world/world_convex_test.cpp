@@ -15,7 +15,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_convex_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -272,4 +272,4 @@ TEST_P(WorldConvexTest, TracesHaveConvexSolidsAndTheirQuestions) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_convex_test

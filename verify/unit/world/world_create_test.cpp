@@ -7,7 +7,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_create_test {
 namespace {
 
 const std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
@@ -76,4 +76,4 @@ TEST(WorldCreate, AConstWorldAnswersInAMemoryOfTheCallers) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_create_test

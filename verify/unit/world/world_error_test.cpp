@@ -8,7 +8,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_error_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -159,4 +159,4 @@ TEST(MisuseHandler, SeesAStaleIdBeforeItIsThrown) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_error_test

@@ -8,7 +8,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_filter_test {
 namespace {
 
 TEST(CollisionFilter, EachMustNameAGroupOfTheOther) {
@@ -213,4 +213,4 @@ TEST_P(WorldFilterTest, DigestsAreOfTheCollisionsThatAreLeft) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_filter_test

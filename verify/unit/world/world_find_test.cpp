@@ -10,7 +10,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_find_test {
 namespace {
 
 using Bodies = std::vector<BodyId>;
@@ -127,4 +127,4 @@ TEST_P(WorldFindTest, BadArguments) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_find_test

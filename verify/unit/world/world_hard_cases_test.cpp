@@ -8,7 +8,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_hard_cases_test {
 namespace {
 
 // The cube of side 1, stretched.
@@ -114,4 +114,4 @@ TEST_P(WorldHardCases, TheSameCallsGiveTheSameWorldTwice) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_hard_cases_test

@@ -12,7 +12,7 @@
 #include "unit/world/slab_shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_hit_shapes_test {
 namespace {
 
 class WorldHitShapesTest : public testing::TestWithParam<BroadPhaseKind> {
@@ -264,4 +264,4 @@ TEST_P(WorldHitShapesTest, WhatIsNotAnsweredIsRefusedBeforeAnyBodyIsAsked) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_hit_shapes_test

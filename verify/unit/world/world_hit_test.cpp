@@ -16,7 +16,7 @@
 #include "unit/world/slab_shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_hit_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -191,4 +191,4 @@ TEST_P(WorldHitTest, BadArgumentsAreRefused) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_hit_test

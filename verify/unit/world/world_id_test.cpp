@@ -9,7 +9,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_id_test {
 namespace {
 
 const std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
@@ -160,4 +160,4 @@ TEST(WorldId, NoneIsAliveInAWorldThatWasMovedFrom) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_id_test

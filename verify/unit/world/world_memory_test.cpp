@@ -5,7 +5,7 @@
 #include "unit/world/watched_memory.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_memory_test {
 namespace {
 
 TEST(WatchedMemory, FailsTheAllocationThatWasAskedFor) {
@@ -68,4 +68,4 @@ TEST_P(WorldMemory, AFilterAndAShapeCanBeAnotherBodys) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_memory_test

@@ -10,7 +10,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_move_test {
 namespace {
 
 class WorldMoveTest : public testing::TestWithParam<BroadPhaseKind> {
@@ -175,4 +175,4 @@ TEST_P(WorldMoveTest, ReservedRoomIsNotGrown) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_move_test

@@ -12,7 +12,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_nearest_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -156,4 +156,4 @@ TEST_P(WorldNearestTest, IsWhatAskingAllSays) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_nearest_test

@@ -13,7 +13,7 @@
 #include "scenes/thread_executor.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_parallel_test {
 namespace {
 
 std::vector<std::uint64_t> counts(const World& world) {
@@ -249,4 +249,4 @@ TEST_F(BrokenExecutor, Throws) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_parallel_test

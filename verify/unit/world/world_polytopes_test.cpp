@@ -14,7 +14,7 @@
 #include "scenes/moving_polytopes.hpp"
 #include "scenes/thread_executor.hpp"
 
-namespace ecods {
+namespace ecods::world_polytopes_test {
 namespace {
 
 constexpr double limit = 0.25;
@@ -96,4 +96,4 @@ TEST(WorldPolytopes, AThousandInEachFrameAsTheOracle) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_polytopes_test

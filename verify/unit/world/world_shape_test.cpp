@@ -9,7 +9,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_shape_test {
 namespace {
 
 constexpr ShapeKind plane_kind{1};
@@ -256,4 +256,4 @@ TEST_P(WorldShapeTest, AShapeThatChangedUnderItsBodyIsFound) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_shape_test

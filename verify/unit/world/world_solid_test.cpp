@@ -17,7 +17,7 @@
 #include "unit/world/slab_shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_solid_test {
 namespace {
 
 using SolidPairs = std::vector<SolidPair>;
@@ -242,4 +242,4 @@ TEST_P(WorldSolidTest, TracesHaveSolids) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_solid_test

@@ -7,7 +7,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_test {
 namespace {
 
 // What is true of a world does not depend on its broad phase.
@@ -207,4 +207,4 @@ TEST_P(WorldTest, HugeAndTinyBodiesLiveTogether) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_test

@@ -7,7 +7,7 @@
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
-namespace ecods {
+namespace ecods::world_work_test {
 namespace {
 
 TEST(WorldWork, AFrameInWhichNothingMovedDoesNothing) {
@@ -138,4 +138,4 @@ TEST(WorldWork, TheTwoBodyTestIsCalledForCandidatesThatMovedOnly) {
 }
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::world_work_test
