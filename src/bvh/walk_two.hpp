@@ -75,10 +75,11 @@ ECODS_ALWAYS_INLINE bool visit_two(const MeshBvh& a, const MeshBvh& b, const Nod
         const BvhNode& x = a.nodes[top.a.index()];
         const BvhNode& y = b.nodes[top.b.index()];
         const LanePairs pairs(bound(x, y));
+        const std::size_t before = stack.size();
         for (LanePairs rest = pairs; rest.more(); rest.next()) {
             stack.push_back({x.child[rest.i()], y.child[rest.j()]});
         }
-        bound.order(x, y, pairs, std::span(stack).last(pairs.size()));
+        bound.order(x, y, pairs, std::span(stack).subspan(before));
     }
     return true;
 }
