@@ -24,7 +24,6 @@ class LanePairs {
   public:
     explicit LanePairs(std::uint64_t bits) : bits_(bits) {}
 
-    std::size_t size() const noexcept { return static_cast<std::size_t>(std::popcount(bits_)); }
     bool has_first(std::size_t i) const noexcept { return (bits_ >> i & lane_of_each) != 0; }
     bool has_second(std::size_t j) const noexcept { return (bits_ >> (tree_width * j) & all_of_one) != 0; }
 
