@@ -68,7 +68,7 @@ struct FlatLanes : ProjectedLanes<width> {
     ECODS_ALWAYS_INLINE static Floats size_of(Floats x) noexcept { return absolute(x); }
 
     // Returns in lane j those bits i of `rows` for which no edge of triangle i of x or triangle j of y is proven to
-    // separate the two, seen along the flat axis: then they are disjoint in the world, too. Overflow: as for planes.
+    // separate the two, seen along the flat axis: then they are disjoint in the world, too.
     ECODS_ALWAYS_INLINE static Ints find_near_edges(const AxisSet& set, const Corners& x, const Spans& x_spans,
                                                     const Corners& y, const Spans& y_spans, std::size_t part,
                                                     std::uint32_t rows) noexcept {
@@ -88,22 +88,30 @@ struct FlatLanes : ProjectedLanes<width> {
                            high = broadcast<Floats>(x_spans.high[axis][i]);
                 return max(high, load(y_spans.high[axis], part)) - min(low, load(y_spans.low[axis], part));
             };
-            const Floats ex = extent(k), ey = extent(l);
-            const Floats error[2] = {2.01f * set.point_error[k] + 7.1f * 0x1p-23f * ex,
-                                     2.01f * set.point_error[l] + 7.1f * 0x1p-23f * ey};
             FlatTriangle<float> p;
             for (std::size_t c = 0; c < 3; ++c) {
                 p.x[c] = x.at[c][k][i];
                 p.y[c] = x.at[c][l][i];
             }
             p.find_edges();
-            const Ints is_judged = (ex < extent_max) & (ey < extent_max);
-            Ints open = ~(find_parted(p, q, error) & is_judged);
-            if (any_bits(open) == 0) continue;
-            open &= ~(find_parted(q, p, error) & is_judged);
+            Ints open;
+            find_open(set, k, l, p, q, extent(k), extent(l), open);
             near |= open & (1 << i);
         }
         return near;
+    }
+
+    // Sets the lanes in which no edge of p or q is proven to separate the two. Extents are those of both triangles
+    // on the axes k and l. Overflow: as for planes.
+    template <class NumberOfP>
+    ECODS_ALWAYS_INLINE static void find_open(const AxisSet& set, std::size_t k, std::size_t l,
+                                              const FlatTriangle<NumberOfP>& p, const FlatTriangle<Floats>& q,
+                                              const Floats& ex, const Floats& ey, Ints& open) noexcept {
+        const Floats error[2] = {2.01f * set.point_error[k] + 7.1f * 0x1p-23f * ex,
+                                 2.01f * set.point_error[l] + 7.1f * 0x1p-23f * ey};
+        const Ints is_judged = (ex < extent_max) & (ey < extent_max);
+        open = ~(find_parted(p, q, error) & is_judged);
+        if (any_bits(open) != 0) open &= ~(find_parted(q, p, error) & is_judged);
     }
 };
 

@@ -49,6 +49,7 @@ struct alignas(32) BvhNode {
     std::array<TreeRef, tree_width> child;
     Slab slab;
     std::uint32_t count;
+    bool is_thin;  // the slab is much thinner than the boxes along its normal
 
     std::uint32_t lanes() const noexcept { return (1u << count) - 1; }
 };

@@ -1,6 +1,7 @@
 #include <bit>
 #include <type_traits>
 
+#include "bvh/eight_pairs.hpp"
 #include "bvh/flat_lanes.hpp"
 #include "bvh/projected_lanes.hpp"
 #include "bvh/separating_axes.hpp"
@@ -15,9 +16,10 @@ namespace {
 template <std::size_t width>
 struct OverlapKernel : ProjectedLanes<width> {
     using Lanes = ProjectedLanes<width>;
-    using Lanes::bits_of, Lanes::collect, Lanes::find_ends, Lanes::load, Lanes::part_count, Lanes::place;
+    using Lanes::bits_of, Lanes::collect, Lanes::find_ends, Lanes::find_thin_ends, Lanes::load, Lanes::part_count,
+        Lanes::place;
     using typename Lanes::Corners, typename Lanes::Floats, typename Lanes::Ints, typename Lanes::SlabAxis,
-        typename Lanes::Spans;
+        typename Lanes::Spans, typename Lanes::ThinAxis, typename Lanes::Triangles;
     using AxisSets = std::array<AxisSet, 2>;
 
     // Returns in lane j those bits i of `rows` for which span i of x and span j of y are not apart on any axis. NaN
@@ -49,10 +51,18 @@ struct OverlapKernel : ProjectedLanes<width> {
         }
     }
 
-    struct Triangles {
-        const Corners& corners;
-        const Spans& spans;
-    };
+    // Clears the lanes of `other` whose boxes are certainly beyond the slab where `other` has one of its own that says
+    // more than its boxes do. Arguments as for find_in_slab.
+    ECODS_ALWAYS_INLINE static void find_thin(const AxisSet& set, const Slab& slab, const Projection& p,
+                                              const BvhNode& other, float shift, Ints (&lanes)[part_count]) noexcept {
+        const SlabAxis axis(set, slab, p, shift);
+        const ThinAxis thin(axis, other.slab);
+        for (std::size_t part = 0; part < part_count; ++part) {
+            Floats low, high;
+            find_thin_ends(other, thin, part, low, high);
+            lanes[part] &= ~((low > axis.high) | (high < axis.low));
+        }
+    }
 
     // Clears the bits of pairs of triangles that are proven to be apart, and returns which are proven to cross.
     ECODS_ALWAYS_INLINE static std::uint64_t find_triangles(const AxisSet& set, const Triangles& x, const Triangles& y,
@@ -97,6 +107,19 @@ struct OverlapKernel : ProjectedLanes<width> {
                 lanes[part] &= lane_bits<Ints>(static_cast<int>(part * width));
             rows &= bits_of(lanes);
             if (rows == 0) return {};
+        }
+        if constexpr (std::is_same_v<Y, BvhNode>) {
+            if (sets[0].a.is_unit && y.is_thin) {
+                find_thin(sets[0], x.slab, sets[0].b, y, 1, near);
+                if (bits_of(near) == 0) return {};
+            }
+        }
+        if constexpr (std::is_same_v<X, BvhNode>) {
+            if (sets[1].b.is_unit && x.is_thin) {
+                find_thin(sets[1], y.slab, sets[1].a, x, -1, lanes);
+                rows &= bits_of(lanes);
+                if (rows == 0) return {};
+            }
         }
 
         Corners corners_x, corners_y, other;
@@ -146,6 +169,15 @@ struct WideKernel : OverlapKernel<8> {
         return wide::not_outside(low, high, axis.low, axis.high);
     }
 
+    // As OverlapKernel::find_thin, as bits.
+    ECODS_WIDE_INLINE static std::uint32_t in_thin(const AxisSet& set, const Slab& slab, const Projection& p,
+                                                   const BvhNode& other, float shift) noexcept {
+        const SlabAxis axis(set, slab, p, shift);
+        Floats low, high;
+        find_thin_ends(other, ThinAxis(axis, other.slab), 0, low, high);
+        return wide::not_outside(low, high, axis.low, axis.high);
+    }
+
     // As OverlapKernel::find.
     template <class X, class Y>
     ECODS_WIDE static TrianglePairs find(const AxisSets& sets, const X& x, const Y& y) noexcept {
@@ -160,6 +192,18 @@ struct WideKernel : OverlapKernel<8> {
             if (lanes_of_x == 0) return {};
         }
         pairs &= lanes_of_x * 0x0101010101010101;
+        if constexpr (std::is_same_v<Y, BvhNode>) {
+            if (sets[0].a.is_unit && y.is_thin) {
+                pairs &= wide::bytes_of(in_thin(sets[0], x.slab, sets[0].b, y, 1));
+                if (pairs == 0) return {};
+            }
+        }
+        if constexpr (std::is_same_v<X, BvhNode>) {
+            if (sets[1].b.is_unit && x.is_thin) {
+                pairs &= in_thin(sets[1], y.slab, sets[1].a, x, -1) * 0x0101010101010101;
+                if (pairs == 0) return {};
+            }
+        }
 
         Corners corners_x, corners_y, other;
         Spans spans_x, spans_y, other_x, other_y;
@@ -174,10 +218,7 @@ struct WideKernel : OverlapKernel<8> {
 
         std::uint64_t crossing = 0;
         if constexpr (std::is_same_v<X, TreeLeaf> && std::is_same_v<Y, TreeLeaf>) {
-            Ints near[1];
-            wide::store_bytes(pairs, near[0]);
-            crossing = pairs & find_triangles(sets[0], {corners_x, spans_x}, {corners_y, spans_y}, near);
-            pairs = wide::load_bytes(near[0]);
+            crossing = EightPairs::find(sets[0], {corners_x, spans_x}, {corners_y, spans_y}, pairs);
         }
         return {pairs, crossing};
     }

@@ -38,6 +38,12 @@ struct ProjectedLanes {
         alignas(32) std::array<std::array<FloatLanes, 3>, 3> at;  // by corner and axis
     };
 
+    // Eight triangles on three axes.
+    struct Triangles {
+        const Corners& corners;
+        const Spans& spans;
+    };
+
     ECODS_ALWAYS_INLINE static void project(const Projection& p, const BvhNode& node, Spans& spans) noexcept {
         for (std::size_t k = 0; k < 3; ++k) {
             for (std::size_t part = 0; part < part_count; ++part) {
@@ -120,6 +126,7 @@ struct ProjectedLanes {
     struct SlabAxis {
         std::array<float, 3> m;
         float low, high;
+        float margin;  // that `low` and `high` have
 
         ECODS_ALWAYS_INLINE SlabAxis(const AxisSet& set, const Slab& slab, const Projection& p, float shift) noexcept {
             const auto& n = slab.normal;
@@ -129,8 +136,8 @@ struct ProjectedLanes {
             const Vec<float, 4> m4 = (n[0] * row(p.row[0]) + n[1] * row(p.row[1])) + n[2] * row(p.row[2]);
             m = {m4[0], m4[1], m4[2]};
             const float q = shift * ((n[0] * rows[0][3] + n[1] * rows[1][3]) + n[2] * rows[2][3]);
-            const float margin = 3 * ((std::abs(n[0]) * set.point_error[0] + std::abs(n[1]) * set.point_error[1]) +
-                                      std::abs(n[2]) * set.point_error[2]);
+            margin = 3 * ((std::abs(n[0]) * set.point_error[0] + std::abs(n[1]) * set.point_error[1]) +
+                          std::abs(n[2]) * set.point_error[2]);
             low = (slab.low - margin) - q;
             high = (slab.high + margin) - q;
         }
@@ -155,6 +162,39 @@ struct ProjectedLanes {
         const Floats a = at(0), b = at(1), c = at(2);
         low = min(a, min(b, c));
         high = max(a, max(b, c));
+    }
+
+    // The axis m of a slab beside the slab of a node of the other tree, of normal n: for the points y of the node's
+    // triangles, m . y = slope (n . y) + rest . y. Where n is about the axis or its opposite, rest is small and n . y
+    // known well: on a smooth surface far better than boxes know m . y.
+    //
+    // Bound: m is taken as computed, for which a corner's 14 v s + 13 u' w + e stand. Let M = sum |m_k|, at most the
+    // sum of |n_i| s_i of the axis, and |n| < 1.001, so that sum |n_k| and the ends of slabs are below 1.74. Any slope
+    // is sound; computed as here it is below 1.002 M. Then sum |slope n_k| < 1.75 M, sum |rest_k| < 2.75 M, and, as all
+    // |y| are at most 1 + 2^-22, rounding rest is worth (1.75 + 2.75) v M. Middle and reach of a box on rest are 3.01 v
+    // of 2.75 M each, their sum 5.6 v M; ends of slope (n . y) 1.75 v M, with the margin as much again, and the last
+    // sum 7.3 v M: 38 v M. All are below 52 v s + 13 u' w + e: three times the margin of the axis is 72 v s + 144 u' w
+    // + 9 e.
+    struct ThinAxis {
+        std::array<float, 3> rest;
+        float low, high;  // of slope (n . y), the margin included
+
+        ECODS_ALWAYS_INLINE ThinAxis(const SlabAxis& axis, const Slab& slab) noexcept {
+            const auto &m = axis.m, &n = slab.normal;
+            const float slope = (m[0] * n[0] + m[1] * n[1]) + m[2] * n[2];
+            rest = {m[0] - slope * n[0], m[1] - slope * n[1], m[2] - slope * n[2]};
+            const float one = slope * slab.low, other = slope * slab.high;
+            low = std::min(one, other) - 2 * axis.margin;
+            high = std::max(one, other) + 2 * axis.margin;
+        }
+    };
+
+    // As find_ends, of nodes beside whose slab the axis is.
+    ECODS_ALWAYS_INLINE static void find_thin_ends(const BvhNode& node, const ThinAxis& axis, std::size_t part,
+                                                   Floats& low, Floats& high) noexcept {
+        find_ends(node, axis.rest, part, low, high);
+        low = low + axis.low;
+        high = high + axis.high;
     }
 };
 

@@ -106,6 +106,18 @@ Slab slab_of(std::span<const TreeLeaf> leaves, const Vec3& area) {
     return slab;
 }
 
+// Whether the slab is less than a quarter as thick as the boxes of the node's children are along its normal, on
+// average.
+bool is_thin(const BvhNode& node) {
+    double thickness = 0;
+    for (std::size_t lane = 0; lane < node.count; ++lane) {
+        for (std::size_t k = 0; k < 3; ++k)
+            thickness += std::abs(static_cast<double>(node.slab.normal[k])) * static_cast<double>(node.half[k][lane]);
+    }
+    const double of_slab = static_cast<double>(node.slab.high) - static_cast<double>(node.slab.low);
+    return of_slab * node.count < 0.25 * (2 * thickness);
+}
+
 // The leaves below a node, which are neighbours in the tree's list, and the sum of their areas.
 struct LeafRange {
     std::size_t begin, end;
@@ -141,6 +153,7 @@ void set_corners_and_slabs(MeshBvh& tree, const Mesh& mesh) {
             ranges[i].area += more.area;
         }
         node.slab = slab_along(leaves.subspan(ranges[i].begin, ranges[i].end - ranges[i].begin), ranges[i].area);
+        node.is_thin = is_thin(node);
     }
 }
 

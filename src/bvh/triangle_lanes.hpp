@@ -111,7 +111,8 @@ struct TriangleLanes : ProjectedLanes<width> {
         }
     };
 
-    // Looks at the pairs in `near`, whose bits are among `rows`.
+    // Looks at the pairs in `near`: in each lane one of triangle p, of normal n, and triangle q, of normal m. Normals
+    // are numbers where they are the same in all lanes. Extents are those of both triangles.
     //
     // Bound: that of exact/sign/filter_bound.hpp, whose derivation holds for any unit roundoff, with v = 2^-23 for u'
     // and point_error for delta. With E the extents of the two triangles, enlarged by e = v E + 2 delta, it is
@@ -121,6 +122,37 @@ struct TriangleLanes : ProjectedLanes<width> {
     // not judged. (An infinity would be harmless, but a mode that rounds down turns only the determinants into one, and
     // the bound into the largest float.) Underflow: products of three lose 2^-126 times extents, but those that matter
     // here are near one: coordinates that decide are below 4 in size, or delta is above 2^-20 of them; 2^-100 is added.
+    template <class NormalOfP>
+    ECODS_ALWAYS_INLINE static Found decide(const std::array<float, 4>& delta, const Vectors (&p)[3],
+                                            const NormalOfP& n, const Vectors (&q)[3], const Vectors& m,
+                                            const Vectors& extent, const Ints& near) noexcept {
+        const Floats ex = extent.x, ey = extent.y, ez = extent.z;
+        const Floats bound = ex * ey * (49 * 0x1p-23f * ez + 12.5f * delta[2]) +
+                             ez * (12.5f * delta[0] * ey + 12.5f * delta[1] * ex) + 0x1p-100f;
+        Floats q_sides[3], p_sides[3];
+        for (std::size_t c = 0; c < 3; ++c) {
+            q_sides[c] = dot(n, q[c] - p[0]);
+            p_sides[c] = dot(m, p[c] - q[0]);
+        }
+        const Ints apart = (least_of(q_sides) > bound) | (most_of(q_sides) < -bound) | (least_of(p_sides) > bound) |
+                           (most_of(p_sides) < -bound);
+        const Ints is_judged = (ex < extent_max) & (ey < extent_max) & (ez < extent_max);
+        Found found{~(apart & is_judged) & near, {}};
+        if (any_bits(found.near) == 0) return found;
+        const auto are_certain = [&](const Floats(&s)[3]) -> Ints {
+            return min(absolute(s[0]), min(absolute(s[1]), absolute(s[2]))) > bound;
+        };
+        const Ints are_clear = are_certain(q_sides) & are_certain(p_sides) & is_judged;
+        if (any_bits(found.near & are_clear) == 0) return found;
+        Vectors p_named[3] = {p[0], p[1], p[2]}, q_named[3] = {q[0], q[1], q[2]};
+        Ints edges_part, edges_cross;
+        compare_edges(p_named, p_sides, q_named, q_sides, bound, edges_part, edges_cross);
+        found.near &= ~(edges_part & are_clear);
+        found.crossing = found.near & edges_cross & are_clear;
+        return found;
+    }
+
+    // Looks at the pairs in `near`, whose bits are among `rows`.
     ECODS_ALWAYS_INLINE static Found find(const std::array<float, 4>& delta, const Corners& x, const Spans& x_spans,
                                           const Normals& x_normals, const Corners& y, const Spans& y_spans,
                                           std::size_t part, Ints near, std::uint32_t rows) noexcept {
@@ -129,39 +161,15 @@ struct TriangleLanes : ProjectedLanes<width> {
         Found found{};
         for (; rows != 0; rows &= rows - 1) {
             const auto i = static_cast<std::size_t>(std::countr_zero(rows));
-            const int bit = 1 << i;
             const auto extent = [&](std::size_t k) -> Floats {
                 const auto low = broadcast<Floats>(x_spans.low[k][i]), high = broadcast<Floats>(x_spans.high[k][i]);
                 return max(high, load(y_spans.high[k], part)) - min(low, load(y_spans.low[k], part));
             };
-            const Floats ex = extent(0), ey = extent(1), ez = extent(2);
-            const Floats bound = ex * ey * (49 * 0x1p-23f * ez + 12.5f * delta[2]) +
-                                 ez * (12.5f * delta[0] * ey + 12.5f * delta[1] * ex) + 0x1p-100f;
-
             const Vectors p[3] = {corner_of(x, 0, i), corner_of(x, 1, i), corner_of(x, 2, i)};
             const Vector<float> n{x_normals.at[0][i], x_normals.at[1][i], x_normals.at[2][i]};
-            Floats q_sides[3], p_sides[3];
-            for (std::size_t c = 0; c < 3; ++c) {
-                q_sides[c] = dot(n, q[c] - p[0]);
-                p_sides[c] = dot(m, p[c] - q[0]);
-            }
-            const Ints apart = (least_of(q_sides) > bound) | (most_of(q_sides) < -bound) | (least_of(p_sides) > bound) |
-                               (most_of(p_sides) < -bound);
-            const Ints is_judged = (ex < extent_max) & (ey < extent_max) & (ez < extent_max);
-            Ints open = ~(apart & is_judged) & near & bit;
-            if (any_bits(open) == 0) continue;
-            const auto are_certain = [&](const Floats(&s)[3]) -> Ints {
-                return min(absolute(s[0]), min(absolute(s[1]), absolute(s[2]))) > bound;
-            };
-            const Ints are_clear = are_certain(q_sides) & are_certain(p_sides) & is_judged;
-            if (any_bits(open & are_clear) != 0) {
-                Vectors p_named[3] = {p[0], p[1], p[2]}, q_named[3] = {q[0], q[1], q[2]};
-                Ints edges_part, edges_cross;
-                compare_edges(p_named, p_sides, q_named, q_sides, bound, edges_part, edges_cross);
-                open &= ~(edges_part & are_clear);
-                found.crossing |= open & edges_cross & are_clear;
-            }
-            found.near |= open;
+            const Found more = decide(delta, p, n, q, m, {extent(0), extent(1), extent(2)}, near & (1 << i));
+            found.near |= more.near;
+            found.crossing |= more.crossing;
         }
         return found;
     }

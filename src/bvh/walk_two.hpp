@@ -24,7 +24,6 @@ class LanePairs {
   public:
     explicit LanePairs(std::uint64_t bits) : bits_(bits) {}
 
-    std::size_t size() const noexcept { return static_cast<std::size_t>(std::popcount(bits_)); }
     bool has_first(std::size_t i) const noexcept { return (bits_ >> i & lane_of_each) != 0; }
     bool has_second(std::size_t j) const noexcept { return (bits_ >> (tree_width * j) & all_of_one) != 0; }
 
@@ -75,10 +74,11 @@ ECODS_ALWAYS_INLINE bool visit_two(const MeshBvh& a, const MeshBvh& b, const Nod
         const BvhNode& x = a.nodes[top.a.index()];
         const BvhNode& y = b.nodes[top.b.index()];
         const LanePairs pairs(bound(x, y));
+        const std::size_t before = stack.size();
         for (LanePairs rest = pairs; rest.more(); rest.next()) {
             stack.push_back({x.child[rest.i()], y.child[rest.j()]});
         }
-        bound.order(x, y, pairs, std::span(stack).last(pairs.size()));
+        bound.order(x, y, pairs, std::span(stack).subspan(before));
     }
     return true;
 }

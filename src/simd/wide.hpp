@@ -6,6 +6,7 @@
 // enough for Vec; what is always inlined into another function here must have that function's instruction set.)
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 #include "simd/dispatch.hpp"
@@ -14,7 +15,7 @@
 #if ECODS_CAN_DISPATCH
 #include <immintrin.h>
 
-#define ECODS_WIDE [[gnu::target("avx512f,avx512bw,avx512dq,avx512vl")]]
+#define ECODS_WIDE [[gnu::target("avx512f,avx512bw,avx512dq,avx512vl,bmi,bmi2")]]
 #define ECODS_WIDE_INLINE ECODS_WIDE ECODS_ALWAYS_INLINE
 
 namespace ecods::wide {
@@ -56,15 +57,40 @@ ECODS_WIDE_INLINE std::uint64_t bytes_of(std::uint32_t mask) noexcept {
     return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm_movm_epi8(static_cast<__mmask16>(mask))));
 }
 
-// Byte i to lane i, and back, where lanes hold no more. By reference: clang does not let a Vec of eight go from a
-// function for an instruction set to one for none.
-ECODS_WIDE_INLINE void store_bytes(std::uint64_t bytes, Vec<std::int32_t, 8>& lanes) noexcept {
-    const __m256i v = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(bytes)));
-    _mm256_store_si256(reinterpret_cast<__m256i*>(&lanes), v);
+// The numbers 8 j + i of the lowest eight bits that are set in a word, one in each lane; where fewer are, the last
+// lanes repeat the first.
+struct PairNumbers {
+    __m256i i, j;
+    std::uint64_t bits;  // of these pairs
+
+    // Takes them out of `from`, which is not zero.
+    ECODS_WIDE_INLINE explicit PairNumbers(std::uint64_t& from) noexcept {
+        bits = from;
+        const auto first = static_cast<std::uint64_t>(std::countr_zero(from));
+        std::uint64_t numbers = first * 0x0101010101010101;
+        from &= from - 1;
+        for (int lane = 8; from != 0 && lane < 64; lane += 8, from &= from - 1) {
+            numbers ^= (static_cast<std::uint64_t>(std::countr_zero(from)) ^ first) << lane;
+        }
+        bits ^= from;
+        const __m256i lanes = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(numbers)));
+        i = _mm256_and_si256(lanes, _mm256_set1_epi32(7));
+        j = _mm256_srli_epi32(lanes, 3);
+    }
+
+    // The bits of the pairs whose lanes are all ones, not zero.
+    ECODS_WIDE_INLINE std::uint64_t bits_of(const Vec<std::int32_t, 8>& lanes) const noexcept {
+        const __mmask8 mask = _mm256_movepi32_mask(_mm256_load_si256(reinterpret_cast<const __m256i*>(&lanes)));
+        return _pdep_u64(mask, bits);
+    }
+};
+
+// Lane k is number index[k] of eight floats, aligned as a vector of them.
+ECODS_WIDE_INLINE __m256 pick(const float* eight, __m256i index) noexcept {
+    return _mm256_permutexvar_ps(index, _mm256_load_ps(eight));
 }
-ECODS_WIDE_INLINE std::uint64_t load_bytes(const Vec<std::int32_t, 8>& lanes) noexcept {
-    const __m256i v = _mm256_load_si256(reinterpret_cast<const __m256i*>(&lanes));
-    return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm256_maskz_cvtepi32_epi8(0xff, v)));
+ECODS_WIDE_INLINE void store(__m256 v, Vec<float, 8>& lanes) noexcept {
+    _mm256_store_ps(reinterpret_cast<float*>(&lanes), v);
 }
 
 }  // namespace ecods::wide

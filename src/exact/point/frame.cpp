@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/same_bits.hpp"
+
 namespace ecods::exact {
 namespace {
 
@@ -60,16 +62,25 @@ void Frame::find_bounds() noexcept {
     extent_ = high - low + Vec3::Constant(8 * delta_);
 }
 
-// The digits of the products R_ij v_j of all bodies.
+// The digits of the products R_ij v_j of all bodies. Bodies under one rotation, which assemblies are made of, and of
+// which many faces are parallel, have it taken to pieces once.
 BitRange Frame::digits_of_products() noexcept {
     BitRange digits;
+    std::array<BitRange, 3> of_columns;
+    const Body* last = nullptr;
     for (Body& body : bodies()) {
+        const bool is_again = last != nullptr && same_bits(body.ref.pose->R, last->ref.pose->R);
+        if (is_again) body.columns = last->columns;
+        last = &body;
         for (std::size_t column = 0; column < 3; ++column) {
-            BitRange r;
-            for (std::size_t row = 0; row < 3; ++row) {
-                Dyadic& entry = body.columns[column][row];
-                entry = decode(body.ref.pose->R.data()[3 * column + row]);
-                r.include(entry);
+            BitRange& r = of_columns[column];
+            if (!is_again) {
+                r = {};
+                for (std::size_t row = 0; row < 3; ++row) {
+                    Dyadic& entry = body.columns[column][row];
+                    entry = decode(body.ref.pose->R.data()[3 * column + row]);
+                    r.include(entry);
+                }
             }
             digits.include(r * body.ref.extent->digits[column]);
         }

@@ -33,7 +33,7 @@ class OverlapBound {
     // visited first, since it nearly always intersects. Only the order of the walk depends on it.
     void order(const BvhNode& x, const BvhNode& y, LanePairs pairs, std::span<NodePair> children) const {
         constexpr std::size_t crowd_min = 4;
-        if (pairs.size() < crowd_min) return;
+        if (children.size() < crowd_min) return;
         const Projection& p = sets_[0].b;
         std::array<FloatLanes, 3> middle;
         for (std::size_t k = 0; k < 3; ++k) {

@@ -23,7 +23,13 @@ std::uint32_t group_of(const CoplanarGroups& groups, std::uint32_t triangle) noe
 void PlaneSigns::use(Frame& frame, const CoplanarGroups& a, const CoplanarGroups& b) noexcept {
     frame_ = &frame;
     groups_ = {&a, &b};
-    for (std::size_t i = 0; i < 2; ++i) turn_[i] = is_mirror(frame.body(i).pose->R) ? -1 : 1;
+    turn_ = {};
+}
+
+// Asked for few pairs of planes, and often for none: found when it is needed.
+int PlaneSigns::turn(std::size_t body) {
+    if (turn_[body] == 0) turn_[body] = is_mirror(frame_->body(body).pose->R) ? -1 : 1;
+    return turn_[body];
 }
 
 bool PlaneSigns::are_triangles_apart(std::uint32_t a, std::uint32_t b) {
@@ -81,10 +87,10 @@ int PlaneSigns::side_of_parallel(std::size_t body, std::uint32_t group, std::uin
 // is zero the body is in P, and so on both closed sides.
 bool PlaneSigns::part_bodies(std::size_t body, std::uint32_t group, std::uint32_t other_group, int side) {
     const std::size_t other = 1 - body;
-    const int own_side = turn_[body] * groups_[body]->side[group];
-    const int other_side = turn_[other] * groups_[other]->side[other_group];
-    if ((side != 1 && side != -1) || own_side != -side || other_side == 0) return false;
-    return compute_side_of_parallel(other, other_group, group) == -other_side;
+    const int own_side = groups_[body]->side[group], other_side = groups_[other]->side[other_group];
+    if ((side != 1 && side != -1) || own_side == 0 || other_side == 0) return false;
+    if (turn(body) * own_side != -side) return false;
+    return compute_side_of_parallel(other, other_group, group) == -turn(other) * other_side;
 }
 
 int PlaneSigns::side(std::size_t body, std::uint32_t own, std::uint32_t vertex) {

@@ -95,6 +95,9 @@ class PlaneSigns {
     int compute_side_of_parallel(std::size_t body, std::uint32_t group, std::uint32_t other_group);
     bool part_bodies(std::size_t body, std::uint32_t group, std::uint32_t other_group, int side);
 
+    // -1 if the pose of a body mirrors it, otherwise 1.
+    int turn(std::size_t body);
+
     // The side of the plane of triangle `own` on which a vertex of the other body lies.
     int side(std::size_t body, std::uint32_t own, std::uint32_t vertex);
 
@@ -104,7 +107,7 @@ class PlaneSigns {
 
     exact::Frame* frame_ = nullptr;
     std::array<const CoplanarGroups*, 2> groups_{};
-    std::array<int, 2> turn_{};  // by body: -1 if its pose mirrors it, otherwise 1
+    std::array<int, 2> turn_{};  // by body; 0: not known yet
     bool is_parted_ = false;
     NumberMemo parallel_, sides_;
     std::uint64_t computed_count_ = 0;

@@ -40,6 +40,11 @@ ECODS_ALWAYS_INLINE Points<6> TriangleRelations::rounded(const Triangle& a, cons
 Relation TriangleRelations::relation(std::uint32_t a, std::uint32_t b) {
     ECODS_ASSERT(a < frame_.body(0).mesh->triangles().size() && b < frame_.body(1).mesh->triangles().size());
     ++counts_.triangle_tests;
+    // First: where planes are used, they decide most of what is left, and cost less than points do.
+    if (planes_.are_used() && planes_.are_triangles_apart(a, b)) [[unlikely]] {
+        ++counts_.plane_passes;
+        return Relation::disjoint;
+    }
     const Triangle& ta = triangles_[0][a];
     const Triangle& tb = triangles_[1][b];
     const Points<6> points = rounded(ta, tb);
@@ -77,10 +82,6 @@ Relation TriangleRelations::decide_in_doubles(const Points<6>& points) {
     if (is_first) {
         find_flat_axis();
         if (flat_axis_ >= 0) return decide_flat(a, b, points);
-    }
-    if (planes_.are_used() && planes_.are_triangles_apart(a, b)) {
-        ++counts_.plane_passes;
-        return Relation::disjoint;
     }
     const DeterminantBounds bounds = determinant_bounds(points, frame_.delta());
     switch (filter_again(points, bounds.orient3d, trace)) {
