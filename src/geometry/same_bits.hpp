@@ -20,9 +20,9 @@ inline bool same_bits(const Pose& a, const Pose& b) noexcept {
         return load_anywhere<Two>(x) ^ load_anywhere<Two>(y);
     };
     const Two t = differ(ta, tb) | differ(ta + 1, tb + 1);
-    if (any(t)) return false;
+    if (any_bits(t) != 0) return false;
     const Two low = differ(Ra, Rb) | differ(Ra + 2, Rb + 2), high = differ(Ra + 4, Rb + 4) | differ(Ra + 6, Rb + 6);
-    return !any(low | high | differ(Ra + 7, Rb + 7));
+    return any_bits(low | high | differ(Ra + 7, Rb + 7)) == 0;
 }
 
 }  // namespace ecods
