@@ -141,8 +141,8 @@ ECODS_ALWAYS_INLINE LaneType<V> any_bits(V v) noexcept {
     return static_cast<LaneType<V>>(bits);
 }
 
-// Whether any lane of a mask is set, and whether all are. The baseline has an instruction for the signs of four lanes at
-// a time, which is all that there is to know of a mask.
+// Whether any lane of a mask is set, and whether all are. The baseline has an instruction for the signs of four lanes
+// at a time, which is all that there is to know of a mask.
 template <IsVec V>
 ECODS_ALWAYS_INLINE bool any(V mask) noexcept {
 #if defined(__SSE2__)

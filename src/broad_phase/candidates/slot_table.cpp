@@ -150,7 +150,8 @@ void SlotTable::reorder(std::span<const SlotIndex> order) {
 }
 
 std::size_t SlotTable::bytes() const noexcept {
-    return bytes_of(lines_, fat_lines_) + bytes_of(coarse_boxes_) + bytes_of(proxies_, slots_, free_slots_, changed_slots_) + bytes_of(flags_);
+    return bytes_of(lines_, fat_lines_) + bytes_of(coarse_boxes_) +
+           bytes_of(proxies_, slots_, free_slots_, changed_slots_) + bytes_of(flags_);
 }
 
 void SlotTable::validate(const ProxyTable& table, const MovingFrame& frame, bool has_margins) const {
@@ -173,10 +174,11 @@ void SlotTable::validate(const ProxyTable& table, const MovingFrame& frame, bool
         const ProxyIndex proxy = proxies_[slot];
         require(table.is_present(proxy) && slots_[proxy] == slot, slot, "its proxy is not here");
         require(lines_[slot] == packed_box(key_box(table.box(proxy))), slot, "its box is not the proxy's");
+        CoarseBox coarse;
         for (std::size_t end = 0; end < 6; ++end) {
-            require(coarse_boxes_[slot].ends[end < 3 ? end : end + 1] == lines_[slot].ends[end] >> 32, slot,
-                    "its coarse box is another one's");
+            coarse.ends[end < 3 ? end : end + 1] = static_cast<std::int32_t>(lines_[slot].ends[end] >> 32);
         }
+        require(coarse_boxes_[slot] == coarse, slot, "its coarse box is another one's, or marked");
         if (!has_margins) continue;
         // Through the numbers, not the lanes.
         const KeyBox in_frame = key_box(frame.of(table.box(proxy))), fat = key_box(fat_lines_[slot]);

@@ -104,8 +104,9 @@ void SlotTable::move(std::span<const ProxyIndex> proxies, const ProxyTable& tabl
 void SlotTable::take(std::span<const ProxyIndex> proxies, const ProxyTable& table) {
     // Going through all boxes in the order of memory costs less for each.
     if (2 * proxies.size() > size()) {
-        dispatch<take_all_slots>(SlotView{lines_.data(), coarse_boxes_.data(), fat_lines_.data(), proxies_.data(), size()},
-                                 table.boxes().data());
+        dispatch<take_all_slots>(
+            SlotView{lines_.data(), coarse_boxes_.data(), fat_lines_.data(), proxies_.data(), size()},
+            table.boxes().data());
         return;
     }
     for (const ProxyIndex proxy : proxies) {
