@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/double_key.hpp"
+#include "base/next.hpp"
 #include "ecods/aabb.hpp"
 #include "ecods/segment.hpp"
 
@@ -38,8 +39,13 @@ class MovingBox {
     explicit MovingBox(const Ray& ray) noexcept;
     MovingBox(const Aabb& box, const Vec3& motion) noexcept;
 
-    // At most the first time, from 0 on, at which the two share a point; infinity only if they share none at any.
+    // At most the first time, from 0 on, at which the two share a point, but for the rounding of what is subnormal;
+    // infinity only if they share none at any.
     double meets_from(const Aabb& box) const noexcept;
+
+    // No box that is met at a time that rounds to the limit, to nearest, or before has a later one than this: of what
+    // is subnormal a mode that rounds up makes one more.
+    static double latest(double limit) noexcept { return limit < subnormal_below ? next_up(limit) : limit; }
 
     enum class Course : std::uint8_t { coming, going, resting, without_end };
     struct Side {
@@ -54,6 +60,7 @@ class MovingBox {
     const std::array<Side, 6>& sides() const noexcept { return sides_; }
 
     static constexpr double gap_min = 0x1p-960, time_min = 0x1p-1000, number_max = std::numeric_limits<double>::max();
+    static constexpr double subnormal_below = 0x1p-1021;
 
   private:
     void set(std::size_t side, double p, double velocity) noexcept;

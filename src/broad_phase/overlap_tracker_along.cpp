@@ -17,6 +17,7 @@ namespace {
 std::uint64_t scan_along(const ProxyTable& table, const MovingBox& moving, double limit,
                          const std::function<double(ProxyIndex)>& visit) {
     std::vector<std::pair<double, ProxyIndex>> met;
+    limit = MovingBox::latest(limit);
     for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
         if (!table.is_present(proxy)) continue;
         const double from = moving.meets_from(table.boxes()[proxy]);
@@ -25,7 +26,7 @@ std::uint64_t scan_along(const ProxyTable& table, const MovingBox& moving, doubl
     std::sort(met.begin(), met.end());
     for (const auto& [from, proxy] : met) {
         if (from > limit) break;
-        limit = std::min(limit, visit(proxy));
+        limit = std::min(limit, MovingBox::latest(visit(proxy)));
     }
     return table.size();
 }

@@ -146,7 +146,7 @@ class Walk {
   public:
     Walk(std::span<const BoxTree> trees, std::span<const Aabb> boxes, const MovingBox& moving, double limit,
          const std::function<double(SlotIndex)>& visit)
-        : trees_(trees), boxes_(boxes), moving_(moving), limit_(limit), visit_(visit) {}
+        : trees_(trees), boxes_(boxes), moving_(moving), limit_(MovingBox::latest(limit)), visit_(visit) {}
 
     // What comes next mostly lies in what was opened last: only the rest of that waits.
     ECODS_ALWAYS_INLINE std::uint64_t run() {
@@ -165,7 +165,7 @@ class Walk {
                 waiting_.replace_front(next);
                 next = first;
             }
-            if (counts) limit_ = std::min(limit_, visit_(next.index()));
+            if (counts) limit_ = std::min(limit_, MovingBox::latest(visit_(next.index())));
         }
         return tests_;
     }

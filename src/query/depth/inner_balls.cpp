@@ -84,9 +84,9 @@ class BallSearch {
         if (count_ == point_count_max || !point.allFinite()) return;
         ++count_;
         const double r = radius(a_, point), s = radius(b_, point);
-        // Four roundings, each by 2^-52 at most: rounded down. Halves that underflow are none.
-        const double value =
-            r > 0 && s > 0 ? std::min((0.5 * r + 0.5 * s) * (2 - 0x1p-49), number_max) : std::min({r, s, 0.0});
+        // Two roundings, each by 2^-52 at most: rounded down. A sum that is subnormal, or nearly, is exact, and the
+        // product then is rounded to it at most. One that overflows is above number_max.
+        const double value = r > 0 && s > 0 ? std::min((r + s) * (1 - 0x1p-50), number_max) : std::min({r, s, 0.0});
         if (!(value > most_)) return;
         best_ = point;
         most_ = value;

@@ -220,12 +220,16 @@ bool InnerPolytope::replace(std::uint32_t visible_count) {
 
 // The depth is not above the distance of a plane of a face of the whole set. Where that is negative, it shows that the
 // solids are apart.
+//
+// The true normal is at least as long as the one as computed less the root of 3 times n_error. Of a thin face that may
+// be nothing: its plane may be at any distance, so every face counts as near.
 void InnerPolytope::bound_by_nearest() noexcept {
     if (is_upper_proven()) return;
     find_nearest();
     const std::uint32_t i = nearest_;
-    upper_ = (h_[i] + h_error_[i]) / (length_[i] / RoundedBounds::slack - 2 * n_error_[i]) * RoundedBounds::slack;
-    // Of a thin face, or one that the origin is beyond: faces count as near that are not certainly on its inner side.
+    const double length = length_[i] / RoundedBounds::slack - 2 * n_error_[i];
+    upper_ = length > 0 ? (h_[i] + h_error_[i]) / length * RoundedBounds::slack : infinity;
+    // Of a face that the origin is beyond: faces count as near that are not certainly on its inner side.
     if (!(upper_ > 0)) upper_ = 0;
 }
 

@@ -4,6 +4,8 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "ecods/depth.hpp"
 #include "ecods/error.hpp"
@@ -101,6 +103,30 @@ TEST(DepthBounds, ContainTheDepthOfConvexSolids) {
                 EXPECT_GE(convex->upper, exact->depth);
                 EXPECT_GE(general->upper, exact->depth);
             }
+        }
+    }
+}
+
+// Of solids a few times as large as the least double, whose sizes have no half.
+TEST(DepthBounds, HoldForTheSmallestSolids) {
+    QueryMemory memory;
+    for (const int half : {1, 3, 13, 20}) {
+        SCOPED_TRACE(half);
+        std::vector<Vec3> corners;
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const int side : {-half, half}) corners.push_back(side * 0x1p-1074 * Vec3::Unit(axis));
+        }
+        const ConvexSolid octahedron{std::span<const Vec3>(corners)};
+        const Solid general(octahedron.mesh_ptr());
+        const double exact = depth({octahedron, {}}, {octahedron, {}}, memory).depth;
+        for (const environment::FloatMode& mode : environment::float_modes) {
+            std::optional<DepthBounds> bounds;
+            {
+                const environment::InFloatMode in(mode);
+                bounds = depth_bounds({general, {}}, {general, {}}, memory);
+            }
+            EXPECT_LE(bounds->lower, exact) << mode.name;
+            EXPECT_GE(bounds->upper, exact) << mode.name;
         }
     }
 }

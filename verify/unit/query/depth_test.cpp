@@ -237,6 +237,22 @@ TEST(Depth, OfHullsOfManyVerticesIsThatOfTheOracle) {
     }
 }
 
+// The lower face of the first solid has 101 vertices nearly on a line. Of three of them doubles know no normal, nor how
+// far their plane is: other faces are nearer than theirs.
+TEST(Depth, OfManyVerticesOfWhichDoublesKnowNoNormal) {
+    QueryMemory memory;
+    std::vector<Vec3> points{{-5, 4, 31}, {-13, 13, 34}, {33, 5, 31}};
+    for (int i = -50; i <= 50; ++i) points.push_back({static_cast<double>(i), 0x1p-46 * (i * i), 0});
+    Pose pose;
+    pose.R << 0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6;
+    Pose other = at({11.68, -24.4, 17.24});
+    other.R *= 0.25;
+    const auto first = std::make_shared<Mesh>(convex_hull(points));
+    const auto second =
+        std::make_shared<Mesh>(convex_hull(std::vector<Vec3>{{3, 0, 4}, {-4, -1, -7}, {9, 6, 4}, {-8, -8, -8}}));
+    expect_right({{first, pose}, {second, other}}, memory);
+}
+
 // The other order of vertices and triangles names features otherwise, and changes no number.
 TEST(Depth, IsThatOfTheSetWhateverItsTriangles) {
     QueryMemory memory;

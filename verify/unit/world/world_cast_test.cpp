@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "ecods/cast.hpp"
 #include "ecods/contact.hpp"
 #include "ecods/error.hpp"
+#include "environment/float_mode.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
@@ -36,6 +38,29 @@ class WorldCastTest : public testing::TestWithParam<BroadPhaseKind> {
 };
 
 INSTANTIATE_TEST_SUITE_P(BroadPhases, WorldCastTest, broad_phases(), broad_phase_name);
+
+// Times of 4.4 and 3.6 times the least double round to 4 of them, and with the mode that rounds up boxes are met from 5
+// and 4 of them on.
+TEST_P(WorldCastTest, TheLeastIdIsFirstOfTheShortestTimesInEveryFloatMode) {
+    const auto triangle = [](double x) {
+        const double y = 0x1p-72;
+        return Mesh::create({Vec3(x, -y, -y), Vec3(x, y, -y), Vec3(x, 0, y)}, {Triangle{0, 1, 2}});
+    };
+    const BodyId a = world.create_body(triangle(0), at(0));
+    const BodyId later = world.create_body(triangle(4.4 * 0x1p-74), at(0));
+    world.create_body(triangle(3.6 * 0x1p-74), at(0));
+    for (const environment::FloatMode& mode : environment::float_modes) {
+        SCOPED_TRACE(mode.name);
+        std::optional<BodyContact> first;
+        {
+            const environment::InFloatMode in(mode);
+            first = world.cast(a, Vec3(0x1p1000, 0, 0), memory);
+        }
+        ASSERT_TRUE(first);
+        EXPECT_EQ(first->body, later);
+        EXPECT_EQ(first->contact.time, 0x1p-1072);
+    }
+}
 
 TEST_P(WorldCastTest, TheFirstIsOfNowAndTiesGoToTheLeastIds) {
     const BodyId a = world.create_body(cube, at(0));
