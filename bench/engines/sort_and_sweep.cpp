@@ -1,7 +1,5 @@
 #include "engines/sort_and_sweep.hpp"
 
-#include "broad_phase/scratch/list_pairs.hpp"
-
 namespace ecods::bench {
 
 void SortAndSweep::update() {
@@ -20,7 +18,7 @@ void SortAndSweep::find(const ProxyChanges& changes) {
     for (const ProxyIndex proxy : changes.added) make_packed_box(table_.boxes()[proxy], lines_[proxy]);
     found_.clear();
     search_.find_pairs(lines_, found_);
-    list_pairs(found_, lines_.size(), ascending_);
+    list_pairs(found_, lines_.size(), ascending_, listing_);
     pairs_.compare(table_, changes, ascending_, events_);
 }
 

@@ -7,6 +7,7 @@
 #include "broad_phase/changes/pair_list.hpp"
 #include "broad_phase/changes/proxy_table.hpp"
 #include "broad_phase/scratch/grid_sweep.hpp"
+#include "broad_phase/scratch/list_pairs.hpp"
 
 namespace ecods::bench {
 
@@ -33,6 +34,7 @@ class SortAndSweep {
     GridSweep search_;
     std::vector<std::array<SlotIndex, 2>> found_;
     ProxyPairs ascending_;
+    ListingMemory listing_;
 };
 
 }  // namespace ecods::bench

@@ -15,7 +15,7 @@ inline bool same_bits(const Mat3& a, const Mat3& b) noexcept {
     const auto* const y = reinterpret_cast<const std::uint64_t*>(b.data());
     const auto differ = [&](int i) -> Two { return load_anywhere<Two>(x + i) ^ load_anywhere<Two>(y + i); };
     const Two low = differ(0) | differ(2), high = differ(4) | differ(6);
-    return !any(low | high | differ(7));
+    return any_bits(low | high | differ(7)) == 0;
 }
 
 // Where bodies move their translations differ, as a rule: those are compared first.
@@ -25,7 +25,7 @@ inline bool same_bits(const Pose& a, const Pose& b) noexcept {
     const auto* const y = reinterpret_cast<const std::uint64_t*>(b.t.data());
     const auto differ = [&](int i) -> Two { return load_anywhere<Two>(x + i) ^ load_anywhere<Two>(y + i); };
     const Two t = differ(0) | differ(1);
-    return !any(t) && same_bits(a.R, b.R);
+    return any_bits(t) == 0 && same_bits(a.R, b.R);
 }
 
 }  // namespace ecods

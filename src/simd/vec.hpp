@@ -141,14 +141,27 @@ ECODS_ALWAYS_INLINE LaneType<V> any_bits(V v) noexcept {
     return static_cast<LaneType<V>>(bits);
 }
 
-// Whether any lane of a mask is set, and whether all are.
+// Whether any lane of a mask is set, and whether all are. The baseline has an instruction for the signs of four lanes
+// at a time, which is all that there is to know of a mask.
 template <IsVec V>
 ECODS_ALWAYS_INLINE bool any(V mask) noexcept {
+#if defined(__SSE2__)
+    if constexpr (sizeof(V) == 32) {
+        const auto lanes = bits_as<Vec<std::uint64_t, 4>>(mask);
+        const Vec<std::uint64_t, 2> half =
+            __builtin_shufflevector(lanes, lanes, 0, 1) | __builtin_shufflevector(lanes, lanes, 2, 3);
+        return __builtin_ia32_movmskps(bits_as<Vec<float, 4>>(half)) != 0;
+    } else {
+        static_assert(sizeof(V) == 16);
+        return __builtin_ia32_movmskps(bits_as<Vec<float, 4>>(mask)) != 0;
+    }
+#else
     return any_bits(mask) != 0;
+#endif
 }
 template <IsVec V>
 ECODS_ALWAYS_INLINE bool all(V mask) noexcept {
-    return any_bits(~mask) == 0;
+    return !any(~mask);
 }
 
 // Bit first + i in lane i, and no other.

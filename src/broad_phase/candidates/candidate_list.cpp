@@ -42,6 +42,22 @@ struct Testing {
         (began ? events.began : events.ended).push_back(pair);
     }
 
+    // Of a candidate that changed, as far as coarse boxes say: whether it stays one.
+    [[gnu::noinline]] bool look_closer(Candidate& candidate) const {
+        const SlotIndex owner = candidate[0], partner = candidate[1] & ~overlap_bit;
+        if (slots.has(owner, SlotTable::changed) || slots.has(partner, SlotTable::changed)) {
+            const PackedBox &fat = slots.fat_lines()[owner], &other_fat = slots.fat_lines()[partner];
+            if (fat.is_empty() || !overlap(fat, other_fat)) {
+                report_removed(candidate);
+                return false;
+            }
+            note_there(owner, partner);
+        }
+        const bool now = overlap(slots.lines()[owner], slots.lines()[partner]);
+        if (now != (candidate[1] >= overlap_bit)) report(candidate);
+        return true;
+    }
+
     // A candidate goes.
     void report_removed(const Candidate& candidate) const {
         if ((candidate[1] & overlap_bit) == 0 || are_removed_reported) return;
@@ -49,42 +65,56 @@ struct Testing {
     }
 };
 
+// Drops those that are no candidates any more. No branch depends on which are.
+ECODS_ALWAYS_INLINE void drop_stale(const Testing& testing, std::vector<Candidate>& list) {
+    const PackedBox* const fat_lines = testing.slots.fat_lines().data();
+    const std::uint8_t* const flags = testing.slots.flags().data();
+    const bool are_some_doubtful = !testing.doubtful.empty();
+    Candidate* const candidates = list.data();
+    Candidate* write = candidates;
+    BoxLanes reach;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const SlotIndex ahead = candidates[std::min(i + candidates_ahead, list.size() - 1)][1] & ~overlap_bit;
+        __builtin_prefetch(&fat_lines[ahead]);
+        __builtin_prefetch(&flags[ahead]);
+        const Candidate candidate = candidates[i];
+        const SlotIndex owner = candidate[0], partner = candidate[1] & ~overlap_bit;
+        make_reach(fat_lines[owner], reach);
+        const bool has_changed = ((flags[owner] | flags[partner]) & SlotTable::changed) != 0;
+        const bool stays = !has_changed | overlaps(fat_lines[partner], reach);
+        *write = candidate;
+        write += stays ? 1 : 0;
+        if (!stays & (candidate[1] >= overlap_bit)) [[unlikely]]
+            testing.report_removed(candidate);
+        if (are_some_doubtful && has_changed && stays) [[unlikely]]
+            testing.note_there(owner, partner);
+    }
+    list.resize(static_cast<std::size_t>(write - candidates));
+}
+
 // Returns how many overlapped before.
 template <bool have_some_gone>
 ECODS_ALWAYS_INLINE std::uint64_t test_all(const Testing& testing, std::vector<Candidate>& list) {
-    const PackedBox* const lines = testing.slots.lines().data();
-    const PackedBox* const fat_lines = testing.slots.fat_lines().data();
-    const std::uint8_t* const flags = testing.slots.flags().data();
+    const CoarseBox* const boxes = testing.slots.coarse_boxes().data();
     Candidate* const candidates = list.data();
     Candidate* write = candidates;
     const std::size_t count = list.size();
     std::uint64_t overlapping = 0;
-    BoxLanes reach;
     const Stretch parts[] = {{count - std::min(count, candidates_ahead), candidates_ahead}, {count, 0}};
     std::size_t i = 0;
     for (const Stretch& part : parts) {
         for (; i < part.end; ++i) {
-            __builtin_prefetch(&lines[candidates[i + part.ahead][1] & ~overlap_bit]);
+            __builtin_prefetch(&boxes[candidates[i + part.ahead][1] & ~overlap_bit]);
             const Candidate candidate = candidates[i];
             const auto [owner, entry] = candidate;
-            const SlotIndex partner = entry & ~overlap_bit;
-            if constexpr (have_some_gone) {
-                if (((flags[owner] | flags[partner]) & SlotTable::changed) != 0) [[unlikely]] {
-                    make_reach(fat_lines[owner], reach);
-                    if (!overlaps(fat_lines[partner], reach) || fat_lines[owner].is_empty()) {
-                        testing.report_removed(candidate);
-                        continue;
-                    }
-                    testing.note_there(owner, partner);
-                }
-                *write = candidate;
+            const bool overlapped = entry >= overlap_bit;
+            const auto [are_apart, are_in_doubt] = coarse_overlap(boxes[owner], boxes[entry & ~overlap_bit]);
+            Candidate& kept = have_some_gone ? *write : candidates[i];
+            if constexpr (have_some_gone) kept = candidate;
+            if (are_in_doubt | (are_apart == overlapped)) [[unlikely]] {
+                if (!testing.look_closer(kept)) continue;
             }
-            make_reach(lines[owner], reach);
-            const bool now = overlaps(lines[partner], reach);
-            overlapping += entry / overlap_bit;
-            if (now != (entry >= overlap_bit)) [[unlikely]] {
-                testing.report(have_some_gone ? *write : candidates[i]);
-            }
+            overlapping += overlapped ? 1 : 0;
             if constexpr (have_some_gone) ++write;
         }
     }
@@ -103,11 +133,17 @@ ECODS_ALWAYS_INLINE void settle_all(const SlotTable& slots, std::vector<Candidat
 
 }  // namespace
 
-void CandidateList::test(const SlotTable& slots, bool are_removed_reported, PairEvents& events) {
+void CandidateList::test(SlotTable& slots, bool are_removed_reported, PairEvents& events) {
     std::sort(doubtful_.begin(), doubtful_.end());
     const Testing testing{slots, events, are_removed_reported, doubtful_, there_};
-    overlapping_count_ = slots.changed_slots().empty() ? dispatch<test_all<false>>(testing, pairs_)
-                                                       : dispatch<test_all<true>>(testing, pairs_);
+    // Where those that changed are a good part of all, looking closer at each would cost more than a pass for them.
+    constexpr std::size_t pairs_of_one = 32;
+    const std::size_t changed = slots.changed_slots().size();
+    const bool are_some = changed > 0 && pairs_of_one * changed <= pairs_.size();
+    if (changed > 0 && !are_some) dispatch<drop_stale>(testing, pairs_);
+    if (are_some) slots.mark_changed();
+    overlapping_count_ =
+        are_some ? dispatch<test_all<true>>(testing, pairs_) : dispatch<test_all<false>>(testing, pairs_);
     if (!doubtful_.empty()) add_doubtful(slots, events);
 }
 

@@ -41,7 +41,7 @@ class CandidateList {
     // Tests all, and reports those that began or ceased to overlap. What is no candidate any more since fat boxes
     // changed goes: it does not overlap, but for pairs of a slot that was removed, which end unless they are reported
     // already.
-    void test(const SlotTable& slots, bool are_removed_reported, PairEvents& events);
+    void test(SlotTable& slots, bool are_removed_reported, PairEvents& events);
 
     // Those of boxes that are asleep go.
     void drop_asleep(const SlotTable& slots);

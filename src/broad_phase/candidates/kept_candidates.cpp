@@ -177,13 +177,15 @@ void KeptCandidates::put_to_sleep(std::size_t moved_count) {
 void KeptCandidates::release_working_memory() {
     search_ = {};
     look_ups_ = {};
+    listing_ = {};
     release(escaped_, looked_up_, old_fats_, found_, pairs_);
     candidates_.release_spare();
 }
 
 std::size_t KeptCandidates::bytes() const noexcept {
     return slots_.bytes() + margins_.bytes() + candidates_.bytes() + forest_.bytes() + search_.bytes() +
-           look_ups_.bytes() + bytes_of(escaped_, looked_up_, found_, pairs_) + bytes_of(old_fats_);
+           look_ups_.bytes() + bytes_of(escaped_, looked_up_, found_, pairs_) + bytes_of(old_fats_) +
+           bytes_of(listing_.next, listing_.by_second);
 }
 
 void KeptCandidates::validate(const ProxyTable& table) const {

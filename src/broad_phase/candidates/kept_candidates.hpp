@@ -15,6 +15,7 @@
 #include "broad_phase/candidates/slot_table.hpp"
 #include "broad_phase/changes/pair_finder.hpp"
 #include "broad_phase/scratch/grid_sweep.hpp"
+#include "broad_phase/scratch/list_pairs.hpp"
 
 namespace ecods {
 
@@ -106,6 +107,7 @@ class KeptCandidates final : public PairFinder {
     LookUps look_ups_;
     std::vector<SlotIndex> found_;
     ProxyPairs pairs_;  // that a search for everything found
+    ListingMemory listing_;
 };
 
 }  // namespace ecods

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "broad_phase/candidates/kept_candidates.hpp"
-#include "broad_phase/scratch/list_pairs.hpp"
 
 namespace ecods {
 
@@ -65,14 +64,14 @@ void KeptCandidates::search_everything(const ProxyTable& table, bool must_sort, 
         margins_.lookahead().note_everything(tests);
         candidates_.settle(slots_);
         const auto for_each = [&](const auto& visit) { candidates_.for_each_overlapping(slots_, visit); };
-        list_each_pair(for_each, table.end(), pairs_);
+        list_each_pair(for_each, table.end(), pairs_, listing_);
         candidates_.drop_asleep(slots_);
         slots_.settle_all_escaped();
     } else {
         forest_.forget();
         counts.box_tests += search_.find_pairs(slots_.lines(), found) + found.size();
         for (auto& [a, b] : found) a = slots_.proxies()[a], b = slots_.proxies()[b];
-        list_pairs(found, table.end(), pairs_);
+        list_pairs(found, table.end(), pairs_, listing_);
         candidates_.clear();
     }
     keeping_.note_pairs(pairs_.size());

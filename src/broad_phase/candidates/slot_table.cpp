@@ -13,6 +13,7 @@ namespace ecods {
 
 void SlotTable::reserve(std::size_t count) {
     lines_.reserve(count);
+    coarse_boxes_.reserve(count);
     fat_lines_.reserve(count);
     proxies_.reserve(count);
     flags_.reserve(count);
@@ -33,6 +34,7 @@ SlotIndex SlotTable::add(ProxyIndex proxy, const Aabb& box) {
     if (free_slots_.empty()) {
         const std::size_t count = lines_.size() + 1;
         grow_to(lines_, count);
+        grow_to(coarse_boxes_, count);
         grow_to(fat_lines_, count);
         grow_to(proxies_, count);
         grow_to(flags_, count);
@@ -41,6 +43,7 @@ SlotIndex SlotTable::add(ProxyIndex proxy, const Aabb& box) {
     const SlotIndex slot = free_slots_.back();
     free_slots_.pop_back();
     make_packed_box(box, lines_[slot]);
+    make_coarse_box(lines_[slot], coarse_boxes_[slot]);
     proxies_[slot] = proxy;
     slots_[proxy] = slot;
     ++used_count_;
@@ -49,6 +52,7 @@ SlotIndex SlotTable::add(ProxyIndex proxy, const Aabb& box) {
 
 void SlotTable::remove(SlotIndex slot) {
     lines_[slot] = {};
+    coarse_boxes_[slot] = {};
     fat_lines_[slot] = {};
     slots_[proxies_[slot]] = no_slot;
     --used_count_;
@@ -115,8 +119,13 @@ void SlotTable::settle_all_escaped() noexcept {
     for (std::uint8_t& flags : flags_) flags &= static_cast<std::uint8_t>(~escaped);
 }
 
+void SlotTable::mark_changed() noexcept {
+    for (const SlotIndex slot : changed_slots_) coarse_boxes_[slot].mark();
+}
+
 void SlotTable::forget_changes() {
     for (const SlotIndex slot : changed_slots_) {
+        coarse_boxes_[slot].unmark();
         clear(slot, changed);
         if (is_free(slot)) free_slots_.push_back(slot);
     }
@@ -132,6 +141,7 @@ void SlotTable::reorder(std::span<const SlotIndex> order) {
         values = std::move(ordered);
     };
     reorder_one(lines_);
+    reorder_one(coarse_boxes_);
     reorder_one(fat_lines_);
     reorder_one(proxies_);
     reorder_one(flags_);
@@ -140,7 +150,8 @@ void SlotTable::reorder(std::span<const SlotIndex> order) {
 }
 
 std::size_t SlotTable::bytes() const noexcept {
-    return bytes_of(lines_, fat_lines_) + bytes_of(proxies_, slots_, free_slots_, changed_slots_) + bytes_of(flags_);
+    return bytes_of(lines_, fat_lines_) + bytes_of(coarse_boxes_) +
+           bytes_of(proxies_, slots_, free_slots_, changed_slots_) + bytes_of(flags_);
 }
 
 void SlotTable::validate(const ProxyTable& table, const MovingFrame& frame, bool has_margins) const {
@@ -153,6 +164,7 @@ void SlotTable::validate(const ProxyTable& table, const MovingFrame& frame, bool
         require(has(slot, changed) == (std::count(changed_slots_.begin(), changed_slots_.end(), slot) == 1), slot,
                 "the changed slots are not those with the flag");
         if (is_free(slot)) {
+            require(coarse_boxes_[slot] == CoarseBox{}, slot, "it is free and has a coarse box");
             require((!has_margins || fat_lines_[slot].is_empty()) && !has(slot, awake), slot, "it is free and in use");
             require(std::count(free_slots_.begin(), free_slots_.end(), slot) == 1, slot, "it is not listed as free");
             continue;
@@ -162,6 +174,11 @@ void SlotTable::validate(const ProxyTable& table, const MovingFrame& frame, bool
         const ProxyIndex proxy = proxies_[slot];
         require(table.is_present(proxy) && slots_[proxy] == slot, slot, "its proxy is not here");
         require(lines_[slot] == packed_box(key_box(table.box(proxy))), slot, "its box is not the proxy's");
+        CoarseBox coarse;
+        for (std::size_t end = 0; end < 6; ++end) {
+            coarse.ends[end < 3 ? end : end + 1] = static_cast<std::int32_t>(lines_[slot].ends[end] >> 32);
+        }
+        require(coarse_boxes_[slot] == coarse, slot, "its coarse box is another one's, or marked");
         if (!has_margins) continue;
         // Through the numbers, not the lanes.
         const KeyBox in_frame = key_box(frame.of(table.box(proxy))), fat = key_box(fat_lines_[slot]);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "broad_phase/boxes/box_tree.hpp"
+#include "broad_phase/boxes/coarse_box.hpp"
 #include "broad_phase/candidates/moving_frame.hpp"
 #include "broad_phase/changes/pair_events.hpp"
 #include "broad_phase/changes/proxy_table.hpp"
@@ -39,6 +40,7 @@ class SlotTable {
     std::size_t proxy_end() const noexcept { return slots_.size(); }
 
     std::span<const PackedBox> lines() const noexcept { return lines_; }
+    std::span<const CoarseBox> coarse_boxes() const noexcept { return coarse_boxes_; }  // of the lines
     std::span<const PackedBox> fat_lines() const noexcept { return fat_lines_; }
     std::span<const ProxyIndex> proxies() const noexcept { return proxies_; }
     std::span<const std::uint8_t> flags() const noexcept { return flags_; }
@@ -89,6 +91,7 @@ class SlotTable {
     const std::vector<SlotIndex>& changed_slots() const noexcept { return changed_slots_; }
     void settle_escaped(std::span<const EscapedBox> escaped);  // they have changed
     void settle_all_escaped() noexcept;                        // of an update that forgot changes
+    void mark_changed() noexcept;  // their coarse boxes, until changes are forgotten or boxes move
     void forget_changes();
 
     // Puts the slots named in this order, and leaves out the others, which must be free.
@@ -105,6 +108,7 @@ class SlotTable {
     void clear(SlotIndex slot, unsigned flag) noexcept { flags_[slot] &= static_cast<std::uint8_t>(~flag); }
 
     std::vector<PackedBox> lines_;
+    std::vector<CoarseBox> coarse_boxes_;
     std::vector<PackedBox> fat_lines_;
     std::vector<ProxyIndex> proxies_;
     std::vector<std::uint8_t> flags_;

@@ -11,6 +11,7 @@ constexpr std::size_t boxes_ahead = 12;
 // What the loops go through.
 struct SlotView {
     PackedBox* lines;
+    CoarseBox* coarse_boxes;
     const PackedBox* fat_lines;
     const ProxyIndex* proxies;
     std::size_t size;
@@ -22,6 +23,11 @@ ECODS_ALWAYS_INLINE void prefetch_box_ahead(const SlotView& slots, const Aabb* b
         &boxes[slots.proxies[slot + boxes_ahead < slots.size ? slot + boxes_ahead : slots.size - 1]]);
     __builtin_prefetch(ahead);
     __builtin_prefetch(ahead + sizeof(Aabb) - 1);
+}
+
+ECODS_ALWAYS_INLINE void set_box(const SlotView& slots, std::size_t slot, const BoxLanes& lanes) noexcept {
+    store_lanes(lanes, slots.lines[slot]);
+    make_coarse_box(lanes, slots.coarse_boxes[slot]);
 }
 
 // Whether a box is in its fat box; `lanes` are the box in space.
@@ -45,7 +51,7 @@ ECODS_ALWAYS_INLINE void move_slots(const SlotView& slots, std::size_t begin, st
             if (slots.fat_lines[slot].is_empty()) continue;  // a free slot
             escaped.push_back({static_cast<SlotIndex>(slot), slots.lines[slot]});
         }
-        store_lanes(lanes, slots.lines[slot]);
+        set_box(slots, slot, lanes);
     }
 }
 
@@ -57,6 +63,7 @@ ECODS_ALWAYS_INLINE void move_slots_of(const SlotView& slots, const SlotIndex* s
         if (i + boxes_ahead < proxies.size()) {
             const SlotIndex ahead = slots_by_proxy[proxies[i + boxes_ahead]];
             __builtin_prefetch(&slots.lines[ahead]);
+            __builtin_prefetch(&slots.coarse_boxes[ahead]);
             __builtin_prefetch(&slots.fat_lines[ahead]);
         }
         const SlotIndex slot = slots_by_proxy[proxies[i]];
@@ -66,7 +73,7 @@ ECODS_ALWAYS_INLINE void move_slots_of(const SlotView& slots, const SlotIndex* s
         if (!is_in_fat_box(frame, slots.fat_lines[slot], box, lanes)) [[unlikely]] {
             escaped.push_back({slot, slots.lines[slot]});
         }
-        store_lanes(lanes, slots.lines[slot]);
+        set_box(slots, slot, lanes);
     }
 }
 
@@ -74,7 +81,9 @@ ECODS_ALWAYS_INLINE void take_all_slots(const SlotView& slots, const Aabb* boxes
     for (std::size_t slot = 0; slot < slots.size; ++slot) {
         prefetch_box_ahead(slots, boxes, slot);
         if (slots.lines[slot].is_empty()) continue;  // a free slot
-        make_packed_box(boxes[slots.proxies[slot]], slots.lines[slot]);
+        BoxLanes lanes;
+        make_lanes(boxes[slots.proxies[slot]], lanes);
+        set_box(slots, slot, lanes);
     }
 }
 
@@ -82,24 +91,28 @@ ECODS_ALWAYS_INLINE void take_all_slots(const SlotView& slots, const Aabb* boxes
 
 void SlotTable::move_range(std::size_t begin, std::size_t end, const ProxyTable& table, const MovingFrame& frame,
                            std::vector<EscapedBox>& escaped_boxes) {
-    const SlotView slots{lines_.data(), fat_lines_.data(), proxies_.data(), size()};
+    const SlotView slots{lines_.data(), coarse_boxes_.data(), fat_lines_.data(), proxies_.data(), size()};
     dispatch<move_slots>(slots, begin, end, table.boxes().data(), frame, escaped_boxes);
 }
 
 void SlotTable::move(std::span<const ProxyIndex> proxies, const ProxyTable& table, const MovingFrame& frame,
                      std::vector<EscapedBox>& escaped_boxes) {
-    const SlotView slots{lines_.data(), fat_lines_.data(), proxies_.data(), size()};
+    const SlotView slots{lines_.data(), coarse_boxes_.data(), fat_lines_.data(), proxies_.data(), size()};
     dispatch<move_slots_of>(slots, slots_.data(), proxies, table.boxes().data(), frame, escaped_boxes);
 }
 
 void SlotTable::take(std::span<const ProxyIndex> proxies, const ProxyTable& table) {
     // Going through all boxes in the order of memory costs less for each.
     if (2 * proxies.size() > size()) {
-        dispatch<take_all_slots>(SlotView{lines_.data(), fat_lines_.data(), proxies_.data(), size()},
-                                 table.boxes().data());
+        dispatch<take_all_slots>(
+            SlotView{lines_.data(), coarse_boxes_.data(), fat_lines_.data(), proxies_.data(), size()},
+            table.boxes().data());
         return;
     }
-    for (const ProxyIndex proxy : proxies) make_packed_box(table.boxes()[proxy], lines_[slots_[proxy]]);
+    for (const ProxyIndex proxy : proxies) {
+        make_packed_box(table.boxes()[proxy], lines_[slots_[proxy]]);
+        make_coarse_box(lines_[slots_[proxy]], coarse_boxes_[slots_[proxy]]);
+    }
 }
 
 }  // namespace ecods

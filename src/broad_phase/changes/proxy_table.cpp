@@ -19,7 +19,7 @@ ECODS_ALWAYS_INLINE bool is_same(const Aabb& a, const Aabb& b) {
     const auto* x = reinterpret_cast<const std::int64_t*>(a.min.data());  // read as vectors, which may alias
     const auto* y = reinterpret_cast<const std::int64_t*>(b.min.data());
     const auto different = [&](int k) -> Two { return load_anywhere<Two>(x + 2 * k) ^ load_anywhere<Two>(y + 2 * k); };
-    return !any(different(0) | different(1) | different(2));
+    return any_bits(different(0) | different(1) | different(2)) == 0;
 }
 
 }  // namespace

@@ -168,10 +168,11 @@ TEST(GridSweep, RanksNeverDescend) {
 
 TEST(ListPairs, AscendAndAreComplete) {
     ProxyPairs list = {{9, 9}};
-    list_pairs({}, 4, list);
+    ListingMemory memory;
+    list_pairs({}, 4, list, memory);
     EXPECT_TRUE(list.empty());
     const std::vector<SlotPair> found = {{3, 1}, {0, 3}, {2, 1}, {2, 0}, {4, 1}, {0, 1}};
-    list_pairs(found, 5, list);
+    list_pairs(found, 5, list, memory);
     EXPECT_EQ(list, (Pairs{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {1, 4}}));
 }
 
