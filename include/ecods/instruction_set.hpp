@@ -19,8 +19,8 @@
 namespace ecods {
 
 // From narrow to wide. Baseline is what the compiler was set to compile for: what every x86-64 has, unless the flags
-// of the build say otherwise. On other processors there is nothing else. avx512 is its parts F, BW, DQ and VL: of a
-// processor that lacks one of them, avx2 is used.
+// of the build say otherwise. On other processors there is nothing else. avx512 is its parts F, BW, DQ and VL, and
+// BMI2: of a processor that lacks one of them, avx2 is used.
 enum class InstructionSet : std::uint8_t { baseline, avx2, avx512 };
 
 // The widest that this processor and the operating system support, and that the library has a version for.
