@@ -131,6 +131,26 @@ ConvexCase make_needles(Random& random) {
     return made;
 }
 
+// Where it has many vertices, no search of supports finds the depth, and of three of that face doubles may know no
+// normal.
+ConvexCase make_arcs(Random& random) {
+    const int half = random.below(4) == 0 ? integer(random, 46, 52) : integer(random, 3, 12);
+    std::vector<LatticePoint> points;
+    for (int i = -half; i <= half; ++i) points.push_back({i, i * i, 0});
+    for (int i = 0; i < 3; ++i) {
+        points.push_back({integer(random, -half, half), integer(random, 0, half * half), half / 2 + i});
+    }
+    const double unit = 1.0 / half;
+    ConvexCase made{{to_mesh(lattice_hull(points), unit), random_pose(random)},
+                    any_hull(random, 0.1 * any_radii(random))};
+    const Vec3 inside(full(random, -1, 1), full(random, 0, half), full(random, -0.1, 0.5));
+    made.a.pose.R.col(1) *= std::ldexp(1.0, -integer(random, 8, 44));
+    made.b.pose.t = made.a.pose.t + made.a.pose.R * inside;
+    if (random.below(4) == 0) bring_near(made, any_gap(random), random);
+    if (coin(random)) std::swap(made.a, made.b);
+    return made;
+}
+
 // At most 64 in size, which place() maps exactly.
 ConvexCase make_many_in_one_plane(Random& random) {
     const auto any = [&] {
@@ -244,6 +264,7 @@ constexpr Recipe recipes[] = {
     {ConvexFamily::prisms, "prisms", make_prisms},
     {ConvexFamily::plates, "plates", make_plates},
     {ConvexFamily::needles, "needles", make_needles},
+    {ConvexFamily::arcs, "arcs", make_arcs},
     {ConvexFamily::many_in_one_plane, "many in one plane", make_many_in_one_plane},
     {ConvexFamily::inside, "inside", make_inside},
     {ConvexFamily::equal, "equal", make_equal},

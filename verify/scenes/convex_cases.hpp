@@ -30,6 +30,7 @@ enum class ConvexFamily {
     prisms,             // of 3 to 24 sides, in one frame: parallel faces and edges
     plates,             // boxes of 500 by 500 by 1, crossed, in each other or nearly coplanar
     needles,            // 2^-10 to 2^-40 as thick as long
+    arcs,               // a face of up to 105 vertices nearly on a line: an arc 2^-14 to 2^-50 as high as long
     many_in_one_plane,  // lattice hulls and boxes whose faces are cut in hundreds of triangles
     inside,             // a small one in a large one
     equal,              // a solid and itself, or another mesh of it, at one pose or nearly

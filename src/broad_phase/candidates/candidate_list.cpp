@@ -27,6 +27,7 @@ struct Testing {
     bool are_removed_reported;
     const std::vector<Candidate>& doubtful;  // ascending
     std::vector<Candidate>& there;
+    std::size_t looked_closer = 0;
 
     // A candidate with a slot that changed stays.
     void note_there(SlotIndex a, SlotIndex b) const {
@@ -43,7 +44,8 @@ struct Testing {
     }
 
     // Of a candidate that changed, as far as coarse boxes say: whether it stays one.
-    [[gnu::noinline]] bool look_closer(Candidate& candidate) const {
+    [[gnu::noinline]] bool look_closer(Candidate& candidate) {
+        ++looked_closer;
         const SlotIndex owner = candidate[0], partner = candidate[1] & ~overlap_bit;
         if (slots.has(owner, SlotTable::changed) || slots.has(partner, SlotTable::changed)) {
             const PackedBox &fat = slots.fat_lines()[owner], &other_fat = slots.fat_lines()[partner];
@@ -94,7 +96,7 @@ ECODS_ALWAYS_INLINE void drop_stale(const Testing& testing, std::vector<Candidat
 
 // Returns how many overlapped before.
 template <bool have_some_gone>
-ECODS_ALWAYS_INLINE std::uint64_t test_all(const Testing& testing, std::vector<Candidate>& list) {
+ECODS_ALWAYS_INLINE std::uint64_t test_all(Testing& testing, std::vector<Candidate>& list) {
     const CoarseBox* const boxes = testing.slots.coarse_boxes().data();
     Candidate* const candidates = list.data();
     Candidate* write = candidates;
@@ -122,6 +124,23 @@ ECODS_ALWAYS_INLINE std::uint64_t test_all(const Testing& testing, std::vector<C
     return overlapping;
 }
 
+// The same by the boxes themselves, of which none has changed.
+ECODS_ALWAYS_INLINE std::uint64_t test_all_by_boxes(Testing& testing, std::vector<Candidate>& list) {
+    const PackedBox* const lines = testing.slots.lines().data();
+    std::uint64_t overlapping = 0;
+    BoxLanes reach;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        __builtin_prefetch(&lines[list[std::min(i + candidates_ahead, list.size() - 1)][1] & ~overlap_bit]);
+        const auto [owner, entry] = list[i];
+        const bool overlapped = entry >= overlap_bit;
+        make_reach(lines[owner], reach);
+        overlapping += overlapped ? 1 : 0;
+        if (overlaps(lines[entry & ~overlap_bit], reach) != overlapped) [[unlikely]]
+            testing.look_closer(list[i]);
+    }
+    return overlapping;
+}
+
 ECODS_ALWAYS_INLINE void settle_all(const SlotTable& slots, std::vector<Candidate>& list) {
     const PackedBox* const lines = slots.lines().data();
     BoxLanes reach;
@@ -135,15 +154,24 @@ ECODS_ALWAYS_INLINE void settle_all(const SlotTable& slots, std::vector<Candidat
 
 void CandidateList::test(SlotTable& slots, bool are_removed_reported, PairEvents& events) {
     std::sort(doubtful_.begin(), doubtful_.end());
-    const Testing testing{slots, events, are_removed_reported, doubtful_, there_};
+    Testing testing{slots, events, are_removed_reported, doubtful_, there_};
     // Where those that changed are a good part of all, looking closer at each would cost more than a pass for them.
     constexpr std::size_t pairs_of_one = 32;
     const std::size_t changed = slots.changed_slots().size();
-    const bool are_some = changed > 0 && pairs_of_one * changed <= pairs_.size();
+    const bool are_some = tests_by_boxes_ == 0 && changed > 0 && pairs_of_one * changed <= pairs_.size();
     if (changed > 0 && !are_some) dispatch<drop_stale>(testing, pairs_);
-    if (are_some) slots.mark_changed();
-    overlapping_count_ =
-        are_some ? dispatch<test_all<true>>(testing, pairs_) : dispatch<test_all<false>>(testing, pairs_);
+    if (tests_by_boxes_ > 0) {
+        --tests_by_boxes_;
+        overlapping_count_ = dispatch<test_all_by_boxes>(testing, pairs_);
+    } else {
+        if (are_some) slots.mark_changed();
+        overlapping_count_ =
+            are_some ? dispatch<test_all<true>>(testing, pairs_) : dispatch<test_all<false>>(testing, pairs_);
+        // Far from the origin, or where boxes lie on a lattice, the upper halves say little, and cost beside.
+        constexpr std::size_t share_in_doubt = 4;
+        constexpr std::uint32_t until_next_trial = 64;
+        if (share_in_doubt * testing.looked_closer > pairs_.size()) tests_by_boxes_ = until_next_trial;
+    }
     if (!doubtful_.empty()) add_doubtful(slots, events);
 }
 

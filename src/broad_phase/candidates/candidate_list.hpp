@@ -72,6 +72,7 @@ class CandidateList {
     std::vector<SlotPair> pairs_;
     std::vector<SlotPair> doubtful_, there_;  // those that may be here, and those of them that are
     std::uint64_t overlapping_count_ = 0;
+    std::uint32_t tests_by_boxes_ = 0;  // so many more are made by the boxes themselves, not by coarse ones
 };
 
 }  // namespace ecods

@@ -184,5 +184,35 @@ TEST(HardCases, FewThatRestAndAwakeInTurn) {
     }
 }
 
+// Candidates are decided by the upper halves of coordinates where these differ. Far from the origin they never do, nor
+// where all boxes lie on a lattice; nearer, a part of them does.
+TEST(HardCases, CandidatesFarFromTheOriginAndOnALattice) {
+    std::uint64_t state = 1;
+    const auto next = [&](std::uint64_t end) {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        return static_cast<double>((state >> 33) % end);
+    };
+    for (const double far : {0.0, 0x1p15, -0x1p19, 0x1p30}) {
+        for (const double step : {1.0, 0.037}) {
+            Lockstep lockstep;
+            constexpr ProxyIndex count = 60;
+            std::array<Vec3, count> at;
+            for (ProxyIndex proxy = 0; proxy < count; ++proxy) {
+                at[proxy] = Vec3(far + next(8), next(4), far + next(3));
+                lockstep.add(proxy, make_cube(at[proxy].x(), at[proxy].y(), at[proxy].z(), 2));
+            }
+            ASSERT_TRUE(lockstep.update());
+            for (int update = 0; update < 90; ++update) {
+                for (ProxyIndex proxy = 0; proxy < count; ++proxy) {
+                    if (next(4) == 0) continue;
+                    at[proxy] += step * Vec3(next(3) - 1, next(3) - 1, next(3) - 1) / (update < 70 ? 16 : 1);
+                    lockstep.move(proxy, make_cube(at[proxy].x(), at[proxy].y(), at[proxy].z(), 2));
+                }
+                ASSERT_TRUE(lockstep.update()) << far << ", " << step << ", " << update;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace ecods::test::hard_cases_test
