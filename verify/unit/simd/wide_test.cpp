@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "environment/instruction_sets.hpp"
 
@@ -97,14 +98,7 @@ TEST(Wide, FindsIntervalsThatReachAnother) {
 ECODS_WIDE std::uint64_t bytes_of(std::uint32_t mask) {
     return wide::bytes_of(mask);
 }
-ECODS_WIDE std::uint64_t there_and_back(std::uint64_t bytes, std::array<std::int32_t, 8>& lanes) {
-    Vec<std::int32_t, 8> v;
-    wide::store_bytes(bytes, v);
-    for (int i = 0; i < 8; ++i) lanes[static_cast<std::size_t>(i)] = v[i];
-    return wide::load_bytes(v);
-}
-
-TEST(Wide, TurnsMasksToBytesAndBytesToLanes) {
+TEST(Wide, TurnsMasksToBytes) {
     if (!has_wide_registers()) GTEST_SKIP() << "no registers of sixteen floats";
     for (std::uint32_t mask = 0; mask < 256; ++mask) {
         std::uint64_t bytes = 0;
@@ -112,10 +106,52 @@ TEST(Wide, TurnsMasksToBytesAndBytesToLanes) {
             if (mask >> i & 1) bytes |= std::uint64_t{0xff} << (8 * i);
         ASSERT_EQ(bytes_of(mask), bytes);
     }
-    std::array<std::int32_t, 8> lanes{};
-    const std::uint64_t all = 0xfe80'7f06'0504'0300;
-    EXPECT_EQ(there_and_back(all, lanes), all);
-    EXPECT_EQ(lanes, (std::array<std::int32_t, 8>{0, 3, 4, 5, 6, 0x7f, 0x80, 0xfe}));
+}
+
+// Pairs taken out of a word, and what bits_of() makes of all ones in the lanes of some of them.
+struct Taken {
+    std::array<std::int32_t, 8> i, j;
+    std::uint64_t bits, left, of_some;
+};
+ECODS_WIDE Taken take_eight(std::uint64_t word, std::uint32_t some) {
+    Taken taken{};
+    const wide::PairNumbers pairs(word);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(taken.i.data()), pairs.i);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(taken.j.data()), pairs.j);
+    Vec<std::int32_t, 8> lanes{};
+    for (int lane = 0; lane < 8; ++lane) lanes[lane] = (some >> lane & 1) != 0 ? -1 : 0;
+    taken.bits = pairs.bits;
+    taken.left = word;
+    taken.of_some = pairs.bits_of(lanes);
+    return taken;
+}
+
+TEST(Wide, TakesTheLowestEightPairsOfAWord) {
+    if (!has_wide_registers()) GTEST_SKIP() << "no registers of sixteen floats";
+    for (std::uint64_t word : {std::uint64_t{1}, std::uint64_t{1} << 63, ~std::uint64_t{0}, 0x8000'0000'0000'00ffull,
+                               0x0102'0408'1020'4080ull, 0xf00f'0000'0000'0001ull, 0x5555'5555'5555'5555ull}) {
+        while (word != 0) {
+            std::vector<int> numbers;
+            std::uint64_t bits = 0;
+            for (int bit = 0; bit < 64 && numbers.size() < 8; ++bit) {
+                if ((word >> bit & 1) != 0) numbers.push_back(bit), bits |= std::uint64_t{1} << bit;
+            }
+            for (const std::uint32_t some : {0xffu, 0x01u, 0xaau, 0x00u}) {
+                const Taken taken = take_eight(word, some);
+                std::uint64_t of_some = 0;
+                for (std::size_t lane = 0; lane < 8; ++lane) {
+                    const int number = numbers[lane < numbers.size() ? lane : 0];
+                    EXPECT_EQ(taken.i[lane], number % 8);
+                    EXPECT_EQ(taken.j[lane], number / 8);
+                    if (lane < numbers.size() && (some >> lane & 1) != 0) of_some |= std::uint64_t{1} << number;
+                }
+                EXPECT_EQ(taken.bits, bits);
+                EXPECT_EQ(taken.left, word & ~bits);
+                EXPECT_EQ(taken.of_some, of_some);
+            }
+            word &= ~bits;
+        }
+    }
 }
 
 ECODS_ALWAYS_INLINE int of_four(int) noexcept {
