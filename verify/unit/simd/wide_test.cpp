@@ -128,8 +128,14 @@ ECODS_WIDE Taken take_eight(std::uint64_t word, std::uint32_t some) {
 
 TEST(Wide, TakesTheLowestEightPairsOfAWord) {
     if (!has_wide_registers()) GTEST_SKIP() << "no registers of sixteen floats";
-    for (std::uint64_t word : {std::uint64_t{1}, std::uint64_t{1} << 63, ~std::uint64_t{0}, 0x8000'0000'0000'00ffull,
-                               0x0102'0408'1020'4080ull, 0xf00f'0000'0000'0001ull, 0x5555'5555'5555'5555ull}) {
+    constexpr std::uint64_t words[] = {1,
+                                       std::uint64_t{1} << 63,
+                                       ~std::uint64_t{0},
+                                       0x8000'0000'0000'00ff,
+                                       0x0102'0408'1020'4080,
+                                       0xf00f'0000'0000'0001,
+                                       0x5555'5555'5555'5555};
+    for (std::uint64_t word : words) {
         while (word != 0) {
             std::vector<int> numbers;
             std::uint64_t bits = 0;
