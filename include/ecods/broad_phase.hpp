@@ -51,8 +51,8 @@ enum class BroadPhaseKind : std::uint8_t {
     // margin at once, or come and go in numbers, none has one, and each update searches for all pairs from scratch:
     // counts decide, which are looked at again some updates later.
     // Work per update: a few tests for each box that moved, or did so lately; or that of a search from scratch, a sort
-    // and a sweep in the cells of a grid, whatever boxes do. Memory: about 270 bytes a box at rest, and
-    // 8 to 16 a pair, as above; while boxes move, about 200 more for searches from scratch, and 8 a candidate, of which
+    // and a sweep in the cells of a grid, whatever boxes do. Memory: about 240 bytes a box at rest, and
+    // 8 to 16 a pair, as above; while boxes move, about 230 more for searches from scratch, and 8 a candidate, of which
     // there are some more than pairs.
     kept_candidates,
 

@@ -140,7 +140,7 @@ ConvexCase make_arcs(Random& random) {
     for (int i = 0; i < 3; ++i) {
         points.push_back({integer(random, -half, half), integer(random, 0, half * half), half / 2 + i});
     }
-    const double unit = 1.0 / half;
+    const double unit = half < 16 ? 0x1p-3 : 0x1p-5;  // a power of two: the arc is convex as it is
     ConvexCase made{{to_mesh(lattice_hull(points), unit), random_pose(random)},
                     any_hull(random, 0.1 * any_radii(random))};
     const Vec3 inside(full(random, -1, 1), full(random, 0, half), full(random, -0.1, 0.5));

@@ -170,7 +170,7 @@ const std::vector<Room>& rooms() {
           "verify/scenes"}},
         {"verify/unit/world",
          {"include", "src/base", "src/broad_phase/changes", "src/broad_phase", "src/world", "verify/oracle",
-          "verify/scenes"}},
+          "verify/scenes", "verify/environment"}},
         {"verify/unit/trace", {"include", "src/trace", "verify/scenes", "verify/unit/world"}},
         {"verify/unit/oracle", {"include", "verify/oracle", "verify/scenes", "verify/exhaustive"}},
         {"verify/unit/scenes", {"include", "verify/oracle", "verify/scenes"}},

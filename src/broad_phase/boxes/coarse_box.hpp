@@ -13,7 +13,7 @@ namespace ecods {
 using CoarseLanes = Vec<std::int32_t, 8>;
 
 // The upper halves of the six numbers of a packed box, cut off; one register of eight holds them, in which the last of
-// each four is less than everything. Of two numbers whose upper halves differ, the halves tell which is the lower one;
+// each four is less than everything. Of two numbers whose upper halves differ, the halves show which is the lower one;
 // only of equal halves nothing is known. Nothing is rounded here, as it would be in single precision, for two boxes may
 // have come in different rounding modes. The upper half of a double has the sign, the exponent and 20 digits.
 struct alignas(32) CoarseBox {

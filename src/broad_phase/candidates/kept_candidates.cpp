@@ -156,6 +156,7 @@ bool KeptCandidates::do_most_move(const ProxyChanges& changes) const noexcept {
 void KeptCandidates::test_candidates(const Update& update) {
     const std::size_t count = candidates_.size();
     update.finding.counts.candidates_filtered += count;
+    slots_.choose_coarse_boxes();
     candidates_.test(slots_, update.are_removed_reported, update.finding.events);
     margins_.lookahead().note(count - candidates_.overlapping_count(), 0);
     slots_.forget_changes();

@@ -40,15 +40,22 @@ class SlotTable {
     std::size_t proxy_end() const noexcept { return slots_.size(); }
 
     std::span<const PackedBox> lines() const noexcept { return lines_; }
-    std::span<const CoarseBox> coarse_boxes() const noexcept { return coarse_boxes_; }  // of the lines
+    std::span<const CoarseBox> coarse_boxes() const noexcept {
+        return coarse_boxes_;
+    }  // of the lines, if they are kept
     std::span<const PackedBox> fat_lines() const noexcept { return fat_lines_; }
     std::span<const ProxyIndex> proxies() const noexcept { return proxies_; }
     std::span<const std::uint8_t> flags() const noexcept { return flags_; }
     SlotIndex slot_of(ProxyIndex proxy) const noexcept { return slots_[proxy]; }
+    bool keeps_coarse_boxes() const noexcept { return keeps_coarse_boxes_; }
     bool is_free(SlotIndex slot) const noexcept { return lines_[slot].is_empty(); }
     bool has(SlotIndex slot, unsigned flag) const noexcept { return (flags_[slot] & flag) != 0; }
     ProxyPair pair_of(SlotIndex a, SlotIndex b) const noexcept { return ordered_pair(proxies_[a], proxies_[b]); }
     void prefetch(SlotIndex slot) const noexcept;
+
+    // ---- coarse boxes: not worth their memory where nearly all boxes are asleep
+    void choose_coarse_boxes();
+    void drop_coarse_boxes() noexcept;
 
     // ---- coming and going
     SlotIndex add(ProxyIndex proxy, const Aabb& box);  // without a fat box, asleep
@@ -108,7 +115,7 @@ class SlotTable {
     void clear(SlotIndex slot, unsigned flag) noexcept { flags_[slot] &= static_cast<std::uint8_t>(~flag); }
 
     std::vector<PackedBox> lines_;
-    std::vector<CoarseBox> coarse_boxes_;
+    std::vector<CoarseBox> coarse_boxes_;  // none unless they are kept
     std::vector<PackedBox> fat_lines_;
     std::vector<ProxyIndex> proxies_;
     std::vector<std::uint8_t> flags_;
@@ -117,6 +124,7 @@ class SlotTable {
     std::vector<SlotIndex> changed_slots_;  // those with the flag
     std::size_t used_count_ = 0;            // slots that are not free
     std::size_t awake_count_ = 0;
+    bool keeps_coarse_boxes_ = false;
     std::uint64_t updates_at_rest_ = 0;  // updates in which an awake box did not move, summed
 };
 

@@ -11,7 +11,7 @@ constexpr std::size_t boxes_ahead = 12;
 // What the loops go through.
 struct SlotView {
     PackedBox* lines;
-    CoarseBox* coarse_boxes;
+    CoarseBox* coarse_boxes;  // or null
     const PackedBox* fat_lines;
     const ProxyIndex* proxies;
     std::size_t size;
@@ -27,7 +27,7 @@ ECODS_ALWAYS_INLINE void prefetch_box_ahead(const SlotView& slots, const Aabb* b
 
 ECODS_ALWAYS_INLINE void set_box(const SlotView& slots, std::size_t slot, const BoxLanes& lanes) noexcept {
     store_lanes(lanes, slots.lines[slot]);
-    make_coarse_box(lanes, slots.coarse_boxes[slot]);
+    if (slots.coarse_boxes != nullptr) make_coarse_box(lanes, slots.coarse_boxes[slot]);
 }
 
 // Whether a box is in its fat box; `lanes` are the box in space.
@@ -63,7 +63,7 @@ ECODS_ALWAYS_INLINE void move_slots_of(const SlotView& slots, const SlotIndex* s
         if (i + boxes_ahead < proxies.size()) {
             const SlotIndex ahead = slots_by_proxy[proxies[i + boxes_ahead]];
             __builtin_prefetch(&slots.lines[ahead]);
-            __builtin_prefetch(&slots.coarse_boxes[ahead]);
+            if (slots.coarse_boxes != nullptr) __builtin_prefetch(&slots.coarse_boxes[ahead]);
             __builtin_prefetch(&slots.fat_lines[ahead]);
         }
         const SlotIndex slot = slots_by_proxy[proxies[i]];
@@ -91,27 +91,29 @@ ECODS_ALWAYS_INLINE void take_all_slots(const SlotView& slots, const Aabb* boxes
 
 void SlotTable::move_range(std::size_t begin, std::size_t end, const ProxyTable& table, const MovingFrame& frame,
                            std::vector<EscapedBox>& escaped_boxes) {
-    const SlotView slots{lines_.data(), coarse_boxes_.data(), fat_lines_.data(), proxies_.data(), size()};
+    const SlotView slots{lines_.data(), keeps_coarse_boxes_ ? coarse_boxes_.data() : nullptr, fat_lines_.data(),
+                         proxies_.data(), size()};
     dispatch<move_slots>(slots, begin, end, table.boxes().data(), frame, escaped_boxes);
 }
 
 void SlotTable::move(std::span<const ProxyIndex> proxies, const ProxyTable& table, const MovingFrame& frame,
                      std::vector<EscapedBox>& escaped_boxes) {
-    const SlotView slots{lines_.data(), coarse_boxes_.data(), fat_lines_.data(), proxies_.data(), size()};
+    const SlotView slots{lines_.data(), keeps_coarse_boxes_ ? coarse_boxes_.data() : nullptr, fat_lines_.data(),
+                         proxies_.data(), size()};
     dispatch<move_slots_of>(slots, slots_.data(), proxies, table.boxes().data(), frame, escaped_boxes);
 }
 
 void SlotTable::take(std::span<const ProxyIndex> proxies, const ProxyTable& table) {
     // Going through all boxes in the order of memory costs less for each.
     if (2 * proxies.size() > size()) {
-        dispatch<take_all_slots>(
-            SlotView{lines_.data(), coarse_boxes_.data(), fat_lines_.data(), proxies_.data(), size()},
-            table.boxes().data());
+        dispatch<take_all_slots>(SlotView{lines_.data(), keeps_coarse_boxes_ ? coarse_boxes_.data() : nullptr,
+                                          fat_lines_.data(), proxies_.data(), size()},
+                                 table.boxes().data());
         return;
     }
     for (const ProxyIndex proxy : proxies) {
         make_packed_box(table.boxes()[proxy], lines_[slots_[proxy]]);
-        make_coarse_box(lines_[slots_[proxy]], coarse_boxes_[slots_[proxy]]);
+        if (keeps_coarse_boxes_) make_coarse_box(lines_[slots_[proxy]], coarse_boxes_[slots_[proxy]]);
     }
 }
 
