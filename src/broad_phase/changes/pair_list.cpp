@@ -12,16 +12,15 @@
 namespace ecods {
 namespace {
 
-// The first in a sorted list that is not before `pair`. By halves without a branch: nobody can foretell which half it
-// is, and searches that wait for nothing but memory go on side by side.
-const ProxyPair* find_in(const ProxyPairs& list, const ProxyPair& pair) {
-    const ProxyPair* first = list.data();
-    for (std::size_t left = list.size(); left > 0;) {
-        const std::size_t half = (left + 1) / 2;
-        first += is_before(first[half - 1], pair) ? half : 0;
-        left -= half;
+// The first in a sorted range that is not before `pair`. It is looked for near the beginning first: changes of a list
+// follow each other closely.
+const ProxyPair* find_from(const ProxyPair* first, const ProxyPair* last, const ProxyPair& pair) {
+    std::ptrdiff_t step = 1;
+    while (step < last - first && is_before(first[step], pair)) {
+        first += step;
+        step *= 2;
     }
-    return first;
+    return std::lower_bound(first, first + std::min(step + 1, last - first), pair, is_before);
 }
 
 // What lies between two changes of a list, and where it goes.
@@ -47,7 +46,7 @@ std::size_t find_blocks(const ProxyPairs& list, const ProxyPairs& gone, const Pr
     while (next_gone != gone.end() || next_come != come.end()) {
         const bool is_gone = next_come == come.end() || (next_gone != gone.end() && !is_before(*next_come, *next_gone));
         const ProxyPair pair = is_gone ? *next_gone++ : *next_come++;
-        keep_until(std::max(read, find_in(list, pair)));  // one that goes and comes is at `read`
+        keep_until(find_from(read, read_end, pair));
         if (!is_gone) {
             places.push_back(size++);
         } else if (read != read_end && *read == pair) {
