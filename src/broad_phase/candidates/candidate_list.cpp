@@ -158,11 +158,11 @@ void CandidateList::test(SlotTable& slots, bool are_removed_reported, PairEvents
     // Where those that changed are a good part of all, looking closer at each would cost more than a pass for them.
     constexpr std::size_t pairs_of_one = 32;
     const std::size_t changed = slots.changed_slots().size();
-    if (!slots.keeps_coarse_boxes()) tests_by_boxes_ = std::max(tests_by_boxes_, 1u);
-    const bool are_some = tests_by_boxes_ == 0 && changed > 0 && pairs_of_one * changed <= pairs_.size();
+    const bool by_boxes = !slots.keeps_coarse_boxes() || tests_by_boxes_ > 0;
+    const bool are_some = !by_boxes && changed > 0 && pairs_of_one * changed <= pairs_.size();
     if (changed > 0 && !are_some) dispatch<drop_stale>(testing, pairs_);
-    if (tests_by_boxes_ > 0) {
-        --tests_by_boxes_;
+    if (by_boxes) {
+        tests_by_boxes_ -= std::min(tests_by_boxes_, 1u);
         overlapping_count_ = dispatch<test_all_by_boxes>(testing, pairs_);
     } else {
         if (are_some) slots.mark_changed();

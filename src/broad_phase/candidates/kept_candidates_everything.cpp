@@ -29,7 +29,6 @@ void KeptCandidates::replace_everything(const FindingUpdate& finding) {
         move(finding, true);
     } else {
         slots_.put_all_to_sleep();
-        slots_.drop_coarse_boxes();
         slots_.take(changes.moved, table);
     }
     for (const ProxyIndex proxy : changes.added) add(proxy, table);

@@ -22,17 +22,11 @@ void SlotTable::reserve(std::size_t count) {
 // A pass over all boxes makes them; they go with the passes that put boxes to sleep, which many updates pay for.
 void SlotTable::choose_coarse_boxes() {
     constexpr std::size_t few = 64, some = 32;  // one of so many is awake
-    if (keeps_coarse_boxes_ && few * awake_count_ < used_count_) drop_coarse_boxes();
-    if (keeps_coarse_boxes_ || some * awake_count_ < used_count_) return;
+    if (keeps_coarse_boxes() && few * awake_count_ < used_count_) release(coarse_boxes_);
+    if (keeps_coarse_boxes() || some * awake_count_ < used_count_) return;
     coarse_boxes_.reserve(lines_.capacity());
     coarse_boxes_.resize(lines_.size());
     for (SlotIndex slot = 0; slot < size(); ++slot) make_coarse_box(lines_[slot], coarse_boxes_[slot]);
-    keeps_coarse_boxes_ = true;
-}
-
-void SlotTable::drop_coarse_boxes() noexcept {
-    release(coarse_boxes_);
-    keeps_coarse_boxes_ = false;
 }
 
 void SlotTable::prefetch(SlotIndex slot) const noexcept {
@@ -49,7 +43,7 @@ SlotIndex SlotTable::add(ProxyIndex proxy, const Aabb& box) {
     if (free_slots_.empty()) {
         const std::size_t count = lines_.size() + 1;
         grow_to(lines_, count);
-        if (keeps_coarse_boxes_) grow_to(coarse_boxes_, count);
+        if (keeps_coarse_boxes()) grow_to(coarse_boxes_, count);
         grow_to(fat_lines_, count);
         grow_to(proxies_, count);
         grow_to(flags_, count);
@@ -58,7 +52,7 @@ SlotIndex SlotTable::add(ProxyIndex proxy, const Aabb& box) {
     const SlotIndex slot = free_slots_.back();
     free_slots_.pop_back();
     make_packed_box(box, lines_[slot]);
-    if (keeps_coarse_boxes_) make_coarse_box(lines_[slot], coarse_boxes_[slot]);
+    if (keeps_coarse_boxes()) make_coarse_box(lines_[slot], coarse_boxes_[slot]);
     proxies_[slot] = proxy;
     slots_[proxy] = slot;
     ++used_count_;
@@ -67,7 +61,7 @@ SlotIndex SlotTable::add(ProxyIndex proxy, const Aabb& box) {
 
 void SlotTable::remove(SlotIndex slot) {
     lines_[slot] = {};
-    if (keeps_coarse_boxes_) coarse_boxes_[slot] = {};
+    if (keeps_coarse_boxes()) coarse_boxes_[slot] = {};
     fat_lines_[slot] = {};
     slots_[proxies_[slot]] = no_slot;
     --used_count_;
@@ -140,7 +134,7 @@ void SlotTable::mark_changed() noexcept {
 
 void SlotTable::forget_changes() {
     for (const SlotIndex slot : changed_slots_) {
-        if (keeps_coarse_boxes_) coarse_boxes_[slot].unmark();
+        if (keeps_coarse_boxes()) coarse_boxes_[slot].unmark();
         clear(slot, changed);
         if (is_free(slot)) free_slots_.push_back(slot);
     }
@@ -156,7 +150,7 @@ void SlotTable::reorder(std::span<const SlotIndex> order) {
         values = std::move(ordered);
     };
     reorder_one(lines_);
-    if (keeps_coarse_boxes_) reorder_one(coarse_boxes_);
+    if (keeps_coarse_boxes()) reorder_one(coarse_boxes_);
     reorder_one(fat_lines_);
     reorder_one(proxies_);
     reorder_one(flags_);
@@ -179,7 +173,7 @@ void SlotTable::validate(const ProxyTable& table, const MovingFrame& frame, bool
         require(has(slot, changed) == (std::count(changed_slots_.begin(), changed_slots_.end(), slot) == 1), slot,
                 "the changed slots are not those with the flag");
         if (is_free(slot)) {
-            require(!keeps_coarse_boxes_ || coarse_boxes_[slot] == CoarseBox{}, slot,
+            require(!keeps_coarse_boxes() || coarse_boxes_[slot] == CoarseBox{}, slot,
                     "it is free and has a coarse box");
             require((!has_margins || fat_lines_[slot].is_empty()) && !has(slot, awake), slot, "it is free and in use");
             require(std::count(free_slots_.begin(), free_slots_.end(), slot) == 1, slot, "it is not listed as free");
@@ -194,7 +188,7 @@ void SlotTable::validate(const ProxyTable& table, const MovingFrame& frame, bool
         for (std::size_t end = 0; end < 6; ++end) {
             coarse.ends[end < 3 ? end : end + 1] = static_cast<std::int32_t>(lines_[slot].ends[end] >> 32);
         }
-        require(!keeps_coarse_boxes_ || coarse_boxes_[slot] == coarse, slot,
+        require(!keeps_coarse_boxes() || coarse_boxes_[slot] == coarse, slot,
                 "its coarse box is another one's, or marked");
         if (!has_margins) continue;
         // Through the numbers, not the lanes.

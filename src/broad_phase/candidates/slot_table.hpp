@@ -47,7 +47,7 @@ class SlotTable {
     std::span<const ProxyIndex> proxies() const noexcept { return proxies_; }
     std::span<const std::uint8_t> flags() const noexcept { return flags_; }
     SlotIndex slot_of(ProxyIndex proxy) const noexcept { return slots_[proxy]; }
-    bool keeps_coarse_boxes() const noexcept { return keeps_coarse_boxes_; }
+    bool keeps_coarse_boxes() const noexcept { return !coarse_boxes_.empty(); }
     bool is_free(SlotIndex slot) const noexcept { return lines_[slot].is_empty(); }
     bool has(SlotIndex slot, unsigned flag) const noexcept { return (flags_[slot] & flag) != 0; }
     ProxyPair pair_of(SlotIndex a, SlotIndex b) const noexcept { return ordered_pair(proxies_[a], proxies_[b]); }
@@ -55,7 +55,6 @@ class SlotTable {
 
     // ---- coarse boxes: not worth their memory where nearly all boxes are asleep
     void choose_coarse_boxes();
-    void drop_coarse_boxes() noexcept;
 
     // ---- coming and going
     SlotIndex add(ProxyIndex proxy, const Aabb& box);  // without a fat box, asleep
@@ -68,7 +67,9 @@ class SlotTable {
                     std::vector<EscapedBox>& escaped);  // of all slots, in the order of memory
     void move(std::span<const ProxyIndex> proxies, const ProxyTable& table, const MovingFrame& frame,
               std::vector<EscapedBox>& escaped);
-    void take(std::span<const ProxyIndex> proxies, const ProxyTable& table);  // fat boxes are not looked at
+
+    // Takes boxes alone: fat boxes are not looked at, and coarse ones not kept.
+    void take(std::span<const ProxyIndex> proxies, const ProxyTable& table);
 
     // Gives a slot another fat box; it has escaped, until that flag is cleared.
     void set_fat(SlotIndex slot, const PackedBox& fat) noexcept {
@@ -124,7 +125,6 @@ class SlotTable {
     std::vector<SlotIndex> changed_slots_;  // those with the flag
     std::size_t used_count_ = 0;            // slots that are not free
     std::size_t awake_count_ = 0;
-    bool keeps_coarse_boxes_ = false;
     std::uint64_t updates_at_rest_ = 0;  // updates in which an awake box did not move, summed
 };
 

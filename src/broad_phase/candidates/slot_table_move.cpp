@@ -1,4 +1,5 @@
 // Boxes that moved: they are taken from the table, and those that left their fat boxes are noted.
+#include "base/make_room.hpp"
 #include "broad_phase/candidates/slot_table.hpp"
 #include "simd/dispatch.hpp"
 
@@ -81,9 +82,7 @@ ECODS_ALWAYS_INLINE void take_all_slots(const SlotView& slots, const Aabb* boxes
     for (std::size_t slot = 0; slot < slots.size; ++slot) {
         prefetch_box_ahead(slots, boxes, slot);
         if (slots.lines[slot].is_empty()) continue;  // a free slot
-        BoxLanes lanes;
-        make_lanes(boxes[slots.proxies[slot]], lanes);
-        set_box(slots, slot, lanes);
+        make_packed_box(boxes[slots.proxies[slot]], slots.lines[slot]);
     }
 }
 
@@ -91,30 +90,27 @@ ECODS_ALWAYS_INLINE void take_all_slots(const SlotView& slots, const Aabb* boxes
 
 void SlotTable::move_range(std::size_t begin, std::size_t end, const ProxyTable& table, const MovingFrame& frame,
                            std::vector<EscapedBox>& escaped_boxes) {
-    const SlotView slots{lines_.data(), keeps_coarse_boxes_ ? coarse_boxes_.data() : nullptr, fat_lines_.data(),
+    const SlotView slots{lines_.data(), keeps_coarse_boxes() ? coarse_boxes_.data() : nullptr, fat_lines_.data(),
                          proxies_.data(), size()};
     dispatch<move_slots>(slots, begin, end, table.boxes().data(), frame, escaped_boxes);
 }
 
 void SlotTable::move(std::span<const ProxyIndex> proxies, const ProxyTable& table, const MovingFrame& frame,
                      std::vector<EscapedBox>& escaped_boxes) {
-    const SlotView slots{lines_.data(), keeps_coarse_boxes_ ? coarse_boxes_.data() : nullptr, fat_lines_.data(),
+    const SlotView slots{lines_.data(), keeps_coarse_boxes() ? coarse_boxes_.data() : nullptr, fat_lines_.data(),
                          proxies_.data(), size()};
     dispatch<move_slots_of>(slots, slots_.data(), proxies, table.boxes().data(), frame, escaped_boxes);
 }
 
 void SlotTable::take(std::span<const ProxyIndex> proxies, const ProxyTable& table) {
+    release(coarse_boxes_);
     // Going through all boxes in the order of memory costs less for each.
     if (2 * proxies.size() > size()) {
-        dispatch<take_all_slots>(SlotView{lines_.data(), keeps_coarse_boxes_ ? coarse_boxes_.data() : nullptr,
-                                          fat_lines_.data(), proxies_.data(), size()},
-                                 table.boxes().data());
+        const SlotView slots{lines_.data(), nullptr, fat_lines_.data(), proxies_.data(), size()};
+        dispatch<take_all_slots>(slots, table.boxes().data());
         return;
     }
-    for (const ProxyIndex proxy : proxies) {
-        make_packed_box(table.boxes()[proxy], lines_[slots_[proxy]]);
-        if (keeps_coarse_boxes_) make_coarse_box(lines_[slots_[proxy]], coarse_boxes_[slots_[proxy]]);
-    }
+    for (const ProxyIndex proxy : proxies) make_packed_box(table.boxes()[proxy], lines_[slots_[proxy]]);
 }
 
 }  // namespace ecods
