@@ -10,10 +10,6 @@
 namespace ecods::exact {
 namespace {
 
-constexpr std::size_t after(std::size_t corner) {
-    return corner == 2 ? 0 : corner + 1;
-}
-
 // Whether the features belong to a corner and all of the other triangle, or to two edges with their ends.
 struct CornerAndTriangle {
     std::size_t side, corner;
@@ -30,7 +26,7 @@ struct TwoEdges {
 
     bool has(const FeaturePair& pair) const noexcept {
         const auto is_end = [](std::size_t corner, std::size_t edge) {
-            return corner == edge || corner == after(edge);
+            return corner == edge || corner == next_corner(edge);
         };
         switch (pair.kind) {
             case FeatureKind::vertex_vertex:

@@ -18,9 +18,6 @@ Polynomial dot_product(const Vector& u, const Vector& v) {
 constexpr std::size_t index_of(const CornerAndEdge& which) {
     return 9 * which.side + 3 * which.corner + which.edge;
 }
-constexpr std::size_t corner_after(std::size_t corner) {
-    return corner == 2 ? 0 : corner + 1;
-}
 
 }  // namespace
 
@@ -33,7 +30,7 @@ const Vector& MovingTriangles::turn(const CornerAndEdge& which) {
     if (!turn) {
         const Triangle& other = corners_[1 - which.side];
         const Vector& from = other[which.edge];
-        turn = cross_product(other[corner_after(which.edge)] - from, corners_[which.side][which.corner] - from);
+        turn = cross_product(other[next_corner(which.edge)] - from, corners_[which.side][which.corner] - from);
     }
     return *turn;
 }
@@ -47,7 +44,7 @@ Polynomial MovingTriangles::corner_volume(std::size_t side, std::size_t corner) 
 
 Polynomial MovingTriangles::edge_volume(std::size_t edge_a, std::size_t edge_b) const {
     const Vector &p = corners_[0][edge_a], &q = corners_[1][edge_b];
-    return dot_product(cross_product(corners_[0][corner_after(edge_a)] - p, corners_[1][corner_after(edge_b)] - q),
+    return dot_product(cross_product(corners_[0][next_corner(edge_a)] - p, corners_[1][next_corner(edge_b)] - q),
                        q - p);
 }
 
@@ -84,7 +81,7 @@ bool TrianglesAtRoot::is_inside_edge(const CornerAndEdge& which) {
         return which.side == 0 ? order(which.corner, end, axis) : order(end, which.corner, axis);
     };
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (order_of(which.edge, axis) * order_of(corner_after(which.edge), axis) < 0) return true;
+        if (order_of(which.edge, axis) * order_of(next_corner(which.edge), axis) < 0) return true;
     }
     return false;
 }
@@ -106,8 +103,8 @@ bool TrianglesAtRoot::is_inside_face(std::size_t side, std::size_t corner) {
 // along that axis keeps points of the plane apart.
 bool TrianglesAtRoot::edges_cross(std::size_t edge_a, std::size_t edge_b) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (turn({0, edge_a, edge_b}, axis) * turn({0, corner_after(edge_a), edge_b}, axis) < 0 &&
-            turn({1, edge_b, edge_a}, axis) * turn({1, corner_after(edge_b), edge_a}, axis) < 0) {
+        if (turn({0, edge_a, edge_b}, axis) * turn({0, next_corner(edge_a), edge_b}, axis) < 0 &&
+            turn({1, edge_b, edge_a}, axis) * turn({1, next_corner(edge_b), edge_a}, axis) < 0) {
             return edge_volume(edge_a, edge_b) == 0;
         }
     }

@@ -7,10 +7,6 @@
 namespace ecods::exact {
 namespace {
 
-constexpr std::size_t next_corner(std::size_t corner) {
-    return corner == 2 ? 0 : corner + 1;
-}
-
 // Pairs of corners: bit 3 a + b.
 using CornerPairs = std::uint32_t;
 
