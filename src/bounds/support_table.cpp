@@ -7,19 +7,19 @@
 
 #include "base/next.hpp"
 #include "base/outward.hpp"
-#include "bounds/double4.hpp"
+#include "bounds/eight_boxes.hpp"
+#include "bounds/four_boxes.hpp"
+#include "bounds/support_lanes.hpp"
 #include "exact/point/point.hpp"
 #include "simd/dispatch.hpp"
 
 namespace ecods {
 namespace {
 
-constexpr double double_u = 0x1p-52;  // one operation, any rounding mode
+using namespace support;
+
 constexpr double float_u = 0x1p-23;
-constexpr int cell_count = SupportTableGrid::cell_count, side_count = SupportTableGrid::side_count;
-constexpr int middle = cell_count / 2;
 constexpr std::size_t face_size = SupportTableGrid::face_size, direction_count = SupportTableGrid::direction_count;
-using Row = std::array<float, direction_count>;
 
 // reach[k] = max(reach[k], direction k . y).
 ECODS_ALWAYS_INLINE void include(const Row& x, const Row& y, const Row& z, const std::array<float, 3>& point,
@@ -29,74 +29,6 @@ ECODS_ALWAYS_INLINE void include(const Row& x, const Row& y, const Row& z, const
         reach[k] = at > reach[k] ? at : reach[k];
     }
 }
-
-struct Reaches {
-    Double4 along, against;
-};
-
-// h(d) and h(-d) for the rows d of R, from above, in units of the scale.
-//
-// Several rows at once, one in each of the first `row_count` lanes of x, y and z: the three of one R, or one of each of
-// four. The table has both ends of each direction side by side: -d is in the same cell, with the same shares.
-//
-// Bound, with m = |d_axis| and u' = 2^-52: the factor to cells is off by u', a place in the grid by 17 u' (of 8 cells,
-// each a quarter of m wide), what is left of it in a cell is exact, and the shares by 2 u'. So d and m sum l_k p_k
-// differ by less than 8 u' m on each axis, worth 8 u' m 3 sqrt(3) < 42 u' m; the shares' errors and the roundings of
-// the sum cost 8 u' m |h| < 24 u' m. 512 u' m covers all. Below 2^-1000, |h(d)| <= 3 m will do.
-template <int row_count>
-ECODS_ALWAYS_INLINE Reaches reaches(const Row& support, Double4 x, Double4 y, Double4 z) noexcept {
-    const Double4 size_x = absolute(x), size_y = absolute(y), size_z = absolute(z);
-    const Double4 size_xy = size_y > size_x ? size_y : size_x, m = size_z > size_xy ? size_z : size_xy;
-    const auto is_y = size_y > size_x, is_z = size_z > size_xy;
-    // The coordinate on the axis, those on the next two, and where the axis begins in the table.
-    const auto by_axis = [&](Double4 a, Double4 b, Double4 c) { return is_z ? c : is_y ? b : a; };
-    const Double4 none{}, one = none + 1;
-    const auto is_tiny = m < none + 0x1p-1000;
-    const Double4 d = is_tiny ? one : by_axis(x, y, z);
-    constexpr auto face = static_cast<double>(face_size);
-    const Double4 start = by_axis(none, none + face, none + 2 * face);
-
-    const Double4 to_cells = middle / d;
-    const auto place = [&](Double4 coordinate) {
-        const Double4 at = coordinate * to_cells + middle, end = none + cell_count;
-        return at > none ? (at < end ? at : end) : none;
-    };
-    using Int4 = Vec<std::int32_t, 4>;
-    const auto whole = [](Double4 at) { return convert<Double4>(convert<Int4>(at)); };
-    const Double4 at_i = place(by_axis(y, z, x)), at_j = place(by_axis(z, x, y));
-    const Double4 last = none + (cell_count - 1), floor_i = whole(at_i), floor_j = whole(at_j);
-    const Double4 i = floor_i < last ? floor_i : last, j = floor_j < last ? floor_j : last;
-    const Double4 f = at_i - i, g = at_j - j;
-
-    // Each cell is cut along its diagonal.
-    const Double4 low = f < g ? f : g, high = f < g ? g : f;
-    const Double4 first_share = 1 - high, across_share = high - low;
-    const Int4 first = convert<Int4>(start + side_count * j + i);
-    const Int4 across = first + convert<Int4>(f < g ? none + side_count : one);
-    const auto table = [&](int at) {
-        const float* const h = &support[2 * static_cast<std::size_t>(at)];
-        return Double2{h[0], h[1]};
-    };
-    const auto both = [&](int k) {
-        return (first_share[k] * table(first[k]) + across_share[k] * table(across[k])) +
-               low[k] * table(first[k] + side_count + 1);
-    };
-    const Double2 last_row = row_count == 4 ? both(3) : Double2{};
-    const Double2 h[4] = {both(0), both(1), both(2), last_row};
-    const Double4 up = {h[0][0], h[1][0], h[2][0], h[3][0]}, down = {h[0][1], h[1][1], h[2][1], h[3][1]};
-    const auto is_negative = d < none;
-    const Double4 along = is_negative ? down : up, against = is_negative ? up : down;
-    return {.along = is_tiny ? 4 * m : m * (along + 512 * double_u),
-            .against = is_tiny ? 4 * m : m * (against + 512 * double_u)};
-}
-
-// What a table holds, by reference.
-struct TableView {
-    const LocalFrame& frame;
-    const Vec3& v_max;
-    double v_max_of_all;
-    const Row& support;
-};
 
 // The center is posed with the error of a point (exact/point/point.hpp), as any point of the mesh would be, whose
 // coordinates are below |center| + 2 scale: the bound's term for underflow covers the reach, too. The oriented box
@@ -109,9 +41,7 @@ ECODS_ALWAYS_INLINE Aabb box_by_table(const TableView& table, const Pose& pose) 
     const Matrix4 size = absolute(R);
     const double sum_max = largest(size * load3(table.v_max.data()) + absolute(t));
     const double size_max = largest(size);
-    // Below these limits nothing overflows: the reach is at most 3 size_max in units of the scale, and below 1.5
-    // sum_max. Checked in advance, because a mode that rounds down turns infinities into large numbers.
-    if (!(sum_max < 0x1p1020 && size_max < 0x1p1000)) {
+    if (!(sum_max < sum_limit && size_max < size_limit)) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         return {Vec3::Constant(-infinity), Vec3::Constant(infinity)};
     }
@@ -129,99 +59,6 @@ ECODS_ALWAYS_INLINE Aabb box_by_table(const TableView& table, const Pose& pose) 
         box.min[k] = next_down(min[k]);
     }
     return box;
-}
-
-// ---- four poses at once: lane i is the i-th one's. Each number is made by the same operations in the same order as
-// for one pose, so the boxes are the same bits.
-
-struct RowsOfFour {
-    Double4 R[3][3], t[3];  // by row, and column
-};
-
-ECODS_ALWAYS_INLINE void transpose4(const double* const (&rows)[4], Double4 (&columns)[4]) noexcept {
-    const Double4 a = load_anywhere<Double4>(rows[0]), b = load_anywhere<Double4>(rows[1]);
-    const Double4 c = load_anywhere<Double4>(rows[2]), d = load_anywhere<Double4>(rows[3]);
-    const Double4 ab_low = shuffle<0, 4, 2, 6>(a, b), ab_high = shuffle<1, 5, 3, 7>(a, b);
-    const Double4 cd_low = shuffle<0, 4, 2, 6>(c, d), cd_high = shuffle<1, 5, 3, 7>(c, d);
-    columns[0] = shuffle<0, 1, 4, 5>(ab_low, cd_low);
-    columns[1] = shuffle<0, 1, 4, 5>(ab_high, cd_high);
-    columns[2] = shuffle<2, 3, 6, 7>(ab_low, cd_low);
-    columns[3] = shuffle<2, 3, 6, 7>(ab_high, cd_high);
-}
-
-ECODS_ALWAYS_INLINE RowsOfFour load_four(const std::array<const Pose*, 4>& poses) noexcept {
-    static_assert(sizeof(Pose) == 12 * sizeof(double), "R by columns, then t: three registers of four");
-    RowsOfFour rows;
-    for (int part = 0; part < 3; ++part) {
-        const double* numbers[4];
-        for (std::size_t i = 0; i < 4; ++i) numbers[i] = poses[i]->R.data() + 4 * part;
-        Double4 columns[4];
-        transpose4(numbers, columns);
-        for (int k = 0; k < 4; ++k) {
-            const int at = 4 * part + k;
-            (at < 9 ? rows.R[at % 3][at / 3] : rows.t[at - 9]) = columns[k];
-        }
-    }
-    return rows;
-}
-
-ECODS_ALWAYS_INLINE Double4 larger(Double4 a, Double4 b) noexcept {
-    return a > b ? a : b;
-}
-
-// next_up(x) of what is neither infinite nor NaN, and next_down(x) = -next_up(-x).
-ECODS_ALWAYS_INLINE Double4 next_up_of_finite(Double4 x) noexcept {
-    using Bits = Vec<std::int64_t, 4>;
-    const Bits bits = bits_as<Bits>(x), zero{}, one = zero + 1;
-    const Bits next = bits < zero ? bits - 1 : bits + 1;
-    return bits_as<Double4>(bits + bits == zero ? one : next);
-}
-ECODS_ALWAYS_INLINE Double4 negative(Double4 x) noexcept {
-    using Bits = Vec<std::uint64_t, 4>;
-    return bits_as<Double4>(bits_as<Bits>(x) ^ (std::uint64_t{1} << 63));
-}
-
-// Returns whether all four are bounded; otherwise the boxes are not set.
-ECODS_ALWAYS_INLINE bool four_boxes_by_table(const TableView& table, const std::array<const Pose*, 4>& poses,
-                                             const std::array<Aabb*, 4>& boxes) noexcept {
-    const RowsOfFour rows = load_four(poses);
-    const LocalFrame& frame = table.frame;
-    Double4 size[3][3], sum_max{}, size_max{};
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) {
-            size[row][column] = absolute(rows.R[row][column]);
-            size_max = larger(size_max, size[row][column]);
-        }
-        const Double4* const s = size[row];
-        const Double4 sum = (s[0] * table.v_max[0] + s[1] * table.v_max[1]) + s[2] * table.v_max[2];
-        sum_max = larger(sum_max, sum + absolute(rows.t[row]));
-    }
-    const Double4 none{};
-    if (!all((sum_max < none + 0x1p1020) & (size_max < none + 0x1p1000))) return false;
-    const Double4 factor_max = larger(size_max, none + table.v_max_of_all);
-    // point_error_bound
-    const Double4 underflow = factor_max < none + 0x1p19 ? none + 0x1p-1000 : 0x1p-1000 + 0x1p-1000 * factor_max;
-    const Double4 delta = 4.25 * double_u * sum_max + underflow;
-    for (int row = 0; row < 3; ++row) {
-        const Double4* const r = rows.R[row];
-        const auto times = [&](const Vec3& v) { return (r[0] * v[0] + r[1] * v[1]) + r[2] * v[2]; };
-        const Double4 center = times(frame.center) + rows.t[row];
-        const Double4 x = absolute(times(frame.axes.col(0))), y = absolute(times(frame.axes.col(1))),
-                      z = absolute(times(frame.axes.col(2)));
-        const Double4 oriented = ((x * frame.half[0] + y * frame.half[1]) + z * frame.half[2]) +
-                                 16 * double_u * ((size[row][0] + size[row][1]) + size[row][2]);
-        const Reaches h = reaches<4>(table.support, r[0], r[1], r[2]);
-        const auto outwards = [&](Double4 units) {
-            return ((units < oriented ? units : oriented) * frame.scale + delta) * (1 + 4 * double_u);
-        };
-        const Double4 max = next_up_of_finite(center + outwards(h.along));
-        const Double4 min = negative(next_up_of_finite(negative(center - outwards(h.against))));
-        for (int i = 0; i < 4; ++i) {
-            boxes[static_cast<std::size_t>(i)]->max[row] = max[i];
-            boxes[static_cast<std::size_t>(i)]->min[row] = min[i];
-        }
-    }
-    return true;
 }
 
 }  // namespace
@@ -260,10 +97,40 @@ Aabb SupportTable::box(const Pose& pose) const {
     return dispatch<box_by_table>(TableView{frame_, v_max_, v_max_of_all_, support_}, pose);
 }
 
-void SupportTable::boxes(const std::array<const Pose*, 4>& poses, const std::array<Aabb*, 4>& boxes) const {
+namespace {
+
+// Calls `boxes_of` with `width` poses at a time, of which the last ones repeat where there are fewer; it returns
+// whether all are bounded. One that is left is asked for alone, and so are all where one is not bounded.
+template <std::size_t width, class BoxesOf>
+void find_boxes(const SupportTable& table, std::span<const Pose* const> poses, std::span<Aabb* const> boxes,
+                const BoxesOf& boxes_of) {
+    for (std::size_t begin = 0; begin < poses.size(); begin += width) {
+        const std::size_t count = std::min(width, poses.size() - begin);
+        std::array<const Pose*, width> some_poses;
+        std::array<Aabb*, width> some_boxes;
+        for (std::size_t i = 0; i < width; ++i) {
+            some_poses[i] = poses[begin + std::min(i, count - 1)];
+            some_boxes[i] = boxes[begin + std::min(i, count - 1)];
+        }
+        if (count > 1 && boxes_of(some_poses, some_boxes)) continue;
+        for (std::size_t i = 0; i < count; ++i) *some_boxes[i] = table.box(*some_poses[i]);
+    }
+}
+
+}  // namespace
+
+void SupportTable::boxes(std::span<const Pose* const> poses, std::span<Aabb* const> boxes) const {
     const TableView view{frame_, v_max_, v_max_of_all_, support_};
-    if (dispatch<four_boxes_by_table>(view, poses, boxes)) return;
-    for (std::size_t i = 0; i < 4; ++i) *boxes[i] = box(*poses[i]);
+#if ECODS_CAN_DISPATCH
+    if (read_instruction_set() == InstructionSet::avx512) {
+        return find_boxes<8>(*this, poses, boxes, [&](const auto& eight_poses, const auto& eight_boxes) {
+            return eight_boxes_by_table(view, eight_poses, eight_boxes);
+        });
+    }
+#endif
+    find_boxes<4>(*this, poses, boxes, [&](const auto& four_poses, const auto& four_boxes) {
+        return dispatch<four_boxes_by_table>(view, four_poses, four_boxes);
+    });
 }
 
 }  // namespace ecods

@@ -10,6 +10,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <span>
 
 #include "bounds/local_frame.hpp"
 #include "ecods/aabb.hpp"
@@ -35,8 +37,9 @@ class SupportTable {
     // large for the bound.
     Aabb box(const Pose& pose) const;
 
-    // The same of four poses, the same bits in about half the time. Poses, and boxes, may repeat.
-    void boxes(const std::array<const Pose*, 4>& poses, const std::array<Aabb*, 4>& boxes) const;
+    // The same of as many poses as boxes, the same bits: four at a time in about half the time, or eight at a time in a
+    // quarter, as the processor allows. Poses, and boxes, may repeat.
+    void boxes(std::span<const Pose* const> poses, std::span<Aabb* const> boxes) const;
 
   private:
     const LocalFrame& frame_;

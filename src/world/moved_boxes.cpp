@@ -1,5 +1,6 @@
 #include "world/moved_boxes.hpp"
 
+#include <span>
 #include <typeinfo>
 
 #include "ecods/convex_solid.hpp"
@@ -38,13 +39,11 @@ void MovedBoxes::finish() {
 }
 
 void MovedBoxes::find(Batch& batch) {
-    if (batch.count == batch_size) {
-        std::array<Aabb*, batch_size> boxes;
-        for (std::size_t i = 0; i < batch_size; ++i) boxes[i] = &boxes_[batch.indices[i]];
-        MeshShapeAccess::find_boxes(*batch.mesh, batch.poses, boxes);
-    } else {
-        for (std::size_t i = 0; i < batch.count; ++i) boxes_[batch.indices[i]] = batch.mesh->box(*batch.poses[i]);
-    }
+    if (batch.count == 0) return;
+    std::array<Aabb*, batch_size> boxes;
+    for (std::size_t i = 0; i < batch.count; ++i) boxes[i] = &boxes_[batch.indices[i]];
+    MeshShapeAccess::find_boxes(*batch.mesh, std::span(batch.poses).first(batch.count),
+                                std::span(boxes).first(batch.count));
     batch.count = 0;
 }
 

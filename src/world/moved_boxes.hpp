@@ -1,4 +1,4 @@
-// The boxes of many bodies at new poses: those of bodies that share a mesh are found four at a time.
+// The boxes of many bodies at new poses: those of bodies that share a mesh are found some at a time.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace ecods {
 
-// Adding is in any order of shapes: some shapes wait side by side, each until four of its poses are there.
+// Adding is in any order of shapes: some shapes wait side by side, each until eight of its poses are there.
 class MovedBoxes {
   public:
     // Boxes are written to `boxes`, which must keep its place until all are found.
@@ -27,7 +27,7 @@ class MovedBoxes {
     void finish();
 
   private:
-    static constexpr std::size_t batch_size = 4;
+    static constexpr std::size_t batch_size = 8;
     struct Batch {
         const Shape* shape = nullptr;
         const MeshShape* mesh = nullptr;  // null: its box() is asked

@@ -80,10 +80,10 @@ Aabb MeshShape::box(const Pose& pose) const {
     return table != nullptr ? table->box(pose) : box_of(*mesh_, pose);
 }
 
-void MeshShapeAccess::find_boxes(const MeshShape& shape, const std::array<const Pose*, 4>& poses,
-                                 const std::array<Aabb*, 4>& boxes) {
+void MeshShapeAccess::find_boxes(const MeshShape& shape, std::span<const Pose* const> poses,
+                                 std::span<Aabb* const> boxes) {
     if (const SupportTable* const table = shape.parts_->table_for(shape)) return table->boxes(poses, boxes);
-    for (std::size_t i = 0; i < 4; ++i) *boxes[i] = box_of(shape.mesh(), *poses[i]);
+    for (std::size_t i = 0; i < poses.size(); ++i) *boxes[i] = box_of(shape.mesh(), *poses[i]);
 }
 
 std::size_t MeshShape::tree_bytes() const {

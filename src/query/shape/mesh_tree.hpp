@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "bounds/local_frame.hpp"
 #include "bvh/mesh_bvh.hpp"
@@ -23,9 +24,8 @@ struct MeshTree {
 struct MeshShapeAccess {
     static const LocalFrame& frame(const MeshShape& shape);
     static const MeshTree& tree(const MeshShape& shape);
-    // shape.MeshShape::box() of four poses, which may repeat.
-    static void find_boxes(const MeshShape& shape, const std::array<const Pose*, 4>& poses,
-                           const std::array<Aabb*, 4>& boxes);
+    // shape.MeshShape::box() of some poses.
+    static void find_boxes(const MeshShape& shape, std::span<const Pose* const> poses, std::span<Aabb* const> boxes);
     static const CoplanarGroups& groups(const MeshShape& shape);
 
     // Of the text by which certificates mean the mesh (query/certificate): what `make` makes when it is asked first.

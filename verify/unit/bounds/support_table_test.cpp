@@ -116,9 +116,10 @@ TEST(SupportTable, ContainsBodiesNearTheEndOfTheRange) {
     }
 }
 
-// Four poses at once give the bits that each gives alone: turned, sheared and flat ones, bodies that are tiny, far away
-// or at the ends of the range, zeros of either sign, and one beyond the bound among others that are not.
-TEST(SupportTable, FourPosesAtOnceGetTheBoxOfEach) {
+// Poses at once, one to nineteen of them, give the bits that each gives alone: turned, sheared and flat ones, bodies
+// that are tiny, far away or at the ends of the range, zeros of either sign, and one beyond the bound among others that
+// are not.
+TEST(SupportTable, PosesAtOnceGetTheBoxOfEach) {
     scenes::Random random(23);
     std::vector<Pose> poses;
     for (int i = 0; i < 400; ++i) {
@@ -147,9 +148,16 @@ TEST(SupportTable, FourPosesAtOnceGetTheBoxOfEach) {
         const SupportTable support_table(*mesh, frame);
         const auto differing_pose = [&]() -> std::size_t {
             std::vector<Aabb> boxes(poses.size());
-            for (std::size_t i = 0; i + 4 <= poses.size(); i += 4) {
-                support_table.boxes({&poses[i], &poses[i + 1], &poses[i + 2], &poses[i + 3]},
-                                    {&boxes[i], &boxes[i + 1], &boxes[i + 2], &boxes[i + 3]});
+            std::vector<const Pose*> some_poses;
+            std::vector<Aabb*> some_boxes;
+            for (std::size_t i = 0, count = 1; i < poses.size(); ++i) {
+                some_poses.push_back(&poses[i]);
+                some_boxes.push_back(&boxes[i]);
+                if (some_poses.size() < count && i + 1 < poses.size()) continue;
+                support_table.boxes(some_poses, some_boxes);
+                some_poses.clear();
+                some_boxes.clear();
+                count = count % 19 + 1;
             }
             for (std::size_t i = 0; i < poses.size(); ++i) {
                 const Aabb box = support_table.box(poses[i]);
