@@ -29,6 +29,7 @@ struct Edges {
     Double4 origin;       // R center
     Double4 origin_size;  // |R| |center|
     double factor;        // above every number that a rounding error of these is multiplied by
+    double scale;         // of the frame: a power of two, the length of the columns of map
 
     ECODS_ALWAYS_INLINE Edges(const LocalFrame& frame, const Mat3& pose_R) {
         const Matrix4 R = load3(pose_R);
@@ -39,6 +40,7 @@ struct Edges {
         origin = R * center;
         origin_size = R_size * absolute(center);
         factor = (1 + sum(row_sums(R_size))) * frame.size_max;
+        scale = frame.scale;
     }
 };
 
@@ -71,6 +73,29 @@ ECODS_ALWAYS_INLINE Matrix4 axes_of(const Matrix4& own, const Matrix4& other) no
 // Which tree the axes are the face normals of.
 enum class Own { a, b };
 
+// How far a matrix is from the identity, by row.
+ECODS_ALWAYS_INLINE Double4 distance_from_identity(const Matrix4& m) noexcept {
+    return row_sums({{absolute(m.column[0] - Double4{1, 0, 0, 0}), absolute(m.column[1] - Double4{0, 1, 0, 0}),
+                      absolute(m.column[2] - Double4{0, 0, 1, 0})}});
+}
+
+// The axes that axes_of() gives, but for rounding, and the own tree's P. Where a pose turns and no more, as nearly all
+// do, edges are orthogonal and of one length, so that the normals lie along them: no determinant is asked for.
+struct FaceNormals {
+    Matrix4 N, own;
+
+    ECODS_ALWAYS_INLINE FaceNormals(const Edges& edges, const Edges& other) noexcept {
+        const double per_scale = 1 / edges.scale;
+        const auto normal = [&](int k) { return (edges.edges.column[k] * per_scale) * per_scale; };
+        N = transpose({{normal(0), normal(1), normal(2)}});
+        own = N * edges.edges;
+        if (sum(distance_from_identity(own)) <= unit_distance_max) [[likely]]
+            return;
+        N = axes_of(edges.edges, other.edges);
+        own = N * edges.edges;
+    }
+};
+
 // Three axes in doubles.
 struct DoubleAxes {
     Matrix4 a, b;  // P
@@ -79,6 +104,9 @@ struct DoubleAxes {
     Double4 e;     // how far the own tree's P is from the identity, if it is taken for it
     bool is_unit;
 
+    ECODS_ALWAYS_INLINE DoubleAxes(const FaceNormals& normals, const Edges& edges_a, const Edges& edges_b, Double4 d,
+                                   Own own_tree)
+        : DoubleAxes(normals.N, normals.own, edges_a, edges_b, d, absolute(d), Double4{}, own_tree) {}
     ECODS_ALWAYS_INLINE DoubleAxes(const Matrix4& N, const Edges& edges_a, const Edges& edges_b, Double4 d,
                                    Own own_tree)
         : DoubleAxes(N, edges_a, edges_b, d, absolute(d), Double4{}, own_tree) {}
@@ -86,18 +114,20 @@ struct DoubleAxes {
     // For trees that move: `d_size` is at least |d| and the terms that d was made of by one rounding of their sum or
     // less, and `path` is how far they go on the axes, which is added to s as an offset is.
     ECODS_ALWAYS_INLINE DoubleAxes(const Matrix4& N, const Edges& edges_a, const Edges& edges_b, Double4 d,
-                                   Double4 d_size, Double4 path, Own own_tree) {
+                                   Double4 d_size, Double4 path, Own own_tree)
+        : DoubleAxes(N, N * (own_tree == Own::a ? edges_a : edges_b).edges, edges_a, edges_b, d, d_size, path,
+                     own_tree) {}
+    ECODS_ALWAYS_INLINE DoubleAxes(const Matrix4& N, const Matrix4& own, const Edges& edges_a, const Edges& edges_b,
+                                   Double4 d, Double4 d_size, Double4 path, Own own_tree) {
         const Matrix4 N_size = absolute(N);
-        a = N * edges_a.edges;
-        b = N * edges_b.edges;
+        a = own_tree == Own::a ? own : N * edges_a.edges;
+        b = own_tree == Own::b ? own : N * edges_b.edges;
         offset = N * ((edges_b.origin - edges_a.origin) + d);
         const Double4 world = ((edges_a.size + edges_b.size) + (edges_a.origin_size + edges_b.origin_size)) + d_size;
         w = N_size * world;
         s = ((row_sums(absolute(a)) + row_sums(absolute(b))) + absolute(offset)) + path;
         const double factor = ((edges_a.factor + edges_b.factor) + sum(d_size)) * sum(row_sums(N_size));
-        const Matrix4& own = own_tree == Own::a ? a : b;
-        e = row_sums({{absolute(own.column[0] - Double4{1, 0, 0, 0}), absolute(own.column[1] - Double4{0, 1, 0, 0}),
-                       absolute(own.column[2] - Double4{0, 0, 1, 0})}});
+        e = distance_from_identity(own);
         is_unit = sum(e) <= unit_distance_max;
         if (!is_unit) e = Double4{};
         margin = (32 * two_u * (s + w) + 2 * e) + underflow;

@@ -63,18 +63,18 @@ ECODS_ALWAYS_INLINE int bind_axis_sets(std::array<AxisSet, 2>& sets, const Posed
     const RootBox root_a(a.tree), root_b(b.tree);
     const Double4 d = load3(difference.data());
     if (preferred >= 3 && preferred < 6) {
-        const DoubleAxes second(axes_of(edges_b.edges, edges_a.edges), edges_a, edges_b, d, Own::b);
+        const DoubleAxes second(FaceNormals(edges_b, edges_a), edges_a, edges_b, d, Own::b);
         const int face = separating_face(second, root_b, second.b, root_a, second.a, -1);
         if (face >= 0) return 3 + face;
     }
-    const DoubleAxes first(axes_of(edges_a.edges, edges_b.edges), edges_a, edges_b, d, Own::a);
+    const DoubleAxes first(FaceNormals(edges_a, edges_b), edges_a, edges_b, d, Own::a);
     const int face_a = separating_face(first, root_a, first.a, root_b, first.b, 1);
     if (face_a >= 0) return face_a;
     if (preferred >= 6) {
         const int edges = separating_edges(first, root_a, root_b);
         if (edges >= 0) return 6 + edges;
     }
-    const DoubleAxes second(axes_of(edges_b.edges, edges_a.edges), edges_a, edges_b, d, Own::b);
+    const DoubleAxes second(FaceNormals(edges_b, edges_a), edges_a, edges_b, d, Own::b);
     const int face_b = separating_face(second, root_b, second.b, root_a, second.a, -1);
     if (face_b >= 0) return 3 + face_b;
     if (preferred < 6) {
