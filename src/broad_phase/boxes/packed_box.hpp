@@ -63,6 +63,13 @@ ECODS_ALWAYS_INLINE Vec<double, 4> doubles_of(KeyLanes keys) noexcept {
     return bits_as<Vec<double, 4>>(((bits_as<Words>(keys) ^ signs) - signs) | (signs & std::uint64_t{1} << 63));
 }
 
+// The keys of doubles, of which the bits are given.
+ECODS_ALWAYS_INLINE KeyLanes keys_of(KeyLanes bits) noexcept {
+    constexpr std::int64_t rest = std::numeric_limits<std::int64_t>::max();
+    const KeyLanes signs = bits < 0;
+    return ((bits & rest) ^ signs) - signs;
+}
+
 inline PackedBox packed_box(const KeyBox& box) noexcept {
     return {{box.min[0], box.min[1], box.min[2], ~box.max[0], ~box.max[1], ~box.max[2]}};
 }
@@ -85,12 +92,8 @@ inline Aabb box_of(const PackedBox& line) noexcept {
 ECODS_ALWAYS_INLINE void make_lanes(const Aabb& box, BoxLanes& lanes) noexcept {
     static_assert(sizeof(Aabb) == 6 * sizeof(double));
     const auto* first = reinterpret_cast<const std::int64_t*>(box.min.data());  // read as vectors, which may alias
-    constexpr std::int64_t rest = std::numeric_limits<std::int64_t>::max();
-    const KeyLanes bits[2] = {load_anywhere<KeyLanes>(first), load_anywhere<KeyLanes>(first + PackedBox::second)};
-    const KeyLanes signs[2] = {bits[0] < 0, bits[1] < 0};
-    const KeyLanes keys[2] = {((bits[0] & rest) ^ signs[0]) - signs[0], ((bits[1] & rest) ^ signs[1]) - signs[1]};
-    lanes.first = keys[0] ^ KeyLanes { 0, 0, 0, -1 };
-    lanes.second = keys[1] ^ KeyLanes { 0, -1, -1, -1 };
+    lanes.first = keys_of(load_anywhere<KeyLanes>(first)) ^ KeyLanes { 0, 0, 0, -1 };
+    lanes.second = keys_of(load_anywhere<KeyLanes>(first + PackedBox::second)) ^ KeyLanes { 0, -1, -1, -1 };
 }
 ECODS_ALWAYS_INLINE void make_packed_box(const Aabb& box, PackedBox& line) noexcept {
     BoxLanes lanes;

@@ -7,6 +7,8 @@
 
 #include "base/bytes_of.hpp"
 #include "base/make_room.hpp"
+#include "broad_phase/candidates/box_ends.hpp"
+#include "simd/dispatch.hpp"
 
 namespace ecods {
 namespace {
@@ -16,10 +18,10 @@ constexpr double back = 0.125;  // the margin behind, for turning back, as a sha
 // Of boxes that move together, as a share of the extent, for what each does beside that.
 constexpr double common_motion_margin = 0x1p-7;
 
-constexpr std::uint32_t all_axes = 7;
-
 // Of the number of an update, so much is kept.
 constexpr std::uint32_t escape_numbers = 1u << 23;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -36,69 +38,122 @@ void Margins::reorder(std::span<const SlotIndex> order) {
     hints_ = std::move(ordered);
 }
 
-// The box of a slot as fat boxes are.
-PackedBox Margins::in_frame(const Aabb& box, const PackedBox& line) const noexcept {
-    if (frame_.is_at_origin()) return line;
-    PackedBox result;
-    make_packed_box(frame_.of(box), result);
-    return result;
-}
+// All axes at a time, and no branch on what one of them does: nobody can foretell it.
+struct Margins::Axes {
+    using Doubles = BoxEnds::Doubles;
+    using Mask = MaskOf<Doubles>;
 
-double Margins::share_behind(const MotionHint& hint, std::size_t axis) noexcept {
-    return MotionHint::has(hint.turns, axis) || !hint.knows(axis) ? 0.5 : back / (1 + back);
-}
-
-// Enlarges `fat` by the margin that a box had, shifted towards the side that the box went to.
-void Margins::turn_margin(const PackedBox& line, const PackedBox& old_line, const MotionHint& hint, double limit,
-                          Aabb& fat) noexcept {
-    const KeyBox box = key_box(line);
-    const KeyBox old = key_box(old_line);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto k = static_cast<Eigen::Index>(axis);
-        const double margin = (double_of(box.min[axis]) - double_of(old.min[axis])) +
-                              (double_of(old.max[axis]) - double_of(box.max[axis]));
-        if (!(margin > 0)) continue;
-        const double behind = share_behind(hint, axis);
-        const double low = MotionHint::has(hint.up, axis) ? behind : 1 - behind;
-        fat.min[k] -= std::min(limit, low * margin);
-        fat.max[k] += std::min(limit, (1 - low) * margin);
+    ECODS_ALWAYS_INLINE static Mask mask_of(std::uint32_t axes) noexcept {
+        return (Mask{1, 2, 4, 0} & broadcast<Mask>(axes)) != 0;
     }
-}
-
-// Whether half of the margin is used up.
-bool Margins::is_about_to_escape(const PackedBox& line, const PackedBox& fat_line, const MotionHint& hint) noexcept {
-    constexpr double left = 0.5;
-    const KeyBox box = key_box(line);
-    const KeyBox fat = key_box(fat_line);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (!hint.knows(axis)) continue;
-        const double low = double_of(box.min[axis]) - double_of(fat.min[axis]);
-        const double high = double_of(fat.max[axis]) - double_of(box.max[axis]);
-        const double ahead = MotionHint::has(hint.up, axis) ? high : low;
-        if (ahead < left * (low + high)) return true;
+    ECODS_ALWAYS_INLINE static std::uint32_t axes_of(Mask mask) noexcept {
+        return static_cast<std::uint32_t>(any_bits(mask & Mask{1, 2, 4, 0}));
     }
-    return false;
-}
+    ECODS_ALWAYS_INLINE static Doubles broadcast_double(double x) noexcept { return broadcast<Doubles>(x); }
 
-// By the lookahead, where the last step moved a side out so far, and by less behind, for turning back.
-void Margins::grow_ahead(MotionHint& hint, const Vec3& down, const Vec3& up, double limit, Aabb& fat) noexcept {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto k = static_cast<Eigen::Index>(axis);
-        if (down[k] == up[k]) continue;
-        const std::uint32_t bit = 1u << axis;
-        const bool goes_up = up[k] > down[k];
+    // The box of a slot as fat boxes are.
+    ECODS_ALWAYS_INLINE static void put_in_frame(const MovingFrame& frame, const Aabb& box, const PackedBox& line,
+                                                 BoxLanes& here) noexcept {
+        frame.is_at_origin() ? load_lanes(line, here) : make_lanes(frame.of(box), here);
+    }
+
+    // Enlarges `fat` by the margin that a box had, shifted towards the side that the box went to.
+    ECODS_ALWAYS_INLINE static void turn_margin(const BoxEnds& box, const BoxEnds& old, const MotionHint& hint,
+                                                double limit, BoxEnds& fat) noexcept {
+        const Doubles half = broadcast_double(0.5), small = broadcast_double(back / (1 + back)), none{};
+        const Doubles margin = (box.low - old.low) + (old.high - box.high);
+        const Doubles behind = mask_of(hint.turns | ~(hint.up | hint.down)) ? half : small;
+        const Doubles low = mask_of(hint.up) ? behind : 1 - behind;
+        const Doubles most = broadcast_double(limit);
+        fat.low -= margin > none ? min(low * margin, most) : none;
+        fat.high += margin > none ? min((1 - low) * margin, most) : none;
+    }
+
+    // Whether half of the margin is used up.
+    ECODS_ALWAYS_INLINE static bool is_about_to_escape(const BoxEnds& box, const BoxEnds& fat,
+                                                       const MotionHint& hint) noexcept {
+        constexpr double left = 0.5;
+        const Doubles low = box.low - fat.low, high = fat.high - box.high;
+        const Doubles ahead = mask_of(hint.up) ? high : low;
+        return any(mask_of(hint.up | hint.down) & (ahead < left * (low + high)));
+    }
+
+    // By the lookahead, where the last step moved a side out so far, and by less behind, for turning back.
+    ECODS_ALWAYS_INLINE static void grow_ahead(Margins& margins, MotionHint& hint, Doubles down, Doubles up,
+                                               double limit, BoxEnds& fat) noexcept {
+        const Mask moved = down != up, goes_up = moved & (up > down), goes_down = moved & ~goes_up;
+        const std::uint32_t ups = axes_of(goes_up), downs = axes_of(goes_down);
         // What turned before its margin was used up will turn again, as what lies between two others does.
-        if (((goes_up ? hint.down : hint.up) & bit) != 0) {
-            hint.turns = (hint.turns | bit) & all_axes;
-            ++turn_counts_[axis];
-        }
-        hint.up = (goes_up ? hint.up | bit : hint.up & ~bit) & all_axes;
-        hint.down = (goes_up ? hint.down & ~bit : hint.down | bit) & all_axes;
-        const double behind = MotionHint::has(hint.turns, axis) || is_turning_common_[axis] ? 1 : back;
-        fat.min[k] -= std::min(limit, lookahead_.updates() * std::max(down[k], -behind * down[k]));
-        fat.max[k] += std::min(limit, lookahead_.updates() * std::max(up[k], -behind * up[k]));
+        const std::uint32_t turned = (ups & hint.down) | (downs & hint.up);
+        hint.turns = (hint.turns | turned) & all_axes;
+        for (std::size_t axis = 0; axis < 3; ++axis) margins.turn_counts_[axis] += turned >> axis & 1;
+        hint.up = (hint.up | ups) & ~downs & all_axes;
+        hint.down = (hint.down | downs) & ~ups & all_axes;
+        const Doubles behind =
+            mask_of(hint.turns | margins.common_turns_) ? broadcast_double(1) : broadcast_double(back);
+        const double updates = margins.lookahead_.updates();
+        const Doubles most = broadcast_double(limit), none{};
+        fat.low -= moved ? min(updates * max(-behind * down, down), most) : none;
+        fat.high += moved ? min(updates * max(-behind * up, up), most) : none;
     }
-}
+
+    ECODS_ALWAYS_INLINE static void fat_box(Margins& margins, const EscapedBox& escaped, const Aabb& box,
+                                            const PackedBox& line, const PackedBox& old_fat,
+                                            PackedBox& result) noexcept {
+        const MovingFrame& frame = margins.frame_;
+        BoxLanes here;
+        put_in_frame(frame, box, line, here);
+        store_lanes(here, result);
+        BoxEnds now, before;
+        find_ends(box, now);
+        find_ends(escaped.before, before);
+        const Doubles extent = now.high - now.low;
+        if (!all(extent <= broadcast_double(std::numeric_limits<double>::max()))) return;
+        const double largest = largest_of(extent);
+        const double margin_max = widest * (largest < margins.mean_extent_ ? margins.mean_extent_ : largest);
+        Doubles went{};
+        if (frame.is_moving() || !frame.is_at_origin()) {
+            const Vec3 by = frame.went();
+            went = Doubles{by[0], by[1], by[2], 0};
+        }
+        const Doubles down = before.low - now.low + went, up = now.high - before.high - went;  // of each side, outwards
+        BoxEnds fat = now;
+        if (!frame.is_at_origin()) find_ends(frame.of(box), fat);
+        if (frame.is_moving()) {
+            fat.low -= common_motion_margin * largest;
+            fat.high += common_motion_margin * largest;
+        }
+        MotionHint& hint = margins.hints_[escaped.slot];
+        const std::uint32_t lasted = (margins.update_number_ - hint.escaped_at) % escape_numbers;
+        hint.escaped_at = margins.update_number_ % escape_numbers;
+        const double step = largest_of(max(absolute(down), absolute(up)));
+        if (steps_min * step > margin_max && (step <= margin_max || lasted <= steps_min)) return;
+        if (step <= margin_max) {
+            grow_ahead(margins, hint, down, up, margin_max, fat);
+        } else if (!old_fat.is_empty()) {
+            BoxEnds old;
+            if (!frame.is_at_origin()) find_ends(frame.of_before(box_of(escaped.before)), before);
+            find_ends(old_fat, old);
+            turn_margin(before, old, hint, margin_max, fat);
+        }
+        pack(fat, here, result);
+    }
+
+    ECODS_ALWAYS_INLINE static bool renew(const Margins& margins, SlotIndex slot, const Aabb& box,
+                                          const PackedBox& line, PackedBox& fat_line) noexcept {
+        BoxLanes here;
+        put_in_frame(margins.frame_, box, line, here);
+        BoxEnds now, old;
+        find_ends(here, now);
+        find_ends(fat_line, old);
+        const MotionHint& hint = margins.hints_[slot];
+        if (!is_about_to_escape(now, old, hint)) return false;
+        BoxEnds fat = now;
+        turn_margin(now, old, hint, infinity, fat);
+        pack(fat, here, fat_line);
+        return true;
+    }
+};
 
 // The margin is as many more steps like the last one as the lookahead says, and some for turning back. It is at most
 // half an extent, so that a fast box does not collect candidates that it will not meet. A longer step was a jump, after
@@ -107,55 +162,22 @@ void Margins::grow_ahead(MotionHint& hint, const Vec3& down, const Vec3& up, dou
 // will not meet costs more than to look it up again.
 PackedBox Margins::fat_box(const EscapedBox& escaped, const Aabb& box, const PackedBox& line,
                            const PackedBox& old_fat) noexcept {
-    const double largest = (box.max - box.min).maxCoeff();
-    const double margin_max = widest * (largest < mean_extent_ ? mean_extent_ : largest);
-    const PackedBox here = in_frame(box, line);
-    if (!(margin_max <= std::numeric_limits<double>::max())) return here;
-    const Vec3 went = frame_.went();
-    Vec3 down, up;  // how far each side moved out
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto k = static_cast<Eigen::Index>(axis);
-        down[k] = double_of(escaped.before.ends[axis]) - box.min[k] + went[k];
-        up[k] = box.max[k] - double_of(~escaped.before.ends[axis + 3]) - went[k];
-    }
-    Aabb fat = frame_.of(box);
-    if (frame_.is_moving()) {
-        fat.min.array() -= common_motion_margin * largest;
-        fat.max.array() += common_motion_margin * largest;
-    }
-    MotionHint& hint = hints_[escaped.slot];
-    const std::uint32_t lasted = (update_number_ - hint.escaped_at) % escape_numbers;
-    hint.escaped_at = update_number_ % escape_numbers;
-    const double step = std::max(down.cwiseAbs().maxCoeff(), up.cwiseAbs().maxCoeff());
-    if (steps_min * step > margin_max && (step <= margin_max || lasted <= steps_min)) return here;
-    if (step <= margin_max) {
-        grow_ahead(hint, down, up, margin_max, fat);
-    } else if (!old_fat.is_empty()) {
-        turn_margin(packed_box(key_box(frame_.of_before(box_of(escaped.before)))), old_fat, hint, margin_max, fat);
-    }
-    // Rounding, in whatever direction, must not leave the box outside.
     PackedBox result;
-    make_packed_box(fat, result);
-    enlarge(result, here);
+    dispatch<Axes::fat_box>(*this, escaped, box, line, old_fat, result);
     return result;
 }
 
 bool Margins::renew(SlotIndex slot, const Aabb& box, const PackedBox& line, PackedBox& fat_line) const noexcept {
-    const PackedBox here = in_frame(box, line);
-    if (!is_about_to_escape(here, fat_line, hints_[slot])) return false;
-    Aabb fat = frame_.of(box);
-    turn_margin(here, fat_line, hints_[slot], std::numeric_limits<double>::infinity(), fat);
-    make_packed_box(fat, fat_line);
-    enlarge(fat_line, here);
-    return true;
+    return dispatch<Axes::renew>(*this, slot, box, line, fat_line);
 }
 
 // A margin behind all of them costs about as much as a search for one in this many of them in each update.
 void Margins::learn_turns(std::size_t awake_count) noexcept {
     constexpr double rare = 512;
     const double moves = static_cast<double>(awake_count) * static_cast<double>(lookahead_.restart());
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        is_turning_common_[axis] = rare * static_cast<double>(turn_counts_[axis]) > moves;
+    common_turns_ = 0;
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+        if (rare * static_cast<double>(turn_counts_[axis]) > moves) common_turns_ |= 1u << axis;
     }
     turn_counts_ = {};
 }

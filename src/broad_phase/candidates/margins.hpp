@@ -49,17 +49,10 @@ class Margins {
         std::uint32_t up : 3 = 0, down : 3 = 0;  // a bit for each axis; none of the two: not known
         std::uint32_t turns : 3 = 0;
         std::uint32_t escaped_at : 23 = 0;  // the last digits of the number of the update
-
-        static bool has(std::uint32_t axes, std::size_t axis) noexcept { return (axes >> axis & 1) != 0; }
-        bool knows(std::size_t axis) const noexcept { return has(up | down, axis); }
     };
 
-    PackedBox in_frame(const Aabb& box, const PackedBox& line) const noexcept;
-    static double share_behind(const MotionHint& hint, std::size_t axis) noexcept;
-    static void turn_margin(const PackedBox& line, const PackedBox& old_line, const MotionHint& hint, double limit,
-                            Aabb& fat) noexcept;
-    static bool is_about_to_escape(const PackedBox& line, const PackedBox& fat_line, const MotionHint& hint) noexcept;
-    void grow_ahead(MotionHint& hint, const Vec3& down, const Vec3& up, double limit, Aabb& fat) noexcept;
+    struct Axes;
+    static constexpr std::uint32_t all_axes = 7;
 
     MovingFrame frame_;
     Lookahead lookahead_;
@@ -67,7 +60,7 @@ class Margins {
     double mean_extent_ = 0;
     std::uint32_t update_number_ = 0;
     std::array<std::uint64_t, 3> turn_counts_{};
-    std::array<bool, 3> is_turning_common_{};
+    std::uint32_t common_turns_ = 0;  // axes along which boxes often turn
 };
 
 }  // namespace ecods

@@ -24,8 +24,8 @@ ECODS_ALWAYS_INLINE bool is_same(const Aabb& a, const Aabb& b) {
 
 }  // namespace
 
-void ProxyTable::require_present(ProxyIndex proxy) const {
-    if (!is_present(proxy)) throw_misuse(Error("proxy " + std::to_string(proxy) + " is not present"));
+void ProxyTable::refuse_absent(ProxyIndex proxy) {
+    throw_misuse(Error("proxy " + std::to_string(proxy) + " is not present"));
 }
 
 void ProxyTable::reserve(std::size_t count) {

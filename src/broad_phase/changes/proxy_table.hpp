@@ -61,7 +61,11 @@ class ProxyTable {
     bool has(ProxyIndex proxy, unsigned flag) const noexcept {
         return proxy < states_.size() && (states_[proxy] & flag) != 0;
     }
-    void require_present(ProxyIndex proxy) const;
+    void require_present(ProxyIndex proxy) const {
+        if (!is_present(proxy)) [[unlikely]]
+            refuse_absent(proxy);
+    }
+    [[noreturn]] static void refuse_absent(ProxyIndex proxy);
     void enqueue(ProxyIndex proxy) {
         if (queued_at_[proxy] == turn_) return;
         queue_.push_back(proxy);
