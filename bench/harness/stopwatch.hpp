@@ -20,4 +20,8 @@ class Stopwatch {
     double start_ = now();
 };
 
+// So long an engine works untimed before its frames are timed: a core that another engine had takes milliseconds to be
+// as quick as it is from then on, and all frames of a quick engine are over in as many.
+inline constexpr double warm_up_ns = 20e6;
+
 }  // namespace ecods::bench

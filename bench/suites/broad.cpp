@@ -147,8 +147,8 @@ Table empty_table(const SuiteOptions& options) {
     table.header = {"boxes",  "engine",    "ns/box/frame", "spread %", "slowest",
                     "frames", "times FCL", "pairs/box",    "false -",  "false +"};
     table.notes = {
-        fmt::format("Processor time: means over all frames in which boxes may move, the first one too, {}{}; each "
-                    "engine in a process of its own.",
+        fmt::format("Processor time: means over all frames in which boxes may move, the first one too, {}{}; 20 ms "
+                    "untimed before each; each engine in a process of its own.",
                     medians_of(options.repetition_count),
                     options.is_long || options.repetition_count == 1 ? "" : " (100k: one)"),
         "Slowest: the frame that took longest, ns/box; of each frame the least time of all repetitions counts.",

@@ -15,7 +15,6 @@ namespace {
 
 using Hits = std::vector<IndexPair>;
 constexpr std::chrono::seconds turn_limit{300};
-constexpr double warm_up_ns = 20e6;
 
 std::size_t count_difference(const Hits& from, const Hits& what) {
     Hits difference;
@@ -23,8 +22,7 @@ std::size_t count_difference(const Hits& from, const Hits& what) {
     return difference.size();
 }
 
-// Some frames first, untimed: a core that another engine had takes milliseconds to be as quick as it is from then on,
-// and all frames of a quick engine are over in as many.
+// Some frames first, untimed (harness/stopwatch.hpp says why).
 void warm_up(const EngineMaker& maker, const scenes::Scene& scene) {
     const std::unique_ptr<Engine> engine = maker.set_up(scene);
     engine->run_frame({});
