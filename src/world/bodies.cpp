@@ -33,14 +33,8 @@ Bodies::Bodies() : world_number_(next_world_number()) {}
 
 // ---- ids
 
-bool Bodies::is_alive(BodyId body) const noexcept {
-    return body && body.slot <= slots_.size() && slots_[body.slot - 1].is_alive() &&
-           slots_[body.slot - 1].generation == body.generation && (body.world == world_number_ || body.world == 0);
-}
-
-ProxyIndex Bodies::require(BodyId body, const ListIndex& index) const {
-    if (!is_alive(body)) throw_misuse(StaleBody(body, index));
-    return body.slot - 1;
+void Bodies::refuse_stale(BodyId body, const ListIndex& index) {
+    throw_misuse(StaleBody(body, index));
 }
 
 // The smaller slot first, so that either order of arguments asks the very same question.

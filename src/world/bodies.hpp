@@ -48,9 +48,16 @@ class Bodies {
     Bodies();
 
     // ---- ids
-    bool is_alive(BodyId body) const noexcept;
-    ProxyIndex require(BodyId body, const ListIndex& index = {}) const;  // throws StaleBody
-    ProxyPair require_pair(BodyId a, BodyId b) const;                    // ... and SameBody; ascending
+    bool is_alive(BodyId body) const noexcept {
+        return body && body.slot <= slots_.size() && slots_[body.slot - 1].is_alive() &&
+               slots_[body.slot - 1].generation == body.generation && (body.world == world_number_ || body.world == 0);
+    }
+    ProxyIndex require(BodyId body, const ListIndex& index = {}) const {  // throws StaleBody
+        if (!is_alive(body)) [[unlikely]]
+            refuse_stale(body, index);
+        return body.slot - 1;
+    }
+    ProxyPair require_pair(BodyId a, BodyId b) const;  // ... and SameBody; ascending
     BodyId id_of(ProxyIndex proxy) const noexcept { return {proxy + 1, slots_[proxy].generation, world_number_}; }
     BodyPair ids_of(ProxyPair pair) const noexcept { return {id_of(pair.a), id_of(pair.b)}; }
     std::vector<BodyId> ids() const;  // of the living, ascending
@@ -104,6 +111,7 @@ class Bodies {
     void validate() const;
 
   private:
+    [[noreturn]] static void refuse_stale(BodyId body, const ListIndex& index);
     void count(const Slot& slot) noexcept;
     void discount(const Slot& slot) noexcept;
 

@@ -1,12 +1,12 @@
 #include "base/misuse.hpp"
-#include "geometry/find_invalid.hpp"
 #include "world/mesh_mesh_test.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
 
-void require_valid(const Pose& pose, BodyId body, const ListIndex& index) {
-    if (const auto bad = find_invalid(pose)) throw InvalidPose(bad->row, bad->column, bad->value, body, index);
+void refuse_invalid(const Pose& pose, BodyId body, const ListIndex& index) {
+    const InvalidEntry bad = find_invalid(pose).value();
+    throw InvalidPose(bad.row, bad.column, bad.value, body, index);
 }
 
 Aabb box_for(const Shape& shape, const Pose& pose, BodyId body, const ListIndex& index) {

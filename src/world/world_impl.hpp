@@ -8,6 +8,7 @@
 
 #include "broad_phase/overlap_tracker.hpp"
 #include "ecods/world.hpp"
+#include "geometry/find_invalid.hpp"
 #include "query/convex/solid_pair.hpp"
 #include "trace/trace_writer.hpp"
 #include "world/answer_digest.hpp"
@@ -95,7 +96,11 @@ struct World::Impl {
 
 // The shape's box, checked: what enters the broad phase must be ordered.
 Aabb box_for(const Shape& shape, const Pose& pose, BodyId body = {}, const ListIndex& index = {});
-void require_valid(const Pose& pose, BodyId body = {}, const ListIndex& index = {});
+[[noreturn]] void refuse_invalid(const Pose& pose, BodyId body, const ListIndex& index);
+inline void require_valid(const Pose& pose, BodyId body = {}, const ListIndex& index = {}) {
+    if (!is_finite(pose)) [[unlikely]]
+        refuse_invalid(pose, body, index);
+}
 void require_usable(const std::shared_ptr<const Shape>& shape);  // throws NullArgument, and
 void require_mesh_kind(const Shape& shape);                      // NotSupported: the kind of meshes, but no MeshShape
 void require_answer(const TwoBodyTest& test, Question question, ShapeKind a, ShapeKind b);  // NotSupported
