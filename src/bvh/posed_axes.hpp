@@ -48,6 +48,7 @@ struct Edges {
 struct RootBox {
     Double4 center, half;
 
+    ECODS_ALWAYS_INLINE RootBox(Double4 its_center, Double4 its_half) : center(its_center), half(its_half) {}
     ECODS_ALWAYS_INLINE explicit RootBox(const MeshBvh& tree)
         : center{static_cast<double>(tree.root_center[0]), static_cast<double>(tree.root_center[1]),
                  static_cast<double>(tree.root_center[2]), 0},
@@ -157,10 +158,9 @@ ECODS_ALWAYS_INLINE void store_transposed(const Float4 (&rows)[4], std::array<st
     store_anywhere(first_three[2].data(), shuffle<0, 1, 4, 5>(high_01, high_23));
 }
 
-// Sizes are those of the numbers as converted: conversion is off by float_u of either.
-ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Matrix4& P, Double4 shift) noexcept {
-    const Float4 columns[4] = {convert<Float4>(P.column[0]), convert<Float4>(P.column[1]), convert<Float4>(P.column[2]),
-                               convert<Float4>(shift)};
+// From the columns of P and the shift. Sizes are those of the numbers as converted: conversion is off by float_u of
+// either.
+ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Float4 (&columns)[4]) noexcept {
     for (std::size_t j = 0; j < 3; ++j) {
         store_anywhere(projection.p[j].data(), columns[j]);
         store_anywhere(projection.size[j].data(), absolute(columns[j]));
@@ -172,13 +172,18 @@ ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Matrix4& P
 }
 
 // Of a tree on its own normals, whose P is taken for the identity, nothing but the shift is asked for.
-ECODS_ALWAYS_INLINE void set_own_projection(Projection& projection, const Matrix4& P, Double4 shift,
-                                            bool is_unit) noexcept {
-    if (!is_unit) return set_projection(projection, P, shift);
-    projection.shift = to_floats(shift);
+ECODS_ALWAYS_INLINE void set_unit_projection(Projection& projection, Float4 shift) noexcept {
+    store_anywhere(projection.shift.data(), shift);
     for (std::size_t j = 0; j < 3; ++j) projection.row[j][3] = projection.shift[j];
     projection.margin = {};
     projection.is_unit = true;
+}
+ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Matrix4& P, Double4 shift,
+                                        bool is_unit) noexcept {
+    const Float4 float_shift = convert<Float4>(shift);
+    if (is_unit) return set_unit_projection(projection, float_shift);
+    set_projection(projection, {convert<Float4>(P.column[0]), convert<Float4>(P.column[1]),
+                                convert<Float4>(P.column[2]), float_shift});
 }
 
 // The last factor covers the rounding of the bounds to floats.
@@ -188,8 +193,8 @@ ECODS_ALWAYS_INLINE void set_own_projection(Projection& projection, const Matrix
 // from the identity's is not singular.
 ECODS_ALWAYS_INLINE void set_floats(AxisSet& set, const DoubleAxes& exact, Projection& own) noexcept {
     const bool a_is_unit = exact.is_unit && &own == &set.a, b_is_unit = exact.is_unit && &own == &set.b;
-    set_own_projection(set.a, exact.a, Double4{}, a_is_unit);
-    set_own_projection(set.b, exact.b, exact.offset, b_is_unit);
+    set_projection(set.a, exact.a, Double4{}, a_is_unit);
+    set_projection(set.b, exact.b, exact.offset, b_is_unit);
     const Double4 in_float = float_u * exact.s, in_double = 16 * two_u * exact.w + underflow;
     const double unbounded = exact.is_bounded() ? 0 : infinity;
     set.b.margin = to_floats((16 * in_float + in_double + 2 * exact.e) * (1 + 0x1p-22) + unbounded);

@@ -4,8 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
 
+#include "environment/each_environment.hpp"
 #include "oracle/oracle.hpp"
 #include "scenes/hard_pairs.hpp"
 #include "scenes/shapes.hpp"
@@ -145,6 +152,72 @@ TEST(SeparatingAxes, AllFifteenAxesSeparateSomething) {
         if (axis >= 0) ++counts[static_cast<std::size_t>(axis)];
     }
     for (const int count : counts) EXPECT_GT(count, 0);
+}
+
+// What bind() answers, and of the sets that are ready then all that means something, bit by bit.
+std::vector<std::uint32_t> bound(const PosedTree& a, const PosedTree& b, const Vec3& d, int first) {
+    SeparatingAxes axes;
+    std::vector<std::uint32_t> bits{static_cast<std::uint32_t>(axes.bind(a, b, d, first))};
+    if (bits[0] != static_cast<std::uint32_t>(-1)) return bits;
+    const auto put = [&](const auto& floats, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) bits.push_back(std::bit_cast<std::uint32_t>(floats[i]));
+    };
+    for (const AxisSet& set : axes.sets()) {
+        for (const Projection* const p : {&set.a, &set.b}) {
+            put(p->shift, 3);
+            put(p->margin, 3);
+            for (std::size_t j = 0; j < 3; ++j) {
+                put(std::array{p->row[j][3]}, 1);
+                if (p->is_unit) continue;
+                put(p->p[j], 3);
+                put(p->size[j], 3);
+                put(p->row[j], 3);
+            }
+            bits.push_back(p->is_unit ? 1 : 0);
+        }
+        put(set.point_error, 3);
+        bits.push_back(static_cast<std::uint32_t>(set.flat_axis));
+        bits.push_back(set.is_bijective ? 1 : 0);
+    }
+    return bits;
+}
+
+// Whatever the registers are: turned boxes, which both sets are computed for at once in the widest; sheared and flat
+// ones, and numbers beyond the limits, which they are not; and each axis asked for first.
+TEST(SeparatingAxes, EveryInstructionSetBindsTheSame) {
+    scenes::Random random(31);
+    const auto flat =
+        Mesh::create({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 0)}, {{0, 1, 2}, {1, 2, 3}});
+    const std::vector<MeshBvh> trees = [&] {
+        std::vector<MeshBvh> all;
+        for (const auto& mesh : {scenes::cube(0.5), scenes::torus(12, 8, 0.3), flat}) all.push_back(build(*mesh));
+        return all;
+    }();
+    int bound_count = 0, separated_count = 0;
+    for (int i = 0; i < 600; ++i) {
+        const MeshBvh &tree_a = trees[random.below(3)], &tree_b = trees[random.below(3)];
+        Mat3 R[2];
+        for (Mat3& r : R) {
+            r = random.rotation().toRotationMatrix();
+            if (i % 5 == 1) r = Mat3::Identity();
+            if (i % 5 == 2) r.col(i % 3) *= 1 + std::ldexp(1, -static_cast<int>(random.below(50)));
+            if (i % 11 == 3) r.col(i % 3).setZero();
+            if (i % 13 == 4) r *= std::ldexp(1, static_cast<int>(random.below(1200)) - 600);
+            if (i % 17 == 5) r = -r;
+        }
+        const double size = i % 7 == 6 ? 0x1p90 : i % 3 == 0 ? 0.5 : 2;
+        const Vec3 d = size * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        const int first = static_cast<int>(random.below(root_axis_count + 1)) - 1;
+        const auto ask = [&] { return bound({tree_a, R[0]}, {tree_b, R[1]}, d, first); };
+        std::map<std::string, std::vector<std::uint32_t>> by_mode;
+        environment::in_each_environment(ask, [&](const std::vector<std::uint32_t>& bits, const std::string& where) {
+            const std::string mode = where.substr(where.find(','));
+            EXPECT_EQ(bits, by_mode.try_emplace(mode, bits).first->second) << i << " " << where;
+            (bits.size() == 1 ? separated_count : bound_count) += 1;
+        });
+    }
+    EXPECT_GT(bound_count, 1000);
+    EXPECT_GT(separated_count, 1000);
 }
 
 }  // namespace

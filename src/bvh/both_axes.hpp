@@ -1,0 +1,208 @@
+// Two posed trees on the face normals of both at once, in registers of eight doubles: what posed_axes.hpp computes for
+// one set of axes after the other, lane by lane with the same operations in the same order, so that the bits are the
+// same. The first four lanes are those of the set of a's normals, the last four of b's.
+//
+// For poses that turn and no more, and numbers within their limits: for others, nothing is set here.
+#pragma once
+
+#include "bvh/posed_axes.hpp"
+#include "simd/wide.hpp"
+
+#if ECODS_CAN_DISPATCH
+
+namespace ecods::axes {
+
+using Double8 = __m512d;
+
+ECODS_WIDE_INLINE Double8 join(Double4 low, Double4 high) noexcept {
+    return _mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(bits_as<__m256d>(low)), bits_as<__m256d>(high), 1);
+}
+ECODS_WIDE_INLINE Double8 both(double a, double b) noexcept {
+    return join(broadcast<Double4>(a), broadcast<Double4>(b));
+}
+ECODS_WIDE_INLINE Double4 low_half(Double8 v) noexcept {
+    return bits_as<Double4>(_mm512_maskz_extractf64x4_pd(0xff, v, 0));
+}
+ECODS_WIDE_INLINE Double4 high_half(Double8 v) noexcept {
+    return bits_as<Double4>(_mm512_maskz_extractf64x4_pd(0xff, v, 1));
+}
+ECODS_WIDE_INLINE Double8 swapped(Double8 v) noexcept {
+    return _mm512_maskz_shuffle_f64x2(0xff, v, v, _MM_SHUFFLE(1, 0, 3, 2));
+}
+ECODS_WIDE_INLINE Double8 absolute(Double8 v) noexcept {
+    return _mm512_abs_pd(v);
+}
+ECODS_WIDE_INLINE Double8 times(double x, Double8 v) noexcept {
+    return _mm512_set1_pd(x) * v;
+}
+ECODS_WIDE_INLINE Double8 of_both(Double8 v) noexcept {  // their sum, in each half
+    return v + swapped(v);
+}
+ECODS_WIDE_INLINE __mmask8 is_below(Double8 v, double limit) noexcept {  // a NaN is not
+    return _mm512_cmp_pd_mask(v, _mm512_set1_pd(limit), _CMP_LT_OQ);
+}
+
+// One lane of each half, in all lanes of that half.
+template <int lane>
+ECODS_WIDE_INLINE Double8 each(Double8 v) noexcept {
+    return _mm512_maskz_permutex_pd(0xff, v, lane * 0x55);
+}
+ECODS_WIDE_INLINE Double8 sum(Double8 v) noexcept {
+    return (each<0>(v) + each<1>(v)) + each<2>(v);
+}
+
+// A matrix in each half.
+struct BothMatrices {
+    Double8 column[3];
+};
+ECODS_WIDE_INLINE Double8 operator*(const BothMatrices& m, Double8 v) noexcept {
+    return (m.column[0] * each<0>(v) + m.column[1] * each<1>(v)) + m.column[2] * each<2>(v);
+}
+ECODS_WIDE_INLINE BothMatrices operator*(const BothMatrices& a, const BothMatrices& b) noexcept {
+    return {{a * b.column[0], a * b.column[1], a * b.column[2]}};
+}
+ECODS_WIDE_INLINE BothMatrices absolute(const BothMatrices& m) noexcept {
+    return {{absolute(m.column[0]), absolute(m.column[1]), absolute(m.column[2])}};
+}
+ECODS_WIDE_INLINE BothMatrices swapped(const BothMatrices& m) noexcept {
+    return {{swapped(m.column[0]), swapped(m.column[1]), swapped(m.column[2])}};
+}
+ECODS_WIDE_INLINE BothMatrices distance_from_identity(const BothMatrices& m) noexcept {
+    const Double4 x{1, 0, 0, 0}, y{0, 1, 0, 0}, z{0, 0, 1, 0};
+    return {
+        {absolute(m.column[0] - join(x, x)), absolute(m.column[1] - join(y, y)), absolute(m.column[2] - join(z, z))}};
+}
+ECODS_WIDE_INLINE Double8 row_sums(const BothMatrices& m) noexcept {
+    return (m.column[0] + m.column[1]) + m.column[2];
+}
+ECODS_WIDE_INLINE BothMatrices transpose(const BothMatrices& m) noexcept {
+    const Double8 low = _mm512_maskz_unpacklo_pd(0xff, m.column[0], m.column[1]);
+    const Double8 high = _mm512_maskz_unpackhi_pd(0xff, m.column[0], m.column[1]);
+    const auto z = m.column[2];
+    const __m512i first = _mm512_setr_epi64(0, 1, 8, 11, 4, 5, 12, 15);
+    const __m512i second = _mm512_setr_epi64(0, 1, 9, 11, 4, 5, 13, 15);
+    const __m512i third = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+    return {{_mm512_permutex2var_pd(low, first, z), _mm512_permutex2var_pd(high, second, z),
+             _mm512_permutex2var_pd(low, third, z)}};
+}
+
+// Three numbers of each, the fourth lanes are zero.
+ECODS_WIDE_INLINE Double8 load_both(const double* a, const double* b) noexcept {
+    return _mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(_mm256_maskz_loadu_pd(7, a)),
+                                    _mm256_maskz_loadu_pd(7, b), 1);
+}
+ECODS_WIDE_INLINE BothMatrices load_both(const Mat3& a, const Mat3& b) noexcept {
+    return {
+        {load_both(a.data(), b.data()), load_both(a.data() + 3, b.data() + 3), load_both(a.data() + 6, b.data() + 6)}};
+}
+
+// The edges of both trees' boxes, as Edges has them.
+struct BothEdges {
+    BothMatrices edges;
+    Double8 size, origin, origin_size, factor, per_scale;
+
+    ECODS_WIDE_INLINE BothEdges(const PosedTree& a, const PosedTree& b) noexcept {
+        const LocalFrame &frame_a = a.tree.frame, &frame_b = b.tree.frame;
+        const BothMatrices R = load_both(a.R, b.R), R_size = absolute(R);
+        const Double8 center = load_both(frame_a.center.data(), frame_b.center.data());
+        edges = R * load_both(frame_a.map, frame_b.map);
+        size = R_size * load_both(frame_a.map_size.data(), frame_b.map_size.data());
+        origin = R * center;
+        origin_size = R_size * absolute(center);
+        factor = (_mm512_set1_pd(1) + sum(row_sums(R_size))) * both(frame_a.size_max, frame_b.size_max);
+        per_scale = _mm512_set1_pd(1) / both(frame_a.scale, frame_b.scale);
+    }
+};
+
+// Both sets in doubles, as DoubleAxes has them.
+struct BothAxes {
+    BothMatrices other;  // P of the tree that the normals are not of
+    Double8 offset, margin, s, w, e;
+    bool are_fit;  // otherwise nothing else is set
+
+    ECODS_WIDE_INLINE BothAxes(const BothEdges& both_edges, const Vec3& difference) noexcept {
+        const BothMatrices& edges = both_edges.edges;
+        const Double8 per_scale = both_edges.per_scale;
+        const BothMatrices N = transpose(
+            BothMatrices{{(edges.column[0] * per_scale) * per_scale, (edges.column[1] * per_scale) * per_scale,
+                          (edges.column[2] * per_scale) * per_scale}});
+        const BothMatrices own = N * edges;
+        e = row_sums(distance_from_identity(own));
+        other = N * swapped(edges);
+        const BothMatrices N_size = absolute(N);
+        const Double8 d = load_both(difference.data(), difference.data()), d_size = absolute(d);
+        const Double8 origin = both_edges.origin;
+        const Double8 origin_a = _mm512_maskz_shuffle_f64x2(0xff, origin, origin, _MM_SHUFFLE(1, 0, 1, 0));
+        const Double8 origin_b = _mm512_maskz_shuffle_f64x2(0xff, origin, origin, _MM_SHUFFLE(3, 2, 3, 2));
+        offset = N * ((origin_b - origin_a) + d);
+        const Double8 world = (of_both(both_edges.size) + of_both(both_edges.origin_size)) + d_size;
+        w = N_size * world;
+        s = (row_sums(absolute(own)) + row_sums(absolute(other))) + absolute(offset);
+        const Double8 factor = (of_both(both_edges.factor) + sum(d_size)) * sum(row_sums(N_size));
+        // In this form NaN is not fit.
+        are_fit = (_mm512_cmp_pd_mask(sum(e), _mm512_set1_pd(unit_distance_max), _CMP_LE_OQ) &
+                   is_below(sum(world), world_max) & is_below(sum(s), sum_max) & is_below(sum(w), sum_max) &
+                   is_below(factor, factor_max)) == 0xff;
+        margin = (times(32 * two_u, s + w) + times(2, e)) + _mm512_set1_pd(underflow);
+    }
+};
+
+// The boxes of both trees as a whole, as RootBox has them.
+struct BothRoots {
+    Double8 center, half;
+
+    ECODS_WIDE_INLINE BothRoots(const MeshBvh& a, const MeshBvh& b) noexcept
+        : center(load_floats(a.root_center.data(), b.root_center.data())),
+          half(load_floats(a.root_half.data(), b.root_half.data())) {}
+
+    ECODS_WIDE_INLINE static Double8 load_floats(const float* a, const float* b) noexcept {
+        return _mm512_maskz_cvtps_pd(0xff, _mm256_set_m128(_mm_maskz_loadu_ps(7, b), _mm_maskz_loadu_ps(7, a)));
+    }
+};
+
+// Which of the three normals of either separates the roots, as bits: 0 to 2 those of a, 4 to 6 those of b. Sets
+// `other_half` to the reach of the box that the normals are not of.
+ECODS_WIDE_INLINE std::uint32_t separating_faces(const BothAxes& axes, const BothRoots& roots,
+                                                 Double8& other_half) noexcept {
+    const Double8 signs = join(Double4{}, broadcast<Double4>(-0.0));
+    other_half = absolute(axes.other) * swapped(roots.half);
+    const Double8 distance =
+        absolute((roots.center - axes.other * swapped(roots.center)) - _mm512_xor_pd(signs, axes.offset));
+    const Double8 reach = (roots.half + other_half) + axes.margin;
+    return _mm512_cmp_pd_mask(distance, reach, _CMP_GT_OQ) & 0x77u;
+}
+
+// Both halves as floats.
+struct FloatHalves {
+    Float4 low, high;
+
+    ECODS_WIDE_INLINE explicit FloatHalves(Double8 v) noexcept {
+        const __m256 floats = _mm512_maskz_cvtpd_ps(0xff, v);
+        low = bits_as<Float4>(_mm256_castps256_ps128(floats));
+        high = bits_as<Float4>(_mm256_extractf128_ps(floats, 1));
+    }
+};
+
+// set_floats() of both.
+ECODS_WIDE_INLINE void set_both_floats(std::array<AxisSet, 2>& sets, const BothAxes& exact) noexcept {
+    const FloatHalves x(exact.other.column[0]), y(exact.other.column[1]), z(exact.other.column[2]), shift(exact.offset);
+    set_unit_projection(sets[0].a, Float4{});
+    set_projection(sets[0].b, {x.low, y.low, z.low, shift.low});
+    set_projection(sets[1].a, {x.high, y.high, z.high, Float4{}});
+    set_unit_projection(sets[1].b, shift.high);
+    const Double8 in_float = times(float_u, exact.s);
+    const Double8 in_double = times(16 * two_u, exact.w) + _mm512_set1_pd(underflow);
+    const FloatHalves margin(times(1 + 0x1p-22, (times(16, in_float) + in_double) + times(2, exact.e)));
+    const FloatHalves point_error(times(1 + 0x1p-22, (times(8, in_float) + in_double) + exact.e));
+    store_anywhere(sets[0].b.margin.data(), margin.low);
+    store_anywhere(sets[1].b.margin.data(), margin.high);
+    store_anywhere(sets[0].point_error.data(), point_error.low);
+    store_anywhere(sets[1].point_error.data(), point_error.high);
+    const Double8 distance = exact.e + in_double;
+    sets[0].is_bijective = largest(low_half(distance)) < 0x1p-4;
+    sets[1].is_bijective = largest(high_half(distance)) < 0x1p-4;
+}
+
+}  // namespace ecods::axes
+
+#endif
