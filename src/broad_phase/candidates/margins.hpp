@@ -17,7 +17,7 @@ namespace ecods {
 // is is a matter of speed.
 class Margins {
   public:
-    static constexpr double widest = 1;            // of margins, as a share of the extent
+    static constexpr double widest = 0.75;         // of margins, as a share of the extent
     static constexpr std::uint32_t steps_min = 2;  // one that lasts for fewer is not worth its candidates
 
     MovingFrame& frame() noexcept { return frame_; }
