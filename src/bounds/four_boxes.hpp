@@ -48,9 +48,9 @@ ECODS_ALWAYS_INLINE Double4 larger(Double4 a, Double4 b) noexcept {
 
 // next_up(x) of what is neither infinite nor NaN, and next_down(x) = -next_up(-x).
 ECODS_ALWAYS_INLINE Double4 next_up_of_finite(Double4 x) noexcept {
-    using Bits = Vec<std::int64_t, 4>;
+    using Bits = Vec<std::uint64_t, 4>;
     const Bits bits = bits_as<Bits>(x), zero{}, one = zero + 1;
-    const Bits next = bits < zero ? bits - 1 : bits + 1;
+    const Bits next = bits_as<Vec<std::int64_t, 4>>(x) < 0 ? bits - 1 : bits + 1;
     return bits_as<Double4>(bits + bits == zero ? one : next);
 }
 ECODS_ALWAYS_INLINE Double4 negative(Double4 x) noexcept {

@@ -1,4 +1,7 @@
 // The boxes of many bodies at new poses: those of bodies that share a mesh are found some at a time.
+//
+// By the thread that calls. Handing them to an executor was measured, too: at 4,096 to 65,536 bodies two threads took
+// 2 to 16 ns a body longer than one, for eight boxes are found before their poses have come to another core.
 #pragma once
 
 #include <array>
