@@ -156,10 +156,10 @@ struct Margins::Axes {
 };
 
 // The margin is as many more steps like the last one as the lookahead says, and some for turning back. It is at most
-// three quarters of an extent, so that a fast box does not collect candidates that it will not meet. A longer step was a jump, after
-// which the next one is not known; then the box gets the margin that it had before, in the direction that it went. None
-// is given to a box that would leave it within some steps, or that jumps time after time: to find candidates that it
-// will not meet costs more than to look it up again.
+// three quarters of an extent, so that a fast box does not collect candidates that it will not meet. A longer step was
+// a jump, after which the next one is not known; then the box gets the margin that it had before, in the direction that
+// it went. None is given to a box that would leave it within some steps, or that jumps time after time: to find
+// candidates that it will not meet costs more than to look it up again.
 PackedBox Margins::fat_box(const EscapedBox& escaped, const Aabb& box, const PackedBox& line,
                            const PackedBox& old_fat) noexcept {
     PackedBox result;

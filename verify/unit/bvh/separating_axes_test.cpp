@@ -154,6 +154,23 @@ TEST(SeparatingAxes, AllFifteenAxesSeparateSomething) {
     for (const int count : counts) EXPECT_GT(count, 0);
 }
 
+// Sheared boxes a little apart at a face: its normal separates them, which lies along no edge.
+TEST(SeparatingAxes, FacesOfShearedBoxesSeparate) {
+    scenes::Random random(37);
+    const auto cube = scenes::cube(0.5);
+    const MeshBvh tree = build(*cube);
+    for (int i = 0; i < 100; ++i) {
+        Mat3 R = random.rotation().toRotationMatrix();
+        for (int k = 0; k < 9; ++k) R.data()[k] += 0.4 * random.uniform(-1, 1);
+        if (std::abs(R.determinant()) < 0.1) continue;
+        const int axis = i % 3;
+        const Vec3 d = 1.001 * R.col(axis) + random.uniform(-0.5, 0.5) * R.col((axis + 1) % 3) +
+                       random.uniform(-0.5, 0.5) * R.col((axis + 2) % 3);
+        SeparatingAxes axes;
+        EXPECT_EQ(axes.bind({tree, R}, {tree, R}, d), axis) << i;
+    }
+}
+
 // What bind() answers, and of the sets that are ready then all that means something, bit by bit.
 std::vector<std::uint32_t> bound(const PosedTree& a, const PosedTree& b, const Vec3& d, int first) {
     SeparatingAxes axes;
@@ -188,14 +205,14 @@ TEST(SeparatingAxes, EveryInstructionSetBindsTheSame) {
     scenes::Random random(31);
     const auto flat =
         Mesh::create({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 0)}, {{0, 1, 2}, {1, 2, 3}});
-    const std::vector<MeshBvh> trees = [&] {
-        std::vector<MeshBvh> all;
-        for (const auto& mesh : {scenes::cube(0.5), scenes::torus(12, 8, 0.3), flat}) all.push_back(build(*mesh));
-        return all;
-    }();
+    std::vector<MeshBvh> trees;
+    for (const auto& mesh : {scenes::cube(0.5), scenes::torus(12, 8, 0.3), flat}) trees.push_back(build(*mesh));
+    trees.push_back(trees.front());
+    trees.back().root_center = {0.25f, -0.5f, 0.125f};  // beside the middle of its frame
+    trees.back().root_half = {0.5f, 0.25f, 0.75f};
     int bound_count = 0, separated_count = 0;
     for (int i = 0; i < 600; ++i) {
-        const MeshBvh &tree_a = trees[random.below(3)], &tree_b = trees[random.below(3)];
+        const MeshBvh &tree_a = trees[random.below(4)], &tree_b = trees[random.below(4)];
         Mat3 R[2];
         for (Mat3& r : R) {
             r = random.rotation().toRotationMatrix();
