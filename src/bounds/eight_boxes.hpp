@@ -7,26 +7,15 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "bounds/double8.hpp"
 #include "bounds/four_boxes.hpp"
-#include "simd/wide.hpp"
 
 #if ECODS_CAN_DISPATCH
 
 namespace ecods::support {
 
-using Double8 = __m512d;
-
-ECODS_WIDE_INLINE Double8 eight(double x) noexcept {
-    return _mm512_set1_pd(x);
-}
 ECODS_WIDE_INLINE Double8 either(__mmask8 mask, Double8 yes, Double8 no) noexcept {
     return _mm512_mask_blend_pd(mask, no, yes);
-}
-ECODS_WIDE_INLINE __mmask8 is_less(Double8 a, Double8 b) noexcept {
-    return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
-}
-ECODS_WIDE_INLINE Double8 absolute(Double8 v) noexcept {
-    return _mm512_abs_pd(v);
 }
 // a > b ? a : b, and a < b ? a : b.
 ECODS_WIDE_INLINE Double8 larger(Double8 a, Double8 b) noexcept {
@@ -135,10 +124,6 @@ ECODS_WIDE_INLINE Double8 negative(Double8 x) noexcept {
     return _mm512_xor_pd(x, eight(-0.0));
 }
 
-ECODS_WIDE_INLINE Double8 join(Double4 low, Double4 high) noexcept {
-    return _mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(bits_as<__m256d>(low)), bits_as<__m256d>(high), 1);
-}
-
 // Boxes from the ends of four of them, lane by lane.
 ECODS_ALWAYS_INLINE void store_four(const Double4 (&ends)[6], Aabb* const* boxes) noexcept {
     static_assert(sizeof(Aabb) == 6 * sizeof(double), "the lower ends, then the upper ones");
@@ -204,8 +189,8 @@ ECODS_WIDE inline bool eight_boxes_by_table(const TableView& table, const std::a
     }
     Double4 first[6], second[6];
     for (int end = 0; end < 6; ++end) {
-        first[end] = bits_as<Double4>(_mm512_maskz_extractf64x4_pd(0xff, ends[end], 0));
-        second[end] = bits_as<Double4>(_mm512_maskz_extractf64x4_pd(0xff, ends[end], 1));
+        first[end] = low_half(ends[end]);
+        second[end] = high_half(ends[end]);
     }
     store_four(first, boxes.data());
     store_four(second, boxes.data() + 4);

@@ -5,41 +5,26 @@
 // For poses that turn and no more, and numbers within their limits: for others, nothing is set here.
 #pragma once
 
+#include "bounds/double8.hpp"
 #include "bvh/posed_axes.hpp"
-#include "simd/wide.hpp"
 
 #if ECODS_CAN_DISPATCH
 
 namespace ecods::axes {
 
-using Double8 = __m512d;
+using ecods::absolute;
 
-ECODS_WIDE_INLINE Double8 join(Double4 low, Double4 high) noexcept {
-    return _mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(bits_as<__m256d>(low)), bits_as<__m256d>(high), 1);
-}
 ECODS_WIDE_INLINE Double8 both(double a, double b) noexcept {
     return join(broadcast<Double4>(a), broadcast<Double4>(b));
-}
-ECODS_WIDE_INLINE Double4 low_half(Double8 v) noexcept {
-    return bits_as<Double4>(_mm512_maskz_extractf64x4_pd(0xff, v, 0));
-}
-ECODS_WIDE_INLINE Double4 high_half(Double8 v) noexcept {
-    return bits_as<Double4>(_mm512_maskz_extractf64x4_pd(0xff, v, 1));
 }
 ECODS_WIDE_INLINE Double8 swapped(Double8 v) noexcept {
     return _mm512_maskz_shuffle_f64x2(0xff, v, v, _MM_SHUFFLE(1, 0, 3, 2));
 }
-ECODS_WIDE_INLINE Double8 absolute(Double8 v) noexcept {
-    return _mm512_abs_pd(v);
-}
 ECODS_WIDE_INLINE Double8 times(double x, Double8 v) noexcept {
-    return _mm512_set1_pd(x) * v;
+    return eight(x) * v;
 }
 ECODS_WIDE_INLINE Double8 of_both(Double8 v) noexcept {  // their sum, in each half
     return v + swapped(v);
-}
-ECODS_WIDE_INLINE __mmask8 is_below(Double8 v, double limit) noexcept {  // a NaN is not
-    return _mm512_cmp_pd_mask(v, _mm512_set1_pd(limit), _CMP_LT_OQ);
 }
 
 // One lane of each half, in all lanes of that half.
@@ -109,8 +94,8 @@ struct BothEdges {
         size = R_size * load_both(frame_a.map_size.data(), frame_b.map_size.data());
         origin = R * center;
         origin_size = R_size * absolute(center);
-        factor = (_mm512_set1_pd(1) + sum(row_sums(R_size))) * both(frame_a.size_max, frame_b.size_max);
-        per_scale = _mm512_set1_pd(1) / both(frame_a.scale, frame_b.scale);
+        factor = (eight(1) + sum(row_sums(R_size))) * both(frame_a.size_max, frame_b.size_max);
+        per_scale = eight(1) / both(frame_a.scale, frame_b.scale);
     }
 };
 
@@ -140,10 +125,10 @@ struct BothAxes {
         s = (row_sums(absolute(own)) + row_sums(absolute(other))) + absolute(offset);
         const Double8 factor = (of_both(both_edges.factor) + sum(d_size)) * sum(row_sums(N_size));
         // In this form NaN is not fit.
-        are_fit = (_mm512_cmp_pd_mask(sum(e), _mm512_set1_pd(unit_distance_max), _CMP_LE_OQ) &
-                   is_below(sum(world), world_max) & is_below(sum(s), sum_max) & is_below(sum(w), sum_max) &
-                   is_below(factor, factor_max)) == 0xff;
-        margin = (times(32 * two_u, s + w) + times(2, e)) + _mm512_set1_pd(underflow);
+        are_fit = (_mm512_cmp_pd_mask(sum(e), eight(unit_distance_max), _CMP_LE_OQ) &
+                   is_less(sum(world), eight(world_max)) & is_less(sum(s), eight(sum_max)) &
+                   is_less(sum(w), eight(sum_max)) & is_less(factor, eight(factor_max))) == 0xff;
+        margin = (times(32 * two_u, s + w) + times(2, e)) + eight(underflow);
     }
 };
 
@@ -191,7 +176,7 @@ ECODS_WIDE_INLINE void set_both_floats(std::array<AxisSet, 2>& sets, const BothA
     set_projection(sets[1].a, {x.high, y.high, z.high, Float4{}});
     set_unit_projection(sets[1].b, shift.high);
     const Double8 in_float = times(float_u, exact.s);
-    const Double8 in_double = times(16 * two_u, exact.w) + _mm512_set1_pd(underflow);
+    const Double8 in_double = times(16 * two_u, exact.w) + eight(underflow);
     const FloatHalves margin(times(1 + 0x1p-22, (times(16, in_float) + in_double) + times(2, exact.e)));
     const FloatHalves point_error(times(1 + 0x1p-22, (times(8, in_float) + in_double) + exact.e));
     store_anywhere(sets[0].b.margin.data(), margin.low);
