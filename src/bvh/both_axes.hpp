@@ -2,7 +2,7 @@
 // one set of axes after the other, lane by lane with the same operations in the same order, so that the bits are the
 // same. The first four lanes are those of the set of a's normals, the last four of b's.
 //
-// For poses that turn and no more, and numbers within their limits: for others, nothing is set here.
+// For poses that turn and no more, and numbers within their limits; others go through one set after the other.
 #pragma once
 
 #include "bounds/double8.hpp"
@@ -103,7 +103,7 @@ struct BothEdges {
 struct BothAxes {
     BothMatrices other;  // P of the tree that the normals are not of
     Double8 offset, margin, s, w, e;
-    bool are_fit;  // otherwise nothing else is set
+    bool are_fit;  // otherwise nothing else means anything
 
     ECODS_WIDE_INLINE BothAxes(const BothEdges& both_edges, const Vec3& difference) noexcept {
         const BothMatrices& edges = both_edges.edges;

@@ -49,7 +49,6 @@ struct Margins::Axes {
     ECODS_ALWAYS_INLINE static std::uint32_t axes_of(Mask mask) noexcept {
         return static_cast<std::uint32_t>(any_bits(mask & Mask{1, 2, 4, 0}));
     }
-    ECODS_ALWAYS_INLINE static Doubles broadcast_double(double x) noexcept { return broadcast<Doubles>(x); }
 
     // The box of a slot as fat boxes are.
     ECODS_ALWAYS_INLINE static void put_in_frame(const MovingFrame& frame, const Aabb& box, const PackedBox& line,
@@ -60,11 +59,11 @@ struct Margins::Axes {
     // Enlarges `fat` by the margin that a box had, shifted towards the side that the box went to.
     ECODS_ALWAYS_INLINE static void turn_margin(const BoxEnds& box, const BoxEnds& old, const MotionHint& hint,
                                                 double limit, BoxEnds& fat) noexcept {
-        const Doubles half = broadcast_double(0.5), small = broadcast_double(back / (1 + back)), none{};
+        const Doubles half = broadcast<Doubles>(0.5), small = broadcast<Doubles>(back / (1 + back)), none{};
         const Doubles margin = (box.low - old.low) + (old.high - box.high);
         const Doubles behind = mask_of(hint.turns | ~(hint.up | hint.down)) ? half : small;
         const Doubles low = mask_of(hint.up) ? behind : 1 - behind;
-        const Doubles most = broadcast_double(limit);
+        const Doubles most = broadcast<Doubles>(limit);
         fat.low -= margin > none ? min(low * margin, most) : none;
         fat.high += margin > none ? min((1 - low) * margin, most) : none;
     }
@@ -90,9 +89,9 @@ struct Margins::Axes {
         hint.up = (hint.up | ups) & ~downs & all_axes;
         hint.down = (hint.down | downs) & ~ups & all_axes;
         const Doubles behind =
-            mask_of(hint.turns | margins.common_turns_) ? broadcast_double(1) : broadcast_double(back);
+            mask_of(hint.turns | margins.common_turns_) ? broadcast<Doubles>(1) : broadcast<Doubles>(back);
         const double updates = margins.lookahead_.updates();
-        const Doubles most = broadcast_double(limit), none{};
+        const Doubles most = broadcast<Doubles>(limit), none{};
         fat.low -= moved ? min(updates * max(-behind * down, down), most) : none;
         fat.high += moved ? min(updates * max(-behind * up, up), most) : none;
     }
@@ -108,7 +107,7 @@ struct Margins::Axes {
         find_ends(box, now);
         find_ends(escaped.before, before);
         const Doubles extent = now.high - now.low;
-        if (!all(extent <= broadcast_double(std::numeric_limits<double>::max()))) return;
+        if (!all(extent <= broadcast<Doubles>(std::numeric_limits<double>::max()))) return;
         const double largest = largest_of(extent);
         const double margin_max = widest * (largest < margins.mean_extent_ ? margins.mean_extent_ : largest);
         Doubles went{};
