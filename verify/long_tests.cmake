@@ -1,0 +1,42 @@
+# What verify/run leaves to verify/run --all, and why: tests that take long themselves or that need what takes long to build,
+# and that are seldom the only ones to see a fault. A row is a reason and names of tests, where * stands for anything; of the
+# cases of a program of GoogleTest, PROGRAM.FILTER, and PROGRAM.* is a program that verify/run does not build.
+# usage: ecods_long(REASON NAMES...)
+set_property(GLOBAL PROPERTY ECODS_LONG_TESTS "")
+file(WRITE ${PROJECT_BINARY_DIR}/long_tests.txt "")
+function(ecods_long reason)
+  set_property(GLOBAL APPEND PROPERTY ECODS_LONG_TESTS ${ARGN})
+  foreach(name ${ARGN})
+    file(APPEND ${PROJECT_BINARY_DIR}/long_tests.txt "${name}\t${reason}\n")
+  endforeach()
+endfunction()
+
+ecods_long("the exact layer is built three times for it" environment)
+ecods_long("the library is built again for it, with the thread sanitizer" threads)
+ecods_long("Gappa and Coq prove again what only a change of a constant changes" proofs)
+
+# usage: ecods_is_long(NAME RESULT)
+function(ecods_is_long name result)
+  set(${result} FALSE PARENT_SCOPE)
+  get_property(rows GLOBAL PROPERTY ECODS_LONG_TESTS)
+  foreach(row IN LISTS rows)
+    string(REPLACE "." "[.]" pattern "${row}")
+    string(REPLACE "*" ".*" pattern "${pattern}")
+    if(name MATCHES "^${pattern}$")
+      set(${result} TRUE PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
+# The filter of GoogleTest for the cases of a program that are long; * for all, nothing for none.
+# usage: ecods_long_cases(PROGRAM RESULT)
+function(ecods_long_cases program result)
+  get_property(rows GLOBAL PROPERTY ECODS_LONG_TESTS)
+  list(FILTER rows INCLUDE REGEX "^${program}[.]")
+  list(TRANSFORM rows REPLACE "^${program}[.]" "")
+  if("*" IN_LIST rows)
+    set(rows "*")
+  endif()
+  list(JOIN rows ":" filter)
+  set(${result} "${filter}" PARENT_SCOPE)
+endfunction()
