@@ -11,10 +11,6 @@ function(ecods_long reason)
   endforeach()
 endfunction()
 
-ecods_long("the exact layer is built three times for it" environment)
-ecods_long("the library is built again for it, with the thread sanitizer" threads)
-ecods_long("Gappa and Coq prove again what only a change of a constant changes" proofs)
-
 # usage: ecods_is_long(NAME RESULT)
 function(ecods_is_long name result)
   set(${result} FALSE PARENT_SCOPE)
@@ -40,3 +36,23 @@ function(ecods_long_cases program result)
   list(JOIN rows ":" filter)
   set(${result} "${filter}" PARENT_SCOPE)
 endfunction()
+
+ecods_long("other engines, which take a third of the build" bench.* bench_test.* fuzz.engine* fuzz_engine_tests.*
+           instruction_sets.unknown.ecods_bench instruction_sets.unknown.ecods_micro)
+ecods_long("the Python module, with packages of its own" python.*)
+ecods_long("the exact layer is built three times for it" environment)
+ecods_long("the library is built again for it, with the thread sanitizer" threads)
+ecods_long("Gappa and Coq prove again what only a change of a constant changes" proofs)
+ecods_long("Doxygen, Chromium and clang-tidy read what the other tests compile or read, too" reference clash.page
+           tidy.clang_tidy_headers)
+ecods_long("the project is configured anew in many ways" consumer.parts consumer.flags)
+ecods_long("sixteen programs to build, and what they ask of the library has tests of its own" examples.*)
+ecods_long("CGAL beside CGAL, or beside answers that the judged families know, too; no planted fault is seen by them alone"
+           oracle_test.* side_of_mesh_tests.* exhaustive_tests.*)
+ecods_long("many runs of what other tests run a few times" fuzz.motion fuzz_tests.FuzzProgramTest.JobsDoNotMatter
+           property_broad_phase.Exhaustive.*)
+ecods_long("each allocation of each call fails in turn; verify/run has that for worlds of one broad phase, and updates of two"
+           allocation_tests.QueryOutOfMemory.EveryQuestion* allocation_tests.BroadPhases/WorldOutOfMemory.*/1
+           allocation_tests.BroadPhases/WorldOutOfMemory.*/2 allocation_tests.BroadPhases/WorldOutOfMemory.*/3
+           allocation_tests.BroadPhases/UpdateOutOfMemory.*/4 allocation_tests.BroadPhases/UpdateOutOfMemory.*/5
+           allocation_tests.BroadPhases/UpdateOutOfMemory.*/6 allocation_tests.BroadPhases/UpdateOutOfMemory.*/7)
