@@ -49,8 +49,7 @@ ecods_long("the project is configured anew in many ways" consumer.parts consumer
 ecods_long("sixteen programs to build, and what they ask of the library has tests of its own" examples.*)
 ecods_long("CGAL beside CGAL, or beside answers that the judged families know, too; no planted fault is seen by them alone"
            oracle_test.* side_of_mesh_tests.* exhaustive_tests.*)
-ecods_long("many runs of what other tests run a few times" fuzz.motion fuzz_tests.FuzzProgramTest.JobsDoNotMatter
-           property_broad_phase.Exhaustive.*)
+ecods_long("many runs of what other tests run a few times" fuzz.motion fuzz_tests.FuzzProgramTest.JobsDoNotMatter)
 ecods_long("each allocation of each call fails in turn; verify/run has that for worlds of one broad phase, and updates of two"
            allocation_tests.QueryOutOfMemory.EveryQuestion* allocation_tests.BroadPhases/WorldOutOfMemory.*/1
            allocation_tests.BroadPhases/WorldOutOfMemory.*/2 allocation_tests.BroadPhases/WorldOutOfMemory.*/3

@@ -80,7 +80,8 @@ endfunction()
 # The cases of a program that the filter lets through become tests with these labels.
 # usage: ecods_discover(NAME KIND "FILTER" LABELS...)     KIND: a word of its own for each call
 function(ecods_discover name kind filter)
-  gtest_discover_tests(${name} TEST_PREFIX ${name}. TEST_FILTER "${filter}" TEST_LIST ${name}_${kind} DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(${name} TEST_PREFIX ${name}. TEST_FILTER "${filter}" TEST_LIST ${name}_${kind} DISCOVERY_TIMEOUT 60
+                       NO_PRETTY_VALUES)  # the names that a filter takes
   # More than one label is lost on the way through gtest_discover_tests.
   set(file ${CMAKE_CURRENT_BINARY_DIR}/${name}_${kind}.cmake)
   file(CONFIGURE OUTPUT ${file} @ONLY CONTENT [=[
