@@ -47,8 +47,11 @@ ecods_long("Doxygen, Chromium and clang-tidy read what the other tests compile o
            tidy.clang_tidy_headers)
 ecods_long("the project is configured anew in many ways" consumer.parts consumer.flags)
 ecods_long("sixteen programs to build, and what they ask of the library has tests of its own" examples.*)
-ecods_long("CGAL beside CGAL, or beside answers that the judged families know, too; no planted fault is seen by them alone"
-           oracle_test.* side_of_mesh_tests.* exhaustive_tests.*)
+ecods_long("the oracle beside models of its own" oracle_test.*)
+ecods_long("CGAL's own side of a mesh, which takes long to compile" side_of_mesh_tests.*)
+ecods_long("every pair of triangles of a lattice; no planted fault is seen by it alone" exhaustive_tests.*)
+ecods_long("the checkers of certificates, which share nothing with the library, asked about many that are spoilt"
+           certificates.tampered certificates.false_claims certificates.malformed certificates.python_cases)
 ecods_long("many runs of what other tests run a few times" fuzz.motion fuzz_tests.FuzzProgramTest.JobsDoNotMatter)
 ecods_long("each allocation of each call fails in turn; verify/run has that for worlds of one broad phase, and updates of two"
            allocation_tests.QueryOutOfMemory.EveryQuestion* allocation_tests.BroadPhases/WorldOutOfMemory.*/1
