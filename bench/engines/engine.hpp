@@ -10,7 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "ecods/world.hpp"
+#include "ecods/broad_phase.hpp"
+#include "ecods/mesh.hpp"
+#include "ecods/statistics.hpp"
 #include "scenes/scene.hpp"
 
 namespace ecods::bench {

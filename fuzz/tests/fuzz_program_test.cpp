@@ -124,14 +124,5 @@ TEST_F(FuzzProgramTest, CommandsThatMakeNoSense) {
     EXPECT_EQ(run_program(fuzz, "--canary crush").status, 2);
 }
 
-#ifdef ECODS_FUZZ_ENGINE_PROGRAM  // it is there where the other engines are
-TEST_F(FuzzProgramTest, OtherEngines) {
-    const std::string engines = ECODS_FUZZ_ENGINE_PROGRAM;
-    expect_help_and_version(engines);
-    EXPECT_EQ(run_program(engines, "--engine nosuch").status, 2);
-    EXPECT_EQ(run_program(fuzz, "--engine nosuch").status, 2);
-}
-#endif
-
 }  // namespace
 }  // namespace ecods::scenes

@@ -2,7 +2,7 @@
 // each
 //                                   rounding mode with and without flush-to-zero
 //
-// Built by verify/environment/check in many ways, from the sources of the exact layer, without any other library.
+// Built in many ways (digest.cmake), each from the sources of the exact layer, without any other library.
 
 #include <array>
 #include <bit>
