@@ -130,7 +130,7 @@ Turn start_room(const scenes::RoomOptions& options) {
     };
 }
 
-std::vector<OwnWorkload> own_workloads(bool is_quick) {
+std::vector<OwnWorkload> mesh_workloads(bool is_quick) {
     std::vector<OwnWorkload> list;
     const std::size_t some = is_quick ? 4 : 100;
     const auto add_mesh = [&](const std::string& name, const std::shared_ptr<const Mesh>& mesh) {
@@ -159,7 +159,11 @@ std::vector<OwnWorkload> own_workloads(bool is_quick) {
     list.push_back(
         {"stacked bricks, closest", [=] { return start_queries(scenes::stacked_bricks(some, 3), closest_question); }});
     list.push_back({"splined shafts", [=] { return start_queries(scenes::splined_shafts(is_quick ? 2 : 20, 4)); }});
+    return list;
+}
 
+std::vector<OwnWorkload> own_workloads(bool is_quick) {
+    std::vector<OwnWorkload> list = mesh_workloads(is_quick);
     using scenes::BoxLayout;
     using scenes::BoxMotion;
     const std::size_t large = is_quick ? 2000 : 10'000, frame_count = is_quick ? 3 : 60;
