@@ -113,29 +113,51 @@ void write_all(const Page& page, const Arguments& arguments) {
     if (!arguments.sample.empty()) write_sample(page, arguments.sample);
 }
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Runs one suite. Lines on the error stream say when it begins and how long it took, also where that is no terminal.
+SuiteResult run(const Suite& suite, const std::string& place, const SuiteOptions& options) {
+    fmt::print(stderr, "suite {}: {} ...\n", place, suite.name);
+    const Clock::time_point start = Clock::now();
+    SuiteResult result = suite.run(options);
+    if (options.is_main) print_summary(result);
+    fmt::print(stderr, "suite {}: {}: {:.1f} s\n", place, suite.name, seconds_since(start));
+    return result;
+}
+
+// Prints the rows of all scenes, or in the main job the ratios that follow from them.
+void print_scenes(const Table& all, const SuiteOptions& options) {
+    print(options.is_main ? ratio_table(all, "Many moving meshes: which collide?").value_or(all) : all);
+}
+
 bool run(const Arguments& arguments, const std::string& command) {
-    const auto start = std::chrono::steady_clock::now();
-    const std::vector<Suite> suites = asked_suites(all_suites(), arguments.suites, arguments.options);
+    const Clock::time_point start = Clock::now();
+    const std::vector<Suite> suites =
+        asked_suites(arguments.options.is_main ? main_suites() : all_suites(), arguments.suites, arguments.options);
     if (arguments.has_report) std::filesystem::create_directories(arguments.options.folder);
     Page page = make_page(command);
     bool is_right = true;
     std::vector<Table> comparisons;
-    for (const Suite& suite : suites) {
-        SuiteResult result = suite.run(arguments.options);
+    for (std::size_t i = 0; i < suites.size(); ++i) {
+        SuiteResult result = run(suites[i], fmt::format("{} of {}", i + 1, suites.size()), arguments.options);
         is_right &= result.is_right;
         std::move(result.sections.begin(), result.sections.end(), std::back_inserter(page.sections));
         std::move(result.comparisons.begin(), result.comparisons.end(), std::back_inserter(comparisons));
     }
     if (!comparisons.empty()) {
         const Table all = join(comparisons);
-        fmt::print("{}\n", to_text(all));
+        print_scenes(all, arguments.options);
         page.sections.insert(page.sections.begin(), Section{"Engines on all scenes", {}, {all}, {}});
     }
     const std::string words = verdict(suites, arguments.options, is_right);
     page.summary.insert(page.summary.begin(), words);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    page.environment.rows.push_back({"whole run", fmt::format("{:.0f} s", seconds.count())});
+    page.environment.rows.push_back({"whole run", fmt::format("{:.0f} s", seconds_since(start))});
     fmt::print("{}\n", words);
+    if (arguments.is_quick) fmt::print("A few frames, run once (--quick): no time in these tables is a speed.\n");
     write_all(page, arguments);
     return is_right;
 }
@@ -148,16 +170,23 @@ bool compare(const Arguments& arguments) {
     const BuildComparison result =
         compare_builds(arguments.builds.at(0), arguments.builds.at(1), arguments.options.repetition_count, options);
     print(result.table);
+    if (!result.slowest.empty()) fmt::print("The largest new/old: {:.3f} ({})\n", result.ratio_max, result.slowest);
     fmt::print("{}\n", result.is_same ? "Answers and counts of work are equal."
                                       : "ANSWERS OR COUNTS OF WORK DIFFER: see the table.");
     return result.is_same;
 }
 
+std::string names_of_main_suites() {
+    std::string names;
+    for (const Suite& suite : main_suites()) names += (names.empty() ? "" : ", ") + suite.name;
+    return names;
+}
+
 void add_options(CLI::App& app, Arguments& arguments) {
     SuiteOptions& options = arguments.options;
-    for (const Suite& suite : all_suites()) arguments.suites.push_back(suite.name);
-    app.add_option("--suite", arguments.suites, "Which suites to run (default: all)")
-        ->check(CLI::IsMember(arguments.suites));
+    for (const Suite& each : all_suites()) arguments.suites.push_back(each.name);
+    CLI::Option* const suite = app.add_option("--suite", arguments.suites, "Which suites to run (default: all)")
+                                   ->check(CLI::IsMember(arguments.suites));
     app.add_option("--frames", options.frame_count, "Frames of each room")
         ->check(CLI::Range(2, 100000))
         ->capture_default_str();
@@ -194,7 +223,12 @@ void add_options(CLI::App& app, Arguments& arguments) {
         ->expected(2)
         ->check(CLI::ExistingFile);
     app.add_flag("--own", arguments.is_own, "What --compare starts the two builds with: one line out for each line in");
-    app.add_flag("--long", options.is_long, "The largest sizes, more frames, and a mesh of ten million triangles");
+    CLI::Option* const is_long =
+        app.add_flag("--long", options.is_long, "The largest sizes, more frames, and a mesh of ten million triangles");
+    app.add_flag("--main", options.is_main,
+                 "The main job, what ./bench/run runs: " + names_of_main_suites() +
+                     ", with fewer engines and workloads, and a table or two of each on the terminal")
+        ->excludes(suite, is_long);
     app.add_flag("--quick", arguments.is_quick,
                  "A few frames, once, without pictures, and without report unless --report is given: to see that all "
                  "of it works");

@@ -1,6 +1,7 @@
 // ecods_bench as its users run it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -48,6 +49,29 @@ TEST_F(BenchProgramTest, AReportIsWrittenWhereItIsAskedFor) {
     EXPECT_TRUE(std::filesystem::exists(report / "index.html"));
     EXPECT_NE(quick.out.find("report: " + (report / "index.html").string()), std::string::npos) << quick.out;
     EXPECT_EQ(run("--quick --suite hard_cases --engines ECoDS").out.find("report: "), std::string::npos);
+}
+
+// A suite begins and ends with a line each, also where nobody looks at a terminal.
+TEST_F(BenchProgramTest, TheMainJobIsShortAndSaysHowFarItIs) {
+    const auto main = run("--quick --main");
+    EXPECT_EQ(main.status, 0) << main.err;
+    EXPECT_NE(main.err.find("suite 1 of 4: narrow ...\n"), std::string::npos) << main.err;
+    EXPECT_NE(main.err.find("suite 4 of 4: rooms: "), std::string::npos) << main.err;
+    EXPECT_NE(main.out.find("Every answer of ECoDS is the oracle's"), std::string::npos) << main.out;
+    EXPECT_NE(main.out.find("no time in these tables is a speed"), std::string::npos) << main.out;
+    for (const char* title :
+         {"Two meshes: do they touch?", "Boxes that move: which overlap?", "Ever more ships in the same room",
+          "Ever more ships at the same density", "Many moving meshes: which collide?"})
+        EXPECT_NE(main.out.find(title), std::string::npos) << title;
+    EXPECT_LT(std::count(main.out.begin(), main.out.end(), '\n'), 80) << main.out;
+    EXPECT_EQ(run("--main --suite narrow").status, 2);
+    EXPECT_EQ(run("--main --long").status, 2);
+}
+
+TEST_F(BenchProgramTest, TheScriptSaysWhatItRuns) {
+    const auto help = run_program(ECODS_BENCH_RUN, "--help");
+    EXPECT_EQ(help.status, 0) << help.err;
+    EXPECT_NE(help.out.find("bench/run --all"), std::string::npos) << help.out;
 }
 
 // The page of results that are saved here: the headline comes first, charts are drawn in it, and it names no other

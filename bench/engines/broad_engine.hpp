@@ -49,8 +49,11 @@ std::unique_ptr<BroadEngine> set_up_broad_ode(const scenes::MovingBoxes& boxes);
 std::unique_ptr<BroadEngine> set_up_broad_embree(const scenes::MovingBoxes& boxes);
 std::unique_ptr<BroadEngine> set_up_broad_cgal(const scenes::MovingBoxes& boxes);
 
-// All of the above, ECoDS once for each kind. The one that ratios are taken to is FCL DynamicAABBTree.
+// All of the above that this build has, ECoDS once for each kind: those of the main job, then the others. The one that
+// ratios are taken to is FCL DynamicAABBTree.
 std::vector<BroadMaker> broad_engines();
+std::vector<BroadMaker> main_broad_engines();
+std::vector<BroadMaker> more_broad_engines();
 constexpr const char* broad_yardstick = "FCL DynamicAABBTree";
 constexpr const char* broad_scratch = "ECoDS, from scratch";
 constexpr const char* broad_scratch_unsorted = "ECoDS, from scratch, unsorted";

@@ -17,7 +17,7 @@ BroadMaker ecods_maker(const NamedBroadPhase& named) {
 
 }  // namespace
 
-std::vector<BroadMaker> broad_engines() {
+std::vector<BroadMaker> main_broad_engines() {
     constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
     std::vector<BroadMaker> makers;
     for (const NamedBroadPhase& named : broad_phase_kinds) makers.push_back(ecods_maker(named));
@@ -31,23 +31,17 @@ std::vector<BroadMaker> broad_engines() {
          set_up_broad_fcl_tree},
         {"FCL tree, moved only", "update() of the moved objects, the rest the same", false, 10000,
          set_up_broad_fcl_tree_moved},
-        {"FCL DynamicAABBTree_Array", "as the first", false, 1000, set_up_broad_fcl_array},
-        {broad_fcl_sweep,
-         "SaPCollisionManager, as the first. NOT TO BE RELIED ON: it loses pairs and reports false ones", false, 10000,
-         set_up_broad_fcl_sweep, std::chrono::seconds(30)},
         {"Bullet Dbvt",
          "btDbvtBroadphase: setAabb(), calculateOverlappingPairs(), then its pairs, whose boxes are tested as its "
          "dispatcher does; float",
-         false, any, set_up_broad_bullet_dbvt},
-        {"Bullet AxisSweep3", "btAxisSweep3, the same; 16 bits, then float", false, 1000, set_up_broad_bullet_sweep},
-        {"ODE SAP space", "dSweepAndPruneSpace: dGeomSetPosition(), dSpaceCollide(); double", false, 10000,
-         set_up_broad_ode},
-        {"Embree rtcCollide",
-         "user geometry, dynamic scene of low build quality, rebuilt each frame, one thread; float", false, any,
-         set_up_broad_embree},
-        {"CGAL box_self_intersection_d", "closed boxes, from scratch each frame; double", false, 1000,
-         set_up_broad_cgal}};
+         false, any, set_up_broad_bullet_dbvt}};
     makers.insert(makers.end(), std::begin(others), std::end(others));
+    return makers;
+}
+
+std::vector<BroadMaker> broad_engines() {
+    std::vector<BroadMaker> makers = main_broad_engines();
+    for (BroadMaker& more : more_broad_engines()) makers.push_back(std::move(more));
     return makers;
 }
 

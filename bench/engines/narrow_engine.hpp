@@ -53,8 +53,11 @@ std::unique_ptr<NarrowEngine> set_up_narrow_ode(std::span<const scenes::NamedMes
 std::unique_ptr<NarrowEngine> set_up_narrow_bullet(std::span<const scenes::NamedMesh> meshes);
 std::unique_ptr<NarrowEngine> set_up_narrow_cgal(std::span<const scenes::NamedMesh> meshes);
 
-// All of the above. The one that ratios are taken to is FCL OBBRSS, the second.
+// All of the above that this build has: those of the main job, then the others. The one that ratios are taken to is FCL
+// OBBRSS, the second.
 std::vector<NarrowMaker> narrow_engines();
+std::vector<NarrowMaker> main_narrow_engines();
+std::vector<NarrowMaker> more_narrow_engines();
 constexpr const char* narrow_yardstick = "FCL OBBRSS";
 
 }  // namespace ecods::bench

@@ -2,7 +2,7 @@
 
 namespace ecods::bench {
 
-std::vector<NarrowMaker> narrow_engines() {
+std::vector<NarrowMaker> main_narrow_engines() {
     return {{"ECoDS", "MeshShape, intersects(), one QueryMemory; exact", true, true, false, set_up_narrow_ecods},
             {narrow_yardstick, "BVHModel<OBBRSS>, collide() with one contact and no details; double", false, true,
              false, set_up_narrow_fcl_obbrss},
@@ -10,13 +10,13 @@ std::vector<NarrowMaker> narrow_engines() {
             {"ODE trimesh",
              "dGeomTriMeshDataBuildSingle(), dCollide() for one contact, CONTACTS_UNIMPORTANT; poses double, tree and "
              "triangles float",
-             false, false, false, set_up_narrow_ode},
-            {"Bullet GImpact", "btGImpactMeshShape, margin 0, its algorithm from the dispatcher; float", false, false,
-             true, set_up_narrow_bullet},
-            {"CGAL Rigid",
-             "Rigid_triangle_mesh_collision_detection over Epick, get_all_intersections(); predicates exact on "
-             "rounded vertices",
-             false, false, true, set_up_narrow_cgal}};
+             false, false, false, set_up_narrow_ode}};
+}
+
+std::vector<NarrowMaker> narrow_engines() {
+    std::vector<NarrowMaker> makers = main_narrow_engines();
+    for (NarrowMaker& more : more_narrow_engines()) makers.push_back(std::move(more));
+    return makers;
 }
 
 }  // namespace ecods::bench

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <initializer_list>
 #include <stdexcept>
 
 namespace ecods::bench {
@@ -25,17 +26,32 @@ std::string fact(const Page& page, const std::string& what) {
     return "unknown";
 }
 
+void write_line(std::ostream& out, std::initializer_list<std::string> cells) {
+    const char* before = "";
+    for (const std::string& cell : cells) {
+        out << before << in_quotes_if_needed(cell);
+        before = ",";
+    }
+    out << "\n";
+}
+
+// Paragraphs are rows of no table; those of the page's own summary are of no section, either.
+void write_paragraphs(std::ostream& out, const std::string& section, const std::vector<std::string>& paragraphs) {
+    for (std::size_t i = 0; i < paragraphs.size(); ++i)
+        write_line(out, {section, "", std::to_string(i + 1), text_column, paragraphs[i]});
+}
+
 void write_table(std::ostream& out, const Section& section, const Table& table) {
-    // A table whose first columns are texts, and one that names its rows by numbers (of ships, say), alike.
-    const std::size_t label_count = std::max<std::size_t>(1, table.text_columns);
+    // A table whose first columns are texts, and one that names its rows by numbers (of ships, say), alike. Where all
+    // are texts, the first alone is a name.
+    const bool is_words = table.text_columns >= table.header.size();
+    const std::size_t label_count = is_words ? 1 : std::max<std::size_t>(1, table.text_columns);
     for (const std::vector<std::string>& row : table.rows) {
         std::string label = row.at(0);
         for (std::size_t c = 1; c < std::min(label_count, row.size()); ++c) label += " | " + row[c];
         for (std::size_t c = label_count; c < row.size(); ++c) {
             if (row[c].empty()) continue;
-            out << in_quotes_if_needed(section.title) << ',' << in_quotes_if_needed(table.title) << ','
-                << in_quotes_if_needed(label) << ',' << in_quotes_if_needed(table.header.at(c)) << ','
-                << in_quotes_if_needed(row[c]) << "\n";
+            write_line(out, {section.title, table.title, label, table.header.at(c), row[c]});
         }
     }
 }
@@ -53,9 +69,11 @@ void write_csv(const Page& page, const std::filesystem::path& file) {
         out << ' ' << row.at(0) << ": " << value << ';';
     }
     out << "\nsection,table,row,column,value\n";
-    for (const Section& section : page.sections)
-        for (const Table& table : section.tables)
-            if (table.text_columns < table.header.size()) write_table(out, section, table);
+    write_paragraphs(out, "", page.summary);
+    for (const Section& section : page.sections) {
+        write_paragraphs(out, section.title, section.paragraphs);
+        for (const Table& table : section.tables) write_table(out, section, table);
+    }
     out.close();
     if (!out) throw std::runtime_error("cannot write " + file.string());
 }

@@ -22,12 +22,14 @@ Page page() {
     Table words;
     words.text_columns = 2;
     words.header = {"engine", "use"};
-    words.rows = {{"A", "so"}};
-    page.sections.push_back({"Boxes only", {}, {table, words}, {}});
+    words.rows = {{"A", "so"}, {"B", "not"}};
+    words.title = "Use";
+    page.summary = {"All is well.", "How to, read."};
+    page.sections.push_back({"Boxes only", {"Dense."}, {table, words}, {}});
     return page;
 }
 
-TEST(Csv, ListsEveryNumberWithItsLabels) {
+TEST(Csv, ListsEveryCellWithItsLabels) {
     const std::string folder = "ecods_csv_test_" + std::to_string(getpid());
     const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / folder / "out.csv";
     write_csv(page(), file);
@@ -37,9 +39,14 @@ TEST(Csv, ListsEveryNumberWithItsLabels) {
               "# command: ecods_bench --csv x; date: 2026-02-03 04:05 UTC; processor: Some(R) CPU @ 2.0GHz, 2 "
               "threads;\n"
               "section,table,row,column,value\n"
+              ",,1,text,All is well.\n"
+              ",,2,text,\"How to, read.\"\n"
+              "Boxes only,,1,text,Dense.\n"
               "Boxes only,\"Boxes, \"\"dense\"\"\",dense 1k | A,ns,1.5\n"
               "Boxes only,\"Boxes, \"\"dense\"\"\",dense 1k | A,errors,0\n"
-              "Boxes only,\"Boxes, \"\"dense\"\"\",dense 1k | B,errors,3\n");
+              "Boxes only,\"Boxes, \"\"dense\"\"\",dense 1k | B,errors,3\n"
+              "Boxes only,Use,A,use,so\n"
+              "Boxes only,Use,B,use,not\n");
     std::filesystem::remove_all(file.parent_path());
 }
 

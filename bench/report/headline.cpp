@@ -50,9 +50,9 @@ std::string times_text(double ratio) {
     return ratio >= 10 ? fmt::format("{:.0f}", ratio) : fmt::format("{:.2g}", ratio);
 }
 
-// Times of the others over that of ECoDS, a row for each workload and a column for each engine; those of ECoDS's own
-// other ways are left to the full tables, as are engines on less than half of the workloads.
-Table ratio_table(const TimedTable& timed, const std::string& title) {
+// Names the columns of the ratios. The full tables show the rest: other ways to ask ECoDS, and engines on few
+// workloads.
+std::vector<std::string> rivals(const TimedTable& timed) {
     std::vector<std::string> engines;
     for (const TimedWorkload& workload : timed.workloads) {
         for (const Timing& timing : workload.engines) {
@@ -63,6 +63,11 @@ Table ratio_table(const TimedTable& timed, const std::string& title) {
                 engines.push_back(timing.engine);
         }
     }
+    return engines;
+}
+
+Table ratio_table(const TimedTable& timed, const std::string& title) {
+    const std::vector<std::string> engines = rivals(timed);
     Table table;
     table.title = title;
     table.header = {"workload", "ECoDS, " + timed.unit};
@@ -85,7 +90,7 @@ Table ratio_table(const TimedTable& timed, const std::string& title) {
         table.rows.push_back(std::move(row));
     }
     table.notes = {
-        fmt::format("Each engine's time over that of ECoDS: above 1 ECoDS is faster, below 1 (bold) it is "
+        fmt::format("Each engine's time over that of ECoDS: above 1 ECoDS is faster, below 1 it is "
                     "slower.{}",
                     has_wrong ? " Wrong: so many answers. ECoDS has none." : "")};
     return table;
@@ -135,6 +140,11 @@ Section losses(const std::vector<TimedTable>& tables) {
 }
 
 }  // namespace
+
+std::optional<Table> ratio_table(const Table& table, const std::string& title) {
+    const auto of_table = timed(table);
+    return of_table ? std::optional(ratio_table(*of_table, title)) : std::nullopt;
+}
 
 std::optional<Chart> summary_chart(const Page& page) {
     const Table* table = find_table(page, two_meshes_title);
@@ -193,8 +203,8 @@ std::vector<Section> headline(const Page& page) {
           std::pair{boxes_title, "Moving boxes, all overlapping pairs: times as long as ECoDS"},
           std::pair{scenes_title, "Many moving meshes, all colliding pairs: times as long as ECoDS"}}) {
         const Table* table = find_table(page, title);
-        const auto of_table = table == nullptr ? std::nullopt : timed(*table);
-        if (of_table) ratios.tables.push_back(ratio_table(*of_table, heading));
+        auto of_table = table == nullptr ? std::nullopt : ratio_table(*table, heading);
+        if (of_table) ratios.tables.push_back(std::move(*of_table));
     }
     if (!ratios.tables.empty()) sections.push_back(std::move(ratios));
     const std::vector<TimedTable> tables = timed_tables(page);

@@ -16,6 +16,10 @@ std::vector<Section> headline(const Page& page);
 // without these tables, which the suite `narrow` makes.
 std::optional<Chart> summary_chart(const Page& page);
 
+// Divides the others' times by that of ECoDS: a row for each workload, a column for each engine that has at least half
+// of them. Nothing where the table is not one of engines' times on workloads.
+std::optional<Table> ratio_table(const Table& table, const std::string& title);
+
 // Titles and names that the headline looks for.
 inline constexpr const char* two_meshes_title = "Two meshes: do they touch?";
 inline constexpr const char* gaps_title = "Ships at controlled gaps: false negatives / false positives";

@@ -106,11 +106,27 @@ TEST_F(Saved, JsonIsTheWholePage) {
     EXPECT_EQ(panel.curves[0].points[0].y, 2.5);
 }
 
-TEST_F(Saved, CsvIsItsTables) {
-    write_csv(page(), file("page.csv"));
+// But for charts, pictures and notes.
+TEST_F(Saved, CsvIsItsTextsAndTables) {
+    Page saved = page();
+    saved.summary.push_back("How to read it.");
+    Table words;
+    words.title = "Hard cases";
+    words.text_columns = 3;
+    words.header = {"case", "touch", "ECoDS"};
+    words.rows = {{"cube", "yes", "right"}, {"cube", "no", "right"}, {"right, of 2", "", "2"}};
+    saved.sections.push_back({"Hard cases", {"Reported.", "And found."}, {words}, {}});
+    write_csv(saved, file("page.csv"));
     const Page again = read_page(file("page.csv"));
     expect_headline(again);
-    EXPECT_EQ(again.environment.rows, page().environment.rows);
+    EXPECT_EQ(again.environment.rows, saved.environment.rows);
+    EXPECT_EQ(again.summary, saved.summary);
+    ASSERT_EQ(again.sections.size(), 2U);
+    EXPECT_EQ(again.sections[0].paragraphs, saved.sections[0].paragraphs);
+    EXPECT_EQ(again.sections[1].paragraphs, saved.sections[1].paragraphs);
+    ASSERT_EQ(again.sections[1].tables.size(), 1U);
+    EXPECT_EQ(again.sections[1].tables[0].rows, words.rows);
+    EXPECT_EQ(again.sections[1].tables[0].text_columns, 3U) << "a table of words";
 }
 
 TEST_F(Saved, WhatIsNoPageIsAnError) {

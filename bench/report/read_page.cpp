@@ -7,7 +7,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "report/csv.hpp"
 #include "report/json.hpp"
+#include "report/timings.hpp"
 
 namespace ecods::bench {
 
@@ -72,7 +74,8 @@ std::vector<std::string> labels_of(const std::string& row) {
 class TableReader {
   public:
     void add(const std::string& row, const std::string& column, const std::string& value) {
-        if (rows_.empty() || rows_.back().first != row) rows_.emplace_back(row, std::map<std::string, std::string>());
+        const bool is_next = rows_.empty() || rows_.back().first != row || rows_.back().second.contains(column);
+        if (is_next) rows_.emplace_back(row, std::map<std::string, std::string>());
         if (std::ranges::find(columns_, column) == columns_.end()) columns_.push_back(column);
         rows_.back().second[column] = value;
     }
@@ -90,6 +93,9 @@ class TableReader {
             for (const std::string& column : columns_) row.push_back(cells.contains(column) ? cells.at(column) : "");
             table.rows.push_back(std::move(row));
         }
+        const std::vector<std::string>& first = table.rows.front();
+        if (std::none_of(first.begin() + 1, first.end(), [](const std::string& cell) { return number_in(cell); }))
+            table.text_columns = table.header.size();
         return table;
     }
 
@@ -107,11 +113,14 @@ Page read_csv(const std::filesystem::path& file) {
     page.environment = environment_of(line);
     std::string section, title;
     TableReader reader;
-    const auto close_table = [&] {
-        if (title.empty()) return;
+    const auto find_section = [&]() -> Section& {
         if (page.sections.empty() || page.sections.back().title != section)
             page.sections.push_back({section, {}, {}, {}});
-        page.sections.back().tables.push_back(reader.table(title));
+        return page.sections.back();
+    };
+    const auto close_table = [&] {
+        if (!title.empty()) find_section().tables.push_back(reader.table(title));
+        title.clear();
     };
     for (std::size_t number = 2; std::getline(in, line); ++number) {
         const std::vector<std::string> cells = cells_of(line);
@@ -123,6 +132,10 @@ Page read_csv(const std::filesystem::path& file) {
             section = cells[0];
             title = todays(cells[1]);
             reader = {};
+        }
+        if (title.empty() && cells[3] == text_column) {
+            (section.empty() ? page.summary : find_section().paragraphs).push_back(cells[4]);
+            continue;
         }
         reader.add(cells[2], todays(cells[3]), cells[4]);
     }

@@ -33,6 +33,7 @@ constexpr std::array motion_engines = {
 // miss that, or show little else.
 std::size_t frame_count(std::size_t box_count, const SuiteOptions& options) {
     if (options.is_quick()) return 3;
+    if (options.is_main) return 100;
     if (box_count > 160'000) return 20;
     if (box_count > 16'000) return options.is_long ? 120 : 60;
     return (options.is_long ? 2u : 1u) * std::clamp<std::size_t>(300'000 / box_count, 150, 300);
@@ -40,7 +41,7 @@ std::size_t frame_count(std::size_t box_count, const SuiteOptions& options) {
 
 // Of processor time, for one turn of an engine: more frames are not waited for.
 double turn_seconds(const SuiteOptions& options) {
-    return options.is_long ? 10 : 2;
+    return options.is_long ? 10 : options.is_main ? 0.7 : 2;
 }
 
 void add_main_workloads(const SuiteOptions& options, std::vector<Workload>& list) {
@@ -56,7 +57,7 @@ void add_main_workloads(const SuiteOptions& options, std::vector<Workload>& list
         return;
     }
     add(BoxLayout::dense, BoxMotion::all, 10'000);
-    add(BoxLayout::dense, BoxMotion::all, 100'000);
+    if (!options.is_main) add(BoxLayout::dense, BoxMotion::all, 100'000);
     add(BoxLayout::sparse, BoxMotion::all, 10'000);
     if (options.is_long) add(BoxLayout::sparse, BoxMotion::all, 100'000);
     add(BoxLayout::pile, BoxMotion::all, 10'000);
@@ -77,6 +78,11 @@ void add_motions(std::size_t count, const SuiteOptions& options, std::vector<Wor
         const std::size_t frames = std::min<std::size_t>(frame_count(count, options), options.is_long ? 150 : 100);
         list.push_back({{layout, motion, count, frames, speed}, false});
     };
+    if (options.is_main) {
+        for (const BoxMotion motion : {BoxMotion::churn, BoxMotion::random, BoxMotion::one_new})
+            add(BoxLayout::dense, motion);
+        return;
+    }
     for (const double speed : {0.03, 0.06, 0.1, 0.5}) add(BoxLayout::dense, BoxMotion::all, speed);
     add(BoxLayout::ball, BoxMotion::turn);
     add(BoxLayout::ball, BoxMotion::fly);
@@ -99,9 +105,13 @@ std::vector<Workload> workloads(const SuiteOptions& options) {
     return list;
 }
 
+std::vector<BroadMaker> engines_of(const SuiteOptions& options) {
+    return options.is_main ? main_broad_engines() : broad_engines();
+}
+
 std::vector<BroadMaker> makers_for(const Workload& workload, const SuiteOptions& options) {
     const std::size_t box_count = workload.boxes.count;
-    std::vector<BroadMaker> makers = broad_engines();
+    std::vector<BroadMaker> makers = engines_of(options);
     options.keep_wanted(makers);
     std::erase_if(makers, [&](const BroadMaker& maker) {
         return !workload.is_main && std::ranges::find(motion_engines, maker.name) == motion_engines.end();
@@ -143,6 +153,7 @@ void add_rows(Table& table, const scenes::MovingBoxes& boxes, const BroadTruth& 
 Table empty_table(const SuiteOptions& options) {
     Table table;
     table.title = boxes_title;
+    table.is_summary = true;
     table.text_columns = 2;
     table.header = {"boxes",  "engine",    "ns/box/frame", "spread %", "slowest",
                     "frames", "times FCL", "pairs/box",    "false -",  "false +"};
@@ -152,8 +163,8 @@ Table empty_table(const SuiteOptions& options) {
                     medians_of(options.repetition_count),
                     options.is_long || options.repetition_count == 1 ? "" : " (100k: one)"),
         "Slowest: the frame that took longest, ns/box; of each frame the least time of all repetitions counts.",
-        fmt::format("Frames: so many were timed. An engine that needs more than {:.0f} s for all of them is timed over "
-                    "fewer, and once ({}: {:.0f} s, and as often as the others).",
+        fmt::format("Frames: so many were timed. An engine that needs more than {:.1f} s for all of them is timed over "
+                    "fewer, and once ({}: {:.1f} s, and as often as the others).",
                     turn_seconds(options), broad_yardstick, 3 * turn_seconds(options)),
         "Trees that are refitted and never rebuilt grow worse with every jump: with 1 % teleport FCL's time a frame "
         "rises "
@@ -170,12 +181,12 @@ Table empty_table(const SuiteOptions& options) {
     return table;
 }
 
-Table use_table() {
+Table use_table(const SuiteOptions& options) {
     Table table;
     table.title = "How each engine is used";
     table.text_columns = 2;
     table.header = {"engine", "use; precision"};
-    for (const BroadMaker& maker : broad_engines()) table.rows.push_back({maker.name, maker.use});
+    for (const BroadMaker& maker : engines_of(options)) table.rows.push_back({maker.name, maker.use});
     table.notes = {"Taking the boxes in, and the first list, are outside the times. All bounds are floats."};
     return table;
 }
@@ -203,16 +214,16 @@ SuiteResult run_broad(const SuiteOptions& options) {
             progress.step();
         }
     }
-    print(table);
+    print(table, options);
     const Table swaps = swap_table(options.is_quick() ? 1000 : 16'000, options.is_quick() ? 3 : 20);
-    print(swaps);
+    print(swaps, options);
     result.sections.push_back(
         {"Boxes only",
          {"Dense: about 5 partners a box; sparse: 0.3; flat pile: one layer, about 5. Every box "
           "moves by 1 % of its size in each frame, unless the name says otherwise. Walls: dense, with some plates half "
           "as wide as the cube. Clusters: about 15 partners. Swarm: dense, in a ball that turns by "
           "0.9 degrees or flies five sizes a frame. What comes and goes is removed and added."},
-         {table, swaps, use_table()},
+         {table, swaps, use_table(options)},
          {}});
     return result;
 }

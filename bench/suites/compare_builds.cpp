@@ -93,9 +93,14 @@ BuildComparison compare_samples(const std::vector<PairedSamples>& all) {
         const std::vector<double> before = times(pair.before), after = times(pair.after);
         std::vector<double> ratios;
         for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) ratios.push_back(after[i] / before[i]);
+        const double ratio = median(ratios);
+        if (ratio > result.ratio_max) {
+            result.ratio_max = ratio;
+            result.slowest = pair.workload;
+        }
         table.rows.push_back({pair.workload, has_same_answers ? "equal" : "DIFFERENT",
                               changes.empty() ? "equal" : changes, fmt::format("{:.1f}", median(before)),
-                              fmt::format("{:.1f}", median(after)), fmt::format("{:.3f}", median(ratios)),
+                              fmt::format("{:.1f}", median(after)), fmt::format("{:.3f}", ratio),
                               fmt::format("{:.0f}", spread_in_percent(ratios)), verdict(ratios)});
     }
     table.text_columns = 3;
@@ -114,6 +119,8 @@ BuildComparison compare_builds(const std::string& before, const std::string& aft
         if (!old_build.has(name)) all.push_back({name, {}, {}});
     process::Progress progress("two builds", all.size() * repetition_count);
     for (std::size_t repetition = 0; repetition < repetition_count; ++repetition) {
+        progress.wipe();
+        fmt::print(stderr, "two builds: turn {} of {} ...\n", repetition + 1, repetition_count);
         for (PairedSamples& pair : all) {
             if (repetition % 2 == 0) old_build.run(pair.workload, pair.before);
             new_build.run(pair.workload, pair.after);

@@ -19,7 +19,9 @@ struct PairedSamples {
 
 struct BuildComparison {
     Table table;
-    bool is_same = true;  // answers and counts; of the workloads that both have
+    bool is_same = true;   // answers and counts; of the workloads that both have
+    double ratio_max = 0;  // the largest median of new/old, and the workload that has it; none is empty
+    std::string slowest;
 };
 
 // Answers and counts are compared exactly. Times are compared by their ratios, turn by turn: a build is called faster

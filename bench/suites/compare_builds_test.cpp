@@ -40,6 +40,8 @@ TEST(CompareBuilds, TimesAreJudgedByTheirRatiosButDoNotFail) {
     EXPECT_EQ(result.table.rows.at(0).back(), "slower");
     EXPECT_EQ(result.table.rows.at(1).back(), "faster");
     EXPECT_EQ(result.table.rows.at(2).back(), "");
+    EXPECT_NEAR(result.ratio_max, 1.195, 0.01);
+    EXPECT_EQ(result.slowest, "boxes");
 }
 
 TEST(CompareBuilds, WhatOnlyOneBuildKnowsIsNoDifference) {

@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "report/headline.hpp"
+
 namespace ecods::bench {
 
 namespace {
@@ -68,6 +70,21 @@ Table work_table(const std::vector<Run>& runs, const std::string& title) {
 void print(const Table& table) {
     fmt::print("{}\n", to_text(table));
     std::fflush(stdout);
+}
+
+void print(const Table& table, const SuiteOptions& options) {
+    if (!options.is_main) print(table);
+}
+
+void print_summary(const SuiteResult& result) {
+    for (const Section& section : result.sections) {
+        for (const Table& table : section.tables) {
+            if (!table.is_summary) continue;
+            Table summary = ratio_table(table, table.title).value_or(table);
+            if (summary.notes.size() > 1) summary.notes.clear();
+            print(summary);
+        }
+    }
 }
 
 }  // namespace ecods::bench

@@ -26,4 +26,10 @@ Table work_table(const std::vector<Run>& runs, const std::string& title);
 
 void print(const Table& table);  // to standard output, at once
 
+// Prints likewise, but nothing in the main job, which prints a summary when a suite has ended.
+void print(const Table& table, const SuiteOptions& options);
+
+// Prints the tables that are a summary of their suite, of engines' times on workloads the ratios.
+void print_summary(const SuiteResult& result);
+
 }  // namespace ecods::bench

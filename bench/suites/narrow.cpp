@@ -184,7 +184,7 @@ Section chart_of(std::span<const MeshPairs> workloads, std::span<const Measured>
 }  // namespace
 
 SuiteResult run_narrow(const SuiteOptions& options) {
-    std::vector<NarrowMaker> makers = narrow_engines();
+    std::vector<NarrowMaker> makers = options.is_main ? main_narrow_engines() : narrow_engines();
     options.keep_wanted(makers);
     const std::size_t repetition_count = options.repetition_count;
     SuiteResult result;
@@ -193,6 +193,7 @@ SuiteResult run_narrow(const SuiteOptions& options) {
     const std::size_t workload_count = workloads.size();
     for (MeshPairs& workload : gap_workloads(size_of(options))) workloads.push_back(std::move(workload));
     Table table = empty_table(two_meshes_title, repetition_count);
+    table.is_summary = true;
     std::vector<Measured> all;
     {
         process::Progress progress("narrow", workloads.size());
@@ -203,26 +204,26 @@ SuiteResult run_narrow(const SuiteOptions& options) {
             progress.step();
         }
     }
-    print(table);
+    print(table, options);
     const Table gaps = gap_table(std::span(all).subspan(workload_count));
-    print(gaps);
+    print(gaps, options);
     std::vector<NarrowTruth> truth_of_gaps;
     for (std::size_t i = workload_count; i < all.size(); ++i) truth_of_gaps.push_back(all[i].truth);
     const Table distances = distance_table(std::span(workloads).subspan(workload_count), truth_of_gaps, makers);
-    if (!distances.rows.empty()) print(distances);
+    if (!distances.rows.empty()) print(distances, options);
 
     std::vector<NarrowMaker> listing = makers;
     std::erase_if(listing, [](const NarrowMaker& maker) { return !maker.has_lists; });
     const ListTruth lists = find_lists(workloads.front(), judged_count(workloads.front(), options));
     const std::vector<ListRun> list_runs = measure_lists(workloads.front(), lists.lists, listing, repetition_count);
     const Table list = list_table(workloads.front(), lists, list_runs);
-    print(list);
+    print(list, options);
     result.is_right &= lists.wrong_count == 0;
     for (const ListRun& run : list_runs)
         result.is_right &= !run.is_ecods || (run.failure.empty() && run.false_negatives + run.false_positives == 0);
 
     const Table builds = build_table(build_workloads(size_of(options)), makers, repetition_count);
-    print(builds);
+    print(builds, options);
 
     Section chart = chart_of(workloads, all, workload_count, options);
     if (!chart.charts.empty()) result.sections.push_back(std::move(chart));

@@ -2,16 +2,13 @@
 
 #include <fmt/core.h>
 
-#include <bit>
 #include <cstdint>
 #include <cstdio>
-#include <deque>
 #include <functional>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "ecods/distance.hpp"
 #include "ecods/intersection.hpp"
 #include "engines/broad_phase_kinds.hpp"
 #include "engines/engine.hpp"
@@ -23,25 +20,11 @@
 #include "scenes/room.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
+#include "suites/own_questions.hpp"
 
 namespace ecods::bench {
 
 namespace {
-
-// FNV-1a, 64 bits.
-class Hash {
-  public:
-    void add(std::uint64_t value) {
-        for (int i = 0; i < 8; ++i) {
-            state_ = (state_ ^ (value & 255)) * 1099511628211u;
-            value >>= 8;
-        }
-    }
-    std::string text() const { return fmt::format("{:016x}", state_); }
-
-  private:
-    std::uint64_t state_ = 14695981039346656037u;
-};
 
 using Turn = std::function<OwnSample()>;
 
@@ -60,17 +43,6 @@ void add_counts(std::map<std::string, std::uint64_t>& counts, const QueryCounts&
     counts["triangles measured"] = of.distances.exact;
 }
 
-using Body = Posed<MeshShape>;
-using Ask = std::uint64_t (*)(const Body& a, const Body& b, QueryMemory& memory);
-
-std::uint64_t ask_intersects(const Body& a, const Body& b, QueryMemory& memory) {
-    return intersects(a, b, memory) ? 1 : 0;
-}
-
-std::uint64_t ask_distance(const Body& a, const Body& b, QueryMemory& memory) {
-    return std::bit_cast<std::uint64_t>(distance(a, b, memory));
-}
-
 void add_counts(std::map<std::string, std::uint64_t>& counts, const BroadPhaseCounts& of) {
     counts["box tests"] = of.box_tests;
     counts["swaps"] = of.swaps;
@@ -81,15 +53,15 @@ void add_counts(std::map<std::string, std::uint64_t>& counts, const BroadPhaseCo
 }
 
 // All queries with their work counted, then timed passes, for long enough to rise above noise.
-Turn start_queries(scenes::MeshPairs pairs, Ask question = ask_intersects) {
+Turn start_queries(scenes::MeshPairs pairs, const OwnQuestion& question = touch_question) {
     auto workload = std::make_shared<scenes::MeshPairs>(std::move(pairs));
-    auto shapes = std::make_shared<std::deque<MeshShape>>();
-    for (const scenes::NamedMesh& named : workload->meshes) shapes->emplace_back(named.mesh);
+    auto shapes = std::make_shared<std::vector<std::unique_ptr<MeshShape>>>();
+    for (const scenes::NamedMesh& named : workload->meshes) shapes->push_back(question.make(named.mesh));
     auto memory = std::make_shared<QueryMemory>();
-    return [workload, shapes, memory, question] {
+    return [workload, shapes, memory, ask_one = question.ask] {
         const auto ask = [&](const scenes::MeshQuery& query) {
-            return question({(*shapes)[query.a.mesh_index], query.a.pose},
-                            {(*shapes)[query.b.mesh_index], query.b.pose}, *memory);
+            return ask_one({*(*shapes)[query.a.mesh_index], query.a.pose},
+                           {*(*shapes)[query.b.mesh_index], query.b.pose}, *memory);
         };
         OwnSample sample;
         Hash hash;
@@ -158,7 +130,7 @@ Turn start_room(const scenes::RoomOptions& options) {
     };
 }
 
-std::vector<OwnWorkload> own_workloads(bool is_quick) {
+std::vector<OwnWorkload> mesh_workloads(bool is_quick) {
     std::vector<OwnWorkload> list;
     const std::size_t some = is_quick ? 4 : 100;
     const auto add_mesh = [&](const std::string& name, const std::shared_ptr<const Mesh>& mesh) {
@@ -166,15 +138,32 @@ std::vector<OwnWorkload> own_workloads(bool is_quick) {
         list.push_back(
             {name + ", random", [=] { return start_queries(scenes::random_pairs(name, mesh, 2 * some, 2)); }});
         list.push_back({name + ", distances",
-                        [=] { return start_queries(scenes::random_pairs(name, mesh, some, 6), ask_distance); }});
+                        [=] { return start_queries(scenes::random_pairs(name, mesh, some, 6), distance_question); }});
+    };
+    // Half of the near pairs touch; the others are apart by 1e-4 to 1e-2 of their size.
+    const auto add_questions = [&](const std::string& name, const std::shared_ptr<const Mesh>& mesh,
+                                   std::span<const OwnQuestion> questions) {
+        for (const OwnQuestion& question : questions)
+            list.push_back({name + ", near" + question.name, [=, &question] {
+                                return start_queries(scenes::near_pairs(name, mesh, some, 8), question);
+                            }});
     };
     add_mesh("ship", scenes::ship());
     add_mesh("torus 10k", scenes::torus(100, 50, 0.4));
+    add_questions("ship", scenes::ship(), surface_questions());
+    add_questions("torus 10k", scenes::torus(100, 50, 0.4), surface_questions());
+    add_questions("torus 10k", scenes::torus(100, 50, 0.4), solid_questions());
     list.push_back({"stacked bricks", [=] { return start_queries(scenes::stacked_bricks(some, 3)); }});
+    list.push_back({"stacked bricks, distances",
+                    [=] { return start_queries(scenes::stacked_bricks(some, 3), distance_question); }});
     list.push_back(
-        {"stacked bricks, distances", [=] { return start_queries(scenes::stacked_bricks(some, 3), ask_distance); }});
+        {"stacked bricks, closest", [=] { return start_queries(scenes::stacked_bricks(some, 3), closest_question); }});
     list.push_back({"splined shafts", [=] { return start_queries(scenes::splined_shafts(is_quick ? 2 : 20, 4)); }});
+    return list;
+}
 
+std::vector<OwnWorkload> own_workloads(bool is_quick) {
+    std::vector<OwnWorkload> list = mesh_workloads(is_quick);
     using scenes::BoxLayout;
     using scenes::BoxMotion;
     const std::size_t large = is_quick ? 2000 : 10'000, frame_count = is_quick ? 3 : 60;

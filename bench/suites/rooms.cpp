@@ -70,13 +70,14 @@ Picture draw_room(const RoomCase& room_case, const scenes::Scene& scene, const T
 
 SuiteResult run_rooms(const SuiteOptions& options) {
     SuiteResult result;
-    for (const RoomCase& room_case : room_cases(options.frame_count)) {
+    for (const RoomCase& room_case :
+         room_cases(options.is_main ? std::min<std::size_t>(options.frame_count, 40) : options.frame_count)) {
         const scenes::Scene scene = scenes::room(room_case.room);
         Comparison comparison = compare_engines(scene, room_case.title, options);
         const Table work = work_table(comparison.runs, "The work behind it: " + room_case.title);
-        print(comparison.table);
+        print(comparison.table, options);
         result.comparisons.push_back(comparison.table);
-        print(work);
+        print(work, options);
         result.is_right &= comparison.is_right;
 
         Section section{room_case.title, {room_case.text}, {comparison.table, work}, {}};

@@ -16,6 +16,7 @@ struct SuiteOptions {
     std::size_t repetition_count = 3;  // times are medians over these
     bool has_pictures = true;
     bool is_long = false;              // largest sizes, too
+    bool is_main = false;              // the main job: fewer workloads, the engines of main_suites(), and short tables
     std::vector<std::string> engines;  // see keep_wanted(); all when empty
     std::vector<std::size_t> sizes;    // numbers of boxes or bodies, where a suite has a choice; its own when empty
     std::filesystem::path folder;      // for pictures and what they are made from; exists
@@ -54,6 +55,16 @@ struct EngineName {
     bool is_ecods = false;
 };
 
+template <class... Maker>
+std::vector<EngineName> names_of(const std::vector<Maker>&... makers) {
+    std::vector<EngineName> names;
+    const auto append = [&names](const auto& list) {
+        for (const auto& maker : list) names.push_back({maker.name, maker.is_ecods});
+    };
+    (append(makers), ...);
+    return names;
+}
+
 struct Suite {
     std::string name;
     SuiteResult (*run)(const SuiteOptions& options) = nullptr;
@@ -77,7 +88,10 @@ SuiteResult run_predicates(const SuiteOptions& options);    // triangle pairs: w
 SuiteResult run_hard_cases(const SuiteOptions& options);    // reported failures: who is right
 SuiteResult run_stability(const SuiteOptions& options);     // hard triangle pairs: who is wrong, and how often
 
-// In the order in which they run.
+// Returns them in the order in which they run. A build for the main job alone has no others than that.
 std::vector<Suite> all_suites();
+
+// Returns the suites of the main job, with its engines.
+std::vector<Suite> main_suites();
 
 }  // namespace ecods::bench

@@ -25,7 +25,10 @@ struct Experiment {
     std::size_t count_max = 0;  // of ships
 };
 
-constexpr std::size_t all_pairs_max = 1024;  // ships, beyond which nobody waits for every pair
+// Beyond so many ships nobody waits for every pair.
+std::size_t all_pairs_max(const SuiteOptions& options) {
+    return options.is_main ? 512 : 1024;
+}
 
 std::vector<std::size_t> ship_counts(const Experiment& experiment, const SuiteOptions& options) {
     std::vector<std::size_t> counts;
@@ -66,8 +69,9 @@ Size run_size(const Experiment& experiment, std::size_t ships, const SuiteOption
          .seed = 10});
     std::vector<EngineMaker> makers = system_engines();
     options.keep_wanted(makers);
-    std::erase_if(makers,
-                  [&](const EngineMaker& maker) { return maker.name == "FCL, all pairs" && ships > all_pairs_max; });
+    std::erase_if(makers, [&](const EngineMaker& maker) {
+        return maker.name == "FCL, all pairs" && ships > all_pairs_max(options);
+    });
     Size size{ships, find_hits(scene, judged_count(ships, options), experiment.title), {}};
     size.runs = measure_systems(scene, size.truth, makers, options.repetition_count);
     return size;
@@ -85,6 +89,7 @@ std::vector<std::string> engine_names(const std::vector<Size>& sizes) {
 Table time_table(const Experiment& experiment, const std::vector<Size>& sizes, std::size_t repetition_count) {
     Table table;
     table.title = experiment.title + ": mean milliseconds per frame (times as fast as FCL's tree)";
+    table.is_summary = true;
     table.header = {"ships", "hits/frame", "judged frames"};
     const std::vector<std::string> names = engine_names(sizes);
     for (const std::string& name : names) table.header.push_back(name);
@@ -221,7 +226,7 @@ Section run_experiment(const Experiment& experiment, const SuiteOptions& options
                     {time_table(experiment, sizes, options.repetition_count), work_table(experiment, sizes),
                      exponent_table(experiment, times, calls, hits)},
                     {}};
-    for (const Table& table : section.tables) print(table);
+    for (const Table& table : section.tables) print(table, options);
     if (!options.has_pictures) return section;
     std::vector<GrowthCurve> work = calls;
     work.push_back(hits);

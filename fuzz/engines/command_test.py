@@ -22,6 +22,7 @@ for line in sys.stdin:
     with open(os.environ["PIDS"], "a") as pids:
         print(os.getpid(), file=pids)
     kind = os.environ["FAULT"]
+    if kind == "hangs once": kind = "hangs" if len(open(os.environ["PIDS"]).readlines()) == 1 else "no"
     if kind == "dies": sys.exit(3)
     if kind == "aborts": os.abort()
     if kind == "hangs": time.sleep(1000)
@@ -72,6 +73,11 @@ class Command(unittest.TestCase):
     def test_no_to_everything_is_wrong(self):
         out, results = self.faulty("no")
         self.assertEqual((results[0]["answered"], results[0]["false_negatives"]), (2, 2))
+
+    def test_a_wrong_answer_is_named_before_a_hang(self):
+        out, results = self.faulty("hangs once")
+        self.assertEqual((results[0]["answered"], results[0]["hung"]), (1, 1))
+        self.assertIn("the first wrong answer: query 1 of 'boxes, axis-aligned', of two that share a point", out)
 
     def test_what_dies_or_talks_nonsense_is_counted(self):
         for fault, words in (("dies", "ended without an answer"), ("aborts", "ended without an answer"),

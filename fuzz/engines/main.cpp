@@ -77,7 +77,14 @@ void print_row(const std::vector<std::string>& cells) {
     std::fflush(stdout);
 }
 
-void add(Verdicts& sum, const Verdicts& more) {
+// Sums up what one engine did in all families.
+struct Total {
+    Verdicts sum;
+    std::string first_wrong;  // the first wrong answer: query, family and truth
+};
+
+void add(Total& total, const Verdicts& more, const std::string& family, const std::vector<bool>& truth) {
+    Verdicts& sum = total.sum;
     sum.queries += more.queries;
     sum.hits += more.hits;
     sum.answered += more.answered;
@@ -86,6 +93,12 @@ void add(Verdicts& sum, const Verdicts& more) {
     sum.asymmetric += more.asymmetric;
     sum.crashed += more.crashed;
     sum.hung += more.hung;
+    if (sum.first_failure.empty()) sum.first_failure = more.first_failure;
+    if (total.first_wrong.empty() && !more.wrong.empty()) {
+        const std::size_t query = more.wrong.front();
+        total.first_wrong = fmt::format("query {} of '{}', of two that {}", query, family,
+                                        truth[query] ? "share a point" : "are apart");
+    }
 }
 
 void list(const std::vector<EngineMaker>& engines, const std::vector<EngineFamily>& families) {
@@ -113,15 +126,19 @@ void dump_wrong(const Options& options, const std::string& engine, const std::st
         dump({engine, family, query, truth[query]}, pairs, options.dump, dumped++ < options.pictures);
 }
 
-// One line for each engine.
-void print_verdict(const std::string& engine, const Verdicts& sum, const std::string& first_failure) {
+// Prints one line for each engine. A wrong answer says more about it than a time-out, which a busy machine may cause.
+void print_verdict(const std::string& engine, const Total& total) {
+    const Verdicts& sum = total.sum;
     const std::size_t wrong = sum.false_negatives + sum.false_positives;
     std::string text =
         fmt::format("{}: {} of {} answers wrong", engine, wrong == 0 ? "none" : fmt::format("{}", wrong), sum.answered);
     if (sum.asymmetric > 0) text += fmt::format(", {} differ when swapped", sum.asymmetric);
     if (sum.answered < sum.queries)
         text += fmt::format(", {} of {} queries without an answer", sum.queries - sum.answered, sum.queries);
-    if (!first_failure.empty()) text += fmt::format("; the first failure: {}", first_failure);
+    if (!total.first_wrong.empty())
+        text += fmt::format("; the first wrong answer: {}", total.first_wrong);
+    else if (!sum.first_failure.empty())
+        text += fmt::format("; the first failure: {}", sum.first_failure);
     fmt::print("{}\n", text);
 }
 
@@ -133,8 +150,7 @@ int run(const Options& options) {
         return 0;
     }
     nlohmann::json results = nlohmann::json::array();
-    std::vector<Verdicts> sums(engines.size());
-    std::vector<std::string> failures(engines.size());
+    std::vector<Total> totals(engines.size());
     std::size_t dumped = 0;
     process::Progress progress;
     bool is_right = true;
@@ -155,8 +171,7 @@ int run(const Options& options) {
             progress.show(fmt::format("{}: {}", family.name, engines[i].name));
             const Verdicts verdicts = judge(engines[i], pairs, truth, std::chrono::seconds(options.limit));
             is_right &= verdicts.is_right() || !engines[i].must_be_right;
-            add(sums[i], verdicts);
-            if (failures[i].empty()) failures[i] = verdicts.first_failure;
+            add(totals[i], verdicts, family.name, truth);
             dump_wrong(options, engines[i].name, family.name, pairs, truth, verdicts, dumped);
             row.push_back(to_cell(verdicts));
             auto& result = results.emplace_back(to_json(verdicts));
@@ -166,11 +181,11 @@ int run(const Options& options) {
         progress.wipe();
         print_row(row);
     }
-    std::vector<std::string> last = {"all", fmt::format("{} ({})", sums[0].queries, sums[0].hits)};
-    for (const Verdicts& sum : sums) last.push_back(to_cell(sum));
+    std::vector<std::string> last = {"all", fmt::format("{} ({})", totals[0].sum.queries, totals[0].sum.hits)};
+    for (const Total& total : totals) last.push_back(to_cell(total.sum));
     print_row(last);
     fmt::print("\n");
-    for (std::size_t i = 0; i < engines.size(); ++i) print_verdict(engines[i].name, sums[i], failures[i]);
+    for (std::size_t i = 0; i < engines.size(); ++i) print_verdict(engines[i].name, totals[i]);
     if (dumped > 0) fmt::print("{} wrong answers as scene files in {}\n", dumped, options.dump.string());
     if (!options.json.empty()) {
         const nlohmann::json summary = {

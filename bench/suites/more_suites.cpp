@@ -11,22 +11,6 @@
 
 namespace ecods::bench {
 
-namespace {
-
-template <class Maker>
-void append(std::vector<EngineName>& names, const std::vector<Maker>& makers) {
-    for (const Maker& maker : makers) names.push_back({maker.name, maker.is_ecods});
-}
-
-template <class... Maker>
-std::vector<EngineName> names_of(const std::vector<Maker>&... makers) {
-    std::vector<EngineName> names;
-    (append(names, makers), ...);
-    return names;
-}
-
-}  // namespace
-
 std::vector<Suite> all_suites() {
     return {{"narrow", run_narrow, names_of(narrow_engines())},
             {"distance", run_distance, names_of(distance_engines())},
