@@ -55,6 +55,19 @@ std::string words(const std::string& claim, const std::optional<double>& value) 
     return value ? fmt::format("{} {:a}", claim, *value) : claim;
 }
 
+// The checkers' words about the pairs of bodies that filters and set_pair_enabled() leave out.
+std::string words_of_unjudged(const World& world) {
+    std::size_t count = 0;
+    const auto bodies = world.bodies();
+    for (const BodyId a : bodies) {
+        for (const BodyId b : bodies) {
+            if (!(a < b)) continue;
+            if (!may_meet(world.filter(a), world.filter(b)) || !world.is_pair_enabled(a, b)) ++count;
+        }
+    }
+    return fmt::format("{} {} not judged", count, count == 1 ? "pair" : "pairs");
+}
+
 // Without its last step. False: it has none.
 bool spoil(std::string& text) {
     const std::size_t end = text.rfind("\nend\n");
@@ -115,10 +128,12 @@ void Certificates::ask_world(const World& world, std::uint32_t frame, Counters& 
             "lists of a certificate", fmt::format("{} colliding, {} close", colliding, close),
             fmt::format("{} colliding, {} close", certificate.colliding_count(), certificate.close_count()));
     }
+    std::string verdict = fmt::format("world of {} bodies, {} colliding, ", bodies.size(), colliding);
+    if (world.clearance()) verdict += fmt::format("{} close, ", close);
     const auto shapes = certificate.shapes();
     shapes_.insert(shapes_.end(), shapes.begin(), shapes.end());
     made_.push_back({fmt::format("the world at update {}", frame),
-                     fmt::format("world of {} bodies, {} colliding", bodies.size(), colliding),
+                     verdict + words_of_unjudged(world),
                      {},
                      certificate.to_string()});
     ++counters["certificates: made"];

@@ -6,6 +6,9 @@
 // in verify/certificates/README.md, two such programs beside it. They read the meshes from files that
 // write_certified_mesh() writes once a shape, and poses from the certificate.
 //
+// A certificate names a mesh by a digest that nobody can give to a second mesh (SHA-256). It proves something about
+// your mesh if it names the digest of your mesh: that of certified_mesh_digest(), or of a mesh file that you wrote.
+//
 // The claim is the answer of the plain question (intersection.hpp, distance.hpp, hit.hpp), for all finite poses and
 // zero-area triangles; so it depends on the bits of meshes and poses alone. The proof may be another in another
 // floating-point environment, and is one in each. A pose must be finite (validate(Pose)).
@@ -51,8 +54,8 @@ class ECODS_API Certificate {
     std::size_t step_count() const noexcept;
     std::size_t axis_count() const noexcept;
 
-    // The text. The digests of the meshes are in it, and are made when the first certificate about a shape is written:
-    // about a microsecond a triangle.
+    // The text, of format 2. The digests of the meshes are in it, and are made when the first certificate about a shape
+    // is written: about a microsecond a triangle.
     std::string to_string() const;
     void write(std::ostream& out) const;
 
@@ -81,8 +84,9 @@ ECODS_API Certificate certify_hit(const Segment& segment, const Posed<MeshShape>
 // pairs of the last update's lists are as they are, and that no other pair whose boxes may meet is. A value, cheap to
 // copy, which keeps the shapes that it is about. World::certify throws NotUpdated if a call since the last update
 // changed the world or the clearance; NotCertified, with the first body of a kind of the caller's own. Where a test of
-// the caller's own replaces that of meshes, the proof is of what the meshes do. Cost: certify(), and with a clearance
-// certify_within(), for each pair of bodies whose boxes are not proven to be further apart.
+// the caller's own replaces that of meshes, the proof is of what the meshes do. Pairs that filters or
+// set_pair_enabled() leave out are not judged; the checkers say how many they are. Cost: certify(), and with a
+// clearance certify_within(), for each pair of bodies whose boxes are not proven to be further apart.
 class ECODS_API WorldCertificate {
   public:
     // How many pairs collide, how many are close, colliding ones included, and how many were proven to be neither.
@@ -104,11 +108,13 @@ class ECODS_API WorldCertificate {
     std::shared_ptr<const Content> content_;
 };
 
-// The mesh as certificates mean it: vertices, triangles and the tree, in the text of verify/certificates/README.md. A
-// shape made by refit() may have another tree than one made of the same mesh, and then another text. Numbers are exact.
+// Writes the canonical text of a mesh (verify/certificates/README.md), which is what certificates are about: vertices,
+// triangles and the tree, with exact numbers. The text is the same bytes on every machine. A shape made by refit() may
+// have another tree than one made of the same mesh, and then another text.
 ECODS_API void write_certified_mesh(std::ostream& out, const MeshShape& shape);
 
-// By which certificates name that text: 32 hexadecimal digits.
+// The name of that text in certificates: its SHA-256 as 64 lower-case hexadecimal digits, as sha256sum prints it of
+// the file. Cost: about a microsecond a triangle the first time, then that of a copy.
 ECODS_API std::string certified_mesh_digest(const MeshShape& shape);
 
 }  // namespace ecods

@@ -18,6 +18,15 @@ def cross(p, q):
     return p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]
 
 
+def bits(n):
+    return max(map(abs, n)).bit_length()
+
+
+# Units of work of so many products of numbers of this size in bits.
+def effort(size, count=1):
+    return count * (10 + (size >> 9) ** 2)
+
+
 # The part of w that is normal to e, e.e times.
 def off(w, e):
     along, length = dot(w, e), dot(e, e)
@@ -62,6 +71,7 @@ def is_apart_by_any(rule, p, q):
 class Apart:
     def __init__(self, fine, least=ZERO, is_more=True):
         self.is_more, self.left, self.right = is_more, 2 * least[1], least[0] ** 2 << 2 * fine
+        self.bits = self.right.bit_length() // 2
 
     def __call__(self, n, a, b):
         gap = max(b[0] - a[1], a[0] - b[1])

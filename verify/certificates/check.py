@@ -6,11 +6,11 @@
 import sys
 from bisect import bisect_right
 
-from apart import FORMULAS, INDICES, UNITS, Ahead, Apart, Weak, cross, dot, edge, is_apart_by_any, minus, normal, off, span
+from apart import FORMULAS, INDICES, UNITS, Ahead, Apart, Weak, bits, cross, dot, edge, effort, is_apart_by_any, minus, normal, off, span
 from command_line import run
+from filters import count_unjudged, may_meet
 from reading import INFINITY, ONE, ZERO, Kept, Segment, above, below, exactly, is_odd, scaled, to_double
 
-WORK_MAX = 2**30  # products of a vector and a vertex: minutes
 # The error of a range in doubles. n is scaled so that |n_i| < 1, lengths so that |R_i1| X + |R_i2| X + |R_i3| X + |t_i| <= 1, where X is at
 # least each |coordinate of v|. So the coefficients of n R v + n t, the products and the partial sums are below 3 together; with u = 2^-53,
 # rounding coefficients, constant and v costs at most 9u, the products 3u, three additions 9u, and twice that where v was divided by X / 2.
@@ -21,8 +21,8 @@ MARGIN = 2.0**-44
 
 # A posed mesh. Its corners are integers in units of 2^-fine, for any fine from finest on.
 class Body:
-    def __init__(self, mesh, pose=(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)):
-        self.mesh, self.work = mesh, 0
+    def __init__(self, lines, mesh, pose=(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)):
+        self.mesh, self.spend = mesh, lines.spend
         values, self.power = scaled(pose)
         self.rotation, self.translation = [values[0:3], values[4:7], values[8:11]], values[3::4]
         self.finest = self.power + mesh.fine
@@ -36,6 +36,7 @@ class Body:
 
     def corners_of(self, part):
         vertices = map(self.mesh.integers, self.mesh.corners[part - self.mesh.node_count])
+        self.spend(effort(self.size, 10))
         return [[(dot(row, v) << self.shift) + x for row, x in zip(self.rotation, self.moved)] for v in vertices]
 
     # The corners of the triangle with this number in the caller's mesh.
@@ -57,8 +58,10 @@ class Along:
 
     def values(self, part):
         x, y, z, constant = self.doubles
-        vertices, points = self.body.mesh.points(part)
-        self.body.work += len(points)
+        if part not in (mesh := self.body.mesh).parts_points:
+            self.body.spend(mesh.size(part))
+        vertices, points = mesh.points(part)
+        self.body.spend(4 * len(points))
         return vertices, [x * p + y * q + z * r + constant for p, q, r in points]
 
     # The range in doubles: each end is within NEAR of the true one.
@@ -71,6 +74,8 @@ class Along:
         (part, is_opened), mesh = of, self.body.mesh
         if mesh.is_triangle(part):
             return (ends := self.sharp[part])[:1], ends[1:], *ends
+        if of not in mesh.boxes:
+            self.body.spend(4 * mesh.size(part))
         if is_opened and mesh.is_leaf(part):
             values = self.values(part)[1]
             corners = [(values[i], values[j], values[k]) for i, j, k in mesh.places(part)]
@@ -79,22 +84,27 @@ class Along:
             (x, y, z, constant), (i, j, k), boxes = self.doubles, self.least, mesh.boxes[of]
             lows = [x * box[i] + y * box[j] + z * box[k] + constant for box in boxes]
             highs = [x * box[i - 3] + y * box[j - 3] + z * box[k - 3] + constant for box in boxes]
+        self.body.spend(8 * len(lows))
         return lows, highs, min(lows), max(highs)
 
     # The range. In doubles, a vertex that attains an end is within 2 NEAR of the end in doubles.
     def exact(self, part):
         vertices, values = self.values(part)
         low, high = min(values) + 3 * NEAR, max(values) - 3 * NEAR
-        ends = [dot(self.n, self.body.mesh.integers(v)) for v, x in zip(vertices, values) if not low < x < high]
+        near = [v for v, x in zip(vertices, values) if not low < x < high]
+        self.body.spend(effort(self.body.size + bits(self.n), 3 * len(near)))
+        ends = [dot(self.n, self.body.mesh.integers(v)) for v in near]
         return [(end << self.body.shift) + self.constant for end in (min(ends), max(ends))]
 
 
 # A vector, and which pairs of parts are apart along it.
 class Axis:
     def __init__(self, n, a, b, rule):
-        bits = n[0] | n[1] | n[2]
-        self.n, self.rule = [x // (bits & -bits) for x in n], rule
-        unit = max(map(abs, self.n)).bit_length() + max(a.size, b.size)
+        all_bits = n[0] | n[1] | n[2]
+        self.n, self.rule, self.spend = [x // (all_bits & -all_bits) for x in n], rule, a.spend
+        unit = bits(self.n) + max(a.size, b.size)
+        self.cost = effort(unit + rule.bits, 2)  # of a comparison in integers
+        self.spend(10 * self.cost)
         self.a, self.b, self.floor = Along(a, self.n, unit), Along(b, self.n, unit), rule.floor(self.n, unit)
 
     def looks_apart(self, i, j, margin=MARGIN):
@@ -105,6 +115,7 @@ class Axis:
     def not_apart(self, i, opens_i, j, opens_j, rows):
         (la, ha, *_), (lb, hb, low, high) = self.a.near[i, opens_i], self.b.near[j, opens_j]
         need, left = self.floor + MARGIN, {}
+        self.spend(sum(map(len, rows.values())))
         for k, columns in rows.items():
             least, most = la[k] - need, ha[k] + need
             if low <= most and high >= least and (columns := [at for at in columns if lb[at] <= most and hb[at] >= least]):
@@ -112,6 +123,7 @@ class Axis:
         return left
 
     def is_apart(self, i, j):
+        self.spend(self.cost)
         return self.looks_apart(i, j, -MARGIN) and self.rule(self.n, self.a.exact[i], self.b.exact[j])
 
 
@@ -130,6 +142,7 @@ def prove_step(lines, a, b, axes, axis_count, rule, i, j, kind, *fields):
     triangles = a.mesh.is_triangle(i), b.mesh.is_triangle(j)
     if kind == "t" and all(triangles):
         p, q, name = a.corners[i], b.corners[j], fields[0] if fields and fields[0] in FORMULAS else lines.fail("no such formula")
+        lines.spend(effort(3 * max(a.size, b.size) + rule.bits, 20))
         n = FORMULAS[name](p, q, *lines.counts(fields[1:], *[3] * INDICES[name]))
         return [] if any(n) and rule(n, span(n, p), span(n, q)) else lines.fail("the triangles are not apart so, or it is zero")
     opens_i, opens_j = "a" in kind, "b" in kind
@@ -137,11 +150,12 @@ def prove_step(lines, a, b, axes, axis_count, rule, i, j, kind, *fields):
         lines.fail("this is not a step about such parts, or it opens triangles only")
     rows, columns = a.mesh.parts(i) if opens_i else [i], b.mesh.parts(j) if opens_j else [j]
     names, left, closed = lines.step(fields, axis_count, len(rows), len(columns))
-    a.work += len(rows) * len(columns)
+    lines.spend(len(rows) * len(columns))
     for name in names:
         closed = axes[name].not_apart(i, opens_i, j, opens_j, closed) if closed else closed
     closed = [(rows[k], columns[at]) for k, row in closed.items() for at in row]
     for name in names:
+        lines.spend(8 * len(closed))
         closed = [pair for pair in closed if not axes[name].looks_apart(*pair)]
     if not all(any(axes[name].is_apart(*pair) for name in names) for pair in closed):
         lines.fail("a pair that is not left open is not apart along any of the axes")
@@ -157,8 +171,6 @@ def prove(lines, a, b, rule):
             vectors.append(read_axis(lines, a, b, *words[1:]))
         else:
             pending.extend(reversed(prove_step(lines, a, b, axes, len(vectors), rule, *pending.pop(), *words)))
-        if a.work + b.work > WORK_MAX:
-            lines.fail("too costly")
     lines.expect("end")
 
 
@@ -177,6 +189,7 @@ def check_closest(lines, a, b, words, most, is_less):
     other, words = feature(lines, b, words)
     p, q = sorted((one, other), key=len)
     w, e, f = minus(p[0], q[0]), minus(p[-1], p[0]), minus(q[-1], q[0])
+    lines.spend(effort(4 * max(a.size, b.size), 20))
     n = w if len(q) == 1 else off(w, f) if len(p) < len(q) == 2 else cross(e, f) if len(q) == 2 else normal(q)
     is_in = {  # by the numbers of corners; e and f are zero at vertices
         (1, 1): lambda: True,
@@ -194,6 +207,7 @@ def check_closest(lines, a, b, words, most, is_less):
 
 def check_meeting(lines, a, b, names, rule):
     p, q = (body.named(lines, name) for body, name in zip((a, b), names))
+    lines.spend(32 * effort(2 * max(a.size, b.size), 20))
     if is_apart_by_any(rule, p, q):
         lines.fail("the two triangles do not meet as the claim says")
 
@@ -240,7 +254,7 @@ def check_hit(lines, a, ends):
             start, stop = (below(value), ONE if value == 1 else above(value)) if value > 0 else (ZERO, ZERO)
         case _:
             lines.fail("this is not a claim about a segment")
-    piece, rest = Body(Segment(ends, ZERO, start)), Body(Segment(ends, start, stop))
+    piece, rest = (Body(lines, Segment(ends, *parameters)) for parameters in ((ZERO, start), (start, stop)))
     place(a, piece, rest)
     steps = Apart(a.fine)
     if words[1] == "hit":
@@ -262,8 +276,7 @@ def near_pairs(lines, bodies, limit):
     boxes = [([Along(body, n, body.size + 1).exact[0] for n in UNITS], name) for name, (body, *_) in bodies.items()]
     starts = [sorted(box[k][0] - limit for box, _ in boxes) for k in range(3)]
     work, k = min((sum(bisect_right(starts[k], box[k][1]) for box, _ in boxes), k) for k in range(3))
-    if work - len(boxes) ** 2 // 2 > WORK_MAX // 8:
-        lines.fail("too costly")
+    lines.spend(32 * (work - len(boxes) ** 2 // 2))
     boxes.sort(key=lambda each: each[0][k][0])
     for at, (box, name) in enumerate(boxes):
         for other, other_name in boxes[at + 1 : bisect_right(starts[k], box[k][1])]:
@@ -271,13 +284,8 @@ def near_pairs(lines, bodies, limit):
                 yield tuple(sorted((name, other_name)))
 
 
-def may_meet(bodies, off_pairs, pair):
-    (_, groups, mask), (_, other_groups, other_mask) = bodies[pair[0]], bodies[pair[1]]
-    return pair not in off_pairs and groups & other_mask and other_groups & mask
-
-
 def check_world(lines, meshes):
-    clearance, bodies, off_pairs = lines.world(lambda words: Body(*lines.body(meshes, words)))
+    clearance, bodies, off_pairs = lines.world(lambda words: Body(lines, *lines.body(meshes, words)))
     place(*(body for body, *_ in bodies.values()))
     kinds, last = {}, ()
     while lines.peek() == "pair":
@@ -300,7 +308,8 @@ def check_world(lines, meshes):
             lines.fail("a pair that may meet has no claim: " + " ".join(f"{slot}.{generation}" for slot, generation in pair))
     counts = [list(kinds.values()).count(kind) for kind in ("touching", "crossing", "within")]
     close = f", {sum(counts)} close" if clearance is not None else ""
-    return f"world of {len(bodies)} bodies, {sum(counts[:2])} colliding{close}"
+    unjudged = count_unjudged(lines, bodies, off_pairs)
+    return f"world of {len(bodies)} bodies, {sum(counts[:2])} colliding{close}, {unjudged} pair{'' if unjudged == 1 else 's'} not judged"
 
 
 # The words of what a certificate proves.
@@ -308,10 +317,10 @@ def check_certificate(lines, meshes):
     if lines.is_world():
         return check_world(lines, meshes)
     (mesh, pose), ends = lines.head(meshes)
-    a = Body(mesh, pose)
+    a = Body(lines, mesh, pose)
     if len(ends) == 6:
         return check_hit(lines, a, ends)
-    b = Body(*ends)
+    b = Body(lines, *ends)
     place(a, b)
     return check_pair(lines, a, b, {"disjoint", "touching", "crossing", "distance", "within", "beyond"})
 

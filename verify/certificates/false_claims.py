@@ -65,7 +65,22 @@ def false_pair(random_):
         return None
     heads = [f"{name} {soup.digest} {pose}" for name, soup, pose in zip("ab", soups, poses)]
     steps = steps_of(random_, words, a, b, soups, power)
-    return f"{words[0]}, {'met' if square == 0 else 'apart'}", texts, ["ecods-certificate 1", *heads, "claim " + " ".join(words), *steps]
+    return f"{words[0]}, {'met' if square == 0 else 'apart'}", texts, ["ecods-certificate 2", *heads, "claim " + " ".join(words), *steps]
+
+
+def false_feet(random_):
+    """Two features that are within infinity of each other as all are, but whose closest points are not in them."""
+    texts = [small_certificates.random_mesh(random_) for _ in range(2)]
+    soups = [truth.Soup(text.encode()) for text in texts]
+    poses = [small_certificates.pose_text(1.0, small_certificates.random_pose(random_, 4)) for _ in range(2)]
+    (a, b), _ = truth.integers(*(truth.posed(soup, pose.split()) for soup, pose in zip(soups, poses)))
+    kinds, words = random_.choice([("v", "e"), ("e", "v"), ("v", "f"), ("f", "v"), ("e", "e")]), ["within", "inf"]
+    for kind, body in zip(kinds, (a, b)):
+        words += [kind, str(random_.choice(list(body))), *([] if kind == "f" else [str(random_.randrange(3))])]
+    if truth.has_feet(words[2:], a, b):
+        return None
+    heads = [f"{name} {soup.digest} {pose}" for name, soup, pose in zip("ab", soups, poses)]
+    return "no feet", texts, ["ecods-certificate 2", *heads, "claim " + " ".join(words), "end"]
 
 
 def false_words(random_, a, b, square, power):
@@ -173,7 +188,7 @@ def main():
     random_ = random.Random(options.seed)
     claims, report, wrong, checkers = [], collections.Counter(), 0, Checkers(options.checker, options.python)
     while sum(report.values()) < options.claims:
-        found = random_.choice([false_pair, false_pair, false_pair, false_hit, false_world, false_moved])(random_)
+        found = random_.choice([false_pair, false_pair, false_pair, false_hit, false_world, false_moved, false_feet])(random_)
         if found:
             claims.append(found)
             report[found[0]] += 1

@@ -3,7 +3,9 @@ from operator import lt
 
 from reading import counts, numbers
 
-HEADERS = ("ecods-certificate 1", "ecods-world-certificate 1")
+HEADERS = ("ecods-certificate 2", "ecods-world-certificate 2")
+OLD_HEADERS = ("ecods-certificate 1", "ecods-world-certificate 1")  # which named meshes by a linear digest
+WORK_MAX = 2**28  # units of about 0.1 us, and 256 more for each byte: half a minute
 
 
 class Refused(Exception):
@@ -17,10 +19,15 @@ class Lines:
         self.lines = data.decode("latin-1").split("\n")
         if self.lines.pop() != "":
             self.lines.append("\r")  # no line reads so: the last one does not end
-        self.at = 0
+        self.at, self.left = 0, WORK_MAX + 256 * len(data)
 
     def fail(self, why):
         raise Refused(f"line {max(self.at, 1)}: {why}")
+
+    def spend(self, units):
+        if units > self.left:
+            self.fail("too costly")
+        self.left -= units
 
     def next(self):
         """The fields of the next line."""
@@ -39,7 +46,7 @@ class Lines:
     def skip(self, line):
         """To the first line behind this one that begins a certificate; whether there is one."""
         self.at = line
-        while self.at < len(self.lines) and self.lines[self.at] not in HEADERS:
+        while self.at < len(self.lines) and self.lines[self.at] not in HEADERS + OLD_HEADERS:
             self.at += 1
         return self.at < len(self.lines)
 
@@ -60,6 +67,8 @@ class Lines:
     def is_world(self):
         """Whether the next line begins a world's certificate; if not, it must begin one of a pair or a segment."""
         line = " ".join(self.next())
+        if line in OLD_HEADERS:
+            self.fail("format 1: its mesh digests can be forged; issue the certificate again")
         return HEADERS.index(line) == 1 if line in HEADERS else self.fail("no certificate begins so")
 
     def body(self, meshes, words):
@@ -97,7 +106,8 @@ class Lines:
         return (kind, words[1:size], words[size:]) if size <= len(words) else self.fail("there is no such feature")
 
     def body_id(self, word):
-        return tuple(self.counts(word.split("."), 2**32, 2**32))
+        slot, generation = self.counts(word.split("."), 2**32, 2**32)
+        return (slot, generation) if slot > 0 else self.fail("slot 0 is no body's")
 
     def hexadecimal(self, word):
         is_one = 1 <= len(word) <= 16 and set(word) <= set("0123456789abcdef")
@@ -127,6 +137,6 @@ class Lines:
             bodies[last] = read_body([words[2], *words[5:]]), *filters
         while self.peek() == "off":
             pairs.append(self.pair("off"))
-            if pairs[-1] <= pairs[-2]:
-                self.fail("the pairs are not ascending")
-        return clearance, bodies, set(pairs)
+            if pairs[-1] <= pairs[-2] or not {*pairs[-1]} <= bodies.keys():
+                self.fail("the pairs are not ascending, or one of these is no body of the world")
+        return clearance, bodies, set(pairs[1:])

@@ -63,26 +63,26 @@ def huge_meshes():
 def huge_certificates():
     """Certificates of the marker's mesh that are long, wide, or name what is not there."""
     body = f"{digest(MARKER_MESH)} {IDENTITY}"
-    head = f"ecods-certificate 1\na {body}\nb {body}\n"
+    head = f"ecods-certificate 2\na {body}\nb {body}\n"
     many = " ".join(map(str, range(200_000)))
     for steps in (f"ab {many}", f"ab | {many}", "a | 0\n" * 200_000, "axis 0x1p+0 0x0p+0 0x0p+0\n" * 100_000, "k 4294967295", f"k {'9' * 100_000}", "x" * 10_000_000, " " * 1_000_000, "ab | 0\n" * 3, "axis na 4294967295"):
         yield f"{head}claim disjoint\n{steps}\nend\n".encode()
     for claim in ("distance inf", "beyond inf", "within inf 0 0", "distance -0x0p+0 0 0", "distance nan 0 0", "within 0x0p+0 0 1", "touching 0", "crossing 0 0 0", "hit 0x0p+0 0", "miss", "", "claim"):
         yield f"{head}claim {claim}\nend\n".encode()
-    world = "ecods-world-certificate 1\nclearance none\n"
-    for lines in ("body 0.0 " * 100_000, f"body 4294967296.0 {body}", "end world", "off 0.0 0.1\nend world", "clearance none\nend world", "pair 0.0 0.1", "body"):
+    world = "ecods-world-certificate 2\nclearance none\n"
+    for lines in ("body 0.0 " * 100_000, f"body 4294967296.0 {body}", "end world", "off 1.0 1.1\nend world", "clearance none\nend world", "pair 1.0 1.1", "body"):
         yield f"{world}{lines}\n".encode()
     digest_, pose = body.split(" ", 1)
-    bodies = "".join(f"body {at}.0 {digest_} 1 2 {pose}\n" for at in range(400))
+    bodies = "".join(f"body {at}.0 {digest_} 1 2 {pose}\n" for at in range(1, 401))
     yield f"{world}{bodies}end world\n".encode()  # all at one place, and none may meet
     yield f"{world}{bodies.replace(' 1 2 ', ' 1 1 ')}end world\n".encode()
-    yield from (b"", b"\n", b"ecods-certificate 1", b"ecods-certificate 1\n", b"ecods-certificate 2\n", b"ecods-certificate 1\n" * 1000)
+    yield from (b"", b"\n", b"ecods-certificate 2", b"ecods-certificate 2\n", b"ecods-certificate 1\n", b"ecods-certificate 2\n" * 1000, b"ecods-world-certificate 1\n" * 1000)
 
 
 def costly_world():
     """So many bodies at one place that the Python checker, which looks at all pairs, refuses to."""
-    bodies = "".join(f"body {at}.0 {digest(MARKER_MESH)} 1 1 {IDENTITY}\n" for at in range(16_500))
-    return f"ecods-world-certificate 1\nclearance none\n{bodies}end world\n".encode()
+    bodies = "".join(f"body {at}.0 {digest(MARKER_MESH)} 1 1 {IDENTITY}\n" for at in range(1, 16_501))
+    return f"ecods-world-certificate 2\nclearance none\n{bodies}end world\n".encode()
 
 
 def disagreement(checkers, data, meshes):
@@ -109,7 +109,7 @@ def main():
     parser.add_argument("--seed", type=int, default=18)
     options = parser.parse_args()
     random_, checkers = random.Random(options.seed), Checkers(options.checker)
-    valid = f"ecods-certificate 1\na {digest(MARKER_MESH)} {IDENTITY}\nb {digest(MARKER_MESH)} {IDENTITY}\nclaim within 0x0p+0 0 0\nend\n"
+    valid = f"ecods-certificate 2\na {digest(MARKER_MESH)} {IDENTITY}\nb {digest(MARKER_MESH)} {IDENTITY}\nclaim within 0x0p+0 0 0\nend\n"
     marker_mesh, tasks = MARKER_MESH.encode(), []
     tasks += [(valid.encode(), [marker_mesh, each]) for each in huge_meshes()]
     tasks += [(each, [marker_mesh]) for each in huge_certificates()]

@@ -1,4 +1,4 @@
-"""Mistakes made on purpose in a checker: each must be caught by the cases made by hand, false claims or tampering.
+"""Mistakes made on purpose in a checker: each must be caught by the cases made by hand, hostile certificates, false claims or tampering.
 
 usage: mutants.py CHECKER [--list LIST]... [--every N] [--compiler CXX]
 
@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 HERE = Path(__file__).parent
-PYTHON_FILES = ["check.py", "apart.py", "reading.py", "lines.py", "command_line.py"]
+PYTHON_FILES = ["check.py", "apart.py", "reading.py", "lines.py", "filters.py", "command_line.py"]
 SECONDS_MAX = 900  # a mutant that goes on for ever is caught
 
 
@@ -79,7 +79,7 @@ class Builds:
             sys.exit(f"a mutant of {changed} does not compile")
         self.objects = (self.objects | set(new)) - is_stale
         program = self.folder / "checker"
-        subprocess.run([self.compiler, *(unit + ".o" for unit in self.units), "-lgmpxx", "-lgmp", "-o", program], cwd=self.folder, check=True)
+        subprocess.run([self.compiler, *(unit + ".o" for unit in self.units), "-lgmpxx", "-lgmp", "-lcrypto", "-o", program], cwd=self.folder, check=True)
         return program
 
 
@@ -87,6 +87,7 @@ def catcher(checker, python, own):
     """The first suite that fails for the two checkers, of which `own` is the mutant; or None."""
     suites = [
         ["checker/cases.py", own, "0"],
+        ["costly.py", checker, "--python", python],
         ["false_claims.py", checker, "--python", python, "--claims", "150"],
         ["tamper.py", checker, "--python", python, "--changes", "1500", "--sources", "60"],
     ]

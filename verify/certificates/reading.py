@@ -1,10 +1,10 @@
 """Reading for check.py: numbers and mesh files, as README.md defines them. Nothing is decided here."""
 import gc
+import hashlib
 import math
 
 gc.set_threshold(100_000, 20, 100)  # what is read stays, and most else goes without it
 
-DIGEST_MODULUS = 2**128 - 159
 SIZE_MAX = 64  # children of a node, triangles of a leaf
 DEPTH_MAX = 200
 INFINITY = math.inf
@@ -123,7 +123,7 @@ class Mesh:
     """A mesh and its tree. Parts: node i of the tree is part i, the triangle in line k is part node_count + k."""
 
     def __init__(self, data):
-        self.digest = f"{int.from_bytes(data, 'big') % DIGEST_MODULUS:032x}"
+        self.digest = hashlib.sha256(data).hexdigest()
         lines = data.decode("latin-1").split("\n")
         if lines.pop() != "":
             raise Unreadable("the last line does not end")
@@ -201,12 +201,12 @@ class Mesh:
         if above or at != len(self.corners):
             raise Unreadable("the tree has not all its nodes and triangles")
 
-    def is_same(self, other):
-        """Whether it is the same mesh with the same tree."""
-        return (self.vertices, self.corners, self.line_of, self.children) == (other.vertices, other.corners, other.line_of, other.children)
-
     def is_triangle(self, part):
         return part >= self.node_count
+
+    def size(self, part):
+        """How many triangles a part has."""
+        return 1 if self.is_triangle(part) else self.last[part] - self.first[part]
 
     def parts(self, part):
         return [part] if self.is_triangle(part) else self.children[part]

@@ -222,7 +222,7 @@ def random_pair(random_):
         section = pair_section(random_, soups, poses, [kind])
         if section:
             heads = [f"{name} {soup.digest} {pose}" for name, soup, pose in zip("ab", soups, poses)]
-            return texts, "\n".join(["ecods-certificate 1", *heads, *section]) + "\n"
+            return texts, "\n".join(["ecods-certificate 2", *heads, *section]) + "\n"
 
 
 def random_hit(random_):
@@ -239,7 +239,7 @@ def random_hit(random_):
     ends = [triangles.real(word) for word in words]
     ends = ends[:3], ends[3:]
     found = {name: s for name, t in body.items() if (s := triangles.first_parameter(ends, t)) is not None}
-    lines = ["ecods-certificate 1", head, "segment " + " ".join(words)]
+    lines = ["ecods-certificate 2", head, "segment " + " ".join(words)]
     piece, is_apart, steps = [ends[0], ends[1], ends[1]], lambda n, t, u: truth.parts_pair(n, t, u, (0, True)), ["end"]
     if found:
         first = min(found.values())
@@ -262,9 +262,9 @@ def random_world(random_):
     texts = [random_mesh(random_) for _ in range(2)]
     soups = [truth.Soup(text.encode()) for text in texts]
     clearance = random_.choice([None, None, 0.0, 0.5, 1.0])
-    lines = ["ecods-world-certificate 1", "clearance " + ("none" if clearance is None else shown(clearance))]
+    lines = ["ecods-world-certificate 2", "clearance " + ("none" if clearance is None else shown(clearance))]
     bodies = []
-    for slot in range(random_.randint(1, 5)):
+    for slot in range(1, random_.randint(2, 6)):
         soup, pose = random_.choice(soups), pose_text(1.0, random_pose(random_, 5))
         filters = random_.choice([(1, 1), (3, 2), (2**64 - 1, 2**64 - 1), (2, 1)])
         bodies.append((f"{slot}.{random_.randrange(3)}", soup, pose, filters))

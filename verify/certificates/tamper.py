@@ -32,7 +32,11 @@ def change_number(random_, word):
 
 def change_claim(random_, words):
     rest = words[2:]
-    kind = random_.choice(["disjoint", "touching", "crossing", "distance", "within", "beyond", "hit", "miss"])
+    kind = random_.choice(["disjoint", "touching", "crossing", "distance", "within", "within inf", "beyond", "hit", "miss"])
+    if kind == "within inf":
+        names = [random_.choice([["v", "e", "e", "v"], ["v", "f", "e", "e"]])[at::2] for at in range(2)]
+        pair = [[random_.choice(each), "0"] for each in names]
+        return ["claim", "within", "inf", *(word for name, at in pair for word in (name, at, *([] if name == "f" else [random_.choice("012")])))]
     if kind in ("distance", "within", "beyond") and (not rest or "0x" not in rest[0]):
         rest = ["0x1p+0", *rest]
     if kind in ("disjoint", "miss"):

@@ -4,6 +4,7 @@ It shares nothing with the checkers: relations come from edges and faces, never 
 features; a proof holds if each pair of triangles falls under a step whose vector parts just these two. It does not refuse what is badly
 written: it is asked about certificates that a checker accepted.
 """
+import hashlib
 import math
 from fractions import Fraction
 
@@ -38,7 +39,7 @@ class Soup:
     """A mesh file: corners by the caller's numbers, and the tree: ("n", children) and ("l", triangles)."""
 
     def __init__(self, data):
-        self.digest = f"{int.from_bytes(data, 'big') % (2**128 - 159):032x}"
+        self.digest = hashlib.sha256(data).hexdigest()
         lines = data.decode().splitlines()
         _, nv, _, nt, _, _ = lines[1].split()
         vertices = [[Fraction(float.fromhex(word)) for word in line.split()] for line in lines[2 : 2 + int(nv)]]
@@ -75,18 +76,37 @@ def below(tree):
 # Claims.
 
 
-def features_squared(words, a, b):
-    """The distance, squared, of the two features that words name."""
+def named_features(words, a, b):
+    """The corners of the two features that words name, the fewer first."""
     found = []
     for body in (a, b):
         size = 2 if words[0] == "f" else 3
         triangle, corner = body[int(words[1])], int(words[2]) if size == 3 else 0
         found.append({"v": [triangle[corner]], "e": [triangle[corner], triangle[(corner + 1) % 3]], "f": triangle}[words[0]])
         words = words[size:]
-    p, q = sorted(found, key=len)
+    return sorted(found, key=len)
+
+
+def features_squared(words, a, b):
+    """The distance, squared, of the two features that words name."""
+    p, q = named_features(words, a, b)
     if len(q) == 3:
         return point_face(p[0], q)
     return segment_segment((p[0], p[-1]), (q[0], q[-1]))
+
+
+def has_feet(words, a, b):
+    """Whether the closest points of what two features span, the points, lines and plane, are in the features, one in each."""
+    p, q = named_features(words, a, b)
+    if len(q) == 3:
+        return point_face(p[0], q) < math.inf
+    e, f, w = sub(p[-1], p[0]), sub(q[-1], q[0]), sub(q[0], p[0])
+    if len(q) == 1:
+        return True
+    if len(p) == 1:
+        return any(f) and 0 <= -dot(w, f) <= dot(f, f)
+    n = cross(e, f)
+    return any(n) and 0 <= dot(cross(w, f), n) <= dot(n, n) and 0 <= dot(cross(w, e), n) <= dot(n, n)
 
 
 def claim_holds(words, a, b, power):
@@ -101,9 +121,13 @@ def claim_holds(words, a, b, power):
         return cross_each_other(*pair) if kind == "crossing" else not any(cross_each_other(t, u) for t in a.values() for u in b.values())
     if kind == "disjoint":
         return not any(meet(t, u) for t in a.values() for u in b.values())
+    if len(words) > 2 and not has_feet(words[2:], a, b):
+        return False
+    if words[1] == "inf" and kind == "within":
+        return True
     square = least_squared(a, b)
     if words[1] == "inf":
-        return kind == "within" or rounds_to(square, math.inf, power)
+        return rounds_to(square, math.inf, power)
     if kind == "distance":
         value = float.fromhex(words[1])
         return rounds_to(square, value, power) and rounds_to(features_squared(words[2:], a, b), value, power)

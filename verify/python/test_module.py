@@ -1,6 +1,7 @@
 """What the module adds to the library: arrays, lifetimes, errors, threads, pickles, stubs."""
 import ast
 import gc
+import hashlib
 import inspect
 import pathlib
 import pickle
@@ -210,6 +211,7 @@ def test_pairs_without_a_world():
     assert ecods.orient2d_along([0, 0, 0], [1, 0, 0], [0, 1, 0], 2) == ecods.Sign.positive
     for certificate in (ecods.certify(a, b), ecods.certify_distance(a, b), ecods.certify_within(a, b, 1.0)):
         assert ecods.certified_mesh_digest(a) in str(certificate)
+    assert ecods.certified_mesh_digest(a) == hashlib.sha256(ecods.certified_mesh(a).encode()).hexdigest()
     assert ecods.certify_hit(ecods.Segment([-1, 0.1, 0.1], [1, 0.1, 0.1]), a).claim == ecods.Claim.hit
     low, high = ecods.box_of(b)
     assert (low <= [1, 0, 0]).all() and (high >= [2, 1, 1]).all() and (high - low < 1.001).all()

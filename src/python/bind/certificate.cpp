@@ -64,7 +64,8 @@ void bind_certificates(py::module_& m) {
             return text.str();
         },
         py::arg("mesh"), "The mesh as certificates mean it: the text that checkers read.");
-    m.def("certified_mesh_digest", &certified_mesh_digest, py::arg("mesh"), "By which certificates name that text.");
+    m.def("certified_mesh_digest", &certified_mesh_digest, py::arg("mesh"),
+          "The name of that text in certificates: its SHA-256, 64 hexadecimal digits.");
 }
 
 }  // namespace ecods::python

@@ -23,7 +23,7 @@ std::size_t Certificate::axis_count() const noexcept {
 }
 
 std::string Certificate::to_string() const {
-    std::string text = "ecods-certificate 1\na ";
+    std::string text = "ecods-certificate 2\na ";
     append_body(text, *content_->shape_a, content_->pose_a);
     if (content_->shape_b != nullptr) {
         text.append("b ");

@@ -38,7 +38,7 @@ struct CertificateAccess {
 void append_proof(std::string& text, const CertificateAccess::Content& content);
 // Each coordinate after a space.
 void append_coordinates(std::string& text, const Vec3& point);
-inline constexpr std::size_t digest_length = 32;
+inline constexpr std::size_t digest_length = 64;
 // DIGEST POSE, and the end of the line.
 void append_body(std::string& text, const MeshShape& shape, const Pose& pose);
 

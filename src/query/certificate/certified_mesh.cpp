@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "base/number_text.hpp"
+#include "base/sha256.hpp"
 #include "ecods/certificate.hpp"
-#include "exact/number/limbs.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
 namespace {
 
-// What takes text piece by piece: a stream, or a digest.
+// The canonical text of verify/certificates/README.md. A sink takes it piece by piece: a stream, or a digest.
 template <class Sink>
 class MeshText {
   public:
@@ -86,45 +86,6 @@ class MeshText {
     std::vector<TreeRef> stack_;
 };
 
-// The number that has the bytes of a text as its digits to base 256, modulo 2^128 - 159.
-class TextDigest {
-    using Uint128 = exact::Uint128;
-
-  public:
-    void operator()(std::string_view text) {
-        for (const char c : text) {
-            word_ = word_ << 8 | static_cast<unsigned char>(c);
-            if (++byte_count_ == 8) take_word();
-        }
-    }
-    MeshShapeAccess::Digest get() {
-        take_word();
-        return {static_cast<std::uint64_t>(value_ >> 64), static_cast<std::uint64_t>(value_)};
-    }
-
-  private:
-    // value 2^(8 bytes) + word. 2^128 is 159, so what is shifted out comes back times that: below 2^72 once, and below
-    // 159 (2^7 + 1) < 2^15 the second time, which cannot carry again.
-    void take_word() {
-        if (byte_count_ == 0) return;
-        const int bits = 8 * byte_count_;
-        add_reduced(static_cast<std::uint64_t>(value_ >> (128 - bits)), value_ << bits, word_);
-        word_ = 0;
-        byte_count_ = 0;
-    }
-    void add_reduced(std::uint64_t high, Uint128 low, std::uint64_t word) {
-        const Uint128 more = Uint128{high} * 159 + word;
-        value_ = low + more;
-        if (value_ < more) value_ += 159;
-        if (value_ >= modulus) value_ -= modulus;
-    }
-
-    static constexpr Uint128 modulus = ~Uint128{0} - 158;
-    Uint128 value_ = 0;
-    std::uint64_t word_ = 0;
-    int byte_count_ = 0;
-};
-
 }  // namespace
 
 void write_certified_mesh(std::ostream& out, const MeshShape& shape) {
@@ -133,18 +94,11 @@ void write_certified_mesh(std::ostream& out, const MeshShape& shape) {
 }
 
 std::string certified_mesh_digest(const MeshShape& shape) {
-    const auto& digest = MeshShapeAccess::digest(shape, [](const MeshShape& of) {
-        TextDigest sink;
+    return hexadecimal(MeshShapeAccess::digest(shape, [](const MeshShape& of) {
+        Sha256 sink;
         MeshText(of, sink).write();
-        return sink.get();
-    });
-    std::string text;
-    for (const std::uint64_t word : digest) {
-        std::string digits;
-        append_hex(digits, word);
-        text.append(16 - digits.size(), '0').append(digits);
-    }
-    return text;
+        return sink.finish();
+    }));
 }
 
 }  // namespace ecods

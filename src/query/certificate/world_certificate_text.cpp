@@ -57,7 +57,7 @@ std::vector<std::shared_ptr<const MeshShape>> WorldCertificate::shapes() const {
 
 std::string WorldCertificate::to_string() const {
     const Content& c = *content_;
-    std::string text = "ecods-world-certificate 1\nclearance ";
+    std::string text = "ecods-world-certificate 2\nclearance ";
     if (c.clearance) {
         append_hex(text, *c.clearance);
     } else {

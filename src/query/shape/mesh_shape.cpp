@@ -27,7 +27,7 @@ struct MeshShape::Parts {
     Lazy<SupportTable> support_table;
     Lazy<std::unique_ptr<const MeshTree>> tree;
     Lazy<std::unique_ptr<const CoplanarGroups>> groups;
-    Lazy<MeshShapeAccess::Digest> digest;
+    Lazy<Sha256::Digest> digest;
 
     // What boxes are looked up in; null where vertices are posed for them.
     const SupportTable* table_for(const MeshShape& shape);
@@ -57,7 +57,7 @@ const CoplanarGroups& MeshShapeAccess::groups(const MeshShape& shape) {
     });
 }
 
-const MeshShapeAccess::Digest& MeshShapeAccess::digest(const MeshShape& shape, Digest (*make)(const MeshShape&)) {
+const Sha256::Digest& MeshShapeAccess::digest(const MeshShape& shape, Sha256::Digest (*make)(const MeshShape&)) {
     return shape.parts_->digest.get([&] { return make(shape); });
 }
 

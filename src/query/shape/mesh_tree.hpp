@@ -1,11 +1,11 @@
 // The data that queries need of a mesh, made once.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 
+#include "base/sha256.hpp"
 #include "bounds/local_frame.hpp"
 #include "bvh/mesh_bvh.hpp"
 #include "ecods/shape.hpp"
@@ -28,9 +28,9 @@ struct MeshShapeAccess {
     static void find_boxes(const MeshShape& shape, std::span<const Pose* const> poses, std::span<Aabb* const> boxes);
     static const CoplanarGroups& groups(const MeshShape& shape);
 
-    // Of the text by which certificates mean the mesh (query/certificate): what `make` makes when it is asked first.
-    using Digest = std::array<std::uint64_t, 2>;
-    static const Digest& digest(const MeshShape& shape, Digest (*make)(const MeshShape&));
+    // The digest of the text by which certificates mean the mesh (query/certificate): what `make` makes when it is
+    // asked first.
+    static const Sha256::Digest& digest(const MeshShape& shape, Sha256::Digest (*make)(const MeshShape&));
 
     // Makes the tree of a shape that nobody has seen yet from that of `model`, which has the same triangles.
     static void refit_tree(const MeshShape& shape, const MeshShape& model);

@@ -1,5 +1,5 @@
 """Small certificates made by hand, with the verdicts that they must get, and meshes that are malformed: for cases.py."""
-MODULUS = 2**128 - 159
+import hashlib
 
 
 def numbers(values):
@@ -21,7 +21,12 @@ def mesh(vertices, triangles, tree):
 
 
 def digest(text):
-    return f"{int.from_bytes(text.encode(), 'big') % MODULUS:032x}"
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def linear_digest(text):
+    """What format 1 called a digest."""
+    return f"{int.from_bytes(text.encode(), 'big') % (2**128 - 159):032x}"
 
 
 # One triangle in z = 0; a square in z = 0, its triangles in turned order, below a root; a needle; a point.
@@ -32,19 +37,19 @@ POINT = mesh([(0.25, 0.25, 0)], [(0, 0, 0, 0)], ["l 1"])
 WALL = mesh([(0, 0, -1), (0, 0, 1), (0, 1, 0)], [(0, 1, 2, 0)], ["l 1"])
 DEEP = mesh([(0, 10, 0), (1, 10, 0), (0, 11, 0)], [(0, 1, 2, 0)], ["n 1", "l 1"])
 TWO = mesh([(5, 10, 0), (6, 10, 0), (5, 11, 0), (0, 10, 0), (1, 10, 0), (0, 11, 0)], [(0, 1, 2, 0), (3, 4, 5, 1)], ["n 2", "l 1", "l 1"])
-# Another mesh with the same digest: byte p + 16 of a file, counted from its end, weighs 159 times as much as byte p.
+# Two meshes with one digest in format 1: byte p + 16 of a file, counted from its end, weighed 159 times as much as byte p.
 DIGITS = mesh([(0, 0, 0)], [(0, 0, 0, 0)], ["l 1"]).replace("0x0.0p+0 0x0.0p+0", "0x1.0000000000000p+0 0x1.0050000000000p+0", 1)
 TWIN = DIGITS.replace("0x1.0000000000000p+0 0x1.0050000000000p+0", "0x1.0000000080000p+0 0x1.0008000000000p+0")
 MESHES = {"digits": DIGITS, "deep": DEEP, "two": TWO, "triangle": TRIANGLE, "square": SQUARE, "needle": NEEDLE, "point": POINT, "wall": WALL}
 
 
 def pair(a, pose_a, b, pose_b, *lines):
-    head = ["ecods-certificate 1", f"a {digest(MESHES[a])} {pose_a}", f"b {digest(MESHES[b])} {pose_b}"]
+    head = ["ecods-certificate 2", f"a {digest(MESHES[a])} {pose_a}", f"b {digest(MESHES[b])} {pose_b}"]
     return "".join(line + "\n" for line in [*head, *lines, "end"])
 
 
 def segment(a, pose_a, start, end, *lines):
-    head = ["ecods-certificate 1", f"a {digest(MESHES[a])} {pose_a}", f"segment {numbers((*start, *end))}"]
+    head = ["ecods-certificate 2", f"a {digest(MESHES[a])} {pose_a}", f"segment {numbers((*start, *end))}"]
     return "".join(line + "\n" for line in [*head, *lines, "end"])
 
 
@@ -112,6 +117,10 @@ GOOD = [
     above(0, "claim distance 0x0p+0 0 0"),
     above(1, "claim within 0x1p+0 v 0 0 v 0 0"),
     above(1, "claim within inf v 0 0 v 1 0"),
+    above(1, "claim within inf v 0 0 f 0"),
+    above(1, "claim within inf v 0 0 e 1 2"),
+    pair("triangle", pose(), "needle", pose(0, -2, -0.5), "claim within inf e 0 0 e 0 0"),
+    pair("point", pose(-1.5 * 2.0**1023), "point", pose(1.5 * 2.0**1023), "claim within inf v 0 0 v 0 0"),
     above(0, "claim within 0x0p+0 0 1"),
     above(0, "claim within 0x0p+0 v 0 0 v 0 0"),
     above(1, "claim beyond 0x1.fffffffffffffp-1", Z, "k 0"),
@@ -195,6 +204,14 @@ BAD = [
     above(0, "claim hit 0x0p+0 0"),
     above(1, "claim miss", Z, "k 0"),
     above(1, "claim within 0x1p-1 e 0 0 e 0 0"),
+    # Feet outside of the features, where any distance will do: beside an edge or a triangle, on parallel edges, beyond an end.
+    pair("triangle", pose(), "triangle", pose(12, 0, 1), "claim within inf v 0 0 e 0 0"),
+    pair("triangle", pose(), "triangle", pose(12, 0, 1), "claim within inf v 0 0 f 0"),
+    pair("triangle", pose(), "triangle", pose(12, 0, 1), "claim within inf f 0 v 0 0"),
+    pair("triangle", pose(), "triangle", pose(12, 0, 1), "claim within inf e 0 1 v 0 2"),
+    pair("triangle", pose(), "triangle", pose(12, 0, 1), "claim within inf e 0 0 e 0 0"),
+    pair("triangle", pose(), "triangle", pose(12, 0, 1), "claim within inf e 0 0 e 0 1"),
+    pair("point", pose(), "point", pose(5), "claim within inf v 0 0 e 0 0"),
     # Feet outside of the features: before and behind an edge, beside each edge of a triangle; and features of no extent.
     pair("point", pose(-3.25, 0.25, 0), "triangle", pose(), "claim within 0x1p-1 v 0 0 e 0 0"),
     pair("point", pose(2.75, 0.25, 0), "triangle", pose(), "claim within 0x1p-1 v 0 0 e 0 0"),
@@ -223,8 +240,11 @@ BAD = [
     segment("square", pose(), (0.5, 0.25, 1), (0.5, 0.25, 0.25), "claim hit 0x1.5555555555555p+0 0", "axis na 0", "k 0"),
     segment("square", pose(), (0.5, 0.25, 1), (0.5, 0.25, 0), "claim miss", "axis na 0", "k 0"),
     segment("square", pose(), (0.5, 0.25, 1), (0.5, 0.25, TINY), "claim disjoint", "axis na 0", "k 0"),
-    above(1, "claim disjoint", Z, "k 0").replace("ecods-certificate 1", "ecods-certificate 2"),
-    above(1, "claim disjoint", Z, "k 0").replace(digest(SQUARE), "0" * 32),
+    above(1, "claim disjoint", Z, "k 0").replace("ecods-certificate 2", "ecods-certificate 3"),
+    above(1, "claim disjoint", Z, "k 0").replace(digest(SQUARE), "0" * 64),
+    above(1, "claim disjoint", Z, "k 0").replace(digest(SQUARE), digest(SQUARE)[:32]),
+    above(1, "claim disjoint", Z, "k 0").replace(digest(SQUARE), digest(SQUARE).upper()),
+    above(1, "claim disjoint", Z, "k 0").replace(digest(SQUARE), linear_digest(SQUARE)),
     above(1, "claim disjoint", "axis 0x0p+0 0x0p+0 0x1p+1024", "k 0"),
     above(1, "claim disjoint", "axis 0x0p+0 0x0p+0 0x1p-1075", "k 0"),
     above(1, "claim disjoint", "axis 0x0p+0 0x0p+0 0x1.p+0", "k 0"),
@@ -237,7 +257,7 @@ BAD = [
 
 
 def world(clearance, bodies, *lines):
-    head = ["ecods-world-certificate 1", f"clearance {clearance}"]
+    head = ["ecods-world-certificate 2", f"clearance {clearance}"]
     for name, (mesh_name, place, *filters) in bodies.items():
         groups, mask = filters or ("1", "ffffffffffffffff")
         head.append(f"body {name} {digest(MESHES[mesh_name])} {groups} {mask} {pose(*place)}")
@@ -286,9 +306,16 @@ BAD += [
     world("none", {"1.0": ("square", (0, 0, 0)), "1.1": ("square", (0, 0, 0))}),
     world("none", {"1.0": ("square", (2.0**1000, 0, 0)), "2.0": ("square", (2.0**1000, 0, 0))}),
     world("inf", {}),
+    # What is no body of the world; slot 0 is nobody's.
+    world("none", STACK, "off 1.0 3.0", "pair 2.0 10.3", *TOUCH),
+    world("none", STACK, "off 1.1 2.0", "pair 2.0 10.3", *TOUCH),
+    world("none", STACK, "off 2.0 10.3", "off 10.3 11.0"),
+    world("none", STACK, "off 0.0 1.0", "pair 2.0 10.3", *TOUCH),
+    world("none", {}, "off 1.0 2.0"),
+    world("none", {"0.0": ("square", (0, 0, 0))}),
+    world("none", {"0.1": ("square", (0, 0, 0)), "1.0": ("square", (0, 0, 1))}),
 ]
 BAD_MESHES = [
-    TWIN,
     "",
     "ecods-mesh 2\n",
     TRIANGLE[:-1],

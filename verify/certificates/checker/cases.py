@@ -8,7 +8,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from case_texts import BAD, BAD_MESHES, GOOD, MESHES
+from case_texts import BAD, BAD_MESHES, DIGITS, GOOD, MESHES, digest
+from verdict_texts import FORGED, FORGED_MESHES, VERDICTS
 
 
 class Checker:
@@ -50,6 +51,25 @@ def check_verdicts(checker):
         if code != 2 or not said.startswith("unreadable: "):
             wrong += 1
             print(f"--- verdict {code}, {said}{text[:200]}")
+    return wrong
+
+
+def check_words(checker):
+    """Verdicts, word by word; and a claim about a mesh for which another one is given, by the right file name."""
+    wrong = 0
+    for text, expected in VERDICTS.items():
+        _, said = checker.run(text)
+        if said.split("\n")[:-1] != expected:
+            wrong += 1
+            print(f"--- not {expected}: {said}{text}")
+    paths = [checker.folder / f"{digest(DIGITS if at == 0 else text)}.mesh" for at, text in enumerate(FORGED_MESHES)]
+    for path, text in zip(paths, FORGED_MESHES):
+        path.write_text(text)
+    for meshes in (paths, [*paths, checker.mesh_files[list(MESHES).index("digits")]]):
+        code, said = checker.run(FORGED, meshes)
+        if code != 1 or not said.startswith("refused: "):
+            wrong += 1
+            print(f"--- with a forged mesh {code}, {said}")
     return wrong
 
 
@@ -96,7 +116,7 @@ def check_damaged(checker, count):
 def main():
     with tempfile.TemporaryDirectory() as folder:
         checker = Checker(sys.argv[1], folder)
-        wrong = check_verdicts(checker)
+        wrong = check_verdicts(checker) + check_words(checker)
         if not sys.argv[1].endswith(".py"):
             wrong += check_verdicts(Checker(sys.argv[1], folder, "--exact"))
         wrong += check_damaged(checker, int(sys.argv[2]) if len(sys.argv) > 2 else 200)

@@ -17,15 +17,6 @@ std::uint32_t corner(Text& in) {
     return below(in, 3, "0, 1 or 2 expected");
 }
 
-Pose read_pose(Text& in) {
-    Pose pose{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (double& x : pose.R[i]) x = in.number();
-        pose.t[i] = in.number();
-    }
-    return pose;
-}
-
 PosedMesh read_posed_mesh(Text& in) {
     PosedMesh mesh;
     mesh.line = in.line_number();
@@ -204,32 +195,16 @@ class StepReader {
     std::vector<std::size_t> named_;  // the last line that named each axis
 };
 
-BodyId read_id(Text& in) {
-    const std::string_view word = in.word();
-    const std::size_t dot = word.find('.');
-    if (dot == std::string_view::npos) in.fail("not a body");
-    const std::string numbers = std::string(word.substr(0, dot)) + ' ' + std::string(word.substr(dot + 1)) + '\n';
-    try {
-        Text fields{numbers};
-        fields.require_line();
-        const BodyId id{fields.count(), fields.count()};
-        fields.end_of_line();
-        return id;
-    } catch (const Refusal&) {
-        in.fail("not a body");
-    }
-}
-
-// From the current line.
-BodyPair read_pair_line(Text& in) {
-    in.word();
-    const BodyPair pair{read_id(in), read_id(in)};
-    in.end_of_line();
-    if (!(pair[0] < pair[1])) in.fail("the lesser body comes first");
-    return pair;
-}
-
 }  // namespace
+
+Pose read_pose(Text& in) {
+    Pose pose{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (double& x : pose.R[i]) x = in.number();
+        pose.t[i] = in.number();
+    }
+    return pose;
+}
 
 PairHead read_pair_head(Text& in) {
     PairHead head;
@@ -266,74 +241,6 @@ void read_proof(Text& in, Proof& proof) {
         }
     }
     proof.end = in.line_number();
-}
-
-WorldHead read_world_head(Text& in) {
-    WorldHead head;
-    in.require_line();
-    in.expect("clearance");
-    if (in.peek() == "none") {
-        in.word();
-    } else {
-        head.clearance = in.distance();
-    }
-    in.end_of_line();
-    for (in.require_line(); in.peek() == "body"; in.require_line()) {
-        in.word();
-        WorldBody body;
-        body.id = read_id(in);
-        // The digest stands between the id and the filter.
-        body.mesh.line = in.line_number();
-        body.mesh.digest = in.word();
-        body.groups = in.bits();
-        body.mask = in.bits();
-        body.mesh.pose = read_pose(in);
-        in.end_of_line();
-        if (!head.bodies.empty() && !(head.bodies.back().id < body.id)) in.fail("bodies are not ascending");
-        head.bodies.push_back(std::move(body));
-    }
-    for (; in.peek() == "off"; in.require_line()) {
-        const BodyPair pair = read_pair_line(in);
-        if (!head.switched_off.empty() && !(head.switched_off.back() < pair)) in.fail("pairs are not ascending");
-        head.switched_off.push_back(pair);
-    }
-    return head;
-}
-
-bool may_meet(const WorldHead& head, const WorldBody& a, const WorldBody& b) {
-    const bool is_off = std::ranges::binary_search(head.switched_off, BodyPair{a.id, b.id});
-    return (a.groups & b.mask) != 0 && (b.groups & a.mask) != 0 && !is_off;
-}
-
-bool read_section(Text& in, const WorldHead& head, Section& section) {
-    const bool is_first = section.line == 0;
-    const bool lacks_within = !is_first && head.clearance && section.proof.claim.question == Question::disjoint;
-    if (in.line() == "end world" && !lacks_within) return false;
-    if (in.peek() != "pair" && !lacks_within) in.fail("a pair, or the end, expected");
-    section.line = in.line_number();
-    const BodyPair pair = read_pair_line(in);
-    if (lacks_within && pair != section.pair) in.fail("a pair lacks its claim within");
-    if (!lacks_within && !is_first && !(section.pair < pair)) in.fail("pairs are not ascending");
-    section.pair = pair;
-    section.is_second = lacks_within;
-    for (const std::size_t i : {0, 1}) {
-        const auto is_less = [](const WorldBody& each, BodyId wanted) { return each.id < wanted; };
-        const auto place = std::lower_bound(head.bodies.begin(), head.bodies.end(), pair[i], is_less);
-        if (place == head.bodies.end() || place->id != pair[i]) in.fail("no such body");
-        section.bodies[i] = &*place;
-    }
-    if (!may_meet(head, *section.bodies[0], *section.bodies[1])) in.fail("these two are not meant to meet");
-    read_proof(in, section.proof);
-    const Claim& claim = section.proof.claim;
-    const bool has_number = claim.question == Question::within || claim.question == Question::beyond;
-    bool is_expected = claim.question == Question::touching || claim.question == Question::crossing ||
-                       claim.question == Question::disjoint || claim.question == Question::beyond;
-    if (section.is_second) is_expected = claim.question == Question::within;
-    if (!is_expected || (has_number && claim.number != head.clearance)) {
-        throw Refusal{claim.line, "not a claim that decides this pair"};
-    }
-    in.require_line();
-    return true;
 }
 
 }  // namespace certificate_checker

@@ -96,22 +96,30 @@ struct BodyId {
 };
 using BodyPair = std::array<BodyId, 2>;
 
-struct WorldBody {
-    BodyId id;
+// Which bodies may meet: each is in a group that the other's mask has.
+struct GroupFilter {
     std::uint64_t groups = 0;
     std::uint64_t mask = 0;
+    friend auto operator<=>(const GroupFilter&, const GroupFilter&) = default;
+};
+
+struct WorldBody {
+    BodyId id;
+    GroupFilter filter;
     PosedMesh mesh;
 };
 
 // What stands before the first line `pair`.
 struct WorldHead {
     std::optional<double> clearance;
-    std::vector<WorldBody> bodies;  // ascending, each once; so are the pairs
-    std::vector<BodyPair> switched_off;
+    std::vector<WorldBody> bodies;       // ascending, each once; so are the pairs
+    std::vector<BodyPair> switched_off;  // each of two of the bodies
 };
 
-// Whether filters let a and b meet; a is the lesser.
+// Whether filters let a and b meet, and they are not switched off; a is the lesser.
 bool may_meet(const WorldHead& head, const WorldBody& a, const WorldBody& b);
+// How many pairs of bodies may not meet.
+std::uint64_t count_unjudged(const WorldHead& head, Budget& budget);
 
 // A line `pair` with the proof behind it.
 struct Section {
@@ -122,14 +130,19 @@ struct Section {
     Proof proof;
 };
 
-// How many pairs of a world meet, and how many do or are within the clearance.
+// How many pairs of a world meet, how many do or are within the clearance, and how many may not meet.
 struct WorldCounts {
     std::size_t colliding = 0;
     std::size_t close = 0;
+    std::uint64_t unjudged = 0;
 };
 
-inline constexpr std::string_view pair_first_line = "ecods-certificate 1";
-inline constexpr std::string_view world_first_line = "ecods-world-certificate 1";
+inline constexpr std::string_view pair_first_line = "ecods-certificate 2";
+inline constexpr std::string_view world_first_line = "ecods-world-certificate 2";
+// Of format 1, which named meshes by a linear digest.
+inline constexpr std::array<std::string_view, 2> old_first_lines = {"ecods-certificate 1", "ecods-world-certificate 1"};
+
+Pose read_pose(Text& in);  // the next twelve fields
 
 // Each reads from the line that follows the current one, and ends at the last line that belongs to it. All throw
 // Refusal.

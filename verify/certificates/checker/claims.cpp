@@ -20,7 +20,7 @@ std::tuple<Midpoint, Midpoint, bool> rounding_to(double x) {
 }
 
 // README.md, section 3: whether signs say that the closest points are in the features, and whether their squared
-// distance, (n.w)^2 / n.n, is at most (less than) m^2.
+// distance, (n.w)^2 / n.n, is at most (less than) m^2. Within infinity any distance is.
 bool are_features_near(const std::array<Body*, 2>& body, const Claim& claim, const Integer& m, bool is_strict) {
     const std::array<Feature, 2>& named = *claim.features;
     const std::size_t first = named[0].kind == 'v' || named[1].kind != 'v' ? 0 : 1;  // a vertex comes first
@@ -30,6 +30,9 @@ bool are_features_near(const std::array<Body*, 2>& body, const Claim& claim, con
     const auto of_f = [&](std::size_t k) { return body[first]->corner(i, k); };
     const auto of_g = [&](std::size_t k) { return body[1 - first]->corner(j, k); };
     const auto is_within = [](const Integer& x, const Integer& end) { return x >= 0 && x <= end && end > 0; };
+    std::uint64_t longest = limbs(m);
+    for (const std::size_t k : {0, 1, 2}) longest = std::max({longest, limbs(of_f(k)), limbs(of_g(k))});
+    body[0]->budget.spend(128 * (1 + longest * longest));
     const Vector<Integer> p = of_f(f.k), q = of_g(g.k), w = p - q, e = of_g(g.k + 1) - q;
     Vector<Integer> n = w;  // the difference of the closest points is along n
     bool is_in = true;
@@ -45,8 +48,9 @@ bool are_features_near(const std::array<Body*, 2>& body, const Claim& claim, con
         is_in = n != Vector<Integer>{};
         for (std::size_t k = 0; k < 3; ++k) is_in = is_in && dot(n, cross(of_g(k + 1) - of_g(k), p - of_g(k))) >= 0;
     }
+    if (!is_in || claim.number == infinity) return is_in;
     const int order = cmp(dot(n, w) * dot(n, w), m * m * dot(n, n));
-    return is_in && (order < 0 || (order == 0 && !is_strict));
+    return order < 0 || (order == 0 && !is_strict);
 }
 
 void require(bool is_true, const Claim& claim, const char* why) {
@@ -55,8 +59,8 @@ void require(bool is_true, const Claim& claim, const char* why) {
 
 // The piece between two points, as a mesh of the triangle from', p', p'.
 struct Piece {
-    Piece(const Vector<Integer>& from, const Vector<Integer>& to, int unit)
-        : mesh(mesh_of({from, to}, unit)), body(posed, unit) {
+    Piece(const Vector<Integer>& from, const Vector<Integer>& to, int unit, Budget& budget)
+        : mesh(mesh_of({from, to}, unit)), body(posed, unit, budget) {
         body.points = {{0, from}, {1, to}};
     }
     Mesh mesh;
@@ -76,7 +80,7 @@ void require_the_rest(const Text& in, const WorldHead& head, const std::vector<B
     for (const WorldBody& each : head.bodies) unit = std::min(unit, unit_of(each.mesh));
     std::vector<Boxed> boxes;
     for (const WorldBody& each : head.bodies) {
-        Body body(each.mesh, unit);
+        Body body(each.mesh, unit, budget);
         boxes.push_back({&each, box_of(body, budget)});
         for (Span& range : boxes.back().box) range.high += integer(clearance, unit);
     }
@@ -84,7 +88,7 @@ void require_the_rest(const Text& in, const WorldHead& head, const std::vector<B
     const auto is_below = [](const Boxed& x, const Boxed& y, std::size_t k) { return x.box[k].high < y.box[k].low; };
     for (auto x = boxes.begin(); x != boxes.end(); ++x) {
         for (auto y = x + 1; y != boxes.end() && !is_below(*x, *y, 0); ++y) {
-            budget.spend(2);
+            budget.spend(32);
             const auto [a, b] = std::minmax(x->body, y->body);  // as they are listed
             const bool is_apart =
                 is_below(*x, *y, 1) || is_below(*y, *x, 1) || is_below(*x, *y, 2) || is_below(*y, *x, 2);
@@ -104,12 +108,12 @@ void check_pair(const PosedMesh& a, const PosedMesh& b, const Proof& proof, Budg
     const bool is_distance = question == Question::distance;
     const auto [lower, upper, is_odd] = rounding_to(d);
     const int unit = std::min({unit_of(a), unit_of(b), unit_of(lower) - 1, unit_of(upper) - 1});
-    Body x(a, unit), y(b, unit);
+    Body x(a, unit, budget), y(b, unit, budget);
     require(question != Question::hit && question != Question::miss, claim, "this claim needs a segment");
     if (claim.features) {
         const Integer most = is_distance ? half_sum(upper, unit) : integer(d, unit);
         const bool is_near = are_features_near({&x, &y}, claim, most, is_distance && is_odd);
-        require(is_near || d == infinity, claim, "the features do not prove this distance");
+        require(is_near, claim, "the features do not prove this distance");
     } else if (question != Question::disjoint && question != Question::beyond && (!is_distance || d == 0)) {
         const bool is_crossing = question == Question::crossing;
         const bool is_separated = are_separated(x, y, is_crossing ? Gap::weak : Gap::positive, claim, budget);
@@ -135,8 +139,8 @@ void check_segment(const PosedMesh& a, const Segment& segment, const Proof& proo
         const Vector<Integer> from = integers(segment[0], unit_x), to = integers(segment[1], unit_x);
         return integer(1, unit_s) * from - half_sum(parameter, unit_s) * (from - to);
     };
-    Body x(a, unit);
-    Piece first(at({}), at(is_hit ? lower : one), unit), second(at(lower), at(last), unit);
+    Body x(a, unit, budget);
+    Piece first(at({}), at(is_hit ? lower : one), unit, budget), second(at(lower), at(last), unit, budget);
     const Gap before = is_hit && !is_odd ? Gap::half_open : Gap::positive,
               gap = is_odd ? Gap::half_open : Gap::positive;
     require(!is_hit || !are_separated(x, second.body, gap, claim, budget), claim, "the triangle is not met there");
@@ -155,6 +159,7 @@ WorldCounts check_world(Text& in, const WorldHead& head, Budget& budget) {
         counts.close += is_contact || question == Question::within ? 1 : 0;
     }
     require_the_rest(in, head, decided, budget);
+    counts.unjudged = count_unjudged(head, budget);
     return counts;
 }
 

@@ -62,6 +62,7 @@ Filter::Filter(const PosedMesh& a, const PosedMesh& b, double m, std::size_t axi
     ranges_.reserve(128);
     places_.reserve(1024);
     for (Side& side : sides_) {
+        budget.spend(side.mesh->nodes.size() / 4);
         side.rows.resize(side.mesh->nodes.size());
         for (std::size_t i = 0; i < 3; ++i) {
             side.offset[i] = side.pose->t[i] - a.pose.t[i];
@@ -82,6 +83,7 @@ Filter::Filter(const PosedMesh& a, const PosedMesh& b, double m, std::size_t axi
 // that is itself rounded (mesh_of in mesh.cpp) by 2u S. With what comparing two such numbers takes this is 11u S (up
 // to terms in u^2), and 16u covers these and the roundings of the bound itself.
 void Filter::set_axis(std::size_t k, const AxisLine& source, const std::array<std::uint32_t, 2>& triangles) {
+    budget_->spend(256);
     const auto corner = [&](std::size_t number, std::size_t corner_number) {
         const Side& side = sides_[number];
         const auto& v = side.mesh->vertices[side.mesh->corners(triangles[number])[corner_number % 3]];
@@ -127,6 +129,7 @@ template <class Use>
 void Filter::visit(const Side& side, std::uint32_t part, const Direction& d, const Range& inner, const Use& use) {
     const auto contains = [&](double x) { return inner.low <= x && x <= inner.high; };
     if (side.mesh->is_triangle(part) || side.mesh->is_leaf(part)) {
+        budget_->spend(side.mesh->all_corners(part).size());
         for (const std::uint32_t vertex : side.mesh->all_corners(part)) {
             const double x = dot(d.n, side.mesh->vertices[vertex]) + d.offset;
             if (!contains(x)) use(vertex, x);
@@ -228,6 +231,7 @@ std::size_t Filter::place_of_ranges(std::size_t number, std::uint32_t axis) {
     if (side.parts.number != 0 && axis < axis_count_) {
         std::uint32_t& row = side.rows[side.parts.number];
         if (row == 0) {
+            budget_->spend(axis_count_);
             places_.resize(places_.size() + axis_count_);
             row = static_cast<std::uint32_t>(places_.size() / axis_count_);
         }
@@ -244,7 +248,10 @@ void Filter::forget() {
     ranges_.clear();
     places_.clear();
     ends_used_ = 0;
-    for (Side& side : sides_) side.rows.assign(side.rows.size(), 0);
+    for (Side& side : sides_) {
+        budget_->spend(side.rows.size());
+        side.rows.assign(side.rows.size(), 0);
+    }
 }
 
 void Filter::open(const std::array<Node, 2>& parts, std::span<const std::uint32_t> axes, Pairs& left) {

@@ -44,7 +44,7 @@ class Program {
 
 void Program::find_mesh(PosedMesh& wanted) const {
     const auto found = meshes_.find(wanted.digest);
-    if (found == meshes_.end()) throw Refusal{wanted.line, "no mesh has the digest " + wanted.digest.substr(0, 40)};
+    if (found == meshes_.end()) throw Refusal{wanted.line, "no mesh has the digest " + wanted.digest.substr(0, 64)};
     wanted.mesh = &found->second;
 }
 
@@ -52,9 +52,8 @@ void Program::read(const char* path) {
     const auto begin = Clock::now();
     try {
         Mesh mesh = read_mesh(path);
-        const auto [place, is_new] = meshes_.try_emplace(mesh.digest);
-        if (!is_new && !place->second.is_same(mesh)) throw Unreadable{"another mesh has this digest"};
-        place->second = std::move(mesh);
+        Mesh& place = meshes_[mesh.digest];
+        place = std::move(mesh);
     } catch (const Unreadable& problem) {
         throw Unreadable{std::string(path) + ": " + problem.why};
     }
@@ -68,9 +67,13 @@ std::string Program::check_certificate(Text& in) {
         WorldHead head = read_world_head(in);
         for (WorldBody& body : head.bodies) find_mesh(body.mesh);
         const WorldCounts counts = check_world(in, head, budget_);
-        const std::string words = "world of " + std::to_string(head.bodies.size()) + " bodies, " +
-                                  std::to_string(counts.colliding) + " colliding";
-        return head.clearance ? words + ", " + std::to_string(counts.close) + " close" : words;
+        std::string words = "world of " + std::to_string(head.bodies.size()) + " bodies, " +
+                            std::to_string(counts.colliding) + " colliding, ";
+        if (head.clearance) words += std::to_string(counts.close) + " close, ";
+        return words + std::to_string(counts.unjudged) + (counts.unjudged == 1 ? " pair" : " pairs") + " not judged";
+    }
+    if (std::ranges::find(old_first_lines, in.line()) != old_first_lines.end()) {
+        in.fail("format 1: its mesh digests can be forged; issue the certificate again");
     }
     if (in.line() != pair_first_line) in.fail("not the first line of a certificate");
     PairHead head = read_pair_head(in);
@@ -133,16 +136,18 @@ int Program::check(const char* path) {
     budget_.left = (std::uint64_t{1} << 33) + 4096 * std::uint64_t{text.size()};
     if (is_exact_) budget_ = {std::numeric_limits<std::uint64_t>::max(), false};
     const auto is_first_line = [](const Text& in) {
-        return in.line() == pair_first_line || in.line() == world_first_line;
+        return in.line() == pair_first_line || in.line() == world_first_line ||
+               std::ranges::find(old_first_lines, in.line()) != old_first_lines.end();
     };
     Text in(text);
     bool is_good = !text.empty();
     if (text.empty()) std::puts("refused: line 1: no certificate");
     for (bool has_line = in.skip_line(); has_line;) {
+        const std::size_t first = in.line_number();
         const bool is_accepted = print_verdict(in);
         is_good = is_good && is_accepted;
         // A refused certificate may end anywhere.
-        if (is_accepted || !is_first_line(in)) has_line = in.skip_line();
+        if (is_accepted || in.line_number() == first || !is_first_line(in)) has_line = in.skip_line();
         while (!is_accepted && has_line && !is_first_line(in)) has_line = in.skip_line();
     }
     if (prints_times_ && !checks_.empty()) print_medians();

@@ -1,5 +1,8 @@
 #include "mesh.hpp"
 
+#include <openssl/crypto.h>
+#include <openssl/evp.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,18 +16,18 @@ namespace {
 constexpr std::string_view first_line = "ecods-mesh 1\n";
 constexpr std::size_t depth_max = 200;
 
-// The bytes as one number, the first the most significant, modulo 2^128 - 159.
+// SHA-256. No configuration file is read: one could put another implementation in the place of OpenSSL's own.
 std::string digest_of(std::string_view bytes) {
-    mpz_t number, modulus;
-    mpz_inits(number, modulus, nullptr);
-    mpz_import(number, bytes.size(), 1, 1, 1, 0, bytes.data());
-    mpz_setbit(modulus, 128);
-    mpz_sub_ui(modulus, modulus, 159);
-    mpz_mod(number, number, modulus);
-    std::array<char, 40> digits{};
-    gmp_snprintf(digits.data(), digits.size(), "%032Zx", number);
-    mpz_clears(number, modulus, nullptr);
-    return digits.data();
+    std::array<unsigned char, 32> digest{};
+    OPENSSL_init_crypto(OPENSSL_INIT_NO_LOAD_CONFIG, nullptr);
+    if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, EVP_sha256(), nullptr) != 1) {
+        throw Unreadable{"libcrypto gives no SHA-256"};
+    }
+    std::string digits;
+    for (const unsigned char byte : digest) {
+        digits += {"0123456789abcdef"[byte >> 4], "0123456789abcdef"[byte & 15]};
+    }
+    return digits;
 }
 
 // Throws Refusal unless the text may hold so many lines of so many bytes each: nothing is allocated for more.

@@ -25,7 +25,6 @@ struct Node {
     std::uint32_t first_corner = 0;
     std::uint32_t corner_count = 0;  // 0 of what is no leaf
     std::uint32_t number = 0;        // its own as a part; 0 where this is one part that is not opened, or the root
-    friend bool operator==(const Node&, const Node&) = default;
 };
 
 inline constexpr std::uint32_t parts_max = 64;  // of a node or of a leaf
@@ -33,7 +32,7 @@ inline constexpr std::uint32_t parts_max = 64;  // of a node or of a leaf
 // Parts are numbered: first the nodes and leaves, the root 0, each one's parts behind it and next to each other; then
 // the triangles in the order of the tree.
 struct Mesh {
-    std::string digest;
+    std::string digest;  // of the file
     std::vector<std::array<double, 3>> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;  // in the order of the tree
     std::vector<std::uint32_t> position;                  // of the caller's triangles in this order
@@ -45,11 +44,6 @@ struct Mesh {
     std::array<double, 3> magnitude = {};                  // the greatest absolute value of each coordinate
     int low = 0;                                           // all coordinates are multiples of 2^low
 
-    // Whether it is the same mesh with the same tree.
-    bool is_same(const Mesh& other) const {
-        return vertices == other.vertices && triangles == other.triangles && position == other.position &&
-               nodes == other.nodes;
-    }
     bool is_leaf(std::uint32_t part) const { return !is_triangle(part) && nodes[part].corner_count > 0; }
     bool is_triangle(std::uint32_t part) const { return part >= nodes.size(); }
     // Of a triangle or a leaf.

@@ -15,6 +15,11 @@ namespace certificate_checker {
 using Integer = mpz_class;
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// How many words of 64 bits a number has. A product counts as many units of work as its factors' limbs multiplied.
+inline std::uint64_t limbs(const Integer& x) {
+    return mpz_size(x.get_mpz_t());
+}
+
 // A finite double is digits * 2^exponent. Infinity stands for 2^1024.
 struct Parts {
     explicit Parts(double x) {

@@ -38,9 +38,16 @@ struct Pair {
     const Vector<Integer>& vector(std::size_t number) {
         auto& [source, triangles, n, places, least] = axes[number];
         if (n) return *n;
-        const auto corner = [&, &on = triangles](auto side, auto k) { return body[side]->corner(on[side], k); };
+        std::uint64_t longest = 0;
+        const auto corner = [&, &on = triangles](auto side, auto k) -> const Vector<Integer>& {
+            const Vector<Integer>& x = body[side]->corner(on[side], k);
+            longest = std::max(longest, limbs(x));
+            return x;
+        };
         n = source.formula.kind == Kind::given ? integers(source.given, unit_of(source.given))
                                                : vector_of<Integer>(source.formula, corner);
+        const std::uint64_t both = limbs(*n) + limbs(rule.m);
+        budget.spend(128 + 24 * longest * longest + 4 * both * both);
         least = rule.m * rule.m * dot(*n, *n);
         return *n;
     }
@@ -52,6 +59,11 @@ struct Pair {
         if (filter) filter->open(parts, named, left);
     }
 
+    Integer dot_with(const Vector<Integer>& n, std::size_t side, std::uint32_t vertex) {
+        const Vector<Integer>& x = body[side]->point(vertex);
+        budget.spend(64 + 3 * limbs(n) * limbs(x));
+        return dot(n, x);
+    }
     // The range of n.x over the corners x of part i of a side. The filter leaves out some that lie surely within it.
     const Range& reach(std::size_t side, std::size_t k, std::uint32_t i) {
         const std::size_t count = parts[0].count + parts[1].count;
@@ -61,8 +73,8 @@ struct Pair {
         auto include = [&, &n = vector(named[k]), &places = axes[named[k]].places[side]](std::uint32_t vertex) {
             const auto [found, is_first] = places.try_emplace(vertex);
             const Integer& x = found->second;
-            if (is_first) found->second = dot(n, body[side]->point(vertex));
-            budget.spend(64 + (is_first ? mpz_size(x.get_mpz_t()) * mpz_size(x.get_mpz_t()) : 0));
+            if (is_first) found->second = dot_with(n, side, vertex);
+            budget.spend(64 + limbs(x));
             if (range.low == nullptr || x < *range.low) range.low = &x;
             if (range.high == nullptr || x > *range.high) range.high = &x;
         };
@@ -72,15 +84,17 @@ struct Pair {
     }
 
     bool is_apart(const Range& a, const Range& b, std::uint32_t axis) {
+        budget.spend(64 + limbs(*a.high));
         const Vector<Integer>& n = vector(axis);
         if (n == Vector<Integer>{}) return false;
         if (rule.gap == Gap::weak) return *a.high <= *b.low || *b.high <= *a.low;
         if (rule.gap == Gap::half_open) {
-            const Integer start = dot(n, body[1]->point(0));
+            const Integer start = dot_with(n, 1, 0);
             return (*a.high < start && *a.high <= *b.low) || (*a.low > start && *a.low >= *b.high);
         }
         const Integer gap = *a.high < *b.low ? *b.low - *a.high : *a.low - *b.high;
         if (gap <= 0 || rule.gap == Gap::positive) return gap > 0;
+        budget.spend(limbs(gap) * limbs(gap));
         const int order = cmp(gap * gap, axes[axis].least);
         return order > 0 || (order == 0 && rule.gap == Gap::at_least);
     }
@@ -88,7 +102,6 @@ struct Pair {
     bool are_apart(std::uint32_t i, std::uint32_t j) {
         for (std::size_t n = 0, first = filter ? filter->best_axis(i, j) : 0; n < named.size(); ++n) {
             const std::size_t k = (first + n) % named.size();
-            budget.spend(64);
             if (is_apart(reach(0, k, i), reach(1, k, j), named[k])) return true;
         }
         return false;

@@ -16,8 +16,8 @@ inline int unit_of(const PosedMesh& posed) {
 
 // A posed mesh: its corners in units of 2^unit, at most unit_of.
 struct Body {
-    Body(const PosedMesh& posed_mesh, int unit_exponent)
-        : posed(posed_mesh), mesh(*posed_mesh.mesh), unit(unit_exponent) {}
+    Body(const PosedMesh& posed_mesh, int unit_exponent, Budget& work)
+        : posed(posed_mesh), mesh(*posed_mesh.mesh), unit(unit_exponent), budget(work) {}
     const Vector<Integer>& point(std::uint32_t vertex) {
         const auto [place, is_new] = points.try_emplace(vertex);
         if (!is_new) return place->second;
@@ -26,6 +26,7 @@ struct Body {
             pose.push_back(integers(posed.pose.t, unit));
         }
         const Vector<Integer> v = integers(mesh.vertices[vertex], mesh.low);
+        budget.spend(64 + 3 * limbs(v) * (limbs(pose[0]) + limbs(pose[1]) + limbs(pose[2])));
         for (std::size_t k = 0; k < 3; ++k) place->second[k] = dot(pose[k], v) + pose[3][k];
         return place->second;
     }
@@ -34,6 +35,7 @@ struct Body {
     const PosedMesh& posed;
     const Mesh& mesh;
     int unit;
+    Budget& budget;
     std::vector<Vector<Integer>> pose;                          // R's rows and t, once a point is asked for
     std::unordered_map<std::uint32_t, Vector<Integer>> points;  // those asked for so far
 };

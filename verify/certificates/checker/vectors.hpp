@@ -29,6 +29,11 @@ Vector<Number> cross(const Vector<Number>& a, const Vector<Number>& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+// The limbs of the longest coordinate.
+inline std::uint64_t limbs(const Vector<Integer>& v) {
+    return std::max({limbs(v[0]), limbs(v[1]), limbs(v[2])});
+}
+
 // `corner(side, k)` is corner k (modulo 3) of a's (side 0) or b's (side 1) triangle.
 template <class Number, class Corner>
 Vector<Number> vector_of(const Formula& formula, const Corner& corner) {

@@ -59,12 +59,12 @@ TEST_F(Certify, FramesOfAScene) {
       "frames": [ { "moves": [ { "body": "blade", "pose": { "t": [0, 0, 1] } } ] } ] })");
     const std::string command = ECODS_CHECK_PROGRAM " " + scene.string();
     expect_certified(command, 2,
-                     "accepted: world of 2 bodies, 1 colliding\n"
-                     "accepted: world of 2 bodies, 0 colliding\n");
+                     "accepted: world of 2 bodies, 1 colliding, 0 pairs not judged\n"
+                     "accepted: world of 2 bodies, 0 colliding, 0 pairs not judged\n");
     expect_certified(command + " --distance", 2,
-                     "accepted: world of 2 bodies, 1 colliding\n"
+                     "accepted: world of 2 bodies, 1 colliding, 0 pairs not judged\n"
                      "accepted: distance 0x0p+0 0 0\n"
-                     "accepted: world of 2 bodies, 0 colliding\n"
+                     "accepted: world of 2 bodies, 0 colliding, 0 pairs not judged\n"
                      "accepted: distance 0x1p+0 f 0 v 0 0\n");
 }
 
@@ -81,9 +81,9 @@ TEST_F(Certify, UpdatesOfATrace) {
     world.end_trace();
     const std::string command = ECODS_REPLAY_PROGRAM " " + write("trace.txt", out.str()).string();
     expect_certified(command, 1,
-                     "accepted: world of 2 bodies, 1 colliding\n"
-                     "accepted: world of 2 bodies, 1 colliding\n"
-                     "accepted: world of 2 bodies, 0 colliding\n");
+                     "accepted: world of 2 bodies, 1 colliding, 0 pairs not judged\n"
+                     "accepted: world of 2 bodies, 1 colliding, 0 pairs not judged\n"
+                     "accepted: world of 2 bodies, 0 colliding, 0 pairs not judged\n");
 }
 
 TEST_F(Certify, AFileThatCannotBeWrittenIsStatus2) {

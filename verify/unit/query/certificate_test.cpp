@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "base/sha256.hpp"
 #include "certificates/samples/samples.hpp"
 #include "ecods/certificate.hpp"
 #include "ecods/distance.hpp"
@@ -97,7 +98,7 @@ TEST(Certificates, ArePrintedAsTheFormatSays) {
     const std::string pose = " 0x1p+0 0x0p+0 0x0p+0 ";
     const Certificate certificate = certify_distance(at(cube, Vec3::Zero()), at(cube, Vec3(3, 0, 0)), memory);
     const std::string text = certificate.to_string();
-    EXPECT_EQ(text.rfind("ecods-certificate 1\na " + digest + pose, 0), 0u) << text;
+    EXPECT_EQ(text.rfind("ecods-certificate 2\na " + digest + pose, 0), 0u) << text;
     EXPECT_NE(text.find("\nb " + digest + pose + "0x1.8p+1 "), std::string::npos) << text;
     EXPECT_NE(text.find("\nclaim distance 0x1p+0 "), std::string::npos) << text;
     EXPECT_TRUE(text.ends_with("\nend\n")) << text;
@@ -106,30 +107,17 @@ TEST(Certificates, ArePrintedAsTheFormatSays) {
     EXPECT_EQ(stream.str(), text);
 }
 
-// The bytes as digits to base 256, a bit after the other, modulo 2^128 - 159.
+std::string text_of(const MeshShape& shape) {
+    std::ostringstream text;
+    write_certified_mesh(text, shape);
+    return text.str();
+}
+
+// Of the whole text at once.
 std::string plain_digest(const std::string& text) {
-    std::uint64_t high = 0, low = 0;
-    const auto add = [&](std::uint64_t x) {
-        low += x;
-        if (low < x) ++high;
-    };
-    for (const char c : text) {
-        for (int bit = 7; bit >= 0; --bit) {
-            const bool carries = high >> 63 != 0;
-            high = high << 1 | low >> 63;
-            low = low << 1 | (static_cast<unsigned char>(c) >> bit & 1);
-            if (carries) add(159);
-            if (high == ~std::uint64_t{0} && low >= ~std::uint64_t{0} - 158) {
-                high = 0;
-                low -= ~std::uint64_t{0} - 158;
-            }
-        }
-    }
-    std::string digits;
-    for (const std::uint64_t word : {high, low}) {
-        for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[word >> shift & 15];
-    }
-    return digits;
+    Sha256 sha;
+    sha(text);
+    return hexadecimal(sha.finish());
 }
 
 // Where denormals are zero, too: the digest was that of another text there.
@@ -141,19 +129,16 @@ TEST(Certificates, NameAMeshAlikeInEachEnvironment) {
             const environment::InFloatMode in_mode(mode);
             digest = certified_mesh_digest(shape);
         }
-        std::ostringstream text;
-        write_certified_mesh(text, shape);
-        EXPECT_EQ(digest, plain_digest(text.str())) << mode.name;
+        EXPECT_EQ(digest, plain_digest(text_of(shape))) << mode.name;
     }
 }
 
 TEST(Certificates, NameAMeshByItsText) {
     for (const auto& mesh : {scenes::cube(0.1), scenes::ship(), scenes::torus(30, 20, 0.4)}) {
         const MeshShape shape(mesh);
-        std::ostringstream text;
-        write_certified_mesh(text, shape);
-        EXPECT_EQ(certified_mesh_digest(shape), plain_digest(text.str()));
-        std::istringstream lines(text.str());
+        const std::string text = text_of(shape);
+        EXPECT_EQ(certified_mesh_digest(shape), plain_digest(text));
+        std::istringstream lines(text);
         std::string word, header;
         std::size_t vertices = 0, triangles = 0;
         std::getline(lines, header);
@@ -162,6 +147,22 @@ TEST(Certificates, NameAMeshByItsText) {
         EXPECT_EQ(vertices, mesh->vertices().size());
         EXPECT_EQ(triangles, mesh->triangles().size());
     }
+}
+
+// What the format says of the canonical text: the shortest form of each number, the sign of a zero, vertices without a
+// triangle. The digest is what sha256sum prints of it.
+TEST(Certificates, NameAMeshByItsCanonicalText) {
+    const MeshShape shape(
+        Mesh::create({{1, -0.0, 0x1p-1074}, {-1.5, 0x1.8p-1030, 1e300}, {0.1, 3, 0x1p-1022}, {7, 8, 9}}, {{2, 0, 1}}));
+    const std::string text =
+        "ecods-mesh 1\nvertices 4 triangles 1 nodes 1\n"
+        "0x1p+0 -0x0p+0 0x0.0000000000001p-1022\n"
+        "-0x1.8p+0 0x0.018p-1022 0x1.7e43c8800759cp+996\n"
+        "0x1.999999999999ap-4 0x1.8p+1 0x1p-1022\n"
+        "0x1.cp+2 0x1p+3 0x1.2p+3\n"
+        "2 0 1 0\nl 1\n";
+    EXPECT_EQ(text_of(shape), text);
+    EXPECT_EQ(certified_mesh_digest(shape), "9e61c45a41bd6ca60df2e050be4008a3c5940813ed33f1b61a68f502229e675c");
 }
 
 // Each certificate, whatever its shape, is of one line an axis.

@@ -46,7 +46,7 @@ TEST_P(WorldCertificates, AreOfTheLists) {
         EXPECT_EQ(certificate.close_count(), world.close_pairs().size());
         EXPECT_EQ(certificate.shapes().size(), 1u);
         const std::string text = certificate.to_string();
-        EXPECT_EQ(text.rfind("ecods-world-certificate 1\nclearance ", 0), 0u);
+        EXPECT_EQ(text.rfind("ecods-world-certificate 2\nclearance ", 0), 0u);
         EXPECT_NE(text.find("\noff 1.0 2.0\n"), std::string::npos);
         EXPECT_EQ(text.find("\npair 1.0 2.0\n"), std::string::npos);
         EXPECT_EQ(text.find("\npair 3.0 "), std::string::npos);
