@@ -10,9 +10,7 @@
 // pair (relation, intersecting_triangles), and at update() for the lists. There is nothing else to call, and no call
 // whose omission makes an answer wrong.
 //
-// What it costs: statistics.hpp.
-//
-// The world does not move bodies, respond to contacts, or draw.
+// What it costs: statistics.hpp. The world does not move bodies, respond to contacts, or draw.
 //
 // Lifetimes: a span is valid until the next call that is not const; everything else is returned by value. Arguments may
 // be the world's own answers. A world that was moved from can be assigned to and destroyed; every other call throws
@@ -91,8 +89,10 @@ class ECODS_API World {
     void set_user_data(BodyId body, std::uint64_t data);
     std::uint64_t user_data(BodyId body) const;
 
-    // All bodies, ascending. Cost: one pass.
+    // All bodies, ascending; and the ids of bodies to come, in the order in which they are given while none is
+    // destroyed: one for each free slot, and last the first one of a new slot (WorldOptions::ids). Cost: one pass.
     std::vector<BodyId> bodies() const;
+    std::vector<BodyId> next_ids() const;
 
     // Reserves memory for so many bodies in all, so that creating them moves nothing.
     void reserve(std::size_t body_count);
@@ -108,8 +108,7 @@ class ECODS_API World {
 
     // ---- solids
     //
-    // A body is a solid if its shape is a Solid (solid.hpp). It stays a surface in everything else, collisions
-    // included.
+    // A body is a solid if its shape is a Solid (solid.hpp), and a surface in everything else, collisions included.
 
     // Whether updates make solid_pairs(), from the next one on; false at first.
     void set_solids(bool are_related);
@@ -130,6 +129,7 @@ class ECODS_API World {
     // Throws SameBody. Cost: logarithmic in the pairs that are off.
     void set_pair_enabled(BodyId a, BodyId b, bool is_enabled);
     bool is_pair_enabled(BodyId a, BodyId b) const;  // by that switch alone, whatever the filters are
+    std::vector<BodyPair> disabled_pairs() const;    // all that are off, ascending; cost: one pass over them
 
     // ---- two-body tests
 

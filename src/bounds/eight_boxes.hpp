@@ -3,30 +3,21 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 
-#include "bounds/double8.hpp"
 #include "bounds/four_boxes.hpp"
+#include "simd/double8.hpp"
 
 #if ECODS_CAN_DISPATCH
 
 namespace ecods::support {
 
-ECODS_WIDE_INLINE Double8 either(__mmask8 mask, Double8 yes, Double8 no) noexcept {
-    return _mm512_mask_blend_pd(mask, no, yes);
-}
-// a > b ? a : b, and a < b ? a : b.
-ECODS_WIDE_INLINE Double8 larger(Double8 a, Double8 b) noexcept {
-    return _mm512_maskz_max_pd(0xff, a, b);
-}
-ECODS_WIDE_INLINE Double8 smaller(Double8 a, Double8 b) noexcept {
-    return _mm512_maskz_min_pd(0xff, a, b);
-}
+// Beside those of four.
+using ecods::larger, ecods::negative, ecods::next_up_of_finite;
 
 // Which axis is the longest of each, and the coordinate of three that is on it.
 struct AxisOfEight {
-    __mmask8 is_y, is_z;
+    Mask8 is_y, is_z;
 
     ECODS_WIDE_INLINE Double8 of(Double8 a, Double8 b, Double8 c) const noexcept {
         return either(is_z, c, either(is_y, b, a));
@@ -41,86 +32,63 @@ struct EightReaches {
 struct EightPlacesInTable {
     alignas(32) std::array<std::int32_t, 8> at;
 
-    ECODS_WIDE_INLINE explicit EightPlacesInTable(__m256i places) noexcept {
-        _mm256_store_si256(reinterpret_cast<__m256i*>(at.data()), places);
-    }
+    ECODS_WIDE_INLINE explicit EightPlacesInTable(Int8 places) noexcept { store(places, at); }
 };
 
 // The values at a corner of each cell, or so much further on: both ends of its direction lie side by side in the table.
-// Each pair is loaded by itself, which measured a little faster than gathering eight.
 ECODS_WIDE_INLINE EightReaches table_corner(const Row& support, const EightPlacesInTable& places,
                                             int further = 0) noexcept {
-    const float* const table = support.data() + 2 * further;
-    const auto two = [&](std::size_t i) {
-        const auto pair = [&](std::size_t k) {
-            return reinterpret_cast<const __m64*>(table + 2 * static_cast<std::ptrdiff_t>(places.at[k]));
-        };
-        return _mm_loadh_pi(_mm_loadl_pi(_mm_setzero_ps(), pair(i)), pair(i + 1));
-    };
-    const __m256 low = _mm256_set_m128(two(4), two(0)), high = _mm256_set_m128(two(6), two(2));
-    return {_mm512_maskz_cvtps_pd(0xff, _mm256_shuffle_ps(low, high, _MM_SHUFFLE(2, 0, 2, 0))),
-            _mm512_maskz_cvtps_pd(0xff, _mm256_shuffle_ps(low, high, _MM_SHUFFLE(3, 1, 3, 1)))};
+    EightReaches reaches;
+    load_pairs(support.data() + 2 * further, places.at, reaches.along, reaches.against);
+    return reaches;
 }
 
 // A place in the grid: the cell, and how far it is in it.
 struct EightPlaces {
-    __m256i cell;
+    Int8 cell;
     Double8 rest;
 
     ECODS_WIDE_INLINE EightPlaces(Double8 coordinate, Double8 to_cells) noexcept {
         const Double8 at = coordinate * to_cells + eight(middle);
         const Double8 inside = larger(smaller(at, eight(cell_count)), eight(0));
-        cell = _mm256_min_epi32(_mm512_maskz_cvttpd_epi32(0xff, inside), _mm256_set1_epi32(cell_count - 1));
-        rest = inside - _mm512_maskz_cvtepi32_pd(0xff, cell);
+        cell = smaller(truncated(inside), eight_ints(cell_count - 1));
+        rest = inside - doubles_of(cell);
     }
 };
 
 // reaches() of one row of each of eight.
 ECODS_WIDE_INLINE EightReaches eight_reaches(const Row& support, Double8 x, Double8 y, Double8 z) noexcept {
     const Double8 size_x = absolute(x), size_y = absolute(y), size_z = absolute(z);
-    const __mmask8 is_y = is_less(size_x, size_y);
+    const Mask8 is_y = is_less(size_x, size_y);
     const Double8 size_xy = larger(size_y, size_x);
-    const __mmask8 is_z = is_less(size_xy, size_z);
+    const Mask8 is_z = is_less(size_xy, size_z);
     const Double8 m = larger(size_z, size_xy);
     const AxisOfEight axis{is_y, is_z};
-    const __mmask8 is_tiny = is_less(m, eight(tiny));
+    const Mask8 is_tiny = is_less(m, eight(tiny));
     const Double8 d = either(is_tiny, eight(1), axis.of(x, y, z));
     constexpr int face = SupportTableGrid::face_size;
-    const __m256i start = _mm256_mask_mov_epi32(_mm256_maskz_set1_epi32(is_y, face), is_z, _mm256_set1_epi32(2 * face));
+    const Int8 start = either(is_z, eight_ints(2 * face), or_zero(is_y, face));
 
     const Double8 to_cells = eight(middle) / d;
     const EightPlaces i(axis.of(y, z, x), to_cells), j(axis.of(z, x, y), to_cells);
 
     // Each cell is cut along its diagonal.
-    const __mmask8 is_first_less = is_less(i.rest, j.rest);
+    const Mask8 is_first_less = is_less(i.rest, j.rest);
     const Double8 low = smaller(i.rest, j.rest), high = larger(j.rest, i.rest);
     const Double8 first_share = eight(1) - high, across_share = high - low;
     static_assert(side_count == 9);
-    const __m256i row = _mm256_add_epi32(_mm256_slli_epi32(j.cell, 3), j.cell);
-    const __m256i first = _mm256_add_epi32(_mm256_add_epi32(start, row), i.cell);
-    const __m256i across = _mm256_add_epi32(
-        first, _mm256_mask_mov_epi32(_mm256_set1_epi32(1), is_first_less, _mm256_set1_epi32(side_count)));
+    const Int8 row = plus(times_power_of_two<3>(j.cell), j.cell);
+    const Int8 first = plus(plus(start, row), i.cell);
+    const Int8 across = plus(first, either(is_first_less, eight_ints(side_count), eight_ints(1)));
     const EightPlacesInTable first_places(first);
     const EightReaches a = table_corner(support, first_places), b = table_corner(support, EightPlacesInTable(across)),
                        c = table_corner(support, first_places, side_count + 1);
     const Double8 up = (first_share * a.along + across_share * b.along) + low * c.along;
     const Double8 down = (first_share * a.against + across_share * b.against) + low * c.against;
-    const __mmask8 is_negative = is_less(d, eight(0));
+    const Mask8 is_negative = is_less(d, eight(0));
     const Double8 along = either(is_negative, down, up), against = either(is_negative, up, down);
     return {either(is_tiny, eight(4) * m, m * (along + eight(table_error))),
             either(is_tiny, eight(4) * m, m * (against + eight(table_error)))};
-}
-
-// next_up(x) of what is neither infinite nor NaN.
-ECODS_WIDE_INLINE Double8 next_up_of_finite(Double8 x) noexcept {
-    const __m512i bits = _mm512_castpd_si512(x), one = _mm512_set1_epi64(1);
-    const __m512i up = _mm512_add_epi64(bits, one);
-    const __m512i next = _mm512_mask_sub_epi64(up, _mm512_movepi64_mask(bits), bits, one);
-    const __mmask8 is_zero = _mm512_cmpeq_epi64_mask(_mm512_add_epi64(bits, bits), _mm512_setzero_si512());
-    return _mm512_castsi512_pd(_mm512_mask_mov_epi64(next, is_zero, one));
-}
-ECODS_WIDE_INLINE Double8 negative(Double8 x) noexcept {
-    return _mm512_xor_pd(x, eight(-0.0));
 }
 
 // Boxes from the ends of four of them, lane by lane.

@@ -5,8 +5,8 @@
 // For poses that turn and no more, and numbers within their limits; others go through one set after the other.
 #pragma once
 
-#include "bounds/double8.hpp"
 #include "bvh/posed_axes.hpp"
+#include "simd/double8.hpp"
 
 #if ECODS_CAN_DISPATCH
 
@@ -18,7 +18,7 @@ ECODS_WIDE_INLINE Double8 both(double a, double b) noexcept {
     return join(broadcast<Double4>(a), broadcast<Double4>(b));
 }
 ECODS_WIDE_INLINE Double8 swapped(Double8 v) noexcept {
-    return _mm512_maskz_shuffle_f64x2(0xff, v, v, _MM_SHUFFLE(1, 0, 3, 2));
+    return halves<1, 0>(v);
 }
 ECODS_WIDE_INLINE Double8 times(double x, Double8 v) noexcept {
     return eight(x) * v;
@@ -27,11 +27,6 @@ ECODS_WIDE_INLINE Double8 of_both(Double8 v) noexcept {  // their sum, in each h
     return v + swapped(v);
 }
 
-// One lane of each half, in all lanes of that half.
-template <int lane>
-ECODS_WIDE_INLINE Double8 each(Double8 v) noexcept {
-    return _mm512_maskz_permutex_pd(0xff, v, lane * 0x55);
-}
 ECODS_WIDE_INLINE Double8 sum(Double8 v) noexcept {
     return (each<0>(v) + each<1>(v)) + each<2>(v);
 }
@@ -61,24 +56,16 @@ ECODS_WIDE_INLINE Double8 row_sums(const BothMatrices& m) noexcept {
     return (m.column[0] + m.column[1]) + m.column[2];
 }
 ECODS_WIDE_INLINE BothMatrices transpose(const BothMatrices& m) noexcept {
-    const Double8 low = _mm512_maskz_unpacklo_pd(0xff, m.column[0], m.column[1]);
-    const Double8 high = _mm512_maskz_unpackhi_pd(0xff, m.column[0], m.column[1]);
+    const Double8 low = even_lanes(m.column[0], m.column[1]);
+    const Double8 high = odd_lanes(m.column[0], m.column[1]);
     const auto z = m.column[2];
-    const __m512i first = _mm512_setr_epi64(0, 1, 8, 11, 4, 5, 12, 15);
-    const __m512i second = _mm512_setr_epi64(0, 1, 9, 11, 4, 5, 13, 15);
-    const __m512i third = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
-    return {{_mm512_permutex2var_pd(low, first, z), _mm512_permutex2var_pd(high, second, z),
-             _mm512_permutex2var_pd(low, third, z)}};
+    return {{lanes_of<0, 1, 8, 11, 4, 5, 12, 15>(low, z), lanes_of<0, 1, 9, 11, 4, 5, 13, 15>(high, z),
+             lanes_of<2, 3, 10, 11, 6, 7, 14, 15>(low, z)}};
 }
 
-// Three numbers of each, the fourth lanes are zero.
-ECODS_WIDE_INLINE Double8 load_both(const double* a, const double* b) noexcept {
-    return _mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(_mm256_maskz_loadu_pd(7, a)),
-                                    _mm256_maskz_loadu_pd(7, b), 1);
-}
 ECODS_WIDE_INLINE BothMatrices load_both(const Mat3& a, const Mat3& b) noexcept {
-    return {
-        {load_both(a.data(), b.data()), load_both(a.data() + 3, b.data() + 3), load_both(a.data() + 6, b.data() + 6)}};
+    return {{load_three(a.data(), b.data()), load_three(a.data() + 3, b.data() + 3),
+             load_three(a.data() + 6, b.data() + 6)}};
 }
 
 // The edges of both trees' boxes, as Edges has them.
@@ -89,9 +76,9 @@ struct BothEdges {
     ECODS_WIDE_INLINE BothEdges(const PosedTree& a, const PosedTree& b) noexcept {
         const LocalFrame &frame_a = a.tree.frame, &frame_b = b.tree.frame;
         const BothMatrices R = load_both(a.R, b.R), R_size = absolute(R);
-        const Double8 center = load_both(frame_a.center.data(), frame_b.center.data());
+        const Double8 center = load_three(frame_a.center.data(), frame_b.center.data());
         edges = R * load_both(frame_a.map, frame_b.map);
-        size = R_size * load_both(frame_a.map_size.data(), frame_b.map_size.data());
+        size = R_size * load_three(frame_a.map_size.data(), frame_b.map_size.data());
         origin = R * center;
         origin_size = R_size * absolute(center);
         factor = (eight(1) + sum(row_sums(R_size))) * both(frame_a.size_max, frame_b.size_max);
@@ -115,19 +102,19 @@ struct BothAxes {
         e = row_sums(distance_from_identity(own));
         other = N * swapped(edges);
         const BothMatrices N_size = absolute(N);
-        const Double8 d = load_both(difference.data(), difference.data()), d_size = absolute(d);
+        const Double8 d = load_three(difference.data(), difference.data()), d_size = absolute(d);
         const Double8 origin = both_edges.origin;
-        const Double8 origin_a = _mm512_maskz_shuffle_f64x2(0xff, origin, origin, _MM_SHUFFLE(1, 0, 1, 0));
-        const Double8 origin_b = _mm512_maskz_shuffle_f64x2(0xff, origin, origin, _MM_SHUFFLE(3, 2, 3, 2));
+        const Double8 origin_a = halves<0, 0>(origin);
+        const Double8 origin_b = halves<1, 1>(origin);
         offset = N * ((origin_b - origin_a) + d);
         const Double8 world = (of_both(both_edges.size) + of_both(both_edges.origin_size)) + d_size;
         w = N_size * world;
         s = (row_sums(absolute(own)) + row_sums(absolute(other))) + absolute(offset);
         const Double8 factor = (of_both(both_edges.factor) + sum(d_size)) * sum(row_sums(N_size));
         // In this form NaN is not fit.
-        are_fit = (_mm512_cmp_pd_mask(sum(e), eight(unit_distance_max), _CMP_LE_OQ) &
-                   is_less(sum(world), eight(world_max)) & is_less(sum(s), eight(sum_max)) &
-                   is_less(sum(w), eight(sum_max)) & is_less(factor, eight(factor_max))) == 0xff;
+        are_fit = (is_at_most(sum(e), eight(unit_distance_max)) & is_less(sum(world), eight(world_max)) &
+                   is_less(sum(s), eight(sum_max)) & is_less(sum(w), eight(sum_max)) &
+                   is_less(factor, eight(factor_max))) == 0xff;
         margin = (times(32 * two_u, s + w) + times(2, e)) + eight(underflow);
     }
 };
@@ -137,12 +124,8 @@ struct BothRoots {
     Double8 center, half;
 
     ECODS_WIDE_INLINE BothRoots(const MeshBvh& a, const MeshBvh& b) noexcept
-        : center(load_floats(a.root_center.data(), b.root_center.data())),
-          half(load_floats(a.root_half.data(), b.root_half.data())) {}
-
-    ECODS_WIDE_INLINE static Double8 load_floats(const float* a, const float* b) noexcept {
-        return _mm512_maskz_cvtps_pd(0xff, _mm256_set_m128(_mm_maskz_loadu_ps(7, b), _mm_maskz_loadu_ps(7, a)));
-    }
+        : center(load_three(a.root_center.data(), b.root_center.data())),
+          half(load_three(a.root_half.data(), b.root_half.data())) {}
 };
 
 // Which of the three normals of either separates the roots, as bits: 0 to 2 those of a, 4 to 6 those of b. Sets
@@ -151,21 +134,16 @@ ECODS_WIDE_INLINE std::uint32_t separating_faces(const BothAxes& axes, const Bot
                                                  Double8& other_half) noexcept {
     const Double8 signs = join(Double4{}, broadcast<Double4>(-0.0));
     other_half = absolute(axes.other) * swapped(roots.half);
-    const Double8 distance =
-        absolute((roots.center - axes.other * swapped(roots.center)) - _mm512_xor_pd(signs, axes.offset));
+    const Double8 distance = absolute((roots.center - axes.other * swapped(roots.center)) - flip(axes.offset, signs));
     const Double8 reach = (roots.half + other_half) + axes.margin;
-    return _mm512_cmp_pd_mask(distance, reach, _CMP_GT_OQ) & 0x77u;
+    return is_greater(distance, reach) & 0x77u;
 }
 
 // Both halves as floats.
 struct FloatHalves {
     Float4 low, high;
 
-    ECODS_WIDE_INLINE explicit FloatHalves(Double8 v) noexcept {
-        const __m256 floats = _mm512_maskz_cvtpd_ps(0xff, v);
-        low = bits_as<Float4>(_mm256_castps256_ps128(floats));
-        high = bits_as<Float4>(_mm256_extractf128_ps(floats, 1));
-    }
+    ECODS_WIDE_INLINE explicit FloatHalves(Double8 v) noexcept { round_halves(v, low, high); }
 };
 
 // set_floats() of both.

@@ -47,10 +47,10 @@ struct EightPairs : ProjectedLanes<8> {
     }
 
   private:
-    ECODS_WIDE_INLINE static void pick(const FloatLanes& from, __m256i index, Floats& to) noexcept {
+    ECODS_WIDE_INLINE static void pick(const FloatLanes& from, wide::Index8 index, Floats& to) noexcept {
         wide::store(wide::pick(from.data(), index), to);
     }
-    ECODS_WIDE_INLINE static void pick(const std::array<FloatLanes, 3>& from, __m256i index,
+    ECODS_WIDE_INLINE static void pick(const std::array<FloatLanes, 3>& from, wide::Index8 index,
                                        TriangleLanes<8>::Vectors& to) noexcept {
         pick(from[0], index, to.x);
         pick(from[1], index, to.y);
@@ -61,11 +61,11 @@ struct EightPairs : ProjectedLanes<8> {
     // the instructions have, too.
     ECODS_WIDE_INLINE static void find_extent(const Triangles& x, const Triangles& y, std::size_t axis,
                                               const wide::PairNumbers& pairs, Floats& extent) noexcept {
-        const __m256 high = _mm256_max_ps(wide::pick(x.spans.high[axis].data(), pairs.i),
-                                          wide::pick(y.spans.high[axis].data(), pairs.j)),
-                     low = _mm256_min_ps(wide::pick(x.spans.low[axis].data(), pairs.i),
-                                         wide::pick(y.spans.low[axis].data(), pairs.j));
-        wide::store(_mm256_sub_ps(high, low), extent);
+        const wide::Float8 high = wide::larger(wide::pick(x.spans.high[axis].data(), pairs.i),
+                                               wide::pick(y.spans.high[axis].data(), pairs.j)),
+                           low = wide::smaller(wide::pick(x.spans.low[axis].data(), pairs.i),
+                                               wide::pick(y.spans.low[axis].data(), pairs.j));
+        wide::store(high - low, extent);
     }
 
     // As FlatLanes::find_near_edges.

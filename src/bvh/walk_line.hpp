@@ -62,34 +62,47 @@ struct LineLanes : ProjectedLanes<width> {
         return bits_of(lanes) & node.lanes();
     }
 
-    // The triangles of a leaf that the line's part up to `limit` may meet; it meets nothing of the leaf before `from`.
-    ECODS_ALWAYS_INLINE static void find_lanes(const LinePart& line, const TreeLeaf& leaf, float from, float limit,
-                                               FoundInLeaf& found) noexcept {
-        const std::array<std::size_t, 3> axes{line.x, line.y, line.z};
-        std::array<float, 3> g;
-        for (std::size_t k = 0; k < 3; ++k) g[k] = line.origin[k] + from * line.direction[k];
-        const float ahead = limit - from;
-        Ints lanes[part_count], crossed[part_count], inside[part_count];
-        for (std::size_t part = 0; part < part_count; ++part) {
-            const Ints bits = lane_bits<Ints>(static_cast<int>(part * width));
-            Floats x[3], y[3], z[3];
+    // Corners of a leaf's triangles as the line sees them from its point `start`: x and y beside the line, and z along
+    // it, as a difference of parameters.
+    struct CornersFromLine {
+        Floats x[3], y[3], z[3];
+
+        ECODS_ALWAYS_INLINE CornersFromLine(const LinePart& line, const TreeLeaf& leaf,
+                                            const std::array<float, 3>& start, std::size_t part) noexcept {
+            const std::array<std::size_t, 3> axes{line.x, line.y, line.z};
             for (std::size_t c = 0; c < 3; ++c) {
                 const auto& corner = leaf.corner[c];
                 Floats at[3];
                 for (std::size_t i = 0; i < 3; ++i) {
                     const std::size_t k = axes[i];
                     if (line.is_unit) {
-                        at[i] = load(corner[k], part) - g[k];
+                        at[i] = load(corner[k], part) - start[k];
                     } else {
                         at[i] = ((line.p[0][k] * load(corner[0], part) + line.p[1][k] * load(corner[1], part)) +
                                  line.p[2][k] * load(corner[2], part)) -
-                                g[k];
+                                start[k];
                     }
                 }
                 x[c] = at[0] - line.slope_x * at[2];
                 y[c] = at[1] - line.slope_y * at[2];
                 z[c] = at[2] * line.inverse[line.z];
             }
+        }
+    };
+
+    // The triangles of a leaf that the line's part up to `limit` may meet; it meets nothing of the leaf before `from`.
+    ECODS_ALWAYS_INLINE static void find_lanes(const LinePart& line, const TreeLeaf& leaf, float from, float limit,
+                                               FoundInLeaf& found) noexcept {
+        std::array<float, 3> start;
+        for (std::size_t k = 0; k < 3; ++k) start[k] = line.origin[k] + from * line.direction[k];
+        const float ahead = limit - from;
+        Ints lanes[part_count], crossed[part_count], inside[part_count];
+        for (std::size_t part = 0; part < part_count; ++part) {
+            const Ints bits = lane_bits<Ints>(static_cast<int>(part * width));
+            const CornersFromLine corners(line, leaf, start, part);
+            const Floats(&x)[3] = corners.x;
+            const Floats(&y)[3] = corners.y;
+            const Floats(&z)[3] = corners.z;
             const Floats x_low = min(x[0], min(x[1], x[2])), x_high = max(x[0], max(x[1], x[2]));
             const Floats y_low = min(y[0], min(y[1], y[2])), y_high = max(y[0], max(y[1], y[2]));
             const Floats z_low = min(z[0], min(z[1], z[2])), z_high = max(z[0], max(z[1], z[2]));

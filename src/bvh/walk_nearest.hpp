@@ -17,8 +17,9 @@ namespace ecods {
 //
 // `bound(x, y, squares)` is asked once for each pair visited that is not two leaves, x and y being a BvhNode or a
 // TreeLeaf of the first and the second tree; it sets bounds for pairs of lanes, which it returns as bits, as near_mask
-// does. `result.matters(square)` is asked of each pair visited: if it does not, no later one does, and the walk ends.
-// `result(x, y)` takes two leaves, and returns whether the walk goes on. `queue` is working memory. Bounds are finite.
+// does. `result.limit()` is the bound beyond which no pair matters: such pairs are not queued. `result.visits(pair)` is
+// asked of each pair taken from the queue, a NearPair: if it is false, the walk ends. `result(x, y)` takes two leaves,
+// and returns whether the walk goes on. `queue` is working memory. Bounds are finite.
 template <class Bound, class Result>
 void walk_nearest(const MeshBvh& a, const MeshBvh& b, NearestQueue& queue, Bound&& bound, Result&& result) {
     constexpr float infinity = std::numeric_limits<float>::infinity();

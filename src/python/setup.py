@@ -31,7 +31,8 @@ class BuildWithCMake(build_ext):
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(next((package / "ecods").glob("_ecods.*.so")), target)
-        shutil.copy(package / "ecods" / "__init__.pyi", target.parent)
+        for stub in ("__init__.pyi", "_ecods.pyi"):
+            shutil.copy(package / "ecods" / stub, target.parent)
 
     def run_cmake(self):
         import pybind11

@@ -1,17 +1,20 @@
 #!/usr/bin/env python3
-"""Writes the types of the module, as its signatures say them, for editors and type checkers.
+"""Writes the types of the module, as its signatures say them, for editors and type checkers; and _ecods.pyi beside it.
 
 usage: PYTHONPATH=FOLDER_OF_THE_PACKAGE stubs.py OUT
 """
 import enum
+import pathlib
 import re
 import sys
 
 sys.path.pop(0)  # the folder of this file, where the package has no module
 
 import ecods  # noqa: E402
+from ecods.refusals import split  # noqa: E402
 
 TAKEN = {"numpy.ndarray": "ArrayLike", "object": "ArrayLike", "Posed": "Posed | Mesh"}
+PYTHON = ["CollisionManager", "ContactData", "DistanceData"]
 GIVEN = {"object": "Any", "dict": "dict[str, Any]"}
 
 
@@ -30,19 +33,6 @@ def taken(name, text, default):
     if default == "None" and not kind.startswith("Optional"):
         kind += " | None"
     return f"{name}: {kind}" + ("" if default is None else " = ...")
-
-
-def split(text):
-    """Arguments at the commas that are in no bracket."""
-    depth, part, parts = 0, "", []
-    for c in text:
-        depth += (c in "([{<") - (c in ")]}>")
-        if c == "," and depth == 0:
-            parts.append(part)
-            part = ""
-        else:
-            part += c
-    return [each.strip() for each in [*parts, part] if each.strip()]
 
 
 def signatures(doc):
@@ -91,7 +81,7 @@ def members(kind):
 def class_of(name, kind):
     base = kind.__bases__[0].__name__
     if issubclass(kind, enum.Enum):
-        return "\n".join([f"class {name}(IntEnum):", *[f"    {each.name} = {each.value}" for each in kind]])
+        return "\n".join([f"class {name}(IntEnum):", f'    """{kind.__doc__}"""', *[f"    {each.name} = {each.value}" for each in kind]])
     bases = "" if base in ("object", "pybind11_object") else f"({base})"
     lines = [f"class {name}{bases}:"]
     if kind.__doc__:
@@ -104,7 +94,7 @@ def class_of(name, kind):
 def main(out):
     made = ["# Written by stubs.py.", "from enum import IntEnum", "from typing import Any, Optional, overload", "",
             "import numpy", "from numpy.typing import ArrayLike", "",
-            "from .collision_manager import CollisionManager, ContactData, DistanceData", "", "__version__: str", ""]
+            *[f"from .collision_manager import {name} as {name}" for name in PYTHON], "", "__version__: str", ""]
     for name in ecods.__all__:
         thing = getattr(ecods, name)
         if isinstance(thing, type) and thing.__module__ == "ecods":
@@ -113,6 +103,10 @@ def main(out):
             made += function(name, thing.__doc__) + [""]
     with open(out, "w", encoding="utf-8") as file:
         file.write("\n".join(made))
+    # The package's own files import from the module of C++.
+    names = [name for name in ecods.__all__ if hasattr(ecods._ecods, name)]
+    with open(pathlib.Path(out).with_name("_ecods.pyi"), "w", encoding="utf-8") as file:
+        file.write("\n".join(["# Written by stubs.py.", *[f"from . import {name} as {name}" for name in names], ""]))
 
 
 if __name__ == "__main__":

@@ -22,6 +22,8 @@ namespace ecods::wide {
 
 using Floats = __m512;
 using Mask = __mmask16;
+using Float8 = __m256;
+using Index8 = __m256i;  // eight integers of 32 bits
 
 // Every lane. Intrinsics are given it where g++ 12 takes their plain form for a use of something uninitialised.
 inline constexpr Mask all = 0xffff;
@@ -47,7 +49,7 @@ ECODS_WIDE_INLINE Mask not_below(Mask lanes, Floats x, Floats y) noexcept {
 }
 
 // The lanes, as bits, of which neither low > to nor high < from holds.
-ECODS_WIDE_INLINE std::uint32_t not_outside(__m256 low, __m256 high, float from, float to) noexcept {
+ECODS_WIDE_INLINE std::uint32_t not_outside(Float8 low, Float8 high, float from, float to) noexcept {
     const __mmask8 not_beyond = _mm256_cmp_ps_mask(low, _mm256_set1_ps(to), _CMP_NGT_UQ);
     return _mm256_mask_cmp_ps_mask(not_beyond, high, _mm256_set1_ps(from), _CMP_NLT_UQ);
 }
@@ -60,7 +62,7 @@ ECODS_WIDE_INLINE std::uint64_t bytes_of(std::uint32_t mask) noexcept {
 // The numbers 8 j + i of the lowest eight bits that are set in a word, one in each lane; where fewer are, the last
 // lanes repeat the first.
 struct PairNumbers {
-    __m256i i, j;
+    Index8 i, j;
     std::uint64_t bits;  // of these pairs
 
     // Takes them out of `from`, which is not zero.
@@ -86,11 +88,19 @@ struct PairNumbers {
 };
 
 // Lane k is number index[k] of eight floats, aligned as a vector of them.
-ECODS_WIDE_INLINE __m256 pick(const float* eight, __m256i index) noexcept {
+ECODS_WIDE_INLINE Float8 pick(const float* eight, Index8 index) noexcept {
     return _mm256_permutexvar_ps(index, _mm256_load_ps(eight));
 }
-ECODS_WIDE_INLINE void store(__m256 v, Vec<float, 8>& lanes) noexcept {
+ECODS_WIDE_INLINE void store(Float8 v, Vec<float, 8>& lanes) noexcept {
     _mm256_store_ps(reinterpret_cast<float*>(&lanes), v);
+}
+
+// a > b ? a : b, and a < b ? a : b, lane by lane.
+ECODS_WIDE_INLINE Float8 larger(Float8 a, Float8 b) noexcept {
+    return _mm256_max_ps(a, b);
+}
+ECODS_WIDE_INLINE Float8 smaller(Float8 a, Float8 b) noexcept {
+    return _mm256_min_ps(a, b);
 }
 
 }  // namespace ecods::wide

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <ranges>
 #include <utility>
 
 #include "base/bytes_of.hpp"
@@ -18,6 +19,10 @@ std::uint16_t next_world_number() noexcept {
     return static_cast<std::uint16_t>(count.fetch_add(1, std::memory_order_relaxed) % number_max + 1);
 }
 
+std::uint16_t world_number_of(std::span<const BodyId> first_ids) noexcept {
+    return first_ids.empty() || first_ids.front().world == 0 ? next_world_number() : first_ids.front().world;
+}
+
 }  // namespace
 
 void Slot::put(std::shared_ptr<const Shape> new_shape) noexcept {
@@ -29,7 +34,26 @@ void Slot::put(std::shared_ptr<const Shape> new_shape) noexcept {
     shape = std::move(new_shape);
 }
 
-Bodies::Bodies() : world_number_(next_world_number()) {}
+// A slot that no id names is one whose generations are used up: it is retired. The last free slot is taken first.
+Bodies::Bodies(std::span<const BodyId> first_ids) : world_number_(world_number_of(first_ids)) {
+    std::size_t slot_count = 0;
+    for (const BodyId id : first_ids) slot_count = std::max(slot_count, std::size_t{id.slot});
+    slots_.resize(slot_count);
+    std::vector<bool> is_named(slot_count);
+    for (std::size_t i = 0; i < first_ids.size(); ++i) {
+        const BodyId id = first_ids[i];
+        if (!id || is_named[id.slot - 1] || id.world != first_ids.front().world) refuse_stale(id, i);
+        is_named[id.slot - 1] = true;
+        slots_[id.slot - 1].generation = id.generation;
+    }
+    for (const BodyId id : std::views::reverse(first_ids)) free_slots_.push_back(id.slot - 1);
+    retired_count_ = slot_count - first_ids.size();
+    // A slot that was never used, is above all others and comes last is the one that create() would make.
+    if (!free_slots_.empty() && free_slots_.front() + 1 == end() && slots_.back().generation == 0) {
+        slots_.pop_back();
+        free_slots_.erase(free_slots_.begin());
+    }
+}
 
 // ---- ids
 
@@ -50,6 +74,14 @@ std::vector<BodyId> Bodies::ids() const {
     for (ProxyIndex proxy = 0; proxy < end(); ++proxy) {
         if (slots_[proxy].is_alive()) result.push_back(id_of(proxy));
     }
+    return result;
+}
+
+std::vector<BodyId> Bodies::next_ids() const {
+    std::vector<BodyId> result;
+    result.reserve(free_slots_.size() + 1);
+    for (const ProxyIndex proxy : std::views::reverse(free_slots_)) result.push_back(id_of(proxy));
+    result.push_back({end() + 1, 0, world_number_});
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ecods/convex_solid.hpp"
@@ -45,7 +46,8 @@ struct Slot {
 
 class Bodies {
   public:
-    Bodies();
+    // Gives these ids first (WorldOptions::ids). Throws StaleBody.
+    explicit Bodies(std::span<const BodyId> first_ids);
 
     // ---- ids
     bool is_alive(BodyId body) const noexcept {
@@ -60,7 +62,8 @@ class Bodies {
     ProxyPair require_pair(BodyId a, BodyId b) const;  // ... and SameBody; ascending
     BodyId id_of(ProxyIndex proxy) const noexcept { return {proxy + 1, slots_[proxy].generation, world_number_}; }
     BodyPair ids_of(ProxyPair pair) const noexcept { return {id_of(pair.a), id_of(pair.b)}; }
-    std::vector<BodyId> ids() const;  // of the living, ascending
+    std::vector<BodyId> ids() const;       // of the living, ascending
+    std::vector<BodyId> next_ids() const;  // of those to come
 
     // ---- slots, free ones included
     const Slot& operator[](ProxyIndex proxy) const noexcept { return slots_[proxy]; }

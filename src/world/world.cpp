@@ -30,7 +30,7 @@ void require_mesh_kind(const Shape& shape) {
 }
 
 World::Impl::Impl(const WorldOptions& options)
-    : broad_phase(options.broad_phase), closeness(options.broad_phase), workers(options.executor) {
+    : bodies(options.ids), broad_phase(options.broad_phase), closeness(options.broad_phase), workers(options.executor) {
     tests.set(ShapeKind::mesh(), ShapeKind::mesh(), make_mesh_mesh_test());
 }
 
@@ -107,6 +107,10 @@ void World::set_user_data(BodyId body, std::uint64_t data) {
 
 std::vector<BodyId> World::bodies() const {
     return impl().bodies.ids();
+}
+
+std::vector<BodyId> World::next_ids() const {
+    return impl().bodies.next_ids();
 }
 
 }  // namespace ecods

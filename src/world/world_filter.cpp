@@ -32,4 +32,11 @@ bool World::is_pair_enabled(BodyId a, BodyId b) const {
     return !bodies.disabled().contains(bodies.require_pair(a, b));
 }
 
+std::vector<BodyPair> World::disabled_pairs() const {
+    const Bodies& bodies = impl().bodies;
+    std::vector<BodyPair> result;
+    for (const ProxyPair pair : bodies.disabled().list()) result.push_back(bodies.ids_of(pair));
+    return result;
+}
+
 }  // namespace ecods

@@ -68,8 +68,10 @@ struct World::Impl {
     std::uint64_t digest() const;
     void validate_solids(QueryMemory& memory) const;  // throws BrokenInvariant
 
+    // Writes a body into the trace, as the call that makes it.
+    void trace_body(ProxyIndex proxy, std::uint64_t shape_number) noexcept;
+
     // The number of a shape in the trace, written before a call that brings it in; 0 without a trace.
-    void trace_body(ProxyIndex proxy, std::uint64_t shape_number) noexcept;  // as the calls that make it
     std::uint64_t traced_number(const std::shared_ptr<const Shape>& shape) {
         return trace ? trace->number_of(shape) : 0;
     }

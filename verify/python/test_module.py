@@ -47,7 +47,13 @@ ERRORS = [
     (lambda: ecods.Mesh([[0, 0, np.nan]], [[0, 0, 0]]), ecods.InvalidVertex,
      "vertex 0, axis 2: coordinate is nan, not finite", {"vertex": 0, "axis": 2}),
     (lambda: ecods.Mesh([[0, 0, 0]], [[0, 0, 7]]), ecods.InvalidIndex, None, {"triangle": 0, "corner": 2, "value": 7}),
-    (lambda: ecods.Mesh([[0, 0, 0]], [[0, 0, -1]]), ecods.InvalidIndex, None, {"value": 2**64 - 1}),
+    (lambda: ecods.Mesh([[0, 0, 0]], [[0, 0, -1]]), ecods.InvalidIndex,
+     "triangle 0, corner 2: vertex index -1 is out of range; there are 1 vertices", {"value": -1}),
+    (lambda: ecods.Mesh([[0, 0, 0]], np.array([[0, -2**31, 0]], np.int32)), ecods.InvalidIndex, "index -2147483648 is",
+     {"value": -2**31, "corner": 1, "vertex_count": 1}),
+    (lambda: ecods.Mesh([[0, 0, 0]], np.array([[0, 2**64 - 1, 0]], np.uint64)), ecods.InvalidIndex,
+     "index 18446744073709551615 is", {"value": 2**64 - 1}),
+    (lambda: ecods.Mesh([[0, 0, 0]], [[0, 0, 2**40]]), ecods.InvalidIndex, "index 1099511627776 is", {"value": 2**40}),
     (lambda: ecods.Mesh([[0, 0, 0]], []), ecods.EmptyMesh, None, {}),
     (lambda: mesh().at(np.full((4, 4), np.inf)), ecods.InvalidPose, "pose entry R(0, 0) is inf, not finite",
      {"row": 0, "column": 0, "index": None}),
@@ -61,7 +67,15 @@ ERRORS = [
     (lambda: ecods.orient3d([0, 0, 0], [0, np.nan, 0], [0, 0, 0], [0, 0, 0]), ecods.InvalidPoint, None, {"axis": 1}),
     (lambda: ecods.Solid([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), ecods.NotClosed, None, {"triangle": 0}),
     (lambda: ecods.World().update() or ecods.World().pose(5), ecods.StaleBody, None, {}),
-    (lambda: ecods.World().pose(-5), ecods.StaleBody, None, {"body": 0}),
+    (lambda: ecods.World().set_pose(99, None), ecods.StaleBody, "id 99 names no body of this world", {"body": 99}),
+    (lambda: ecods.World().pose(-5), ecods.StaleBody, "id -5 names no body of this world", {"body": -5, "index": None}),
+    (lambda: ecods.World().nearest(2**70), ecods.StaleBody, f"id {2**70} names", {"body": 2**70}),
+    (lambda: ecods.World().set_poses([1, -1], [np.eye(4)] * 2), ecods.StaleBody, "entry 1: id -1 names no body",
+     {"body": -1, "index": 1}),
+    (lambda: ecods.World().set_poses([7], [np.eye(4)]), ecods.StaleBody, "entry 0: id 7 names no body", {"index": 0}),
+    (lambda: ecods.World().pose(3 << 32), ecods.StaleBody, f"body 3.0 is not alive in this world (id {3 << 32})",
+     {"body": 3 << 32}),
+    (lambda: ecods.Posed(None), ecods.NullArgument, None, {}),
     (lambda: ecods.Trace("nonsense").replay(), ecods.InvalidTrace, None, {"line": 1}),
     (lambda: ecods.ConvexSolid.hull(np.zeros((5, 3))), ecods.NoInterior, None, {"point_count": 5}),
 ]
@@ -237,13 +251,20 @@ def test_many_poses_are_the_poses_one_by_one(threads):
     assert ecods.collide_many(cube, poses[:, :3], cube, poses).all()
 
 
-def test_pickles():
-    for made in (mesh(), ecods.Solid(*box()), ecods.ConvexSolid(*box())):
-        again = pickle.loads(pickle.dumps(made))
-        assert type(again) is type(made) and again.digest == made.digest
-    closest = ecods.closest(mesh(), mesh().at(at(3)))
-    assert pickle.loads(pickle.dumps(closest)) == closest and closest != ecods.closest(mesh(), mesh())
-    assert pickle.loads(pickle.dumps(ecods.Relation.crossing)) is ecods.Relation.crossing
+@pytest.mark.parametrize("kind", [ecods.Mesh, ecods.Solid, ecods.ConvexSolid])
+def test_posed_is_at(kind):
+    made = kind(*box())
+    for posed in (ecods.Posed(made, at(2)), ecods.Posed(mesh=made, pose=at(2)[:3]), made.at(at(2)), made.at(pose=at(2))):
+        assert posed.mesh is made and np.array_equal(posed.pose, at(2)) and ecods.distance(posed, made) == 1
+    assert np.array_equal(ecods.Posed(made).pose, np.eye(4)) and ecods.intersects(ecods.Posed(made), made)
+    with pytest.raises(ecods.InvalidPose):
+        ecods.Posed(made, np.full((4, 4), np.nan))
+
+
+def test_ids_that_are_none_are_not_alive():
+    world = ecods.World()
+    body = world.create_body(mesh())
+    assert world.is_alive(body) and not any(world.is_alive(each) for each in (0, 99, -1, 2**64, body + (1 << 16)))
 
 
 def test_traces(tmp_path):
@@ -327,6 +348,12 @@ def test_stubs_name_what_there_is():
     text = ast.unparse(classes["World"])
     assert "def set_pose(self, body: int, pose: ArrayLike) -> None" in text
     assert "def relation(self, a: int, b: int) -> Relation" in text
+
+
+def test_stubs_of_the_inner_module_name_all_that_it_has():
+    tree = ast.parse(pathlib.Path(ecods.__file__).with_name("_ecods.pyi").read_text())
+    named = {alias.asname for node in tree.body if isinstance(node, ast.ImportFrom) for alias in node.names}
+    assert named == {name for name in vars(ecods._ecods) if not name.startswith("_")} | {"__version__"}
 
 
 def test_everything_is_documented():

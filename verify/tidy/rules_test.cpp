@@ -190,6 +190,46 @@ TEST(TextRules, LongFunctionsAreFoundAndLongTablesAreNot) {
               1U);
 }
 
+TEST(TextRules, LongFunctionsAreFoundUnderWrappedSignatures) {
+    std::string body;
+    for (std::size_t i = 0; i < function_lines_max - 2; ++i) body += "    g();\n";
+    const std::string before = "#include <a>\n\nint a;\n// why\n";
+    for (const char* head :
+         {"void f(int a,\n       int b) {\n", "template <class A,\n          class B>\nvoid f(\n    A a, B b) {\n",
+          "A::A(int a)\n    : a_(a), b_(a) {\n", "[[gnu::noinline]]\nvoid f() {\n",
+          "const auto f = [&](int a,\n                   int b) {\n"}) {
+        const auto found = find_long_functions(before + head + body + "}\n");
+        ASSERT_EQ(found.size(), 1U) << head;
+        EXPECT_EQ(found[0].line, std::string(head).starts_with("template") ? 7 : 5) << head;
+    }
+    // As long as a function may be.
+    EXPECT_TRUE(find_long_functions("template <class A>\nvoid f(A a) {\n" + body + "}\n").empty());
+    // No function: a class, and calls with a short one among their arguments.
+    EXPECT_TRUE(find_long_functions("class A\n    : public B {\n" + body + body + "};\n").empty());
+    EXPECT_TRUE(
+        find_long_functions("f(\n    \"a\", [](A a) {\n        b();\n    },\n" + body + body + "    c);\n").empty());
+}
+
+TEST(TextRules, CallsInCommentsAreFoundWithTheNamesOfCode) {
+    const std::string text = "// as g(x) and y.h() do, fl(x) + 1 (not k), f( )\nint a = m(2); /* n() */ \"// o()\";\n";
+    std::vector<std::string> names;
+    for (const Finding& finding : find_called_in_comments(text)) names.push_back(finding.what);
+    EXPECT_EQ(names, (std::vector<std::string>{"g", "h", "f", "n"}));
+    EXPECT_EQ(find_called_in_comments(text).back().line, 2);
+    EXPECT_EQ(find_names(text), (std::set<std::string>{"int", "a", "m", "o"}));
+}
+
+TEST(TextRules, VectorTypesAreFoundUnderAnySpelling) {
+    for (const char* text :
+         {"__m512d x;", "const __m256 a;", "__m128i b", "__mmask8 c", "_mm256_add_ps(a, b)", "_mm_setcsr(0)",
+          "__attribute__((vector_size(16)))", "using A = __m512;", "__builtin_ia32_movmskps(a)"}) {
+        EXPECT_EQ(find_vector_types(text).size(), 1U) << text;
+    }
+    for (const char* text : {"// __m512d", "Vec<float, 8> x;", "wide::Doubles x;", "a_mm_b", "common_mm"}) {
+        EXPECT_TRUE(find_vector_types(text).empty()) << text;
+    }
+}
+
 TEST(TextRules, LinesAreCounted) {
     EXPECT_EQ(count_lines(""), 0u);
     EXPECT_EQ(count_lines("a"), 1u);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <regex>
 #include <span>
 #include <sstream>
@@ -88,6 +89,9 @@ constexpr std::array source_words = {
     PuzzlingWord{"box_axes", "separating_axes"},
 };
 
+// What comments write like a call and is none: the rounded value of a formula, and the word for clang-tidy.
+constexpr std::array<std::string_view, 2> notations = {"fl", "NOLINTNEXTLINE"};
+
 void find_words(std::string_view text, std::span<const PuzzlingWord> words, std::vector<Finding>& found) {
     for (const PuzzlingWord& each : words) {
         const std::regex pattern("(^|[^a-z])(" + std::string(each.word) + ")([^a-z]|$)", std::regex::icase);
@@ -97,6 +101,41 @@ void find_words(std::string_view text, std::span<const PuzzlingWord> words, std:
 
 std::size_t indentation(std::string_view line) {
     return std::min(line.find_first_not_of(' '), line.size());
+}
+
+// Without comments, and without blanks at their ends.
+std::vector<std::string> code_lines(std::string_view text) {
+    std::vector<std::string> lines;
+    std::istringstream in{without_comments(text)};
+    for (std::string line; std::getline(in, line);) lines.push_back(line.substr(0, line.find_last_not_of(' ') + 1));
+    return lines;
+}
+
+// The first line of what the line is a part of: a signature over some lines, without the template's parameters.
+std::size_t begin_of_statement(std::span<const std::string> lines, std::size_t line) {
+    const auto ends_before = [&](std::size_t i) {
+        const std::string& before = lines[i - 1];
+        return before.empty() || before[0] == '#' ||
+               std::string_view(";{}:").find(before.back()) != std::string_view::npos;
+    };
+    std::size_t begin = line;
+    while (begin > 0 && !ends_before(begin)) --begin;
+    while (begin < line && std::string_view(lines[begin]).substr(indentation(lines[begin])).starts_with("template")) {
+        while (begin < line && !lines[begin].ends_with('>')) ++begin;
+        begin += begin < line;
+    }
+    return begin;
+}
+
+// The line with the closing brace of a block that is opened in the line `brace` of a statement which begins in the line
+// `begin`; that line itself where what begins there is no block of lines.
+std::size_t end_of_block(std::span<const std::string> lines, std::size_t begin, std::size_t brace) {
+    const std::size_t outer = indentation(lines[begin]);
+    for (std::size_t i = brace + 1; i < lines.size(); ++i) {
+        if (lines[i].empty() || lines[i][0] == '#' || indentation(lines[i]) > outer) continue;
+        return indentation(lines[i]) == outer && lines[i][outer] == '}' ? i : begin;
+    }
+    return begin;
 }
 
 }  // namespace
@@ -136,31 +175,56 @@ std::vector<Finding> find_puzzling_words(std::string_view text) {
 }
 
 std::vector<Finding> find_long_functions(std::string_view text) {
-    static const std::regex no_function("^ *(namespace|extern|class|struct|enum|union|template)\\b|= \\{$");
-    std::vector<std::string> lines;
-    std::istringstream in{without_comments(text)};
-    for (std::string line; std::getline(in, line);) lines.push_back(line.substr(0, line.find_last_not_of(' ') + 1));
-    // The line with its closing brace; the line itself where what begins there is no block of lines.
-    const auto end_of_block = [&](std::size_t begin) {
-        const std::size_t outer = indentation(lines[begin]);
-        for (std::size_t i = begin + 1; i < lines.size(); ++i) {
-            if (lines[i].empty() || lines[i][0] == '#' || indentation(lines[i]) > outer) continue;
-            return indentation(lines[i]) == outer && lines[i][outer] == '}' ? i : begin;
-        }
-        return begin;
-    };
+    static const std::regex no_function("^ *(namespace|extern|class|struct|enum|union)\\b");
+    const std::vector<std::string> lines = code_lines(text);
     std::vector<Finding> found;
-    for (std::size_t begin = 0; begin < lines.size(); ++begin) {
-        if (!lines[begin].ends_with('{') || std::regex_search(lines[begin], no_function)) continue;
-        const std::size_t end = end_of_block(begin);
+    for (std::size_t brace = 0; brace < lines.size(); ++brace) {
+        if (!lines[brace].ends_with('{') || lines[brace].ends_with("= {")) continue;
+        const std::size_t begin = begin_of_statement(lines, brace);
+        if (std::regex_search(lines[begin], no_function)) continue;
+        const std::size_t end = end_of_block(lines, begin, brace);
         std::size_t count = 0;
         for (std::size_t i = begin; i <= end; ++i, ++count) {
-            if (lines[i].ends_with("= {")) i = end_of_block(i);
+            if (lines[i].ends_with("= {")) i = end_of_block(lines, i, i);
         }
         if (count <= function_lines_max) continue;
         found.push_back({static_cast<int>(begin + 1), std::to_string(count) + " lines"});
-        begin = end;
+        brace = end;
     }
+    return found;
+}
+
+std::set<std::string> find_names(std::string_view text) {
+    const auto is_of_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+    const std::string code = without_comments(text);
+    std::set<std::string> names;
+    for (auto end = code.begin(); end != code.end();) {
+        const auto begin = std::find_if(end, code.end(), is_of_name);
+        end = std::find_if_not(begin, code.end(), is_of_name);
+        if (begin != end && std::isdigit(static_cast<unsigned char>(*begin)) == 0) names.emplace(begin, end);
+    }
+    return names;
+}
+
+std::vector<Finding> find_called_in_comments(std::string_view text) {
+    static const std::regex call("[A-Za-z_][A-Za-z_0-9]*(?=\\()");
+    std::vector<Finding> found;
+    std::istringstream lines{comments_of(text)};
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        for (std::sregex_iterator at(line.begin(), line.end(), call), end; at != end; ++at) {
+            if (std::ranges::find(notations, at->str()) == notations.end()) found.push_back({number, at->str()});
+        }
+    }
+    return found;
+}
+
+std::vector<Finding> find_vector_types(std::string_view text) {
+    static const std::regex spelling(
+        "\\b(__m(64|128|256|512)[a-z]*|__mmask[0-9]+|_mm[0-9]*_[a-z0-9_]+|_MM_[A-Z0-9_]+|_CMP_[A-Z]+_[A-Z]+|__builtin_"
+        "ia32_[a-z0-9_]+|vector_size)\\b");
+    std::vector<Finding> found;
+    find_in_lines(without_comments(text), spelling, "a vector type or instruction", found);
     return found;
 }
 

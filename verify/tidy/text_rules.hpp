@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,9 +33,18 @@ std::vector<Finding> find_puzzling_words(std::string_view text);
 // The same in prose, where some of them mean what they mean anywhere.
 std::vector<Finding> find_puzzling_prose(std::string_view text);
 
-// Functions that are longer than function_lines_max, by the indentation that clang-format gives them: lambdas and loops
-// are parts of theirs, and the lines of a table, which begins with `= {`, are not counted.
+// Functions that are longer than function_lines_max, by the indentation that clang-format gives them, from the first
+// line of the signature: lambdas and loops are parts of theirs, and the lines of a table, which begins with `= {`, are
+// not counted.
 std::vector<Finding> find_long_functions(std::string_view text);
+
+// The names in the code of a text; and the names that its comments write as calls, `name(`: each must be a name in some
+// code. No call is the notation of a rounded value, fl(x).
+std::set<std::string> find_names(std::string_view text);
+std::vector<Finding> find_called_in_comments(std::string_view text);
+
+// Registers and their instructions in code, however they are spelled: GNU's vector_size, and the names of immintrin.h.
+std::vector<Finding> find_vector_types(std::string_view text);
 
 std::size_t count_lines(std::string_view text);
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 
 #include "tidy/edges.hpp"
@@ -134,9 +135,30 @@ TEST(Tree, TheProductSpeaksPlainly) {
 }
 
 TEST(Tree, VectorTypesAreSpelledInOneRoom) {
-    for (const auto& file : sources_in(folders)) {
-        if (file.starts_with("src/simd/") || file.starts_with("verify/tidy/")) continue;
+    for (const auto& file : sources_in({"include", "src"})) {
+        if (file.starts_with("src/simd/")) continue;
+        for (const Finding& finding : find_vector_types(read(root / file))) {
+            ADD_FAILURE() << file << ":" << finding.line << ": " << finding.what;
+        }
+    }
+    // Checks set the processor's rounding by its instructions, and the checker of certificates has two doubles of its
+    // own.
+    for (const auto& file : sources_in({"bench", "fuzz", "verify"})) {
+        if (file.starts_with("verify/tidy/")) continue;
         EXPECT_EQ(without_comments(read(root / file)).find("vector_size"), std::string::npos) << file;
+    }
+}
+
+TEST(Tree, CallsInCommentsAreOfCode) {
+    std::map<std::string, std::string> texts;
+    std::set<std::string> names;
+    for (const auto& file : sources_in(folders)) names.merge(find_names(texts[file] = read(root / file)));
+    for (const auto& [file, text] : texts) {
+        if (file.starts_with("verify/tidy/")) continue;  // made-up text
+        for (const Finding& finding : find_called_in_comments(text)) {
+            EXPECT_TRUE(names.contains(finding.what))
+                << file << ":" << finding.line << ": there is no " << finding.what;
+        }
     }
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "ecods/error.hpp"
+#include "python/bind/errors.hpp"
 
 namespace ecods::python {
 namespace {
@@ -197,6 +197,19 @@ py::array_t<std::uint32_t> from_triangles(std::span<const TrianglePair> pairs) {
     return array;
 }
 
+namespace {
+
+// Throws StaleBody of the first number that is negative.
+void require_ids(const py::array& array, char kind) {
+    if (kind != 'i') return;
+    const auto numbers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>::ensure(array);
+    const std::span given(numbers.data(), static_cast<std::size_t>(numbers.size()));
+    const auto found = std::ranges::find_if(given, [](std::int64_t x) { return x < 0; });
+    if (found != given.end()) raise_stale(py::int_(*found), static_cast<std::size_t>(found - given.begin()));
+}
+
+}  // namespace
+
 std::vector<BodyId> to_bodies(py::handle value) {
     const py::array array = to_array(value, "bodies");
     const char kind = array.dtype().kind();
@@ -205,6 +218,7 @@ std::vector<BodyId> to_bodies(py::handle value) {
         throw py::type_error("bodies: one axis of ids is expected, not " + shape_text(array) + " of " +
                              std::string(py::str(array.dtype())));
     }
+    require_ids(array, kind);
     const auto numbers = py::array_t<std::uint64_t, py::array::c_style | py::array::forcecast>::ensure(array);
     std::vector<BodyId> bodies(static_cast<std::size_t>(numbers.size()));
     std::transform(numbers.data(), numbers.data() + numbers.size(), bodies.begin(), body_of);

@@ -1,6 +1,10 @@
 // Which boxes overlap, without a world: broad_phase.hpp. All under the interpreter's lock.
 #include "ecods/broad_phase.hpp"
 
+#include <array>
+#include <limits>
+#include <memory>
+
 #include "ecods/error.hpp"
 #include "python/bind/bind.hpp"
 #include "python/bind/casters.hpp"
@@ -28,6 +32,34 @@ py::array_t<ProxyIndex> array_of(const std::vector<ProxyPair>& pairs) {
     return array;
 }
 
+// A copy has the boxes under their numbers, and is as before its first update: its lists are empty until then.
+py::tuple boxes_of(const BroadPhase& self) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Aabb everything{.min = Vec3::Constant(-infinity), .max = Vec3::Constant(infinity)};
+    const std::vector<ProxyIndex> proxies = self.find(everything);
+    std::vector<Vec3> corners;
+    for (const ProxyIndex proxy : proxies) {
+        const Aabb box = self.box(proxy);
+        corners.insert(corners.end(), {box.min, box.max});
+    }
+    return py::make_tuple(self.kind(), array_of(proxies), from_points(corners));
+}
+
+std::unique_ptr<BroadPhase> with_boxes(const py::tuple& state) {
+    auto made = make_broad_phase(state[0].cast<BroadPhaseKind>());
+    const auto proxies = state[1].cast<py::array_t<ProxyIndex>>();
+    constexpr std::array<py::ssize_t, 2> rows = {-1, 3};
+    const Doubles corners = exact_doubles(state[2], "boxes", rows);
+    if (corners.shape(0) != 2 * proxies.size()) throw py::value_error("a box for each proxy is expected");
+    for (py::ssize_t i = 0; i < proxies.size(); ++i) {
+        const double* const x = corners.data() + 6 * i;
+        const Aabb box{.min = {x[0], x[1], x[2]}, .max = {x[3], x[4], x[5]}};
+        require_box(box);
+        made->add(proxies.at(i), box);
+    }
+    return made;
+}
+
 }  // namespace
 
 void bind_broad_phase(py::module_& m) {
@@ -49,6 +81,11 @@ void bind_broad_phase(py::module_& m) {
     type.def("remove", &BroadPhase::remove, proxy, "Raises Error if there is none.");
     type.def("box", &BroadPhase::box, proxy, "(2, 3) float64.");
     type.def("__len__", &BroadPhase::size);
+    type.def("__repr__", [](const BroadPhase& self) {
+        return "<ecods.BroadPhase of " + std::to_string(self.size()) + " boxes, " +
+               std::string(py::str(py::cast(self.kind()))) + ">";
+    });
+    type.def(py::pickle(&boxes_of, &with_boxes));
     type.def("update", &BroadPhase::update, "Makes pairs() those that overlap now.");
     type.def(
         "pairs", [](BroadPhase& self) { return array_of(self.pairs()); }, "(k, 2) uint32, ascending.");

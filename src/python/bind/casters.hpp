@@ -1,7 +1,8 @@
 // How the library's plain values cross between C++ and Python. Every file that binds something includes this one, so
 // that a value is the same thing in all signatures.
 //
-//     BodyId              an int; an array of them is an array of uint64
+//     BodyId              an int; an array of them is an array of uint64. StaleBody where no id is that int
+//     AnyId               the same, taken: of any int
 //     TrianglePair        a tuple of two ints
 //     Vec3                an array (3,)
 //     Pose                an array (4, 4); taken: also (3, 4), or None
@@ -26,8 +27,30 @@
 #include "ecods/solid.hpp"
 #include "ecods/triangle_hit.hpp"
 #include "python/bind/arrays.hpp"
+#include "python/bind/errors.hpp"
 
 namespace ecods::python {
+
+// The integer that an object is; null if it is none.
+inline py::object integer_of(py::handle value) {
+    if (PyFloat_Check(value.ptr()) || !PyIndex_Check(value.ptr())) return {};
+    auto integer = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
+    if (!integer) throw py::error_already_set();
+    return integer;
+}
+
+// The body of an integer; nothing if that is negative, or of more than 64 bits.
+inline std::optional<BodyId> body_of(const py::object& integer) {
+    const std::uint64_t number = PyLong_AsUnsignedLongLong(integer.ptr());
+    if (PyErr_Occurred() == nullptr) return body_of(number);
+    PyErr_Clear();
+    return std::nullopt;
+}
+
+// A question about ids is asked of any integer: null where that is no id.
+struct AnyId {
+    BodyId body;
+};
 
 // Python's enum that stands for one of the library's: the type, and its members in the order of their values, of which
 // the first is `least`. Lives as long as the process.
@@ -90,17 +113,26 @@ struct type_caster<ecods::BodyId> {
     PYBIND11_TYPE_CASTER(ecods::BodyId, const_name("int"));
 
     bool load(handle source, bool) {
-        if (PyFloat_Check(source.ptr()) || !PyIndex_Check(source.ptr())) return false;
-        const auto index = reinterpret_steal<object>(PyNumber_Index(source.ptr()));
-        if (!index) throw error_already_set();
-        const std::uint64_t number = PyLong_AsUnsignedLongLong(index.ptr());
-        const bool is_none = PyErr_Occurred() != nullptr;  // negative, or of more than 64 bits: no body has it
-        if (is_none) PyErr_Clear();
-        value = is_none ? ecods::BodyId{} : ecods::python::body_of(number);
+        const object integer = ecods::python::integer_of(source);
+        if (!integer) return false;
+        const auto body = ecods::python::body_of(integer);
+        if (!body) ecods::python::raise_stale(integer);
+        value = *body;
         return true;
     }
     static handle cast(ecods::BodyId body, return_value_policy, handle) {
         return PyLong_FromUnsignedLongLong(ecods::python::number_of(body));
+    }
+};
+
+template <>
+struct type_caster<ecods::python::AnyId> {
+    PYBIND11_TYPE_CASTER(ecods::python::AnyId, const_name("int"));
+
+    bool load(handle source, bool) {
+        const object integer = ecods::python::integer_of(source);
+        if (integer) value = {ecods::python::body_of(integer).value_or(ecods::BodyId{})};
+        return static_cast<bool>(integer);
     }
 };
 

@@ -8,18 +8,40 @@
 #include "python/bind/shapes.hpp"
 
 namespace ecods::python {
+namespace {
 
-void bind_certificates(py::module_& m) {
-    py::class_<Certificate>(m, "Certificate",
-                            "A claim and its proof, which verify/certificates checks. str() is the text.")
-        .def_property_readonly("claim", &Certificate::claim, "Claim: what is proved.")
+// A certificate never changes, so a copy is the object itself. It refers to meshes, so it does not travel.
+template <class T>
+void keep_whole(py::class_<T>& type) {
+    type.def("__copy__", [](py::object self) { return self; });
+    type.def(
+        "__deepcopy__", [](py::object self, const py::dict&) { return self; }, py::arg("memo"));
+    type.def("__reduce__", [](const py::object& self) -> py::object {
+        throw py::type_error(std::string(py::str(py::type::of(self).attr("__name__"))) +
+                             " is not pickled: keep its text, str(certificate), which checkers read");
+    });
+}
+
+void add_certificates(py::module_& m) {
+    py::class_<Certificate> certificate(
+        m, "Certificate",
+        "A claim and its proof, which verify/certificates checks. str() is the text, which is what to keep: the object "
+        "refers to its meshes, is not pickled, and a copy of it is itself.");
+    certificate.def_property_readonly("claim", &Certificate::claim, "Claim: what is proved.")
         .def_property_readonly("value", &Certificate::value,
                                "The number of a distance, within, beyond or hit; otherwise 0.")
         .def_property_readonly("step_count", &Certificate::step_count, "How many steps the proof has.")
         .def_property_readonly("axis_count", &Certificate::axis_count, "How many directions the steps name.")
-        .def("__str__", &Certificate::to_string);
-    py::class_<WorldCertificate>(m, "WorldCertificate", "The lists of a world with their proof. str() is the text.")
-        .def_property_readonly("colliding_count", &WorldCertificate::colliding_count)
+        .def("__str__", &Certificate::to_string)
+        .def("__repr__", [](const Certificate& self) {
+            return "<ecods.Certificate of " + std::string(py::str(py::cast(self.claim()))) + ", value " +
+                   std::string(py::repr(py::float_(self.value()))) + ", " + std::to_string(self.step_count()) +
+                   " steps>";
+        });
+    keep_whole(certificate);
+    py::class_<WorldCertificate> of_world(
+        m, "WorldCertificate", "The lists of a world with their proof. str() is the text; kept as of a Certificate.");
+    of_world.def_property_readonly("colliding_count", &WorldCertificate::colliding_count)
         .def_property_readonly("close_count", &WorldCertificate::close_count)
         .def_property_readonly("apart_count", &WorldCertificate::apart_count)
         .def(
@@ -30,8 +52,19 @@ void bind_certificates(py::module_& m) {
                 return meshes;
             },
             "Each mesh once, in the order of the bodies: checkers need certified_mesh() of each.")
-        .def("__str__", &WorldCertificate::to_string);
+        .def("__str__", &WorldCertificate::to_string)
+        .def("__repr__", [](const WorldCertificate& self) {
+            return "<ecods.WorldCertificate of " + std::to_string(self.colliding_count()) + " colliding, " +
+                   std::to_string(self.close_count()) + " close, " + std::to_string(self.apart_count()) +
+                   " apart pairs>";
+        });
+    keep_whole(of_world);
+}
 
+}  // namespace
+
+void bind_certificates(py::module_& m) {
+    add_certificates(m);
     const py::keep_alive<0, 1> keeps_a;
     const py::keep_alive<0, 2> keeps_b;
     m.def(

@@ -12,10 +12,12 @@ namespace ecods::python {
 namespace {
 
 // Makes the type of an enum whose values from the least to the greatest have these names.
-void make(py::module_& m, Enumeration& made, const char* name, const std::vector<std::string>& names, int least) {
+void make(py::module_& m, Enumeration& made, const char* name, const char* doc, const std::vector<std::string>& names,
+          int least) {
     py::dict values;
     for (std::size_t i = 0; i < names.size(); ++i) values[names[i].c_str()] = least + static_cast<int>(i);
     py::object type = py::module_::import("enum").attr("IntEnum")(name, values, py::arg("module") = "ecods");
+    type.attr("__doc__") = doc;
     type.attr("__str__") =
         py::cpp_function([](py::handle self) { return self.attr("name"); }, py::name("__str__"), py::is_method(type));
     for (const std::string& each : names) made.members.push_back(py::object(type.attr(each.c_str())).release().ptr());
@@ -25,13 +27,13 @@ void make(py::module_& m, Enumeration& made, const char* name, const std::vector
 }
 
 template <class Enum>
-void make(py::module_& m, const char* name, std::initializer_list<std::string> names) {
-    make(m, enumeration<Enum>(), name, names, 0);
+void make(py::module_& m, const char* name, const char* doc, std::initializer_list<std::string> names) {
+    make(m, enumeration<Enum>(), name, doc, names, 0);
 }
 
 // With the names that the library writes.
 template <class Enum>
-void make(py::module_& m, const char* name, Enum least, Enum greatest) {
+void make(py::module_& m, const char* name, const char* doc, Enum least, Enum greatest) {
     std::vector<std::string> names;
     for (int value = static_cast<int>(least); value <= static_cast<int>(greatest); ++value) {
         std::ostringstream text;
@@ -41,7 +43,7 @@ void make(py::module_& m, const char* name, Enum least, Enum greatest) {
         std::ranges::replace(written, '-', '_');
         names.push_back(std::move(written));
     }
-    make(m, enumeration<Enum>(), name, names, static_cast<int>(least));
+    make(m, enumeration<Enum>(), name, doc, names, static_cast<int>(least));
 }
 
 }  // namespace
@@ -57,19 +59,32 @@ std::optional<int> value_of(py::handle member_or_name, const Enumeration& enumer
 }
 
 void bind_enums(py::module_& m) {
-    make(m, "Sign", Sign::negative, Sign::positive);
-    make(m, "Relation", Relation::disjoint, Relation::crossing);
-    make<Feature::Kind>(m, "FeatureKind", {"vertex", "edge", "face"});
-    make<ClosestKind>(m, "ClosestKind", {"vertex_vertex", "vertex_edge", "vertex_face", "edge_edge", "intersecting"});
-    make(m, "HitKind", HitKind::front, HitKind::along);
-    make(m, "Side", Side::outside, Side::inside);
-    make(m, "SolidRelation", SolidRelation::apart, SolidRelation::equal);
-    make(m, "SurfaceRelation", SurfaceRelation::apart, SurfaceRelation::partly_inside);
-    make<BroadPhaseKind>(m, "BroadPhaseKind", {"brute_force", "sweep_and_prune", "kept_candidates", "automatic"});
-    make(m, "InstructionSet", InstructionSet::baseline, InstructionSet::avx512);
-    make<Certificate::Claim>(m, "Claim",
+    make(m, "Sign", "The sign of a real number.", Sign::negative, Sign::positive);
+    make(m, "Relation",
+         "How two surfaces meet: they share no point; they share one; or two triangles that are not coplanar share a "
+         "point inside both.",
+         Relation::disjoint, Relation::crossing);
+    make<Feature::Kind>(m, "FeatureKind", "What a Feature of a mesh is.", {"vertex", "edge", "face"});
+    make<ClosestKind>(m, "ClosestKind",
+                      "Which two features hold the closest points, or touch first; `intersecting` where the bodies "
+                      "share a point.",
+                      {"vertex_vertex", "vertex_edge", "vertex_face", "edge_edge", "intersecting"});
+    make(m, "HitKind",
+         "How a line meets a triangle: inside the face, from the side of its normal, from the other one or from none; "
+         "in an edge or a vertex; or at more than one point.",
+         HitKind::front, HitKind::along);
+    make(m, "Side", "Where a point is with respect to a solid.", Side::outside, Side::inside);
+    make(m, "SolidRelation", "How a solid is to another one, interiors included.", SolidRelation::apart,
+         SolidRelation::equal);
+    make(m, "SurfaceRelation", "How a mesh, taken as a surface, is to a solid.", SurfaceRelation::apart,
+         SurfaceRelation::partly_inside);
+    make<BroadPhaseKind>(m, "BroadPhaseKind", "How overlapping boxes are found. No answer depends on it.",
+                         {"brute_force", "sweep_and_prune", "kept_candidates", "automatic"});
+    make(m, "InstructionSet", "Instructions of the processor, each with those before it. No answer depends on them.",
+         InstructionSet::baseline, InstructionSet::avx512);
+    make<Certificate::Claim>(m, "Claim", "What a Certificate proves.",
                              {"disjoint", "touching", "crossing", "distance", "within", "beyond", "hit", "miss"});
-    make<Question>(m, "Question",
+    make<Question>(m, "Question", "The question that NotSupported names.",
                    {"relation", "intersecting_triangles", "distance", "within", "closest", "intersections",
                     "close_features", "cast", "cast_moving", "hits"});
 }

@@ -1,5 +1,5 @@
 // The library's errors as Python's exceptions: the same names, text and members.
-#include "ecods/error.hpp"
+#include "python/bind/errors.hpp"
 
 #include <functional>
 #include <map>
@@ -50,10 +50,28 @@ void add(py::module_& m, const char* name, const char* doc, Member<E, Values>...
     known()[typeid(E)] = {make_type(m, name, doc, base_type), add_members};
 }
 
-void raise(const Error& error) {
+std::string stale_text(const std::string& number, ListIndex index) {
+    return (index ? "entry " + std::to_string(*index) + ": " : "") + "id " + number + " names no body of this world";
+}
+
+// The library's text, with an id as Python has it: an integer.
+std::string message_of(const Error& error) {
+    const auto* const stale = dynamic_cast<const StaleBody*>(&error);
+    if (stale == nullptr) return error.what();
+    const std::string number = std::to_string(number_of(stale->body));
+    if (!stale->body) return stale_text(number, stale->index);
+    return std::string(error.what()) + " (id " + number + ")";
+}
+
+// The exception, with the members of the error. `text` is its message.
+py::object exception_of(const Error& error, const std::string& text) {
     const auto at = known().find(typeid(error));
-    py::object raised = py::handle(at == known().end() ? base_type : at->second.type)(error.what());
+    py::object raised = py::handle(at == known().end() ? base_type : at->second.type)(text);
     if (at != known().end()) at->second.add_members(error, raised);
+    return raised;
+}
+
+void set(const py::object& raised) {
     PyErr_SetObject(py::type::handle_of(raised).ptr(), raised.ptr());
 }
 
@@ -62,7 +80,7 @@ void add_mesh_errors(py::module_& m) {
                        member("vertex", &InvalidVertex::vertex), member("axis", &InvalidVertex::axis),
                        member("value", &InvalidVertex::value));
     add<InvalidIndex>(m, "InvalidIndex",
-                      "A triangle names a vertex that does not exist. A negative index -n shows as 2**64 - n.",
+                      "A triangle names a vertex that does not exist: `value`, which may be negative.",
                       member("triangle", &InvalidIndex::triangle), member("corner", &InvalidIndex::corner),
                       member("value", &InvalidIndex::value), member("vertex_count", &InvalidIndex::vertex_count));
     add<EmptyMesh>(m, "EmptyMesh", "A mesh has no triangle.");
@@ -142,6 +160,24 @@ void add_argument_errors(py::module_& m) {
 
 }  // namespace
 
+void raise_stale(const py::object& number, ListIndex index) {
+    const py::object raised = exception_of(StaleBody({}, index), stale_text(py::str(number), index));
+    raised.attr("body") = number;
+    set(raised);
+    throw py::error_already_set();
+}
+
+void raise_negative(const InvalidIndex& error) {
+    const auto value = static_cast<std::int64_t>(error.value);
+    std::string text = error.what();
+    const std::string unsigned_value = std::to_string(error.value);
+    text.replace(text.find(unsigned_value), unsigned_value.size(), std::to_string(value));
+    const py::object raised = exception_of(error, text);
+    raised.attr("value") = value;
+    set(raised);
+    throw py::error_already_set();
+}
+
 void bind_errors(py::module_& m) {
     base_type =
         make_type(m, "Error", "The common base of all errors of ECoDS: catch this to catch them all.", PyExc_Exception);
@@ -152,7 +188,7 @@ void bind_errors(py::module_& m) {
         try {
             if (pointer) std::rethrow_exception(pointer);
         } catch (const Error& error) {
-            raise(error);
+            set(exception_of(error, message_of(error)));
         }
     });
 }

@@ -3,10 +3,17 @@
 #include "ecods/hit.hpp"
 #include "python/bind/ask.hpp"
 #include "python/bind/bind.hpp"
+#include "python/bind/record.hpp"
 #include "python/bind/shapes.hpp"
 
 namespace ecods::python {
 namespace {
+
+template <class T>
+T checked(T made) {
+    validate(made);
+    return made;
+}
 
 template <class Line>
 void add_questions(py::module_& m) {
@@ -29,36 +36,27 @@ void add_questions(py::module_& m) {
 }  // namespace
 
 void bind_line_questions(py::module_& m) {
-    py::class_<Segment>(m, "Segment", "The closed segment between two points (3,).")
-        .def(py::init([](const Vec3& a, const Vec3& b) {
-                 const Segment segment{.a = a, .b = b};
-                 validate(segment);
-                 return segment;
-             }),
-             py::arg("a"), py::arg("b"), "Raises InvalidSegment unless the ends are finite.")
-        .def_property_readonly("a", [](const Segment& self) { return self.a; })
-        .def_property_readonly("b", [](const Segment& self) { return self.b; });
-    py::class_<Ray>(m, "Ray", "The points origin + s * direction for s from 0 to parameter_max.")
+    add_record(m, "Segment", "The closed segment between two points (3,).",
+               Field<Segment, Vec3>{"a", &Segment::a, "Where it begins, (3,) float64."},
+               Field<Segment, Vec3>{"b", &Segment::b, "Where it ends, (3,) float64."})
+        .def(py::init([](const Vec3& a, const Vec3& b) { return checked(Segment{.a = a, .b = b}); }), py::arg("a"),
+             py::arg("b"), "Raises InvalidSegment unless the ends are finite.");
+    add_record(m, "Ray", "The points origin + s * direction for s from 0 to parameter_max.",
+               Field<Ray, Vec3>{"origin", &Ray::origin, "(3,) float64."},
+               Field<Ray, Vec3>{"direction", &Ray::direction, "(3,) float64, as it was given."},
+               Field<Ray, double>{"parameter_max", &Ray::parameter_max, "Infinity unless it was given."})
         .def(py::init([](const Vec3& origin, const Vec3& direction, double parameter_max) {
-                 const Ray ray{.origin = origin, .direction = direction, .parameter_max = parameter_max};
-                 validate(ray);
-                 return ray;
+                 return checked(Ray{.origin = origin, .direction = direction, .parameter_max = parameter_max});
              }),
              py::arg("origin"), py::arg("direction"),
              py::arg("parameter_max") = std::numeric_limits<double>::infinity(),
-             "Origin and direction are (3,); parameters are in units of the direction. Raises InvalidRay.")
-        .def_property_readonly("origin", [](const Ray& self) { return self.origin; })
-        .def_property_readonly("direction", [](const Ray& self) { return self.direction; })
-        .def_readonly("parameter_max", &Ray::parameter_max);
-    py::class_<Ball>(m, "Ball", "The points at a distance of at most the radius from the center (3,).")
-        .def(py::init([](const Vec3& center, double radius) {
-                 const Ball ball{.center = center, .radius = radius};
-                 validate(ball);
-                 return ball;
-             }),
-             py::arg("center"), py::arg("radius"), "Raises InvalidBall.")
-        .def_property_readonly("center", [](const Ball& self) { return self.center; })
-        .def_readonly("radius", &Ball::radius);
+             "Origin and direction are (3,); parameters are in units of the direction. Raises InvalidRay.");
+    add_record(m, "Ball", "The points at a distance of at most the radius from the center (3,).",
+               Field<Ball, Vec3>{"center", &Ball::center, "(3,) float64."},
+               Field<Ball, double>{"radius", &Ball::radius, "Not negative."})
+        .def(py::init(
+                 [](const Vec3& center, double radius) { return checked(Ball{.center = center, .radius = radius}); }),
+             py::arg("center"), py::arg("radius"), "Raises InvalidBall.");
     add_questions<Segment>(m);
     add_questions<Ray>(m);
 }

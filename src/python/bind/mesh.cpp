@@ -1,11 +1,14 @@
 // Mesh, Solid, ConvexSolid; Posed and Moving.
 #include <array>
+#include <limits>
 #include <memory>
 #include <sstream>
+#include <utility>
 
 #include "ecods/aabb.hpp"
 #include "python/bind/ask.hpp"
 #include "python/bind/bind.hpp"
+#include "python/bind/errors.hpp"
 #include "python/bind/shapes.hpp"
 
 namespace ecods::python {
@@ -13,7 +16,7 @@ namespace {
 
 constexpr std::array<py::ssize_t, 2> triples = {-1, 3};
 
-// Indices as they are where they are of 32 bits, otherwise in 64, where a negative one becomes a large one.
+// Indices as they are where they are of 32 bits, otherwise in 64, where a negative one becomes one that is too large.
 std::shared_ptr<const Mesh> make_mesh(py::handle vertices, py::handle faces) {
     const py::array indices = py::array::ensure(faces);
     if (!indices) throw py::error_already_set();
@@ -33,7 +36,14 @@ std::shared_ptr<const Mesh> make_mesh(py::handle vertices, py::handle faces) {
     if (py::isinstance<py::array_t<std::uint32_t>>(indices)) {
         return create(py::array_t<std::uint32_t, py::array::c_style | py::array::forcecast>::ensure(indices));
     }
-    return create(py::array_t<std::uint64_t, py::array::c_style | py::array::forcecast>::ensure(indices));
+    try {
+        return create(py::array_t<std::uint64_t, py::array::c_style | py::array::forcecast>::ensure(indices));
+    } catch (const InvalidIndex& error) {
+        if (kind == 'i' && std::cmp_greater(error.value, std::numeric_limits<std::int64_t>::max())) {
+            raise_negative(error);
+        }
+        throw;
+    }
 }
 
 template <class Shape>
@@ -119,6 +129,10 @@ void add_mesh_calls(py::class_<MeshShape, std::shared_ptr<MeshShape>>& type) {
         "The same triangles with other vertices (n, 3), as a new Mesh, whose tree is that of this one with new boxes. "
         "Raises InvalidVertex, InvalidIndex.");
     type.def("__repr__", &text_of);
+    // A mesh never changes: who copies what refers to one refers to the same, whose tree is then not made again.
+    type.def("__copy__", [](py::object self) { return self; });
+    type.def(
+        "__deepcopy__", [](py::object self, const py::dict&) { return self; }, py::arg("memo"));
 }
 
 void add_solids(py::module_& m) {
@@ -147,22 +161,57 @@ void add_solids(py::module_& m) {
         "Raises InvalidVertex, NoInterior.");
 }
 
-void add_places(py::module_& m, py::class_<PosedMesh>& posed, py::class_<MovingMesh>& moving) {
-    posed.def(py::init([](std::shared_ptr<MeshShape> mesh) {
-                  return PosedMesh{std::move(mesh), {}};
-              }),
-              py::arg("mesh"));
-    posed.def_property_readonly("mesh", [](const PosedMesh& self) { return self.shape; });
-    posed.def_property_readonly(
+// "pose=[[1.0, 0.0, 0.0, 2.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]"
+std::string pose_text(const char* name, const Pose& pose) {
+    const py::list rows = from_pose(pose).attr("tolist")();
+    return std::string(name) + "=" + std::string(py::repr(rows[py::slice(0, 3, 1)]));
+}
+
+std::shared_ptr<MeshShape> require(std::shared_ptr<MeshShape> mesh) {
+    if (!mesh) throw NullArgument("mesh");
+    return mesh;
+}
+
+void add_places(py::class_<PosedMesh>& type) {
+    type.def(py::init([](std::shared_ptr<MeshShape> mesh, const Pose& pose) {
+                 return PosedMesh{require(std::move(mesh)), pose};
+             }),
+             py::arg("mesh"), py::arg("pose") = py::none(),
+             "Mesh.at(pose): a Mesh, Solid or ConvexSolid at a pose (4, 4) or (3, 4), or where it is. Raises "
+             "InvalidPose, NullArgument.");
+    type.def_property_readonly(
+        "mesh", [](const PosedMesh& self) { return self.shape; }, "The Mesh, Solid or ConvexSolid.");
+    type.def_property_readonly(
         "pose", [](const PosedMesh& self) { return self.pose; }, "(4, 4) float64.");
+    type.def("__repr__", [](const PosedMesh& self) {
+        return "Posed(" + text_of(py::cast(self.shape)) + ", " + pose_text("pose", self.pose) + ")";
+    });
+    type.def(
+        py::pickle([](const PosedMesh& self) { return py::make_tuple(self.shape, self.pose); },
+                   [](const py::tuple& state) {
+                       return PosedMesh{require(state[0].cast<std::shared_ptr<MeshShape>>()), state[1].cast<Pose>()};
+                   }));
     py::implicitly_convertible<MeshShape, PosedMesh>();
+}
 
-    moving.def_property_readonly("mesh", [](const MovingMesh& self) { return self.shape; });
-    moving.def_property_readonly(
+void add_motions(py::class_<MovingMesh>& type) {
+    type.def_property_readonly("mesh", [](const MovingMesh& self) { return self.shape; });
+    type.def_property_readonly(
         "start", [](const MovingMesh& self) { return self.from; }, "(4, 4) float64.");
-    moving.def_property_readonly(
+    type.def_property_readonly(
         "end", [](const MovingMesh& self) { return self.to; }, "(4, 4) float64.");
+    type.def("__repr__", [](const MovingMesh& self) {
+        return "Moving(" + text_of(py::cast(self.shape)) + ", " + pose_text("start", self.from) + ", " +
+               pose_text("end", self.to) + ")";
+    });
+    type.def(py::pickle([](const MovingMesh& self) { return py::make_tuple(self.shape, self.from, self.to); },
+                        [](const py::tuple& state) {
+                            return MovingMesh{require(state[0].cast<std::shared_ptr<MeshShape>>()),
+                                              state[1].cast<Pose>(), state[2].cast<Pose>()};
+                        }));
+}
 
+void add_box(py::module_& m) {
     m.def(
         "box_of", [](const PosedMesh& body) { return box_of(body.shape->mesh(), body.pose); }, py::arg("body"),
         "A box (2, 3) that contains the posed mesh and exceeds the least one by rounding only. One pass over "
@@ -173,7 +222,8 @@ void add_places(py::module_& m, py::class_<PosedMesh>& posed, py::class_<MovingM
 
 void bind_meshes(py::module_& m) {
     // Named in signatures of Mesh.
-    py::class_<PosedMesh> posed(m, "Posed", "A mesh at a pose: the set of the real points R v + t. Made by Mesh.at().");
+    py::class_<PosedMesh> posed(m, "Posed",
+                                "A mesh at a pose: the set of the real points R v + t. Mesh.at() makes one, too.");
     py::class_<MovingMesh> moving(m, "Moving", "A mesh on its way from one pose to another. Made by Mesh.moving().");
     py::class_<MeshShape, std::shared_ptr<MeshShape>> mesh(
         m, "Mesh",
@@ -183,7 +233,9 @@ void bind_meshes(py::module_& m) {
     add_making<MeshShape>(mesh);
     add_mesh_calls(mesh);
     add_solids(m);
-    add_places(m, posed, moving);
+    add_places(posed);
+    add_motions(moving);
+    add_box(m);
 }
 
 }  // namespace ecods::python

@@ -1,5 +1,6 @@
 // The module ecods._ecods, of which the package ecods shows everything.
 #include "python/bind/bind.hpp"
+#include "python/bind/refusals.hpp"
 
 namespace py = pybind11;
 
@@ -25,4 +26,5 @@ PYBIND11_MODULE(_ecods, m) {
     for (const auto& item : m.attr("__dict__").cast<py::dict>()) {
         if (py::isinstance<py::type>(item.second)) item.second.attr("__module__") = "ecods";
     }
+    shorten_refusals(m);
 }

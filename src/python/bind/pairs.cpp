@@ -3,6 +3,7 @@
 #include "ecods/distance.hpp"
 #include "python/bind/ask.hpp"
 #include "python/bind/bind.hpp"
+#include "python/bind/record.hpp"
 #include "python/bind/shapes.hpp"
 
 namespace ecods::python {
@@ -78,12 +79,13 @@ void add_distances(py::module_& m, const py::arg& a, const py::arg& b, const py:
 }  // namespace
 
 void bind_pair_questions(py::module_& m) {
-    py::class_<PairWitness>(m, "Witness",
-                            "What decided a pair the last time: given again for a pair that has moved little, it saves "
-                            "time. It is tried first and never believed; no answer depends on it.")
-        .def(py::init<>())
-        .def_readonly("a", &PairWitness::a)
-        .def_readonly("b", &PairWitness::b);
+    using Known = PairWitness;
+    add_record(m, "Witness",
+               "What decided a pair the last time: given again for a pair that has moved little, it saves time. It is "
+               "tried first and never believed; no answer depends on it. Questions change it.",
+               Field<Known, std::uint32_t>{"a", &Known::a, "The library's own; 2**32 - 1 at first."},
+               Field<Known, std::uint32_t>{"b", &Known::b, "The library's own; 2**32 - 1 at first."})
+        .def(py::init<>());
     const py::arg a("a");
     const py::arg b("b");
     const auto witness = py::arg("witness") = py::none();

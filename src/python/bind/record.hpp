@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <tuple>
 
+#include "ecods/replay.hpp"
 #include "python/bind/casters.hpp"
 
 namespace ecods::python {
@@ -22,12 +25,23 @@ inline bool are_same(const Hit& a, const Hit& b) {
            a.rank == b.rank && a.feature == b.feature && a.point == b.point && a.leave_point == b.leave_point;
 }
 
+inline bool are_same(const std::optional<ReplayReport::Difference>& a,
+                     const std::optional<ReplayReport::Difference>& b) {
+    const auto members = [](const ReplayReport::Difference& d) { return std::tie(d.update, d.call, d.line, d.what); };
+    return a.has_value() == b.has_value() && (!a || members(*a) == members(*b));
+}
+
 template <class T, class Value>
 struct Field {
     const char* name;
     Value T::*member;
     const char* doc;
 };
+
+// In full: numpy's own text of an array leaves digits out.
+inline std::string text_of_value(const py::object& value) {
+    return py::repr(py::isinstance<py::array>(value) ? value.attr("tolist")() : value);
+}
 
 template <class T, class... Values>
 py::class_<T> add_record(py::module_& m, const char* name, const char* doc, Field<T, Values>... fields) {
@@ -43,8 +57,8 @@ py::class_<T> add_record(py::module_& m, const char* name, const char* doc, Fiel
         py::is_operator());
     type.def("__repr__", [name, fields...](const T& self) {
         std::string text;
-        ((text += (text.empty() ? "" : ", ") + std::string(fields.name) + "=" +
-                  std::string(py::repr(py::cast(self.*fields.member)))),
+        ((text +=
+          (text.empty() ? "" : ", ") + std::string(fields.name) + "=" + text_of_value(py::cast(self.*fields.member))),
          ...);
         return std::string(name) + "(" + text + ")";
     });

@@ -1,4 +1,7 @@
 // What questions answer, field by field.
+#include <algorithm>
+#include <array>
+
 #include "ecods/depth.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/shared_set.hpp"
@@ -64,9 +67,30 @@ void add_shared(py::module_& m) {
         "normal", [](const Shared& self) { return self.shared.normal; },
         "Unit vector (3,) where one face or two edges define it; None where triangles cross or corners touch.");
     type.def("__repr__", [](const py::object& self) {
-        return py::str("TriangleIntersection(triangles={}, corners={!r}, normal={!r})")
-            .format(self.attr("triangles"), self.attr("corners"), self.attr("normal"));
+        return py::str("TriangleIntersection(triangles={}, corners={}, normal={})")
+            .format(self.attr("triangles"), text_of_value(self.attr("corners")), text_of_value(self.attr("normal")));
     });
+    type.def(
+        "__eq__",
+        [](const Shared& a, const Shared& b) {
+            return a.triangles == b.triangles && std::ranges::equal(a.shared.corners(), b.shared.corners()) &&
+                   a.shared.normal == b.shared.normal;
+        },
+        py::is_operator());
+    type.def(py::pickle(
+        [](const Shared& self) {
+            return py::make_tuple(self.triangles, from_points(self.shared.corners()), self.shared.normal);
+        },
+        [](const py::tuple& state) {
+            constexpr std::array<py::ssize_t, 2> rows = {-1, 3};
+            Shared made{.triangles = state[0].cast<TrianglePair>(), .shared = {}};
+            const Doubles corners = exact_doubles(state[1], "corners", rows);
+            made.shared.corner_count = static_cast<std::size_t>(corners.shape(0));
+            if (made.shared.corner_count > made.shared.all_corners.size()) throw py::value_error("too many corners");
+            std::copy_n(corners.data(), corners.size(), made.shared.all_corners.front().data());
+            made.shared.normal = state[2].cast<std::optional<Vec3>>();
+            return made;
+        }));
 }
 
 void add_hits(py::module_& m) {

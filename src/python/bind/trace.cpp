@@ -1,4 +1,5 @@
 // Traces of a world's calls, and running them again: trace.hpp, replay.hpp.
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <sstream>
@@ -82,16 +83,22 @@ void bind_trace(py::module_& m) {
                Field<Difference, std::size_t>{"line", &Difference::line, "From 1."},
                Field<Difference, std::string>{"what", &Difference::what, "In words."});
     using Report = ReplayReport;
-    py::class_<Report>(m, "ReplayReport", "How a replay went.")
-        .def_readonly("call_count", &Report::call_count)
-        .def_readonly("update_count", &Report::update_count)
-        .def_readonly("question_count", &Report::question_count)
-        .def_readonly("body_count", &Report::body_count)
-        .def_readonly("colliding_count", &Report::colliding_count)
-        .def_readonly("difference", &Report::difference, "ReplayDifference, or None if all is as it was.");
+    add_record(m, "ReplayReport", "How a replay went, up to its end or to the first difference.",
+               Field<Report, std::size_t>{"call_count", &Report::call_count, "Calls that were run."},
+               Field<Report, std::size_t>{"update_count", &Report::update_count, "Updates among them."},
+               Field<Report, std::size_t>{"question_count", &Report::question_count, "Questions among them."},
+               Field<Report, std::size_t>{"body_count", &Report::body_count, "Bodies at the end."},
+               Field<Report, std::size_t>{"colliding_count", &Report::colliding_count, "Pairs that collide then."},
+               Field<Report, std::optional<Difference>>{"difference", &Report::difference,
+                                                        "ReplayDifference, or None if all is as it was."});
     py::class_<Trace>(m, "Trace", "The calls that changed a world, as text.")
         .def(py::init<std::string>(), py::arg("text"))
         .def_readonly("text", &Trace::text)
+        .def("__repr__",
+             [](const Trace& self) {
+                 const auto lines = std::count(self.text.begin(), self.text.end(), '\n');
+                 return "<ecods.Trace of " + std::to_string(lines) + " lines>";
+             })
         .def("replay", &run, py::arg("broad_phase") = py::none(), py::arg("threads") = 1, py::arg("validates") = false,
              "Runs it again, until its end or the first difference: a ReplayReport. Raises InvalidTrace.")
         .def(

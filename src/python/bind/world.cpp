@@ -73,7 +73,9 @@ void add_bodies(WorldClass& type, const py::arg& body) {
 void add_facts(WorldClass& type, const py::arg& body) {
     type.def(
         "is_alive",
-        [](SharedWorld& self, BodyId id) { return self.read([&](const World& world) { return world.is_alive(id); }); },
+        [](SharedWorld& self, const AnyId& id) {
+            return self.read([&](const World& world) { return world.is_alive(id.body); });
+        },
         body, "Whether the id names a body of this world.");
     type.def(
         "pose",
@@ -146,7 +148,11 @@ void bind_world(py::module_& m) {
         m, "World",
         "Many moving bodies: which of them touch, which come close, and which is the nearest? Changes take effect "
         "at once for questions, and at update() for the lists. Any thread may call; calls that only ask run "
-        "beside each other.");
+        "beside each other. A copy, or what is pickled, has the bodies of now under the same ids, with their filters, "
+        "data and switched pairs, the clearance and the options; ids that were stale are stale in it, too. It is as "
+        "before its first update, and no trace goes on in it. Copies share the meshes. The cost is that of creating "
+        "the "
+        "bodies.");
     type.def(
         py::init<BroadPhaseKind, std::size_t>(), py::arg("broad_phase") = "automatic", py::arg("threads") = 1,
         "`threads`: how many run the two-body tests of update(), depths() and solid_distances(). No answer depends on "
@@ -159,6 +165,7 @@ void bind_world(py::module_& m) {
     add_pair_questions(type);
     add_questions_about_everything(type);
     add_trace_calls(type);
+    add_copying(type);
 }
 
 }  // namespace ecods::python

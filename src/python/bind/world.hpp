@@ -7,6 +7,8 @@
 #include <mutex>
 #include <ostream>
 #include <shared_mutex>
+#include <utility>
+#include <vector>
 
 #include "ecods/world.hpp"
 #include "python/bind/ask.hpp"
@@ -19,8 +21,14 @@ namespace ecods::python {
 // interpreter, so no two locks can wait for each other.
 class SharedWorld {
   public:
-    SharedWorld(BroadPhaseKind broad_phase, std::size_t threads)
-        : world_({.broad_phase = broad_phase, .executor = make_threads(threads)}) {}
+    // With `ids` as in WorldOptions.
+    SharedWorld(BroadPhaseKind broad_phase, std::size_t threads, std::vector<BodyId> ids = {})
+        : broad_phase_(broad_phase),
+          threads_(threads),
+          world_({.broad_phase = broad_phase, .executor = make_threads(threads), .ids = std::move(ids)}) {}
+
+    BroadPhaseKind broad_phase() const noexcept { return broad_phase_; }
+    std::size_t threads() const noexcept { return threads_; }
 
     // The world alone: for calls that change it.
     template <class Change>
@@ -59,6 +67,8 @@ class SharedWorld {
     mutable std::shared_mutex mutex_;
     std::unique_ptr<std::ostream> trace_;  // before the world, which writes to it until it ends
     bool traces_questions_ = false;
+    const BroadPhaseKind broad_phase_;
+    const std::size_t threads_;
     World world_;
 };
 
@@ -68,5 +78,6 @@ void add_lists(WorldClass& type);
 void add_pair_questions(WorldClass& type);
 void add_questions_about_everything(WorldClass& type);
 void add_trace_calls(WorldClass& type);
+void add_copying(WorldClass& type);
 
 }  // namespace ecods::python

@@ -4,18 +4,27 @@ import math
 import numpy as np
 
 from . import _ecods
+from .refusals import describe
 
 EXTERNAL = "__external"
 
 
 def as_mesh(mesh):
-    """A Mesh of a Mesh, of an object with `vertices` and `faces`, or of the two in a tuple."""
+    """A Mesh of a Mesh, of an object with `vertices` and `faces`, or of the two in a tuple. Raises TypeError."""
     if isinstance(mesh, _ecods.Mesh):
         return mesh
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
         return _ecods.Mesh(mesh.vertices, mesh.faces)
-    vertices, faces = mesh
-    return _ecods.Mesh(vertices, faces)
+    if not isinstance(mesh, (tuple, list)) or len(mesh) != 2:
+        raise TypeError(f"mesh: {describe(mesh)} is no mesh; an ecods.Mesh, an object with `vertices` and `faces`, or the "
+                        "two in a tuple is expected")
+    return _ecods.Mesh(*mesh)
+
+
+def _text_of(data, **numbers):
+    """Names with their faces, then numbers."""
+    parts = [f"{name!r}: face {face}" for name, face in data._indices.items()]
+    return f"{type(data).__name__}({', '.join(parts + [f'{name}={value}' for name, value in numbers.items()])})"
 
 
 class ContactData:
@@ -34,6 +43,9 @@ class ContactData:
         self.normal = np.full(3, np.nan) if normal is None else normal
         self.depth = math.nan if depth is None else depth.depth
 
+    def __repr__(self):
+        return _text_of(self, point=self.point.tolist(), normal=self.normal.tolist(), depth=self.depth)
+
     def index(self, name):
         """The index of the face of the mesh with that name."""
         return self._indices[name]
@@ -47,6 +59,9 @@ class DistanceData:
         self.distance = closest.distance
         self._indices = dict(zip(names, closest.triangles))
         self._points = dict(zip(names, (closest.point_a, closest.point_b)))
+
+    def __repr__(self):
+        return _text_of(self, distance=self.distance, points=[point.tolist() for point in self._points.values()])
 
     def index(self, name):
         """The index of the closest face of the mesh with that name."""
@@ -76,13 +91,17 @@ class CollisionManager:
     The methods, arguments and results are those of trimesh.collision.CollisionManager. Answers are exact: touching
     counts, and a distance is the true one, rounded once; 0 where meshes share a point, infinity where there is nothing to
     measure to. A mesh is its surface. Give an ecods.Mesh, in place of another object, where the same one is asked about
-    again: its tree is then made once. Names are any hashable values.
+    again: its tree is then made once. Names are any hashable values. It is copied and pickled as a World is.
     """
 
     def __init__(self, threads=1):
         self._world = _ecods.World(threads=threads)
         self._bodies = {}
         self._names = {}
+
+    def __repr__(self):
+        names = ", ".join(repr(name) for name in list(self._bodies)[:3]) + (", ..." if len(self._bodies) > 3 else "")
+        return f"<ecods.CollisionManager of {len(self._bodies)} meshes{': ' if names else ''}{names}>"
 
     def _body(self, name):
         if name not in self._bodies:

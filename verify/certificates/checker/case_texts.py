@@ -296,6 +296,7 @@ BAD += [
     world("none", STACK, "off 1.0 10.3"),
     world("none", STACK, "pair 1.0 2.0", *BEYOND, "pair 2.0 10.3", *TOUCH),
     world("none", STACK, "pair 1.0 3.0", *APART, "pair 2.0 10.3", *TOUCH),
+    world("none", STACK, "pair 1.0 3.0", *TOUCH, "pair 2.0 10.3", *TOUCH),
     world("0x1p+0", STACK, "pair 2.0 10.3", *TOUCH),
     world("0x1p+0", STACK, "pair 1.0 2.0", *APART, "pair 1.0 10.3", *APART, "pair 2.0 10.3", *TOUCH),
     world("0x1p+0", STACK, "pair 1.0 2.0", *NEAR, "pair 1.0 10.3", *APART, "pair 2.0 10.3", *TOUCH),

@@ -116,6 +116,71 @@ TEST(WorldId, NeverNamesABodyOfLater) {
     world.validate();
 }
 
+// Bodies that were and that are, of some slots of which one is used up.
+World used_world() {
+    World world;
+    std::vector<BodyId> made;
+    for (int i = 0; i < 6; ++i) made.push_back(world.create_body(cube, at(i)));
+    for (const int i : {4, 1, 3}) world.destroy_body(made[static_cast<std::size_t>(i)]);
+    while (world.next_ids().front().slot == 4) world.destroy_body(world.create_body(cube, at(0)));
+    world.create_body(cube, at(9));
+    world.set_pair_enabled(made[5], made[0], false);
+    return world;
+}
+
+std::vector<BodyId> all_ids(const World& world) {
+    std::vector<BodyId> ids = world.bodies();
+    for (const BodyId id : world.next_ids()) ids.push_back(id);
+    return ids;
+}
+
+TEST(WorldId, IsTheSameInACopyOfAWorld) {
+    World first = used_world();
+    World copy({.ids = all_ids(first)});
+    for (const BodyId id : first.bodies()) EXPECT_EQ(copy.create_body(first.shape(id), first.pose(id)), id);
+    EXPECT_EQ(copy.bodies(), first.bodies());
+    EXPECT_EQ(copy.next_ids(), first.next_ids());
+    EXPECT_EQ(first.disabled_pairs().size(), 1u);
+    for (const auto& [a, b] : first.disabled_pairs()) copy.set_pair_enabled(a, b, false);
+    EXPECT_EQ(copy.disabled_pairs(), first.disabled_pairs());
+    // A stale id is stale in the copy, and no new body gets it.
+    const BodyId stale{2, 0, copy.bodies().front().world};
+    for (World* const world : {&first, &copy}) {
+        EXPECT_FALSE(world->is_alive(stale));
+        world->update();
+        world->validate();
+    }
+    EXPECT_EQ(copy.digest(), first.digest());
+    for (int i = 0; i < 4; ++i) {
+        const BodyId next = first.next_ids().front();
+        EXPECT_EQ(first.create_body(cube, at(20 + i)), next);
+        EXPECT_EQ(copy.create_body(cube, at(20 + i)), next);
+        EXPECT_NE(next.slot, 4u) << "its generations are used up";
+    }
+    // Others have ids of their own.
+    EXPECT_NE(World().create_body(cube, at(0)).world, stale.world);
+}
+
+TEST(WorldId, GivenFirstIsRefusedUnlessEachSlotComesOnceAndOfOneWorld) {
+    const auto index_of_refused = [](std::vector<BodyId> ids) {
+        try {
+            World world({.ids = std::move(ids)});
+        } catch (const StaleBody& error) {
+            return static_cast<int>(error.index.value());
+        }
+        return -1;
+    };
+    EXPECT_EQ(index_of_refused({}), -1);
+    EXPECT_EQ(index_of_refused({{3, 1, 7}, {1, 0, 7}}), -1);
+    EXPECT_EQ(index_of_refused({{3, 1, 7}, {}}), 1);
+    EXPECT_EQ(index_of_refused({{3, 1, 7}, {1, 0, 7}, {3, 2, 7}}), 2);
+    EXPECT_EQ(index_of_refused({{3, 1, 7}, {1, 0, 8}}), 1);
+    World of_written({.ids = {{2, 5}, {1, 0}}});
+    of_written.update();
+    of_written.validate();
+    EXPECT_NE(of_written.create_body(cube, at(0)).world, 0u) << "written without a world: of a new one";
+}
+
 TEST(WorldId, NoneIsAliveInAWorldThatWasMovedFrom) {
     World world;
     const BodyId a = world.create_body(cube, at(0)), b = world.create_body(cube, at(1));
@@ -134,6 +199,8 @@ TEST(WorldId, NoneIsAliveInAWorldThatWasMovedFrom) {
     EXPECT_THROW(world.user_data(a), MovedFromWorld);
     EXPECT_THROW(world.set_user_data(a, 1), MovedFromWorld);
     EXPECT_THROW(world.bodies(), MovedFromWorld);
+    EXPECT_THROW(world.next_ids(), MovedFromWorld);
+    EXPECT_THROW(world.disabled_pairs(), MovedFromWorld);
     EXPECT_THROW(world.reserve(1), MovedFromWorld);
     EXPECT_THROW(world.set_filter(a, {}), MovedFromWorld);
     EXPECT_THROW(world.filter(a), MovedFromWorld);

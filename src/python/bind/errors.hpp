@@ -1,0 +1,16 @@
+// Errors that only Python's numbers have: integers of either sign, of any size.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "ecods/error.hpp"
+
+namespace ecods::python {
+
+// Raises StaleBody of an integer that no id can be: it is negative, or of more than 64 bits.
+[[noreturn]] void raise_stale(const pybind11::object& number, ListIndex index = {});
+
+// Raises InvalidIndex of an index that was negative before it was taken for one of 64 bits without a sign.
+[[noreturn]] void raise_negative(const InvalidIndex& error);
+
+}  // namespace ecods::python

@@ -1,0 +1,70 @@
+#include "python/bind/refusals.hpp"
+
+#include <string>
+
+namespace ecods::python {
+namespace {
+
+namespace py = pybind11;
+
+// What pybind11 calls for each of its functions: it looks for the overload and converts arguments.
+PyCFunctionWithKeywords dispatcher = nullptr;
+
+// Puts one line in place of the error that is set, if that is about arguments that no overload takes.
+void shorten(PyObject* args, PyObject* kwargs) {
+    py::error_already_set refused;
+    try {
+        const std::string text = py::str(refused.value());
+        if (text.find("(): incompatible ") == std::string::npos) return refused.restore();
+        const py::object line =
+            py::module_::import("ecods.refusals")
+                .attr("line")(text, py::reinterpret_borrow<py::tuple>(args),
+                              kwargs == nullptr ? py::dict() : py::reinterpret_borrow<py::dict>(kwargs));
+        PyErr_SetObject(PyExc_TypeError, line.ptr());
+    } catch (py::error_already_set& failure) {
+        failure.restore();
+    }
+}
+
+PyObject* call(PyObject* self, PyObject* args, PyObject* kwargs) {
+    PyObject* const result = dispatcher(self, args, kwargs);
+    if (result == nullptr && PyErr_ExceptionMatches(PyExc_TypeError) != 0) shorten(args, kwargs);
+    return result;
+}
+
+PyCFunctionWithKeywords as_called(PyCFunction function) {
+    return reinterpret_cast<PyCFunctionWithKeywords>(reinterpret_cast<void (*)()>(function));
+}
+
+PyMethodDef& definition_of(PyObject* function) {
+    return *reinterpret_cast<PyCFunctionObject*>(function)->m_ml;
+}
+
+// Others than pybind11's stay as they are: classes have some of Python's own.
+void shorten_one(py::handle value) {
+    PyObject* function = value.ptr();
+    const py::object of_static = py::getattr(value, "__func__", py::none());
+    if (Py_TYPE(function) == &PyStaticMethod_Type) function = of_static.ptr();
+    if (PyInstanceMethod_Check(function)) function = PyInstanceMethod_GET_FUNCTION(function);
+    if (PyCFunction_Check(function) == 0) return;
+    PyMethodDef& definition = definition_of(function);
+    if (as_called(definition.ml_meth) != dispatcher) return;
+    definition.ml_meth = reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&call));
+}
+
+}  // namespace
+
+void shorten_refusals(const py::module_& m) {
+    const py::cpp_function any([] {});
+    if (definition_of(any.ptr()).ml_flags != (METH_VARARGS | METH_KEYWORDS)) return;  // a pybind11 that calls otherwise
+    dispatcher = as_called(definition_of(any.ptr()).ml_meth);
+    for (const auto& item : m.attr("__dict__").cast<py::dict>()) {
+        if (!py::isinstance<py::type>(item.second)) {
+            shorten_one(item.second);
+            continue;
+        }
+        for (const auto& member : py::dict(item.second.attr("__dict__"))) shorten_one(member.second);
+    }
+}
+
+}  // namespace ecods::python
