@@ -5,19 +5,11 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "process/csv_field.hpp"
+
 namespace ecods::bench {
 
 namespace {
-
-std::string in_quotes_if_needed(const std::string& cell) {
-    if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
-    std::string text = "\"";
-    for (const char c : cell) {
-        if (c == '"') text += '"';
-        text += c;
-    }
-    return text + '"';
-}
 
 std::string fact(const Page& page, const std::string& what) {
     for (const std::vector<std::string>& row : page.environment.rows)
@@ -33,9 +25,9 @@ void write_table(std::ostream& out, const Section& section, const Table& table) 
         for (std::size_t c = 1; c < std::min(label_count, row.size()); ++c) label += " | " + row[c];
         for (std::size_t c = label_count; c < row.size(); ++c) {
             if (row[c].empty()) continue;
-            out << in_quotes_if_needed(section.title) << ',' << in_quotes_if_needed(table.title) << ','
-                << in_quotes_if_needed(label) << ',' << in_quotes_if_needed(table.header.at(c)) << ','
-                << in_quotes_if_needed(row[c]) << "\n";
+            out << process::csv_name(section.title) << ',' << process::csv_name(table.title) << ','
+                << process::csv_name(label) << ',' << process::csv_name(table.header.at(c)) << ','
+                << process::csv_field(row[c]) << "\n";
         }
     }
 }
