@@ -12,9 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/base/recipe.hpp"
 #include "fuzz/campaign.hpp"
 #include "fuzz/motion/profile.hpp"
 #include "fuzz/record.hpp"
+#include "process/program.hpp"
 #include "programs/command_line.hpp"
 
 namespace ecods::fuzz {
@@ -55,6 +57,8 @@ void list_profiles() {
 void print(const RunFailure& failure) {
     fmt::print(stderr, "ecods_fuzz: {}: seed {}, {}: {}: expected {}, got {}\n{}", failure.profile, failure.seed,
                failure.where, failure.check, failure.expected, failure.got, failure.text);
+    if (failure.check == recipe_check)
+        fmt::print(stderr, "The recipe of the case is wrong, by the oracle; the library was not asked about it.\n");
     fmt::print(stderr, "to see it again: ecods_fuzz --profile {} --seed {} --runs 1\n", failure.profile, failure.seed);
 }
 
@@ -129,6 +133,14 @@ std::filesystem::path find_checker() {
     return {};
 }
 
+// "none" is none. Throws std::runtime_error where the program cannot be started: no run would have failed by the
+// library.
+void settle_checker(std::filesystem::path& checker) {
+    if (checker == "none") checker.clear();
+    if (!checker.empty() && process::run_program({checker}).status == 127)
+        throw std::runtime_error(fmt::format("--checker {}: cannot be started", checker.string()));
+}
+
 int run_program(int argc, char** argv) {
     if (is_for_engines(argc, argv)) return run_engines(argv);
     Options options;
@@ -137,9 +149,11 @@ int run_program(int argc, char** argv) {
     CLI::App app(
         "Random input; every answer is checked by an exact oracle, and by what does not share its code. The same seed "
         "is\n"
-        "the same run on every machine. Exit status: 0 if all held; 1 if a check failed, or a run crashed or hung; 2 "
-        "if\n"
-        "the command makes no sense.\n"
+        "the same run on every machine. Exit status: 0 if all held; 1 if a check failed, or a run crashed or hung, or "
+        "a\n"
+        "case is not what its recipe promises (check \"recipe\": by the oracle, before the library is asked); 2 if "
+        "the\n"
+        "command makes no sense.\n"
         "--engine NAME has another library answer hard questions: see ecods_fuzz_engine --help.",
         "ecods_fuzz");
     app.add_option("--profile", campaign.profile, "What to fuzz: see --list-profiles")->capture_default_str();
@@ -163,11 +177,15 @@ int run_program(int argc, char** argv) {
     app.add_option("--checker", campaign.play.certificates.checker,
                    "What checks certificates of a sample of the answers; none: only their claims are compared")
         ->default_str("ecods_check_certificate, where it is built or installed");
-    const std::map<std::string, Canary> canaries{
-        {"answer", Canary::answer}, {"crash", Canary::crash}, {"hang", Canary::hang}, {"proof", Canary::proof}};
-    programs::add_choice(
-        app, "--canary", campaign.play.canary, canaries,
-        "Go wrong on purpose, where a collision is (proof: in a certificate); answer, if nothing is named")
+    const std::map<std::string, Canary> canaries{{"answer", Canary::answer},
+                                                 {"crash", Canary::crash},
+                                                 {"hang", Canary::hang},
+                                                 {"proof", Canary::proof},
+                                                 {"recipe", Canary::recipe}};
+    programs::add_choice(app, "--canary", campaign.play.canary, canaries,
+                         "Go wrong on purpose, where a collision is (proof: in a certificate; recipe: in a case of a "
+                         "pair, not of worlds "
+                         "in motion); answer, if nothing is named")
         ->expected(0, 1)
         ->default_str("answer");
     if (const auto status = programs::parse(app, argc, argv)) return *status;
@@ -175,6 +193,7 @@ int run_program(int argc, char** argv) {
         list_profiles();
         return exit_held;
     }
+    settle_checker(campaign.play.certificates.checker);
     if (!options.replays.empty()) return replay(options);
     if (profiles_of(campaign.profile).empty()) {
         fmt::print(stderr, "ecods_fuzz: there is no profile {}: see --list-profiles\n", campaign.profile);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "fuzz/base/recipe.hpp"
 #include "fuzz/motion/generate.hpp"
 #include "fuzz/script/trace.hpp"
 #include "fuzz/shrink/shrink.hpp"
@@ -78,7 +79,7 @@ std::string notes_for_people(const std::filesystem::path& file) {
 
 void record(RunFailure& failure, RecordOptions options) {
     const Profile* profile = find_profile(failure.profile);
-    if (profile == nullptr) return;
+    if (profile == nullptr || failure.check == recipe_check) return;  // a script that cannot be made is not shrunk
     options.play = options_of_run(options.play, failure.profile, failure.seed);
     Counters counters;
     Script script = generate(*profile, failure.seed, counters);

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "fuzz/base/failure.hpp"
 #include "fuzz/motion/generate.hpp"
 #include "fuzz/motion/profile.hpp"
 #include "fuzz/pairs/contacts.hpp"
@@ -26,6 +27,13 @@ RunReport run_motion(const Profile& profile, std::uint32_t seed, const PlayOptio
         report.failure = {.profile = std::string(profile.name),
                           .seed = seed,
                           .where = fmt::format("update {}", failure.update),
+                          .check = failure.check,
+                          .expected = failure.expected,
+                          .got = failure.got};
+    } catch (const CheckFailed& failure) {
+        report.failure = {.profile = std::string(profile.name),
+                          .seed = seed,
+                          .where = "its meshes",
                           .check = failure.check,
                           .expected = failure.expected,
                           .got = failure.got};
@@ -105,12 +113,12 @@ Counters counters_of(const ConvexCounts& counts) {
 
 // A run of pairs, by a function that counts what it checked and throws what it found.
 template <class Counts>
-RunReport run_counted(const char* profile, void (*run)(std::uint32_t seed, bool lie, Counts& counts),
-                      std::uint32_t seed, Canary canary) {
+RunReport run_counted(const char* profile, void (*run)(std::uint32_t seed, Lie lie, Counts& counts), std::uint32_t seed,
+                      Canary canary) {
     RunReport report;
     Counts counts;
     try {
-        run(seed, canary == Canary::answer, counts);
+        run(seed, canary == Canary::answer ? Lie::answer : canary == Canary::recipe ? Lie::recipe : Lie::none, counts);
     } catch (const Disagreement& found) {
         report.failure = failure_of(profile, found);
     }

@@ -6,19 +6,11 @@
 #include <initializer_list>
 #include <stdexcept>
 
+#include "process/csv_field.hpp"
+
 namespace ecods::bench {
 
 namespace {
-
-std::string in_quotes_if_needed(const std::string& cell) {
-    if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
-    std::string text = "\"";
-    for (const char c : cell) {
-        if (c == '"') text += '"';
-        text += c;
-    }
-    return text + '"';
-}
 
 std::string fact(const Page& page, const std::string& what) {
     for (const std::vector<std::string>& row : page.environment.rows)
@@ -26,19 +18,16 @@ std::string fact(const Page& page, const std::string& what) {
     return "unknown";
 }
 
-void write_line(std::ostream& out, std::initializer_list<std::string> cells) {
-    const char* before = "";
-    for (const std::string& cell : cells) {
-        out << before << in_quotes_if_needed(cell);
-        before = ",";
-    }
-    out << "\n";
+// Names may be those of other engines and files; the value is a cell as the file has it.
+void write_line(std::ostream& out, std::initializer_list<std::string> names, const std::string& value) {
+    for (const std::string& name : names) out << process::csv_name(name) << ',';
+    out << value << "\n";
 }
 
 // Paragraphs are rows of no table; those of the page's own summary are of no section, either.
 void write_paragraphs(std::ostream& out, const std::string& section, const std::vector<std::string>& paragraphs) {
     for (std::size_t i = 0; i < paragraphs.size(); ++i)
-        write_line(out, {section, "", std::to_string(i + 1), text_column, paragraphs[i]});
+        write_line(out, {section, "", std::to_string(i + 1), text_column}, process::csv_field(paragraphs[i]));
 }
 
 void write_table(std::ostream& out, const Section& section, const Table& table) {
@@ -51,7 +40,8 @@ void write_table(std::ostream& out, const Section& section, const Table& table) 
         for (std::size_t c = 1; c < std::min(label_count, row.size()); ++c) label += " | " + row[c];
         for (std::size_t c = label_count; c < row.size(); ++c) {
             if (row[c].empty()) continue;
-            write_line(out, {section.title, table.title, label, table.header.at(c), row[c]});
+            write_line(out, {section.title, table.title, label, table.header.at(c)},
+                       is_words ? process::csv_name(row[c]) : process::csv_field(row[c]));
         }
     }
 }

@@ -5,6 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "fuzz/base/failure.hpp"
+#include "fuzz/base/recipe.hpp"
+#include "judge/whether_solid.hpp"
 #include "scenes/cells.hpp"
 #include "scenes/lattice_mesh.hpp"
 #include "scenes/shapes.hpp"
@@ -163,12 +166,18 @@ Soup solid_soup(Random& random) {
 
 }  // namespace
 
+void require_solid(const std::string& name, const Mesh& mesh) {
+    const judge::WhetherSolid whether(mesh);
+    if (!whether.is_solid()) throw CheckFailed(recipe_check, name + " bounds a solid", whether.words());
+}
+
 std::shared_ptr<const Mesh> make_mesh(Meshes menu, double unit, Random& random, Counters& counters) {
     Soup soup = menu == Meshes::hard    ? hard_soup(random)
                 : menu == Meshes::cubes ? cubes_soup(random)
                 : menu == Meshes::round ? round_soup(random)
                                         : solid_soup(random);
     ++counters[std::string("meshes: ") + soup.name];
+    if (menu == Meshes::solids) require_solid(soup.name, *Mesh::create(soup.vertices, soup.triangles));
     for (Vec3& vertex : soup.vertices) vertex *= unit;
     return Mesh::create(std::move(soup.vertices), std::move(soup.triangles));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "ecods/mesh.hpp"
 #include "fuzz/base/counters.hpp"
@@ -13,8 +14,11 @@ namespace ecods::fuzz {
 // Of about the size `unit`. Hard: a lattice tetrahedron, a cube, a soup of lattice triangles, zero-area triangles, a
 // sliver, a tetrahedron of arbitrary doubles or of decimals; at most 12 triangles. Cubes: with edges of one unit, or of
 // one by two. Round: spheres and tori of 48 to 256 triangles. Solids: cubes, bricks, octahedra, spheres, polycubes, and
-// a cube with a cavity; each bounds a solid.
+// a cube with a cavity; each bounds a solid before it is scaled, which is asked of the oracle.
 std::shared_ptr<const Mesh> make_mesh(Meshes menu, double unit, scenes::Random& random, Counters& counters);
+
+// Throws CheckFailed, as of a wrong recipe, where the mesh bounds no solid by the oracle.
+void require_solid(const std::string& name, const Mesh& mesh);
 
 // The same triangles, with vertices that have moved: by a little, by their own size, or all into one plane.
 std::shared_ptr<const Mesh> deformed(const Mesh& mesh, double unit, scenes::Random& random);

@@ -9,8 +9,10 @@
 #include "environment/float_mode.hpp"
 #include "environment/instruction_sets.hpp"
 #include "fuzz/base/counters.hpp"
+#include "fuzz/base/recipe.hpp"
 #include "fuzz/pairs/run.hpp"
 #include "fuzz/pairs/text.hpp"
+#include "judge/whether_solid.hpp"
 #include "judge/wrong.hpp"
 #include "scenes/random.hpp"
 
@@ -18,7 +20,12 @@ namespace ecods::fuzz {
 
 class CaseRun {
   protected:
-    CaseRun(std::uint32_t seed, bool lie, Counters& checks) : random_(seed), lie_(lie), seed_(seed), checks_(checks) {}
+    CaseRun(std::uint32_t seed, Lie lie, Counters& checks)
+        : random_(seed),
+          lie_(lie == Lie::answer),
+          has_wrong_recipe_(lie == Lie::recipe),
+          seed_(seed),
+          checks_(checks) {}
 
     // Throws Disagreement. `how` says how it was asked.
     template <class Case>
@@ -39,6 +46,28 @@ class CaseRun {
         if (wrong) fail(*wrong, made, how);
     }
 
+    // Fails unless a promise of the case's recipe is kept. The oracle has seen that, not the library, which has not
+    // been asked yet; `found` says what the oracle found.
+    template <class Case>
+    void require_promise(bool is_kept, const std::string& promised, const std::string& found, const Case& made) const {
+        if (!is_kept) fail({recipe_check, promised, found}, made, "");
+    }
+
+    // The same of an answer that the recipe knows, which is counted.
+    template <class Case>
+    void require_known(bool is_known, const std::string& known, const std::string& found, const Case& made) const {
+        ++checks_["known by its recipe"];
+        require_promise(is_known, known, found, made);
+    }
+
+    // The same of a mesh that is promised to bound a solid. Returns what the oracle knows of it.
+    template <class Case>
+    judge::WhetherSolid require_solid(const std::string& body, const Mesh& mesh, const Case& made) const {
+        judge::WhetherSolid whether(mesh);
+        require_promise(whether.is_solid(), body + " bounds a solid", whether.words(), made);
+        return whether;
+    }
+
     // The same for what `ask` answers with an instruction set and in a floating-point environment drawn at random.
     template <class Case, class Ask>
     void require_in_environment(const Case& made, const Ask& ask) {
@@ -54,7 +83,8 @@ class CaseRun {
     }
 
     scenes::Random random_;
-    bool lie_;
+    bool lie_;                 // of an answer
+    bool has_wrong_recipe_;    // on purpose
     std::uint64_t index_ = 0;  // of the case
     std::string family_;
 

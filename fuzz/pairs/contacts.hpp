@@ -27,8 +27,8 @@ inline constexpr std::uint64_t hits_per_run = 2000;
 inline constexpr std::uint64_t casts_per_run = 250;
 
 // Throw Disagreement at the first one, with a case made as small as it is easily made. The same seed is the same run,
-// on every machine. `lie`: expect something that is not true, once.
-void run_hits(std::uint32_t seed, bool lie, HitCounts& counts);
-void run_casts(std::uint32_t seed, bool lie, CastCounts& counts);
+// on every machine. `lie`: what is taken for true, once.
+void run_hits(std::uint32_t seed, Lie lie, HitCounts& counts);
+void run_casts(std::uint32_t seed, Lie lie, CastCounts& counts);
 
 }  // namespace ecods::fuzz

@@ -19,7 +19,7 @@ struct ConvexCounts {
 inline constexpr std::uint64_t convex_per_run = 180;
 
 // Throws Disagreement at the first one, with a case made as small as it is easily made. The same seed is the same run,
-// on every machine. `lie`: expect a depth of one that is not true, once.
-void run_convex(std::uint32_t seed, bool lie, ConvexCounts& counts);
+// on every machine. A lie of an answer: the depth of one is taken for the next double.
+void run_convex(std::uint32_t seed, Lie lie, ConvexCounts& counts);
 
 }  // namespace ecods::fuzz

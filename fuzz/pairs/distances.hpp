@@ -19,8 +19,8 @@ struct DistanceCounts {
 
 inline constexpr std::uint64_t distances_per_run = 1000;
 
-// Throws Disagreement at the first one. The same seed is the same run, on every machine. `lie`: expect one distance to
-// be the next double.
-void run_distances(std::uint32_t seed, bool lie, DistanceCounts& counts);
+// Throws Disagreement at the first one. The same seed is the same run, on every machine. A lie of an answer: one
+// distance is taken for the next double.
+void run_distances(std::uint32_t seed, Lie lie, DistanceCounts& counts);
 
 }  // namespace ecods::fuzz

@@ -1,4 +1,4 @@
-// Makes a case that fails smaller: fewer triangles, as long as it fails.
+// Meshes with fewer triangles: a case that fails is made smaller, as long as it fails.
 #pragma once
 
 #include <memory>
@@ -7,6 +7,11 @@
 #include "ecods/mesh.hpp"
 
 namespace ecods::fuzz {
+
+inline std::shared_ptr<const Mesh> without_first_triangle(const Mesh& mesh) {
+    const auto triangles = mesh.triangles().subspan(1);
+    return Mesh::create({mesh.vertices().begin(), mesh.vertices().end()}, {triangles.begin(), triangles.end()});
+}
 
 // `mesh` is a part of a case, which is changed while `fails` is asked, and is then the smallest that failed.
 template <class Fails>

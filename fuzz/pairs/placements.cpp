@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "fuzz/pairs/case_run.hpp"
+#include "fuzz/pairs/fewer_triangles.hpp"
 #include "fuzz/pairs/solids.hpp"
 #include "judge/solid_truth.hpp"
 #include "scenes/solid_cases.hpp"
@@ -32,7 +33,7 @@ LatticeMap integer_map(Random& random) {
 
 class Run : CaseRun {
   public:
-    Run(std::uint32_t seed, bool lie, SolidCounts& counts) : CaseRun(seed, lie, counts.checks), counts_(counts) {
+    Run(std::uint32_t seed, Lie lie, SolidCounts& counts) : CaseRun(seed, lie, counts.checks), counts_(counts) {
         family_ = "placements";
     }
 
@@ -43,6 +44,9 @@ class Run : CaseRun {
                                     random_);
         };
         scenes::SolidCase made{mesh(a), mesh(b), std::nullopt, {}};
+        if (has_wrong_recipe_) made.a.mesh = without_first_triangle(*made.a.mesh);
+        require_solid("a", *made.a.mesh, made);
+        require_solid("b", *made.b.mesh, made);
         const Solid solid_a(made.a.mesh), solid_b(made.b.mesh);
         const LatticePoint from = size_of(b), to = size_of(a);
         for (int x = -from[0]; x <= to[0]; ++x) {
@@ -98,7 +102,7 @@ class Run : CaseRun {
 
 }  // namespace
 
-void run_placements(std::uint32_t seed, bool lie, SolidCounts& counts) {
+void run_placements(std::uint32_t seed, Lie lie, SolidCounts& counts) {
     const std::vector<Cells> all = scenes::polycubes(4);
     const std::size_t own = (seed + all.size() - 1) % all.size();
     Run run(seed, lie, counts);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "fuzz/base/counters.hpp"
+#include "fuzz/base/recipe.hpp"
 #include "query/intersection/triangle_relations.hpp"
 
 namespace ecods::fuzz {
@@ -18,7 +19,8 @@ struct PairCounts {
     StageCounts stages;                                             // of all questions to body pairs
 };
 
-// The library, the oracle and the recipe of a pair do not agree.
+// The library and the oracle of a pair do not agree; or the oracle and the recipe of the pair do not, and then `path`
+// is recipe_check, and the library was not asked.
 struct Disagreement {
     std::uint32_t seed = 0;
     std::uint64_t pair = 0;  // how many pairs of the run came before
@@ -29,10 +31,14 @@ struct Disagreement {
     std::string text = {};  // the pair in hexadecimal floats
 };
 
+// What a run takes for true on purpose, once, to see that it is found out: an answer that is not, or a promise of a
+// recipe (of what is known of the case, or that a mesh bounds a solid) that is not kept.
+enum class Lie { none, answer, recipe };
+
 inline constexpr std::uint64_t pairs_per_run = 1000;
 
-// Throws Disagreement at the first one. The same seed is the same run, on every machine. `lie`: take one touching pair
-// for crossing.
-void run_pairs(std::uint32_t seed, bool lie, PairCounts& counts);
+// Throws Disagreement at the first one. The same seed is the same run, on every machine. A lie of an answer: one
+// touching pair is taken for crossing.
+void run_pairs(std::uint32_t seed, Lie lie, PairCounts& counts);
 
 }  // namespace ecods::fuzz

@@ -19,18 +19,18 @@ struct SolidCounts {
 inline constexpr std::uint64_t solids_per_run = 130;
 inline constexpr std::uint64_t polycubes_per_run = 1000;
 
-// Throw Disagreement at the first one. The same seed is the same run, on every machine. `lie`: expect something that is
-// not true, once.
+// Throw Disagreement at the first one. The same seed is the same run, on every machine. `lie`: what is taken
+// for true, once.
 
 // All families of solid_cases.hpp, by the oracle and by their recipes; in other environments, and with meshes that
 // bound no solid.
-void run_solids(std::uint32_t seed, bool lie, SolidCounts& counts);
+void run_solids(std::uint32_t seed, Lie lie, SolidCounts& counts);
 
 // Sets of unit cells under random affine maps, by the sets alone, without the oracle.
-void run_polycubes(std::uint32_t seed, bool lie, SolidCounts& counts);
+void run_polycubes(std::uint32_t seed, Lie lie, SolidCounts& counts);
 
 // A polycube of up to four cells, which the seed names, and each that is not after it, in all positions of the lattice
 // in which their boxes share a point: seeds 1 to 19 are all pairs of up to three cells, 1 to 105 of up to four.
-void run_placements(std::uint32_t seed, bool lie, SolidCounts& counts);
+void run_placements(std::uint32_t seed, Lie lie, SolidCounts& counts);
 
 }  // namespace ecods::fuzz

@@ -18,6 +18,7 @@ enum class Canary {
     crash,   // at the first collision, the process aborts
     hang,    // ... or does not go on
     proof,   // a certificate's proof loses a line
+    recipe,  // a case of a pair, or a mesh, is not what its recipe promises
 };
 
 struct PlayOptions {

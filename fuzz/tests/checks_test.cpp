@@ -5,9 +5,11 @@
 
 #include "fuzz/base/failure.hpp"
 #include "fuzz/base/mesh_form.hpp"
+#include "fuzz/base/recipe.hpp"
 #include "fuzz/base/user_shape.hpp"
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/checks/solid_questions.hpp"
+#include "fuzz/motion/meshes.hpp"
 #include "scenes/numbers_of.hpp"
 #include "scenes/shapes.hpp"
 
@@ -45,6 +47,13 @@ class Checks : public testing::Test {
     Truth truth;
     Counters counters;
 };
+
+TEST_F(Checks, MeshesAreWhatTheirRecipesPromise) {
+    EXPECT_EQ(complaint([&] { require_solid("cube", *cube); }), "");
+    const std::vector<Triangle> half(cube->triangles().begin() + 1, cube->triangles().end());
+    const auto open = Mesh::create({cube->vertices().begin(), cube->vertices().end()}, half);
+    EXPECT_EQ(complaint([&] { require_solid("cube", *open); }), recipe_check);
+}
 
 TEST_F(Checks, NothingToComplainOf) {
     const auto expected = true_collisions(world, truth);

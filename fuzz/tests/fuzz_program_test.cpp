@@ -69,12 +69,30 @@ TEST_F(FuzzProgramTest, CertificatesAreCheckedWhereThereIsAChecker) {
     const auto checked = campaign("--profile tiny --seed 1 --runs 2", 0)["counts"]["certificates"];
     EXPECT_GT(checked["made"], 0);
     EXPECT_EQ(checked["accepted"], checked["made"]);
-    const auto without = run_program(fuzz, "--profile tiny --seed 1 --runs 2 --checker \"\"");
-    EXPECT_EQ(without.status, 0);
-    EXPECT_NE(without.err.find("certificates, not checked"), std::string::npos) << without.err;
-    const auto counts = nlohmann::json::parse(without.out)["counts"]["certificates"];
-    EXPECT_EQ(counts["made"], checked["made"]);
-    EXPECT_FALSE(counts.contains("accepted"));
+    for (const char* none : {"none", "\"\""}) {
+        const auto without = run_program(fuzz, std::string("--profile tiny --seed 1 --runs 2 --checker ") + none);
+        EXPECT_EQ(without.status, 0) << without.err;
+        EXPECT_NE(without.err.find("certificates, not checked"), std::string::npos) << without.err;
+        const auto counts = nlohmann::json::parse(without.out)["counts"]["certificates"];
+        EXPECT_EQ(counts["made"], checked["made"]);
+        EXPECT_FALSE(counts.contains("accepted"));
+    }
+    const auto unknown = run_program(fuzz, "--profile tiny --seed 1 --runs 2 --checker ./nosuch");
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_NE(unknown.err.find("--checker ./nosuch: cannot be started"), std::string::npos) << unknown.err;
+}
+
+// What a recipe promises is asked of the oracle; a case that is something else is no crash, and no fault of the
+// library.
+TEST_F(FuzzProgramTest, AWrongRecipeIsNamed) {
+    const auto summary = campaign("--profile solids --seed 5 --runs 3 --canary recipe", 1);
+    ASSERT_EQ(summary["failures"].size(), 1U);
+    const auto& failure = summary["failures"][0];
+    EXPECT_EQ(failure["seed"], 5);
+    EXPECT_EQ(failure["check"], "recipe");
+    EXPECT_EQ(failure["expected"], "a bounds a solid");
+    EXPECT_EQ(failure["got"].get<std::string>().find("open edge "), 0U) << failure["got"];
+    EXPECT_FALSE(failure.contains("trace"));
 }
 
 TEST_F(FuzzProgramTest, ACrashIsAFailure) {

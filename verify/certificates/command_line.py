@@ -1,4 +1,6 @@
 """The command line of check.py: reads the files, and prints the verdicts."""
+import contextlib
+import os
 import sys
 
 from lines import Lines, Refused
@@ -6,7 +8,23 @@ from reading import Mesh, Unreadable
 
 
 def run(check_certificate, names):
-    """Prints a line for each certificate. Returns 0 if all are accepted, 1 if one is refused, 2 if a file is unreadable."""
+    """Prints a line for each certificate. Returns 0 if all are accepted, 1 if one is refused, 2 if a file is unreadable or the output cannot
+    be written."""
+    try:
+        status = print_verdicts(check_certificate, names)
+        if sys.stdout is None:  # it was closed, and print() did nothing
+            raise OSError
+        sys.stdout.flush()
+        return status
+    except OSError:
+        if sys.stdout is not None:  # the interpreter flushes it once more
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        with contextlib.suppress(OSError):
+            os.write(2, b"check.py: standard output: cannot be written\n")
+        return 2
+
+
+def print_verdicts(check_certificate, names):
     if not names:
         print("usage: check.py CERTIFICATE [MESH...]", file=sys.stderr)
         return 2

@@ -13,7 +13,8 @@ endfunction()
 # usage: ecods_digest(NAME ROOT SOURCES OPTIONS...)     sources as above: paths in src
 function(ecods_digest name root sources)
   list(TRANSFORM sources PREPEND ${root}/src/)
-  add_executable(${name} ${sources} ${root}/verify/environment/digest_main.cpp ${root}/verify/environment/digest_ways.cpp)
+  add_executable(${name} ${sources} ${root}/verify/environment/digest_main.cpp ${root}/verify/environment/digest_ways.cpp
+                         ${root}/verify/process/standard_output.cpp)
   target_include_directories(${name} PRIVATE ${root}/include ${root}/src ${root}/verify)
   target_compile_features(${name} PRIVATE cxx_std_20)
   # Assertions of its own are on in every build, and warnings are the library's own build's to give.

@@ -6,8 +6,6 @@
 #include <array>
 #include <sstream>
 
-#include "ecods/error.hpp"
-
 namespace ecods::judge {
 namespace {
 
@@ -26,12 +24,6 @@ template <class T>
 std::optional<Wrong> compare(const char* question, const T& expected, const T& got) {
     if (expected == got) return std::nullopt;
     return Wrong{question, written(expected), written(got)};
-}
-
-std::string text(const std::vector<TrianglePair>& pairs) {
-    std::string list;
-    for (const TrianglePair& pair : pairs) list += fmt::format("({}, {}) ", pair.a, pair.b);
-    return list;
 }
 
 }  // namespace
@@ -117,25 +109,6 @@ std::optional<Wrong> SolidTruth::ask(QueryMemory& memory) const {
                          text(each.expected[s]), text(got)};
         }
     }
-    return std::nullopt;
-}
-
-std::optional<Wrong> ask_whether_solid(const Mesh& mesh) {
-    const auto open = oracle::open_edge(mesh);
-    const std::vector<TrianglePair> pairs = oracle::self_intersections(mesh), got = self_intersections(mesh);
-    if (got != pairs) return Wrong{"self_intersections", text(pairs), text(got)};
-    const std::string expected = open            ? fmt::format("open edge {}.{}", open->triangle, open->corner)
-                                 : pairs.empty() ? "a solid"
-                                                 : text({pairs.front()});
-    std::string found = "a solid";
-    try {
-        check_solid(mesh);
-    } catch (const NotClosed& error) {
-        found = fmt::format("open edge {}.{}", error.triangle, error.corner);
-    } catch (const SelfIntersecting& error) {
-        found = text({error.triangles});
-    }
-    if (found != expected) return Wrong{"check_solid", expected, found};
     return std::nullopt;
 }
 

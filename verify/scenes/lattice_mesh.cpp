@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <set>
+#include <stdexcept>
 
 #include "scenes/hard_pair_parts.hpp"
 
@@ -18,6 +20,10 @@ void shuffle_list(std::vector<T>& list, Random& random) {
     for (std::size_t i = list.size(); i > 1; --i) {
         std::swap(list[i - 1], list[random.below(static_cast<std::uint32_t>(i))]);
     }
+}
+
+bool is_mapped_exactly(const LatticePoint& p) {
+    return std::ranges::all_of(p, [](int x) { return std::abs(x) <= lattice_max; });
 }
 
 // Unit faces that look the same way, in one plane across `axis`, by their least corners in the plane.
@@ -164,7 +170,8 @@ void add_zero_area(LatticeMesh& mesh, Random& random) {
             mesh.triangles.push_back({p, q, q});
         } else {
             const LatticePoint u = mesh.vertices[p], v = mesh.vertices[q];
-            mesh.add(u, v, {2 * v[0] - u[0], 2 * v[1] - u[1], 2 * v[2] - u[2]});
+            const LatticePoint beyond{2 * v[0] - u[0], 2 * v[1] - u[1], 2 * v[2] - u[2]};
+            if (is_mapped_exactly(beyond)) mesh.add(u, v, beyond);
         }
     }
 }
@@ -199,6 +206,7 @@ LatticeMap singular_map(Random& random) {
 }
 
 PosedMesh place(const LatticeMesh& mesh, const LatticeMap& map, int exponent, Random& random) {
+    if (!std::ranges::all_of(mesh.vertices, is_mapped_exactly)) throw std::logic_error("a point beyond lattice_max");
     const Vec3 origin(integer(random, -3, 3), integer(random, -3, 3), integer(random, -3, 3));
     const double scale = std::ldexp(1.0, exponent), own = std::ldexp(1.0, integer(random, -3, 3));
     std::vector<Vec3> vertices;

@@ -33,10 +33,16 @@ LatticeMesh boundary(const Cells& cells, bool merges_faces, Random& random);
 // negative.
 void shuffle(std::vector<Vec3>& vertices, std::vector<Triangle>& triangles, Random& random);
 
-// Some triangles without area: segments between vertices, points, and three points in a row beyond two vertices.
+// The largest coordinate of lattice points that every LatticeMap maps exactly.
+inline constexpr int lattice_max = 64;
+
+// Some triangles without area: segments between vertices, points, and three points in a row beyond two vertices, if
+// these are not beyond lattice_max: rounded, they would be in a row no more, and the mesh would be open.
 void add_zero_area(LatticeMesh& mesh, Random& random);
 
-// From lattice points x to points M x + o, exactly in doubles for |x| <= 64, and for halves of them.
+// From lattice points x to points M x + o, exactly in doubles for |x_i| <= lattice_max, and for halves of them: numbers
+// of M are multiples of 2^-44 and at most 1 (or integers up to 3), and |o_i| <= 20, so that |(M x + o)_i| < 2^8, and
+// half a multiple of 2^-44 below 2^8 has 53 bits.
 struct LatticeMap {
     Mat3 M = Mat3::Identity();
     Vec3 o = Vec3::Zero();
@@ -56,7 +62,8 @@ struct PosedMesh {
 };
 
 // The image of the mesh times 2^exponent, shuffled. Which part of the map is the pose and which is in the coordinates
-// is chosen at random, and where the mesh's origin is.
+// is chosen at random, and where the mesh's origin is. Throws std::logic_error where a coordinate is beyond
+// lattice_max.
 PosedMesh place(const LatticeMesh& mesh, const LatticeMap& map, int exponent, Random& random);
 
 // In one and the same pose, which need not map the lattice exactly.

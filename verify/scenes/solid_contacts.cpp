@@ -98,7 +98,7 @@ std::vector<LatticePair> convex_contacts() {
 std::vector<LatticePair> flush_contacts() {
     using enum SolidRelation;
     return {
-        {"walls that share 50 mm", box({0, 0, 0}, {300, 20, 250}), box({250, 0, 0}, {600, 20, 250}), overlapping},
+        {"walls that share 5 cm", box({0, 0, 0}, {30, 2, 25}), box({25, 0, 0}, {60, 2, 25}), overlapping},
         {"a block on a slab", box({0, 0, 2}, {2, 2, 4}), box({-3, -3, 0}, {5, 5, 2}), touching},
         {"a block on a slab, over its rim", box({0, 0, 2}, {9, 2, 4}), box({-3, -3, 0}, {5, 5, 2}), touching},
         {"a slab in a thicker one, flush below", box({0, 0, 0}, {6, 6, 1}), box({-1, -1, 0}, {7, 7, 2}), inside},

@@ -193,7 +193,7 @@ const std::vector<Room>& rooms() {
         {"fuzz/script",
          {"include", "src/simd", "src/trace", "verify/scenes", "verify/environment", "verify/allocation", "fuzz/base",
           "fuzz/checks"}},
-        {"fuzz/motion", {"include", "verify/scenes", "fuzz/base", "fuzz/script"}},
+        {"fuzz/motion", {"include", "verify/judge", "verify/scenes", "fuzz/base", "fuzz/script"}},
         {"fuzz/shrink", {"include", "fuzz/script"}},
         {"fuzz/targets",
          {"include", "verify/certificates/checker", "verify/oracle", "verify/judge", "verify/scenes",

@@ -23,7 +23,9 @@ void bind_casts(py::module_& m) {
             return ask(known, [&](auto& memory, auto& w) { return cast(a, b, memory, w); });
         },
         py::arg("a"), py::arg("b"), py::arg("witness") = py::none(),
-        "The same of two meshes of which each goes from one pose to another (Mesh.moving).");
+        "The same of two meshes of which each goes from one pose to another (Mesh.moving): each point straight from "
+        "its "
+        "one place to the other, so that a mesh that turns is not rigid on its way.");
 }
 
 }  // namespace ecods::python

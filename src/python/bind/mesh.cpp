@@ -224,7 +224,8 @@ void bind_meshes(py::module_& m) {
     // Named in signatures of Mesh.
     py::class_<PosedMesh> posed(m, "Posed",
                                 "A mesh at a pose: the set of the real points R v + t. Mesh.at() makes one, too.");
-    py::class_<MovingMesh> moving(m, "Moving", "A mesh on its way from one pose to another. Made by Mesh.moving().");
+    py::class_<MovingMesh> moving(
+        m, "Moving", "A mesh on its way from one pose to another: each point goes straight. Made by Mesh.moving().");
     py::class_<MeshShape, std::shared_ptr<MeshShape>> mesh(
         m, "Mesh",
         "Closed triangles, immutable: a surface, which need not be closed or connected. Triangles of zero area are the "

@@ -108,8 +108,8 @@ void add_casts(WorldClass& type, const py::arg_v& filter) {
             return self.ask([&](auto& world, auto&... memory) { return world.meetings(ids, places, memory...); });
         },
         py::arg("bodies"), py::arg("poses"),
-        "All pairs that meet while these bodies (k,) go to new poses (k, 4, 4), and the others stay: a list of "
-        "Meeting, by time. Raises as set_poses() does.");
+        "All pairs that meet while these bodies (k,) go to new poses (k, 4, 4), each point straight from its old place "
+        "to its new one, and the others stay: a list of Meeting, by time. Raises as set_poses() does.");
 }
 
 }  // namespace

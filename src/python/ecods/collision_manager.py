@@ -1,4 +1,4 @@
-"""Collisions and distances of named meshes, with the calls of trimesh's collision manager."""
+"""Collisions and distances of named meshes, with the calls of trimesh's collision manager; answers are about surfaces."""
 import math
 
 import numpy as np
@@ -88,10 +88,13 @@ def _answer(first, *rest):
 class CollisionManager:
     """Named meshes: which collide, and how far are they apart?
 
-    The methods, arguments and results are those of trimesh.collision.CollisionManager. Answers are exact: touching
-    counts, and a distance is the true one, rounded once; 0 where meshes share a point, infinity where there is nothing to
-    measure to. A mesh is its surface. Give an ecods.Mesh, in place of another object, where the same one is asked about
-    again: its tree is then made once. Names are any hashable values. It is copied and pickled as a World is.
+    The methods have the names and arguments of those of trimesh.collision.CollisionManager. Answers are exact, and about
+    surfaces: touching counts, and a distance is the true one, rounded once; 0 where surfaces share a point, never
+    negative, infinity where there is nothing to measure to. A mesh inside another one does not collide with it, also
+    where trimesh takes a convex mesh for a solid; solid_relation() and World.set_solids() know what is inside. Contacts
+    are all pairs of triangles that meet; their depth is NaN but for two ConvexSolids. Give an ecods.Mesh, in place of
+    another object, where the same one is asked about again: its tree is then made once. Names are any hashable values. It is
+    copied and pickled as a World is.
     """
 
     def __init__(self, threads=1):

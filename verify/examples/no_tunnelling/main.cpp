@@ -37,7 +37,8 @@ int main(int argc, char** argv) {
                    fmt::streamed(first->contact.kind));
     }
 
-    // Everything at once, turning as well: each body goes from its pose to its new one, point by point.
+    // Everything at once, turning as well: each point goes straight from its old place to its new one, so that a body
+    // that turns is not rigid between them.
     fmt::print("Both move\n");
     const Mat3 quarter_turn = (Mat3() << 0, -1, 0, 1, 0, 0, 0, 0, 1).finished();
     const std::array bodies{wall, ball};

@@ -48,7 +48,8 @@ if first := world.cast(flying, velocity):
     kind = str(first.contact.kind).replace("_", " and ")
     print(f"  the ball meets body {ecods.body_name(first.body)} at time {first.contact.time}, {kind}")
 
-# Everything at once, turning as well: each body goes from its pose to its new one, point by point.
+# Everything at once, turning as well: each point goes straight from its old place to its new one, so that a body that
+# turns is not rigid between them.
 print("Both move")
 quarter_turn = np.array([(0, -1, 0), (1, 0, 0), (0, 0, 1)])
 ends = [ecods.pose(t=(-5, 0, 0)), ecods.pose(t=start + velocity, R=0.5 * quarter_turn)]

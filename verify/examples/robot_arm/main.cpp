@@ -81,7 +81,8 @@ int main(int argc, char** argv) {
     SolidDistance nearest{{}, World::no_limit};
     for (int step = 0; step <= step_count; ++step) {
         const std::array<Pose, 3> poses = arm_at(static_cast<double>(step) / step_count);
-        // Each point goes on a straight line from its old to its new place: nothing is passed through unseen.
+        // Each point goes straight from its old place to its new one, so that small things are not jumped over. The arc
+        // of a turning link is approximated by that; shorter steps are nearer to it.
         for (const Meeting& meeting : cell.world.meetings(cell.links, poses)) {
             fmt::print("  on the way to step {}: {} meets {} at {:.4f} of it\n", step, cell.names[meeting.bodies.a],
                        cell.names[meeting.bodies.b], meeting.contact.time);

@@ -29,15 +29,14 @@ void remove_half(const std::string& file) {
 void write(const std::string& file, const ClashReport& report,
            const std::function<void(std::ostream&, const ClashReport&)>& write_format) {
     if (file.empty()) return;
-    std::ofstream opened;
-    if (file != "-") opened.open(file, std::ios::binary);
-    std::ostream& out = file == "-" ? std::cout : opened;
+    if (file == "-") return write_format(std::cout, report);  // process/standard_output.cpp sees whether it can
+    std::ofstream out(file, std::ios::binary);
     try {
         if (out) write_format(out, report);
-        if (!out.flush()) throw std::runtime_error((file == "-" ? "standard output" : file) + ": cannot be written");
+        if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
     } catch (...) {
-        opened.close();
-        if (file != "-") remove_half(file);
+        out.close();
+        remove_half(file);
         throw;
     }
 }

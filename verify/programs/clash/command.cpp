@@ -121,7 +121,9 @@ std::optional<int> parse(int argc, const char* const* argv, Command& command) {
         ->type_name("N");
     app.add_option("--json", command.json, "Write the report as JSON to this file; - is standard output")
         ->type_name("FILE");
-    app.add_option("--csv", command.csv, "The same as CSV")->type_name("FILE");
+    app.add_option("--csv", command.csv,
+                   "The same as CSV; a name that a spreadsheet would take for a formula has an apostrophe before it")
+        ->type_name("FILE");
     add_pages(app, command);
     app.add_flag("--quiet", command.is_quiet, "Print no table");
     app.add_flag("--times", command.has_times, "Say on the error stream what the parts of the work took");

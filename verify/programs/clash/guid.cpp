@@ -54,7 +54,9 @@ std::string_view ifc_guid_in(std::string_view name) {
     constexpr std::size_t size = 22;
     if (name.size() < size) return {};
     const std::string_view last = name.substr(name.size() - size);
-    const bool is_piece = name.size() == size || !is_digit_of_ifc(name[name.size() - size - 1]);
+    const char before = name.size() == size ? ' ' : name[name.size() - size - 1];
+    // '_' is a digit, and it also joins the pieces of Class_Name_GUID, as assimp names what it reads from IFC.
+    const bool is_piece = !is_digit_of_ifc(before) || (before == '_' && name.starts_with("Ifc"));
     // 22 digits have 132 bits, of which the first four are 0.
     const bool is_guid = last[0] >= '0' && last[0] <= '3' && std::all_of(last.begin(), last.end(), is_digit_of_ifc);
     return is_piece && is_guid ? last : std::string_view{};

@@ -1,5 +1,5 @@
 // The report as CSV (RFC 4180, but that lines end with LF): a header, then a line for each clash. What a clash has not
-// is empty.
+// is empty. A name that a spreadsheet would take for a formula has an apostrophe before it.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,17 +7,11 @@
 #include <ostream>
 #include <string>
 
+#include "process/csv_field.hpp"
 #include "programs/clash/write.hpp"
 
 namespace ecods::clash {
 namespace {
-
-std::string csv_field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string field = "\"";
-    for (const char c : text) field.append(c == '"' ? 2 : 1, c);
-    return field + '"';
-}
 
 std::string number(double value) {
     return std::isfinite(value) ? fmt::format("{}", value) : value > 0 ? "inf" : "-inf";
@@ -31,9 +25,10 @@ void write_csv(std::ostream& out, const ClashReport& report) {
     for (const Clash& clash : report.clashes) {
         const Part& a = report.parts[clash.a];
         const Part& b = report.parts[clash.b];
-        out << fmt::format("{},{},{},{},{},{},{},{},{},{},{}", name_of(clash.kind), clash.relation, csv_field(a.name),
-                           csv_field(b.name), csv_field(a.file), csv_field(b.file), a.group, b.group,
-                           clash.distance ? number(*clash.distance) : "", clash.depth ? number(clash.depth->lower) : "",
+        out << fmt::format("{},{},{},{},{},{},{},{},{},{},{}", name_of(clash.kind), clash.relation,
+                           process::csv_name(a.name), process::csv_name(b.name), process::csv_name(a.file),
+                           process::csv_name(b.file), a.group, b.group, clash.distance ? number(*clash.distance) : "",
+                           clash.depth ? number(clash.depth->lower) : "",
                            clash.depth ? number(clash.depth->upper) : "");
         for (const Vec3& corner : {clash.place.box.min, clash.place.box.max}) {
             for (int axis = 0; axis < 3; ++axis) out << ',' << number(corner[axis]);

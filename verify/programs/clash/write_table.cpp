@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -59,6 +60,10 @@ void write_rows(std::ostream& out, const std::vector<Row>& rows) {
     }
 }
 
+std::ptrdiff_t count_no_solids(const ClashReport& report) {
+    return std::ranges::count_if(report.parts, [](const Part& part) { return !part.is_solid; });
+}
+
 }  // namespace
 
 void write_table(std::ostream& out, const ClashReport& report) {
@@ -77,7 +82,11 @@ void write_table(std::ostream& out, const ClashReport& report) {
         const std::size_t count = report.counts[static_cast<std::size_t>(kind)];
         if (count > 0) out << fmt::format(", {} {}", count, name_of(kind));
     }
-    out << (report.clashes.empty() ? ", no clash\n" : "\n");
+    if (report.clashes.empty()) out << ", no clash";
+    if (const auto count = count_no_solids(report); count > 0)
+        out << fmt::format("; {}", count == 1 ? "1 is no solid" : fmt::format("{} are no solids", count));
+    if (report.parts.size() == 1) out << " (nothing to clash with: in an OBJ file, o and g lines begin parts)";
+    out << '\n';
 }
 
 }  // namespace ecods::clash

@@ -98,6 +98,32 @@ TEST_F(ClashProgram, NamesOfAnyBytesAreWritten) {
     EXPECT_NE(run(file + " --json -").out.find("a,\\\"b\\\" =\xef\xbf\xbd\xc3\xa9"), std::string::npos);
 }
 
+// No name is a formula in a spreadsheet; numbers are numbers.
+TEST_F(ClashProgram, NamesAreNoFormulas) {
+    const std::string file =
+        write("=formula.obj", tetrahedron("=1+1", -3) + tetrahedron("@SUM(1)", -2) + tetrahedron(" +1;-2", -4))
+            .string();
+    const ProgramResult csv = run("'" + file + "' --touching --csv -");
+    EXPECT_EQ(csv.status, 0) << csv.err;
+    EXPECT_NE(csv.out.find(",\"'=1+1\",\"'@SUM(1)\","), std::string::npos) << csv.out;
+    EXPECT_NE(csv.out.find("'+1;'-2\","), std::string::npos) << csv.out;
+    EXPECT_NE(csv.out.find(",-2,0,0,"), std::string::npos) << csv.out;
+    for (const char* formula : {",=", ",@", ",+", ";-", "\"=", "\"@"})
+        EXPECT_EQ(csv.out.find(formula), std::string::npos) << formula << " in " << csv.out;
+}
+
+TEST_F(ClashProgram, TheLastLineSaysWhatWasThereToClash) {
+    const std::string open = "o open\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n";
+    const std::string one = write("one.obj", tetrahedron("a", 0)).string();
+    EXPECT_NE(
+        run(one).out.find("1 part, no clash (nothing to clash with: in an OBJ file, o and g lines begin parts)\n"),
+        std::string::npos);
+    const std::string two = write("two.obj", tetrahedron("a", 5) + open).string();
+    EXPECT_NE(run(two).out.find("\n2 parts, no clash; 1 is no solid\n"), std::string::npos) << run(two).out;
+    const std::string three = write("three.obj", open + tetrahedron("a", 0) + "o other\n" + open.substr(7)).string();
+    EXPECT_NE(run(three).out.find("; 2 are no solids\n"), std::string::npos) << run(three).out;
+}
+
 TEST_F(ClashProgram, DuplicatesOfSurfacesAreEqual) {
     const std::string one = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
     const std::string file =

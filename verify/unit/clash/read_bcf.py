@@ -20,11 +20,13 @@ from png import read_png, share
 from read_formats import split_into_files
 
 TETRAHEDRON = "o %s\nv %s 0 0\nv %s 0 0\nv %s 2 0\nv %s 0 2\nf -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n"
-NAMES = ["<a & \"b\"> ]]> \u00e9", "\x01\ufffe 'x'", "0N1Bb_$zzzzzzzzzzzzzzz"]
+NAMES = ["<a & \"b\"> ]]> \u00e9", "\x01\ufffe 'x'", "0N1Bb_$zzzzzzzzzzzzzzz", "IfcColumn_Stuetze-1_1FnVzZtET9CQDoxryuX4cb",
+         "Column_1FnVzZtET9CQDoxryuX4cc"]
 
 
 def write_names(folder):
-    """Three parts that overlap, with names that XML must escape or cannot have, and one that is an IFC GUID."""
+    """Parts that overlap, with names that XML must escape or cannot have, one that is an IFC GUID, and two that end with one, of which only
+    that of an IFC class is taken for one."""
     path = os.path.join(folder, "names.obj")
     with open(path, "wb") as file:
         for i, name in enumerate(NAMES):
@@ -153,7 +155,8 @@ def main():
         data, report = make(program, write_names(folder), folder, "--date", "2026-02-03T04:05:06+07:00")
         entries = check_bcf(data, report, schemas, folder, 0)
         text = b"".join(entries.values())
-        assert b'IfcGuid="%s"' % NAMES[2].encode() in text
+        guids = {part.split(b'"')[0].decode() for part in text.split(b'IfcGuid="')[1:]}
+        assert guids == {NAMES[2], NAMES[3][-22:]}, guids
         assert b"<CreationDate>2026-02-03T04:05:06+07:00</CreationDate>" in text
     print("%d topics with pictures" % count)
 

@@ -1,0 +1,32 @@
+// Whether a mesh bounds a solid, known before the library is asked.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ecods/ids.hpp"
+#include "ecods/mesh.hpp"
+#include "judge/wrong.hpp"
+#include "oracle/solid.hpp"
+
+namespace ecods::judge {
+
+class WhetherSolid {
+  public:
+    explicit WhetherSolid(const Mesh& mesh);  // asks the oracle
+
+    bool is_solid() const { return !open_ && pairs_.empty(); }
+
+    // "a solid", "open edge TRIANGLE.CORNER", or the first pair of triangles that meet wrongly.
+    std::string words() const;
+
+    // Asks the library: check_solid and self_intersections.
+    std::optional<Wrong> ask(const Mesh& mesh) const;
+
+  private:
+    std::optional<oracle::CornerEdge> open_;
+    std::vector<TrianglePair> pairs_;
+};
+
+}  // namespace ecods::judge
