@@ -29,8 +29,6 @@ std::vector<BroadMaker> main_broad_engines() {
          true, any, set_up_broad_scratch_unsorted},
         {broad_yardstick, "update() of all, collide() with a callback that notes each pair; double", false, any,
          set_up_broad_fcl_tree},
-        {"FCL tree, moved only", "update() of the moved objects, the rest the same", false, 10000,
-         set_up_broad_fcl_tree_moved},
         {"Bullet Dbvt",
          "btDbvtBroadphase: setAabb(), calculateOverlappingPairs(), then its pairs, whose boxes are tested as its "
          "dispatcher does; float",

@@ -14,7 +14,9 @@ std::vector<NarrowMaker> more_narrow_engines() {
 }
 
 std::vector<BroadMaker> more_broad_engines() {
-    return {{"FCL DynamicAABBTree_Array", "as the first", false, 1000, set_up_broad_fcl_array},
+    return {{"FCL tree, moved only", "update() of the moved objects, the rest as the first", false, 10000,
+             set_up_broad_fcl_tree_moved},
+            {"FCL DynamicAABBTree_Array", "as the first", false, 1000, set_up_broad_fcl_array},
             {broad_fcl_sweep,
              "SaPCollisionManager, as the first. NOT TO BE RELIED ON: it loses pairs and reports false ones", false,
              10000, set_up_broad_fcl_sweep, std::chrono::seconds(30)},

@@ -67,7 +67,7 @@ void add_main_workloads(const SuiteOptions& options, std::vector<Workload>& list
     if (options.is_long) add(BoxLayout::dense, BoxMotion::teleport, 100'000);
     add(BoxLayout::decades, BoxMotion::all, 10'000);
     if (options.is_long) add(BoxLayout::decades, BoxMotion::all, 100'000);
-    add(BoxLayout::dense, BoxMotion::none, 10'000);
+    if (!options.is_main) add(BoxLayout::dense, BoxMotion::none, 10'000);
 }
 
 // What boxes do that the main workloads leave out: they are fast, move together, come, go, begin to move, lie in

@@ -1,4 +1,4 @@
-// What input is promised to be by how it is made.
+// A recipe makes input, and promises something of it.
 #pragma once
 
 namespace ecods::fuzz {

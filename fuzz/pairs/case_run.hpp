@@ -53,14 +53,14 @@ class CaseRun {
         if (!is_kept) fail({recipe_check, promised, found}, made, "");
     }
 
-    // The same of an answer that the recipe knows, which is counted.
+    // Fails unless the recipe knows the true answer. This is counted.
     template <class Case>
     void require_known(bool is_known, const std::string& known, const std::string& found, const Case& made) const {
         ++checks_["known by its recipe"];
         require_promise(is_known, known, found, made);
     }
 
-    // The same of a mesh that is promised to bound a solid. Returns what the oracle knows of it.
+    // Fails unless the mesh bounds a solid, as the recipe promises. Returns what the oracle knows of it.
     template <class Case>
     judge::WhetherSolid require_solid(const std::string& body, const Mesh& mesh, const Case& made) const {
         judge::WhetherSolid whether(mesh);

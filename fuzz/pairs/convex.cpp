@@ -79,7 +79,7 @@ class Run : CaseRun {
 
   private:
     void require_convex(const std::string& body, const PosedMesh& posed, const ConvexCase& made) const {
-        // Few of them: it takes the oracle as long as all else, and a convex mesh is no solid only if it is open or
+        // The oracle is asked of few, as it takes as long as all else; a convex mesh is no solid only if it is open or
         // covers its hull more than once.
         if (index_ % 4 == 0) require_solid(body, *posed.mesh, made);
         require_promise(oracle::convex_features(*posed.mesh).has_value(), body + " is convex", "not convex", made);

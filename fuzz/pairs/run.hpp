@@ -31,7 +31,7 @@ struct Disagreement {
     std::string text = {};  // the pair in hexadecimal floats
 };
 
-// What a run takes for true on purpose, once, to see that it is found out: an answer that is not, or a promise of a
+// A run takes something for true on purpose, once, to see that it is found out: a wrong answer, or a promise of a
 // recipe (of what is known of the case, or that a mesh bounds a solid) that is not kept.
 enum class Lie { none, answer, recipe };
 

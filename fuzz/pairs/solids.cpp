@@ -44,7 +44,7 @@ class Run : CaseRun {
     // By the sets of cells.
     void check_known() {
         const SolidCase made = make(SolidFamily::polycubes);
-        // Few of them: the oracle takes about ten times as long as the library for all that is asked here.
+        // The oracle is asked of few: it takes about ten times as long as the library for all that is asked here.
         if (index_ % 64 == 0 || has_wrong_recipe_) {
             require_solid("a", *made.a.mesh, made);
             require_solid("b", *made.b.mesh, made);

@@ -62,6 +62,11 @@ void read_scene(const std::string& text, const char* ending) {
     const std::filesystem::path file = folder.path() / (std::string("input") + ending);
     std::ofstream(file, std::ios::binary) << text;
     try {
+        (void)scenes::read_files(std::array{file}, scenes::NamedFiles::in_folder);
+    } catch (const scenes::ReadErrors& errors) {
+        ecods::fuzz::require(errors.errors[0].text != "out of memory", "memory is bounded by the file");
+    }
+    try {
         const scenes::Scene scene = scenes::read_files(std::array{file});
         for (const scenes::SceneBody& body : scene.bodies) {
             ecods::fuzz::require(body.mesh_index < scene.meshes.size(), "a body has a mesh");

@@ -82,7 +82,7 @@ TEST_F(FuzzProgramTest, CertificatesAreCheckedWhereThereIsAChecker) {
     EXPECT_NE(unknown.err.find("--checker ./nosuch: cannot be started"), std::string::npos) << unknown.err;
 }
 
-// What a recipe promises is asked of the oracle; a case that is something else is no crash, and no fault of the
+// The promises of a recipe are asked of the oracle; a case that breaks one is no crash, and no fault of the
 // library.
 TEST_F(FuzzProgramTest, AWrongRecipeIsNamed) {
     const auto summary = campaign("--profile solids --seed 5 --runs 3 --canary recipe", 1);

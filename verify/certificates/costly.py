@@ -88,7 +88,7 @@ def judge(checker, modules):
         yield f"C++, 25 wide steps: {said}, {units} units"
     text, data = deep(16, 1, -1000)
     said, units, _ = cpp(checker, text, data)
-    if not said.startswith("accepted: ") or units < 16 * 16 * 6 * (3 * bits // 64) * (bits // 64):
+    if not said.startswith("accepted: ") or units < 16 * 16 * 90 * (bits // 64) ** 2:
         yield f"C++, vectors of the third degree: {said}, {units} units"
     for name, (text, data), least in (
         ("one wide step", wide(16, 1, 16, -1000), 16 * 16 * 15 * (bits // 256) ** 2),

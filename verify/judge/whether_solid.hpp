@@ -1,4 +1,4 @@
-// Whether a mesh bounds a solid, known before the library is asked.
+// The oracle says whether a mesh bounds a solid before the library is asked.
 #pragma once
 
 #include <optional>

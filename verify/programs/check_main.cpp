@@ -19,6 +19,7 @@
 #include "ecods/instruction_set.hpp"
 #include "environment/instruction_sets.hpp"
 #include "process/progress.hpp"
+#include "run_main.hpp"
 #include "scenes/io/scene_file.hpp"
 
 namespace ecods::check {
@@ -26,10 +27,10 @@ namespace {
 
 constexpr int exit_ok = 0;
 constexpr int exit_differs = 1;
-constexpr int exit_unreadable = 2;
 
 struct Options {
     std::vector<std::filesystem::path> files;
+    scenes::NamedFiles named_files = scenes::NamedFiles::anywhere;
     std::filesystem::path cases;
     std::optional<std::filesystem::path> certificates;  // the file for them, or its folder
     bool json = false;
@@ -45,7 +46,7 @@ std::optional<certificates::CertificateFolder> open_folder(const Options& option
 }
 
 int check_files(const Options& options) {
-    const scenes::Scene scene = scenes::read_files(options.files);
+    const scenes::Scene scene = scenes::read_files(options.files, options.named_files);
     for (const std::string& note : scene.notes) fmt::print(stderr, "ecods_check: {}\n", note);
     SceneWorld world(scene, options.broad_phase, options.questions);
     OracleJudge judge(scene);
@@ -105,6 +106,12 @@ int check_cases(const Options& options) {
     return mismatches == 0 ? exit_ok : exit_differs;
 }
 
+void add_files(CLI::App& app, Options& options) {
+    app.add_option("FILE", options.files, "Files to read");
+    app.add_option("--cases", options.cases, "Check the known answers in this file (.json) instead");
+    programs::add_untrusted(app, options.named_files);
+}
+
 void add_rays(CLI::App& app, std::vector<Ray>& rays) {
     const auto take = [&rays](const std::vector<std::array<double, 6>>& given) {
         for (const auto& [x, y, z, dx, dy, dz] : given) {
@@ -143,8 +150,7 @@ int run(int argc, char** argv) {
         "(.gltf, .glb: a body for each node with a mesh) and scenes (.json); all of them together are one scene.\n\n"
         "Exit status: 0, or 1 if an answer is not the expected one, or 2 if the input cannot be read.",
         "ecods_check");
-    app.add_option("FILE", options.files, "Files to read");
-    app.add_option("--cases", options.cases, "Check the known answers in this file (.json) instead");
+    add_files(app, options);
     app.add_flag("--json", options.json, "Write JSON");
     app.add_flag("--distance", options.questions.has_distances,
                  "Also say of each pair of bodies how far they are from each other, and where they are nearest");
@@ -198,13 +204,5 @@ int run(int argc, char** argv) {
 }  // namespace ecods::check
 
 int main(int argc, char** argv) {
-    try {
-        return ecods::check::run(argc, argv);
-    } catch (const ecods::scenes::ReadErrors& errors) {
-        for (const auto& error : errors.errors) fmt::print(stderr, "ecods_check: {}\n", error.what());
-        return ecods::check::exit_unreadable;
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "ecods_check: {}\n", error.what());
-        return ecods::check::exit_unreadable;
-    }
+    return ecods::programs::run_main("ecods_check", argc, argv, &ecods::check::run);
 }

@@ -13,10 +13,11 @@
 #include "ecods/broad_phase.hpp"
 #include "ecods/version.hpp"
 #include "environment/instruction_sets.hpp"
+#include "scenes/io/named_file.hpp"
 
 namespace ecods::programs {
 
-constexpr int exit_misused = 2;  // the command line makes no sense
+constexpr int exit_misused = 2;  // the command line makes no sense, or the program cannot go on
 
 // An option whose value is given by name; --help lists the names. CLI11's transformers would list the values, too: for
 // an enumeration of one byte these are control bytes.
@@ -36,6 +37,15 @@ inline CLI::Option* add_broad_phase(CLI::App& app, BroadPhaseKind& kind, const s
                                        {"kept_candidates", BroadPhaseKind::kept_candidates},
                                        {"automatic", BroadPhaseKind::automatic}},
                                       about);
+}
+
+// The flag for files from strangers, of all programs that read files which may name others.
+inline CLI::Option* add_untrusted(CLI::App& app, scenes::NamedFiles& allowed) {
+    return app.add_flag_callback(
+        "--untrusted", [&allowed] { allowed = scenes::NamedFiles::in_folder; },
+        "Refuse files that name a file outside of their folder. Otherwise assemblies (.gltf) and scenes (.json) may "
+        "name "
+        "any: by ../, by an absolute path or by a link");
 }
 
 // Hands ECODS_INSTRUCTION_SET on to the library, adds --version, and parses. When the program is to end at once, its

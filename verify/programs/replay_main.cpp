@@ -13,6 +13,7 @@
 #include "command_line.hpp"
 #include "ecods/error.hpp"
 #include "ecods/replay.hpp"
+#include "run_main.hpp"
 
 namespace ecods {
 namespace {
@@ -96,10 +97,5 @@ int run(int argc, char** argv) {
 }  // namespace ecods
 
 int main(int argc, char** argv) {
-    try {
-        return ecods::run(argc, argv);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "ecods_replay: {}\n", error.what());
-        return ecods::exit_unreadable;
-    }
+    return ecods::programs::run_main("ecods_replay", argc, argv, &ecods::run);
 }

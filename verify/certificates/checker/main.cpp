@@ -173,7 +173,7 @@ int run(int count, char** arguments) {
     } catch (const Unreadable& problem) {
         std::printf("unreadable: %s\n", problem.why.c_str());
     } catch (const std::bad_alloc&) {
-        std::puts("unreadable: not enough memory");
+        std::puts("unreadable: out of memory");
     }
     return 2;
 }

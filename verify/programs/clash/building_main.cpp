@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "programs/command_line.hpp"
+#include "programs/run_main.hpp"
 #include "scenes/building/building.hpp"
 
 namespace ecods::clash {
@@ -24,5 +25,5 @@ int run(int argc, char** argv) {
 }  // namespace ecods::clash
 
 int main(int argc, char** argv) {
-    return ecods::clash::run(argc, argv);
+    return ecods::programs::run_main("ecods_clash_building", argc, argv, &ecods::clash::run);
 }

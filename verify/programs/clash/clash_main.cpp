@@ -15,7 +15,7 @@
 #include "programs/clash/inputs.hpp"
 #include "programs/clash/judge.hpp"
 #include "programs/clash/write.hpp"
-#include "scenes/io/read_error.hpp"
+#include "programs/run_main.hpp"
 
 namespace ecods::clash {
 namespace {
@@ -78,7 +78,8 @@ int run(int argc, char** argv) {
     const JudgeOptions& judging = command.judging;
     Times times;
     auto begin = Clock::now();
-    Inputs inputs = read_inputs(find_files(command.paths), judging.jobs, command.keeps_going);
+    Inputs inputs = read_inputs(find_files(command.paths, command.named_files),
+                                {judging.jobs, command.keeps_going, command.named_files});
     for (const std::string& note : inputs.notes) fmt::print(stderr, "ecods_clash: {}\n", note);
     for (const FailedFile& file : inputs.failed) fmt::print(stderr, "ecods_clash: {}\n", file.error);
     times.reading = inputs.reading_seconds;
@@ -107,12 +108,5 @@ int run(int argc, char** argv) {
 }  // namespace ecods::clash
 
 int main(int argc, char** argv) {
-    try {
-        return ecods::clash::run(argc, argv);
-    } catch (const ecods::scenes::ReadErrors& errors) {
-        for (const auto& error : errors.errors) fmt::print(stderr, "ecods_clash: {}\n", error.what());
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "ecods_clash: {}\n", error.what());
-    }
-    return ecods::clash::exit_failed;
+    return ecods::programs::run_main("ecods_clash", argc, argv, &ecods::clash::run);
 }

@@ -108,6 +108,7 @@ std::optional<int> parse(int argc, const char* const* argv, Command& command) {
     judging.jobs = std::max(1U, std::thread::hardware_concurrency());
     CLI::App app(about, "ecods_clash");
     app.add_option("PATH", command.paths, "Files and folders; of a scene with motion, frame 0 is judged")->required();
+    programs::add_untrusted(app, command.named_files);
     add_groups(app, judging.rules);
     app.add_option("--clearance", judging.clearance, "Also report parts at a distance of at most this")->type_name("D");
     app.add_flag("--touching", judging.has_touching, "Also report parts that only touch");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "programs/clash/judge.hpp"
+#include "scenes/io/named_file.hpp"
 
 namespace ecods::clash {
 
@@ -18,6 +19,7 @@ constexpr int exit_failed = 2;
 
 struct Command {
     std::vector<std::filesystem::path> paths;
+    scenes::NamedFiles named_files = scenes::NamedFiles::anywhere;
     JudgeOptions judging;
     std::set<Kind> failing_kinds;  // clashes of these make the exit status 1
     bool keeps_going = false;

@@ -19,12 +19,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void find_in_folder(const fs::path& folder, std::vector<fs::path>& files) {
+void find_in_folder(const fs::path& folder, scenes::NamedFiles allowed, std::vector<fs::path>& files) {
     const std::size_t count_before = files.size();
     try {
         for (const auto& entry : fs::recursive_directory_iterator(folder)) {
             const bool is_known = scenes::is_mesh_file(entry.path()) || scenes::is_gltf_file(entry.path());
-            if (is_known && entry.is_regular_file()) files.push_back(entry.path());
+            if (!is_known || !entry.is_regular_file()) continue;
+            if (allowed == scenes::NamedFiles::in_folder && !scenes::is_within(folder, entry.path()))
+                throw scenes::ReadError(entry.path(), "", "is a link that leads out of its folder; --untrusted");
+            files.push_back(entry.path());
         }
     } catch (const fs::filesystem_error& error) {
         throw scenes::ReadError(folder, "", error.code().message());
@@ -50,12 +53,12 @@ struct ReadFile {
     std::optional<scenes::ReadError> error;
 };
 
-std::vector<ReadFile> read_all(const std::vector<fs::path>& files, std::size_t jobs) {
+std::vector<ReadFile> read_all(const std::vector<fs::path>& files, const Reading& reading) {
     std::vector<ReadFile> read(files.size());
     process::Progress progress("reading", files.size());
-    process::for_each_in_parallel(files.size(), jobs, [&](std::size_t i, std::size_t) {
+    process::for_each_in_parallel(files.size(), reading.jobs, [&](std::size_t i, std::size_t) {
         try {
-            read[i].scene = scenes::read_file(files[i]);
+            read[i].scene = scenes::read_file(files[i], reading.named_files);
         } catch (const scenes::ReadError& error) {
             read[i].error = error;
         }
@@ -88,12 +91,12 @@ std::vector<Part> make_parts(const scenes::Scene& scene, const std::vector<std::
 
 }  // namespace
 
-std::vector<fs::path> find_files(const std::vector<fs::path>& given) {
+std::vector<fs::path> find_files(const std::vector<fs::path>& given, scenes::NamedFiles allowed) {
     std::vector<fs::path> files;
     for (const fs::path& path : given) {
         std::error_code error;
         if (fs::is_directory(path, error)) {
-            find_in_folder(path, files);
+            find_in_folder(path, allowed, files);
         } else {
             files.push_back(path);
         }
@@ -104,13 +107,13 @@ std::vector<fs::path> find_files(const std::vector<fs::path>& given) {
     return files;
 }
 
-Inputs read_inputs(const std::vector<fs::path>& files, std::size_t jobs, bool keeps_going) {
+Inputs read_inputs(const std::vector<fs::path>& files, const Reading& reading) {
     Inputs inputs;
     std::vector<scenes::ReadError> errors;
     std::vector<scenes::FileScene> scenes;
     std::vector<std::string> file_of;  // by body
     const auto begin = std::chrono::steady_clock::now();
-    std::vector<ReadFile> read = read_all(files, jobs);
+    std::vector<ReadFile> read = read_all(files, reading);
     inputs.reading_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (read[i].error) {
@@ -123,11 +126,11 @@ Inputs read_inputs(const std::vector<fs::path>& files, std::size_t jobs, bool ke
         file_of.insert(file_of.end(), scene.bodies.size(), files[i].string());
         scenes.push_back({files[i], std::move(scene)});
     }
-    if (!errors.empty() && !keeps_going) throw scenes::ReadErrors(std::move(errors));
+    if (!errors.empty() && !reading.keeps_going) throw scenes::ReadErrors(std::move(errors));
     scenes::Scene scene = scenes::join_files(std::move(scenes));
     inputs.notes = std::move(scene.notes);
     std::sort(inputs.notes.begin(), inputs.notes.end());
-    inputs.parts = make_parts(scene, file_of, jobs);
+    inputs.parts = make_parts(scene, file_of, reading.jobs);
     return inputs;
 }
 

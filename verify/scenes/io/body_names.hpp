@@ -1,6 +1,7 @@
-// Names of bodies that come from several files; for read_files.cpp.
+// Names of bodies that are equal; for read_files.cpp and gltf_file.cpp.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ struct BodyOrigin {
     std::string path;      // as it was given
     bool is_file = false;  // the body is all that the file has
 };
+
+// The bodies of each name that several bodies have, ascending; in n log n time, whatever the names.
+std::vector<std::vector<std::size_t>> bodies_of_one_name(const Scene& scene);
 
 // Where bodies of several paths have one name, each is named after its path: "a/part.obj" if it is all of that file,
 // otherwise "a/part.obj: name". Names that are equal even then (of one path, given twice) get " (2)", " (3)" ... behind

@@ -2,6 +2,7 @@
 
 #include <cctype>
 #include <optional>
+#include <utility>
 
 #include "scenes/io/gltf_model.hpp"
 #include "scenes/io/read_bytes.hpp"
@@ -65,29 +66,37 @@ std::string read_buffer_file(const JsonPlace& uri, const std::filesystem::path& 
     }
 }
 
-std::string read_uri(const std::filesystem::path& file, const JsonPlace& place) {
+}  // namespace
+
+std::shared_ptr<const std::string> GltfBuffers::read_uri(const JsonPlace& place) {
     const std::string uri = place.text();
     const std::string_view scheme = scheme_of(uri);
-    if (scheme.empty()) return read_buffer_file(place, file.parent_path() / decode_percents(place, uri));
+    if (scheme.empty()) {
+        const std::filesystem::path file = named_file(place, decode_percents(place, uri), allowed_);
+        auto& bytes = files_[file.lexically_normal()];
+        if (!bytes) {
+            bytes = std::make_shared<const std::string>(read_buffer_file(place, file));
+            file_bytes_ += bytes->size();
+        }
+        return bytes;
+    }
     constexpr std::string_view marker = ";base64,";
     const std::size_t comma = std::min(uri.find(','), uri.size());
     if (scheme != "data" || !std::string_view(uri).substr(0, comma + 1).ends_with(marker))
         place.fail("neither the path of a file nor data in base64");
-    return decode_base64(place, std::string_view(uri).substr(comma + 1));
+    return std::make_shared<const std::string>(decode_base64(place, std::string_view(uri).substr(comma + 1)));
 }
 
-}  // namespace
-
-std::string read_gltf_buffer(const std::filesystem::path& file, const JsonPlace& buffer, std::string_view embedded) {
+std::shared_ptr<const std::string> GltfBuffers::read(const JsonPlace& buffer, std::string_view embedded) {
     const std::uint64_t size = buffer.at("byteLength").count();
     const auto uri = buffer.find("uri");
-    std::string bytes = uri ? read_uri(file, *uri) : std::string(embedded);
+    auto bytes = uri ? read_uri(*uri) : nullptr;
+    const std::size_t byte_count = uri ? bytes->size() : embedded.size();
     // A chunk is padded to a multiple of four bytes.
     const std::uint64_t padding_max = uri ? 0 : 3;
-    if (bytes.size() < size || bytes.size() - size > padding_max)
-        buffer.fail(fmt::format("there are {} bytes, and byteLength is {}", bytes.size(), size));
-    bytes.resize(size);
-    return bytes;
+    if (byte_count < size || byte_count - size > padding_max)
+        buffer.fail(fmt::format("there are {} bytes, and byteLength is {}", byte_count, size));
+    return uri ? bytes : std::make_shared<const std::string>(embedded.substr(0, size));
 }
 
 }  // namespace ecods::scenes

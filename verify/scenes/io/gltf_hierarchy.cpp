@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <set>
-
 #include "ecods/error.hpp"
 #include "scenes/io/gltf_model.hpp"
 
@@ -11,10 +9,6 @@ namespace {
 std::vector<JsonPlace> members(const JsonPlace& place, const char* list) {
     const auto found = place.find(list);
     return found ? found->elements() : std::vector<JsonPlace>();
-}
-
-Pose product(const Pose& parent, const Pose& child) {
-    return {parent.R * child.R, parent.R * child.t + parent.t};
 }
 
 // A node that is to be visited: where its index is written, and the pose of its parent.
@@ -34,17 +28,23 @@ std::vector<Step> first_steps(const GltfModel& model, const std::vector<JsonPlac
         for (const JsonPlace& node : members(chosen, "nodes")) steps.push_back({node.index(), node, {}});
         return steps;
     }
-    std::set<std::uint32_t> children;
+    std::vector<bool> is_child(nodes.size());
     for (const JsonPlace& node : nodes) {
-        for (const JsonPlace& child : members(node, "children")) children.insert(child.index());
+        for (const JsonPlace& child : members(node, "children")) {
+            if (child.index() < nodes.size()) is_child[child.index()] = true;
+        }
     }
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-        if (!children.contains(i)) steps.push_back({i, nodes[i], {}});
+        if (!is_child[i]) steps.push_back({i, nodes[i], {}});
     }
     return steps;
 }
 
 }  // namespace
+
+Pose product(const Pose& parent, const Pose& child) {
+    return {parent.R * child.R, parent.R * child.t + parent.t};
+}
 
 std::vector<std::optional<Pose>> world_poses(const GltfModel& model) {
     const std::vector<JsonPlace> nodes = members(model.root(), "nodes");

@@ -11,9 +11,21 @@
 namespace ecods::scenes {
 namespace {
 
+constexpr std::string_view quantization = "KHR_mesh_quantization";
+
 // They change the geometry of nodes or meshes.
 constexpr std::array<std::string_view, 4> unsupported_extensions{
-    "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization", "EXT_mesh_gpu_instancing"};
+    "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression", "EXT_mesh_gpu_instancing"};
+
+// Extensions that begin so are about how things look.
+constexpr std::array<std::string_view, 9> looks{"KHR_materials_", "KHR_texture_",    "KHR_lights_",
+                                                "KHR_technique",  "EXT_texture_",    "EXT_materials_",
+                                                "EXT_lights_",    "ADOBE_materials", "MSFT_texture_"};
+
+// Each accessor of a file has a byte at least for each of its elements. So a file whose accessors are all read eight
+// times, as they may be where meshes share them, is read, and so is a small one of any kind.
+constexpr std::uint64_t readings_max = 8;
+constexpr std::uint64_t elements_always_read = 1 << 20;
 
 constexpr std::size_t header_size = 12;  // of a binary file: magic, version, length; little-endian words of 32 bits
 constexpr std::size_t chunk_header_size = 8;  // length, type
@@ -68,14 +80,22 @@ void check_version(const JsonPlace& root) {
     if (text.substr(0, text.find('.')) != "2") version->fail(unsupported(text));
 }
 
-void check_extensions(const JsonPlace& root) {
-    for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
-        const auto extensions = root.find(list);
+// The standard demands that a file is refused if an extension that it requires is not known.
+void check_extension(const JsonPlace& list, const std::string& name, bool is_required) {
+    const auto* found = std::find(unsupported_extensions.begin(), unsupported_extensions.end(), name);
+    const bool is_known = name == quantization || std::any_of(looks.begin(), looks.end(), [&](std::string_view begin) {
+                              return name.starts_with(begin);
+                          });
+    if (found != unsupported_extensions.end() || (is_required && !is_known)) list.fail(name + " is not supported");
+}
+
+void read_extensions(GltfModel& model) {
+    for (const std::string list : {"extensionsUsed", "extensionsRequired"}) {
+        const auto extensions = model.root().find(list);
         if (!extensions) continue;
         for (const JsonPlace& extension : extensions->elements()) {
-            const auto* found =
-                std::find(unsupported_extensions.begin(), unsupported_extensions.end(), extension.text());
-            if (found != unsupported_extensions.end()) extensions->fail(extension.text() + " is not supported");
+            check_extension(*extensions, extension.text(), list == "extensionsRequired");
+            if (extension.text() == quantization) model.is_quantized = true;
         }
     }
 }
@@ -89,19 +109,29 @@ JsonPlace GltfModel::target(const JsonPlace& index, const char* list) const {
     return elements->element(i);
 }
 
-GltfModel load_gltf(const std::filesystem::path& file) {
+void GltfModel::spend(const JsonPlace& place, std::uint64_t count) {
+    if (count > elements_max - elements_read) {
+        place.fail(fmt::format(
+            "with this, more than {} elements of accessors would be read: they are named over and over", elements_max));
+    }
+    elements_read += count;
+}
+
+GltfModel load_gltf(const std::filesystem::path& file, NamedFiles allowed) {
     const std::string bytes = read_bytes(file);
     Container container{bytes, {}};
     if (bytes.starts_with("glTF")) container = open_binary(file, bytes);
     GltfModel model{file, parse_json(file, container.json), {}};
     check_version(model.root());
-    check_extensions(model.root());
+    read_extensions(model);
+    GltfBuffers reader(allowed);
     if (const auto buffers = model.root().find("buffers")) {
         for (std::size_t i = 0; i < buffers->size(); ++i) {
             const std::string_view embedded = i == 0 ? container.embedded : std::string_view();
-            model.buffers.push_back(read_gltf_buffer(file, buffers->element(i), embedded));
+            model.buffers.push_back(reader.read(buffers->element(i), embedded));
         }
     }
+    model.elements_max = elements_always_read + readings_max * (bytes.size() + reader.file_bytes());
     return model;
 }
 

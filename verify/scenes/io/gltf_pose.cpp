@@ -16,13 +16,13 @@ std::optional<Eigen::Matrix<double, Size, 1>> numbers(const JsonPlace& node, con
     return values;
 }
 
-Pose pose_of_matrix(const JsonPlace& place, const Eigen::Matrix<double, 16, 1>& values) {
+}  // namespace
+
+Pose pose_of_matrix(const JsonPlace& place, std::span<const double, 16> values) {
     const auto matrix = Eigen::Map<const Eigen::Matrix4d>(values.data());  // by columns, as Eigen has it
     if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) place.fail("the last row is not 0 0 0 1");
     return {matrix.topLeftCorner<3, 3>(), matrix.topRightCorner<3, 1>()};
 }
-
-}  // namespace
 
 Pose local_pose(const JsonPlace& node) {
     const auto translation = numbers<3>(node, "translation");
@@ -31,7 +31,7 @@ Pose local_pose(const JsonPlace& node) {
     if (const auto matrix = numbers<16>(node, "matrix")) {
         if (translation || rotation || scale)
             node.fail("a matrix and a translation, rotation or scale exclude another");
-        return pose_of_matrix(node.at("matrix"), *matrix);
+        return pose_of_matrix(node.at("matrix"), std::span<const double, 16>(matrix->data(), 16));
     }
     Pose pose;
     if (rotation) {

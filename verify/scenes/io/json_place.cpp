@@ -5,10 +5,39 @@
 #include <algorithm>
 #include <limits>
 #include <string_view>
-
-#include "scenes/io/mesh_soup.hpp"
+#include <utility>
 
 namespace ecods::scenes {
+namespace {
+
+// Puts the path from one value to another in front of `path`; false, if the other is not in the first. A document is no
+// deeper than json_depth_max.
+bool find_path(const nlohmann::json& from, const nlohmann::json* wanted, std::string& path) {
+    if (&from == wanted) return true;
+    if (from.is_array()) {
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            if (!find_path(from[i], wanted, path)) continue;
+            path.insert(0, fmt::format("[{}]", i));
+            return true;
+        }
+    }
+    if (from.is_object()) {
+        for (const auto& [key, value] : from.get_ref<const nlohmann::json::object_t&>()) {
+            if (!find_path(value, wanted, path)) continue;
+            path.insert(0, "." + key);
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+JsonPlace JsonPlace::within(const nlohmann::json& value) const {
+    JsonPlace place = *this;
+    place.value_ = &value;
+    return place;
+}
 
 JsonPlace JsonPlace::at(const std::string& key) const {
     if (auto member = find(key)) return *member;
@@ -19,12 +48,14 @@ std::optional<JsonPlace> JsonPlace::find(const std::string& key) const {
     if (!value_->is_object()) fail("an object is expected");
     const auto member = value_->find(key);
     if (member == value_->end()) return std::nullopt;
-    return JsonPlace(*file_, *member, path_.empty() ? key : path_ + "." + key);
+    return within(*member);
 }
 
 std::vector<JsonPlace> JsonPlace::elements() const {
     std::vector<JsonPlace> places;
-    for (std::size_t i = 0; i < size(); ++i) places.push_back(element(i));
+    const std::size_t count = size();
+    places.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) places.push_back(element(i));
     return places;
 }
 
@@ -39,7 +70,7 @@ std::size_t JsonPlace::size() const {
 }
 
 JsonPlace JsonPlace::element(std::size_t index) const {
-    return JsonPlace(*file_, (*value_)[index], fmt::format("{}[{}]", path_, index));
+    return within((*value_)[index]);
 }
 
 std::string JsonPlace::text() const {
@@ -87,7 +118,17 @@ void JsonPlace::check_keys(std::initializer_list<const char*> known) const {
 }
 
 void JsonPlace::fail(const std::string& text) const {
-    throw ReadError(*file_, path_, text);
+    std::string path;
+    find_path(*document_, value_, path);
+    throw ReadError(*file_, path.starts_with('.') ? path.substr(1) : path, text);
+}
+
+std::shared_ptr<const Mesh> make_mesh(const JsonPlace& place, MeshSoup soup) {
+    try {
+        return make_mesh(place.file(), "", std::move(soup));
+    } catch (const ReadError& error) {
+        place.fail(error.text);
+    }
 }
 
 Pose read_pose(const JsonPlace& place) {
@@ -102,7 +143,7 @@ Pose read_pose(const JsonPlace& place) {
     return pose;
 }
 
-std::shared_ptr<const Mesh> read_inline_mesh(const std::filesystem::path& file, const JsonPlace& place) {
+std::shared_ptr<const Mesh> read_inline_mesh(const JsonPlace& place) {
     MeshSoup soup;
     for (const JsonPlace& vertex : place.at("vertices").elements()) soup.vertices.push_back(vertex.point());
     for (const JsonPlace& triangle : place.at("triangles").elements()) {
@@ -115,7 +156,7 @@ std::shared_ptr<const Mesh> read_inline_mesh(const std::filesystem::path& file, 
         }
         soup.triangles.push_back({corners[0].index(), corners[1].index(), corners[2].index()});
     }
-    return make_mesh(file, place.path(), std::move(soup));
+    return make_mesh(place, std::move(soup));
 }
 
 }  // namespace ecods::scenes

@@ -11,15 +11,17 @@
 
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
+#include "scenes/io/mesh_soup.hpp"
 
 namespace ecods::scenes {
 
-// Refers to the document and to the file's name; both must outlive it. All functions throw ReadError when the value is
-// not what is asked for, naming a place such as "bodies[3].pose.R".
+// A place refers to a document of parse_json() and to the file's name; both must outlive it, and the document must not
+// change. It is three pointers: the path that an error names, such as "bodies[3].pose.R", is searched for in the
+// document when there is an error. All functions throw ReadError when the value is not what is asked for.
 class JsonPlace {
   public:
-    JsonPlace(const std::filesystem::path& file, const nlohmann::json& value, std::string path = {})
-        : file_(&file), value_(&value), path_(std::move(path)) {}
+    JsonPlace(const std::filesystem::path& file, const nlohmann::json& document)
+        : file_(&file), document_(&document), value_(&document) {}
 
     JsonPlace at(const std::string& key) const;                   // a member that must exist
     std::optional<JsonPlace> find(const std::string& key) const;  // a member that may exist
@@ -40,19 +42,24 @@ class JsonPlace {
 
     [[noreturn]] void fail(const std::string& text) const;
 
-    const std::string& path() const noexcept { return path_; }
+    const std::filesystem::path& file() const noexcept { return *file_; }
     const nlohmann::json& value() const noexcept { return *value_; }
 
   private:
+    JsonPlace within(const nlohmann::json& value) const;
+
     const std::filesystem::path* file_;
+    const nlohmann::json* document_;
     const nlohmann::json* value_;
-    std::string path_;
 };
+
+// The mesh of a soup that was read at the place, where the error is if there is none.
+std::shared_ptr<const Mesh> make_mesh(const JsonPlace& place, MeshSoup soup);
 
 // {"R": [[...], [...], [...]], "t": [...]}: three rows and a translation, each of which may be left out.
 Pose read_pose(const JsonPlace& place);
 
 // The mesh of "vertices": [[x, y, z], ...] and "triangles": [[i, j, k], ...] at the place.
-std::shared_ptr<const Mesh> read_inline_mesh(const std::filesystem::path& file, const JsonPlace& place);
+std::shared_ptr<const Mesh> read_inline_mesh(const JsonPlace& place);
 
 }  // namespace ecods::scenes

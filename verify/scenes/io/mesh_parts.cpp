@@ -1,7 +1,8 @@
-#include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "scenes/io/mesh_soup.hpp"
+#include "scenes/io/used_vertices.hpp"
 
 namespace ecods::scenes {
 namespace {
@@ -38,18 +39,13 @@ std::vector<Part> split(const MeshSoup& soup) {
 }
 
 MeshSoup soup_of(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles) {
-    std::vector<std::uint32_t> used;
-    for (const Triangle& triangle : triangles) used.insert(used.end(), triangle.begin(), triangle.end());
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
+    std::vector<std::uint32_t> corners;
+    for (const Triangle& triangle : triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
+    const UsedVertices used(std::move(corners));
     MeshSoup soup;
-    for (const std::uint32_t vertex : used) soup.vertices.push_back(vertices[vertex]);
-    for (Triangle triangle : triangles) {
-        for (std::uint32_t& corner : triangle) {
-            corner = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), corner) - used.begin());
-        }
-        soup.triangles.push_back(triangle);
-    }
+    for (const std::uint32_t vertex : used.old_numbers()) soup.vertices.push_back(vertices[vertex]);
+    for (const auto& [a, b, c] : triangles)
+        soup.triangles.push_back({used.new_number(a), used.new_number(b), used.new_number(c)});
     return soup;
 }
 

@@ -1,3 +1,5 @@
+#include <new>
+#include <stdexcept>
 #include <string>
 
 #include "scenes/io/body_names.hpp"
@@ -46,12 +48,16 @@ void append(Scene& scene, Scene part) {
 
 }  // namespace
 
-Scene read_file(const std::filesystem::path& file) {
-    if (is_gltf_file(file)) return read_gltf_file(file);
+Scene read_file(const std::filesystem::path& file, NamedFiles allowed) try {
+    if (is_gltf_file(file)) return read_gltf_file(file, allowed);
     if (is_mesh_file(file)) return scene_of_parts(file);
-    if (lower_extension(file) == ".json") return read_scene_file(file);
+    if (lower_extension(file) == ".json") return read_scene_file(file, allowed);
     require_regular_file(file);
     throw ReadError(file, "", "unknown kind of file; known are .obj, .off, .ply, .stl, .gltf, .glb and .json");
+} catch (const std::bad_alloc&) {
+    throw ReadError(file, "", "out of memory");
+} catch (const std::length_error&) {
+    throw ReadError(file, "", "out of memory");  // no memory could have this size
 }
 
 Scene join_files(std::vector<FileScene> files) {
@@ -66,12 +72,12 @@ Scene join_files(std::vector<FileScene> files) {
     return scene;
 }
 
-Scene read_files(std::span<const std::filesystem::path> files) {
+Scene read_files(std::span<const std::filesystem::path> files, NamedFiles allowed) {
     std::vector<FileScene> parts;
     std::vector<ReadError> errors;
     for (const std::filesystem::path& file : files) {
         try {
-            parts.push_back({file, read_file(file)});
+            parts.push_back({file, read_file(file, allowed)});
         } catch (const ReadError& error) {
             errors.push_back(error);
         }

@@ -28,19 +28,32 @@ std::size_t find_name(const JsonPlace& place, const Names& names, const char* ki
     return entry->second;
 }
 
-std::shared_ptr<const Mesh> read_mesh(const std::filesystem::path& file, const JsonPlace& place, Scene& scene) {
-    const auto mesh_file = place.find("file");
-    if (!mesh_file) {
-        place.check_keys({"name", "vertices", "triangles"});
-        return read_inline_mesh(file, place);
+// Reads the meshes of a scene one by one; a file that several of them name, once.
+class SceneMeshes {
+  public:
+    SceneMeshes(NamedFiles allowed, Scene& scene) : allowed_(allowed), scene_(scene) {}
+
+    std::shared_ptr<const Mesh> read(const JsonPlace& place) {
+        const auto mesh_file = place.find("file");
+        if (!mesh_file) {
+            place.check_keys({"name", "vertices", "triangles"});
+            return read_inline_mesh(place);
+        }
+        place.check_keys({"name", "file"});
+        const std::filesystem::path file = named_file(*mesh_file, mesh_file->text(), allowed_);
+        auto& mesh = files_[file.lexically_normal()];
+        if (mesh) return mesh;
+        PolygonCounts polygons;
+        mesh = read_mesh_file(file, &polygons);
+        add_polygon_counts(file, polygons, scene_);
+        return mesh;
     }
-    place.check_keys({"name", "file"});
-    const std::filesystem::path path = file.parent_path() / mesh_file->text();
-    PolygonCounts polygons;
-    auto mesh = read_mesh_file(path, &polygons);
-    add_polygon_counts(path, polygons, scene);
-    return mesh;
-}
+
+  private:
+    NamedFiles allowed_;
+    Scene& scene_;
+    std::map<std::filesystem::path, std::shared_ptr<const Mesh>> files_;
+};
 
 Frame read_frame(const JsonPlace& place, const Names& bodies) {
     place.check_keys({"moves"});
@@ -57,15 +70,16 @@ Frame read_frame(const JsonPlace& place, const Names& bodies) {
 
 }  // namespace
 
-Scene read_scene_file(const std::filesystem::path& file) {
-    const nlohmann::json document = read_json(file);
-    const JsonPlace root(file, document);
+Scene read_scene_file(const std::filesystem::path& file, NamedFiles allowed) {
+    const JsonDocument document = read_json(file);
+    const JsonPlace root(file, *document);
     root.check_keys({"meshes", "bodies", "frames"});
     Scene scene;
     Names meshes;
+    SceneMeshes reader(allowed, scene);
     for (const JsonPlace& place : root.at("meshes").elements()) {
         const std::string name = add_name(place, meshes);
-        scene.meshes.push_back({name, read_mesh(file, place, scene)});
+        scene.meshes.push_back({name, reader.read(place)});
     }
     Names bodies;
     for (const JsonPlace& place : root.at("bodies").elements()) {

@@ -18,7 +18,7 @@
 //       ]
 //     }
 //
-// A mesh comes from a file (all of its parts as one; read_bytes.hpp says which files) or is given inline. A pose maps v
+// A mesh comes from a file (all of its parts as one; named_file.hpp says which files) or is given inline. A pose maps v
 // to R v + t, R by rows; what is left out is the identity or zero. "frames" may be left out; the poses of "bodies" are
 // frame 0, and each frame moves some bodies and leaves the others where they are. A "motion" may be left out; it moves
 // nothing: a program may ask what the body would meet if it were translated by it, at any frame. Numbers become the
@@ -30,18 +30,20 @@
 #include <span>
 #include <vector>
 
+#include "scenes/io/named_file.hpp"
 #include "scenes/io/read_error.hpp"
 #include "scenes/scene.hpp"
 
 namespace ecods::scenes {
 
 // Reads a scene file. Throws ReadError with the line, or with the place such as "bodies[3].pose.R".
-Scene read_scene_file(const std::filesystem::path& file);
+Scene read_scene_file(const std::filesystem::path& file, NamedFiles allowed = NamedFiles::anywhere);
 
 // Reads a file by its extension: a mesh file, a glTF assembly or a scene file (.json). A mesh file is a body at the
 // identity, named after the file; one of several parts (objects and groups of OBJ, solids of STL: see mesh_file.hpp) is
-// a body for each, named after the part. Throws ReadError. Files may be read by several threads at once.
-Scene read_file(const std::filesystem::path& file);
+// a body for each, named after the part. Throws ReadError, also when memory runs out. Files may be read by several
+// threads at once.
+Scene read_file(const std::filesystem::path& file, NamedFiles allowed = NamedFiles::anywhere);
 
 struct FileScene {
     std::filesystem::path file;
@@ -54,6 +56,6 @@ struct FileScene {
 Scene join_files(std::vector<FileScene> files);
 
 // Reads any files into one scene. Throws ReadErrors with an error for every file that cannot be read.
-Scene read_files(std::span<const std::filesystem::path> files);
+Scene read_files(std::span<const std::filesystem::path> files, NamedFiles allowed = NamedFiles::anywhere);
 
 }  // namespace ecods::scenes

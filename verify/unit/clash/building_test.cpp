@@ -33,7 +33,7 @@ ClashReport report_of(const std::vector<Element>& elements) {
     write_obj(out, elements);
     out.close();
     const JudgeOptions options{.clearance = scenes::meters(clearance), .has_touching = true, .jobs = 2};
-    const ClashReport report = judge(read_inputs({file}, 2, false), options);
+    const ClashReport report = judge(read_inputs({file}, {.jobs = 2}), options);
     std::filesystem::remove(file);
     return report;
 }

@@ -25,6 +25,25 @@ TEST_F(ClashProgram, HelpAndVersion) {
     expect_help_and_version(ECODS_CLASH_PROGRAM);
 }
 
+TEST_F(ClashProgram, OutOfMemorySaysSo) {
+    expect_out_of_memory(ECODS_CLASH_PROGRAM);
+}
+
+TEST_F(ClashProgram, FilesFromStrangersNameNoFilesElsewhere) {
+    expect_untrusted_is_refused(ECODS_CLASH_PROGRAM);
+    std::filesystem::create_directories(path("folder/sub"));
+    write("folder/sub/own.obj", tetrahedron("own", 0));
+    std::filesystem::create_symlink("own.obj", path("folder/sub/alias.obj"));
+    EXPECT_EQ(run("--untrusted " + path("folder").string()).status, 0);
+    const std::string other = write("other.obj", tetrahedron("other", 0)).string();
+    std::filesystem::create_symlink(other, path("folder/sub/link.obj"));
+    EXPECT_EQ(run(path("folder").string()).status, 0);
+    const ProgramResult result = run("--untrusted " + path("folder").string());
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("sub/link.obj: is a link that leads out of its folder; --untrusted"), std::string::npos)
+        << result.err;
+}
+
 TEST_F(ClashProgram, ExitStatusSaysWhetherKindsWereFound) {
     const std::string two = write("two.obj", tetrahedron("a", 0) + tetrahedron("b", 1)).string();
     EXPECT_EQ(run(two).status, 0);

@@ -11,7 +11,7 @@ namespace ecods::clash {
 namespace {
 
 std::vector<std::string> clashes_of(const std::string& file, JudgeOptions options) {
-    const ClashReport report = judge(read_inputs({std::string(ECODS_CLASH_CASES) + "/" + file}, 1, false), options);
+    const ClashReport report = judge(read_inputs({std::string(ECODS_CLASH_CASES) + "/" + file}, {.jobs = 1}), options);
     std::vector<std::string> clashes;
     for (const Clash& clash : report.clashes) {
         clashes.push_back(std::string(name_of(clash.kind)) + ": " + report.parts[clash.a].name + ", " +
@@ -34,7 +34,7 @@ TEST(PublishedCases, AlignedWallsOverlap) {
 
 TEST(PublishedCases, AlignedWallsAreDeepInEachOther) {
     const auto path = std::string(ECODS_CLASH_CASES) + "/ifcopenshell_4594_aligned.obj";
-    const ClashReport report = judge(read_inputs({path}, 1, false), {.line_limit = 100});
+    const ClashReport report = judge(read_inputs({path}, {.jobs = 1}), {.line_limit = 100});
     ASSERT_EQ(report.clashes.size(), 1U);
     EXPECT_EQ(report.clashes[0].depth->lower, 4 - 3.95);
     EXPECT_EQ(report.clashes[0].depth->upper, 4 - 3.95);

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "file_test.hpp"
 #include "scenes/io/gltf_file.hpp"
@@ -41,6 +42,17 @@ class ReadGltf : public FileTest {
                 {"nodes", {{{"name", "part"}, {"mesh", 0}}}},
                 {"scenes", {{{"nodes", {0}}}}},
                 {"scene", 0}};
+    }
+
+    // A new accessor of a buffer of its own; its index.
+    std::size_t add_accessor(Json& json, const std::string& bytes, Json accessor) const {
+        const std::string name = "buffer" + std::to_string(json["buffers"].size()) + ".bin";
+        write(name, bytes);
+        accessor["bufferView"] = json["bufferViews"].size();
+        json["bufferViews"].push_back({{"buffer", json["buffers"].size()}, {"byteLength", bytes.size()}});
+        json["buffers"].push_back({{"uri", name}, {"byteLength", bytes.size()}});
+        json["accessors"].push_back(std::move(accessor));
+        return json["accessors"].size() - 1;
     }
 
     Scene read(const Json& json) {

@@ -178,6 +178,8 @@ TEST_F(ReadGltfStrict, WhatIsLeftOutIsSaid) {
     EXPECT_EQ(scene.notes, notes);
     json["meshes"][0]["weights"] = {0, 0.5};
     expect_bad(json, "meshes[0].weights[1]", "morph targets are not supported");
+    json["nodes"][0]["weights"] = {0, 0};
+    EXPECT_EQ(read(json).notes, notes) << "the weights of the node count";
     json["meshes"][0].erase("weights");
     json["nodes"][0]["weights"] = {1};
     expect_bad(json, "nodes[0].weights[0]", "morph targets are not supported");

@@ -9,15 +9,20 @@ namespace ecods::scenes {
 namespace {
 
 TEST_F(ReadGltf, ReadsANode) {
-    const Scene scene = read(model());
+    Json json = model();
+    const Scene scene = read(json);
     ASSERT_EQ(scene.bodies.size(), 1U);
     EXPECT_EQ(scene.bodies[0].name, "part");
     EXPECT_TRUE(scene.bodies[0].pose == Pose{});
     const Mesh& mesh = *scene.meshes.at(0).mesh;
-    EXPECT_EQ(mesh.vertices().size(), 5U);
-    EXPECT_EQ(mesh.vertices()[3], Vec3(1, 1, static_cast<double>(0.1F)));
+    EXPECT_EQ(mesh.vertices().size(), 3U) << "the triangle uses three of five";
     EXPECT_EQ(mesh.triangles().size(), 1U);
     EXPECT_EQ(mesh.triangles()[0], (Triangle{0, 1, 2}));
+    json["bufferViews"][1]["byteOffset"] = 62;
+    json["bufferViews"][1]["byteLength"] = 3;
+    const auto last = read(json).meshes.at(0).mesh;
+    EXPECT_EQ(last->vertices()[1], Vec3(1, 1, static_cast<double>(0.1F))) << "vertex 3 of the file";
+    EXPECT_EQ(last->triangles()[0], (Triangle{0, 1, 2}));
 }
 
 TEST_F(ReadGltf, ReadsTheMotionOfANode) {
@@ -37,7 +42,7 @@ TEST_F(ReadGltf, ReadsBinaryFiles) {
     Json json = model();
     json["buffers"][0].erase("uri");
     const std::string bytes = binary(json, data());
-    EXPECT_EQ(read_gltf_file(write("m.glb", bytes)).meshes.at(0).mesh->vertices().size(), 5U);
+    EXPECT_EQ(read_gltf_file(write("m.glb", bytes)).meshes.at(0).mesh->vertices().size(), 3U);
     for (std::size_t size = 0; size + 4 < bytes.size(); size += 3) {
         EXPECT_THROW(read_gltf_file(write("cut.glb", bytes.substr(0, size))), ReadError) << size;
     }
@@ -74,9 +79,8 @@ TEST_F(ReadGltf, ReadsStripsFansAndSeveralPrimitives) {
                                        {{"attributes", {{"POSITION", 0}}}, {"indices", 1}, {"mode", 4}}};
     const Scene scene = read(json);
     const Mesh& mesh = *scene.meshes.at(0).mesh;
-    EXPECT_EQ(mesh.vertices().size(), 15U);
-    const std::vector<Triangle> expected{{0, 1, 2}, {1, 2, 3}, {2, 3, 4},   {5, 6, 7},
-                                         {5, 7, 8}, {5, 8, 9}, {10, 11, 12}};
+    EXPECT_EQ(mesh.vertices().size(), 5U);
+    const std::vector<Triangle> expected{{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 1, 2}};
     EXPECT_TRUE(std::equal(mesh.triangles().begin(), mesh.triangles().end(), expected.begin(), expected.end()));
 }
 
@@ -146,13 +150,8 @@ TEST_F(ReadGltf, NamesThePlaceOfBadGeometry) {
     json["accessors"][0]["componentType"] = 5123;
     expect_bad(json, primitive + ".attributes.POSITION", "VEC3 of componentType 5123 does not fit");
     json = model();
-    json["accessors"][0]["sparse"] = {{"count", 1},
-                                      {"indices", {{"bufferView", 1}, {"byteOffset", 0}, {"componentType", 5121}}},
-                                      {"values", {{"bufferView", 0}, {"byteOffset", 0}}}};
-    expect_bad(json, "accessors[0]", "sparse");
-    json = model();
-    json["meshes"][0]["primitives"][0]["mode"] = 1;
-    expect_bad(json, primitive + ".mode", "points or lines");
+    json["meshes"][0]["primitives"][0]["mode"] = 7;
+    expect_bad(json, primitive + ".mode", "there is no mode 7");
     json = model();
     json["meshes"][0]["primitives"][0]["attributes"] = {{"NORMAL", 0}};
     expect_bad(json, primitive + ".attributes", "\"POSITION\" is missing");
@@ -179,7 +178,7 @@ TEST_F(ReadGltf, RefusesWhatIsNoGltf) {
         const auto file = write("bad.gltf", text);
         EXPECT_THROW(read_gltf_file(file), ReadError) << text;
     }
-    const auto deep = write("deep.gltf", "{\"extras\": " + std::string(200000, '[') + std::string(200000, ']') + "}");
+    const auto deep = write("deep.gltf", "{\"extras\": " + std::string(999, '[') + std::string(999, ']') + "}");
     expect_error([&] { read_gltf_file(deep); }, deep, "", "there is no asset.version");
     const auto no_buffer = write("alone.gltf", model().dump());
     expect_error([&] { read_gltf_file(no_buffer); }, no_buffer, "buffers[0].uri", "data.bin: no such file");
