@@ -54,9 +54,10 @@ ECODS_API Depth depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, 
 // From above: with its pose's translation replaced by `parted`, b shares no inner point with a, as solid_relation()
 // says, and `upper` is the length of parted - b.pose.t, rounded up. From below: a ball in each solid, so that shorter
 // translations leave their interiors meeting; of convex solids, depth() rounded down. 0 and 0 where the solids touch.
-// Both bounds hold; how narrow they are is not promised, and they may differ between versions. `parted` is made of
-// doubles: where the spacing of these at the pose's translation is more than the depth, so is `upper`, and it is
-// infinite where none parts the solids.
+// Both bounds hold; how narrow they are is not promised, and they may differ between versions. Along a direction that
+// is tried, `upper` is the length of the way out to some 2^-46 of it, and to 2^-48 of the smaller solid's size, however
+// large the other one is. `parted` is made of doubles: where the spacing of these at the pose's translation is more
+// than the depth, so is `upper`, and it is infinite where none parts the solids.
 struct DepthBounds {
     double lower = 0;
     double upper = 0;

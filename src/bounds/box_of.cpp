@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "base/double_key.hpp"
 #include "base/next.hpp"
+#include "bounds/scaled_pose.hpp"
 #include "ecods/aabb.hpp"
 #include "exact/point/point.hpp"
 
@@ -9,7 +12,7 @@ namespace ecods {
 namespace {
 
 // The box of rounded vertices, and the largest coordinates of the vertices themselves. std::min and std::max in this
-// argument order ignore NaN. NaN arises only with overflow, which finish() handles.
+// argument order ignore NaN. NaN arises only with overflow, which is_moderate() excludes.
 class BoxBuilder {
   public:
     explicit BoxBuilder(const Pose& pose) : pose_(pose) {}
@@ -23,14 +26,19 @@ class BoxBuilder {
         v_max_ = v_max_.cwiseMax(v.cwiseAbs());
     }
 
-    // Returns the box enlarged by the error of a rounded vertex, and to the next double for the subtraction itself. The
-    // error is 4.25 2^-52 of a sum of magnitudes: below 2^960 it proves that neither the sum nor a coordinate
-    // overflowed; otherwise the box is infinite. Infinities themselves prove nothing: a mode that rounds down turns
-    // some of them into large numbers.
-    Aabb finish() const {
-        const double delta = exact::point_error_bound(pose_.R, v_max_, pose_.t);
-        Aabb box{Vec3::Constant(-infinity), Vec3::Constant(infinity)};
-        if (!(delta < 0x1p960)) return box;
+    // The error of a rounded vertex.
+    double delta() const { return exact::point_error_bound(pose_.R, v_max_, pose_.t); }
+
+    // Whether the error is about 4.25 2^-52 of a sum of magnitudes that did not overflow. Infinities themselves prove
+    // nothing: a mode that rounds down turns some of them into large numbers, which are above the limit, too.
+    bool is_moderate(double delta) const {
+        const double factor_max = std::max(pose_.R.cwiseAbs().maxCoeff(), v_max_.maxCoeff());
+        return delta < 0x1p970 && delta > unscaled_min + unscaled_min * factor_max;
+    }
+
+    // Returns the box enlarged by the error, and to the next double for the subtraction itself.
+    Aabb box(double delta) const {
+        Aabb box;
         for (int k = 0; k < 3; ++k) {
             box.min[k] = next_down(min_[static_cast<std::size_t>(k)] - delta);
             box.max[k] = next_up(max_[static_cast<std::size_t>(k)] + delta);
@@ -47,18 +55,40 @@ class BoxBuilder {
     Vec3 v_max_ = Vec3::Zero();
 };
 
+template <class Visit>
+void for_each_vertex(const Mesh& mesh, Visit&& visit) {
+    if (mesh.uses_all_vertices()) {
+        for (const Vec3& v : mesh.vertices()) visit(v);
+    } else {
+        for (const Triangle& triangle : mesh.triangles()) {
+            for (const std::uint32_t index : triangle) visit(mesh.vertices()[index]);
+        }
+    }
+}
+
+// In units that are chosen for the body, by keys: what is subnormal may be taken for zero elsewhere. What overflows are
+// the ends of the box alone.
+[[gnu::noinline]] Aabb scaled_box_of(const Mesh& mesh, const Pose& pose) {
+    Vec3 v_max = Vec3::Zero();
+    for_each_vertex(mesh, [&](const Vec3& v) {
+        for (int k = 0; k < 3; ++k) {
+            if (key_of(std::abs(v[k])) > key_of(v_max[k])) v_max[k] = std::abs(v[k]);
+        }
+    });
+    const ScaledPose scaled(pose, v_max, true);
+    if (scaled.is_zero()) return {};
+    BoxBuilder builder(scaled.pose());
+    for_each_vertex(mesh, [&](const Vec3& v) { builder.add(scaled.point(v)); });
+    return scaled.unscaled(builder.box(builder.delta()));
+}
+
 }  // namespace
 
 Aabb box_of(const Mesh& mesh, const Pose& pose) {
     BoxBuilder builder(pose);
-    if (mesh.uses_all_vertices()) {
-        for (const Vec3& v : mesh.vertices()) builder.add(v);
-    } else {
-        for (const Triangle& triangle : mesh.triangles()) {
-            for (const std::uint32_t index : triangle) builder.add(mesh.vertices()[index]);
-        }
-    }
-    return builder.finish();
+    for_each_vertex(mesh, [&](const Vec3& v) { builder.add(v); });
+    const double delta = builder.delta();
+    return builder.is_moderate(delta) ? builder.box(delta) : scaled_box_of(mesh, pose);
 }
 
 }  // namespace ecods

@@ -118,7 +118,7 @@ ECODS_WIDE_INLINE Double8 times(const Double8* row, const Vec3& v) noexcept {
     return (row[0] * eight(v[0]) + row[1] * eight(v[1])) + row[2] * eight(v[2]);
 }
 
-// Returns whether all eight are bounded; otherwise the boxes are not set.
+// Returns whether no pose need be scaled for its box; otherwise the boxes are not set.
 ECODS_WIDE inline bool eight_boxes_by_table(const TableView& table, const std::array<const Pose*, 8>& poses,
                                             const std::array<Aabb*, 8>& boxes) noexcept {
     const RowsOfFour low = load_four({poses[0], poses[1], poses[2], poses[3]});
@@ -136,9 +136,11 @@ ECODS_WIDE inline bool eight_boxes_by_table(const TableView& table, const std::a
             (s[0] * eight(table.v_max[0]) + s[1] * eight(table.v_max[1])) + s[2] * eight(table.v_max[2]);
         sum_max = larger(sum_max, sum + absolute(t[row]));
     }
-    if ((is_less(sum_max, eight(sum_limit)) & is_less(size_max, eight(size_limit))) != 0xff) return false;
     const LocalFrame& frame = table.frame;
-    const Double8 delta = eight_point_error_bounds(sum_max, larger(size_max, eight(table.v_max_of_all)));
+    const Double8 factor_max = larger(size_max, eight(table.v_max_of_all));
+    const Double8 delta = eight_point_error_bounds(sum_max, factor_max), least = eight(unscaled_min);
+    const __mmask8 is_low = is_less(sum_max, eight(sum_limit)) & is_less(size_max, eight(size_limit));
+    if ((is_low & is_less(least + least * factor_max, delta)) != 0xff) return false;
     Double8 ends[6];
     for (int row = 0; row < 3; ++row) {
         const Double8* const r = R[row];

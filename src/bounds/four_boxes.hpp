@@ -58,7 +58,7 @@ ECODS_ALWAYS_INLINE Double4 negative(Double4 x) noexcept {
     return bits_as<Double4>(bits_as<Bits>(x) ^ (std::uint64_t{1} << 63));
 }
 
-// Returns whether all four are bounded; otherwise the boxes are not set.
+// Returns whether no pose need be scaled for its box; otherwise the boxes are not set.
 ECODS_ALWAYS_INLINE bool four_boxes_by_table(const TableView& table, const std::array<const Pose*, 4>& poses,
                                              const std::array<Aabb*, 4>& boxes) noexcept {
     const RowsOfFour rows = load_four(poses);
@@ -74,11 +74,12 @@ ECODS_ALWAYS_INLINE bool four_boxes_by_table(const TableView& table, const std::
         sum_max = larger(sum_max, sum + absolute(rows.t[row]));
     }
     const Double4 none{};
-    if (!all((sum_max < none + sum_limit) & (size_max < none + size_limit))) return false;
     const Double4 factor_max = larger(size_max, none + table.v_max_of_all);
     // point_error_bound
     const Double4 underflow = factor_max < none + 0x1p19 ? none + 0x1p-1000 : 0x1p-1000 + 0x1p-1000 * factor_max;
     const Double4 delta = 4.25 * double_u * sum_max + underflow;
+    const auto is_low = (sum_max < none + sum_limit) & (size_max < none + size_limit);
+    if (!all(is_low & (delta > unscaled_min + unscaled_min * factor_max))) return false;
     for (int row = 0; row < 3; ++row) {
         const Double4* const r = rows.R[row];
         const auto times = [&](const Vec3& v) { return (r[0] * v[0] + r[1] * v[1]) + r[2] * v[2]; };

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "bounds/double4.hpp"
+#include "bounds/scaled_pose.hpp"
 #include "bounds/support_table.hpp"
 #include "simd/inline.hpp"
 
@@ -28,7 +29,7 @@ struct TableView {
 };
 
 // Below these limits nothing overflows: the reach is at most 3 size_max in units of the scale, and below 1.5 sum_max.
-// Checked in advance, because a mode that rounds down turns infinities into large numbers.
+// A mode that rounds down turns infinities into large numbers, which are above the limits, too.
 inline constexpr double sum_limit = 0x1p1020, size_limit = 0x1p1000;
 
 struct Reaches {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/assert.hpp"
 #include "base/next.hpp"
 #include "base/outward.hpp"
 #include "bounds/eight_boxes.hpp"
@@ -34,18 +35,9 @@ ECODS_ALWAYS_INLINE void include(const Row& x, const Row& y, const Row& z, const
 // coordinates are below |center| + 2 scale: the bound's term for underflow covers the reach, too. The oriented box
 // reaches |R axes| half from the center: both products are off by 3.01 u' sqrt(3) |R| 1, below 16 u' |R| 1 in units of
 // the scale. The reach that is added to the center has three roundings, below 4 u', and the sum has one.
-ECODS_ALWAYS_INLINE Aabb box_by_table(const TableView& table, const Pose& pose) noexcept {
-    const Matrix4 R = load3(pose.R);
-    const Double4 t = load3(pose.t.data());
+ECODS_ALWAYS_INLINE Aabb box_by_table(const TableView& table, const Matrix4& R, Double4 t, const Matrix4& size,
+                                      double delta) noexcept {
     const Double4 center = R * load3(table.frame.center.data()) + t;  // as pose_point has it
-    const Matrix4 size = absolute(R);
-    const double sum_max = largest(size * load3(table.v_max.data()) + absolute(t));
-    const double size_max = largest(size);
-    if (!(sum_max < sum_limit && size_max < size_limit)) {
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        return {Vec3::Constant(-infinity), Vec3::Constant(infinity)};
-    }
-    const double delta = exact::point_error_bound(sum_max, std::max(size_max, table.v_max_of_all));
     const Double4 oriented =
         absolute(R * load3(table.frame.axes)) * load3(table.frame.half.data()) + 16 * double_u * row_sums(size);
     const Reaches h = reaches<3>(table.support, R.column[0], R.column[1], R.column[2]);
@@ -59,6 +51,31 @@ ECODS_ALWAYS_INLINE Aabb box_by_table(const TableView& table, const Pose& pose) 
         box.min[k] = next_down(min[k]);
     }
     return box;
+}
+
+// Sets the box, unless the pose must be scaled for it.
+ECODS_ALWAYS_INLINE bool find_box(const TableView& table, const Pose& pose, Aabb& box) noexcept {
+    const Matrix4 R = load3(pose.R), size = absolute(R);
+    const Double4 t = load3(pose.t.data());
+    const double sum_max = largest(size * load3(table.v_max.data()) + absolute(t)), size_max = largest(size);
+    const double factor_max = std::max(size_max, table.v_max_of_all);
+    const double delta = exact::point_error_bound(sum_max, factor_max);
+    if (!(sum_max < sum_limit && size_max < size_limit && delta > unscaled_min + unscaled_min * factor_max)) {
+        return false;
+    }
+    box = box_by_table(table, R, t, size, delta);
+    return true;
+}
+
+// The pose in units in which its sums are about one: with v_max between 2^-900 and 2^902, entries of R are below 2^901,
+// and the term for underflow is below 2^-90 of the bound.
+[[gnu::noinline]] Aabb scaled_box_by_table(const TableView& table, const Pose& pose) {
+    const ScaledPose scaled(pose, table.v_max, false);
+    if (scaled.is_zero()) return {};
+    Aabb box;
+    [[maybe_unused]] const bool is_found = dispatch<find_box>(table, scaled.pose(), box);
+    ECODS_ASSERT(is_found);
+    return scaled.unscaled(box);
 }
 
 }  // namespace
@@ -94,13 +111,17 @@ SupportTable::SupportTable(const Mesh& mesh, const LocalFrame& frame) : frame_(f
 }
 
 Aabb SupportTable::box(const Pose& pose) const {
-    return dispatch<box_by_table>(TableView{frame_, v_max_, v_max_of_all_, support_}, pose);
+    const TableView view{frame_, v_max_, v_max_of_all_, support_};
+    Aabb box;
+    if (!dispatch<find_box>(view, pose, box)) [[unlikely]]
+        box = scaled_box_by_table(view, pose);
+    return box;
 }
 
 namespace {
 
 // Calls `boxes_of` with `width` poses at a time, of which the last ones repeat where there are fewer; it returns
-// whether all are bounded. One that is left is asked for alone, and so are all where one is not bounded.
+// whether that can be done. One that is left is asked for alone, and so are all where one must be scaled.
 template <std::size_t width, class BoxesOf>
 void find_boxes(const SupportTable& table, std::span<const Pose* const> poses, std::span<Aabb* const> boxes,
                 const BoxesOf& boxes_of) {

@@ -33,8 +33,8 @@ class SupportTable {
     SupportTable(const Mesh& mesh, const LocalFrame& frame);
 
     // Returns a box that contains the exact body. On each side it is loose by at most an eighth of the mesh's half
-    // diagonal (1.6 % of the radius for a ball), and never looser than the oriented box. Infinite where numbers are too
-    // large for the bound.
+    // diagonal (1.6 % of the radius for a ball), and never looser than the oriented box. An end is infinite only
+    // beyond the largest double, whatever the other ends are.
     Aabb box(const Pose& pose) const;
 
     // The same of as many poses as boxes, the same bits: four at a time in about half the time, or eight at a time in a

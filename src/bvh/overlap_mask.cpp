@@ -191,7 +191,7 @@ struct WideKernel : OverlapKernel<8> {
             lanes_of_x &= in_slab(sets[1], y.slab, sets[1].a, x, -1);
             if (lanes_of_x == 0) return {};
         }
-        pairs &= lanes_of_x * 0x0101010101010101;
+        pairs &= wide::in_each_byte(lanes_of_x);
         if constexpr (std::is_same_v<Y, BvhNode>) {
             if (sets[0].a.is_unit && y.is_thin) {
                 pairs &= wide::bytes_of(in_thin(sets[0], x.slab, sets[0].b, y, 1));
@@ -200,7 +200,7 @@ struct WideKernel : OverlapKernel<8> {
         }
         if constexpr (std::is_same_v<X, BvhNode>) {
             if (sets[1].b.is_unit && x.is_thin) {
-                pairs &= in_thin(sets[1], y.slab, sets[1].a, x, -1) * 0x0101010101010101;
+                pairs &= wide::in_each_byte(in_thin(sets[1], y.slab, sets[1].a, x, -1));
                 if (pairs == 0) return {};
             }
         }

@@ -59,6 +59,11 @@ ECODS_WIDE_INLINE std::uint64_t bytes_of(std::uint32_t mask) noexcept {
     return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm_movm_epi8(static_cast<__mmask16>(mask))));
 }
 
+// A number below 256 in each of eight bytes.
+ECODS_WIDE_INLINE std::uint64_t in_each_byte(std::uint64_t number) noexcept {
+    return number * 0x0101010101010101u;
+}
+
 // The numbers 8 j + i of the lowest eight bits that are set in a word, one in each lane; where fewer are, the last
 // lanes repeat the first.
 struct PairNumbers {
@@ -69,7 +74,7 @@ struct PairNumbers {
     ECODS_WIDE_INLINE explicit PairNumbers(std::uint64_t& from) noexcept {
         bits = from;
         const auto first = static_cast<std::uint64_t>(std::countr_zero(from));
-        std::uint64_t numbers = first * 0x0101010101010101;
+        std::uint64_t numbers = in_each_byte(first);
         from &= from - 1;
         for (int lane = 8; from != 0 && lane < 64; lane += 8, from &= from - 1) {
             numbers ^= (static_cast<std::uint64_t>(std::countr_zero(from)) ^ first) << lane;

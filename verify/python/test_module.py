@@ -76,6 +76,7 @@ ERRORS = [
     (lambda: ecods.World().pose(3 << 32), ecods.StaleBody, f"body 3.0 is not alive in this world (id {3 << 32})",
      {"body": 3 << 32}),
     (lambda: ecods.Posed(None), ecods.NullArgument, None, {}),
+    (lambda: ecods.Moving(None, None, None), ecods.NullArgument, None, {}),
     (lambda: ecods.Trace("nonsense").replay(), ecods.InvalidTrace, None, {"line": 1}),
     (lambda: ecods.ConvexSolid.hull(np.zeros((5, 3))), ecods.NoInterior, None, {"point_count": 5}),
 ]
@@ -256,6 +257,7 @@ def test_posed_is_at(kind):
     made = kind(*box())
     for posed in (ecods.Posed(made, at(2)), ecods.Posed(mesh=made, pose=at(2)[:3]), made.at(at(2)), made.at(pose=at(2))):
         assert posed.mesh is made and np.array_equal(posed.pose, at(2)) and ecods.distance(posed, made) == 1
+    assert repr(ecods.Moving(made, None, end=at(2))) == repr(made.moving(None, at(2)))
     assert np.array_equal(ecods.Posed(made).pose, np.eye(4)) and ecods.intersects(ecods.Posed(made), made)
     with pytest.raises(ecods.InvalidPose):
         ecods.Posed(made, np.full((4, 4), np.nan))

@@ -13,10 +13,10 @@ MAKE = "make an ecods.Mesh of it, ecods.Mesh(vertices, faces)"
 
 REFUSED = [
     (lambda: ecods.distance(V, MESH),
-     f"distance: argument 1 (a) is a numpy array of shape (8, 3); a Mesh or Posed is expected: {MAKE} and place it with "
+     f"distance: argument 1 (a) is a numpy array of shape (8, 3); a Mesh or Posed is expected: {MAKE}, and place it with "
      ".at(pose)"),
     (lambda: ecods.distance(MESH, (V, F)),
-     f"distance: argument 2 (b) is a tuple of 2; a Mesh or Posed is expected: {MAKE} and place it with .at(pose)"),
+     f"distance: argument 2 (b) is a tuple of 2; a Mesh or Posed is expected: {MAKE}, and place it with .at(pose)"),
     (lambda: ecods.distance(MESH, b=Trimesh(V, F)),
      "distance: argument 2 (b) is a Trimesh; a Mesh or Posed is expected: make one, ecods.Mesh(mesh.vertices, "
      "mesh.faces), and place it with .at(pose)"),

@@ -24,8 +24,7 @@ void bind_casts(py::module_& m) {
         },
         py::arg("a"), py::arg("b"), py::arg("witness") = py::none(),
         "The same of two meshes of which each goes from one pose to another (Mesh.moving): each point straight from "
-        "its "
-        "one place to the other, so that a mesh that turns is not rigid on its way.");
+        "its one place to the other, so that a mesh that turns is not rigid on its way.");
 }
 
 }  // namespace ecods::python

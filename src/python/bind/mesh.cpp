@@ -195,6 +195,11 @@ void add_places(py::class_<PosedMesh>& type) {
 }
 
 void add_motions(py::class_<MovingMesh>& type) {
+    type.def(py::init([](std::shared_ptr<MeshShape> mesh, const Pose& start, const Pose& end) {
+                 return MovingMesh{require(std::move(mesh)), start, end};
+             }),
+             py::arg("mesh"), py::arg("start"), py::arg("end"),
+             "Mesh.moving(start, end). Raises InvalidPose, NullArgument.");
     type.def_property_readonly("mesh", [](const MovingMesh& self) { return self.shape; });
     type.def_property_readonly(
         "start", [](const MovingMesh& self) { return self.from; }, "(4, 4) float64.");
@@ -225,7 +230,7 @@ void bind_meshes(py::module_& m) {
     py::class_<PosedMesh> posed(m, "Posed",
                                 "A mesh at a pose: the set of the real points R v + t. Mesh.at() makes one, too.");
     py::class_<MovingMesh> moving(
-        m, "Moving", "A mesh on its way from one pose to another: each point goes straight. Made by Mesh.moving().");
+        m, "Moving", "A mesh on its way from one pose to another: each point goes straight. Mesh.moving() makes one, too.");
     py::class_<MeshShape, std::shared_ptr<MeshShape>> mesh(
         m, "Mesh",
         "Closed triangles, immutable: a surface, which need not be closed or connected. Triangles of zero area are the "

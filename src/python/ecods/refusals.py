@@ -71,9 +71,9 @@ def hint(kinds, value):
     """How to make what is wanted of arrays, or of another library's mesh."""
     if "Posed" not in kinds and "Mesh" not in kinds:
         return ""
-    place = " and place it with .at(pose)" if "Posed" in kinds else ""
+    place = ", and place it with .at(pose)" if "Posed" in kinds else ""
     if hasattr(value, "vertices") and hasattr(value, "faces"):
-        return f": make one, ecods.Mesh(mesh.vertices, mesh.faces),{place}"
+        return f": make one, ecods.Mesh(mesh.vertices, mesh.faces){place}"
     return f": {MAKE_A_MESH}{place}" if isinstance(value, (np.ndarray, list, tuple)) else ""
 
 

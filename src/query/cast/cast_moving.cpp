@@ -4,6 +4,7 @@
 #include "query/cast/contact_at_start.hpp"
 #include "query/cast/moving_search.hpp"
 #include "query/intersection/query_memory.hpp"
+#include "query/shape/other_units.hpp"
 
 namespace ecods {
 namespace {
@@ -20,6 +21,10 @@ std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<
     MovingSearch search(a, b, memory);
     const std::optional<float> first = search.first_of_boxes();
     if (!first) return std::nullopt;
+    const OtherUnits units(a, b);
+    if (units.are_better()) {
+        return as_part(memory, [&] { return cast_until(units.of(a), units.of(b), at_most, memory, witness); });
+    }
     PairWitness at_start = witness;
     if (!(*first > 0)) {
         const Posed<MeshShape> start_a(*a.what, a.from), start_b(*b.what, b.from);

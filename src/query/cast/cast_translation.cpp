@@ -5,6 +5,7 @@
 #include "query/cast/cast_until.hpp"
 #include "query/cast/contact_at_start.hpp"
 #include "query/cast/triangle_contacts.hpp"
+#include "query/shape/other_units.hpp"
 
 namespace ecods {
 namespace {
@@ -73,6 +74,11 @@ std::optional<FirstContact> cast_until(const Posed<MeshShape>& a, const Vec3& mo
     const exact::BodyRef body_b{&b.what->mesh(), &tree_b.extent, &b.pose};
     if (!working.translation.bind(body_a, motion, body_b, {tree_a.boxes, a.pose.R}, {tree_b.boxes, b.pose.R}, latest)) {
         return std::nullopt;
+    }
+    const OtherUnits units(a, b, motion);
+    if (units.are_better()) {
+        return as_part(memory,
+                       [&] { return cast_until(units.of(a), units.of(motion), units.of(b), latest, memory, witness); });
     }
     return CastSearch<Translation>(working.translation, a, b, working.working, memory).find(latest, witness);
 }

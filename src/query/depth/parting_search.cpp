@@ -17,6 +17,9 @@ constexpr int normal_count_max = 3;
 // By how much a way is made longer until it parts the solids, relative to the numbers that it is a difference of.
 constexpr std::array<double, 6> margins{0, 0x1p-52, 0x1p-50, 0x1p-46, 0x1p-38, 0x1p-26};
 
+// Beyond, a contact is known to 2^-33 of its distance from the end of the way.
+constexpr double short_part = 0x1p-20;
+
 const exact::MeshExtent& extent_of(const Posed<Solid>& solid) {
     return MeshShapeAccess::tree(*solid.what).extent;
 }
@@ -38,6 +41,10 @@ PartingSearch::PartingSearch(const Posed<Solid>& a, const Posed<Solid>& b, Query
         return solid.pose.R * extent_of(solid).center + solid.pose.t;
     };
     centers_ = {center(a), center(b)};
+    const auto size = [](const Posed<Solid>& solid) -> double {
+        return (solid.pose.R.cwiseAbs() * extent_of(solid).half).maxCoeff();
+    };
+    way_min_ = 0x1p-48 * std::min(size(a), size(b));
 }
 
 double PartingSearch::reach_along(const Vec3& n) const {
@@ -78,7 +85,23 @@ void PartingSearch::try_length(const Vec3& direction, double length) {
     }
 }
 
+// The time of a contact resolves 2^-53 of the way, which is as long as the solids are large. Where the contact comes in
+// a short last part of the way, that part is cast along once more, allowing for the roundings of the longer one; and
+// so on, until the part is no longer short. A body that is 2^k times as large as the depth takes about k / 48 casts
+// more.
 std::optional<FirstContact> PartingSearch::slide(const Direction& way) {
+    std::optional<FirstContact> contact = slide_once(way);
+    Direction rest = way;
+    while (contact && contact->time > 1 - short_part && rest.reach > way_min_) {
+        rest.reach *= (1 - contact->time) + 0x1p-48;
+        const std::optional<FirstContact> again = slide_once(rest);
+        if (!again || !(again->time > 0)) break;  // the solids part nowhere in it
+        contact = again;
+    }
+    return contact;
+}
+
+std::optional<FirstContact> PartingSearch::slide_once(const Direction& way) {
     const Vec3 out = b_.pose.t + way.n * way.reach, motion = b_.pose.t - out;
     if (!out.allFinite() || !motion.allFinite()) return std::nullopt;
     const Posed<MeshShape> moved(*b_.what, {b_.pose.R, out});

@@ -42,6 +42,7 @@ class PartingSearch {
     void add_direction(const Vec3& n);
     double reach_along(const Vec3& n) const;
     std::optional<FirstContact> slide(const Direction& way);
+    std::optional<FirstContact> slide_once(const Direction& way);
     std::optional<Vec3> contact_normal(const FirstContact& contact, const Vec3& along) const;
     Vec3 contact_point(const FirstContact& contact, const Vec3& parted) const;
     Vec3 corner(bool second, const FirstContact& contact, std::uint32_t i) const;
@@ -51,6 +52,7 @@ class PartingSearch {
     const Posed<Solid>& b_;
     QueryMemory& memory_;
     std::array<Vec3, 2> centers_;  // of the posed boxes of the meshes
+    double way_min_;               // shorter ones are not made shorter
     std::vector<Direction> directions_;
     Parting best_;
 };

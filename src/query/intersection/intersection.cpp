@@ -16,6 +16,7 @@
 #include "query/intersection/query_memory.hpp"
 #include "query/intersection/single_triangles.hpp"
 #include "query/shape/mesh_tree.hpp"
+#include "query/shape/other_units.hpp"
 
 namespace ecods {
 
@@ -93,8 +94,12 @@ class Query {
     }
     Query(const Query&) = delete;
     Query& operator=(const Query&) = delete;
-    ~Query() {
+    ~Query() { leave_pair(); }
+
+    // Before another query works in the same memory.
+    void leave_pair() noexcept {
         if (pair_is_bound_) state_.counts.stages += state_.pair.counts();
+        pair_is_bound_ = false;
     }
 
     Relation relation_of(std::uint32_t i, std::uint32_t j) {
@@ -125,6 +130,11 @@ class Query {
         return state_.axes.bind({tree_a_.boxes, a_.pose.R}, {tree_b_.boxes, b_.pose.R}, b_.pose.t - a_.pose.t, first);
     }
 
+    // Whether no axis says anything, as of bodies near the ends of the range of doubles. After bind_axes.
+    bool has_no_axes() const noexcept {
+        return state_.axes.sets()[0].b.margin[0] == std::numeric_limits<float>::infinity();
+    }
+
     // Calls visit(i, j, crosses) for pairs of triangles, among them every pair that shares a point, until it returns
     // false; `crosses` of those that are known to cross. After bind_axes.
     template <class Visit>
@@ -153,6 +163,17 @@ class Query {
     QueryMemoryAccess::State& state_;
     bool pair_is_bound_ = false;
 };
+
+// Asks about both bodies in other units if that is better.
+template <class Ask>
+[[gnu::noinline]] auto ask_in_other_units(const MeshAt& a, const MeshAt& b, QueryMemory& memory, Ask&& ask)
+    -> std::optional<decltype(ask(a, b))> {
+    const Posed<MeshShape> posed_a(a.shape, a.pose), posed_b(b.shape, b.pose);
+    const OtherUnits units(posed_a, posed_b);
+    if (!units.are_better()) return std::nullopt;
+    const Posed<MeshShape> other_a = units.of(posed_a), other_b = units.of(posed_b);
+    return as_part(memory, [&] { return ask(MeshAt(other_a), MeshAt(other_b)); });
+}
 
 // A witness is a pair of triangles, or no triangle and the number of an axis.
 bool holds_triangles(const PairWitness& witness, const MeshAt& a, const MeshAt& b) {
@@ -197,6 +218,12 @@ bool find_contact(const MeshAt& a, const MeshAt& b, QueryMemory& memory, PairWit
         witness = witness_of(axis);
         return false;
     }
+    if (query.has_no_axes()) [[unlikely]] {
+        query.leave_pair();
+        const auto answer = ask_in_other_units(
+            a, b, memory, [&](const MeshAt& x, const MeshAt& y) { return find_contact(x, y, memory, witness); });
+        if (answer) return *answer;
+    }
     witness = {};
     bool found = false;
     query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j, bool crosses) {
@@ -212,6 +239,12 @@ Relation find_relation(const MeshAt& a, const MeshAt& b, QueryMemory& memory) {
     Query query(a, b, memory);
     Relation strongest = Relation::disjoint;
     if (query.bind_axes() >= 0) return strongest;
+    if (query.has_no_axes()) [[unlikely]] {
+        query.leave_pair();
+        const auto answer = ask_in_other_units(
+            a, b, memory, [&](const MeshAt& x, const MeshAt& y) { return find_relation(x, y, memory); });
+        if (answer) return *answer;
+    }
     query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j, bool crosses) {
         strongest = std::max(strongest, query.relation_of(i, j, crosses));
         return strongest != Relation::crossing;
@@ -223,6 +256,12 @@ std::vector<TrianglePair> find_triangles(const MeshAt& a, const MeshAt& b, Query
     std::vector<TrianglePair> pairs;
     Query query(a, b, memory);
     if (query.bind_axes() >= 0) return pairs;
+    if (query.has_no_axes()) [[unlikely]] {
+        query.leave_pair();
+        auto answer = ask_in_other_units(
+            a, b, memory, [&](const MeshAt& x, const MeshAt& y) { return find_triangles(x, y, memory); });
+        if (answer) return std::move(*answer);
+    }
     query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j, bool crosses) {
         if (query.relation_of(i, j, crosses) != Relation::disjoint) pairs.push_back({i, j});
         return true;

@@ -28,6 +28,7 @@ struct MeshShape::Parts {
     Lazy<std::unique_ptr<const MeshTree>> tree;
     Lazy<std::unique_ptr<const CoplanarGroups>> groups;
     Lazy<Sha256::Digest> digest;
+    Lazy<std::unique_ptr<const MeshShape>> in_other_units;
 
     // What boxes are looked up in; null where vertices are posed for them.
     const SupportTable* table_for(const MeshShape& shape);
@@ -61,6 +62,11 @@ const Sha256::Digest& MeshShapeAccess::digest(const MeshShape& shape, Sha256::Di
     return shape.parts_->digest.get([&] { return make(shape); });
 }
 
+const MeshShape& MeshShapeAccess::in_other_units(const MeshShape& shape,
+                                                 std::shared_ptr<const Mesh> (*make)(const Mesh& mesh, int e), int e) {
+    return *shape.parts_->in_other_units.get([&] { return std::make_unique<const MeshShape>(make(shape.mesh(), e)); });
+}
+
 void MeshShapeAccess::refit_tree(const MeshShape& shape, const MeshShape& model) {
     shape.parts_->tree.get([&] {
         return std::make_unique<const MeshTree>(
@@ -71,7 +77,8 @@ void MeshShapeAccess::refit_tree(const MeshShape& shape, const MeshShape& model)
 const SupportTable* MeshShape::Parts::table_for(const MeshShape& shape) {
     if (shape.mesh().vertices().size() <= vertices_posed_max) return nullptr;
     const LocalFrame& own = MeshShapeAccess::frame(shape);
-    if (!own.is_bounded) return nullptr;
+    // Of a mesh that is larger or smaller than a frame can be, a table would know little.
+    if (!own.is_bounded || own.half.maxCoeff() < 0.25) return nullptr;
     return &support_table.get([&] { return SupportTable(shape.mesh(), own); });
 }
 

@@ -28,6 +28,10 @@ struct MeshShapeAccess {
     static void find_boxes(const MeshShape& shape, std::span<const Pose* const> poses, std::span<Aabb* const> boxes);
     static const CoplanarGroups& groups(const MeshShape& shape);
 
+    // The shape of the same mesh 2^e times as large (other_units.hpp); e is the same whenever this is asked of a shape.
+    static const MeshShape& in_other_units(const MeshShape& shape,
+                                           std::shared_ptr<const Mesh> (*make)(const Mesh& mesh, int e), int e);
+
     // The digest of the text by which certificates mean the mesh (query/certificate): what `make` makes when it is
     // asked first.
     static const Sha256::Digest& digest(const MeshShape& shape, Sha256::Digest (*make)(const MeshShape&));

@@ -87,12 +87,17 @@ TEST(SupportTable, ContainsBodiesOfEverySize) {
     measure(scaled(*scenes::ship(), Vec3::Constant(1e-6), Vec3(1e6, 0, 1)), 0.1);
 }
 
-TEST(SupportTable, IsInfiniteWhereItsBoundIs) {
+TEST(SupportTable, IsInfiniteOnlyBeyondTheLargestDouble) {
     const auto sphere = scenes::sphere(12, 8);
     const LocalFrame frame = fit_frame(*sphere);
+    const SupportTable support_table(*sphere, frame);
     Pose pose;
     pose.R *= 1.7e308;
-    EXPECT_EQ(SupportTable(*sphere, frame).box(pose).max[0], std::numeric_limits<double>::infinity());
+    EXPECT_LT(support_table.box(pose).max[0], 1.79e308);
+    pose.t[0] = 1.7e308;
+    EXPECT_EQ(support_table.box(pose).max[0], std::numeric_limits<double>::infinity());
+    EXPECT_GT(support_table.box(pose).min[0], -1e307);
+    EXPECT_GT(support_table.box(pose).min[1], -1.79e308);
 }
 
 // Rounding down makes large numbers of some infinities.

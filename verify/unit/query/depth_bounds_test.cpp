@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -147,6 +148,48 @@ TEST(DepthBounds, AreNarrow) {
     ASSERT_TRUE(rings);
     EXPECT_GT(rings->lower, 0.1);
     EXPECT_LE(rings->upper, 0.71);
+}
+
+// A bracket of nearly 25 km in a half space that is written as a box, however large that is: on its way out it passes
+// the top of the box in the last part of a way as long as the box is.
+TEST(DepthBounds, AreNarrowBesideABoxOfAnySize) {
+    const std::array<Vec2, 6> outline{Vec2(0, -25000),    Vec2(3000, -25000), Vec2(3000, -12000),
+                                      Vec2(1000, -12000), Vec2(1000, 5000),   Vec2(0, 5000)};
+    std::vector<Vec3> corners;
+    for (const double y : {0.0, 2000.0}) {
+        for (const Vec2& p : outline) corners.emplace_back(p[0], y, p[1]);
+    }
+    std::vector<Triangle> triangles;
+    for (const Triangle& t : {Triangle{0, 1, 2}, Triangle{0, 2, 3}, Triangle{0, 3, 4}, Triangle{0, 4, 5}}) {
+        triangles.push_back(t);
+        triangles.push_back({t[0] + 6, t[2] + 6, t[1] + 6});
+    }
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        const std::uint32_t j = (i + 1) % 6;
+        triangles.push_back({i, i + 6, j});
+        triangles.push_back({j, i + 6, j + 6});
+    }
+    const Solid bracket(Mesh::create(corners, triangles));
+    scenes::Random random(31);
+    QueryMemory memory;
+    const auto cube = scenes::cube(1);
+    for (const double half : {1e5, 1e22, 3.40282347e38, 1e100, 1e300}) {
+        std::vector<Vec3> ends;
+        for (const Vec3& v : cube->vertices()) ends.emplace_back(v[0] * half, v[1] * half, v[2] > 0 ? -100 : -half);
+        const Solid ground(Mesh::create(ends, {cube->triangles().begin(), cube->triangles().end()}));
+        for (int turn = 0; turn < 2; ++turn) {
+            Pose pose;
+            if (turn > 0) pose.R = random.rotation().toRotationMatrix();
+            for (const bool is_ground_second : {false, true}) {
+                SCOPED_TRACE(testing::Message() << half << ' ' << turn << ' ' << is_ground_second);
+                const Solid &a = is_ground_second ? bracket : ground, &b = is_ground_second ? ground : bracket;
+                const DepthBounds bounds = depth_bounds({a, pose}, {b, pose}, memory);
+                EXPECT_FALSE(shares_inner_points({a, pose}, {b, {pose.R, bounds.parted}}, memory));
+                EXPECT_LE(bounds.upper, 24900 * (1 + 0x1p-45));
+                EXPECT_GT(bounds.lower, 24899);
+            }
+        }
+    }
 }
 
 TEST(DepthBounds, AreRefusedWithReason) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "ecods/world.hpp"
 #include "scenes/room.hpp"
 #include "scenes/shapes.hpp"
@@ -29,6 +31,24 @@ TEST(WorldWork, AFrameInWhichNothingMovedDoesNothing) {
     EXPECT_EQ(after.broad_phase.box_tests, before.broad_phase.box_tests);
     EXPECT_EQ(after.broad_phase.moved, before.broad_phase.moved);
     EXPECT_EQ(after.cache_hits, before.cache_hits + 2 * before.overlapping_count);
+}
+
+// A box is finite as long as doubles are, so one that is far away is beside no other: along an axis, along all, or so
+// large itself that one side is beyond all doubles.
+TEST(WorldWork, ABodyNearTheLargestDoubleIsNoCandidate) {
+    const double far = std::numeric_limits<double>::max();
+    Pose huge = at(far, 0, 0);
+    huge.R(0, 0) = far;
+    for (const Pose& pose : {at(1e305, 0, 0), at(1e308, 0, 0), at(far, -far, far), huge}) {
+        for (const BroadPhaseKind kind : {BroadPhaseKind::sweep_and_prune, BroadPhaseKind::brute_force}) {
+            World world({.broad_phase = kind});
+            const auto cube = scenes::cube(0.5);
+            for (int i = 0; i < 63; ++i) world.create_body(cube, at(2 * i, 0, 0));
+            world.create_body(cube, pose);
+            world.update();
+            EXPECT_EQ(world.statistics().overlapping_count, 0u) << pose.t.transpose();
+        }
+    }
 }
 
 TEST(WorldWork, OneBodyThatMovedCostsItsOwnPairs) {

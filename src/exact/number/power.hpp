@@ -1,0 +1,47 @@
+// Doubles times powers of two, by their bits: no floating-point environment takes part, and what is subnormal counts.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+#include "base/assert.hpp"
+#include "exact/number/dyadic.hpp"
+
+namespace ecods::exact {
+
+// The exponent of zero: sums of it and another one are below those of two numbers that are not zero, -2148 or more.
+inline constexpr int exponent_of_zero = -8192;
+
+// The least e with |x| < 2^e, for finite x.
+constexpr int exponent_above(double x) noexcept {
+    const Dyadic d = decode(x);
+    return d.m == 0 ? exponent_of_zero : d.e + static_cast<int>(std::bit_width(magnitude(d.m)));
+}
+
+// x 2^e for finite x: zero where the result is below 2^-1022. It must be below 2^1024.
+inline double times_power(double x, int e) noexcept {
+    const Dyadic d = decode(x);
+    const auto width = static_cast<int>(std::bit_width(magnitude(d.m)));
+    if (d.m == 0 || d.e + e + width <= -1022) return 0;
+    ECODS_ASSERT(d.e + e + width <= 1024);
+    const auto bits = std::bit_cast<std::uint64_t>(static_cast<double>(d.m));  // exact: d.m is below 2^53
+    return std::bit_cast<double>(bits + (static_cast<std::uint64_t>(std::int64_t{d.e} + e) << 52));
+}
+
+// The least double that is not below x 2^e, for finite x.
+inline double times_power_above(double x, int e) noexcept {
+    constexpr std::uint64_t sign_bit = std::uint64_t{1} << 63;
+    const Dyadic d = decode(x);
+    if (d.m == 0) return 0;
+    const std::uint64_t size = magnitude(d.m);
+    const int low = d.e + e, high = low + static_cast<int>(std::bit_width(size));  // the digits of the result
+    if (high > 1024) return d.m > 0 ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::lowest();
+    if (high > -1022) return times_power(x, e);
+    // The result is subnormal, a multiple of 2^-1074. As m is odd, no digit but zeros can be dropped without an error.
+    if (low >= -1074) return std::bit_cast<double>(size << (low + 1074) | (d.m < 0 ? sign_bit : 0));
+    const std::uint64_t kept = low > -1074 - 64 ? size >> (-1074 - low) : 0;
+    return std::bit_cast<double>(d.m < 0 ? kept | sign_bit : kept + 1);
+}
+
+}  // namespace ecods::exact

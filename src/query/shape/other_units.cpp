@@ -1,0 +1,139 @@
+#include "query/shape/other_units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "exact/number/power.hpp"
+#include "query/shape/mesh_tree.hpp"
+
+namespace ecods {
+namespace {
+
+using exact::exponent_above;
+
+constexpr int moderate_max = 200;
+constexpr double least = 0x1p-200, most = 0x1p200;
+
+bool is_moderate(int exponent) {
+    return exponent >= -moderate_max && exponent <= moderate_max;
+}
+
+// The exponent of the largest coordinate of the mesh.
+int exponent_of(const MeshShape& shape) {
+    const Vec3& size = MeshShapeAccess::tree(shape).extent.magnitude;
+    return std::max({exponent_above(size[0]), exponent_above(size[1]), exponent_above(size[2])});
+}
+
+// By which power of two a mesh of its own is larger: always the same.
+int scale_of(const MeshShape& shape) {
+    const int exponent = exponent_of(shape);
+    return is_moderate(exponent) || exponent == exact::exponent_of_zero ? 0 : -exponent;
+}
+
+template <class Numbers>
+int exponent_of_all(const Numbers& numbers) {
+    int exponent = exact::exponent_of_zero;
+    for (int i = 0; i < numbers.size(); ++i) exponent = std::max(exponent, exponent_above(numbers.data()[i]));
+    return exponent;
+}
+
+// Whether all numbers times 2^e are doubles.
+template <class Numbers>
+bool can_scale_all(const Numbers& numbers, int e) {
+    return std::all_of(numbers.data(), numbers.data() + numbers.size(), [e](double x) {
+        return exact::decode(x).m == 0 || (exact::decode(x).e + e >= -1022 && exponent_above(x) + e <= 1024);
+    });
+}
+
+template <class Numbers>
+Numbers scaled_all(const Numbers& numbers, int e) {
+    Numbers result;
+    for (int i = 0; i < numbers.size(); ++i) result.data()[i] = exact::times_power(numbers.data()[i], e);
+    return result;
+}
+
+// Vertices that no triangle uses stay as they are.
+std::shared_ptr<const Mesh> scaled_mesh(const Mesh& mesh, int e) {
+    std::vector<Vec3> vertices(mesh.vertices().begin(), mesh.vertices().end());
+    std::vector<Triangle> triangles(mesh.triangles().begin(), mesh.triangles().end());
+    std::vector<bool> is_done(vertices.size());
+    for (const Triangle& triangle : triangles) {
+        for (const std::uint32_t index : triangle) {
+            if (!is_done[index]) vertices[index] = scaled_all(vertices[index], e);
+            is_done[index] = true;
+        }
+    }
+    return Mesh::create(std::move(vertices), std::move(triangles));
+}
+
+const MeshShape& own_mesh(const MeshShape& shape) {
+    const int e = scale_of(shape);
+    return e == 0 ? shape : MeshShapeAccess::in_other_units(shape, scaled_mesh, e);
+}
+
+// About the largest coordinate, without the translation, unless it is subnormal.
+double size_of(const MeshShape& shape, const Pose& pose) {
+    return pose.R.cwiseAbs().maxCoeff() * MeshShapeAccess::tree(shape).extent.magnitude.maxCoeff();
+}
+
+}  // namespace
+
+OtherUnits::OtherUnits(const Moving<MeshShape>& a, const Moving<MeshShape>& b) {
+    const double size = std::max(std::max(size_of(*a.what, a.from), size_of(*a.what, a.to)),
+                                 std::max(size_of(*b.what, b.from), size_of(*b.what, b.to)));
+    if (size > least && size < most) [[likely]]
+        return;
+    choose({Body{a.what, {&a.from, &a.to}}, Body{b.what, {&b.from, &b.to}}}, Vec3::Zero());
+}
+
+OtherUnits::OtherUnits(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Vec3& motion) {
+    const double size = std::max(size_of(*a.what, a.pose), size_of(*b.what, b.pose));
+    if (size > least && size < most) [[likely]]
+        return;
+    choose({Body{a.what, {&a.pose, &a.pose}}, Body{b.what, {&b.pose, &b.pose}}}, motion);
+}
+
+void OtherUnits::choose(const std::array<Body, 2>& bodies, const Vec3& motion) {
+    int exponent = 2 * exact::exponent_of_zero;
+    for (const Body& body : bodies) {
+        const int of_mesh = exponent_of(*body.shape);
+        for (const Pose* pose : body.poses) exponent = std::max(exponent, exponent_of_all(pose->R) + of_mesh);
+    }
+    if (is_moderate(exponent) || exponent < exact::exponent_of_zero / 2) return;
+    exponent_ = -exponent;
+    const bool can = can_scale_all(motion, exponent_) &&
+                     std::ranges::all_of(bodies, [&](const Body& body) { return can_scale(body); });
+    if (!can) exponent_ = 0;
+}
+
+bool OtherUnits::can_scale(const Body& body) const {
+    const int of_mesh = scale_of(*body.shape);
+    if (of_mesh != 0) {
+        for (const exact::BitRange& digits : MeshShapeAccess::tree(*body.shape).extent.digits) {
+            if (!digits.empty() && digits.low + of_mesh < -1022) return false;
+        }
+    }
+    return std::ranges::all_of(body.poses, [&](const Pose* pose) {
+        return can_scale_all(pose->t, exponent_) && can_scale_all(pose->R, exponent_ - of_mesh);
+    });
+}
+
+Pose OtherUnits::pose_of(const MeshShape& shape, const Pose& pose) const {
+    return {scaled_all(pose.R, exponent_ - scale_of(shape)), scaled_all(pose.t, exponent_)};
+}
+
+Posed<MeshShape> OtherUnits::of(const Posed<MeshShape>& body) const {
+    return {own_mesh(*body.what), pose_of(*body.what, body.pose)};
+}
+
+Moving<MeshShape> OtherUnits::of(const Moving<MeshShape>& body) const {
+    return {own_mesh(*body.what), pose_of(*body.what, body.from), pose_of(*body.what, body.to)};
+}
+
+Vec3 OtherUnits::of(const Vec3& motion) const noexcept {
+    return scaled_all(motion, exponent_);
+}
+
+}  // namespace ecods
