@@ -28,7 +28,7 @@ ECODS_API bool contains(const Aabb& outer, const Aabb& inner) noexcept;
 ECODS_API Aabb merge(const Aabb& a, const Aabb& b) noexcept;
 
 // A box that contains the exact posed mesh, and exceeds the tightest one on each side by no more than the largest
-// coordinate of 18 u (|R| v_max + |t|), where u = 2^-53 and v_max are the largest coordinates in magnitude; by one
+// coordinate of 21 u (|R| v_max + |t|), where u = 2^-53 and v_max are the largest coordinates in magnitude; by one
 // double where these are subnormal. An end is infinite only beyond the largest double, whatever the other ends are.
 // Cost: one pass over the vertices in use.
 ECODS_API Aabb box_of(const Mesh& mesh, const Pose& pose);
