@@ -52,7 +52,7 @@ struct Scene {
             return rounded(size * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
         };
         for (std::size_t i = 0; i < count; ++i) {
-            Body& body = bodies.emplace_back(Body{own, {}, {}, {}});
+            Body& body = bodies.emplace_back(Body{own, {}, {}});
             body.from.R = body.to.R = random.rotation().toRotationMatrix();
             if (i % 2 == 0) body.to.R = random.rotation().toRotationMatrix();
             body.from.t = scaled(point(4), e);
