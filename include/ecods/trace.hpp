@@ -42,7 +42,9 @@
 //
 // A body is written as slot and generation. "update" stands in the file before the update runs, and its result is
 // added after: of a program that crashes, the last line is "update" alone. Of an update that threw it is "update
-// failed". reserve() is not written: it changes no answer. set_test cannot be, and leaves a note.
+// failed". Lines end with LF; a file whose first line ends with CR LF, as some editors write it, is read as well, and a
+// byte order mark at its beginning is passed over. reserve() is not written: it changes no answer. set_test cannot be,
+// and leaves a note.
 #pragma once
 
 #include <functional>

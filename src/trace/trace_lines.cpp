@@ -37,8 +37,19 @@ bool TraceLines::next() {
         throw InvalidTrace(number_ + 1, "cannot be read");
     }
     ++number_;
+    if (drops_cr_ && text_.ends_with('\r')) text_.pop_back();
     left_ = text_;
     return true;
+}
+
+bool TraceLines::next_is_header(std::string_view header) {
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    if (!next()) return false;
+    std::string_view line = rest();
+    if (line.starts_with(mark)) line.remove_prefix(mark.size());
+    drops_cr_ = line.ends_with('\r');
+    if (drops_cr_) line.remove_suffix(1);
+    return line == header;
 }
 
 std::string_view TraceLines::word(const char* what) {

@@ -22,6 +22,10 @@ class TraceLines {
     // stream has a part in it, and where memory runs out, std::bad_alloc is thrown.
     bool next();
 
+    // Goes to the first line, and returns whether it is this one. It may begin with the byte order mark of UTF-8. If it
+    // ends with CR LF, so does each line: an editor wrote them, and the CR belongs to no line.
+    bool next_is_header(std::string_view header);
+
     // The next word of the line. `what` names it in the error that is thrown where it is missing or another.
     std::string_view word(const char* what);
     std::uint64_t hex(const char* what);
@@ -53,6 +57,7 @@ class TraceLines {
     std::string text_;
     std::string_view left_;  // of text_
     std::size_t number_;
+    bool drops_cr_ = false;  // from the end of each line
 };
 
 }  // namespace ecods

@@ -69,7 +69,7 @@ void FieldReader::posed_bodies(std::vector<calls::Label>& bodies, std::vector<Po
 // ---- lines
 
 TraceReader::TraceReader(std::istream& in) : lines_(in) {
-    if (!lines_.next() || lines_.rest() != trace_header) {
+    if (!lines_.next_is_header(trace_header)) {
         throw InvalidTrace(1, "a trace begins with '" + std::string(trace_header) + "'");
     }
     lines_.require_next("world");

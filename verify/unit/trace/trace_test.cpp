@@ -208,5 +208,30 @@ TEST(Trace, GoesWithItsWorld) {
     EXPECT_EQ(report.update_count, 2u);
 }
 
+// Editors and version control on Windows write CR LF, and a byte order mark.
+TEST(Trace, IsReadWithTheLineEndsOfEditors) {
+    std::ostringstream out;
+    World world;
+    world.trace_to(out);
+    world.create_body(triangle, at(0));
+    world.create_body(triangle, at(0.5));
+    world.update();
+    world.end_trace();
+    std::string text;
+    for (const char c : out.str() + "note two words\n") text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    const auto expect_whole = [](const std::string& trace) {
+        const ReplayReport report = replay_text(trace);
+        EXPECT_EQ(report.update_count, 1U);
+        EXPECT_FALSE(report.difference);
+    };
+    expect_whole(out.str());
+    expect_whole(text);
+    expect_whole("\xef\xbb\xbf" + text);
+    expect_whole("\xef\xbb\xbf" + out.str());
+    // A trace of one kind of line end has no others.
+    EXPECT_THROW(replay_text(out.str() + "update\r\n"), InvalidTrace);
+    EXPECT_THROW(replay_text("ecods-trace 1\r\r\n" + text.substr(text.find('\n') + 1)), InvalidTrace);
+}
+
 }  // namespace
 }  // namespace ecods::trace_test
