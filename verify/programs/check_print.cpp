@@ -187,7 +187,17 @@ void print_report(std::FILE* out, const OracleReport& report) {
 nlohmann::ordered_json to_json(const scenes::Scene& scene) {
     nlohmann::ordered_json names = nlohmann::ordered_json::array();
     for (const scenes::SceneBody& body : scene.bodies) names.push_back(body.name);
-    return {{"bodies", names}, {"frames", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json{{"bodies", names}};
+    for (const auto& [file, counts] : scene.polygons) {
+        json["polygons"].push_back({{"file", file},
+                                    {"polygons", counts.polygons},
+                                    {"ears", counts.ears},
+                                    {"crossing", counts.crossing},
+                                    {"in_no_plane", counts.in_no_plane}});
+        if (counts.crossing > 0) json["polygons"].back()["first_crossing"] = counts.first_crossing;
+    }
+    json["frames"] = nlohmann::ordered_json::array();
+    return json;
 }
 
 nlohmann::ordered_json to_json(const scenes::Scene& scene, const FrameAnswer& answer) {

@@ -10,6 +10,7 @@
 
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
+#include "scenes/polygon/polygon_counts.hpp"
 
 namespace ecods::scenes {
 
@@ -37,12 +38,18 @@ struct Frame {
     std::vector<Move> moves;
 };
 
+struct FilePolygons {
+    std::string file;
+    PolygonCounts counts;
+};
+
 // The poses of `bodies` are the rest, frame 0; `frames[i]` leads from frame i to frame i + 1.
 struct Scene {
     std::vector<NamedMesh> meshes;
     std::vector<SceneBody> bodies;
     std::vector<Frame> frames;
-    std::vector<std::string> notes;  // "FILE: TEXT": what a file has, and the scene has not
+    std::vector<std::string> notes;           // "FILE: TEXT": what a file has, and the scene has not, or has otherwise
+    std::vector<FilePolygons> polygons = {};  // of files of which some are no fans, or in no plane
 };
 
 }  // namespace ecods::scenes

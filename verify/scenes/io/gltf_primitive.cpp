@@ -60,11 +60,11 @@ void add_triangles(const JsonPlace& primitive, std::span<const std::uint32_t> co
     const std::uint32_t mode = place ? place->index() : triangles;
     if (mode == triangles) {
         if (corners.size() % 3 != 0) primitive.fail("the number of corners is no multiple of three");
-        for (std::size_t i = 0; i < corners.size(); i += 3) soup.add_polygon(corners.subspan(i, 3));
+        for (std::size_t i = 0; i < corners.size(); i += 3) soup.add_fan(corners.subspan(i, 3));
     } else if (mode == strip) {
-        for (std::size_t i = 0; i + 3 <= corners.size(); ++i) soup.add_polygon(corners.subspan(i, 3));
+        for (std::size_t i = 0; i + 3 <= corners.size(); ++i) soup.add_fan(corners.subspan(i, 3));
     } else if (mode == fan) {
-        soup.add_polygon(corners);
+        soup.add_fan(corners);
     } else {
         place->fail(fmt::format("mode {} (points or lines) is not supported", mode));
     }

@@ -35,12 +35,16 @@ bool is_mesh_file(const std::filesystem::path& file) {
     return reader_of(file) != nullptr;
 }
 
-std::shared_ptr<const Mesh> read_mesh_file(const std::filesystem::path& file) {
-    return make_mesh(file, "", read_soup(file));
+std::shared_ptr<const Mesh> read_mesh_file(const std::filesystem::path& file, PolygonCounts* polygons) {
+    MeshSoup soup = read_soup(file);
+    if (polygons != nullptr) *polygons = soup.polygons;
+    return make_mesh(file, "", std::move(soup));
 }
 
-std::vector<NamedMesh> read_mesh_parts(const std::filesystem::path& file) {
-    return make_part_meshes(file, read_soup(file));
+std::vector<NamedMesh> read_mesh_parts(const std::filesystem::path& file, PolygonCounts* polygons) {
+    MeshSoup soup = read_soup(file);
+    if (polygons != nullptr) *polygons = soup.polygons;
+    return make_part_meshes(file, std::move(soup));
 }
 
 }  // namespace ecods::scenes

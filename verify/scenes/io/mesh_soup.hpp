@@ -8,6 +8,8 @@
 
 #include "ecods/mesh.hpp"
 #include "scenes/io/text_file.hpp"
+#include "scenes/polygon/cut_polygon.hpp"
+#include "scenes/polygon/polygon_counts.hpp"
 #include "scenes/scene.hpp"
 
 namespace ecods::scenes {
@@ -25,11 +27,23 @@ struct MeshSoup {
     std::vector<std::string> part_names;
     std::vector<Run> runs;
 
-    // Cuts the polygon into a fan around its first corner. Three corners at least, which are valid indices.
-    void add_polygon(std::span<const std::uint32_t> corners);
+    PolygonCounts polygons;
+
+    // Cuts the polygon into triangles that cover it once (cut_polygon.hpp), and counts it. Three corners at least,
+    // which are valid indices. `place()` says where it is in the file.
+    template <class Place>
+    void add_polygon(std::span<const std::uint32_t> corners, const Place& place) {
+        if (cut_and_count(corners) == PolygonCut::crossing && polygons.crossing == 1) polygons.first_crossing = place();
+    }
+
+    // The fan around the first corner, whatever it covers.
+    void add_fan(std::span<const std::uint32_t> corners);
 
     // Triangles from now on belong to this part.
     void begin_run(std::size_t part) { runs.push_back({triangles.size(), part}); }
+
+  private:
+    PolygonCut cut_and_count(std::span<const std::uint32_t> corners);
 };
 
 // One per format; the text is the whole file. Throw ReadError. A soup may come out empty.

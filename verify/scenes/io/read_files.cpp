@@ -4,6 +4,7 @@
 #include "scenes/io/extension.hpp"
 #include "scenes/io/gltf_file.hpp"
 #include "scenes/io/mesh_file.hpp"
+#include "scenes/io/polygon_notes.hpp"
 #include "scenes/io/read_bytes.hpp"
 #include "scenes/io/scene_file.hpp"
 
@@ -13,7 +14,9 @@ namespace {
 // A body for each part, named as the part is; as the file is, where that has no name or is the only one.
 Scene scene_of_parts(const std::filesystem::path& file) {
     Scene scene;
-    std::vector<NamedMesh> parts = read_mesh_parts(file);
+    PolygonCounts polygons;
+    std::vector<NamedMesh> parts = read_mesh_parts(file, &polygons);
+    add_polygon_counts(file, polygons, scene);
     const bool is_one = parts.size() == 1;
     for (NamedMesh& part : parts) {
         if (is_one || part.name.empty()) part.name = file.stem().string();
@@ -38,6 +41,7 @@ void append(Scene& scene, Scene part) {
         }
     }
     for (std::string& note : part.notes) scene.notes.push_back(std::move(note));
+    for (FilePolygons& polygons : part.polygons) scene.polygons.push_back(std::move(polygons));
 }
 
 }  // namespace

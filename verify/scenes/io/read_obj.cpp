@@ -46,12 +46,12 @@ std::uint32_t read_corner(const LineReader& reader, std::string_view word, std::
     return static_cast<std::uint32_t>(index > 0 ? index - 1 : count + index);
 }
 
-// "v x y z", with a weight, which must be 1, or with a colour behind it.
+// "v x y z", with a weight, which must be 1, or with a colour behind it, which may be no finite one.
 void read_vertex(const LineReader& reader, MeshSoup& soup) {
     soup.vertices.push_back(reader.point(1));
     const std::size_t count = reader.words().size();
     if (count == 5 && reader.number(4) != 1) reader.fail("a weight other than 1 is not supported");
-    if (count > 5) reader.point(4);
+    for (std::size_t i = 4; count > 5 && i < 7; ++i) reader.any_number(i);
     reader.require_end(7);
 }
 
@@ -61,7 +61,7 @@ void read_face(const LineReader& reader, MeshSoup& soup) {
     for (std::size_t i = 1; i < reader.words().size(); ++i) {
         corners.push_back(read_corner(reader, reader.words()[i], soup.vertices.size()));
     }
-    soup.add_polygon(corners);
+    soup.add_polygon(corners, [&] { return reader.place(); });
 }
 
 // The part that faces belong to, by the newest object and the newest group within it.

@@ -42,11 +42,12 @@ class PlyValues {
     // Whether `count` more values can be in the file at all.
     bool has_room(double count) const { return count <= static_cast<double>(text_.size()); }
 
-    [[noreturn]] void fail(const std::string& text) const {
+    std::string place() const {
         const std::string item = fmt::format("{} {}", *element_, index_);
-        throw ReadError(file_, format_ == PlyFormat::text ? fmt::format("line {}, {}", reader_.line(), item) : item,
-                        text);
+        return format_ == PlyFormat::text ? fmt::format("{}, {}", reader_.place(), item) : item;
     }
+
+    [[noreturn]] void fail(const std::string& text) const { throw ReadError(file_, place(), text); }
 
   private:
     double next_word(PlyType type) {
@@ -123,7 +124,7 @@ void add_face(MeshSoup& soup, const PlyValues& values, const std::vector<double>
         }
         corners.push_back(static_cast<std::uint32_t>(index));
     }
-    soup.add_polygon(corners);
+    soup.add_polygon(corners, [&] { return values.place(); });
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "scenes/io/json_file.hpp"
 #include "scenes/io/json_place.hpp"
 #include "scenes/io/mesh_file.hpp"
+#include "scenes/io/polygon_notes.hpp"
 
 namespace ecods::scenes {
 namespace {
@@ -27,14 +28,18 @@ std::size_t find_name(const JsonPlace& place, const Names& names, const char* ki
     return entry->second;
 }
 
-std::shared_ptr<const Mesh> read_mesh(const std::filesystem::path& file, const JsonPlace& place) {
+std::shared_ptr<const Mesh> read_mesh(const std::filesystem::path& file, const JsonPlace& place, Scene& scene) {
     const auto mesh_file = place.find("file");
     if (!mesh_file) {
         place.check_keys({"name", "vertices", "triangles"});
         return read_inline_mesh(file, place);
     }
     place.check_keys({"name", "file"});
-    return read_mesh_file(file.parent_path() / mesh_file->text());
+    const std::filesystem::path path = file.parent_path() / mesh_file->text();
+    PolygonCounts polygons;
+    auto mesh = read_mesh_file(path, &polygons);
+    add_polygon_counts(path, polygons, scene);
+    return mesh;
 }
 
 Frame read_frame(const JsonPlace& place, const Names& bodies) {
@@ -60,7 +65,7 @@ Scene read_scene_file(const std::filesystem::path& file) {
     Names meshes;
     for (const JsonPlace& place : root.at("meshes").elements()) {
         const std::string name = add_name(place, meshes);
-        scene.meshes.push_back({name, read_mesh(file, place)});
+        scene.meshes.push_back({name, read_mesh(file, place, scene)});
     }
     Names bodies;
     for (const JsonPlace& place : root.at("bodies").elements()) {

@@ -14,10 +14,23 @@ constexpr std::string_view blanks = " \t\v\f";
 
 }  // namespace
 
+std::size_t mark_size(std::string_view text) {
+    return text.starts_with("\xef\xbb\xbf") ? 3 : 0;
+}
+
 std::string shown(std::string_view word) {
     std::string text;
     for (const char c : word.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';
     return word.size() > 40 ? text + "..." : text;
+}
+
+LineReader::LineReader(const std::filesystem::path& file, std::string_view text, Syntax syntax,
+                       std::size_t lines_before)
+    : file_(file), text_(text), syntax_(syntax), line_(lines_before) {
+    if (lines_before > 0) return;
+    position_ = mark_size(text);
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+        throw ReadError(file, "line 1", "the text is UTF-16; UTF-8 or plain ASCII is read");
 }
 
 bool LineReader::next_line() {
@@ -45,7 +58,9 @@ bool LineReader::split_line() {
             comment_ = rest.substr(0, rest.find_last_not_of(blanks) + 1);
             return false;
         }
-        words_.push_back(rest.substr(0, rest.find_first_of(blanks)));
+        std::size_t end_of_word = rest.find_first_of(blanks);
+        if (syntax_.comment_in_word) end_of_word = std::min(end_of_word, rest.find(syntax_.comment));
+        words_.push_back(rest.substr(0, end_of_word));
         rest.remove_prefix(words_.back().size());
     }
     return continues;
@@ -60,6 +75,13 @@ double LineReader::number(std::size_t index) const {
     double value = 0;
     if (!parse_number(words_[index], value) || !std::isfinite(value))
         fail(fmt::format("'{}' is not a finite number", shown(words_[index])));
+    return value;
+}
+
+double LineReader::any_number(std::size_t index) const {
+    if (index >= words_.size()) fail("a number is missing");
+    double value = 0;
+    if (!parse_number(words_[index], value)) fail(fmt::format("'{}' is not a number", shown(words_[index])));
     return value;
 }
 
@@ -90,8 +112,12 @@ std::string LineReader::name(std::size_t index) const {
     return name.append(comment_);
 }
 
+std::string LineReader::place() const {
+    return fmt::format("line {}", line_);
+}
+
 void LineReader::fail(const std::string& text) const {
-    throw ReadError(file_, fmt::format("line {}", line_), text);
+    throw ReadError(file_, place(), text);
 }
 
 }  // namespace ecods::scenes

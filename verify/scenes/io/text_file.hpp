@@ -19,13 +19,14 @@ class LineReader {
   public:
     // What a format allows besides words; '\0' is nothing.
     struct Syntax {
-        char comment = '\0';       // a word that begins with it begins a comment, which ends with the line
-        char continuation = '\0';  // at the end of a line, the next belongs to it
+        char comment = '\0';           // a word that begins with it begins a comment, which ends with the line
+        char continuation = '\0';      // at the end of a line, the next belongs to it
+        bool comment_in_word = false;  // a comment may begin within a word, which then ends there
     };
 
-    // The text begins after `lines_before` lines of the file.
-    LineReader(const std::filesystem::path& file, std::string_view text, Syntax syntax, std::size_t lines_before = 0)
-        : file_(file), text_(text), syntax_(syntax), line_(lines_before) {}
+    // The text begins after `lines_before` lines of the file. A byte order mark of UTF-8 is passed over at the
+    // beginning of a file; one of UTF-16 is a ReadError.
+    LineReader(const std::filesystem::path& file, std::string_view text, Syntax syntax, std::size_t lines_before = 0);
 
     // Goes to the next line that has a word, and splits it at blanks. False at the end of the text.
     bool next_line();
@@ -42,6 +43,9 @@ class LineReader {
     std::int64_t integer(std::size_t index) const;
     Vec3 point(std::size_t index) const;
 
+    // As number, but infinite ones and those that are none ("nan") are numbers, too.
+    double any_number(std::size_t index) const;
+
     // It is an error if the line has more words than that: nothing on it is passed over in silence.
     void require_end(std::size_t word_count) const;
 
@@ -49,6 +53,7 @@ class LineReader {
     // unless a blank follows its sign: a name that is cut could become that of another part.
     std::string name(std::size_t index) const;
 
+    std::string place() const;  // "line 7"
     [[noreturn]] void fail(const std::string& text) const;
 
   private:
@@ -62,6 +67,9 @@ class LineReader {
     std::vector<std::string_view> words_;
     std::string_view comment_;  // behind the words, its sign included
 };
+
+// The size of the byte order mark of UTF-8 that the text begins with, or 0.
+std::size_t mark_size(std::string_view text);
 
 // A word for a message. Binary junk is not printed in full.
 std::string shown(std::string_view word);

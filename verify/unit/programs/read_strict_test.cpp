@@ -40,7 +40,7 @@ TEST_F(ReadStrict, ObjVerticesHaveCoordinatesAndPerhapsAWeightOrAColour) {
     expect_bad("m.obj", replaced(obj_, "v 1 0 0", "v 1 0 0 2"), "line 2", "a weight other than 1 is not supported");
     expect_bad("m.obj", replaced(obj_, "v 1 0 0", "v 1 0 0 junk"), "line 2", "'junk' is not a finite number");
     expect_bad("m.obj", replaced(obj_, "v 1 0 0", "v 1 0 0 1 1"), "line 2", "a number is missing");
-    expect_bad("m.obj", replaced(obj_, "v 1 0 0", "v 1 0 0 1 1 junk"), "line 2", "'junk' is not a finite number");
+    expect_bad("m.obj", replaced(obj_, "v 1 0 0", "v 1 0 0 1 1 junk"), "line 2", "'junk' is not a number");
     expect_bad("m.obj", replaced(obj_, "v 1 0 0", "v 1 0 0 1 1 1 7"), "line 2", "'7' is one word too many");
     expect_bad("m.obj", replaced(obj_, "v 1 0 0", "v 1 0 0#"), "line 2", "'0#' is not a finite number");
 }
@@ -69,7 +69,7 @@ TEST_F(ReadStrict, OffLinesEndWhereTheyShould) {
     expect_bad("m.off", replaced(off_, "3 1 0", "3 1 x"), "line 2", "'x' is not a whole number");
     expect_good("m.off", replaced(off_, "3 0 1 2", "3 0 1 2 0.5 0.5 0.5 1"));
     expect_good("m.off", replaced(off_, "3 0 1 2", "3 0 1 2 7 # a colour"));
-    expect_bad("m.off", replaced(off_, "3 0 1 2", "3 0 1 2 junk"), "line 6", "'junk' is not a finite number");
+    expect_bad("m.off", replaced(off_, "3 0 1 2", "3 0 1 2 junk"), "line 6", "'junk' is not a number");
     expect_bad("m.off", replaced(off_, "3 0 1 2", "3 0 1 2 1 1"), "line 6", "no colour");
     expect_bad("m.off", replaced(off_, "3 0 1 2", "3 0 1 2 1 1 1 1 9"), "line 6", "'9' is one word too many");
     expect_bad("m.off", off_ + "3 0 1 2\n", "line 7", "the file goes on behind the last face");

@@ -1,0 +1,83 @@
+// Points in the plane, found by triangles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ecods/predicates.hpp"
+
+namespace ecods::scenes {
+
+// A closed triangle that is not clockwise; its sides are a b, b c and c a. It may be a segment or a point.
+class PlaneTriangle {
+  public:
+    PlaneTriangle(const Vec2& a, const Vec2& b, const Vec2& c);
+
+    // On which side of each side the point is: positive on the inner one.
+    Sign side(std::size_t k, const Vec2& point) const noexcept { return orient2d(corners_[k], corners_[k + 1], point); }
+
+    // Whether it has the point; if so, `sides` are those of the point.
+    bool contains(const Vec2& point, std::array<Sign, 3>& sides) const noexcept;
+
+    // False only if it has no point of the box.
+    bool may_meet(const Vec2& lower, const Vec2& upper) const noexcept;
+
+  private:
+    std::array<Vec2, 4> corners_;  // the first one twice
+    Vec2 lower_;
+    Vec2 upper_;
+};
+
+// A k-d tree. Refers to the points. Cost: O(n log n) to build, O(log n) to remove a point.
+class PointTree {
+  public:
+    explicit PointTree(std::span<const Vec2> points);
+
+    void remove(std::uint32_t point) noexcept;
+
+    // Calls visit(point, sides) for each point of the triangle that was not removed, until it returns true; true if it
+    // did.
+    template <class Visit>
+    bool visit_in(const PlaneTriangle& triangle, const Visit& visit) const {
+        std::array<std::uint32_t, 2 * max_depth> stack{};
+        std::size_t size = 1;
+        while (size > 0) {
+            const std::uint32_t at = stack[--size];
+            const Node& node = nodes_[at];
+            if (node.left_count == 0 || !triangle.may_meet(node.lower, node.upper)) continue;
+            if (at < first_leaf_) {
+                stack[size++] = 2 * at + 1;
+                stack[size++] = 2 * at + 2;
+                continue;
+            }
+            std::array<Sign, 3> sides{};
+            for (std::uint32_t i = node.begin; i < node.end; ++i) {
+                const std::uint32_t point = order_[i];
+                if (is_removed_[point] == 0 && triangle.contains(points_[point], sides) && visit(point, sides))
+                    return true;
+            }
+        }
+        return false;
+    }
+
+  private:
+    static constexpr std::size_t max_depth = 32;  // of indices of 32 bits
+    struct Node {
+        Vec2 lower, upper;
+        std::uint32_t begin = 0, end = 0;  // in order_
+        std::uint32_t left_count = 0;      // points that were not removed
+    };
+
+    void build(std::uint32_t at);
+
+    std::span<const Vec2> points_;
+    std::vector<Node> nodes_;  // the children of node k are 2 k + 1 and 2 k + 2; all leaves are equally deep
+    std::uint32_t first_leaf_ = 0;
+    std::vector<std::uint32_t> order_;
+    std::vector<std::uint32_t> leaf_of_;
+    std::vector<char> is_removed_;
+};
+
+}  // namespace ecods::scenes
