@@ -60,16 +60,20 @@ class TextReader {
     TextReader(const std::filesystem::path& file, std::string_view text) : file_(file), reader_(file, text, {}) {}
 
     MeshSoup read() {
-        while (next_ < reader_.words().size() || reader_.next_line()) {
-            if (next_ == reader_.words().size()) next_ = 0;
-            read_item(lower(reader_.words()[next_++]));
-        }
+        while (has_word()) read_item(lower(reader_.words()[next_++]));
         if (place_ != Place::file) reader_.fail("the file ends before endsolid");
         return std::move(soup_);
     }
 
   private:
     enum class Place { file, solid, facet, loop, behind_loop };
+
+    // Goes on to the next line where this one ends. False at the end of the file.
+    bool has_word() {
+        if (next_ < reader_.words().size()) return true;
+        next_ = 0;
+        return reader_.next_line();
+    }
 
     void read_item(const std::string& word) {
         if (word == "solid") {
@@ -112,8 +116,7 @@ class TextReader {
     std::string_view next_word(const char* error) {
         if (next_ == reader_.words().size()) {
             const std::string place = reader_.place();
-            next_ = 0;
-            if (!reader_.next_line() || is_keyword(lower(reader_.words()[0]))) throw ReadError(file_, place, error);
+            if (!has_word() || is_keyword(lower(reader_.words()[0]))) throw ReadError(file_, place, error);
         }
         return reader_.words()[next_++];
     }

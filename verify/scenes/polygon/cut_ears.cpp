@@ -14,13 +14,9 @@ constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 
 class EarCutter {
   public:
-    EarCutter(const PlaneWalk& outline, std::vector<Triangle>& triangles)
-        : outline_(outline),
-          triangles_(triangles),
-          tree_(outline.points),
-          links_(outline.size()),
-          left_(outline.size()) {
-        const auto count = static_cast<std::uint32_t>(outline.size());
+    EarCutter(const PlaneWalk& face, std::vector<Triangle>& triangles)
+        : face_(face), triangles_(triangles), tree_(face.points), links_(face.size()), left_(face.size()) {
+        const auto count = static_cast<std::uint32_t>(face.size());
         for (std::uint32_t i = 0; i < count; ++i) {
             links_[i].before = i == 0 ? count - 1 : i - 1;
             links_[i].after = i + 1 == count ? 0 : i + 1;
@@ -34,7 +30,7 @@ class EarCutter {
             const std::uint32_t i = take_from_queue();
             if (i != nobody) look_at(i);
         }
-        if (turn(last_) != Sign::positive) return false;
+        if (turn_at(last_) != Sign::positive) return false;
         add_triangle(last_);
         return true;
     }
@@ -44,14 +40,14 @@ class EarCutter {
         std::uint32_t before = 0, after = 0;
         bool is_cut = false;
         bool is_in_queue = false;
-        // The corner that was in the way, and the neighbours in the list of those that wait for it.
+        // The corner that was in the way, and the neighbors in the list of those that wait for it.
         std::uint32_t waits_for = nobody, wait_before = nobody, wait_after = nobody;
         std::uint32_t first_waiting = nobody;  // for this one
     };
 
-    const Vec2& point(std::uint32_t i) const { return outline_.points[i]; }
+    const Vec2& point(std::uint32_t i) const { return face_.points[i]; }
 
-    Sign turn(std::uint32_t i) const { return orient2d(point(links_[i].before), point(i), point(links_[i].after)); }
+    Sign turn_at(std::uint32_t i) const { return turn(point(links_[i].before), point(i), point(links_[i].after)); }
 
     // How far the third side of the triangle at the corner goes. Rounded: it decides what is looked at first.
     double length(std::uint32_t i) const { return (point(links_[i].before) - point(links_[i].after)).lpNorm<1>(); }
@@ -73,13 +69,13 @@ class EarCutter {
     }
 
     void add_triangle(std::uint32_t i) {
-        triangles_.push_back({outline_.names[links_[i].before], outline_.names[i], outline_.names[links_[i].after]});
+        triangles_.push_back({face_.names[links_[i].before], face_.names[i], face_.names[links_[i].after]});
     }
 
     void look_at(std::uint32_t i) {
         if (links_[i].is_cut) return;
         stop_waiting(i);
-        if (turn(i) != Sign::positive) return;
+        if (turn_at(i) != Sign::positive) return;
         const std::uint32_t obstacle = find_obstacle(i);
         if (obstacle == nobody) {
             add_triangle(i);
@@ -116,9 +112,9 @@ class EarCutter {
         std::uint32_t obstacle = nobody;
         tree_.visit_in(triangle, [&](std::uint32_t other, const std::array<Sign, 3>& sides) {
             if (other == i) return false;
-            const auto leads_in = [&](std::uint32_t neighbour) {
+            const auto leads_in = [&](std::uint32_t neighbor) {
                 for (std::size_t k = 0; k < 3; ++k) {
-                    if (sides[k] == Sign::zero && triangle.side(k, point(neighbour)) != Sign::positive) return false;
+                    if (sides[k] == Sign::zero && triangle.side(k, point(neighbor)) != Sign::positive) return false;
                 }
                 return true;
             };
@@ -154,7 +150,7 @@ class EarCutter {
         }
     }
 
-    const PlaneWalk& outline_;
+    const PlaneWalk& face_;
     std::vector<Triangle>& triangles_;
     PointTree tree_;
     std::vector<Link> links_;

@@ -21,18 +21,18 @@ struct PlaneWalk {
     }
 };
 
-// Adds the triangles of a face, three corners at least: a walk once around an open set without holes, which is to the
-// left of each edge; edges may be walked there and back. No corner lies inside an edge. All triangles are
-// counter-clockwise and of positive area; two less than corners. Each edge is an edge of one triangle. False if there
-// is no way to go on, which happens with walks around no such set; then some triangles are added, too.
+// Adds the triangles of a face. The walk has three corners at least, and goes once around an open set without holes,
+// which is to the left of each edge; edges may be walked there and back. No corner lies inside an edge. All triangles
+// are counter-clockwise and of positive area; they are two less than the corners. Each edge is an edge of one triangle.
+// False if there is no way to go on, which happens with walks around no such set; some triangles are added then, too.
 //
-// A triangle of three corners in a row is an ear if it is counter-clockwise, no other corner is in it or on its third
-// side, and no other edge leads into it from its corners or sides. A triangulation of the face has two triangles with
-// two edges of the walk each, and they are ears; without one of them, the rest is such a face.
+// Three corners in a row are an ear if they turn to the left, no other corner is in their triangle or on its third
+// side, and no other edge leads into it from its corners or sides. Each face has a triangulation, of which two
+// triangles have two edges of the walk each: these are ears. Without an ear, the rest is a face again.
 //
-// Cost: signs are looked for in a tree of the corners, and a corner that has no ear is looked at again when what is
-// in its way goes. That is O(n log n) where few corners are in the way of others, and O(n^2) signs at most where they
-// are.
+// Cost: a corner is tested again when a neighbor or what was in its way goes, and a test looks for corners in a tree.
+// The shortest ears come first, as long thin ones pass by many corners. O(n log n) where few corners are in the way
+// of others; each test may take O(n).
 bool cut_ears(const PlaneWalk& face, std::vector<Triangle>& triangles);
 
 }  // namespace ecods::scenes

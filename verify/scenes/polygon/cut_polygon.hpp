@@ -10,10 +10,9 @@
 namespace ecods::scenes {
 
 enum class PolygonCut : std::uint8_t {
-    // The fan around the first corner covers the polygon once, and each of its triangles has area. So it is with each
-    // convex polygon of which no three corners are on one line. Three corners, and corners that are all on one line,
-    // are
-    // cut into fans, too.
+    // The fan around the first corner covers the polygon once, and each of its triangles has area. Each convex polygon
+    // of which no three corners are on one line is cut so. Three corners, and corners that are all on one line, are cut
+    // into fans, too.
     fan,
     // Other triangles cover the polygon once.
     ears,

@@ -21,7 +21,7 @@ bool is_earlier_ray(const Vec2& from, const Vec2& a, const Vec2& b) {
     const bool a_is_left = is_before(a, from);
     const bool b_is_left = is_before(b, from);
     if (a_is_left != b_is_left) return b_is_left;
-    return orient2d(from, a, b) == Sign::positive;
+    return turn(from, a, b) == Sign::positive;
 }
 
 }  // namespace

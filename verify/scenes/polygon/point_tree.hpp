@@ -10,13 +10,20 @@
 
 namespace ecods::scenes {
 
+// orient2d, but fast where it is plain that the points are on one line: two are one, or all have one coordinate.
+inline Sign turn(const Vec2& a, const Vec2& b, const Vec2& c) noexcept {
+    const bool is_on_a_line =
+        (a[0] == b[0] && a[0] == c[0]) || (a[1] == b[1] && a[1] == c[1]) || a == b || b == c || a == c;
+    return is_on_a_line ? Sign::zero : orient2d(a, b, c);
+}
+
 // A closed triangle that is not clockwise; its sides are a b, b c and c a. It may be a segment or a point.
 class PlaneTriangle {
   public:
     PlaneTriangle(const Vec2& a, const Vec2& b, const Vec2& c);
 
     // On which side of each side the point is: positive on the inner one.
-    Sign side(std::size_t k, const Vec2& point) const noexcept { return orient2d(corners_[k], corners_[k + 1], point); }
+    Sign side(std::size_t k, const Vec2& point) const noexcept { return turn(corners_[k], corners_[k + 1], point); }
 
     // Whether it has the point; if so, `sides` are those of the point.
     bool contains(const Vec2& point, std::array<Sign, 3>& sides) const noexcept;
