@@ -106,20 +106,13 @@ class EarCutter {
         link.waits_for = nobody;
     }
 
-    // A corner that is in the triangle at i or on its open third side, or from which an edge leads into the triangle.
+    // A corner that is in the triangle at i or on its open third side. No edge can lead through the triangle from a
+    // corner to a corner: it would leave the place of corner i, where the face is, or cross a side.
     std::uint32_t find_obstacle(std::uint32_t i) const {
         const PlaneTriangle triangle(point(links_[i].before), point(i), point(links_[i].after));
         std::uint32_t obstacle = nobody;
         tree_.visit_in(triangle, [&](std::uint32_t other, const std::array<Sign, 3>& sides) {
-            if (other == i) return false;
-            const auto leads_in = [&](std::uint32_t neighbor) {
-                for (std::size_t k = 0; k < 3; ++k) {
-                    if (sides[k] == Sign::zero && triangle.side(k, point(neighbor)) != Sign::positive) return false;
-                }
-                return true;
-            };
-            const bool is_inside = sides[0] == Sign::positive && sides[1] == Sign::positive;
-            if (!is_inside && !leads_in(links_[other].before) && !leads_in(links_[other].after)) return false;
+            if (sides[0] != Sign::positive || sides[1] != Sign::positive) return false;
             obstacle = other;
             return true;
         });
@@ -138,10 +131,10 @@ class EarCutter {
         last_ = before;
         add_to_queue(before);
         add_to_queue(after);
-        for (const std::uint32_t changed : {i, before, after}) wake(changed);
+        wake(i);
     }
 
-    // Corners that waited for one that went, or has other edges now, are looked at again.
+    // Corners that waited for one that went are looked at again.
     void wake(std::uint32_t obstacle) {
         while (links_[obstacle].first_waiting != nobody) {
             const std::uint32_t waiting = links_[obstacle].first_waiting;
