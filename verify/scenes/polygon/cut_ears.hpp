@@ -30,9 +30,8 @@ struct PlaneWalk {
 // side. Each face has a triangulation, of which two triangles have two edges of the walk each: these are ears. Without
 // an ear, the rest is a face again.
 //
-// Cost: a corner is tested again when a neighbor goes, or what was in its way, and a test looks for corners in a tree.
-// The shortest ears come first, as long thin ones pass by many corners. O(n log n) where few corners are in the way
-// of others; each test may take O(n).
+// Cost: a corner is tested when its neighbors change, so there are less than 3 n tests; each looks for corners in a
+// tree, in O(log n) mostly and O(n) at most. The shortest ears come first, as long thin ones pass by many corners.
 bool cut_ears(const PlaneWalk& face, std::vector<Triangle>& triangles);
 
 }  // namespace ecods::scenes
