@@ -40,9 +40,6 @@ class EarCutter {
         std::uint32_t before = 0, after = 0;
         bool is_cut = false;
         bool is_in_queue = false;
-        // The corner that was in the way, and the neighbors in the list of those that wait for it.
-        std::uint32_t waits_for = nobody, wait_before = nobody, wait_after = nobody;
-        std::uint32_t first_waiting = nobody;  // for this one
     };
 
     const Vec2& point(std::uint32_t i) const { return face_.points[i]; }
@@ -72,58 +69,23 @@ class EarCutter {
         triangles_.push_back({face_.names[links_[i].before], face_.names[i], face_.names[links_[i].after]});
     }
 
+    // A corner with an obstacle is looked at again when a neighbor goes; that the obstacle goes does not free it. Next
+    // to an obstacle inside the triangle are points outside of the face, or the ear that was cut there, which lie
+    // outside of what is left. At an obstacle on the third side, the face has an angle of 180 degrees at least, and no
+    // ear.
     void look_at(std::uint32_t i) {
-        if (links_[i].is_cut) return;
-        stop_waiting(i);
-        if (turn_at(i) != Sign::positive) return;
-        const std::uint32_t obstacle = find_obstacle(i);
-        if (obstacle == nobody) {
-            add_triangle(i);
-            take_out(i);
-        } else {
-            wait_for(i, obstacle);
-        }
+        if (links_[i].is_cut || turn_at(i) != Sign::positive || has_obstacle(i)) return;
+        add_triangle(i);
+        take_out(i);
     }
 
-    void wait_for(std::uint32_t i, std::uint32_t obstacle) {
-        const std::uint32_t next = links_[obstacle].first_waiting;
-        links_[i].waits_for = obstacle;
-        links_[i].wait_before = nobody;
-        links_[i].wait_after = next;
-        if (next != nobody) links_[next].wait_before = i;
-        links_[obstacle].first_waiting = i;
-    }
-
-    void stop_waiting(std::uint32_t i) {
-        Link& link = links_[i];
-        if (link.waits_for == nobody) return;
-        if (link.wait_before != nobody) {
-            links_[link.wait_before].wait_after = link.wait_after;
-        } else {
-            links_[link.waits_for].first_waiting = link.wait_after;
-        }
-        if (link.wait_after != nobody) links_[link.wait_after].wait_before = link.wait_before;
-        link.waits_for = nobody;
-    }
-
-    // A corner that is in the triangle at i or on its open third side, or from which an edge leads into the triangle.
-    std::uint32_t find_obstacle(std::uint32_t i) const {
+    // Whether a corner is in the triangle at i or on its open third side. No edge can lead through the triangle from a
+    // corner to a corner: it would leave the place of corner i, where the face is, or cross a side.
+    bool has_obstacle(std::uint32_t i) const {
         const PlaneTriangle triangle(point(links_[i].before), point(i), point(links_[i].after));
-        std::uint32_t obstacle = nobody;
-        tree_.visit_in(triangle, [&](std::uint32_t other, const std::array<Sign, 3>& sides) {
-            if (other == i) return false;
-            const auto leads_in = [&](std::uint32_t neighbor) {
-                for (std::size_t k = 0; k < 3; ++k) {
-                    if (sides[k] == Sign::zero && triangle.side(k, point(neighbor)) != Sign::positive) return false;
-                }
-                return true;
-            };
-            const bool is_inside = sides[0] == Sign::positive && sides[1] == Sign::positive;
-            if (!is_inside && !leads_in(links_[other].before) && !leads_in(links_[other].after)) return false;
-            obstacle = other;
-            return true;
+        return tree_.visit_in(triangle, [](std::uint32_t, const std::array<Sign, 3>& sides) {
+            return sides[0] == Sign::positive && sides[1] == Sign::positive;
         });
-        return obstacle;
     }
 
     void take_out(std::uint32_t i) {
@@ -132,22 +94,11 @@ class EarCutter {
         links_[before].after = after;
         links_[after].before = before;
         links_[i].is_cut = true;
-        stop_waiting(i);
         tree_.remove(i);
         --left_;
         last_ = before;
         add_to_queue(before);
         add_to_queue(after);
-        for (const std::uint32_t changed : {i, before, after}) wake(changed);
-    }
-
-    // Corners that waited for one that went, or has other edges now, are looked at again.
-    void wake(std::uint32_t obstacle) {
-        while (links_[obstacle].first_waiting != nobody) {
-            const std::uint32_t waiting = links_[obstacle].first_waiting;
-            stop_waiting(waiting);
-            add_to_queue(waiting);
-        }
     }
 
     const PlaneWalk& face_;

@@ -26,13 +26,12 @@ struct PlaneWalk {
 // are counter-clockwise and of positive area; they are two less than the corners. Each edge is an edge of one triangle.
 // False if there is no way to go on, which happens with walks around no such set; some triangles are added then, too.
 //
-// Three corners in a row are an ear if they turn to the left, no other corner is in their triangle or on its third
-// side, and no other edge leads into it from its corners or sides. Each face has a triangulation, of which two
-// triangles have two edges of the walk each: these are ears. Without an ear, the rest is a face again.
+// Three corners in a row are an ear if they turn to the left and no other corner is in their triangle or on its third
+// side. Each face has a triangulation, of which two triangles have two edges of the walk each: these are ears. Without
+// an ear, the rest is a face again.
 //
-// Cost: a corner is tested again when a neighbor or what was in its way goes, and a test looks for corners in a tree.
-// The shortest ears come first, as long thin ones pass by many corners. O(n log n) where few corners are in the way
-// of others; each test may take O(n).
+// Cost: a corner is tested when its neighbors change, so there are less than 3 n tests; each looks for corners in a
+// tree, in O(log n) mostly and O(n) at most. The shortest ears come first, as long thin ones pass by many corners.
 bool cut_ears(const PlaneWalk& face, std::vector<Triangle>& triangles);
 
 }  // namespace ecods::scenes

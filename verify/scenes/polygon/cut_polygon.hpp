@@ -33,7 +33,8 @@ enum class PolygonCut : std::uint8_t {
 // Triangles have zero area only where edges of the outline bound nothing: each edge of a spike is one.
 //
 // Cost: one pass for a fan. Otherwise a map of the plane is made, and each of its faces cut, inside and outside of the
-// outline: 100,000 corners take about a second. Where the outline crosses itself, that is tried up to six times.
+// outline: of 100,000 corners in 0.3 to 1.7 s (comb, spiral, star). An outline that crosses itself may be tried six
+// times, in 2 to 5 s. O(n^2) where many corners are in the way of many others.
 PolygonCut cut_polygon(std::span<const Vec3> vertices, std::span<const std::uint32_t> corners,
                        std::vector<Triangle>& triangles);
 
