@@ -17,8 +17,9 @@ constexpr int normal_count_max = 3;
 // By how much a way is made longer until it parts the solids, relative to the numbers that it is a difference of.
 constexpr std::array<double, 6> margins{0, 0x1p-52, 0x1p-50, 0x1p-46, 0x1p-38, 0x1p-26};
 
-// Beyond, a contact is known to 2^-33 of its distance from the end of the way.
-constexpr double short_part = 0x1p-20;
+// A contact is known to 2^-52 of the way: to 2^-46 of a last part as short as `short_part`. Of a part below
+// `unknown_part` that may be too little to say whether the way is worth following.
+constexpr double short_part = 0x1p-6, unknown_part = 0x1p-20;
 
 const exact::MeshExtent& extent_of(const Posed<Solid>& solid) {
     return MeshShapeAccess::tree(*solid.what).extent;
@@ -86,14 +87,18 @@ void PartingSearch::try_length(const Vec3& direction, double length) {
 }
 
 // The time of a contact resolves 2^-53 of the way, which is as long as the solids are large. Where the contact comes in
-// a short last part of the way, that part is cast along once more, allowing for the roundings of the longer one; and
-// so on, until the part is no longer short. A body that is 2^k times as large as the depth takes about k / 48 casts
-// more.
+// a short last part of the way that is the best one known, that part is cast along once more, allowing for the
+// roundings of the longer one; and so on, until the part is no longer short. A body that is 2^k times as large as the
+// depth takes about k / 48 casts more.
 std::optional<FirstContact> PartingSearch::slide(const Direction& way) {
+    double known = best_.length;
     std::optional<FirstContact> contact = slide_once(way);
     Direction rest = way;
-    while (contact && contact->time > 1 - short_part && rest.reach > way_min_) {
-        rest.reach *= (1 - contact->time) + 0x1p-48;
+    while (contact && rest.reach > way_min_) {
+        const double part = 1 - contact->time;
+        if (part > unknown_part && !(part < short_part && best_.length < known)) break;
+        known = best_.length;
+        rest.reach *= part + 0x1p-48;
         const std::optional<FirstContact> again = slide_once(rest);
         if (!again || !(again->time > 0)) break;  // the solids part nowhere in it
         contact = again;

@@ -135,11 +135,11 @@ TEST(BoxRange, AxesOverflowByThemselves) {
 TEST(BoxRange, BoxesByTheTableAreTightToTheEnds) {
     scenes::Random random(43);
     for (const int of_mesh : {-890, 0, 880}) {
+        const auto sphere = scenes::sphere(12, 8);
         std::vector<Vec3> vertices;
-        for (const Vec3& v : scenes::sphere(12, 8)->vertices()) {
+        for (const Vec3& v : sphere->vertices()) {
             vertices.emplace_back(std::ldexp(v[0], of_mesh), std::ldexp(v[1], of_mesh), std::ldexp(v[2], of_mesh));
         }
-        const auto sphere = scenes::sphere(12, 8);
         const auto mesh = Mesh::create(vertices, {sphere->triangles().begin(), sphere->triangles().end()});
         const LocalFrame frame = fit_frame(*mesh);
         const SupportTable table(*mesh, frame);
