@@ -230,7 +230,8 @@ void bind_meshes(py::module_& m) {
     py::class_<PosedMesh> posed(m, "Posed",
                                 "A mesh at a pose: the set of the real points R v + t. Mesh.at() makes one, too.");
     py::class_<MovingMesh> moving(
-        m, "Moving", "A mesh on its way from one pose to another: each point goes straight. Mesh.moving() makes one, too.");
+        m, "Moving",
+        "A mesh on its way from one pose to another: each point goes straight. Mesh.moving() makes one, too.");
     py::class_<MeshShape, std::shared_ptr<MeshShape>> mesh(
         m, "Mesh",
         "Closed triangles, immutable: a surface, which need not be closed or connected. Triangles of zero area are the "
