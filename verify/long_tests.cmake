@@ -1,5 +1,5 @@
-# What verify/run leaves to verify/run --all, and why: tests that take long themselves or that need what takes long to build,
-# and that are seldom the only ones to see a fault. A row is a reason and names of tests, where * stands for anything; of the
+# The tests that verify/run leaves to verify/run --all, and why: they take long themselves or need what takes long to build,
+# and are seldom the only ones to see a fault. A row is a reason and names of tests, where * stands for anything; of the
 # cases of a program of GoogleTest, PROGRAM.FILTER, and PROGRAM.* is a program that verify/run does not build.
 # usage: ecods_long(REASON NAMES...)
 set_property(GLOBAL PROPERTY ECODS_LONG_TESTS "")

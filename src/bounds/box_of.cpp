@@ -29,8 +29,8 @@ class BoxBuilder {
     // The error of a rounded vertex.
     double delta() const { return exact::point_error_bound(pose_.R, v_max_, pose_.t); }
 
-    // Whether the error is about 4.25 2^-52 of a sum of magnitudes that did not overflow. Infinities themselves prove
-    // nothing: a mode that rounds down turns some of them into large numbers, which are above the limit, too.
+    // Says whether the error is about 4.25 2^-52 of a sum of magnitudes that did not overflow. Infinities themselves
+    // prove nothing: a mode that rounds down turns some of them into large numbers, which are above the limit, too.
     bool is_moderate(double delta) const {
         const double factor_max = std::max(pose_.R.cwiseAbs().maxCoeff(), v_max_.maxCoeff());
         return delta < 0x1p970 && delta > unscaled_min + unscaled_min * factor_max;

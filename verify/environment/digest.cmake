@@ -1,6 +1,6 @@
 # Programs that print digests of the exact layer's answers, each of the layer's own sources with options of its own.
 
-# Of these sources of the library, those that make up the exact layer and the questions about two triangles.
+# Selects the sources of the exact layer and of the questions about two triangles from those of the library.
 # usage: ecods_exact_layer(RESULT SOURCES...)
 function(ecods_exact_layer result)
   set(sources ${ARGN})

@@ -213,7 +213,7 @@ def test_a_copied_world_has_the_same_ids():
             assert second.user_data(body) == first.user_data(body) and second.mesh(body).digest == first.mesh(body).digest
         assert not second.is_pair_enabled(bodies[2], bodies[3]) and second.is_pair_enabled(bodies[0], bodies[2])
         assert second.clearance() == 0.25 and second.are_solids_related()
-        # As before its first update.
+        # The copy is as before its first update.
         assert len(second.colliding_pairs()) == 0
         second.update()
         second.validate()

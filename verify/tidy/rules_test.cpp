@@ -202,7 +202,7 @@ TEST(TextRules, LongFunctionsAreFoundUnderWrappedSignatures) {
         ASSERT_EQ(found.size(), 1U) << head;
         EXPECT_EQ(found[0].line, std::string(head).starts_with("template") ? 7 : 5) << head;
     }
-    // As long as a function may be.
+    // A function that is as long as it may be passes.
     EXPECT_TRUE(find_long_functions("template <class A>\nvoid f(A a) {\n" + body + "}\n").empty());
     // No function: a class, and calls with a short one among their arguments.
     EXPECT_TRUE(find_long_functions("class A\n    : public B {\n" + body + body + "};\n").empty());

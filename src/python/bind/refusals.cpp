@@ -7,7 +7,7 @@ namespace {
 
 namespace py = pybind11;
 
-// What pybind11 calls for each of its functions: it looks for the overload and converts arguments.
+// pybind11 calls it for each of its functions: it looks for the overload and converts arguments.
 PyCFunctionWithKeywords dispatcher = nullptr;
 
 // Puts one line in place of the error that is set, if that is about arguments that no overload takes.

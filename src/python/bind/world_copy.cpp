@@ -13,7 +13,7 @@ constexpr int state_version = 1;
 using SharedMesh = std::shared_ptr<MeshShape>;
 using Numbers = py::array_t<std::uint64_t, py::array::c_style | py::array::forcecast>;
 
-// What a world is now, in the order of its bodies.
+// A scene holds what a world is now, in the order of its bodies.
 struct Scene {
     std::vector<BodyId> bodies;
     std::vector<BodyId> next_ids;

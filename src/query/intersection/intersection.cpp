@@ -130,7 +130,7 @@ class Query {
         return state_.axes.bind({tree_a_.boxes, a_.pose.R}, {tree_b_.boxes, b_.pose.R}, b_.pose.t - a_.pose.t, first);
     }
 
-    // Whether no axis says anything, as of bodies near the ends of the range of doubles. After bind_axes.
+    // True if no axis says anything, as of bodies near the ends of the range of doubles. Called after bind_axes.
     bool has_no_axes() const noexcept {
         return state_.axes.sets()[0].b.margin[0] == std::numeric_limits<float>::infinity();
     }

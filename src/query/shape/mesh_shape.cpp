@@ -77,7 +77,7 @@ void MeshShapeAccess::refit_tree(const MeshShape& shape, const MeshShape& model)
 const SupportTable* MeshShape::Parts::table_for(const MeshShape& shape) {
     if (shape.mesh().vertices().size() <= vertices_posed_max) return nullptr;
     const LocalFrame& own = MeshShapeAccess::frame(shape);
-    // Of a mesh that is larger or smaller than a frame can be, a table would know little.
+    // A table would know little of a mesh that is larger or smaller than a frame can be.
     if (!own.is_bounded || own.half.maxCoeff() < 0.25) return nullptr;
     return &support_table.get([&] { return SupportTable(shape.mesh(), own); });
 }

@@ -39,7 +39,7 @@ int exponent_of_all(const Numbers& numbers) {
     return exponent;
 }
 
-// Whether all numbers times 2^e are doubles.
+// True if all numbers times 2^e are doubles.
 template <class Numbers>
 bool can_scale_all(const Numbers& numbers, int e) {
     return std::all_of(numbers.data(), numbers.data() + numbers.size(), [e](double x) {

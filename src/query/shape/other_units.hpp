@@ -22,7 +22,7 @@ class OtherUnits {
     OtherUnits(const Moving<MeshShape>& a, const Moving<MeshShape>& b);
     OtherUnits(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Vec3& motion = Vec3::Zero());
 
-    // Whether to ask in these units, which are 2^-e times the usual ones.
+    // True if bodies should be asked about in these units, which are 2^-e times the usual ones.
     bool are_better() const noexcept { return exponent_ != 0; }
 
     // Both bodies, or the vector, in these units. The first call for a shape may make another one, with its tree.

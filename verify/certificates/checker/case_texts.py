@@ -307,7 +307,7 @@ BAD += [
     world("none", {"1.0": ("square", (0, 0, 0)), "1.1": ("square", (0, 0, 0))}),
     world("none", {"1.0": ("square", (2.0**1000, 0, 0)), "2.0": ("square", (2.0**1000, 0, 0))}),
     world("inf", {}),
-    # What is no body of the world; slot 0 is nobody's.
+    # These ids name no body of the world; slot 0 is nobody's.
     world("none", STACK, "off 1.0 3.0", "pair 2.0 10.3", *TOUCH),
     world("none", STACK, "off 1.1 2.0", "pair 2.0 10.3", *TOUCH),
     world("none", STACK, "off 2.0 10.3", "off 10.3 11.0"),

@@ -116,7 +116,7 @@ struct WorldHead {
     std::vector<BodyPair> switched_off;  // each of two of the bodies
 };
 
-// Whether filters let a and b meet, and they are not switched off; a is the lesser.
+// True if filters let a and b meet, and they are not switched off; a is the lesser.
 bool may_meet(const WorldHead& head, const WorldBody& a, const WorldBody& b);
 // How many pairs of bodies may not meet.
 std::uint64_t count_unjudged(const WorldHead& head, Budget& budget);
@@ -139,7 +139,7 @@ struct WorldCounts {
 
 inline constexpr std::string_view pair_first_line = "ecods-certificate 2";
 inline constexpr std::string_view world_first_line = "ecods-world-certificate 2";
-// Of format 1, which named meshes by a linear digest.
+// Format 1, which began so, named meshes by a linear digest.
 inline constexpr std::array<std::string_view, 2> old_first_lines = {"ecods-certificate 1", "ecods-world-certificate 1"};
 
 Pose read_pose(Text& in);  // the next twelve fields

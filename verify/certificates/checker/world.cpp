@@ -105,7 +105,7 @@ std::uint64_t count_unjudged(const WorldHead& head, Budget& budget) {
             unjudged += i == j ? a_count * (a_count - 1) / 2 : a_count * b_count;
         }
     }
-    // What filters leave out is counted above, switched off or not.
+    // Pairs that filters leave out are counted above, switched off or not.
     for (const auto& [a, b] : head.switched_off) {
         if (do_agree(find_body(head, a)->filter, find_body(head, b)->filter)) ++unjudged;
     }

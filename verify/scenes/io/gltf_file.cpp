@@ -37,7 +37,7 @@ void check_weights(const JsonPlace& weights) {
     }
 }
 
-// What is left out, or read at rest.
+// Counts of parts of the file that are left out, or read at rest.
 struct Counts {
     std::size_t morphed_meshes = 0;
     std::size_t points_or_lines = 0;  // primitives

@@ -46,7 +46,8 @@ MeshSoup read_primitives(GltfModel& model, const JsonPlace& mesh, const std::vec
 // True if the primitive is points or lines. Throws ReadError for a mode that does not exist.
 bool is_points_or_lines(const JsonPlace& primitive);
 
-// What the primitives of a mesh name: meshes of one geometry have equal triangles and vertices where there is no skin.
+// A geometry holds the numbers that the primitives of a mesh name: meshes of one geometry have equal triangles and
+// vertices where there is no skin.
 using GltfGeometry = std::vector<std::uint32_t>;
 GltfGeometry geometry_of(const JsonPlace& mesh);
 

@@ -1,4 +1,4 @@
-// What a scene says of the polygons of its files.
+// Notes tell of the polygons of a scene's files.
 #pragma once
 
 #include <filesystem>

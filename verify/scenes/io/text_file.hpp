@@ -43,7 +43,7 @@ class LineReader {
     std::int64_t integer(std::size_t index) const;
     Vec3 point(std::size_t index) const;
 
-    // As number, but infinite ones and those that are none ("nan") are numbers, too.
+    // Reads a number as number() does, and takes infinite ones and those that are none ("nan"), too.
     double any_number(std::size_t index) const;
 
     // It is an error if the line has more words than that: nothing on it is passed over in silence.

@@ -79,7 +79,7 @@ class EarCutter {
         take_out(i);
     }
 
-    // Whether a corner is in the triangle at i or on its open third side. No edge can lead through the triangle from a
+    // True if a corner is in the triangle at i or on its open third side. No edge can lead through the triangle from a
     // corner to a corner: it would leave the place of corner i, where the face is, or cross a side.
     bool has_obstacle(std::uint32_t i) const {
         const PlaneTriangle triangle(point(links_[i].before), point(i), point(links_[i].after));

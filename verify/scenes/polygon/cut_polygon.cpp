@@ -57,7 +57,7 @@ bool is_on_a_line(const PlaneWalk& outline) {
                        [&](const Vec2& p) { return orient2d(points[0], *other, p) == Sign::zero; });
 }
 
-// Whether the fan around the first corner has counter-clockwise triangles that do not go round it once and more: seen
+// True if the fan around the first corner has counter-clockwise triangles that do not go round it once and more: seen
 // from there, the corners are first to the left of the second one, and then to its right.
 bool is_fan(const PlaneWalk& outline) {
     const std::vector<Vec2>& points = outline.points;

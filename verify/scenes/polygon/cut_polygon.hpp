@@ -38,7 +38,7 @@ enum class PolygonCut : std::uint8_t {
 PolygonCut cut_polygon(std::span<const Vec3> vertices, std::span<const std::uint32_t> corners,
                        std::vector<Triangle>& triangles);
 
-// Whether the corners are in one plane, exactly. Cost: one pass.
+// Decides exactly whether the corners are in one plane. Cost: one pass.
 bool is_in_a_plane(std::span<const Vec3> vertices, std::span<const std::uint32_t> corners);
 
 }  // namespace ecods::scenes

@@ -1,4 +1,4 @@
-// What a closed walk makes of the plane: edges that meet at their ends alone, and the faces between them.
+// A map of the plane is made by a closed walk: edges that meet at their ends alone, and the faces between them.
 #pragma once
 
 #include <cstdint>

@@ -38,7 +38,7 @@ class PlaneTriangle {
     // On which side of each side the point is: positive on the inner one.
     Sign side(std::size_t k, const Vec2& point) const noexcept { return turn(corners_[k], corners_[k + 1], point); }
 
-    // Whether it has the point; if so, `sides` are those of the point.
+    // True if it has the point; then `sides` are those of the point.
     bool contains(const Vec2& point, std::array<Sign, 3>& sides) const noexcept;
 
     // False only if it has no point of the box.
