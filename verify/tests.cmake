@@ -49,7 +49,8 @@ function(ecods_make_test_targets)
   endforeach()
 endfunction()
 
-# Adds a test as add_test() does, with its labels. Targets that the command names are built for it, and those that it NEEDS beside them.
+# Adds a test as add_test() does, with its labels. Targets that the command names are built for it, and those that it NEEDS
+# beside them.
 # usage: ecods_add_test(NAME NAME COMMAND COMMAND... [NEEDS TARGETS...] [LABELS programs|threads] [NOT_LIBRARY REASON]
 #                       [WORKING_DIRECTORY FOLDER])
 function(ecods_add_test)
