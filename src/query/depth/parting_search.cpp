@@ -88,8 +88,8 @@ void PartingSearch::try_length(const Vec3& direction, double length) {
 
 // The time of a contact resolves 2^-53 of the way, which is as long as the solids are large. Where the contact comes in
 // a short last part of the way that is the best one known, that part is cast along once more, allowing for the
-// roundings of the longer one; and so on, until the part is no longer short. A body that is 2^k times as large as the
-// depth takes about k / 48 casts more.
+// roundings of the longer one; and so on, until the part is no longer short, or it is below a rounding error of the
+// smaller solid's size. Where the other one is 2^k times as large, these are up to k / 48 + 2 casts more.
 std::optional<FirstContact> PartingSearch::slide(const Direction& way) {
     double known = best_.length;
     std::optional<FirstContact> contact = slide_once(way);
