@@ -139,7 +139,7 @@ ECODS_WIDE inline bool eight_boxes_by_table(const TableView& table, const std::a
     const LocalFrame& frame = table.frame;
     const Double8 factor_max = larger(size_max, eight(table.v_max_of_all));
     const Double8 delta = eight_point_error_bounds(sum_max, factor_max), least = eight(unscaled_min);
-    const __mmask8 is_low = is_less(sum_max, eight(sum_limit)) & is_less(size_max, eight(size_limit));
+    const Mask8 is_low = is_less(sum_max, eight(sum_limit)) & is_less(size_max, eight(size_limit));
     if ((is_low & is_less(least + least * factor_max, delta)) != 0xff) return false;
     Double8 ends[6];
     for (int row = 0; row < 3; ++row) {

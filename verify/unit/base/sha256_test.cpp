@@ -31,7 +31,7 @@ TEST(Sha256, IsThatOfTheStandard) {
               "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-// Python's hashlib says so: hashlib.sha256(bytes(32 + (7 * i + n) % 95 for i in range(n))).hexdigest().
+// Python's hashlib says so of the n bytes 32 + (7 * i + n) % 95.
 TEST(Sha256, PadsTextsOfEachLength) {
     static constexpr std::pair<int, const char*> known[] = {
         {1, "bb7208bc9b5d7c04f1236a82a0093a5e33f40423d5ba8d4266f7092c3ba43b62"},
