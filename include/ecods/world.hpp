@@ -10,7 +10,7 @@
 // pair (relation, intersecting_triangles), and at update() for the lists. There is nothing else to call, and no call
 // whose omission makes an answer wrong.
 //
-// What it costs: statistics.hpp. The world does not move bodies, respond to contacts, or draw.
+// Its costs are in statistics.hpp. The world does not move bodies, respond to contacts, or draw.
 //
 // Lifetimes: a span is valid until the next call that is not const; everything else is returned by value. Arguments may
 // be the world's own answers. A world that was moved from can be assigned to and destroyed; every other call throws

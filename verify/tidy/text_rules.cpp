@@ -89,7 +89,7 @@ constexpr std::array source_words = {
     PuzzlingWord{"box_axes", "separating_axes"},
 };
 
-// What comments write like a call and is none: the rounded value of a formula, and the word for clang-tidy.
+// Comments write these like calls, and they are none: the rounded value of a formula, and the word for clang-tidy.
 constexpr std::array<std::string_view, 2> notations = {"fl", "NOLINTNEXTLINE"};
 
 void find_words(std::string_view text, std::span<const PuzzlingWord> words, std::vector<Finding>& found) {

@@ -113,7 +113,7 @@ std::string text_of(const MeshShape& shape) {
     return text.str();
 }
 
-// Of the whole text at once.
+// Makes the digest of the whole text at once.
 std::string plain_digest(const std::string& text) {
     Sha256 sha;
     sha(text);
@@ -149,8 +149,8 @@ TEST(Certificates, NameAMeshByItsText) {
     }
 }
 
-// What the format says of the canonical text: the shortest form of each number, the sign of a zero, vertices without a
-// triangle. The digest is what sha256sum prints of it.
+// The canonical text has the shortest form of each number, the sign of a zero, and vertices without a triangle, as the
+// format says. The digest is what sha256sum prints of it.
 TEST(Certificates, NameAMeshByItsCanonicalText) {
     const MeshShape shape(
         Mesh::create({{1, -0.0, 0x1p-1074}, {-1.5, 0x1.8p-1030, 1e300}, {0.1, 3, 0x1p-1022}, {7, 8, 9}}, {{2, 0, 1}}));

@@ -164,7 +164,7 @@ const std::vector<Question>& questions() {
     return all;
 }
 
-// What holds at every scale, and what holds where frames of meshes do (bounds/local_frame.hpp).
+// Some counts hold at every scale, and some where frames of meshes do (bounds/local_frame.hpp).
 TEST(ScaleCounts, NoUnitIsPreferred) {
     const auto expect_near = [](std::uint64_t count, std::uint64_t usual) {
         return count <= 4 * usual + 8 && usual <= 4 * count + 8;
