@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bounds/support_table.hpp"
-#include "bvh/separating_axes.hpp"
+#include "bvh/axes/separating_axes.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 

@@ -3,7 +3,7 @@
 #include <bit>
 
 #include "base/hash.hpp"
-#include "exact/measure/first_meeting.hpp"
+#include "exact/measure/contact/first_meeting.hpp"
 #include "exact/point/integer_points.hpp"
 #include "query/cast/triangle_contacts.hpp"
 #include "query/hit/hit_memory.hpp"

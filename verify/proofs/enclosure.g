@@ -1,4 +1,4 @@
-# The two ends of an enclosure, as src/exact/measure/enclose_distance.cpp computes them.
+# The two ends of an enclosure, as src/exact/measure/distance/enclose_distance.cpp computes them.
 #
 # Each operation is (a op b)(1 + e), |e| <= 2^-52: any rounding mode. A product of two vectors meets three factors on
 # the way of a term, a coordinate of the difference of two points five. Proved: the factors are off by no more than

@@ -12,7 +12,7 @@ const Files made_up = {
     "include/ecods/aabb.hpp",         "include/ecods/broad_phase.hpp",  "include/ecods/ecods.hpp",
     "include/ecods/ids.hpp",          "include/ecods/intersection.hpp", "include/ecods/mesh.hpp",
     "include/ecods/pose.hpp",         "include/ecods/world.hpp",        "src/base/hash.hpp",
-    "src/bvh/mesh_bvh.hpp",           "src/exact/number/limbs.hpp",     "src/exact/point/point.hpp",
+    "src/bvh/tree/mesh_bvh.hpp",      "src/exact/number/limbs.hpp",     "src/exact/point/point.hpp",
     "src/exact/sign/exact_signs.hpp", "src/geometry/key_box.hpp",       "src/world/verdict_cache.hpp",
     "src/world/world_impl.hpp",       "verify/oracle/oracle.hpp",       "verify/scenes/ship.hpp",
     "fuzz/base/failure.hpp",          "bench/engines/engine.hpp",       "verify/unit/world/world_fixture.hpp",
@@ -51,7 +51,7 @@ TEST(IncludeRules, RoomsLookDownAndOnlyWhereTheTableSays) {
     EXPECT_FALSE(is_allowed("src/exact/point/frame.cpp", "exact/sign/exact_signs.hpp")) << "a higher room";
     EXPECT_FALSE(is_allowed("src/broad_phase/sweep/sweep.cpp", "world/world_impl.hpp"));
     EXPECT_FALSE(is_allowed("src/broad_phase/sweep/sweep.cpp", "ecods/world.hpp"));
-    EXPECT_FALSE(is_allowed("src/broad_phase/broad_phase.cpp", "bvh/mesh_bvh.hpp")) << "it never sees a triangle";
+    EXPECT_FALSE(is_allowed("src/broad_phase/broad_phase.cpp", "bvh/tree/mesh_bvh.hpp")) << "it never sees a triangle";
     EXPECT_FALSE(is_allowed("src/world/world.cpp", "exact/number/limbs.hpp")) << "lower, and not in the table";
     EXPECT_FALSE(is_allowed("src/world/world.cpp", "ecods/ecods.hpp"));
 }
@@ -77,7 +77,7 @@ TEST(IncludeRules, ThirdParties) {
     EXPECT_TRUE(is_allowed_angled("src/world/world.cpp", "vector"));
     EXPECT_TRUE(is_allowed_angled("src/world/world.cpp", "Eigen/Core"));
     EXPECT_TRUE(is_allowed_angled("src/simd/wide.hpp", "immintrin.h"));
-    EXPECT_FALSE(is_allowed_angled("src/bvh/overlap_mask.cpp", "immintrin.h"));
+    EXPECT_FALSE(is_allowed_angled("src/bvh/masks/overlap_mask.cpp", "immintrin.h"));
     EXPECT_FALSE(is_allowed_angled("include/ecods/world.hpp", "hwy/highway.h"));
     EXPECT_FALSE(is_allowed_angled("src/world/world.cpp", "gsl/gsl_rng.h"));
     EXPECT_FALSE(is_allowed_angled("src/world/world.cpp", "CGAL/Gmpq.h"));

@@ -51,8 +51,8 @@ using BoxLevels = std::vector<std::vector<BoxBlock>>;
 // clusters, lines, far outliers. Mixed sizes spoil it, since one large box makes the bounds of a block of small ones
 // large: users keep a tree for each class of sizes.
 //
-// It shares with the tree of a mesh (bvh/mesh_bvh.hpp) the walk of one tree. Their builders have nothing in common:
-// that one weighs surfaces and gives nodes any number of children, this one is made again many times a second.
+// It shares with the tree of a mesh (bvh/tree/mesh_bvh.hpp) the walk of one tree. Their builders have nothing in
+// common: that one weighs surfaces and gives nodes any number of children, this one is made again many times a second.
 class BoxTree {
   public:
     // Orders the items. lines[item.slot] is the box. Cost: n log n.

@@ -9,7 +9,7 @@
 
 #include "broad_phase/boxes/box_tree.hpp"
 #include "broad_phase/boxes/packed_box.hpp"
-#include "bvh/walk_one.hpp"
+#include "bvh/walks/walk_one.hpp"
 #include "simd/inline.hpp"
 
 namespace ecods {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/double_key.hpp"
-#include "bvh/walk_nearest.hpp"
+#include "bvh/walks/walk_nearest.hpp"
 #include "ecods/cast.hpp"
 #include "query/cast/contact_at_start.hpp"
 #include "query/cast/contact_interval.hpp"

@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "bvh/swept_axes.hpp"
+#include "bvh/axes/swept_axes.hpp"
 #include "query/cast/cast_search.hpp"
 #include "query/cast/cast_until.hpp"
 #include "query/cast/contact_at_start.hpp"

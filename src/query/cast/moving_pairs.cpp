@@ -8,7 +8,7 @@
 #include "base/arithmetic.hpp"
 #include "base/double_key.hpp"
 #include "base/next.hpp"
-#include "exact/measure/possible_features.hpp"
+#include "exact/measure/contact/possible_features.hpp"
 
 namespace ecods {
 namespace {

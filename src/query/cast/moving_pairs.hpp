@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ecods/cast.hpp"
-#include "exact/measure/bound_meeting.hpp"
-#include "exact/measure/first_meeting.hpp"
+#include "exact/measure/contact/bound_meeting.hpp"
+#include "exact/measure/contact/first_meeting.hpp"
 #include "exact/point/frame.hpp"
 #include "query/cast/contact_interval.hpp"
 #include "query/shape/mesh_tree.hpp"

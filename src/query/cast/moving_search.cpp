@@ -7,9 +7,9 @@
 #include "base/double_key.hpp"
 #include "base/next.hpp"
 #include "base/outward.hpp"
-#include "bvh/motion_axes.hpp"
-#include "bvh/walk_two.hpp"
-#include "exact/measure/name_features.hpp"
+#include "bvh/axes/motion_axes.hpp"
+#include "bvh/walks/walk_two.hpp"
+#include "exact/measure/distance/name_features.hpp"
 #include "query/cast/contact_interval.hpp"
 #include "query/cast/moving_pairs.hpp"
 

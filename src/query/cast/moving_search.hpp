@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "bvh/mesh_bvh.hpp"
+#include "bvh/tree/mesh_bvh.hpp"
 #include "ecods/cast.hpp"
-#include "exact/measure/bound_meeting.hpp"
+#include "exact/measure/contact/bound_meeting.hpp"
 #include "query/intersection/query_memory.hpp"
 #include "query/shape/mesh_tree.hpp"
 

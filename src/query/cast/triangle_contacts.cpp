@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "exact/measure/contact_times.hpp"
-#include "exact/measure/enclose_contact.hpp"
-#include "exact/measure/measure_pair.hpp"
-#include "exact/measure/name_features.hpp"
+#include "exact/measure/contact/contact_times.hpp"
+#include "exact/measure/contact/enclose_contact.hpp"
+#include "exact/measure/distance/measure_pair.hpp"
+#include "exact/measure/distance/name_features.hpp"
 #include "exact/point/integer_points.hpp"
 
 namespace ecods {

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "ecods/cast.hpp"
-#include "exact/measure/enclose_distance.hpp"
-#include "exact/measure/fixed_points.hpp"
-#include "exact/measure/scaled_vector.hpp"
+#include "exact/measure/distance/enclose_distance.hpp"
+#include "exact/measure/round/fixed_points.hpp"
+#include "exact/measure/round/scaled_vector.hpp"
 #include "query/cast/contact_interval.hpp"
 
 namespace ecods {

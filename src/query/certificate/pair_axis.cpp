@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "base/outward.hpp"
-#include "bvh/projected_lanes.hpp"
+#include "bvh/masks/projected_lanes.hpp"
 #include "simd/dispatch.hpp"
 
 namespace ecods {

@@ -17,7 +17,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "bvh/mesh_bvh.hpp"
+#include "bvh/tree/mesh_bvh.hpp"
 #include "query/certificate/proof_axes.hpp"
 
 namespace ecods {

@@ -17,7 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "bvh/mesh_bvh.hpp"
+#include "bvh/tree/mesh_bvh.hpp"
 #include "ecods/pose.hpp"
 #include "simd/inline.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "base/assert.hpp"
 #include "ecods/closest_points.hpp"
-#include "exact/measure/feature_pair.hpp"
+#include "exact/measure/distance/feature_pair.hpp"
 #include "query/convex/gjk.hpp"
 #include "query/convex/posed_hulls.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "exact/measure/fixed_points.hpp"
+#include "exact/measure/round/fixed_points.hpp"
 #include "query/intersection/query_memory.hpp"
 
 namespace ecods::convex {

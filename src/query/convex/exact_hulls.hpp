@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include "exact/measure/exact_features.hpp"
-#include "exact/measure/measure_pair.hpp"
+#include "exact/measure/distance/exact_features.hpp"
+#include "exact/measure/distance/measure_pair.hpp"
 #include "query/convex/closest_hulls.hpp"
 
 namespace ecods::convex {

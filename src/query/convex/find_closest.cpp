@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <span>
 
-#include "exact/measure/enclose_distance.hpp"
-#include "exact/measure/fixed_length.hpp"
-#include "exact/measure/fixed_plane.hpp"
-#include "exact/measure/guess_features.hpp"
+#include "exact/measure/distance/enclose_distance.hpp"
+#include "exact/measure/distance/guess_features.hpp"
+#include "exact/measure/round/fixed_length.hpp"
+#include "exact/measure/round/fixed_plane.hpp"
 #include "query/convex/closest_hulls.hpp"
 #include "query/convex/exact_hulls.hpp"
 

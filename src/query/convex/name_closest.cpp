@@ -6,8 +6,8 @@
 #include <limits>
 #include <tuple>
 
-#include "exact/measure/closest_points.hpp"
-#include "exact/measure/exact_point.hpp"
+#include "exact/measure/distance/closest_points.hpp"
+#include "exact/measure/round/exact_point.hpp"
 #include "exact/point/vectors.hpp"
 #include "query/convex/closest_hulls.hpp"
 #include "query/convex/exact_hulls.hpp"

@@ -7,7 +7,7 @@
 #include "base/outward.hpp"
 #include "ecods/error.hpp"
 #include "ecods/predicates.hpp"
-#include "exact/measure/scaled_vector.hpp"
+#include "exact/measure/round/scaled_vector.hpp"
 #include "exact/point/vectors.hpp"
 #include "query/convex/furthest.hpp"
 #include "query/convex/short_points.hpp"

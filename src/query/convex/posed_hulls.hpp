@@ -14,8 +14,8 @@
 
 #include "ecods/convex_solid.hpp"
 #include "ecods/predicates.hpp"
-#include "exact/measure/measure_pair.hpp"
-#include "exact/measure/scaled_vector.hpp"
+#include "exact/measure/distance/measure_pair.hpp"
+#include "exact/measure/round/scaled_vector.hpp"
 #include "exact/point/integer_points.hpp"
 #include "query/convex/convex_memory.hpp"
 #include "query/convex/convex_parts.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/outward.hpp"
-#include "exact/measure/scaled_vector.hpp"
+#include "exact/measure/round/scaled_vector.hpp"
 
 namespace ecods::convex {
 namespace {

@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "ecods/pose.hpp"
-#include "exact/measure/scaled_vector.hpp"
+#include "exact/measure/round/scaled_vector.hpp"
 #include "query/convex/support_points.hpp"
 
 namespace ecods::convex {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/double_key.hpp"
-#include "exact/measure/scaled_vector.hpp"
+#include "exact/measure/round/scaled_vector.hpp"
 #include "exact/number/dyadic.hpp"
 
 namespace ecods::convex {

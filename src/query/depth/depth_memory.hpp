@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "exact/measure/fixed_points.hpp"
+#include "exact/measure/round/fixed_points.hpp"
 #include "query/depth/inner_polytope.hpp"
 #include "query/depth/nearest_planes.hpp"
 #include "query/depth/rounded_hulls.hpp"

@@ -4,13 +4,13 @@
 // translation, is a sum of three products and two translations, the difference of two points is below 2^(high + 4), and
 // the difference m of two of these, an edge of the set of differences, below 2^(high + 5). With high - unit + sum_bits
 // <= 64 L all differences are below 2^k, k = 64 L - 2; the widths of products follow as in
-// exact/measure/exact_features.hpp.
+// exact/measure/distance/exact_features.hpp.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
-#include "exact/measure/limb_vectors.hpp"
+#include "exact/measure/round/limb_vectors.hpp"
 #include "exact/number/dyadic.hpp"
 #include "exact/number/limbs.hpp"
 #include "exact/point/integer_points.hpp"

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "exact/measure/direction.hpp"
-#include "exact/measure/squared_distance.hpp"
+#include "exact/measure/round/direction.hpp"
+#include "exact/measure/round/squared_distance.hpp"
 #include "query/depth/exact_depth.hpp"
 #include "query/depth/exact_differences.hpp"
 

@@ -20,8 +20,8 @@
 #include <optional>
 #include <vector>
 
-#include "exact/measure/fixed_plane.hpp"
-#include "exact/measure/fixed_points.hpp"
+#include "exact/measure/round/fixed_plane.hpp"
+#include "exact/measure/round/fixed_points.hpp"
 #include "query/depth/exact_depth.hpp"
 #include "query/depth/inner_polytope.hpp"
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "base/double_key.hpp"
-#include "bvh/distance_axes.hpp"
-#include "bvh/far_gap.hpp"
-#include "bvh/triangle_bounds.hpp"
-#include "bvh/walk_nearest.hpp"
+#include "bvh/axes/distance_axes.hpp"
+#include "bvh/axes/far_gap.hpp"
+#include "bvh/masks/triangle_bounds.hpp"
+#include "bvh/walks/walk_nearest.hpp"
 #include "ecods/distance.hpp"
 #include "query/distance/triangle_distances.hpp"
 #include "query/intersection/query_memory.hpp"

@@ -1,10 +1,10 @@
 #include <array>
 
-#include "exact/measure/closest_points.hpp"
-#include "exact/measure/direction.hpp"
-#include "exact/measure/exact_point.hpp"
-#include "exact/measure/name_features.hpp"
-#include "exact/measure/shared_corners.hpp"
+#include "exact/measure/distance/closest_points.hpp"
+#include "exact/measure/distance/name_features.hpp"
+#include "exact/measure/distance/shared_corners.hpp"
+#include "exact/measure/round/direction.hpp"
+#include "exact/measure/round/exact_point.hpp"
 #include "query/distance/triangle_distances.hpp"
 #include "query/distance/triangle_features.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "exact/measure/guess_features.hpp"
-#include "exact/measure/measure_pair.hpp"
+#include "exact/measure/distance/guess_features.hpp"
+#include "exact/measure/distance/measure_pair.hpp"
 #include "query/distance/triangle_features.hpp"
 
 namespace ecods {

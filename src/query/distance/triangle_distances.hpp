@@ -9,11 +9,11 @@
 
 #include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
-#include "exact/measure/closest_slab.hpp"
-#include "exact/measure/enclose_distance.hpp"
-#include "exact/measure/feature_pair.hpp"
-#include "exact/measure/fixed_points.hpp"
-#include "exact/measure/squared_distance.hpp"
+#include "exact/measure/distance/closest_slab.hpp"
+#include "exact/measure/distance/enclose_distance.hpp"
+#include "exact/measure/distance/feature_pair.hpp"
+#include "exact/measure/round/fixed_points.hpp"
+#include "exact/measure/round/squared_distance.hpp"
 #include "exact/point/frame.hpp"
 
 namespace ecods {

@@ -1,9 +1,9 @@
 // The points of two triangles in the narrowest integers that hold them: what all exact questions begin with.
 #pragma once
 
-#include "exact/measure/enclose_distance.hpp"
-#include "exact/measure/guess_features.hpp"
-#include "exact/measure/measure_pair.hpp"
+#include "exact/measure/distance/enclose_distance.hpp"
+#include "exact/measure/distance/guess_features.hpp"
+#include "exact/measure/distance/measure_pair.hpp"
 #include "exact/point/integer_points.hpp"
 #include "query/distance/triangle_distances.hpp"
 #include "simd/inline.hpp"

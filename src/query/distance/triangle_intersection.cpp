@@ -1,7 +1,7 @@
-#include "exact/measure/direction.hpp"
-#include "exact/measure/exact_point.hpp"
-#include "exact/measure/polygon_order.hpp"
-#include "exact/measure/shared_corners.hpp"
+#include "exact/measure/distance/polygon_order.hpp"
+#include "exact/measure/distance/shared_corners.hpp"
+#include "exact/measure/round/direction.hpp"
+#include "exact/measure/round/exact_point.hpp"
 #include "query/distance/triangle_distances.hpp"
 #include "query/distance/triangle_features.hpp"
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "bvh/line_axes.hpp"
-#include "bvh/walk_line.hpp"
+#include "bvh/axes/line_axes.hpp"
+#include "bvh/walks/walk_line.hpp"
 #include "ecods/hit.hpp"
 #include "geometry/same_bits.hpp"
 #include "query/hit/step_region.hpp"

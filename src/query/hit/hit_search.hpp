@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ecods/hit.hpp"
-#include "exact/measure/fraction.hpp"
+#include "exact/measure/round/fraction.hpp"
 #include "geometry/line.hpp"
 #include "geometry/scaled_line.hpp"
 

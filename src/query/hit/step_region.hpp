@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "bvh/near_leaves.hpp"
+#include "bvh/walks/near_leaves.hpp"
 #include "geometry/line.hpp"
 
 namespace ecods {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "bounds/double4.hpp"
-#include "exact/measure/measure_pair.hpp"
+#include "exact/measure/distance/measure_pair.hpp"
 #include "exact/point/integer_points.hpp"
 #include "simd/dispatch.hpp"
 
@@ -72,7 +72,7 @@ ECODS_ALWAYS_INLINE Double4 sums_of(Double4 a, Double4 b, Double4 c, Double4 d) 
 
 }  // namespace
 
-// With the line's beginning at 0, corners p, q and r, and d as in exact/measure/line_hit.hpp.
+// With the line's beginning at 0, corners p, q and r, and d as in exact/measure/line/line_hit.hpp.
 //
 // Bound; u' = 2^-52 bounds one operation in any rounding mode, delta the error of a corner's coordinate, E the largest
 // coordinate of a corner by axis, D that of d, whose error is `d_error`. 1 + 2^-20 covers the evaluation.

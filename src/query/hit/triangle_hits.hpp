@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include "exact/measure/line_hit.hpp"
-#include "exact/measure/round_crossing.hpp"
+#include "exact/measure/line/line_hit.hpp"
+#include "exact/measure/line/round_crossing.hpp"
 #include "exact/point/frame.hpp"
 #include "exact/point/line_points.hpp"
 #include "geometry/line.hpp"

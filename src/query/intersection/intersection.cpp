@@ -8,8 +8,8 @@
 #include <span>
 #include <utility>
 
-#include "bvh/separating_axes.hpp"
-#include "bvh/walk_two.hpp"
+#include "bvh/axes/separating_axes.hpp"
+#include "bvh/walks/walk_two.hpp"
 #include "query/intersection/mesh_intersection_test.hpp"
 #include "query/intersection/overlap_bound.hpp"
 #include "query/intersection/plane_bound.hpp"

@@ -7,8 +7,8 @@
 #include <span>
 #include <utility>
 
-#include "bvh/separating_axes.hpp"
-#include "bvh/walk_two.hpp"
+#include "bvh/axes/separating_axes.hpp"
+#include "bvh/walks/walk_two.hpp"
 #include "ecods/intersection.hpp"
 
 namespace ecods {

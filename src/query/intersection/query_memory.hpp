@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "bvh/separating_axes.hpp"
-#include "bvh/walk_two.hpp"
+#include "bvh/axes/separating_axes.hpp"
+#include "bvh/walks/walk_two.hpp"
 #include "ecods/intersection.hpp"
 #include "query/intersection/triangle_relations.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bvh/mesh_bvh.hpp"
+#include "bvh/tree/mesh_bvh.hpp"
 #include "exact/point/mesh_extent.hpp"
 
 namespace ecods {

@@ -7,7 +7,7 @@
 
 #include "base/sha256.hpp"
 #include "bounds/local_frame.hpp"
-#include "bvh/mesh_bvh.hpp"
+#include "bvh/tree/mesh_bvh.hpp"
 #include "ecods/shape.hpp"
 #include "exact/point/mesh_extent.hpp"
 #include "query/shape/coplanar_groups.hpp"

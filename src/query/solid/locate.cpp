@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "bvh/walk_tree.hpp"
+#include "bvh/walks/walk_tree.hpp"
 #include "ecods/error.hpp"
 #include "ecods/solid.hpp"
 #include "exact/sign/frame_signs.hpp"

@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "bvh/walk_tree.hpp"
+#include "bvh/walks/walk_tree.hpp"
 #include "exact/sign/filter_bound.hpp"
 #include "exact/sign/frame_signs.hpp"
 #include "query/solid/proper_mesh.hpp"

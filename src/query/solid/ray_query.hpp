@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "bvh/ray_mask.hpp"
+#include "bvh/masks/ray_mask.hpp"
 #include "ecods/closest_points.hpp"
 #include "ecods/intersection.hpp"
 #include "ecods/solid.hpp"

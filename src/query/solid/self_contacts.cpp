@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
-#include "bvh/separating_axes.hpp"
-#include "bvh/walk_self.hpp"
+#include "bvh/axes/separating_axes.hpp"
+#include "bvh/walks/walk_self.hpp"
 #include "exact/sign/filter_bound.hpp"
 #include "exact/sign/frame_signs.hpp"
 #include "exact/simplex/triangle_contact.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/hash.hpp"
-#include "bvh/mesh_bvh.hpp"
+#include "bvh/tree/mesh_bvh.hpp"
 #include "exact/point/frame.hpp"
 #include "query/intersection/query_memory.hpp"
 #include "query/solid/fan.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bvh/walk_two.hpp"
+#include "bvh/walks/walk_two.hpp"
 #include "exact/sign/frame_signs.hpp"
 #include "exact/simplex/common_pose.hpp"
 #include "query/intersection/overlap_bound.hpp"

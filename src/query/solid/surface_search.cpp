@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "bvh/walk_two.hpp"
+#include "bvh/walks/walk_two.hpp"
 #include "exact/sign/frame_signs.hpp"
 #include "exact/simplex/common_pose.hpp"
 #include "exact/simplex/flat_contact.hpp"

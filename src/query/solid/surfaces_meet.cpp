@@ -1,6 +1,6 @@
 #include "query/solid/surfaces_meet.hpp"
 
-#include "bvh/walk_two.hpp"
+#include "bvh/walks/walk_two.hpp"
 #include "query/intersection/overlap_bound.hpp"
 #include "query/intersection/query_memory.hpp"
 #include "query/solid/solid_parts.hpp"

@@ -1,6 +1,6 @@
 // No bound of a distance is above the distance, however hard it is tried; most are not far below.
 
-#include "bvh/distance_axes.hpp"
+#include "bvh/axes/distance_axes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <limits>
 #include <string>
 
-#include "bvh/nearest_queue.hpp"
-#include "bvh/triangle_bounds.hpp"
-#include "bvh/walk_two.hpp"
+#include "bvh/masks/triangle_bounds.hpp"
+#include "bvh/walks/nearest_queue.hpp"
+#include "bvh/walks/walk_two.hpp"
 #include "oracle/distance.hpp"
 #include "scenes/distance_cases.hpp"
 #include "unit/bvh/mask_of_all.hpp"

@@ -1,5 +1,5 @@
 // No rank is above that of the distance, of nodes and of triangles, in any rounding mode.
-#include "bvh/far_gap.hpp"
+#include "bvh/axes/far_gap.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bvh/walk_two.hpp"
+#include "bvh/walks/walk_two.hpp"
 #include "oracle/distance.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"

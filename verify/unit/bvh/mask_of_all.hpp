@@ -7,8 +7,8 @@
 #include <cstring>
 #include <span>
 
-#include "bvh/distance_axes.hpp"
-#include "bvh/mesh_bvh.hpp"
+#include "bvh/axes/distance_axes.hpp"
+#include "bvh/tree/mesh_bvh.hpp"
 #include "environment/instruction_sets.hpp"
 
 namespace ecods {

@@ -1,6 +1,6 @@
 // Trees contain what they stand for: exactly, by rational arithmetic.
 
-#include "bvh/mesh_bvh.hpp"
+#include "bvh/tree/mesh_bvh.hpp"
 
 #include <CGAL/Gmpq.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <cfenv>
 #include <cmath>
 
-#include "bvh/frame_box.hpp"
+#include "bvh/tree/frame_box.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"

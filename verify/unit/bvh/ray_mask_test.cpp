@@ -1,5 +1,5 @@
 // Rays along axes, and points, against the boxes of posed trees: nothing that they meet is left out.
-#include "bvh/ray_mask.hpp"
+#include "bvh/masks/ray_mask.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "bvh/walk_tree.hpp"
+#include "bvh/walks/walk_tree.hpp"
 #include "environment/instruction_sets.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"

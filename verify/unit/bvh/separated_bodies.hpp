@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "bvh/separating_axes.hpp"
+#include "bvh/axes/separating_axes.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/predicates.hpp"
 #include "environment/instruction_sets.hpp"

@@ -1,6 +1,6 @@
 // What shares a point is never separated, however hard it is tried; most of what is well apart is.
 
-#include "bvh/separating_axes.hpp"
+#include "bvh/axes/separating_axes.hpp"
 
 #include <gtest/gtest.h>
 

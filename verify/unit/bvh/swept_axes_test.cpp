@@ -1,13 +1,13 @@
 // No bound of a time is above the time at which two triangles first share a point, however hard it is tried; most pairs
 // that never do are left out.
-#include "bvh/swept_axes.hpp"
+#include "bvh/axes/swept_axes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 
-#include "bvh/walk_two.hpp"
+#include "bvh/walks/walk_two.hpp"
 #include "environment/float_mode.hpp"
 #include "oracle/first_contact.hpp"
 #include "scenes/cast_cases.hpp"

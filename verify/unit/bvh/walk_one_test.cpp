@@ -1,4 +1,4 @@
-#include "bvh/walk_one.hpp"
+#include "bvh/walks/walk_one.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Enclosures contain the time of the first contact, in every floating-point environment, whatever is guessed; they are
 // narrow where the guess is right.
-#include "exact/measure/enclose_contact.hpp"
+#include "exact/measure/contact/enclose_contact.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // Enclosures contain the distance, in every floating-point environment, whatever features are guessed; they are narrow
 // where the guess is right.
 
-#include "exact/measure/enclose_distance.hpp"
+#include "exact/measure/distance/enclose_distance.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "exact/measure/guess_features.hpp"
+#include "exact/measure/distance/guess_features.hpp"
 #include "measured_pairs.hpp"
 #include "oracle_pair.hpp"
 #include "query/distance/triangle_distances.hpp"

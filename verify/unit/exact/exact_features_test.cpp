@@ -1,11 +1,11 @@
 // Signs of integers say what each pair of features is to the closest points, whatever is guessed, in kernels of every
 // width.
 
-#include "exact/measure/exact_features.hpp"
+#include "exact/measure/distance/exact_features.hpp"
 
 #include <gtest/gtest.h>
 
-#include "exact/measure/measure_pair.hpp"
+#include "exact/measure/distance/measure_pair.hpp"
 #include "exact/point/integer_points.hpp"
 #include "measured_pairs.hpp"
 #include "oracle_pair.hpp"

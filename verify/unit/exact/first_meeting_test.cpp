@@ -1,6 +1,6 @@
 // First meetings of two moving triangles: bounds in doubles beside exact ones, and the decision in a short time beside
 // the decision in all of it.
-#include "exact/measure/first_meeting.hpp"
+#include "exact/measure/contact/first_meeting.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "base/next.hpp"
 #include "environment/float_mode.hpp"
 #include "environment/instruction_sets.hpp"
-#include "exact/measure/bound_meeting.hpp"
+#include "exact/measure/contact/bound_meeting.hpp"
 #include "exact/point/integer_points.hpp"
 #include "scenes/random.hpp"
 

@@ -1,6 +1,6 @@
 // Lengths and distances from lines in fixed precision beside fractions of integers, of exact points and of points off
 // by some units.
-#include "exact/measure/fixed_length.hpp"
+#include "exact/measure/round/fixed_length.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <random>
 
 #include "environment/float_mode.hpp"
-#include "exact/measure/limb_vectors.hpp"
-#include "exact/measure/squared_distance.hpp"
+#include "exact/measure/round/limb_vectors.hpp"
+#include "exact/measure/round/squared_distance.hpp"
 
 namespace ecods::exact::fixed_length_test {
 namespace {

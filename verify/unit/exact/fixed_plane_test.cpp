@@ -1,5 +1,5 @@
 // Roundings in fixed precision beside those of integers of any length, of exact points and of points off by some units.
-#include "exact/measure/fixed_plane.hpp"
+#include "exact/measure/round/fixed_plane.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <random>
 
 #include "environment/float_mode.hpp"
-#include "exact/measure/direction.hpp"
-#include "exact/measure/limb_vectors.hpp"
-#include "exact/measure/squared_distance.hpp"
+#include "exact/measure/round/direction.hpp"
+#include "exact/measure/round/limb_vectors.hpp"
+#include "exact/measure/round/squared_distance.hpp"
 
 namespace ecods::exact::fixed_plane_test {
 namespace {

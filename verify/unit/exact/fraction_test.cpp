@@ -1,5 +1,5 @@
 // Parameters of lines and the points there, rounded once, beside rationals, in every floating-point environment.
-#include "exact/measure/fraction.hpp"
+#include "exact/measure/round/fraction.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The point in which a line crosses a triangle's plane, rounded from leading digits, beside rationals: never another
 // number than the nearest, and nearly always one.
-#include "exact/measure/round_crossing.hpp"
+#include "exact/measure/line/round_crossing.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>

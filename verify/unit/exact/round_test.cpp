@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "exact/measure/squared_distance.hpp"
+#include "exact/measure/round/squared_distance.hpp"
 #include "measured_pairs.hpp"
 #include "oracle/nearest.hpp"
 #include "oracle_pair.hpp"

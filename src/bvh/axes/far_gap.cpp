@@ -1,0 +1,82 @@
+#include "bvh/axes/far_gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/outward.hpp"
+#include "bvh/axes/posed_axes.hpp"
+#include "simd/dispatch.hpp"
+
+namespace ecods {
+namespace {
+
+using namespace axes;
+
+// In units, which are about the size of the larger tree. From there on ranks leave less work than squares do, by
+// counting it; which of the two is asked changes nothing else.
+constexpr double far_min = 0x1p9;
+constexpr double unit_max = 0x1p400;
+
+struct Row {
+    double length;
+    double a[3], b[3];
+    double gap, margin, sum;
+};
+
+ECODS_ALWAYS_INLINE Row row_along(const PosedTree& a, const PosedTree& b, const Vec3& difference,
+                                  double unit) noexcept {
+    const Edges edges_a(a.tree.frame, a.R), edges_b(b.tree.frame, b.R);
+    const Double4 d = load3(difference.data());
+    const Double4 between = (edges_b.origin - edges_a.origin) + d;
+    const double size = largest(absolute(between));
+    const Double4 n = between * (1 / size);
+    const Double4 row = n * (1 / unit);
+    const Matrix4 N = transpose({{row, Double4{}, Double4{}}});
+    const DoubleAxes exact(N, edges_a, edges_b, d, Own::a);
+    Row result;
+    result.length = std::sqrt(dot(n, n));
+    for (std::size_t k = 0; k < 3; ++k) {
+        result.a[k] = exact.a.column[k][0];
+        result.b[k] = exact.b.column[k][0];
+    }
+    result.sum = (row_sums(absolute(exact.a)) + row_sums(absolute(exact.b)))[0];
+    result.gap = exact.offset[0];
+    result.margin = exact.margin[0];
+    return result;
+}
+
+}  // namespace
+
+void FarGap::bind(const DistanceAxes& axes, const PosedTree& tree_a, const PosedTree& tree_b, const Vec3& d) {
+    is_far_ = false;
+    const DistanceSet& set = axes.sets()[0];
+    const auto& shift = set.axes.b.shift;
+    const float most = std::max({std::abs(shift[0]), std::abs(shift[1]), std::abs(shift[2])});
+    unit_ = axes.unit();
+    const bool may_be_far = most * std::sqrt(set.square) > static_cast<float>(far_min);
+    if (!may_be_far || !(unit_ < unit_max && unit_ > 1 / unit_max)) return;
+    const Row row = dispatch<row_along>(tree_a, tree_b, d, unit_);
+    if (!(row.margin < infinity && row.length >= 0.5 && row.length < 2)) return;
+    is_far_ = true;
+    length_ = row.length;
+    gap_ = row.gap;
+    for (std::size_t k = 0; k < 3; ++k) {
+        a[k] = static_cast<float>(row.a[k]);
+        b[k] = static_cast<float>(row.b[k]);
+    }
+    reach = static_cast<float>(row.sum);
+    margin_ = row.margin + 24 * float_u * row.sum + underflow;
+}
+
+float FarGap::rank_above(double distance) const noexcept {
+    const double own = static_cast<double>(reach);
+    const double at = length_ * (distance / unit_) * (1 + 0x1p-48);
+    const double rank = ((at - gap_) + own) + margin_;
+    const double rounding = 0x1p-49 * (((at + std::abs(gap_)) + own) + margin_);
+    // Ranks are below 3 reach: no box is beyond it, but for roundings.
+    const double all = 4 * own + 1;
+    return round_up(std::min(std::max(rank + rounding, 0.0), all));
+}
+
+}  // namespace ecods

@@ -1,0 +1,204 @@
+#include "bvh/masks/ray_mask.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/arithmetic.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/vec.hpp"
+
+namespace ecods {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double float_u = 0x1p-23;
+
+// The tree at its pose, in units: entries of R map are at most about one.
+struct PosedRoot {
+    Mat3 edges;      // R map
+    Vec3 from;       // R center - (p - t)
+    Mat3 edge_size;  // |R| |map|
+    Vec3 from_size;  // |R| |center| + |p - t|
+    double error;    // of the origin
+    bool is_bounded;
+
+    PosedRoot(const MeshBvh& tree, const Mat3& R, const RayOrigin& origin) {
+        const LocalFrame& frame = tree.frame;
+        const Mat3 R_size = R.cwiseAbs();
+        edges = R * frame.map;
+        edge_size = R_size * frame.map.cwiseAbs();
+        from = R * frame.center - origin.offset;
+        from_size = R_size * frame.center.cwiseAbs() + origin.offset.cwiseAbs();
+        error = origin.error;
+        const double largest = std::max(edge_size.maxCoeff(), 0x1p-60 * from_size.maxCoeff());
+        const double factor = std::max({R_size.maxCoeff(), frame.size_max, origin.offset.cwiseAbs().maxCoeff()});
+        // In this form NaN is not bounded.
+        is_bounded = frame.is_bounded && largest > 0x1p-400 && from_size.maxCoeff() < 0x1p500 && factor < 0x1p500;
+        if (!is_bounded) return;
+        const double unit = std::ldexp(1.0, -std::ilogb(largest));
+        edges *= unit;
+        edge_size *= unit;
+        from *= unit;
+        from_size *= unit;
+        error *= unit;
+    }
+
+    struct DoubleRow {
+        Vec3 g;
+        double shift;
+        double margin;
+    };
+    DoubleRow row(const Vec3& n) const {
+        const Vec3 size = n.cwiseAbs();
+        const double sum = size.dot(from_size) + (size.transpose() * edge_size).sum();
+        const double margin = 16 * two_u * sum + 2 * error * size.sum();
+        return {edges.transpose() * n, n.dot(from), margin};
+    }
+};
+
+void set_row(RayRow& row, const PosedRoot& root, const Vec3& n) {
+    const PosedRoot::DoubleRow exact = root.row(n);
+    for (std::size_t k = 0; k < 3; ++k) {
+        row.g[k] = static_cast<float>(exact.g[static_cast<Eigen::Index>(k)]);
+        row.size[k] = std::abs(row.g[k]);
+    }
+    row.shift = static_cast<float>(exact.shift);
+    const double in_floats = 16 * float_u * (std::abs(exact.shift) + exact.g.cwiseAbs().sum());
+    // The last factor covers the rounding of the margin.
+    const double margin = ((in_floats + exact.margin) + 0x1p-100) * (1 + 0x1p-20);
+    row.margin = static_cast<float>(root.is_bounded ? margin : infinite);
+}
+
+// What the root's box spans on a row, widened by the row's margin.
+struct RootSpan {
+    double low, high;
+
+    RootSpan(const MeshBvh& tree, const PosedRoot::DoubleRow& row) {
+        double middle = row.shift, reach = row.margin;
+        double sum = std::abs(row.shift);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double g = row.g[static_cast<Eigen::Index>(k)];
+            middle += g * static_cast<double>(tree.root_center[k]);
+            reach += std::abs(g) * static_cast<double>(tree.root_half[k]);
+            sum += std::abs(g);
+        }
+        reach += 16 * two_u * sum + 0x1p-100;
+        low = middle - reach;
+        high = middle + reach;
+    }
+    bool excludes_zero() const noexcept { return low > 0 || high < 0; }
+};
+
+Vec3 unit_vector(int axis, double sign = 1) {
+    Vec3 n = Vec3::Zero();
+    n[axis] = sign;
+    return n;
+}
+
+// One side of the ray's row of a box edge: the product of the ray's direction and the edge.
+Vec3 across_edge(const Vec3& edge, int axis) {
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    Vec3 n = Vec3::Zero();
+    n[i] = -edge[j];
+    n[j] = edge[i];
+    return n;
+}
+
+template <std::size_t width>
+struct RayKernel {
+    using Floats = Vec<float, width>;
+    using Ints = Vec<std::int32_t, width>;
+
+    ECODS_ALWAYS_INLINE static Floats load(const FloatLanes& lanes, std::size_t first) noexcept {
+        return ecods::load<Floats>(&lanes[first]);
+    }
+    ECODS_ALWAYS_INLINE static Floats value(const RayRow& row, const std::array<FloatLanes, 3>& at,
+                                            std::size_t first) noexcept {
+        return ((row.shift + row.g[0] * load(at[0], first)) + row.g[1] * load(at[1], first)) +
+               row.g[2] * load(at[2], first);
+    }
+    ECODS_ALWAYS_INLINE static std::uint32_t bits_of(Ints apart, std::size_t first) noexcept {
+        return static_cast<std::uint32_t>(any_bits(~apart & lane_bits<Ints>(static_cast<int>(first))));
+    }
+
+    // A NaN is not apart.
+    ECODS_ALWAYS_INLINE static std::uint32_t node_mask(const TreeRay& ray, const BvhNode& node) noexcept {
+        std::uint32_t lanes = 0;
+        for (std::size_t first = 0; first < tree_width; first += width) {
+            const auto reach = [&](const RayRow& row) -> Floats {
+                return ((row.margin + row.size[0] * load(node.half[0], first)) +
+                        row.size[1] * load(node.half[1], first)) +
+                       row.size[2] * load(node.half[2], first);
+            };
+            Ints apart = value(ray.along, node.center, first) < -reach(ray.along);
+            for (const RayRow& row : ray.across) {
+                apart |= absolute(value(row, node.center, first)) > reach(row);
+            }
+            lanes |= bits_of(apart, first);
+        }
+        return lanes & node.lanes();
+    }
+    // Values of a bounded row are no NaN: all its numbers are finite, and corners too.
+    ECODS_ALWAYS_INLINE static std::uint32_t leaf_mask(const TreeRay& ray, const TreeLeaf& leaf) noexcept {
+        std::uint32_t lanes = 0;
+        for (std::size_t first = 0; first < tree_width; first += width) {
+            Ints apart{};
+            const auto include = [&](const RayRow& row, bool is_across) {
+                const Floats a = value(row, leaf.corner[0], first), b = value(row, leaf.corner[1], first),
+                             c = value(row, leaf.corner[2], first);
+                apart |= max(max(a, b), c) < Floats{} - row.margin;
+                if (is_across) apart |= min(min(a, b), c) > Floats{} + row.margin;
+            };
+            include(ray.along, false);
+            for (const RayRow& row : ray.across) include(row, true);
+            lanes |= bits_of(apart, first);
+        }
+        return lanes & leaf.lanes();
+    }
+};
+
+}  // namespace
+
+bool set_ray(TreeRay& ray, const MeshBvh& tree, const Mat3& R, const RayOrigin& origin, std::uint32_t axes) {
+    const PosedRoot root(tree, R, origin);
+    double least = infinite;
+    ray.axis = -1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const RootSpan span(tree, root.row(unit_vector(axis)));
+        if (root.is_bounded && span.excludes_zero()) return false;
+        if ((axes >> axis & 1) == 0) continue;
+        const double up = span.high / (span.high - span.low);
+        const double way = std::min(up, 1 - up);
+        if (ray.axis >= 0 && !(way < least)) continue;
+        least = way;
+        ray.axis = axis;
+        ray.sign = up <= 0.5 ? 1 : -1;
+    }
+    set_row(ray.along, root, unit_vector(ray.axis, ray.sign));
+    for (int k = 0; k < 3; ++k) {
+        set_row(ray.across[static_cast<std::size_t>(k)], root, across_edge(root.edges.col(k), ray.axis));
+    }
+    return true;
+}
+
+bool set_point(TreeRay& point, const MeshBvh& tree, const Mat3& R, const RayOrigin& origin) {
+    const PosedRoot root(tree, R, origin);
+    for (int axis = 0; axis < 3; ++axis) {
+        const RootSpan span(tree, root.row(unit_vector(axis)));
+        if (root.is_bounded && span.excludes_zero()) return false;
+        set_row(point.across[static_cast<std::size_t>(axis)], root, unit_vector(axis));
+    }
+    point.along = point.across[0];
+    point.along.margin = std::numeric_limits<float>::infinity();
+    return true;
+}
+
+std::uint32_t ray_mask(const TreeRay& ray, const BvhNode& node) noexcept {
+    return dispatch_by_width<RayKernel<4>::node_mask, RayKernel<8>::node_mask>(ray, node);
+}
+std::uint32_t ray_mask(const TreeRay& ray, const TreeLeaf& leaf) noexcept {
+    return dispatch_by_width<RayKernel<4>::leaf_mask, RayKernel<8>::leaf_mask>(ray, leaf);
+}
+
+}  // namespace ecods

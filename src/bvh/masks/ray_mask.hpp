@@ -1,0 +1,68 @@
+// A ray along an axis of the world, or a point, against the boxes of a posed tree.
+//
+// A row is a vector n of the world. For a point of the mesh with the coordinates y, which is R (center + map y) + t,
+// and the beginning p of the ray,
+//
+//     n . (R (center + map y) + t - p) = shift + g . y,    g = (R map)^T n,    shift = n . (R center - (p - t)).
+//
+// The rows `across` are orthogonal to the ray: it meets a box only if all of these are zero somewhere in it. Rows that
+// are products of the ray and an edge of the boxes bound the shadow of a box along the ray exactly. Where the row
+// `along`, n = the ray's direction, is negative in all of a box, the box is behind the ray. For a point the rows across
+// are the axes of the world, and there is none along.
+//
+// Bound, for numbers in units of a power of two that makes the largest entry of R map about one (exact). In any
+// rounding mode one operation has an error of u' = 2^-52 (base/arithmetic.hpp); boxes have |center| + half <= 1 +
+// 2^-21.
+//   Doubles. R map as computed is off by 3.01 u' M, M = |R| |map|; R center - (p - t), with p - t given with an error
+//   of u' |p - t| + origin_error, by 5.1 u' W + origin_error, W = |R| |center| + |p - t|. Edges as computed are exact
+//   vectors n: any is sound. A row's products and sums add 3.01 u' |n| (W + M): below 9 u' (|n| . W + sum (|n| M)) +
+//   origin_error sum |n|. 16 in place of 9 covers the evaluation of the bound.
+//   Floats. With v = 2^-23: g and shift converted to floats are off by v each, a product by v and three sums by v each:
+//   5.1 v (|shift| + sum |g|) for shift + g . center, and as much for the reach. A triangle's corner is off by
+//   corner_error < 2.01 v of a unit. In all below 16 v (|shift| + sum |g|).
+//   Underflow. Doubles lose 2^-1022 each, times factors below 2^500, which is checked, so below 2^-400 in a hundred
+//   operations; floats 2^-126 each: 2^-100 is added. Where a check fails the margin is infinite, and every box matters.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "bvh/tree/mesh_bvh.hpp"
+#include "ecods/pose.hpp"
+
+namespace ecods {
+
+struct RayRow {
+    std::array<float, 3> g;
+    std::array<float, 3> size;  // |g|
+    float shift;
+    float margin;
+};
+
+struct TreeRay {
+    std::array<RayRow, 3> across;
+    RayRow along;
+    int axis = 0;
+    int sign = 1;  // the ray goes up or down
+};
+
+// Where a ray begins: p - t for the translation t of the tree's pose, each coordinate off by no more than u' times its
+// size and `error` more.
+struct RayOrigin {
+    Vec3 offset;
+    double error;
+};
+
+// Makes the ray along one of `axes` (bits 0 to 2, one at least), up or down, that leaves the tree's root soonest for
+// the root's size. Returns false if the beginning is certainly outside the root's box, with the axes of the world for
+// its normals: then every ray that leads away from the box misses it.
+bool set_ray(TreeRay& ray, const MeshBvh& tree, const Mat3& R, const RayOrigin& origin, std::uint32_t axes);
+
+// Makes the point. Returns false if it is certainly outside the root's box.
+bool set_point(TreeRay& point, const MeshBvh& tree, const Mat3& R, const RayOrigin& origin);
+
+// The lanes that the ray may meet, as bits: those of the others are clear, and those that repeat a lane.
+std::uint32_t ray_mask(const TreeRay& ray, const BvhNode& node) noexcept;
+std::uint32_t ray_mask(const TreeRay& ray, const TreeLeaf& leaf) noexcept;
+
+}  // namespace ecods

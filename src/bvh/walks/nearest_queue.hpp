@@ -1,0 +1,103 @@
+// Pairs of nodes that wait to be visited, the nearest first, but for those that are about equally near.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "bvh/tree/mesh_bvh.hpp"
+
+namespace ecods {
+
+// A pair of nodes or leaves, and a lower bound of the square of its distance, which is finite and not negative.
+struct NearPair {
+    float square;
+    TreeRef a;
+    TreeRef b;
+};
+
+// Buckets by the leading bits of the square: 32 in each binary order of magnitude, which is one part in 64 of the
+// distance. In a bucket the last pair that was pushed is the first one, so that a walk goes deep. Pushing and popping
+// cost a constant.
+class NearestQueue {
+  public:
+    // Forgets all pairs. Buckets are chosen for squares from `limit` down, over 32 orders of magnitude.
+    void start(float limit) noexcept {
+        base_ = bucket_bits(limit) - static_cast<std::int32_t>(bucket_count - 1);
+        words_.fill(0);
+        first_word_ = 0;
+        links_.clear();
+        free_ = none;
+    }
+
+    // `square` is at most the limit of start().
+    void push(const NearPair& pair) {
+        const std::size_t bucket = bucket_of(pair.square);
+        const std::size_t word = bucket / 64;
+        const std::uint64_t bit = std::uint64_t{1} << bucket % 64;
+        const std::uint32_t next = words_[word] & bit ? heads_[bucket] : none;
+        std::uint32_t at = free_;
+        if (at == none) {
+            at = static_cast<std::uint32_t>(links_.size());
+            links_.push_back({pair, next});
+        } else {
+            free_ = links_[at].next;
+            links_[at] = {pair, next};
+        }
+        heads_[bucket] = at;
+        words_[word] |= bit;
+        first_word_ = std::min(first_word_, word);
+    }
+
+    // Takes out a pair whose square is at most `limit`. Returns false if there is none.
+    bool pop(float limit, NearPair& pair) noexcept {
+        const std::size_t last = bucket_of(limit);
+        for (; first_word_ < words_.size(); ++first_word_) {
+            while (words_[first_word_] != 0) {
+                const auto lowest = static_cast<std::size_t>(std::countr_zero(words_[first_word_]));
+                const std::size_t bucket = 64 * first_word_ + lowest;
+                if (bucket > last) return false;
+                const std::uint32_t at = heads_[bucket];
+                Link& link = links_[at];
+                pair = link.pair;
+                heads_[bucket] = link.next;
+                if (link.next == none) words_[first_word_] &= words_[first_word_] - 1;
+                link.next = free_;
+                free_ = at;
+                if (pair.square <= limit) return true;
+            }
+        }
+        return false;
+    }
+
+  private:
+    static constexpr std::size_t bucket_count = 1024;
+    static constexpr int dropped_bits = 23 - 5;
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    struct Link {
+        NearPair pair;
+        std::uint32_t next;
+    };
+
+    // Bits of floats that are not negative order as the floats do.
+    static std::int32_t bucket_bits(float square) noexcept {
+        return std::bit_cast<std::int32_t>(square) >> dropped_bits;
+    }
+    std::size_t bucket_of(float square) const noexcept {
+        const std::int32_t at = bucket_bits(square) - base_;
+        return static_cast<std::size_t>(std::clamp(at, 0, static_cast<std::int32_t>(bucket_count - 1)));
+    }
+
+    std::int32_t base_ = 0;
+    std::size_t first_word_ = 0;
+    std::array<std::uint64_t, bucket_count / 64> words_{};  // which buckets hold a pair
+    std::array<std::uint32_t, bucket_count> heads_;         // of those, the first pair
+    std::vector<Link> links_;
+    std::uint32_t free_ = none;
+};
+
+}  // namespace ecods

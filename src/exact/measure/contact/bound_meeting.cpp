@@ -1,0 +1,178 @@
+#include "exact/measure/contact/bound_meeting.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/arithmetic.hpp"
+#include "base/next.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/vec.hpp"
+
+namespace ecods::exact {
+namespace {
+
+using Double4 = Vec<double, 4>;
+using Four = std::array<Double4, 3>;  // vectors, one in each lane
+
+// Each step shortens or parts an interval. More than these are only needed where both triangles graze each other.
+constexpr int step_max = 96;
+constexpr int coarse_step_max = 3;
+// A chord's zero is as near to the meeting as the square of the interval's length: so of what is left the first half is
+// looked at; where they meet in it, the first quarter of that, then a sixteenth (as in quadratic interval refinement:
+// Abbott, Quadratic interval refinement for real roots, 2014).
+constexpr int halvings_max = 32;
+// Shorter ones are not parted: relative to their end, a few times the distance of doubles.
+constexpr double length_min = 0x1p-44;
+
+ECODS_ALWAYS_INLINE Four four(const Point& a, const Point& b, const Point& c, const Point& d) noexcept {
+    return {Double4{a[0], b[0], c[0], d[0]}, Double4{a[1], b[1], c[1], d[1]}, Double4{a[2], b[2], c[2], d[2]}};
+}
+
+// The ends of both triangles on four axes at one time.
+struct Ends {
+    Double4 low_a, high_a, low_b, high_b;
+
+    ECODS_ALWAYS_INLINE Ends(const Four& n, const Points<6>& p) noexcept {
+        const auto on = [&](std::size_t i) { return (n[0] * p[i][0] + n[1] * p[i][1]) + n[2] * p[i][2]; };
+        const Double4 a0 = on(0), a1 = on(1), a2 = on(2), b0 = on(3), b1 = on(4), b2 = on(5);
+        low_a = min(a0, min(a1, a2));
+        high_a = max(a0, max(a1, a2));
+        low_b = min(b0, min(b1, b2));
+        high_b = max(b0, max(b1, b2));
+    }
+};
+
+// What is left of an interval, as parts of its length: nothing where first > last.
+struct Part {
+    double first = 0, last = 1;
+};
+
+// The gaps at both ends of the interval leave the part between the zeros of their chords.
+ECODS_ALWAYS_INLINE void shorten(Part& part, Double4 gap_from, Double4 gap_to) noexcept {
+    const Double4 zero{}, one = zero + 1, two = zero + 2;
+    const auto apart_before = gap_from > zero, apart_after = gap_to > zero;
+    const Double4 at = gap_from / (gap_from - gap_to);
+    const Double4 first = select(apart_before, select(apart_after, two, at * (1 - 16 * two_u)), zero);
+    const Double4 last = select(~apart_before & apart_after, at * (1 + 16 * two_u), one);
+    for (int i = 0; i < 4; ++i) {
+        part.first = first[i] > part.first ? first[i] : part.first;
+        part.last = last[i] < part.last ? last[i] : part.last;
+    }
+}
+
+// Above a sum of which no part was rounded by more than an ulp, or lost 2^-1022 to underflow.
+ECODS_ALWAYS_INLINE double above(double sum) noexcept {
+    return next_up(next_up(sum + 0x1p-1000));
+}
+
+class Bounds {
+  public:
+    ECODS_ALWAYS_INLINE explicit Bounds(const MovingPoints& points) noexcept : corners_(points) {}
+
+    ECODS_ALWAYS_INLINE std::optional<TimeSpan> first(double from, double to, int step_count) const noexcept {
+        if (!corners_.is_bounded()) return TimeSpan{from, to};
+        std::array<double, step_max> later;  // ends of the intervals that follow, the next one last
+        std::size_t later_count = 0;
+        double end = to;  // of the interval that is being shortened
+        int halvings = 1;
+        Corners at_from(corners_, from), at_to(corners_, to);
+        for (int step = 0; step < step_count; ++step) {
+            const Part part = remaining(at_from, at_to);
+            if (part.first > part.last) {
+                if (later_count == 0) return std::nullopt;
+                from = end;
+                to = end = later[--later_count];
+                halvings = std::max(1, halvings / 2);
+                at_from = {corners_, from};
+                at_to = {corners_, to};
+                continue;
+            }
+            const double length = to - from;
+            const double first = std::max(from, next_down(from + length * part.first));
+            const double last = part.last < 1 ? std::min(to, above(from + length * part.last)) : to;
+            if (!(first <= last)) return TimeSpan{from, to};
+            if (first > from) at_from = {corners_, first};
+            from = first;
+            to = last;
+            if (to - from <= length_min * to) return TimeSpan{from, to};
+            later[later_count++] = end;
+            to = end = std::min(to, next_up(from + std::ldexp(to - from, -halvings)));
+            at_to = {corners_, to};
+            halvings = std::min(2 * halvings, halvings_max);
+        }
+        return TimeSpan{from, to};
+    }
+
+  private:
+    // Corners at a time, and how far they are off.
+    struct Corners {
+        Points<6> points;
+        Point error;
+
+        ECODS_ALWAYS_INLINE Corners(const MovingCorners& corners, double s) noexcept
+            : points(corners.at(s)), error(corners.error_at(s)) {}
+
+        ECODS_ALWAYS_INLINE Double4 bound(const Four& n) const noexcept {
+            return ((absolute(n[0]) * error[0] + absolute(n[1]) * error[1]) + absolute(n[2]) * error[2]) +
+                   MovingCorners::underflow;
+        }
+    };
+
+    ECODS_ALWAYS_INLINE static void shorten_by(const Four& n, const Corners& p, const Corners& q, Part& part) noexcept {
+        const Ends before(n, p.points), after(n, q.points);
+        const Double4 bound_before = p.bound(n), bound_after = q.bound(n);
+        shorten(part, (before.low_b - before.high_a) - bound_before, (after.low_b - after.high_a) - bound_after);
+        shorten(part, (before.low_a - before.high_b) - bound_before, (after.low_a - after.high_b) - bound_after);
+    }
+
+    // Made larger where products of their differences could underflow: where the bodies grow much larger on the way.
+    ECODS_ALWAYS_INLINE static Points<6> without_small(const Points<6>& points) noexcept {
+        constexpr double small = 0x1p-64;
+        double size = 0;
+        for (const Point& p : points) size = std::max({size, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+        if (size >= small) return points;
+        const double scale = MovingCorners::inverse_power(size);
+        Points<6> result = points;
+        for (Point& p : result) {
+            for (double& x : p) x *= scale;
+        }
+        return result;
+    }
+
+    // By the normals of the faces and the products of edges, as they are at the beginning.
+    ECODS_ALWAYS_INLINE static Part remaining(const Corners& from, const Corners& to) noexcept {
+        const Points<6> p = without_small(from.points);
+        const Point a[3] = {minus(p[1], p[0]), minus(p[2], p[1]), minus(p[0], p[2])};
+        const Point b[3] = {minus(p[4], p[3]), minus(p[5], p[4]), minus(p[3], p[5])};
+        const Point normal_a = cross(a[0], a[1]), normal_b = cross(b[0], b[1]);
+        const Point between = {(p[3][0] + p[4][0] + p[5][0]) - (p[0][0] + p[1][0] + p[2][0]),
+                               (p[3][1] + p[4][1] + p[5][1]) - (p[0][1] + p[1][1] + p[2][1]),
+                               (p[3][2] + p[4][2] + p[5][2]) - (p[0][2] + p[1][2] + p[2][2])};
+        Part part;
+        shorten_by(four(normal_a, normal_b, between, cross(normal_a, a[0])), from, to, part);
+        if (part.first > part.last) return part;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Point in_plane = i == 0 ? cross(normal_a, a[1]) : cross(normal_b, b[i]);
+            shorten_by(four(cross(a[i], b[0]), cross(a[i], b[1]), cross(a[i], b[2]), in_plane), from, to, part);
+            if (part.first > part.last) return part;
+        }
+        return part;
+    }
+
+    MovingCorners corners_;
+};
+
+ECODS_ALWAYS_INLINE std::optional<TimeSpan> find_bound(const MovingPoints& points, double from, double to,
+                                                       int step_count) noexcept {
+    return Bounds(points).first(from, to, step_count);
+}
+
+}  // namespace
+
+std::optional<TimeSpan> bound_first_meeting(const MovingPoints& points, double from, double to,
+                                            Effort effort) noexcept {
+    return dispatch<find_bound>(points, from, to, effort == Effort::coarse ? coarse_step_max : step_max);
+}
+
+}  // namespace ecods::exact

@@ -1,0 +1,267 @@
+// When two triangles share a point, of which the first is moved by s times a vector m, in integers.
+//
+// Triangles A + s m and B share a point exactly where s m is in D = B - A, the set of all differences of their points.
+// D is convex and closed, so these s are a closed interval [s0, s1], or none. Let m not be zero; then it is bounded.
+//
+// Which features hold the ends. At s0 the triangles share a convex set; let x be a corner of it. x is in the relative
+// interior of a feature of either, and these have nothing else in common (shared_corners.hpp): one is a vertex, or they
+// are two edges that cross, or an edge that goes through a face. These two features did not share a point just before:
+// so an edge through a face is excluded; and what remains has s0 as its only time, since features that move within one
+// plane or line and share a point in both relative interiors do so just before, too. The same holds at s1, just after.
+// So the ends are times of pairs of these, with w = y - x for their first corners, and u, v edges or n a normal:
+//     vertex and face  n.m != 0, s = n.w / n.m          edges  n = u x v, n.m != 0, s = n.w / n.m
+//     vertex and edge  m x u != 0, s (m x u) = w x u    vertices  w x m = 0, s m = w
+// and every time at which such a pair shares a point, borders of features included, is in the interval. Hence s0 and s1
+// are the least and the greatest of these times.
+//
+// Which of them have to be looked at. Let all determinants of m, an edge, and the difference of one of its ends and a
+// corner of the other triangle (`sides`: on which side of the edge the corner is, seen along m) be zero. Then faces are
+// parallel to m, and so are planes through two edges. Vertices and edges hold the ends; if all edges are parallel to m,
+// vertices do. Otherwise faces and pairs of edges hold them. For if D has an interior, an end of the interval is on a
+// facet of D whose plane is not parallel to m, since otherwise the line went on. A facet is the difference of the
+// features of B and A that are extreme along its normal, which is covered by differences of a vertex and a face, and of
+// two edges: points of it are corners of what two features in one plane share (as above). If D is in a plane that is
+// not parallel to m, that plane takes the place of the facet: a vertex of A in a segment B is the end of two edges of A
+// of which one is not parallel to B. If D is in a plane or line parallel to m and not all determinants are zero, 0 + s
+// m is not in it, and no pair shares a point.
+//
+// Widths: those of exact_features.hpp. Differences below 2^k: determinants, n.w and n.m are below 2^(3k + 3), and the
+// product of two below 2^(6k + 6).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "exact/measure/distance/exact_features.hpp"
+#include "exact/measure/distance/feature_pair.hpp"
+#include "exact/measure/round/limb_vectors.hpp"
+#include "exact/measure/round/squared_distance.hpp"
+#include "exact/number/dyadic.hpp"
+#include "exact/number/limbs.hpp"
+
+namespace ecods::exact {
+
+// num / den, den > 0.
+template <int L>
+struct ContactTime {
+    Limbs<L> num{};
+    Limbs<L> den{};
+    int sign = 0;  // of the time; num is its magnitude
+};
+
+template <int L>
+int compare_magnitudes(const Limbs<L>& a, const Limbs<L>& b) noexcept {
+    for (std::size_t i = L; i-- > 0;) {
+        if (a[i] != b[i]) return a[i] < b[i] ? -1 : 1;
+    }
+    return 0;
+}
+
+// The sign of the first less the second.
+template <int L>
+int compare(const ContactTime<L>& a, const ContactTime<L>& b) noexcept {
+    if (a.sign != b.sign || a.sign == 0) return a.sign < b.sign ? -1 : a.sign > b.sign;
+    return a.sign * compare_magnitudes<2 * L>(multiply<L, L>(a.num, b.den), multiply<L, L>(b.num, a.den));
+}
+
+template <int L>
+bool is_above_one(const ContactTime<L>& a) noexcept {
+    return a.sign > 0 && compare_magnitudes<L>(a.num, a.den) > 0;
+}
+
+// The sign of the time less d. Neither is negative, and d is finite.
+template <int L>
+int compare(const ContactTime<L>& a, double d) noexcept {
+    const Dyadic x = decode(d);
+    if (a.sign == 0 || x.m == 0) return a.sign - static_cast<int>(x.m != 0);
+    const std::array<std::uint64_t, 1> digits{magnitude(x.m)};
+    Natural<L + 1> other;
+    other.assign_product(without_leading_zeros(a.den), digits);
+    return compare_shifted(without_leading_zeros(a.num), -x.e, other.limbs());
+}
+
+// Rounded once; a positive time is at least 2^-1074. Not for negative ones.
+template <int L>
+double round(const ContactTime<L>& a) noexcept {
+    if (a.sign == 0) return 0;
+    const double t = round_quotient(without_leading_zeros(a.num), without_leading_zeros(a.den), 0, false);
+    return std::bit_cast<double>(std::max<std::uint64_t>(std::bit_cast<std::uint64_t>(t), 1));
+}
+
+// The corners of the first triangle, which moves, then those of the second; and m, which is not zero.
+template <int L>
+struct TranslatedPair {
+    std::array<std::array<Limbs<L>, 3>, 6> points;
+    LimbVector<L> m;
+};
+
+template <int L>
+class ContactTimes {
+  public:
+    using Vector = LimbVector<L>;
+    using Time = ContactTime<3 * L>;
+
+    explicit ContactTimes(const TranslatedPair<L>& pair) noexcept : features_(pair.points), m_(pair.m) {
+        const auto& points = pair.points;
+        for (std::size_t side = 0; side < 2; ++side) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                const LimbVector<2 * L> c = cross<L>(m_, features_.from(side, i, 1));
+                for (const auto& x : c) all_edges_are_parallel_ &= is_zero<2 * L>(x.limbs);
+                for (std::size_t j = 0; j < 3; ++j) {
+                    const Vector w =
+                        side == 0 ? difference<L>(points[3 + j], points[i]) : difference<L>(points[j], points[3 + i]);
+                    const int s = sign<3 * L>(dot<2 * L, L>(c, w));
+                    sides_[side][i][j] = static_cast<std::int8_t>(s);
+                    all_sides_are_zero_ &= s == 0;
+                }
+            }
+        }
+    }
+
+    // The first time from 0 to 1 at which the triangles share a point.
+    std::optional<Time> first() const noexcept {
+        Time least, greatest;
+        bool is_known = false;
+        for (const FeaturePair& f : feature_pairs) {
+            if (!decides(f.kind)) continue;
+            Time t;
+            if (meeting(f, t) == Standing::none) continue;
+            if (!is_known || compare<3 * L>(t, least) < 0) least = t;
+            if (!is_known || compare<3 * L>(t, greatest) > 0) greatest = t;
+            is_known = true;
+        }
+        if (!is_known || greatest.sign < 0 || is_above_one<3 * L>(least)) return std::nullopt;
+        if (least.sign < 0) least.sign = 0;
+        return least;
+    }
+
+    // The first pair of features, in the order of feature_pairs, whose relative interiors share a point at the first
+    // time, which is not 0.
+    FeaturePair first_features(const Time& first) const noexcept {
+        for (const FeaturePair& f : feature_pairs) {
+            Time t;
+            if (meeting(f, t) == Standing::inside && compare<3 * L>(t, first) == 0) return f;
+        }
+        ECODS_ASSERT(false);  // The proof above.
+        return {};
+    }
+
+    // The time of a vertex and a face, or of two edges, of which it is known that they have one.
+    static Time time_of(const FeaturePair& f, const TranslatedPair<L>& pair) noexcept {
+        const ExactFeatures<L> features(pair.points);
+        Time time;
+        [[maybe_unused]] const bool is_set = set_height(features, pair.m, f, time);
+        ECODS_ASSERT(is_set);
+        return time;
+    }
+
+    // Whether the features share a point at some time, being no such features as share one for a while: `inside` both,
+    // or on the border of one; `none` otherwise. Sets the time where they do.
+    Standing meeting(const FeaturePair& f, Time& time) const noexcept {
+        switch (f.kind) {
+            case FeatureKind::vertex_vertex:
+                return of_vertices(f, time);
+            case FeatureKind::vertex_edge:
+                return of_vertex_and_edge(f, time);
+            case FeatureKind::vertex_face:
+                return of_vertex_and_face(f, time);
+            default:
+                return of_edges(f, time);
+        }
+    }
+
+  private:
+    static constexpr int k = ExactFeatures<L>::coordinate_bits + 1;
+    static_assert(3 * k + 3 < 64 * (3 * L));
+    static_assert(6 * k + 6 <= 64 * (6 * L));
+
+    bool decides(FeatureKind kind) const noexcept {
+        if (!all_sides_are_zero_) return kind == FeatureKind::vertex_face || kind == FeatureKind::edge_edge;
+        return kind == (all_edges_are_parallel_ ? FeatureKind::vertex_vertex : FeatureKind::vertex_edge);
+    }
+
+    template <int M>
+    static void set(const Magnitude<M>& num, const Magnitude<M>& den, Time& time) noexcept {
+        static_assert(M <= 3 * L);
+        time.num = time.den = {};
+        for (std::size_t i = 0; i < M; ++i) {
+            time.num[i] = num.limbs[i];
+            time.den[i] = den.limbs[i];
+        }
+        time.sign = sign<M>(num) * sign<M>(den);
+    }
+
+    // n.w / n.m. Sets nothing if the denominator is zero.
+    static bool set_height(const ExactFeatures<L>& features, const Vector& m, const FeaturePair& f,
+                           Time& time) noexcept {
+        const LimbVector<2 * L> n = features.normal(f);
+        const Magnitude<3 * L> den = dot<2 * L, L>(n, m);
+        if (is_zero<3 * L>(den.limbs)) return false;
+        set(dot<2 * L, L>(n, features.between(f)), den, time);
+        return true;
+    }
+    bool set_height(const FeaturePair& f, Time& time) const noexcept { return set_height(features_, m_, f, time); }
+
+    // The corner, seen along m, is in the triangle if it is on one side of all edges: the sum of the three
+    // determinants is n.m.
+    Standing of_vertex_and_face(const FeaturePair& f, Time& time) const noexcept {
+        const std::size_t face = 1 - f.vertex_side, vertex = face == 1 ? f.a : f.b;
+        int positive = 0, negative = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            positive += sides_[face][i][vertex] > 0;
+            negative += sides_[face][i][vertex] < 0;
+        }
+        if ((positive > 0) == (negative > 0) || !set_height(f, time)) return Standing::none;
+        return positive + negative == 3 ? Standing::inside : Standing::border;
+    }
+
+    // The ends of either edge, seen along m, are not on one side of the other.
+    Standing of_edges(const FeaturePair& f, Time& time) const noexcept {
+        const std::size_t i = f.a, j = f.b, i2 = (i + 1) % 3, j2 = (j + 1) % 3;
+        const int b = sides_[0][i][j] * sides_[0][i][j2], a = sides_[1][j][i] * sides_[1][j][i2];
+        if (a > 0 || b > 0 || !set_height(f, time)) return Standing::none;
+        return a < 0 && b < 0 ? Standing::inside : Standing::border;
+    }
+
+    // In a plane with m: w = s m - t v for a vertex of A and the point t v of an edge of B, w = s m + t u the other way
+    // round. Then w x m = t (m x v), or -t (m x u).
+    Standing of_vertex_and_edge(const FeaturePair& f, Time& time) const noexcept {
+        const std::size_t edge_of = 1 - f.vertex_side;
+        const std::size_t edge = edge_of == 0 ? f.a : f.b, vertex = edge_of == 0 ? f.b : f.a;
+        if (sides_[edge_of][edge][vertex] != 0) return Standing::none;
+        const Vector w = features_.between(f), u = features_.from(edge_of, edge, 1);
+        const LimbVector<2 *L> across = cross<L>(m_, u), num = cross<L>(w, u), along = cross<L>(w, m_);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (is_zero<2 * L>(across[axis].limbs)) continue;
+            const int turn = sign<2 * L>(across[axis]) * (edge_of == 1 ? 1 : -1);
+            const int from = sign<2 * L>(along[axis]) * turn;
+            const int to = compare_magnitudes<2 * L>(across[axis].limbs, along[axis].limbs);
+            if (from < 0 || to < 0) return Standing::none;
+            set(num[axis], across[axis], time);
+            return from > 0 && to > 0 ? Standing::inside : Standing::border;
+        }
+        return Standing::none;
+    }
+
+    Standing of_vertices(const FeaturePair& f, Time& time) const noexcept {
+        const Vector w = features_.between(f);
+        if (!is_parallel<L>(w, m_)) return Standing::none;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (is_zero<L>(m_[axis].limbs)) continue;
+            set(w[axis], m_[axis], time);
+            return Standing::inside;
+        }
+        return Standing::none;
+    }
+
+    ExactFeatures<L> features_;
+    Vector m_;
+    // Of the triangle, by edge and by corner of the other: the sign of the determinant of m, the edge and the corner
+    // less the edge's beginning.
+    std::int8_t sides_[2][3][3];
+    bool all_sides_are_zero_ = true, all_edges_are_parallel_ = true;
+};
+
+}  // namespace ecods::exact

@@ -1,0 +1,119 @@
+// Seen along the motion, triangles that will share a point overlap, and the first time is that of a corner of what they
+// share there: of a vertex in the other's face, or of two edges that cross (contact_times.hpp). Otherwise an edge of
+// one separates them.
+#include "exact/measure/contact/guess_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "exact/point/vectors.hpp"
+#include "simd/inline.hpp"
+
+namespace ecods::exact {
+namespace {
+
+using Index = std::size_t;
+
+class Guess {
+  public:
+    Guess(const Points<6>& x, const Point& m) noexcept : x_(x), m_(m) {
+        for (Index side = 0; side < 2; ++side) {
+            for (Index i = 0; i < 3; ++i) {
+                edge_[side][i] = minus(at(side, next_corner(i)), at(side, i));
+                const Point c = cross(m, edge_[side][i]);
+                square_[side][i] = dot(c, c);
+                for (Index j = 0; j < 3; ++j) over_[side][i][j] = dot(c, minus(at(1 - side, j), at(side, i)));
+                // The sum of the three is the same for each corner of the other, and this at the third corner.
+                own_[side][i] = dot(c, minus(at(side, next_corner(next_corner(i))), at(side, i)));
+            }
+        }
+    }
+
+    ContactGuess find() noexcept {
+        if (find_gap()) return best_;
+        for (Index side = 0; side < 2; ++side) {
+            for (Index j = 0; j < 3; ++j) try_face(side, j);
+        }
+        for (Index i = 0; i < 3; ++i) {
+            for (Index j = 0; j < 3; ++j) try_edges(i, j);
+        }
+        best_.features = first_;
+        if (greatest_ < 0) best_ = {ContactGuess::What::leaving, last_};
+        return best_;
+    }
+
+  private:
+    const Point& at(Index side, Index i) const noexcept { return x_[3 * side + i]; }
+
+    // The edge that leaves the widest gap.
+    ECODS_ALWAYS_INLINE bool find_gap() noexcept {
+        double widest = 0;
+        for (Index side = 0; side < 2; ++side) {
+            for (Index i = 0; i < 3; ++i) {
+                const auto& h = over_[side][i];
+                const Index low = h[0] <= h[1] ? (h[0] <= h[2] ? 0 : 2) : (h[1] <= h[2] ? 1 : 2);
+                const Index high = h[0] >= h[1] ? (h[0] >= h[2] ? 0 : 2) : (h[1] >= h[2] ? 1 : 2);
+                const double above = h[low] - std::max(own_[side][i], 0.0);
+                const double below = std::min(own_[side][i], 0.0) - h[high];
+                const double gap = std::max(above, below);
+                if (!(gap > 0)) continue;
+                const double ratio = gap * gap / square_[side][i];
+                if (!(ratio > widest)) continue;
+                widest = ratio;
+                const Index other = above > below ? low : high;
+                best_ = {ContactGuess::What::passing, side == 0 ? pair_of(FeatureKind::vertex_edge, 0, i, other)
+                                                                : pair_of(FeatureKind::vertex_edge, 1, other, i)};
+            }
+        }
+        return widest > 0;
+    }
+
+    // Corner j against the face of `side`.
+    ECODS_ALWAYS_INLINE void try_face(Index side, Index j) noexcept {
+        const double s0 = over_[side][0][j], s1 = over_[side][1][j], s2 = over_[side][2][j];
+        const bool is_inside = (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);
+        if (!is_inside) return;
+        const Point n = cross(edge_[side][0], edge_[side][1]);
+        take(n, side == 0 ? minus(at(1, j), at(0, 0)) : minus(at(1, 0), at(0, j)),
+             side == 0 ? pair_of(FeatureKind::vertex_face, 1, 0, j) : pair_of(FeatureKind::vertex_face, 0, j, 0));
+    }
+
+    ECODS_ALWAYS_INLINE void try_edges(Index i, Index j) noexcept {
+        const double b = over_[0][i][j] * over_[0][i][next_corner(j)], a = over_[1][j][i] * over_[1][j][next_corner(i)];
+        if (a > 0 || b > 0) return;
+        take(cross(edge_[0][i], edge_[1][j]), minus(at(1, j), at(0, i)), pair_of(FeatureKind::edge_edge, 0, i, j));
+    }
+
+    ECODS_ALWAYS_INLINE void take(const Point& n, const Point& w, const FeaturePair& f) noexcept {
+        const double time = dot(n, w) / dot(n, m_);
+        if (time < least_) {
+            least_ = time;
+            first_ = f;
+        }
+        if (time > greatest_) {
+            greatest_ = time;
+            last_ = f;
+        }
+    }
+
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    const Points<6>& x_;
+    const Point& m_;
+    Point edge_[2][3];
+    double over_[2][3][3];  // by side, edge, and corner of the other: the determinant with m
+    double own_[2][3];      // the same of the third corner
+    double square_[2][3];
+    double least_ = infinity, greatest_ = -infinity;
+    FeaturePair first_, last_;
+    ContactGuess best_;
+};
+
+}  // namespace
+
+ContactGuess guess_contact(const Points<6>& points, const Point& m) noexcept {
+    return Guess(points, m).find();
+}
+
+}  // namespace ecods::exact

@@ -1,0 +1,131 @@
+#include "exact/measure/contact/moving_triangles.hpp"
+
+namespace ecods::exact {
+namespace {
+
+using Vector = MovingTriangles::Vector;
+
+Vector operator-(const Vector& u, const Vector& v) {
+    return {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
+}
+Vector cross_product(const Vector& u, const Vector& v) {
+    return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+Polynomial dot_product(const Vector& u, const Vector& v) {
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+constexpr std::size_t index_of(const CornerAndEdge& which) {
+    return 9 * which.side + 3 * which.corner + which.edge;
+}
+
+}  // namespace
+
+Polynomial MovingTriangles::difference(std::size_t i, std::size_t j, std::size_t axis) const {
+    return corners_[0][i][axis] - corners_[1][j][axis];
+}
+
+const Vector& MovingTriangles::turn(const CornerAndEdge& which) {
+    std::optional<Vector>& turn = turns_[index_of(which)];
+    if (!turn) {
+        const Triangle& other = corners_[1 - which.side];
+        const Vector& from = other[which.edge];
+        turn = cross_product(other[next_corner(which.edge)] - from, corners_[which.side][which.corner] - from);
+    }
+    return *turn;
+}
+
+Polynomial MovingTriangles::corner_volume(std::size_t side, std::size_t corner) {
+    const Triangle& other = corners_[1 - side];
+    std::optional<Vector>& normal = normals_[1 - side];
+    if (!normal) normal = cross_product(other[1] - other[0], other[2] - other[0]);
+    return dot_product(*normal, corners_[side][corner] - other[0]);
+}
+
+Polynomial MovingTriangles::edge_volume(std::size_t edge_a, std::size_t edge_b) const {
+    const Vector &p = corners_[0][edge_a], &q = corners_[1][edge_b];
+    return dot_product(cross_product(corners_[0][next_corner(edge_a)] - p, corners_[1][next_corner(edge_b)] - q),
+                       q - p);
+}
+
+int TrianglesAtRoot::order(std::size_t i, std::size_t j, std::size_t axis) {
+    std::int8_t& sign = orders_[9 * i + 3 * j + axis];
+    if (sign == unknown) sign = static_cast<std::int8_t>(time_.sign_of(triangles_.difference(i, j, axis)));
+    return sign;
+}
+
+int TrianglesAtRoot::turn(const CornerAndEdge& which, std::size_t axis) {
+    std::int8_t& sign = turns_[3 * index_of(which) + axis];
+    if (sign == unknown) sign = static_cast<std::int8_t>(time_.sign_of(triangles_.turn(which)[axis]));
+    return sign;
+}
+
+int TrianglesAtRoot::corner_volume(std::size_t side, std::size_t corner) {
+    std::int8_t& sign = volumes_[3 * side + corner];
+    if (sign == unknown) sign = static_cast<std::int8_t>(time_.sign_of(triangles_.corner_volume(side, corner)));
+    return sign;
+}
+
+int TrianglesAtRoot::edge_volume(std::size_t edge_a, std::size_t edge_b) {
+    std::int8_t& sign = volumes_[6 + 3 * edge_a + edge_b];
+    if (sign == unknown) sign = static_cast<std::int8_t>(time_.sign_of(triangles_.edge_volume(edge_a, edge_b)));
+    return sign;
+}
+
+// On the line of the edge, and on some axis strictly between its ends.
+bool TrianglesAtRoot::is_inside_edge(const CornerAndEdge& which) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (turn(which, axis) != 0) return false;
+    }
+    const auto order_of = [&](std::size_t end, std::size_t axis) {
+        return which.side == 0 ? order(which.corner, end, axis) : order(end, which.corner, axis);
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (order_of(which.edge, axis) * order_of(next_corner(which.edge), axis) < 0) return true;
+    }
+    return false;
+}
+
+// In the face's plane, and along some axis strictly on one side of all of its edges. The three turns add up to the
+// normal: where they have one sign, the face has an area, seen along that axis.
+bool TrianglesAtRoot::is_inside_face(std::size_t side, std::size_t corner) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int sign = turn({side, corner, 0}, axis);
+        if (sign != 0 && turn({side, corner, 1}, axis) == sign && turn({side, corner, 2}, axis) == sign) {
+            return corner_volume(side, corner) == 0;
+        }
+    }
+    return false;
+}
+
+// In one plane, and along some axis each with its ends strictly on the two sides of the other. The two turns of one
+// edge differ by the product of both edges: where they have opposite signs, the edges are not parallel, and the view
+// along that axis keeps points of the plane apart.
+bool TrianglesAtRoot::edges_cross(std::size_t edge_a, std::size_t edge_b) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (turn({0, edge_a, edge_b}, axis) * turn({0, next_corner(edge_a), edge_b}, axis) < 0 &&
+            turn({1, edge_b, edge_a}, axis) * turn({1, next_corner(edge_b), edge_a}, axis) < 0) {
+            return edge_volume(edge_a, edge_b) == 0;
+        }
+    }
+    return false;
+}
+
+bool TrianglesAtRoot::share_point(const FeaturePair& features) {
+    const std::size_t side = features.vertex_side;
+    switch (features.kind) {
+        case FeatureKind::vertex_vertex:
+            return order(features.a, features.b, 0) == 0 && order(features.a, features.b, 1) == 0 &&
+                   order(features.a, features.b, 2) == 0;
+        case FeatureKind::vertex_edge:
+            return side == 0 ? is_inside_edge({0, features.a, features.b})
+                             : is_inside_edge({1, features.b, features.a});
+        case FeatureKind::vertex_face:
+            return is_inside_face(side, side == 0 ? features.a : features.b);
+        case FeatureKind::edge_edge:
+            return edges_cross(features.a, features.b);
+    }
+    return false;
+}
+
+}  // namespace ecods::exact

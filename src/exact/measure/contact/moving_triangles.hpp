@@ -1,0 +1,85 @@
+// Two triangles whose corners move on straight lines, from one place each at time 0 to another at time 1: as
+// polynomials in time, what says how they lie.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "exact/measure/distance/feature_pair.hpp"
+#include "exact/number/polynomial.hpp"
+#include "exact/number/root.hpp"
+#include "exact/point/integer_points.hpp"
+
+namespace ecods::exact {
+
+// A corner of one triangle and the edge of the other that begins at corner `edge`. The first triangle is side 0.
+struct CornerAndEdge {
+    std::size_t side;  // of the corner
+    std::size_t corner;
+    std::size_t edge;
+};
+
+class MovingTriangles {
+  public:
+    using Vector = std::array<Polynomial, 3>;
+
+    // The corners of both triangles at time 0, then the same at time 1.
+    template <class Kernel>
+    explicit MovingTriangles(const IntegerPoints<Kernel, 12>& points) {
+        for (std::size_t i = 0; i < 6; ++i) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const Integer start(points.at[i][axis]);
+                corners_[i / 3][i % 3][axis] = Polynomial(start, Integer(points.at[i + 6][axis]) - start);
+            }
+        }
+    }
+
+    // Corner i of the first triangle less corner j of the second.
+    Polynomial difference(std::size_t i, std::size_t j, std::size_t axis) const;
+    // (q - p) x (c - p) of the edge from p to q and the corner c: zero where c is on the line of the edge.
+    const Vector& turn(const CornerAndEdge& which);
+    // Six times the volume of a corner and the other triangle, and of an edge of each: zero where they are in a plane.
+    Polynomial corner_volume(std::size_t side, std::size_t corner);
+    Polynomial edge_volume(std::size_t edge_a, std::size_t edge_b) const;
+
+  private:
+    using Triangle = std::array<Vector, 3>;
+
+    std::array<Triangle, 2> corners_;
+    std::array<std::optional<Vector>, 2> normals_;
+    std::array<std::optional<Vector>, 18> turns_;
+};
+
+// How two moving triangles lie at one time.
+class TrianglesAtRoot {
+  public:
+    TrianglesAtRoot(MovingTriangles& triangles, Root& time) noexcept : triangles_(triangles), time_(time) {
+        orders_.fill(unknown);
+        turns_.fill(unknown);
+        volumes_.fill(unknown);
+    }
+
+    // Whether the features share a point: each a corner, an edge without its ends or a face without its edges; edges
+    // where they cross and are not parallel.
+    bool share_point(const FeaturePair& features);
+
+  private:
+    static constexpr std::int8_t unknown = 2;
+
+    int order(std::size_t i, std::size_t j, std::size_t axis);
+    int turn(const CornerAndEdge& which, std::size_t axis);
+    int corner_volume(std::size_t side, std::size_t corner);
+    int edge_volume(std::size_t edge_a, std::size_t edge_b);
+    bool is_inside_edge(const CornerAndEdge& which);
+    bool is_inside_face(std::size_t side, std::size_t corner);
+    bool edges_cross(std::size_t edge_a, std::size_t edge_b);
+
+    MovingTriangles& triangles_;
+    Root& time_;
+    std::array<std::int8_t, 27> orders_;
+    std::array<std::int8_t, 54> turns_;
+    std::array<std::int8_t, 15> volumes_;
+};
+
+}  // namespace ecods::exact

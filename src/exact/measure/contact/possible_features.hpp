@@ -1,0 +1,26 @@
+// Which features of two moving triangles may share a point in a short time, in doubles, in any rounding mode.
+//
+// In a time of length w around s each corner is within w V of where it is at s, V the length of its way. So features
+// are apart all that time if for some vector n the gap of their corners at s is above twice the bound of a projection
+// and 2 w |n| V. The bound is that of moving_points.hpp; 2.25 w V are added to it, V the largest way on an axis as
+// computed. That is off by u' V and by twice the error of the places, which for w <= 2^-20 is below 2^-18 of an error
+// that is counted 2.25 times in place of 2; the difference of the times and the products are off by some u' of
+// themselves. All are covered by what is more than 2. Vectors are products of three differences of corners at most.
+#pragma once
+
+#include <cstdint>
+
+#include "exact/measure/contact/moving_points.hpp"
+#include "exact/measure/distance/feature_pair.hpp"
+
+namespace ecods::exact {
+
+// One bit for each of feature_pairs.
+using FeatureSet = std::uint64_t;
+inline constexpr FeatureSet all_features = (FeatureSet{1} << feature_pairs.size()) - 1;
+inline constexpr double short_time = 0x1p-20;
+
+// Contains all pairs whose closed features share a point in the time. `time` is no longer than short_time.
+FeatureSet possible_features(const MovingPoints& points, const TimeSpan& time) noexcept;
+
+}  // namespace ecods::exact

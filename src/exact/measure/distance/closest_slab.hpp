@@ -1,0 +1,60 @@
+// The slab between two closest points, at right angles to what is between them. Two sets on its two sides are not
+// nearer to each other than these points: a search that has found them need not measure triangles that are, which is
+// most that share a closest vertex or edge, and all that tie across parallel faces.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "exact/measure/round/limb_vectors.hpp"
+#include "exact/number/limbs.hpp"
+#include "exact/point/vertex_cache.hpp"
+
+namespace ecods::exact {
+
+// Exact, for points of two limbs. Every vertex is asked about once, and kept in a small cache.
+class ClosestSlab {
+  public:
+    static constexpr int limb_count = 2;
+    using Point = std::array<Limbs<limb_count>, 3>;
+
+    bool is_set() const noexcept { return is_set_; }
+    void forget() noexcept { is_set_ = false; }
+
+    // `n` points from the first body to the second, or the other way where it is turned; x and y are points of the
+    // first and the second body in the planes of the closest points.
+    template <int M>
+    void set(const LimbVector<M>& n, bool is_turned, const Point& x, const Point& y) noexcept {
+        static_assert(M <= normal_limbs);
+        is_set_ = true;
+        for (std::size_t k = 0; k < 3; ++k) {
+            normal_[k] = {};
+            for (std::size_t i = 0; i < M; ++i) normal_[k].limbs[i] = n[k].limbs[i];
+            normal_[k].negative = is_turned ? ~n[k].negative : n[k].negative;
+        }
+        ends_ = {x, y};
+        for (auto& side : sides_) side.clear();
+    }
+
+    // Whether the point of a vertex is in the plane of its own body, or beyond it, seen from the slab.
+    template <class PointOf>
+    bool is_outside(std::size_t body, std::uint32_t vertex, PointOf&& point_of) noexcept {
+        return sides_[body].get(vertex, [&](bool& is_outside) {
+            const LimbVector<limb_count> from = difference<limb_count>(point_of(), ends_[body]);
+            const int side = sign<normal_limbs + limb_count>(dot<normal_limbs, limb_count>(normal_, from));
+            is_outside = body == 0 ? side <= 0 : side >= 0;
+        });
+    }
+
+  private:
+    // (u.u) w - (w.u) u is the longest; see exact_features.hpp for its width, and that of its product.
+    static constexpr int normal_limbs = 3 * limb_count;
+
+    bool is_set_ = false;
+    LimbVector<normal_limbs> normal_{};
+    std::array<Point, 2> ends_{};
+    std::array<VertexCache<bool, 256>, 2> sides_;
+};
+
+}  // namespace ecods::exact

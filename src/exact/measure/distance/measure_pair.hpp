@@ -1,0 +1,79 @@
+// The exact distance of two triangles of integer points.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+
+#include "base/assert.hpp"
+#include "exact/measure/distance/exact_features.hpp"
+#include "exact/measure/distance/feature_pair.hpp"
+#include "exact/measure/round/squared_distance.hpp"
+#include "exact/point/integer_points.hpp"
+#include "exact/sign/exact_signs.hpp"
+#include "exact/simplex/triangle_pair.hpp"
+
+namespace ecods::exact {
+
+// How many limbs coordinates of a kernel have.
+template <class Kernel>
+inline constexpr int limbs_of = Kernel::limb_count;
+template <>
+inline constexpr int limbs_of<OneLimbKernel> = 1;
+template <>
+inline constexpr int limbs_of<TwoLimbKernel> = 2;
+static_assert(OneLimbKernel::coordinate_bits <= ExactFeatures<1>::coordinate_bits);
+static_assert(TwoLimbKernel::coordinate_bits <= ExactFeatures<2>::coordinate_bits);
+
+inline Limbs<1> to_limbs(std::int64_t x) noexcept {
+    return {static_cast<std::uint64_t>(x)};
+}
+inline Limbs<2> to_limbs(Int128 x) noexcept {
+    return {static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(x >> 64)};
+}
+template <std::size_t L>
+const std::array<std::uint64_t, L>& to_limbs(const std::array<std::uint64_t, L>& x) noexcept {
+    return x;
+}
+
+template <class Kernel, std::size_t N>
+auto to_limbs(const IntegerPoints<Kernel, N>& points) noexcept {
+    std::array<std::array<Limbs<limbs_of<Kernel>>, 3>, N> result;
+    for (std::size_t i = 0; i < N; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) result[i][k] = to_limbs(points.at[i][k]);
+    }
+    return result;
+}
+
+// A pair of features that holds closest points, and what it is to them; `none` if the triangles share a point and the
+// guess does not show it.
+struct ClosestFeatures {
+    FeaturePair features;
+    Standing standing = Standing::none;
+};
+
+// `guess` is tried first; it is taken as it is if its standing is `only`.
+template <class Kernel, int L>
+ClosestFeatures find_closest(const IntegerPoints<Kernel, 6>& points, const ExactFeatures<L>& features,
+                             const ClosestFeatures& guess) noexcept {
+    if (guess.standing == Standing::only) return guess;
+    const Standing of_guess = features.standing(guess.features);
+    if (of_guess != Standing::none) return {guess.features, of_guess};
+    const ExactSigns signs(points);
+    if (triangle_pair(signs) != Relation::disjoint) return {};
+    for (const FeaturePair& pair : feature_pairs) {
+        if (const Standing standing = features.standing(pair); standing != Standing::none) return {pair, standing};
+    }
+    ECODS_ASSERT(false);  // Disjoint triangles have closest points.
+    return {};
+}
+
+// Of disjoint triangles, the first features in the order of feature_pairs that hold closest points inside.
+template <int L>
+FeaturePair first_closest(const ExactFeatures<L>& features, const ClosestFeatures& found) noexcept {
+    if (found.standing == Standing::only) return found.features;
+    return *std::ranges::find_if(feature_pairs,
+                                 [&](const FeaturePair& pair) { return features.standing(pair) >= Standing::inside; });
+}
+
+}  // namespace ecods::exact

@@ -1,0 +1,80 @@
+// The corners of a convex polygon in the order in which they go around it.
+//
+// In lexicographic order the first and the last of them are the ends of a diagonal, and the others are on its two
+// sides: on each in the order in which they follow each other. Which side that is, is the sign of an orientation in the
+// plane of two coordinates onto which the polygon does not collapse, in homogeneous coordinates.
+//
+// Widths. Numerators are below 2^(5k + 4) and denominators below 2^(4k + 4) (closest_points.hpp), so the determinant, a
+// sum of six products of two numerators and a denominator, is below 2^(14k + 15), and has a sign.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "exact/measure/distance/exact_features.hpp"
+#include "exact/measure/distance/shared_corners.hpp"
+#include "exact/measure/round/limb_vectors.hpp"
+
+namespace ecods::exact {
+
+template <int L>
+class PolygonOrder {
+  public:
+    using Corner = typename SharedCorners<L>::Corner;
+
+    // `normal` of the polygon's plane, not zero.
+    explicit PolygonOrder(const LimbVector<2 * L>& normal) noexcept {
+        std::size_t axis = 0;
+        while (is_zero<2 * L>(normal[axis].limbs)) ++axis;
+        turn_ = sign<2 * L>(normal[axis]);
+        x_ = (axis + 1) % 3;
+        y_ = (axis + 2) % 3;
+    }
+
+    // Takes at least three corners, in lexicographic order. The first stays the first; the others follow it
+    // counterclockwise as seen from where the normal points to.
+    void sort(std::vector<Corner>& corners) const {
+        const Corner first = corners.front(), last = corners.back();
+        const auto upper = std::stable_partition(corners.begin() + 1, corners.end() - 1, [&](const Corner& corner) {
+            return turn_ * orientation(first, last, corner) < 0;
+        });
+        // The lower side, the last corner, and the upper side backwards.
+        std::reverse(upper, corners.end());
+    }
+
+  private:
+    static constexpr int k = ExactFeatures<L>::coordinate_bits + 1;
+    static_assert(14 * k + 16 <= 64 * (14 * L));
+
+    // Positive where p, q, r make a left turn.
+    int orientation(const Corner& p, const Corner& q, const Corner& r) const noexcept {
+        Limbs<14 * L> sum{};
+        add_cofactor(sum, p, q, r);
+        add_cofactor(sum, q, r, p);
+        add_cofactor(sum, r, p, q);
+        return sign<14 * L>(sum);
+    }
+
+    // sum += (p_x q_y - p_y q_x) times the denominator of r.
+    void add_cofactor(Limbs<14 * L>& sum, const Corner& p, const Corner& q, const Corner& r) const noexcept {
+        Limbs<10 * L> minor{};
+        add_product<5 * L, 5 * L>(minor, p.num[x_], q.num[y_]);
+        add_product<5 * L, 5 * L>(minor, p.num[y_], q.num[x_], all_ones);
+        add_product<10 * L, 4 * L>(sum, magnitude<10 * L>(minor), Magnitude<4 * L>{r.den, 0});
+    }
+
+    std::size_t x_, y_;
+    int turn_;
+};
+
+// Of a polygon in this order, counterclockwise around the first triangle's normal.
+template <int L>
+std::vector<typename SharedCorners<L>::Corner> corners_around(const SharedCorners<L>& shared) {
+    auto corners = shared.corners();
+    if (corners.size() > 2) PolygonOrder<L>(*shared.normal()).sort(corners);
+    return corners;
+}
+
+}  // namespace ecods::exact

@@ -1,0 +1,248 @@
+// The corners of what two triangles share, in integers.
+//
+// The common points of two triangles are a convex set of at most six corners. A corner is in the relative interior of
+// a vertex, edge or face of each, and these have nothing else in common: so it is a vertex that is in the other
+// triangle, a point where an edge goes through the other's face, or a crossing of two edges. All such points of proper
+// triangles are corners, since what they are in has only that point in common with the other's. Of segments, a vertex
+// of a zero-area triangle may lie between the ends.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "exact/measure/distance/exact_features.hpp"
+#include "exact/measure/round/exact_point.hpp"
+#include "exact/measure/round/limb_vectors.hpp"
+
+namespace ecods::exact {
+
+template <int L>
+class SharedCorners {
+  public:
+    // num / den, counted from the first corner of the first triangle: den below 2^(4k + 4), num below 2^(5k + 4), where
+    // differences are below 2^k (closest_points.hpp).
+    struct Corner {
+        std::array<Magnitude<5 * L>, 3> num;
+        Limbs<4 * L> den;
+    };
+
+    explicit SharedCorners(const ExactFeatures<L>& features) : features_(features) {
+        for (std::size_t side = 0; side < 2; ++side) {
+            normal_[side] = cross<L>(features.from(side, 0, 1), features.from(side, 0, 2));
+            is_proper_[side] = !is_zero<4 * L>(dot<2 * L, 2 * L>(normal_[side], normal_[side]).limbs);
+        }
+        for (std::size_t side = 0; side < 2; ++side) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                if (is_in(side, i)) add(features.position(side, i), one(), {}, {});
+                if (is_proper_[1 - side]) add_piercing(side, i);
+            }
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t j = 0; j < 3; ++j) add_crossing(i, j);
+        }
+        const bool is_segment = !is_proper_[0] || !is_proper_[1];
+        if (is_segment && corners_.size() > 2) corners_ = {corners_.front(), corners_.back()};
+    }
+
+    // Each once, in lexicographic order of their coordinates; none if the triangles share no point.
+    const std::vector<Corner>& corners() const noexcept { return corners_; }
+
+    // The features of lowest dimension that hold the inside of what is shared define a normal if these are a face and
+    // anything in its plane, or two edges that are not parallel: that of the face, of the first triangle if of both, or
+    // the product of the edges. Otherwise nothing, and nothing if no point is shared.
+    std::optional<LimbVector<2 * L>> normal() const;
+
+    static void assign(const Corner& corner, int unit, ExactPoint& point) noexcept {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            point.num[axis].size.assign(corner.num[axis].limbs);
+            point.num[axis].is_negative = corner.num[axis].negative != 0;
+        }
+        point.den.assign(corner.den);
+        point.unit = unit;
+    }
+
+  private:
+    using Vector = LimbVector<L>;
+    using Weight = Magnitude<4 * L>;
+
+    static Weight one() noexcept {
+        Weight x{};
+        x.limbs[0] = 1;
+        return x;
+    }
+    template <int M>
+    static Weight widened(const Magnitude<M>& x) noexcept {
+        Weight result{{}, x.negative};
+        std::copy(x.limbs.begin(), x.limbs.end(), result.limbs.begin());
+        return result;
+    }
+
+    bool is_in(std::size_t side, std::size_t i) const noexcept;
+    std::optional<LimbVector<2 * L>> normal_at_point() const;
+    bool goes_through(const FeaturePair& f) const;
+    std::optional<LimbVector<2 * L>> normal_along_segment() const;
+    bool is_in_edge(std::size_t side) const noexcept;
+    void add_piercing(std::size_t side, std::size_t edge);
+    void add_crossing(std::size_t i, std::size_t j);
+    void add(const Vector& p, const Weight& den, const Weight& s, const Vector& u);
+    static int compare(const Corner& a, const Corner& b) noexcept;
+
+    const ExactFeatures<L>& features_;
+    std::array<LimbVector<2 * L>, 2> normal_;
+    std::array<bool, 2> is_proper_{};
+    std::vector<Corner> corners_;
+};
+
+// Whether corner i of a triangle is in the other.
+template <int L>
+bool SharedCorners<L>::is_in(std::size_t side, std::size_t i) const noexcept {
+    const auto holds = [&](FeatureKind kind, std::size_t of_other) {
+        FeaturePair f{kind, static_cast<std::uint8_t>(side), static_cast<std::uint8_t>(i),
+                      static_cast<std::uint8_t>(of_other)};
+        if (side == 1) std::swap(f.a, f.b);
+        return features_.meeting(f) != Standing::none;
+    };
+    if (is_proper_[1 - side]) return holds(FeatureKind::vertex_face, 0);
+    for (std::size_t j = 0; j < 3; ++j) {
+        if (holds(FeatureKind::vertex_vertex, j) || holds(FeatureKind::vertex_edge, j)) return true;
+    }
+    return false;
+}
+
+// Adds the point in which an edge goes through the other's face, its ends strictly on both sides: at h0 / (h0 - h1) of
+// the edge, h0 and h1 the heights of its ends.
+template <int L>
+void SharedCorners<L>::add_piercing(std::size_t side, std::size_t edge) {
+    const std::size_t face = 1 - side;
+    const LimbVector<2 * L>& n = normal_[face];
+    const Vector base = features_.position(face, 0), u = features_.from(side, edge, 1);
+    Vector r = features_.position(side, edge);
+    for (std::size_t k = 0; k < 3; ++k) r[k] = minus<L>(r[k], base[k]);
+    const Magnitude<3 *L> h0 = dot<2 * L, L>(n, r), rise = dot<2 * L, L>(n, u);
+    const Magnitude<3 * L> fall = negated<3 * L>(rise);
+    const int begin = sign<3 * L>(h0), end = begin * sign<3 * L>(minus<3 * L>(h0, fall));
+    if (begin == 0 || end >= 0) return;
+    // On which side of the edge's line each edge of the face goes by.
+    int least = 1, most = -1;
+    for (std::size_t i = 0; i < 3; ++i) {
+        Vector x = features_.position(face, i), y = features_.position(face, i + 1);
+        const Vector p = features_.position(side, edge);
+        for (std::size_t k = 0; k < 3; ++k) {
+            x[k] = minus<L>(x[k], p[k]);
+            y[k] = minus<L>(y[k], p[k]);
+        }
+        const int s = sign<3 * L>(dot<2 * L, L>(cross<L>(x, y), u));
+        least = std::min(least, s);
+        most = std::max(most, s);
+    }
+    if (least < 0 && most > 0) return;
+    // Both with the sign of h0, so that the denominator is positive.
+    Weight den = widened(fall), s = widened(h0);
+    den.negative = s.negative = 0;
+    add(features_.position(side, edge), den, s, u);
+}
+
+template <int L>
+void SharedCorners<L>::add_crossing(std::size_t i, std::size_t j) {
+    const FeaturePair f{FeatureKind::edge_edge, 0, static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j)};
+    if (features_.meeting(f) == Standing::none) return;
+    const Vector w = features_.between(f), u = features_.from(0, i, 1), v = features_.from(1, j, 1);
+    const LimbVector<2 * L> n = cross<L>(u, v);
+    add(features_.position(0, i), dot<2 * L, 2 * L>(n, n), dot<2 * L, 2 * L>(cross<L>(w, v), n), u);
+}
+
+// Adds (den p + s u) / den, unless it is there.
+template <int L>
+void SharedCorners<L>::add(const Vector& p, const Weight& den, const Weight& s, const Vector& u) {
+    Corner corner;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        Limbs<5 * L> sum{};
+        add_product<4 * L, L>(sum, den, p[axis]);
+        add_product<4 * L, L>(sum, s, u[axis]);
+        corner.num[axis] = magnitude<5 * L>(sum);
+    }
+    corner.den = den.limbs;
+    const auto at = std::ranges::find_if(corners_, [&](const Corner& other) { return compare(other, corner) >= 0; });
+    if (at == corners_.end() || compare(*at, corner) != 0) corners_.insert(at, corner);
+}
+
+template <int L>
+int SharedCorners<L>::compare(const Corner& a, const Corner& b) noexcept {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        Limbs<9 * L> sum{};
+        add_signed<9 * L>(sum, multiply<5 * L, 4 * L>(a.num[axis].limbs, b.den), a.num[axis].negative);
+        add_signed<9 * L>(sum, multiply<5 * L, 4 * L>(b.num[axis].limbs, a.den), ~b.num[axis].negative);
+        if (const int s = sign<9 * L>(sum)) return s;
+    }
+    return 0;
+}
+
+template <int L>
+auto SharedCorners<L>::normal() const -> std::optional<LimbVector<2 * L>> {
+    if (corners_.empty()) return std::nullopt;
+    if (corners_.size() == 1) return normal_at_point();
+    if (corners_.size() == 2) return normal_along_segment();
+    return normal_[0];
+}
+
+template <int L>
+auto SharedCorners<L>::normal_at_point() const -> std::optional<LimbVector<2 * L>> {
+    for (const FeaturePair& f : feature_pairs) {
+        if (features_.meeting(f) != Standing::inside) continue;
+        if (f.kind == FeatureKind::edge_edge) return features_.normal(f);
+        if (f.kind != FeatureKind::vertex_face || goes_through(f)) return std::nullopt;
+        return features_.normal(f);
+    }
+    return std::nullopt;  // a segment that goes through a face
+}
+
+// Whether a corner inside the other's face has its triangle on both sides of it: of triangles that share a point only,
+// that is the middle corner of one without area.
+template <int L>
+bool SharedCorners<L>::goes_through(const FeaturePair& f) const {
+    const std::size_t side = f.vertex_side, corner = side == 0 ? f.a : f.b;
+    const LimbVector<2 * L> n = features_.normal(f);
+    const auto height = [&](std::size_t k) { return sign<3 * L>(dot<2 * L, L>(n, features_.from(side, corner, k))); };
+    return height(1) * height(2) < 0;
+}
+
+template <int L>
+auto SharedCorners<L>::normal_along_segment() const -> std::optional<LimbVector<2 * L>> {
+    const bool is_in_edge_of_a = is_in_edge(0), is_in_edge_of_b = is_in_edge(1);
+    if (is_in_edge_of_a == is_in_edge_of_b) return std::nullopt;
+    return normal_[is_in_edge_of_a ? 1 : 0];
+}
+
+// Whether an edge of a triangle holds both corners: den p - num is parallel to it, p being one of its ends.
+template <int L>
+bool SharedCorners<L>::is_in_edge(std::size_t side) const noexcept {
+    const auto is_on_line = [&](const Corner& corner, std::size_t edge) {
+        const Vector p = features_.position(side, edge), u = features_.from(side, edge, 1);
+        LimbVector<5 * L> r;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            Limbs<5 * L> sum{};
+            add_product<4 * L, L>(sum, Weight{corner.den, 0}, p[axis]);
+            add_signed<5 * L>(sum, corner.num[axis].limbs, ~corner.num[axis].negative);
+            r[axis] = magnitude<5 * L>(sum);
+        }
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+            Limbs<6 * L> sum{};
+            add_product<5 * L, L>(sum, r[i], u[j]);
+            add_product<5 * L, L>(sum, r[j], u[i], all_ones);
+            if (!is_zero<6 * L>(sum)) return false;
+        }
+        return true;
+    };
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+        const Vector u = features_.from(side, edge, 1);
+        if (is_zero<2 * L>(dot<L, L>(u, u).limbs)) continue;
+        if (is_on_line(corners_[0], edge) && is_on_line(corners_[1], edge)) return true;
+    }
+    return false;
+}
+
+}  // namespace ecods::exact

@@ -1,0 +1,189 @@
+#include "exact/measure/line/round_crossing.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "exact/number/dyadic.hpp"
+#include "exact/number/limbs.hpp"
+
+namespace ecods::exact {
+namespace {
+
+using IntegerVector = TwoLimbKernel::Point;
+
+constexpr int coordinate_bits = TwoLimbKernel::coordinate_bits;
+constexpr int normal_bits = 126;  // that are kept of n
+static_assert(difference_bits(coordinate_bits) <= 127 && minor_bits(coordinate_bits) <= 255);
+static_assert(normal_bits + coordinate_bits + 2 <= 255, "a sum of three products fits 256 bits with its sign");
+
+// By how many digits a sum is longer than the bound of its error.
+constexpr int digits_min = 70;
+
+Uint128 size_of(Int128 x) noexcept {
+    return x < 0 ? -static_cast<Uint128>(x) : static_cast<Uint128>(x);
+}
+int width_of(const IntegerVector& p) noexcept {
+    return bit_width(size_of(p[0]) | size_of(p[1]) | size_of(p[2]));
+}
+// Of a negative number, that of its complement: at most one less than that of its size.
+int width_of(const Int256& x) noexcept {
+    const auto sign = static_cast<Uint128>(x.high >> 127);
+    const Uint128 high = static_cast<Uint128>(x.high) ^ sign, low = x.low ^ sign;
+    return high != 0 ? 128 + bit_width(high) : bit_width(low);
+}
+// floor(x / 2^shift), 0 <= shift < 256. The result must fit.
+Int128 shifted_right(const Int256& x, int shift) noexcept {
+    if (shift >= 128) return x.high >> (shift - 128);
+    if (shift == 0) return static_cast<Int128>(x.low);
+    return static_cast<Int128>(static_cast<Uint128>(x.high) << (128 - shift) | x.low >> shift);
+}
+
+// n / 2^shift, rounded down, with as many digits as are kept.
+struct Normal {
+    IntegerVector n;
+    int shift;
+};
+
+Normal normal_of(const std::array<IntegerVector, 3>& corners) noexcept {
+    IntegerVector u, v;
+    for (std::size_t k = 0; k < 3; ++k) {
+        u[k] = corners[1][k] - corners[0][k];
+        v[k] = corners[2][k] - corners[0][k];
+    }
+    std::array<Int256, 3> n;
+    int width = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+        n[k] = multiply(u[i], v[j]) - multiply(u[j], v[i]);
+        width = std::max(width, width_of(n[k]));
+    }
+    const int shift = std::max(width - normal_bits, 0);
+    return {{shifted_right(n[0], shift), shifted_right(n[1], shift), shifted_right(n[2], shift)}, shift};
+}
+
+// The leading digits of a sum: sum = digits 2^exponent, rounded down; none where it is zero or too short to be known.
+struct LeadingDot {
+    Uint128 digits = 0;
+    int exponent = 0;
+    bool is_negative = false;
+};
+
+// Of n . p, `count` <= 127 digits: if n was cut, it is off by less than 1, so that is off by less than 2^(width of p +
+// 2).
+LeadingDot leading_of_dot(const Normal& normal, const IntegerVector& p, int count) noexcept {
+    const IntegerVector& n = normal.n;
+    Int256 sum = multiply(n[0], p[0]) + multiply(n[1], p[1]) + multiply(n[2], p[2]);
+    const bool is_negative = sum.high < 0;
+    if (is_negative) sum = Int256{} - sum;
+    const int width = width_of(sum), exponent = width - count;
+    if (width == 0 || (normal.shift > 0 && width < width_of(p) + 2 + digits_min)) return {};
+    if (exponent < 0) return {sum.low << -exponent, exponent, is_negative};
+    return {static_cast<Uint128>(shifted_right(sum, exponent)), exponent, is_negative};
+}
+
+// A positive number from digits 2^exponent to (digits + width) 2^exponent.
+struct Between {
+    Uint128 digits;
+    Uint128 width;
+    int exponent;
+};
+
+// Sets the double nearest to all of them and returns true; or returns false where that is not one, or not a normal one.
+// What is beyond the half-way point above `kept` and not beyond the next one is rounded to kept + 1, also if that is a
+// power of two, above which doubles are farther apart.
+bool round_between(const Between& x, double& rounded) noexcept {
+    const int drop = bit_width(x.digits) - mantissa_bits;
+    if (drop < 2) return false;
+    const Uint128 full = Uint128{1} << drop, half = full >> 1, rest = x.digits & (full - 1);
+    if (x.width >= half) return false;
+    auto kept = static_cast<std::uint64_t>(x.digits >> drop);
+    if (rest > half) {
+        if (rest + x.width >= full + half) return false;
+        ++kept;
+    } else if (rest + x.width >= half) {
+        return false;
+    }
+    const int biased = x.exponent + drop + (mantissa_bits - 1) + 1023;
+    if (biased < 1 || biased > 2045) return false;
+    // The leading one of `kept` counts in the exponent, as does a carry.
+    rounded = std::bit_cast<double>((static_cast<std::uint64_t>(biased - 1) << 52) + kept);
+    return true;
+}
+
+// Of a number that is from `low` to `high` times 2^exponent.
+bool round_between(Int128 low, Int128 high, int exponent, double& rounded) noexcept {
+    const auto width = static_cast<Uint128>(high) - static_cast<Uint128>(low);
+    if (low > 0) return round_between({static_cast<Uint128>(low), width, exponent}, rounded);
+    if (high >= 0 || !round_between({size_of(high), width, exponent}, rounded)) return false;
+    rounded = std::bit_cast<double>(std::bit_cast<std::uint64_t>(rounded) | std::uint64_t{1} << 63);
+    return true;
+}
+
+// The sum of x, a double, and of s d 2^unit for s from digits 2^exponent to (digits + width) 2^exponent.
+//
+// Of d its 63 leading digits m are taken: d is from m to m + 1, so the product from digits m to digits m + width (m +
+// 1) + digits. All is then counted in units at which the longer of the two has 120 digits at most: what is shifted out
+// makes a size smaller by less than 1. Below 2^122 in all.
+bool round_coordinate(double x, Int128 d, int unit, std::uint64_t digits, std::uint64_t width, int exponent,
+                      double& rounded) noexcept {
+    const Dyadic from = decode(x);
+    if (d == 0) {
+        rounded = from.m == 0 ? 0 : x;
+        return true;
+    }
+    constexpr int bits_max = 120;
+    const Uint128 size = size_of(d);
+    const int lost = std::max(bit_width(size) - 63, 0);
+    const auto m = static_cast<std::uint64_t>(size >> lost);
+    const Uint128 product = Uint128{digits} * m;
+    const Uint128 spread = Uint128{width} * m + (lost > 0 ? Uint128{width} + digits : 0);
+    const int e = exponent + unit + lost;
+    const int top_of_x = from.m == 0 ? e : from.e + static_cast<int>(std::bit_width(magnitude(from.m)));
+    const int common = std::max(e + bit_width(product), top_of_x) - bits_max;
+    const auto in_common = [&](Uint128 y, int of) -> Uint128 {
+        if (y == 0) return 0;  // whatever its unit is
+        if (of >= common) return y << (of - common);
+        return common - of < 128 ? y >> (common - of) : 0;
+    };
+    const auto low = static_cast<Int128>(in_common(product, e)),
+               high = static_cast<Int128>(in_common(product + spread, e) + 1);
+    const auto x_size = static_cast<Int128>(in_common(magnitude(from.m), from.e));
+    const int is_cut = from.m != 0 && from.e < common ? 1 : 0;
+    const Int128 x_low = from.m < 0 ? -x_size - is_cut : x_size, x_high = x_low + is_cut;
+    if (d < 0) return round_between(x_low - high, x_high - low, common, rounded);
+    return round_between(x_low + low, x_high + high, common, rounded);
+}
+
+}  // namespace
+
+// Bound. Where n was cut, n . p and n . d are known to 2^-69 of themselves: by `leading_of_dot` they are at least
+// 2^(digits_min
+// - 1) times what they are off by. The quotient of 127 digits of the one and 64 of the other, q, has 63 or 64 digits.
+// Its divisor is too small by less than 2^-63 of itself, which makes q too large by less than 2, and rounding down
+// makes it too small by less than 1; the sums' errors and the digits that the dividend lost are below 2^-4 of a unit:
+// what is true is between q - 3 and q + 2.
+bool round_crossing(const LineInUnits& line, const std::array<IntegerVector, 3>& corners,
+                    RoundedCrossing& result) noexcept {
+    const Normal n = normal_of(corners);
+    const LeadingDot den = leading_of_dot(n, line.direction, 64);
+    if (den.digits == 0) return false;
+    const LeadingDot num = leading_of_dot(n, corners[0], 127);
+    if (num.digits == 0 || num.is_negative != den.is_negative) return false;
+    const auto q = static_cast<std::uint64_t>(num.digits / static_cast<std::uint64_t>(den.digits));
+    constexpr std::uint64_t too_large = 3, width = 5;
+    const std::uint64_t digits = q - too_large;
+    const int exponent = num.exponent - den.exponent;
+    if (!round_between({digits, width, exponent}, result.at.parameter)) return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto axis = static_cast<Eigen::Index>(k);
+        if (!round_coordinate(line.from[axis], line.direction[k], line.unit, digits, width, exponent,
+                              result.at.point[axis])) {
+            return false;
+        }
+    }
+    result.facing = den.is_negative ? -1 : 1;
+    return true;
+}
+
+}  // namespace ecods::exact

@@ -1,0 +1,28 @@
+// A point with rational coordinates, and its rounding to doubles.
+#pragma once
+
+#include <array>
+
+#include "exact/measure/round/squared_distance.hpp"
+#include "exact/number/natural.hpp"
+#include "exact/point/posed_points.hpp"
+
+namespace ecods::exact {
+
+// num / den * 2^unit by axis, from the first corner of the first triangle on. Numerators of five factors: a weight of
+// four and a difference.
+struct ExactPoint {
+    struct Coordinate {
+        Natural<5 * limb_count_max> size;
+        bool is_negative = false;
+    };
+    std::array<Coordinate, 3> num;
+    Natural<denominator_limbs> den{1};
+    int unit = 0;
+};
+
+// Where the point is in the world, each coordinate rounded once to the nearest double, ties to even; a zero is +0.
+// `origin` is the corner that it is counted from.
+Vec3 round_point(const PointRef& origin, const ExactPoint& point) noexcept;
+
+}  // namespace ecods::exact

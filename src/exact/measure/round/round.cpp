@@ -1,0 +1,210 @@
+// Roots and quotients of integers, rounded to nearest: whole digits by integer division, then one bit for the rest.
+//
+// A number is known as its leading digits, rounded down, and whether anything is left: its rounding to any shorter
+// number follows, half-way cases and powers of two included. floor(sqrt(x)) = floor(sqrt(floor(x))), so the digits of a
+// root follow from those of its square.
+#include <algorithm>
+#include <cmath>
+
+#include "base/outward.hpp"
+#include "exact/measure/round/squared_distance.hpp"
+
+namespace ecods::exact {
+namespace {
+
+// (digits + rest) 2^exponent, 0 <= rest < 1, and whether rest is 0.
+struct Truncated {
+    std::uint64_t digits;
+    int exponent;
+    bool is_exact;
+};
+
+// floor(num * 2^shift / den) < 2^128, and whether that is the quotient.
+struct Quotient {
+    Uint128 whole;
+    bool is_exact;
+};
+
+// dividend -= digit * divisor * 2^(64 at), unless the digit is too large by one or two: then it is made smaller.
+void subtract_product(std::uint64_t* dividend, NaturalSpan divisor, std::uint64_t& digit) noexcept {
+    std::uint64_t carry = 0, borrow = 0;
+    const std::size_t n = divisor.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Uint128 p = Uint128{digit} * divisor[i] + carry;
+        const Uint128 difference = Uint128{dividend[i]} - static_cast<std::uint64_t>(p) - borrow;
+        dividend[i] = static_cast<std::uint64_t>(difference);
+        carry = static_cast<std::uint64_t>(p >> 64);
+        borrow = static_cast<std::uint64_t>(difference >> 64) & 1;
+    }
+    const Uint128 difference = Uint128{dividend[n]} - carry - borrow;
+    dividend[n] = static_cast<std::uint64_t>(difference);
+    bool is_negative = (difference >> 64) != 0;
+    while (is_negative) {
+        --digit;
+        std::uint64_t up = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const Uint128 sum = Uint128{dividend[i]} + divisor[i] + up;
+            dividend[i] = static_cast<std::uint64_t>(sum);
+            up = static_cast<std::uint64_t>(sum >> 64);
+        }
+        const Uint128 sum = Uint128{dividend[n]} + up;
+        dividend[n] = static_cast<std::uint64_t>(sum);
+        is_negative = (sum >> 64) == 0;
+    }
+}
+
+// to[i] = the limb at position first + i of a * 2^shift, shift >= 0: as limb_of_shifted, of which it is many.
+void set_shifted(std::span<std::uint64_t> to, NaturalSpan a, int shift, std::size_t first) noexcept {
+    const int bits = shift % 64;
+    // Wraps around below zero, beyond all limbs.
+    std::size_t at = first - static_cast<std::size_t>(shift) / 64;
+    std::uint64_t below = at - 1 < a.size() ? a[at - 1] : 0;
+    for (std::uint64_t& limb : to) {
+        const std::uint64_t here = at < a.size() ? a[at] : 0;
+        limb = bits == 0 ? here : here << bits | below >> (64 - bits);
+        below = here;
+        ++at;
+    }
+}
+
+// Long division by limbs (Knuth, The Art of Computer Programming, volume 2, 4.3.1, algorithm D), of two digits. The
+// quotient must be below 2^128.
+Quotient divide(NaturalSpan num, int shift, NaturalSpan den) noexcept {
+    // The divisor gets a leading limb with its top bit set, and at least two limbs.
+    const std::size_t n = std::max<std::size_t>(den.size(), 2);
+    const int up = static_cast<int>(64 * n) - bit_width(den);
+    std::array<std::uint64_t, divisor_limbs> v;
+    set_shifted({v.data(), n}, den, up, 0);
+    const NaturalSpan divisor{v.data(), n};
+
+    const int total = shift + up;
+    std::array<std::uint64_t, divisor_limbs + 2> u;
+    bool is_exact = true;
+    const std::size_t dropped = total < 0 ? static_cast<std::size_t>(-total + 63) / 64 : 0;
+    for (std::size_t i = 0; i < std::min(dropped, num.size()); ++i) {
+        const int lost = -total - static_cast<int>(64 * i);  // bits of this limb
+        is_exact &= (lost >= 64 ? num[i] : num[i] << (64 - lost)) == 0;
+    }
+    const int fill = total + static_cast<int>(64 * dropped);  // not negative
+    set_shifted({u.data(), n + 2}, num, fill, dropped);
+
+    Uint128 whole = 0;
+    for (std::size_t j = 2; j-- > 0;) {
+        const Uint128 top = Uint128{u[j + n]} << 64 | u[j + n - 1];
+        std::uint64_t digit = ~std::uint64_t{0};
+        if (u[j + n] < v[n - 1]) {
+            Uint128 q = top / v[n - 1], r = top % v[n - 1];
+            while (q * v[n - 2] > (r << 64 | u[j + n - 2])) {
+                --q;
+                r += v[n - 1];
+                if (r >> 64) break;
+            }
+            digit = static_cast<std::uint64_t>(q);
+        }
+        if (digit != 0) subtract_product(&u[j], divisor, digit);
+        whole = whole << 64 | digit;
+    }
+    for (std::size_t i = 0; i < n; ++i) is_exact &= u[i] == 0;
+    return {whole, is_exact};
+}
+
+// floor(sqrt(x)), for 2^116 <= x < 2^126. The root in floating point is a first guess, off by 2^-50 of it in any
+// rounding mode; a step of Newton's squares that error, and integers correct what is left.
+std::uint64_t floor_of_root(Uint128 x) noexcept {
+    const double guess = std::sqrt(static_cast<double>(static_cast<std::int64_t>(x >> 64))) * 0x1p32;
+    auto m = static_cast<std::uint64_t>(guess);
+    m = static_cast<std::uint64_t>((m + x / m) >> 1);
+    while (Uint128{m} * m > x) --m;
+    while (Uint128{m + 1} * (m + 1) <= x) ++m;
+    return m;
+}
+
+// The bits of the double nearest to a number of at least 55 digits, ties to even. As bits, so that it is not taken for
+// zero where it is subnormal.
+std::uint64_t nearest(const Truncated& x) noexcept {
+    constexpr int least = -1074;
+    const int width = static_cast<int>(std::bit_width(x.digits));
+    const int exponent = std::max(x.exponent + width - 53, least);
+    if (exponent > 971) return double_infinity_magnitude;
+    const int drop = exponent - x.exponent;
+    ECODS_ASSERT(drop > 0);
+    std::uint64_t kept = 0;
+    if (drop <= 64) {
+        const std::uint64_t lost = x.digits << (64 - drop), half = std::uint64_t{1} << 63;
+        kept = drop == 64 ? 0 : x.digits >> drop;
+        const bool is_tie = lost == half && x.is_exact;
+        if (lost > half || (lost == half && !x.is_exact) || (is_tie && (kept & 1) != 0)) ++kept;
+    }
+    // A carry out of the digits goes on into the exponent, as it should, up to infinity.
+    return (static_cast<std::uint64_t>(exponent - least) << 52) + kept;
+}
+
+// The bits of the double nearest to sqrt(num / den) 2^exponent.
+std::uint64_t root_bits(NaturalSpan num, NaturalSpan den, int exponent) noexcept {
+    if (num.empty()) return 0;
+    // An even shift to a quotient of 118 to 121 bits, whose root has 59 to 61.
+    const int shift = (120 - (bit_width(num) - bit_width(den))) & ~1;
+    const Quotient quotient = divide(num, shift, den);
+    const std::uint64_t root = floor_of_root(quotient.whole);
+    const bool is_exact = quotient.is_exact && Uint128{root} * root == quotient.whole;
+    return nearest({root, exponent - shift / 2, is_exact});
+}
+
+double with_sign(std::uint64_t bits, bool negative) noexcept {
+    return std::bit_cast<double>(negative && bits != 0 ? bits | std::uint64_t{1} << 63 : bits);
+}
+
+}  // namespace
+
+double round_root(const SquaredDistance& square) noexcept {
+    const std::uint64_t bits = root_bits(square.num.limbs(), square.den.limbs(), square.exponent);
+    return std::bit_cast<double>(square.num.is_zero() ? 0 : std::max<std::uint64_t>(bits, 1));
+}
+
+double round_cosine(NaturalSpan num, NaturalSpan den, bool negative) noexcept {
+    return with_sign(root_bits(num, den, 0), negative);
+}
+
+double round_quotient(NaturalSpan num, NaturalSpan den, int exponent, bool negative) noexcept {
+    if (num.empty()) return 0;
+    const int shift = 60 - (bit_width(num) - bit_width(den));
+    const Quotient quotient = divide(num, shift, den);
+    const std::uint64_t bits =
+        nearest({static_cast<std::uint64_t>(quotient.whole), exponent - shift, quotient.is_exact});
+    return with_sign(bits, negative);
+}
+
+LeadingDigits leading_digits(NaturalSpan num, NaturalSpan den) noexcept {
+    if (num.empty()) return {};
+    const int shift = 127 - (bit_width(num) - bit_width(den));
+    const Quotient quotient = divide(num, shift, den);
+    return {quotient.whole, -shift, quotient.is_exact};
+}
+
+double round_digits(const LeadingDigits& x) noexcept {
+    if (x.digits == 0) return 0;
+    const auto high = static_cast<std::uint64_t>(x.digits >> 64), low = static_cast<std::uint64_t>(x.digits);
+    return with_sign(nearest({high, x.exponent + 64, x.is_exact && low == 0}), false);
+}
+
+double round_integer(const Int256& x, int exponent) noexcept {
+    const bool is_negative = x.high < 0;
+    const Int256 size = is_negative ? Int256{} - x : x;
+    Uint128 high = static_cast<Uint128>(size.high), low = size.low;
+    if (high == 0) {
+        if (low == 0) return 0;
+        high = low;
+        low = 0;
+        exponent -= 128;
+    }
+    // The leading bit goes to the top.
+    const int up = 128 - bit_width(high);
+    if (up > 0) {
+        high = high << up | low >> (128 - up);
+        low <<= up;
+    }
+    const bool is_exact = static_cast<std::uint64_t>(high) == 0 && low == 0;
+    return with_sign(nearest({static_cast<std::uint64_t>(high >> 64), exponent + 192 - up, is_exact}), is_negative);
+}
+
+}  // namespace ecods::exact

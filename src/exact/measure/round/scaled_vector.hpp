@@ -1,0 +1,81 @@
+// Differences of integer points as doubles, each with a power of two of its own.
+//
+// The coordinates are integers below 2^53: conversions round nothing, no product or sum of a few factors overflows, and
+// what is not zero is far from underflow. So neither a rounding mode nor flush-to-zero nor the scale of the scene
+// shows.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+#include "base/assert.hpp"
+#include "exact/measure/round/fixed_points.hpp"
+#include "exact/number/limbs.hpp"
+#include "exact/point/point.hpp"
+#include "simd/inline.hpp"
+
+namespace ecods::exact {
+
+// x 2^shift, rounded down from a difference of integer points: each coordinate is low by less than one unit of x, and
+// by nothing if shift is not positive. The largest has 53 digits or is -2^53, or shift is 0.
+struct ScaledVector {
+    Point x;
+    int shift;
+};
+
+// 2^e, for a normal result.
+constexpr double power_of_two(int e) noexcept {
+    ECODS_ASSERT(e >= -1022 && e <= 1023);
+    return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
+}
+
+using IntegerVector = std::array<Int128, 3>;
+
+ECODS_ALWAYS_INLINE IntegerVector difference(const FixedPoints::Point& to, const FixedPoints::Point& from) noexcept {
+    return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+}
+
+// Has as many binary digits as the largest magnitude, or one less for -2^k.
+ECODS_ALWAYS_INLINE Uint128 digits_of(const IntegerVector& v) noexcept {
+    return static_cast<Uint128>((v[0] ^ (v[0] >> 127)) | (v[1] ^ (v[1] >> 127)) | (v[2] ^ (v[2] >> 127)));
+}
+
+// By how much numbers of these digits are shifted to be below 2^53, in two's complement at least -2^53.
+ECODS_ALWAYS_INLINE int shift_of(Uint128 digits) noexcept {
+    return std::max(0, bit_width(digits) - 53);
+}
+
+ECODS_ALWAYS_INLINE Point shifted(const IntegerVector& v, int shift) noexcept {
+    return {static_cast<double>(static_cast<std::int64_t>(v[0] >> shift)),
+            static_cast<double>(static_cast<std::int64_t>(v[1] >> shift)),
+            static_cast<double>(static_cast<std::int64_t>(v[2] >> shift))};
+}
+
+// Exact vectors that are short are filled up with zeros, so that their size is known. Others are not known that well.
+ECODS_ALWAYS_INLINE ScaledVector scaled(const IntegerVector& v, bool is_exact) noexcept {
+    const int shift = bit_width(digits_of(v)) - 53;
+    if (shift >= 0) [[likely]]
+        return {shifted(v, shift), shift};
+    if (!is_exact) return {shifted(v, 0), 0};
+    return {shifted({v[0] << -shift, v[1] << -shift, v[2] << -shift}, 0), shift};
+}
+
+// x 2^e rounded down or up, for x >= 2^-200, normal.
+inline double scaled_down(double x, int e) noexcept {
+    const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
+    const int biased = static_cast<int>(bits >> 52) + e;
+    if (biased <= 0) return 0;
+    if (biased >= 0x7ff) return std::numeric_limits<double>::max();
+    return std::bit_cast<double>((bits & ((std::uint64_t{1} << 52) - 1)) | static_cast<std::uint64_t>(biased) << 52);
+}
+inline double scaled_up(double x, int e) noexcept {
+    const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
+    const int biased = static_cast<int>(bits >> 52) + e;
+    if (biased <= 0) return std::numeric_limits<double>::min();
+    if (biased >= 0x7ff) return std::numeric_limits<double>::infinity();
+    return std::bit_cast<double>((bits & ((std::uint64_t{1} << 52) - 1)) | static_cast<std::uint64_t>(biased) << 52);
+}
+
+}  // namespace ecods::exact
