@@ -30,8 +30,6 @@ class LanePairs {
     LanePairs of_first(std::size_t i) const noexcept { return LanePairs(bits_ & lane_of_each << i); }
     LanePairs of_second(std::size_t j) const noexcept { return LanePairs(bits_ & all_of_one << (tree_width * j)); }
 
-    LanePairs first() const noexcept { return LanePairs(bits_ & (0 - bits_)); }
-
     // From the first pair on: `for (; pairs.more(); pairs.next())` with i() and j().
     bool more() const noexcept { return bits_ != 0; }
     void next() noexcept { bits_ &= bits_ - 1; }
@@ -48,7 +46,15 @@ class LanePairs {
 // A number for each pair of lanes: that of i and j is at 8 i + j.
 using LaneBounds = std::array<float, tree_width * tree_width>;
 
+// One pair of lanes.
+struct LanesOfOne {
+    std::size_t i, j;
+};
+
 // The least of the bounds of pairs of lanes; there must be one.
+inline float least_of(const LaneBounds& bounds, LanesOfOne lanes) noexcept {
+    return bounds[tree_width * lanes.i + lanes.j];
+}
 inline float least_of(const LaneBounds& bounds, LanePairs lanes) noexcept {
     float least = std::numeric_limits<float>::infinity();
     for (; lanes.more(); lanes.next()) least = std::min(least, bounds[tree_width * lanes.i() + lanes.j()]);
@@ -72,12 +78,16 @@ template <class X, class Y>
 inline constexpr bool are_nodes = std::is_same_v<X, BvhNode>&& std::is_same_v<Y, BvhNode>;
 
 // Calls push(children, lanes) for each pair of children of a pair of nodes x and y that has one of the lanes, in their
-// order. A leaf beside a node is its own child, and has all of its lanes. Two leaves have no children.
+// order: with the lanes it has, a LanesOfOne of two nodes, otherwise LanePairs. A leaf beside a node is its own child,
+// and has all of its lanes. Two leaves have no children.
 template <class X, class Y, class Push>
 ECODS_ALWAYS_INLINE void push_children(const NodePair& pair, const X& x, const Y& y, LanePairs lanes, Push&& push) {
     static_assert(!are_leaves<X, Y>);
     if constexpr (are_nodes<X, Y>) {
-        for (; lanes.more(); lanes.next()) push(NodePair{x.child[lanes.i()], y.child[lanes.j()]}, lanes.first());
+        for (; lanes.more(); lanes.next()) {
+            const LanesOfOne one{lanes.i(), lanes.j()};
+            push(NodePair{x.child[one.i], y.child[one.j]}, one);
+        }
     } else if constexpr (std::is_same_v<X, BvhNode>) {
         for (std::size_t i = 0; i < x.count; ++i) {
             if (const LanePairs of_child = lanes.of_first(i); of_child.more())

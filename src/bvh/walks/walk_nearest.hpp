@@ -15,8 +15,8 @@ namespace ecods {
 // `limit()` is the bound beyond which no pair matters: such pairs are not taken from the queue. `find_near(x, y,
 // bounds)` is asked once for each pair visited that is not two leaves, x and y being a BvhNode or a TreeLeaf of the
 // first and the second tree; it sets bounds, which are finite, for pairs of lanes, which it returns as bits, as
-// near_mask does. `visits(item)` is asked of each item taken from the queue: if it is false, the walk ends. `take(x,
-// y)` takes two leaves, and returns whether the walk goes on.
+// near_mask does. `visits(pair)` is asked of each pair taken from the queue, and may lower the limit: if it is false,
+// the walk ends. `take(x, y)` takes two leaves, and returns whether the walk goes on.
 template <class Search>
 concept NearestSearch = requires(Search& search, const BvhNode& node, const TreeLeaf& leaf, LaneBounds& bounds,
                                  const NearPair& pair) {
@@ -36,13 +36,14 @@ void walk_nearest(const MeshBvh& a, const MeshBvh& b, NearestQueue& queue, Searc
     queue.start(search.limit());
     queue.push({0, {a.root, b.root}});
     const auto bound = [&](const auto& x, const auto& y) { return search.find_near(x, y, bounds); };
-    const auto push = [&](const NodePair& children, LanePairs lanes) {
+    const auto push = [&](const NodePair& children, const auto& lanes) {
         queue.push({least_of(bounds, lanes), children});
     };
     const auto take = [&](const TreeLeaf& x, const TreeLeaf& y) { return search.take(x, y); };
     NearPair top;
     while (queue.pop(search.limit(), top)) {
-        if (!search.visits(top) || !open_pair(a, b, top.nodes, bound, push, take)) return;
+        if (!search.visits(top)) return;
+        if (top.square <= search.limit() && !open_pair(a, b, top.nodes, bound, push, take)) return;
     }
 }
 

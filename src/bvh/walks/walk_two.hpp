@@ -33,8 +33,10 @@ ECODS_ALWAYS_INLINE bool visit_two(const MeshBvh& a, const MeshBvh& b, const Nod
         } else {
             const std::size_t before = stack.size();
             push_children(top, x, y, LanePairs(found),
-                          [&](const NodePair& children, LanePairs) { stack.push_back(children); });
-            if constexpr (are_nodes<X, Y>) bound.order(x, y, LanePairs(found), std::span(stack).subspan(before));
+                          [&](const NodePair& children, const auto&) { stack.push_back(children); });
+            if constexpr (requires { bound.order(x, y, LanePairs(found), std::span(stack)); }) {
+                bound.order(x, y, LanePairs(found), std::span(stack).subspan(before));
+            }
         }
         return true;
     });
@@ -43,9 +45,9 @@ ECODS_ALWAYS_INLINE bool visit_two(const MeshBvh& a, const MeshBvh& b, const Nod
 // Visits pairs of nodes depth first.
 //
 // `bound(x, y)` is asked once for each pair visited, x and y being a BvhNode or a TreeLeaf of the first and the second
-// tree, and returns as bits which pairs of lanes may matter. `bound.order(x, y, pairs, children)`, for two nodes, may
-// reorder their pairs of children, of which the last is visited next. `result(i, j)` takes each pair of triangles that
-// is left, and returns whether the walk goes on. `stack` is working memory.
+// tree, and returns as bits which pairs of lanes may matter. `bound.order(x, y, pairs, children)`, if there is one for
+// two nodes, may reorder their pairs of children, of which the last is visited next. `result(i, j)` takes each pair of
+// triangles that is left, and returns whether the walk goes on. `stack` is working memory.
 template <class Bound, class Result>
 void walk_two(const MeshBvh& a, const MeshBvh& b, std::vector<NodePair>& stack, Bound&& bound, Result&& result) {
     stack.assign(1, NodePair{a.root, b.root});

@@ -5,9 +5,9 @@
 #include <compare>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <tuple>
 
-#include "base/double_key.hpp"
 #include "ecods/cast.hpp"
 
 namespace ecods {
@@ -41,8 +41,12 @@ inline auto rank(const FirstContact& c) noexcept {
     return std::tuple(c.kind, c.a.triangle, c.a.corner, c.b.triangle, c.b.corner, c.a.kind);
 }
 
-inline auto rank_in_time(const FirstContact& c) noexcept {
-    return std::tuple_cat(std::tuple(key_of(c.time)), rank(c));
+// The first of the open contacts of a sieve by their rounded times and ranks; round(open) gives that of a pair, if
+// there is one.
+template <class Sieve, class Round>
+std::optional<FirstContact> first_contact(Sieve& sieve, Round&& round) {
+    return sieve.least([&](const auto& open, const auto&) { return round(open); },
+                       [](const FirstContact& c) { return c.time; }, [](const FirstContact& c) { return rank(c); });
 }
 
 }  // namespace ecods

@@ -10,7 +10,7 @@
 #include "ecods/cast.hpp"
 #include "environment/each_environment.hpp"
 #include "judge/cast_truth.hpp"
-#include "query/cast/cast_moving.hpp"
+#include "query/cast/cast_until.hpp"
 #include "scenes/cast_cases.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
