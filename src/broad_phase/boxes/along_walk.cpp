@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/assert.hpp"
+#include "bvh/walks/waiting.hpp"
 #include "simd/dispatch.hpp"
 
 namespace ecods {
@@ -105,48 +106,13 @@ class MetPart {
     std::uint64_t place_ = 0;  // least significant: the tree, the index, and how far the height is below the largest
 };
 
-// What waits, as a heap with the first one in front.
-class MetParts {
-  public:
-    explicit MetParts(std::size_t capacity) { parts_.reserve(capacity); }
-
-    bool is_empty() const noexcept { return parts_.empty(); }
-    const MetPart& front() const noexcept { return parts_.front(); }
-
-    ECODS_ALWAYS_INLINE void push(const MetPart& part) {
-        std::size_t at = parts_.size();
-        parts_.push_back(part);
-        for (; at > 0 && part < parts_[(at - 1) / 2]; at = (at - 1) / 2) parts_[at] = parts_[(at - 1) / 2];
-        parts_[at] = part;
-    }
-    ECODS_ALWAYS_INLINE void pop() noexcept {
-        const MetPart last = parts_.back();
-        parts_.pop_back();
-        if (!parts_.empty()) replace_front(last);
-    }
-    ECODS_ALWAYS_INLINE void replace_front(const MetPart& part) noexcept {
-        MetPart* const parts = parts_.data();
-        const std::size_t size = parts_.size();
-        std::size_t at = 0;
-        for (std::size_t child = 1; child < size; child = 2 * at + 1) {
-            child +=
-                static_cast<std::size_t>((child + 1 < size) & (parts[std::min(child + 1, size - 1)] < parts[child]));
-            if (!(parts[child] < part)) break;
-            parts[at] = parts[child];
-            at = child;
-        }
-        parts[at] = part;
-    }
-
-  private:
-    std::vector<MetPart> parts_;
-};
-
 class Walk {
   public:
     Walk(std::span<const BoxTree> trees, std::span<const Aabb> boxes, const MovingBox& moving, double limit,
          const std::function<double(SlotIndex)>& visit)
-        : trees_(trees), boxes_(boxes), moving_(moving), limit_(MovingBox::latest(limit)), visit_(visit) {}
+        : trees_(trees), boxes_(boxes), moving_(moving), limit_(MovingBox::latest(limit)), visit_(visit) {
+        waiting_.reserve(8 * width);
+    }
 
     // What comes next mostly lies in what was opened last: only the rest of that waits.
     ECODS_ALWAYS_INLINE std::uint64_t run() {
@@ -155,8 +121,7 @@ class Walk {
             if (trees_[tree].alive_count() > 0) waiting_.push({0, height, 0, tree});
         }
         while (!waiting_.is_empty() && waiting_.front().time() <= limit_) {
-            MetPart next = waiting_.front();
-            waiting_.pop();
+            MetPart next = waiting_.pop();
             bool counts = true;
             while (counts && next.height() != MetPart::box) {
                 counts = look_into(next);
@@ -222,7 +187,7 @@ class Walk {
     const MovingBox& moving_;
     double limit_;
     const std::function<double(SlotIndex)>& visit_;
-    MetParts waiting_{8 * width};
+    Waiting<MetPart> waiting_;
     std::uint64_t tests_ = 0;
 };
 

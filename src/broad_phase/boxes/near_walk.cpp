@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "broad_phase/boxes/tree_parts.hpp"
+#include "bvh/walks/waiting.hpp"
 #include "geometry/box_distance.hpp"
 
 namespace ecods {
@@ -15,10 +16,10 @@ struct NearPair {
     Part a, b;
 
     std::uint32_t height() const noexcept { return std::max(a.height, b.height); }
-    bool comes_before(const NearPair& other) const noexcept {
-        if (lower != other.lower) return lower < other.lower;
-        if (height() != other.height()) return height() > other.height();
-        return std::pair(a.index, b.index) < std::pair(other.a.index, other.b.index);
+    friend bool operator<(const NearPair& x, const NearPair& y) noexcept {
+        if (x.lower != y.lower) return x.lower < y.lower;
+        if (x.height() != y.height()) return x.height() > y.height();
+        return std::pair(x.a.index, x.b.index) < std::pair(y.a.index, y.b.index);
     }
 };
 
@@ -32,7 +33,7 @@ class PairWalk {
         for (std::size_t i = 0; i < roots.size(); ++i) {
             for (std::size_t j = i; j < roots.size(); ++j) waiting_.push({0, roots[i], roots[j]});
         }
-        while (waiting_.has_below(limit_)) {
+        while (!waiting_.is_empty() && waiting_.front().lower <= limit_) {
             const NearPair pair = waiting_.pop();
             if (pair.height() == 0) {
                 limit_ = std::min(limit_, visit(pair.a.index, pair.b.index));
@@ -82,7 +83,7 @@ std::uint64_t walk_near(std::span<const BoxTree> trees, std::span<const Aabb> bo
     for (const Part& root : parts.roots()) waiting.push({0, root});
     std::array<PartBox, BoxBlock::width> lanes;
     std::uint64_t tests = 0;
-    while (waiting.has_below(limit)) {
+    while (!waiting.is_empty() && waiting.front().lower <= limit) {
         const Part part = waiting.pop().part;
         if (part.is_box()) {
             limit = std::min(limit, visit(part.index));

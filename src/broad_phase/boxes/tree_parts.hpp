@@ -1,8 +1,6 @@
-// What the walks of a forest with the first boxes first share: its blocks and boxes as one kind of thing, and those
-// that wait.
+// What the walks of a forest with the first boxes first share: its blocks and boxes as one kind of thing.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstddef>
@@ -72,38 +70,15 @@ class Parts {
     std::span<const Aabb> boxes_;
 };
 
-// What waits, the least first.
-template <class Item>
-class Waiting {
-  public:
-    void push(const Item& item) {
-        items_.push_back(item);
-        std::push_heap(items_.begin(), items_.end(), Later());
-    }
-    Item pop() {
-        std::pop_heap(items_.begin(), items_.end(), Later());
-        const Item item = items_.back();
-        items_.pop_back();
-        return item;
-    }
-    bool has_below(double limit) const { return !items_.empty() && items_.front().lower <= limit; }
-
-  private:
-    struct Later {
-        bool operator()(const Item& a, const Item& b) const noexcept { return b.comes_before(a); }
-    };
-    std::vector<Item> items_;
-};
-
 // A part, by what it is at least: a distance, or a time.
 struct NearPart {
     double lower;
     Part part;
 
-    bool comes_before(const NearPart& other) const noexcept {
-        if (lower != other.lower) return lower < other.lower;
-        if (part.height != other.part.height) return part.height > other.part.height;
-        return part.index < other.part.index;
+    friend bool operator<(const NearPart& x, const NearPart& y) noexcept {
+        if (x.lower != y.lower) return x.lower < y.lower;
+        if (x.part.height != y.part.height) return x.part.height > y.part.height;
+        return x.part.index < y.part.index;
     }
 };
 

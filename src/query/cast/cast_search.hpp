@@ -29,7 +29,7 @@ struct OpenContact {
 // What a search works in, kept from one to the next.
 struct CastMemory {
     NearestQueue queue;
-    alignas(32) LaneSquares times{};
+    alignas(32) LaneBounds times{};
     std::vector<OpenContact> open;
 };
 
@@ -68,8 +68,13 @@ class CastSearch {
 
     // What walk_nearest asks.
     float limit() const noexcept { return limit_; }
+    template <class X, class Y>
+    std::uint64_t find_near(const X& x, const Y& y, LaneBounds& times) {
+        ++counts_.box_tests;
+        return motion_.find_near(x, y, limit_, times);
+    }
     bool visits(const NearPair& pair);
-    bool operator()(const TreeLeaf& x, const TreeLeaf& y);
+    bool take(const TreeLeaf& x, const TreeLeaf& y);
 
   private:
     void walk(const PairWitness& witness);
@@ -119,11 +124,7 @@ void CastSearch<Motion>::walk(const PairWitness& witness) {
         working_.open.clear();  // it comes again
         if (is_zero_) return;
     }
-    const auto bound = [this](const auto& x, const auto& y, LaneSquares& times) {
-        ++counts_.box_tests;
-        return motion_.find_near(x, y, limit_, times);
-    };
-    walk_nearest(tree_a_.boxes, tree_b_.boxes, working_.queue, bound, *this);
+    walk_nearest(tree_a_.boxes, tree_b_.boxes, working_.queue, *this);
 }
 
 // So many pairs of nodes that overlap at time 0 are visited before the bodies are tested for a common point (as in
@@ -138,9 +139,8 @@ bool CastSearch<Motion>::visits(const NearPair& pair) {
 }
 
 template <class Motion>
-bool CastSearch<Motion>::operator()(const TreeLeaf& x, const TreeLeaf& y) {
-    ++counts_.box_tests;
-    for (LanePairs pairs(motion_.find_near(x, y, limit_, working_.times)); pairs.more(); pairs.next()) {
+bool CastSearch<Motion>::take(const TreeLeaf& x, const TreeLeaf& y) {
+    for (LanePairs pairs(find_near(x, y, working_.times)); pairs.more(); pairs.next()) {
         const std::size_t i = pairs.i(), j = pairs.j();
         if (working_.times[tree_width * i + j] > limit_) continue;
         enclose({x.triangle[i], y.triangle[j]});

@@ -1,14 +1,13 @@
 #include "query/cast/moving_search.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "base/double_key.hpp"
 #include "base/next.hpp"
 #include "base/outward.hpp"
 #include "bvh/axes/motion_axes.hpp"
-#include "bvh/walks/walk_two.hpp"
+#include "bvh/walks/waiting.hpp"
 #include "exact/measure/distance/name_features.hpp"
 #include "query/cast/contact_interval.hpp"
 #include "query/cast/moving_pairs.hpp"
@@ -16,21 +15,20 @@
 namespace ecods {
 namespace {
 
-// What waits to be looked at: a pair of nodes or leaves; or of triangles, of which only their boxes' time is known, or
-// also a coarse or a fine bound of when they meet.
-struct Waiting {
+// A pair of nodes or leaves that waits; or of triangles, of which only their boxes' time is known, or also a coarse or
+// a fine bound of when they meet.
+struct Candidate {
     enum class Kind : std::uint8_t { nodes, triangles, coarse, fine };
 
     std::int64_t time;  // the key of a time before which the two do not meet
     std::uint32_t order;
-    std::uint32_t a, b;  // references of nodes, as bits, or triangles
     Kind kind;
-};
+    NodePair nodes;
+    TrianglePair triangles;
 
-// Earliest first; of those, what came last, so that the walk goes deep.
-struct IsLater {
-    bool operator()(const Waiting& x, const Waiting& y) const noexcept {
-        return x.time != y.time ? x.time > y.time : x.order < y.order;
+    // Earliest first; of those, what came last, so that the walk goes deep.
+    friend bool operator<(const Candidate& x, const Candidate& y) noexcept {
+        return x.time != y.time ? x.time < y.time : x.order > y.order;
     }
 };
 
@@ -50,16 +48,15 @@ BvhNode root_of(const MeshBvh& tree) {
 struct MovingSearch::Memory final : QueryMemoryPart {
     MovingPairs pairs;
     MotionAxes axes;
-    std::vector<Waiting> queue;
+    Waiting<Candidate> queue;
     std::uint32_t order = 0;
     alignas(32) LaneTimes times{};
 
-    void push(double time, Waiting::Kind kind, std::uint32_t a, std::uint32_t b) {
-        queue.push_back({key_of(time), order++, a, b, kind});
-        std::ranges::push_heap(queue, IsLater{});
+    void push(double time, const NodePair& nodes) {
+        queue.push({key_of(time), order++, Candidate::Kind::nodes, nodes, {}});
     }
-    void push(double time, TreeRef a, TreeRef b) {
-        push(time, Waiting::Kind::nodes, std::bit_cast<std::uint32_t>(a), std::bit_cast<std::uint32_t>(b));
+    void push(double time, Candidate::Kind kind, const TrianglePair& triangles) {
+        queue.push({key_of(time), order++, kind, {}, triangles});
     }
 };
 
@@ -108,67 +105,34 @@ std::optional<FirstContact> MovingSearch::run(double at_most, const PairWitness&
 }
 
 void MovingSearch::walk() {
-    std::vector<Waiting>& queue = memory_.queue;
-    memory_.push(0, tree_a_.boxes.root, tree_b_.boxes.root);
-    while (!queue.empty()) {
-        std::ranges::pop_heap(queue, IsLater{});
-        const Waiting top = queue.back();
-        queue.pop_back();
+    memory_.push(0, {tree_a_.boxes.root, tree_b_.boxes.root});
+    while (!memory_.queue.is_empty()) {
+        const Candidate top = memory_.queue.pop();
         if (top.time > key_of(limit())) return;
-        if (top.kind == Waiting::Kind::nodes) {
-            visit(std::bit_cast<TreeRef>(top.a), std::bit_cast<TreeRef>(top.b));
+        if (top.kind == Candidate::Kind::nodes) {
+            visit(top.nodes);
         } else {
-            const bool is_new = top.kind == Waiting::Kind::triangles;
-            take({top.a, top.b}, double_of(top.time), is_new ? exact::Effort::coarse : exact::Effort::fine,
-                 top.kind == Waiting::Kind::fine);
+            const bool is_new = top.kind == Candidate::Kind::triangles;
+            take(top.triangles, double_of(top.time), is_new ? exact::Effort::coarse : exact::Effort::fine,
+                 top.kind == Candidate::Kind::fine);
         }
     }
 }
 
-template <class X, class Y>
-std::uint64_t MovingSearch::find_meeting(const X& x, const Y& y) {
-    ++counts_.box_tests;
-    return meeting_mask(memory_.axes.sets(), round_up(limit()), x, y, memory_.times);
-}
-
-void MovingSearch::visit(TreeRef a, TreeRef b) {
-    const MeshBvh &tree_a = tree_a_.boxes, &tree_b = tree_b_.boxes;
-    const auto each = [&](std::uint64_t mask, auto&& push) {
-        for (LanePairs pairs(mask); pairs.more(); pairs.next()) {
-            const std::size_t i = pairs.i(), j = pairs.j();
-            push(static_cast<double>(memory_.times[tree_width * i + j]), i, j);
-        }
+void MovingSearch::visit(const NodePair& nodes) {
+    const auto bound = [&](const auto& x, const auto& y) {
+        ++counts_.box_tests;
+        return meeting_mask(memory_.axes.sets(), round_up(limit()), x, y, memory_.times);
     };
-    if (a.is_leaf() && b.is_leaf()) {
-        const TreeLeaf &x = tree_a.leaves[a.index()], &y = tree_b.leaves[b.index()];
-        each(find_meeting(x, y), [&](double time, std::size_t i, std::size_t j) {
-            memory_.push(time, Waiting::Kind::triangles, x.triangle[i], y.triangle[j]);
-        });
-    } else if (a.is_leaf()) {
-        const BvhNode& y = tree_b.nodes[b.index()];
-        const std::uint64_t mask = find_meeting(tree_a.leaves[a.index()], y);
-        for (std::size_t j = 0; j < y.count; ++j) {
-            float least = 2;
-            for (LanePairs pairs(mask); pairs.more(); pairs.next()) {
-                if (pairs.j() == j) least = std::min(least, memory_.times[tree_width * pairs.i() + j]);
-            }
-            if (least <= 1) memory_.push(static_cast<double>(least), a, y.child[j]);
+    const auto time_of = [&](LanePairs lanes) { return static_cast<double>(least_of(memory_.times, lanes)); };
+    const auto push = [&](const NodePair& children, LanePairs lanes) { memory_.push(time_of(lanes), children); };
+    open_pair(tree_a_.boxes, tree_b_.boxes, nodes, bound, push, [&](const TreeLeaf& x, const TreeLeaf& y) {
+        for (LanePairs lanes(bound(x, y)); lanes.more(); lanes.next()) {
+            const TrianglePair triangles{x.triangle[lanes.i()], y.triangle[lanes.j()]};
+            memory_.push(time_of(lanes.first()), Candidate::Kind::triangles, triangles);
         }
-    } else if (b.is_leaf()) {
-        const BvhNode& x = tree_a.nodes[a.index()];
-        const std::uint64_t mask = find_meeting(x, tree_b.leaves[b.index()]);
-        for (std::size_t i = 0; i < x.count; ++i) {
-            float least = 2;
-            for (LanePairs pairs(mask); pairs.more(); pairs.next()) {
-                if (pairs.i() == i) least = std::min(least, memory_.times[tree_width * i + pairs.j()]);
-            }
-            if (least <= 1) memory_.push(static_cast<double>(least), x.child[i], b);
-        }
-    } else {
-        const BvhNode &x = tree_a.nodes[a.index()], &y = tree_b.nodes[b.index()];
-        each(find_meeting(x, y),
-             [&](double time, std::size_t i, std::size_t j) { memory_.push(time, x.child[i], y.child[j]); });
-    }
+        return true;
+    });
 }
 
 // A time that rounds to the limit may be above it.
@@ -177,11 +141,10 @@ void MovingSearch::take(const TrianglePair& triangles, double from, exact::Effor
     if (key_of(from) > key_of(to)) return;
     const auto time = memory_.pairs.bound(triangles, from, to, effort);
     if (!time || key_of(time->from) > key_of(limit())) return;
-    const std::vector<Waiting>& queue = memory_.queue;
+    const Waiting<Candidate>& queue = memory_.queue;
     const bool is_fine = effort == exact::Effort::fine;
-    if (!is_next && !queue.empty() && key_of(time->from) > queue.front().time) {
-        const Waiting::Kind kind = is_fine ? Waiting::Kind::fine : Waiting::Kind::coarse;
-        return memory_.push(time->from, kind, triangles.a, triangles.b);
+    if (!is_next && !queue.is_empty() && key_of(time->from) > queue.front().time) {
+        return memory_.push(time->from, is_fine ? Candidate::Kind::fine : Candidate::Kind::coarse, triangles);
     }
     if (!is_fine) return take(triangles, time->from, exact::Effort::fine, is_next);
     const auto meeting = memory_.pairs.decide(triangles, *time, to);

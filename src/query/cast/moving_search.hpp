@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "bvh/tree/mesh_bvh.hpp"
+#include "bvh/walks/open_pair.hpp"
 #include "ecods/cast.hpp"
 #include "exact/measure/contact/bound_meeting.hpp"
 #include "query/intersection/query_memory.hpp"
@@ -36,9 +36,7 @@ class MovingSearch {
     // No contact after that matters.
     double limit() const noexcept;
     void walk();
-    void visit(TreeRef a, TreeRef b);
-    template <class X, class Y>
-    std::uint64_t find_meeting(const X& x, const Y& y);
+    void visit(const NodePair& nodes);
     // They share no point before `from`. Decides about them if they come next, or will.
     void take(const TrianglePair& triangles, double from, exact::Effort effort, bool is_next);
 

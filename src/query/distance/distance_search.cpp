@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/double_key.hpp"
 #include "query/shape/mesh_tree.hpp"
@@ -152,8 +153,7 @@ void DistanceSearch::walk(const PairWitness& witness) {
         dive();
     }
     if (is_decided()) return;
-    const auto bound = [this](const auto& x, const auto& y, LaneSquares& squares) { return find_near(x, y, squares); };
-    walk_nearest(tree_a_.boxes, tree_b_.boxes, memory_.queue, bound, *this);
+    walk_nearest(tree_a_.boxes, tree_b_.boxes, memory_.queue, *this);
     if (!is_decided()) bound_batch();
 }
 
@@ -163,27 +163,25 @@ bool DistanceSearch::is_decided() const noexcept {
 
 // Straight down to two triangles, for a first upper bound. They come again in the walk.
 void DistanceSearch::dive() {
-    TreeRef x = tree_a_.boxes.root, y = tree_b_.boxes.root;
-    const DistanceSet& set = sets()[0];
-    const auto down = [&](const auto& p, const auto& q) {
-        ++counts_.box_tests;
-        const LanePair lanes = nearest_lanes(set, p, q);
-        if constexpr (requires { p.child; }) x = p.child[lanes.i];
-        if constexpr (requires { q.child; }) y = q.child[lanes.j];
-    };
     const MeshBvh &a = tree_a_.boxes, &b = tree_b_.boxes;
-    while (!x.is_leaf() || !y.is_leaf()) {
-        if (x.is_leaf()) {
-            down(a.leaves[x.index()], b.nodes[y.index()]);
-        } else if (y.is_leaf()) {
-            down(a.nodes[x.index()], b.leaves[y.index()]);
-        } else {
-            down(a.nodes[x.index()], b.nodes[y.index()]);
-        }
+    NodePair at{a.root, b.root};
+    std::optional<TrianglePair> found;
+    while (!found) {
+        with_nodes(a, b, at, [&](const auto& x, const auto& y) {
+            const LanePair lanes = nearest_lanes(sets()[0], x, y);
+            if constexpr (requires { x.child; }) at.a = x.child[lanes.i];
+            if constexpr (requires { y.child; }) at.b = y.child[lanes.j];
+            if constexpr (requires {
+                              x.triangle;
+                              y.triangle;
+                          }) {
+                found = {x.triangle[lanes.i], y.triangle[lanes.j]};
+            } else {
+                ++counts_.box_tests;
+            }
+        });
     }
-    const TreeLeaf &p = a.leaves[x.index()], &q = b.leaves[y.index()];
-    const LanePair lanes = nearest_lanes(set, p, q);
-    enclose({p.triangle[lanes.i], q.triangle[lanes.j]});
+    enclose(*found);
     memory_.open.clear();
 }
 
@@ -195,7 +193,7 @@ bool DistanceSearch::visits(const NearPair& pair) {
     return !is_zero_;
 }
 
-bool DistanceSearch::operator()(const TreeLeaf& x, const TreeLeaf& y) {
+bool DistanceSearch::take(const TreeLeaf& x, const TreeLeaf& y) {
     LanePairs pairs(find_near(x, y, memory_.squares));
     if (!pairs.more()) return true;
     if (far_gap().is_far()) return take_far(x, y, pairs);

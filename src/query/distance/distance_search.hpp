@@ -13,6 +13,7 @@
 #include "bvh/axes/far_gap.hpp"
 #include "bvh/masks/triangle_bounds.hpp"
 #include "bvh/walks/walk_nearest.hpp"
+#include "bvh/walks/walk_two.hpp"
 #include "ecods/distance.hpp"
 #include "query/distance/triangle_distances.hpp"
 #include "query/intersection/query_memory.hpp"
@@ -79,8 +80,10 @@ class DistanceSearch {
 
     // What walk_nearest asks.
     float limit() const noexcept { return limit_; }
+    template <class X, class Y>
+    std::uint64_t find_near(const X& x, const Y& y, LaneSquares& bounds) noexcept;
     bool visits(const NearPair& pair);
-    bool operator()(const TreeLeaf& x, const TreeLeaf& y);
+    bool take(const TreeLeaf& x, const TreeLeaf& y);
 
     const std::array<DistanceSet, 2>& sets() const noexcept;
 
@@ -95,8 +98,6 @@ class DistanceSearch {
     const FarGap& far_gap() const noexcept;
     // What bounds of pairs within the distance are not above: squares, or ranks of bodies that are far apart.
     float bound_above(double distance) const noexcept;
-    template <class X, class Y>
-    std::uint64_t find_near(const X& x, const Y& y, LaneSquares& bounds) noexcept;
     bool take_far(const TreeLeaf& x, const TreeLeaf& y, LanePairs pairs);
     bool is_decided() const noexcept;
     void dive();

@@ -167,13 +167,13 @@ TEST(NearestQueue, GivesEachPairOnceAndTheNearestFirst) {
         for (int k = 0; k < 500; ++k) {
             const auto share = static_cast<float>(random.uniform(0, 1));
             const float square = k % 50 == 0 ? 0 : start * std::exp2(-30 * share * share);
-            queue.push({square, TreeRef::node(static_cast<std::size_t>(k)), TreeRef::leaf(0)});
+            queue.push({square, {TreeRef::node(static_cast<std::size_t>(k)), TreeRef::leaf(0)}});
             pushed.push_back(square);
         }
         const float limit = 0.5f * start;
         NearPair pair;
         while (queue.pop(limit, pair)) {
-            EXPECT_EQ(pair.square, pushed[pair.a.index()]);
+            EXPECT_EQ(pair.square, pushed[pair.nodes.a.index()]);
             // Of pairs that are one part in 32 from each other in square, the nearer one comes first.
             EXPECT_GE(pair.square * (1 + 0x1p-5f), popped.empty() ? 0 : popped.back());
             popped.push_back(pair.square);
