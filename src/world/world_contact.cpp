@@ -27,10 +27,7 @@ std::vector<TriangleIntersection> World::intersections(BodyId a, BodyId b, Query
     w.bodies.require_pair(a, b);
     const Slot &first = w.bodies[a.slot - 1], &second = w.bodies[b.slot - 1];
     const OrderedTest test = w.tests.find(first.kind, second.kind);
-    auto found = test.ask(first.posed(), second.posed(),
-                          [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) {
-                              return t.intersections(x, y, memory);
-                          });
+    auto found = test.ask(first.posed(), second.posed(), &TwoBodyTest::intersections, memory);
     if (test.swapped) {
         for (TriangleIntersection& each : found) std::swap(each.triangles.a, each.triangles.b);
         std::ranges::sort(found, {}, &TriangleIntersection::triangles);
@@ -45,14 +42,10 @@ std::vector<CloseFeatures> World::close_features(BodyId a, BodyId b, double d, Q
     if (key < 0 || key >= key_of(std::numeric_limits<double>::infinity())) throw InvalidDistance(d);
     const Slot &first = w.bodies[a.slot - 1], &second = w.bodies[b.slot - 1];
     const OrderedTest test = w.tests.find(first.kind, second.kind);
-    auto found = test.ask(first.posed(), second.posed(),
-                          [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) {
-                              return t.close_features(x, y, d, memory);
-                          });
+    auto found = test.ask(first.posed(), second.posed(), &TwoBodyTest::close_features, d, memory);
     if (test.swapped) {
         for (CloseFeatures& each : found) {
-            std::swap(each.closest.a, each.closest.b);
-            std::swap(each.closest.point_a, each.closest.point_b);
+            each.closest = turned(each.closest);
             if (each.direction) *each.direction = -*each.direction;
         }
         std::ranges::stable_sort(found, comes_before);

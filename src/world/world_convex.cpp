@@ -14,18 +14,6 @@
 namespace ecods {
 namespace {
 
-Posed<ConvexSolid> convex_at(const Bodies& bodies, ProxyIndex proxy) {
-    const ConvexSolid* const solid = bodies[proxy].convex();
-    if (solid == nullptr) throw NotSupported("slot " + std::to_string(proxy + 1) + ": its body is no convex solid");
-    return {*solid, bodies[proxy].pose};
-}
-
-Posed<Solid> solid_at(const Bodies& bodies, ProxyIndex proxy) {
-    const Solid* const solid = bodies[proxy].solid();
-    if (solid == nullptr) throw NotSupported("slot " + std::to_string(proxy + 1) + ": its body is no solid");
-    return {*solid, bodies[proxy].pose};
-}
-
 // Asks about two bodies. Errors of the question name them.
 template <class Ask>
 auto ask_of(const Bodies& bodies, ProxyIndex a, ProxyIndex b, const Ask& ask) {
@@ -52,26 +40,23 @@ Vec3 opposite(const Vec3& direction) {
 double World::solid_distance(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
     const ProxyPair pair = w.bodies.require_pair(a, b);
-    const auto first = convex_at(w.bodies, pair.a), second = convex_at(w.bodies, pair.b);
+    const auto first = w.bodies.convex_at(pair.a), second = w.bodies.convex_at(pair.b);
     return ask_of(w.bodies, pair.a, pair.b, [&] { return ecods::solid_distance(first, second, memory); });
 }
 
 std::optional<ClosestPoints> World::solid_closest(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
     const ProxyPair pair = w.bodies.require_pair(a, b);
-    const auto first = convex_at(w.bodies, pair.a), second = convex_at(w.bodies, pair.b);
+    const auto first = w.bodies.convex_at(pair.a), second = w.bodies.convex_at(pair.b);
     auto points = ask_of(w.bodies, pair.a, pair.b, [&] { return ecods::solid_closest(first, second, memory); });
-    if (points && a.slot - 1 != pair.a) {
-        std::swap(points->a, points->b);
-        std::swap(points->point_a, points->point_b);
-    }
+    if (points && a.slot - 1 != pair.a) points = turned(*points);
     return points;
 }
 
 Depth World::depth(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
     const ProxyPair pair = w.bodies.require_pair(a, b);
-    const auto first = convex_at(w.bodies, pair.a), second = convex_at(w.bodies, pair.b);
+    const auto first = w.bodies.convex_at(pair.a), second = w.bodies.convex_at(pair.b);
     Depth depth = ask_of(w.bodies, pair.a, pair.b, [&] { return ecods::depth(first, second, memory); });
     if (a.slot - 1 != pair.a) {
         std::swap(depth.a, depth.b);
@@ -84,7 +69,7 @@ DepthBounds World::depth_bounds(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
     w.bodies.require_pair(a, b);
     const ProxyIndex first = a.slot - 1, second = b.slot - 1;
-    const auto solid_a = solid_at(w.bodies, first), solid_b = solid_at(w.bodies, second);
+    const auto solid_a = w.bodies.solid_at(first), solid_b = w.bodies.solid_at(second);
     return ask_of(w.bodies, first, second, [&] { return ecods::depth_bounds(solid_a, solid_b, memory); });
 }
 
@@ -151,7 +136,7 @@ void World::Impl::ask_convex_pairs(const NearConvexPairs& near, const Run& run, 
             near.solids[later.b].prefetch();
         }
         try {
-            ask(at, convex_at(bodies, pair.a), convex_at(bodies, pair.b), memory);
+            ask(at, bodies.convex_at(pair.a), bodies.convex_at(pair.b), memory);
         } catch (...) {
             failure.keep(bodies.ids_of(pair), std::current_exception());
         }
