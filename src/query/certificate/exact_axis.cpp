@@ -8,8 +8,9 @@ using exact::Integer;
 
 namespace {
 
+using Kind = AxisFormula::Kind;
+
 constexpr std::array<AxisFormula, 32> formulas = [] {
-    using Kind = AxisFormula::Kind;
     std::array<AxisFormula, 32> result{};
     std::size_t count = 0;
     result[count++] = {Kind::normal_a};

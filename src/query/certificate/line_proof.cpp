@@ -14,6 +14,8 @@
 namespace ecods {
 namespace {
 
+using Kind = AxisFormula::Kind;
+
 class LineProof {
   public:
     LineProof(const Posed<MeshShape>& body, const ecods::Segment& segment, const Parameter& end, ApartBy apart,
@@ -129,7 +131,6 @@ AxisFormula LineProof::likely_axis(const Triangle& triangle) const {
         best = formula;
         most = gap / length;
     };
-    using Kind = AxisFormula::Kind;
     consider({Kind::normal_a}, (corner[1] - corner[0]).cross(corner[2] - corner[1]));
     for (std::uint8_t i = 0; i < 3; ++i) {
         const Vec3 edge = corner[(i + 1u) % 3] - corner[i];
