@@ -7,7 +7,8 @@
 
 namespace ecods {
 
-// Calls visit(v) for each vertex that is a corner of a triangle: once where all vertices are, otherwise for each corner.
+// Calls visit(v) for each vertex that is a corner of a triangle: once where all vertices are, otherwise for each
+// corner.
 template <class Visit>
 void for_each_used_vertex(const Mesh& mesh, Visit&& visit) {
     const auto vertices = mesh.vertices();
