@@ -41,7 +41,7 @@ struct Proof {
         words.insert(words.end(), {0, 0});
     }
     // Names an axis in the step, once, and in the proof where `named` is no_axis. Returns false, with nothing named,
-    // where the proof has no room for another one.
+    // where the list of axes is full.
     bool name(const ProofAxis& axis, Word& named) {
         if (named == no_axis) {
             if (axes.size() >= no_axis) return false;
