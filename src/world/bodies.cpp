@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <ranges>
+#include <string>
 #include <utility>
 
 #include "base/bytes_of.hpp"

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <exception>
 #include <optional>
-#include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "base/double_key.hpp"
 #include "geometry/box_distance.hpp"
@@ -124,9 +126,12 @@ auto World::Impl::near_convex_pairs(double limit) const -> NearConvexPairs {
 }
 
 // Of a thousand solids that move none is in a fast cache when its pair comes: it is sent for some pairs ahead.
-template <class Run, class Ask>
-void World::Impl::ask_convex_pairs(const NearConvexPairs& near, const Run& run, const Ask& ask) const {
+template <class Answer, class Run, class Ask>
+std::vector<Answer> World::Impl::ask_convex_pairs(double limit, const Run& run, const Ask& ask) const {
+    using Body = Posed<ConvexSolid>;
     constexpr std::size_t ahead = 2;
+    const NearConvexPairs near = near_convex_pairs(limit);
+    std::vector<std::invoke_result_t<Ask, const Body&, const Body&, QueryMemory&>> found(near.pairs.size());
     FirstFailure failure;
     run(near.pairs.size(), [&](std::size_t at, QueryMemory& memory) {
         const ProxyPair& pair = near.pairs[at];
@@ -136,45 +141,35 @@ void World::Impl::ask_convex_pairs(const NearConvexPairs& near, const Run& run, 
             near.solids[later.b].prefetch();
         }
         try {
-            ask(at, bodies.convex_at(pair.a), bodies.convex_at(pair.b), memory);
+            found[at] = ask(bodies.convex_at(pair.a), bodies.convex_at(pair.b), memory);
         } catch (...) {
             failure.keep(bodies.ids_of(pair), std::current_exception());
         }
     });
     failure.rethrow();
+    std::vector<Answer> result;
+    for (std::size_t at = 0; at < found.size(); ++at) {
+        if (found[at]) result.push_back({bodies.ids_of(near.pairs[at]), *found[at]});
+    }
+    std::ranges::sort(result, {}, &Answer::bodies);
+    return result;
 }
 
 template <class Run>
 std::vector<BodyDepth> World::Impl::find_depths(const Run& run) const {
-    using Body = Posed<ConvexSolid>;
-    const NearConvexPairs near = near_convex_pairs(0);
-    std::vector<std::optional<Depth>> found(near.pairs.size());
-    ask_convex_pairs(near, run, [&](std::size_t at, const Body& a, const Body& b, QueryMemory& memory) {
-        if (convex::do_meet(a, b, memory)) found[at] = ecods::depth(a, b, memory);
-    });
-    std::vector<BodyDepth> result;
-    for (std::size_t at = 0; at < found.size(); ++at) {
-        if (found[at]) result.push_back({bodies.ids_of(near.pairs[at]), *found[at]});
-    }
-    std::ranges::sort(result, {}, &BodyDepth::bodies);
-    return result;
+    return ask_convex_pairs<BodyDepth>(0, run,
+                                       [](const auto& a, const auto& b, QueryMemory& memory) -> std::optional<Depth> {
+                                           if (!convex::do_meet(a, b, memory)) return std::nullopt;
+                                           return ecods::depth(a, b, memory);
+                                       });
 }
 
 template <class Run>
 std::vector<SolidDistance> World::Impl::find_solid_distances(double limit, const Run& run) const {
-    using Body = Posed<ConvexSolid>;
     if (!Least<ProxyPair>::is_limit(limit)) throw InvalidDistance(limit);
-    const NearConvexPairs near = near_convex_pairs(limit);
-    std::vector<std::optional<double>> found(near.pairs.size());
-    ask_convex_pairs(near, run, [&](std::size_t at, const Body& a, const Body& b, QueryMemory& memory) {
-        found[at] = convex::distance_within(a, b, limit, memory);
+    return ask_convex_pairs<SolidDistance>(limit, run, [&](const auto& a, const auto& b, QueryMemory& memory) {
+        return convex::distance_within(a, b, limit, memory);
     });
-    std::vector<SolidDistance> result;
-    for (std::size_t at = 0; at < found.size(); ++at) {
-        if (found[at]) result.push_back({bodies.ids_of(near.pairs[at]), *found[at]});
-    }
-    std::ranges::sort(result, {}, &SolidDistance::bodies);
-    return result;
 }
 
 namespace {

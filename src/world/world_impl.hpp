@@ -50,9 +50,10 @@ struct World::Impl {
         std::vector<convex::SolidInMemory> solids;  // by proxy
     };
     NearConvexPairs near_convex_pairs(double limit) const;
-    // Each pair once by run(count, run_one(i, memory)), also when one throws: ask(i, a, b, memory).
-    template <class Run, class Ask>
-    void ask_convex_pairs(const NearConvexPairs& near, const Run& run, const Ask& ask) const;
+    // Asks about each of them by run(count, run_one(i, memory)), also when one throws; ask(a, b, memory) gives what the
+    // answer has, or nothing. Ascending.
+    template <class Answer, class Run, class Ask>
+    std::vector<Answer> ask_convex_pairs(double limit, const Run& run, const Ask& ask) const;
     template <class Run>
     std::vector<BodyDepth> find_depths(const Run& run) const;
     template <class Run>

@@ -1,5 +1,4 @@
 #include <exception>
-#include <string>
 
 #include "query/solid/solid_parts.hpp"
 #include "world/first_failure.hpp"
