@@ -16,10 +16,8 @@ namespace {
 ContactFeature name_of(const exact::FeaturePair& pair, std::size_t side, const Mesh& mesh, std::uint32_t triangle) {
     using exact::FeatureKind;
     const Triangle& corners = mesh.triangles()[triangle];
-    const std::size_t corner = side == 0 ? pair.a : pair.b;
-    const bool is_vertex =
-        pair.kind == FeatureKind::vertex_vertex || (pair.kind != FeatureKind::edge_edge && pair.vertex_side == side);
-    if (is_vertex) return {corners[corner], ContactFeature::none};
+    const std::size_t corner = pair.corner(side);
+    if (pair.has_vertex(side)) return {corners[corner], ContactFeature::none};
     if (pair.kind == FeatureKind::vertex_face) return {triangle, triangle};
     const auto [low, high] = std::minmax(corners[corner], corners[(corner + 1) % 3]);
     return {low, high};
@@ -62,15 +60,20 @@ void MovingPairs::bind(const Moving<MeshShape>& a, const Moving<MeshShape>& b, C
     known_.clear();
 }
 
-exact::MovingPoints MovingPairs::points_of(const TrianglePair& triangles) {
-    const Triangle &s = a_->what->mesh().triangles()[triangles.a], &t = b_->what->mesh().triangles()[triangles.b];
-    exact::MovingPoints points;
-    for (std::size_t i = 0; i < 3; ++i) {
-        points.start[i] = frame_.rounded(0, s[i]);
-        points.start[3 + i] = frame_.rounded(1, t[i]);
-        points.end[i] = frame_.rounded(2, s[i]);
-        points.end[3 + i] = frame_.rounded(3, t[i]);
+std::array<exact::VertexRef, 12> MovingPairs::corners_of(const TrianglePair& triangles) const {
+    const std::array of{a_->what->mesh().triangles()[triangles.a], b_->what->mesh().triangles()[triangles.b]};
+    std::array<exact::VertexRef, 12> corners;
+    for (std::size_t body = 0; body < 4; ++body) {
+        for (std::size_t i = 0; i < 3; ++i) corners[3 * body + i] = {body, of[body % 2][i]};
     }
+    return corners;
+}
+
+exact::MovingPoints MovingPairs::points_of(const TrianglePair& triangles) {
+    const exact::Points<12> rounded = frame_.rounded(corners_of(triangles));
+    exact::MovingPoints points;
+    std::copy_n(rounded.begin(), 6, points.start.begin());
+    std::copy_n(rounded.begin() + 6, 6, points.end.begin());
     points.start_error = std::max(frame_.delta(0), frame_.delta(1));
     points.end_error = std::max(frame_.delta(2), frame_.delta(3));
     return points;
@@ -107,16 +110,7 @@ std::optional<exact::TimeSpan> MovingPairs::bound_at_beginning(const exact::Movi
 template <class Ask>
 auto MovingPairs::ask_exactly(const TrianglePair& triangles, Ask&& ask) {
     ++counts_->exact;
-    const Mesh &mesh_a = a_->what->mesh(), &mesh_b = b_->what->mesh();
-    const Triangle &s = mesh_a.triangles()[triangles.a], &t = mesh_b.triangles()[triangles.b];
-    exact::PosedPoints<12> points;
-    for (std::size_t i = 0; i < 3; ++i) {
-        points[i] = {&a_->from, &mesh_a.vertices()[s[i]]};
-        points[3 + i] = {&b_->from, &mesh_b.vertices()[t[i]]};
-        points[6 + i] = {&a_->to, &mesh_a.vertices()[s[i]]};
-        points[9 + i] = {&b_->to, &mesh_b.vertices()[t[i]]};
-    }
-    return exact::with_integers(points, [&](const auto& integers) {
+    return exact::with_integers(frame_.posed(corners_of(triangles)), [&](const auto& integers) {
         exact::MovingTriangles moving(integers);
         return ask(moving);
     });

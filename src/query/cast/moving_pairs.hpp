@@ -2,6 +2,7 @@
 // decision, which knows what it has decided of the same features.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -36,6 +37,7 @@ class MovingPairs {
 
     std::optional<exact::TimeSpan> bound_at_beginning(const exact::MovingPoints& points, double from, double to,
                                                       exact::Effort effort);
+    std::array<exact::VertexRef, 12> corners_of(const TrianglePair& triangles) const;  // at the start, at the end
     exact::MovingPoints points_of(const TrianglePair& triangles);
     template <class Ask>
     auto ask_exactly(const TrianglePair& triangles, Ask&& ask);

@@ -42,11 +42,11 @@ void TriangleContacts::bind(const BodyRef& a, const Vec3& motion, const BodyRef&
     scaled_ = scaled_motion(motion);
     BitRange digits;
     for (int k = 0; k < 3; ++k) digits.include(decode(motion[k]));
-    points_.bind(a, b, digits);
+    points_.bind_pair(a, b, digits);
     triangles_ = {a.mesh->triangles().data(), b.mesh->triangles().data()};
     // As a difference of points.
     is_exact_ = points_.is_exact() && digits.low >= points_.unit() &&
-                digits.high - points_.unit() < FixedPoints::difference_bits;
+                digits.high - points_.unit() < IntegerFrame::difference_bits;
     if (!is_exact_) return;
     for (std::size_t k = 0; k < 3; ++k) {
         const Dyadic d = decode(motion[static_cast<Eigen::Index>(k)]);
@@ -55,14 +55,7 @@ void TriangleContacts::bind(const BodyRef& a, const Vec3& motion, const BodyRef&
 }
 
 IntegerPair TriangleContacts::integers(std::uint32_t i, std::uint32_t j) {
-    IntegerPair pair;
-    for (std::size_t k = 0; k < 3; ++k) {
-        pair.at[k] = points_.at(0, triangles_[0][i][k]);
-        pair.at[3 + k] = points_.at(1, triangles_[1][j][k]);
-    }
-    pair.unit = points_.unit();
-    pair.error = points_.is_exact() ? 0 : FixedPoints::error_units;
-    return pair;
+    return integer_pair(points_, triangles_[0][i], triangles_[1][j]);
 }
 
 ContactInterval TriangleContacts::enclose(std::uint32_t i, std::uint32_t j) {
@@ -86,7 +79,7 @@ ContactInterval TriangleContacts::enclose(std::uint32_t i, std::uint32_t j) {
 template <class Use>
 auto TriangleContacts::with_integers(std::uint32_t i, std::uint32_t j, Use&& use) {
     const auto in_kernel = [&]<class Kernel>(const IntegerPoints<Kernel, 8>& points) {
-        constexpr int L = limbs_of<Kernel>;
+        constexpr int L = Kernel::limb_count;
         const auto at = [&](std::size_t k) {
             return std::array{to_limbs(points.at[k][0]), to_limbs(points.at[k][1]), to_limbs(points.at[k][2])};
         };
@@ -118,9 +111,9 @@ std::optional<FirstContact> TriangleContacts::contact(std::uint32_t i, std::uint
     return with_integers(i, j, [&]<int L>(const TranslatedPair<L>& pair) -> std::optional<FirstContact> {
         if (known.is_certain) {
             const auto time = ContactTimes<L>::time_of(features_of(known.contact), pair);
-            if (is_above_one(time)) return std::nullopt;
+            if (!ContactTimes<L>::is_by_one(time)) return std::nullopt;
             FirstContact result = known.contact;
-            result.time = round(time);
+            result.time = round_fraction(time.size());
             return result;
         }
         const ContactTimes<L> times(pair);
@@ -129,8 +122,8 @@ std::optional<FirstContact> TriangleContacts::contact(std::uint32_t i, std::uint
         FirstContact result;
         result.a = {Feature::Kind::face, i, 0};
         result.b = {Feature::Kind::face, j, 0};
-        if (first->sign > 0) name_features(result, times.first_features(*first), {i, j});
-        result.time = round(*first);
+        if (first->sign() > 0) name_features(result, times.first_features(*first), {i, j});
+        result.time = round_fraction(first->size());
         return result;
     });
 }
@@ -138,7 +131,7 @@ std::optional<FirstContact> TriangleContacts::contact(std::uint32_t i, std::uint
 bool TriangleContacts::meet_by(std::uint32_t i, std::uint32_t j, double latest) {
     return with_integers(i, j, [&]<int L>(const TranslatedPair<L>& pair) {
         const auto first = ContactTimes<L>(pair).first();
-        return first && compare(*first, latest) <= 0;
+        return first && compare(first->size(), latest) <= 0;
     });
 }
 

@@ -281,7 +281,7 @@ void PosedHulls::bind_exact() {
     const auto reference = [](const Body& body) {
         return exact::BodyRef{&body.solid->mesh(), &MeshShapeAccess::tree(*body.solid).extent, body.at};
     };
-    memory_.points.bind(reference(bodies_[0]), reference(bodies_[1]));
+    memory_.points.bind_pair(reference(bodies_[0]), reference(bodies_[1]));
     is_bound_ = true;
 }
 

@@ -95,7 +95,7 @@ class PosedHulls {
     auto with_integers(const std::array<HullVertex, N>& vertices, Use&& use);
     // Whether exact points fit into two limbs, and these points: in units of 2^fixed_unit().
     bool has_fixed_points();
-    const exact::FixedPoints::Point& fixed(const HullVertex& v) noexcept {
+    const exact::IntegerVector& fixed(const HullVertex& v) noexcept {
         return memory_.points.at(v.side, mesh_vertex(v));
     }
     int fixed_unit() const noexcept { return memory_.points.unit(); }
@@ -165,15 +165,10 @@ class PosedHulls {
 
 template <std::size_t N, class Use>
 auto PosedHulls::with_integers(const std::array<HullVertex, N>& vertices, Use&& use) {
-    if (has_fixed_points()) {
-        exact::IntegerPoints<exact::TwoLimbKernel, N> points;
-        points.unit = fixed_unit();
-        for (std::size_t i = 0; i < N; ++i) points.at[i] = fixed(vertices[i]);
-        return exact::use_narrowest(points, use);
-    }
-    exact::PosedPoints<N> points;
-    for (std::size_t i = 0; i < N; ++i) points[i] = reference(vertices[i]);
-    return exact::with_integers(points, use);
+    if (!is_bound_) bind_exact();
+    std::array<exact::VertexRef, N> of_meshes;
+    for (std::size_t i = 0; i < N; ++i) of_meshes[i] = {vertices[i].side, mesh_vertex(vertices[i])};
+    return memory_.points.with_integers(of_meshes, use);
 }
 
 }  // namespace ecods::convex

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "exact/measure/round/fixed_points.hpp"
+#include "exact/point/integer_frame.hpp"
 #include "query/depth/inner_polytope.hpp"
 #include "query/depth/nearest_planes.hpp"
 #include "query/depth/rounded_hulls.hpp"
@@ -15,7 +15,7 @@ struct DepthMemory final : QueryMemoryPart {
     RoundedHulls hulls;
     InnerPolytope polytope;
     NearestPlanes planes;
-    exact::FixedPoints points;
+    exact::IntegerFrame points;
 
     static DepthMemory& of(QueryMemory& memory) {
         auto& part = QueryMemoryAccess::state(memory).depth;

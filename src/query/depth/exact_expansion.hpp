@@ -72,7 +72,7 @@ int compare(const ExactPlane<L>& x, const ExactPlane<L>& y) noexcept {
 template <int L>
 class ExactExpansion {
   public:
-    ExactExpansion(const ConvexPair& pair, const PointScale& scale) : points_(pair, scale) {}
+    explicit ExactExpansion(const ExactDifferences<L>& points) : points_(points) {}
 
     std::optional<ExactDepth> find() {
         begin();

@@ -255,12 +255,12 @@ std::size_t NearestPlanes::first_plane() const {
 }
 
 auto NearestPlanes::find(const ConvexPair& pair, const RoundedHulls& hulls, InnerPolytope& polytope,
-                         exact::FixedPoints& points) -> std::optional<Shown> {
+                         exact::IntegerFrame& points) -> std::optional<Shown> {
     pair_ = &pair;
     hulls_ = &hulls;
     points_ = &points;
     planes_.clear();
-    points.bind(pair[0].body, pair[1].body);
+    points.bind_pair(pair[0].body, pair[1].body);
     const bool has_found = find_planes(polytope);
     bool is_known = has_found && !planes_.empty();
     for (Plane& plane : planes_) {

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "exact/measure/round/fixed_plane.hpp"
-#include "exact/measure/round/fixed_points.hpp"
+#include "exact/point/integer_frame.hpp"
 #include "query/depth/exact_depth.hpp"
 #include "query/depth/inner_polytope.hpp"
 
@@ -38,7 +38,7 @@ class NearestPlanes {
     // exact steps.
     using Shown = std::optional<ExactDepth>;
     std::optional<Shown> find(const ConvexPair& pair, const RoundedHulls& hulls, InnerPolytope& polytope,
-                              exact::FixedPoints& points);
+                              exact::IntegerFrame& points);
 
   private:
     using Normal = std::array<double, 3>;
@@ -79,7 +79,7 @@ class NearestPlanes {
 
     const ConvexPair* pair_ = nullptr;
     const RoundedHulls* hulls_ = nullptr;
-    exact::FixedPoints* points_ = nullptr;
+    exact::IntegerFrame* points_ = nullptr;
     std::vector<Plane> planes_;
     // Faces of S that are too thin for a normal in doubles.
     std::vector<std::array<DifferenceVertex, 3>> thin_;

@@ -54,7 +54,7 @@ void name_features(DistanceInterval& interval, const FeaturePair& f, const Trian
 }  // namespace
 
 void TriangleDistances::bind(const BodyRef& a, const BodyRef& b) {
-    points_.bind(a, b);
+    points_.bind_pair(a, b);
     triangles_ = {a.mesh->triangles().data(), b.mesh->triangles().data()};
     for (Measured& m : measured_) m.is_known = false;
     slab_.forget();
@@ -119,7 +119,7 @@ bool TriangleDistances::is_not_nearer(const TrianglePair& pair) {
     if (!slab_.is_set()) return false;
     const auto is_outside = [&](std::size_t body, std::uint32_t vertex) {
         return slab_.is_outside(body, vertex, [&] {
-            const FixedPoints::Point& p = points_.at(body, vertex);
+            const IntegerFrame::Point& p = points_.at(body, vertex);
             return ClosestSlab::Point{to_limbs(p[0]), to_limbs(p[1]), to_limbs(p[2])};
         });
     };

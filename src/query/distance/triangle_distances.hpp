@@ -12,9 +12,9 @@
 #include "exact/measure/distance/closest_slab.hpp"
 #include "exact/measure/distance/enclose_distance.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
-#include "exact/measure/round/fixed_points.hpp"
 #include "exact/measure/round/squared_distance.hpp"
 #include "exact/point/frame.hpp"
+#include "exact/point/integer_frame.hpp"
 
 namespace ecods {
 
@@ -105,7 +105,7 @@ class TriangleDistances {
     const Measured& measured(const TrianglePair& pair);
     exact::PointRef first_corner(std::uint32_t i) const noexcept;
 
-    exact::FixedPoints points_;
+    exact::IntegerFrame points_;
     std::array<const Triangle*, 2> triangles_{};
     exact::ClosestSlab slab_;
     std::array<Measured, 2> measured_;  // the one that was asked about last comes first

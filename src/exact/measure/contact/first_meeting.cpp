@@ -14,12 +14,7 @@ namespace {
 struct CornerAndTriangle {
     std::size_t side, corner;
 
-    bool has(const FeaturePair& pair) const noexcept {
-        const std::size_t own = side == 0 ? pair.a : pair.b;
-        const bool has_vertex = pair.kind == FeatureKind::vertex_vertex ||
-                                (pair.kind != FeatureKind::edge_edge && pair.vertex_side == side);
-        return has_vertex && own == corner;
-    }
+    bool has(const FeaturePair& pair) const noexcept { return pair.has_vertex(side) && pair.corner(side) == corner; }
 };
 struct TwoEdges {
     std::size_t a, b;

@@ -16,10 +16,8 @@ constexpr std::array<CornerPairs, feature_pairs.size()> corners_of_features = []
     for (std::size_t k = 0; k < feature_pairs.size(); ++k) {
         const FeaturePair& pair = feature_pairs[k];
         const auto corners = [&](std::size_t side) -> std::uint32_t {
-            const std::size_t corner = side == 0 ? pair.a : pair.b;
-            const bool is_vertex = pair.kind == FeatureKind::vertex_vertex ||
-                                   (pair.kind != FeatureKind::edge_edge && pair.vertex_side == side);
-            if (is_vertex) return 1u << corner;
+            const std::size_t corner = pair.corner(side);
+            if (pair.has_vertex(side)) return 1u << corner;
             return pair.kind == FeatureKind::vertex_face ? 7u : 1u << corner | 1u << next_corner(corner);
         };
         for (std::size_t a = 0; a < 3; ++a) {

@@ -30,11 +30,11 @@ class ClosestPointsOf {
                 at_corner(1, pair_.b, points[1]);
                 return;
             case FeatureKind::vertex_edge:
-                at_corner(side, side == 0 ? pair_.a : pair_.b, points[side]);
-                on_edge(of, side == 0 ? pair_.b : pair_.a, points[of]);
+                at_corner(side, pair_.corner(side), points[side]);
+                on_edge(of, pair_.corner(of), points[of]);
                 return;
             case FeatureKind::vertex_face:
-                at_corner(side, side == 0 ? pair_.a : pair_.b, points[side]);
+                at_corner(side, pair_.corner(side), points[side]);
                 on_face(of, points[of]);
                 return;
             case FeatureKind::edge_edge:
@@ -59,7 +59,7 @@ class ClosestPointsOf {
         const Vector w = features_.between(pair_), u = features_.from(side, edge, 1);
         Magnitude<2 * L> along = dot<L, L>(w, u);
         if (side == 1) along = negated<2 * L>(along);
-        const Weight den = widened(dot<L, L>(u, u)), s = widened(along);
+        const Weight den = widened<4 * L>(dot<L, L>(u, u)), s = widened<4 * L>(along);
         set(side, edge, den, &s, &u, nullptr, nullptr, point);
     }
 
@@ -82,12 +82,6 @@ class ClosestPointsOf {
         const Weight s = dot<2 * L, 2 * L>(cross<L>(w, v), n), t = dot<2 * L, 2 * L>(cross<L>(w, u), n);
         set(0, pair_.a, den, &s, &u, nullptr, nullptr, points[0]);
         set(1, pair_.b, den, &t, &v, nullptr, nullptr, points[1]);
-    }
-
-    static Weight widened(const Magnitude<2 * L>& x) noexcept {
-        Weight result{{}, x.negative};
-        std::copy(x.limbs.begin(), x.limbs.end(), result.limbs.begin());
-        return result;
     }
 
     // (den p + s u + t v) / den for corner p = i of `side`.

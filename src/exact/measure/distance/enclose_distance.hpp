@@ -5,8 +5,9 @@
 #include <limits>
 
 #include "exact/measure/distance/feature_pair.hpp"
-#include "exact/measure/round/fixed_points.hpp"
+#include "exact/point/integer_frame.hpp"
 #include "exact/point/point.hpp"
+#include "simd/inline.hpp"
 
 namespace ecods::exact {
 
@@ -19,10 +20,22 @@ struct Enclosure {
 
 // Six integer points in units of 2^unit, each coordinate of a difference off by less than `error` units.
 struct IntegerPair {
-    std::array<FixedPoints::Point, 6> at;
+    std::array<IntegerFrame::Point, 6> at;
     int unit;
-    int error;  // 0: exact, or FixedPoints::error_units
+    int error;  // 0: exact, or IntegerFrame::error_units
 };
+
+// Reads the corners of a triangle of each of the first two bodies.
+ECODS_ALWAYS_INLINE IntegerPair integer_pair(IntegerFrame& frame, const Triangle& a, const Triangle& b) noexcept {
+    IntegerPair pair;
+    for (std::size_t k = 0; k < 3; ++k) {
+        pair.at[k] = frame.at(0, a[k]);
+        pair.at[3 + k] = frame.at(1, b[k]);
+    }
+    pair.unit = frame.unit();
+    pair.error = frame.error();
+    return pair;
+}
 
 // Whatever the features are, the interval contains the distance; it is narrow if they are the closest. In any rounding
 // mode, with or without flush-to-zero or fused multiply-add.

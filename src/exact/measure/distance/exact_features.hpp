@@ -164,7 +164,7 @@ Standing ExactFeatures<L>::of_vertices(const FeaturePair& f) const noexcept {
 template <int L>
 Standing ExactFeatures<L>::of_vertex_and_edge(const FeaturePair& f) const noexcept {
     const std::size_t side = f.vertex_side, of = 1 - side;
-    const std::size_t vertex = side == 0 ? f.a : f.b, edge = side == 0 ? f.b : f.a;
+    const std::size_t vertex = f.corner(side), edge = f.corner(of);
     const Vector w = between(f), u = from(of, edge, 1);
     const auto uu = dot<L, L>(u, u);
     const auto wu = dot<L, L>(w, u);
@@ -183,7 +183,7 @@ Standing ExactFeatures<L>::of_vertex_and_edge(const FeaturePair& f) const noexce
 
 template <int L>
 Standing ExactFeatures<L>::of_vertex_and_face(const FeaturePair& f) const noexcept {
-    const std::size_t side = f.vertex_side, vertex = side == 0 ? f.a : f.b;
+    const std::size_t side = f.vertex_side, vertex = f.corner(side);
     const LimbVector<2 * L> n = normal(f);
     const Magnitude<4 * L> nn = dot<2 * L, 2 * L>(n, n);
     if (is_zero<4 * L>(nn.limbs)) return Standing::none;
@@ -228,7 +228,7 @@ auto ExactFeatures<L>::foot_on_face(const FeaturePair& f, const LimbVector<2 * L
                                     const Magnitude<4 * L>& nn) const noexcept -> Signs {
     const std::size_t side = f.vertex_side, of = 1 - side;
     const Vector u = from(of, 0, 1), v = from(of, 0, 2);
-    const Vector foot = difference<L>(corner(side, side == 0 ? f.a : f.b), corner(of, 0));
+    const Vector foot = difference<L>(corner(side, f.corner(side)), corner(of, 0));
     const auto s = dot<2 * L, 2 * L>(cross<L>(foot, v), n);
     const auto t = dot<2 * L, 2 * L>(cross<L>(u, foot), n);
     Signs inside;
@@ -263,7 +263,7 @@ Standing ExactFeatures<L>::meeting(const FeaturePair& f) const noexcept {
     }
     if (f.kind == FeatureKind::vertex_edge) {
         const std::size_t edge_of = 1 - f.vertex_side;
-        const Vector u = from(edge_of, edge_of == 0 ? f.a : f.b, 1);
+        const Vector u = from(edge_of, f.corner(edge_of), 1);
         const auto uu = dot<L, L>(u, u);
         const auto wu = dot<L, L>(w, u);
         if (is_zero<2 * L>(uu.limbs) || !is_parallel<L>(w, u)) return Standing::none;
@@ -282,7 +282,7 @@ auto ExactFeatures<L>::with_direction(const FeaturePair& f, Use&& use) const {
     const Vector w = between(f);
     if (f.kind == FeatureKind::vertex_vertex) return use(w, false);
     if (f.kind == FeatureKind::vertex_edge) {
-        const Vector u = f.vertex_side == 0 ? from(1, f.b, 1) : from(0, f.a, 1);
+        const Vector u = from(1 - f.vertex_side, f.corner(1 - f.vertex_side), 1);
         return use(across_edge(w, u, dot<L, L>(u, u), dot<L, L>(w, u)), false);
     }
     const LimbVector<2 * L> n = normal(f);
@@ -296,7 +296,7 @@ void ExactFeatures<L>::measure(const FeaturePair& f, SquaredDistance& result) co
         result.num.assign(dot<L, L>(w, w).limbs);
         result.den = Natural<denominator_limbs>(1);
     } else if (f.kind == FeatureKind::vertex_edge) {
-        const Vector u = f.vertex_side == 0 ? from(1, f.b, 1) : from(0, f.a, 1);
+        const Vector u = from(1 - f.vertex_side, f.corner(1 - f.vertex_side), 1);
         const LimbVector<2 * L> c = cross<L>(w, u);
         result.num.assign(dot<2 * L, 2 * L>(c, c).limbs);
         result.den.assign(dot<L, L>(u, u).limbs);

@@ -73,12 +73,6 @@ class SharedCorners {
         x.limbs[0] = 1;
         return x;
     }
-    template <int M>
-    static Weight widened(const Magnitude<M>& x) noexcept {
-        Weight result{{}, x.negative};
-        std::copy(x.limbs.begin(), x.limbs.end(), result.limbs.begin());
-        return result;
-    }
 
     bool is_in(std::size_t side, std::size_t i) const noexcept;
     std::optional<LimbVector<2 * L>> normal_at_point() const;
@@ -140,7 +134,7 @@ void SharedCorners<L>::add_piercing(std::size_t side, std::size_t edge) {
     }
     if (least < 0 && most > 0) return;
     // Both with the sign of h0, so that the denominator is positive.
-    Weight den = widened(fall), s = widened(h0);
+    Weight den = widened<4 * L>(fall), s = widened<4 * L>(h0);
     den.negative = s.negative = 0;
     add(features_.position(side, edge), den, s, u);
 }
@@ -203,7 +197,7 @@ auto SharedCorners<L>::normal_at_point() const -> std::optional<LimbVector<2 * L
 // that is the middle corner of one without area.
 template <int L>
 bool SharedCorners<L>::goes_through(const FeaturePair& f) const {
-    const std::size_t side = f.vertex_side, corner = side == 0 ? f.a : f.b;
+    const std::size_t side = f.vertex_side, corner = f.corner(side);
     const LimbVector<2 * L> n = features_.normal(f);
     const auto height = [&](std::size_t k) { return sign<3 * L>(dot<2 * L, L>(n, features_.from(side, corner, k))); };
     return height(1) * height(2) < 0;

@@ -40,7 +40,7 @@ inline constexpr double second_order = 1 + 0x1p-20;
 
 struct TriangleVectors {
     TriangleVectors(const IntegerPair& pair, std::size_t p, std::size_t q) noexcept {
-        const auto at = [&](std::size_t side, std::size_t i) -> const FixedPoints::Point& {
+        const auto at = [&](std::size_t side, std::size_t i) -> const IntegerVector& {
             return pair.at[3 * side + i % 3];
         };
         const bool is_exact = pair.error == 0;

@@ -18,6 +18,15 @@ Magnitude<L> negated(Magnitude<L> a) noexcept {
     return a;
 }
 
+// Widens a number to as many limbs or more.
+template <int M, int L>
+Magnitude<M> widened(const Magnitude<L>& x) noexcept {
+    static_assert(M >= L);
+    Magnitude<M> result{{}, x.negative};
+    for (std::size_t i = 0; i < L; ++i) result.limbs[i] = x.limbs[i];
+    return result;
+}
+
 // sum += a * b, or sum -= a * b where `negative` is all_ones.
 template <int A, int B>
 inline void add_product(Limbs<A + B>& sum, const Magnitude<A>& a, const Magnitude<B>& b,
