@@ -60,14 +60,17 @@ ECODS_ALWAYS_INLINE void find_ends(const BodyAxis& axis, const BvhNode& node, st
     high = middle + reach;
 }
 
+// A function, not a lambda: compilers may leave a lambda as a call, which passes registers of another width than a
+// target region has.
+template <class Corner>
+ECODS_ALWAYS_INLINE Half corner_on(const BodyAxis& axis, const Corner& y, std::size_t part) noexcept {
+    const auto& p = axis.p;
+    return (p[0] * load_half(y[0], part) + p[1] * load_half(y[1], part)) + (p[2] * load_half(y[2], part) + axis.q);
+}
 ECODS_ALWAYS_INLINE void find_ends(const BodyAxis& axis, const TreeLeaf& leaf, std::size_t part, Half& low,
                                    Half& high) noexcept {
-    const auto& p = axis.p;
-    const auto at = [&](std::size_t c) -> Half {
-        const auto& y = leaf.corner[c];
-        return (p[0] * load_half(y[0], part) + p[1] * load_half(y[1], part)) + (p[2] * load_half(y[2], part) + axis.q);
-    };
-    const Half x = at(0), y = at(1), z = at(2);
+    const Half x = corner_on(axis, leaf.corner[0], part), y = corner_on(axis, leaf.corner[1], part),
+               z = corner_on(axis, leaf.corner[2], part);
     low = min(x, min(y, z)) - axis.corner_reach;
     high = max(x, max(y, z)) + axis.corner_reach;
 }
