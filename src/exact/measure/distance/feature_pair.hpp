@@ -17,7 +17,7 @@ struct FeaturePair {
     std::uint8_t a = 0, b = 0;
 
     constexpr std::size_t corner(std::size_t side) const noexcept { return side == 0 ? a : b; }
-    // Tells whether the feature of a triangle is a vertex.
+    // Says whether the feature of a triangle is a vertex.
     constexpr bool has_vertex(std::size_t side) const noexcept {
         return kind == FeatureKind::vertex_vertex || (kind != FeatureKind::edge_edge && vertex_side == side);
     }
