@@ -1,31 +1,21 @@
-// Eight triangles of a leaf beside eight of another: which pairs a plane or two edges part, and which certainly cross.
-#pragma once
+// Text of bvh/masks/overlap_mask.cpp, compiled for each instruction set.
 
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-
-#include "bvh/masks/projected_lanes.hpp"
-
-namespace ecods {
+template <class Number>
+struct LaneVector {
+    Number x, y, z;
+};
+template <class Number>
+ECODS_ALWAYS_INLINE LaneVector<Number> operator-(const LaneVector<Number>& a, const LaneVector<Number>& b) noexcept {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 
 // Coordinates are the world's under one linear map, so triangles that are apart there are disjoint in the world; and
 // where the map is a bijection, triangles that cross there cross in the world.
-template <std::size_t width>
-struct TriangleLanes : ProjectedLanes<width> {
-    using Lanes = ProjectedLanes<width>;
-    using Lanes::load, Lanes::part_count, Lanes::store;
-    using typename Lanes::Corners, typename Lanes::Floats, typename Lanes::Ints, typename Lanes::Spans;
+struct TriangleLanes : ProjectedLanes<float_width> {
     static constexpr float extent_max = 0x1p40f;
 
     template <class Number>
-    struct Vector {
-        Number x, y, z;
-
-        ECODS_ALWAYS_INLINE friend Vector operator-(const Vector& a, const Vector& b) noexcept {
-            return {a.x - b.x, a.y - b.y, a.z - b.z};
-        }
-    };
+    using Vector = LaneVector<Number>;
     using Vectors = Vector<Floats>;  // one in each lane
 
     template <class Number>
@@ -174,5 +164,3 @@ struct TriangleLanes : ProjectedLanes<width> {
         return found;
     }
 };
-
-}  // namespace ecods

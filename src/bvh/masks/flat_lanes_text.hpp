@@ -1,21 +1,6 @@
-// Eight triangles of a leaf beside eight of another, all in one plane or nearly: which of them an edge separates.
-#pragma once
+// Text of bvh/masks/overlap_mask.cpp, compiled for each instruction set.
 
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-
-#include "bvh/masks/projected_lanes.hpp"
-
-namespace ecods {
-
-template <std::size_t width>
-struct FlatLanes : ProjectedLanes<width> {
-    using Lanes = ProjectedLanes<width>;
-    using Lanes::load;
-    using typename Lanes::Corners, typename Lanes::Floats, typename Lanes::Ints, typename Lanes::Spans;
+struct FlatLanes : ProjectedLanes<float_width> {
     static constexpr float extent_max = 0x1p40f;
 
     // A triangle on two axes, those that flat trees are seen on: one of x for all lanes, or in each lane one of y.
@@ -114,5 +99,3 @@ struct FlatLanes : ProjectedLanes<width> {
         if (any_bits(open) != 0) open &= ~(find_parted(q, p, error) & is_judged);
     }
 };
-
-}  // namespace ecods

@@ -1,22 +1,12 @@
 // Triangles of two leaves in registers of eight floats, any eight pairs at once: as a rule few of eight triangles are
-// near one, and a row for each of these would be mostly empty. On processors that pick lanes by number and bits by mask
-// (simd/wide.hpp).
-#pragma once
+// near one, and a row for each of these would be mostly empty. Text of bvh/masks/overlap_mask.cpp for processors that
+// pick lanes by number and bits by mask (simd/wide.hpp).
 
-#include "bvh/masks/flat_lanes.hpp"
-#include "bvh/masks/projected_lanes.hpp"
-#include "bvh/masks/triangle_lanes.hpp"
-#include "simd/wide.hpp"
-
-#if ECODS_CAN_DISPATCH
-
-namespace ecods {
-
-struct EightPairs : ProjectedLanes<8> {
+struct EightPairs : avx2::ProjectedLanes<8> {
     // Clears the bits of pairs of triangles that are proven to be apart, and returns which are proven to cross.
-    ECODS_WIDE_INLINE static std::uint64_t find(const AxisSet& set, const Triangles& x, const Triangles& y,
-                                                std::uint64_t& pairs) noexcept {
-        using Decided = TriangleLanes<8>;
+    ECODS_ALWAYS_INLINE static std::uint64_t find(const AxisSet& set, const Placed& x, const Placed& y,
+                                                  std::uint64_t& pairs) noexcept {
+        using Decided = avx2::TriangleLanes;
         std::uint64_t near = 0, crossing = 0;
         for (std::uint64_t rest = pairs; rest != 0;) {
             const wide::PairNumbers eight(rest);
@@ -47,11 +37,11 @@ struct EightPairs : ProjectedLanes<8> {
     }
 
   private:
-    ECODS_WIDE_INLINE static void pick(const FloatLanes& from, wide::Index8 index, Floats& to) noexcept {
+    ECODS_ALWAYS_INLINE static void pick(const FloatLanes& from, wide::Index8 index, Floats& to) noexcept {
         wide::store(wide::pick(from.data(), index), to);
     }
-    ECODS_WIDE_INLINE static void pick(const std::array<FloatLanes, 3>& from, wide::Index8 index,
-                                       TriangleLanes<8>::Vectors& to) noexcept {
+    ECODS_ALWAYS_INLINE static void pick(const std::array<FloatLanes, 3>& from, wide::Index8 index,
+                                         avx2::TriangleLanes::Vectors& to) noexcept {
         pick(from[0], index, to.x);
         pick(from[1], index, to.y);
         pick(from[2], index, to.z);
@@ -59,8 +49,8 @@ struct EightPairs : ProjectedLanes<8> {
 
     // The extents of both triangles of each pair on an axis: as max and min of vectors, whose order of the arguments
     // the instructions have, too.
-    ECODS_WIDE_INLINE static void find_extent(const Triangles& x, const Triangles& y, std::size_t axis,
-                                              const wide::PairNumbers& pairs, Floats& extent) noexcept {
+    ECODS_ALWAYS_INLINE static void find_extent(const Placed& x, const Placed& y, std::size_t axis,
+                                                const wide::PairNumbers& pairs, Floats& extent) noexcept {
         const wide::Float8 high = wide::larger(wide::pick(x.spans.high[axis].data(), pairs.i),
                                                wide::pick(y.spans.high[axis].data(), pairs.j)),
                            low = wide::smaller(wide::pick(x.spans.low[axis].data(), pairs.i),
@@ -69,11 +59,11 @@ struct EightPairs : ProjectedLanes<8> {
     }
 
     // As FlatLanes::find_near_edges.
-    ECODS_WIDE_INLINE static void find_flat(const AxisSet& set, const Triangles& x, const Triangles& y,
-                                            const wide::PairNumbers& pairs, Ints& open) noexcept {
+    ECODS_ALWAYS_INLINE static void find_flat(const AxisSet& set, const Placed& x, const Placed& y,
+                                              const wide::PairNumbers& pairs, Ints& open) noexcept {
         const auto k = static_cast<std::size_t>(set.flat_axis + 1) % 3,
                    l = static_cast<std::size_t>(set.flat_axis + 2) % 3;
-        FlatLanes<8>::FlatTriangle<Floats> p, q;
+        avx2::FlatLanes::FlatTriangle<Floats> p, q;
         for (std::size_t c = 0; c < 3; ++c) {
             pick(x.corners.at[c][k], pairs.i, p.x[c]);
             pick(x.corners.at[c][l], pairs.i, p.y[c]);
@@ -85,10 +75,6 @@ struct EightPairs : ProjectedLanes<8> {
         Floats ex, ey;
         find_extent(x, y, k, pairs, ex);
         find_extent(x, y, l, pairs, ey);
-        FlatLanes<8>::find_open(set, k, l, p, q, ex, ey, open);
+        avx2::FlatLanes::find_open(set, k, l, p, q, ex, ey, open);
     }
 };
-
-}  // namespace ecods
-
-#endif
