@@ -1,25 +1,14 @@
 // Which boxes are near a box, and which are near each other.
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
-#include "base/double_key.hpp"
+#include "base/limits.hpp"
 #include "broad_phase/boxes/near_walk.hpp"
 #include "broad_phase/overlap_tracker.hpp"
-#include "ecods/error.hpp"
 #include "geometry/box_distance.hpp"
 
 namespace ecods {
-namespace {
-
-void require_valid(double limit) {
-    const std::int64_t key = key_of(limit);
-    if (key < 0 || key > key_of(std::numeric_limits<double>::infinity())) throw InvalidDistance(limit);
-}
-
-}  // namespace
-
 std::uint64_t OverlapTracker::scan_near(const Aabb& box, double limit,
                                         const std::function<double(ProxyIndex)>& visit) const {
     std::vector<std::pair<double, ProxyIndex>> near;
@@ -54,13 +43,13 @@ void OverlapTracker::visit_near(const Aabb& box, double limit, const std::functi
     for (int axis = 0; axis < 3; ++axis) {
         if (!(box.min[axis] <= box.max[axis])) throw InvalidBox(axis, box.min[axis], box.max[axis]);
     }
-    require_valid(limit);
+    require_distance(limit);
     count_find(has_near_trees() ? walk_near(current_index().trees(), table_.boxes(), box, limit, visit)
                                 : scan_near(box, limit, visit));
 }
 
 void OverlapTracker::visit_near_pairs(double limit, const std::function<double(ProxyPair)>& visit) const {
-    require_valid(limit);
+    require_distance(limit);
     const auto visit_slots = [&](SlotIndex a, SlotIndex b) { return visit({a, b}); };
     count_find(has_near_trees() ? walk_near_pairs(current_index().trees(), table_.boxes(), limit, visit_slots)
                                 : scan_near_pairs(limit, visit));

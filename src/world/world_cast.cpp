@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/limits.hpp"
 #include "ecods/motion.hpp"
 #include "world/least.hpp"
 #include "world/world_impl.hpp"
@@ -35,7 +36,7 @@ class FirstMet {
 
 FirstMet first_met(const Vec3& motion, double time_max) {
     validate_motion(motion);
-    if (!Least<ProxyIndex>::is_limit(time_max)) throw InvalidTime(time_max);
+    if (!is_limit(time_max)) throw InvalidTime(time_max);
     return FirstMet(time_max);
 }
 

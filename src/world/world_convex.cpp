@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "base/double_key.hpp"
+#include "base/limits.hpp"
 #include "geometry/box_distance.hpp"
 #include "query/convex/solid_pair.hpp"
 #include "world/enlarged.hpp"
@@ -178,7 +178,7 @@ std::vector<BodyDepth> World::Impl::find_depths(const Run& run) const {
 template <class Run>
 std::vector<SolidDistance> World::Impl::find_solid_distances(double limit, const Run& run) const {
     using Body = Posed<ConvexSolid>;
-    if (!Least<ProxyPair>::is_limit(limit)) throw InvalidDistance(limit);
+    require_distance(limit);
     const NearConvexPairs near = near_convex_pairs(limit);
     std::vector<std::optional<double>> found(near.pairs.size());
     ask_convex_pairs(near, run, [&](std::size_t at, const Body& a, const Body& b, QueryMemory& memory) {

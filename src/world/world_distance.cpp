@@ -1,8 +1,6 @@
-#include <cstdint>
-#include <limits>
 #include <utility>
 
-#include "base/double_key.hpp"
+#include "base/limits.hpp"
 #include "ecods/distance.hpp"
 #include "world/world_impl.hpp"
 
@@ -22,8 +20,7 @@ double World::distance(BodyId a, BodyId b, QueryMemory& memory) const {
 bool World::within(BodyId a, BodyId b, double d, QueryMemory& memory) const {
     const Impl& w = impl();
     const ProxyPair pair = w.bodies.require_pair(a, b);
-    const std::int64_t key = key_of(d);
-    if (key < 0 || key > key_of(std::numeric_limits<double>::infinity())) throw InvalidDistance(d);
+    require_distance(d);
     return w.test_within(pair, d, memory);
 }
 

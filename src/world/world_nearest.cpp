@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/limits.hpp"
 #include "world/least.hpp"
 #include "world/world_impl.hpp"
 
@@ -9,7 +10,7 @@ namespace {
 
 template <class Name>
 Least<Name> least_within(double limit) {
-    if (!Least<Name>::is_limit(limit)) throw InvalidDistance(limit);
+    require_distance(limit);
     return Least<Name>(limit);
 }
 

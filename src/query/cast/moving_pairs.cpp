@@ -9,20 +9,13 @@
 #include "base/double_key.hpp"
 #include "base/next.hpp"
 #include "exact/measure/contact/possible_features.hpp"
+#include "exact/measure/distance/name_features.hpp"
 
 namespace ecods {
 namespace {
 
-ContactFeature name_of(const exact::FeaturePair& pair, std::size_t side, const Mesh& mesh, std::uint32_t triangle) {
-    using exact::FeatureKind;
-    const Triangle& corners = mesh.triangles()[triangle];
-    const std::size_t corner = side == 0 ? pair.a : pair.b;
-    const bool is_vertex =
-        pair.kind == FeatureKind::vertex_vertex || (pair.kind != FeatureKind::edge_edge && pair.vertex_side == side);
-    if (is_vertex) return {corners[corner], ContactFeature::none};
-    if (pair.kind == FeatureKind::vertex_face) return {triangle, triangle};
-    const auto [low, high] = std::minmax(corners[corner], corners[(corner + 1) % 3]);
-    return {low, high};
+FeatureKey key_on(const exact::FeaturePair& pair, std::size_t side, const Mesh& mesh, std::uint32_t triangle) {
+    return feature_key(exact::feature_of(pair, side, triangle), mesh.triangles()[triangle]);
 }
 
 // Times that bound the beginning of a way, powers of two: the first is the least that is not subnormal.
@@ -134,11 +127,11 @@ std::optional<exact::Meeting> MovingPairs::decide(const TrianglePair& triangles,
         const exact::TimeSpan span = cells->span();
         const exact::FeatureSet features = exact::possible_features(points, span);
         const bool is_one = std::has_single_bit(features);
-        ContactFeature a, b;
+        FeatureKey a, b;
         if (is_one) {
             const exact::FeaturePair& pair = exact::feature_pairs[static_cast<std::size_t>(std::countr_zero(features))];
-            a = name_of(pair, 0, a_->what->mesh(), triangles.a);
-            b = name_of(pair, 1, b_->what->mesh(), triangles.b);
+            a = key_on(pair, 0, a_->what->mesh(), triangles.a);
+            b = key_on(pair, 1, b_->what->mesh(), triangles.b);
             if (const KnownMeeting* known = find_known(a, b, span)) {
                 return exact::Meeting{known->time, known->is_late, pair};
             }
@@ -161,7 +154,7 @@ std::optional<exact::Meeting> MovingPairs::decide(const TrianglePair& triangles,
 }
 
 // The time that is known is rounded: it is in the span where both of its neighbours are.
-const MovingPairs::KnownMeeting* MovingPairs::find_known(const ContactFeature& a, const ContactFeature& b,
+const MovingPairs::KnownMeeting* MovingPairs::find_known(const FeatureKey& a, const FeatureKey& b,
                                                          const exact::TimeSpan& time) const {
     for (const KnownMeeting& known : known_) {
         if (known.a == a && known.b == b && key_of(next_down(known.time)) >= key_of(time.from) &&

@@ -29,7 +29,7 @@ class MovingPairs {
     // The first meeting of two features, where two triangles can only meet by these. Other triangles that have both
     // meet by them at the same time, if they do by no others.
     struct KnownMeeting {
-        ContactFeature a, b;
+        FeatureKey a, b;
         double time;
         bool is_late;
     };
@@ -39,7 +39,7 @@ class MovingPairs {
     exact::MovingPoints points_of(const TrianglePair& triangles);
     template <class Ask>
     auto ask_exactly(const TrianglePair& triangles, Ask&& ask);
-    const KnownMeeting* find_known(const ContactFeature& a, const ContactFeature& b, const exact::TimeSpan& time) const;
+    const KnownMeeting* find_known(const FeatureKey& a, const FeatureKey& b, const exact::TimeSpan& time) const;
 
     const Moving<MeshShape>* a_ = nullptr;
     const Moving<MeshShape>* b_ = nullptr;

@@ -12,31 +12,6 @@ namespace ecods {
 
 using namespace exact;
 
-namespace {
-
-// Of a vertex and a face, or of two edges.
-FeaturePair features_of(const FirstContact& contact) noexcept {
-    const bool is_of_face = contact.kind == ClosestKind::vertex_face;
-    const auto byte = [](auto x) { return static_cast<std::uint8_t>(x); };
-    return {is_of_face ? FeatureKind::vertex_face : FeatureKind::edge_edge,
-            byte(contact.b.kind == Feature::Kind::vertex), byte(contact.a.corner), byte(contact.b.corner)};
-}
-
-// What a feature is to all triangles that have it.
-ContactFeature shared(const Feature& feature, const Triangle& triangle) noexcept {
-    const std::uint32_t corner = triangle[feature.corner], next = triangle[(feature.corner + 1) % 3];
-    switch (feature.kind) {
-        case Feature::Kind::vertex:
-            return {corner, ContactFeature::none};
-        case Feature::Kind::edge:
-            return {std::min(corner, next), std::max(corner, next)};
-        default:
-            return {feature.triangle, feature.triangle};
-    }
-}
-
-}  // namespace
-
 void TriangleContacts::bind(const BodyRef& a, const Vec3& motion, const BodyRef& b) {
     motion_ = motion;
     scaled_ = scaled_motion(motion);
@@ -68,15 +43,15 @@ IntegerPair TriangleContacts::integers(std::uint32_t i, std::uint32_t j) {
 ContactInterval TriangleContacts::enclose(std::uint32_t i, std::uint32_t j) {
     const IntegerPair pair = integers(i, j);
     const ContactGuess guess = guess_contact(pair, scaled_);
-    const ContactEnclosure enclosure = enclose_contact(pair, scaled_, guess);
+    const Enclosure enclosure = enclose_contact(pair, scaled_, guess);
     ContactInterval interval;
     interval.lower = enclosure.lower;
     interval.upper = enclosure.upper;
     interval.is_certain = enclosure.is_certain;
     if (enclosure.is_certain) {
         name_features(interval.contact, guess.features, {i, j});
-        interval.a = shared(interval.contact.a, triangles_[0][i]);
-        interval.b = shared(interval.contact.b, triangles_[1][j]);
+        interval.a = feature_key(interval.contact.a, triangles_[0][i]);
+        interval.b = feature_key(interval.contact.b, triangles_[1][j]);
     }
     return interval;
 }
@@ -117,7 +92,7 @@ auto TriangleContacts::with_integers(std::uint32_t i, std::uint32_t j, Use&& use
 std::optional<FirstContact> TriangleContacts::contact(std::uint32_t i, std::uint32_t j, const ContactInterval& known) {
     return with_integers(i, j, [&]<int L>(const TranslatedPair<L>& pair) -> std::optional<FirstContact> {
         if (known.is_certain) {
-            const auto time = ContactTimes<L>::time_of(features_of(known.contact), pair);
+            const auto time = ContactTimes<L>::time_of(features_named(known.contact), pair);
             if (is_above_one(time)) return std::nullopt;
             FirstContact result = known.contact;
             result.time = round(time);

@@ -1,37 +1,29 @@
 #include "query/certificate/closest_axis.hpp"
 
-#include <algorithm>
-
 namespace ecods {
 namespace {
 
 using Kind = AxisFormula::Kind;
 
-// Corners by which a triangle names a vertex or an edge.
-std::uint8_t corner_of(const SharedFeature& feature, const Triangle& triangle) {
-    for (std::uint8_t c = 0; c < 3; ++c) {
-        const std::uint32_t from = triangle[c], to = triangle[(c + 1u) % 3];
-        if (feature.second == SharedFeature::none ? from == feature.first
-                                                  : std::minmax(from, to) == std::minmax(feature.first, feature.second))
-            return c;
-    }
-    return 0;  // of a face
+// The corner by which a triangle names a feature; 0 of a face.
+std::uint8_t corner_of(const FeatureKey& feature, std::uint32_t triangle, const Mesh& mesh) {
+    return static_cast<std::uint8_t>(feature_of(feature, triangle, mesh.triangles()[triangle]).corner);
 }
 
 }  // namespace
 
 AxisFormula formula_of(const DistanceInterval& interval, const Posed<MeshShape>& body_a, std::uint32_t of_a,
                        const Posed<MeshShape>& body_b, std::uint32_t of_b) {
-    const std::uint8_t i = corner_of(interval.a, body_a.what->mesh().triangles()[of_a]),
-                       j = corner_of(interval.b, body_b.what->mesh().triangles()[of_b]);
+    const std::uint8_t i = corner_of(interval.a, of_a, body_a.what->mesh()),
+                       j = corner_of(interval.b, of_b, body_b.what->mesh());
     switch (interval.kind) {
         case ClosestKind::vertex_vertex:
             return {Kind::vertices, i, j};
         case ClosestKind::vertex_edge:
-            return interval.a.second == SharedFeature::none ? AxisFormula{Kind::vertex_a_edge, i, j}
-                                                            : AxisFormula{Kind::vertex_b_edge, j, i};
+            return interval.a.is_vertex() ? AxisFormula{Kind::vertex_a_edge, i, j}
+                                          : AxisFormula{Kind::vertex_b_edge, j, i};
         case ClosestKind::vertex_face:
-            return {interval.a.second == SharedFeature::none ? Kind::normal_b : Kind::normal_a};
+            return {interval.a.is_vertex() ? Kind::normal_b : Kind::normal_a};
         default:
             return {Kind::edges, i, j};
     }

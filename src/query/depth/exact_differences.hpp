@@ -9,13 +9,14 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "exact/measure/round/limb_vectors.hpp"
 #include "exact/number/dyadic.hpp"
 #include "exact/number/limbs.hpp"
 #include "exact/point/integer_points.hpp"
 #include "query/depth/convex_pair.hpp"
-#include "query/depth/support_features.hpp"
+#include "query/depth/difference_face.hpp"
 
 namespace ecods::depths {
 
@@ -65,6 +66,7 @@ class ExactDifferences {
     ExactDifferences(const ConvexPair& pair, const PointScale& scale) noexcept : pair_(pair), scale_(scale) {}
 
     int unit() const noexcept { return scale_.unit(); }
+    const convex::Hull& hull(std::size_t side) const noexcept { return *pair_[side].hull; }
 
     Point point(std::size_t side, std::uint32_t vertex) const noexcept {
         Point result{};
@@ -102,38 +104,16 @@ class ExactDifferences {
         return side == 0 ? s : -s;
     }
 
-    // A vertex of one solid than which none is further along n, or against n for the second: what is further than all
-    // its neighbors is so of a convex set. Each step goes further, so it ends.
-    std::uint32_t furthest(std::size_t side, const Normal& n, std::uint32_t from) const noexcept {
-        Point at = point(side, from);
-        for (bool moves = true; moves;) {
-            moves = false;
-            for (const convex::Hull::Neighbor& neighbor : pair_[side].hull->neighbors_of(from)) {
-                const Point next = point(side, neighbor.vertex);
-                if (beyond(side, n, at, next) <= 0) continue;
-                from = neighbor.vertex;
-                at = next;
-                moves = true;
-                break;
-            }
-        }
-        return from;
-    }
-
-    // All of a solid that is as far as a vertex that is furthest.
-    SupportFeature feature_at(std::size_t side, const Normal& n, std::uint32_t furthest) const noexcept {
-        const convex::Hull& hull = *pair_[side].hull;
-        const Point at = point(side, furthest);
-        std::array<std::uint32_t, 2> level{};
-        std::size_t count = 0;
-        for (const convex::Hull::Neighbor& neighbor : hull.neighbors_of(furthest)) {
-            if (beyond(side, n, at, point(side, neighbor.vertex)) != 0) continue;
-            ECODS_ASSERT(count < 2);
-            level[count++] = neighbor.edge;
-        }
-        if (count == 0) return {Feature::Kind::vertex, furthest};
-        if (count == 1) return {Feature::Kind::edge, level[0]};
-        return {Feature::Kind::face, common_face(hull.edges[level[0]], hull.edges[level[1]])};
+    // A vertex of one solid than which none is further along n, or against n for the second, and what is as far.
+    convex::Furthest furthest(std::size_t side, const Normal& n, std::uint32_t from) const {
+        const auto signs = [&](std::uint32_t vertex, std::span<const convex::Hull::Neighbor> neighbors) {
+            std::array<int, convex::signs_at_once> result{};
+            const Point at = point(side, vertex);
+            for (std::size_t i = 0; i < neighbors.size() && (i == 0 || result[i - 1] <= 0); ++i)
+                result[i] = beyond(side, n, at, point(side, neighbors[i].vertex));
+            return result;
+        };
+        return convex::climb(*pair_[side].hull, from, signs);
     }
 
   private:

@@ -1,17 +1,10 @@
-#include <tuple>
-
 #include "ecods/distance.hpp"
+#include "geometry/feature_key.hpp"
 #include "query/distance/distance_search.hpp"
 #include "query/distance/least_distance.hpp"
 
 namespace ecods {
 namespace {
-
-// The order in which one of several pairs of features is chosen that have exactly one distance.
-auto rank(const ClosestPoints& points) {
-    return std::tuple(points.kind, points.a.triangle, points.a.corner, points.b.triangle, points.b.corner,
-                      points.a.kind);
-}
 
 ClosestPoints closest_of_intersecting(const Posed<MeshShape>& a, const Posed<MeshShape>& b, DistanceSearch& search,
                                       QueryMemory& memory) {

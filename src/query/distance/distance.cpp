@@ -1,10 +1,8 @@
 #include "ecods/distance.hpp"
 
-#include <limits>
 #include <ostream>
 
-#include "base/double_key.hpp"
-#include "ecods/error.hpp"
+#include "base/limits.hpp"
 #include "query/distance/distance_search.hpp"
 #include "query/distance/least_distance.hpp"
 
@@ -45,9 +43,9 @@ double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemor
 
 // By keys, in whose order a NaN lies beyond the infinities.
 bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d, QueryMemory& memory, PairWitness& witness) {
-    const std::int64_t key = key_of(d), infinity = key_of(std::numeric_limits<double>::infinity());
-    if (key < 0 || key > infinity) throw InvalidDistance(d);
-    if (key == infinity) return true;
+    require_distance(d);
+    const std::int64_t key = key_of(d);
+    if (key == infinity_key) return true;
     if (key == 0) return intersects(a, b, memory, witness);
     DistanceSearch search(a, b, memory);
     search.run({.at_most = d, .stop_at = d}, witness);

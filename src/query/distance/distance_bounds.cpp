@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/double_key.hpp"
+#include "base/limits.hpp"
 #include "base/next.hpp"
 #include "ecods/distance.hpp"
-#include "ecods/error.hpp"
 #include "query/distance/distance_search.hpp"
 #include "query/distance/least_distance.hpp"
 
@@ -13,10 +12,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double double_max = std::numeric_limits<double>::max();
-
-void check(double x) {
-    if (key_of(x) < 0 || key_of(x) > key_of(infinity)) throw InvalidDistance(x);
-}
 
 double least(double x, double y) {
     return key_of(x) < key_of(y) ? x : y;
@@ -58,9 +53,9 @@ DistanceBounds enclosed_bounds(DistanceSearch& search, double at_most) {
 
 DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const DistanceTolerance& tolerance,
                                QueryMemory& memory, PairWitness& witness) {
-    check(tolerance.relative);
-    check(tolerance.absolute);
-    check(tolerance.at_most);
+    require_distance(tolerance.relative);
+    require_distance(tolerance.absolute);
+    require_distance(tolerance.at_most);
     // What is left out is beyond `limit`, so that the lower end is above at_most.
     const double limit = next_up(tolerance.at_most);
     {

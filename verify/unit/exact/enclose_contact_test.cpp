@@ -56,7 +56,7 @@ IntegerPair integers(FixedPoints& points, const OnePair& meshes, const ScaledVec
 }
 
 // Where there is no contact, it is not said that there is.
-bool contains(const ContactEnclosure& e, const std::optional<oracle::ExactContact>& contact) {
+bool contains(const Enclosure& e, const std::optional<oracle::ExactContact>& contact) {
     if (!contact) return e.upper > 1;
     if (!std::isfinite(e.lower) || contact->time.compare(mpq_class(e.lower)) < 0) return false;
     return !std::isfinite(e.upper) || contact->time.compare(mpq_class(e.upper)) <= 0;
@@ -84,7 +84,7 @@ TEST(EncloseContact, ContainsTheTimeWhateverIsGuessed) {
         for (const int environment : environments) {
             for (const What what : {What::meeting, What::leaving, What::passing}) {
                 for (const FeaturePair& features : feature_pairs) {
-                    const ContactEnclosure e = in_environment(environment, [&] {
+                    const Enclosure e = in_environment(environment, [&] {
                         const ScaledVector m = scaled_motion(translated.motion);
                         return enclose_contact(integers(points, meshes, m), m, {what, features});
                     });
@@ -118,7 +118,7 @@ TEST(EncloseContact, IsNarrow) {
         const OnePair meshes(pair);
         const ScaledVector m = scaled_motion(translated.motion);
         const IntegerPair six = integers(points, meshes, m);
-        const ContactEnclosure e = enclose_contact(six, m, guess_contact(six, m));
+        const Enclosure e = enclose_contact(six, m, guess_contact(six, m));
         apart_count += contact.has_value();
         none_count += !contact;
         excluded_count += !contact && e.lower > 1;

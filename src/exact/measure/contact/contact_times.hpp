@@ -108,7 +108,7 @@ class ContactTimes {
         for (std::size_t side = 0; side < 2; ++side) {
             for (std::size_t i = 0; i < 3; ++i) {
                 const LimbVector<2 * L> c = cross<L>(m_, features_.from(side, i, 1));
-                for (const auto& x : c) all_edges_are_parallel_ &= is_zero<2 * L>(x.limbs);
+                all_edges_are_parallel_ &= is_zero_vector<2 * L>(c);
                 for (std::size_t j = 0; j < 3; ++j) {
                     const Vector w =
                         side == 0 ? difference<L>(points[3 + j], points[i]) : difference<L>(points[j], points[3 + i]);
@@ -186,10 +186,8 @@ class ContactTimes {
     static void set(const Magnitude<M>& num, const Magnitude<M>& den, Time& time) noexcept {
         static_assert(M <= 3 * L);
         time.num = time.den = {};
-        for (std::size_t i = 0; i < M; ++i) {
-            time.num[i] = num.limbs[i];
-            time.den[i] = den.limbs[i];
-        }
+        std::copy(num.limbs.begin(), num.limbs.end(), time.num.begin());
+        std::copy(den.limbs.begin(), den.limbs.end(), time.den.begin());
         time.sign = sign<M>(num) * sign<M>(den);
     }
 
@@ -207,7 +205,7 @@ class ContactTimes {
     // The corner, seen along m, is in the triangle if it is on one side of all edges: the sum of the three
     // determinants is n.m.
     Standing of_vertex_and_face(const FeaturePair& f, Time& time) const noexcept {
-        const std::size_t face = 1 - f.vertex_side, vertex = face == 1 ? f.a : f.b;
+        const std::size_t face = 1 - f.vertex_side, vertex = f.corner(f.vertex_side);
         int positive = 0, negative = 0;
         for (std::size_t i = 0; i < 3; ++i) {
             positive += sides_[face][i][vertex] > 0;
@@ -229,7 +227,7 @@ class ContactTimes {
     // round. Then w x m = t (m x v), or -t (m x u).
     Standing of_vertex_and_edge(const FeaturePair& f, Time& time) const noexcept {
         const std::size_t edge_of = 1 - f.vertex_side;
-        const std::size_t edge = edge_of == 0 ? f.a : f.b, vertex = edge_of == 0 ? f.b : f.a;
+        const std::size_t edge = f.corner(edge_of), vertex = f.corner(f.vertex_side);
         if (sides_[edge_of][edge][vertex] != 0) return Standing::none;
         const Vector w = features_.between(f), u = features_.from(edge_of, edge, 1);
         const LimbVector<2 *L> across = cross<L>(m_, u), num = cross<L>(w, u), along = cross<L>(w, m_);

@@ -1,5 +1,4 @@
-// What of two convex solids is furthest along a normal of a face of their set of differences, and the order of these
-// faces.
+// Vertices and faces of the set of differences of two convex solids, and the order of these faces.
 #pragma once
 
 #include <array>
@@ -8,23 +7,23 @@
 #include <optional>
 #include <vector>
 
-#include "ecods/closest_points.hpp"
-#include "query/convex/hull.hpp"
-#include "query/depth/convex_pair.hpp"
+#include "query/convex/hull_features.hpp"
 
 namespace ecods::depths {
 
-// A vertex, an edge or a face of a hull, by its index.
-struct SupportFeature {
-    Feature::Kind kind = Feature::Kind::vertex;
-    std::uint32_t index = 0;
+// A vertex p of the first solid less a vertex q of the second, by their indices in the hulls. The set of differences of
+// two convex solids is the hull of these.
+struct DifferenceVertex {
+    std::uint32_t p = 0;
+    std::uint32_t q = 0;
 
-    friend bool operator==(const SupportFeature&, const SupportFeature&) = default;
+    std::uint32_t of(std::size_t side) const noexcept { return side == 0 ? p : q; }
+    friend bool operator==(const DifferenceVertex&, const DifferenceVertex&) = default;
 };
 
 // A face of the set of differences: what of the first solid is furthest along its outer normal, and what of the second
 // is furthest against it. One of them is a face, or both are edges that are not parallel.
-using DifferenceFace = std::array<SupportFeature, 2>;
+using DifferenceFace = std::array<convex::HullFeature, 2>;
 
 // The order in which one of several faces is chosen that are at exactly one distance: faces of the first solid, then of
 // the second, then pairs of edges. No two faces of the set of differences are equal in it.
@@ -35,17 +34,6 @@ inline std::strong_ordering order_of(const DifferenceFace& x, const DifferenceFa
         return {2, f[0].index, f[1].index};
     };
     return rank(x) <=> rank(y);
-}
-
-inline Feature name_of(const convex::Hull& hull, const SupportFeature& feature) noexcept {
-    switch (feature.kind) {
-        case Feature::Kind::vertex:
-            return hull.vertex_names[feature.index];
-        case Feature::Kind::edge:
-            return hull.edges[feature.index].name;
-        default:
-            return hull.faces[feature.index].name;
-    }
 }
 
 // Of lists of vertices of both solids, among which are all that are furthest along a normal, and against it: returns
@@ -70,11 +58,6 @@ std::optional<DifferenceVertex> keep_level(std::array<std::vector<std::uint32_t>
     const DifferenceVertex furthest{best[0], best[1]};
     const bool is_level = further(0, corner.p, furthest.p) == 0 && further(1, corner.q, furthest.q) == 0;
     return is_level ? std::nullopt : std::optional(furthest);
-}
-
-// The face that two edges have in common.
-inline std::uint32_t common_face(const convex::Hull::Edge& x, const convex::Hull::Edge& y) noexcept {
-    return x.faces[0] == y.faces[0] || x.faces[0] == y.faces[1] ? x.faces[0] : x.faces[1];
 }
 
 }  // namespace ecods::depths

@@ -1,0 +1,26 @@
+// Checks of the limits that callers give: distances and times.
+#pragma once
+
+#include <limits>
+
+#include "base/double_key.hpp"
+#include "ecods/error.hpp"
+
+namespace ecods {
+
+inline constexpr std::int64_t infinity_key = key_of(std::numeric_limits<double>::infinity());
+
+// A limit is not negative and not NaN. Keys decide: a NaN lies beyond the infinities, and no subnormal number is 0.
+constexpr bool is_limit(double x) noexcept {
+    return key_of(x) >= 0 && key_of(x) <= infinity_key;
+}
+
+// Throw InvalidDistance if d is no limit; the second one also if it is infinite.
+inline void require_distance(double d) {
+    if (!is_limit(d)) throw InvalidDistance(d);
+}
+inline void require_finite_distance(double d) {
+    if (!is_limit(d) || key_of(d) == infinity_key) throw InvalidDistance(d);
+}
+
+}  // namespace ecods
