@@ -1,7 +1,6 @@
 #include "query/depth/inner_polytope.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 

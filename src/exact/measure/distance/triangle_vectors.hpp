@@ -32,7 +32,8 @@
 //     s1 = (foot x v).d / (f n.d),  s2 = (u x foot).d / (g n.d),  inside where s1, s2 and 1 - s1 - s2 are positive,
 // and two edges cross where they are seen at
 //     s1 = (w x v).d / (f n.d),     s2 = (w x u).d / (g n.d),     inside where these and 1 - s1, 1 - s2 are.
-// Signs of these, times n.d, are certain by the bound of (x x y).d, sums of them as above.
+// Signs of these, times n.d, are certain by the bound of (x x y).d, which is that of (x x y).z for a motion and that of
+// (x x y).(z x v) for n; sums of them as above.
 #pragma once
 
 #include <algorithm>
