@@ -229,7 +229,7 @@ const std::vector<Room>& rooms() {
         {"bench/engines",
          {"include", "src/simd", "src/broad_phase/changes", "src/broad_phase/boxes", "src/broad_phase/scratch",
           "verify/scenes", "verify/unit/broad_phase"}},
-        {"bench/harness", {"include", "verify/process", "verify/oracle", "bench/engines"}},
+        {"bench/harness", {"include", "verify/process", "verify/oracle", "verify/scenes", "bench/engines"}},
         {"bench/report",
          {"include", "src/simd", "verify/process", "verify/scenes", "verify/environment", "bench/harness"}},
         {"bench/suites",
