@@ -5,6 +5,7 @@
 #include "scenes/distance_recipes.hpp"
 #include "scenes/hard_pair_parts.hpp"
 #include "scenes/integer_rotation.hpp"
+#include "scenes/shapes.hpp"
 
 namespace ecods::scenes::closeness {
 namespace {

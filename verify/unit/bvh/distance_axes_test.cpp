@@ -111,14 +111,14 @@ void bend(Pose& pose, double amount, scenes::Random& random) {
     pose.R = pose.R * by;
 }
 
-class DistanceBoundsTest : public testing::TestWithParam<scenes::DistanceFamily> {};
+class DistanceBoundsTest : public testing::TestWithParam<scenes::Family<scenes::DistanceCase>> {};
 
 TEST_P(DistanceBoundsTest, AreBounds) {
     scenes::Random random(11);
     Tally tally;
     constexpr std::size_t pair_count = 2000;
     for (std::size_t k = 0, pairs = 0; pairs < pair_count; ++k) {
-        scenes::DistanceCase c = scenes::make_distance_case(GetParam(), random);
+        scenes::DistanceCase c = GetParam().make(random);
         // Rotations that are off by a little, and by so much that axes of the world are better.
         if (k % 4 == 3) bend(c.pose_a, std::exp2(random.uniform(-20, -5)), random);
         Pair pair(c);
@@ -141,13 +141,13 @@ TEST_P(DistanceBoundsTest, AreBounds) {
         std::fesetround(FE_TONEAREST);
         if (HasFailure()) FAIL() << "case " << k;
     }
-    if (GetParam() != scenes::DistanceFamily::apart) return;
+    if (GetParam().name != "apart") return;
     EXPECT_GT(tally.boxes, tally.apart / 2) << "the test would be right if nothing were bounded";
     EXPECT_GT(tally.triangles, tally.apart * 9 / 10);
 }
 
-std::string test_name(const testing::TestParamInfo<scenes::DistanceFamily>& family) {
-    std::string text(scenes::name(family.param));
+std::string test_name(const testing::TestParamInfo<scenes::Family<scenes::DistanceCase>>& family) {
+    std::string text(family.param.name);
     std::ranges::replace_if(
         text, [](char c) { return c == ' ' || c == '-'; }, '_');
     return text;

@@ -138,12 +138,12 @@ bool is_zero(const Vec3& v) {
 }
 
 TEST(SweptAxes, AreBounds) {
-    for (const scenes::CastFamily family : scenes::cast_families()) {
-        SCOPED_TRACE(scenes::name(family));
+    for (const auto& family : scenes::cast_families()) {
+        SCOPED_TRACE(family.name);
         scenes::Random random(11);
         Tally tally;
         for (int k = 0, pairs = 0; pairs < 2000; ++k) {
-            const scenes::CastCase c = scenes::make_cast_case(family, random);
+            const scenes::CastCase c = family.make(random);
             ++pairs;
             if (is_zero(c.motion) || c.a->triangles().size() * c.b->triangles().size() > 150) continue;
             pairs += static_cast<int>(c.a->triangles().size() * c.b->triangles().size());

@@ -8,7 +8,9 @@
 #include <cfenv>
 #include <cmath>
 
+#include "scenes/each_case.hpp"
 #include "scenes/hard_pairs.hpp"
+#include "scenes/shapes.hpp"
 #include "unit/bvh/separated_bodies.hpp"
 
 namespace ecods::triangle_pairs_test {
@@ -116,16 +118,10 @@ TEST(TrianglePairs, UnderSingularAndUnevenPosesAreSound) {
 TEST(TrianglePairs, OfHardFamiliesAreSound) {
     scenes::Random random(5);
     Tally tally;
-    for (const scenes::HardFamily family : scenes::hard_families()) {
-        for (int i = 0; i < 150; ++i) {
-            const scenes::PosedPair pair = scenes::make_pair(family, random);
-            const auto mesh_of = [](const std::array<Vec3, 3>& t) {
-                return Mesh::create({t.begin(), t.end()}, {{0, 1, 2}});
-            };
-            expect_sound(Body(mesh_of(pair.a), pair.pose_a), Body(mesh_of(pair.b), pair.pose_b), tally);
-            if (HasFatalFailure()) FAIL() << scenes::name(family) << " " << i;
-        }
-    }
+    scenes::for_each_case(scenes::hard_families(), random, 150, [&](const scenes::PosedPair& pair) {
+        expect_sound(Body(scenes::one_triangle(pair.a), pair.pose_a), Body(scenes::one_triangle(pair.b), pair.pose_b),
+                     tally);
+    });
     EXPECT_GT(tally.crossing, 100);
 }
 

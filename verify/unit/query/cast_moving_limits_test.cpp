@@ -12,6 +12,7 @@
 #include "judge/cast_truth.hpp"
 #include "query/cast/cast_moving.hpp"
 #include "scenes/cast_cases.hpp"
+#include "scenes/each_case.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 
@@ -153,21 +154,18 @@ TEST(CastMovingLimits, AtRestAsIntersects) {
     scenes::Random random(6);
     QueryMemory memory;
     int contacts = 0;
-    for (const scenes::MoveFamily family : scenes::move_families()) {
-        for (int i = 0; i < 40; ++i) {
-            const scenes::MoveCase made = scenes::make_move_case(family, random);
-            const MeshShape a(made.a), b(made.b);
-            const auto contact = cast(Moving<MeshShape>(a, made.from_a, made.from_a),
-                                      Moving<MeshShape>(b, made.from_b, made.from_b), memory);
-            const Posed<MeshShape> still_a(a, made.from_a), still_b(b, made.from_b);
-            ASSERT_EQ(contact.has_value(), intersects(still_a, still_b, memory));
-            if (!contact) continue;
-            ++contacts;
-            EXPECT_EQ(contact->time, 0);
-            EXPECT_EQ(contact->kind, ClosestKind::intersecting);
-            EXPECT_EQ(contact->triangles(), intersecting_triangles(still_a, still_b, memory).front());
-        }
-    }
+    scenes::for_each_case(scenes::move_families(), random, 40, [&](const scenes::MoveCase& made) {
+        const MeshShape a(made.a), b(made.b);
+        const auto contact = cast(Moving<MeshShape>(a, made.from_a, made.from_a),
+                                  Moving<MeshShape>(b, made.from_b, made.from_b), memory);
+        const Posed<MeshShape> still_a(a, made.from_a), still_b(b, made.from_b);
+        ASSERT_EQ(contact.has_value(), intersects(still_a, still_b, memory));
+        if (!contact) return;
+        ++contacts;
+        EXPECT_EQ(contact->time, 0);
+        EXPECT_EQ(contact->kind, ClosestKind::intersecting);
+        EXPECT_EQ(contact->triangles(), intersecting_triangles(still_a, still_b, memory).front());
+    });
     EXPECT_GT(contacts, 20);
 }
 

@@ -4,18 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cfenv>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <sstream>
 
 #include "ecods/error.hpp"
-#include "environment/instruction_sets.hpp"
-#include "judge/distance_truth.hpp"
-#include "scenes/distance_cases.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
+#include "unit/query/expect_right.hpp"
 
 namespace ecods {
 namespace {
@@ -24,28 +21,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void expect_right(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness) {
-    const judge::DistanceTruth truth(a, b);
-    const auto wrong = truth.ask(memory, witness);
-    ASSERT_FALSE(wrong) << wrong->question << ": expected " << wrong->expected << ", got " << wrong->got;
+    expect_right(judge::DistanceTruth(a, b), memory, witness);
 }
 
-// One witness goes through all of them: it comes from other bodies each time.
 TEST(Distance, EveryFamilyAsTheOracle) {
-    for (const scenes::DistanceFamily family : scenes::distance_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(1);
-        QueryMemory memory;
-        PairWitness witness;
-        for (int i = 0; i < 60; ++i) {
-            SCOPED_TRACE(i);
-            const scenes::DistanceCase made = scenes::make_distance_case(family, random);
-            const MeshShape a(made.a), b(made.b);
-            if (made.distance) {
-                ASSERT_EQ(distance({a, made.pose_a}, {b, made.pose_b}, memory), *made.distance);
-            }
-            ASSERT_NO_FATAL_FAILURE(expect_right({a, made.pose_a}, {b, made.pose_b}, memory, witness));
-        }
-    }
+    expect_all_right(scenes::distance_families(), 1, 60);
 }
 
 TEST(Distance, ShipsInRandomPoses) {
@@ -217,30 +197,7 @@ TEST(Distance, KindsHaveNames) {
 
 // What a query leaves in its memory does not matter, and neither do instruction sets and rounding modes.
 TEST(Distance, TheSameBitsInEveryEnvironment) {
-    for (const scenes::DistanceFamily family : scenes::distance_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(3);
-        for (int i = 0; i < 8; ++i) {
-            const scenes::DistanceCase made = scenes::make_distance_case(family, random);
-            const MeshShape a(made.a), b(made.b);
-            const judge::DistanceTruth truth({a, made.pose_a}, {b, made.pose_b});
-            for (const InstructionSet set : environment::supported_instruction_sets()) {
-                const environment::InstructionSetLimit limit(set);
-                for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
-                    QueryMemory memory;
-                    PairWitness witness;
-                    std::fesetround(mode);
-                    const auto wrong = truth.ask(memory, witness);
-                    const int after = std::fegetround();
-                    std::fesetround(FE_TONEAREST);
-                    ASSERT_FALSE(wrong) << environment::name(set) << ", mode " << mode << ", " << i << ": "
-                                        << wrong->question << ": expected " << wrong->expected << ", got "
-                                        << wrong->got;
-                    ASSERT_EQ(after, mode);
-                }
-            }
-        }
-    }
+    expect_all_right_everywhere(scenes::distance_families(), 3, 8);
 }
 
 // Triangles in another order, and their corners: the same number.
