@@ -25,7 +25,7 @@ std::string kind_of(const HitTruth& truth) {
 }
 
 std::string kind_of(const DistanceTruth& truth) {
-    return written(truth.closest().kind);
+    return text(truth.closest().kind);
 }
 
 std::string kind_of(const ConvexTruth& truth) {

@@ -64,7 +64,7 @@ ConvexTruth::ConvexTruth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& 
 
 std::string ConvexTruth::kind() const {
     if (!of_[0].depth) {
-        return "apart, " + written(of_[0].closest->kind);
+        return "apart, " + text(of_[0].closest->kind);
     }
     const Depth& depth = *of_[0].depth;
     const char* normal = depth.a.kind == Feature::Kind::face   ? "face of a"

@@ -53,7 +53,7 @@ std::string text(double x) {
 }
 
 std::string text(const ClosestPoints& closest) {
-    return fmt::format("{:a} {}: {} {}, {} {}", closest.distance, written(closest.kind), text(closest.a),
+    return fmt::format("{:a} {}: {} {}, {} {}", closest.distance, text(closest.kind), text(closest.a),
                        text(closest.point_a), text(closest.b), text(closest.point_b));
 }
 

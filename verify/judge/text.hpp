@@ -33,6 +33,11 @@ inline std::string text(const Feature& feature) {
     return fmt::format("{} {}.{}", names[static_cast<std::size_t>(feature.kind)], feature.triangle, feature.corner);
 }
 
+inline std::string text(ClosestKind kind) {
+    constexpr const char* names[] = {"vertex-vertex", "vertex-edge", "vertex-face", "edge-edge", "intersecting"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
 // As its operator<< writes it.
 template <class Answer>
 std::string written(const Answer& answer) {

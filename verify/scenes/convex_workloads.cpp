@@ -1,7 +1,6 @@
 #include "scenes/convex_workloads.hpp"
 
 #include <array>
-#include <cmath>
 
 #include "ecods/distance.hpp"
 #include "ecods/solid.hpp"

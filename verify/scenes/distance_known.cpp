@@ -1,5 +1,4 @@
 // The families whose distances are known: integers all through, or half-way between two doubles by construction.
-#include <array>
 #include <cmath>
 
 #include "scenes/distance_recipes.hpp"

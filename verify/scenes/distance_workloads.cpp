@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <string>
 
 #include "scenes/approach.hpp"
 #include "scenes/mesh_ball.hpp"

@@ -1,6 +1,5 @@
 #include "tidy/edges.hpp"
 
-#include <algorithm>
 #include <map>
 #include <set>
 

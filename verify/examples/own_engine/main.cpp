@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <string_view>
 
 #include "oracle/oracle.hpp"
 #include "scenes/hard_pairs.hpp"

@@ -12,26 +12,13 @@
 
 #include "bvh/masks/triangle_bounds.hpp"
 #include "bvh/walks/nearest_queue.hpp"
-#include "bvh/walks/walk_two.hpp"
-#include "oracle/distance.hpp"
 #include "scenes/distance_cases.hpp"
-#include "unit/bvh/mask_of_all.hpp"
+#include "unit/bvh/tree_body.hpp"
 
 namespace ecods::distance_axes_test {
 namespace {
 
-constexpr std::array rounding_modes{FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 constexpr float infinity = std::numeric_limits<float>::infinity();
-
-struct Body {
-    std::shared_ptr<const Mesh> mesh;
-    MeshBvh tree;
-    Pose pose;
-
-    Body(std::shared_ptr<const Mesh> m, const Pose& p)
-        : mesh(std::move(m)), tree(build_mesh_bvh(*mesh, fit_frame(*mesh))), pose(p) {}
-    oracle::Soup soup() const { return {mesh->vertices(), mesh->triangles(), pose}; }
-};
 
 // Two bodies, their bounds in the rounding mode that is set, and what is true.
 struct Pair {
@@ -42,7 +29,7 @@ struct Pair {
 
     explicit Pair(const scenes::DistanceCase& c) : a(c.a, c.pose_a), b(c.b, c.pose_b), truth(a.soup(), b.soup()) {}
 
-    void bind() { axes.bind({a.tree, a.pose.R}, {b.tree, b.pose.R}, b.pose.t - a.pose.t); }
+    void bind() { axes.bind(a.posed(), b.posed(), b.pose.t - a.pose.t); }
 };
 
 // near_mask() of every instruction set.
@@ -56,15 +43,9 @@ std::uint64_t near_mask_of(const Pair& pair, float limit, const X& x, const Y& y
 // Whether the trees let triangles i and j through to the leaves, from the roots down, where nothing beyond the limit
 // matters.
 bool let_through(const Pair& pair, float limit, std::uint32_t i, std::uint32_t j) {
-    std::vector<NodePair> stack;
-    bool found = false;
     alignas(32) LaneSquares squares;
     const auto mask = [&](const auto& x, const auto& y) { return near_mask_of(pair, limit, x, y, squares); };
-    walk_two(pair.a.tree, pair.b.tree, stack, MaskBound{mask}, [&](std::uint32_t p, std::uint32_t q) {
-        found = found || (p == i && q == j);
-        return !found;
-    });
-    return found;
+    return let_through(pair.a, pair.b, mask, i, j);
 }
 
 // Bounds of all triangles of two leaves, whose distances are between them.

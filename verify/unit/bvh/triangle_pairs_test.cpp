@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cfenv>
 #include <cmath>
 
@@ -27,11 +26,6 @@ struct Tally {
 void expect_sound(const Body& a, const Body& b, Tally& tally) {
     ASSERT_TRUE(a.tree.root.is_leaf() && b.tree.root.is_leaf());
     const TreeLeaf &x = a.tree.leaves[0], &y = b.tree.leaves[0];
-    const auto corners = [](const Body& body, std::uint32_t t) {
-        const Triangle& at = body.mesh->triangles()[t];
-        const auto v = body.mesh->vertices();
-        return PosedTriangle{body.pose, {v[at[0]], v[at[1]], v[at[2]]}};
-    };
     for (const int mode : rounding_modes) {
         std::fesetround(mode);
         SeparatingAxes axes;
@@ -48,7 +42,8 @@ void expect_sound(const Body& a, const Body& b, Tally& tally) {
             for (std::size_t j = 0; j < y.count; ++j) {
                 const std::uint64_t bit = std::uint64_t{1} << (8 * j + i);
                 const bool near = found.near & bit, crosses = found.crossing & bit;
-                const Relation truth = triangle_triangle(corners(a, x.triangle[i]), corners(b, y.triangle[j]));
+                const Relation truth =
+                    triangle_triangle(a.posed_triangle(x.triangle[i]), b.posed_triangle(y.triangle[j]));
                 ASSERT_TRUE(!crosses || truth == Relation::crossing);
                 ASSERT_TRUE(near || truth == Relation::disjoint);
                 if (mode != FE_TONEAREST) continue;

@@ -3,7 +3,6 @@
 
 #include <cfenv>
 #include <cmath>
-#include <limits>
 
 #include "exact_vector.hpp"
 #include "oracle/distance.hpp"

@@ -15,24 +15,10 @@
 #include "scenes/each_case.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
+#include "unit/query/cast_bodies.hpp"
 
 namespace ecods::cast_moving_limits_test {
 namespace {
-
-MeshShape shape_of(const std::vector<Vec3>& vertices) {
-    std::vector<Triangle> triangles;
-    for (std::uint32_t i = 0; i + 3 <= vertices.size(); i += 3) triangles.push_back({i, i + 1, i + 2});
-    return MeshShape(Mesh::create(vertices, triangles));
-}
-
-Pose at(double x, double y, double z) {
-    Pose pose;
-    pose.t = {x, y, z};
-    return pose;
-}
-
-const std::vector<Vec3> flat{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}};
-const std::vector<Vec3> needle{{0, 0, 0}, {0.25, 0, 1}, {-0.25, 0, 1}};
 
 // Chords of gaps whose zeros underflow, in floats or in doubles: a triangle of the size of one is met at a time of
 // 2^-130, 2^-1000, 2^-1074 or less, and is left soon after.

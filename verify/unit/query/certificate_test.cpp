@@ -6,7 +6,6 @@
 #include <limits>
 #include <sstream>
 #include <string>
-#include <utility>
 
 #include "base/sha256.hpp"
 #include "certificates/samples/samples.hpp"
@@ -18,6 +17,7 @@
 #include "scenes/distance_cases.hpp"
 #include "scenes/each_case.hpp"
 #include "scenes/mesh_pairs.hpp"
+#include "scenes/pose_at.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
 
@@ -33,9 +33,7 @@ Claim claim_of(Relation relation) {
 }
 
 Posed<MeshShape> at(const MeshShape& shape, const Vec3& t) {
-    Pose pose;
-    pose.t = t;
-    return {shape, pose};
+    return {shape, ecods::at(t)};
 }
 
 TEST(Certificates, ClaimThePlainAnswers) {

@@ -14,16 +14,11 @@
 #include "judge/feature_truth.hpp"
 #include "scenes/distance_cases.hpp"
 #include "scenes/each_case.hpp"
+#include "scenes/pose_at.hpp"
 #include "scenes/shapes.hpp"
 
 namespace ecods {
 namespace {
-
-Pose at(double x, double y, double z) {
-    Pose pose;
-    pose.t = Vec3(x, y, z);
-    return pose;
-}
 
 // A small cube over the top of a large one, beside both diagonals of it.
 class CubeOnCube : public testing::Test {

@@ -1,5 +1,5 @@
 // Convex solids of every family of convex_cases.hpp beside the oracle and beside how they were made; what parts them;
-// the polytopes of I-COLLIDE's experiment, frame by frame; and configurations on which other libraries fail.
+// the polytopes of I-COLLIDE's experiment, frame by frame; and numbers that other libraries got wrong.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,6 @@
 
 #include "ecods/error.hpp"
 #include "scenes/hard_pair_parts.hpp"
-#include "scenes/io/hard_case_file.hpp"
 #include "scenes/lattice_hull.hpp"
 #include "scenes/moving_polytopes.hpp"
 #include "unit/query/expect_right.hpp"
@@ -160,29 +159,10 @@ TEST(Polytopes, EachFrameAsTheOracle) {
     EXPECT_GE(kinds["apart"], 5);
 }
 
-// Those of the reported cases that bound convex solids; and libccd's #25: cubes of side 2, of which GJK and EPA found a
-// depth of 0 and no direction.
-TEST(ConvexHardCases, AsTheOracle) {
+// Configurations that were reported and are no row of the hard cases. libccd's #25: cubes of side 2, of which GJK and
+// EPA found a depth of 0 and no direction.
+TEST(ConvexHardCases, KnownNumbers) {
     QueryMemory memory;
-    PairWitness witness;
-    int asked = 0;
-    for (const scenes::HardCase& hard : scenes::read_hard_cases(ECODS_HARD_CASES).cases) {
-        SCOPED_TRACE(hard.id);
-        if (!hard.solid_relation) continue;
-        std::optional<ConvexSolid> a, b;
-        try {
-            a.emplace(hard.a.mesh);
-            b.emplace(hard.b.mesh);
-        } catch (const NotConvex&) {
-            continue;
-        }
-        ++asked;
-        const ConvexTruth truth({*a, hard.a.pose}, {*b, hard.b.pose});
-        EXPECT_EQ(*hard.solid_relation == "apart", !truth.depth());
-        EXPECT_EQ(*hard.solid_relation == "touching", truth.depth() && truth.depth()->depth == 0);
-        ASSERT_NO_FATAL_FAILURE(expect_none(truth.ask(memory, witness)));
-    }
-    EXPECT_GT(asked, 30);
     const ConvexSolid cube(scenes::to_mesh(scenes::box({-1, -1, -1}, {1, 1, 1}), 1));
     Pose above;
     above.t = Vec3(0, 0, 1.9);

@@ -15,6 +15,7 @@
 #include "oracle/convex.hpp"
 #include "scenes/convex_cases.hpp"
 #include "scenes/each_case.hpp"
+#include "scenes/pose_at.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods {
@@ -40,10 +41,6 @@ ConvexSolid prism(int sides) {
         for (const double z : {-1.0, 1.0}) points.push_back({std::cos(angle), std::sin(angle), z});
     }
     return hull(points);
-}
-
-Pose at(const Vec3& t) {
-    return {Mat3::Identity(), t};
 }
 
 bool same_bits(double x, double y) {

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <sstream>
 
 #include "ecods/error.hpp"
+#include "scenes/pose_at.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
 #include "unit/query/expect_right.hpp"
@@ -46,30 +46,25 @@ struct Cubes {
     MeshShape cube{scenes::cube(0.5)};
     QueryMemory memory;
 
-    static Pose at(double x, double y, double z) {
-        Pose pose;
-        pose.t = Vec3(x, y, z);
-        return pose;
-    }
     Posed<MeshShape> posed(const Pose& pose) const { return {cube, pose}; }
     ClosestPoints closest_at(const Pose& pose) { return closest(posed(Pose()), posed(pose), memory); }
 };
 
 TEST(Distance, CubesBesideEachOther) {
     Cubes cubes;
-    const ClosestPoints corners = cubes.closest_at(Cubes::at(3, 4, 7));  // 2, 3 and 6 apart
+    const ClosestPoints corners = cubes.closest_at(at(3, 4, 7));  // 2, 3 and 6 apart
     EXPECT_EQ(corners.distance, 7);
     EXPECT_EQ(corners.kind, ClosestKind::vertex_vertex);
     EXPECT_EQ(corners.point_a, Vec3(0.5, 0.5, 0.5));
     EXPECT_EQ(corners.point_b, Vec3(2.5, 3.5, 6.5));
     EXPECT_EQ(corners.triangles(), (TrianglePair{corners.a.triangle, corners.b.triangle}));
     // Edge over edge; a vertex of the one is over the other's edge, and vertices come first.
-    EXPECT_EQ(cubes.closest_at(Cubes::at(4, 5, 0.25)).distance, 5);
-    EXPECT_EQ(cubes.closest_at(Cubes::at(4, 5, 0.25)).kind, ClosestKind::vertex_edge);
-    EXPECT_EQ(cubes.closest_at(Cubes::at(4, 5, 0)).kind, ClosestKind::vertex_vertex);
-    EXPECT_EQ(cubes.closest_at(Cubes::at(3, 0.25, 0.125)).distance, 2);
-    EXPECT_EQ(cubes.closest_at(Cubes::at(1, 0.25, 0.125)).kind, ClosestKind::intersecting);
-    EXPECT_EQ(cubes.closest_at(Cubes::at(1, 0.25, 0.125)).distance, 0);
+    EXPECT_EQ(cubes.closest_at(at(4, 5, 0.25)).distance, 5);
+    EXPECT_EQ(cubes.closest_at(at(4, 5, 0.25)).kind, ClosestKind::vertex_edge);
+    EXPECT_EQ(cubes.closest_at(at(4, 5, 0)).kind, ClosestKind::vertex_vertex);
+    EXPECT_EQ(cubes.closest_at(at(3, 0.25, 0.125)).distance, 2);
+    EXPECT_EQ(cubes.closest_at(at(1, 0.25, 0.125)).kind, ClosestKind::intersecting);
+    EXPECT_EQ(cubes.closest_at(at(1, 0.25, 0.125)).distance, 0);
 }
 
 // The name of a face is not that of the vertex of the same index: vertex 5 over face 7, and face 5 under vertex 7.
@@ -108,7 +103,7 @@ TEST(Distance, FacesAndVerticesOfOneIndexAreNotOne) {
 
 TEST(Distance, WithinIsDecidedForTheRealNumber) {
     Cubes cubes;
-    const Pose there = Cubes::at(2, 2, 2);  // the root of 3, which lies above 0x1.bb67ae8584caap0
+    const Pose there = at(2, 2, 2);  // the root of 3, which lies above 0x1.bb67ae8584caap0
     const auto is_within = [&](double d) { return within(cubes.posed(Pose()), cubes.posed(there), d, cubes.memory); };
     EXPECT_FALSE(is_within(0x1.bb67ae8584caap0));
     EXPECT_TRUE(is_within(0x1.bb67ae8584cabp0));
@@ -174,7 +169,7 @@ TEST(Distance, BoundsOfPairsThatRoundToOneDouble) {
 
 TEST(Distance, BadDistancesAreErrors) {
     Cubes cubes;
-    const auto a = cubes.posed(Pose()), b = cubes.posed(Cubes::at(3, 0, 0));
+    const auto a = cubes.posed(Pose()), b = cubes.posed(at(3, 0, 0));
     PairWitness witness;
     for (const double bad : {-1.0, -0x1p-1074, nan, -infinity}) {
         EXPECT_THROW(within(a, b, bad, cubes.memory), InvalidDistance);

@@ -1,8 +1,6 @@
 // Stages for bodies of special form: meshes of one triangle, and bodies that lie in one plane z = constant.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "ecods/intersection.hpp"
 #include "oracle/oracle.hpp"
 #include "scenes/each_case.hpp"

@@ -1,7 +1,6 @@
 // Solids of every family of solid_cases.hpp beside the oracle and beside how they were made, and what must not matter.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 
