@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "ecods/aabb.hpp"
+#include "ecods/error.hpp"
 #include "ecods/pose.hpp"
 #include "simd/vec.hpp"
 
@@ -47,6 +49,13 @@ inline std::optional<InvalidEntry> find_invalid(const Pose& pose) {
         }
     }
     return std::nullopt;
+}
+
+// Throws InvalidBox unless min <= max on each axis, which no NaN is.
+inline void validate(const Aabb& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(box.min[axis] <= box.max[axis])) throw InvalidBox(axis, box.min[axis], box.max[axis]);
+    }
 }
 
 }  // namespace ecods

@@ -22,10 +22,7 @@ void validate(const Ray& ray) {
     if (key_of(ray.direction[0]) == 0 && key_of(ray.direction[1]) == 0 && key_of(ray.direction[2]) == 0) {
         throw InvalidRay(InvalidRay::Part::direction, 0, 0);
     }
-    const std::int64_t key = key_of(ray.parameter_max);
-    if (key < 0 || key > key_of(std::numeric_limits<double>::infinity())) {
-        throw InvalidRay(InvalidRay::Part::parameter_max, 0, ray.parameter_max);
-    }
+    if (!is_from_zero(ray.parameter_max)) throw InvalidRay(InvalidRay::Part::parameter_max, 0, ray.parameter_max);
 }
 
 }  // namespace ecods

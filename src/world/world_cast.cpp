@@ -35,7 +35,7 @@ class FirstMet {
 
 FirstMet first_met(const Vec3& motion, double time_max) {
     validate_motion(motion);
-    if (!Least<ProxyIndex>::is_limit(time_max)) throw InvalidTime(time_max);
+    if (!is_from_zero(time_max)) throw InvalidTime(time_max);
     return FirstMet(time_max);
 }
 

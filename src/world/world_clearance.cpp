@@ -1,7 +1,5 @@
-#include <cstdint>
-#include <limits>
-
 #include "base/double_key.hpp"
+#include "geometry/find_invalid.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -9,10 +7,9 @@ namespace ecods {
 void World::set_clearance(std::optional<double> clearance) {
     Impl& w = impl();
     if (clearance) {
-        // By keys: subnormal numbers are none of them 0, whatever the processor takes them for.
-        const std::int64_t key = key_of(*clearance);
-        if (key < 0 || key >= key_of(std::numeric_limits<double>::infinity())) throw InvalidDistance(*clearance);
-        if (key == 0) clearance = 0;  // and not -0
+        if (!is_from_zero(*clearance) || !is_finite(*clearance)) throw InvalidDistance(*clearance);
+        // By the key: no subnormal number is 0, whatever the processor takes it for.
+        if (key_of(*clearance) == 0) clearance = 0;  // and not -0
         w.require_answers(Question::within);
     }
     if (is_same_clearance(clearance, w.closeness.wanted())) return;

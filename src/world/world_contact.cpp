@@ -1,11 +1,10 @@
 #include <algorithm>
-#include <cstdint>
-#include <limits>
 #include <tuple>
 #include <utility>
 
 #include "base/double_key.hpp"
 #include "ecods/contact.hpp"
+#include "geometry/find_invalid.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -41,8 +40,7 @@ std::vector<TriangleIntersection> World::intersections(BodyId a, BodyId b, Query
 std::vector<CloseFeatures> World::close_features(BodyId a, BodyId b, double d, QueryMemory& memory) const {
     const Impl& w = impl();
     w.bodies.require_pair(a, b);
-    const std::int64_t key = key_of(d);
-    if (key < 0 || key >= key_of(std::numeric_limits<double>::infinity())) throw InvalidDistance(d);
+    if (!is_from_zero(d) || !is_finite(d)) throw InvalidDistance(d);
     const Slot &first = w.bodies[a.slot - 1], &second = w.bodies[b.slot - 1];
     const OrderedTest test = w.tests.find(first.kind, second.kind);
     auto found = test.ask(first.posed(), second.posed(),

@@ -178,7 +178,7 @@ std::vector<BodyDepth> World::Impl::find_depths(const Run& run) const {
 template <class Run>
 std::vector<SolidDistance> World::Impl::find_solid_distances(double limit, const Run& run) const {
     using Body = Posed<ConvexSolid>;
-    if (!Least<ProxyPair>::is_limit(limit)) throw InvalidDistance(limit);
+    if (!is_from_zero(limit)) throw InvalidDistance(limit);
     const NearConvexPairs near = near_convex_pairs(limit);
     std::vector<std::optional<double>> found(near.pairs.size());
     ask_convex_pairs(near, run, [&](std::size_t at, const Body& a, const Body& b, QueryMemory& memory) {

@@ -1,5 +1,3 @@
-#include <cstdint>
-#include <limits>
 #include <utility>
 
 #include "base/double_key.hpp"
@@ -22,8 +20,7 @@ double World::distance(BodyId a, BodyId b, QueryMemory& memory) const {
 bool World::within(BodyId a, BodyId b, double d, QueryMemory& memory) const {
     const Impl& w = impl();
     const ProxyPair pair = w.bodies.require_pair(a, b);
-    const std::int64_t key = key_of(d);
-    if (key < 0 || key > key_of(std::numeric_limits<double>::infinity())) throw InvalidDistance(d);
+    if (!is_from_zero(d)) throw InvalidDistance(d);
     return w.test_within(pair, d, memory);
 }
 

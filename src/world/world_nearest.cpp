@@ -9,7 +9,7 @@ namespace {
 
 template <class Name>
 Least<Name> least_within(double limit) {
-    if (!Least<Name>::is_limit(limit)) throw InvalidDistance(limit);
+    if (!is_from_zero(limit)) throw InvalidDistance(limit);
     return Least<Name>(limit);
 }
 

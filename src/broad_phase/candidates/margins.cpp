@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "base/bytes_of.hpp"
 #include "base/make_room.hpp"
@@ -28,14 +27,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 void Margins::add(SlotIndex slot) {
     if (hints_.size() <= slot) grow_to(hints_, std::size_t{slot} + 1);
     hints_[slot] = {};
-}
-
-void Margins::reorder(std::span<const SlotIndex> order) {
-    std::vector<MotionHint> ordered;
-    ordered.reserve(order.size() + order.size() / 32);  // lest the first one that comes copies all
-    ordered.resize(order.size());
-    for (SlotIndex slot = 0; slot < order.size(); ++slot) ordered[slot] = hints_[order[slot]];
-    hints_ = std::move(ordered);
 }
 
 // All axes at a time, and no branch on what one of them does: nobody can foretell it.

@@ -54,15 +54,16 @@ void ProxyTable::add(ProxyIndex proxy, const Aabb& box) {
     ++size_;
 }
 
-void ProxyTable::move(ProxyIndex proxy, const Aabb& box) {
-    if (!is_present(proxy)) [[unlikely]] {
-        require_present(proxy);
-        return;
-    }
+void ProxyTable::set_box(ProxyIndex proxy, const Aabb& box) {
     Aabb& current = boxes_[proxy];
     if (is_same(current, box)) return;
     enqueue(proxy);
     current = box;
+}
+
+void ProxyTable::move(ProxyIndex proxy, const Aabb& box) {
+    require_present(proxy);
+    set_box(proxy, box);
 }
 
 void ProxyTable::move(std::span<const ProxyIndex> proxies, std::span<const Aabb> boxes) {
@@ -76,10 +77,7 @@ void ProxyTable::move(std::span<const ProxyIndex> proxies, std::span<const Aabb>
     constexpr std::size_t ahead = 8;
     for (std::size_t i = 0; i < proxies.size(); ++i) {
         if (i + ahead < proxies.size()) __builtin_prefetch(&boxes_[proxies[i + ahead]], 1);
-        Aabb& current = boxes_[proxies[i]];
-        if (is_same(current, boxes[i])) continue;
-        enqueue(proxies[i]);
-        current = boxes[i];
+        set_box(proxies[i], boxes[i]);
     }
 }
 
@@ -97,6 +95,13 @@ void ProxyTable::remove(ProxyIndex proxy) {
 const Aabb& ProxyTable::box(ProxyIndex proxy) const {
     require_present(proxy);
     return boxes_[proxy];
+}
+
+std::vector<ProxyIndex> ProxyTable::present_proxies() const {
+    std::vector<ProxyIndex> proxies;
+    proxies.reserve(size_);
+    for_each([&](ProxyIndex proxy, const Aabb&) { proxies.push_back(proxy); });
+    return proxies;
 }
 
 std::size_t ProxyTable::bytes() const noexcept {
