@@ -12,6 +12,7 @@
 #include "bounds/four_boxes.hpp"
 #include "bounds/support_lanes.hpp"
 #include "exact/point/point.hpp"
+#include "geometry/used_vertices.hpp"
 #include "simd/dispatch.hpp"
 
 namespace ecods {
@@ -93,18 +94,11 @@ SupportTable::SupportTable(const Mesh& mesh, const LocalFrame& frame) : frame_(f
         directions[(axis + 2) % 3][at] = sign * (static_cast<float>(row) * (2.0f / cell_count) - 1);
     }
     support_.fill(-std::numeric_limits<float>::infinity());
-    const auto include_vertex = [&](const Vec3& v) {
-        const Vec3 y = (v - frame.center) / frame.scale;
+    for_each_used_vertex(mesh, [&](std::uint32_t index) {
+        const Vec3 y = (mesh.vertices()[index] - frame.center) / frame.scale;
         const std::array<float, 3> point{static_cast<float>(y[0]), static_cast<float>(y[1]), static_cast<float>(y[2])};
         dispatch<include>(directions[0], directions[1], directions[2], point, support_);
-    };
-    if (mesh.uses_all_vertices()) {
-        for (const Vec3& v : mesh.vertices()) include_vertex(v);
-    } else {
-        for (const Triangle& triangle : mesh.triangles()) {
-            for (const std::uint32_t index : triangle) include_vertex(mesh.vertices()[index]);
-        }
-    }
+    });
     for (float& h : support_) h = round_up(static_cast<double>(h) + 13 * float_u);
     v_max_ = frame.center.cwiseAbs() + Vec3::Constant(2 * frame.scale);
     v_max_of_all_ = v_max_.maxCoeff();

@@ -1,10 +1,31 @@
-#include "ecods/segment.hpp"
-
+// What callers give is checked before it is used: typed errors name the first coordinate that is bad.
 #include "base/double_key.hpp"
+#include "ecods/ball.hpp"
 #include "ecods/error.hpp"
+#include "ecods/motion.hpp"
+#include "ecods/segment.hpp"
 #include "geometry/find_invalid.hpp"
 
 namespace ecods {
+
+void validate(const Aabb& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(box.min[axis] <= box.max[axis])) throw InvalidBox(axis, box.min[axis], box.max[axis]);
+    }
+}
+
+void validate(const Ball& ball) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!is_finite(ball.center[axis])) throw InvalidBall(axis, ball.center[axis]);
+    }
+    if (!is_from_zero(ball.radius)) throw InvalidBall(3, ball.radius);
+}
+
+void validate_motion(const Vec3& motion) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!is_finite(motion[axis])) throw InvalidMotion(axis, motion[axis]);
+    }
+}
 
 void validate(const Segment& segment) {
     for (int axis = 0; axis < 3; ++axis) {
