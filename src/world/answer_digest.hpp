@@ -27,65 +27,33 @@ class AnswerDigest {
         for (const double x : point) take(x);
     }
     void take(BodyId body) noexcept { take(std::uint64_t{body.slot} << 16 | body.generation); }
-    void take(const BodyPair& bodies) noexcept {
-        take(bodies.a);
-        take(bodies.b);
+    template <class... Values>
+    void take_each(const Values&... values) noexcept {
+        (take(values), ...);
     }
+    void take(const BodyPair& bodies) noexcept { take_each(bodies.a, bodies.b); }
     void take(const Feature& feature) noexcept {
         take(std::uint64_t{feature.triangle} << 32 | feature.corner << 8 | static_cast<std::uint64_t>(feature.kind));
     }
-    void take(const BodyHit& hit) noexcept {
-        take(hit.body);
-        take(hit.hit.parameter);
-        take(hit.hit.leave_parameter);
-        take(std::uint64_t{hit.hit.rank} << 8 | static_cast<std::uint64_t>(hit.hit.kind));
-        take(hit.hit.feature);
-        take(hit.hit.point);
-        take(hit.hit.leave_point);
+    void take(const BodyHit& of_body) noexcept {
+        const Hit& hit = of_body.hit;
+        take_each(of_body.body, hit.parameter, hit.leave_parameter,
+                  std::uint64_t{hit.rank} << 8 | static_cast<std::uint64_t>(hit.kind), hit.feature, hit.point,
+                  hit.leave_point);
     }
     void take(const FirstContact& contact) noexcept {
-        take(contact.time);
-        take(static_cast<std::uint64_t>(contact.kind));
-        take(contact.a);
-        take(contact.b);
+        take_each(contact.time, static_cast<std::uint64_t>(contact.kind), contact.a, contact.b);
     }
-    void take(const BodyContact& met) noexcept {
-        take(met.body);
-        take(met.contact);
-    }
-    void take(const Meeting& meeting) noexcept {
-        take(meeting.bodies);
-        take(meeting.contact);
-    }
-    void take(const NearestBody& nearest) noexcept {
-        take(nearest.body);
-        take(nearest.distance);
-    }
-    void take(const ClosestPair& closest) noexcept {
-        take(closest.bodies);
-        take(closest.distance);
-    }
-    void take(const Depth& depth) noexcept {
-        take(depth.depth);
-        take(depth.a);
-        take(depth.b);
-        take(depth.direction);
-    }
-    void take(const BodyDepth& pair) noexcept {
-        take(pair.bodies);
-        take(pair.depth);
-    }
-    void take(const SolidDistance& pair) noexcept {
-        take(pair.bodies);
-        take(pair.distance);
-    }
-    void take(const BodyAt& at) noexcept {
-        take(at.body);
-        take(static_cast<std::uint64_t>(at.side));
-    }
+    void take(const BodyContact& met) noexcept { take_each(met.body, met.contact); }
+    void take(const Meeting& meeting) noexcept { take_each(meeting.bodies, meeting.contact); }
+    void take(const NearestBody& nearest) noexcept { take_each(nearest.body, nearest.distance); }
+    void take(const ClosestPair& closest) noexcept { take_each(closest.bodies, closest.distance); }
+    void take(const Depth& depth) noexcept { take_each(depth.depth, depth.a, depth.b, depth.direction); }
+    void take(const BodyDepth& pair) noexcept { take_each(pair.bodies, pair.depth); }
+    void take(const SolidDistance& pair) noexcept { take_each(pair.bodies, pair.distance); }
+    void take(const BodyAt& at) noexcept { take_each(at.body, static_cast<std::uint64_t>(at.side)); }
     void take(const BodiesContaining& found) noexcept {
-        take(found.bodies);
-        take(std::uint64_t{found.skipped_count});
+        take_each(found.bodies, std::uint64_t{found.skipped_count});
     }
     template <class Item>
     void take(const std::optional<Item>& item) noexcept {
