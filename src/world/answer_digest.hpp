@@ -52,9 +52,7 @@ class AnswerDigest {
     void take(const BodyDepth& pair) noexcept { take_each(pair.bodies, pair.depth); }
     void take(const SolidDistance& pair) noexcept { take_each(pair.bodies, pair.distance); }
     void take(const BodyAt& at) noexcept { take_each(at.body, static_cast<std::uint64_t>(at.side)); }
-    void take(const BodiesContaining& found) noexcept {
-        take_each(found.bodies, std::uint64_t{found.skipped_count});
-    }
+    void take(const BodiesContaining& found) noexcept { take_each(found.bodies, std::uint64_t{found.skipped_count}); }
     template <class Item>
     void take(const std::optional<Item>& item) noexcept {
         take(std::uint64_t{item.has_value()});

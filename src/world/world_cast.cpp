@@ -87,10 +87,8 @@ std::optional<BodyContact> World::cast(const Shape& shape, const Pose& pose, con
 std::optional<BodyContact> World::cast(const std::shared_ptr<const Mesh>& mesh, const Pose& pose, const Vec3& motion,
                                        QueryMemory& memory, double time_max,
                                        std::optional<CollisionFilter> filter) const {
-    if (!mesh) throw NullArgument("mesh");
-    const auto known = impl().mesh_shapes.find(mesh);
-    return known ? cast(*known, pose, motion, memory, time_max, filter)
-                 : cast(MeshShape(mesh), pose, motion, memory, time_max, filter);
+    return impl().ask_of_mesh(
+        mesh, [&](const MeshShape& shape) { return cast(shape, pose, motion, memory, time_max, filter); });
 }
 
 std::optional<BodyContact> World::cast(BodyId body, const Vec3& motion, double time_max) {

@@ -58,7 +58,7 @@ WorldCertificate World::certify(QueryMemory& memory) const {
     std::vector<ProxyPair> pairs;
     const double limit = box_limit(content.clearance);
     w.broad_phase.visit_near_pairs(limit, [&](ProxyPair pair) {
-        if (w.bodies.is_enabled(pair)) pairs.push_back(pair.a < pair.b ? pair : ProxyPair{pair.b, pair.a});
+        if (w.bodies.is_enabled(pair)) pairs.push_back(ordered_pair(pair.a, pair.b));
         return limit;
     });
     std::ranges::sort(pairs);

@@ -27,9 +27,7 @@ std::vector<TriangleIntersection> World::intersections(BodyId a, BodyId b, Query
     const Slot &first = w.bodies[a.slot - 1], &second = w.bodies[b.slot - 1];
     const OrderedTest test = w.tests.find(first.kind, second.kind);
     auto found = test.ask(first.posed(), second.posed(),
-                          [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) {
-                              return t.intersections(x, y, memory);
-                          });
+                          [&](auto& t, auto& x, auto& y) { return t.intersections(x, y, memory); });
     if (test.swapped) {
         for (TriangleIntersection& each : found) std::swap(each.triangles.a, each.triangles.b);
         std::ranges::sort(found, {}, &TriangleIntersection::triangles);
@@ -44,13 +42,10 @@ std::vector<CloseFeatures> World::close_features(BodyId a, BodyId b, double d, Q
     const Slot &first = w.bodies[a.slot - 1], &second = w.bodies[b.slot - 1];
     const OrderedTest test = w.tests.find(first.kind, second.kind);
     auto found = test.ask(first.posed(), second.posed(),
-                          [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) {
-                              return t.close_features(x, y, d, memory);
-                          });
+                          [&](auto& t, auto& x, auto& y) { return t.close_features(x, y, d, memory); });
     if (test.swapped) {
         for (CloseFeatures& each : found) {
-            std::swap(each.closest.a, each.closest.b);
-            std::swap(each.closest.point_a, each.closest.point_b);
+            exchange(each.closest);
             if (each.direction) *each.direction = -*each.direction;
         }
         std::ranges::stable_sort(found, comes_before);

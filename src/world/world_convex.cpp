@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "base/double_key.hpp"
@@ -13,18 +12,6 @@
 
 namespace ecods {
 namespace {
-
-Posed<ConvexSolid> convex_at(const Bodies& bodies, ProxyIndex proxy) {
-    const ConvexSolid* const solid = bodies[proxy].convex();
-    if (solid == nullptr) throw NotSupported("slot " + std::to_string(proxy + 1) + ": its body is no convex solid");
-    return {*solid, bodies[proxy].pose};
-}
-
-Posed<Solid> solid_at(const Bodies& bodies, ProxyIndex proxy) {
-    const Solid* const solid = bodies[proxy].solid();
-    if (solid == nullptr) throw NotSupported("slot " + std::to_string(proxy + 1) + ": its body is no solid");
-    return {*solid, bodies[proxy].pose};
-}
 
 // Asks about two bodies. Errors of the question name them.
 template <class Ask>
@@ -61,10 +48,7 @@ std::optional<ClosestPoints> World::solid_closest(BodyId a, BodyId b, QueryMemor
     const ProxyPair pair = w.bodies.require_pair(a, b);
     const auto first = convex_at(w.bodies, pair.a), second = convex_at(w.bodies, pair.b);
     auto points = ask_of(w.bodies, pair.a, pair.b, [&] { return ecods::solid_closest(first, second, memory); });
-    if (points && a.slot - 1 != pair.a) {
-        std::swap(points->a, points->b);
-        std::swap(points->point_a, points->point_b);
-    }
+    if (points && a.slot - 1 != pair.a) exchange(*points);
     return points;
 }
 
@@ -113,6 +97,18 @@ void prefetch_after(const Bodies& bodies, ProxyIndex proxy) noexcept {
     if (bodies.end() - proxy <= parts_ahead) return;
     if (const ConvexSolid* const solid = bodies[proxy + parts_ahead].convex())
         convex::SolidInMemory::prefetch_parts(*solid);
+}
+
+// What was found of pairs, by their ids.
+template <class Result, class Number>
+std::vector<Result> list_found(const Bodies& bodies, const ProxyPairs& pairs,
+                               const std::vector<std::optional<Number>>& found) {
+    std::vector<Result> result;
+    for (std::size_t at = 0; at < found.size(); ++at) {
+        if (found[at]) result.push_back({bodies.ids_of(pairs[at]), *found[at]});
+    }
+    std::ranges::sort(result, {}, &Result::bodies);
+    return result;
 }
 
 }  // namespace
@@ -167,12 +163,7 @@ std::vector<BodyDepth> World::Impl::find_depths(const Run& run) const {
     ask_convex_pairs(near, run, [&](std::size_t at, const Body& a, const Body& b, QueryMemory& memory) {
         if (convex::do_meet(a, b, memory)) found[at] = ecods::depth(a, b, memory);
     });
-    std::vector<BodyDepth> result;
-    for (std::size_t at = 0; at < found.size(); ++at) {
-        if (found[at]) result.push_back({bodies.ids_of(near.pairs[at]), *found[at]});
-    }
-    std::ranges::sort(result, {}, &BodyDepth::bodies);
-    return result;
+    return list_found<BodyDepth>(bodies, near.pairs, found);
 }
 
 template <class Run>
@@ -184,12 +175,7 @@ std::vector<SolidDistance> World::Impl::find_solid_distances(double limit, const
     ask_convex_pairs(near, run, [&](std::size_t at, const Body& a, const Body& b, QueryMemory& memory) {
         found[at] = convex::distance_within(a, b, limit, memory);
     });
-    std::vector<SolidDistance> result;
-    for (std::size_t at = 0; at < found.size(); ++at) {
-        if (found[at]) result.push_back({bodies.ids_of(near.pairs[at]), *found[at]});
-    }
-    std::ranges::sort(result, {}, &SolidDistance::bodies);
-    return result;
+    return list_found<SolidDistance>(bodies, near.pairs, found);
 }
 
 namespace {

@@ -1,5 +1,3 @@
-#include <utility>
-
 #include "base/double_key.hpp"
 #include "ecods/distance.hpp"
 #include "world/world_impl.hpp"
@@ -7,9 +5,7 @@
 namespace ecods {
 
 double World::Impl::distance(ProxyPair pair, QueryMemory& memory) const {
-    return test_of(pair).ask(
-        bodies[pair.a].posed(), bodies[pair.b].posed(),
-        [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) { return t.distance(a, b, memory); });
+    return ask(pair, [&](auto& t, auto& a, auto& b) { return t.distance(a, b, memory); });
 }
 
 double World::distance(BodyId a, BodyId b, QueryMemory& memory) const {
@@ -27,14 +23,8 @@ bool World::within(BodyId a, BodyId b, double d, QueryMemory& memory) const {
 ClosestPoints World::closest(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
     const ProxyPair pair = w.bodies.require_pair(a, b);
-    const OrderedTest test = w.test_of(pair);
-    ClosestPoints points = test.ask(
-        w.bodies[pair.a].posed(), w.bodies[pair.b].posed(),
-        [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) { return t.closest(x, y, memory); });
-    if (test.swapped != (a.slot - 1 != pair.a)) {
-        std::swap(points.a, points.b);
-        std::swap(points.point_a, points.point_b);
-    }
+    ClosestPoints points = w.ask(pair, [&](auto& t, auto& x, auto& y) { return t.closest(x, y, memory); });
+    if (w.test_of(pair).swapped != (a.slot - 1 != pair.a)) exchange(points);
     return points;
 }
 

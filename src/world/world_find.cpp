@@ -20,22 +20,17 @@ std::vector<BodyId> World::intersecting_bodies(const Shape& shape, const Pose& p
     for (const ProxyIndex proxy : w.broad_phase.find(box_for(shape, pose))) {
         const Slot& slot = w.bodies[proxy];
         if (filter && !may_meet(*filter, slot.filter)) continue;
-        const bool is_intersecting =
-            w.tests.find(shape.kind(), slot.kind)
-                .ask(asked, slot.posed(), [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) {
-                    return t.intersects(a, b, memory);
-                });
-        if (is_intersecting) result.push_back(w.bodies.id_of(proxy));
+        const OrderedTest test = w.tests.find(shape.kind(), slot.kind);
+        const auto intersects = [&](auto& t, auto& a, auto& b) { return t.intersects(a, b, memory); };
+        if (test.ask(asked, slot.posed(), intersects)) result.push_back(w.bodies.id_of(proxy));
     }
     return result;
 }
 
 std::vector<BodyId> World::intersecting_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
                                                QueryMemory& memory, std::optional<CollisionFilter> filter) const {
-    if (!mesh) throw NullArgument("mesh");
-    const auto known = impl().mesh_shapes.find(mesh);
-    return known ? intersecting_bodies(*known, pose, memory, filter)
-                 : intersecting_bodies(MeshShape(mesh), pose, memory, filter);
+    return impl().ask_of_mesh(mesh,
+                              [&](const MeshShape& shape) { return intersecting_bodies(shape, pose, memory, filter); });
 }
 
 std::vector<BodyId> World::intersecting_bodies(const Shape& shape, const Pose& pose,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "broad_phase/overlap_tracker.hpp"
@@ -36,6 +37,12 @@ struct World::Impl {
 
     // ---- pairs of bodies
     OrderedTest test_of(ProxyPair pair) const { return tests.find(bodies[pair.a].kind, bodies[pair.b].kind); }
+
+    // question(test, a, b) of the two bodies, in the order that the test was registered for.
+    template <class Question>
+    auto ask(ProxyPair pair, const Question& question) const {
+        return test_of(pair).ask(bodies[pair.a].posed(), bodies[pair.b].posed(), question);
+    }
     bool test(ProxyPair pair, QueryMemory& memory) const;
     bool test_within(ProxyPair pair, double d, QueryMemory& memory) const;
     double distance(ProxyPair pair, QueryMemory& memory) const;
@@ -62,7 +69,7 @@ struct World::Impl {
     void test_close_pairs();
     void relate_solids();
     template <class Ask>
-    void answer_tests(PairVerdicts& pairs, const Ask& ask);
+    void answer_tests(PairVerdicts& pairs, const Ask& ask_again);
     void commit() noexcept;
 
     std::uint64_t digest() const;
@@ -83,6 +90,14 @@ struct World::Impl {
         return answer;
     }
 
+    // question(shape) of a mesh as a shape: the one that is known of it, or a new one. Throws NullArgument.
+    template <class Question>
+    auto ask_of_mesh(const std::shared_ptr<const Mesh>& mesh, const Question& question) const {
+        if (!mesh) throw NullArgument("mesh");
+        const auto known = mesh_shapes.find(mesh);
+        return known ? question(*known) : question(MeshShape(mesh));
+    }
+
     Bodies bodies;
     Changes changes;
     MeshShapes mesh_shapes;
@@ -95,6 +110,16 @@ struct World::Impl {
     std::unique_ptr<TraceWriter> trace;  // null: none is under way
     Statistics statistics;               // sums; the rest is filled in on request
 };
+
+// The body as a solid, or as a convex one. Throws NotSupported, which names it.
+Posed<Solid> solid_at(const Bodies& bodies, ProxyIndex proxy);
+Posed<ConvexSolid> convex_at(const Bodies& bodies, ProxyIndex proxy);
+
+// The points of the two bodies change places.
+inline void exchange(ClosestPoints& points) noexcept {
+    std::swap(points.a, points.b);
+    std::swap(points.point_a, points.point_b);
+}
 
 // The shape's box, checked: what enters the broad phase must be ordered.
 Aabb box_for(const Shape& shape, const Pose& pose, BodyId body = {}, const ListIndex& index = {});

@@ -106,8 +106,7 @@ std::vector<Meeting> World::meetings(std::span<const BodyId> bodies, std::span<c
     ProxyPairs pairs;
     w.broad_phase.find_pairs_with(ways.bodies(), ways.boxes(), pairs);
     append_known(w.collisions, w.changes, w.bodies, ways, pairs);
-    std::ranges::sort(pairs);
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    normalise(pairs);
 
     std::vector<Meeting> result;
     for (const ProxyPair& pair : pairs) {

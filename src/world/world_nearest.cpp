@@ -62,18 +62,13 @@ std::optional<NearestBody> World::nearest(const Shape& shape, const Pose& pose, 
         if (filter && !may_meet(*filter, slot.filter)) return least.bound();
         const OrderedTest test = w.tests.find(shape.kind(), slot.kind);
         const Posed<Shape> other = slot.posed();
-        return take(
-            least, proxy,
-            [&](double d) {
-                return test.ask(asked, other, [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) {
-                    return t.within(a, b, d, memory);
-                });
-            },
-            [&] {
-                return test.ask(asked, other, [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) {
-                    return t.distance(a, b, memory);
-                });
-            });
+        const auto is_within = [&](double d) {
+            return test.ask(asked, other, [&](auto& t, auto& a, auto& b) { return t.within(a, b, d, memory); });
+        };
+        const auto distance = [&] {
+            return test.ask(asked, other, [&](auto& t, auto& a, auto& b) { return t.distance(a, b, memory); });
+        };
+        return take(least, proxy, is_within, distance);
     });
     return nearest_of(least, w.bodies);
 }
@@ -81,9 +76,8 @@ std::optional<NearestBody> World::nearest(const Shape& shape, const Pose& pose, 
 std::optional<NearestBody> World::nearest(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
                                           QueryMemory& memory, double limit,
                                           std::optional<CollisionFilter> filter) const {
-    if (!mesh) throw NullArgument("mesh");
-    const auto known = impl().mesh_shapes.find(mesh);
-    return known ? nearest(*known, pose, memory, limit, filter) : nearest(MeshShape(mesh), pose, memory, limit, filter);
+    return impl().ask_of_mesh(mesh,
+                              [&](const MeshShape& shape) { return nearest(shape, pose, memory, limit, filter); });
 }
 
 std::optional<ClosestPair> World::closest_pair(QueryMemory& memory, double limit) const {

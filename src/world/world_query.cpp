@@ -39,20 +39,14 @@ bool World::intersects(BodyId a, BodyId b, QueryMemory& memory) const {
 Relation World::relation(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
     const ProxyPair pair = w.bodies.require_pair(a, b);
-    return w.test_of(pair).ask(
-        w.bodies[pair.a].posed(), w.bodies[pair.b].posed(),
-        [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) { return t.relation(x, y, memory); });
+    return w.ask(pair, [&](auto& t, auto& x, auto& y) { return t.relation(x, y, memory); });
 }
 
 std::vector<TrianglePair> World::intersecting_triangles(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
     const ProxyPair pair = w.bodies.require_pair(a, b);
-    const OrderedTest test = w.test_of(pair);
-    auto triangles = test.ask(w.bodies[pair.a].posed(), w.bodies[pair.b].posed(),
-                              [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) {
-                                  return t.intersecting_triangles(x, y, memory);
-                              });
-    if (test.swapped != (a.slot - 1 != pair.a)) {
+    auto triangles = w.ask(pair, [&](auto& t, auto& x, auto& y) { return t.intersecting_triangles(x, y, memory); });
+    if (w.test_of(pair).swapped != (a.slot - 1 != pair.a)) {
         for (TrianglePair& t : triangles) std::swap(t.a, t.b);
         std::ranges::sort(triangles);
     }

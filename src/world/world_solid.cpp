@@ -7,6 +7,18 @@
 
 namespace ecods {
 
+Posed<Solid> solid_at(const Bodies& bodies, ProxyIndex proxy) {
+    const Solid* const solid = bodies[proxy].solid();
+    if (solid == nullptr) throw NotSupported("slot " + std::to_string(proxy + 1) + ": its body is no solid");
+    return {*solid, bodies[proxy].pose};
+}
+
+Posed<ConvexSolid> convex_at(const Bodies& bodies, ProxyIndex proxy) {
+    const ConvexSolid* const solid = bodies[proxy].convex();
+    if (solid == nullptr) throw NotSupported("slot " + std::to_string(proxy + 1) + ": its body is no convex solid");
+    return {*solid, bodies[proxy].pose};
+}
+
 void World::set_solids(bool are_related) {
     Impl& w = impl();
     if (are_related == w.solids.are_wanted()) return;
@@ -23,12 +35,7 @@ std::span<const SolidPair> World::solid_pairs() const {
 }
 
 SolidRelation World::Impl::relate(ProxyPair pair, QueryMemory& memory) const {
-    const auto posed = [&](ProxyIndex proxy) {
-        const Solid* const solid = bodies[proxy].solid();
-        if (solid == nullptr) throw NotSupported("slot " + std::to_string(proxy + 1) + ": its body is no solid");
-        return Posed<Solid>(*solid, bodies[proxy].pose);
-    };
-    return ecods::solid_relation(posed(pair.a), posed(pair.b), memory);
+    return ecods::solid_relation(solid_at(bodies, pair.a), solid_at(bodies, pair.b), memory);
 }
 
 // All pairs are related, also when one throws.
