@@ -54,16 +54,15 @@ void ProxyTable::add(ProxyIndex proxy, const Aabb& box) {
     ++size_;
 }
 
-void ProxyTable::set_box(ProxyIndex proxy, const Aabb& box) {
+void ProxyTable::move(ProxyIndex proxy, const Aabb& box) {
+    if (!is_present(proxy)) [[unlikely]] {
+        require_present(proxy);
+        return;
+    }
     Aabb& current = boxes_[proxy];
     if (is_same(current, box)) return;
     enqueue(proxy);
     current = box;
-}
-
-void ProxyTable::move(ProxyIndex proxy, const Aabb& box) {
-    require_present(proxy);
-    set_box(proxy, box);
 }
 
 void ProxyTable::move(std::span<const ProxyIndex> proxies, std::span<const Aabb> boxes) {
@@ -77,7 +76,10 @@ void ProxyTable::move(std::span<const ProxyIndex> proxies, std::span<const Aabb>
     constexpr std::size_t ahead = 8;
     for (std::size_t i = 0; i < proxies.size(); ++i) {
         if (i + ahead < proxies.size()) __builtin_prefetch(&boxes_[proxies[i + ahead]], 1);
-        set_box(proxies[i], boxes[i]);
+        Aabb& current = boxes_[proxies[i]];
+        if (is_same(current, boxes[i])) continue;
+        enqueue(proxies[i]);
+        current = boxes[i];
     }
 }
 

@@ -76,7 +76,6 @@ class ProxyTable {
             refuse_absent(proxy);
     }
     [[noreturn]] static void refuse_absent(ProxyIndex proxy);
-    void set_box(ProxyIndex proxy, const Aabb& box);
     void enqueue(ProxyIndex proxy) {
         if (queued_at_[proxy] == turn_) return;
         queue_.push_back(proxy);
