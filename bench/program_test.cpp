@@ -78,7 +78,7 @@ TEST_F(BenchProgramTest, TheScriptSaysWhatItRuns) {
 // file.
 TEST_F(BenchProgramTest, APageIsDrawnAgainFromSavedResults) {
     const std::filesystem::path report = path("report"), sample = path("sample");
-    const auto drawn = run("--from " ECODS_BENCH_RESULTS "/AMD-EPYC-2026-11-21.csv --report " + report.string() +
+    const auto drawn = run("--from " ECODS_BENCH_RESULTS "/AMD-EPYC-2026-11-26.csv --report " + report.string() +
                            " --sample " + sample.string());
     EXPECT_EQ(drawn.status, 0) << drawn.err;
     std::ifstream in(report / "index.html");

@@ -15,6 +15,7 @@
 #include "fuzz/base/recipe.hpp"
 #include "fuzz/campaign.hpp"
 #include "fuzz/motion/profile.hpp"
+#include "fuzz/pairs/campaigns.hpp"
 #include "fuzz/record.hpp"
 #include "process/program.hpp"
 #include "programs/command_line.hpp"
@@ -37,20 +38,9 @@ struct Options {
 
 void list_profiles() {
     for (const Profile& profile : profiles()) fmt::print("{:<10} {}\n", profile.name, profile.about);
-    fmt::print("{:<10} {}\n", pairs_profile,
-               "pairs of posed triangles, 1000 a run, each by every path of the exact layer");
-    fmt::print("{:<10} {}\n", distances_profile,
-               "pairs of posed meshes, 1000 a run, every question about their distances");
-    fmt::print("{:<10} {}\n", hits_profile,
-               "segments and rays, 2000 a run, every question about what they hit of a mesh");
-    fmt::print("{:<10} {}\n", casts_profile,
-               "posed meshes on their way, 250 a run, every question about their contact");
-    fmt::print("{:<10} {}\n", solids_profile, "pairs of posed solids, 130 a run, every question about them");
-    fmt::print("{:<10} {}\n", polycubes_profile, "sets of unit cells as posed solids, 1000 pairs a run");
-    fmt::print("{:<10} {}\n", placements_profile,
-               "pairs of polycubes in all positions: 19 runs of up to three cells, 105 of up to four");
-    fmt::print("{:<10} {}\n", convex_profile,
-               "pairs of posed convex solids, 180 a run, their distances, depths, features and hulls");
+    for (const CaseCampaign& campaign : case_campaigns()) {
+        fmt::print("{:<10} {}\n", campaign.profile, campaign.about);
+    }
     fmt::print("motion     all kinds of worlds in motion, in turns\nall        all of them, in turns\n");
 }
 

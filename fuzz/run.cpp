@@ -7,11 +7,7 @@
 #include "fuzz/base/failure.hpp"
 #include "fuzz/motion/generate.hpp"
 #include "fuzz/motion/profile.hpp"
-#include "fuzz/pairs/contacts.hpp"
-#include "fuzz/pairs/convex.hpp"
-#include "fuzz/pairs/distances.hpp"
-#include "fuzz/pairs/run.hpp"
-#include "fuzz/pairs/solids.hpp"
+#include "fuzz/pairs/campaigns.hpp"
 
 namespace ecods::fuzz {
 
@@ -41,88 +37,39 @@ RunReport run_motion(const Profile& profile, std::uint32_t seed, const PlayOptio
     return report;
 }
 
-Counters counters_of(const PairCounts& counts) {
+Counters counters_of(const CaseCounts& counts, const std::string& noun) {
     Counters counters;
-    counters["triangle pairs"] = counts.pairs;
-    for (const auto& [family, relations] : counts.relations) {
-        counters["families: " + family] = relations[0] + relations[1] + relations[2];
-        counters["triangle pairs: disjoint"] += relations[0];
-        counters["triangle pairs: touching"] += relations[1];
-        counters["triangle pairs: crossing"] += relations[2];
-    }
-    for (const auto& [name, count] : counts.checks) counters["checked: triangle pairs, " + name] = count;
-    counters["stages: triangle tests"] = counts.stages.triangle_tests;
-    for (const Stage& stage : stages) counters[std::string("stages: ") + stage.name] = counts.stages.*stage.count;
-    return counters;
-}
-
-RunFailure failure_of(const char* profile, const Disagreement& found) {
-    return {.profile = profile,
-            .seed = found.seed,
-            .where = fmt::format("pair {} ({})", found.pair, found.family),
-            .check = found.path,
-            .expected = found.expected,
-            .got = found.got,
-            .text = found.text};
-}
-
-Counters counters_of(const DistanceCounts& counts) {
-    constexpr const char* kinds[] = {"vertex-vertex", "vertex-edge", "vertex-face", "edge-edge", "intersecting"};
-    Counters counters;
-    counters["distances"] = counts.distances;
-    for (const auto& [family, of_kind] : counts.kinds) {
-        for (std::size_t kind = 0; kind < of_kind.size(); ++kind) {
-            counters["distance families: " + family] += of_kind[kind];
-            counters[std::string("distances: ") + kinds[kind]] += of_kind[kind];
-        }
-    }
-    for (const auto& [name, count] : counts.checks) counters["checked: distances, " + name] = count;
-    return counters;
-}
-
-// Of families and the kinds of their answers, and of checks.
-template <class Counts>
-Counters counters_of(const Counts& counts, const std::string& name, std::uint64_t total) {
-    Counters counters;
-    counters[name] = total;
+    counters[noun] = counts.cases;
     for (const auto& [family, kinds] : counts.kinds) {
         for (const auto& [kind, count] : kinds) {
-            counters[name + " of families: " + family] += count;
-            counters[name + ": " + kind] += count;
+            counters[noun + " of families: " + family] += count;
+            counters[noun + ": " + kind] += count;
         }
     }
-    for (const auto& [check, count] : counts.checks) counters["checked: " + name + ", " + check] = count;
+    for (const auto& [check, count] : counts.checks) counters["checked: " + noun + ", " + check] = count;
+    for (const auto& [stage, count] : counts.stages) counters["stages: " + stage] = count;
     return counters;
 }
 
-Counters counters_of(const HitCounts& counts) {
-    return counters_of(counts, "hits", counts.lines);
-}
-
-Counters counters_of(const CastCounts& counts) {
-    return counters_of(counts, "casts", counts.casts);
-}
-
-Counters counters_of(const SolidCounts& counts) {
-    return counters_of(counts, "solids", counts.solids);
-}
-
-Counters counters_of(const ConvexCounts& counts) {
-    return counters_of(counts, "convex", counts.convex);
-}
-
-// A run of pairs, by a function that counts what it checked and throws what it found.
-template <class Counts>
-RunReport run_counted(const char* profile, void (*run)(std::uint32_t seed, Lie lie, Counts& counts), std::uint32_t seed,
-                      Canary canary) {
+RunReport run_cases(const CaseCampaign& campaign, std::uint32_t seed, Canary canary) {
     RunReport report;
-    Counts counts;
+    CaseCounts counts;
     try {
-        run(seed, canary == Canary::answer ? Lie::answer : canary == Canary::recipe ? Lie::recipe : Lie::none, counts);
+        campaign.run(seed,
+                     canary == Canary::answer   ? Lie::answer
+                     : canary == Canary::recipe ? Lie::recipe
+                                                : Lie::none,
+                     counts);
     } catch (const Disagreement& found) {
-        report.failure = failure_of(profile, found);
+        report.failure = {.profile = campaign.profile,
+                          .seed = found.seed,
+                          .where = fmt::format("pair {} ({})", found.index, found.family),
+                          .check = found.path,
+                          .expected = found.expected,
+                          .got = found.got,
+                          .text = found.text};
     }
-    report.counters = counters_of(counts);
+    report.counters = counters_of(counts, campaign.noun);
     return report;
 }
 
@@ -134,9 +81,8 @@ std::vector<std::string> profiles_of(const std::string& name) {
     for (const Profile& profile : profiles()) {
         if (is_motion || profile.name == name) names.emplace_back(profile.name);
     }
-    for (const char* of_pairs : {pairs_profile, distances_profile, hits_profile, casts_profile, solids_profile,
-                                 polycubes_profile, placements_profile, convex_profile}) {
-        if (name == "all" || name == of_pairs) names.emplace_back(of_pairs);
+    for (const CaseCampaign& campaign : case_campaigns()) {
+        if (name == "all" || name == campaign.profile) names.emplace_back(campaign.profile);
     }
     return names;
 }
@@ -147,15 +93,9 @@ PlayOptions options_of_run(PlayOptions options, std::string_view profile, std::u
 }
 
 RunReport run(const std::string& profile, std::uint32_t seed, const PlayOptions& options) {
-    const Canary canary = options.canary;
-    if (profile == pairs_profile) return run_counted(pairs_profile, run_pairs, seed, canary);
-    if (profile == distances_profile) return run_counted(distances_profile, run_distances, seed, canary);
-    if (profile == hits_profile) return run_counted(hits_profile, run_hits, seed, canary);
-    if (profile == casts_profile) return run_counted(casts_profile, run_casts, seed, canary);
-    if (profile == solids_profile) return run_counted(solids_profile, run_solids, seed, canary);
-    if (profile == polycubes_profile) return run_counted(polycubes_profile, run_polycubes, seed, canary);
-    if (profile == placements_profile) return run_counted(placements_profile, run_placements, seed, canary);
-    if (profile == convex_profile) return run_counted(convex_profile, run_convex, seed, canary);
+    for (const CaseCampaign& campaign : case_campaigns()) {
+        if (profile == campaign.profile) return run_cases(campaign, seed, options.canary);
+    }
     return run_motion(*find_profile(profile), seed, options);
 }
 

@@ -14,24 +14,6 @@
 
 namespace ecods::fuzz {
 
-// The campaign of pairs of posed triangles, beside the profiles of worlds in motion.
-inline constexpr const char* pairs_profile = "pairs";
-
-// That of distances of two posed meshes.
-inline constexpr const char* distances_profile = "distances";
-
-// Those of what a line hits, and of bodies on their way.
-inline constexpr const char* hits_profile = "hits";
-inline constexpr const char* casts_profile = "casts";
-
-// Those of solids: by the oracle, and polycubes at random and in all placements, by their cells.
-inline constexpr const char* solids_profile = "solids";
-inline constexpr const char* polycubes_profile = "polycubes";
-inline constexpr const char* placements_profile = "placements";
-
-// The campaign of distances and depths of convex solids.
-inline constexpr const char* convex_profile = "convex";
-
 struct RunFailure {
     std::string profile;
     std::uint32_t seed = 0;

@@ -1,30 +1,24 @@
-#include "engines/broad_phase_kinds.hpp"
-#include "engines/engine.hpp"
+// The engines of the main job, in the order in which tables show them.
+#include "engines/broad_engine.hpp"
+#include "engines/narrow_engine.hpp"
+#include "engines/scene_engine.hpp"
 
 namespace ecods::bench {
 
-namespace {
-
-constexpr const char* ecods_all_pairs = "ECoDS, all pairs";
-
-}  // namespace
-
-std::vector<EngineMaker> all_engines() {
-    std::vector<EngineMaker> makers;
-    for (const NamedBroadPhase& named : broad_phase_kinds) {
-        makers.push_back({std::string("ECoDS, ") + named.name, true,
-                          [kind = named.kind](const scenes::Scene& scene) { return set_up_world(scene, kind); }});
-    }
-    makers.push_back({ecods_all_pairs, true, set_up_ecods_all_pairs});
-    makers.push_back({scene_yardstick, false, set_up_fcl_tree});
-    makers.push_back({"FCL, all pairs", false, set_up_fcl_all_pairs});
-    return makers;
+std::vector<NarrowMaker> main_narrow_engines() {
+    return joined(ecods_narrow(), fcl_narrow(), ode_narrow());
 }
 
-std::vector<EngineMaker> system_engines() {
-    std::vector<EngineMaker> makers = all_engines();
-    std::erase_if(makers, [](const EngineMaker& maker) { return maker.name == ecods_all_pairs; });
-    return makers;
+std::vector<BroadMaker> main_broad_engines() {
+    return joined(ecods_broad(), scratch_broad(), fcl_broad(), bullet_broad());
+}
+
+std::vector<SceneMaker> scene_engines() {
+    return joined(ecods_worlds(), ecods_all_pairs(), fcl_scenes());
+}
+
+std::vector<SceneMaker> system_engines() {
+    return joined(ecods_worlds(), fcl_scenes());
 }
 
 }  // namespace ecods::bench

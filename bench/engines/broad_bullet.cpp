@@ -9,19 +9,18 @@
 #include <memory>
 
 #include "engines/broad_engine.hpp"
+#include "engines/bullet_mesh.hpp"
 
 namespace ecods::bench {
 
 namespace {
 
-btVector3 to_bullet(const Vec3& v) {
-    return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
-}
-
 class BroadBullet final : public BroadEngine {
   public:
-    BroadBullet(const scenes::MovingBoxes& boxes, std::unique_ptr<btBroadphaseInterface> broad_phase)
-        : dispatcher_(&configuration_), broad_phase_(std::move(broad_phase)) {
+    using MakeBroadPhase = std::unique_ptr<btBroadphaseInterface> (*)(const scenes::MovingBoxes& boxes);
+
+    BroadBullet(const scenes::MovingBoxes& boxes, MakeBroadPhase make)
+        : dispatcher_(&configuration_), broad_phase_(make(boxes)) {
         for (const Aabb& box : boxes.boxes) proxies_.push_back(create(box, proxies_.size()));
     }
 
@@ -46,7 +45,7 @@ class BroadBullet final : public BroadEngine {
         }
     }
 
-    std::span<const ProxyPair> pairs() const override { return pairs_; }
+    std::vector<ProxyPair> pairs() const override { return pairs_; }
 
   private:
     btBroadphaseProxy* create(const Aabb& box, std::uintptr_t index) {
@@ -69,20 +68,34 @@ class BroadBullet final : public BroadEngine {
     std::vector<ProxyPair> pairs_;
 };
 
-}  // namespace
-
-std::unique_ptr<BroadEngine> set_up_broad_bullet_dbvt(const scenes::MovingBoxes& boxes) {
-    return std::make_unique<BroadBullet>(boxes, std::make_unique<btDbvtBroadphase>());
+std::unique_ptr<btBroadphaseInterface> make_dbvt(const scenes::MovingBoxes& /*boxes*/) {
+    return std::make_unique<btDbvtBroadphase>();
 }
 
-std::unique_ptr<BroadEngine> set_up_broad_bullet_sweep(const scenes::MovingBoxes& boxes) {
+std::unique_ptr<btBroadphaseInterface> make_sweep(const scenes::MovingBoxes& boxes) {
     Aabb all = boxes.boxes.front();
     for (const Aabb& box : boxes.boxes) all = merge(all, box);
     for (const std::vector<scenes::BoxMove>& frame : boxes.frames)
         for (const scenes::BoxMove& move : frame) all = merge(all, move.box);
-    return std::make_unique<BroadBullet>(
-        boxes, std::make_unique<btAxisSweep3>(to_bullet(all.min), to_bullet(all.max),
-                                              static_cast<unsigned short>(boxes.boxes.size() + 2)));
+    return std::make_unique<btAxisSweep3>(to_bullet(all.min), to_bullet(all.max),
+                                          static_cast<unsigned short>(boxes.boxes.size() + 2));
+}
+
+}  // namespace
+
+std::vector<BroadMaker> bullet_broad() {
+    return {{.name = "Bullet Dbvt",
+             .use =
+                 "btDbvtBroadphase: setAabb(), calculateOverlappingPairs(), then its pairs, whose boxes are tested as "
+                 "its dispatcher does; float",
+             .set_up = makes<BroadBullet>(make_dbvt)}};
+}
+
+std::vector<BroadMaker> more_bullet_broad() {
+    return {{.name = "Bullet AxisSweep3",
+             .use = "btAxisSweep3, the same as Dbvt; 16 bits, then float",
+             .traits = {.count_max = 1000},
+             .set_up = makes<BroadBullet>(make_sweep)}};
 }
 
 }  // namespace ecods::bench

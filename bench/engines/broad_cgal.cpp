@@ -42,7 +42,7 @@ class BroadCgal final : public BroadEngine {
         find_pairs(boxes_, order_, pairs_);
     }
 
-    std::span<const ProxyPair> pairs() const override { return pairs_; }
+    std::vector<ProxyPair> pairs() const override { return pairs_; }
 
   private:
     std::vector<Box> boxes_;
@@ -52,8 +52,11 @@ class BroadCgal final : public BroadEngine {
 
 }  // namespace
 
-std::unique_ptr<BroadEngine> set_up_broad_cgal(const scenes::MovingBoxes& boxes) {
-    return std::make_unique<BroadCgal>(boxes);
+std::vector<BroadMaker> cgal_broad() {
+    return {{.name = "CGAL box_self_intersection_d",
+             .use = "closed boxes, from scratch each frame; double",
+             .traits = {.count_max = 1000},
+             .set_up = makes<BroadCgal>()}};
 }
 
 std::vector<ProxyPair> overlapping_pairs_by_cgal(std::span<const Aabb> boxes) {

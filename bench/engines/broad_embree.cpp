@@ -42,7 +42,7 @@ class BroadEmbree final : public BroadEngine {
         rtcCollide(scene_, scene_, &note_pairs, this);
     }
 
-    std::span<const ProxyPair> pairs() const override { return pairs_; }
+    std::vector<ProxyPair> pairs() const override { return pairs_; }
 
   private:
     static RTCBounds to_embree(const Aabb& box) {
@@ -80,8 +80,10 @@ class BroadEmbree final : public BroadEngine {
 
 }  // namespace
 
-std::unique_ptr<BroadEngine> set_up_broad_embree(const scenes::MovingBoxes& boxes) {
-    return std::make_unique<BroadEmbree>(boxes);
+std::vector<BroadMaker> embree_broad() {
+    return {{.name = "Embree rtcCollide",
+             .use = "user geometry, dynamic scene of low build quality, rebuilt each frame, one thread; float",
+             .set_up = makes<BroadEmbree>()}};
 }
 
 }  // namespace ecods::bench

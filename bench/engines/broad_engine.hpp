@@ -1,59 +1,42 @@
-// What every engine of the broad phase offers: boxes are taken in once, then frames of moves are run one by one.
+// Which boxes overlap, while they move?
 #pragma once
 
 #include <chrono>
-#include <cstdint>
-#include <functional>
 #include <limits>
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "ecods/broad_phase.hpp"
+#include "engines/engine.hpp"
+#include "engines/frame_engine.hpp"
 #include "scenes/moving_boxes.hpp"
 
 namespace ecods::bench {
 
-class BroadEngine {
-  public:
-    virtual ~BroadEngine() = default;
-
-    // Applies the moves and leaves the complete list of pairs of which the closed boxes overlap. This is what is timed.
-    virtual void run_frame(std::span<const scenes::BoxMove> moves) = 0;
-
-    // Of the last frame: a < b, in any order.
-    virtual std::span<const ProxyPair> pairs() const = 0;
+// The boxes at rest are taken in untimed. A frame leaves the complete list of pairs whose closed boxes overlap, a < b.
+struct Boxes {
+    using Workload = scenes::MovingBoxes;
+    using Engine = FrameEngine<scenes::BoxMove, ProxyPair>;
+    struct Traits {
+        std::size_t count_max = std::numeric_limits<std::size_t>::max();  // of boxes, in runs of the usual length
+        std::chrono::seconds limit{300};  // for a turn, by the clock on the wall: one that takes longer hangs
+    };
 };
 
-struct BroadMaker {
-    std::string name;
-    std::string use;  // how it is used: for the page
-    bool is_ecods = false;
-    std::size_t count_max = std::numeric_limits<std::size_t>::max();  // of boxes, in runs of the usual length
-    // With the boxes at rest. Not timed.
-    std::function<std::unique_ptr<BroadEngine>(const scenes::MovingBoxes& boxes)> set_up;
-    std::chrono::seconds limit{300};  // for a turn, by the clock on the wall: one that takes longer hangs
-};
+using BroadEngine = Boxes::Engine;
+using BroadMaker = Maker<Boxes>;
 
-std::unique_ptr<BroadEngine> set_up_broad_ecods(BroadPhaseKind kind, const scenes::MovingBoxes& boxes);
-std::unique_ptr<BroadEngine> set_up_broad_scratch(const scenes::MovingBoxes& boxes);
-std::unique_ptr<BroadEngine> set_up_broad_scratch_unsorted(const scenes::MovingBoxes& boxes);
-std::unique_ptr<BroadEngine> set_up_broad_fcl_tree(const scenes::MovingBoxes& boxes);
-std::unique_ptr<BroadEngine> set_up_broad_fcl_tree_moved(const scenes::MovingBoxes& boxes);
-std::unique_ptr<BroadEngine> set_up_broad_fcl_array(const scenes::MovingBoxes& boxes);
-std::unique_ptr<BroadEngine> set_up_broad_fcl_sweep(const scenes::MovingBoxes& boxes);
-std::unique_ptr<BroadEngine> set_up_broad_bullet_dbvt(const scenes::MovingBoxes& boxes);
-std::unique_ptr<BroadEngine> set_up_broad_bullet_sweep(const scenes::MovingBoxes& boxes);
-std::unique_ptr<BroadEngine> set_up_broad_ode(const scenes::MovingBoxes& boxes);
-std::unique_ptr<BroadEngine> set_up_broad_embree(const scenes::MovingBoxes& boxes);
-std::unique_ptr<BroadEngine> set_up_broad_cgal(const scenes::MovingBoxes& boxes);
+std::vector<BroadMaker> ecods_broad();    // once for each kind
+std::vector<BroadMaker> scratch_broad();  // ECoDS's search from scratch
+std::vector<BroadMaker> fcl_broad();      // its tree, the one that ratios are taken to
+std::vector<BroadMaker> bullet_broad();   // Dbvt
+std::vector<BroadMaker> more_fcl_broad();
+std::vector<BroadMaker> more_bullet_broad();
+std::vector<BroadMaker> ode_broad();
+std::vector<BroadMaker> embree_broad();
+std::vector<BroadMaker> cgal_broad();
 
-// All of the above that this build has, ECoDS once for each kind: those of the main job, then the others. The one that
-// ratios are taken to is FCL DynamicAABBTree.
+// All of the above that this build has: those of the main job, then the others.
 std::vector<BroadMaker> broad_engines();
 std::vector<BroadMaker> main_broad_engines();
-std::vector<BroadMaker> more_broad_engines();
 constexpr const char* broad_yardstick = "FCL DynamicAABBTree";
 constexpr const char* broad_scratch = "ECoDS, from scratch";
 constexpr const char* broad_scratch_unsorted = "ECoDS, from scratch, unsorted";

@@ -4,12 +4,9 @@
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
 #include <fcl/geometry/shape/box.h>
-#include <fcl/narrowphase/collision_object.h>
-
-#include <cstdint>
-#include <memory>
 
 #include "engines/broad_engine.hpp"
+#include "engines/fcl_bodies.hpp"
 
 namespace ecods::bench {
 
@@ -23,23 +20,18 @@ template <class Manager, Update update>
 class BroadFcl final : public BroadEngine {
   public:
     explicit BroadFcl(const scenes::MovingBoxes& boxes) {
-        std::vector<fcl::CollisionObjectd*> all;
         for (const Aabb& box : boxes.boxes) {
-            auto shape = std::make_shared<fcl::Boxd>(fcl::Vector3d(box.max - box.min));
-            auto object = std::make_unique<fcl::CollisionObjectd>(shape);
-            object->setUserData(reinterpret_cast<void*>(static_cast<std::uintptr_t>(objects_.size())));
-            move(*object, box);
-            all.push_back(object.get());
-            objects_.push_back(std::move(object));
+            objects_.add(std::make_shared<fcl::Boxd>(fcl::Vector3d(box.max - box.min)), fcl::Transform3d::Identity());
+            move(*objects_.all().back(), box);
         }
-        manager_.registerObjects(all);
+        manager_.registerObjects(objects_.all());
         manager_.setup();
     }
 
     void run_frame(std::span<const scenes::BoxMove> moves) override {
         moved_.clear();
         for (const scenes::BoxMove& next : moves) {
-            fcl::CollisionObjectd* const object = objects_[next.index].get();
+            fcl::CollisionObjectd* const object = &objects_[next.index];
             if (next.is_new) manager_.unregisterObject(object);
             move(*object, next.box);
             if (next.is_new) manager_.registerObject(object);
@@ -51,7 +43,7 @@ class BroadFcl final : public BroadEngine {
         manager_.collide(&pairs_, &note_pair);
     }
 
-    std::span<const ProxyPair> pairs() const override { return pairs_; }
+    std::vector<ProxyPair> pairs() const override { return pairs_; }
 
   private:
     static void move(fcl::CollisionObjectd& object, const Aabb& box) {
@@ -61,36 +53,41 @@ class BroadFcl final : public BroadEngine {
 
     // FCL calls this for every pair of which the boxes overlap. False: go on.
     static bool note_pair(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* data) {
-        const auto index = [](const fcl::CollisionObjectd* object) {
-            return static_cast<ProxyIndex>(reinterpret_cast<std::uintptr_t>(object->getUserData()));
-        };
-        const ProxyIndex i = index(a), k = index(b);
-        static_cast<std::vector<ProxyPair>*>(data)->push_back(i < k ? ProxyPair{i, k} : ProxyPair{k, i});
+        const auto [low, high] = ordered(index_of(*a), index_of(*b));
+        static_cast<std::vector<ProxyPair>*>(data)->push_back(
+            {static_cast<ProxyIndex>(low), static_cast<ProxyIndex>(high)});
         return false;
     }
 
-    std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects_;
+    FclObjects objects_;
     Manager manager_;  // after the objects, to which it refers
     std::vector<fcl::CollisionObjectd*> moved_;
     std::vector<ProxyPair> pairs_;
 };
 
+using Tree = fcl::DynamicAABBTreeCollisionManagerd;
+
 }  // namespace
 
-std::unique_ptr<BroadEngine> set_up_broad_fcl_tree(const scenes::MovingBoxes& boxes) {
-    return std::make_unique<BroadFcl<fcl::DynamicAABBTreeCollisionManagerd, Update::all>>(boxes);
+std::vector<BroadMaker> fcl_broad() {
+    return {{.name = broad_yardstick,
+             .use = "update() of all, collide() with a callback that notes each pair; double",
+             .set_up = makes<BroadFcl<Tree, Update::all>>()}};
 }
 
-std::unique_ptr<BroadEngine> set_up_broad_fcl_tree_moved(const scenes::MovingBoxes& boxes) {
-    return std::make_unique<BroadFcl<fcl::DynamicAABBTreeCollisionManagerd, Update::moved>>(boxes);
-}
-
-std::unique_ptr<BroadEngine> set_up_broad_fcl_array(const scenes::MovingBoxes& boxes) {
-    return std::make_unique<BroadFcl<fcl::DynamicAABBTreeCollisionManager_Arrayd, Update::all>>(boxes);
-}
-
-std::unique_ptr<BroadEngine> set_up_broad_fcl_sweep(const scenes::MovingBoxes& boxes) {
-    return std::make_unique<BroadFcl<fcl::SaPCollisionManagerd, Update::all>>(boxes);
+std::vector<BroadMaker> more_fcl_broad() {
+    return {{.name = "FCL tree, moved only",
+             .use = "update() of the moved objects, the rest as the first",
+             .traits = {.count_max = 10000},
+             .set_up = makes<BroadFcl<Tree, Update::moved>>()},
+            {.name = "FCL DynamicAABBTree_Array",
+             .use = "as the first",
+             .traits = {.count_max = 1000},
+             .set_up = makes<BroadFcl<fcl::DynamicAABBTreeCollisionManager_Arrayd, Update::all>>()},
+            {.name = broad_fcl_sweep,
+             .use = "SaPCollisionManager, as the first. NOT TO BE RELIED ON: it loses pairs and reports false ones",
+             .traits = {.count_max = 10000, .limit = std::chrono::seconds(30)},
+             .set_up = makes<BroadFcl<fcl::SaPCollisionManagerd, Update::all>>()}};
 }
 
 }  // namespace ecods::bench

@@ -41,7 +41,7 @@ class BroadOde final : public BroadEngine {
         dSpaceCollide(space_, &pairs_, &note_pair);
     }
 
-    std::span<const ProxyPair> pairs() const override { return pairs_; }
+    std::vector<ProxyPair> pairs() const override { return pairs_; }
 
   private:
     static void move(dGeomID geom, const Aabb& box) {
@@ -64,8 +64,11 @@ class BroadOde final : public BroadEngine {
 
 }  // namespace
 
-std::unique_ptr<BroadEngine> set_up_broad_ode(const scenes::MovingBoxes& boxes) {
-    return std::make_unique<BroadOde>(boxes);
+std::vector<BroadMaker> ode_broad() {
+    return {{.name = "ODE SAP space",
+             .use = "dSweepAndPruneSpace: dGeomSetPosition(), dSpaceCollide(); double",
+             .traits = {.count_max = 10000},
+             .set_up = makes<BroadOde>()}};
 }
 
 }  // namespace ecods::bench

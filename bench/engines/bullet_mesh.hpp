@@ -1,4 +1,4 @@
-// A mesh as Bullet has it: its arrays, and what they refer to.
+// A mesh as Bullet has it: its arrays, or its convex hull.
 #pragma once
 
 #include <btBulletCollisionCommon.h>
@@ -46,5 +46,14 @@ class BulletArrays {
     std::vector<int> indices_;
     std::unique_ptr<btTriangleIndexVertexArray> arrays_;
 };
+
+// The hull without the margin that Bullet gives it.
+inline std::unique_ptr<btConvexHullShape> to_bullet_hull(const Mesh& mesh) {
+    auto hull = std::make_unique<btConvexHullShape>();
+    for (const Vec3& v : mesh.vertices()) hull->addPoint(to_bullet(v), false);
+    hull->recalcLocalAabb();
+    hull->setMargin(0);
+    return hull;
+}
 
 }  // namespace ecods::bench

@@ -10,11 +10,11 @@ namespace ecods::bench {
 
 namespace {
 
-class CastBullet final : public CastEngine {
+class CastBullet final : public Casts::Engine {
   public:
-    explicit CastBullet(const scenes::CastWorkload& workload) : hull_(*workload.meshes.back().mesh) {
+    explicit CastBullet(const scenes::CastWorkload& workload) : hull_(to_bullet_hull(*workload.meshes.back().mesh)) {
         if (workload.meshes.size() == 1) {
-            object_.setCollisionShape(&hull_.shape);
+            object_.setCollisionShape(hull_.get());
             return;
         }
         const Mesh& mesh = *workload.meshes.front().mesh;
@@ -24,26 +24,17 @@ class CastBullet final : public CastEngine {
         object_.setCollisionShape(triangles_.get());
     }
 
-    double ask(const scenes::CastQuery& query) override {
+    double ask(const scenes::CastQuery& query, std::size_t /*index*/) override {
         object_.setWorldTransform(to_bullet(query.b.pose));
         const btTransform from = to_bullet(query.a.pose), to = to_bullet(query.a_end);
         btCollisionWorld::ClosestConvexResultCallback closest(from.getOrigin(), to.getOrigin());
-        btCollisionWorld::objectQuerySingle(&hull_.shape, from, to, &object_, object_.getCollisionShape(),
+        btCollisionWorld::objectQuerySingle(hull_.get(), from, to, &object_, object_.getCollisionShape(),
                                             object_.getWorldTransform(), closest, 0);
         return closest.hasHit() ? closest.m_closestHitFraction : std::numeric_limits<double>::quiet_NaN();
     }
 
   private:
-    struct Hull {
-        explicit Hull(const Mesh& mesh) {
-            for (const Vec3& v : mesh.vertices()) shape.addPoint(to_bullet(v), false);
-            shape.recalcLocalAabb();
-            shape.setMargin(0);
-        }
-        btConvexHullShape shape;
-    };
-
-    Hull hull_;
+    std::unique_ptr<btConvexHullShape> hull_;
     std::unique_ptr<BulletArrays> arrays_;
     std::unique_ptr<btBvhTriangleMeshShape> triangles_;
     btCollisionObject object_;
@@ -51,8 +42,13 @@ class CastBullet final : public CastEngine {
 
 }  // namespace
 
-std::unique_ptr<CastEngine> set_up_cast_bullet(const scenes::CastWorkload& workload) {
-    return std::make_unique<CastBullet>(workload);
+std::vector<CastMaker> bullet_casts() {
+    return {{.name = "Bullet convex sweep",
+             .use = "btCollisionWorld::objectQuerySingle() of btConvexHullShape, margins 0, which is by "
+                    "btContinuousConvexCollision against a hull, or against each triangle near of a "
+                    "btBvhTriangleMeshShape; float",
+             .traits = {.is_for_hulls = true},
+             .set_up = makes<CastBullet>()}};
 }
 
 }  // namespace ecods::bench

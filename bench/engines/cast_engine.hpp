@@ -1,48 +1,44 @@
-// What every engine of casts offers: meshes are made ready once, then motions of one towards another are asked about.
+// When does a mesh on its way first touch another one?
 #pragma once
 
-#include <cstddef>
+#include <algorithm>
 #include <limits>
-#include <memory>
-#include <string>
-#include <vector>
 
+#include "engines/engine.hpp"
 #include "scenes/cast_workloads.hpp"
 
 namespace ecods::bench {
 
-class CastEngine {
-  public:
-    virtual ~CastEngine() = default;
-
-    // The time of the first contact, or NaN if there is none. Timed, with everything that a change of poses demands.
-    virtual double ask(const scenes::CastQuery& query) = 0;
-};
-
 // What the engine is asked.
 enum class CastAnswer {
-    time,
+    time,      // of the first contact, or NaN if there is none
     distance,  // no cast: the distance at the end of the motion, to compare the cost with
 };
 
-struct CastMaker {
-    std::string name;
-    std::string use;  // how it is used, and what its precision is: for the page
-    bool is_ecods = false;
-    CastAnswer answer = CastAnswer::time;
-    bool is_for_hulls = false;  // moves convex hulls only
-    std::size_t triangle_max =
-        std::numeric_limits<std::size_t>::max();  // of its largest mesh: of more it is not asked, for the time
-    std::unique_ptr<CastEngine> (*set_up)(const scenes::CastWorkload& workload) = nullptr;
+struct Casts {
+    using Workload = scenes::CastWorkload;
+    using Answer = double;
+    using Engine = QueryEngine<Casts>;
+    struct Traits {
+        CastAnswer answer = CastAnswer::time;
+        bool is_for_hulls = false;  // moves convex hulls only, by translations
+        // The most triangles of a mesh: of larger ones it is not asked, for the time.
+        std::size_t triangle_max = std::numeric_limits<std::size_t>::max();
+    };
+
+    static bool is_asked(const Traits& traits, const Workload& workload) {
+        return (!traits.is_for_hulls || (workload.is_hull && workload.is_translation)) &&
+               std::ranges::all_of(workload.meshes, [&](const scenes::NamedMesh& named) {
+                   return named.mesh->triangles().size() <= traits.triangle_max;
+               });
+    }
 };
 
-std::unique_ptr<CastEngine> set_up_cast_ecods(const scenes::CastWorkload& workload);
-std::unique_ptr<CastEngine> set_up_cast_ecods_distance(const scenes::CastWorkload& workload);
-std::unique_ptr<CastEngine> set_up_cast_fcl_obbrss(const scenes::CastWorkload& workload);
-std::unique_ptr<CastEngine> set_up_cast_fcl_rss(const scenes::CastWorkload& workload);
-std::unique_ptr<CastEngine> set_up_cast_fcl_default(const scenes::CastWorkload& workload);
-std::unique_ptr<CastEngine> set_up_cast_fcl_samples(const scenes::CastWorkload& workload);
-std::unique_ptr<CastEngine> set_up_cast_bullet(const scenes::CastWorkload& workload);
+using CastMaker = Maker<Casts>;
+
+std::vector<CastMaker> ecods_casts();
+std::vector<CastMaker> fcl_casts();
+std::vector<CastMaker> bullet_casts();
 
 // All of the above. Ratios are taken to FCL's conservative advancement.
 std::vector<CastMaker> cast_engines();

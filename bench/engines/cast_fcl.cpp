@@ -13,14 +13,14 @@ namespace ecods::bench {
 namespace {
 
 template <class Volume>
-class CastFcl final : public CastEngine {
+class CastFcl final : public Casts::Engine {
   public:
-    CastFcl(const scenes::CastWorkload& workload, const fcl::ContinuousCollisionRequestd& request) : request_(request) {
-        for (const scenes::NamedMesh& named : workload.meshes) models_.push_back(to_fcl_model<Volume>(named));
+    CastFcl(const scenes::CastWorkload& workload, const fcl::ContinuousCollisionRequestd& request)
+        : request_(request), models_(to_fcl_models<Volume>(workload.meshes)) {
         request_.ccd_motion_type = workload.is_translation ? fcl::CCDM_TRANS : fcl::CCDM_LINEAR;
     }
 
-    double ask(const scenes::CastQuery& query) override {
+    double ask(const scenes::CastQuery& query, std::size_t /*index*/) override {
         fcl::ContinuousCollisionResultd result;
         fcl::continuousCollide(models_[query.a.mesh_index].get(), to_fcl(query.a.pose), to_fcl(query.a_end),
                                models_[query.b.mesh_index].get(), to_fcl(query.b.pose), to_fcl(query.b.pose), request_,
@@ -30,7 +30,7 @@ class CastFcl final : public CastEngine {
 
   private:
     fcl::ContinuousCollisionRequestd request_;
-    std::vector<std::shared_ptr<fcl::BVHModel<Volume>>> models_;
+    FclModels<Volume> models_;
 };
 
 fcl::ContinuousCollisionRequestd advancement() {
@@ -41,20 +41,22 @@ fcl::ContinuousCollisionRequestd advancement() {
 
 }  // namespace
 
-std::unique_ptr<CastEngine> set_up_cast_fcl_obbrss(const scenes::CastWorkload& workload) {
-    return std::make_unique<CastFcl<fcl::OBBRSSd>>(workload, advancement());
-}
-
-std::unique_ptr<CastEngine> set_up_cast_fcl_rss(const scenes::CastWorkload& workload) {
-    return std::make_unique<CastFcl<fcl::RSSd>>(workload, advancement());
-}
-
-std::unique_ptr<CastEngine> set_up_cast_fcl_default(const scenes::CastWorkload& workload) {
-    return std::make_unique<CastFcl<fcl::OBBRSSd>>(workload, fcl::ContinuousCollisionRequestd());
-}
-
-std::unique_ptr<CastEngine> set_up_cast_fcl_samples(const scenes::CastWorkload& workload) {
-    return std::make_unique<CastFcl<fcl::OBBRSSd>>(workload, fcl::ContinuousCollisionRequestd(1000, 1e-3));
+std::vector<CastMaker> fcl_casts() {
+    return {{.name = cast_yardstick,
+             .use = "continuousCollide() by conservative advancement, BVHModel<OBBRSS>, its tolerance for meshes is "
+                    "fixed at 1e-5; motions CCDM_TRANS, and CCDM_LINEAR between poses; double",
+             .traits = {.triangle_max = 20'000},
+             .set_up = makes<CastFcl<fcl::OBBRSSd>>(advancement())},
+            {.name = "FCL advancement RSS",
+             .use = "the same, BVHModel<RSS>; double",
+             .traits = {.triangle_max = 1000},
+             .set_up = makes<CastFcl<fcl::RSSd>>(advancement())},
+            {.name = "FCL default",
+             .use = "continuousCollide() as by default: collide() at 10 times, OBBRSS; double",
+             .set_up = makes<CastFcl<fcl::OBBRSSd>>(fcl::ContinuousCollisionRequestd())},
+            {.name = "FCL 1000 samples",
+             .use = "the same at 1000 times; double",
+             .set_up = makes<CastFcl<fcl::OBBRSSd>>(fcl::ContinuousCollisionRequestd(1000, 1e-3))}};
 }
 
 }  // namespace ecods::bench

@@ -14,15 +14,10 @@ namespace ecods::bench {
 
 namespace {
 
-class ConvexBullet final : public ConvexEngine {
+class ConvexBullet final : public Convex::Engine {
   public:
     explicit ConvexBullet(const scenes::ConvexWorkload& workload) : question_(workload.question) {
-        for (const scenes::NamedMesh& named : workload.pairs.meshes) {
-            hulls_.push_back(std::make_unique<btConvexHullShape>());
-            for (const Vec3& v : named.mesh->vertices()) hulls_.back()->addPoint(to_bullet(v), false);
-            hulls_.back()->recalcLocalAabb();
-            hulls_.back()->setMargin(0);
-        }
+        for (const scenes::NamedMesh& named : workload.meshes) hulls_.push_back(to_bullet_hull(*named.mesh));
     }
 
     ConvexAnswer ask(const scenes::MeshQuery& query, std::size_t /*index*/) override {
@@ -51,9 +46,8 @@ class ConvexBullet final : public ConvexEngine {
         if (!btGjkEpaSolver2::Penetration(&a, at_a, &b, at_b, guess, found))
             return {std::numeric_limits<double>::quiet_NaN()};
         const btVector3 normal = at_a.getBasis() * found.normal;  // it is a's own; a moves along it
-        return {
-            -static_cast<double>(found.distance),
-            -Vec3(static_cast<double>(normal.x()), static_cast<double>(normal.y()), static_cast<double>(normal.z()))};
+        const auto along = [&](int axis) { return -static_cast<double>(normal[axis]); };
+        return {-static_cast<double>(found.distance), {along(0), along(1), along(2)}};
     }
 
     scenes::ConvexQuestion question_;
@@ -63,8 +57,13 @@ class ConvexBullet final : public ConvexEngine {
 
 }  // namespace
 
-std::unique_ptr<ConvexEngine> set_up_convex_bullet(const scenes::ConvexWorkload& workload) {
-    return std::make_unique<ConvexBullet>(workload);
+std::vector<ConvexMaker> bullet_convex(scenes::ConvexQuestion question) {
+    return {{.name = convex_second_yardstick,
+             .use = question == scenes::ConvexQuestion::depth
+                        ? "btConvexHullShape without margin, btGjkEpaSolver2::Penetration; single precision"
+                        : "btConvexHullShape without margin, btGjkPairDetector with btVoronoiSimplexSolver; single "
+                          "precision",
+             .set_up = makes<ConvexBullet>()}};
 }
 
 }  // namespace ecods::bench

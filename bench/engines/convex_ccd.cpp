@@ -39,7 +39,7 @@ void find_center(const void* object, ccd_vec3_t* center) {
     *center = to_ccd(static_cast<const PosedVertices*>(object)->pose->t);
 }
 
-class ConvexCcd final : public ConvexEngine {
+class ConvexCcd final : public Convex::Engine {
   public:
     using Penetration = int (*)(const void*, const void*, const ccd_t*, ccd_real_t*, ccd_vec3_t*, ccd_vec3_t*);
 
@@ -62,7 +62,7 @@ class ConvexCcd final : public ConvexEngine {
 
   private:
     PosedVertices posed(const scenes::MeshAt& at) const {
-        return {workload_.pairs.meshes[at.mesh_index].mesh.get(), &at.pose};
+        return {workload_.meshes[at.mesh_index].mesh.get(), &at.pose};
     }
 
     const scenes::ConvexWorkload& workload_;
@@ -72,12 +72,14 @@ class ConvexCcd final : public ConvexEngine {
 
 }  // namespace
 
-std::unique_ptr<ConvexEngine> set_up_convex_ccd_epa(const scenes::ConvexWorkload& workload) {
-    return std::make_unique<ConvexCcd>(workload, ccdGJKPenetration);
-}
-
-std::unique_ptr<ConvexEngine> set_up_convex_ccd_mpr(const scenes::ConvexWorkload& workload) {
-    return std::make_unique<ConvexCcd>(workload, ccdMPRPenetration);
+std::vector<ConvexMaker> ccd_convex(scenes::ConvexQuestion question) {
+    if (question == scenes::ConvexQuestion::distance) return {};
+    return {{.name = convex_depth_yardstick,
+             .use = "ccdGJKPenetration, all vertices asked by the support functions; double",
+             .set_up = makes<ConvexCcd>(ccdGJKPenetration)},
+            {.name = "libccd MPR",
+             .use = "ccdMPRPenetration, the same support functions; double",
+             .set_up = makes<ConvexCcd>(ccdMPRPenetration)}};
 }
 
 }  // namespace ecods::bench

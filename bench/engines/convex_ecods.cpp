@@ -1,89 +1,78 @@
 // ECoDS without a world: the questions of convex_solid.hpp and depth.hpp about two posed solids.
-#include <limits>
-#include <memory>
-#include <vector>
-
 #include "ecods/convex_solid.hpp"
 #include "ecods/depth.hpp"
 #include "engines/convex_engine.hpp"
+#include "engines/own_shapes.hpp"
 
 namespace ecods::bench {
 
 namespace {
 
 using scenes::ConvexQuestion;
-using Body = Posed<ConvexSolid>;
+using ConvexBody = Posed<ConvexSolid>;
+using AskConvex = ConvexAnswer (*)(const ConvexBody& a, const ConvexBody& b, QueryMemory& memory, PairWitness& witness);
 
-class ConvexSolids : public ConvexEngine {
+class ConvexEcods final : public Convex::Engine {
   public:
-    explicit ConvexSolids(const scenes::ConvexWorkload& workload) {
-        for (const scenes::NamedMesh& named : workload.pairs.meshes)
-            solids_.push_back(std::make_unique<ConvexSolid>(named.mesh));
-    }
-
-  protected:
-    Body posed(const scenes::MeshAt& at) const { return {*solids_[at.mesh_index], at.pose}; }
-
-    QueryMemory memory_;
-
-  private:
-    std::vector<std::unique_ptr<ConvexSolid>> solids_;
-};
-
-// `Question` is called with both bodies, the memory and what is kept for the query.
-template <class Question>
-class ConvexEcods final : public ConvexSolids {
-  public:
-    ConvexEcods(const scenes::ConvexWorkload& workload, Question question)
-        : ConvexSolids(workload), question_(question), witnesses_(workload.pairs.queries.size()) {}
+    ConvexEcods(const scenes::ConvexWorkload& workload, AskConvex question)
+        : posed_(workload.meshes), question_(question), witnesses_(workload.queries.size()) {}
 
     ConvexAnswer ask(const scenes::MeshQuery& query, std::size_t index) override {
-        return question_(posed(query.a), posed(query.b), memory_, witnesses_[index]);
+        return question_(posed_(query.a), posed_(query.b), memory_, witnesses_[index]);
     }
 
   private:
-    Question question_;
+    OwnShapes<ConvexSolid> posed_;
+    AskConvex question_;
+    QueryMemory memory_;
     std::vector<PairWitness> witnesses_;
 };
 
-template <class Question>
-std::unique_ptr<ConvexEngine> set_up(const scenes::ConvexWorkload& workload, Question question) {
-    return std::make_unique<ConvexEcods<Question>>(workload, question);
+ConvexAnswer to_answer(const Depth& depth) {
+    return {depth.depth, {depth.direction.x(), depth.direction.y(), depth.direction.z()}};
 }
 
-ConvexAnswer to_answer(const Depth& depth) {
-    return {depth.depth, depth.direction};
+ConvexAnswer ask_solid_distance(const ConvexBody& a, const ConvexBody& b, QueryMemory& memory,
+                                PairWitness& /*witness*/) {
+    return {solid_distance(a, b, memory)};
+}
+ConvexAnswer ask_solid_distance_by_witness(const ConvexBody& a, const ConvexBody& b, QueryMemory& memory,
+                                           PairWitness& witness) {
+    return {solid_distance(a, b, memory, witness)};
+}
+ConvexAnswer ask_solid_closest(const ConvexBody& a, const ConvexBody& b, QueryMemory& memory,
+                               PairWitness& /*witness*/) {
+    const auto points = solid_closest(a, b, memory);
+    return {points ? points->distance : 0};
+}
+ConvexAnswer ask_depth(const ConvexBody& a, const ConvexBody& b, QueryMemory& memory, PairWitness& /*witness*/) {
+    return to_answer(depth(a, b, memory));
+}
+ConvexAnswer ask_depth_by_witness(const ConvexBody& a, const ConvexBody& b, QueryMemory& memory, PairWitness& witness) {
+    return to_answer(depth(a, b, memory, witness));
 }
 
 }  // namespace
 
-std::unique_ptr<ConvexEngine> set_up_convex_ecods(const scenes::ConvexWorkload& workload) {
-    if (workload.question == ConvexQuestion::depth) {
-        return set_up(workload, [](const Body& a, const Body& b, QueryMemory& memory, PairWitness&) {
-            return to_answer(depth(a, b, memory));
-        });
+std::vector<ConvexMaker> ecods_convex(ConvexQuestion question) {
+    const bool is_depth = question == ConvexQuestion::depth;
+    std::vector<ConvexMaker> makers = {
+        {.name = "ECoDS convex",
+         .use = is_depth ? "depth(), one QueryMemory; rounded once, direction and features by the rule"
+                         : "solid_distance(), one QueryMemory; rounded once",
+         .is_ecods = true,
+         .set_up = makes<ConvexEcods>(is_depth ? ask_depth : ask_solid_distance)},
+        {.name = "ECoDS convex, witness",
+         .use = "the same, with a PairWitness for each pair, left by the pass before",
+         .is_ecods = true,
+         .set_up = makes<ConvexEcods>(is_depth ? ask_depth_by_witness : ask_solid_distance_by_witness)}};
+    if (!is_depth) {
+        makers.push_back({.name = "ECoDS convex closest",
+                          .use = "solid_closest(); distance and points rounded once, features by the rule",
+                          .is_ecods = true,
+                          .set_up = makes<ConvexEcods>(ask_solid_closest)});
     }
-    return set_up(workload, [](const Body& a, const Body& b, QueryMemory& memory, PairWitness&) {
-        return ConvexAnswer{solid_distance(a, b, memory)};
-    });
-}
-
-std::unique_ptr<ConvexEngine> set_up_convex_ecods_witness(const scenes::ConvexWorkload& workload) {
-    if (workload.question == ConvexQuestion::depth) {
-        return set_up(workload, [](const Body& a, const Body& b, QueryMemory& memory, PairWitness& witness) {
-            return to_answer(depth(a, b, memory, witness));
-        });
-    }
-    return set_up(workload, [](const Body& a, const Body& b, QueryMemory& memory, PairWitness& witness) {
-        return ConvexAnswer{solid_distance(a, b, memory, witness)};
-    });
-}
-
-std::unique_ptr<ConvexEngine> set_up_convex_ecods_closest(const scenes::ConvexWorkload& workload) {
-    return set_up(workload, [](const Body& a, const Body& b, QueryMemory& memory, PairWitness&) {
-        const auto points = solid_closest(a, b, memory);
-        return ConvexAnswer{points ? points->distance : 0};
-    });
+    return makers;
 }
 
 }  // namespace ecods::bench

@@ -8,19 +8,18 @@
 
 #include "engines/convex_engine.hpp"
 #include "engines/fcl_bodies.hpp"
-#include "engines/fcl_convex.hpp"
 
 namespace ecods::bench {
 
 namespace {
 
-class ConvexFcl final : public ConvexEngine {
+class ConvexFcl final : public Convex::Engine {
   public:
     ConvexFcl(const scenes::ConvexWorkload& workload, fcl::GJKSolverType solver)
         : question_(workload.question), collision_(1, true) {
         distance_.gjk_solver_type = solver;
         collision_.gjk_solver_type = solver;
-        for (const scenes::NamedMesh& named : workload.pairs.meshes) shapes_.push_back(to_fcl_convex(*named.mesh));
+        for (const scenes::NamedMesh& named : workload.meshes) shapes_.push_back(to_fcl_convex(*named.mesh));
     }
 
     ConvexAnswer ask(const scenes::MeshQuery& query, std::size_t /*index*/) override {
@@ -35,7 +34,7 @@ class ConvexFcl final : public ConvexEngine {
         if (fcl::collide(a, at_a, b, at_b, collision_, result) == 0) return {std::numeric_limits<double>::quiet_NaN()};
         const fcl::Contactd& contact = result.getContact(0);
         // GST_INDEP gives it as a negative number.
-        return {std::abs(contact.penetration_depth), contact.normal};
+        return {std::abs(contact.penetration_depth), {contact.normal.x(), contact.normal.y(), contact.normal.z()}};
     }
 
   private:
@@ -47,12 +46,16 @@ class ConvexFcl final : public ConvexEngine {
 
 }  // namespace
 
-std::unique_ptr<ConvexEngine> set_up_convex_fcl_libccd(const scenes::ConvexWorkload& workload) {
-    return std::make_unique<ConvexFcl>(workload, fcl::GST_LIBCCD);
-}
-
-std::unique_ptr<ConvexEngine> set_up_convex_fcl_indep(const scenes::ConvexWorkload& workload) {
-    return std::make_unique<ConvexFcl>(workload, fcl::GST_INDEP);
+std::vector<ConvexMaker> fcl_convex(scenes::ConvexQuestion question) {
+    const bool is_depth = question == scenes::ConvexQuestion::depth;
+    return {{.name = convex_distance_yardstick,
+             .use = is_depth ? "Convex, collide() with contacts, GST_LIBCCD, its default (MPR); double"
+                             : "Convex, distance() with GST_LIBCCD, without points; double",
+             .set_up = makes<ConvexFcl>(fcl::GST_LIBCCD)},
+            {.name = "FCL indep",
+             .use = is_depth ? "Convex, collide() with contacts, GST_INDEP; double"
+                             : "Convex, distance() with GST_INDEP; double",
+             .set_up = makes<ConvexFcl>(fcl::GST_INDEP)}};
 }
 
 }  // namespace ecods::bench

@@ -1,81 +1,100 @@
 // ECoDS without a world: the questions of distance.hpp about two posed meshes.
-#include <limits>
-#include <memory>
-
 #include "ecods/distance.hpp"
+
+#include <limits>
+
 #include "engines/distance_engine.hpp"
+#include "engines/own_shapes.hpp"
 
 namespace ecods::bench {
 
 namespace {
 
-// `Question` is called with both bodies, the memory, a witness and the distance times the factor.
-template <class Question>
-class DistanceEcods final : public DistanceEngine {
+// What is asked about, and what is kept from query to query. `d` is the distance times the engine's factor, for
+// questions about it.
+struct DistanceAsked {
+    const Posed<MeshShape> a, b;
+    const double d;
+    QueryMemory& memory;
+    PairWitness& witness;
+};
+using AskDistance = double (*)(const DistanceAsked& asked);
+
+class DistanceEcods final : public Distance::Engine {
   public:
-    DistanceEcods(std::span<const scenes::NamedMesh> meshes, double factor, Question question)
-        : factor_(factor), question_(question) {
-        for (const scenes::NamedMesh& named : meshes) {
-            shapes_.push_back(std::make_unique<MeshShape>(named.mesh));
-            shapes_.back()->tree_bytes();  // makes the tree
+    // A factor above 0 has the distances found here, untimed.
+    DistanceEcods(const scenes::DistanceWorkload& workload, AskDistance question, double factor)
+        : posed_(workload.meshes), question_(question), numbers_(workload.queries.size()) {
+        for (std::size_t i = 0; i < numbers_.size() && factor > 0; ++i) {
+            const auto& [a, b] = workload.queries[i];
+            numbers_[i] = factor * distance(posed_(a), posed_(b), memory_);
         }
     }
 
-    double ask(const scenes::MeshQuery& query, double d) override {
-        return question_(posed(query.a), posed(query.b), memory_, witness_, d * factor_);
+    double ask(const scenes::MeshQuery& query, std::size_t index) override {
+        return question_({posed_(query.a), posed_(query.b), numbers_[index], memory_, witness_});
     }
 
   private:
-    Posed<MeshShape> posed(const scenes::MeshAt& at) const { return {*shapes_[at.mesh_index], at.pose}; }
-
-    double factor_;
-    Question question_;
-    std::vector<std::unique_ptr<MeshShape>> shapes_;
+    OwnShapes<MeshShape> posed_;
+    AskDistance question_;
+    std::vector<double> numbers_;
     QueryMemory memory_;
     PairWitness witness_;
 };
 
-template <class Question>
-std::unique_ptr<DistanceEngine> set_up(std::span<const scenes::NamedMesh> meshes, double factor, Question question) {
-    return std::make_unique<DistanceEcods<Question>>(meshes, factor, question);
+double ask_distance(const DistanceAsked& asked) {
+    return distance(asked.a, asked.b, asked.memory);
 }
-
-using Body = Posed<MeshShape>;
+double ask_by_witness(const DistanceAsked& asked) {
+    return distance(asked.a, asked.b, asked.memory, asked.witness);
+}
+double ask_bounds(const DistanceAsked& asked) {
+    const DistanceBounds bounds = distance_bounds(asked.a, asked.b, {.relative = 1e-6}, asked.memory);
+    const bool is_inside = bounds.lower <= asked.d && asked.d <= bounds.upper;
+    return is_inside ? bounds.upper : std::numeric_limits<double>::quiet_NaN();
+}
+double ask_closest(const DistanceAsked& asked) {
+    return closest(asked.a, asked.b, asked.memory).distance;
+}
+double ask_within(const DistanceAsked& asked) {
+    return within(asked.a, asked.b, asked.d, asked.memory) ? 1 : 0;
+}
 
 }  // namespace
 
-std::unique_ptr<DistanceEngine> set_up_distance_ecods(std::span<const scenes::NamedMesh> meshes, double factor) {
-    return set_up(meshes, factor, [](const Body& a, const Body& b, QueryMemory& memory, PairWitness&, double) {
-        return distance(a, b, memory);
-    });
+std::vector<DistanceMaker> ecods_distance() {
+    return {{.name = own_distance,
+             .use = "distance(), one QueryMemory; rounded once",
+             .is_ecods = true,
+             .set_up = makes<DistanceEcods>(ask_distance, 0.0)},
+            {.name = "ECoDS, witness",
+             .use = "distance() with one PairWitness for all of a path; rounded once",
+             .is_ecods = true,
+             .traits = {.is_for_paths = true},
+             .set_up = makes<DistanceEcods>(ask_by_witness, 0.0)},
+            {.name = "ECoDS bounds",
+             .use = "distance_bounds(), relative 1e-6; an interval that contains the distance",
+             .is_ecods = true,
+             .traits = {.answer = DistanceAnswer::bounds},
+             .set_up = makes<DistanceEcods>(ask_bounds, 1.0)},
+            {.name = "ECoDS closest",
+             .use = "closest(); distance and points rounded once, features by the rule",
+             .is_ecods = true,
+             .set_up = makes<DistanceEcods>(ask_closest, 0.0)}};
 }
 
-std::unique_ptr<DistanceEngine> set_up_distance_ecods_witness(std::span<const scenes::NamedMesh> meshes,
-                                                              double factor) {
-    return set_up(meshes, factor, [](const Body& a, const Body& b, QueryMemory& memory, PairWitness& witness, double) {
-        return distance(a, b, memory, witness);
-    });
-}
-
-std::unique_ptr<DistanceEngine> set_up_distance_ecods_bounds(std::span<const scenes::NamedMesh> meshes, double factor) {
-    return set_up(meshes, factor, [](const Body& a, const Body& b, QueryMemory& memory, PairWitness&, double d) {
-        const DistanceBounds bounds = distance_bounds(a, b, {.relative = 1e-6}, memory);
-        const bool is_inside = bounds.lower <= d && d <= bounds.upper;
-        return is_inside ? bounds.upper : std::numeric_limits<double>::quiet_NaN();
-    });
-}
-
-std::unique_ptr<DistanceEngine> set_up_distance_ecods_closest(std::span<const scenes::NamedMesh> meshes,
-                                                              double factor) {
-    return set_up(meshes, factor, [](const Body& a, const Body& b, QueryMemory& memory, PairWitness&, double) {
-        return closest(a, b, memory).distance;
-    });
-}
-
-std::unique_ptr<DistanceEngine> set_up_distance_ecods_within(std::span<const scenes::NamedMesh> meshes, double factor) {
-    return set_up(meshes, factor, [](const Body& a, const Body& b, QueryMemory& memory, PairWitness&, double d) {
-        return within(a, b, d, memory) ? 1.0 : 0.0;
-    });
+std::vector<DistanceMaker> ecods_within() {
+    std::vector<DistanceMaker> makers;
+    for (const auto& [factor, name] : {std::pair(0.5, "ECoDS within 0.5"), std::pair(0.99, "ECoDS within 0.99"),
+                                       std::pair(1.01, "ECoDS within 1.01"), std::pair(2.0, "ECoDS within 2")}) {
+        makers.push_back({.name = name,
+                          .use = "within() of the distance times that; decided for the real number",
+                          .is_ecods = true,
+                          .traits = {.answer = DistanceAnswer::within, .factor = factor},
+                          .set_up = makes<DistanceEcods>(ask_within, factor)});
+    }
+    return makers;
 }
 
 }  // namespace ecods::bench

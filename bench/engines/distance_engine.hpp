@@ -1,48 +1,38 @@
-// What every engine of distances offers: meshes are made ready once, then pairs of them at poses are asked about.
+// How far are two meshes from each other?
 #pragma once
 
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
-
-#include "scenes/mesh_pairs.hpp"
+#include "engines/engine.hpp"
+#include "scenes/distance_workloads.hpp"
 
 namespace ecods::bench {
-
-class DistanceEngine {
-  public:
-    virtual ~DistanceEngine() = default;
-
-    // Timed, with everything that a change of pose demands. `d` is the distance, rounded once: what is asked about it
-    // depends on the engine, most do not look at it.
-    virtual double ask(const scenes::MeshQuery& query, double d) = 0;
-};
 
 // What an answer is.
 enum class DistanceAnswer {
     distance,  // a number
-    bounds,    // the upper end of an interval, or NaN if it does not contain d
+    bounds,    // the upper end of an interval, or NaN if it does not contain the distance
     within,    // 1 or 0
 };
 
-struct DistanceMaker {
-    std::string name;
-    std::string use;  // how it is used, and what its precision is: for the page
-    bool is_ecods = false;
-    DistanceAnswer answer = DistanceAnswer::distance;
-    double factor = 1;          // of `within`: it asks about d times this
-    bool is_for_paths = false;  // keeps what it found from query to query, and is only asked about paths
-    std::unique_ptr<DistanceEngine> (*set_up)(std::span<const scenes::NamedMesh> meshes, double factor) = nullptr;
+struct Distance {
+    using Workload = scenes::DistanceWorkload;
+    using Answer = double;
+    using Engine = QueryEngine<Distance>;
+    struct Traits {
+        DistanceAnswer answer = DistanceAnswer::distance;
+        double factor = 1;          // of `within`: it asks about the distance times this
+        bool is_for_paths = false;  // keeps what it found from query to query, and is only asked about paths
+    };
+
+    static bool is_asked(const Traits& traits, const Workload& workload) {
+        return workload.is_path || !traits.is_for_paths;
+    }
 };
 
-std::unique_ptr<DistanceEngine> set_up_distance_ecods(std::span<const scenes::NamedMesh> meshes, double factor);
-std::unique_ptr<DistanceEngine> set_up_distance_ecods_witness(std::span<const scenes::NamedMesh> meshes, double factor);
-std::unique_ptr<DistanceEngine> set_up_distance_ecods_bounds(std::span<const scenes::NamedMesh> meshes, double factor);
-std::unique_ptr<DistanceEngine> set_up_distance_ecods_closest(std::span<const scenes::NamedMesh> meshes, double factor);
-std::unique_ptr<DistanceEngine> set_up_distance_ecods_within(std::span<const scenes::NamedMesh> meshes, double factor);
-std::unique_ptr<DistanceEngine> set_up_distance_fcl_obbrss(std::span<const scenes::NamedMesh> meshes, double factor);
-std::unique_ptr<DistanceEngine> set_up_distance_fcl_rss(std::span<const scenes::NamedMesh> meshes, double factor);
+using DistanceMaker = Maker<Distance>;
+
+std::vector<DistanceMaker> ecods_distance();
+std::vector<DistanceMaker> ecods_within();
+std::vector<DistanceMaker> fcl_distance();
 
 // All of the above. Ratios are taken to FCL OBBRSS, and of other questions to ECoDS's distance.
 std::vector<DistanceMaker> distance_engines();

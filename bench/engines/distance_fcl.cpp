@@ -9,13 +9,11 @@ namespace ecods::bench {
 namespace {
 
 template <class Volume>
-class DistanceFcl final : public DistanceEngine {
+class DistanceFcl final : public Distance::Engine {
   public:
-    explicit DistanceFcl(std::span<const scenes::NamedMesh> meshes) {
-        for (const scenes::NamedMesh& named : meshes) models_.push_back(to_fcl_model<Volume>(named));
-    }
+    explicit DistanceFcl(const scenes::DistanceWorkload& workload) : models_(to_fcl_models<Volume>(workload.meshes)) {}
 
-    double ask(const scenes::MeshQuery& query, double /*d*/) override {
+    double ask(const scenes::MeshQuery& query, std::size_t /*index*/) override {
         fcl::DistanceResultd result;
         fcl::distance(models_[query.a.mesh_index].get(), to_fcl(query.a.pose), models_[query.b.mesh_index].get(),
                       to_fcl(query.b.pose), fcl::DistanceRequestd(), result);
@@ -23,18 +21,18 @@ class DistanceFcl final : public DistanceEngine {
     }
 
   private:
-    std::vector<std::shared_ptr<fcl::BVHModel<Volume>>> models_;
+    FclModels<Volume> models_;
 };
 
 }  // namespace
 
-std::unique_ptr<DistanceEngine> set_up_distance_fcl_obbrss(std::span<const scenes::NamedMesh> meshes,
-                                                           double /*factor*/) {
-    return std::make_unique<DistanceFcl<fcl::OBBRSSd>>(meshes);
-}
-
-std::unique_ptr<DistanceEngine> set_up_distance_fcl_rss(std::span<const scenes::NamedMesh> meshes, double /*factor*/) {
-    return std::make_unique<DistanceFcl<fcl::RSSd>>(meshes);
+std::vector<DistanceMaker> fcl_distance() {
+    return {{.name = distance_yardstick,
+             .use = "BVHModel<OBBRSS>, distance() without points; double",
+             .set_up = makes<DistanceFcl<fcl::OBBRSSd>>()},
+            {.name = "FCL RSS",
+             .use = "BVHModel<RSS>, the rest the same; double",
+             .set_up = makes<DistanceFcl<fcl::RSSd>>()}};
 }
 
 }  // namespace ecods::bench

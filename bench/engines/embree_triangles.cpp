@@ -22,8 +22,8 @@ RTCDevice make_embree_device() {
     return device;
 }
 
-RTCGeometry make_embree_geometry(RTCDevice device, std::span<const Vec3> vertices,
-                                 std::span<const Triangle> triangles) {
+RTCScene make_embree_scene(RTCDevice device, std::span<const Vec3> vertices, std::span<const Triangle> triangles,
+                           RTCSceneFlags flags) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* const coordinates = static_cast<float*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices.size()));
@@ -35,14 +35,8 @@ RTCGeometry make_embree_geometry(RTCDevice device, std::span<const Vec3> vertice
     for (std::size_t i = 0; i < triangles.size(); ++i)
         for (std::size_t k = 0; k < 3; ++k) indices[3 * i + k] = triangles[i][k];
     rtcCommitGeometry(geometry);
-    return geometry;
-}
-
-RTCScene make_embree_scene(RTCDevice device, std::span<const Vec3> vertices, std::span<const Triangle> triangles,
-                           RTCSceneFlags flags) {
     RTCScene scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, flags);
-    RTCGeometry geometry = make_embree_geometry(device, vertices, triangles);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
     rtcCommitScene(scene);

@@ -18,9 +18,6 @@ RTCDevice make_embree_device();
 RTCScene make_embree_scene(RTCDevice device, std::span<const Vec3> vertices, std::span<const Triangle> triangles,
                            RTCSceneFlags flags);
 
-// A geometry of triangles, committed. The scene that it is attached to keeps it: release it then.
-RTCGeometry make_embree_geometry(RTCDevice device, std::span<const Vec3> vertices, std::span<const Triangle> triangles);
-
 // From the segment's first end, in units of its length.
 RTCRayHit to_embree(const Segment& segment);
 

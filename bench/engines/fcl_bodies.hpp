@@ -1,7 +1,9 @@
-// A scene as FCL has it, in double precision: one BVHModel of OBBRSS nodes for each mesh, shared by its bodies.
+// Meshes and bodies as FCL has them, in double precision. A scene has one BVHModel of OBBRSS nodes for each mesh,
+// shared by its bodies.
 #pragma once
 
 #include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/convex.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/collision_object.h>
 
@@ -40,17 +42,54 @@ std::shared_ptr<fcl::BVHModel<Volume>> to_fcl_model(const scenes::NamedMesh& nam
     return model;
 }
 
-inline std::vector<std::unique_ptr<fcl::CollisionObjectd>> to_fcl(const scenes::Scene& scene) {
-    std::vector<std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>>> models;
-    for (const scenes::NamedMesh& named : scene.meshes) models.push_back(to_fcl_model<fcl::OBBRSSd>(named));
+// A workload's meshes, each by its index.
+template <class Volume>
+using FclModels = std::vector<std::shared_ptr<fcl::BVHModel<Volume>>>;
 
-    std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects;
-    for (const scenes::SceneBody& body : scene.bodies) {
-        auto object = std::make_unique<fcl::CollisionObjectd>(models[body.mesh_index], to_fcl(body.pose));
-        object->setUserData(reinterpret_cast<void*>(static_cast<std::uintptr_t>(objects.size())));
-        object->computeAABB();
-        objects.push_back(std::move(object));
+template <class Volume>
+FclModels<Volume> to_fcl_models(const std::vector<scenes::NamedMesh>& meshes) {
+    FclModels<Volume> models;
+    for (const scenes::NamedMesh& named : meshes) models.push_back(to_fcl_model<Volume>(named));
+    return models;
+}
+
+// A convex mesh.
+inline std::shared_ptr<fcl::Convexd> to_fcl_convex(const Mesh& mesh) {
+    const auto vertices =
+        std::make_shared<const std::vector<fcl::Vector3d>>(mesh.vertices().begin(), mesh.vertices().end());
+    const auto faces = std::make_shared<std::vector<int>>();
+    for (const Triangle& t : mesh.triangles()) {
+        faces->push_back(3);
+        for (const std::uint32_t index : t) faces->push_back(static_cast<int>(index));
     }
+    auto convex = std::make_shared<fcl::Convexd>(vertices, static_cast<int>(mesh.triangles().size()), faces);
+    convex->computeLocalAABB();
+    return convex;
+}
+
+// Bodies, each with its index as its user data.
+class FclObjects {
+  public:
+    void add(const std::shared_ptr<fcl::CollisionGeometryd>& geometry, const fcl::Transform3d& transform) {
+        objects_.push_back(std::make_unique<fcl::CollisionObjectd>(geometry, transform));
+        objects_.back()->setUserData(reinterpret_cast<void*>(static_cast<std::uintptr_t>(objects_.size() - 1)));
+        objects_.back()->computeAABB();
+        all_.push_back(objects_.back().get());
+    }
+
+    std::size_t size() const { return objects_.size(); }
+    fcl::CollisionObjectd& operator[](std::size_t index) { return *objects_[index]; }
+    const std::vector<fcl::CollisionObjectd*>& all() const { return all_; }
+
+  private:
+    std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects_;
+    std::vector<fcl::CollisionObjectd*> all_;
+};
+
+inline FclObjects to_fcl(const scenes::Scene& scene) {
+    const auto models = to_fcl_models<fcl::OBBRSSd>(scene.meshes);
+    FclObjects objects;
+    for (const scenes::SceneBody& body : scene.bodies) objects.add(models[body.mesh_index], to_fcl(body.pose));
     return objects;
 }
 

@@ -13,7 +13,7 @@ struct Nearest final : btTriangleRaycastCallback {
     HitAnswer answer;
 
     btScalar reportHit(const btVector3& /*normal*/, btScalar fraction, int /*part*/, int triangle) override {
-        answer = {fraction, static_cast<std::uint32_t>(triangle)};
+        answer = {fraction, static_cast<double>(triangle)};
         return fraction;
     }
 };
@@ -29,21 +29,18 @@ struct Noting final : btTriangleRaycastCallback {
     }
 };
 
-class HitBullet final : public HitEngine {
+class HitBullet final : public FirstHits::Engine, public HitLists {
   public:
-    explicit HitBullet(const scenes::PosedTriangles& all)
-        : arrays_(all.vertices, all.triangles), shape_(arrays_.get(), true) {}
+    explicit HitBullet(const scenes::SegmentWorkload& workload) : HitBullet(posed_triangles(workload)) {}
 
-    void first_hits(std::span<const Segment> segments, std::span<HitAnswer> answers) override {
-        for (std::size_t i = 0; i < segments.size(); ++i) {
-            const btVector3 from = to_bullet(segments[i].a), to = to_bullet(segments[i].b);
-            Nearest nearest(from, to);
-            shape_.performRaycast(&nearest, from, to);
-            answers[i] = nearest.answer;
-        }
+    HitAnswer ask(const Segment& segment, std::size_t /*index*/) override {
+        const btVector3 from = to_bullet(segment.a), to = to_bullet(segment.b);
+        Nearest nearest(from, to);
+        shape_.performRaycast(&nearest, from, to);
+        return nearest.answer;
     }
 
-    void all_hits(const Segment& segment, std::vector<std::uint32_t>& triangles) override {
+    void list(const Segment& segment, std::vector<std::uint32_t>& triangles) override {
         triangles.clear();
         const btVector3 from = to_bullet(segment.a), to = to_bullet(segment.b);
         Noting noting(from, to, triangles);
@@ -51,14 +48,21 @@ class HitBullet final : public HitEngine {
     }
 
   private:
+    explicit HitBullet(const scenes::PosedTriangles& all)
+        : arrays_(all.vertices, all.triangles), shape_(arrays_.get(), true) {}
+
     BulletArrays arrays_;
     btBvhTriangleMeshShape shape_;
 };
 
 }  // namespace
 
-std::unique_ptr<HitEngine> set_up_hit_bullet(const scenes::SegmentWorkload& workload) {
-    return std::make_unique<HitBullet>(posed_triangles(workload));
+std::vector<HitMaker> bullet_hits() {
+    return {{.name = "Bullet",
+             .use = "btBvhTriangleMeshShape::performRaycast(), quantized tree; float",
+             .has_lists = true,
+             .traits = {.bodies = HitBodies::one},
+             .set_up = makes<HitBullet>()}};
 }
 
 }  // namespace ecods::bench

@@ -22,9 +22,10 @@ Kernel::Point_3 to_cgal(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-class HitCgal final : public HitEngine {
+class HitCgal final : public FirstHits::Engine, public HitLists {
   public:
-    explicit HitCgal(const scenes::PosedTriangles& all) {
+    explicit HitCgal(const scenes::SegmentWorkload& workload) {
+        const scenes::PosedTriangles all = posed_triangles(workload);
         for (const Triangle& t : all.triangles)
             triangles_.emplace_back(to_cgal(all.vertices[t[0]]), to_cgal(all.vertices[t[1]]),
                                     to_cgal(all.vertices[t[2]]));
@@ -32,20 +33,7 @@ class HitCgal final : public HitEngine {
         tree_.build();
     }
 
-    void first_hits(std::span<const Segment> segments, std::span<HitAnswer> answers) override {
-        for (std::size_t i = 0; i < segments.size(); ++i) answers[i] = first_hit(segments[i]);
-    }
-
-    void all_hits(const Segment& segment, std::vector<std::uint32_t>& triangles) override {
-        triangles.clear();
-        found_.clear();
-        tree_.all_intersected_primitives(Kernel::Segment_3(to_cgal(segment.a), to_cgal(segment.b)),
-                                         std::back_inserter(found_));
-        for (const Triangles::const_iterator found : found_) triangles.push_back(index_of(found));
-    }
-
-  private:
-    HitAnswer first_hit(const Segment& segment) const {
+    HitAnswer ask(const Segment& segment, std::size_t /*index*/) override {
         const Kernel::Point_3 from = to_cgal(segment.a), to = to_cgal(segment.b);
         const auto hit = tree_.first_intersection(Kernel::Ray_3(from, to));
         if (!hit) return {};
@@ -59,9 +47,18 @@ class HitCgal final : public HitEngine {
         } else {
             return {};
         }
-        return first > 1 ? HitAnswer{} : HitAnswer{first, index_of(hit->second)};
+        return first > 1 ? HitAnswer{} : HitAnswer{first, static_cast<double>(index_of(hit->second))};
     }
 
+    void list(const Segment& segment, std::vector<std::uint32_t>& triangles) override {
+        triangles.clear();
+        found_.clear();
+        tree_.all_intersected_primitives(Kernel::Segment_3(to_cgal(segment.a), to_cgal(segment.b)),
+                                         std::back_inserter(found_));
+        for (const Triangles::const_iterator found : found_) triangles.push_back(index_of(found));
+    }
+
+  private:
     std::uint32_t index_of(Triangles::const_iterator found) const {
         return static_cast<std::uint32_t>(found - triangles_.cbegin());
     }
@@ -73,8 +70,13 @@ class HitCgal final : public HitEngine {
 
 }  // namespace
 
-std::unique_ptr<HitEngine> set_up_hit_cgal(const scenes::SegmentWorkload& workload) {
-    return std::make_unique<HitCgal>(posed_triangles(workload));
+std::vector<HitMaker> cgal_hits() {
+    return {{.name = "CGAL Epick",
+             .use = "AABB_tree::first_intersection() of the ray, dropped behind the segment's end, and "
+                    "all_intersected_primitives() of the segment; predicates exact on rounded vertices, points double",
+             .has_lists = true,
+             .traits = {.bodies = HitBodies::one},
+             .set_up = makes<HitCgal>()}};
 }
 
 }  // namespace ecods::bench

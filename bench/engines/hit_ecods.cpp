@@ -1,47 +1,97 @@
-// ECoDS without a world: the questions of hit.hpp about one body.
+// ECoDS's questions of hit.hpp about one body; and a world that is asked for hits.
 #include "ecods/hit.hpp"
+
 #include "engines/hit_engine.hpp"
+#include "engines/own_hits.hpp"
 
 namespace ecods::bench {
 
 namespace {
 
-class HitEcods final : public HitEngine {
+HitAnswer to_answer(const std::optional<Hit>& hit) {
+    return hit ? HitAnswer{hit->parameter, static_cast<double>(hit->triangle())} : HitAnswer{};
+}
+
+void list_triangles(const std::vector<Hit>& hits, std::vector<std::uint32_t>& triangles) {
+    triangles.clear();
+    for (const Hit& hit : hits) triangles.push_back(hit.triangle());
+}
+
+class HitEcods final : public FirstHits::Engine, public HitLists {
   public:
-    HitEcods(const scenes::SegmentWorkload& workload, bool has_witness)
-        : shape_(workload.meshes.front().mesh), body_(shape_, workload.bodies.front().pose), has_witness_(has_witness) {
-        shape_.tree_bytes();  // makes the tree
+    explicit HitEcods(const scenes::SegmentWorkload& workload)
+        : posed_(workload.meshes), body_(posed_(workload.bodies.front())) {}
+
+    HitAnswer ask(const Segment& segment, std::size_t /*index*/) override {
+        return to_answer(first_hit(segment, body_, memory_));
     }
 
-    void first_hits(std::span<const Segment> segments, std::span<HitAnswer> answers) override {
-        for (std::size_t i = 0; i < segments.size(); ++i) {
-            const std::optional<Hit> hit = has_witness_ ? first_hit(segments[i], body_, memory_, witness_)
-                                                        : first_hit(segments[i], body_, memory_);
-            answers[i] = hit ? HitAnswer{hit->parameter, hit->triangle()} : HitAnswer{};
-        }
-    }
-
-    void all_hits(const Segment& segment, std::vector<std::uint32_t>& triangles) override {
-        triangles.clear();
-        for (const Hit& hit : ecods::all_hits(segment, body_, memory_)) triangles.push_back(hit.triangle());
+    void list(const Segment& segment, std::vector<std::uint32_t>& triangles) override {
+        list_triangles(all_hits(segment, body_, memory_), triangles);
     }
 
   private:
-    MeshShape shape_;
+    OwnShapes<MeshShape> posed_;
+    Posed<MeshShape> body_;
+    QueryMemory memory_;
+};
+
+class HitByWitness final : public FirstHits::Engine {
+  public:
+    explicit HitByWitness(const scenes::SegmentWorkload& workload)
+        : posed_(workload.meshes), body_(posed_(workload.bodies.front())) {}
+
+    HitAnswer ask(const Segment& segment, std::size_t /*index*/) override {
+        return to_answer(first_hit(segment, body_, memory_, witness_));
+    }
+
+  private:
+    OwnShapes<MeshShape> posed_;
     Posed<MeshShape> body_;
     QueryMemory memory_;
     PairWitness witness_;
-    bool has_witness_;
+};
+
+class HitEcodsWorld final : public FirstHits::Engine, public HitLists {
+  public:
+    explicit HitEcodsWorld(const scenes::SegmentWorkload& workload) : bodies_(workload) {}
+
+    HitAnswer ask(const Segment& segment, std::size_t /*index*/) override {
+        const std::optional<BodyHit> hit = bodies_.world().first_hit(segment, memory_);
+        return hit ? HitAnswer{hit->hit.parameter, static_cast<double>(bodies_.triangle_of(*hit))} : HitAnswer{};
+    }
+
+    void list(const Segment& segment, std::vector<std::uint32_t>& triangles) override {
+        triangles.clear();
+        for (const BodyHit& hit : bodies_.world().all_hits(segment, memory_))
+            triangles.push_back(bodies_.triangle_of(hit));
+    }
+
+  private:
+    SegmentWorld bodies_;
+    QueryMemory memory_;
 };
 
 }  // namespace
 
-std::unique_ptr<HitEngine> set_up_hit_ecods(const scenes::SegmentWorkload& workload) {
-    return std::make_unique<HitEcods>(workload, false);
-}
-
-std::unique_ptr<HitEngine> set_up_hit_ecods_witness(const scenes::SegmentWorkload& workload) {
-    return std::make_unique<HitEcods>(workload, true);
+std::vector<HitMaker> ecods_hits() {
+    return {{.name = own_hits,
+             .use = "first_hit(), all_hits(), one QueryMemory; exact, parameters rounded once",
+             .is_ecods = true,
+             .has_lists = true,
+             .traits = {.bodies = HitBodies::one},
+             .set_up = makes<HitEcods>()},
+            {.name = "ECoDS, witness",
+             .use = "first_hit() with one PairWitness for all of a path; the same",
+             .is_ecods = true,
+             .traits = {.is_for_paths = true, .bodies = HitBodies::one},
+             .set_up = makes<HitByWitness>()},
+            {.name = own_world_hits,
+             .use = "World::first_hit(), all_hits(), one QueryMemory; exact, parameters rounded once",
+             .is_ecods = true,
+             .has_lists = true,
+             .traits = {.bodies = HitBodies::many},
+             .set_up = makes<HitEcodsWorld>()}};
 }
 
 }  // namespace ecods::bench

@@ -1,58 +1,48 @@
-// What every engine of hits offers: posed meshes are made ready once, then segments are asked about. Triangles are
-// numbered through all bodies.
+// What does a segment hit first? Triangles are numbered through all bodies.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
 
+#include "engines/engine.hpp"
 #include "scenes/segment_workloads.hpp"
 
 namespace ecods::bench {
 
-// The first hit of a segment. The parameter is NaN where nothing is hit.
+// The first hit of a segment. The parameter is NaN where nothing is hit; the triangle's number is a double, as an
+// answer consists of these.
 struct HitAnswer {
     double parameter = std::numeric_limits<double>::quiet_NaN();
-    std::uint32_t triangle = 0;
+    double triangle = 0;
 };
 
-class HitEngine {
-  public:
-    virtual ~HitEngine() = default;
-
-    // One answer for each segment, in their order. Timed. All at once, for engines that answer several together.
-    virtual void first_hits(std::span<const Segment> segments, std::span<HitAnswer> answers) = 0;
-
-    // All triangles that are hit, in any order. Timed. Only for engines with `has_lists`.
-    virtual void all_hits(const Segment& /*segment*/, std::vector<std::uint32_t>& triangles) { triangles.clear(); }
-};
-
-// Of how many bodies the engine is asked.
+// How many bodies the engine is asked about.
 enum class HitBodies { one, many, any };
 
-struct HitMaker {
-    std::string name;
-    std::string use;  // how it is used, and what its precision is: for the page
-    bool is_ecods = false;
-    bool has_lists = false;
-    bool is_for_paths = false;  // keeps what it found from segment to segment, and is only asked about paths
-    HitBodies bodies = HitBodies::any;
-    std::unique_ptr<HitEngine> (*set_up)(const scenes::SegmentWorkload& workload) = nullptr;
+struct FirstHits {
+    using Workload = scenes::SegmentWorkload;
+    using Answer = HitAnswer;
+    using Engine = QueryEngine<FirstHits>;
+    using Item = std::uint32_t;  // the triangles that are hit, all of which are listed
+    struct Traits {
+        bool is_for_paths = false;  // keeps what it found from segment to segment, and is only asked about paths
+        HitBodies bodies = HitBodies::any;
+    };
+
+    static bool is_asked(const Traits& traits, const Workload& workload) {
+        const HitBodies bodies = workload.bodies.size() == 1 ? HitBodies::one : HitBodies::many;
+        return (workload.is_path || !traits.is_for_paths) &&
+               (traits.bodies == HitBodies::any || traits.bodies == bodies);
+    }
 };
 
-std::unique_ptr<HitEngine> set_up_hit_ecods(const scenes::SegmentWorkload& workload);
-std::unique_ptr<HitEngine> set_up_hit_ecods_witness(const scenes::SegmentWorkload& workload);
-std::unique_ptr<HitEngine> set_up_hit_ecods_world(const scenes::SegmentWorkload& workload);
-std::unique_ptr<HitEngine> set_up_hit_embree(const scenes::SegmentWorkload& workload);
-std::unique_ptr<HitEngine> set_up_hit_embree_robust(const scenes::SegmentWorkload& workload);
-std::unique_ptr<HitEngine> set_up_hit_embree_packets(const scenes::SegmentWorkload& workload);
-std::unique_ptr<HitEngine> set_up_hit_embree_instances(const scenes::SegmentWorkload& workload);
-std::unique_ptr<HitEngine> set_up_hit_bullet(const scenes::SegmentWorkload& workload);
-std::unique_ptr<HitEngine> set_up_hit_cgal(const scenes::SegmentWorkload& workload);
+using HitMaker = Maker<FirstHits>;
+using HitLists = Lists<FirstHits::Engine::Query, FirstHits::Item>;
+
+std::vector<HitMaker> ecods_hits();
+std::vector<HitMaker> embree_hits();
+std::vector<HitMaker> bullet_hits();
+std::vector<HitMaker> cgal_hits();
 
 // All of the above. Ratios are taken to Embree's default.
 std::vector<HitMaker> hit_engines();

@@ -32,17 +32,17 @@ struct AnyContact final : btManifoldResult {
     }
 };
 
-class NarrowBullet final : public NarrowEngine {
+class NarrowBullet final : public Touch::Engine {
   public:
-    explicit NarrowBullet(std::span<const scenes::NamedMesh> meshes) : dispatcher_(&configuration_) {
+    explicit NarrowBullet(const scenes::MeshPairs& workload) : dispatcher_(&configuration_) {
         btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher_);
-        for (const scenes::NamedMesh& named : meshes) {
+        for (const scenes::NamedMesh& named : workload.meshes) {
             meshes_.push_back(std::make_unique<BulletMesh>(*named.mesh));
             build(*meshes_.back());
         }
     }
 
-    bool query(const scenes::MeshQuery& query) override {
+    double ask(const scenes::MeshQuery& query, std::size_t /*index*/) override {
         const btCollisionObject *a = placed(query.a, 0), *b = placed(query.b, 1);
         const btCollisionObjectWrapper of_a(nullptr, a->getCollisionShape(), a, a->getWorldTransform(), -1, -1);
         const btCollisionObjectWrapper of_b(nullptr, b->getCollisionShape(), b, b->getWorldTransform(), -1, -1);
@@ -51,7 +51,7 @@ class NarrowBullet final : public NarrowEngine {
         algorithm->processCollision(&of_a, &of_b, btDispatcherInfo(), &any);
         algorithm->~btCollisionAlgorithm();
         dispatcher_.freeCollisionAlgorithm(algorithm);
-        return any.is_found;
+        return any.is_found ? 1 : 0;
     }
 
   private:
@@ -75,8 +75,11 @@ class NarrowBullet final : public NarrowEngine {
 
 }  // namespace
 
-std::unique_ptr<NarrowEngine> set_up_narrow_bullet(std::span<const scenes::NamedMesh> meshes) {
-    return std::make_unique<NarrowBullet>(meshes);
+std::vector<NarrowMaker> bullet_narrow() {
+    return {{.name = "Bullet GImpact",
+             .use = "btGImpactMeshShape, margin 0, its algorithm from the dispatcher; float",
+             .is_slow = true,
+             .set_up = makes<NarrowBullet>()}};
 }
 
 }  // namespace ecods::bench

@@ -20,10 +20,10 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Detection = CGAL::Rigid_triangle_mesh_collision_detection<SurfaceMesh>;
 
-class NarrowCgal final : public NarrowEngine {
+class NarrowCgal final : public Touch::Engine {
   public:
-    explicit NarrowCgal(std::span<const scenes::NamedMesh> meshes) {
-        for (const scenes::NamedMesh& named : meshes) {
+    explicit NarrowCgal(const scenes::MeshPairs& workload) {
+        for (const scenes::NamedMesh& named : workload.meshes) {
             meshes_.push_back(std::make_unique<SurfaceMesh>());
             SurfaceMesh& surface = *meshes_.back();
             const std::span<const Vec3> vertices = named.mesh->vertices();
@@ -43,9 +43,9 @@ class NarrowCgal final : public NarrowEngine {
         }
     }
 
-    bool query(const scenes::MeshQuery& query) override {
+    double ask(const scenes::MeshQuery& query, std::size_t /*index*/) override {
         const std::size_t a = placed(query.a, 0), b = placed(query.b, 1);
-        return !detection_.get_all_intersections(a, std::array{b}).empty();
+        return detection_.get_all_intersections(a, std::array{b}).empty() ? 0 : 1;
     }
 
   private:
@@ -67,8 +67,12 @@ class NarrowCgal final : public NarrowEngine {
 
 }  // namespace
 
-std::unique_ptr<NarrowEngine> set_up_narrow_cgal(std::span<const scenes::NamedMesh> meshes) {
-    return std::make_unique<NarrowCgal>(meshes);
+std::vector<NarrowMaker> cgal_narrow() {
+    return {{.name = "CGAL Rigid",
+             .use = "Rigid_triangle_mesh_collision_detection over Epick, get_all_intersections(); predicates exact on "
+                    "rounded vertices",
+             .is_slow = true,
+             .set_up = makes<NarrowCgal>()}};
 }
 
 }  // namespace ecods::bench

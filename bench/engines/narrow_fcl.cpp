@@ -2,10 +2,8 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/detail/traversal/collision/mesh_collision_traversal_node.h>
 #include <fcl/narrowphase/detail/traversal/collision_node.h>
-#include <fcl/narrowphase/distance.h>
 
 #include <limits>
-#include <type_traits>
 
 #include "engines/fcl_bodies.hpp"
 #include "engines/narrow_engine.hpp"
@@ -27,19 +25,17 @@ struct Traversal<fcl::OBBd> {
 };
 
 template <class Volume>
-class NarrowFcl final : public NarrowEngine {
+class NarrowFcl final : public Touch::Engine, public NarrowLists, public NarrowWork {
   public:
-    explicit NarrowFcl(std::span<const scenes::NamedMesh> meshes) {
-        for (const scenes::NamedMesh& named : meshes) models_.push_back(to_fcl_model<Volume>(named));
-    }
+    explicit NarrowFcl(const scenes::MeshPairs& workload) : models_(to_fcl_models<Volume>(workload.meshes)) {}
 
-    bool query(const scenes::MeshQuery& query) override {
+    double ask(const scenes::MeshQuery& query, std::size_t /*index*/) override {
         const fcl::CollisionRequestd request(1, false);
         fcl::CollisionResultd result;
-        return collide(query, request, result) > 0;
+        return collide(query, request, result) > 0 ? 1 : 0;
     }
 
-    std::optional<NarrowWork> work(const scenes::MeshQuery& query) override {
+    Work work(const scenes::MeshQuery& query) override {
         const fcl::CollisionRequestd request(1, false);
         fcl::CollisionResultd result;
         typename Traversal<Volume>::Node node;
@@ -47,17 +43,7 @@ class NarrowFcl final : public NarrowEngine {
                                 to_fcl(query.b.pose), request, result);
         node.enableStatistics(true);
         fcl::detail::collide(&node);
-        return NarrowWork{static_cast<std::uint64_t>(node.num_bv_tests),
-                          static_cast<std::uint64_t>(node.num_leaf_tests)};
-    }
-
-    // For trees of OBB there is none.
-    std::optional<double> distance(const scenes::MeshQuery& query) override {
-        if constexpr (!std::is_same_v<Volume, fcl::OBBRSSd>) return std::nullopt;
-        fcl::DistanceResultd result;
-        fcl::distance(models_[query.a.mesh_index].get(), to_fcl(query.a.pose), models_[query.b.mesh_index].get(),
-                      to_fcl(query.b.pose), fcl::DistanceRequestd(), result);
-        return result.min_distance;
+        return {static_cast<std::uint64_t>(node.num_bv_tests), static_cast<std::uint64_t>(node.num_leaf_tests)};
     }
 
     void list(const scenes::MeshQuery& query, std::vector<TrianglePair>& pairs) override {
@@ -83,12 +69,14 @@ class NarrowFcl final : public NarrowEngine {
 
 }  // namespace
 
-std::unique_ptr<NarrowEngine> set_up_narrow_fcl_obbrss(std::span<const scenes::NamedMesh> meshes) {
-    return std::make_unique<NarrowFcl<fcl::OBBRSSd>>(meshes);
-}
-
-std::unique_ptr<NarrowEngine> set_up_narrow_fcl_obb(std::span<const scenes::NamedMesh> meshes) {
-    return std::make_unique<NarrowFcl<fcl::OBBd>>(meshes);
+std::vector<NarrowMaker> fcl_narrow() {
+    return {{.name = narrow_yardstick,
+             .use = "BVHModel<OBBRSS>, collide() with one contact and no details; double",
+             .has_lists = true,
+             .set_up = makes<NarrowFcl<fcl::OBBRSSd>>()},
+            {.name = "FCL OBB",
+             .use = "BVHModel<OBB>, the rest the same; double",
+             .set_up = makes<NarrowFcl<fcl::OBBd>>()}};
 }
 
 }  // namespace ecods::bench

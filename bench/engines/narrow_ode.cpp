@@ -17,12 +17,12 @@ struct OdeMesh {
     std::array<dGeomID, 2> geoms{};  // as the first and as the second of a pair
 };
 
-class NarrowOde final : public NarrowEngine {
+class NarrowOde final : public Touch::Engine {
   public:
-    explicit NarrowOde(std::span<const scenes::NamedMesh> meshes) : meshes_(meshes.size()) {
+    explicit NarrowOde(const scenes::MeshPairs& workload) : meshes_(workload.meshes.size()) {
         dInitODE2(0);
         dAllocateODEDataForThread(dAllocateMaskAll);
-        for (std::size_t i = 0; i < meshes.size(); ++i) build(meshes_[i], *meshes[i].mesh);
+        for (std::size_t i = 0; i < meshes_.size(); ++i) build(meshes_[i], *workload.meshes[i].mesh);
     }
 
     ~NarrowOde() override {
@@ -33,10 +33,10 @@ class NarrowOde final : public NarrowEngine {
         dCloseODE();
     }
 
-    bool query(const scenes::MeshQuery& query) override {
+    double ask(const scenes::MeshQuery& query, std::size_t /*index*/) override {
         dContactGeom contact;
-        return dCollide(placed(query.a, 0), placed(query.b, 1), 1 | static_cast<int>(CONTACTS_UNIMPORTANT), &contact,
-                        sizeof contact) > 0;
+        const int flags = 1 | static_cast<int>(CONTACTS_UNIMPORTANT);
+        return dCollide(placed(query.a, 0), placed(query.b, 1), flags, &contact, sizeof contact) > 0 ? 1 : 0;
     }
 
   private:
@@ -72,8 +72,12 @@ class NarrowOde final : public NarrowEngine {
 
 }  // namespace
 
-std::unique_ptr<NarrowEngine> set_up_narrow_ode(std::span<const scenes::NamedMesh> meshes) {
-    return std::make_unique<NarrowOde>(meshes);
+std::vector<NarrowMaker> ode_narrow() {
+    return {{.name = "ODE trimesh",
+             .use =
+                 "dGeomTriMeshDataBuildSingle(), dCollide() for one contact, CONTACTS_UNIMPORTANT; poses double, tree "
+                 "and triangles float",
+             .set_up = makes<NarrowOde>()}};
 }
 
 }  // namespace ecods::bench

@@ -4,12 +4,12 @@
 
 namespace ecods::bench {
 
-std::vector<NarrowMaker> more_narrow_engines() {
-    return {};
+std::vector<NarrowMaker> narrow_engines() {
+    return main_narrow_engines();
 }
 
-std::vector<BroadMaker> more_broad_engines() {
-    return {};
+std::vector<BroadMaker> broad_engines() {
+    return main_broad_engines();
 }
 
 }  // namespace ecods::bench

@@ -1,9 +1,7 @@
-// ecods::World of convex solids: solid_distances().
-#include <algorithm>
-
+// ecods::World of convex solids: World::solid_distances.
 #include "ecods/convex_solid.hpp"
-#include "ecods/world.hpp"
 #include "engines/polytopes_engine.hpp"
+#include "engines/world_bodies.hpp"
 
 namespace ecods::bench {
 
@@ -11,47 +9,44 @@ namespace {
 
 class PolytopesEcods final : public PolytopesEngine {
   public:
-    PolytopesEcods(std::span<const std::shared_ptr<const Mesh>> meshes, std::span<const Pose> poses, bool has_update)
-        : has_update_(has_update) {
-        for (std::size_t i = 0; i < meshes.size(); ++i)
-            ids_.push_back(world_.create_body(std::make_shared<const ConvexSolid>(meshes[i]), poses[i]));
-        world_.update();
+    PolytopesEcods(const Polytopes::Workload& workload, bool has_update)
+        : limit_(workload.limit), has_update_(has_update) {
+        for (std::size_t i = 0; i < workload.meshes.size(); ++i)
+            bodies_.add(std::make_shared<const ConvexSolid>(workload.meshes[i]), workload.poses[i]);
+        bodies_.world.update();
     }
 
-    void run_frame(std::span<const Pose> poses, double limit) override {
-        world_.set_poses(ids_, poses);
-        if (has_update_) world_.update();
-        found_ = world_.solid_distances(limit);
+    void run_frame(std::span<const Pose> poses) override {
+        bodies_.world.set_poses(bodies_.ids(), poses);
+        if (has_update_) bodies_.world.update();
+        found_ = bodies_.world.solid_distances(limit_);
     }
 
     std::vector<NearPair> pairs() const override {
         std::vector<NearPair> pairs;
-        for (const SolidDistance& found : found_)
-            pairs.push_back({{index_of(found.bodies.a), index_of(found.bodies.b)}, found.distance});
+        for (const auto& [bodies, distance] : found_)
+            pairs.push_back({{bodies_.index_of(bodies.a), bodies_.index_of(bodies.b)}, distance});
         return pairs;
     }
 
   private:
-    std::size_t index_of(BodyId id) const {  // ids are given in ascending order
-        return static_cast<std::size_t>(std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin());
-    }
-
-    World world_;
-    std::vector<BodyId> ids_;
+    WorldBodies bodies_;
     std::vector<SolidDistance> found_;
+    double limit_;
     bool has_update_;
 };
 
 }  // namespace
 
-std::unique_ptr<PolytopesEngine> set_up_polytopes_ecods(std::span<const std::shared_ptr<const Mesh>> meshes,
-                                                        std::span<const Pose> poses) {
-    return std::make_unique<PolytopesEcods>(meshes, poses, false);
-}
-
-std::unique_ptr<PolytopesEngine> set_up_polytopes_ecods_update(std::span<const std::shared_ptr<const Mesh>> meshes,
-                                                               std::span<const Pose> poses) {
-    return std::make_unique<PolytopesEcods>(meshes, poses, true);
+std::vector<PolytopesMaker> ecods_polytopes() {
+    return {{.name = "ECoDS world of convex",
+             .use = "set_poses() and solid_distances(); rounded once",
+             .is_ecods = true,
+             .set_up = makes<PolytopesEcods>(false)},
+            {.name = "ECoDS world of convex, update",
+             .use = "the same with update() in between, which finds collisions, too",
+             .is_ecods = true,
+             .set_up = makes<PolytopesEcods>(true)}};
 }
 
 }  // namespace ecods::bench

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "engines/fcl_bodies.hpp"
-#include "engines/fcl_convex.hpp"
 #include "engines/polytopes_engine.hpp"
 
 namespace ecods::bench {
@@ -14,32 +13,23 @@ namespace {
 
 class PolytopesFcl final : public PolytopesEngine {
   public:
-    PolytopesFcl(std::span<const std::shared_ptr<const Mesh>> meshes, std::span<const Pose> poses) {
-        for (std::size_t i = 0; i < meshes.size(); ++i) {
-            objects_.push_back(std::make_unique<fcl::CollisionObjectd>(to_fcl_convex(*meshes[i]), to_fcl(poses[i])));
-            objects_.back()->setUserData(reinterpret_cast<void*>(static_cast<std::uintptr_t>(i)));
-            objects_.back()->computeAABB();
-            all_.push_back(objects_.back().get());
-        }
-        manager_.registerObjects(all_);
+    explicit PolytopesFcl(const Polytopes::Workload& workload) : limit_(workload.limit) {
+        for (std::size_t i = 0; i < workload.meshes.size(); ++i)
+            objects_.add(to_fcl_convex(*workload.meshes[i]), to_fcl(workload.poses[i]));
+        manager_.registerObjects(objects_.all());
         manager_.setup();
     }
 
-    void run_frame(std::span<const Pose> poses, double limit) override {
-        for (std::size_t i = 0; i < poses.size(); ++i) move(*objects_[i], poses[i]);
-        manager_.update(all_);
+    void run_frame(std::span<const Pose> poses) override {
+        for (std::size_t i = 0; i < poses.size(); ++i) move(objects_[i], poses[i]);
+        manager_.update(objects_.all());
         found_.clear();
         asked_count_ = 0;
-        limit_ = limit;
         manager_.distance(this, &PolytopesFcl::ask_pair);
     }
 
-    std::vector<NearPair> pairs() const override {
-        std::vector<NearPair> pairs = found_;
-        std::ranges::sort(pairs, {}, &NearPair::bodies);
-        return pairs;
-    }
-    std::size_t asked_count() const override { return asked_count_; }
+    std::vector<NearPair> pairs() const override { return found_; }
+    std::size_t candidate_count() const override { return asked_count_; }
 
   private:
     // FCL calls this for pairs whose boxes are nearer than `bound`. False: go on.
@@ -53,20 +43,21 @@ class PolytopesFcl final : public PolytopesEngine {
         return false;
     }
 
-    std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects_;
+    FclObjects objects_;
     fcl::DynamicAABBTreeCollisionManagerd manager_;  // after the objects, to which it refers
-    std::vector<fcl::CollisionObjectd*> all_;
     fcl::DistanceRequestd request_;
     std::vector<NearPair> found_;
     std::size_t asked_count_ = 0;
-    double limit_ = 0;
+    double limit_;
 };
 
 }  // namespace
 
-std::unique_ptr<PolytopesEngine> set_up_polytopes_fcl(std::span<const std::shared_ptr<const Mesh>> meshes,
-                                                      std::span<const Pose> poses) {
-    return std::make_unique<PolytopesFcl>(meshes, poses);
+std::vector<PolytopesMaker> fcl_polytopes() {
+    return {{.name = polytopes_yardstick,
+             .use = "DynamicAABBTree manager: update() of all, distance() with a callback that asks distance() of two "
+                    "Convex, GST_LIBCCD, and sets the manager's bound to the limit; double",
+             .set_up = makes<PolytopesFcl>()}};
 }
 
 }  // namespace ecods::bench

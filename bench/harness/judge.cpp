@@ -1,15 +1,12 @@
 #include "harness/judge.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <exception>
-#include <iterator>
-#include <mutex>
 #include <optional>
 #include <thread>
 
 #include "oracle/oracle.hpp"
+#include "process/parallel.hpp"
 #include "process/progress.hpp"
 
 namespace ecods::bench {
@@ -89,37 +86,20 @@ class Judge {
     std::vector<OracleMesh> at_rest_;
 };
 
-// Judges all frames, in several threads.
-std::vector<FrameTruth> judge_all(const Judge& judge, const std::string& label) {
-    std::vector<FrameTruth> frames(judge.frame_count());
-    std::atomic<std::size_t> next = 0;
-    std::exception_ptr failure;
-    std::mutex failure_mutex;
-    process::Progress progress(label + ": frames judged by the oracle", frames.size());
-    const auto work = [&] {
-        try {
-            for (std::size_t frame = next++; frame < frames.size(); frame = next++) {
-                frames[frame] = judge.judge(frame);
-                progress.step();
-            }
-        } catch (...) {
-            const std::lock_guard lock(failure_mutex);
-            failure = std::current_exception();
-        }
-    };
-    std::vector<std::jthread> threads;
-    for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(work);
-    threads.clear();  // joins
-    if (failure) std::rethrow_exception(failure);
-    return frames;
-}
-
 }  // namespace
 
 Truth ask_oracle(const scenes::Scene& scene, Detail detail, const std::string& label) {
     const auto start = std::chrono::steady_clock::now();
     const Judge judge(scene, detail);
-    std::vector<FrameTruth> frames = judge_all(judge, label);
+    std::vector<FrameTruth> frames(judge.frame_count());
+    {
+        process::Progress progress(label + ": frames judged by the oracle", frames.size());
+        process::for_each_in_parallel(frames.size(), std::max(1u, std::thread::hardware_concurrency()),
+                                      [&](std::size_t frame, std::size_t) {
+                                          frames[frame] = judge.judge(frame);
+                                          progress.step();
+                                      });
+    }
 
     Truth truth;
     for (std::size_t frame = 0; frame < frames.size(); ++frame) {
@@ -137,21 +117,16 @@ Truth ask_oracle(const scenes::Scene& scene, Detail detail, const std::string& l
     return truth;
 }
 
+std::vector<IndexPair> Truth::pairs_of(std::size_t frame) const {
+    std::vector<IndexPair> pairs;
+    for (const TrueHit& hit : hits[frame]) pairs.push_back(hit.pair);
+    return pairs;
+}
+
 Errors compare(std::span<const std::vector<IndexPair>> reported, const Truth& truth) {
     Errors errors;
-    for (std::size_t frame = 0; frame < truth.hits.size(); ++frame) {
-        std::vector<IndexPair> expected;
-        for (const TrueHit& hit : truth.hits[frame]) expected.push_back(hit.pair);
-        std::vector<IndexPair> difference;
-        std::set_difference(expected.begin(), expected.end(), reported[frame].begin(), reported[frame].end(),
-                            std::back_inserter(difference));
-        errors.false_negatives += difference.size();
-        difference.clear();
-        // A pair reported twice is a false positive once: the lists are multisets.
-        std::set_difference(reported[frame].begin(), reported[frame].end(), expected.begin(), expected.end(),
-                            std::back_inserter(difference));
-        errors.false_positives += difference.size();
-    }
+    for (std::size_t frame = 0; frame < truth.hits.size(); ++frame)
+        errors += compare(reported[frame], truth.pairs_of(frame));
     return errors;
 }
 

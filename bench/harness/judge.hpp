@@ -10,7 +10,9 @@
 
 #include "ecods/ids.hpp"
 #include "ecods/predicates.hpp"
-#include "engines/engine.hpp"
+#include "engines/frame_engine.hpp"
+#include "harness/differences.hpp"
+#include "scenes/scene.hpp"
 
 namespace ecods::bench {
 
@@ -31,6 +33,8 @@ struct Truth {
     std::uint64_t pair_count = 0;            // pairs of bodies answered, all frames
     std::uint64_t exact_count = 0;  // of these, given to the oracle's triangle tests; the rest by certified boxes
     double seconds = 0;
+
+    std::vector<IndexPair> pairs_of(std::size_t frame) const;
 };
 
 enum class Detail { hits_only, contacts };
@@ -39,12 +43,7 @@ enum class Detail { hits_only, contacts };
 // body moved keeps its answer, which depends on poses and meshes alone. Works in as many threads as the machine has.
 Truth ask_oracle(const scenes::Scene& scene, Detail detail, const std::string& label);
 
-struct Errors {
-    std::size_t false_negatives = 0;  // hits of the oracle that the engine does not report
-    std::size_t false_positives = 0;  // reported without being hits
-};
-
-// Summed over the frames.
+// The lists of all frames beside the oracle's.
 Errors compare(std::span<const std::vector<IndexPair>> reported, const Truth& truth);
 
 }  // namespace ecods::bench

@@ -13,13 +13,15 @@ double median(std::vector<double> values) {
     return values.empty() ? 0 : gsl_stats_median(values.data(), 1, values.size());
 }
 
+double quantile(std::vector<double> values, double share) {
+    if (values.empty()) return 0;
+    gsl_sort(values.data(), 1, values.size());
+    return gsl_stats_quantile_from_sorted_data(values.data(), 1, values.size(), share);
+}
+
 double spread_in_percent(std::vector<double> values) {
     if (values.size() < 2) return 0;
-    gsl_sort(values.data(), 1, values.size());
-    const auto quantile = [&](double share) {
-        return gsl_stats_quantile_from_sorted_data(values.data(), 1, values.size(), share);
-    };
-    return 100 * (quantile(0.75) - quantile(0.25)) / quantile(0.5);
+    return 100 * (quantile(values, 0.75) - quantile(values, 0.25)) / quantile(values, 0.5);
 }
 
 std::string medians_of(std::size_t repetition_count) {

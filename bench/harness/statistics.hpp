@@ -8,8 +8,9 @@
 
 namespace ecods::bench {
 
-double median(std::vector<double> values);             // 0 of nothing
-double spread_in_percent(std::vector<double> values);  // quartile distance over median; 0 of less than two
+double median(std::vector<double> values);                  // 0 of nothing
+double quantile(std::vector<double> values, double share);  // 0 of nothing
+double spread_in_percent(std::vector<double> values);       // quartile distance over median; 0 of less than two
 
 // What a table says of its times: "medians of 9 interleaved repetitions", or "one repetition".
 std::string medians_of(std::size_t repetition_count);

@@ -94,11 +94,6 @@ void write_panel(std::ostream& out, const Panel& panel, const Size& size, std::s
     out << "plot " << (plots.empty() ? "NaN" : plots) << "\n" << data;
 }
 
-std::string read_all(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 std::string replace_all(std::string text, const std::string& from, const std::string& to) {
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
         text.replace(at, from.size(), to);
@@ -146,6 +141,12 @@ std::string shortened(std::string svg, std::span<const std::string> texts, const
 
 }  // namespace
 
+std::string read_all(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw std::runtime_error("cannot read " + file.string());
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
 std::vector<std::string> names_of(const Chart& chart) {
     std::vector<std::string> names;
     for (const Panel& panel : chart.panels)
@@ -182,16 +183,12 @@ Drawing draw_chart(const Chart& chart, const std::filesystem::path& folder) {
 void write_svg(const Chart& chart, const std::filesystem::path& file) {
     const Drawing drawing = draw_chart(chart, file.parent_path());
     if (drawing.panels.size() != 1) throw std::runtime_error("cannot draw " + chart.name + ": " + drawing.failure);
-    std::string light, dark;
-    for (const Colour& colour : colours()) {
-        light += fmt::format("--{}:{};", colour.name, colour.light);
-        dark += fmt::format("--{}:{};", colour.name, colour.dark);
-    }
     const std::string& svg = drawing.panels.front();
     const std::size_t inside = svg.find('>') + 1;
     std::ofstream out(file);
-    out << svg.substr(0, inside) << "\n<style>svg{" << light
-        << "background:var(--paper)} @media (prefers-color-scheme:dark){svg{" << dark << "}}</style>\n"
+    out << svg.substr(0, inside) << "\n<style>svg{" << colour_variables(false)
+        << "background:var(--paper)} @media (prefers-color-scheme:dark){svg{" << colour_variables(true)
+        << "}}</style>\n"
         << drawing.marks << svg.substr(inside) << "\n";
     out.close();
     if (!out) throw std::runtime_error("cannot write " + file.string());

@@ -26,4 +26,7 @@ std::vector<std::string> names_of(const Chart& chart);
 // drawn or written.
 void write_svg(const Chart& chart, const std::filesystem::path& file);
 
+// The bytes of a file. Throws std::runtime_error when it cannot be read.
+std::string read_all(const std::filesystem::path& file);
+
 }  // namespace ecods::bench

@@ -35,6 +35,13 @@ std::span<const Colour> colours() {
     return palette;
 }
 
+std::string colour_variables(bool is_dark) {
+    std::string text;
+    for (const Colour& colour : palette)
+        text += std::string("--") + colour.name + ":" + (is_dark ? colour.dark : colour.light) + ";";
+    return text;
+}
+
 std::vector<EngineStyle> engine_styles(std::span<const std::string> names) {
     std::map<const Colour*, int> seen;
     std::vector<EngineStyle> styles;

@@ -16,6 +16,9 @@ struct Colour {
 // The libraries' colours, then those of text ("ink"), grid lines ("grid") and paper ("paper").
 std::span<const Colour> colours();
 
+// The definitions of the variables, on white or on black: "--NAME:#rrggbb;" each.
+std::string colour_variables(bool is_dark);
+
 struct EngineStyle {
     const Colour* colour = nullptr;
     int mark = 0;     // gnuplot's point type

@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "report/chart_html.hpp"
+#include "report/draw_chart.hpp"
 #include "report/engine_style.hpp"
 #include "report/headline.hpp"
 #include "report/page_style.hpp"
@@ -16,22 +16,11 @@ namespace ecods::bench {
 namespace {
 
 // The colours, by what the reader's system prefers; paper is always light.
-std::string colour_variables() {
-    std::string light, dark;
-    for (const Colour& colour : colours()) {
-        light += fmt::format("--{}:{};", colour.name, colour.light);
-        dark += fmt::format("--{}:{};", colour.name, colour.dark);
-    }
+std::string colour_style() {
     return fmt::format(
         ":root {{ {} --soft:#aaa; --soft-ink:#555; }}\n"
         "@media screen and (prefers-color-scheme: dark) {{ :root {{ {} --soft:#555; --soft-ink:#aaa; }} }}\n",
-        light, dark);
-}
-
-std::string read_all(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw std::runtime_error("cannot read " + file.string());
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+        colour_variables(false), colour_variables(true));
 }
 
 // RFC 4648, section 4.
@@ -103,7 +92,7 @@ void write_page(const Page& page, const std::filesystem::path& file) {
     std::ofstream out(file);
     out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        << "<title>" << escape_html(page.title) << "</title>\n<style>" << colour_variables() << page_style
+        << "<title>" << escape_html(page.title) << "</title>\n<style>" << colour_style() << page_style
         << "</style></head><body>\n"
         << "<svg width=\"0\" height=\"0\" style=\"position:absolute\" aria-hidden=\"true\">" << marks << "</svg>\n"
         << "<h1>" << escape_html(page.title) << "</h1>\n";

@@ -6,13 +6,13 @@
 
 namespace ecods::bench {
 
-Chart time_chart(std::span<const Run> runs, const std::string& name, const std::string& caption) {
+Chart time_chart(std::span<const SceneRun> runs, const std::string& name, const std::string& caption) {
     Panel panel{.title = "",
                 .x = {.title = "frame"},
                 .y = {.title = "milliseconds per frame", .is_logarithmic = true},
                 .curves = {},
                 .has_lines = true};
-    for (const Run& run : runs) {
+    for (const SceneRun& run : runs) {
         Curve& curve = panel.curves.emplace_back();
         curve.name = run.name;
         const std::size_t step = std::max<std::size_t>(1, run.frame_ms.size() / 12);

@@ -10,13 +10,7 @@ namespace ecods::bench {
 
 namespace {
 
-std::vector<EngineName> wanted_engines(const Suite& suite, const SuiteOptions& options) {
-    std::vector<EngineName> engines = suite.engines;
-    options.keep_wanted(engines);
-    return engines;
-}
-
-// As keep_wanted() finds engines: every name contains itself.
+// As SuiteOptions finds engines: every name contains itself.
 void require_known(std::span<const Suite> suites, const std::string& text) {
     std::set<std::string> known;
     for (const Suite& suite : suites)
@@ -41,14 +35,14 @@ std::vector<Suite> asked_suites(std::span<const Suite> all, std::span<const std:
         if (std::find(names.begin(), names.end(), suite.name) != names.end()) asked.push_back(suite);
     for (const std::string& text : options.engines) require_known(asked, text);
     std::erase_if(asked,
-                  [&](const Suite& suite) { return !suite.engines.empty() && wanted_engines(suite, options).empty(); });
+                  [&](const Suite& suite) { return !suite.engines.empty() && options.wanted(suite.engines).empty(); });
     return asked;
 }
 
 bool asks_ecods(const Suite& suite, const SuiteOptions& options) {
     if (!suite.is_judged) return false;
     if (suite.engines.empty()) return true;
-    const std::vector<EngineName> wanted = wanted_engines(suite, options);
+    const std::vector<EngineName> wanted = options.wanted(suite.engines);
     return std::any_of(wanted.begin(), wanted.end(), [](const EngineName& engine) { return engine.is_ecods; });
 }
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "ecods/world.hpp"
+#include "engines/world_bodies.hpp"
 #include "process/progress.hpp"
 #include "report/povray.hpp"
 #include "report/time_chart.hpp"
@@ -32,33 +32,6 @@ const char* name_of(Relation relation) {
     return "?";
 }
 
-// The scene in a World, frame by frame.
-class Assembly {
-  public:
-    explicit Assembly(const scenes::Scene& scene) : scene_(scene) {
-        for (const scenes::SceneBody& body : scene.bodies)
-            ids_.push_back(world_.create_body(mesh(body.mesh_index), body.pose));
-    }
-
-    void apply(const scenes::Frame& frame) {
-        for (const scenes::Move& move : frame.moves) world_.set_pose(ids_[move.body_index], move.pose);
-    }
-
-    // Whether ECoDS says the same as the oracle: how the bodies meet, and which triangles do.
-    bool agrees(const TrueHit& hit) {
-        const BodyId a = ids_[hit.pair.a], b = ids_[hit.pair.b];
-        return world_.relation(a, b) == hit.contact->relation &&
-               world_.intersecting_triangles(a, b) == hit.contact->triangles;
-    }
-
-  private:
-    const std::shared_ptr<const Mesh>& mesh(std::size_t index) const { return scene_.meshes[index].mesh; }
-
-    const scenes::Scene& scene_;
-    World world_;
-    std::vector<BodyId> ids_;
-};
-
 struct ContactCheck {
     std::size_t asked = 0;
     std::size_t triangle_pairs = 0;
@@ -67,18 +40,24 @@ struct ContactCheck {
 
 // Asks a World about every contact that the oracle found. One of parts that rest is asked about once.
 ContactCheck check_contacts(const scenes::Scene& scene, const Truth& truth) {
-    Assembly assembly(scene);
+    WorldBodies bodies(scene);
+    // Whether ECoDS says the same as the oracle: how the bodies meet, and which triangles do.
+    const auto agrees = [&](const TrueHit& hit) {
+        const BodyId a = bodies[hit.pair.a], b = bodies[hit.pair.b];
+        return bodies.world.relation(a, b) == hit.contact->relation &&
+               bodies.world.intersecting_triangles(a, b) == hit.contact->triangles;
+    };
     ContactCheck check;
     std::map<IndexPair, const Contact*> last;
     process::Progress progress("contacts asked of ECoDS: frames", truth.hits.size());
     for (std::size_t frame = 0; frame < truth.hits.size(); ++frame) {
-        if (frame > 0) assembly.apply(scene.frames[frame - 1]);
+        if (frame > 0) bodies.move(scene.frames[frame - 1].moves);
         for (const TrueHit& hit : truth.hits[frame]) {
             const Contact* contact = hit.contact.get();
             if (std::exchange(last[hit.pair], contact) == contact) continue;
             ++check.asked;
             check.triangle_pairs += contact->triangles.size();
-            if (!assembly.agrees(hit)) ++check.wrong;
+            if (!agrees(hit)) ++check.wrong;
         }
         progress.step();
     }
@@ -86,7 +65,7 @@ ContactCheck check_contacts(const scenes::Scene& scene, const Truth& truth) {
 }
 
 // What a pair of parts did over all frames.
-struct Meeting {
+struct PartsMeeting {
     Relation at_rest = Relation::disjoint;
     std::size_t triangles_at_rest = 0;
     std::size_t touching_frames = 0;
@@ -94,11 +73,11 @@ struct Meeting {
     std::size_t triangles_max = 0;
 };
 
-std::map<IndexPair, Meeting> meetings_of(const Truth& truth) {
-    std::map<IndexPair, Meeting> meetings;
+std::map<IndexPair, PartsMeeting> meetings_of(const Truth& truth) {
+    std::map<IndexPair, PartsMeeting> meetings;
     for (std::size_t frame = 0; frame < truth.hits.size(); ++frame) {
         for (const TrueHit& hit : truth.hits[frame]) {
-            Meeting& meeting = meetings[hit.pair];
+            PartsMeeting& meeting = meetings[hit.pair];
             const Contact& contact = *hit.contact;
             if (frame == 0) {
                 meeting.at_rest = contact.relation;
@@ -111,12 +90,11 @@ std::map<IndexPair, Meeting> meetings_of(const Truth& truth) {
     return meetings;
 }
 
-Table meetings_table(const scenes::Scene& scene, const std::map<IndexPair, Meeting>& meetings, std::size_t frame_count,
-                     bool moves) {
-    Table table;
-    table.title = moves ? "Parts that meet while the crank turns" : "Parts that meet and do not move";
-    table.text_columns = 3;
-    table.header = {"part A", "part B", "at rest", "triangle pairs"};
+Table meetings_table(const scenes::Scene& scene, const std::map<IndexPair, PartsMeeting>& meetings,
+                     std::size_t frame_count, bool moves) {
+    Table table{.title = moves ? "Parts that meet while the crank turns" : "Parts that meet and do not move",
+                .header = {"part A", "part B", "at rest", "triangle pairs"},
+                .text_columns = 3};
     if (moves) table.header.insert(table.header.end(), {"frames touching", "frames crossing", "triangle pairs, most"});
     std::vector<bool> is_moving(scene.bodies.size(), false);
     for (const scenes::Frame& frame : scene.frames)
@@ -184,7 +162,7 @@ SuiteResult run_assembly(const SuiteOptions& options) {
         "the oracle's in all but {}.",
         check.asked, check.triangle_pairs, check.wrong));
 
-    const std::map<IndexPair, Meeting> meetings = meetings_of(comparison.truth);
+    const std::map<IndexPair, PartsMeeting> meetings = meetings_of(comparison.truth);
     const auto count_at_rest = [&](Relation relation) {
         return std::count_if(meetings.begin(), meetings.end(),
                              [&](const auto& entry) { return entry.second.at_rest == relation; });

@@ -8,9 +8,10 @@
 #include "process/progress.hpp"
 #include "report/headline.hpp"
 #include "suites/broad_measure.hpp"
-#include "suites/broad_swaps.hpp"
 #include "suites/comparison.hpp"
+#include "suites/parts.hpp"
 #include "suites/suite.hpp"
+#include "suites/timed_rows.hpp"
 
 namespace ecods::bench {
 
@@ -111,12 +112,11 @@ std::vector<BroadMaker> engines_of(const SuiteOptions& options) {
 
 std::vector<BroadMaker> makers_for(const Workload& workload, const SuiteOptions& options) {
     const std::size_t box_count = workload.boxes.count;
-    std::vector<BroadMaker> makers = engines_of(options);
-    options.keep_wanted(makers);
+    std::vector<BroadMaker> makers = options.wanted(engines_of(options));
     std::erase_if(makers, [&](const BroadMaker& maker) {
-        return !workload.is_main && std::ranges::find(motion_engines, maker.name) == motion_engines.end();
+        return (!workload.is_main && std::ranges::find(motion_engines, maker.name) == motion_engines.end()) ||
+               (box_count > maker.traits.count_max && !options.is_long);
     });
-    std::erase_if(makers, [&](const BroadMaker& maker) { return box_count > maker.count_max && !options.is_long; });
     // Beyond what a list of 16-bit numbers can hold, and beyond patience, for any length of run.
     std::erase_if(makers, [&](const BroadMaker& maker) {
         return box_count > 16'000 && (maker.name == "Bullet AxisSweep3" || maker.name == broad_fcl_sweep ||
@@ -129,32 +129,27 @@ void add_rows(Table& table, const scenes::MovingBoxes& boxes, const BroadTruth& 
               const std::vector<BroadRun>& runs) {
     std::vector<double> yardstick;
     for (const BroadRun& run : runs)
-        if (run.name == broad_yardstick) yardstick = run.ns;
+        if (run.maker->name == broad_yardstick) yardstick = run.ns;
     for (const BroadRun& run : runs) {
-        std::vector<std::string> row = {boxes.name, run.name};
-        if (!run.failure.empty()) {
-            row.push_back(run.failure);
-            row.resize(table.header.size());
-        } else {
-            const double ratio = times_as_fast(run.ns, yardstick);
-            row.push_back(fmt::format("{:.1f}", median(run.ns)));
-            row.push_back(run.ns.size() < 2 ? std::string() : fmt::format("{:.0f}", spread_in_percent(run.ns)));
-            row.push_back(fmt::format("{:.1f}", std::ranges::max(run.frame_ns)));
-            row.push_back(fmt::format("{}", run.frame_count));
-            row.push_back(ratio == 0 ? "" : fmt::format("{:.2f}", ratio));
-            row.push_back(fmt::format("{:.2f}", truth.pair_count / static_cast<double>(boxes.boxes.size())));
-            row.push_back(fmt::format("{}", run.false_negatives));
-            row.push_back(fmt::format("{}", run.false_positives));
-        }
+        std::vector<std::string> row = {boxes.name, run.maker->name, run.failure};
+        if (run.failure.empty())
+            row = {boxes.name,
+                   run.maker->name,
+                   fmt::format("{:.1f}", median(run.ns)),
+                   run.ns.size() < 2 ? std::string() : fmt::format("{:.0f}", spread_in_percent(run.ns)),
+                   fmt::format("{:.1f}", std::ranges::max(run.frame_ns)),
+                   fmt::format("{}", run.frame_count),
+                   ratio_text(times_as_fast(run.ns, yardstick)),
+                   fmt::format("{:.2f}", truth.pair_count / static_cast<double>(boxes.boxes.size())),
+                   fmt::format("{}", run.errors.false_negatives),
+                   fmt::format("{}", run.errors.false_positives)};
+        row.resize(table.header.size());
         table.rows.push_back(std::move(row));
     }
 }
 
 Table empty_table(const SuiteOptions& options) {
-    Table table;
-    table.title = boxes_title;
-    table.is_summary = true;
-    table.text_columns = 2;
+    Table table{.title = boxes_title, .text_columns = 2, .is_summary = true};
     table.header = {"boxes",  "engine",    "ns/box/frame", "spread %", "slowest",
                     "frames", "times FCL", "pairs/box",    "false -",  "false +"};
     table.notes = {
@@ -181,16 +176,6 @@ Table empty_table(const SuiteOptions& options) {
     return table;
 }
 
-Table use_table(const SuiteOptions& options) {
-    Table table;
-    table.title = "How each engine is used";
-    table.text_columns = 2;
-    table.header = {"engine", "use; precision"};
-    for (const BroadMaker& maker : engines_of(options)) table.rows.push_back({maker.name, maker.use});
-    table.notes = {"Taking the boxes in, and the first list, are outside the times. All bounds are floats."};
-    return table;
-}
-
 }  // namespace
 
 SuiteResult run_broad(const SuiteOptions& options) {
@@ -209,8 +194,7 @@ SuiteResult run_broad(const SuiteOptions& options) {
                 measure_broad(boxes, truth, makers, {repetitions, turn_seconds(options)});
             add_rows(table, boxes, truth, runs);
             for (const BroadRun& run : runs)
-                result.is_right &=
-                    !run.is_ecods || (run.failure.empty() && run.false_negatives + run.false_positives == 0);
+                result.is_right &= !run.maker->is_ecods || (run.failure.empty() && run.errors.count() == 0);
             progress.step();
         }
     }
@@ -223,7 +207,9 @@ SuiteResult run_broad(const SuiteOptions& options) {
           "moves by 1 % of its size in each frame, unless the name says otherwise. Walls: dense, with some plates half "
           "as wide as the cube. Clusters: about 15 partners. Swarm: dense, in a ball that turns by "
           "0.9 degrees or flies five sizes a frame. What comes and goes is removed and added."},
-         {table, swaps, use_table(options)},
+         {table, swaps,
+          use_table("How each engine is used", engines_of(options),
+                    "Taking the boxes in, and the first list, are outside the times. All bounds are floats.")},
          {}});
     return result;
 }

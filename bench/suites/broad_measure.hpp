@@ -8,18 +8,17 @@
 #include <vector>
 
 #include "engines/broad_engine.hpp"
+#include "harness/differences.hpp"
 
 namespace ecods::bench {
 
 struct BroadRun {
-    std::string name;
-    bool is_ecods = false;
-    std::vector<double> ns;           // per box and frame, the mean over the frames; one for each repetition
-    std::vector<double> frame_ns;     // per box, by frame: the least of the repetitions
-    std::size_t frame_count = 0;      // of each repetition
-    std::size_t false_negatives = 0;  // pairs, over the frames that are checked
-    std::size_t false_positives = 0;  // pairs, one reported twice among them
-    std::string failure;              // when it crashed, hung or threw
+    const BroadMaker* maker = nullptr;
+    std::vector<double> ns = {};        // per box and frame, the mean over the frames; one for each repetition
+    std::vector<double> frame_ns = {};  // per box, by frame: the least of the repetitions
+    std::size_t frame_count = 0;        // of each repetition
+    Errors errors = {};                 // of pairs, over the frames that are checked
+    std::string failure = {};           // when it crashed, hung or threw
 };
 
 // The exact pairs of some frames: of the first, the middle and the last. Up to 10,000 boxes by comparing all of them,
@@ -41,6 +40,6 @@ struct BroadEffort {
 // fewer frames, but three, and has one turn only; its pairs are compared in the last frame that it runs, too. The
 // yardstick may take three times as long, and has all its turns, over the frames of its first.
 std::vector<BroadRun> measure_broad(const scenes::MovingBoxes& boxes, const BroadTruth& truth,
-                                    std::span<const BroadMaker> makers, const BroadEffort& effort);
+                                    const std::vector<BroadMaker>& makers, const BroadEffort& effort);
 
 }  // namespace ecods::bench

@@ -1,5 +1,5 @@
-#include "suites/broad_swaps.hpp"
-
+// The work of the sweep and prune as it grows with the number of boxes: swaps and box tests in the dense scene, and the
+// power of the number that they grow with.
 #include <fmt/core.h>
 
 #include <vector>
@@ -7,6 +7,7 @@
 #include "ecods/broad_phase.hpp"
 #include "harness/statistics.hpp"
 #include "scenes/moving_boxes.hpp"
+#include "suites/parts.hpp"
 
 namespace ecods::bench {
 
@@ -37,9 +38,8 @@ std::string exponent(const std::vector<double>& counts, const std::vector<double
 }  // namespace
 
 Table swap_table(std::size_t count_max, std::size_t frame_count) {
-    Table table;
-    table.title = "Sweep and prune, dense boxes: work per frame";
-    table.header = {"boxes", "swaps/frame", "swaps/box/frame", "box tests/frame", "box tests/box/frame"};
+    Table table{.title = "Sweep and prune, dense boxes: work per frame",
+                .header = {"boxes", "swaps/frame", "swaps/box/frame", "box tests/frame", "box tests/box/frame"}};
     std::vector<double> counts, swaps, tests;
     for (std::size_t count = 250; count <= count_max; count *= 2) {
         const BroadPhaseCounts work = count_work(scenes::moving_boxes({.count = count, .frame_count = frame_count}));

@@ -2,10 +2,7 @@
 #include <iterator>
 #include <utility>
 
-#include "suites/cast_tables.hpp"
-#include "suites/hit_tables.hpp"
-#include "suites/suite.hpp"
-#include "suites/world_casts.hpp"
+#include "suites/parts.hpp"
 
 namespace ecods::bench {
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,63 +53,71 @@ double microseconds(std::size_t repetitions, const Ask& ask) {
     return median(times);
 }
 
-// One row: medians over the pairs of medians over the repetitions.
-std::vector<std::string> measure(const Question& question, const scenes::MeshPairs& pairs, std::size_t repetitions) {
+// What an answer costs with its proof beside the plain one: of each question asked, medians over the repetitions.
+class Costs {
+  public:
+    explicit Costs(std::size_t repetitions) : repetitions_(repetitions) {}
+
+    void add(const std::function<void()>& ask, const std::function<Certificate()>& certify) {
+        const Certificate certificate = certify();
+        std::string text = certificate.to_string();
+        plain_.push_back(microseconds(repetitions_, ask));
+        proven_.push_back(microseconds(repetitions_, [&] { (void)certify(); }));
+        written_.push_back(microseconds(repetitions_, [&] { text = certify().to_string(); }));
+        shares_.push_back(proven_.back() / plain_.back());
+        bytes_.push_back(static_cast<double>(text.size()));
+        steps_.push_back(static_cast<double>(certificate.step_count()));
+    }
+
+    // Medians over all that was asked, behind these names.
+    std::vector<std::string> row(std::vector<std::string> names, bool has_text) const {
+        const auto add = [&](const std::vector<double>& values, int digits) {
+            names.push_back(fmt::format("{:.{}f}", median(values), digits));
+        };
+        add(plain_, 1);
+        add(proven_, 1);
+        if (has_text) add(written_, 1);
+        add(shares_, 1);
+        add(steps_, 0);
+        add(bytes_, 0);
+        return names;
+    }
+
+  private:
+    std::size_t repetitions_;
+    std::vector<double> plain_, proven_, written_, shares_, bytes_, steps_;
+};
+
+std::vector<std::string> measure_pairs(const Question& question, const scenes::MeshPairs& pairs,
+                                       std::size_t repetitions) {
     const MeshShape shape(pairs.meshes.front().mesh);
     QueryMemory memory;
-    std::vector<double> plain, proven, written, shares, bytes, steps;
+    Costs costs(repetitions);
     for (const scenes::MeshQuery& query : pairs.queries) {
         const Body a(shape, query.a.pose), b(shape, query.b.pose);
         const double d = distance(a, b, memory);
         if (d == 0) continue;
-        std::string text = question.certify(a, b, d, memory).to_string();
-        plain.push_back(microseconds(repetitions, [&] { question.ask(a, b, d, memory); }));
-        proven.push_back(microseconds(repetitions, [&] { question.certify(a, b, d, memory); }));
-        written.push_back(microseconds(repetitions, [&] { text = question.certify(a, b, d, memory).to_string(); }));
-        shares.push_back(proven.back() / plain.back());
-        bytes.push_back(static_cast<double>(text.size()));
-        steps.push_back(static_cast<double>(question.certify(a, b, d, memory).step_count()));
+        costs.add([&] { question.ask(a, b, d, memory); }, [&] { return question.certify(a, b, d, memory); });
     }
-    return {pairs.name,
-            question.name,
-            fmt::format("{:.1f}", median(plain)),
-            fmt::format("{:.1f}", median(proven)),
-            fmt::format("{:.1f}", median(written)),
-            fmt::format("{:.1f}", median(shares)),
-            fmt::format("{:.0f}", median(steps)),
-            fmt::format("{:.0f}", median(bytes))};
+    return costs.row({pairs.name, question.name}, true);
 }
 
-// One row: the segments of a workload of one body, medians as above; those that miss are asked, too.
+// The segments of a workload of one body; those that miss are asked, too.
 std::vector<std::string> measure_hits(const scenes::SegmentWorkload& workload, std::size_t repetitions) {
     const MeshShape shape(workload.meshes.front().mesh);
     const Body body(shape, workload.bodies.front().pose);
     QueryMemory memory;
-    std::vector<double> plain, proven, shares, bytes, steps;
-    for (std::size_t k = 0; k < std::min<std::size_t>(workload.segments.size(), 200); ++k) {
-        const Segment& segment = workload.segments[k];
-        plain.push_back(microseconds(repetitions, [&] { (void)first_hit(segment, body, memory); }));
-        proven.push_back(microseconds(repetitions, [&] { (void)certify_hit(segment, body, memory); }));
-        shares.push_back(proven.back() / plain.back());
-        const Certificate certificate = certify_hit(segment, body, memory);
-        bytes.push_back(static_cast<double>(certificate.to_string().size()));
-        steps.push_back(static_cast<double>(certificate.step_count()));
-    }
-    return {workload.name,
-            fmt::format("{:.1f}", median(plain)),
-            fmt::format("{:.1f}", median(proven)),
-            fmt::format("{:.1f}", median(shares)),
-            fmt::format("{:.0f}", median(steps)),
-            fmt::format("{:.0f}", median(bytes))};
+    Costs costs(repetitions);
+    for (const Segment& segment :
+         std::span(workload.queries).first(std::min<std::size_t>(workload.queries.size(), 200)))
+        costs.add([&] { (void)first_hit(segment, body, memory); }, [&] { return certify_hit(segment, body, memory); });
+    return costs.row({workload.name}, false);
 }
 
 Table table_of_hits(const SuiteOptions& options) {
-    Table table;
-    table.title = "First hits of segments with their proof";
-    table.text_columns = 1;
-    table.header = {"segments", "plain us", "with proof us", "proof/plain", "steps", "bytes"};
-    const auto size = options.is_quick() ? scenes::WorkloadSize::tiny : scenes::WorkloadSize::full;
-    for (const scenes::SegmentWorkload& workload : scenes::segment_workloads(size)) {
+    Table table{.title = "First hits of segments with their proof",
+                .header = {"segments", "plain us", "with proof us", "proof/plain", "steps", "bytes"}};
+    for (const scenes::SegmentWorkload& workload : scenes::segment_workloads(options.workload_size())) {
         if (workload.bodies.size() == 1) table.rows.push_back(measure_hits(workload, 3 * options.repetition_count));
     }
     return table;
@@ -117,10 +126,12 @@ Table table_of_hits(const SuiteOptions& options) {
 }  // namespace
 
 SuiteResult run_certificates(const SuiteOptions& options) {
-    Table table;
-    table.title = "Answers with their proof, at a gap of 1e-4 radii";
-    table.text_columns = 2;
-    table.header = {"bodies", "question", "plain us", "with proof us", "and text us", "proof/plain", "steps", "bytes"};
+    Table table{
+        .title = "Answers with their proof, at a gap of 1e-4 radii",
+        .header = {"bodies", "question", "plain us", "with proof us", "and text us", "proof/plain", "steps", "bytes"},
+        .text_columns = 2,
+        .notes = {
+            "Pairs that are apart; medians. Whether the proofs hold is for the checkers of verify/certificates."}};
     std::vector<scenes::MeshPairs> workloads = {
         scenes::gap_pairs("ship", scenes::ship(), 1e-4, options.is_quick() ? 4 : 100, 5),
         scenes::gap_pairs("torus 10k", scenes::torus(100, 50, 0.4), 1e-4, options.is_quick() ? 4 : 40, 5)};
@@ -128,10 +139,8 @@ SuiteResult run_certificates(const SuiteOptions& options) {
         workloads.push_back(scenes::gap_pairs("torus 100k", scenes::torus(400, 125, 0.4), 1e-4, 20, 5));
     const std::size_t repetitions = 3 * options.repetition_count;
     for (const scenes::MeshPairs& pairs : workloads) {
-        for (const Question& question : questions()) table.rows.push_back(measure(question, pairs, repetitions));
+        for (const Question& question : questions()) table.rows.push_back(measure_pairs(question, pairs, repetitions));
     }
-    table.notes = {
-        "Pairs that are apart; medians. Whether the proofs hold is for the checkers of verify/certificates."};
     print(table);
     const Table hits = table_of_hits(options);
     print(hits);

@@ -1,17 +1,14 @@
 // The report's case 2 with a clearance: what close pairs cost beside collisions.
-#include "suites/clearance.hpp"
-
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
-#include "ecods/world.hpp"
+#include "engines/world_bodies.hpp"
 #include "harness/statistics.hpp"
 #include "harness/stopwatch.hpp"
 #include "scenes/room.hpp"
 #include "scenes/ship.hpp"
+#include "suites/parts.hpp"
 
 namespace ecods::bench {
 
@@ -23,50 +20,31 @@ constexpr double ship_length = 2;
 // The same scene in two worlds, frame by frame, one of them with a clearance.
 class Beside {
   public:
-    Beside(const scenes::Scene& scene, double clearance) : scene_(scene) {
-        for (World& world : worlds_) {
-            std::vector<BodyId>& ids = ids_[static_cast<std::size_t>(&world - worlds_.data())];
-            for (const scenes::SceneBody& body : scene.bodies) {
-                ids.push_back(world.create_body(scene.meshes[body.mesh_index].mesh, body.pose));
-            }
-        }
-        worlds_[1].set_clearance(clearance);
-        for (World& world : worlds_) world.update();
+    Beside(const scenes::Scene& scene, double clearance)
+        : scene_(scene), worlds_{WorldBodies(scene), WorldBodies(scene)} {
+        worlds_[1].world.set_clearance(clearance);
+        for (WorldBodies& bodies : worlds_) bodies.world.update();
     }
 
     void run() {
         for (std::size_t frame = 0; frame < scene_.frames.size(); ++frame) {
             for (std::size_t i = 0; i < worlds_.size(); ++i) {
-                const double ms = run_frame(scene_.frames[frame], i);
-                if (frame >= 2) ms_[i].push_back(ms);
+                const Stopwatch watch;
+                worlds_[i].move(scene_.frames[frame].moves);
+                worlds_[i].world.update();
+                if (frame >= 2) ms_[i].push_back(1e-6 * watch.nanoseconds());
             }
-            is_right_ &= std::ranges::equal(
-                worlds_[0].colliding_pairs(), worlds_[1].colliding_pairs(),
-                [](const BodyPair& x, const BodyPair& y) { return x.a.slot == y.a.slot && x.b.slot == y.b.slot; });
+            is_right_ &= worlds_[0].hits() == worlds_[1].hits();
         }
     }
 
     const std::vector<double>& ms(std::size_t world) const { return ms_[world]; }
-    Statistics statistics() const { return worlds_[1].statistics(); }
+    Statistics statistics() const { return worlds_[1].world.statistics(); }
     bool is_right() const { return is_right_; }
 
   private:
-    double run_frame(const scenes::Frame& frame, std::size_t i) {
-        std::vector<BodyId> bodies;
-        std::vector<Pose> poses;
-        for (const scenes::Move& move : frame.moves) {
-            bodies.push_back(ids_[i][move.body_index]);
-            poses.push_back(move.pose);
-        }
-        const Stopwatch watch;
-        worlds_[i].set_poses(bodies, poses);
-        worlds_[i].update();
-        return 1e-6 * watch.nanoseconds();
-    }
-
     const scenes::Scene& scene_;
-    std::array<World, 2> worlds_;
-    std::array<std::vector<BodyId>, 2> ids_;
+    std::array<WorldBodies, 2> worlds_;
     std::array<std::vector<double>, 2> ms_;
     bool is_right_ = true;
 };
@@ -74,9 +52,7 @@ class Beside {
 }  // namespace
 
 Table clearance_table(const SuiteOptions& options, bool& is_right) {
-    Table table;
-    table.title = "What a clearance costs: ships as dense as in the report's case 2";
-    table.text_columns = 0;
+    Table table{.title = "What a clearance costs: ships as dense as in the report's case 2", .text_columns = 0};
     table.header = {"ships",       "clearance",     "ms/frame without", "with", "ratio", "colliding pairs",
                     "close pairs", "tests a frame", "of the clearance"};
     table.notes = {

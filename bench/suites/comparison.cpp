@@ -10,7 +10,7 @@ namespace ecods::bench {
 
 namespace {
 
-std::size_t hit_count(const Run& run) {
+std::size_t hit_count(const SceneRun& run) {
     std::size_t count = 0;
     for (const std::vector<IndexPair>& hits : run.hits) count += hits.size();
     return count;
@@ -25,15 +25,15 @@ std::string per_frame(std::size_t sum, std::size_t frame_count) {
 Comparison compare_engines(const scenes::Scene& scene, const std::string& title, const SuiteOptions& options,
                            Detail detail) {
     Comparison result;
-    result.runs = measure(scene, all_engines(), options.repetition_count, title);
+    result.runs = measure_scene(scene, scene_engines(), options.repetition_count, title);
     result.truth = ask_oracle(scene, detail, title);
 
     result.table.title = title;
     result.table.header = {"engine", "ms/frame", "candidate pairs/frame", "hits/frame", "false -", "false +"};
     const std::size_t frame_count = scene.frames.size() + 1;
-    for (const Run& run : result.runs) {
+    for (const SceneRun& run : result.runs) {
         const Errors errors = compare(run.hits, result.truth);
-        if (run.is_ecods && errors.false_negatives + errors.false_positives > 0) result.is_right = false;
+        if (run.is_ecods && errors.count() > 0) result.is_right = false;
         result.table.rows.push_back({run.name, fmt::format("{:.4f}", run.mean_ms()),
                                      per_frame(run.candidate_count, frame_count),
                                      per_frame(hit_count(run), frame_count), fmt::format("{}", errors.false_negatives),
@@ -46,12 +46,11 @@ Comparison compare_engines(const scenes::Scene& scene, const std::string& title,
     return result;
 }
 
-Table work_table(const std::vector<Run>& runs, const std::string& title) {
-    Table table;
-    table.title = title;
+Table work_table(const std::vector<SceneRun>& runs, const std::string& title) {
+    Table table{.title = title};
     table.header = {"engine",     "moved bodies",   "two-body tests", "cache hits", "tests of body boxes",
                     "list swaps", "tests of nodes", "triangle pairs", "integers"};
-    for (const Run& run : runs) {
+    for (const SceneRun& run : runs) {
         if (!run.statistics) continue;
         const Statistics& s = *run.statistics;
         std::vector<std::string> row = {run.name};

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "harness/judge.hpp"
-#include "harness/measure.hpp"
+#include "harness/scene_runs.hpp"
 #include "report/table.hpp"
 #include "suites/suite.hpp"
 
 namespace ecods::bench {
 
 struct Comparison {
-    std::vector<Run> runs;
+    std::vector<SceneRun> runs;
     Truth truth;
     Table table;           // engine, ms per frame, candidate pairs, hits, false negatives and positives
     bool is_right = true;  // no wrong answer of ECoDS
@@ -22,7 +22,7 @@ Comparison compare_engines(const scenes::Scene& scene, const std::string& title,
                            Detail detail = Detail::hits_only);
 
 // What ECoDS counted, for the runs that have statistics.
-Table work_table(const std::vector<Run>& runs, const std::string& title);
+Table work_table(const std::vector<SceneRun>& runs, const std::string& title);
 
 void print(const Table& table);  // to standard output, at once
 

@@ -2,16 +2,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
+#include <limits>
 
-#include "harness/statistics.hpp"
-#include "process/progress.hpp"
-#include "report/error_panel.hpp"
+#include "ecods/solid.hpp"
+#include "engines/convex_engine.hpp"
+#include "oracle/convex.hpp"
 #include "suites/comparison.hpp"
-#include "suites/convex_frames.hpp"
-#include "suites/convex_measure.hpp"
-#include "suites/suite.hpp"
-#include "suites/timed_rows.hpp"
+#include "suites/parts.hpp"
+#include "suites/query_suite.hpp"
 
 namespace ecods::bench {
 
@@ -19,94 +18,126 @@ namespace {
 
 using scenes::ConvexQuestion;
 using scenes::ConvexWorkload;
+using scenes::MeshQuery;
 
-struct Measured {
-    const ConvexWorkload& workload;
-    ConvexTruth truth;
-    std::vector<ConvexRun> runs;
-    std::vector<ConvexErrors> errors;  // of each run
-
-    std::span<const double> us_of(const std::string& name) const {
-        for (const ConvexRun& run : runs)
-            if (run.maker->name == name) return run.us;
-        return {};
-    }
-    bool is_right() const {
-        bool is_right = truth.wrong_count == 0;
-        for (std::size_t i = 0; i < runs.size(); ++i)
-            if (runs[i].maker->is_ecods) is_right &= runs[i].failure.empty() && errors[i].wrong == 0;
-        return is_right;
-    }
+struct ConvexErrors {
+    std::size_t contradicted = 0;    // said to meet where apart, or apart where they meet
+    std::size_t off = 0;             // of the rest, by more than a hundredth of the true number
+    std::size_t bad_directions = 0;  // of depths: along them, a hundredth more than the true depth does not part them
+    double median = 0, most = 0;     // of what is not contradicted: absolute errors
+    std::size_t wrong = 0;           // whatever is not the true number, rounded once
 };
 
-Measured measure(const ConvexWorkload& workload, std::span<const ConvexMaker> makers, const SuiteOptions& options) {
+ConvexAnswer ask_oracle(const ConvexWorkload& workload, const MeshQuery& query) {
+    const auto mesh = [&](const scenes::MeshAt& at) -> const Mesh& { return *workload.meshes[at.mesh_index].mesh; };
+    const oracle::ConvexPair pair(mesh(query.a), query.a.pose, mesh(query.b), query.b.pose);
+    if (workload.question == ConvexQuestion::distance) return {oracle::nearest(pair.distance())};
+    const auto depth = pair.depth();
+    if (!depth) return {std::numeric_limits<double>::quiet_NaN()};
+    const Vec3 normal = depth->normal.nearest();
+    return {oracle::nearest(depth->depth), {normal.x(), normal.y(), normal.z()}};
+}
+
+// Decided exactly, of the sum that is the pose.
+bool parts(const ConvexWorkload& workload, const MeshQuery& query, const Vec3& way) {
+    const Solid a(workload.meshes[query.a.mesh_index].mesh), b(workload.meshes[query.b.mesh_index].mesh);
+    QueryMemory memory;
+    const Pose moved{query.b.pose.R, query.b.pose.t + way};
+    if (!moved.t.allFinite()) return false;
+    const SolidRelation relation = solid_relation({a, query.a.pose}, {b, moved}, memory);
+    return relation == SolidRelation::apart || relation == SolidRelation::touching;
+}
+
+constexpr const char* errors_note =
+    "Errors: absolute, of a size of about 1, where what is said is not contradicted by the truth. Wrong: answers of "
+    "ECoDS that are not the true number, rounded once. Judged: so many of the true numbers are the oracle's, which "
+    "tries every normal in rationals; the others are those of ECoDS.";
+
+struct ConvexSuite {
+    using Question = Convex;
+    using Truth = ConvexAnswer;
+    using Errors = ConvexErrors;
+
     // The oracle needs up to a tenth of a second for a pair of hulls.
-    Measured measured{workload, find_convex_truth(workload, options.is_quick() ? 1 : 30), {}, {}};
-    measured.runs = measure_convex(workload, makers, options.repetition_count);
-    for (const ConvexRun& run : measured.runs) measured.errors.push_back(errors_of(run, workload, measured.truth));
-    return measured;
-}
-
-void add_rows(Table& table, const Measured& measured) {
-    const bool is_depth = measured.workload.question == ConvexQuestion::depth;
-    for (std::size_t i = 0; i < measured.runs.size(); ++i) {
-        const ConvexRun& run = measured.runs[i];
-        const ConvexErrors& errors = measured.errors[i];
-        add_row(table, {measured.workload.pairs.name, run.maker->name, run.us, run.failure}, [&] {
-            std::vector<std::string> cells;
-            const auto times = [&](const char* yardstick) {
-                cells.push_back(ratio_text(times_as_fast(run.us, measured.us_of(yardstick))));
-            };
-            times(is_depth ? convex_depth_yardstick : convex_distance_yardstick);
-            if (is_depth) times(convex_second_yardstick);
-            cells.push_back(fmt::format("{}", errors.contradicted));
-            cells.push_back(fmt::format("{}", errors.off));
-            if (is_depth) cells.push_back(fmt::format("{}", errors.bad_directions));
-            cells.push_back(error_text(errors.median));
-            cells.push_back(error_text(errors.most));
-            cells.push_back(run.maker->is_ecods ? fmt::format("{}", errors.wrong) : std::string());
-            cells.push_back(fmt::format("{} / {}", measured.truth.judged_count, measured.truth.numbers.size()));
-            return cells;
-        });
+    static std::size_t judged_count(const ConvexWorkload& /*workload*/, const SuiteOptions& options) {
+        return options.is_quick() ? 1 : 30;
     }
-}
 
-Table empty_table(ConvexQuestion question, std::size_t repetition_count) {
-    const bool is_depth = question == ConvexQuestion::depth;
-    Table table =
-        is_depth
-            ? timed_table("Two convex solids that overlap: how deep?",
-                          {"times libccd", "times Bullet", "said apart", "off by 1 %", "bad way", "median error",
-                           "most error", "wrong", "judged"},
-                          repetition_count)
-            : timed_table("Two convex solids that are apart: how far?",
-                          {"times FCL", "said to meet", "off by 1 %", "median error", "most error", "wrong", "judged"},
-                          repetition_count);
-    table.notes.push_back(
-        is_depth ? fmt::format("Times libccd, times Bullet: how many times as fast as {} and {}, in the same "
-                               "repetition. Bad way: moved along the direction given, by 1.01 of the true depth, b "
-                               "still overlaps a.",
-                               convex_depth_yardstick, convex_second_yardstick)
-                 : fmt::format("Times FCL: how many times as fast as {}, in the same repetition.",
-                               convex_distance_yardstick));
-    table.notes.push_back(
-        "Errors: absolute, of a size of about 1, where what is said is not contradicted by the truth. Wrong: answers "
-        "of ECoDS that are not the true number, rounded once. Judged: so many of the true numbers are the oracle's, "
-        "which tries every normal in rationals; the others are those of ECoDS.");
-    return table;
-}
-
-Panel panel_of(const Measured& measured) {
-    std::vector<ErrorPoint> points;
-    for (std::size_t i = 0; i < measured.runs.size(); ++i) {
-        if (!measured.runs[i].failure.empty()) continue;
-        const ConvexErrors& errors = measured.errors[i];
-        points.push_back({measured.runs[i].maker->name, median(measured.runs[i].us),
-                          static_cast<double>(errors.contradicted + errors.off) /
-                              static_cast<double>(measured.truth.numbers.size())});
+    static Truths<ConvexAnswer> find_truths(const ConvexWorkload& workload, std::size_t judged_count) {
+        const auto own = ecods_convex(workload.question).front().set_up(workload);
+        return bench::find_truths<ConvexAnswer>(
+            workload.queries, judged_count, [&](const MeshQuery& query, std::size_t i) { return own->ask(query, i); },
+            [&](const MeshQuery& query) { return ask_oracle(workload, query); });
     }
-    return error_panel(measured.workload.pairs.name, "us per query", points);
-}
+
+    static ConvexErrors errors_of(const Run<Convex>& run, const ConvexWorkload& workload,
+                                  const Truths<ConvexAnswer>& truths) {
+        const bool is_depth = workload.question == ConvexQuestion::depth;
+        ConvexErrors errors;
+        std::vector<double> sizes;
+        for (std::size_t i = 0; i < run.answers.size(); ++i) {
+            const auto& [number, direction] = run.answers[i];
+            const double exact = truths.answers[i].number;
+            const bool is_said_to_meet = is_depth ? !std::isnan(number) : !(number > 0);
+            if (number != exact) ++errors.wrong;
+            if (is_said_to_meet != is_depth) {
+                ++errors.contradicted;
+                continue;
+            }
+            sizes.push_back(std::abs(number - exact));
+            if (!(sizes.back() <= exact / 100)) ++errors.off;
+            if (!is_depth) continue;
+            const Vec3 along(direction[0], direction[1], direction[2]);
+            if (!parts(workload, workload.queries[i], along * (1.01 * exact / along.norm()))) ++errors.bad_directions;
+        }
+        errors.median = median(sizes);
+        if (!sizes.empty()) errors.most = *std::ranges::max_element(sizes);
+        return errors;
+    }
+
+    static std::vector<std::string> cells(const Measured<ConvexSuite>& measured, std::size_t i) {
+        const bool is_depth = measured.workload.question == ConvexQuestion::depth;
+        const ConvexErrors& errors = measured.errors[i];
+        std::vector<std::string> cells;
+        const auto times = [&](const char* yardstick) {
+            cells.push_back(ratio_text(times_as_fast(measured.runs[i].us, measured.us_of(yardstick))));
+        };
+        times(is_depth ? convex_depth_yardstick : convex_distance_yardstick);
+        if (is_depth) times(convex_second_yardstick);
+        cells.push_back(fmt::format("{}", errors.contradicted));
+        cells.push_back(fmt::format("{}", errors.off));
+        if (is_depth) cells.push_back(fmt::format("{}", errors.bad_directions));
+        cells.insert(cells.end(),
+                     {error_text(errors.median), error_text(errors.most), measured.wrong_text(i),
+                      fmt::format("{} / {}", measured.truths.judged_count, measured.truths.answers.size())});
+        return cells;
+    }
+
+    static std::optional<double> error(const Measured<ConvexSuite>& measured, std::size_t i) {
+        return static_cast<double>(measured.errors[i].contradicted + measured.errors[i].off) /
+               static_cast<double>(measured.truths.answers.size());
+    }
+
+    static Table table(ConvexQuestion question, std::size_t repetition_count) {
+        if (question == ConvexQuestion::depth)
+            return timed_table(
+                "Two convex solids that overlap: how deep?",
+                {"times libccd", "times Bullet", "said apart", "off by 1 %", "bad way", "median error", "most error",
+                 "wrong", "judged"},
+                repetition_count,
+                {fmt::format("Times libccd, times Bullet: how many times as fast as {} and {}, in the same "
+                             "repetition. Bad way: moved along the direction given, by 1.01 of the true "
+                             "depth, b still overlaps a.",
+                             convex_depth_yardstick, convex_second_yardstick),
+                 errors_note});
+        return timed_table(
+            "Two convex solids that are apart: how far?",
+            {"times FCL", "said to meet", "off by 1 %", "median error", "most error", "wrong", "judged"},
+            repetition_count,
+            {fmt::format("Times FCL: how many times as fast as {}, in the same repetition.", convex_distance_yardstick),
+             errors_note});
+    }
+};
 
 struct Part {
     ConvexQuestion question;
@@ -114,31 +145,19 @@ struct Part {
     const char* picture;
 };
 
-void measure_part(const Part& part, const std::vector<ConvexWorkload>& workloads, const SuiteOptions& options,
+void measure_part(const Part& part, std::vector<ConvexWorkload> workloads, const SuiteOptions& options,
                   SuiteResult& result) {
-    std::vector<ConvexMaker> makers = convex_engines(part.question);
-    options.keep_wanted(makers);
+    const std::vector<ConvexMaker> makers = options.wanted(convex_engines(part.question));
     if (makers.empty()) return;
-    Table table = empty_table(part.question, options.repetition_count);
-    std::vector<Panel> panels;
-    {
-        process::Progress progress(part.picture, workloads.size());
-        for (const ConvexWorkload& workload : workloads) {
-            if (workload.question == part.question) {
-                const Measured measured = measure(workload, makers, options);
-                result.is_right &= measured.is_right();
-                add_rows(table, measured);
-                panels.push_back(panel_of(measured));
-            }
-            progress.step();
-        }
-    }
+    std::erase_if(workloads, [&](const ConvexWorkload& workload) { return workload.question != part.question; });
+    Table table = ConvexSuite::table(part.question, options.repetition_count);
+    const auto all = measure_all<ConvexSuite>(
+        workloads, makers, options, part.picture, [&](const ConvexWorkload&) { return &table; }, result);
     print(table);
-    Section section{
-        part.title, {}, {table, use_table<ConvexMaker>("How each engine is asked", makers, poses_are_timed)}, {}};
+    Section section{part.title, {}, {table, use_table("How each engine is asked", makers, poses_are_timed)}, {}};
     if (options.has_pictures)
         section.charts.push_back(error_chart(
-            part.picture, std::move(panels),
+            part.picture, panels_of("us per query", all),
             "Speed against error. Up: the share of pairs that are wrongly said to meet or to be apart, or of which the "
             "number is off by more than a hundredth. The better engine is lower and further left."));
     result.sections.push_back(std::move(section));
@@ -148,8 +167,7 @@ void measure_part(const Part& part, const std::vector<ConvexWorkload>& workloads
 
 SuiteResult run_convex(const SuiteOptions& options) {
     SuiteResult result;
-    const std::vector<ConvexWorkload> workloads =
-        scenes::convex_workloads(options.is_quick() ? scenes::WorkloadSize::tiny : scenes::WorkloadSize::full);
+    const std::vector<ConvexWorkload> workloads = scenes::convex_workloads(options.workload_size());
     for (const Part& part : {Part{ConvexQuestion::distance, "Distances of convex solids", "convex-distances"},
                              Part{ConvexQuestion::depth, "Depths of convex solids", "convex-depths"}})
         measure_part(part, workloads, options, result);

@@ -1,5 +1,4 @@
-#include "suites/convex_frames.hpp"
-
+// Convex polytopes that move in a box: all distances below their size, frame by frame.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -15,14 +14,14 @@
 #include "oracle/convex.hpp"
 #include "process/progress.hpp"
 #include "scenes/moving_polytopes.hpp"
-#include "suites/comparison.hpp"
+#include "suites/parts.hpp"
 #include "suites/timed_rows.hpp"
 
 namespace ecods::bench {
 
 namespace {
 
-constexpr double size = 2;  // the diameter of the balls around them, and the limit
+constexpr double diameter = 2;  // the diameter of the balls around them, and the limit
 constexpr double frames_yardstick_error = 1e-6;
 
 struct FramesRun {
@@ -39,15 +38,11 @@ struct Frames {
     std::size_t body_count, frame_count, judged_a_frame;
 };
 
-double mean(const std::vector<double>& values) {
-    return values.empty() ? 0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 // Pairs at the limit, to within the yardstick's precision, may be in or out.
 void compare(FramesRun& run, const std::vector<NearPair>& own, const std::vector<NearPair>& answered) {
     std::map<IndexPair, double> left;
     for (const NearPair& pair : own) left[pair.bodies] = pair.distance;
-    const auto is_clear = [](double d) { return d < size - frames_yardstick_error; };
+    const auto is_clear = [](double d) { return d < diameter - frames_yardstick_error; };
     for (const NearPair& pair : answered) {
         const auto at = left.find(pair.bodies);
         if (at == left.end()) {
@@ -59,11 +54,6 @@ void compare(FramesRun& run, const std::vector<NearPair>& own, const std::vector
     }
     run.missing +=
         static_cast<std::size_t>(std::ranges::count_if(left, [&](const auto& pair) { return is_clear(pair.second); }));
-}
-
-bool are_same(const std::vector<NearPair>& a, const std::vector<NearPair>& b) {
-    return std::ranges::equal(
-        a, b, [](const NearPair& x, const NearPair& y) { return x.bodies == y.bodies && x.distance == y.distance; });
 }
 
 // Whether so many of the pairs, spread evenly, are the oracle's.
@@ -82,8 +72,9 @@ bool is_true(const std::vector<NearPair>& pairs, const scenes::MovingPolytopes& 
 // All frames once, engines taking turns in each. The first is not timed: in it engines make what they need.
 void run_once(std::vector<FramesRun>& runs, const Frames& frames, bool is_judged, bool& is_right) {
     scenes::MovingPolytopes scene({.count = frames.body_count});
+    const Polytopes::Workload workload{scene.meshes(), scene.poses(), diameter};
     for (FramesRun& run : runs) {
-        run.engine = run.maker->set_up(scene.meshes(), scene.poses());
+        run.engine = run.maker->set_up(workload);
         run.frame_ms.clear();
         run.asked_count = run.pair_count = run.missing = run.extra = run.off = 0;
     }
@@ -92,10 +83,11 @@ void run_once(std::vector<FramesRun>& runs, const Frames& frames, bool is_judged
         std::optional<std::vector<NearPair>> own;
         for (FramesRun& run : runs) {
             const Stopwatch watch;
-            run.engine->run_frame(scene.poses(), size);
+            run.engine->run_frame(scene.poses());
             if (frame > 0) run.frame_ms.push_back(watch.nanoseconds() / 1e6);
-            const std::vector<NearPair> pairs = run.engine->pairs();
-            run.asked_count += run.engine->asked_count();
+            std::vector<NearPair> pairs = run.engine->pairs();
+            std::ranges::sort(pairs, {}, &NearPair::bodies);
+            run.asked_count += run.engine->candidate_count();
             run.pair_count += pairs.size();
             if (!run.maker->is_ecods) {
                 if (own) compare(run, *own, pairs);
@@ -103,7 +95,7 @@ void run_once(std::vector<FramesRun>& runs, const Frames& frames, bool is_judged
                 own = pairs;
                 if (is_judged) is_right &= is_true(pairs, scene, frames.judged_a_frame);
             } else {
-                is_right &= are_same(*own, pairs);
+                is_right &= *own == pairs;
             }
         }
         scene.step();
@@ -111,15 +103,15 @@ void run_once(std::vector<FramesRun>& runs, const Frames& frames, bool is_judged
     }
     for (FramesRun& run : runs) {
         run.engine.reset();
-        run.mean_ms.push_back(mean(run.frame_ms));
+        run.mean_ms.push_back(std::accumulate(run.frame_ms.begin(), run.frame_ms.end(), 0.0) /
+                              static_cast<double>(run.frame_ms.size()));
         run.worst_ms.push_back(*std::ranges::max_element(run.frame_ms));
     }
 }
 
-Table empty_table(const Frames& frames, std::size_t repetition_count) {
-    Table table;
-    table.title = fmt::format("{} convex polytopes move in a box: all pairs nearer than their size", frames.body_count);
-    table.text_columns = 1;
+Table frames_table(const Frames& frames, std::size_t repetition_count) {
+    Table table{
+        .title = fmt::format("{} convex polytopes move in a box: all pairs nearer than their size", frames.body_count)};
     table.header = {"engine", "ms/frame", "spread %", "worst frame", "times FCL",
                     "pairs",  "asked",    "missing",  "extra",       "off by 1e-6"};
     table.notes = {
@@ -140,15 +132,14 @@ Table empty_table(const Frames& frames, std::size_t repetition_count) {
 std::optional<Table> convex_frames_table(const SuiteOptions& options, bool& is_right) {
     const Frames frames =
         options.is_quick() ? Frames{100, 3, 2} : Frames{1000, std::min<std::size_t>(options.frame_count, 100), 10};
-    std::vector<PolytopesMaker> makers = polytopes_engines();
-    options.keep_wanted(makers);
+    const std::vector<PolytopesMaker> makers = options.wanted(polytopes_engines());
     if (makers.empty()) return {};
     std::vector<FramesRun> runs;
     for (const PolytopesMaker& maker : makers) runs.push_back({.maker = &maker});
     for (std::size_t repetition = 0; repetition < options.repetition_count; ++repetition)
         run_once(runs, frames, repetition == 0, is_right);
 
-    Table table = empty_table(frames, options.repetition_count);
+    Table table = frames_table(frames, options.repetition_count);
     const auto yardstick =
         std::ranges::find_if(runs, [](const FramesRun& run) { return run.maker->name == polytopes_yardstick; });
     for (const FramesRun& run : runs) {

@@ -25,12 +25,14 @@ struct Verdict {
 
 // Both orders of arguments, in a process of its own: some of these end it.
 Verdict ask(const NarrowMaker& maker, const HardCase& hard) {
+    const scenes::MeshAt a{0, hard.a.pose}, b{1, hard.b.pose};
+    const scenes::MeshPairs both{hard.id, {{"A", hard.a.mesh}, {"B", hard.b.mesh}}, {{a, b}, {b, a}}};
     const auto start = [&]() -> process::Contained::Run {
-        const std::vector<scenes::NamedMesh> meshes{{"A", hard.a.mesh}, {"B", hard.b.mesh}};
-        std::shared_ptr<NarrowEngine> engine = maker.set_up(meshes);
-        return [engine, &hard] {
-            const scenes::MeshAt a{0, hard.a.pose}, b{1, hard.b.pose};
-            return std::vector<double>{engine->query({a, b}) ? 1.0 : 0.0, engine->query({b, a}) ? 1.0 : 0.0};
+        std::shared_ptr<Touch::Engine> engine = maker.set_up(both);
+        return [engine, &both] {
+            std::vector<double> answers(2);
+            engine->ask_all(both.queries, answers);
+            return answers;
         };
     };
     const process::Outcome outcome = process::Contained(start, answer_limit).run();
@@ -44,16 +46,17 @@ Verdict ask(const NarrowMaker& maker, const HardCase& hard) {
 }  // namespace
 
 SuiteResult run_hard_cases(const SuiteOptions& options) {
-    std::vector<NarrowMaker> makers = narrow_engines();
-    options.keep_wanted(makers);
+    const std::vector<NarrowMaker> makers = options.wanted(narrow_engines());
     std::vector<HardCase> cases =
         scenes::read_hard_cases(ECODS_BENCH_SOURCE "/verify/hard_cases/hard_cases.json").cases;
     if (options.is_quick()) cases.resize(3);
 
-    Table table;
-    table.title = "Hard cases: do they touch?";
-    table.header = {"case", "touch"};
-    table.text_columns = 2 + makers.size();
+    Table table{
+        .title = "Hard cases: do they touch?",
+        .header = {"case", "touch"},
+        .text_columns = 2 + makers.size(),
+        .notes = {"Each with its source in verify/hard_cases/hard_cases.json. Both orders of arguments are asked.",
+                  "Crashed: the engine's process ended by a signal; each case is asked in a process of its own."}};
     std::vector<std::string> totals = {fmt::format("right, of {}", cases.size()), ""};
     SuiteResult result;
     process::Progress progress("hard cases", makers.size());
@@ -78,8 +81,6 @@ SuiteResult run_hard_cases(const SuiteOptions& options) {
         table.rows.push_back(std::move(row));
     }
     table.rows.push_back(std::move(totals));
-    table.notes = {"Each with its source in verify/hard_cases/hard_cases.json. Both orders of arguments are asked.",
-                   "Crashed: the engine's process ended by a signal; each case is asked in a process of its own."};
     print(table);
     result.sections.push_back({"Hard cases",
                                {"Configurations that were reported to other libraries as wrong answers, or that were "

@@ -1,6 +1,6 @@
 #include "engines/broad_engine.hpp"
-#include "engines/engine.hpp"
 #include "engines/narrow_engine.hpp"
+#include "engines/scene_engine.hpp"
 #include "suites/suite.hpp"
 
 namespace ecods::bench {

@@ -1,12 +1,14 @@
 // What engines allocate: for each triangle of a mesh, each box of a broad phase, each body of a system.
 #include <fmt/core.h>
+#include <malloc.h>
 
 #include <functional>
 
 #include "engines/broad_engine.hpp"
-#include "engines/engine.hpp"
 #include "engines/narrow_engine.hpp"
-#include "harness/heap.hpp"
+#include "engines/scene_engine.hpp"
+#include "harness/frame_runs.hpp"
+#include "harness/turns.hpp"
 #include "process/contained.hpp"
 #include "scenes/narrow_workloads.hpp"
 #include "scenes/room.hpp"
@@ -17,7 +19,12 @@ namespace ecods::bench {
 
 namespace {
 
-constexpr std::chrono::seconds limit{300};
+// Bytes that this process has allocated and not freed, as the C library's allocator counts them: what was asked for,
+// rounded up to its units. What a library maps by itself is not in it.
+double heap_bytes() {
+    const struct mallinfo2 info = mallinfo2();
+    return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+}
 
 // What `make` has allocated when it returns what must stay alive; why not, when it fails.
 process::Outcome allocated_by(const std::function<std::shared_ptr<void>()>& make) {
@@ -29,8 +36,17 @@ process::Outcome allocated_by(const std::function<std::shared_ptr<void>()>& make
                 return {heap_bytes() - before};
             });
         },
-        limit);
+        turn_limit);
     return child.run();
+}
+
+// An engine that has run all frames.
+template <class Q>
+std::shared_ptr<void> after_frames(const Maker<Q>& maker, const typename Q::Workload& workload) {
+    std::shared_ptr<typename Q::Engine> engine = maker.set_up(workload);
+    engine->run_frame({});
+    for (const auto& frame : workload.frames) engine->run_frame(moves_of(frame));
+    return engine;
 }
 
 std::string per(const process::Outcome& outcome, std::size_t count) {
@@ -38,20 +54,16 @@ std::string per(const process::Outcome& outcome, std::size_t count) {
 }
 
 Table triangle_table(const SuiteOptions& options) {
-    Table table;
-    table.title = "Heap bytes per triangle of a mesh made ready for queries";
-    table.header = {"engine"};
-    const std::vector<scenes::NamedMesh> meshes =
-        build_workloads(options.is_quick() ? scenes::WorkloadSize::tiny : scenes::WorkloadSize::full);
+    Table table{.title = "Heap bytes per triangle of a mesh made ready for queries", .header = {"engine"}};
+    const std::vector<scenes::NamedMesh> meshes = build_workloads(options.workload_size());
     for (const scenes::NamedMesh& mesh : meshes)
         table.header.push_back(fmt::format("{} ({})", mesh.name, mesh.mesh->triangles().size()));
-    std::vector<NarrowMaker> makers = narrow_engines();
-    options.keep_wanted(makers);
-    for (const NarrowMaker& maker : makers) {
+    for (const NarrowMaker& maker : options.wanted(narrow_engines())) {
         std::vector<std::string> row = {maker.name};
         for (const scenes::NamedMesh& mesh : meshes) {
+            const scenes::MeshPairs workload{mesh.name, {mesh}, {}};
             const process::Outcome outcome =
-                allocated_by([&]() -> std::shared_ptr<void> { return maker.set_up(std::span(&mesh, 1)); });
+                allocated_by([&]() -> std::shared_ptr<void> { return maker.set_up(workload); });
             row.push_back(per(outcome, mesh.mesh->triangles().size()));
         }
         table.rows.push_back(std::move(row));
@@ -63,51 +75,34 @@ Table triangle_table(const SuiteOptions& options) {
 }
 
 Table box_table(const SuiteOptions& options) {
-    Table table;
     const std::size_t count = options.is_quick() ? 1000 : 10'000;
-    table.title = fmt::format("Heap bytes per box, {} boxes after some frames", count);
-    table.header = {"engine", "dense", "sparse"};
+    Table table{.title = fmt::format("Heap bytes per box, {} boxes after some frames", count),
+                .header = {"engine", "dense", "sparse"},
+                .notes = {"With the list of pairs as delivered. Embree maps memory by itself, which is not counted."}};
     const scenes::MovingBoxes dense = scenes::moving_boxes({.count = count, .frame_count = 3});
     const scenes::MovingBoxes sparse =
         scenes::moving_boxes({.layout = scenes::BoxLayout::sparse, .count = count, .frame_count = 3});
-    std::vector<BroadMaker> makers = broad_engines();
-    options.keep_wanted(makers);
-    for (const BroadMaker& maker : makers) {
+    for (const BroadMaker& maker : options.wanted(broad_engines())) {
         std::vector<std::string> row = {maker.name};
         for (const scenes::MovingBoxes* boxes : {&dense, &sparse}) {
-            const process::Outcome outcome = allocated_by([&]() -> std::shared_ptr<void> {
-                std::shared_ptr<BroadEngine> engine = maker.set_up(*boxes);
-                engine->run_frame({});
-                for (const std::vector<scenes::BoxMove>& frame : boxes->frames) engine->run_frame(frame);
-                return engine;
-            });
-            row.push_back(per(outcome, count));
+            row.push_back(per(allocated_by([&] { return after_frames(maker, *boxes); }), count));
         }
         table.rows.push_back(std::move(row));
     }
-    table.notes = {"With the list of pairs as delivered. Embree maps memory by itself, which is not counted."};
     return table;
 }
 
 Table body_table(const SuiteOptions& options) {
-    Table table;
     const std::size_t few = options.is_quick() ? 32 : 512, many = 2 * few;
-    table.title = "Heap bytes per body: ships at the calibrated density, after some frames";
-    table.header = {"engine", "bytes/body", fmt::format("{} ships", few), fmt::format("{} ships", many)};
-    std::vector<EngineMaker> makers = all_engines();
-    options.keep_wanted(makers);
-    for (const EngineMaker& maker : makers) {
+    Table table{.title = "Heap bytes per body: ships at the calibrated density, after some frames",
+                .header = {"engine", "bytes/body", fmt::format("{} ships", few), fmt::format("{} ships", many)}};
+    for (const SceneMaker& maker : options.wanted(scene_engines())) {
         std::vector<double> bytes;
         std::string failure;
         for (const std::size_t ships : {few, many}) {
             const scenes::Scene scene = scenes::room(
                 {.ship_count = ships, .frame_count = 3, .side = scenes::calibrated_side_by_density(ships), .seed = 10});
-            const process::Outcome outcome = allocated_by([&]() -> std::shared_ptr<void> {
-                std::shared_ptr<Engine> engine = maker.set_up(scene);
-                engine->run_frame({});
-                for (const scenes::Frame& frame : scene.frames) engine->run_frame(frame.moves);
-                return engine;
-            });
+            const process::Outcome outcome = allocated_by([&] { return after_frames(maker, scene); });
             failure += outcome.failure;
             bytes.push_back(outcome.is_right() ? outcome.values[0] : 0);
         }

@@ -4,10 +4,10 @@
 #include "engines/cast_engine.hpp"
 #include "engines/convex_engine.hpp"
 #include "engines/distance_engine.hpp"
-#include "engines/engine.hpp"
 #include "engines/hit_engine.hpp"
 #include "engines/narrow_engine.hpp"
 #include "engines/polytopes_engine.hpp"
+#include "engines/scene_engine.hpp"
 
 namespace ecods::bench {
 
@@ -25,7 +25,7 @@ std::vector<Suite> all_suites() {
             {"rooms", run_rooms},
             {"hover", run_hover},
             {"assembly", run_assembly},
-            {"memory", run_memory, names_of(narrow_engines(), broad_engines(), all_engines()), false},
+            {"memory", run_memory, names_of(narrow_engines(), broad_engines(), scene_engines()), false},
             {"predicates", run_predicates},
             {"stability", run_stability},
             {"hard_cases", run_hard_cases, names_of(narrow_engines())}};

@@ -11,7 +11,8 @@
 
 #include "ecods/intersection.hpp"
 #include "engines/broad_phase_kinds.hpp"
-#include "engines/engine.hpp"
+#include "engines/scene_engine.hpp"
+#include "harness/differences.hpp"
 #include "harness/stopwatch.hpp"
 #include "process/contained.hpp"
 #include "scenes/fitted_parts.hpp"
@@ -108,7 +109,7 @@ Turn start_boxes(const scenes::MovingBoxesOptions& options, BroadPhaseKind kind)
 Turn start_room(const scenes::RoomOptions& options) {
     auto scene = std::make_shared<scenes::Scene>(scenes::room(options));
     return [scene] {
-        const std::unique_ptr<Engine> engine = set_up_world(*scene, BroadPhaseKind::automatic);
+        const std::unique_ptr<SceneEngine> engine = set_up_world(*scene, BroadPhaseKind::automatic);
         OwnSample sample;
         Hash hash;
         engine->run_frame({});
@@ -116,7 +117,7 @@ Turn start_room(const scenes::RoomOptions& options) {
             const Stopwatch watch;
             engine->run_frame(frame.moves);
             sample.ns += watch.nanoseconds();
-            for (const IndexPair& hit : engine->hits()) hash.add(std::uint64_t{hit.a} << 32 | hit.b);
+            for (const IndexPair& hit : ascending(engine->pairs())) hash.add(std::uint64_t{hit.a} << 32 | hit.b);
         }
         sample.ns /= static_cast<double>(scene->frames.size());
         const Statistics statistics = engine->statistics().value();

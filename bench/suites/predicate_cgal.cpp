@@ -7,8 +7,7 @@
 #include <array>
 #include <optional>
 
-#include "suites/predicate_engines.hpp"
-#include "suites/stability_engines.hpp"
+#include "suites/triangle_engines.hpp"
 
 namespace ecods::bench {
 namespace {

@@ -1,7 +1,7 @@
 // FCL's triangle test, the one that its meshes are tested with.
 #include <fcl/narrowphase/detail/traversal/collision/intersect.h>
 
-#include "suites/stability_engines.hpp"
+#include "suites/triangle_engines.hpp"
 
 namespace ecods::bench {
 

@@ -179,12 +179,6 @@ PredicateScene full_matrices(std::size_t count) {
 
 }  // namespace
 
-std::size_t PredicateScene::pair_count() const {
-    std::size_t count = 0;
-    for (const PredicateTask& task : tasks) count += task.pairs.size();
-    return count;
-}
-
 std::vector<PredicateScene> predicate_scenes(std::size_t body_count) {
     std::vector<PredicateScene> scenes{
         generic_boxes(body_count), generic_spheres(body_count / 4), brick_wall(body_count),   common_pose(body_count),

@@ -30,7 +30,11 @@ struct PredicateScene {
     std::vector<PredicateBody> bodies;
     std::vector<PredicateTask> tasks;
 
-    std::size_t pair_count() const;
+    std::size_t pair_count() const {
+        std::size_t count = 0;
+        for (const PredicateTask& task : tasks) count += task.pairs.size();
+        return count;
+    }
 };
 
 std::vector<PredicateScene> predicate_scenes(std::size_t body_count);

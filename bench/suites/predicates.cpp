@@ -1,7 +1,5 @@
 // The exact layer on its own: its price against plain double, its distance to CGAL's exact kernel, and what decided.
 #include <fmt/core.h>
-#include <gsl/gsl_sort_double.h>
-#include <gsl/gsl_statistics_double.h>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -13,8 +11,8 @@
 #include "process/progress.hpp"
 #include "scenes/shapes.hpp"
 #include "suites/comparison.hpp"
-#include "suites/predicate_engines.hpp"
 #include "suites/suite.hpp"
+#include "suites/triangle_engines.hpp"
 
 namespace ecods::bench {
 namespace {
@@ -38,40 +36,24 @@ std::size_t count_differences(const Answers& answers, const Answers& right) {
     return count;
 }
 
-struct Spread {
-    double low_quartile = 0, median = 0, high_quartile = 0;
-};
-
-Spread spread(std::vector<double> values) {
-    gsl_sort(values.data(), 1, values.size());
-    const auto at = [&](double share) {
-        return gsl_stats_quantile_from_sorted_data(values.data(), 1, values.size(), share);
-    };
-    return {at(0.25), at(0.5), at(0.75)};
-}
-
 // The two whose ratio counts, one after the other in each repetition, so that a change of the machine's pace meets
 // both.
 struct Price {
     Answers plain, exact;
-    Spread plain_ns, exact_ns;
-    Spread exact_ratio;  // to plain double of the same repetition
-    StageCounts counts;  // of one pass
+    std::vector<double> plain_ns = {}, exact_ns = {};
+    std::vector<double> exact_ratio = {};  // to plain double of the same repetition
+    StageCounts counts = {};               // of one pass
 };
 
 Price find_price(const PredicateScene& scene, std::size_t repetition_count) {
     Price price;
     price.plain = decide_plainly(scene);  // these passes also warm up
     price.exact = decide_exactly(scene, &price.counts);
-    std::vector<double> plain, exact, exact_ratio;
     for (std::size_t i = 0; i < repetition_count; ++i) {
-        plain.push_back(timed(scene, decide_plainly).ns);
-        exact.push_back(timed(scene, [](const PredicateScene& s) { return decide_exactly(s); }).ns);
-        exact_ratio.push_back(exact.back() / plain.back());
+        price.plain_ns.push_back(timed(scene, decide_plainly).ns);
+        price.exact_ns.push_back(timed(scene, [](const PredicateScene& s) { return decide_exactly(s); }).ns);
+        price.exact_ratio.push_back(price.exact_ns.back() / price.plain_ns.back());
     }
-    price.plain_ns = spread(plain);
-    price.exact_ns = spread(exact);
-    price.exact_ratio = spread(exact_ratio);
     return price;
 }
 
@@ -95,8 +77,8 @@ EpeckPrice find_epeck_price(const PredicateScene& scene, std::size_t repetition_
         seconds += epeck.ns * 1e-9 * static_cast<double>(epeck.answers.size());
         price.answers = std::move(epeck.answers);
     }
-    price.ns = spread(times).median;
-    price.ratio = spread(ratios).median;
+    price.ns = median(times);
+    price.ratio = median(ratios);
     return price;
 }
 
@@ -182,12 +164,12 @@ void add_rows(Tables& tables, const PredicateScene& scene, const Price& price, c
     const std::size_t count = price.exact.size();
     const auto all = static_cast<double>(count);
     const auto hits = static_cast<double>(std::count(price.exact.begin(), price.exact.end(), 1));
-    tables.times.rows.push_back({scene.name, fmt::format("{}", count), percent(hits, all), ns(price.plain_ns.median),
-                                 ns(price.exact_ns.median), ns(epick.ns), ns(epeck.ns)});
-    const double ratio = price.exact_ratio.median;
+    tables.times.rows.push_back({scene.name, fmt::format("{}", count), percent(hits, all), ns(median(price.plain_ns)),
+                                 ns(median(price.exact_ns)), ns(epick.ns), ns(epeck.ns)});
+    const double ratio = median(price.exact_ratio);
     tables.ratios.rows.push_back(
         {scene.name, fmt::format("{:.2f}", ratio),
-         fmt::format("{:.2f}-{:.2f}", price.exact_ratio.low_quartile, price.exact_ratio.high_quartile),
+         fmt::format("{:.2f}-{:.2f}", quantile(price.exact_ratio, 0.25), quantile(price.exact_ratio, 0.75)),
          fmt::format("{:.2f}", scene.must), fmt::format("{:.2f}", scene.aim),
          ratio <= scene.aim    ? "aim"
          : ratio <= scene.must ? "must"
@@ -210,11 +192,11 @@ void add_rows(Tables& tables, const PredicateScene& scene, const Price& price, c
 
 void add_all_pairs_rows(Table& table, const PredicateScene& scene, std::size_t repetition_count) {
     const Price price = find_price(scene, repetition_count);
-    const auto add = [&](const char* name, const Spread& time, double ratio) {
-        table.rows.push_back({name, fmt::format("{:.2f}", time.median), fmt::format("{:.2f}", ratio)});
+    const auto add = [&](const char* name, const std::vector<double>& times, double ratio) {
+        table.rows.push_back({name, fmt::format("{:.2f}", median(times)), fmt::format("{:.2f}", ratio)});
     };
     add("plain double", price.plain_ns, 1);
-    add("ECoDS", price.exact_ns, price.exact_ratio.median);
+    add("ECoDS", price.exact_ns, median(price.exact_ratio));
     const auto hits = std::count(price.exact.begin(), price.exact.end(), 1);
     table.notes = {fmt::format("{} pairs of triangles, {} of which meet.", price.exact.size(), hits)};
 }

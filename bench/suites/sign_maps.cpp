@@ -16,7 +16,7 @@ namespace ecods::bench {
 namespace {
 
 // Two to the power of -53: neighbours of 0.5 are so far apart.
-constexpr double step = 0x1p-53;
+constexpr double grid_step = 0x1p-53;
 
 template <class SignOf>
 SignMap make_map(std::string title, SignOf&& sign_of) {
@@ -24,7 +24,8 @@ SignMap make_map(std::string title, SignOf&& sign_of) {
     map.signs.reserve(sign_map_size * sign_map_size);
     for (std::size_t j = 0; j < sign_map_size; ++j) {
         for (std::size_t i = 0; i < sign_map_size; ++i) {
-            map.signs.push_back(sign_of(0.5 + static_cast<double>(i) * step, 0.5 + static_cast<double>(j) * step));
+            map.signs.push_back(
+                sign_of(0.5 + static_cast<double>(i) * grid_step, 0.5 + static_cast<double>(j) * grid_step));
         }
     }
     return map;

@@ -2,38 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
+#include "scenes/flush_parts.hpp"
 #include "scenes/shapes.hpp"
 
 namespace ecods::bench {
 
 std::shared_ptr<const Mesh> slab(std::uint32_t n, double height, bool other_diagonals) {
+    const std::shared_ptr<const Mesh> plate = scenes::plate(n, 1);
     std::vector<Vec3> vertices;
-    std::vector<Triangle> triangles;
-    const std::uint32_t row = n + 1, top = row * row;
     for (const double z : {0.0, height}) {
-        for (std::uint32_t y = 0; y <= n; ++y) {
-            for (std::uint32_t x = 0; x <= n; ++x) vertices.emplace_back(x, y, z);
+        for (std::uint32_t x = 0; x <= n; ++x) {
+            for (std::uint32_t y = 0; y <= n; ++y) vertices.emplace_back(x, y, z);
         }
     }
-    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-        if (other_diagonals) std::tie(a, b, c, d) = std::tuple(b, c, d, a);
-        triangles.push_back({a, b, c});
-        triangles.push_back({a, c, d});
-    };
-    for (std::uint32_t y = 0; y < n; ++y) {
-        for (std::uint32_t x = 0; x < n; ++x) {
-            const std::uint32_t at = y * row + x;
-            add(at, at + row, at + row + 1, at + 1);
-            add(top + at, top + at + 1, top + at + row + 1, top + at + row);
-        }
-        const std::uint32_t first = y * row, last = y * row + n, far = n * row + y;
-        add(y, y + 1, top + y + 1, top + y);
-        add(far + 1, far, top + far, top + far + 1);
-        add(first + row, first, top + first, top + first + row);
-        add(last, last + row, top + last + row, top + last);
+    std::vector<Triangle> triangles(plate->triangles().begin(), plate->triangles().end());
+    for (std::size_t i = 0; i < triangles.size() && other_diagonals; i += 2) {
+        const auto [a, b, c] = triangles[i];
+        const std::uint32_t d = triangles[i + 1][2];
+        triangles[i] = {b, c, d};
+        triangles[i + 1] = {b, d, a};
     }
     return Mesh::create(std::move(vertices), std::move(triangles));
 }

@@ -10,7 +10,7 @@
 
 namespace ecods::bench {
 
-// A box from 0 to (n, n, height), its large faces grids of n by n squares. Diagonals go one way or the other.
+// A box from 0 to (n, n, height), cut as a plate of n cells. Diagonals go one way or the other.
 std::shared_ptr<const Mesh> slab(std::uint32_t n, double height, bool other_diagonals = false);
 
 struct SolidScene {

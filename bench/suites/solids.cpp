@@ -39,10 +39,10 @@ std::string text(double us) {
 // ---- points
 
 Table empty_point_table(std::size_t repetition_count) {
-    Table table;
-    table.title = "Is a point in a solid?";
-    table.text_columns = 2;
-    table.header = {"mesh", "points", "triangles", "us", "CGAL us", "of CGAL", "at most", "CGAL wrong", "judged"};
+    Table table{
+        .title = "Is a point in a solid?",
+        .header = {"mesh", "points", "triangles", "us", "CGAL us", "of CGAL", "at most", "CGAL wrong", "judged"},
+        .text_columns = 2};
     table.notes = {medians_of(repetition_count) +
                    ", for one point. CGAL: Side_of_triangle_mesh of posed vertices, "
                    "rounded, whose answers on and near the posed surface may be "
@@ -55,13 +55,13 @@ void add_point_rows(Table& table, const char* name, const std::shared_ptr<const 
     const Solid solid(mesh);
     QueryMemory memory;
     for (const PointScene& scene : point_scenes(*mesh, options.is_quick() ? 10 : 1000)) {
-        const SideOfMesh cgal(*mesh, scene.pose);
+        const auto cgal_side = side_of_mesh_by_cgal(*mesh, scene.pose);
         std::size_t wrong = 0, cgal_wrong = 0;
         const std::size_t judged = options.is_quick() ? 1 : 4;
         const oracle::Soup soup{mesh->vertices(), mesh->triangles(), scene.pose};
         for (std::size_t i = 0; i < scene.points.size(); ++i) {
             const Side side = locate(scene.points[i], {solid, scene.pose}, memory).side;
-            cgal_wrong += cgal.side(scene.points[i]) != side;
+            cgal_wrong += cgal_side(scene.points[i]) != side;
             if (i < judged) wrong += side != static_cast<Side>(oracle::locate(scene.points[i], soup).side);
         }
         is_right &= wrong == 0;
@@ -73,7 +73,7 @@ void add_point_rows(Table& table, const char* name, const std::shared_ptr<const 
                                      },
                                      [&] {
                                          for (const Vec3& point : scene.points)
-                                             sink = static_cast<int>(cgal.side(point));
+                                             sink = static_cast<int>(cgal_side(point));
                                      }},
                                     options.repetition_count);
         const auto count = static_cast<double>(scene.points.size());
@@ -87,10 +87,9 @@ void add_point_rows(Table& table, const char* name, const std::shared_ptr<const 
 // ---- pairs
 
 Table empty_pair_table(std::size_t repetition_count) {
-    Table table;
-    table.title = "How are two solids to each other?";
-    table.text_columns = 2;
-    table.header = {"scene", "relation", "triangles", "us", "other us", "of other", "at most", "wrong"};
+    Table table{.title = "How are two solids to each other?",
+                .header = {"scene", "relation", "triangles", "us", "other us", "of other", "at most", "wrong"},
+                .text_columns = 2};
     table.notes = {medians_of(repetition_count) +
                    ". Other: where surfaces are apart, intersects() and one locate() for each shell, otherwise "
                    "intersecting_triangles(). Relations follow from how the solids are made, and are compared before "
@@ -150,15 +149,15 @@ Table mesh_table(const SuiteOptions& options, bool& is_right) {
     for (const auto& [name, mesh] : {std::pair("sphere", scenes::sphere(size, size)),
                                      {"ring", scenes::torus(size, size, 0.25)},
                                      {"slab", slab(size / 2 * 2 / 3 * 2, 8)}}) {
-        const ManifoldCgal cgal(*mesh);
-        is_right &= !cgal.does_self_intersect();
+        const auto does_self_intersect = self_intersection_by_cgal(*mesh);
+        is_right &= !does_self_intersect();
         const std::vector<std::uint64_t> edges = edges_of(*mesh);
         const auto us = time_passes({[&] { check_solid(*mesh); }, [&] { MeshShape(mesh).tree_bytes(); },
                                      [&] {
                                          std::vector<std::uint64_t> sorted = edges;
                                          std::sort(sorted.begin(), sorted.end());
                                      },
-                                     [&] { static_cast<void>(cgal.does_self_intersect()); }},
+                                     [&] { static_cast<void>(does_self_intersect()); }},
                                     options.repetition_count);
         std::vector<double> other;
         for (std::size_t i = 0; i < us[1].size(); ++i) other.push_back(us[1][i] + us[2][i]);

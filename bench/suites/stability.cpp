@@ -1,19 +1,19 @@
 // Numerical stability: how often each way to test two triangles is wrong where it is hard to be right, at what price.
 #include <fmt/core.h>
-#include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "ecods/predicates.hpp"
+#include "harness/statistics.hpp"
 #include "harness/stopwatch.hpp"
 #include "oracle/oracle.hpp"
 #include "process/progress.hpp"
 #include "suites/comparison.hpp"
 #include "suites/sign_maps.hpp"
-#include "suites/stability_engines.hpp"
 #include "suites/stability_families.hpp"
 #include "suites/suite.hpp"
+#include "suites/triangle_engines.hpp"
 
 namespace ecods::bench {
 namespace {
@@ -52,9 +52,7 @@ std::vector<Answers> time_engines(std::span<const PosedPair> pairs, std::size_t 
             times[e].push_back(stopwatch.nanoseconds() / static_cast<double>(pairs.size()));
         }
     }
-    for (std::vector<double>& of_engine : times) {
-        measured.ns.push_back(gsl_stats_median(of_engine.data(), 1, of_engine.size()));
-    }
+    for (const std::vector<double>& of_engine : times) measured.ns.push_back(median(of_engine));
     return answers;
 }
 
@@ -93,9 +91,7 @@ std::string percent(double value) {
 }
 
 Table make_table(std::span<const StabilityFamily> families, std::span<const Measured> measured) {
-    Table table;
-    table.title = "Wrong booleans in percent, and nanoseconds per pair";
-    table.header = {"family", "hits %"};
+    Table table{.title = "Wrong booleans in percent, and nanoseconds per pair", .header = {"family", "hits %"}};
     for (const TriangleEngine& engine : engines()) {
         table.header.push_back(engine.name + " %");
         table.header.push_back("ns");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "report/page.hpp"
+#include "scenes/narrow_workloads.hpp"
 
 namespace ecods::bench {
 
@@ -17,18 +18,21 @@ struct SuiteOptions {
     bool has_pictures = true;
     bool is_long = false;              // largest sizes, too
     bool is_main = false;              // the main job: fewer workloads, the engines of main_suites(), and short tables
-    std::vector<std::string> engines;  // see keep_wanted(); all when empty
+    std::vector<std::string> engines;  // see wanted(); all when empty
     std::vector<std::size_t> sizes;    // numbers of boxes or bodies, where a suite has a choice; its own when empty
     std::filesystem::path folder;      // for pictures and what they are made from; exists
 
     // To see that all of it works: little data, once, no pictures.
     bool is_quick() const { return !has_pictures; }
+    scenes::WorkloadSize workload_size() const {
+        return is_quick() ? scenes::WorkloadSize::tiny : scenes::WorkloadSize::full;
+    }
 
-    // Leaves the engines that are asked for: of each text in `engines` those that are named so; if none is, those whose
-    // name contains it.
+    // Returns the engines that are asked for: of each text in `engines` those that are named so; if none is, those
+    // whose name contains it.
     template <class Maker>
-    void keep_wanted(std::vector<Maker>& makers) const {
-        if (engines.empty()) return;
+    std::vector<Maker> wanted(std::vector<Maker> makers) const {
+        if (engines.empty()) return makers;
         const std::vector<Maker> all = makers;
         std::erase_if(makers, [&](const Maker& maker) {
             return std::none_of(engines.begin(), engines.end(), [&](const std::string& text) {
@@ -37,6 +41,7 @@ struct SuiteOptions {
                 return is_a_name ? maker.name == text : maker.name.find(text) != std::string::npos;
             });
         });
+        return makers;
     }
     bool wants(std::size_t size) const {
         return sizes.empty() || std::find(sizes.begin(), sizes.end(), size) != sizes.end();

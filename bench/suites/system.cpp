@@ -38,7 +38,7 @@ std::vector<std::size_t> ship_counts(const Experiment& experiment, const SuiteOp
 }
 
 // Fewer frames of more ships, in which as much happens; at least 20, so that what is done once in some frames is met.
-std::size_t frame_count(std::size_t ships, const SuiteOptions& options) {
+std::size_t room_frame_count(std::size_t ships, const SuiteOptions& options) {
     if (options.is_quick()) return 3;
     return std::clamp<std::size_t>((options.is_long ? 40'000 : 6'400) / ships,
                                    std::min<std::size_t>(20, options.frame_count), options.frame_count);
@@ -64,13 +64,12 @@ struct Size {
 Size run_size(const Experiment& experiment, std::size_t ships, const SuiteOptions& options) {
     const scenes::Scene scene = scenes::room(
         {.ship_count = ships,
-         .frame_count = frame_count(ships, options),
+         .frame_count = room_frame_count(ships, options),
          .side = experiment.keeps_density ? scenes::calibrated_side_by_density(ships) : scenes::calibrated_side(),
          .seed = 10});
-    std::vector<EngineMaker> makers = system_engines();
-    options.keep_wanted(makers);
-    std::erase_if(makers, [&](const EngineMaker& maker) {
-        return maker.name == "FCL, all pairs" && ships > all_pairs_max(options);
+    std::vector<SceneMaker> makers = options.wanted(system_engines());
+    std::erase_if(makers, [&](const SceneMaker& maker) {
+        return maker.name == scene_fcl_all_pairs && ships > all_pairs_max(options);
     });
     Size size{ships, find_hits(scene, judged_count(ships, options), experiment.title), {}};
     size.runs = measure_systems(scene, size.truth, makers, options.repetition_count);
@@ -87,10 +86,9 @@ std::vector<std::string> engine_names(const std::vector<Size>& sizes) {
 }
 
 Table time_table(const Experiment& experiment, const std::vector<Size>& sizes, std::size_t repetition_count) {
-    Table table;
-    table.title = experiment.title + ": mean milliseconds per frame (times as fast as FCL's tree)";
-    table.is_summary = true;
-    table.header = {"ships", "hits/frame", "judged frames"};
+    Table table{.title = experiment.title + ": mean milliseconds per frame (times as fast as FCL's tree)",
+                .header = {"ships", "hits/frame", "judged frames"},
+                .is_summary = true};
     const std::vector<std::string> names = engine_names(sizes);
     for (const std::string& name : names) table.header.push_back(name);
     for (const Size& size : sizes) {
@@ -116,18 +114,18 @@ Table time_table(const Experiment& experiment, const std::vector<Size>& sizes, s
 }
 
 Table work_table(const Experiment& experiment, const std::vector<Size>& sizes) {
-    Table table;
-    table.title = experiment.title + ": calls of the two-body test per frame, and false negatives / false positives";
-    table.header = {"ships"};
+    Table table{
+        .title = experiment.title + ": calls of the two-body test per frame, and false negatives / false positives",
+        .header = {"ships"}};
     const std::vector<std::string> names = engine_names(sizes);
     for (const std::string& name : names) table.header.push_back(name);
     for (const Size& size : sizes) {
         std::vector<std::string> row = {fmt::format("{}", size.ships)};
         for (const std::string& name : names) {
             const SystemRun* run = size.find(name);
-            row.push_back(run == nullptr
-                              ? ""
-                              : fmt::format("{:.1f}, {} / {}", run->calls, run->false_negatives, run->false_positives));
+            row.push_back(run == nullptr ? ""
+                                         : fmt::format("{:.1f}, {} / {}", run->calls, run->errors.false_negatives,
+                                                       run->errors.false_positives));
         }
         for (const SystemRun& run : size.runs)
             if (!run.failure.empty()) row.front() += fmt::format(" ({} {})", run.name, run.failure);
@@ -191,13 +189,12 @@ std::string exponent_of(const GrowthCurve& curve) {
 
 Table exponent_table(const Experiment& experiment, const std::vector<GrowthCurve>& times,
                      const std::vector<GrowthCurve>& calls, const GrowthCurve& hits) {
-    Table table;
-    table.title = experiment.title + ": growth from 64 ships on, the power of their number";
-    table.header = {"engine", "time", "calls"};
+    Table table{.title = experiment.title + ": growth from 64 ships on, the power of their number",
+                .header = {"engine", "time", "calls"},
+                .notes = {"Fitted by least squares to the logarithms, with the standard error."}};
     for (std::size_t i = 0; i < times.size(); ++i)
         table.rows.push_back({times[i].name, exponent_of(times[i]), exponent_of(calls[i])});
     table.rows.push_back({"collisions", "", exponent_of(hits)});
-    table.notes = {"Fitted by least squares to the logarithms, with the standard error."};
     return table;
 }
 
@@ -210,7 +207,7 @@ Section run_experiment(const Experiment& experiment, const SuiteOptions& options
             const Size& size = sizes.emplace_back(run_size(experiment, ships, options));
             is_right &= size.truth.wrong_count == 0;
             for (const SystemRun& run : size.runs)
-                is_right &= !run.is_ecods || (run.failure.empty() && run.false_negatives + run.false_positives == 0);
+                is_right &= !run.is_ecods || (run.failure.empty() && run.errors.count() == 0);
             progress.step();
         }
     }

@@ -2,22 +2,21 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "engines/engine.hpp"
+#include "engines/scene_engine.hpp"
+#include "harness/differences.hpp"
 
 namespace ecods::bench {
 
 struct SystemRun {
     std::string name;
     bool is_ecods = false;
-    std::vector<double> ms;  // per frame, the mean over the frames after the first; one for each repetition
-    double calls = 0;        // of the two-body test, per frame
-    std::size_t false_negatives = 0;
-    std::size_t false_positives = 0;
-    std::string failure;  // when it crashed, hung or threw
+    std::vector<double> ms = {};  // per frame, the mean over the frames after the first; one for each repetition
+    double calls = 0;             // of the two-body test, per frame
+    Errors errors = {};
+    std::string failure = {};  // when it crashed, hung or threw
 };
 
 // The colliding pairs of each frame: the oracle's for the first `judged_count` frames, those of ECoDS for the others.
@@ -32,6 +31,6 @@ SystemTruth find_hits(const scenes::Scene& scene, std::size_t judged_count, cons
 // Engines take turns, each in a process of its own, with a fresh scene in each turn. The first turn checks the
 // answers, too.
 std::vector<SystemRun> measure_systems(const scenes::Scene& scene, const SystemTruth& truth,
-                                       std::span<const EngineMaker> makers, std::size_t repetition_count);
+                                       const std::vector<SceneMaker>& makers, std::size_t repetition_count);
 
 }  // namespace ecods::bench

@@ -8,16 +8,17 @@
 
 namespace ecods::bench {
 
-Table timed_table(const std::string& title, const std::vector<std::string>& columns, std::size_t repetition_count) {
-    Table table;
-    table.title = title;
-    table.text_columns = 2;
-    table.header = {"workload", "engine", "us/query", "spread %"};
+Table timed_table(const std::string& title, const std::vector<std::string>& columns, std::size_t repetition_count,
+                  const std::vector<std::string>& notes) {
+    Table table{
+        .title = title,
+        .header = {"workload", "engine", "us/query", "spread %"},
+        .text_columns = 2,
+        .notes = {fmt::format("Processor time: {}; first one pass over the queries untimed, then 20 ms of them; "
+                              "each engine pinned in a process of its own. Spread: quartile distance.",
+                              medians_of(repetition_count))}};
     table.header.insert(table.header.end(), columns.begin(), columns.end());
-    table.notes = {
-        fmt::format("Processor time: {}; first one pass over the queries untimed, then 20 ms of them; each engine "
-                    "pinned in a process of its own. Spread: quartile distance.",
-                    medians_of(repetition_count))};
+    table.notes.insert(table.notes.end(), notes.begin(), notes.end());
     return table;
 }
 

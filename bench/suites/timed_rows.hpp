@@ -13,8 +13,10 @@
 
 namespace ecods::bench {
 
-// The first column names the workload, the second the engine; then come "us/query" and "spread %", then `columns`.
-Table timed_table(const std::string& title, const std::vector<std::string>& columns, std::size_t repetition_count);
+// The first column names the workload, the second the engine; then come "us/query" and "spread %", then `columns`. The
+// notes are those that say how times were taken, then `notes`.
+Table timed_table(const std::string& title, const std::vector<std::string>& columns, std::size_t repetition_count,
+                  const std::vector<std::string>& notes);
 
 // `us` has one time for each repetition. Where the engine failed, the reason stands in place of all figures.
 struct TimedRow {
@@ -39,15 +41,11 @@ std::string error_text(double error);
 // What most engines of two meshes are timed with.
 constexpr const char* poses_are_timed = "Building trees is outside the times; setting both poses is inside.";
 
-// Engines and their use, of makers that have both, under that title.
+// The engines and how each is used, under that title.
 template <class Maker>
-Table use_table(const std::string& title, std::span<const Maker> makers, const std::string& note) {
-    Table table;
-    table.title = title;
-    table.text_columns = 2;
-    table.header = {"engine", "use; precision"};
+Table use_table(const std::string& title, const std::vector<Maker>& makers, const std::string& note) {
+    Table table{.title = title, .header = {"engine", "use; precision"}, .text_columns = 2, .notes = {note}};
     for (const Maker& maker : makers) table.rows.push_back({maker.name, maker.use});
-    table.notes = {note};
     return table;
 }
 

@@ -1,5 +1,4 @@
-#include "suites/world_casts.hpp"
-
+// Casts and moves in a world, beside the same put together from questions about two bodies.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -9,14 +8,15 @@
 #include <tuple>
 #include <vector>
 
+#include "ecods/broad_phase.hpp"
 #include "ecods/cast.hpp"
-#include "ecods/world.hpp"
-#include "engines/broad_phase_kinds.hpp"
+#include "engines/world_bodies.hpp"
 #include "harness/statistics.hpp"
 #include "harness/stopwatch.hpp"
 #include "scenes/random.hpp"
 #include "scenes/room.hpp"
 #include "suites/comparison.hpp"
+#include "suites/parts.hpp"
 
 namespace ecods::bench {
 
@@ -37,12 +37,10 @@ class Ships {
                                .frame_count = frames,
                                .side = scenes::calibrated_side_by_density(count),
                                .seed = 10})),
-          shape_(scene_.meshes.front().mesh) {
-        for (const scenes::SceneBody& body : scene_.bodies) {
-            ids_.push_back(world_.create_body(shape_.mesh_ptr(), body.pose));
-            poses_.push_back(body.pose);
-        }
-        world_.update();
+          shape_(scene_.meshes.front().mesh),
+          bodies_(scene_) {
+        for (const scenes::SceneBody& body : scene_.bodies) poses_.push_back(body.pose);
+        bodies_.world.update();
     }
 
     struct Answer {
@@ -53,14 +51,14 @@ class Ships {
     using Answers = std::vector<Answer>;
 
     std::size_t frame_count() const { return scene_.frames.size(); }
-    std::size_t count() const { return ids_.size(); }
+    std::size_t count() const { return poses_.size(); }
 
     // Of the first contact of each of some bodies: by the world, and by two-body questions.
     Answers casts(std::span<const Vec3> motions) {
         Answers answers;
         for (std::size_t i = 0; i < motions.size(); ++i) {
-            const auto met = world_.cast(ids_[i], motions[i], memory_);
-            if (met) answers.push_back({i, index_of(met->body), met->contact});
+            const auto met = bodies_.world.cast(bodies_[i], motions[i], memory_);
+            if (met) answers.push_back({i, bodies_.index_of(met->body), met->contact});
         }
         return answers;
     }
@@ -68,8 +66,8 @@ class Ships {
         Answers answers;
         for (std::size_t i = 0; i < motions.size(); ++i) {
             std::optional<Answer> first;
-            for (const BodyId id : world_.overlapping_bodies(swept(world_.box(ids_[i]), motions[i]))) {
-                const std::size_t other = index_of(id);
+            for (const BodyId id : bodies_.world.overlapping_bodies(swept(bodies_.world.box(bodies_[i]), motions[i]))) {
+                const std::size_t other = bodies_.index_of(id);
                 if (other == i) continue;
                 const auto contact = cast({shape_, poses_[i]}, motions[i], {shape_, poses_[other]}, memory_);
                 if (contact && (!first || contact->time < first->contact.time)) first = {i, other, *contact};
@@ -83,14 +81,15 @@ class Ships {
     Answers meetings(std::size_t frame) {
         Answers answers;
         const std::vector<Pose> to = poses_at(frame);
-        for (const Meeting& meeting : world_.meetings(ids_, to, memory_))
-            answers.push_back({index_of(meeting.bodies.a), index_of(meeting.bodies.b), meeting.contact});
+        for (const Meeting& meeting : bodies_.world.meetings(bodies_.ids(), to, memory_))
+            answers.push_back(
+                {bodies_.index_of(meeting.bodies.a), bodies_.index_of(meeting.bodies.b), meeting.contact});
         return answers;
     }
     Answers meetings_by_pairs(std::size_t frame) {
         const std::vector<Pose> to = poses_at(frame);
         const std::unique_ptr<BroadPhase> broad_phase = make_broad_phase(BroadPhaseKind::automatic);
-        for (std::size_t i = 0; i < ids_.size(); ++i)
+        for (std::size_t i = 0; i < poses_.size(); ++i)
             broad_phase->add(static_cast<ProxyIndex>(i),
                              swept(merge(shape_.box(poses_[i]), shape_.box(to[i])), {0, 0, 0}));
         broad_phase->update();
@@ -108,8 +107,8 @@ class Ships {
     // Brings the world to the poses of a frame; what that takes is what collisions there cost.
     void go_to(std::size_t frame) {
         poses_ = poses_at(frame);
-        world_.set_poses(ids_, poses_);
-        world_.update();
+        bodies_.world.set_poses(bodies_.ids(), poses_);
+        bodies_.world.update();
     }
 
   private:
@@ -118,14 +117,10 @@ class Ships {
         for (const scenes::Move& move : scene_.frames[frame].moves) poses[move.body_index] = move.pose;
         return poses;
     }
-    std::size_t index_of(BodyId id) const {  // ids are given in ascending order
-        return static_cast<std::size_t>(std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin());
-    }
 
     scenes::Scene scene_;
     MeshShape shape_;
-    World world_;
-    std::vector<BodyId> ids_;
+    WorldBodies bodies_;
     std::vector<Pose> poses_;
     QueryMemory memory_;
 };
@@ -137,10 +132,10 @@ double us_of(const Ask& ask) {
     return watch.nanoseconds() / 1000;
 }
 
-Table cast_table(Ships& ships, std::size_t repetition_count, bool& is_right) {
-    Table table;
-    table.title = fmt::format("A world of {} ships: one is translated, which does it meet first?", ships.count());
-    table.header = {"motion in ships", "us/cast", "by pairs", "times as fast", "meet"};
+Table world_cast_table(Ships& ships, std::size_t repetition_count, bool& is_right) {
+    Table table{
+        .title = fmt::format("A world of {} ships: one is translated, which does it meet first?", ships.count()),
+        .header = {"motion in ships", "us/cast", "by pairs", "times as fast", "meet"}};
     table.notes = {
         "By pairs: the bodies whose boxes meet the box of the way, each asked by cast() of two bodies. Both answer the "
         "same bits, or the run fails. Motions in random directions, of the first thousand ships; medians."};
@@ -174,8 +169,7 @@ Table meeting_table(Ships& ships, bool& is_right) {
     table.notes = {
         "By pairs: a broad phase of the boxes of all ways, and cast() of two moving bodies for each pair of boxes that "
         "overlap. Both answer the same bits, or the run fails. Update: set_poses() and update(), which finds those "
-        "that "
-        "collide at the end. Medians over the frames."};
+        "that collide at the end. Medians over the frames."};
     std::vector<double> us, us_by_pairs, us_of_update;
     std::size_t meeting_count = 0;
     for (std::size_t frame = 0; frame < ships.frame_count(); ++frame) {
@@ -199,7 +193,7 @@ Table meeting_table(Ships& ships, bool& is_right) {
 SuiteResult run_world_casts(const SuiteOptions& options) {
     SuiteResult result;
     Ships ships(options.is_quick() ? 100 : 10000, options.is_quick() ? 2 : 10);
-    const Table casts = cast_table(ships, options.repetition_count, result.is_right);
+    const Table casts = world_cast_table(ships, options.repetition_count, result.is_right);
     print(casts);
     const Table meetings = meeting_table(ships, result.is_right);
     print(meetings);

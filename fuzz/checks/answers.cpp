@@ -23,12 +23,12 @@ void require_triangles(World& world, BodyId a, BodyId b, const std::vector<Trian
         throw;
     }
     if (got == expected) return;
-    throw CheckFailed(check, text(std::span<const TrianglePair>(expected)), text(std::span<const TrianglePair>(got)));
+    throw CheckFailed(check, text(expected), text(got));
 }
 
 void require_bodies(const std::vector<BodyId>& got, const std::vector<BodyId>& expected, const char* check) {
     if (got == expected) return;
-    throw CheckFailed(check, text(std::span<const BodyId>(expected)), text(std::span<const BodyId>(got)));
+    throw CheckFailed(check, text(expected), text(got));
 }
 
 const char* name_of(Relation relation) {

@@ -22,9 +22,7 @@ void check_candidates(World& world, Counters& counters) {
     std::vector<BodyPair> expected;
     std::size_t filtered_count = 0;
     for (const auto& [i, j] : oracle::overlapping_boxes(boxes)) {
-        const CollisionFilter& a = world.filter(bodies[i]);
-        const CollisionFilter& b = world.filter(bodies[j]);
-        if ((a.groups & b.mask) != 0 && (b.groups & a.mask) != 0 && world.is_pair_enabled(bodies[i], bodies[j])) {
+        if (may_meet(world, bodies[i], bodies[j])) {
             expected.push_back({bodies[i], bodies[j]});
         } else {
             ++filtered_count;

@@ -62,7 +62,7 @@ std::string words_of_unjudged(const World& world) {
     for (const BodyId a : bodies) {
         for (const BodyId b : bodies) {
             if (!(a < b)) continue;
-            if (!may_meet(world.filter(a), world.filter(b)) || !world.is_pair_enabled(a, b)) ++count;
+            if (!may_meet(world, a, b)) ++count;
         }
     }
     return fmt::format("{} {} not judged", count, count == 1 ? "pair" : "pairs");

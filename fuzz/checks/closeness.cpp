@@ -33,19 +33,11 @@ bool may_be_close(const TrueBody& a, const TrueBody& b, double d) {
     return true;
 }
 
-bool is_enabled(const World& world, const BodyPair& pair) {
-    return may_meet(world.filter(pair.a), world.filter(pair.b)) && world.is_pair_enabled(pair.a, pair.b);
-}
-
-std::string list_text(const Pairs& pairs) {
-    return text(std::span<const BodyPair>(pairs));
-}
-
 // What is in the first list and not in the second.
 void require_events(const char* what, const Pairs& got, const Pairs& first, const Pairs& second) {
     Pairs expected;
     std::ranges::set_difference(first, second, std::back_inserter(expected));
-    if (!std::ranges::equal(got, expected)) throw CheckFailed(what, list_text(expected), list_text(got));
+    if (!std::ranges::equal(got, expected)) throw CheckFailed(what, text(expected), text(got));
 }
 
 }  // namespace
@@ -57,12 +49,11 @@ void check_close_pairs(const World& world, const Pairs& before, const Truth& tru
     require_events("close pairs that ended", numbers_of(world.close_ended()), before, now);
     const std::optional<double> clearance = world.clearance();
     if (!clearance) {
-        if (!now.empty()) throw CheckFailed("close pairs without a clearance", "none", list_text(now));
+        if (!now.empty()) throw CheckFailed("close pairs without a clearance", "none", text(now));
         return;
     }
     for (const BodyPair& pair : numbers_of(world.colliding_pairs())) {
-        if (!std::ranges::binary_search(now, pair))
-            throw CheckFailed("close pairs", "those that collide", list_text(now));
+        if (!std::ranges::binary_search(now, pair)) throw CheckFailed("close pairs", "those that collide", text(now));
     }
     struct Judged {
         const TrueBody* a;
@@ -73,10 +64,10 @@ void check_close_pairs(const World& world, const Pairs& before, const Truth& tru
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         for (std::size_t j = i + 1; j < bodies.size(); ++j) {
             const BodyPair pair{bodies[i].id, bodies[j].id};
-            const bool is_possible = may_be_close(bodies[i], bodies[j], *clearance) && is_enabled(world, pair);
+            const bool is_possible = may_be_close(bodies[i], bodies[j], *clearance) && may_meet(world, pair.a, pair.b);
             if (is_possible) judged.push_back({&bodies[i], &bodies[j]});
             if (!is_possible && std::ranges::binary_search(now, pair)) {
-                throw CheckFailed("close pairs", "no pair that is filtered out or far apart", list_text(now));
+                throw CheckFailed("close pairs", "no pair that is filtered out or far apart", text(now));
             }
         }
     }
@@ -89,8 +80,7 @@ void check_close_pairs(const World& world, const Pairs& before, const Truth& tru
         const bool is_close = oracle::MeshDistances(soup_of(*a), soup_of(*b)).within(*clearance);
         if (std::ranges::binary_search(now, BodyPair{a->id, b->id}) != is_close) {
             throw CheckFailed("close pairs",
-                              std::string(is_close ? "with " : "without ") + text(BodyPair{a->id, b->id}),
-                              list_text(now));
+                              std::string(is_close ? "with " : "without ") + text(BodyPair{a->id, b->id}), text(now));
         }
         ++counters[is_close ? "checked: pairs within the clearance" : "checked: pairs beyond the clearance"];
     }
@@ -121,7 +111,7 @@ void check_nearest(World& world, BodyId body, Counters& counters) {
     QueryMemory memory;
     std::optional<NearestBody> nearest;
     for (const BodyId other : bodies) {
-        if (other == body || !is_enabled(world, {std::min(body, other), std::max(body, other)})) continue;
+        if (other == body || !may_meet(world, body, other)) continue;
         take_least(nearest, NearestBody{other, world.distance(body, other, memory)});
     }
     require_same("nearest body", world.nearest(body, memory), nearest);
@@ -136,7 +126,7 @@ void check_nearest(World& world, BodyId body, Counters& counters) {
     std::optional<ClosestPair> closest;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         for (std::size_t j = i + 1; j < bodies.size(); ++j) {
-            if (!is_enabled(world, {bodies[i], bodies[j]})) continue;
+            if (!may_meet(world, bodies[i], bodies[j])) continue;
             take_least(closest, ClosestPair{{bodies[i], bodies[j]}, world.distance(bodies[i], bodies[j], memory)});
         }
     }

@@ -27,10 +27,7 @@ Pairs true_collisions(const World& world, const Truth& truth) {
     Pairs result;
     for (const TruePair& pair : truth.pairs()) {
         if (pair.verdict.relation == Relation::disjoint) continue;
-        const CollisionFilter& a = world.filter(pair.ids.a);
-        const CollisionFilter& b = world.filter(pair.ids.b);
-        if ((a.groups & b.mask) == 0 || (b.groups & a.mask) == 0) continue;
-        if (world.is_pair_enabled(pair.ids.a, pair.ids.b)) result.push_back(pair.ids);
+        if (may_meet(world, pair.ids.a, pair.ids.b)) result.push_back(pair.ids);
     }
     return result;
 }

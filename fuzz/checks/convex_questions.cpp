@@ -13,6 +13,8 @@
 #include "ecods/error.hpp"
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/text.hpp"
+#include "fuzz/checks/truth.hpp"
+#include "judge/convex_truth.hpp"
 #include "scenes/numbers_of.hpp"
 #include "scenes/random.hpp"
 
@@ -32,25 +34,16 @@ struct Asked {
     double distance = 0;
     std::optional<Depth> depth = {};
 
-    std::string text() const {
-        std::string result = fuzz::text(bodies) + fmt::format(" {:a}", distance);
-        if (depth) {
-            result += fmt::format(" deep {:a} along {:a} {:a} {:a} of {}:{}", depth->depth, depth->direction[0],
-                                  depth->direction[1], depth->direction[2], depth->a.triangle, depth->b.triangle);
-        }
-        return result.append(";");
-    }
     friend bool operator==(const Asked&, const Asked&) = default;
 };
 
-std::string text_of(const std::vector<Asked>& list) {
-    std::string result = fmt::format("{} [", list.size());
-    for (const Asked& each : list) result.append(" ").append(each.text());
-    return result.append(" ]");
+std::string text(const Asked& asked) {
+    std::string result = fuzz::text(asked.bodies) + fmt::format(" {:a}", asked.distance);
+    return asked.depth ? result + " deep " + judge::text(*asked.depth) : result;
 }
 
 void require_same(const char* check, const std::vector<Asked>& got, const std::vector<Asked>& expected) {
-    if (got != expected) throw CheckFailed(check, text_of(expected), text_of(got));
+    if (got != expected) throw CheckFailed(check, fuzz::text(expected), fuzz::text(got));
 }
 
 // Of all pairs that are not filtered out; nothing if a body's pose is singular, which all questions must then name.
@@ -66,8 +59,7 @@ std::optional<std::vector<Asked>> ask_one_by_one(const World& world) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const auto a = convex_of(world, bodies[i]);
         for (std::size_t j = i + 1; j < bodies.size(); ++j) {
-            if (!may_meet(world.filter(bodies[i]), world.filter(bodies[j]))) continue;
-            if (!world.is_pair_enabled(bodies[i], bodies[j])) continue;
+            if (!may_meet(world, bodies[i], bodies[j])) continue;
             const auto b = convex_of(world, bodies[j]);
             const Posed<ConvexSolid> first{*a, world.pose(bodies[i])}, second{*b, world.pose(bodies[j])};
             Asked& asked = result.emplace_back(
@@ -121,12 +113,12 @@ void check_pair(World& world, const Asked& expected) {
     const bool is_same = closest.has_value() == (expected.distance > 0) && swapped.has_value() == closest.has_value() &&
                          (!closest || (closest->distance == expected.distance && closest->point_a == swapped->point_b &&
                                        closest->a == swapped->b));
-    if (!is_same) throw CheckFailed("where two convex solids are closest", expected.text(), "another distance");
+    if (!is_same) throw CheckFailed("where two convex solids are closest", text(expected), "another distance");
     if (!expected.depth) return;
     const Depth back = world.depth(b, a);
     const bool is_opposite = back.depth == expected.depth->depth && back.a == expected.depth->b &&
                              back.b == expected.depth->a && back.direction == -expected.depth->direction;
-    if (!is_opposite) throw CheckFailed("a depth, swapped", expected.text(), Asked{expected.bodies, 0, back}.text());
+    if (!is_opposite) throw CheckFailed("a depth, swapped", text(expected), text(Asked{expected.bodies, 0, back}));
 }
 
 }  // namespace

@@ -1,10 +1,8 @@
 #include "fuzz/checks/distance_questions.hpp"
 
-#include <array>
-#include <string>
-
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/any_pair.hpp"
+#include "judge/text.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::fuzz {
@@ -13,8 +11,6 @@ namespace {
 constexpr std::size_t pairs_a_frame = 2;
 // Pairs of triangles; the oracle judges some thousand of them in a millisecond.
 constexpr std::size_t triangle_pairs_max = 100000;
-
-constexpr std::array kinds{"vertex-vertex", "vertex-edge", "vertex-face", "edge-edge", "intersecting"};
 
 }  // namespace
 
@@ -38,7 +34,7 @@ void DistanceQuestions::choose(const World& world, const Truth& truth, std::uint
 void DistanceQuestions::check(Counters& counters) {
     for (const Chosen& chosen : chosen_) {
         ++counters["checked: distances of bodies"];
-        ++counters[std::string("distances: ") + kinds[static_cast<std::size_t>(chosen.truth.closest().kind)]];
+        ++counters["distances: " + judge::text(chosen.truth.closest().kind)];
         const auto wrong = chosen.truth.ask(memory_, witness_);
         if (wrong)
             throw CheckFailed(wrong->question.substr(0, wrong->question.find(" 0x")), wrong->expected, wrong->got);

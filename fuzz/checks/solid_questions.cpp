@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 #include <string>
-#include <utility>
 
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/text.hpp"
@@ -24,27 +22,8 @@ std::shared_ptr<const Solid> solid_of(const World& world, BodyId body) {
     return std::dynamic_pointer_cast<const Solid>(world.shape(body));
 }
 
-bool is_enabled(const World& world, BodyId a, BodyId b) {
-    return may_meet(world.filter(a), world.filter(b)) && world.is_pair_enabled(a, b);
-}
-
-template <class T>
-std::string written(const T& answer) {
-    std::ostringstream out;
-    out << answer;
-    return out.str();
-}
-
-std::string text_of(const std::vector<SolidPair>& pairs) {
-    std::string result = fmt::format("{} [", pairs.size());
-    for (const SolidPair& pair : pairs) result += text(pair.bodies) + " " + written(pair.relation) + " ";
-    return result + "]";
-}
-
 std::string text_of(const BodiesContaining& found) {
-    std::string result = fmt::format("{} [", found.bodies.size());
-    for (const BodyAt& at : found.bodies) result += text(at.body) + " " + written(at.side) + " ";
-    return result + fmt::format("], {} are no solids", found.skipped_count);
+    return fmt::format("{}, {} are no solids", text(found.bodies), found.skipped_count);
 }
 
 std::vector<SolidPair> pairs_one_by_one(const World& world) {
@@ -55,7 +34,7 @@ std::vector<SolidPair> pairs_one_by_one(const World& world) {
         const auto a = solid_of(world, bodies[i]);
         for (std::size_t j = i + 1; a && j < bodies.size(); ++j) {
             const auto b = solid_of(world, bodies[j]);
-            if (!b || !is_enabled(world, bodies[i], bodies[j])) continue;
+            if (!b || !may_meet(world, bodies[i], bodies[j])) continue;
             const auto relation = solid_relation({*a, world.pose(bodies[i])}, {*b, world.pose(bodies[j])}, memory);
             if (relation != SolidRelation::apart) {
                 result.push_back({{numbers_of(bodies[i]), numbers_of(bodies[j])}, relation});
@@ -131,7 +110,7 @@ void SolidQuestions::choose(const World& world, const Truth& truth, std::uint32_
 void SolidQuestions::check(Counters& counters) {
     for (const Chosen& chosen : chosen_) {
         ++counters["checked: pairs of solids against the oracle"];
-        ++counters["solids: " + written(chosen.truth.relation())];
+        ++counters["solids: " + judge::written(chosen.truth.relation())];
         const auto wrong = chosen.truth.ask(memory_);
         if (wrong) throw CheckFailed(wrong->question, wrong->expected, wrong->got);
     }
@@ -148,7 +127,7 @@ void check_solids(std::span<World* const> worlds, std::uint32_t seed, Counters& 
         for (const SolidPair& pair : world->solid_pairs()) {
             got.push_back({{numbers_of(pair.bodies.a), numbers_of(pair.bodies.b)}, pair.relation});
         }
-        if (got != expected) throw CheckFailed("pairs of solids", text_of(expected), text_of(got));
+        if (got != expected) throw CheckFailed("pairs of solids", text(expected), text(got));
     }
     counters["checked: pairs of solids in worlds"] += expected.size();
     scenes::Random random(seed);

@@ -1,13 +1,17 @@
-// Ids and lists of pairs, as failures show them.
+// Ids, answers and lists of them, as failures show them.
 #pragma once
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "ecods/ids.hpp"
 #include "ecods/predicates.hpp"
+#include "ecods/world.hpp"
+#include "judge/text.hpp"
 
 namespace ecods::fuzz {
 
@@ -24,7 +28,31 @@ inline std::string text(const TrianglePair& pair) {
 }
 
 inline std::string text(Relation relation) {
-    return relation == Relation::disjoint ? "disjoint" : relation == Relation::touching ? "touching" : "crossing";
+    return judge::written(relation);
+}
+
+inline std::string text(const FirstContact& contact) {
+    return fmt::format("{:a} {}:{}", contact.time, contact.a.triangle, contact.b.triangle);
+}
+
+inline std::string text(const BodyContact& met) {
+    return text(met.body) + " " + text(met.contact);
+}
+
+inline std::string text(const Meeting& meeting) {
+    return text(meeting.bodies) + " " + text(meeting.contact);
+}
+
+inline std::string text(const BodyHit& hit) {
+    return fmt::format("{} {:a}:{}", text(hit.body), hit.hit.parameter, hit.hit.triangle());
+}
+
+inline std::string text(const SolidPair& pair) {
+    return text(pair.bodies) + " " + judge::written(pair.relation);
+}
+
+inline std::string text(const BodyAt& at) {
+    return text(at.body) + " " + judge::written(at.side);
 }
 
 // The first few; how many there are in all.
@@ -34,6 +62,16 @@ std::string text(std::span<const Item> items) {
     std::string result = fmt::format("{} [", items.size());
     for (std::size_t i = 0; i < items.size() && i < shown_max; ++i) result.append(i == 0 ? "" : " ") += text(items[i]);
     return result.append(items.size() > shown_max ? " ...]" : "]");
+}
+
+template <class Item>
+std::string text(const std::vector<Item>& items) {
+    return text(std::span<const Item>(items));
+}
+
+template <class Item>
+std::string text(const std::optional<Item>& item) {
+    return item ? text(*item) : "none";
 }
 
 }  // namespace ecods::fuzz

@@ -31,6 +31,12 @@ struct TruePair {
     bool is_changed;  // one of the two is
 };
 
+// True unless filters or the switch of the pair leave it out, by the words of the manual and not by the library.
+inline bool may_meet(const World& world, BodyId a, BodyId b) {
+    const CollisionFilter x = world.filter(a), y = world.filter(b);
+    return (x.groups & y.mask) != 0 && (y.groups & x.mask) != 0 && world.is_pair_enabled(a, b);
+}
+
 // It is kept from frame to frame: only for pairs of which a body changed is the oracle asked, so that a world that lost
 // a verdict that it kept is found, too.
 class Truth {

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <tuple>
 
 #include "ecods/cast.hpp"
@@ -14,6 +13,7 @@
 #include "fuzz/base/failure.hpp"
 #include "fuzz/base/user_shape.hpp"
 #include "fuzz/checks/text.hpp"
+#include "fuzz/checks/truth.hpp"
 #include "scenes/numbers_of.hpp"
 #include "scenes/random.hpp"
 
@@ -74,37 +74,6 @@ auto fields(const BodyHit& h) {
                       h.hit.feature.kind, h.hit.feature.corner);
 }
 
-std::string text_of(const std::vector<BodyHit>& hits) {
-    std::string result = fmt::format("{} [", hits.size());
-    for (std::size_t i = 0; i < hits.size() && i < 12; ++i) {
-        result += fmt::format("{} {:a}:{} ", text(hits[i].body), hits[i].hit.parameter, hits[i].hit.triangle());
-    }
-    return result + "]";
-}
-
-std::string text_of(const std::vector<BodyContact>& met) {
-    std::string result = fmt::format("{} [", met.size());
-    for (const BodyContact& each : met) {
-        result += fmt::format("{} {:a} {}:{} ", text(each.body), each.contact.time, each.contact.a.triangle,
-                              each.contact.b.triangle);
-    }
-    return result + "]";
-}
-
-template <class Item>
-std::string text_of(const std::optional<Item>& item) {
-    return item ? text_of(std::vector<Item>{*item}) : "none";
-}
-
-std::string text_of(const std::vector<Meeting>& meetings) {
-    std::string result = fmt::format("{} [", meetings.size());
-    for (std::size_t i = 0; i < meetings.size() && i < 12; ++i) {
-        const auto& [bodies, contact] = meetings[i];
-        result += fmt::format("{} {:a} {}:{} ", text(bodies), contact.time, contact.a.triangle, contact.b.triangle);
-    }
-    return result + "]";
-}
-
 // Ranks follow the order, and hits of one rank that of bodies and triangles; of shapes of the caller's own that come
 // after meshes.
 void require_order(const std::vector<BodyHit>& hits, const World& world) {
@@ -119,7 +88,7 @@ void require_order(const std::vector<BodyHit>& hits, const World& world) {
                     (!is_tie || before.body <= hits[i].body) &&
                     (!is_tie || !is_mesh || before.body != hits[i].body || before.hit.triangle() < hit.triangle());
         }
-        if (!holds) throw CheckFailed("order of hits", "ascending", text_of(hits));
+        if (!holds) throw CheckFailed("order of hits", "ascending", text(hits));
     }
 }
 
@@ -130,7 +99,7 @@ void check_line(std::span<World* const> worlds, const Line& line, const std::opt
     QueryMemory memory;
     std::vector<BodyHit> expected;
     for (const BodyId body : first.bodies()) {
-        if (filter && !may_meet(*filter, first.filter(body))) continue;
+        if (filter && !ecods::may_meet(*filter, first.filter(body))) continue;
         const auto shape = first.shape(body);
         for (const Hit& hit : all_hits(line, mesh_at(*shape, first.pose(body)), memory))
             expected.push_back({body, hit});
@@ -144,20 +113,16 @@ void check_line(std::span<World* const> worlds, const Line& line, const std::opt
         const std::optional<BodyHit> leads = got.empty() ? std::nullopt : std::optional(got.front());
         const auto found = world->first_hit(line, memory, filter);
         if (found.has_value() != leads.has_value() || (found && fields(*found) != fields(*leads))) {
-            throw CheckFailed("first hit", text_of(leads), text_of(found));
+            throw CheckFailed("first hit", text(leads), text(found));
         }
         if (world == worlds.front()) least = leads;
-        if (leads && fields(*leads) != fields(*least)) throw CheckFailed("first hit", text_of(least), text_of(leads));
+        if (leads && fields(*leads) != fields(*least)) throw CheckFailed("first hit", text(least), text(leads));
         std::ranges::sort(got, by_fields);
         const bool is_same = std::ranges::equal(got, expected, {}, fields, fields);
-        if (!is_same) throw CheckFailed("hits of all bodies", text_of(expected), text_of(got));
+        if (!is_same) throw CheckFailed("hits of all bodies", text(expected), text(got));
     }
     ++counters["checked: segments and rays in worlds"];
     counters["checked: hits in worlds"] += expected.size();
-}
-
-bool may_meet_in(const World& world, BodyId a, BodyId b) {
-    return may_meet(world.filter(a), world.filter(b)) && world.is_pair_enabled(a, b);
 }
 
 }  // namespace
@@ -193,7 +158,7 @@ void check_casts(std::span<World* const> worlds, std::uint32_t seed, Counters& c
     std::optional<BodyContact> expected;
     const auto own_shape = first.shape(own);
     for (const BodyId body : bodies) {
-        if (body == own || !may_meet_in(first, own, body)) continue;
+        if (body == own || !may_meet(first, own, body)) continue;
         const auto shape = first.shape(body);
         const auto contact =
             cast(mesh_at(*own_shape, first.pose(own)), motion, mesh_at(*shape, first.pose(body)), memory);
@@ -207,7 +172,7 @@ void check_casts(std::span<World* const> worlds, std::uint32_t seed, Counters& c
             (!got || (numbers_of(got->body) == numbers_of(right->body) && got->contact.time == right->contact.time &&
                       (first.shape(right->body)->kind() != ShapeKind::mesh() ||
                        own_shape->kind() != ShapeKind::mesh() || got->contact == right->contact)));
-        if (!is_same) throw CheckFailed(what, text_of(right), text_of(got));
+        if (!is_same) throw CheckFailed(what, text(right), text(got));
     };
     for (World* world : worlds) {
         const BodyId id = numbers_of(own);
@@ -247,7 +212,7 @@ void check_meetings(std::span<World* const> worlds, std::uint32_t seed, Counters
     std::vector<Meeting> expected;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         for (std::size_t j = i + 1; j < bodies.size(); ++j) {
-            if (!may_meet_in(first, bodies[i], bodies[j])) continue;
+            if (!may_meet(first, bodies[i], bodies[j])) continue;
             const auto a = first.shape(bodies[i]), b = first.shape(bodies[j]);
             const auto contact = cast(way_of(bodies[i], *a), way_of(bodies[j], *b), memory);
             if (contact) expected.push_back({{bodies[i], bodies[j]}, *contact});
@@ -265,7 +230,7 @@ void check_meetings(std::span<World* const> worlds, std::uint32_t seed, Counters
                                     first.shape(expected[i].bodies.b)->kind() == ShapeKind::mesh();
             is_same = !are_meshes || got[i].contact == expected[i].contact;
         }
-        if (!is_same) throw CheckFailed("meetings", text_of(expected), text_of(got));
+        if (!is_same) throw CheckFailed("meetings", text(expected), text(got));
     }
     ++counters["checked: moves of worlds"];
     counters["checked: pairs that meet on the way"] += expected.size();

@@ -25,23 +25,6 @@ std::vector<BodyId> shuffled(std::vector<BodyId> bodies, std::uint32_t order) {
     return bodies;
 }
 
-// Pairs that are switched off matter where boxes overlap, and are looked for there; with a clearance, everywhere.
-void copy_switches(const World& from, World& to, const std::map<BodyId, BodyId>& ids) {
-    const auto bodies = from.bodies();
-    const auto copy = [&](BodyId a, BodyId b) {
-        if (!from.is_pair_enabled(a, b)) to.set_pair_enabled(ids.at(a), ids.at(b), false);
-    };
-    if (from.clearance()) {
-        for (std::size_t i = 0; i < bodies.size(); ++i) {
-            for (std::size_t j = i + 1; j < bodies.size(); ++j) copy(bodies[i], bodies[j]);
-        }
-        return;
-    }
-    std::vector<Aabb> boxes;
-    for (const BodyId body : bodies) boxes.push_back(from.box(body));
-    for (const auto& [i, j] : oracle::overlapping_boxes(boxes)) copy(bodies[i], bodies[j]);
-}
-
 }  // namespace
 
 void check_fresh_world(const World& world, const FreshWorld& fresh) {
@@ -59,7 +42,7 @@ void check_fresh_world(const World& world, const FreshWorld& fresh) {
         made.set_filter(id, world.filter(body));
         ids[body] = id;
     }
-    copy_switches(world, made, ids);
+    for (const BodyPair& pair : world.disabled_pairs()) made.set_pair_enabled(ids.at(pair.a), ids.at(pair.b), false);
     made.set_clearance(world.clearance());
     made.set_solids(world.are_solids_related());
     made.update();

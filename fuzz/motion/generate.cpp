@@ -135,6 +135,14 @@ Pose first_pose(const Writing& w, std::uint32_t i) {
     return any_pose(w.setting, w.random);
 }
 
+// Allocations fail meanwhile where any may.
+void make_again(Writing& w, scenes::Random& random) {
+    if (w.setting.profile.manner_one_in != 0) {
+        w.script.push_back(Manner{random.below(10000), "failing allocations"});
+    }
+    w.script.push_back(MakeAgain{});
+}
+
 }  // namespace
 
 Setting make_setting(const Profile& profile, scenes::Random& random, Counters& counters) {
@@ -184,10 +192,13 @@ Script generate(const Profile& profile, std::uint32_t seed, Counters& counters) 
     }
     if (profile.weights.solids > 0 && random.below(4) != 0) writing.make(SetSolids{true});
     writing.make(Update{});
+    // A generator of its own draws when the worlds are made again: all else that a seed stands for stays as it is.
+    scenes::Random of_copies(~seed);
     for (std::uint32_t frame = 1; frame < profile.frames; ++frame) {
         // Every eighth frame rests.
         const std::uint32_t count = random.below(8) == 0 ? 0 : 1 + random.below(profile.changes_max);
         for (std::uint32_t i = 0; i < count; ++i) make_change(writing);
+        if (of_copies.below(16) == 0) make_again(writing, of_copies);
         // The last is looked at.
         const bool is_quiet = random.below(5) == 0 && frame + 1 < profile.frames;
         writing.make(Update{.is_quiet = is_quiet});

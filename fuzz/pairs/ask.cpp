@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
+#include "scenes/shapes.hpp"
+
 namespace ecods::fuzz {
 namespace {
-
-std::shared_ptr<const Mesh> one_triangle(const std::array<Vec3, 3>& corners) {
-    return Mesh::create({corners.begin(), corners.end()}, {{0, 1, 2}});
-}
 
 std::array<Vec3, 3> corners_of(const Mesh& mesh, std::uint32_t triangle) {
     const Triangle& t = mesh.triangles()[triangle];
@@ -22,7 +20,7 @@ Answer ask_all_paths(const scenes::PosedPair& pair, Relation expected, const Flo
     const PosedTriangle a{pair.pose_a, pair.a}, b{pair.pose_b, pair.b};
     if (const Relation r = triangle_triangle(a, b); r != expected) return {"triangle_triangle", r};
     if (const Relation r = triangle_triangle(b, a); r != expected) return {"triangle_triangle, swapped", r};
-    const MeshPair meshes{one_triangle(pair.a), one_triangle(pair.b), pair.pose_a, pair.pose_b};
+    const MeshPair meshes{scenes::one_triangle(pair.a), scenes::one_triangle(pair.b), pair.pose_a, pair.pose_b};
     const BoundMeshes bound(meshes);
     bound.bind(bodies, meshes, false);
     if (const Relation r = bodies.relation(0, 0); r != expected) return {"TriangleRelations", r};

@@ -1,17 +1,11 @@
-#include "fuzz/pairs/convex.hpp"
-
-#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "ecods/error.hpp"
 #include "fuzz/pairs/case_run.hpp"
-#include "fuzz/pairs/fewer_triangles.hpp"
-#include "judge/convex_truth.hpp"
 #include "oracle/convex_features.hpp"
 #include "oracle/solid_points.hpp"
-#include "scenes/convex_cases.hpp"
 #include "scenes/lattice_mesh.hpp"
 
 namespace ecods::fuzz {
@@ -21,53 +15,26 @@ using judge::ConvexTruth;
 using judge::Wrong;
 using scenes::ConvexCase;
 using scenes::PosedMesh;
-
-// The two solids of a case, and what is true of them.
-struct Posing {
-    ConvexSolid a, b;
-    ConvexTruth truth;
-
-    explicit Posing(const ConvexCase& made)
-        : a(made.a.mesh), b(made.b.mesh), truth({a, made.a.pose}, {b, made.b.pose}) {}
-};
-
-// The hull of the mesh's vertices without some of them; nothing if these are in one plane.
-std::shared_ptr<const Mesh> without(const Mesh& mesh, std::size_t from, std::size_t count) {
-    std::vector<Vec3> rest;
-    for (std::size_t i = 0; i < mesh.vertices().size(); ++i) {
-        if (i < from || i >= from + count) rest.push_back(mesh.vertices()[i]);
-    }
-    try {
-        return std::make_shared<const Mesh>(convex_hull(rest));
-    } catch (const NoInterior&) {
-        return nullptr;
-    }
-}
+using Judged = judge::Judged<ConvexCase>;
 
 class Run : CaseRun {
   public:
-    Run(std::uint32_t seed, Lie lie, ConvexCounts& counts) : CaseRun(seed, lie, counts.checks), counts_(counts) {}
+    using CaseRun::CaseRun;
 
     void check_one() {
-        const auto families = scenes::convex_families();
-        const scenes::ConvexFamily family = families[index_ % families.size()];
-        family_ = scenes::name(family);
-        ConvexCase made = scenes::make_convex_case(family, random_);
-        if (has_wrong_recipe_) made.a.mesh = without_first_triangle(*made.a.mesh);
+        ConvexCase made = next_family(scenes::convex_families()).make(random_);
+        if (has_wrong_recipe_) made.a.mesh = without_triangles(*made.a.mesh, 0, 1);
         require_convex("a", made.a, made);
         require_convex("b", made.b, made);
-        const Posing posing(made);
-        const ConvexTruth& truth = posing.truth;
-        ++counts_.convex;
-        ++counts_.kinds[family_][truth.kind()];
-        require_recipe(made, truth);
+        const Judged judged(made);
+        const ConvexTruth& truth = judged.truth;
+        take(made, truth);
         if (lie_ && truth.depth()) {
             fail({"depth", judge::text(judge::neighbour(truth.depth()->depth, 1)), judge::text(*truth.depth())}, made,
                  "a lie");
         }
-        if (const auto wrong = truth.ask(memory_, witness_)) shrink(*wrong, made);
-        require(std::nullopt, made, "every form");
-        if (random_.below(3) == 0) require_in_environment(made, [&] { return truth.ask(memory_, witness_); });
+        require_answers(made, judged, "every form");
+        if (random_.below(3) == 0) require_answers_in_environment(made, judged);
         if (random_.below(8) == 0) require(truth.ask_bounds(memory_), made, "depth_bounds");
         if (random_.below(4) == 0) check_translations(made, truth);
         if (random_.below(4) == 0) check_made_elsewhere(made, truth);
@@ -84,42 +51,6 @@ class Run : CaseRun {
         if (index_ % 4 == 0) require_solid(body, *posed.mesh, made);
         require_promise(oracle::convex_features(*posed.mesh).has_value(), body + " is convex", "not convex", made);
         require_promise(!oracle::is_singular(posed.pose), body + " has a regular pose", "a singular pose", made);
-    }
-
-    void require_recipe(const ConvexCase& made, const ConvexTruth& truth) const {
-        if (made.distance) {
-            require_known(*made.distance == truth.distance(), "distance " + judge::text(*made.distance),
-                          judge::text(truth.distance()), made);
-        }
-        if (made.depth) {
-            require_known(truth.depth() && *made.depth == truth.depth()->depth, "depth " + judge::text(*made.depth),
-                          truth.depth() ? judge::text(*truth.depth()) : "apart", made);
-        }
-    }
-
-    // Vertices are left out as long as it fails.
-    [[noreturn]] void shrink(Wrong wrong, ConvexCase made) const {
-        for (PosedMesh* body : {&made.a, &made.b}) {
-            for (std::size_t part = body->mesh->vertices().size() / 2; part > 0; part /= 2) {
-                for (std::size_t from = 0; from < body->mesh->vertices().size();) {
-                    const std::shared_ptr<const Mesh> before = body->mesh;
-                    body->mesh = without(*before, from, part);
-                    std::optional<Wrong> found;
-                    if (body->mesh) {
-                        QueryMemory memory;
-                        PairWitness witness;
-                        found = Posing(made).truth.ask(memory, witness);
-                    }
-                    if (found) {
-                        wrong = *found;
-                        continue;
-                    }
-                    body->mesh = before;
-                    from += part;
-                }
-            }
-        }
-        fail(wrong, made, "every form");
     }
 
     void check_translations(const ConvexCase& made, const ConvexTruth& truth) {
@@ -148,10 +79,10 @@ class Run : CaseRun {
             scenes::shuffle(vertices, triangles, random_);
             body->mesh = Mesh::create(std::move(vertices), std::move(triangles));
         }
-        const Posing posing(other);
-        std::optional<Wrong> wrong = posing.truth.ask(memory_, witness_);
-        if (!wrong && posing.truth.distance() != truth.distance()) {
-            wrong = Wrong{"oracle", judge::text(truth.distance()), judge::text(posing.truth.distance())};
+        const Judged judged(other);
+        std::optional<Wrong> wrong = judged.truth.ask(memory_, witness_);
+        if (!wrong && judged.truth.distance() != truth.distance()) {
+            wrong = Wrong{"oracle", judge::text(truth.distance()), judge::text(judged.truth.distance())};
         }
         require(wrong, other, "triangles and corners in another order");
     }
@@ -185,17 +116,12 @@ class Run : CaseRun {
         }
         require(judge::ask_whether_convex(mesh), made, "whether a mesh is convex");
     }
-
-    ConvexCounts& counts_;
-    QueryMemory memory_;
-    PairWitness witness_;
 };
 
 }  // namespace
 
-void run_convex(std::uint32_t seed, Lie lie, ConvexCounts& counts) {
-    Run run(seed, lie, counts);
-    for (std::uint64_t i = 0; i < convex_per_run; ++i) run.check_one();
+void run_convex(std::uint32_t seed, Lie lie, CaseCounts& counts) {
+    check_cases(seed, lie, counts, 180, &Run::check_one);
 }
 
 }  // namespace ecods::fuzz

@@ -1,14 +1,12 @@
 #include <algorithm>
 
 #include "fuzz/pairs/case_run.hpp"
-#include "fuzz/pairs/fewer_triangles.hpp"
-#include "fuzz/pairs/solids.hpp"
-#include "judge/solid_truth.hpp"
-#include "scenes/solid_cases.hpp"
+#include "judge/text.hpp"
 
 namespace ecods::fuzz {
 namespace {
 
+using judge::written;
 using scenes::Cells;
 using scenes::LatticeMap;
 using scenes::LatticePoint;
@@ -33,9 +31,7 @@ LatticeMap integer_map(Random& random) {
 
 class Run : CaseRun {
   public:
-    Run(std::uint32_t seed, Lie lie, SolidCounts& counts) : CaseRun(seed, lie, counts.checks), counts_(counts) {
-        family_ = "placements";
-    }
+    Run(std::uint32_t seed, Lie lie, CaseCounts& counts) : CaseRun(seed, lie, counts) { family_ = "placements"; }
 
     void check(const Cells& a, const Cells& b) {
         const LatticeMap map = integer_map(random_);
@@ -44,7 +40,7 @@ class Run : CaseRun {
                                     random_);
         };
         scenes::SolidCase made{mesh(a), mesh(b), std::nullopt, {}};
-        if (has_wrong_recipe_) made.a.mesh = without_first_triangle(*made.a.mesh);
+        if (has_wrong_recipe_) made.a.mesh = without_triangles(*made.a.mesh, 0, 1);
         require_solid("a", *made.a.mesh, made);
         require_solid("b", *made.b.mesh, made);
         const Solid solid_a(made.a.mesh), solid_b(made.b.mesh);
@@ -81,7 +77,7 @@ class Run : CaseRun {
   private:
     void check(const scenes::SolidCase& made, const Solid& a, const Solid& b) {
         SolidRelation relation = *made.relation;
-        ++counts_.solids;
+        ++counts_.cases;
         ++counts_.kinds[family_][written(relation)];
         ++counts_.checks["known by its recipe"];
         if (lie_ && relation == SolidRelation::touching) relation = SolidRelation::apart;
@@ -95,14 +91,11 @@ class Run : CaseRun {
     void require(const char* question, const T& expected, const T& got, const scenes::SolidCase& made) const {
         if (expected != got) fail({question, written(expected), written(got)}, made, "");
     }
-
-    SolidCounts& counts_;
-    QueryMemory memory_;
 };
 
 }  // namespace
 
-void run_placements(std::uint32_t seed, Lie lie, SolidCounts& counts) {
+void run_placements(std::uint32_t seed, Lie lie, CaseCounts& counts) {
     const std::vector<Cells> all = scenes::polycubes(4);
     const std::size_t own = (seed + all.size() - 1) % all.size();
     Run run(seed, lie, counts);

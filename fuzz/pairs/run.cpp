@@ -1,47 +1,47 @@
-#include "fuzz/pairs/run.hpp"
-
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "fuzz/pairs/ask.hpp"
-#include "fuzz/pairs/text.hpp"
+#include "fuzz/pairs/case_run.hpp"
 #include "fuzz/pairs/variants.hpp"
+#include "judge/text.hpp"
 #include "oracle/oracle.hpp"
 
 namespace ecods::fuzz {
 namespace {
 
-using scenes::HardFamily;
+using judge::written;
 using scenes::PosedPair;
-using scenes::Random;
+using HardFamily = scenes::Family<PosedPair>;
 
 Relation ask_oracle(const PosedPair& pair) {
     return oracle::triangle_triangle(pair.pose_a, pair.a, pair.pose_b, pair.b);
 }
 
-class Run {
+class Run : CaseRun {
   public:
-    Run(std::uint32_t seed, Lie lie, PairCounts& counts) : random_(seed), seed_(seed), lie_(lie), counts_(counts) {}
-    ~Run() { counts_.stages += bodies_.counts(); }
+    using CaseRun::CaseRun;
+    ~Run() {
+        const StageCounts& own = bodies_.counts();
+        counts_.stages["triangle tests"] += own.triangle_tests;
+        for (const Stage& stage : stages) counts_.stages[stage.name] += own.*stage.count;
+    }
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
 
     void check_one() {
-        const auto families = scenes::hard_families();
-        const HardFamily family = families[index_ % families.size()];
-        family_ = scenes::name(family);
-        const PosedPair pair = scenes::make_pair(family, random_);
+        const HardFamily& family = next_family(scenes::hard_families());
+        const PosedPair pair = family.make(random_);
         Relation expected = ask_oracle(pair);
         if (pair.intersects) {
-            const bool promised = *pair.intersects != (lie_ == Lie::recipe);
-            require(promised == (expected != Relation::disjoint), pair, recipe_check,
-                    promised ? "touching or crossing" : "disjoint", expected);
+            const bool promised = *pair.intersects != has_wrong_recipe_;
+            require_promise(promised == (expected != Relation::disjoint),
+                            promised ? "touching or crossing" : "disjoint", written(expected), pair);
             ++counts_.checks["known by its recipe"];
         }
-        ++counts_.pairs;
-        ++counts_.relations[std::string(family_)][static_cast<std::size_t>(expected)];
-        if (lie_ == Lie::answer && expected == Relation::touching) expected = Relation::crossing;
+        ++counts_.cases;
+        ++counts_.kinds[family_][written(expected)];
+        if (lie_ && expected == Relation::touching) expected = Relation::crossing;
 
         require_all_paths(pair, expected, float_modes[0], "as made");
         if (random_.below(4) == 0) check_modes(pair, expected);
@@ -52,20 +52,8 @@ class Run {
     }
 
   private:
-    void require(bool holds, const PosedPair& pair, std::string path, const char* expected, Relation got) const {
-        if (holds) return;
-        throw Disagreement{.seed = seed_,
-                           .pair = index_,
-                           .family = std::string(family_),
-                           .path = std::move(path),
-                           .expected = expected,
-                           .got = name(got),
-                           .text = to_text(pair)};
-    }
     void require(const Answer& answer, const PosedPair& pair, Relation expected, const char* how) const {
-        if (answer.path != nullptr) {
-            require(false, pair, std::string(answer.path) + ", " + how, name(expected), answer.relation);
-        }
+        if (answer.path != nullptr) fail({answer.path, written(expected), written(answer.relation)}, pair, how);
     }
     void require_all_paths(const PosedPair& pair, Relation expected, const FloatMode& mode, const char* how) {
         ++counts_.checks[how];
@@ -122,10 +110,10 @@ class Run {
         return relations;
     }
 
-    void check_meshes(HardFamily family, PosedPair pair) {
+    void check_meshes(const HardFamily& family, PosedPair pair) {
         // In the other frame the two poses are not the same bits, and no shortcut decides.
         if (random_.below(2) == 0) model_in_other_frames(pair, random_);
-        const PosedPair more = scenes::make_pair(family, random_);
+        const PosedPair more = family.make(random_);
         // Vertices 1024 apart have one place in the caches.
         const std::uint32_t count = 1 + random_.below(10);
         const std::uint32_t stride = random_.below(2) == 0 ? 1 : 1024;
@@ -141,28 +129,21 @@ class Run {
             const std::vector<Relation> relations = ask_meshes(meshes, bound, mode, is_swapped);
             for (std::uint32_t i = 0; i < count * count; ++i) {
                 if (relations[i] == expected[i]) continue;
-                require(false, triangle_pair_of(meshes, i / count, i % count),
-                        std::string("TriangleRelations, triangles of larger meshes, ") + mode.name, name(expected[i]),
-                        relations[i]);
+                fail({std::string("TriangleRelations, triangles of larger meshes, ") + mode.name, written(expected[i]),
+                      written(relations[i])},
+                     triangle_pair_of(meshes, i / count, i % count), "");
             }
         }
         counts_.checks["triangle pairs of larger meshes"] += count * count;
     }
 
-    Random random_;
-    std::uint32_t seed_;
-    Lie lie_;
-    PairCounts& counts_;
-    std::uint64_t index_ = 0;
-    std::string_view family_;
     TriangleRelations bodies_;
 };
 
 }  // namespace
 
-void run_pairs(std::uint32_t seed, Lie lie, PairCounts& counts) {
-    Run run(seed, lie, counts);
-    for (std::uint64_t i = 0; i < pairs_per_run; ++i) run.check_one();
+void run_pairs(std::uint32_t seed, Lie lie, CaseCounts& counts) {
+    check_cases(seed, lie, counts, 1000, &Run::check_one);
 }
 
 }  // namespace ecods::fuzz

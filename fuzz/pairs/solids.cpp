@@ -1,49 +1,39 @@
-#include "fuzz/pairs/solids.hpp"
-
-#include <fmt/format.h>
-
-#include "ecods/error.hpp"
 #include "fuzz/pairs/case_run.hpp"
-#include "fuzz/pairs/fewer_triangles.hpp"
-#include "judge/solid_truth.hpp"
-#include "scenes/solid_cases.hpp"
+#include "judge/text.hpp"
 
 namespace ecods::fuzz {
 namespace {
 
-using judge::SolidTruth;
+using judge::written;
 using judge::Wrong;
-using scenes::Random;
 using scenes::SolidCase;
-using scenes::SolidFamily;
 
 class Run : CaseRun {
   public:
-    Run(std::uint32_t seed, Lie lie, SolidCounts& counts) : CaseRun(seed, lie, counts.checks), counts_(counts) {}
+    using CaseRun::CaseRun;
 
     // By the oracle.
     void check_one() {
-        const auto families = scenes::solid_families();
-        const SolidCase made = make(families[index_ % families.size()]);
+        const SolidCase made = make(next_family(scenes::solid_families()));
         require(require_solid("a", *made.a.mesh, made).ask(*made.a.mesh), made, "every form");
         require(require_solid("b", *made.b.mesh, made).ask(*made.b.mesh), made, "every form");
-        const Solid a(made.a.mesh), b(made.b.mesh);
-        const SolidTruth truth({a, made.a.pose}, {b, made.b.pose}, made.known_points());
-        count(truth.relation());
-        require_recipe(made, truth);
-        if (lie_ && truth.relation() == SolidRelation::touching) {
-            require("solid_relation", SolidRelation::apart, truth.relation(), made, "a lie");
+        const judge::Judged<SolidCase> judged(made);
+        take(made, judged.truth);
+        if (lie_ && judged.truth.relation() == SolidRelation::touching) {
+            require("solid_relation", SolidRelation::apart, judged.truth.relation(), made, "a lie");
         }
-        require(truth.ask(memory_), made, "every form");
-        if (random_.below(4) == 0) require_in_environment(made, [&] { return truth.ask(memory_); });
-        if (random_.below(2) == 0) check_diagonals(made, {a, made.a.pose}, {b, made.b.pose});
+        require_answers(made, judged, "every form");
+        if (random_.below(4) == 0) require_answers_in_environment(made, judged);
+        if (random_.below(2) == 0) check_diagonals(made, {judged.a, made.a.pose}, {judged.b, made.b.pose});
         if (random_.below(4) == 0) check_spoilt(made);
         ++index_;
     }
 
     // By the sets of cells.
     void check_known() {
-        const SolidCase made = make(SolidFamily::polycubes);
+        const auto& polycubes = scenes::family_named(scenes::solid_families(), "polycubes");
+        family_ = polycubes.name;
+        const SolidCase made = make(polycubes);
         // The oracle is asked of few: it takes about ten times as long as the library for all that is asked here.
         if (index_ % 64 == 0 || has_wrong_recipe_) {
             require_solid("a", *made.a.mesh, made);
@@ -52,7 +42,8 @@ class Run : CaseRun {
         const Solid a(made.a.mesh), b(made.b.mesh);
         const Posed<Solid> posed_a{a, made.a.pose}, posed_b{b, made.b.pose};
         SolidRelation relation = *made.relation;
-        count(relation);
+        ++counts_.cases;
+        ++counts_.kinds[family_][written(relation)];
         if (lie_ && relation == SolidRelation::touching) relation = SolidRelation::apart;
         require("solid_relation", relation, solid_relation(posed_a, posed_b, memory_), made, "known by its recipe");
         require("solid_relation of (b, a)", judge::mirrored(relation), solid_relation(posed_b, posed_a, memory_), made);
@@ -63,28 +54,13 @@ class Run : CaseRun {
     }
 
   private:
-    SolidCase make(SolidFamily family) {
-        family_ = scenes::name(family);
-        SolidCase made = scenes::make_solid_case(family, random_);
-        if (has_wrong_recipe_) made.a.mesh = without_first_triangle(*made.a.mesh);
+    SolidCase make(const scenes::Family<SolidCase>& family) {
+        SolidCase made = family.make(random_);
+        if (has_wrong_recipe_) made.a.mesh = without_triangles(*made.a.mesh, 0, 1);
         return made;
-    }
-    void require_recipe(const SolidCase& made, const SolidTruth& truth) const {
-        if (made.relation) {
-            require_known(*made.relation == truth.relation(), written(*made.relation), written(truth.relation()), made);
-        }
-        for (const scenes::KnownSide& known : made.points) {
-            if (!known.point.allFinite()) continue;
-            const Side side = judge::to_location(oracle::locate(known.point, soup(made.a))).side;
-            require_known(known.side == side, written(known.side), written(side), made);
-        }
     }
     static oracle::Soup soup(const scenes::PosedMesh& body) {
         return {body.mesh->vertices(), body.mesh->triangles(), body.pose};
-    }
-    void count(SolidRelation relation) {
-        ++counts_.solids;
-        ++counts_.kinds[family_][written(relation)];
     }
 
     using CaseRun::require;
@@ -134,21 +110,16 @@ class Run : CaseRun {
         made.a.mesh = Mesh::create(std::move(vertices), std::move(list));
         require(judge::ask_whether_solid(*made.a.mesh), made, "meshes that bound no solid");
     }
-
-    SolidCounts& counts_;
-    QueryMemory memory_;
 };
 
 }  // namespace
 
-void run_solids(std::uint32_t seed, Lie lie, SolidCounts& counts) {
-    Run run(seed, lie, counts);
-    for (std::uint64_t i = 0; i < solids_per_run; ++i) run.check_one();
+void run_solids(std::uint32_t seed, Lie lie, CaseCounts& counts) {
+    check_cases(seed, lie, counts, 130, &Run::check_one);
 }
 
-void run_polycubes(std::uint32_t seed, Lie lie, SolidCounts& counts) {
-    Run run(seed, lie, counts);
-    for (std::uint64_t i = 0; i < polycubes_per_run; ++i) run.check_known();
+void run_polycubes(std::uint32_t seed, Lie lie, CaseCounts& counts) {
+    check_cases(seed, lie, counts, 1000, &Run::check_known);
 }
 
 }  // namespace ecods::fuzz

@@ -5,19 +5,16 @@
 #include <span>
 
 #include "judge/hit_truth.hpp"
+#include "judge/text.hpp"
 
 namespace ecods::fuzz {
 namespace {
 
-std::string to_text(const Vec3& v) {
-    return fmt::format("({:a}, {:a}, {:a})", v[0], v[1], v[2]);
-}
-
 std::string to_text(const char* body, const Pose& pose, std::span<const Vec3> vertices) {
     std::string text;
-    for (int row = 0; row < 3; ++row) text += fmt::format("{}.R {}\n", body, to_text(pose.R.row(row).transpose()));
-    text += fmt::format("{}.t {}\n", body, to_text(pose.t));
-    for (const Vec3& v : vertices) text += fmt::format("{}.v {}\n", body, to_text(v));
+    for (int row = 0; row < 3; ++row) text += fmt::format("{}.R {}\n", body, judge::text(Vec3(pose.R.row(row))));
+    text += fmt::format("{}.t {}\n", body, judge::text(pose.t));
+    for (const Vec3& v : vertices) text += fmt::format("{}.v {}\n", body, judge::text(v));
     return text;
 }
 
@@ -50,25 +47,13 @@ std::string to_text(const scenes::HitCase& made) {
 }
 
 std::string to_text(const scenes::CastCase& made) {
-    return to_text("a", made.pose_a, *made.a) + "motion " + to_text(made.motion) + "\n" +
+    return to_text("a", made.pose_a, *made.a) + "motion " + judge::text(made.motion) + "\n" +
            to_text("b", made.pose_b, *made.b);
 }
 
 std::string to_text(const scenes::MoveCase& made) {
     return to_text("a", made.from_a, *made.a) + to_text("to_a", made.to_a, std::span<const Vec3>()) +
            to_text("b", made.from_b, *made.b) + to_text("to_b", made.to_b, std::span<const Vec3>());
-}
-
-const char* name(Relation relation) {
-    switch (relation) {
-        case Relation::disjoint:
-            return "disjoint";
-        case Relation::touching:
-            return "touching";
-        case Relation::crossing:
-            return "crossing";
-    }
-    return "no relation";
 }
 
 }  // namespace ecods::fuzz

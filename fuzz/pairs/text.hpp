@@ -1,10 +1,8 @@
 // A pair of posed triangles as text from which it can be made again, bit for bit.
 #pragma once
 
-#include <sstream>
 #include <string>
 
-#include "ecods/predicates.hpp"
 #include "scenes/cast_cases.hpp"
 #include "scenes/convex_cases.hpp"
 #include "scenes/distance_cases.hpp"
@@ -26,15 +24,5 @@ std::string to_text(const scenes::ConvexCase& made);
 std::string to_text(const scenes::HitCase& made);
 std::string to_text(const scenes::CastCase& made);
 std::string to_text(const scenes::MoveCase& made);
-
-const char* name(Relation relation);
-
-// As its operator<< writes it.
-template <class T>
-std::string written(const T& answer) {
-    std::ostringstream out;
-    out << answer;
-    return out.str();
-}
 
 }  // namespace ecods::fuzz

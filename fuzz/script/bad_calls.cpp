@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <span>
 
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/text.hpp"

@@ -88,6 +88,7 @@ void Player::make(const Call& call) {
         update(*of_update);
     } else {
         apply(call);
+        if (std::holds_alternative<MakeAgain>(call)) colliding_ = close_ = {};
         is_resting_ = false;
     }
 }

@@ -104,17 +104,42 @@ void PartWorld::set_shape(BodyId body, const Part& part) {
     set_shape(body, std::static_pointer_cast<const Shape>(refit(*old, {vertices.begin(), vertices.end()})));
 }
 
-ScriptedWorld::ScriptedWorld(const WorldOptions& options) : world_(options) {
+ScriptedWorld::ScriptedWorld(const WorldOptions& options) : options_(options), world_(options) {
     tests_.add_to(world_);
 }
 
 void ScriptedWorld::apply(const Call& call) {
     if (const auto body = created_body(call)) ids_.resize(std::max(ids_.size(), *body + 1));
-    std::visit(
-        Overloaded{[&](const Reserve& c) { world_.reserve(c.count); }, [&](const SetTests&) { tests_.add_to(world_); },
-                   [](const BadCall&) {}, [](const Manner&) {}, [&](const Update&) { world_.update(); },
-                   [&]<template <class> class Row>(const Row<InScript>& row) { make(row); }},
-        call);
+    std::visit(Overloaded{[&](const Reserve& c) { world_.reserve(c.count); },
+                          [&](const SetTests&) { tests_.add_to(world_); }, [&](const MakeAgain&) { make_again(); },
+                          [](const BadCall&) {}, [](const Manner&) {}, [&](const Update&) { world_.update(); },
+                          [&]<template <class> class Row>(const Row<InScript>& row) { make(row); }},
+               call);
+}
+
+// All that the calls so far have set, in a new world. Every id of a body is what it was, and so are those to come.
+void ScriptedWorld::make_again() {
+    const auto bodies = world_.bodies(), coming = world_.next_ids();
+    WorldOptions options = options_;
+    options.ids = bodies;
+    options.ids.insert(options.ids.end(), coming.begin(), coming.end());
+    World made(options);
+    tests_.add_to(made);
+    for (const BodyId body : bodies) {
+        const BodyId id = made.create_body({.shape = world_.shape(body),
+                                            .pose = world_.pose(body),
+                                            .filter = world_.filter(body),
+                                            .user_data = world_.user_data(body)});
+        if (id != body) throw CheckFailed("ids of a world made again", text(body), text(id));
+    }
+    if (made.next_ids() != coming) {
+        throw CheckFailed("ids to come of a world made again", text(std::span<const BodyId>(coming)),
+                          text(std::span<const BodyId>(made.next_ids())));
+    }
+    for (const BodyPair& pair : world_.disabled_pairs()) made.set_pair_enabled(pair.a, pair.b, false);
+    made.set_clearance(world_.clearance());
+    made.set_solids(world_.are_solids_related());
+    world_.become(std::move(made));
 }
 
 namespace {
@@ -155,12 +180,15 @@ void Scene::apply(const Call& call) {
 }
 
 void Scene::apply(const Call& call, const std::function<void(ScriptedWorld&)>& make) {
+    const auto created = created_body(call);
     for (std::size_t i = 0; i < worlds.size(); ++i) {
         const environment::InstructionSetLimit limit(instruction_set(i));
+        const std::vector<BodyId> coming = created ? worlds[i].world().next_ids() : std::vector<BodyId>();
         make(worlds[i]);
+        if (created) require_coming_ids(worlds[i], *created, coming);
     }
     if (std::holds_alternative<Update>(call)) ++round_;
-    if (const auto body = created_body(call)) require_same_ids(*body);
+    if (created) require_same_ids(*created);
     model.apply(call);
 }
 
@@ -174,6 +202,15 @@ void Scene::require_same_ids(Label label) const {
     for (const ScriptedWorld& each : worlds) {
         if (numbers_of(each.id(label)) != expected) throw CheckFailed("ids", text(expected), text(each.id(label)));
     }
+}
+
+// The ids that were to come are: the first one of the body, and the others of the next ones.
+void Scene::require_coming_ids(const ScriptedWorld& scripted, Label label, const std::vector<BodyId>& coming) {
+    std::vector<BodyId> got = scripted.world().next_ids();
+    got.insert(got.begin(), scripted.id(label));
+    got.resize(std::min(got.size(), coming.size()));
+    if (got == coming) return;
+    throw CheckFailed("ids to come", text(std::span<const BodyId>(coming)), text(std::span<const BodyId>(got)));
 }
 
 bool Scene::update_failing(Counters& counters) {
@@ -208,8 +245,17 @@ bool Scene::update_failing(Counters& counters) {
 
 namespace {
 
-// Of few bodies all pairs are looked at, of many those that are off.
+// Of few bodies all pairs are looked at one by one, of many those that are off.
 void check_switches(const ScriptedWorld& scripted, const Model& model) {
+    std::vector<BodyPair> off;
+    for (const auto& [a, b] : model.switched_off) {
+        const auto [first, second] = std::minmax({scripted.id(a), scripted.id(b)});
+        off.push_back({first, second});
+    }
+    std::ranges::sort(off);
+    if (const auto got = scripted.world().disabled_pairs(); got != off) {
+        throw CheckFailed("disabled pairs", text(std::span<const BodyPair>(off)), text(std::span<const BodyPair>(got)));
+    }
     constexpr std::size_t few = 40;
     const auto check = [&](Label a, Label b) {
         const bool is_enabled = !model.switched_off.contains({a, b});

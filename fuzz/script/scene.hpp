@@ -39,6 +39,9 @@ class PartWorld : public World {
     void set_pose(BodyId body, const Pose& pose);
     void set_filter(BodyId body, const CollisionFilter& filter);
 
+    // The other world takes the place of this one; the shapes of parts stay the same objects.
+    void become(World&& other) noexcept { World::operator=(std::move(other)); }
+
     // From now on, or no more, an argument that is also what the world answers of some body is that answer.
     void use_own_answers(bool uses) noexcept { uses_own_answers_ = uses; }
 
@@ -72,7 +75,9 @@ class ScriptedWorld {
   private:
     template <template <class> class Row>
     void make(const Row<InScript>& scripted);
+    void make_again();
 
+    WorldOptions options_;
     UserTests tests_;
     PartWorld world_;
     std::vector<BodyId> ids_;  // by label
@@ -100,6 +105,7 @@ class Scene {
 
   private:
     void require_same_ids(Label label) const;
+    static void require_coming_ids(const ScriptedWorld& scripted, Label label, const std::vector<BodyId>& coming);
 
     std::size_t round_ = 0;
 };

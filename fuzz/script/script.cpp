@@ -67,8 +67,8 @@ void Model::apply(const Call& call) {
                    [&](const SetClearance& c) { clearance = c.clearance; },
                    [&](const SetSolids& c) { solids = c.are_related; },
                    // No body is another afterwards.
-                   [](const Reserve&) {}, [](const SetTests&) {}, [](const BadCall&) {}, [](const Manner&) {},
-                   [](const Update&) {}},
+                   [](const Reserve&) {}, [](const SetTests&) {}, [](const MakeAgain&) {}, [](const BadCall&) {},
+                   [](const Manner&) {}, [](const Update&) {}},
         call);
 }
 

@@ -65,6 +65,13 @@ struct SetTests {
     static void fields(auto&&, auto&...) {}
 };
 
+// The world is made again, its bodies under the ids that they have (WorldOptions::ids). It has no lists before its next
+// update.
+struct MakeAgain {
+    static constexpr std::string_view name = "make_again";
+    static void fields(auto&&, auto&...) {}
+};
+
 // A call that must be refused (bad_calls.hpp): its kind, and a number from which it draws where it may choose.
 struct BadCall {
     static constexpr std::string_view name = "bad";
@@ -87,7 +94,7 @@ struct Manner {
         each.text(call.kind...);
     }
 };
-using NoteCall = std::variant<Reserve, SetTests, BadCall, Manner>;
+using NoteCall = std::variant<Reserve, SetTests, MakeAgain, BadCall, Manner>;
 
 struct Update {
     static constexpr std::string_view name = "update";
@@ -100,7 +107,7 @@ struct Update {
     }
 };
 
-using Call = calls::Call<InScript, Reserve, SetTests, BadCall, Manner, Update>;
+using Call = calls::Call<InScript, Reserve, SetTests, MakeAgain, BadCall, Manner, Update>;
 using Script = std::vector<Call>;
 
 // Visits no field of any of them.

@@ -1,5 +1,4 @@
 // How far two posed convex solids are from each other, or how deep in each other, against the oracle; and hulls.
-#include <string>
 #include <vector>
 
 #include "ecods/error.hpp"
@@ -11,17 +10,13 @@ namespace {
 
 using ecods::Mesh;
 using ecods::fuzz::Bytes;
-
-void require(const std::optional<ecods::judge::Wrong>& wrong) {
-    const std::string what = wrong ? wrong->question + ": expected " + wrong->expected + ", got " + wrong->got : "";
-    ecods::fuzz::require(!wrong, what.c_str());
-}
+using ecods::fuzz::require_right;
 
 // Nothing if the points are in one plane.
 std::shared_ptr<const Mesh> hull(Bytes& bytes) {
     std::vector<ecods::Vec3> points(4 + bytes.below(6));
     for (ecods::Vec3& p : points) p = bytes.point();
-    require(ecods::judge::ask_for_hull(points));
+    require_right(ecods::judge::ask_for_hull(points));
     try {
         return std::make_shared<const Mesh>(ecods::convex_hull(points));
     } catch (const ecods::NoInterior&) {
@@ -52,6 +47,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const ConvexSolid a(mesh_a), b(mesh_b);
     QueryMemory memory;
     PairWitness witness{bytes.below(3), bytes.below(3)};
-    require(judge::ConvexTruth({a, pose_a}, {b, pose_b}).ask(memory, witness));
+    require_right(judge::ConvexTruth({a, pose_a}, {b, pose_b}).ask(memory, witness));
     return 0;
 }

@@ -1,8 +1,6 @@
 // What a segment or a ray meets of a posed mesh, against the oracle.
 #include "ecods/hit.hpp"
 
-#include <string>
-
 #include "fuzz/targets/bytes.hpp"
 #include "fuzz/targets/require.hpp"
 #include "judge/hit_truth.hpp"
@@ -20,8 +18,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const judge::HitTruth truth(line, {shape, pose});
     QueryMemory memory;
     PairWitness witness{bytes.below(3), bytes.below(8)};
-    const auto wrong = truth.ask(memory, witness);
-    const std::string what = wrong ? wrong->question + ": expected " + wrong->expected + ", got " + wrong->got : "";
-    ecods::fuzz::require(!wrong, what.c_str());
+    ecods::fuzz::require_right(truth.ask(memory, witness));
     return 0;
 }

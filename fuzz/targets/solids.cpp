@@ -1,8 +1,6 @@
 // What is said of two posed solids, and whether meshes bound one, against the oracle.
 #include "ecods/solid.hpp"
 
-#include <string>
-
 #include "fuzz/targets/bytes.hpp"
 #include "fuzz/targets/require.hpp"
 #include "judge/solid_truth.hpp"
@@ -12,11 +10,7 @@ namespace {
 
 using ecods::Mesh;
 using ecods::fuzz::Bytes;
-
-void require(const std::optional<ecods::judge::Wrong>& wrong) {
-    const std::string what = wrong ? wrong->question + ": expected " + wrong->expected + ", got " + wrong->got : "";
-    ecods::fuzz::require(!wrong, what.c_str());
-}
+using ecods::fuzz::require_right;
 
 // Some cells of a grid of 3 by 3 by 2, bounded by triangles as a byte says.
 std::shared_ptr<const Mesh> cells(Bytes& bytes) {
@@ -56,12 +50,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Bytes bytes(data, size);
     const Pose pose_a = bytes.pose(), pose_b = bytes.pose();
     const auto a = any_mesh(bytes), b = any_mesh(bytes);
-    require(judge::ask_whether_solid(*a));
-    require(judge::ask_whether_solid(*b));
+    require_right(judge::ask_whether_solid(*a));
+    require_right(judge::ask_whether_solid(*b));
     if (!is_solid(*a) || !is_solid(*b)) return 0;
     const Solid solid_a(a), solid_b(b);
     const Vec3 points[] = {bytes.point(), bytes.point()};
     QueryMemory memory;
-    require(judge::SolidTruth({solid_a, pose_a}, {solid_b, pose_b}, points).ask(memory));
+    require_right(judge::SolidTruth({solid_a, pose_a}, {solid_b, pose_b}, points).ask(memory));
     return 0;
 }

@@ -21,4 +21,9 @@ constexpr double double_of(std::int64_t key) noexcept {
     return std::bit_cast<double>(((key ^ sign) - sign) | (sign & std::numeric_limits<std::int64_t>::min()));
 }
 
+// True for the numbers from 0 on, infinity included; -0.0 is 0. The key of a NaN lies beyond those of the infinities.
+constexpr bool is_from_zero(double x) noexcept {
+    return key_of(x) >= 0 && key_of(x) <= key_of(std::numeric_limits<double>::infinity());
+}
+
 }  // namespace ecods

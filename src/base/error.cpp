@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <charconv>
+#include <string_view>
 
 #include "base/misuse.hpp"
 
@@ -17,13 +18,7 @@ std::string text(double x) {
 }
 
 std::string text(const NotClosed::Coordinates& point) {
-    std::string result = "(";
-    return result.append(text(point[0]))
-        .append(", ")
-        .append(text(point[1]))
-        .append(", ")
-        .append(text(point[2]))
-        .append(")");
+    return "(" + text(point[0]) + ", " + text(point[1]) + ", " + text(point[2]) + ")";
 }
 
 std::string text(BodyId body) {
@@ -45,34 +40,24 @@ std::string pose_entry(int row, int column) {
     return column == 3 ? "t[" + r + "]" : "R(" + r + ", " + std::to_string(column) + ")";
 }
 
+// By the value of the enumerator.
+constexpr std::array<std::string_view, 10> question_names = {
+    "relation",      "intersecting_triangles", "distance", "within",      "closest",
+    "intersections", "close_features",         "cast",     "cast_moving", "hits"};
+static_assert(static_cast<std::size_t>(Question::hits) + 1 == question_names.size());
+
 std::string name_of(Question question) {
-    switch (question) {
-        case Question::relation:
-            return "relation";
-        case Question::intersecting_triangles:
-            return "intersecting_triangles";
-        case Question::distance:
-            return "distance";
-        case Question::within:
-            return "within";
-        case Question::closest:
-            return "closest";
-        case Question::intersections:
-            return "intersections";
-        case Question::close_features:
-            return "close_features";
-        case Question::cast:
-            return "cast";
-        case Question::cast_moving:
-            return "cast_moving";
-        case Question::hits:
-            return "hits";
-    }
-    return "question " + std::to_string(static_cast<int>(question));
+    const auto value = static_cast<std::size_t>(question);
+    return value < question_names.size() ? std::string(question_names[value]) : "question " + std::to_string(value);
+}
+
+// "axis 2: coordinate is nan, not finite"
+std::string bad_coordinate(int axis, double value) {
+    return "axis " + std::to_string(axis) + ": coordinate is " + text(value) + ", not finite";
 }
 
 std::string interval(double min, double max) {
-    return std::string("[").append(text(min)).append(", ").append(text(max)).append("]");
+    return "[" + text(min) + ", " + text(max) + "]";
 }
 
 std::atomic<MisuseHandler> misuse_handler = nullptr;
@@ -80,8 +65,7 @@ std::atomic<MisuseHandler> misuse_handler = nullptr;
 }  // namespace
 
 InvalidVertex::InvalidVertex(std::size_t vertex_index, int axis_index, double bad_value)
-    : Error("vertex " + std::to_string(vertex_index) + ", axis " + std::to_string(axis_index) + ": coordinate is " +
-            text(bad_value) + ", not finite"),
+    : Error("vertex " + std::to_string(vertex_index) + ", " + bad_coordinate(axis_index, bad_value)),
       vertex(vertex_index),
       axis(axis_index),
       value(bad_value) {}
@@ -209,8 +193,7 @@ InvalidBox::InvalidBox(int axis_index, double box_min, double box_max)
       max(box_max) {}
 
 InvalidSegment::InvalidSegment(int end_index, int axis_index, double bad_value)
-    : Error("segment: end " + std::to_string(end_index) + ", axis " + std::to_string(axis_index) + ": coordinate is " +
-            text(bad_value) + ", not finite"),
+    : Error("segment: end " + std::to_string(end_index) + ", " + bad_coordinate(axis_index, bad_value)),
       end(end_index),
       axis(axis_index),
       value(bad_value) {}
@@ -226,19 +209,14 @@ InvalidRay::InvalidRay(Part bad_part, int axis_index, double bad_value)
       value(bad_value) {}
 
 InvalidMotion::InvalidMotion(int axis_index, double bad_value)
-    : Error("motion: axis " + std::to_string(axis_index) + ": coordinate is " + text(bad_value) + ", not finite"),
-      axis(axis_index),
-      value(bad_value) {}
+    : Error("motion: " + bad_coordinate(axis_index, bad_value)), axis(axis_index), value(bad_value) {}
 
 InvalidPoint::InvalidPoint(int axis_index, double bad_value)
-    : Error("point, axis " + std::to_string(axis_index) + ": coordinate is " + text(bad_value) + ", not finite"),
-      axis(axis_index),
-      value(bad_value) {}
+    : Error("point, " + bad_coordinate(axis_index, bad_value)), axis(axis_index), value(bad_value) {}
 
 InvalidBall::InvalidBall(int axis_index, double bad_value)
     : Error(axis_index == 3 ? "ball: the radius is " + text(bad_value)
-                            : "ball: center, axis " + std::to_string(axis_index) + ": coordinate is " +
-                                  text(bad_value) + ", not finite"),
+                            : "ball: center, " + bad_coordinate(axis_index, bad_value)),
       axis(axis_index),
       value(bad_value) {}
 

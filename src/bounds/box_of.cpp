@@ -7,6 +7,7 @@
 #include "bounds/scaled_pose.hpp"
 #include "ecods/aabb.hpp"
 #include "exact/point/point.hpp"
+#include "geometry/used_vertices.hpp"
 
 namespace ecods {
 namespace {
@@ -55,38 +56,30 @@ class BoxBuilder {
     Vec3 v_max_ = Vec3::Zero();
 };
 
-template <class Visit>
-void for_each_vertex(const Mesh& mesh, Visit&& visit) {
-    if (mesh.uses_all_vertices()) {
-        for (const Vec3& v : mesh.vertices()) visit(v);
-    } else {
-        for (const Triangle& triangle : mesh.triangles()) {
-            for (const std::uint32_t index : triangle) visit(mesh.vertices()[index]);
-        }
-    }
-}
-
 // In units that are chosen for the body, by keys: what is subnormal may be taken for zero elsewhere. What overflows are
 // the ends of the box alone.
 [[gnu::noinline]] Aabb scaled_box_of(const Mesh& mesh, const Pose& pose) {
+    const auto vertices = mesh.vertices();
     Vec3 v_max = Vec3::Zero();
-    for_each_vertex(mesh, [&](const Vec3& v) {
+    for_each_used_vertex(mesh, [&](std::uint32_t index) {
+        const Vec3 v = vertices[index].cwiseAbs();
         for (int k = 0; k < 3; ++k) {
-            if (key_of(std::abs(v[k])) > key_of(v_max[k])) v_max[k] = std::abs(v[k]);
+            if (key_of(v[k]) > key_of(v_max[k])) v_max[k] = v[k];
         }
     });
     const ScaledPose scaled(pose, v_max, true);
     if (scaled.is_zero()) return {};
     BoxBuilder builder(scaled.pose());
-    for_each_vertex(mesh, [&](const Vec3& v) { builder.add(scaled.point(v)); });
+    for_each_used_vertex(mesh, [&](std::uint32_t index) { builder.add(scaled.point(vertices[index])); });
     return scaled.unscaled(builder.box(builder.delta()));
 }
 
 }  // namespace
 
 Aabb box_of(const Mesh& mesh, const Pose& pose) {
+    const auto vertices = mesh.vertices();
     BoxBuilder builder(pose);
-    for_each_vertex(mesh, [&](const Vec3& v) { builder.add(v); });
+    for_each_used_vertex(mesh, [&](std::uint32_t index) { builder.add(vertices[index]); });
     const double delta = builder.delta();
     return builder.is_moderate(delta) ? builder.box(delta) : scaled_box_of(mesh, pose);
 }

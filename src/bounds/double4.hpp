@@ -1,5 +1,5 @@
 // Vectors and matrices of three dimensions in registers of four doubles, for code that is compiled for several
-// instruction sets (simd/dispatch.hpp). Products of matrices and vectors add from left to right.
+// instruction sets (simd/region.hpp). Products of matrices and vectors add from left to right.
 #pragma once
 
 #include <algorithm>
@@ -12,61 +12,7 @@ namespace ecods {
 using Double2 = Vec<double, 2>;
 using Double4 = Vec<double, 4>;
 
-// The fourth lane is zero.
-ECODS_ALWAYS_INLINE Double4 load3(const double* v) noexcept {
-    return Double4{v[0], v[1], v[2], 0};
-}
-
-ECODS_ALWAYS_INLINE double sum(Double4 v) noexcept {
-    return (v[0] + v[1]) + v[2];
-}
-
-ECODS_ALWAYS_INLINE double dot(Double4 a, Double4 b) noexcept {
-    return sum(a * b);
-}
-
-ECODS_ALWAYS_INLINE double largest(Double4 v) noexcept {
-    const double m = v[0] > v[1] ? v[0] : v[1];
-    return m > v[2] ? m : v[2];
-}
-
-ECODS_ALWAYS_INLINE Double4 cross(Double4 a, Double4 b) noexcept {
-    const Double4 c = a * shuffle<1, 2, 0, 3>(b) - shuffle<1, 2, 0, 3>(a) * b;
-    return shuffle<1, 2, 0, 3>(c);
-}
-
-struct Matrix4 {
-    Double4 column[3];
-};
-
-ECODS_ALWAYS_INLINE Matrix4 load3(const Mat3& m) noexcept {
-    return {{load3(m.data()), load3(m.data() + 3), load3(m.data() + 6)}};
-}
-
-ECODS_ALWAYS_INLINE Matrix4 transpose(const Matrix4& m) noexcept {
-    return {{Double4{m.column[0][0], m.column[1][0], m.column[2][0], 0},
-             Double4{m.column[0][1], m.column[1][1], m.column[2][1], 0},
-             Double4{m.column[0][2], m.column[1][2], m.column[2][2], 0}}};
-}
-
-ECODS_ALWAYS_INLINE Matrix4 absolute(const Matrix4& m) noexcept {
-    return {{absolute(m.column[0]), absolute(m.column[1]), absolute(m.column[2])}};
-}
-
-ECODS_ALWAYS_INLINE double largest(const Matrix4& m) noexcept {
-    return std::max({largest(m.column[0]), largest(m.column[1]), largest(m.column[2])});
-}
-
-ECODS_ALWAYS_INLINE Double4 row_sums(const Matrix4& m) noexcept {
-    return (m.column[0] + m.column[1]) + m.column[2];
-}
-
-ECODS_ALWAYS_INLINE Double4 operator*(const Matrix4& m, Double4 v) noexcept {
-    return (m.column[0] * v[0] + m.column[1] * v[1]) + m.column[2] * v[2];
-}
-
-ECODS_ALWAYS_INLINE Matrix4 operator*(const Matrix4& a, const Matrix4& b) noexcept {
-    return {{a * b.column[0], a * b.column[1], a * b.column[2]}};
-}
-
 }  // namespace ecods
+
+#define ECODS_TEXT "bounds/double4_text.hpp"
+#include "simd/each_set.hpp"

@@ -67,16 +67,13 @@ void BoxIndex::build(const ProxyTable& table) {
     is_noted_.resize(table.end());
     std::vector<BoxForest::Item> items;
     items.reserve(table.size());
-    for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
-        if (!table.is_present(proxy)) continue;
-        const Aabb& box = table.boxes()[proxy];
+    table.for_each([&](ProxyIndex proxy, const Aabb& box) {
         PackedBox line;
         make_packed_box(box, line);
         fat_lines_[proxy] = fatten(box, line, {});
         items.push_back(BoxForest::make_item(box, proxy));
-    }
+    });
     forest_.build(items, fat_lines_);
-    size_ = items.size();
     is_built_ = true;
 }
 
@@ -115,7 +112,6 @@ void BoxIndex::clear() noexcept {
     fat_lines_.clear();
     noted_.clear();
     is_noted_.clear();
-    size_ = 0;
     escaped_since_build_ = 0;
 }
 
@@ -127,8 +123,7 @@ void BoxIndex::validate(const ProxyTable& table) const {
     if (!is_built_) return;
     forest_.validate(fat_lines_);
     for (ProxyIndex proxy = 0; proxy < fat_lines_.size(); ++proxy) {
-        const bool is_noted = is_noted_[proxy] != 0;
-        if (is_noted) continue;
+        if (is_noted_[proxy] != 0) continue;
         const bool holds = table.is_present(proxy) ? contains(fat_lines_[proxy], packed_box(key_box(table.box(proxy))))
                                                    : fat_lines_[proxy].is_empty();
         if (!holds) throw BrokenInvariant("box index: the fat box of proxy " + std::to_string(proxy) + " is wrong");

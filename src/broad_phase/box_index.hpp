@@ -53,7 +53,6 @@ class BoxIndex {
     std::vector<PackedBox> fat_lines_;    // by proxy; empty where none is present
     std::vector<ProxyIndex> noted_;       // since the last refresh, each once
     std::vector<std::uint8_t> is_noted_;  // by proxy
-    std::size_t size_ = 0;                // boxes in the forest
     std::size_t escaped_since_build_ = 0;
 };
 

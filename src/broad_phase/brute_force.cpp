@@ -9,11 +9,10 @@ std::uint64_t all_pairs(const ProxyTable& table, ProxyPairs& found) {
     found.clear();
     std::vector<ProxyIndex> proxies;
     std::vector<KeyBox> boxes;
-    for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
-        if (!table.is_present(proxy)) continue;
+    table.for_each([&](ProxyIndex proxy, const Aabb& box) {
         proxies.push_back(proxy);
-        boxes.push_back(key_box(table.box(proxy)));
-    }
+        boxes.push_back(key_box(box));
+    });
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         for (std::size_t j = i + 1; j < boxes.size(); ++j) {
             if (overlap(boxes[i], boxes[j])) found.push_back({proxies[i], proxies[j]});

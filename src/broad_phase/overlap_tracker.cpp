@@ -6,6 +6,7 @@
 #include "base/bytes_of.hpp"
 #include "broad_phase/brute_force.hpp"
 #include "broad_phase/candidates/kept_candidates.hpp"
+#include "broad_phase/choose_finder.hpp"
 #include "broad_phase/sweep/find_pairs.hpp"
 #include "broad_phase/sweep/sweep_and_prune.hpp"
 
@@ -53,7 +54,7 @@ void OverlapTracker::update(PairKeeper& keeper) {
         if (changes.added.size() == table_.size() && changes.removed.empty()) begin();
         const FindingUpdate update{
             .table = table_, .changes = changes, .keeper = keeper, .events = events_, .counts = counts_};
-        finder_ ? finder_->update(update) : find_pairs_again(update);
+        finder_ ? finder_->update(update) : update_from_scratch(update);
     } catch (...) {
         finder_ = nullptr;
         events_.clear();
@@ -73,21 +74,8 @@ void OverlapTracker::begin() {
     if (!finder_) finder_ = make_finder(running_);
 }
 
-// The pairs, without a finder.
-void OverlapTracker::find_pairs_again(const FindingUpdate& update) {
-    std::vector<ProxyIndex> present;
-    present.reserve(table_.size());
-    for (ProxyIndex proxy = 0; proxy < table_.end(); ++proxy) {
-        if (table_.is_present(proxy)) present.push_back(proxy);
-    }
-    ProxyPairs found;
-    counts_.box_tests += find_pairs_of(present, table_, found);
-    sort_pairs(found);
-    update.keeper.compare(update.table, update.changes, found, update.events);
-}
-
 void OverlapTracker::choose() noexcept {
-    const BroadPhaseKind wanted = chooser_.choose(table_.size());
+    const BroadPhaseKind wanted = choose_finder(running_, table_.size());
     if (wanted == running_) return;
     running_ = wanted;
     finder_ = nullptr;

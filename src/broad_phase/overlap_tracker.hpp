@@ -16,7 +16,6 @@
 #include "broad_phase/changes/pair_events.hpp"
 #include "broad_phase/changes/pair_finder.hpp"
 #include "broad_phase/changes/proxy_table.hpp"
-#include "broad_phase/choose_finder.hpp"
 #include "ecods/broad_phase.hpp"
 
 namespace ecods {
@@ -96,19 +95,14 @@ class OverlapTracker {
     const BoxIndex& current_index() const;
     template <class Bounds>
     std::vector<ProxyIndex> find_all(const Bounds& bounds) const;
-    std::uint64_t scan_near(const Aabb& box, double limit, const std::function<double(ProxyIndex)>& visit) const;
-    std::uint64_t scan_near_pairs(double limit, const std::function<double(ProxyPair)>& visit) const;
-
     void visit_along(const MovingBox& moving, double limit, const std::function<double(ProxyIndex)>& visit) const;
 
     void begin();
-    void find_pairs_again(const FindingUpdate& update);
     void choose() noexcept;
     void build_finder() noexcept;
 
     BroadPhaseKind kind_;
     BroadPhaseKind running_;  // another than kind_ when that is automatic
-    ChooseFinder chooser_;
     ProxyTable table_;
     PairEvents events_;
     std::unique_ptr<PairFinder> finder_;  // null after a failure

@@ -4,7 +4,7 @@
 #include "bounds/ball_bounds.hpp"
 #include "bounds/segment_bounds.hpp"
 #include "broad_phase/overlap_tracker.hpp"
-#include "ecods/error.hpp"
+#include "geometry/find_invalid.hpp"
 #include "geometry/key_box.hpp"
 
 namespace ecods {
@@ -81,9 +81,7 @@ void OverlapTracker::count_find(std::uint64_t tests) const noexcept {
 }
 
 std::vector<ProxyIndex> OverlapTracker::find(const Aabb& box) const {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!(box.min[axis] <= box.max[axis])) throw InvalidBox(axis, box.min[axis], box.max[axis]);
-    }
+    ecods::validate(box);
     return find_all(BoxBounds(box));
 }
 

@@ -10,7 +10,7 @@ namespace ecods {
 struct ScaledLine {
     explicit ScaledLine(const Line& line) noexcept;
 
-    // Not below what stands here for a parameter of the line, and the other way round.
+    // Upper bounds of the parameter after, and before, scaling.
     double scaled_above(double parameter) const noexcept;
     double unscaled_above(double parameter) const noexcept;
 

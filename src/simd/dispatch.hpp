@@ -8,13 +8,7 @@
 
 #include "simd/inline.hpp"
 #include "simd/instruction_set.hpp"
-
-// A build with ECODS_BASELINE_ONLY has the plain versions and no others: what it answers is compared with the rest.
-#if defined(__x86_64__) && !defined(ECODS_BASELINE_ONLY)
-#define ECODS_CAN_DISPATCH 1
-#else
-#define ECODS_CAN_DISPATCH 0
-#endif
+#include "simd/region.hpp"
 
 namespace ecods {
 
@@ -71,16 +65,24 @@ ECODS_ALWAYS_INLINE decltype(auto) dispatch_by_width(Arguments&&... arguments) {
     return on_baseline<four_wide>(std::forward<Arguments>(arguments)...);
 }
 
-// As dispatch_by_width, with a third body for registers of sixteen floats: a function for InstructionSet::avx512 itself
-// (ECODS_WIDE in simd/wide.hpp), which is called as it is.
+// A function that a text has in the region of each set (simd/each_set.hpp), as arguments of call_widest.
 #if ECODS_CAN_DISPATCH
-template <auto four_wide, auto eight_wide, auto sixteen_wide, class... Arguments>
-ECODS_ALWAYS_INLINE decltype(auto) dispatch_by_three_widths(Arguments&&... arguments) {
-    const InstructionSet in_use = read_instruction_set();
-    if (in_use == InstructionSet::avx512) return sixteen_wide(std::forward<Arguments>(arguments)...);
-    if (in_use == InstructionSet::avx2) return on_avx2<eight_wide>(std::forward<Arguments>(arguments)...);
-    return on_baseline<four_wide>(std::forward<Arguments>(arguments)...);
-}
+#define ECODS_OF_EACH_SET(...) baseline::__VA_ARGS__, avx2::__VA_ARGS__
+#else
+#define ECODS_OF_EACH_SET(...) baseline::__VA_ARGS__, baseline::__VA_ARGS__
 #endif
+
+// Calls the function of the instruction set in use. Most texts say the same of AVX-512 as of AVX2.
+template <auto of_baseline, auto of_avx2, auto of_avx512 = of_avx2, class... Arguments>
+ECODS_ALWAYS_INLINE decltype(auto) call_widest(Arguments&&... arguments) {
+#if ECODS_CAN_DISPATCH
+    const InstructionSet in_use = read_instruction_set();
+    if constexpr (of_avx512 != of_avx2) {
+        if (in_use == InstructionSet::avx512) return of_avx512(std::forward<Arguments>(arguments)...);
+    }
+    if (in_use != InstructionSet::baseline) return of_avx2(std::forward<Arguments>(arguments)...);
+#endif
+    return of_baseline(std::forward<Arguments>(arguments)...);
+}
 
 }  // namespace ecods

@@ -1,5 +1,5 @@
 // Registers of eight doubles, on processors that have them: two of four side by side, or eight of one kind. As in
-// simd/wide.hpp, whoever uses these must be a function for InstructionSet::avx512.
+// simd/wide.hpp, whoever uses these must be in the same region.
 #pragma once
 
 #include <array>
@@ -10,104 +10,118 @@
 
 #if ECODS_CAN_DISPATCH
 
-namespace ecods {
+ECODS_BEGIN_WIDE
+namespace ecods::wide {
 
-using Double8 = __m512d;
+using Double8 = Vec<double, 8>;
 using Mask8 = __mmask8;  // a bit for each lane
-using Int8 = __m256i;    // eight integers of 32 bits; without operators, as those of g++ are of 64 bits
+using Int8 = Vec<std::int32_t, 8>;
 
 // ---- halves
 
-ECODS_WIDE_INLINE Double8 join(Vec<double, 4> low, Vec<double, 4> high) noexcept {
+ECODS_ALWAYS_INLINE Double8 join(Vec<double, 4> low, Vec<double, 4> high) noexcept {
     return _mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(bits_as<__m256d>(low)), bits_as<__m256d>(high), 1);
 }
-ECODS_WIDE_INLINE Vec<double, 4> low_half(Double8 v) noexcept {
+ECODS_ALWAYS_INLINE Vec<double, 4> low_half(Double8 v) noexcept {
     return bits_as<Vec<double, 4>>(_mm512_maskz_extractf64x4_pd(0xff, v, 0));
 }
-ECODS_WIDE_INLINE Vec<double, 4> high_half(Double8 v) noexcept {
+ECODS_ALWAYS_INLINE Vec<double, 4> high_half(Double8 v) noexcept {
     return bits_as<Vec<double, 4>>(_mm512_maskz_extractf64x4_pd(0xff, v, 1));
 }
 
 // One of the two halves (0 and 1) as the low half, and one as the high half.
 template <int low, int high>
-ECODS_WIDE_INLINE Double8 halves(Double8 v) noexcept {
+ECODS_ALWAYS_INLINE Double8 halves(Double8 v) noexcept {
     return _mm512_maskz_shuffle_f64x2(0xff, v, v, _MM_SHUFFLE(2 * high + 1, 2 * high, 2 * low + 1, 2 * low));
 }
 
 // One lane of each half, in all lanes of that half.
 template <int lane>
-ECODS_WIDE_INLINE Double8 each(Double8 v) noexcept {
+ECODS_ALWAYS_INLINE Double8 each(Double8 v) noexcept {
     return _mm512_maskz_permutex_pd(0xff, v, lane * 0x55);
 }
 
+// A number for each half, in all of its lanes; the halves in the other order; the sum of three lanes of each.
+ECODS_ALWAYS_INLINE Double8 both(double low, double high) noexcept {
+    return join(broadcast<Vec<double, 4>>(low), broadcast<Vec<double, 4>>(high));
+}
+ECODS_ALWAYS_INLINE Double8 swapped(Double8 v) noexcept {
+    return halves<1, 0>(v);
+}
+ECODS_ALWAYS_INLINE Double8 sum(Double8 v) noexcept {
+    return (each<0>(v) + each<1>(v)) + each<2>(v);
+}
+
 // Three numbers of each in the halves, whose fourth lanes are zero.
-ECODS_WIDE_INLINE Double8 load_three(const double* low, const double* high) noexcept {
+ECODS_ALWAYS_INLINE Double8 load_three(const double* low, const double* high) noexcept {
     return _mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(_mm256_maskz_loadu_pd(7, low)),
                                     _mm256_maskz_loadu_pd(7, high), 1);
 }
-ECODS_WIDE_INLINE Double8 load_three(const float* low, const float* high) noexcept {
+ECODS_ALWAYS_INLINE Double8 load_three(const float* low, const float* high) noexcept {
     return _mm512_maskz_cvtps_pd(0xff, _mm256_set_m128(_mm_maskz_loadu_ps(7, high), _mm_maskz_loadu_ps(7, low)));
-}
-
-// Both halves, rounded to floats.
-ECODS_WIDE_INLINE void round_halves(Double8 v, Vec<float, 4>& low, Vec<float, 4>& high) noexcept {
-    const __m256 floats = _mm512_maskz_cvtpd_ps(0xff, v);
-    low = bits_as<Vec<float, 4>>(_mm256_castps256_ps128(floats));
-    high = bits_as<Vec<float, 4>>(_mm256_extractf128_ps(floats, 1));
 }
 
 // ---- lanes
 
-ECODS_WIDE_INLINE Double8 eight(double x) noexcept {
+ECODS_ALWAYS_INLINE Double8 eight(double x) noexcept {
     return _mm512_set1_pd(x);
 }
-ECODS_WIDE_INLINE Double8 absolute(Double8 v) noexcept {
+ECODS_ALWAYS_INLINE Double8 absolute(Double8 v) noexcept {
     return _mm512_abs_pd(v);
 }
 // The signs of those lanes are changed whose lane in `signs` is -0, and no other where that is 0.
-ECODS_WIDE_INLINE Double8 flip(Double8 v, Double8 signs) noexcept {
+ECODS_ALWAYS_INLINE Double8 flip(Double8 v, Double8 signs) noexcept {
     return _mm512_xor_pd(v, signs);
 }
-ECODS_WIDE_INLINE Double8 negative(Double8 v) noexcept {
+ECODS_ALWAYS_INLINE Double8 negative(Double8 v) noexcept {
     return flip(v, eight(-0.0));
 }
 
 // Comparisons do not hold where a lane is a NaN.
-ECODS_WIDE_INLINE Mask8 is_less(Double8 a, Double8 b) noexcept {
+ECODS_ALWAYS_INLINE Mask8 is_less(Double8 a, Double8 b) noexcept {
     return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
 }
-ECODS_WIDE_INLINE Mask8 is_at_most(Double8 a, Double8 b) noexcept {
+ECODS_ALWAYS_INLINE Mask8 is_at_most(Double8 a, Double8 b) noexcept {
     return _mm512_cmp_pd_mask(a, b, _CMP_LE_OQ);
 }
-ECODS_WIDE_INLINE Mask8 is_greater(Double8 a, Double8 b) noexcept {
+ECODS_ALWAYS_INLINE Mask8 is_greater(Double8 a, Double8 b) noexcept {
     return _mm512_cmp_pd_mask(a, b, _CMP_GT_OQ);
 }
-ECODS_WIDE_INLINE Double8 either(Mask8 mask, Double8 yes, Double8 no) noexcept {
+ECODS_ALWAYS_INLINE bool are_below(Double8 numbers, double limit) noexcept {
+    return is_less(numbers, eight(limit)) == 0xff;
+}
+ECODS_ALWAYS_INLINE bool are_at_most(Double8 numbers, double limit) noexcept {
+    return is_at_most(numbers, eight(limit)) == 0xff;
+}
+ECODS_ALWAYS_INLINE bool all(std::uint32_t mask) noexcept {
+    return mask == 0xff;
+}
+ECODS_ALWAYS_INLINE Double8 either(Mask8 mask, Double8 yes, Double8 no) noexcept {
     return _mm512_mask_blend_pd(mask, no, yes);
 }
 // a > b ? a : b, and a < b ? a : b.
-ECODS_WIDE_INLINE Double8 larger(Double8 a, Double8 b) noexcept {
+ECODS_ALWAYS_INLINE Double8 larger(Double8 a, Double8 b) noexcept {
     return _mm512_maskz_max_pd(0xff, a, b);
 }
-ECODS_WIDE_INLINE Double8 smaller(Double8 a, Double8 b) noexcept {
+ECODS_ALWAYS_INLINE Double8 smaller(Double8 a, Double8 b) noexcept {
     return _mm512_maskz_min_pd(0xff, a, b);
 }
 
 // Lanes 0, 2, 4 and 6, or 1, 3, 5 and 7, of a and b in turn.
-ECODS_WIDE_INLINE Double8 even_lanes(Double8 a, Double8 b) noexcept {
+ECODS_ALWAYS_INLINE Double8 even_lanes(Double8 a, Double8 b) noexcept {
     return _mm512_maskz_unpacklo_pd(0xff, a, b);
 }
-ECODS_WIDE_INLINE Double8 odd_lanes(Double8 a, Double8 b) noexcept {
+ECODS_ALWAYS_INLINE Double8 odd_lanes(Double8 a, Double8 b) noexcept {
     return _mm512_maskz_unpackhi_pd(0xff, a, b);
 }
 // Lanes of a are 0 to 7, and those of b 8 to 15.
 template <int i, int j, int k, int l, int m, int n, int o, int p>
-ECODS_WIDE_INLINE Double8 lanes_of(Double8 a, Double8 b) noexcept {
+ECODS_ALWAYS_INLINE Double8 lanes_of(Double8 a, Double8 b) noexcept {
     return _mm512_permutex2var_pd(a, _mm512_setr_epi64(i, j, k, l, m, n, o, p), b);
 }
 
 // next_up(x) of what is neither infinite nor NaN.
-ECODS_WIDE_INLINE Double8 next_up_of_finite(Double8 x) noexcept {
+ECODS_ALWAYS_INLINE Double8 next_up_of_finite(Double8 x) noexcept {
     const __m512i bits = _mm512_castpd_si512(x), one = _mm512_set1_epi64(1);
     const __m512i up = _mm512_add_epi64(bits, one);
     const __m512i next = _mm512_mask_sub_epi64(up, _mm512_movepi64_mask(bits), bits, one);
@@ -117,43 +131,32 @@ ECODS_WIDE_INLINE Double8 next_up_of_finite(Double8 x) noexcept {
 
 // ---- integers
 
-ECODS_WIDE_INLINE Int8 eight_ints(std::int32_t x) noexcept {
-    return _mm256_set1_epi32(x);
-}
-ECODS_WIDE_INLINE Int8 plus(Int8 a, Int8 b) noexcept {
-    return _mm256_add_epi32(a, b);
-}
-template <int power>
-ECODS_WIDE_INLINE Int8 times_power_of_two(Int8 v) noexcept {
-    return _mm256_slli_epi32(v, power);
-}
-ECODS_WIDE_INLINE Int8 smaller(Int8 a, Int8 b) noexcept {
-    return _mm256_min_epi32(a, b);
-}
-ECODS_WIDE_INLINE Int8 either(Mask8 mask, Int8 yes, Int8 no) noexcept {
-    return _mm256_mask_mov_epi32(no, mask, yes);
-}
-ECODS_WIDE_INLINE Int8 or_zero(Mask8 mask, std::int32_t yes) noexcept {
-    return _mm256_maskz_set1_epi32(mask, yes);
-}
 // Numbers from -2^31 to 2^31 - 1, rounded towards zero; and back.
-ECODS_WIDE_INLINE Int8 truncated(Double8 v) noexcept {
-    return _mm512_maskz_cvttpd_epi32(0xff, v);
+ECODS_ALWAYS_INLINE Int8 truncated(Double8 v) noexcept {
+    return bits_as<Int8>(_mm512_maskz_cvttpd_epi32(0xff, v));
 }
-ECODS_WIDE_INLINE Double8 doubles_of(Int8 v) noexcept {
-    return _mm512_maskz_cvtepi32_pd(0xff, v);
+ECODS_ALWAYS_INLINE Double8 doubles_of(Int8 v) noexcept {
+    return _mm512_maskz_cvtepi32_pd(0xff, bits_as<__m256i>(v));
 }
-ECODS_WIDE_INLINE void store(Int8 v, std::array<std::int32_t, 8>& lanes) noexcept {  // aligned as v is
-    _mm256_store_si256(reinterpret_cast<__m256i*>(lanes.data()), v);
+ECODS_ALWAYS_INLINE Int8 either(Mask8 mask, Int8 yes, Int8 no) noexcept {
+    return bits_as<Int8>(_mm256_mask_mov_epi32(bits_as<__m256i>(no), mask, bits_as<__m256i>(yes)));
 }
 
 // Eight pairs of floats, pair i at table[2 places[i]]: the first of each, and the second. Each pair is loaded by
 // itself, which measured a little faster than gathering eight.
-ECODS_WIDE_INLINE void load_pairs(const float* table, const std::array<std::int32_t, 8>& places, Double8& first,
-                                  Double8& second) noexcept {
+struct EightPlaces {
+    alignas(32) std::array<std::int32_t, 8> at;
+};
+ECODS_ALWAYS_INLINE EightPlaces places_of(Int8 numbers) noexcept {
+    EightPlaces places;
+    store(places.at.data(), numbers);
+    return places;
+}
+ECODS_ALWAYS_INLINE void load_pairs(const float* table, const EightPlaces& places, Double8& first,
+                                    Double8& second) noexcept {
     const auto two = [&](std::size_t i) {
         const auto pair = [&](std::size_t k) {
-            return reinterpret_cast<const __m64*>(table + 2 * static_cast<std::ptrdiff_t>(places[k]));
+            return reinterpret_cast<const __m64*>(table + 2 * static_cast<std::ptrdiff_t>(places.at[k]));
         };
         return _mm_loadh_pi(_mm_loadl_pi(_mm_setzero_ps(), pair(i)), pair(i + 1));
     };
@@ -162,6 +165,7 @@ ECODS_WIDE_INLINE void load_pairs(const float* table, const std::array<std::int3
     second = _mm512_maskz_cvtps_pd(0xff, _mm256_shuffle_ps(low, high, _MM_SHUFFLE(3, 1, 3, 1)));
 }
 
-}  // namespace ecods
+}  // namespace ecods::wide
+ECODS_END_REGION
 
 #endif

@@ -2,8 +2,7 @@
 // once.
 //
 // Intrinsics and not Vec, because comparisons give masks here: g++ turns those of Vec into lanes and back. Whoever uses
-// these must be a function for InstructionSet::avx512: ECODS_WIDE. (A template that is not, but ends up in one, is
-// enough for Vec; what is always inlined into another function here must have that function's instruction set.)
+// these must be in the same region (simd/region.hpp).
 #pragma once
 
 #include <bit>
@@ -15,10 +14,10 @@
 #if ECODS_CAN_DISPATCH
 #include <immintrin.h>
 
-#define ECODS_WIDE [[gnu::target("avx512f,avx512bw,avx512dq,avx512vl,bmi,bmi2")]]
-#define ECODS_WIDE_INLINE ECODS_WIDE ECODS_ALWAYS_INLINE
-
+ECODS_BEGIN_WIDE
 namespace ecods::wide {
+
+#include "simd/vec_text.hpp"
 
 using Floats = __m512;
 using Mask = __mmask16;
@@ -26,41 +25,41 @@ using Float8 = __m256;
 using Index8 = __m256i;  // eight integers of 32 bits
 
 // Every lane. Intrinsics are given it where g++ 12 takes their plain form for a use of something uninitialised.
-inline constexpr Mask all = 0xffff;
+inline constexpr Mask all_lanes = 0xffff;
 
 // Eight floats, aligned as a vector of them, in the first eight lanes and again in the last.
-ECODS_WIDE_INLINE Floats twice(const float* eight) noexcept {
-    return _mm512_maskz_broadcast_f32x8(all, _mm256_load_ps(eight));
+ECODS_ALWAYS_INLINE Floats twice(const float* eight) noexcept {
+    return _mm512_maskz_broadcast_f32x8(all_lanes, _mm256_load_ps(eight));
 }
 
 // Of what twice() gave: number `first` in the first eight lanes, and the next one in the last.
 template <int first>
-ECODS_WIDE_INLINE Floats two_of(Floats v) noexcept {
+ECODS_ALWAYS_INLINE Floats two_of(Floats v) noexcept {
     constexpr int a = first, b = first + 1;
-    return _mm512_maskz_permutexvar_ps(all, _mm512_setr_epi32(a, a, a, a, a, a, a, a, b, b, b, b, b, b, b, b), v);
+    return _mm512_maskz_permutexvar_ps(all_lanes, _mm512_setr_epi32(a, a, a, a, a, a, a, a, b, b, b, b, b, b, b, b), v);
 }
 
 // The lanes of a mask in which x > y does not hold, or x < y; of a NaN, neither does.
-ECODS_WIDE_INLINE Mask not_above(Mask lanes, Floats x, Floats y) noexcept {
+ECODS_ALWAYS_INLINE Mask not_above(Mask lanes, Floats x, Floats y) noexcept {
     return _mm512_mask_cmp_ps_mask(lanes, x, y, _CMP_NGT_UQ);
 }
-ECODS_WIDE_INLINE Mask not_below(Mask lanes, Floats x, Floats y) noexcept {
+ECODS_ALWAYS_INLINE Mask not_below(Mask lanes, Floats x, Floats y) noexcept {
     return _mm512_mask_cmp_ps_mask(lanes, x, y, _CMP_NLT_UQ);
 }
 
 // The lanes, as bits, of which neither low > to nor high < from holds.
-ECODS_WIDE_INLINE std::uint32_t not_outside(Float8 low, Float8 high, float from, float to) noexcept {
+ECODS_ALWAYS_INLINE std::uint32_t not_outside(Float8 low, Float8 high, float from, float to) noexcept {
     const __mmask8 not_beyond = _mm256_cmp_ps_mask(low, _mm256_set1_ps(to), _CMP_NGT_UQ);
     return _mm256_mask_cmp_ps_mask(not_beyond, high, _mm256_set1_ps(from), _CMP_NLT_UQ);
 }
 
 // Eight bits for each bit of a mask of eight.
-ECODS_WIDE_INLINE std::uint64_t bytes_of(std::uint32_t mask) noexcept {
+ECODS_ALWAYS_INLINE std::uint64_t bytes_of(std::uint32_t mask) noexcept {
     return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm_movm_epi8(static_cast<__mmask16>(mask))));
 }
 
 // A number below 256 in each of eight bytes.
-ECODS_WIDE_INLINE std::uint64_t in_each_byte(std::uint64_t number) noexcept {
+ECODS_ALWAYS_INLINE std::uint64_t in_each_byte(std::uint64_t number) noexcept {
     return number * 0x0101010101010101u;
 }
 
@@ -71,7 +70,7 @@ struct PairNumbers {
     std::uint64_t bits;  // of these pairs
 
     // Takes them out of `from`, which is not zero.
-    ECODS_WIDE_INLINE explicit PairNumbers(std::uint64_t& from) noexcept {
+    ECODS_ALWAYS_INLINE explicit PairNumbers(std::uint64_t& from) noexcept {
         bits = from;
         const auto first = static_cast<std::uint64_t>(std::countr_zero(from));
         std::uint64_t numbers = in_each_byte(first);
@@ -86,28 +85,29 @@ struct PairNumbers {
     }
 
     // The bits of the pairs whose lanes are all ones, not zero.
-    ECODS_WIDE_INLINE std::uint64_t bits_of(const Vec<std::int32_t, 8>& lanes) const noexcept {
+    ECODS_ALWAYS_INLINE std::uint64_t bits_of(const Vec<std::int32_t, 8>& lanes) const noexcept {
         const __mmask8 mask = _mm256_movepi32_mask(_mm256_load_si256(reinterpret_cast<const __m256i*>(&lanes)));
         return _pdep_u64(mask, bits);
     }
 };
 
 // Lane k is number index[k] of eight floats, aligned as a vector of them.
-ECODS_WIDE_INLINE Float8 pick(const float* eight, Index8 index) noexcept {
+ECODS_ALWAYS_INLINE Float8 pick(const float* eight, Index8 index) noexcept {
     return _mm256_permutexvar_ps(index, _mm256_load_ps(eight));
 }
-ECODS_WIDE_INLINE void store(Float8 v, Vec<float, 8>& lanes) noexcept {
+ECODS_ALWAYS_INLINE void store(Float8 v, Vec<float, 8>& lanes) noexcept {
     _mm256_store_ps(reinterpret_cast<float*>(&lanes), v);
 }
 
 // a > b ? a : b, and a < b ? a : b, lane by lane.
-ECODS_WIDE_INLINE Float8 larger(Float8 a, Float8 b) noexcept {
+ECODS_ALWAYS_INLINE Float8 larger(Float8 a, Float8 b) noexcept {
     return _mm256_max_ps(a, b);
 }
-ECODS_WIDE_INLINE Float8 smaller(Float8 a, Float8 b) noexcept {
+ECODS_ALWAYS_INLINE Float8 smaller(Float8 a, Float8 b) noexcept {
     return _mm256_min_ps(a, b);
 }
 
 }  // namespace ecods::wide
+ECODS_END_REGION
 
 #endif

@@ -41,7 +41,7 @@ using Label = std::size_t;
 
 // ---- names
 
-// While a trace is written.
+// Names while writing: ids, and numbers of shapes.
 struct Tracing {
     using Body = BodyId;
     using Shape = std::uint64_t;  // its number in the text
@@ -49,7 +49,7 @@ struct Tracing {
     using List = std::span<const Item>;
 };
 
-// As a trace is read.
+// Names while reading: bodies by order of creation.
 struct InOrder {
     using Body = Label;
     using Shape = std::size_t;  // the number of meshes and shapes before it in the text

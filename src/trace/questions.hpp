@@ -53,6 +53,17 @@ struct AllHitsOfRay : OfLine<Ray> {
     auto ask(auto& world) const { return world.all_hits(line, filter); }
 };
 
+// What is asked up to a distance.
+struct UpTo {
+    std::uint64_t answer;
+    double limit;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.number(call.limit...);
+    }
+};
+
 template <class Names>
 struct Cast {
     static constexpr std::string_view name = "cast";
@@ -100,15 +111,8 @@ struct Nearest {
 };
 
 template <class Names>
-struct ClosestOfAll {
+struct ClosestOfAll : UpTo {
     static constexpr std::string_view name = "closest_pair";
-    std::uint64_t answer;
-    double limit;
-
-    static void fields(auto&& each, auto&... call) {
-        each.answer(call.answer...);
-        each.number(call.limit...);
-    }
     auto ask(auto& world) const { return world.closest_pair(limit); }
 };
 
@@ -135,15 +139,8 @@ struct Depths {
 };
 
 template <class Names>
-struct SolidDistances {
+struct SolidDistances : UpTo {
     static constexpr std::string_view name = "solid_distances";
-    std::uint64_t answer;
-    double limit;
-
-    static void fields(auto&& each, auto&... call) {
-        each.answer(call.answer...);
-        each.number(call.limit...);
-    }
     auto ask(auto& world) const { return world.solid_distances(limit); }
 };
 

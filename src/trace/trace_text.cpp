@@ -1,5 +1,6 @@
 #include "trace/trace_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -26,6 +27,10 @@ std::optional<Number> parse_chars(std::string_view word, How... how) {
 
 void append(std::string& text, Hex x) {
     append_hex(text, x.value);
+}
+
+void append(std::string& text, double x) {
+    append_hex(text, x);
 }
 
 void append(std::string& text, std::string_view word) {
@@ -88,10 +93,9 @@ std::string_view name_of(BroadPhaseKind kind) noexcept {
 }
 
 std::optional<BroadPhaseKind> parse_broad_phase(std::string_view word) {
-    for (std::size_t i = 0; i < broad_phase_names.size(); ++i) {
-        if (broad_phase_names[i] == word) return static_cast<BroadPhaseKind>(i);
-    }
-    return std::nullopt;
+    const auto* const found = std::ranges::find(broad_phase_names, word);
+    if (found == broad_phase_names.end()) return std::nullopt;
+    return static_cast<BroadPhaseKind>(found - broad_phase_names.begin());
 }
 
 }  // namespace ecods

@@ -20,6 +20,7 @@ struct Hex {
 };
 
 void append(std::string& text, Hex x);
+void append(std::string& text, double x);
 void append(std::string& text, std::string_view word);
 void append(std::string& text, BodyId body);
 void append(std::string& text, const Vec3& point);

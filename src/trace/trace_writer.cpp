@@ -21,17 +21,12 @@ void TraceWriter::end_line() {
     put_text();
 }
 
-// A line each, so that a long list takes no memory.
 void TraceWriter::FieldWriter::clearance(std::optional<double> clearance) const {
-    if (!clearance) return writer.put_words(std::string_view("none"));
-    append_hex(writer.text_, *clearance);
-    writer.text_.push_back(' ');
+    clearance ? writer.put_words(*clearance) : writer.put_words("none");
 }
 
 void TraceWriter::FieldWriter::number(double number) const {
-    if (std::isinf(number)) return writer.put_words(std::string_view("inf"));
-    append_hex(writer.text_, number);
-    writer.text_.push_back(' ');
+    std::isinf(number) ? writer.put_words("inf") : writer.put_words(number);
 }
 
 void TraceWriter::FieldWriter::line(const Ray& ray) const {
@@ -40,40 +35,41 @@ void TraceWriter::FieldWriter::line(const Ray& ray) const {
 }
 
 void TraceWriter::FieldWriter::optional_filter(const std::optional<CollisionFilter>& optional) const {
-    optional ? filter(*optional) : writer.put_words(std::string_view("none"));
+    optional ? filter(*optional) : writer.put_words("none");
 }
 
+// A line each, so that a long list takes no memory.
 void TraceWriter::FieldWriter::posed_bodies(std::span<const BodyId> bodies, std::span<const Pose> poses) const {
     writer.put_words(std::uint64_t{bodies.size()});
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         writer.end_line();
-        writer.put_words(std::string_view("p"), bodies[i], poses[i]);
+        writer.put_words("p", bodies[i], poses[i]);
     }
 }
 
 void TraceWriter::begin(BroadPhaseKind kind, std::size_t slot_count) noexcept {
     put_line(trace_header);
-    put_line(std::string_view("world"), name_of(kind), slot_count);
+    put_line("world", name_of(kind), slot_count);
 }
 
 void TraceWriter::note(std::string_view text) noexcept {
-    put_line(std::string_view("note"), text);
+    put_line("note", text);
 }
 
 void TraceWriter::begin_update() noexcept {
     guarded([&] {
-        append(text_, std::string_view("update"));
+        append(text_, "update");
         put_text();
         out_->flush();
     });
 }
 
 void TraceWriter::end_update(std::uint64_t digest, std::size_t colliding_count) noexcept {
-    put_line(std::string_view(), Hex{digest}, colliding_count);
+    put_line("", Hex{digest}, colliding_count);
 }
 
 void TraceWriter::end_failed_update() noexcept {
-    put_line(std::string_view(), std::string_view("failed"));
+    put_line("", "failed");
 }
 
 void TraceWriter::flush() noexcept {
@@ -100,16 +96,16 @@ std::uint64_t TraceWriter::number_of(const std::shared_ptr<const Shape>& shape) 
     if (mesh_shape != nullptr) {
         put_mesh(form, mesh_shape->mesh(), number);
     } else {
-        put_line(std::string_view("shape"), number, std::uint64_t{shape->kind().value}, std::string_view(text));
+        put_line("shape", number, std::uint64_t{shape->kind().value}, std::string_view(text));
     }
     return number;
 }
 
 void TraceWriter::put_mesh(MeshForm form, const Mesh& mesh, std::uint64_t number) noexcept {
     put_line(mesh_form_names[static_cast<std::size_t>(form)], number, mesh.vertices().size(), mesh.triangles().size());
-    for (const Vec3& v : mesh.vertices()) put_line(std::string_view("v"), v);
+    for (const Vec3& v : mesh.vertices()) put_line("v", v);
     for (const Triangle& t : mesh.triangles()) {
-        put_line(std::string_view("t"), std::uint64_t{t[0]}, std::uint64_t{t[1]}, std::uint64_t{t[2]});
+        put_line("t", std::uint64_t{t[0]}, std::uint64_t{t[1]}, std::uint64_t{t[2]});
     }
 }
 

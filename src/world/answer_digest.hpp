@@ -27,66 +27,33 @@ class AnswerDigest {
         for (const double x : point) take(x);
     }
     void take(BodyId body) noexcept { take(std::uint64_t{body.slot} << 16 | body.generation); }
-    void take(const BodyPair& bodies) noexcept {
-        take(bodies.a);
-        take(bodies.b);
+    template <class... Parts>
+    void take(const Parts&... parts) noexcept {
+        static_assert(sizeof...(Parts) > 1);
+        (take(parts), ...);
     }
+    void take(const BodyPair& bodies) noexcept { take(bodies.a, bodies.b); }
     void take(const Feature& feature) noexcept {
         take(std::uint64_t{feature.triangle} << 32 | feature.corner << 8 | static_cast<std::uint64_t>(feature.kind));
     }
     void take(const BodyHit& hit) noexcept {
-        take(hit.body);
-        take(hit.hit.parameter);
-        take(hit.hit.leave_parameter);
-        take(std::uint64_t{hit.hit.rank} << 8 | static_cast<std::uint64_t>(hit.hit.kind));
-        take(hit.hit.feature);
-        take(hit.hit.point);
-        take(hit.hit.leave_point);
+        const Hit& h = hit.hit;
+        take(hit.body, h.parameter, h.leave_parameter);
+        take(std::uint64_t{h.rank} << 8 | static_cast<std::uint64_t>(h.kind));
+        take(h.feature, h.point, h.leave_point);
     }
     void take(const FirstContact& contact) noexcept {
-        take(contact.time);
-        take(static_cast<std::uint64_t>(contact.kind));
-        take(contact.a);
-        take(contact.b);
+        take(contact.time, static_cast<std::uint64_t>(contact.kind), contact.a, contact.b);
     }
-    void take(const BodyContact& met) noexcept {
-        take(met.body);
-        take(met.contact);
-    }
-    void take(const Meeting& meeting) noexcept {
-        take(meeting.bodies);
-        take(meeting.contact);
-    }
-    void take(const NearestBody& nearest) noexcept {
-        take(nearest.body);
-        take(nearest.distance);
-    }
-    void take(const ClosestPair& closest) noexcept {
-        take(closest.bodies);
-        take(closest.distance);
-    }
-    void take(const Depth& depth) noexcept {
-        take(depth.depth);
-        take(depth.a);
-        take(depth.b);
-        take(depth.direction);
-    }
-    void take(const BodyDepth& pair) noexcept {
-        take(pair.bodies);
-        take(pair.depth);
-    }
-    void take(const SolidDistance& pair) noexcept {
-        take(pair.bodies);
-        take(pair.distance);
-    }
-    void take(const BodyAt& at) noexcept {
-        take(at.body);
-        take(static_cast<std::uint64_t>(at.side));
-    }
-    void take(const BodiesContaining& found) noexcept {
-        take(found.bodies);
-        take(std::uint64_t{found.skipped_count});
-    }
+    void take(const BodyContact& met) noexcept { take(met.body, met.contact); }
+    void take(const Meeting& meeting) noexcept { take(meeting.bodies, meeting.contact); }
+    void take(const NearestBody& nearest) noexcept { take(nearest.body, nearest.distance); }
+    void take(const ClosestPair& closest) noexcept { take(closest.bodies, closest.distance); }
+    void take(const Depth& depth) noexcept { take(depth.depth, depth.a, depth.b, depth.direction); }
+    void take(const BodyDepth& pair) noexcept { take(pair.bodies, pair.depth); }
+    void take(const SolidDistance& pair) noexcept { take(pair.bodies, pair.distance); }
+    void take(const BodyAt& at) noexcept { take(at.body, static_cast<std::uint64_t>(at.side)); }
+    void take(const BodiesContaining& found) noexcept { take(found.bodies, std::uint64_t{found.skipped_count}); }
     template <class Item>
     void take(const std::optional<Item>& item) noexcept {
         take(std::uint64_t{item.has_value()});

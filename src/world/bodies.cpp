@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <ranges>
+#include <string>
 #include <utility>
 
 #include "base/bytes_of.hpp"
@@ -56,6 +57,10 @@ Bodies::Bodies(std::span<const BodyId> first_ids) : world_number_(world_number_o
 }
 
 // ---- ids
+
+void Bodies::refuse_form(ProxyIndex proxy, const char* form) {
+    throw NotSupported("slot " + std::to_string(proxy + 1) + ": its body is no " + form);
+}
 
 void Bodies::refuse_stale(BodyId body, const ListIndex& index) {
     throw_misuse(StaleBody(body, index));

@@ -68,6 +68,11 @@ class Bodies {
     // ---- slots, free ones included
     const Slot& operator[](ProxyIndex proxy) const noexcept { return slots_[proxy]; }
     Slot& operator[](ProxyIndex proxy) noexcept { return slots_[proxy]; }
+    // The body as a solid, or as a convex one. Throw NotSupported.
+    Posed<Solid> solid_at(ProxyIndex proxy) const { return posed(proxy, slots_[proxy].solid(), "solid"); }
+    Posed<ConvexSolid> convex_at(ProxyIndex proxy) const {
+        return posed(proxy, slots_[proxy].convex(), "convex solid");
+    }
     ProxyIndex end() const noexcept { return static_cast<ProxyIndex>(slots_.size()); }  // slots are below
     void prefetch(ProxyPair pair) const noexcept {
         constexpr std::size_t line_size = 64;
@@ -114,6 +119,13 @@ class Bodies {
     void validate() const;
 
   private:
+    template <class S>
+    Posed<S> posed(ProxyIndex proxy, const S* solid, const char* form) const {
+        if (solid == nullptr) [[unlikely]]
+            refuse_form(proxy, form);
+        return {*solid, slots_[proxy].pose};
+    }
+    [[noreturn]] static void refuse_form(ProxyIndex proxy, const char* form);
     [[noreturn]] static void refuse_stale(BodyId body, const ListIndex& index);
     void count(const Slot& slot) noexcept;
     void discount(const Slot& slot) noexcept;

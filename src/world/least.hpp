@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 #include "base/double_key.hpp"
@@ -16,10 +15,6 @@ namespace ecods {
 template <class Name>
 class Least {
   public:
-    static constexpr std::int64_t infinity = key_of(std::numeric_limits<double>::infinity());
-
-    // Whether it can be a limit: not negative, not NaN.
-    static bool is_limit(double limit) noexcept { return key_of(limit) >= 0 && key_of(limit) <= infinity; }
     explicit Least(double limit) noexcept : limit_(key_of(limit)) {}
 
     // What the real number of a candidate must not be above if it is to win; nothing where it cannot win.

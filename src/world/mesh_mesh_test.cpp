@@ -2,7 +2,6 @@
 
 #include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
-#include "query/cast/cast_moving.hpp"
 #include "query/cast/cast_until.hpp"
 #include "query/intersection/mesh_intersection_test.hpp"
 

@@ -1,7 +1,5 @@
 #include "world/mesh_shapes.hpp"
 
-#include "ecods/error.hpp"
-
 namespace ecods {
 
 std::shared_ptr<const MeshShape> MeshShapes::shape_of(const std::shared_ptr<const Mesh>& mesh) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <unordered_map>
 
+#include "ecods/error.hpp"
 #include "ecods/shape.hpp"
 
 namespace ecods {
@@ -15,6 +16,14 @@ class MeshShapes {
     std::shared_ptr<const MeshShape> shape_of(const std::shared_ptr<const Mesh>& mesh);
 
     std::shared_ptr<const MeshShape> find(const std::shared_ptr<const Mesh>& mesh) const;  // or null
+
+    // ask(shape) of the mesh: the one that is known, or one for this time. Throws NullArgument.
+    template <class Ask>
+    auto with(const std::shared_ptr<const Mesh>& mesh, const Ask& ask) const {
+        if (!mesh) throw NullArgument("mesh");
+        const auto known = find(mesh);
+        return known ? ask(*known) : ask(MeshShape(mesh));
+    }
 
   private:
     std::unordered_map<const Mesh*, std::weak_ptr<const MeshShape>> shapes_;

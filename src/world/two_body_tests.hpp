@@ -14,9 +14,10 @@ struct OrderedTest {
     const TwoBodyTest* test;
     bool swapped;  // whether the shape of the second kind asked for comes first
 
-    template <class Ask>
-    auto ask(const Posed<Shape>& a, const Posed<Shape>& b, Ask&& question) const {
-        return swapped ? question(*test, b, a) : question(*test, a, b);
+    // Asks a question of TwoBodyTest about the two in that order, with what comes after them.
+    template <class Question, class... Arguments>
+    auto ask(const Posed<Shape>& a, const Posed<Shape>& b, Question question, Arguments&&... arguments) const {
+        return swapped ? (test->*question)(b, a, arguments...) : (test->*question)(a, b, arguments...);
     }
 };
 

@@ -106,13 +106,17 @@ void VerdictCache::link(VerdictIndex index, int side) noexcept {
     firsts_[proxy] = index;
 }
 
+// Makes the links of a verdict's neighbours in a list these: back from the next one, and on from the previous one.
+void VerdictCache::link_neighbours(const Verdict& verdict, int side, VerdictIndex back, VerdictIndex on) noexcept {
+    const ProxyIndex proxy = (side == 0 ? verdict.bodies.a : verdict.bodies.b).slot - 1;
+    const VerdictIndex next = verdict.next[side], previous = verdict.previous[side];
+    if (next != no_verdict) verdicts_[next].previous[side_of(proxy, next)] = back;
+    (previous == no_verdict ? firsts_[proxy] : verdicts_[previous].next[side_of(proxy, previous)]) = on;
+}
+
 void VerdictCache::unlink(VerdictIndex index, int side) noexcept {
     const Verdict& verdict = verdicts_[index];
-    const ProxyIndex proxy = (side == 0 ? verdict.bodies.a : verdict.bodies.b).slot - 1;
-    const VerdictIndex next = verdict.next[side];
-    const VerdictIndex previous = verdict.previous[side];
-    if (next != no_verdict) verdicts_[next].previous[side_of(proxy, next)] = previous;
-    (previous == no_verdict ? firsts_[proxy] : verdicts_[previous].next[side_of(proxy, previous)]) = next;
+    link_neighbours(verdict, side, verdict.previous[side], verdict.next[side]);
 }
 
 // Moves a verdict to a place whose own is in no list any more.
@@ -120,13 +124,7 @@ void VerdictCache::relocate(VerdictIndex from, VerdictIndex to) noexcept {
     const Verdict& verdict = verdicts_[from];
     places_[place_of(verdict.proxies())].index = to;
     verdicts_[to] = verdict;
-    for (const int side : {0, 1}) {
-        const ProxyIndex proxy = (side == 0 ? verdict.bodies.a : verdict.bodies.b).slot - 1;
-        const VerdictIndex next = verdict.next[side];
-        const VerdictIndex previous = verdict.previous[side];
-        if (next != no_verdict) verdicts_[next].previous[side_of(proxy, next)] = to;
-        (previous == no_verdict ? firsts_[proxy] : verdicts_[previous].next[side_of(proxy, previous)]) = to;
-    }
+    for (const int side : {0, 1}) link_neighbours(verdict, side, to, to);
 }
 
 // ---- inspection

@@ -83,6 +83,7 @@ class VerdictCache {
     void take_place(VerdictIndex index) noexcept;
     void free_place(std::size_t place) noexcept;
     void link(VerdictIndex index, int side) noexcept;
+    void link_neighbours(const Verdict& verdict, int side, VerdictIndex back, VerdictIndex on) noexcept;
     void unlink(VerdictIndex index, int side) noexcept;
     void relocate(VerdictIndex from, VerdictIndex to) noexcept;
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/limits.hpp"
 #include "ecods/motion.hpp"
 #include "world/least.hpp"
 #include "world/world_impl.hpp"
@@ -35,7 +36,7 @@ class FirstMet {
 
 FirstMet first_met(const Vec3& motion, double time_max) {
     validate_motion(motion);
-    if (!Least<ProxyIndex>::is_limit(time_max)) throw InvalidTime(time_max);
+    if (!is_from_zero(time_max)) throw InvalidTime(time_max);
     return FirstMet(time_max);
 }
 
@@ -87,10 +88,8 @@ std::optional<BodyContact> World::cast(const Shape& shape, const Pose& pose, con
 std::optional<BodyContact> World::cast(const std::shared_ptr<const Mesh>& mesh, const Pose& pose, const Vec3& motion,
                                        QueryMemory& memory, double time_max,
                                        std::optional<CollisionFilter> filter) const {
-    if (!mesh) throw NullArgument("mesh");
-    const auto known = impl().mesh_shapes.find(mesh);
-    return known ? cast(*known, pose, motion, memory, time_max, filter)
-                 : cast(MeshShape(mesh), pose, motion, memory, time_max, filter);
+    return impl().mesh_shapes.with(
+        mesh, [&](const MeshShape& shape) { return cast(shape, pose, motion, memory, time_max, filter); });
 }
 
 std::optional<BodyContact> World::cast(BodyId body, const Vec3& motion, double time_max) {

@@ -1,7 +1,4 @@
-#include <cstdint>
-#include <limits>
-
-#include "base/double_key.hpp"
+#include "base/limits.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -9,10 +6,8 @@ namespace ecods {
 void World::set_clearance(std::optional<double> clearance) {
     Impl& w = impl();
     if (clearance) {
-        // By keys: subnormal numbers are none of them 0, whatever the processor takes them for.
-        const std::int64_t key = key_of(*clearance);
-        if (key < 0 || key >= key_of(std::numeric_limits<double>::infinity())) throw InvalidDistance(*clearance);
-        if (key == 0) clearance = 0;  // and not -0
+        require_finite_distance(*clearance);
+        if (key_of(*clearance) == 0) clearance = 0;  // and not -0; by keys, no subnormal number is 0
         w.require_answers(Question::within);
     }
     if (is_same_clearance(clearance, w.closeness.wanted())) return;

@@ -1,25 +1,12 @@
 #include <algorithm>
-#include <cstdint>
-#include <limits>
-#include <tuple>
 #include <utility>
 
-#include "base/double_key.hpp"
+#include "base/limits.hpp"
 #include "ecods/contact.hpp"
+#include "geometry/feature_key.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
-namespace {
-
-// The order of contact.hpp.
-bool comes_before(const CloseFeatures& x, const CloseFeatures& y) {
-    const auto rank = [](const ClosestPoints& c) {
-        return std::tuple(c.kind, c.a.triangle, c.a.corner, c.b.triangle, c.b.corner, c.a.kind);
-    };
-    return rank(x.closest) < rank(y.closest);
-}
-
-}  // namespace
 
 // The answer of a test that is registered for the kinds in the other order is turned round.
 std::vector<TriangleIntersection> World::intersections(BodyId a, BodyId b, QueryMemory& memory) const {
@@ -27,10 +14,7 @@ std::vector<TriangleIntersection> World::intersections(BodyId a, BodyId b, Query
     w.bodies.require_pair(a, b);
     const Slot &first = w.bodies[a.slot - 1], &second = w.bodies[b.slot - 1];
     const OrderedTest test = w.tests.find(first.kind, second.kind);
-    auto found = test.ask(first.posed(), second.posed(),
-                          [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) {
-                              return t.intersections(x, y, memory);
-                          });
+    auto found = test.ask(first.posed(), second.posed(), &TwoBodyTest::intersections, memory);
     if (test.swapped) {
         for (TriangleIntersection& each : found) std::swap(each.triangles.a, each.triangles.b);
         std::ranges::sort(found, {}, &TriangleIntersection::triangles);
@@ -41,21 +25,16 @@ std::vector<TriangleIntersection> World::intersections(BodyId a, BodyId b, Query
 std::vector<CloseFeatures> World::close_features(BodyId a, BodyId b, double d, QueryMemory& memory) const {
     const Impl& w = impl();
     w.bodies.require_pair(a, b);
-    const std::int64_t key = key_of(d);
-    if (key < 0 || key >= key_of(std::numeric_limits<double>::infinity())) throw InvalidDistance(d);
+    require_finite_distance(d);
     const Slot &first = w.bodies[a.slot - 1], &second = w.bodies[b.slot - 1];
     const OrderedTest test = w.tests.find(first.kind, second.kind);
-    auto found = test.ask(first.posed(), second.posed(),
-                          [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) {
-                              return t.close_features(x, y, d, memory);
-                          });
+    auto found = test.ask(first.posed(), second.posed(), &TwoBodyTest::close_features, d, memory);
     if (test.swapped) {
         for (CloseFeatures& each : found) {
-            std::swap(each.closest.a, each.closest.b);
-            std::swap(each.closest.point_a, each.closest.point_b);
+            each.closest = turned(each.closest);
             if (each.direction) *each.direction = -*each.direction;
         }
-        std::ranges::stable_sort(found, comes_before);
+        std::ranges::stable_sort(found, {}, [](const CloseFeatures& each) { return rank(each.closest); });
     }
     return found;
 }

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <exception>
 #include <optional>
-#include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
-#include "base/double_key.hpp"
+#include "base/limits.hpp"
 #include "geometry/box_distance.hpp"
 #include "query/convex/solid_pair.hpp"
 #include "world/enlarged.hpp"
@@ -13,18 +15,6 @@
 
 namespace ecods {
 namespace {
-
-Posed<ConvexSolid> convex_at(const Bodies& bodies, ProxyIndex proxy) {
-    const ConvexSolid* const solid = bodies[proxy].convex();
-    if (solid == nullptr) throw NotSupported("slot " + std::to_string(proxy + 1) + ": its body is no convex solid");
-    return {*solid, bodies[proxy].pose};
-}
-
-Posed<Solid> solid_at(const Bodies& bodies, ProxyIndex proxy) {
-    const Solid* const solid = bodies[proxy].solid();
-    if (solid == nullptr) throw NotSupported("slot " + std::to_string(proxy + 1) + ": its body is no solid");
-    return {*solid, bodies[proxy].pose};
-}
 
 // Asks about two bodies. Errors of the question name them.
 template <class Ask>
@@ -52,26 +42,23 @@ Vec3 opposite(const Vec3& direction) {
 double World::solid_distance(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
     const ProxyPair pair = w.bodies.require_pair(a, b);
-    const auto first = convex_at(w.bodies, pair.a), second = convex_at(w.bodies, pair.b);
+    const auto first = w.bodies.convex_at(pair.a), second = w.bodies.convex_at(pair.b);
     return ask_of(w.bodies, pair.a, pair.b, [&] { return ecods::solid_distance(first, second, memory); });
 }
 
 std::optional<ClosestPoints> World::solid_closest(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
     const ProxyPair pair = w.bodies.require_pair(a, b);
-    const auto first = convex_at(w.bodies, pair.a), second = convex_at(w.bodies, pair.b);
+    const auto first = w.bodies.convex_at(pair.a), second = w.bodies.convex_at(pair.b);
     auto points = ask_of(w.bodies, pair.a, pair.b, [&] { return ecods::solid_closest(first, second, memory); });
-    if (points && a.slot - 1 != pair.a) {
-        std::swap(points->a, points->b);
-        std::swap(points->point_a, points->point_b);
-    }
+    if (points && a.slot - 1 != pair.a) points = turned(*points);
     return points;
 }
 
 Depth World::depth(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
     const ProxyPair pair = w.bodies.require_pair(a, b);
-    const auto first = convex_at(w.bodies, pair.a), second = convex_at(w.bodies, pair.b);
+    const auto first = w.bodies.convex_at(pair.a), second = w.bodies.convex_at(pair.b);
     Depth depth = ask_of(w.bodies, pair.a, pair.b, [&] { return ecods::depth(first, second, memory); });
     if (a.slot - 1 != pair.a) {
         std::swap(depth.a, depth.b);
@@ -84,7 +71,7 @@ DepthBounds World::depth_bounds(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
     w.bodies.require_pair(a, b);
     const ProxyIndex first = a.slot - 1, second = b.slot - 1;
-    const auto solid_a = solid_at(w.bodies, first), solid_b = solid_at(w.bodies, second);
+    const auto solid_a = w.bodies.solid_at(first), solid_b = w.bodies.solid_at(second);
     return ask_of(w.bodies, first, second, [&] { return ecods::depth_bounds(solid_a, solid_b, memory); });
 }
 
@@ -139,9 +126,12 @@ auto World::Impl::near_convex_pairs(double limit) const -> NearConvexPairs {
 }
 
 // Of a thousand solids that move none is in a fast cache when its pair comes: it is sent for some pairs ahead.
-template <class Run, class Ask>
-void World::Impl::ask_convex_pairs(const NearConvexPairs& near, const Run& run, const Ask& ask) const {
+template <class Answer, class Run, class Ask>
+std::vector<Answer> World::Impl::ask_convex_pairs(double limit, const Run& run, const Ask& ask) const {
+    using Body = Posed<ConvexSolid>;
     constexpr std::size_t ahead = 2;
+    const NearConvexPairs near = near_convex_pairs(limit);
+    std::vector<std::invoke_result_t<Ask, const Body&, const Body&, QueryMemory&>> found(near.pairs.size());
     FirstFailure failure;
     run(near.pairs.size(), [&](std::size_t at, QueryMemory& memory) {
         const ProxyPair& pair = near.pairs[at];
@@ -151,45 +141,35 @@ void World::Impl::ask_convex_pairs(const NearConvexPairs& near, const Run& run, 
             near.solids[later.b].prefetch();
         }
         try {
-            ask(at, convex_at(bodies, pair.a), convex_at(bodies, pair.b), memory);
+            found[at] = ask(bodies.convex_at(pair.a), bodies.convex_at(pair.b), memory);
         } catch (...) {
             failure.keep(bodies.ids_of(pair), std::current_exception());
         }
     });
     failure.rethrow();
+    std::vector<Answer> result;
+    for (std::size_t at = 0; at < found.size(); ++at) {
+        if (found[at]) result.push_back({bodies.ids_of(near.pairs[at]), *found[at]});
+    }
+    std::ranges::sort(result, {}, &Answer::bodies);
+    return result;
 }
 
 template <class Run>
 std::vector<BodyDepth> World::Impl::find_depths(const Run& run) const {
-    using Body = Posed<ConvexSolid>;
-    const NearConvexPairs near = near_convex_pairs(0);
-    std::vector<std::optional<Depth>> found(near.pairs.size());
-    ask_convex_pairs(near, run, [&](std::size_t at, const Body& a, const Body& b, QueryMemory& memory) {
-        if (convex::do_meet(a, b, memory)) found[at] = ecods::depth(a, b, memory);
-    });
-    std::vector<BodyDepth> result;
-    for (std::size_t at = 0; at < found.size(); ++at) {
-        if (found[at]) result.push_back({bodies.ids_of(near.pairs[at]), *found[at]});
-    }
-    std::ranges::sort(result, {}, &BodyDepth::bodies);
-    return result;
+    return ask_convex_pairs<BodyDepth>(0, run,
+                                       [](const auto& a, const auto& b, QueryMemory& memory) -> std::optional<Depth> {
+                                           if (!convex::do_meet(a, b, memory)) return std::nullopt;
+                                           return ecods::depth(a, b, memory);
+                                       });
 }
 
 template <class Run>
 std::vector<SolidDistance> World::Impl::find_solid_distances(double limit, const Run& run) const {
-    using Body = Posed<ConvexSolid>;
-    if (!Least<ProxyPair>::is_limit(limit)) throw InvalidDistance(limit);
-    const NearConvexPairs near = near_convex_pairs(limit);
-    std::vector<std::optional<double>> found(near.pairs.size());
-    ask_convex_pairs(near, run, [&](std::size_t at, const Body& a, const Body& b, QueryMemory& memory) {
-        found[at] = convex::distance_within(a, b, limit, memory);
+    require_distance(limit);
+    return ask_convex_pairs<SolidDistance>(limit, run, [&](const auto& a, const auto& b, QueryMemory& memory) {
+        return convex::distance_within(a, b, limit, memory);
     });
-    std::vector<SolidDistance> result;
-    for (std::size_t at = 0; at < found.size(); ++at) {
-        if (found[at]) result.push_back({bodies.ids_of(near.pairs[at]), *found[at]});
-    }
-    std::ranges::sort(result, {}, &SolidDistance::bodies);
-    return result;
 }
 
 namespace {

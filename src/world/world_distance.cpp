@@ -1,44 +1,28 @@
-#include <cstdint>
-#include <limits>
 #include <utility>
 
-#include "base/double_key.hpp"
+#include "base/limits.hpp"
 #include "ecods/distance.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
 
-double World::Impl::distance(ProxyPair pair, QueryMemory& memory) const {
-    return test_of(pair).ask(
-        bodies[pair.a].posed(), bodies[pair.b].posed(),
-        [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) { return t.distance(a, b, memory); });
-}
-
 double World::distance(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
-    return w.distance(w.bodies.require_pair(a, b), memory);
+    return w.ask(w.bodies.require_pair(a, b), &TwoBodyTest::distance, memory);
 }
 
 bool World::within(BodyId a, BodyId b, double d, QueryMemory& memory) const {
     const Impl& w = impl();
     const ProxyPair pair = w.bodies.require_pair(a, b);
-    const std::int64_t key = key_of(d);
-    if (key < 0 || key > key_of(std::numeric_limits<double>::infinity())) throw InvalidDistance(d);
-    return w.test_within(pair, d, memory);
+    require_distance(d);
+    return w.ask(pair, &TwoBodyTest::within, d, memory);
 }
 
 ClosestPoints World::closest(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
     const ProxyPair pair = w.bodies.require_pair(a, b);
-    const OrderedTest test = w.test_of(pair);
-    ClosestPoints points = test.ask(
-        w.bodies[pair.a].posed(), w.bodies[pair.b].posed(),
-        [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) { return t.closest(x, y, memory); });
-    if (test.swapped != (a.slot - 1 != pair.a)) {
-        std::swap(points.a, points.b);
-        std::swap(points.point_a, points.point_b);
-    }
-    return points;
+    const ClosestPoints points = w.ask(pair, &TwoBodyTest::closest, memory);
+    return w.test_of(pair).swapped != (a.slot - 1 != pair.a) ? turned(points) : points;
 }
 
 double World::distance(BodyId a, BodyId b) {

@@ -21,10 +21,7 @@ std::vector<BodyId> World::intersecting_bodies(const Shape& shape, const Pose& p
         const Slot& slot = w.bodies[proxy];
         if (filter && !may_meet(*filter, slot.filter)) continue;
         const bool is_intersecting =
-            w.tests.find(shape.kind(), slot.kind)
-                .ask(asked, slot.posed(), [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) {
-                    return t.intersects(a, b, memory);
-                });
+            w.tests.find(shape.kind(), slot.kind).ask(asked, slot.posed(), &TwoBodyTest::intersects, memory);
         if (is_intersecting) result.push_back(w.bodies.id_of(proxy));
     }
     return result;
@@ -32,10 +29,8 @@ std::vector<BodyId> World::intersecting_bodies(const Shape& shape, const Pose& p
 
 std::vector<BodyId> World::intersecting_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
                                                QueryMemory& memory, std::optional<CollisionFilter> filter) const {
-    if (!mesh) throw NullArgument("mesh");
-    const auto known = impl().mesh_shapes.find(mesh);
-    return known ? intersecting_bodies(*known, pose, memory, filter)
-                 : intersecting_bodies(MeshShape(mesh), pose, memory, filter);
+    return impl().mesh_shapes.with(
+        mesh, [&](const MeshShape& shape) { return intersecting_bodies(shape, pose, memory, filter); });
 }
 
 std::vector<BodyId> World::intersecting_bodies(const Shape& shape, const Pose& pose,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "broad_phase/overlap_tracker.hpp"
@@ -36,9 +37,10 @@ struct World::Impl {
 
     // ---- pairs of bodies
     OrderedTest test_of(ProxyPair pair) const { return tests.find(bodies[pair.a].kind, bodies[pair.b].kind); }
-    bool test(ProxyPair pair, QueryMemory& memory) const;
-    bool test_within(ProxyPair pair, double d, QueryMemory& memory) const;
-    double distance(ProxyPair pair, QueryMemory& memory) const;
+    template <class Question, class... Arguments>
+    auto ask(ProxyPair pair, Question question, Arguments&&... arguments) const {
+        return test_of(pair).ask(bodies[pair.a].posed(), bodies[pair.b].posed(), question, arguments...);
+    }
     SolidRelation relate(ProxyPair pair, QueryMemory& memory) const;  // throws NotSupported
 
     // The pairs of convex solids whose boxes are not proven to be further apart than the limit, without those that are
@@ -48,9 +50,10 @@ struct World::Impl {
         std::vector<convex::SolidInMemory> solids;  // by proxy
     };
     NearConvexPairs near_convex_pairs(double limit) const;
-    // Each pair once by run(count, run_one(i, memory)), also when one throws: ask(i, a, b, memory).
-    template <class Run, class Ask>
-    void ask_convex_pairs(const NearConvexPairs& near, const Run& run, const Ask& ask) const;
+    // Asks about each of them by run(count, run_one(i, memory)), also when one throws; ask(a, b, memory) gives what the
+    // answer has, or nothing. Ascending.
+    template <class Answer, class Run, class Ask>
+    std::vector<Answer> ask_convex_pairs(double limit, const Run& run, const Ask& ask) const;
     template <class Run>
     std::vector<BodyDepth> find_depths(const Run& run) const;
     template <class Run>
@@ -61,8 +64,8 @@ struct World::Impl {
     void test_pairs();
     void test_close_pairs();
     void relate_solids();
-    template <class Ask>
-    void answer_tests(PairVerdicts& pairs, const Ask& ask);
+    template <class Question, class... Arguments>
+    void answer_tests(PairVerdicts& pairs, Question question, const Arguments&... arguments);
     void commit() noexcept;
 
     std::uint64_t digest() const;
@@ -102,6 +105,12 @@ Aabb box_for(const Shape& shape, const Pose& pose, BodyId body = {}, const ListI
 inline void require_valid(const Pose& pose, BodyId body = {}, const ListIndex& index = {}) {
     if (!is_finite(pose)) [[unlikely]]
         refuse_invalid(pose, body, index);
+}
+// The points as the other body sees them.
+inline ClosestPoints turned(ClosestPoints points) noexcept {
+    std::swap(points.a, points.b);
+    std::swap(points.point_a, points.point_b);
+    return points;
 }
 void require_usable(const std::shared_ptr<const Shape>& shape);  // throws NullArgument, and
 void require_mesh_kind(const Shape& shape);                      // NotSupported: the kind of meshes, but no MeshShape

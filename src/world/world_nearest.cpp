@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/limits.hpp"
 #include "world/least.hpp"
 #include "world/world_impl.hpp"
 
@@ -9,7 +10,7 @@ namespace {
 
 template <class Name>
 Least<Name> least_within(double limit) {
-    if (!Least<Name>::is_limit(limit)) throw InvalidDistance(limit);
+    require_distance(limit);
     return Least<Name>(limit);
 }
 
@@ -42,8 +43,8 @@ std::optional<NearestBody> World::nearest(BodyId body, QueryMemory& memory, doub
         const ProxyPair pair{std::min(own, proxy), std::max(own, proxy)};
         if (proxy == own || !w.bodies.is_enabled(pair)) return least.bound();
         return take(
-            least, proxy, [&](double d) { return w.test_within(pair, d, memory); },
-            [&] { return w.distance(pair, memory); });
+            least, proxy, [&](double d) { return w.ask(pair, &TwoBodyTest::within, d, memory); },
+            [&] { return w.ask(pair, &TwoBodyTest::distance, memory); });
     });
     return nearest_of(least, w.bodies);
 }
@@ -63,17 +64,8 @@ std::optional<NearestBody> World::nearest(const Shape& shape, const Pose& pose, 
         const OrderedTest test = w.tests.find(shape.kind(), slot.kind);
         const Posed<Shape> other = slot.posed();
         return take(
-            least, proxy,
-            [&](double d) {
-                return test.ask(asked, other, [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) {
-                    return t.within(a, b, d, memory);
-                });
-            },
-            [&] {
-                return test.ask(asked, other, [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) {
-                    return t.distance(a, b, memory);
-                });
-            });
+            least, proxy, [&](double d) { return test.ask(asked, other, &TwoBodyTest::within, d, memory); },
+            [&] { return test.ask(asked, other, &TwoBodyTest::distance, memory); });
     });
     return nearest_of(least, w.bodies);
 }
@@ -81,9 +73,8 @@ std::optional<NearestBody> World::nearest(const Shape& shape, const Pose& pose, 
 std::optional<NearestBody> World::nearest(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
                                           QueryMemory& memory, double limit,
                                           std::optional<CollisionFilter> filter) const {
-    if (!mesh) throw NullArgument("mesh");
-    const auto known = impl().mesh_shapes.find(mesh);
-    return known ? nearest(*known, pose, memory, limit, filter) : nearest(MeshShape(mesh), pose, memory, limit, filter);
+    return impl().mesh_shapes.with(mesh,
+                                   [&](const MeshShape& shape) { return nearest(shape, pose, memory, limit, filter); });
 }
 
 std::optional<ClosestPair> World::closest_pair(QueryMemory& memory, double limit) const {
@@ -94,8 +85,8 @@ std::optional<ClosestPair> World::closest_pair(QueryMemory& memory, double limit
     w.broad_phase.visit_near_pairs(limit, [&](ProxyPair pair) {
         if (!w.bodies.is_enabled(pair)) return least.bound();
         return take(
-            least, pair, [&](double d) { return w.test_within(pair, d, memory); },
-            [&] { return w.distance(pair, memory); });
+            least, pair, [&](double d) { return w.ask(pair, &TwoBodyTest::within, d, memory); },
+            [&] { return w.ask(pair, &TwoBodyTest::distance, memory); });
     });
     if (!least.has_name()) return std::nullopt;
     return ClosestPair{w.bodies.ids_of(least.name()), least.number()};

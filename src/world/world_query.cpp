@@ -33,26 +33,19 @@ std::span<const BodyPair> World::ended() const {
 
 bool World::intersects(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
-    return w.test(w.bodies.require_pair(a, b), memory);
+    return w.ask(w.bodies.require_pair(a, b), &TwoBodyTest::intersects, memory);
 }
 
 Relation World::relation(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
-    const ProxyPair pair = w.bodies.require_pair(a, b);
-    return w.test_of(pair).ask(
-        w.bodies[pair.a].posed(), w.bodies[pair.b].posed(),
-        [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) { return t.relation(x, y, memory); });
+    return w.ask(w.bodies.require_pair(a, b), &TwoBodyTest::relation, memory);
 }
 
 std::vector<TrianglePair> World::intersecting_triangles(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
     const ProxyPair pair = w.bodies.require_pair(a, b);
-    const OrderedTest test = w.test_of(pair);
-    auto triangles = test.ask(w.bodies[pair.a].posed(), w.bodies[pair.b].posed(),
-                              [&](const TwoBodyTest& t, const Posed<Shape>& x, const Posed<Shape>& y) {
-                                  return t.intersecting_triangles(x, y, memory);
-                              });
-    if (test.swapped != (a.slot - 1 != pair.a)) {
+    auto triangles = w.ask(pair, &TwoBodyTest::intersecting_triangles, memory);
+    if (w.test_of(pair).swapped != (a.slot - 1 != pair.a)) {
         for (TrianglePair& t : triangles) std::swap(t.a, t.b);
         std::ranges::sort(triangles);
     }

@@ -1,5 +1,4 @@
 #include <exception>
-#include <string>
 
 #include "query/solid/solid_parts.hpp"
 #include "world/first_failure.hpp"
@@ -23,12 +22,7 @@ std::span<const SolidPair> World::solid_pairs() const {
 }
 
 SolidRelation World::Impl::relate(ProxyPair pair, QueryMemory& memory) const {
-    const auto posed = [&](ProxyIndex proxy) {
-        const Solid* const solid = bodies[proxy].solid();
-        if (solid == nullptr) throw NotSupported("slot " + std::to_string(proxy + 1) + ": its body is no solid");
-        return Posed<Solid>(*solid, bodies[proxy].pose);
-    };
-    return ecods::solid_relation(posed(pair.a), posed(pair.b), memory);
+    return ecods::solid_relation(bodies.solid_at(pair.a), bodies.solid_at(pair.b), memory);
 }
 
 // All pairs are related, also when one throws.

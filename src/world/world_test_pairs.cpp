@@ -6,22 +6,10 @@
 
 namespace ecods {
 
-bool World::Impl::test(ProxyPair pair, QueryMemory& memory) const {
-    return test_of(pair).ask(
-        bodies[pair.a].posed(), bodies[pair.b].posed(),
-        [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) { return t.intersects(a, b, memory); });
-}
-
-bool World::Impl::test_within(ProxyPair pair, double d, QueryMemory& memory) const {
-    return test_of(pair).ask(
-        bodies[pair.a].posed(), bodies[pair.b].posed(),
-        [&](const TwoBodyTest& t, const Posed<Shape>& a, const Posed<Shape>& b) { return t.within(a, b, d, memory); });
-}
-
 // Each test is a function of its pair, so which worker runs it when cannot be seen in an answer; each verdict is at one
 // worker, and so are its answer and its witness. All tests are run, also when one throws.
-template <class Ask>
-void World::Impl::answer_tests(PairVerdicts& pairs, const Ask& ask) {
+template <class Question, class... Arguments>
+void World::Impl::answer_tests(PairVerdicts& pairs, Question question, const Arguments&... arguments) {
     FirstFailure failure;
     const std::span<const VerdictIndex> pair_tests = pairs.tests();
     workers.run(pair_tests.size(), [&](std::size_t at, QueryMemory& memory) {
@@ -34,11 +22,7 @@ void World::Impl::answer_tests(PairVerdicts& pairs, const Ask& ask) {
         const BodyPair& ids = pairs.verdicts()[index].bodies;
         const ProxyPair pair = pairs.verdicts()[index].proxies();
         try {
-            const auto ask_test = [&](const TwoBodyTest& test, const Posed<Shape>& a, const Posed<Shape>& b) {
-                return ask(test, a, b, memory, pairs.witness(index));
-            };
-            answer =
-                test_of(pair).ask(bodies[pair.a].posed(), bodies[pair.b].posed(), ask_test) ? Answer::yes : Answer::no;
+            answer = ask(pair, question, arguments..., memory, pairs.witness(index)) ? Answer::yes : Answer::no;
         } catch (...) {
             failure.keep(ids, std::current_exception());
         }
@@ -47,17 +31,12 @@ void World::Impl::answer_tests(PairVerdicts& pairs, const Ask& ask) {
 }
 
 void World::Impl::test_pairs() {
-    answer_tests(collisions,
-                 [](const TwoBodyTest& test, const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory,
-                    PairWitness& witness) { return test.intersects_again(a, b, memory, witness); });
+    answer_tests(collisions, &TwoBodyTest::intersects_again);
 }
 
 void World::Impl::test_close_pairs() {
     if (!closeness.wanted()) return;
-    const double d = *closeness.wanted();
-    answer_tests(closeness.pairs(),
-                 [d](const TwoBodyTest& test, const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory,
-                     PairWitness& witness) { return test.within_again(a, b, d, memory, witness); });
+    answer_tests(closeness.pairs(), &TwoBodyTest::within_again, *closeness.wanted());
 }
 
 }  // namespace ecods

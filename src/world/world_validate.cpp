@@ -90,12 +90,12 @@ void World::validate() const {
 
     QueryMemory memory;
     validate_verdicts(w.collisions.verdicts(), w.broad_phase, w.bodies,
-                      [&](ProxyPair pair) { return w.test(pair, memory); });
+                      [&](ProxyPair pair) { return w.ask(pair, &TwoBodyTest::intersects, memory); });
     w.closeness.validate(w.bodies, w.broad_phase);
     if (w.solids.are_listed()) w.validate_solids(memory);
     if (!w.closeness.listed()) return;
     validate_verdicts(w.closeness.pairs().verdicts(), w.closeness.tracker(), w.bodies,
-                      [&](ProxyPair pair) { return w.test_within(pair, *w.closeness.listed(), memory); });
+                      [&](ProxyPair pair) { return w.ask(pair, &TwoBodyTest::within, *w.closeness.listed(), memory); });
 }
 
 }  // namespace ecods

@@ -18,14 +18,14 @@ struct BodyState {
     Aabb box;
     CollisionFilter filter;
     std::uint64_t user_data;
-    std::vector<BodyId> switched_off_with;
 
     friend bool operator==(const BodyState&, const BodyState&) = default;
 };
 
 struct WorldState {
     std::vector<BodyState> bodies;
-    std::vector<BodyPair> overlapping, colliding, began, ended;
+    std::vector<BodyId> next_ids;  // up to the first one from which on all slots are new
+    std::vector<BodyPair> disabled, overlapping, colliding, began, ended;
     std::optional<double> clearance;
     std::vector<BodyPair> close, close_began, close_ended;
     bool are_solids_related;
@@ -36,9 +36,8 @@ struct WorldState {
     friend bool operator==(const WorldState&, const WorldState&) = default;
 };
 
-// Bodies, and lists as of the last update. Which pairs are switched off is asked of `switches_max` bodies at most,
-// since that is quadratic.
-WorldState state_of(World& world, std::size_t switches_max = 64);
+// Bodies, and lists as of the last update.
+WorldState state_of(World& world);
 
 // The first thing in which two states differ, for people; empty if in nothing.
 std::string difference(const WorldState& expected, const WorldState& got);

@@ -71,7 +71,7 @@ Corners any_triangle(const Mesh& mesh, scenes::Random& random) {
     return {mesh.vertices()[t[0]], mesh.vertices()[t[1]], mesh.vertices()[t[2]]};
 }
 
-Case pair_of(const scenes::PosedPair& made) {
+Case pair_of_triangles(const scenes::PosedPair& made, scenes::Random&) {
     return {.asked = Asked::pair, .a = made.pose_a, .corners_a = made.a, .b = made.pose_b, .corners_b = made.b};
 }
 
@@ -116,10 +116,11 @@ Case motion_of(const scenes::MoveCase& made, scenes::Random& random) {
             .to_b = made.to_b};
 }
 
-template <class Families, class Make>
-void write(Writer& writer, const Families& families, int count, const Make& make) {
-    for (const auto family : families) {
-        for (int i = 0; i < count; ++i) writer.write(make(family));
+// `of` makes a record of a case.
+template <class Case, class Of>
+void write(Writer& writer, scenes::Families<Case> families, scenes::Random& random, int count, const Of& of) {
+    for (const auto& family : families) {
+        for (int i = 0; i < count; ++i) writer.write(of(family.make(random), random));
     }
 }
 
@@ -132,14 +133,10 @@ int main(int argc, char** argv) {
     }
     Writer writer(argv[1]);
     scenes::Random random(2026);
-    write(writer, scenes::hard_families(), 400, [&](auto f) { return pair_of(scenes::make_pair(f, random)); });
-    write(writer, scenes::distance_families(), 150,
-          [&](auto f) { return pair_of(scenes::make_distance_case(f, random), random); });
-    write(writer, scenes::hit_families(), 400,
-          [&](auto f) { return line_of(scenes::make_hit_case(f, random), random); });
-    write(writer, scenes::cast_families(), 300,
-          [&](auto f) { return translation_of(scenes::make_cast_case(f, random), random); });
-    write(writer, scenes::move_families(), 150,
-          [&](auto f) { return motion_of(scenes::make_move_case(f, random), random); });
+    write(writer, scenes::hard_families(), random, 400, pair_of_triangles);
+    write(writer, scenes::distance_families(), random, 150, pair_of);
+    write(writer, scenes::hit_families(), random, 400, line_of);
+    write(writer, scenes::cast_families(), random, 300, translation_of);
+    write(writer, scenes::move_families(), random, 150, motion_of);
     return writer.is_good() ? 0 : 1;
 }

@@ -3,25 +3,14 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <sstream>
 #include <utility>
 
+#include "judge/text.hpp"
 #include "oracle/float_environment.hpp"
 
 namespace ecods::judge {
 namespace {
-
-oracle::Soup soup(const MeshShape& shape, const Pose& pose) {
-    return {shape.mesh().vertices(), shape.mesh().triangles(), pose};
-}
-
-std::string text(const Feature& feature) {
-    constexpr const char* names[] = {"vertex", "edge", "face"};
-    return fmt::format("{} {}.{}", names[static_cast<std::size_t>(feature.kind)], feature.triangle, feature.corner);
-}
 
 std::optional<oracle::ExactContact> swapped(std::optional<oracle::ExactContact> contact) {
     if (!contact) return contact;
@@ -75,19 +64,16 @@ std::optional<FirstContact> to_first_contact(const std::optional<oracle::ExactCo
 
 bool is_same(const std::optional<FirstContact>& x, const std::optional<FirstContact>& y) {
     if (x.has_value() != y.has_value()) return false;
-    return !x || (std::bit_cast<std::uint64_t>(x->time) == std::bit_cast<std::uint64_t>(y->time) &&
-                  x->kind == y->kind && x->a == y->a && x->b == y->b);
+    return !x || (same_bits(x->time, y->time) && x->kind == y->kind && x->a == y->a && x->b == y->b);
 }
 
 std::string text(const std::optional<FirstContact>& contact) {
     if (!contact) return "nothing";
-    std::ostringstream kind;
-    kind << contact->kind;
-    return fmt::format("{:a} {}: {}, {}", contact->time, kind.str(), text(contact->a), text(contact->b));
+    return fmt::format("{:a} {}: {}, {}", contact->time, written(contact->kind), text(contact->a), text(contact->b));
 }
 
 CastTruth::CastTruth(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b, int samples) {
-    const oracle::Soup of_a = soup(*a.what, a.pose), of_b = soup(*b.what, b.pose);
+    const oracle::Soup of_a = soup(a), of_b = soup(b);
     exact_ = oracle::first_contact(of_a, motion, of_b);
     add("cast", a, motion, b, exact_);
     const auto mirrored = swapped(exact_);
@@ -107,7 +93,8 @@ CastTruth::CastTruth(const Posed<MeshShape>& a, const Vec3& motion, const Posed<
 }
 
 CastTruth::CastTruth(const Moving<MeshShape>& a, const Moving<MeshShape>& b, int samples) {
-    const oracle::MovingSoup of_a{soup(*a.what, a.from), a.to}, of_b{soup(*b.what, b.from), b.to};
+    const oracle::MovingSoup of_a{soup<MeshShape>({*a.what, a.from}), a.to},
+        of_b{soup<MeshShape>({*b.what, b.from}), b.to};
     exact_ = oracle::first_contact(of_a, of_b);
     add("cast", a, b, exact_);
     add("cast, swapped", b, a, swapped(exact_));

@@ -2,36 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 #include "ecods/error.hpp"
+#include "judge/text.hpp"
 #include "oracle/solid.hpp"
 
 namespace ecods::judge {
-namespace {
-
-bool same_bits(double x, double y) {
-    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-}
-
-}  // namespace
 
 bool is_same(const Depth& x, const Depth& y) {
-    bool same = same_bits(x.depth, y.depth) && x.a == y.a && x.b == y.b;
-    for (int k = 0; k < 3; ++k) same = same && same_bits(x.direction[k], y.direction[k]);
-    return same;
+    return same_bits(x.depth, y.depth) && x.a == y.a && x.b == y.b && same_bits(x.direction, y.direction);
 }
 
 namespace {
-
-constexpr const char* feature_names[] = {"vertex", "edge", "face"};
-
-std::string feature_text(const Feature& feature) {
-    return fmt::format("{} {}.{}", feature_names[static_cast<std::size_t>(feature.kind)], feature.triangle,
-                       feature.corner);
-}
 
 template <class Answer>
 std::string text_of(const std::optional<Answer>& answer, const char* none) {
@@ -59,10 +42,6 @@ std::optional<Depth> depth_of(const Posed<ConvexSolid>& a, const Posed<ConvexSol
     }
 }
 
-oracle::Soup soup(const Posed<ConvexSolid>& solid) {
-    return {solid.what->mesh().vertices(), solid.what->mesh().triangles(), solid.pose};
-}
-
 }  // namespace
 
 Depth to_depth(const oracle::ExactDepth& exact) {
@@ -70,9 +49,7 @@ Depth to_depth(const oracle::ExactDepth& exact) {
 }
 
 std::string text(const Depth& depth) {
-    const Vec3& n = depth.direction;
-    return fmt::format("{:a}, {}, {} along ({:a}, {:a}, {:a})", depth.depth, feature_text(depth.a),
-                       feature_text(depth.b), n[0], n[1], n[2]);
+    return fmt::format("{:a}, {}, {} along {}", depth.depth, text(depth.a), text(depth.b), text(depth.direction));
 }
 
 ConvexTruth::ConvexTruth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b)
@@ -87,8 +64,7 @@ ConvexTruth::ConvexTruth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& 
 
 std::string ConvexTruth::kind() const {
     if (!of_[0].depth) {
-        constexpr const char* kinds[] = {"vertex-vertex", "vertex-edge", "vertex-face", "edge-edge", "intersecting"};
-        return std::string("apart, ") + kinds[static_cast<std::size_t>(of_[0].closest->kind)];
+        return "apart, " + text(of_[0].closest->kind);
     }
     const Depth& depth = *of_[0].depth;
     const char* normal = depth.a.kind == Feature::Kind::face   ? "face of a"
@@ -156,18 +132,17 @@ std::optional<Wrong> ConvexTruth::ask_bounds(QueryMemory& memory) const {
 std::optional<Wrong> ConvexTruth::ask_translations(QueryMemory& memory, std::span<const Vec3> directions) const {
     const auto found = depth_of(solids_[0], solids_[1], memory, nullptr);
     if (!found || !std::isfinite(found->depth)) return std::nullopt;
-    const auto name = [](const Vec3& s) { return fmt::format("({:a}, {:a}, {:a})", s[0], s[1], s[2]); };
     // Up to five roundings: three of the direction, which count for at most two, the depth's, and the product's.
     for (double factor = 1 + 0x1p-49; factor < 4; factor *= 2) {
         const Vec3 s = found->depth * factor * found->direction;
         if (!s.allFinite() || found->depth < 0x1p-1000) break;
-        if (!exact_->is_beyond_depth(s)) return Wrong{"depth", "a translation that reaches it", name(s)};
-        if (!exact_->are_parted_by(s)) return Wrong{"depth", "parted by its translation", name(s)};
+        if (!exact_->is_beyond_depth(s)) return Wrong{"depth", "a translation that reaches it", text(s)};
+        if (!exact_->are_parted_by(s)) return Wrong{"depth", "parted by its translation", text(s)};
     }
     for (const Vec3& direction : directions) {
         const Vec3 s = found->depth * direction;
         if (!s.allFinite() || exact_->compare_to_depth(s) >= 0) continue;
-        if (exact_->are_parted_by(s)) return Wrong{"depth", "not parted by a shorter translation", name(s)};
+        if (exact_->are_parted_by(s)) return Wrong{"depth", "not parted by a shorter translation", text(s)};
     }
     return std::nullopt;
 }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "judge/feature_truth.hpp"
+#include "judge/text.hpp"
 #include "oracle/float_environment.hpp"
 
 namespace ecods::judge {
@@ -15,34 +16,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-oracle::Soup soup(const Posed<MeshShape>& body) {
-    return {body.what->mesh().vertices(), body.what->mesh().triangles(), body.pose};
-}
-
 // Of numbers from 0 on: where subnormals are flushed, all of them compare as zero.
 bool is_less(double x, double y) {
     return std::bit_cast<std::uint64_t>(x) < std::bit_cast<std::uint64_t>(y);
-}
-
-bool same_bits(double x, double y) {
-    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-}
-bool same_bits(const Vec3& x, const Vec3& y) {
-    return same_bits(x[0], y[0]) && same_bits(x[1], y[1]) && same_bits(x[2], y[2]);
-}
-
-const char* name(Feature::Kind kind) {
-    return kind == Feature::Kind::vertex ? "vertex" : kind == Feature::Kind::edge ? "edge" : "face";
-}
-
-const char* name(ClosestKind kind) {
-    constexpr const char* names[] = {"vertex-vertex", "vertex-edge", "vertex-face", "edge-edge", "intersecting"};
-    return names[static_cast<std::size_t>(kind)];
-}
-
-std::string end_text(const Feature& feature, const Vec3& point) {
-    return fmt::format("{} {}.{} ({:a}, {:a}, {:a})", name(feature.kind), feature.triangle, feature.corner, point[0],
-                       point[1], point[2]);
 }
 
 }  // namespace
@@ -77,8 +53,8 @@ std::string text(double x) {
 }
 
 std::string text(const ClosestPoints& closest) {
-    return fmt::format("{:a} {}: {}, {}", closest.distance, name(closest.kind), end_text(closest.a, closest.point_a),
-                       end_text(closest.b, closest.point_b));
+    return fmt::format("{:a} {}: {} {}, {} {}", closest.distance, text(closest.kind), text(closest.a),
+                       text(closest.point_a), text(closest.b), text(closest.point_b));
 }
 
 namespace {

@@ -3,18 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
+
+#include "judge/text.hpp"
 
 namespace ecods::judge {
 namespace {
 
-std::string text(const Vec3& v) {
-    return fmt::format("({:a}, {:a}, {:a})", v[0], v[1], v[2]);
-}
-
 std::string text(const std::optional<Vec3>& v) {
-    return v ? text(*v) : "none";
+    return v ? judge::text(*v) : "none";
 }
 
 std::optional<Vec3> to_vector(const std::optional<oracle::ExactDirection>& exact) {
@@ -22,15 +18,8 @@ std::optional<Vec3> to_vector(const std::optional<oracle::ExactDirection>& exact
     return exact->nearest();
 }
 
-bool is_same(const Vec3& x, const Vec3& y) {
-    for (int k = 0; k < 3; ++k) {
-        if (std::bit_cast<std::uint64_t>(x[k]) != std::bit_cast<std::uint64_t>(y[k])) return false;
-    }
-    return true;
-}
-
 bool is_same(const std::optional<Vec3>& x, const std::optional<Vec3>& y) {
-    return x.has_value() == y.has_value() && (!x || is_same(*x, *y));
+    return x.has_value() == y.has_value() && (!x || same_bits(*x, *y));
 }
 
 bool is_same(const CloseFeatures& x, const CloseFeatures& y) {
@@ -38,7 +27,7 @@ bool is_same(const CloseFeatures& x, const CloseFeatures& y) {
 }
 
 bool is_same(const TriangleIntersection& x, const TriangleIntersection& y) {
-    const auto are_same = [](const Vec3& p, const Vec3& q) { return is_same(p, q); };
+    const auto are_same = [](const Vec3& p, const Vec3& q) { return same_bits(p, q); };
     return x.triangles == y.triangles && std::ranges::equal(x.shared.corners(), y.shared.corners(), are_same) &&
            is_same(x.shared.normal, y.shared.normal);
 }

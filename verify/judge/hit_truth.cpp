@@ -2,26 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <sstream>
 
+#include "judge/text.hpp"
 #include "oracle/float_environment.hpp"
 
 namespace ecods::judge {
 namespace {
-
-bool same_bits(double x, double y) {
-    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-}
-bool same_bits(const Vec3& x, const Vec3& y) {
-    return same_bits(x[0], y[0]) && same_bits(x[1], y[1]) && same_bits(x[2], y[2]);
-}
-
-std::string text(const Vec3& v) {
-    return fmt::format("({:a}, {:a}, {:a})", v[0], v[1], v[2]);
-}
 
 std::string text(const std::optional<Hit>& hit) {
     return hit ? judge::text(*hit) : "nothing";
@@ -46,7 +33,7 @@ std::vector<Hit> to_hits(const std::vector<oracle::ExactHit>& exact) {
         hit.leave_parameter = oracle::nearest_parameter(from.leave);
         hit.kind = static_cast<HitKind>(from.way);
         hit.rank = from.rank;
-        hit.feature = {static_cast<Feature::Kind>(from.feature.dimension), from.feature.triangle, from.feature.corner};
+        hit.feature = to_feature(from.feature);
         hit.point = from.point.nearest();
         hit.leave_point = from.leave_point.nearest();
         hits.push_back(hit);
@@ -61,12 +48,8 @@ bool is_same(const Hit& x, const Hit& y) {
 }
 
 std::string text(const Hit& hit) {
-    std::ostringstream kind;
-    kind << hit.kind;
-    constexpr const char* features[] = {"vertex", "edge", "face"};
-    return fmt::format("{:a} to {:a} {} {}.{} ({}) {} to {}, rank {}", hit.parameter, hit.leave_parameter,
-                       features[static_cast<std::size_t>(hit.feature.kind)], hit.feature.triangle, hit.feature.corner,
-                       kind.str(), text(hit.point), text(hit.leave_point), hit.rank);
+    return fmt::format("{:a} to {:a} {} ({}) {} to {}, rank {}", hit.parameter, hit.leave_parameter, text(hit.feature),
+                       written(hit.kind), text(hit.point), text(hit.leave_point), hit.rank);
 }
 
 std::string text(const HitLine& line) {
@@ -76,10 +59,9 @@ std::string text(const HitLine& line) {
 }
 
 std::vector<oracle::ExactHit> exact_hits(const HitLine& line, const Posed<MeshShape>& body) {
-    const oracle::Soup soup{body.what->mesh().vertices(), body.what->mesh().triangles(), body.pose};
-    if (const auto* s = std::get_if<Segment>(&line)) return oracle::all_hits({s->a, s->b, false, 1}, soup);
+    if (const auto* s = std::get_if<Segment>(&line)) return oracle::all_hits({s->a, s->b, false, 1}, soup(body));
     const Ray& ray = std::get<Ray>(line);
-    return oracle::all_hits({ray.origin, ray.direction, true, ray.parameter_max}, soup);
+    return oracle::all_hits({ray.origin, ray.direction, true, ray.parameter_max}, soup(body));
 }
 
 HitTruth::HitTruth(const HitLine& line, const Posed<MeshShape>& body) : body_(body) {

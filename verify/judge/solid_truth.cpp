@@ -2,23 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <sstream>
+#include "judge/text.hpp"
 
 namespace ecods::judge {
 namespace {
-
-oracle::Soup soup(const Posed<MeshShape>& body) {
-    return {body.what->mesh().vertices(), body.what->mesh().triangles(), body.pose};
-}
-
-template <class T>
-std::string written(const T& answer) {
-    std::ostringstream out;
-    out << answer;
-    return out.str();
-}
 
 template <class T>
 std::optional<Wrong> compare(const char* question, const T& expected, const T& got) {
@@ -29,9 +16,8 @@ std::optional<Wrong> compare(const char* question, const T& expected, const T& g
 }  // namespace
 
 Location to_location(const oracle::PointLocation& exact) {
-    const oracle::NamedFeature& feature = exact.feature;
     if (exact.side != oracle::PointSide::on) return {static_cast<Side>(exact.side), {}};
-    return {Side::on, {static_cast<Feature::Kind>(feature.dimension), feature.triangle, feature.corner}};
+    return {Side::on, to_feature(exact.feature)};
 }
 
 SolidRelation mirrored(SolidRelation relation) {
@@ -41,11 +27,7 @@ SolidRelation mirrored(SolidRelation relation) {
 }
 
 std::string text(const Location& location) {
-    constexpr const char* features[] = {"vertex", "edge", "face"};
-    if (location.side != Side::on) return written(location.side);
-    const Feature& feature = location.feature;
-    return fmt::format("on {} {}.{}", features[static_cast<std::size_t>(feature.kind)], feature.triangle,
-                       feature.corner);
+    return location.side == Side::on ? "on " + text(location.feature) : written(location.side);
 }
 
 SolidTruth::SolidTruth(const Posed<Solid>& a, const Posed<Solid>& b, std::span<const Vec3> points) : solids_{a, b} {
@@ -104,9 +86,8 @@ std::optional<Wrong> SolidTruth::ask(QueryMemory& memory) const {
         for (std::size_t s = 0; s < 2; ++s) {
             const Location got = locate(each.point, solids_[s], memory);
             if (got == each.expected[s]) continue;
-            return Wrong{fmt::format("locate ({:a}, {:a}, {:a}) in {}", each.point[0], each.point[1], each.point[2],
-                                     s == 0 ? "a" : "b"),
-                         text(each.expected[s]), text(got)};
+            return Wrong{fmt::format("locate {} in {}", text(each.point), s == 0 ? "a" : "b"), text(each.expected[s]),
+                         text(got)};
         }
     }
     return std::nullopt;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 
 #include "check_oracle.hpp"
 #include "judge/cast_truth.hpp"

@@ -1,4 +1,4 @@
-# Monomials of vectors that are off by up to C * 2^-52 of their size, as src/exact/measure/distance/enclose_distance.cpp computes
+# Monomials of vectors that are off by up to C * 2^-52 of their size, as src/exact/measure/distance/triangle_vectors.hpp computes
 # them for its certain signs; C = 1/2: points that are exact.
 #
 # Each operation is (a op b)(1 + e), |e| <= 2^-52: any rounding mode. Coordinates are scaled by their size to |x| <= 1;

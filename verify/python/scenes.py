@@ -3,7 +3,17 @@ import math
 
 import numpy as np
 
+import ecods
+
 TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]])
+
+
+def mesh():
+    return ecods.Mesh(*TETRAHEDRON)
+
+
+def at(x, y=0.0, z=0.0):
+    return ecods.pose(t=(x, y, z))
 
 
 def box(x=1.0, y=1.0, z=1.0):

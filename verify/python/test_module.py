@@ -1,26 +1,14 @@
-"""What the module adds to the library: arrays, lifetimes, errors, threads, pickles, stubs."""
-import ast
+"""What the module adds to the library: arrays, lifetimes, worlds, pairs, traces."""
 import gc
 import hashlib
-import inspect
-import pathlib
 import pickle
 import re
-import threading
 
 import numpy as np
 import pytest
 
 import ecods
-from scenes import TETRAHEDRON, box, turned
-
-
-def mesh():
-    return ecods.Mesh(*TETRAHEDRON)
-
-
-def at(x, y=0.0, z=0.0):
-    return ecods.pose(t=(x, y, z))
+from scenes import TETRAHEDRON, at, box, mesh, turned
 
 
 @pytest.mark.parametrize("dtype", [np.float64, np.float32, np.int8, np.int64, np.uint16])
@@ -41,96 +29,6 @@ def test_meshes_show_their_own_memory():
     assert vertices.tolist() == TETRAHEDRON[0]
     with pytest.raises(ValueError):
         vertices[0, 0] = 1
-
-
-ERRORS = [
-    (lambda: ecods.Mesh([[0, 0, np.nan]], [[0, 0, 0]]), ecods.InvalidVertex,
-     "vertex 0, axis 2: coordinate is nan, not finite", {"vertex": 0, "axis": 2}),
-    (lambda: ecods.Mesh([[0, 0, 0]], [[0, 0, 7]]), ecods.InvalidIndex, None, {"triangle": 0, "corner": 2, "value": 7}),
-    (lambda: ecods.Mesh([[0, 0, 0]], [[0, 0, -1]]), ecods.InvalidIndex,
-     "triangle 0, corner 2: vertex index -1 is out of range; there are 1 vertices", {"value": -1}),
-    (lambda: ecods.Mesh([[0, 0, 0]], np.array([[0, -2**31, 0]], np.int32)), ecods.InvalidIndex, "index -2147483648 is",
-     {"value": -2**31, "corner": 1, "vertex_count": 1}),
-    (lambda: ecods.Mesh([[0, 0, 0]], np.array([[0, 2**64 - 1, 0]], np.uint64)), ecods.InvalidIndex,
-     "index 18446744073709551615 is", {"value": 2**64 - 1}),
-    (lambda: ecods.Mesh([[0, 0, 0]], [[0, 0, 2**40]]), ecods.InvalidIndex, "index 1099511627776 is", {"value": 2**40}),
-    (lambda: ecods.Mesh([[0, 0, 0]], []), ecods.EmptyMesh, None, {}),
-    (lambda: mesh().at(np.full((4, 4), np.inf)), ecods.InvalidPose, "pose entry R(0, 0) is inf, not finite",
-     {"row": 0, "column": 0, "index": None}),
-    (lambda: mesh().at(np.ones((4, 4))), ecods.InvalidPose, None, {"row": 3, "column": 0}),
-    (lambda: ecods.collide_many(mesh(), [np.eye(4), np.full((4, 4), np.nan)], mesh()), ecods.InvalidPose, None,
-     {"index": 1}),
-    (lambda: ecods.within(mesh(), mesh(), -1), ecods.InvalidDistance, None, {"value": -1}),
-    (lambda: ecods.Segment([0, 0, 0], [0, 0, np.inf]), ecods.InvalidSegment, None, {"end": 1, "axis": 2}),
-    (lambda: ecods.Ray([0, 0, 0], [0, 0, 0]), ecods.InvalidRay, None, {}),
-    (lambda: ecods.Ball([0, 0, 0], -1), ecods.InvalidBall, None, {"axis": 3}),
-    (lambda: ecods.orient3d([0, 0, 0], [0, np.nan, 0], [0, 0, 0], [0, 0, 0]), ecods.InvalidPoint, None, {"axis": 1}),
-    (lambda: ecods.Solid([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), ecods.NotClosed, None, {"triangle": 0}),
-    (lambda: ecods.World().update() or ecods.World().pose(5), ecods.StaleBody, None, {}),
-    (lambda: ecods.World().set_pose(99, None), ecods.StaleBody, "id 99 names no body of this world", {"body": 99}),
-    (lambda: ecods.World().pose(-5), ecods.StaleBody, "id -5 names no body of this world", {"body": -5, "index": None}),
-    (lambda: ecods.World().nearest(2**70), ecods.StaleBody, f"id {2**70} names", {"body": 2**70}),
-    (lambda: ecods.World().set_poses([1, -1], [np.eye(4)] * 2), ecods.StaleBody, "entry 1: id -1 names no body",
-     {"body": -1, "index": 1}),
-    (lambda: ecods.World().set_poses([7], [np.eye(4)]), ecods.StaleBody, "entry 0: id 7 names no body", {"index": 0}),
-    (lambda: ecods.World().pose(3 << 32), ecods.StaleBody, f"body 3.0 is not alive in this world (id {3 << 32})",
-     {"body": 3 << 32}),
-    (lambda: ecods.Posed(None), ecods.NullArgument, None, {}),
-    (lambda: ecods.Moving(None, None, None), ecods.NullArgument, None, {}),
-    (lambda: ecods.Trace("nonsense").replay(), ecods.InvalidTrace, None, {"line": 1}),
-    (lambda: ecods.ConvexSolid.hull(np.zeros((5, 3))), ecods.NoInterior, None, {"point_count": 5}),
-]
-
-
-@pytest.mark.parametrize("call, kind, text, members", ERRORS)
-def test_errors_are_typed(call, kind, text, members):
-    with pytest.raises(kind) as caught:
-        call()
-    error = caught.value
-    assert isinstance(error, ecods.Error) and type(error) is kind and str(error)
-    if text:
-        assert text in str(error)
-    for name, value in members.items():
-        assert getattr(error, name) == value
-    assert str(pickle.loads(pickle.dumps(error))) == str(error)
-
-
-@pytest.mark.parametrize("call, kind", [
-    (lambda: ecods.Mesh([["a"]], [[0, 0, 0]]), TypeError),
-    (lambda: ecods.Mesh([[1j, 0, 0]], [[0, 0, 0]]), TypeError),
-    (lambda: ecods.Mesh([[0, 0, 2**60 + 1]], [[0, 0, 0]]), ValueError),
-    (lambda: ecods.Mesh(np.zeros((3, 3), np.longdouble), [[0, 0, 0]]), TypeError),
-    (lambda: ecods.Mesh([[0, 0, 0]], [[0.5, 0, 0]]), TypeError),
-    (lambda: ecods.Mesh([[0, 0]], [[0, 0, 0]]), ValueError),
-    (lambda: mesh().at(np.eye(3)), ValueError),
-    (lambda: ecods.World(threads=0), ValueError),
-    (lambda: ecods.World("fastest"), TypeError),
-    (lambda: ecods.locate([0, 0, 0], mesh()), TypeError),
-    (lambda: ecods.World().set_poses([1.5], [np.eye(4)]), TypeError),
-    (lambda: ecods.collide_many(mesh(), np.zeros((2, 4, 4)) + np.eye(4), mesh(), np.zeros((3, 4, 4)) + np.eye(4)),
-     ValueError),
-    (lambda: ecods.World().start_trace("/nowhere/at/all"), OSError),
-])
-def test_what_is_no_such_argument(call, kind):
-    with pytest.raises(kind):
-        call()
-
-
-def test_a_refused_call_changes_nothing():
-    world = ecods.World()
-    body = world.create_body(mesh())
-    with pytest.raises(ecods.InvalidPose) as caught:
-        world.set_poses([body, body], [at(1), np.full((4, 4), np.nan)])
-    assert caught.value.index == 1 and caught.value.body == body
-    assert np.array_equal(world.pose(body), np.eye(4))
-    with pytest.raises(ecods.InvalidPose) as caught:
-        world.meetings([body], [np.full((4, 4), np.inf)])
-    assert caught.value.index == 0 and caught.value.body == body
-    with pytest.raises(ecods.InvalidPose) as caught:
-        world.set_poses([body], [at(1), np.full((4, 4), np.nan)])
-    assert caught.value.index == 1 and caught.value.body == 0  # there is none
-    with pytest.raises(ecods.LengthMismatch):
-        world.set_poses([body, body], [at(1)])
 
 
 def test_world_events_and_bodies():
@@ -283,85 +181,3 @@ def test_traces(tmp_path):
     world.start_trace(str(tmp_path / "trace"))
     world.set_pose(bodies[0], at(9))
     assert world.end_trace() is None and "set_pose" in (tmp_path / "trace").read_text()
-
-
-@pytest.mark.parametrize("threads", [1, 2])
-def test_threads_of_python_may_share_a_world(threads):
-    world = ecods.World(threads=threads)
-    cube = ecods.Mesh(*box())
-    bodies = [world.create_body(cube, at(0.9 * i)) for i in range(40)]
-    failures = []
-
-    def move(seed):
-        try:
-            for step in range(30):
-                world.set_poses(bodies[seed::4], [at(0.9 * i + 0.001 * step) for i in range(seed, 40, 4)])
-                world.update()
-                world.closest_pair()
-                world.distance(bodies[seed], bodies[39 - seed])
-        except Exception as error:  # noqa: BLE001
-            failures.append(error)
-
-    workers = [threading.Thread(target=move, args=(seed,)) for seed in range(4)]
-    for each in workers:
-        each.start()
-    for each in workers:
-        each.join()
-    world.update()
-    world.validate()
-    alone = ecods.World()
-    for body in bodies:
-        alone.create_body(cube, world.pose(body))
-    alone.update()
-    assert not failures and alone.digest() == world.digest()
-
-
-def test_the_lock_is_released():
-    cube = ecods.Mesh(*box())
-    poses = np.array([turned(0.001 * i, (0.4, 0.5, 0.25)) for i in range(20000)])
-    count, stop = [0], threading.Event()
-
-    def tick():
-        while not stop.is_set():
-            count[0] += 1
-            stop.wait(0.0005)
-
-    ticker = threading.Thread(target=tick)
-    ticker.start()
-    before = count[0]
-    ecods.distance_many(cube, poses, cube)
-    after = count[0]
-    stop.set()
-    ticker.join()
-    assert after > before
-
-
-def test_stubs_name_what_there_is():
-    tree = ast.parse(pathlib.Path(ecods.__file__).with_name("__init__.pyi").read_text())
-    classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
-    functions = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
-    imported = {alias.name for node in tree.body if isinstance(node, ast.ImportFrom) for alias in node.names}
-    assert {name for name in ecods.__all__ if name != "__version__"} <= set(classes) | functions | imported
-    for name, node in classes.items():
-        kind = getattr(ecods, name)
-        stubbed = {item.name for item in node.body if isinstance(item, ast.FunctionDef)}
-        if not issubclass(kind, (Exception, int)):
-            assert {member for member in vars(kind) if not member.startswith("_")} <= stubbed, name
-    text = ast.unparse(classes["World"])
-    assert "def set_pose(self, body: int, pose: ArrayLike) -> None" in text
-    assert "def relation(self, a: int, b: int) -> Relation" in text
-
-
-def test_stubs_of_the_inner_module_name_all_that_it_has():
-    tree = ast.parse(pathlib.Path(ecods.__file__).with_name("_ecods.pyi").read_text())
-    named = {alias.asname for node in tree.body if isinstance(node, ast.ImportFrom) for alias in node.names}
-    assert named == {name for name in vars(ecods._ecods) if not name.startswith("_")} | {"__version__"}
-
-
-def test_everything_is_documented():
-    for name in ecods.__all__:
-        thing = getattr(ecods, name)
-        assert name == "__version__" or inspect.getdoc(thing), name
-    for member, call in vars(ecods.World).items():
-        if not member.startswith("_"):
-            assert len(call.__doc__.splitlines()) > 1, member

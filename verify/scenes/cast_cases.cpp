@@ -104,9 +104,7 @@ CastCase boxes(Random& random) {
 }
 
 CastCase from_distance_case(Random& random) {
-    const auto families = distance_families();
-    const DistanceCase pair =
-        make_distance_case(families[random.below(static_cast<std::uint32_t>(families.size()))], random);
+    const DistanceCase pair = any_family(distance_families(), random).make(random);
     CastCase made{pair.a, pair.b, pair.pose_a, pair.pose_b, {}};
     // Back by some sizes of the bodies first, since many of them touch.
     const Vec3 corner_a = any_corner(*made.a, made.pose_a, random), corner_b = any_corner(*made.b, made.pose_b, random);
@@ -135,39 +133,24 @@ CastCase from_distance_case(Random& random) {
     return made;
 }
 
-struct Recipe {
-    CastFamily family;
-    std::string_view name;
-    CastCase (*make)(Random& random);
-};
-
-constexpr Recipe recipes[] = {
-    {CastFamily::lattice, "lattice", lattice},
-    {CastFamily::lattice_one_ulp, "lattice, one ulp", lattice_one_ulp},
-    {CastFamily::integer_matrix, "integer matrix", integer_matrix},
-    {CastFamily::rational, "rational", rational},
-    {CastFamily::in_one_plane, "in one plane", in_one_plane},
-    {CastFamily::boxes, "boxes", boxes},
-    {CastFamily::distance_cases, "bodies of distances", from_distance_case},
+constexpr Family<CastCase> table[] = {
+    // Small lattice triangles and steps in a basis of full mantissas: grazing, sliding, at 0, at 1
+    {"lattice", lattice},
+    {"lattice, one ulp", lattice_one_ulp},  // the same, one number a unit in the last place off
+    // Small lattices under matrices of small integers, singular ones and reflections among them
+    {"integer matrix", integer_matrix},
+    // Known: lattice features that meet at p / q, or just not, in an integer rotation
+    {"rational", rational},
+    {"in one plane", in_one_plane},  // lattice triangles that slide in the plane of both
+    {"boxes", boxes},                // boxes of small integer sizes: many triangles and features meet at once
+    // The bodies of distance_cases.hpp, sent at each other's corners, past them, and just not so far
+    {"bodies of distances", from_distance_case},
 };
 
 }  // namespace
 
-std::span<const CastFamily> cast_families() {
-    static const std::vector<CastFamily> all = [] {
-        std::vector<CastFamily> families;
-        for (const Recipe& recipe : recipes) families.push_back(recipe.family);
-        return families;
-    }();
-    return all;
-}
-
-std::string_view name(CastFamily family) {
-    return recipes[static_cast<std::size_t>(family)].name;
-}
-
-CastCase make_cast_case(CastFamily family, Random& random) {
-    return recipes[static_cast<std::size_t>(family)].make(random);
+Families<CastCase> cast_families() {
+    return table;
 }
 
 }  // namespace ecods::scenes

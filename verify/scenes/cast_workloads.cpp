@@ -1,6 +1,5 @@
 #include "scenes/cast_workloads.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

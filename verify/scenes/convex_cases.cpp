@@ -247,52 +247,38 @@ ConvexCase make_nudged(Random& random) {
     return made;
 }
 
-struct Recipe {
-    ConvexFamily family;
-    std::string_view name;
-    ConvexCase (*make)(Random&);
-};
-
-// In the order of the enumeration.
-constexpr Recipe recipes[] = {
-    {ConvexFamily::hulls, "hulls", make_hulls},
-    {ConvexFamily::near_contact, "near contact", make_near_contact},
-    {ConvexFamily::aligned_boxes, "aligned boxes", convexity::aligned_boxes},
-    {ConvexFamily::turned_boxes, "turned boxes", make_turned_boxes},
-    {ConvexFamily::integer_rotations, "integer rotations", convexity::integer_rotations},
-    {ConvexFamily::lattice_hulls, "lattice hulls", make_lattice_hulls},
-    {ConvexFamily::prisms, "prisms", make_prisms},
-    {ConvexFamily::plates, "plates", make_plates},
-    {ConvexFamily::needles, "needles", make_needles},
-    {ConvexFamily::arcs, "arcs", make_arcs},
-    {ConvexFamily::many_in_one_plane, "many in one plane", make_many_in_one_plane},
-    {ConvexFamily::inside, "inside", make_inside},
-    {ConvexFamily::equal, "equal", make_equal},
-    {ConvexFamily::far, "far", make_far},
-    {ConvexFamily::squeezed, "squeezed", make_squeezed},
-    {ConvexFamily::scaled, "scaled", make_scaled},
-    {ConvexFamily::subnormal, "subnormal", make_subnormal},
-    {ConvexFamily::exponents, "exponents", make_exponents},
-    {ConvexFamily::nudged, "nudged", make_nudged},
+constexpr Family<ConvexCase> table[] = {
+    {"hulls", make_hulls},  // of points on ellipsoids, in random rotations: apart, or deep in each other
+    // Hulls whose vertex and face, or two edges, are apart or deep by 2^-1 to 2^-52, or by rounding
+    {"near contact", make_near_contact},
+    {"aligned boxes", convexity::aligned_boxes},  // known: two boxes of the lattice in one signed permutation
+    {"turned boxes", make_turned_boxes},          // boxes in rotations of their own, near contact or deep
+    // Known: one box, and a vertex, an edge or a face of another, each in an integer rotation
+    {"integer rotations", convexity::integer_rotations},
+    // Hulls of a few small integers under one affine map: contacts and ties of many features
+    {"lattice hulls", make_lattice_hulls},
+    {"prisms", make_prisms},    // of 3 to 24 sides, in one frame: parallel faces and edges
+    {"plates", make_plates},    // boxes of 500 by 500 by 1, crossed, in each other or nearly coplanar
+    {"needles", make_needles},  // 2^-10 to 2^-40 as thick as long
+    // A face of up to 105 vertices nearly on a line: an arc 2^-14 to 2^-50 as high as long
+    {"arcs", make_arcs},
+    // Lattice hulls and boxes whose faces are cut in hundreds of triangles
+    {"many in one plane", make_many_in_one_plane},
+    {"inside", make_inside},  // a small one in a large one
+    {"equal", make_equal},    // a solid and itself, or another mesh of it, at one pose or nearly
+    {"far", make_far},        // near contact, and 1e8, 2^50 or more from the origin
+    // A column of the matrix is 2^-10 to 2^-60 of the others, or they are sheared, or reflect
+    {"squeezed", make_squeezed},
+    {"scaled", make_scaled},        // at scales of 2^-900 to 2^900
+    {"subnormal", make_subnormal},  // integers of some digits, times 2^-1074
+    {"exponents", make_exponents},  // tetrahedra of coordinates of any exponents
+    {"nudged", make_nudged},        // one of the above, a number of a pose moved by one ulp
 };
 
 }  // namespace
 
-std::span<const ConvexFamily> convex_families() {
-    static const auto families = [] {
-        std::array<ConvexFamily, std::size(recipes)> all{};
-        std::ranges::transform(recipes, all.begin(), &Recipe::family);
-        return all;
-    }();
-    return families;
-}
-
-std::string_view name(ConvexFamily family) {
-    return recipes[static_cast<std::size_t>(family)].name;
-}
-
-ConvexCase make_convex_case(ConvexFamily family, Random& random) {
-    return recipes[static_cast<std::size_t>(family)].make(random);
+Families<ConvexCase> convex_families() {
+    return table;
 }
 
 }  // namespace ecods::scenes

@@ -1,7 +1,6 @@
 #include "scenes/convex_workloads.hpp"
 
 #include <array>
-#include <cmath>
 
 #include "ecods/distance.hpp"
 #include "ecods/solid.hpp"
@@ -101,17 +100,17 @@ class HullPair {
 
 void add(ConvexWorkload& workload, const std::shared_ptr<const Mesh>& a, const std::shared_ptr<const Mesh>& b,
          MeshQuery query) {
-    query.a.mesh_index = workload.pairs.meshes.size();
+    query.a.mesh_index = workload.meshes.size();
     query.b.mesh_index = query.a.mesh_index + 1;
-    workload.pairs.meshes.push_back({workload.pairs.name, a});
-    workload.pairs.meshes.push_back({workload.pairs.name, b});
-    workload.pairs.queries.push_back(query);
+    workload.meshes.push_back({workload.name, a});
+    workload.meshes.push_back({workload.name, b});
+    workload.queries.push_back(query);
 }
 
 ConvexWorkload hulls(const std::string& name, ConvexQuestion question, double nominal, std::size_t count) {
     ConvexWorkload workload{{name, {}, {}}, question, nominal};
     Random random(17);
-    while (workload.pairs.queries.size() < count) {
+    while (workload.queries.size() < count) {
         HullPair pair(random);
         double way = 0;
         if (nominal == 0) {
@@ -134,7 +133,7 @@ ConvexWorkload boxes(const BoxKind& kind, std::size_t count) {
     ConvexWorkload workload{{kind.name, {}, {}}, ConvexQuestion::depth, 0};
     Random random(18);
     QueryMemory memory;
-    while (workload.pairs.queries.size() < count) {
+    while (workload.queries.size() < count) {
         const auto mesh = [&] {
             const double x = random.uniform(0.5, 1), y = random.uniform(0.5, 1);
             return box_mesh(on_grid(Vec3(x, y, kind.thickness * random.uniform(0.5, 1))));

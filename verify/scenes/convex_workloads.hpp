@@ -11,8 +11,7 @@ namespace ecods::scenes {
 enum class ConvexQuestion { distance, depth };
 
 // Two meshes for each query.
-struct ConvexWorkload {
-    MeshPairs pairs;
+struct ConvexWorkload : MeshPairs {
     ConvexQuestion question = ConvexQuestion::distance;
     double nominal = 0;  // the gap or the depth, about; 0 where it is any
 };

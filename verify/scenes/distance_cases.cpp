@@ -22,7 +22,6 @@ using hard::rotation;
 using closeness::Corners;
 using closeness::half_way;
 using closeness::lattice_features;
-using closeness::one_triangle;
 using closeness::parallel_faces;
 
 Corners random_corners(Random& random) {
@@ -44,8 +43,7 @@ DistanceCase apart(Random& random) {
 }
 
 DistanceCase from_hard_pair(Random& random) {
-    const auto families = hard_families();
-    const PosedPair pair = make_pair(families[random.below(static_cast<std::uint32_t>(families.size()))], random);
+    const PosedPair pair = any_family(hard_families(), random).make(random);
     DistanceCase made{one_triangle(pair.a), one_triangle(pair.b), pair.pose_a, pair.pose_b, {}};
     if (pair.intersects && *pair.intersects) made.distance = 0;
     if (!coin(random)) return made;
@@ -274,53 +272,35 @@ DistanceCase zero_area(Random& random) {
     return made;
 }
 
-struct Recipe {
-    DistanceFamily family;
-    std::string_view name;
-    DistanceCase (*make)(Random& random);
+constexpr Family<DistanceCase> table[] = {
+    {"apart", apart},                // two random triangles at any distance, in random poses
+    {"hard pairs", from_hard_pair},  // those of hard_pairs.hpp, as they are or moved apart
+    {"needles", needles},            // fans of triangles thin by 2^-20 to 2^-45, whose tips come near each other
+    // Boxes of 12 to 108 triangles on a grid of tenths, in one pose or in two: ties of many features
+    {"bricks", bricks},
+    // Known: triangles in parallel planes of a lattice, each in an integer rotation of its own
+    {"parallel faces", parallel_faces},
+    // Known: a lattice feature at an integer distance, or that times 2^-k, in integer rotations
+    {"lattice features", lattice_features},
+    {"gaps", gaps},  // a vertex above a face by 2^-1 to 2^-60, in a random rotation
+    // Gaps of nothing, or of what rounding leaves
+    {"vertex on a face", [](Random& random) { return above_a_face(random, 0); }},
+    {"far", far},                        // near each other, and 1e8, 2^50 or more from the origin
+    {"squeezed", squeezed},              // a column of the matrix is 2^-10 to 2^-60 of the others, or they are sheared
+    {"singular", singular},              // a matrix without an inverse
+    {"scaled", scaled},                  // at scales of 2^-900 to 2^900
+    {"subnormal", subnormal},            // integers of some digits, times 2^-1074
+    {"wide exponents", wide_exponents},  // coordinates of any exponents
+    {"half-way", half_way},              // known: distances half-way between two doubles, or a hair beside
+    // Spheres, tori and boxes of 6 to 84 triangles in random poses, near each other or not
+    {"small meshes", small_meshes},
+    {"zero area", zero_area},  // segments and points among the triangles
 };
-
-constexpr Recipe recipes[] = {
-    {DistanceFamily::apart, "apart", apart},
-    {DistanceFamily::hard_pairs, "hard pairs", from_hard_pair},
-    {DistanceFamily::needles, "needles", needles},
-    {DistanceFamily::bricks, "bricks", bricks},
-    {DistanceFamily::parallel_faces, "parallel faces", parallel_faces},
-    {DistanceFamily::lattice_features, "lattice features", lattice_features},
-    {DistanceFamily::gaps, "gaps", gaps},
-    {DistanceFamily::vertex_on_face, "vertex on a face", [](Random& random) { return above_a_face(random, 0); }},
-    {DistanceFamily::far, "far", far},
-    {DistanceFamily::squeezed, "squeezed", squeezed},
-    {DistanceFamily::singular, "singular", singular},
-    {DistanceFamily::scaled, "scaled", scaled},
-    {DistanceFamily::subnormal, "subnormal", subnormal},
-    {DistanceFamily::wide_exponents, "wide exponents", wide_exponents},
-    {DistanceFamily::half_way, "half-way", half_way},
-    {DistanceFamily::small_meshes, "small meshes", small_meshes},
-    {DistanceFamily::zero_area, "zero area", zero_area},
-};
-
-const Recipe& recipe_of(DistanceFamily family) {
-    return recipes[static_cast<std::size_t>(family)];
-}
 
 }  // namespace
 
-std::span<const DistanceFamily> distance_families() {
-    static const std::vector<DistanceFamily> all = [] {
-        std::vector<DistanceFamily> families;
-        for (const Recipe& recipe : recipes) families.push_back(recipe.family);
-        return families;
-    }();
-    return all;
-}
-
-std::string_view name(DistanceFamily family) {
-    return recipe_of(family).name;
-}
-
-DistanceCase make_distance_case(DistanceFamily family, Random& random) {
-    return recipe_of(family).make(random);
+Families<DistanceCase> distance_families() {
+    return table;
 }
 
 }  // namespace ecods::scenes

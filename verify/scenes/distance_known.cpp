@@ -1,10 +1,10 @@
 // The families whose distances are known: integers all through, or half-way between two doubles by construction.
-#include <array>
 #include <cmath>
 
 #include "scenes/distance_recipes.hpp"
 #include "scenes/hard_pair_parts.hpp"
 #include "scenes/integer_rotation.hpp"
+#include "scenes/shapes.hpp"
 
 namespace ecods::scenes::closeness {
 namespace {

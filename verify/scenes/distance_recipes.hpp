@@ -2,17 +2,12 @@
 #pragma once
 
 #include <array>
-#include <memory>
 
 #include "scenes/distance_cases.hpp"
 
 namespace ecods::scenes::closeness {
 
 using Corners = std::array<Vec3, 3>;
-
-inline std::shared_ptr<const Mesh> one_triangle(const Corners& corners) {
-    return Mesh::create({corners.begin(), corners.end()}, {{0, 1, 2}});
-}
 
 // With known distances.
 DistanceCase parallel_faces(Random& random);

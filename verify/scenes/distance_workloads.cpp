@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <string>
 
 #include "scenes/approach.hpp"
 #include "scenes/mesh_ball.hpp"
@@ -25,12 +24,12 @@ DistanceWorkload at_gap(const NamedMesh& mesh, const Gap& gap, std::size_t count
     DistanceWorkload workload{{mesh.name + ", gap " + gap.name, {mesh}, {}}};
     Random random(7);
     Approach approach(mesh.mesh, mesh.mesh);
-    while (workload.pairs.queries.size() < count) {
+    while (workload.queries.size() < count) {
         approach.resting = random.rotation().toRotationMatrix();
         approach.moving = random.rotation().toRotationMatrix();
         approach.line = random.direction();
         if (const auto distance = approach.stop_at(gap.share * approach.diameter()))
-            workload.pairs.queries.push_back(approach.at(*distance));
+            workload.queries.push_back(approach.at(*distance));
     }
     return workload;
 }
@@ -42,11 +41,11 @@ DistanceWorkload path(const NamedMesh& mesh, std::size_t count) {
     approach.resting = random.rotation().toRotationMatrix();
     const Mat3 around = turn_about(random.direction(), 0.005), own = turn_about(random.direction(), 0.005);
     approach.line = random.direction();
-    for (int tries = 0; workload.pairs.queries.size() < count && tries < 10000; ++tries) {
+    for (int tries = 0; workload.queries.size() < count && tries < 10000; ++tries) {
         approach.line = image(around, approach.line);
         approach.moving = product(own, approach.moving);
         if (const auto distance = approach.stop_at(0.01 * approach.diameter()))
-            workload.pairs.queries.push_back(approach.at(*distance));
+            workload.queries.push_back(approach.at(*distance));
     }
     return workload;
 }
@@ -77,15 +76,15 @@ DistanceWorkload bricks(const Gap& gap, std::size_t count) {
     DistanceWorkload workload{{mesh.name + ", gap " + gap.name, {mesh}, {}}};
     const double apart = gap.share * 2 * ball_of(*mesh.mesh).radius;
     Random random(9);
-    while (workload.pairs.queries.size() < count) {
+    while (workload.queries.size() < count) {
         const auto shift = [&] { return 0.5 * (static_cast<double>(random.below(5)) - 2); };
         Vec3 offset(3 + apart, shift(), 0.25 * shift());
         if (random.below(3) == 0) offset = Vec3(shift(), shift(), 0.5 + apart);
         if (random.below(4) == 0) offset = Vec3(3 + apart, 3 + apart, 0.25 * shift());
         Pose a, b;
-        if (workload.pairs.queries.size() % 2 == 1) a.R = b.R = random.rotation().toRotationMatrix();
+        if (workload.queries.size() % 2 == 1) a.R = b.R = random.rotation().toRotationMatrix();
         b.t = image(a.R, offset);
-        workload.pairs.queries.push_back({{0, a}, {0, b}});
+        workload.queries.push_back({{0, a}, {0, b}});
     }
     return workload;
 }

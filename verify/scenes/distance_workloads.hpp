@@ -9,8 +9,8 @@
 
 namespace ecods::scenes {
 
-struct DistanceWorkload {
-    MeshPairs pairs;       // its name says mesh and gap
+// The name says mesh and gap.
+struct DistanceWorkload : MeshPairs {
     bool is_path = false;  // each query is near the one before, of the same two bodies
 };
 

@@ -1,6 +1,5 @@
 #include "scenes/fitted_parts.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>

@@ -1,7 +1,6 @@
 #include "scenes/flush_parts.hpp"
 
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <utility>
 

@@ -1,7 +1,5 @@
 #include "scenes/hard_pairs.hpp"
 
-#include <array>
-
 #include "scenes/hard_pair_parts.hpp"
 #include "scenes/hard_pair_recipes.hpp"
 
@@ -10,126 +8,53 @@ namespace {
 
 using namespace hard;
 
-constexpr std::array families{HardFamily::generic,
-                              HardFamily::lattice,
-                              HardFamily::lattice_one_ulp,
-                              HardFamily::coplanar,
-                              HardFamily::edge_on_edge,
-                              HardFamily::vertex_on_face,
-                              HardFamily::vertex_near_face,
-                              HardFamily::integer_rotations,
-                              HardFamily::vertex_on_face_integer,
-                              HardFamily::vertex_near_face_integer,
-                              HardFamily::permutations,
-                              HardFamily::equal_poses,
-                              HardFamily::short_coordinates,
-                              HardFamily::far_from_origin,
-                              HardFamily::slivers,
-                              HardFamily::wide_exponents,
-                              HardFamily::scaled,
-                              HardFamily::extreme_scales,
-                              HardFamily::singular,
-                              HardFamily::degenerate};
+PosedPair lattice_one_ulp(Random& random) {
+    PosedPair pair = lattice(random);
+    nudge_one(pair, random);
+    return pair;
+}
+
+PosedPair extreme_scales(Random& random) {
+    return coin(random) ? scaled(random, -1060, -1000) : scaled(random, 900, 1000);
+}
+
+constexpr Family<PosedPair> table[] = {
+    {"generic", generic},  // two random triangles that come near each other, in random poses
+    // Small integer corners in a random basis with full mantissas, one random pose for both
+    {"lattice", lattice},
+    {"lattice, one ulp", lattice_one_ulp},  // the same, one coordinate a unit in the last place off
+    {"coplanar", coplanar},                 // both in one lattice plane, in one random pose
+    {"edge on edge", edge_on_edge},         // two edges that cross in one lattice point, in one random pose
+    // Known: a vertex in the interior of a face, the rest on one side; one random pose for both
+    {"vertex on face", [](Random& random) { return vertex_on_face(random, 0); }},
+    // Known: the same, that vertex one or two units in the last place above or below
+    {"vertex near face", [](Random& random) { return vertex_on_face(random, integer(random, 1, 2)); }},
+    // Small lattice triangles, each body under a scaled rotation of integers of its own
+    {"integer rotations", integer_rotations},
+    // Known: vertex_on_face, each body under an integer rotation of its own
+    {"vertex on face, integer rotations", [](Random& random) { return vertex_on_face_integer(random, 0); }},
+    // Known: vertex_near_face, likewise
+    {"vertex near face, integer rotations",
+     [](Random& random) { return vertex_on_face_integer(random, integer(random, 1, 2)); }},
+    // Corners of touching boxes of 45-bit sizes, each under a signed permutation matrix
+    {"permutation matrices", permutations},
+    {"equal poses", lattice},  // lattice triangles, full-mantissa corners, bitwise equal poses
+    // Small integers times one power of two, translated likewise: touching bricks
+    {"short coordinates", short_coordinates},
+    {"far from origin", far_from_origin},  // lattice in one rotation, translated by 1 to 1e12
+    {"slivers", slivers},                  // triangles thin by 1 to 2^-40, against one another
+    {"wide exponents", wide_exponents},    // lattice with entries of R and v spread over 2^-300
+    // lattice_one_ulp at scales of 2^-300 to 2^300
+    {"scaled", [](Random& random) { return scaled(random, -300, 300); }},
+    {"extreme scales", extreme_scales},  // lattice at scales of 2^-1060 to 2^1000: subnormal and huge
+    {"singular", singular},              // R with a zero or repeated column: both bodies are flat or thin
+    {"degenerate", degenerate},          // zero-area triangles: repeated and collinear corners, lattice
+};
 
 }  // namespace
 
-std::span<const HardFamily> hard_families() {
-    return families;
-}
-
-std::string_view name(HardFamily family) {
-    switch (family) {
-        case HardFamily::generic:
-            return "generic";
-        case HardFamily::lattice:
-            return "lattice";
-        case HardFamily::lattice_one_ulp:
-            return "lattice, one ulp";
-        case HardFamily::coplanar:
-            return "coplanar";
-        case HardFamily::edge_on_edge:
-            return "edge on edge";
-        case HardFamily::vertex_on_face:
-            return "vertex on face";
-        case HardFamily::vertex_near_face:
-            return "vertex near face";
-        case HardFamily::integer_rotations:
-            return "integer rotations";
-        case HardFamily::vertex_on_face_integer:
-            return "vertex on face, integer rotations";
-        case HardFamily::vertex_near_face_integer:
-            return "vertex near face, integer rotations";
-        case HardFamily::permutations:
-            return "permutation matrices";
-        case HardFamily::equal_poses:
-            return "equal poses";
-        case HardFamily::short_coordinates:
-            return "short coordinates";
-        case HardFamily::far_from_origin:
-            return "far from origin";
-        case HardFamily::slivers:
-            return "slivers";
-        case HardFamily::wide_exponents:
-            return "wide exponents";
-        case HardFamily::scaled:
-            return "scaled";
-        case HardFamily::extreme_scales:
-            return "extreme scales";
-        case HardFamily::singular:
-            return "singular";
-        case HardFamily::degenerate:
-            return "degenerate";
-    }
-    return "unknown";
-}
-
-PosedPair make_pair(HardFamily family, Random& random) {
-    switch (family) {
-        case HardFamily::generic:
-            return generic(random);
-        case HardFamily::lattice:
-            return lattice(random);
-        case HardFamily::lattice_one_ulp: {
-            PosedPair pair = lattice(random);
-            nudge_one(pair, random);
-            return pair;
-        }
-        case HardFamily::coplanar:
-            return coplanar(random);
-        case HardFamily::edge_on_edge:
-            return edge_on_edge(random);
-        case HardFamily::vertex_on_face:
-            return vertex_on_face(random, 0);
-        case HardFamily::vertex_near_face:
-            return vertex_on_face(random, integer(random, 1, 2));
-        case HardFamily::integer_rotations:
-            return integer_rotations(random);
-        case HardFamily::vertex_on_face_integer:
-            return vertex_on_face_integer(random, 0);
-        case HardFamily::vertex_near_face_integer:
-            return vertex_on_face_integer(random, integer(random, 1, 2));
-        case HardFamily::permutations:
-            return permutations(random);
-        case HardFamily::equal_poses:
-            return lattice(random);
-        case HardFamily::short_coordinates:
-            return short_coordinates(random);
-        case HardFamily::far_from_origin:
-            return far_from_origin(random);
-        case HardFamily::slivers:
-            return slivers(random);
-        case HardFamily::wide_exponents:
-            return wide_exponents(random);
-        case HardFamily::scaled:
-            return scaled(random, -300, 300);
-        case HardFamily::extreme_scales:
-            return coin(random) ? scaled(random, -1060, -1000) : scaled(random, 900, 1000);
-        case HardFamily::singular:
-            return singular(random);
-        case HardFamily::degenerate:
-            return degenerate(random);
-    }
-    return generic(random);
+Families<PosedPair> hard_families() {
+    return table;
 }
 
 }  // namespace ecods::scenes

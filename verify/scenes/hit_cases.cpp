@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "scenes/distance_cases.hpp"
 #include "scenes/hard_pair_parts.hpp"
@@ -146,9 +145,7 @@ HitCase limits(Random& random) {
 }
 
 HitCase from_distance_case(Random& random) {
-    const auto families = distance_families();
-    const DistanceCase made =
-        make_distance_case(families[random.below(static_cast<std::uint32_t>(families.size()))], random);
+    const DistanceCase made = any_family(distance_families(), random).make(random);
     const Vec3 of_a = any_corner(*made.a, made.pose_a, random);
     Segment segment{any_corner(*made.b, made.pose_b, random), of_a};
     if (random.below(3) == 0) segment.a = any_corner(*made.a, made.pose_a, random);
@@ -159,39 +156,25 @@ HitCase from_distance_case(Random& random) {
     return {made.a, made.pose_a, line_of(segment, random)};
 }
 
-struct Recipe {
-    HitFamily family;
-    std::string_view name;
-    HitCase (*make)(Random& random);
-};
-
-constexpr Recipe recipes[] = {
-    {HitFamily::lattice, "lattice", lattice},
-    {HitFamily::lattice_one_ulp, "lattice, one ulp", lattice_one_ulp},
-    {HitFamily::integer_matrix, "integer matrix", integer_matrix},
-    {HitFamily::points, "points", points},
-    {HitFamily::rational, "rational", rational},
-    {HitFamily::limits, "limits", limits},
-    {HitFamily::distance_cases, "bodies of distances", from_distance_case},
+constexpr Family<HitCase> table[] = {
+    // Small lattice triangles and ends in a basis of full mantissas: vertices, edges, faces' planes
+    {"lattice", lattice},
+    {"lattice, one ulp", lattice_one_ulp},  // the same, one coordinate of an end a unit in the last place off
+    // Small lattices under a matrix of small integers, singular ones and reflections among them
+    {"integer matrix", integer_matrix},
+    // Segments of length 0 on vertices, edges, faces and beside them, and ones of one unit
+    {"points", points},
+    // Known: a vertex, an edge or a face at the parameter p / q, in an integer rotation
+    {"rational", rational},
+    {"limits", limits},  // rays that end at, just before and just after a lattice plane
+    // The bodies of distance_cases.hpp: lines through rounded corners of both, and beside them
+    {"bodies of distances", from_distance_case},
 };
 
 }  // namespace
 
-std::span<const HitFamily> hit_families() {
-    static const std::vector<HitFamily> all = [] {
-        std::vector<HitFamily> families;
-        for (const Recipe& recipe : recipes) families.push_back(recipe.family);
-        return families;
-    }();
-    return all;
-}
-
-std::string_view name(HitFamily family) {
-    return recipes[static_cast<std::size_t>(family)].name;
-}
-
-HitCase make_hit_case(HitFamily family, Random& random) {
-    return recipes[static_cast<std::size_t>(family)].make(random);
+Families<HitCase> hit_families() {
+    return table;
 }
 
 }  // namespace ecods::scenes

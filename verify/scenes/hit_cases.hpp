@@ -1,20 +1,17 @@
 // Segments and rays beside posed meshes on which hits go wrong, by family; some with answers that are known without
 // computing one.
-//
-// All are deterministic: a family and a random generator's state give the same bits on every machine.
+// The table of hit_cases.cpp says what each family makes.
 #pragma once
 
 #include <memory>
 #include <optional>
-#include <span>
-#include <string_view>
 #include <variant>
 
 #include "ecods/closest_points.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/segment.hpp"
-#include "scenes/random.hpp"
+#include "scenes/families.hpp"
 
 namespace ecods::scenes {
 
@@ -30,19 +27,6 @@ struct HitCase {
     std::optional<Known> known = {};
 };
 
-enum class HitFamily {
-    lattice,          // small lattice triangles and ends in a basis of full mantissas: vertices, edges, faces' planes
-    lattice_one_ulp,  // the same, one coordinate of an end a unit in the last place off
-    integer_matrix,   // small lattices under a matrix of small integers, singular ones and reflections among them
-    points,           // segments of length 0 on vertices, edges, faces and beside them, and ones of one unit
-    rational,         // known: a vertex, an edge or a face at the parameter p / q, in an integer rotation
-    limits,           // rays that end at, just before and just after a lattice plane
-    distance_cases,   // the bodies of distance_cases.hpp: lines through rounded corners of both, and beside them
-};
-
-std::span<const HitFamily> hit_families();
-std::string_view name(HitFamily family);
-
-HitCase make_hit_case(HitFamily family, Random& random);
+Families<HitCase> hit_families();
 
 }  // namespace ecods::scenes

@@ -1,7 +1,6 @@
 #include "scenes/lattice_hull.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>

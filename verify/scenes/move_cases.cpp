@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include "scenes/cast_cases.hpp"
 #include "scenes/distance_cases.hpp"
@@ -111,12 +110,11 @@ MoveCase turned_over(Random& random) {
 }
 
 MoveCase casts(Random& random) {
-    const auto families = cast_families();
-    const auto index = random.below(static_cast<std::uint32_t>(families.size()));
-    const CastCase cast = make_cast_case(families[index], random);
+    const Family<CastCase>& family = any_family(cast_families(), random);
+    const CastCase cast = family.make(random);
     MoveCase made{cast.a, cast.b, cast.pose_a, cast.pose_a, cast.pose_b, cast.pose_b};
     made.to_a.t += cast.motion;
-    if (made.to_a.t - made.from_a.t == cast.motion && families[index] == CastFamily::rational) made.time = cast.time;
+    if (made.to_a.t - made.from_a.t == cast.motion && family.name == "rational") made.time = cast.time;
     if (!made.to_a.t.allFinite()) made.to_a.t = made.from_a.t;
     return made;
 }
@@ -126,7 +124,7 @@ double rounded(double x, int digits) {
 }
 
 MoveCase short_numbers(Random& random) {
-    const DistanceCase pair = make_distance_case(DistanceFamily::small_meshes, random);
+    const DistanceCase pair = family_named(distance_families(), "small meshes").make(random);
     MoveCase made{pair.a, pair.b, {}, {}, {}, {}};
     const Vec3 way = 3 * random.direction();
     const double aside = full(random, -1, 1);
@@ -146,9 +144,8 @@ MoveCase short_numbers(Random& random) {
 }
 
 MoveCase from_distance_case(Random& random) {
-    const auto families = distance_families();
-    const DistanceFamily family = families[random.below(static_cast<std::uint32_t>(families.size()))];
-    const DistanceCase pair = make_distance_case(family, random), other = make_distance_case(family, random);
+    const Family<DistanceCase>& family = any_family(distance_families(), random);
+    const DistanceCase pair = family.make(random), other = family.make(random);
     MoveCase made{pair.a, pair.b, pair.pose_a, pair.pose_a, pair.pose_b, pair.pose_b};
     const double share = std::ldexp(1.0, -integer(random, 0, 40));
     made.to_a.R += share * (other.pose_a.R - made.to_a.R);
@@ -163,41 +160,25 @@ MoveCase from_distance_case(Random& random) {
     return made;
 }
 
-struct Recipe {
-    MoveFamily family;
-    std::string_view name;
-    MoveCase (*make)(Random& random);
-};
-
-constexpr Recipe recipes[] = {
-    {MoveFamily::lattice, "lattice", lattice},
-    {MoveFamily::lattice_one_ulp, "lattice, one ulp", lattice_one_ulp},
-    {MoveFamily::integer_matrix, "integer matrix", integer_matrix},
-    {MoveFamily::in_one_plane, "in one plane", in_one_plane},
-    {MoveFamily::double_roots, "double roots", double_roots},
-    {MoveFamily::turned_over, "turned over", turned_over},
-    {MoveFamily::casts, "casts", casts},
-    {MoveFamily::short_numbers, "short numbers", short_numbers},
-    {MoveFamily::distance_cases, "bodies of distances", from_distance_case},
+constexpr Family<MoveCase> table[] = {
+    {"lattice", lattice},                   // corners that go from lattice point to lattice point, each by itself
+    {"lattice, one ulp", lattice_one_ulp},  // the same, one number a unit in the last place off
+    // Small lattices between matrices of small integers: flat bodies at the ends and on the way
+    {"integer matrix", integer_matrix},
+    {"in one plane", in_one_plane},  // the first, all corners in one plane all the time
+    // Known: a vertex and an edge that only graze each other half-way, or just not
+    {"double roots", double_roots},
+    {"turned over", turned_over},      // bodies that go through a flat pose
+    {"casts", casts},                  // those above, as motions; known where these are
+    {"short numbers", short_numbers},  // rotations of 20 bits a bit apart: poses on the way are doubles
+    // The bodies of distance_cases.hpp, each on its way to another pose of its own kind
+    {"bodies of distances", from_distance_case},
 };
 
 }  // namespace
 
-std::span<const MoveFamily> move_families() {
-    static const std::vector<MoveFamily> all = [] {
-        std::vector<MoveFamily> families;
-        for (const Recipe& recipe : recipes) families.push_back(recipe.family);
-        return families;
-    }();
-    return all;
-}
-
-std::string_view name(MoveFamily family) {
-    return recipes[static_cast<std::size_t>(family)].name;
-}
-
-MoveCase make_move_case(MoveFamily family, Random& random) {
-    return recipes[static_cast<std::size_t>(family)].make(random);
+Families<MoveCase> move_families() {
+    return table;
 }
 
 }  // namespace ecods::scenes

@@ -96,9 +96,9 @@ class Against {
     template <class Local>
     SegmentWorkload make(const std::string& kind, std::size_t count, const Local& local) {
         SegmentWorkload workload{mesh_.name + ", " + kind, {mesh_}, {{0, pose_}}, {}};
-        while (workload.segments.size() < count) {
+        while (workload.queries.size() < count) {
             const Segment segment = local();
-            workload.segments.push_back({posed(segment.a), posed(segment.b)});
+            workload.queries.push_back({posed(segment.a), posed(segment.b)});
         }
         return workload;
     }
@@ -153,7 +153,7 @@ SegmentWorkload in_room(const std::string& name, double side, std::size_t ship_c
     SegmentWorkload workload{name, scene.meshes, {}, {}};
     for (const SceneBody& body : scene.bodies) workload.bodies.push_back({body.mesh_index, body.pose});
     Random random(14);
-    while (workload.segments.size() < count) workload.segments.push_back(ends(random, side / 2));
+    while (workload.queries.size() < count) workload.queries.push_back(ends(random, side / 2));
     return workload;
 }
 

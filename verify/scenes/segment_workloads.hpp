@@ -15,7 +15,7 @@ struct SegmentWorkload {
     std::string name;  // says bodies and kind
     std::vector<NamedMesh> meshes;
     std::vector<MeshAt> bodies;
-    std::vector<Segment> segments;
+    std::vector<Segment> queries;
     bool is_path = false;  // each segment begins where the one before ended
 };
 

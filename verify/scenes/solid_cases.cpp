@@ -305,46 +305,28 @@ SolidCase make_exponents(Random& random) {
     return {far_flung(random), far_flung(random), std::nullopt, {}};
 }
 
-struct Recipe {
-    SolidFamily family;
-    std::string_view name;
-    SolidCase (*make)(Random&);
-};
-
-// In the order of the enumeration.
-constexpr Recipe recipes[] = {
-    {SolidFamily::polycubes, "polycubes", make_polycubes},
-    {SolidFamily::shells, "shells", make_shells},
-    {SolidFamily::boxes, "boxes", make_boxes},
-    {SolidFamily::kuhn, "kuhn", make_kuhn},
-    {SolidFamily::contacts, "contacts", make_contacts},
-    {SolidFamily::common_pose, "common pose", make_common_pose},
-    {SolidFamily::singular, "singular", make_singular},
-    {SolidFamily::nudged, "nudged", make_nudged},
-    {SolidFamily::kuhn_mixed, "kuhn mixed", make_kuhn_mixed},
-    {SolidFamily::tetrahedra, "tetrahedra", make_tetrahedra},
-    {SolidFamily::bodies, "bodies", make_bodies},
-    {SolidFamily::exponents, "exponents", make_exponents},
-    {SolidFamily::no_solid_area, "no solid area", make_no_solid_area},
+constexpr Family<SolidCase> table[] = {
+    // Known: sets of cells in a grid of 2 to 4, biased to subsets, complements and neighbours
+    {"polycubes", make_polycubes},
+    {"shells", make_shells},            // known: cubes in cubes in cubes, some layers of them filled
+    {"boxes", make_boxes},              // known: two boxes with ends among a few integers, so that sides are flush
+    {"kuhn", make_kuhn},                // known: sets of the tetrahedra into which the diagonals cut the cells
+    {"contacts", make_contacts},        // known: one of fixed_contacts()
+    {"common pose", make_common_pose},  // known: polycubes in one pose of any numbers
+    {"singular", make_singular},        // a pose without an inverse; known if both have it and nothing is inside
+    // One of the above, a number of a pose or a coordinate of it moved by one ulp: solids for most
+    {"nudged", make_nudged},
+    {"kuhn mixed", make_kuhn_mixed},        // two lattices with their own mirroring and size
+    {"tetrahedra", make_tetrahedra},        // small ones, corners of one on faces, edges and corners of the other
+    {"bodies", make_bodies},                // boxes, spheres and tori in random poses
+    {"exponents", make_exponents},          // tetrahedra of coordinates of any exponents
+    {"no solid area", make_no_solid_area},  // known: triangles of zero area alone, and something else
 };
 
 }  // namespace
 
-std::span<const SolidFamily> solid_families() {
-    static const auto families = [] {
-        std::array<SolidFamily, std::size(recipes)> all{};
-        std::ranges::transform(recipes, all.begin(), &Recipe::family);
-        return all;
-    }();
-    return families;
-}
-
-std::string_view name(SolidFamily family) {
-    return recipes[static_cast<std::size_t>(family)].name;
-}
-
-SolidCase make_solid_case(SolidFamily family, Random& random) {
-    return recipes[static_cast<std::size_t>(family)].make(random);
+Families<SolidCase> solid_families() {
+    return table;
 }
 
 }  // namespace ecods::scenes

@@ -1,17 +1,15 @@
 // Pairs of posed solids, by family; of most families the answers follow from how they are made.
-//
-// All are deterministic: a family and a random generator's state give the same bits on every machine.
+// The table of solid_cases.cpp says what each family makes.
 #pragma once
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <vector>
 
 #include "ecods/solid.hpp"
+#include "scenes/families.hpp"
 #include "scenes/lattice_mesh.hpp"
-#include "scenes/random.hpp"
 
 namespace ecods::scenes {
 
@@ -34,26 +32,7 @@ struct SolidCase {
     }
 };
 
-enum class SolidFamily {
-    polycubes,      // known: sets of cells in a grid of 2 to 4, biased to subsets, complements and neighbours
-    shells,         // known: cubes in cubes in cubes, some layers of them filled
-    boxes,          // known: two boxes with ends among a few integers, so that sides are flush
-    kuhn,           // known: sets of the tetrahedra into which the diagonals cut the cells
-    contacts,       // known: one of fixed_contacts()
-    common_pose,    // known: polycubes in one pose of any numbers
-    singular,       // a pose without an inverse; known if both have it and nothing is inside
-    nudged,         // one of the above, a number of a pose or a coordinate of it moved by one ulp: solids for most
-    kuhn_mixed,     // two lattices with their own mirroring and size
-    tetrahedra,     // small ones, corners of one on faces, edges and corners of the other
-    bodies,         // boxes, spheres and tori in random poses
-    exponents,      // tetrahedra of coordinates of any exponents
-    no_solid_area,  // known: triangles of zero area alone, and something else
-};
-
-std::span<const SolidFamily> solid_families();
-std::string_view name(SolidFamily family);
-
-SolidCase make_solid_case(SolidFamily family, Random& random);
+Families<SolidCase> solid_families();
 
 // A recipe of two solids on the lattice.
 struct LatticePair {

@@ -1,6 +1,5 @@
 #include "tidy/edges.hpp"
 
-#include <algorithm>
 #include <map>
 #include <set>
 
@@ -90,10 +89,11 @@ const std::vector<Room>& rooms() {
         {"src/query/intersection",
          {"src/base", "src/simd", "src/geometry", "src/exact/point", "src/exact/sign", "src/exact/simplex",
           "src/bvh/axes", "src/bvh/walks", "src/query/shape"}},
+        {"src/query/search", {"src/base", "src/bvh/walks", "src/query/shape", "src/query/intersection"}},
         {"src/query/distance",
          {"src/base", "src/simd", "src/geometry", "src/exact/number", "src/exact/point", "src/exact/sign",
           "src/exact/measure/round", "src/exact/measure/distance", "src/bvh/axes", "src/bvh/masks", "src/bvh/walks",
-          "src/query/shape", "src/query/intersection"}},
+          "src/query/shape", "src/query/intersection", "src/query/search"}},
         {"src/query/hit",
          {"src/base", "src/simd", "src/geometry", "src/exact/number", "src/exact/point", "src/exact/sign",
           "src/exact/simplex", "src/exact/measure/round", "src/exact/measure/distance", "src/exact/measure/line",
@@ -101,7 +101,8 @@ const std::vector<Room>& rooms() {
         {"src/query/cast",
          {"src/base", "src/simd", "src/geometry", "src/exact/number", "src/exact/point", "src/exact/sign",
           "src/exact/simplex", "src/exact/measure/round", "src/exact/measure/distance", "src/exact/measure/contact",
-          "src/bvh/tree", "src/bvh/axes", "src/bvh/walks", "src/query/shape", "src/query/intersection"}},
+          "src/bvh/tree", "src/bvh/axes", "src/bvh/walks", "src/query/shape", "src/query/intersection",
+          "src/query/search"}},
         {"src/query/solid",
          {"src/base", "src/simd", "src/geometry", "src/exact/point", "src/exact/sign", "src/exact/simplex",
           "src/bvh/tree", "src/bvh/axes", "src/bvh/masks", "src/bvh/walks", "src/query/shape",
@@ -116,8 +117,8 @@ const std::vector<Room>& rooms() {
           "src/query/distance", "src/query/cast", "src/query/solid", "src/query/convex"}},
         {"src/query/certificate",
          {"src/base", "src/simd", "src/geometry", "src/exact/number", "src/exact/point", "src/exact/sign", "src/bounds",
-          "src/bvh/tree", "src/bvh/masks", "src/query/shape", "src/query/intersection", "src/query/distance",
-          "src/query/hit"}},
+          "src/bvh/tree", "src/bvh/masks", "src/bvh/walks", "src/query/shape", "src/query/intersection",
+          "src/query/distance", "src/query/hit"}},
         {"src/broad_phase/changes", {"src/base", "src/simd", "src/geometry"}},
         {"src/broad_phase/boxes", {"src/base", "src/simd", "src/geometry", "src/bounds", "src/bvh/walks"}},
         {"src/broad_phase/scratch",
@@ -151,8 +152,8 @@ const std::vector<Room>& rooms() {
         {"verify/certificates/checker", {}},
         {"verify/certificates/folder", {"include"}},
         {"verify/oracle", {"include/plain"}},
-        {"verify/judge", {"include", "verify/oracle"}},
         {"verify/scenes", {"include"}},
+        {"verify/judge", {"include", "verify/oracle", "verify/scenes"}},
         {"verify/certificates/samples", {"include", "verify/scenes"}},
         {"verify/allocation", {"include", "verify/scenes"}},
         {"verify/exhaustive", {"include", "verify/oracle"}},
@@ -229,7 +230,7 @@ const std::vector<Room>& rooms() {
         {"bench/engines",
          {"include", "src/simd", "src/broad_phase/changes", "src/broad_phase/boxes", "src/broad_phase/scratch",
           "verify/scenes", "verify/unit/broad_phase"}},
-        {"bench/harness", {"include", "verify/process", "verify/oracle", "bench/engines"}},
+        {"bench/harness", {"include", "verify/process", "verify/oracle", "verify/scenes", "bench/engines"}},
         {"bench/report",
          {"include", "src/simd", "verify/process", "verify/scenes", "verify/environment", "bench/harness"}},
         {"bench/suites",

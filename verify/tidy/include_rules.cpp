@@ -1,7 +1,6 @@
 #include "tidy/include_rules.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <regex>
 #include <sstream>
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "base/assert.hpp"
+#include "broad_phase/boxes/tree_parts.hpp"
 #include "simd/dispatch.hpp"
 
 namespace ecods {
@@ -74,74 +74,6 @@ ECODS_ALWAYS_INLINE void meet_all_lanes(const BoxBlock& block, const MovingBox& 
     store(from + 4, times.from[1]);
 }
 
-// A block of a tree, what is at a position of one, or a box, and when it is met at the earliest. What is equally early
-// is opened before a box is visited, and boxes come in the order of their slots.
-class MetPart {
-  public:
-    static constexpr std::uint32_t box = 0, position = 1, block = 2;  // or higher, by the block's level
-
-    MetPart() = default;
-    // `index` is that of the block in its level, the position, or the box's slot. Times are not negative.
-    MetPart(double time, std::uint32_t height, std::uint32_t index, std::uint32_t tree) noexcept
-        : time_(std::bit_cast<std::uint64_t>(time)),
-          place_(std::uint64_t{height_max - height} << 56 | std::uint64_t{index} << 24 | tree) {
-        ECODS_ASSERT(height <= height_max && tree < 1u << 24 && std::bit_cast<std::int64_t>(time) >= 0);
-    }
-
-    double time() const noexcept { return std::bit_cast<double>(time_); }
-    std::uint32_t height() const noexcept { return height_max - static_cast<std::uint32_t>(place_ >> 56); }
-    std::uint32_t index() const noexcept { return static_cast<std::uint32_t>(place_ >> 24); }
-    std::uint32_t tree() const noexcept { return static_cast<std::uint32_t>(place_) & 0xffffff; }
-
-    // Without branches: which of two comes first is anybody's guess.
-    ECODS_ALWAYS_INLINE friend bool operator<(const MetPart& a, const MetPart& b) noexcept {
-        return ((a.time_ < b.time_) | ((a.time_ == b.time_) & (a.place_ < b.place_))) != 0;
-    }
-
-  private:
-    static constexpr std::uint32_t height_max = 255;
-
-    std::uint64_t time_ = 0;   // bits of numbers that are not negative have their order
-    std::uint64_t place_ = 0;  // least significant: the tree, the index, and how far the height is below the largest
-};
-
-// What waits, as a heap with the first one in front.
-class MetParts {
-  public:
-    explicit MetParts(std::size_t capacity) { parts_.reserve(capacity); }
-
-    bool is_empty() const noexcept { return parts_.empty(); }
-    const MetPart& front() const noexcept { return parts_.front(); }
-
-    ECODS_ALWAYS_INLINE void push(const MetPart& part) {
-        std::size_t at = parts_.size();
-        parts_.push_back(part);
-        for (; at > 0 && part < parts_[(at - 1) / 2]; at = (at - 1) / 2) parts_[at] = parts_[(at - 1) / 2];
-        parts_[at] = part;
-    }
-    ECODS_ALWAYS_INLINE void pop() noexcept {
-        const MetPart last = parts_.back();
-        parts_.pop_back();
-        if (!parts_.empty()) replace_front(last);
-    }
-    ECODS_ALWAYS_INLINE void replace_front(const MetPart& part) noexcept {
-        MetPart* const parts = parts_.data();
-        const std::size_t size = parts_.size();
-        std::size_t at = 0;
-        for (std::size_t child = 1; child < size; child = 2 * at + 1) {
-            child +=
-                static_cast<std::size_t>((child + 1 < size) & (parts[std::min(child + 1, size - 1)] < parts[child]));
-            if (!(parts[child] < part)) break;
-            parts[at] = parts[child];
-            at = child;
-        }
-        parts[at] = part;
-    }
-
-  private:
-    std::vector<MetPart> parts_;
-};
-
 class Walk {
   public:
     Walk(std::span<const BoxTree> trees, std::span<const Aabb> boxes, const MovingBox& moving, double limit,
@@ -151,17 +83,16 @@ class Walk {
     // What comes next mostly lies in what was opened last: only the rest of that waits.
     ECODS_ALWAYS_INLINE std::uint64_t run() {
         for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
-            const std::uint32_t height = trees_[tree].level_count() + MetPart::position;
+            const std::uint32_t height = trees_[tree].level_count() + BoundedPart::position;
             if (trees_[tree].alive_count() > 0) waiting_.push({0, height, 0, tree});
         }
-        while (!waiting_.is_empty() && waiting_.front().time() <= limit_) {
-            MetPart next = waiting_.front();
-            waiting_.pop();
+        while (!waiting_.is_empty() && waiting_.front().lower() <= limit_) {
+            BoundedPart next = waiting_.pop();
             bool counts = true;
-            while (counts && next.height() != MetPart::box) {
+            while (counts && next.height() != BoundedPart::box) {
                 counts = look_into(next);
                 if (!counts || waiting_.is_empty() || next < waiting_.front()) continue;
-                const MetPart first = waiting_.front();
+                const BoundedPart first = waiting_.front();
                 waiting_.replace_front(next);
                 next = first;
             }
@@ -173,21 +104,21 @@ class Walk {
   private:
     // Replaces `part` by the first of what lies in it, and puts the rest to what waits. Returns false if nothing
     // counts.
-    ECODS_ALWAYS_INLINE bool look_into(MetPart& part) {
-        return part.height() == MetPart::position ? look_at_box(part) : open(part);
+    ECODS_ALWAYS_INLINE bool look_into(BoundedPart& part) {
+        return part.height() == BoundedPart::position ? look_at_box(part) : open(part);
     }
 
     // The tree's box contains that of the slot. It is looked up as late as that: of many no more is asked.
-    ECODS_ALWAYS_INLINE bool look_at_box(MetPart& part) {
+    ECODS_ALWAYS_INLINE bool look_at_box(BoundedPart& part) {
         const SlotIndex slot = trees_[part.tree()].slot(part.index());
-        part = {moving_.meets_from(boxes_[slot]), MetPart::box, slot, part.tree()};
+        part = {moving_.meets_from(boxes_[slot]), BoundedPart::box, slot, part.tree()};
         ++tests_;
-        return part.time() <= std::min(limit_, MovingBox::number_max);
+        return part.lower() <= std::min(limit_, MovingBox::number_max);
     }
 
-    ECODS_ALWAYS_INLINE bool open(MetPart& part) {
+    ECODS_ALWAYS_INLINE bool open(BoundedPart& part) {
         const std::uint32_t height = part.height(), index = part.index(), tree = part.tree();
-        const BlockTimes block(trees_[tree].block(height - MetPart::block, index), moving_);
+        const BlockTimes block(trees_[tree].block(height - BoundedPart::block, index), moving_);
         const double latest = std::min(limit_, MovingBox::number_max);
         auto found = static_cast<std::uint32_t>(any_bits(((block.from[0] <= latest) & lane_bits<KeyLanes>(0)) |
                                                          ((block.from[1] <= latest) & lane_bits<KeyLanes>(4))));
@@ -196,13 +127,13 @@ class Walk {
         alignas(64) double from[width];
         store(&from[0], block.from[0]);
         store(&from[4], block.from[1]);
-        const auto inner = [&](std::uint32_t lane) -> MetPart {
+        const auto inner = [&](std::uint32_t lane) -> BoundedPart {
             return {from[lane], height - 1, index * width + lane, tree};
         };
-        if (height == MetPart::block) prefetch_boxes(tree, index, found);
+        if (height == BoundedPart::block) prefetch_boxes(tree, index, found);
         part = inner(static_cast<std::uint32_t>(std::countr_zero(found)));
         for (found &= found - 1; found != 0; found &= found - 1) {
-            const MetPart other = inner(static_cast<std::uint32_t>(std::countr_zero(found)));
+            const BoundedPart other = inner(static_cast<std::uint32_t>(std::countr_zero(found)));
             const bool is_first = other < part;
             waiting_.push(is_first ? part : other);
             part = is_first ? other : part;
@@ -222,7 +153,7 @@ class Walk {
     const MovingBox& moving_;
     double limit_;
     const std::function<double(SlotIndex)>& visit_;
-    MetParts waiting_{8 * width};
+    Waiting<BoundedPart> waiting_{8 * width};
     std::uint64_t tests_ = 0;
 };
 

@@ -50,6 +50,17 @@ BoxForest::Item BoxForest::make_item(const Aabb& box, SlotIndex slot) noexcept {
     return {.item = tree_item(box, slot), .size_exponent = exponent};
 }
 
+void BoxForest::append_item(SlotIndex slot, std::span<const PackedBox> lines, std::vector<Item>& items) {
+    if (!lines[slot].is_empty()) items.push_back(make_item(box_of(lines[slot]), slot));
+}
+
+void BoxForest::build(std::span<const PackedBox> lines) {
+    std::vector<Item> items;
+    items.reserve(lines.size());
+    for (SlotIndex slot = 0; slot < lines.size(); ++slot) append_item(slot, lines, items);
+    build(items, lines);
+}
+
 void BoxForest::build(std::span<Item> items, std::span<const PackedBox> lines) {
     trees_.clear();
     positions_.reserve(lines.size() + lines.size() / 32);  // lest the first one that comes copies all

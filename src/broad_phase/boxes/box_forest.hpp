@@ -23,8 +23,12 @@ class BoxForest {
     };
     static Item make_item(const Aabb& box, SlotIndex slot) noexcept;
 
-    // Makes the forest one of these boxes alone. Reorders `items`. Cost: n log n.
+    // Appends the item of a slot, unless its line is empty.
+    static void append_item(SlotIndex slot, std::span<const PackedBox> lines, std::vector<Item>& items);
+
+    // Makes the forest one of these boxes alone, or of all lines that are not empty. Reorders `items`. Cost: n log n.
     void build(std::span<Item> items, std::span<const PackedBox> lines);
+    void build(std::span<const PackedBox> lines);
 
     // Gives every slot that is in a tree the box that it has now. Cost: n.
     void refit(std::span<const PackedBox> lines);

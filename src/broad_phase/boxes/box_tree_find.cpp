@@ -37,7 +37,8 @@ ECODS_ALWAYS_INLINE std::uint64_t find_slots(const BoxLevels& levels, const std:
         tests += BoxBlock::width;
         return overlapping(view.block(node), reach);
     };
-    walk_one(view, bound, SlotResult(slots, found));
+    LevelsView<0>::Stack stack;
+    walk_one(view, stack, bound, SlotResult(slots, found));
     return tests;
 }
 
@@ -69,7 +70,8 @@ std::uint64_t BoxTree::find(const Bounds& bounds, std::vector<SlotIndex>& found)
         }
         return lanes;
     };
-    walk_one(view, bound, SlotResult(slots_, found));
+    LevelsView<0>::Stack stack;
+    walk_one(view, stack, bound, SlotResult(slots_, found));
     return tests;
 }
 template std::uint64_t BoxTree::find(const SegmentBounds&, std::vector<SlotIndex>&) const;

@@ -25,19 +25,16 @@ bool BoxTree::insert(const TreeItem& item, const PackedBox& line, std::uint32_t&
     make_reach(point, reach);
     std::vector<ParentBlock> parents;
     dispatch<find_parents>(levels_, reach, 0U, parents);
-    for (const ParentBlock& parent : parents) {
-        for (std::uint32_t leaves = parent.children; leaves != 0; leaves &= leaves - 1) {
-            const std::uint32_t leaf = parent.block * width + static_cast<std::uint32_t>(std::countr_zero(leaves));
-            if (!take_hole(leaf, item.slot, position)) continue;
-            set(position, line);
-            return true;
-        }
-    }
-    for (const ParentBlock& parent : parents) {
-        for (std::uint32_t leaf = parent.block * width; leaf < (parent.block + 1) * width; ++leaf) {
-            if (!take_hole(leaf, item.slot, position)) continue;
-            set(position, line);
-            return true;
+    // The blocks around the center come first, and then those beside them.
+    constexpr std::uint32_t all_children = (1u << width) - 1;
+    for (const std::uint32_t beside : {0u, all_children}) {
+        for (const ParentBlock& parent : parents) {
+            for (std::uint32_t leaves = parent.children | beside; leaves != 0; leaves &= leaves - 1) {
+                const std::uint32_t leaf = parent.block * width + static_cast<std::uint32_t>(std::countr_zero(leaves));
+                if (!take_hole(leaf, item.slot, position)) continue;
+                set(position, line);
+                return true;
+            }
         }
     }
     return false;

@@ -31,7 +31,7 @@ class LevelsView {
     using Node = TreeNode;
     // A node has at most eight children, of which all but one wait while that one is followed down: with 2^32 boxes
     // there are eleven levels.
-    static constexpr std::size_t stack_size = 11 * (BoxBlock::width - 1) + 1;
+    using Stack = FixedStack<Node, 11 * (BoxBlock::width - 1) + 1>;
 
     ECODS_ALWAYS_INLINE explicit LevelsView(const BoxLevels& levels) : levels_(levels) {}
 
@@ -75,7 +75,8 @@ ECODS_ALWAYS_INLINE std::uint64_t find_parents(const BoxLevels& levels, const Bo
         if (lanes != 0) found.push_back({node.block, lanes});
         return true;
     };
-    walk_one(view, bound, result);
+    LevelsView<1>::Stack stack;
+    walk_one(view, stack, bound, result);
     return tests;
 }
 

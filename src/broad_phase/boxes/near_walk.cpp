@@ -1,10 +1,11 @@
 #include "broad_phase/boxes/near_walk.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "broad_phase/boxes/tree_parts.hpp"
+#include "bvh/walks/waiting.hpp"
 #include "geometry/box_distance.hpp"
 
 namespace ecods {
@@ -15,10 +16,9 @@ struct NearPair {
     Part a, b;
 
     std::uint32_t height() const noexcept { return std::max(a.height, b.height); }
-    bool comes_before(const NearPair& other) const noexcept {
-        if (lower != other.lower) return lower < other.lower;
-        if (height() != other.height()) return height() > other.height();
-        return std::pair(a.index, b.index) < std::pair(other.a.index, other.b.index);
+    friend bool operator<(const NearPair& x, const NearPair& y) noexcept {
+        return std::tuple(x.lower, y.height(), x.a.index, x.b.index) <
+               std::tuple(y.lower, x.height(), y.a.index, y.b.index);
     }
 };
 
@@ -32,7 +32,7 @@ class PairWalk {
         for (std::size_t i = 0; i < roots.size(); ++i) {
             for (std::size_t j = i; j < roots.size(); ++j) waiting_.push({0, roots[i], roots[j]});
         }
-        while (waiting_.has_below(limit_)) {
+        while (!waiting_.is_empty() && waiting_.front().lower <= limit_) {
             const NearPair pair = waiting_.pop();
             if (pair.height() == 0) {
                 limit_ = std::min(limit_, visit(pair.a.index, pair.b.index));
@@ -68,7 +68,7 @@ class PairWalk {
 
     Parts parts_;
     double limit_;
-    Waiting<NearPair> waiting_;
+    Waiting<NearPair> waiting_{8 * BoxBlock::width};
     std::array<PartBox, BoxBlock::width> lanes_;
     std::uint64_t tests_ = 0;
 };
@@ -78,21 +78,23 @@ class PairWalk {
 std::uint64_t walk_near(std::span<const BoxTree> trees, std::span<const Aabb> boxes, const Aabb& box, double limit,
                         const std::function<double(SlotIndex)>& visit) {
     const Parts parts(trees, boxes);
-    Waiting<NearPart> waiting;
-    for (const Part& root : parts.roots()) waiting.push({0, root});
+    Waiting<BoundedPart> waiting(8 * BoxBlock::width);
+    const auto wait = [&](double lower, const Part& part) {
+        if (lower <= limit) waiting.push({lower, part.height, part.index, part.tree});
+    };
+    for (const Part& root : parts.roots()) wait(0, root);
     std::array<PartBox, BoxBlock::width> lanes;
     std::uint64_t tests = 0;
-    while (waiting.has_below(limit)) {
-        const Part part = waiting.pop().part;
+    while (!waiting.is_empty() && waiting.front().lower() <= limit) {
+        const BoundedPart next = waiting.pop();
+        const Part part{next.height(), next.index(), next.tree()};
         if (part.is_box()) {
             limit = std::min(limit, visit(part.index));
             continue;
         }
-        for (const PartBox& found : parts.open(part, lanes)) {
-            ++tests;
-            const double lower = distance_below(box, found.box);
-            if (lower <= limit) waiting.push({lower, found.part});
-        }
+        const auto found = parts.open(part, lanes);
+        tests += found.size();
+        for (const PartBox& inner : found) wait(distance_below(box, inner.box), inner.part);
     }
     return tests;
 }

@@ -1,17 +1,19 @@
-// What the walks of a forest with the first boxes first share: its blocks and boxes as one kind of thing, and those
-// that wait.
+// The blocks and boxes of a forest as one kind of thing, and their order while they wait: shared by the walks that
+// visit the first boxes first.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <compare>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/assert.hpp"
 #include "broad_phase/boxes/box_tree.hpp"
+#include "bvh/walks/waiting.hpp"
 #include "ecods/aabb.hpp"
+#include "simd/inline.hpp"
 
 namespace ecods {
 
@@ -72,39 +74,35 @@ class Parts {
     std::span<const Aabb> boxes_;
 };
 
-// What waits, the least first.
-template <class Item>
-class Waiting {
+// A part and its lower bound, a distance or a time, which is not negative. What is equally near is opened before a box
+// is visited, and boxes come in the order of their slots. `position` is that of a box whose slot is not looked up yet.
+class BoundedPart {
   public:
-    void push(const Item& item) {
-        items_.push_back(item);
-        std::push_heap(items_.begin(), items_.end(), Later());
+    static constexpr std::uint32_t box = 0, position = 1, block = 2;  // or higher, by the block's level
+
+    BoundedPart() = default;
+    // `index` is that of the block in its level, the position, or the box's slot.
+    BoundedPart(double lower, std::uint32_t height, std::uint32_t index, std::uint32_t tree) noexcept
+        : lower_(std::bit_cast<std::uint64_t>(lower)),
+          place_(std::uint64_t{height_max - height} << 56 | std::uint64_t{index} << 24 | tree) {
+        ECODS_ASSERT(height <= height_max && tree < 1u << 24 && std::bit_cast<std::int64_t>(lower) >= 0);
     }
-    Item pop() {
-        std::pop_heap(items_.begin(), items_.end(), Later());
-        const Item item = items_.back();
-        items_.pop_back();
-        return item;
+
+    double lower() const noexcept { return std::bit_cast<double>(lower_); }
+    std::uint32_t height() const noexcept { return height_max - static_cast<std::uint32_t>(place_ >> 56); }
+    std::uint32_t index() const noexcept { return static_cast<std::uint32_t>(place_ >> 24); }
+    std::uint32_t tree() const noexcept { return static_cast<std::uint32_t>(place_) & 0xffffff; }
+
+    // Without branches: which of two comes first is anybody's guess.
+    ECODS_ALWAYS_INLINE friend bool operator<(const BoundedPart& a, const BoundedPart& b) noexcept {
+        return ((a.lower_ < b.lower_) | ((a.lower_ == b.lower_) & (a.place_ < b.place_))) != 0;
     }
-    bool has_below(double limit) const { return !items_.empty() && items_.front().lower <= limit; }
 
   private:
-    struct Later {
-        bool operator()(const Item& a, const Item& b) const noexcept { return b.comes_before(a); }
-    };
-    std::vector<Item> items_;
-};
+    static constexpr std::uint32_t height_max = 255;
 
-// A part, by what it is at least: a distance, or a time.
-struct NearPart {
-    double lower;
-    Part part;
-
-    bool comes_before(const NearPart& other) const noexcept {
-        if (lower != other.lower) return lower < other.lower;
-        if (part.height != other.part.height) return part.height > other.part.height;
-        return part.index < other.part.index;
-    }
+    std::uint64_t lower_ = 0;  // bits of numbers that are not negative have their order
+    std::uint64_t place_ = 0;  // least significant: the tree, the index, and how far the height is below the largest
 };
 
 }  // namespace ecods

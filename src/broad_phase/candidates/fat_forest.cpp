@@ -5,13 +5,6 @@
 #include "base/bytes_of.hpp"
 
 namespace ecods {
-namespace {
-
-void append_item(SlotIndex slot, std::span<const PackedBox> fat_lines, std::vector<BoxForest::Item>& items) {
-    if (!fat_lines[slot].is_empty()) items.push_back(BoxForest::make_item(box_of(fat_lines[slot]), slot));
-}
-
-}  // namespace
 
 void FatForest::forget() noexcept {
     lacking_.clear();
@@ -20,15 +13,13 @@ void FatForest::forget() noexcept {
 
 void FatForest::refresh(std::span<const PackedBox> fat_lines) {
     if (!is_behind_) return;
-    std::vector<BoxForest::Item> items;
     if (is_forgotten_) {
-        items.reserve(fat_lines.size());
-        for (SlotIndex slot = 0; slot < fat_lines.size(); ++slot) append_item(slot, fat_lines, items);
-        forest_.build(items, fat_lines);
+        forest_.build(fat_lines);
     } else {
         std::sort(lacking_.begin(), lacking_.end());
         lacking_.erase(std::unique(lacking_.begin(), lacking_.end()), lacking_.end());
-        for (const SlotIndex slot : lacking_) append_item(slot, fat_lines, items);
+        std::vector<BoxForest::Item> items;
+        for (const SlotIndex slot : lacking_) BoxForest::append_item(slot, fat_lines, items);
         forest_.refit(fat_lines);
         forest_.add(items, fat_lines);
     }
@@ -43,7 +34,7 @@ void FatForest::add(std::span<const SlotIndex> slots, std::span<const PackedBox>
         return;
     }
     std::vector<BoxForest::Item> items;
-    for (const SlotIndex slot : slots) append_item(slot, fat_lines, items);
+    for (const SlotIndex slot : slots) BoxForest::append_item(slot, fat_lines, items);
     forest_.add(items, fat_lines);
 }
 

@@ -37,17 +37,10 @@ class FatForest {
     void set(SlotIndex slot, const PackedBox& fat_line) { forest_.set(slot, fat_line); }
     void prefetch(SlotIndex slot) const noexcept { forest_.prefetch(slot); }
 
-    // Appends the slots of fat boxes that overlap. Returns the number of box tests. The trees must be up to date.
-    std::uint64_t find(const BoxReach& reach, std::vector<SlotIndex>& found) const {
+    // The trees, which must be up to date.
+    const BoxForest& trees() const noexcept {
         ECODS_ASSERT(!is_behind_);
-        return forest_.find(reach, found);
-    }
-
-    // The same for many at once: BoxTree::find_each.
-    std::uint64_t find_each(std::span<const BoxReach> reaches, BlockVisits& visits,
-                            std::vector<FoundBox>& found) const {
-        ECODS_ASSERT(!is_behind_);
-        return forest_.find_each(reaches, visits, found);
+        return forest_;
     }
 
     // Slots that are, or will be, in trees which are not in order.

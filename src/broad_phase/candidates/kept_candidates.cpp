@@ -8,9 +8,7 @@
 namespace ecods {
 
 void KeptCandidates::build(const ProxyTable& table, BroadPhaseCounts& counts) {
-    for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
-        if (table.is_present(proxy)) add(proxy, table);
-    }
+    table.for_each([&](ProxyIndex proxy, const Aabb&) { add(proxy, table); });
     search_everything(table, true, counts);
     release_working_memory();             // and the pairs, which their keeper has already
     forest_.refresh(slots_.fat_lines());  // which the first one to move or to come would wait for
@@ -99,7 +97,7 @@ void KeptCandidates::remove(Update& update) {
             forest_.refresh(slots_.fat_lines());
             make_reach(packed_box(key_box(margins_.frame().of(box_of(line)))), reach);
             found_.clear();
-            counts.box_tests += forest_.find(reach, found_);
+            counts.box_tests += forest_.trees().find(reach, found_);
             make_reach(line, reach);
             for (const SlotIndex partner : found_) {
                 if (partner == slot || slots_.has(partner, SlotTable::awake)) continue;

@@ -77,7 +77,7 @@ void KeptCandidates::link(std::size_t begin, std::size_t end, Update& update) {
     const std::span old_fats = std::span<const PackedBox>(old_fats_).subspan(begin, end - begin);
     // Of two that are asleep, nothing was known, and nothing is needed.
     constexpr LookUps::Known known{.looked_up = SlotTable::escaped, .has = 0};
-    const std::uint64_t tests = look_ups_.find(wanted, old_fats, known, slots_, forest_);
+    const std::uint64_t tests = look_ups_.find(wanted, old_fats, known, slots_, forest_.trees());
     std::size_t jumped = 0;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         jumped += overlap(old_fats[i], slots_.fat_lines()[wanted[i]]) ? 0 : 1;

@@ -68,7 +68,7 @@ void KeptCandidates::link_woken(std::size_t begin, std::size_t end, BroadPhaseCo
     const std::span woken = std::span<const SlotIndex>(looked_up_).subspan(begin, end - begin);
     const std::span old_fats = std::span<const PackedBox>(old_fats_).subspan(begin, end - begin);
     constexpr LookUps::Known known{.looked_up = SlotTable::woken, .has = SlotTable::awake};
-    counts.box_tests += look_ups_.find(woken, old_fats, known, slots_, forest_);
+    counts.box_tests += look_ups_.find(woken, old_fats, known, slots_, forest_.trees());
     for (const auto& [query, partner, overlaps] : look_ups_.found()) {
         // One that moved away in the last update may be a candidate still, for those are tested after this. The one
         // that awakes has moved nowhere: it was asleep.

@@ -48,11 +48,11 @@ ECODS_ALWAYS_INLINE std::size_t keep_new(const Asked& asked, const SlotTable& sl
 }  // namespace
 
 std::uint64_t LookUps::find(std::span<const SlotIndex> wanted, std::span<const PackedBox> old_fats, const Known& known,
-                            const SlotTable& slots, const FatForest& forest) {
+                            const SlotTable& slots, const BoxForest& fat_boxes) {
     reaches_.resize(wanted.size());
     for (std::size_t i = 0; i < wanted.size(); ++i) make_reach(slots.fat_lines()[wanted[i]], reaches_[i]);
     found_.clear();
-    const std::uint64_t tests = forest.find_each(reaches_, visits_, found_) + found_.size();
+    const std::uint64_t tests = fat_boxes.find_each(reaches_, visits_, found_) + found_.size();
     if (partners_.size() < found_.size() + 1) partners_.resize(found_.size() + 1);
     partner_count_ = dispatch<keep_new>(Asked{wanted, old_fats, known}, slots, found_, partners_.data());
     return tests;

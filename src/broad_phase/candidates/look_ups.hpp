@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "broad_phase/candidates/fat_forest.hpp"
+#include "broad_phase/boxes/box_forest.hpp"
 #include "broad_phase/candidates/slot_table.hpp"
 
 namespace ecods {
@@ -30,7 +30,7 @@ class LookUps {
 
     // Looks up at most `part` slots, whose fat boxes were `old_fats` before. Returns the number of box tests.
     std::uint64_t find(std::span<const SlotIndex> wanted, std::span<const PackedBox> old_fats, const Known& known,
-                       const SlotTable& slots, const FatForest& forest);
+                       const SlotTable& slots, const BoxForest& fat_boxes);
     std::span<const NewPartner> found() const noexcept { return {partners_.data(), partner_count_}; }
     std::size_t bytes() const noexcept;
 

@@ -28,7 +28,7 @@ class Margins {
     void reserve(std::size_t count) { hints_.reserve(count); }
     void begin_update() noexcept { ++update_number_; }
     void add(SlotIndex slot);  // nothing is known of its box
-    void reorder(std::span<const SlotIndex> order);
+    void reorder(std::span<const SlotIndex> order) { reorder_values(hints_, order); }
     void set_mean_extent(double extent) noexcept { mean_extent_ = extent; }
 
     // A fat box for one that escaped, which is `box` now, and `line` packed. `fat` is the fat box that it left.

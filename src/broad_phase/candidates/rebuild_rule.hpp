@@ -12,7 +12,7 @@ namespace ecods {
 // order.
 class RebuildRule {
   public:
-    // Of the boxes that are there.
+    // True if so many of the boxes that are there escaped that all are searched for.
     static bool are_many(std::size_t escaped, std::size_t boxes) noexcept { return 8 * escaped > boxes; }
 
     // Whether single ones have been looked up for half of what it costs to search for everything, which spares the same
@@ -21,7 +21,7 @@ class RebuildRule {
         return 2 * awake > boxes && 16 * looked_up_ > boxes << patience_;
     }
 
-    // Whether slots must be put in order: they, and the trees, have so many boxes that are not.
+    // True if too many slots are out of order to search the trees well.
     bool is_degraded(std::size_t unsorted, std::size_t slots, std::size_t boxes) const noexcept {
         return searched_ > 4 * boxes || 4 * unsorted > boxes + 64 || slots > 2 * boxes + 64;
     }

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <string>
-#include <type_traits>
-#include <utility>
 
 #include "base/bytes_of.hpp"
 #include "base/make_room.hpp"
@@ -142,18 +140,11 @@ void SlotTable::forget_changes() {
 }
 
 void SlotTable::reorder(std::span<const SlotIndex> order) {
-    const auto reorder_one = [&order](auto& values) {
-        std::remove_reference_t<decltype(values)> ordered;
-        ordered.reserve(order.size() + order.size() / 32);  // lest the first one that comes copies all
-        ordered.resize(order.size());
-        for (SlotIndex slot = 0; slot < order.size(); ++slot) ordered[slot] = values[order[slot]];
-        values = std::move(ordered);
-    };
-    reorder_one(lines_);
-    if (keeps_coarse_boxes()) reorder_one(coarse_boxes_);
-    reorder_one(fat_lines_);
-    reorder_one(proxies_);
-    reorder_one(flags_);
+    reorder_values(lines_, order);
+    if (keeps_coarse_boxes()) reorder_values(coarse_boxes_, order);
+    reorder_values(fat_lines_, order);
+    reorder_values(proxies_, order);
+    reorder_values(flags_, order);
     for (SlotIndex slot = 0; slot < order.size(); ++slot) slots_[proxies_[slot]] = slot;
     free_slots_.clear();
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "broad_phase/boxes/box_tree.hpp"
@@ -19,6 +20,18 @@ struct EscapedBox {
     SlotIndex slot;
     PackedBox before;  // the box that it was before the update
 };
+
+struct SlotView;  // slot_table_move.cpp
+
+// Makes `values` those of the slots in this order, and leaves out the others.
+template <class Value>
+void reorder_values(std::vector<Value>& values, std::span<const SlotIndex> order) {
+    std::vector<Value> ordered;
+    ordered.reserve(order.size() + order.size() / 32);  // lest the first one that comes copies all
+    ordered.resize(order.size());
+    for (std::size_t slot = 0; slot < order.size(); ++slot) ordered[slot] = values[order[slot]];
+    values = std::move(ordered);
+}
 
 // Boxes and their fat boxes in slots, numbered so that neighbours are close in memory, and what is known of each. Fat
 // boxes are in a frame of their own; free slots have empty boxes.
@@ -62,13 +75,13 @@ class SlotTable {
     // Leaves an empty box. The slot is changed, and is used again when changes are forgotten.
     void remove(SlotIndex slot);
 
-    // ---- moving: takes boxes from the table, and appends those that left their fat boxes
+    // ---- moving: copies boxes from the table, and appends those that left their fat boxes
     void move_range(std::size_t begin, std::size_t end, const ProxyTable& table, const MovingFrame& frame,
                     std::vector<EscapedBox>& escaped);  // of all slots, in the order of memory
     void move(std::span<const ProxyIndex> proxies, const ProxyTable& table, const MovingFrame& frame,
               std::vector<EscapedBox>& escaped);
 
-    // Takes boxes alone: fat boxes are not looked at, and coarse ones not kept.
+    // Copies boxes from the table; leaves fat boxes stale, and drops coarse ones.
     void take(std::span<const ProxyIndex> proxies, const ProxyTable& table);
 
     // Gives a slot another fat box; it has escaped, until that flag is cleared.
@@ -91,8 +104,8 @@ class SlotTable {
     void widen(SlotIndex slot, const PackedBox& fat);
     void put_all_to_sleep() noexcept;
 
-    // After an update in which so many moved: puts to sleep what has been at rest for so long that it has cost as much
-    // as to wake it again will. Returns whether it looked for such.
+    // Puts boxes to sleep whose cost awake has reached the cost of one wake-up, after an update in which so many moved.
+    // Returns whether it looked for such boxes.
     bool put_resting_to_sleep(std::size_t moved_count) noexcept;
 
     // ---- changes
@@ -112,6 +125,7 @@ class SlotTable {
     void validate(const ProxyTable& table, const MovingFrame& frame, bool has_margins) const;
 
   private:
+    SlotView view() noexcept;
     void note_changed(SlotIndex slot);
     void clear(SlotIndex slot, unsigned flag) noexcept { flags_[slot] &= static_cast<std::uint8_t>(~flag); }
 

@@ -4,10 +4,6 @@
 #include "simd/dispatch.hpp"
 
 namespace ecods {
-namespace {
-
-// How many boxes ahead memory is asked for.
-constexpr std::size_t boxes_ahead = 12;
 
 // What the loops go through.
 struct SlotView {
@@ -18,17 +14,22 @@ struct SlotView {
     std::size_t size;
 };
 
+SlotView SlotTable::view() noexcept {
+    return {lines_.data(), keeps_coarse_boxes() ? coarse_boxes_.data() : nullptr, fat_lines_.data(), proxies_.data(),
+            size()};
+}
+
+namespace {
+
+// How many boxes ahead memory is asked for.
+constexpr std::size_t boxes_ahead = 12;
+
 // The box that comes some slots later in a walk over all slots, which may lie on two cache lines.
 ECODS_ALWAYS_INLINE void prefetch_box_ahead(const SlotView& slots, const Aabb* boxes, std::size_t slot) noexcept {
     const auto* ahead = reinterpret_cast<const char*>(
         &boxes[slots.proxies[slot + boxes_ahead < slots.size ? slot + boxes_ahead : slots.size - 1]]);
     __builtin_prefetch(ahead);
     __builtin_prefetch(ahead + sizeof(Aabb) - 1);
-}
-
-ECODS_ALWAYS_INLINE void set_box(const SlotView& slots, std::size_t slot, const BoxLanes& lanes) noexcept {
-    store_lanes(lanes, slots.lines[slot]);
-    if (slots.coarse_boxes != nullptr) make_coarse_box(lanes, slots.coarse_boxes[slot]);
 }
 
 // Whether a box is in its fat box; `lanes` are the box in space.
@@ -40,19 +41,25 @@ ECODS_ALWAYS_INLINE bool is_in_fat_box(const MovingFrame& frame, const PackedBox
     return contains(fat_line, in_frame);
 }
 
+// Gives a slot its box, and notes it if it left its fat box. A free slot stays as it is.
+ECODS_ALWAYS_INLINE void move_slot(const SlotView& slots, SlotIndex slot, const Aabb& box, const MovingFrame& frame,
+                                   std::vector<EscapedBox>& escaped) {
+    BoxLanes lanes;
+    make_lanes(box, lanes);
+    if (!is_in_fat_box(frame, slots.fat_lines[slot], box, lanes)) [[unlikely]] {
+        if (slots.fat_lines[slot].is_empty()) return;
+        escaped.push_back({slot, slots.lines[slot]});
+    }
+    store_lanes(lanes, slots.lines[slot]);
+    if (slots.coarse_boxes != nullptr) make_coarse_box(lanes, slots.coarse_boxes[slot]);
+}
+
 ECODS_ALWAYS_INLINE void move_slots(const SlotView& slots, std::size_t begin, std::size_t end, const Aabb* boxes,
                                     const MovingFrame& moving_frame, std::vector<EscapedBox>& escaped) {
     const MovingFrame frame = moving_frame;
     for (std::size_t slot = begin; slot < end; ++slot) {
         prefetch_box_ahead(slots, boxes, slot);
-        BoxLanes lanes;
-        const Aabb& box = boxes[slots.proxies[slot]];
-        make_lanes(box, lanes);
-        if (!is_in_fat_box(frame, slots.fat_lines[slot], box, lanes)) [[unlikely]] {
-            if (slots.fat_lines[slot].is_empty()) continue;  // a free slot
-            escaped.push_back({static_cast<SlotIndex>(slot), slots.lines[slot]});
-        }
-        set_box(slots, slot, lanes);
+        move_slot(slots, static_cast<SlotIndex>(slot), boxes[slots.proxies[slot]], frame, escaped);
     }
 }
 
@@ -67,14 +74,7 @@ ECODS_ALWAYS_INLINE void move_slots_of(const SlotView& slots, const SlotIndex* s
             if (slots.coarse_boxes != nullptr) __builtin_prefetch(&slots.coarse_boxes[ahead]);
             __builtin_prefetch(&slots.fat_lines[ahead]);
         }
-        const SlotIndex slot = slots_by_proxy[proxies[i]];
-        BoxLanes lanes;
-        const Aabb& box = boxes[proxies[i]];
-        make_lanes(box, lanes);
-        if (!is_in_fat_box(frame, slots.fat_lines[slot], box, lanes)) [[unlikely]] {
-            escaped.push_back({slot, slots.lines[slot]});
-        }
-        set_box(slots, slot, lanes);
+        move_slot(slots, slots_by_proxy[proxies[i]], boxes[proxies[i]], frame, escaped);
     }
 }
 
@@ -90,24 +90,19 @@ ECODS_ALWAYS_INLINE void take_all_slots(const SlotView& slots, const Aabb* boxes
 
 void SlotTable::move_range(std::size_t begin, std::size_t end, const ProxyTable& table, const MovingFrame& frame,
                            std::vector<EscapedBox>& escaped_boxes) {
-    const SlotView slots{lines_.data(), keeps_coarse_boxes() ? coarse_boxes_.data() : nullptr, fat_lines_.data(),
-                         proxies_.data(), size()};
-    dispatch<move_slots>(slots, begin, end, table.boxes().data(), frame, escaped_boxes);
+    dispatch<move_slots>(view(), begin, end, table.boxes().data(), frame, escaped_boxes);
 }
 
 void SlotTable::move(std::span<const ProxyIndex> proxies, const ProxyTable& table, const MovingFrame& frame,
                      std::vector<EscapedBox>& escaped_boxes) {
-    const SlotView slots{lines_.data(), keeps_coarse_boxes() ? coarse_boxes_.data() : nullptr, fat_lines_.data(),
-                         proxies_.data(), size()};
-    dispatch<move_slots_of>(slots, slots_.data(), proxies, table.boxes().data(), frame, escaped_boxes);
+    dispatch<move_slots_of>(view(), slots_.data(), proxies, table.boxes().data(), frame, escaped_boxes);
 }
 
 void SlotTable::take(std::span<const ProxyIndex> proxies, const ProxyTable& table) {
     release(coarse_boxes_);
     // Going through all boxes in the order of memory costs less for each.
     if (2 * proxies.size() > size()) {
-        const SlotView slots{lines_.data(), nullptr, fat_lines_.data(), proxies_.data(), size()};
-        dispatch<take_all_slots>(slots, table.boxes().data());
+        dispatch<take_all_slots>(view(), table.boxes().data());
         return;
     }
     for (const ProxyIndex proxy : proxies) make_packed_box(table.boxes()[proxy], lines_[slots_[proxy]]);

@@ -57,9 +57,9 @@ std::size_t find_blocks(const ProxyPairs& list, const ProxyPairs& gone, const Pr
     return size;
 }
 
-// What two ascending lists do not share, in order: of the old one to `ended`, of the new one to `began`. Most that is
-// in one is in both: as long as the next few are, nothing else is looked at. Among others nothing is known, so both
-// lists go on, or the one that is behind, without a branch.
+// Appends what two ascending lists do not share, in order: of the old one to `ended`, of the new one to `began`. Fast
+// path: skips blocks of eight that are equal in both lists. In other blocks both lists go on, or the one that is
+// behind, without a branch.
 void append_differences(const ProxyPairs& old_list, const ProxyPairs& new_list, ProxyPairs& ended, ProxyPairs& began) {
     constexpr std::size_t few = 8;
     const ProxyPair* gone = old_list.data();

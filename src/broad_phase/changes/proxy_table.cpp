@@ -99,6 +99,13 @@ const Aabb& ProxyTable::box(ProxyIndex proxy) const {
     return boxes_[proxy];
 }
 
+std::vector<ProxyIndex> ProxyTable::present_proxies() const {
+    std::vector<ProxyIndex> proxies;
+    proxies.reserve(size_);
+    for_each([&](ProxyIndex proxy, const Aabb&) { proxies.push_back(proxy); });
+    return proxies;
+}
+
 std::size_t ProxyTable::bytes() const noexcept {
     return bytes_of(states_, boxes_, queued_at_, queue_, moved_, changes_.added, changes_.removed);
 }

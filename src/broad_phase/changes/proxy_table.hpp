@@ -45,11 +45,21 @@ class ProxyTable {
     ProxyIndex end() const noexcept { return static_cast<ProxyIndex>(states_.size()); }
 
     bool is_present(ProxyIndex proxy) const noexcept { return has(proxy, present); }
-    bool is_added(ProxyIndex proxy) const noexcept { return has(proxy, present) && !has(proxy, settled); }
     bool is_removed(ProxyIndex proxy) const noexcept { return has(proxy, removed); }
 
     // By proxy; of those that are not present, anything.
     const std::vector<Aabb>& boxes() const noexcept { return boxes_; }
+
+    // The proxies that are present, ascending.
+    std::vector<ProxyIndex> present_proxies() const;
+
+    // Calls visit(proxy, box) with each of them, in that order.
+    template <class Visit>
+    void for_each(const Visit& visit) const {
+        for (ProxyIndex proxy = 0; proxy < end(); ++proxy) {
+            if (is_present(proxy)) visit(proxy, boxes_[proxy]);
+        }
+    }
 
   private:
     enum : std::uint8_t {

@@ -48,17 +48,9 @@ std::uint64_t GridSweep::find_pairs(std::span<const PackedBox> lines, std::vecto
     Work work{.tests_max = tests_per_box * lines.size()};
     if (dispatch<Loops::sweep>(*this, lines, work, found)) return work.tests;
     found.resize(before);
-    return work.tests + find_in_trees(lines, found);
-}
-
-std::uint64_t GridSweep::find_in_trees(std::span<const PackedBox> lines, std::vector<std::array<SlotIndex, 2>>& found) {
-    std::vector<BoxForest::Item> items;
-    for (SlotIndex slot = 0; slot < lines.size(); ++slot) {
-        if (!lines[slot].is_empty()) items.push_back(BoxForest::make_item(box_of(lines[slot]), slot));
-    }
     BoxForest forest;
-    forest.build(items, lines);
-    return forest.find_pairs(found);
+    forest.build(lines);
+    return work.tests + forest.find_pairs(found);
 }
 
 // By the digits of their ranks.

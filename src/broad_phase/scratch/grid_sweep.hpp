@@ -85,7 +85,6 @@ class GridSweep {
     void sort_begins(std::span<const PackedBox> lines);
     bool count_cells(std::span<const PackedBox> lines);
     void fill_cells();
-    static std::uint64_t find_in_trees(std::span<const PackedBox> lines, std::vector<std::array<SlotIndex, 2>>& found);
 
     GridPlan plan_;
     std::vector<RankedBox> ranked_;  // by slot

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/bytes_of.hpp"
-#include "broad_phase/sweep/endpoints_edit.hpp"
 #include "broad_phase/sweep/endpoints_sort.hpp"
 #include "broad_phase/sweep/find_pairs.hpp"
 #include "ecods/error.hpp"
@@ -15,19 +14,26 @@
 namespace ecods {
 namespace {
 
-std::vector<ProxyIndex> present_in(const ProxyTable& table) {
-    std::vector<ProxyIndex> present;
-    present.reserve(table.size());
-    for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
-        if (table.is_present(proxy)) present.push_back(proxy);
+// Takes the ends of the removed proxies out. Cost: one pass, however many there are.
+void remove_ends(EndpointList& ends, const ProxyTable& table) {
+    std::erase_if(ends, [&](const Endpoint& end) { return table.is_removed(end.proxy()); });
+}
+
+// Merges the ends of the added proxies into a sorted list. Cost: sorting them, and one pass.
+void insert_ends(EndpointList& ends, int axis, std::span<const ProxyIndex> added, const BoxHistory& boxes) {
+    const auto old_count = static_cast<std::ptrdiff_t>(ends.size());
+    for (const ProxyIndex proxy : added) {
+        ends.push_back(min_end(boxes.now(proxy), proxy, axis));
+        ends.push_back(max_end(boxes.now(proxy), proxy, axis));
     }
-    return present;
+    std::sort(ends.begin() + old_count, ends.end());
+    std::inplace_merge(ends.begin(), ends.begin() + old_count, ends.end());
 }
 
 }  // namespace
 
 void SweepAndPrune::build(const ProxyTable& table, BroadPhaseCounts&) {
-    const std::vector<ProxyIndex> present = present_in(table);
+    const std::vector<ProxyIndex> present = table.present_proxies();
     boxes_.advance(present, table);
     boxes_.settle(present);
     for (int axis = 0; axis < 3; ++axis) insert_ends(axes_[axis], axis, present, boxes_);
@@ -55,10 +61,7 @@ void SweepAndPrune::update(const FindingUpdate& update) {
         normalise(events.began);
         normalise(events.ended);
     } else {
-        ProxyPairs found;
-        counts.box_tests += find_pairs_of(present_in(table), table, found);
-        sort_pairs(found);
-        keeper.compare(table, changes, found, events);
+        update_from_scratch(update);
     }
     boxes_.settle(changes.moved);
     boxes_.settle(changes.added);
@@ -115,13 +118,11 @@ void validate_axis(const EndpointList& ends, int axis, const ProxyTable& table) 
 
 void SweepAndPrune::validate(const ProxyTable& table) const {
     for (int axis = 0; axis < 3; ++axis) validate_axis(axes_[axis], axis, table);
-    for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
-        if (!table.is_present(proxy)) continue;
-        const KeyBox box = key_box(table.box(proxy));
-        if (boxes_.now(proxy) != box || boxes_.before(proxy) != box) {
+    table.for_each([&](ProxyIndex proxy, const Aabb& box) {
+        if (boxes_.now(proxy) != key_box(box) || boxes_.before(proxy) != key_box(box)) {
             throw BrokenInvariant("sweep and prune: the box of proxy " + std::to_string(proxy) + " is another's");
         }
-    }
+    });
 }
 
 }  // namespace ecods

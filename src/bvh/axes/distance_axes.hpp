@@ -65,26 +65,20 @@ using LaneSquares = std::array<float, tree_width * tree_width>;
 // A vector on the axes of the first set: zero, or of a length of at most one, and hardly less.
 using Direction = std::array<float, 3>;
 
-// Returns a mask of the pairs of lanes whose squared distance is not proven to be above `limit`, as overlap_mask does,
-// and sets lower bounds for them. `limit` is finite or infinity. `n` is where one looks first: bounds are best if it is
-// about the direction from the first body's closest point to the second's; whatever it is, they are bounds.
-std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, const Direction& n, float limit, const BvhNode& x,
-                        const BvhNode& y, LaneSquares& squares) noexcept;
-std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, const Direction& n, float limit, const BvhNode& x,
-                        const TreeLeaf& y, LaneSquares& squares) noexcept;
-std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, const Direction& n, float limit, const TreeLeaf& x,
-                        const BvhNode& y, LaneSquares& squares) noexcept;
-std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, const Direction& n, float limit, const TreeLeaf& x,
-                        const TreeLeaf& y, LaneSquares& squares) noexcept;
+// Returns a mask of the pairs of lanes, of nodes or leaves, whose squared distance is not proven to be above `limit`,
+// as overlap_mask does, and sets lower bounds for them. `limit` is finite or infinity. `n` is where one looks first:
+// bounds are best if it is about the direction from the first body's closest point to the second's; whatever it is,
+// they are bounds.
+template <class X, class Y>
+std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, const Direction& n, float limit, const X& x, const Y& y,
+                        LaneSquares& squares) noexcept;
 
 // A pair of lanes whose boxes or triangles are near each other, by heuristics: where to look first.
 struct LanePair {
     std::size_t i;  // of the first tree
     std::size_t j;
 };
-LanePair nearest_lanes(const DistanceSet& set, const BvhNode& x, const BvhNode& y) noexcept;
-LanePair nearest_lanes(const DistanceSet& set, const BvhNode& x, const TreeLeaf& y) noexcept;
-LanePair nearest_lanes(const DistanceSet& set, const TreeLeaf& x, const BvhNode& y) noexcept;
-LanePair nearest_lanes(const DistanceSet& set, const TreeLeaf& x, const TreeLeaf& y) noexcept;
+template <class X, class Y>
+LanePair nearest_lanes(const DistanceSet& set, const X& x, const Y& y) noexcept;
 
 }  // namespace ecods

@@ -6,7 +6,20 @@
 
 #include "base/outward.hpp"
 #include "bvh/axes/posed_axes.hpp"
-#include "simd/dispatch.hpp"
+
+namespace ecods {
+
+// The axis between the centers.
+struct FarRow {
+    double length;
+    double a[3], b[3];
+    double gap, margin, sum;
+};
+
+}  // namespace ecods
+
+#define ECODS_TEXT "bvh/axes/far_gap_text.hpp"
+#include "simd/each_set.hpp"
 
 namespace ecods {
 namespace {
@@ -18,34 +31,6 @@ using namespace axes;
 constexpr double far_min = 0x1p9;
 constexpr double unit_max = 0x1p400;
 
-struct Row {
-    double length;
-    double a[3], b[3];
-    double gap, margin, sum;
-};
-
-ECODS_ALWAYS_INLINE Row row_along(const PosedTree& a, const PosedTree& b, const Vec3& difference,
-                                  double unit) noexcept {
-    const Edges edges_a(a.tree.frame, a.R), edges_b(b.tree.frame, b.R);
-    const Double4 d = load3(difference.data());
-    const Double4 between = (edges_b.origin - edges_a.origin) + d;
-    const double size = largest(absolute(between));
-    const Double4 n = between * (1 / size);
-    const Double4 row = n * (1 / unit);
-    const Matrix4 N = transpose({{row, Double4{}, Double4{}}});
-    const DoubleAxes exact(N, edges_a, edges_b, d, Own::a);
-    Row result;
-    result.length = std::sqrt(dot(n, n));
-    for (std::size_t k = 0; k < 3; ++k) {
-        result.a[k] = exact.a.column[k][0];
-        result.b[k] = exact.b.column[k][0];
-    }
-    result.sum = (row_sums(absolute(exact.a)) + row_sums(absolute(exact.b)))[0];
-    result.gap = exact.offset[0];
-    result.margin = exact.margin[0];
-    return result;
-}
-
 }  // namespace
 
 void FarGap::bind(const DistanceAxes& axes, const PosedTree& tree_a, const PosedTree& tree_b, const Vec3& d) {
@@ -56,7 +41,7 @@ void FarGap::bind(const DistanceAxes& axes, const PosedTree& tree_a, const Posed
     unit_ = axes.unit();
     const bool may_be_far = most * std::sqrt(set.square) > static_cast<float>(far_min);
     if (!may_be_far || !(unit_ < unit_max && unit_ > 1 / unit_max)) return;
-    const Row row = dispatch<row_along>(tree_a, tree_b, d, unit_);
+    const FarRow row = call_widest<ECODS_OF_EACH_SET(row_along)>(tree_a, tree_b, d, unit_);
     if (!(row.margin < infinity && row.length >= 0.5 && row.length < 2)) return;
     is_far_ = true;
     length_ = row.length;

@@ -49,12 +49,7 @@ class FarGap {
 };
 
 // As near_mask, with ranks in place of squares.
-std::uint64_t far_mask(const FarGap& gap, float limit, const BvhNode& x, const BvhNode& y, LaneSquares& ranks) noexcept;
-std::uint64_t far_mask(const FarGap& gap, float limit, const BvhNode& x, const TreeLeaf& y,
-                       LaneSquares& ranks) noexcept;
-std::uint64_t far_mask(const FarGap& gap, float limit, const TreeLeaf& x, const BvhNode& y,
-                       LaneSquares& ranks) noexcept;
-std::uint64_t far_mask(const FarGap& gap, float limit, const TreeLeaf& x, const TreeLeaf& y,
-                       LaneSquares& ranks) noexcept;
+template <class X, class Y>
+std::uint64_t far_mask(const FarGap& gap, float limit, const X& x, const Y& y, LaneSquares& ranks) noexcept;
 
 }  // namespace ecods

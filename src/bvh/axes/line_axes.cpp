@@ -8,7 +8,20 @@
 
 #include "base/outward.hpp"
 #include "bvh/axes/posed_axes.hpp"
-#include "simd/dispatch.hpp"
+
+namespace ecods {
+
+// N, the map P of the tree to the axes, and the sums of magnitudes that enter the bounds.
+struct LineBound {
+    alignas(32) double N[3][4], P[3][4];  // by columns
+    alignas(32) double size[4], origin[4], origin_size[4];
+    double factor;
+};
+
+}  // namespace ecods
+
+#define ECODS_TEXT "bvh/axes/line_axes_text.hpp"
+#include "simd/each_set.hpp"
 
 namespace ecods {
 namespace {
@@ -22,35 +35,14 @@ constexpr double length_min = 0x1p-900;            // of s
 constexpr float direction_min = 0x1p-30f;
 constexpr double own_distance_max = 0x1p-40;
 
-// N, the map P of the tree to the axes, and the sums of magnitudes that enter the bounds.
-struct Bound {
-    alignas(32) double N[3][4], P[3][4];  // by columns
-    alignas(32) double size[4], origin[4], origin_size[4];
-    double factor;
-};
-
-ECODS_ALWAYS_INLINE void bind_axes(const MeshBvh& tree, const Mat3& R, Bound& bound) noexcept {
-    const axes::Edges edges(tree.frame, R);
-    const Matrix4 N = axes::axes_of(edges.edges, edges.edges);
-    const Matrix4 P = N * edges.edges;
-    for (int k = 0; k < 3; ++k) {
-        store(bound.N[k], N.column[k]);
-        store(bound.P[k], P.column[k]);
-    }
-    store(bound.size, edges.size);
-    store(bound.origin, edges.origin);
-    store(bound.origin_size, edges.origin_size);
-    bound.factor = edges.factor;
-}
-
 }  // namespace
 
 void LineAxes::bind(const MeshBvh& tree, const Pose& pose) {
     Axes& s = axes_;
     s.is_bounded = tree.frame.is_bounded;
     if (!s.is_bounded) return;
-    Bound bound;
-    dispatch<bind_axes>(tree, pose.R, bound);
+    LineBound bound;
+    call_widest<ECODS_OF_EACH_SET(bind_line_axes)>(tree, pose.R, bound);
     double size_of_N = 0, world = 0;
     s.is_unit = true;
     for (std::size_t row = 0; row < 3; ++row) {

@@ -46,13 +46,8 @@ using LaneTimes = std::array<float, tree_width * tree_width>;
 
 // Returns a mask of the pairs of lanes that may meet at a time up to `limit`, as overlap_mask does, and sets a time for
 // each of them, not negative, before which they certainly do not.
-std::uint64_t meeting_mask(const std::array<MotionSet, 2>& sets, float limit, const BvhNode& x, const BvhNode& y,
-                           LaneTimes& times) noexcept;
-std::uint64_t meeting_mask(const std::array<MotionSet, 2>& sets, float limit, const BvhNode& x, const TreeLeaf& y,
-                           LaneTimes& times) noexcept;
-std::uint64_t meeting_mask(const std::array<MotionSet, 2>& sets, float limit, const TreeLeaf& x, const BvhNode& y,
-                           LaneTimes& times) noexcept;
-std::uint64_t meeting_mask(const std::array<MotionSet, 2>& sets, float limit, const TreeLeaf& x, const TreeLeaf& y,
+template <class X, class Y>
+std::uint64_t meeting_mask(const std::array<MotionSet, 2>& sets, float limit, const X& x, const Y& y,
                            LaneTimes& times) noexcept;
 
 }  // namespace ecods

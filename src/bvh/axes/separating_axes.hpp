@@ -96,10 +96,8 @@ class SeparatingAxes {
 // Returns a mask of the pairs of lanes that may overlap: bit 8 j + i is clear if lane i of x, of the first tree, and
 // lane j of y, of the second, are proven disjoint, by one of the six face normals or a slab, or for the triangles of
 // two leaves by triangle_pairs. Bits of lanes that repeat another are clear.
-std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const BvhNode& x, const BvhNode& y) noexcept;
-std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const BvhNode& x, const TreeLeaf& y) noexcept;
-std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const TreeLeaf& x, const BvhNode& y) noexcept;
-std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept;
+template <class X, class Y>
+std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const X& x, const Y& y) noexcept;
 
 // Pairs of triangles of two leaves, as bits.
 struct TrianglePairs {

@@ -53,13 +53,8 @@ using LaneTimes = LaneSquares;
 
 // Returns a mask of the pairs of lanes that may share a point until `limit`, as near_mask does, and sets for them times
 // in the window before which they do not. `limit` is finite.
-std::uint64_t swept_mask(const std::array<SweptSet, 2>& sets, float limit, const BvhNode& x, const BvhNode& y,
-                         LaneTimes& times) noexcept;
-std::uint64_t swept_mask(const std::array<SweptSet, 2>& sets, float limit, const BvhNode& x, const TreeLeaf& y,
-                         LaneTimes& times) noexcept;
-std::uint64_t swept_mask(const std::array<SweptSet, 2>& sets, float limit, const TreeLeaf& x, const BvhNode& y,
-                         LaneTimes& times) noexcept;
-std::uint64_t swept_mask(const std::array<SweptSet, 2>& sets, float limit, const TreeLeaf& x, const TreeLeaf& y,
+template <class X, class Y>
+std::uint64_t swept_mask(const std::array<SweptSet, 2>& sets, float limit, const X& x, const Y& y,
                          LaneTimes& times) noexcept;
 
 }  // namespace ecods

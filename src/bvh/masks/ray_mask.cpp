@@ -8,6 +8,9 @@
 #include "simd/dispatch.hpp"
 #include "simd/vec.hpp"
 
+#define ECODS_TEXT "bvh/masks/ray_text.hpp"
+#include "simd/each_set.hpp"
+
 namespace ecods {
 namespace {
 
@@ -105,59 +108,6 @@ Vec3 across_edge(const Vec3& edge, int axis) {
     return n;
 }
 
-template <std::size_t width>
-struct RayKernel {
-    using Floats = Vec<float, width>;
-    using Ints = Vec<std::int32_t, width>;
-
-    ECODS_ALWAYS_INLINE static Floats load(const FloatLanes& lanes, std::size_t first) noexcept {
-        return ecods::load<Floats>(&lanes[first]);
-    }
-    ECODS_ALWAYS_INLINE static Floats value(const RayRow& row, const std::array<FloatLanes, 3>& at,
-                                            std::size_t first) noexcept {
-        return ((row.shift + row.g[0] * load(at[0], first)) + row.g[1] * load(at[1], first)) +
-               row.g[2] * load(at[2], first);
-    }
-    ECODS_ALWAYS_INLINE static std::uint32_t bits_of(Ints apart, std::size_t first) noexcept {
-        return static_cast<std::uint32_t>(any_bits(~apart & lane_bits<Ints>(static_cast<int>(first))));
-    }
-
-    // A NaN is not apart.
-    ECODS_ALWAYS_INLINE static std::uint32_t node_mask(const TreeRay& ray, const BvhNode& node) noexcept {
-        std::uint32_t lanes = 0;
-        for (std::size_t first = 0; first < tree_width; first += width) {
-            const auto reach = [&](const RayRow& row) -> Floats {
-                return ((row.margin + row.size[0] * load(node.half[0], first)) +
-                        row.size[1] * load(node.half[1], first)) +
-                       row.size[2] * load(node.half[2], first);
-            };
-            Ints apart = value(ray.along, node.center, first) < -reach(ray.along);
-            for (const RayRow& row : ray.across) {
-                apart |= absolute(value(row, node.center, first)) > reach(row);
-            }
-            lanes |= bits_of(apart, first);
-        }
-        return lanes & node.lanes();
-    }
-    // Values of a bounded row are no NaN: all its numbers are finite, and corners too.
-    ECODS_ALWAYS_INLINE static std::uint32_t leaf_mask(const TreeRay& ray, const TreeLeaf& leaf) noexcept {
-        std::uint32_t lanes = 0;
-        for (std::size_t first = 0; first < tree_width; first += width) {
-            Ints apart{};
-            const auto include = [&](const RayRow& row, bool is_across) {
-                const Floats a = value(row, leaf.corner[0], first), b = value(row, leaf.corner[1], first),
-                             c = value(row, leaf.corner[2], first);
-                apart |= max(max(a, b), c) < Floats{} - row.margin;
-                if (is_across) apart |= min(min(a, b), c) > Floats{} + row.margin;
-            };
-            include(ray.along, false);
-            for (const RayRow& row : ray.across) include(row, true);
-            lanes |= bits_of(apart, first);
-        }
-        return lanes & leaf.lanes();
-    }
-};
-
 }  // namespace
 
 bool set_ray(TreeRay& ray, const MeshBvh& tree, const Mat3& R, const RayOrigin& origin, std::uint32_t axes) {
@@ -195,10 +145,10 @@ bool set_point(TreeRay& point, const MeshBvh& tree, const Mat3& R, const RayOrig
 }
 
 std::uint32_t ray_mask(const TreeRay& ray, const BvhNode& node) noexcept {
-    return dispatch_by_width<RayKernel<4>::node_mask, RayKernel<8>::node_mask>(ray, node);
+    return call_widest<ECODS_OF_EACH_SET(RayKernel::node_mask)>(ray, node);
 }
 std::uint32_t ray_mask(const TreeRay& ray, const TreeLeaf& leaf) noexcept {
-    return dispatch_by_width<RayKernel<4>::leaf_mask, RayKernel<8>::leaf_mask>(ray, leaf);
+    return call_widest<ECODS_OF_EACH_SET(RayKernel::leaf_mask)>(ray, leaf);
 }
 
 }  // namespace ecods

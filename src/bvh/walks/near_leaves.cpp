@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bvh/masks/projected_lanes.hpp"
+#include "bvh/walks/tree_view.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/vec.hpp"
 
@@ -58,31 +59,32 @@ struct NearLeaves::Lanes : ProjectedLanes<width> {
     ECODS_ALWAYS_INLINE static void gather(const MeshBvh& tree, const BoxOnAxes& box, NearLeaves& result,
                                            std::uint64_t& box_tests) noexcept {
         result.leaf_count_ = 0;
+        result.is_ready_ = true;
         if (tree.root.is_leaf()) {
             add(result, tree.root, [&](std::size_t k) { return std::pair(tree.root_center[k], tree.root_half[k]); });
-            result.is_ready_ = true;
             return;
         }
-        std::array<std::uint32_t, stack_size> stack;
-        std::size_t depth = 1;
-        stack[0] = tree.root.index();
-        while (depth != 0) {
-            const BvhNode& node = tree.nodes[stack[--depth]];
+        FixedStack<TreeRef, stack_size> stack;
+        // A leaf is taken where its parent is: only there is its box. The walk goes on to inner nodes, unless there are
+        // too many.
+        const auto bound = [&](TreeRef ref) -> std::uint32_t {
+            if (!result.is_ready_) return 0;
+            const BvhNode& node = tree.nodes[ref.index()];
             ++box_tests;
-            std::uint32_t lanes = meet(node.center, node.half, box.center, box.half) & node.lanes();
-            for (; lanes != 0; lanes &= lanes - 1) {
+            std::uint32_t inner = meet(node.center, node.half, box.center, box.half) & node.lanes();
+            for (std::uint32_t lanes = inner; lanes != 0; lanes &= lanes - 1) {
                 const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-                const TreeRef child = node.child[lane];
-                if (!child.is_leaf()) {
-                    if (depth == stack_size) return;
-                    stack[depth++] = child.index();
-                    continue;
-                }
-                if (result.leaf_count_ == leaf_count_max) return;
-                add(result, child, [&](std::size_t k) { return std::pair(node.center[k][lane], node.half[k][lane]); });
+                if (!node.child[lane].is_leaf()) continue;
+                inner ^= lanes & -lanes;
+                result.is_ready_ &= result.leaf_count_ < leaf_count_max;
+                if (!result.is_ready_) return 0;
+                add(result, node.child[lane],
+                    [&](std::size_t k) { return std::pair(node.center[k][lane], node.half[k][lane]); });
             }
-        }
-        result.is_ready_ = true;
+            result.is_ready_ = stack.size() + static_cast<std::size_t>(std::popcount(inner)) <= stack_size;
+            return result.is_ready_ ? inner : 0;
+        };
+        walk_one(TreeView(tree), stack, bound, [](TreeRef, std::uint32_t) { return true; });
     }
 
     ECODS_ALWAYS_INLINE static std::uint32_t find_triangles(const TreeLeaf& leaf, const SegmentOnAxes& s) noexcept {

@@ -8,15 +8,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "bvh/tree/mesh_bvh.hpp"
+#include "bvh/walks/open_pair.hpp"
 
 namespace ecods {
 
 // A pair of nodes or leaves, and a lower bound of the square of its distance, which is finite and not negative.
 struct NearPair {
     float square;
-    TreeRef a;
-    TreeRef b;
+    NodePair nodes;
 };
 
 // Buckets by the leading bits of the square: 32 in each binary order of magnitude, which is one part in 64 of the

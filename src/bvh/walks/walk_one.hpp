@@ -11,27 +11,50 @@
 
 namespace ecods {
 
-// Visits nodes depth first, children that were found last first.
+// A stack that holds no more than `capacity` items, and allocates nothing.
+template <class T, std::size_t capacity>
+class FixedStack {
+  public:
+    ECODS_ALWAYS_INLINE bool empty() const noexcept { return size_ == 0; }
+    ECODS_ALWAYS_INLINE std::size_t size() const noexcept { return size_; }
+    ECODS_ALWAYS_INLINE const T& back() const noexcept { return items_[size_ - 1]; }
+    ECODS_ALWAYS_INLINE void clear() noexcept { size_ = 0; }
+    ECODS_ALWAYS_INLINE void pop_back() noexcept { --size_; }
+    ECODS_ALWAYS_INLINE void push_back(const T& item) noexcept {
+        ECODS_ASSERT(size_ < capacity);
+        items_[size_++] = item;
+    }
+
+  private:
+    std::array<T, capacity> items_;
+    std::size_t size_ = 0;
+};
+
+// Which child of a node is visited first.
+enum class LaneOrder : std::uint8_t { last_first, first_first };
+
+// Visits nodes depth first.
 //
-// `tree` names its nodes: Tree::Node, root(), is_bottom(node), child(node, lane), and Tree::stack_size, the largest
-// number of nodes that can wait at once. `bound(node)` returns the lanes of the node that may matter, as bits; it is
-// asked once a node. `result(node, lanes)` takes those of a bottom node, and returns whether the walk goes on. Both are
-// inlined, so a walk is compiled for the instruction set of its caller.
-template <class Tree, class Bound, class Result>
-ECODS_ALWAYS_INLINE void walk_one(const Tree& tree, Bound&& bound, Result&& result) {
-    std::array<typename Tree::Node, Tree::stack_size> stack;
-    std::size_t depth = 0;
-    stack[depth++] = tree.root();
-    while (depth > 0) {
-        const typename Tree::Node node = stack[--depth];
+// `tree` names its nodes: Tree::Node, root(), is_bottom(node) and child(node, lane). `stack` is working memory, a
+// vector or a FixedStack that holds all nodes that can wait at once. `bound(node)` returns the lanes of the node that
+// may matter, as bits; it is asked once a node. `result(node, lanes)` takes those of a bottom node, and returns whether
+// the walk goes on. Both are inlined, so a walk is compiled for the instruction set of its caller.
+template <LaneOrder order = LaneOrder::last_first, class Tree, class Stack, class Bound, class Result>
+ECODS_ALWAYS_INLINE void walk_one(const Tree& tree, Stack& stack, Bound&& bound, Result&& result) {
+    stack.clear();
+    stack.push_back(tree.root());
+    while (!stack.empty()) {
+        const typename Tree::Node node = stack.back();
+        stack.pop_back();
         std::uint32_t lanes = bound(node);
         if (tree.is_bottom(node)) {
             if (!result(node, lanes)) return;
             continue;
         }
-        for (; lanes != 0; lanes &= lanes - 1) {
-            ECODS_ASSERT(depth < Tree::stack_size);
-            stack[depth++] = tree.child(node, static_cast<std::uint32_t>(std::countr_zero(lanes)));
+        while (lanes != 0) {
+            const int lane = order == LaneOrder::last_first ? std::countr_zero(lanes) : std::bit_width(lanes) - 1;
+            lanes ^= std::uint32_t{1} << lane;
+            stack.push_back(tree.child(node, static_cast<std::uint32_t>(lane)));
         }
     }
 }

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -27,7 +26,6 @@ struct SelfBound {
     std::uint64_t operator()(const X& x, const Y& y) const {
         return bound(x, y) & (is_same(x, y) ? lesser_lane_first : ~std::uint64_t{0});
     }
-    void order(const BvhNode&, const BvhNode&, const LanePairs&, std::span<NodePair>) const {}
 
   private:
     template <class X, class Y>

@@ -29,7 +29,7 @@ struct CommonUnit {
     // `x` must have at most 64 bits between its first digit and its last.
     constexpr void include(const DyadicDifference& x) noexcept {
         if (x.m == 0) return;
-        const Uint128 size = x.m < 0 ? -static_cast<Uint128>(x.m) : static_cast<Uint128>(x.m);
+        const Uint128 size = size_of(x.m);
         const int zeros = trailing_zeros(size);
         ECODS_ASSERT(bit_width(size) - zeros <= 64);
         include(static_cast<std::uint64_t>(size >> zeros), x.e + zeros);

@@ -73,7 +73,7 @@ struct DyadicDifference {
     constexpr BitRange digits() const noexcept {
         BitRange range;
         if (m == 0) return range;
-        const Uint128 size = m < 0 ? -static_cast<Uint128>(m) : static_cast<Uint128>(m);
+        const Uint128 size = size_of(m);
         range.include(e + trailing_zeros(size), e + bit_width(size));
         return range;
     }

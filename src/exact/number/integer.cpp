@@ -69,19 +69,7 @@ Integer operator*(const Integer& a, const Integer& b) {
     if (a.size_ == 0 || b.size_ == 0) return result;
     const std::size_t size = a.size_ + b.size_;
     result.reserve(size);
-    std::uint64_t* to = result.data();
-    const std::uint64_t* x = a.data();
-    const std::uint64_t* y = b.data();
-    std::fill_n(to, b.size_, 0);
-    for (std::size_t i = 0; i < a.size_; ++i) {
-        std::uint64_t carry = 0;
-        for (std::size_t j = 0; j < b.size_; ++j) {
-            const Uint128 p = Uint128{x[i]} * y[j] + to[i + j] + carry;
-            to[i + j] = static_cast<std::uint64_t>(p);
-            carry = static_cast<std::uint64_t>(p >> 64);
-        }
-        to[i + b.size_] = carry;
-    }
+    multiply(a.limbs(), b.limbs(), result.data());
     result.set_size(size);
     result.is_negative_ = a.is_negative_ != b.is_negative_;
     return result;

@@ -18,7 +18,7 @@ class Integer {
     Integer() noexcept {}
     Integer(std::int64_t x) noexcept : Integer(Int128{x}) {}
     Integer(Int128 x) noexcept {
-        const Uint128 size = x < 0 ? -static_cast<Uint128>(x) : static_cast<Uint128>(x);
+        const Uint128 size = size_of(x);
         small_[0] = static_cast<std::uint64_t>(size);
         small_[1] = static_cast<std::uint64_t>(size >> 64);
         size_ = small_[1] != 0 ? 2 : small_[0] != 0 ? 1 : 0;

@@ -23,6 +23,10 @@ constexpr int trailing_zeros(Uint128 x) noexcept {
     return low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(x >> 64));
 }
 
+constexpr Uint128 size_of(Int128 x) noexcept {
+    return x < 0 ? -static_cast<Uint128>(x) : static_cast<Uint128>(x);
+}
+
 inline constexpr std::uint64_t all_ones = ~std::uint64_t{0};
 
 // An integer in two's complement.
@@ -67,10 +71,12 @@ inline Magnitude<L> magnitude(const Limbs<L>& a) noexcept {
     return result;
 }
 
-// a * b, which always fits. Long numbers often have leading zero limbs, which are skipped.
+// Products of so many limbs by so many are called: inlined and unrolled at each place, they were a tenth of the
+// library's code and of the time that compiling it takes.
+inline constexpr int inlined_products_max = 16;
+
 template <int A, int B>
-inline Limbs<A + B> multiply(const Limbs<A>& a, const Limbs<B>& b) noexcept {
-    Limbs<A + B> product{};
+inline void multiply_into(Limbs<A + B>& product, const Limbs<A>& a, const Limbs<B>& b) noexcept {
     for (std::size_t i = 0; i < A; ++i) {
         if (A > 4 && a[i] == 0) continue;
         std::uint64_t carry = 0;
@@ -80,6 +86,21 @@ inline Limbs<A + B> multiply(const Limbs<A>& a, const Limbs<B>& b) noexcept {
             carry = static_cast<std::uint64_t>(p >> 64);
         }
         product[i + B] = carry;
+    }
+}
+template <int A, int B>
+[[gnu::noinline]] void multiply_out_of_line(Limbs<A + B>& product, const Limbs<A>& a, const Limbs<B>& b) noexcept {
+    multiply_into<A, B>(product, a, b);
+}
+
+// a * b, which always fits. Long numbers often have leading zero limbs, which are skipped.
+template <int A, int B>
+inline Limbs<A + B> multiply(const Limbs<A>& a, const Limbs<B>& b) noexcept {
+    Limbs<A + B> product{};
+    if constexpr (A * B > inlined_products_max) {
+        multiply_out_of_line<A, B>(product, a, b);
+    } else {
+        multiply_into<A, B>(product, a, b);
     }
     return product;
 }
@@ -124,6 +145,37 @@ inline Int256 operator-(const Int256& a, const Int256& b) noexcept {
 
 inline int sign(const Int256& a) noexcept {
     return a.high < 0 ? -1 : a.high != 0 || a.low != 0;
+}
+
+// The words that an integer of two consists of, and an integer of two words from one.
+inline std::int64_t high_word(Int128 x) noexcept {
+    return static_cast<std::int64_t>(x >> 64);
+}
+inline std::uint64_t low_word(Int128 x) noexcept {
+    return static_cast<std::uint64_t>(x);
+}
+inline Int128 widened(std::int64_t x) noexcept {
+    return x;
+}
+inline Int128 high_word(const Int256& x) noexcept {
+    return x.high;
+}
+inline Uint128 low_word(const Int256& x) noexcept {
+    return x.low;
+}
+inline Int256 widened(Int128 x) noexcept {
+    return {static_cast<Uint128>(x), x >> 127};
+}
+
+inline Int128 multiply(std::int64_t a, std::int64_t b) noexcept {
+    return Int128{a} * b;
+}
+// By a signed product, which takes b for 2^64 less than it is if its top bit is set.
+inline Int128 multiply_unsigned(std::int64_t a, std::uint64_t b) noexcept {
+    const auto top = static_cast<std::uint64_t>(static_cast<std::int64_t>(b) >> 63);  // all ones if b's top bit is set
+    const std::uint64_t missing = static_cast<std::uint64_t>(a) & top;
+    return static_cast<Int128>(static_cast<Uint128>(Int128{a} * static_cast<std::int64_t>(b)) +
+                               (Uint128{missing} << 64));
 }
 
 // a * b of unsigned numbers, by halves.

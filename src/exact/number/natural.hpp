@@ -26,6 +26,20 @@ inline int bit_width(NaturalSpan a) noexcept {
     return a.empty() ? 0 : static_cast<int>(64 * a.size()) - std::countl_zero(a.back());
 }
 
+// Sets a b, of as many limbs as both have.
+inline void multiply(NaturalSpan a, NaturalSpan b, std::uint64_t* product) noexcept {
+    std::fill_n(product, a.size() + b.size(), 0);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::uint64_t carry = 0;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const Uint128 p = Uint128{a[i]} * b[j] + product[i + j] + carry;
+            product[i + j] = static_cast<std::uint64_t>(p);
+            carry = static_cast<std::uint64_t>(p >> 64);
+        }
+        product[i + b.size()] = carry;
+    }
+}
+
 template <std::size_t capacity>
 class Natural {
   public:
@@ -47,16 +61,7 @@ class Natural {
 
     void assign_product(NaturalSpan a, NaturalSpan b) noexcept {
         ECODS_ASSERT(a.size() + b.size() <= capacity);
-        std::fill_n(limbs_.begin(), a.size() + b.size(), 0);
-        for (std::size_t i = 0; i < a.size(); ++i) {
-            std::uint64_t carry = 0;
-            for (std::size_t j = 0; j < b.size(); ++j) {
-                const Uint128 p = Uint128{a[i]} * b[j] + limbs_[i + j] + carry;
-                limbs_[i + j] = static_cast<std::uint64_t>(p);
-                carry = static_cast<std::uint64_t>(p >> 64);
-            }
-            limbs_[i + b.size()] = carry;
-        }
+        multiply(a, b, limbs_.data());
         size_ = without_leading_zeros({limbs_.data(), a.size() + b.size()}).size();
     }
 

@@ -13,6 +13,12 @@ namespace ecods::exact {
 // The exponent of zero: sums of it and another one are below those of two numbers that are not zero, -2148 or more.
 inline constexpr int exponent_of_zero = -8192;
 
+// 2^e, for a normal result.
+constexpr double power_of_two(int e) noexcept {
+    ECODS_ASSERT(e >= -1022 && e <= 1023);
+    return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
+}
+
 // The least e with |x| < 2^e, for finite x.
 constexpr int exponent_above(double x) noexcept {
     const Dyadic d = decode(x);

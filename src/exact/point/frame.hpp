@@ -3,9 +3,9 @@
 // Everything is relative to the translation t0 of the first body: points are R v + (t - t0). Bounds then grow with the
 // distance of the bodies from each other, not from the origin.
 //
-// Vertices are posed when they are asked for, rounded or as integers, and kept in small caches of fixed size, so no
-// question pays for the size of a mesh. The length of the exact coordinates is measured once for all bodies, when the
-// first question needs it, and decides which arithmetic gives exact signs.
+// Vertices are posed when they are asked for, rounded or as integers (IntegerFrame), and kept in small caches of fixed
+// size, so no question pays for the size of a mesh. The length of the exact coordinates is measured once for all
+// bodies, when the first question needs it, and decides which arithmetic gives exact signs.
 #pragma once
 
 #include <array>
@@ -15,31 +15,17 @@
 #include <vector>
 
 #include "base/assert.hpp"
-#include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
 #include "exact/number/dyadic.hpp"
 #include "exact/number/kernel.hpp"
+#include "exact/point/integer_frame.hpp"
 #include "exact/point/integer_points.hpp"
-#include "exact/point/mesh_extent.hpp"
 #include "exact/point/point.hpp"
 #include "exact/point/posed_points.hpp"
 #include "exact/point/vertex_cache.hpp"
 #include "simd/inline.hpp"
 
 namespace ecods::exact {
-
-// A mesh at a pose, by reference; `extent` is that of the mesh.
-struct BodyRef {
-    const Mesh* mesh;
-    const MeshExtent* extent;
-    const Pose* pose;
-};
-
-// A vertex of one of the bodies of a frame.
-struct VertexRef {
-    std::size_t body;
-    std::uint32_t vertex;
-};
 
 // The arithmetic that gives exact signs for all points of a frame: from the dearest to the cheapest.
 enum class Arithmetic : std::uint8_t {
@@ -54,10 +40,10 @@ enum class Arithmetic : std::uint8_t {
 class Frame {
   public:
     // Replaces all bodies. There must be at least one, and everything that they refer to must outlive the questions.
-    // Cost: constant for each body. Memory: 128 KiB a body, kept for the bodies of later calls.
+    // Cost: constant for each body. Memory: 96 KiB a body, kept for the bodies of later calls.
     void bind(std::span<const BodyRef> bodies);
 
-    const BodyRef& body(std::size_t i) const noexcept { return bodies_[i].ref; }
+    const BodyRef& body(std::size_t i) const noexcept { return integers_.body(i); }
 
     // Bounds for rounded points until find_arithmetic is called: of the error of a coordinate, and of the difference of
     // two points by axis.
@@ -83,6 +69,12 @@ class Frame {
         return points;
     }
 
+    // Refers to the exact points of some vertices, whatever the arithmetic.
+    template <std::size_t N>
+    PosedPoints<N> posed(const std::array<VertexRef, N>& vertices) const noexcept {
+        return integers_.posed(vertices);
+    }
+
     // The power of two that makes integers below 2^52 of rounded points. Only where arithmetic() is `differences`.
     double to_integers() const noexcept {
         ECODS_ASSERT(arithmetic_ == Arithmetic::differences);
@@ -96,76 +88,50 @@ class Frame {
 
   private:
     struct Body {
-        BodyRef ref{};
         Vec3 offset = Vec3::Zero();  // fl(t - t0)
         double delta = 0;
-        // Once digits are measured.
-        std::array<std::array<Dyadic, 3>, 3> columns{};  // of R
-        std::array<DyadicDifference, 3> difference{};    // t - t0
-        TwoLimbKernel::Point exact_offset{};             // t - t0 in units of 2^exact_low_
         VertexCache<Point> rounded;
-        VertexCache<OneLimbKernel::Point> one_limb;
-        VertexCache<TwoLimbKernel::Point> two_limbs;
     };
 
-    std::span<Body> bodies() noexcept { return {bodies_.data(), body_count_}; }
-    std::span<const Body> bodies() const noexcept { return {bodies_.data(), body_count_}; }
+    std::size_t body_count() const noexcept { return integers_.body_count(); }
     void forget_points() noexcept;
     // Fills in a rounded point. Not inline, and with the arguments that the cache's caller holds in registers anyway: a
     // question has one such place for each of its points, and nearly always passes by all of them.
-    void pose(const Body& body, std::uint32_t vertex, Point& p) const noexcept;
+    void pose(std::size_t body, std::uint32_t vertex, Point& p) const noexcept;
     void find_bounds() noexcept;
     void measure_digits() noexcept;
-    bool find_differences(BitRange& digits) noexcept;
-    BitRange digits_of_products() noexcept;
     bool points_are_doubles(const BitRange& digits) const noexcept;
     bool are_short(const Vec3& unit) const noexcept;
     Vec3 common_unit() const noexcept;
     void count_in(const Vec3& unit) noexcept;
-    template <class Number>
-    void find_exact(const Body& body, std::uint32_t vertex, std::array<Number, 3>& p) const noexcept;
-    const OneLimbKernel::Point& one_limb(std::size_t body, std::uint32_t vertex);
-    const TwoLimbKernel::Point& two_limbs(std::size_t body, std::uint32_t vertex);
 
-    std::vector<Body> bodies_;  // the first body_count_ are bound; the others keep their memory
-    std::size_t body_count_ = 0;
+    IntegerFrame integers_;     // measured once arithmetic_ is known
+    std::vector<Body> bodies_;  // those beyond body_count() keep their memory
     Vec3 extent_ = Vec3::Zero();
     double delta_ = 0;
     Arithmetic arithmetic_ = Arithmetic::unknown;
     bool is_counted_ = false;  // whether rounded points are divided by unit_
     Vec3 unit_ = Vec3::Ones();
-    int exact_low_ = 0;  // integer points are multiples of 2^exact_low_
     double to_integers_ = 1;
 };
 
 ECODS_ALWAYS_INLINE const Point& Frame::rounded(std::size_t body, std::uint32_t vertex) {
-    ECODS_ASSERT(body < body_count_);
-    Body& of = bodies_[body];
-    return of.rounded.get(vertex, [&](Point& p) { pose(of, vertex, p); });
+    ECODS_ASSERT(body < body_count());
+    return bodies_[body].rounded.get(vertex, [&](Point& p) { pose(body, vertex, p); });
 }
 
 template <std::size_t N, class Use>
 auto Frame::with_integers(const std::array<VertexRef, N>& vertices, Use&& use) {
     ECODS_ASSERT(arithmetic_ == Arithmetic::one_limb || arithmetic_ == Arithmetic::two_limbs ||
                  arithmetic_ == Arithmetic::many_limbs);
-    if (arithmetic_ == Arithmetic::one_limb) {
-        IntegerPoints<OneLimbKernel, N> points;
-        points.unit = exact_low_;
-        for (std::size_t i = 0; i < N; ++i) points.at[i] = one_limb(vertices[i].body, vertices[i].vertex);
-        return use(points);
-    }
-    if (arithmetic_ == Arithmetic::two_limbs) {
-        IntegerPoints<TwoLimbKernel, N> points;
-        points.unit = exact_low_;
-        for (std::size_t i = 0; i < N; ++i) points.at[i] = two_limbs(vertices[i].body, vertices[i].vertex);
-        return use_narrowest(points, use);
-    }
-    PosedPoints<N> points;
+    if (arithmetic_ != Arithmetic::one_limb) return integers_.with_integers(vertices, use);
+    IntegerPoints<OneLimbKernel, N> points;
+    points.unit = integers_.unit();
     for (std::size_t i = 0; i < N; ++i) {
-        const BodyRef& of = bodies_[vertices[i].body].ref;
-        points[i] = {of.pose, &of.mesh->vertices()[vertices[i].vertex]};
+        const IntegerFrame::Point& p = integers_.at(vertices[i].body, vertices[i].vertex);
+        for (std::size_t k = 0; k < 3; ++k) points.at[i][k] = static_cast<std::int64_t>(p[k]);
     }
-    return exact::with_integers(points, use);
+    return use(points);
 }
 
 }  // namespace ecods::exact

@@ -8,6 +8,7 @@
 #include "ecods/pose.hpp"
 #include "exact/number/dyadic.hpp"
 #include "exact/number/kernel.hpp"
+#include "exact/point/pose_terms.hpp"
 #include "exact/point/posed_points.hpp"
 
 namespace ecods::exact {
@@ -19,56 +20,7 @@ struct IntegerPoints {
     int unit = 0;  // counted in 2^unit
 };
 
-// The range of the digits of all terms of R v + t - t0, before they are added up.
-template <std::size_t N>
-BitRange digits_of(const PosedPoints<N>& points) noexcept {
-    BitRange range;
-    for (const PointRef& p : points) {
-        for (int column = 0; column < 3; ++column) {
-            BitRange r;
-            for (int row = 0; row < 3; ++row) r.include(decode(p.pose->R(row, column)));
-            BitRange v;
-            v.include(decode((*p.v)[column]));
-            range.include(r * v);
-        }
-        for (int row = 0; row < 3; ++row) range.include(decode(p.pose->t[row]));
-    }
-    return range;
-}
-
-// A coordinate is a sum of three products and two translations, each below 2^high: three more bits. A difference of two
-// coordinates needs one more. A kernel of L limbs takes coordinates of 64 L - 3 bits and a sign.
-constexpr int sum_bits = 3 + 1 + 3;
 static_assert(64 * 4 - sum_bits + 4 <= LimbKernel<4>::coordinate_bits);
-
-// Products of doubles are multiples of 2^-2148 and below 2^2048.
-constexpr int limb_count_max = 66;
-static_assert(2048 + 2148 + sum_bits <= 64 * limb_count_max);
-
-// The points R v + t - t0, as multiples of 2^low. Far from the origin they are much shorter than R v + t.
-template <int L, std::size_t N>
-IntegerPoints<LimbKernel<L>, N> evaluate(const PosedPoints<N>& points, int low) noexcept {
-    IntegerPoints<LimbKernel<L>, N> result{};
-    result.unit = low;
-    const Pose& base = *points[0].pose;
-    for (std::size_t i = 0; i < N; ++i) {
-        const Pose& pose = *points[i].pose;
-        for (int row = 0; row < 3; ++row) {
-            Limbs<L>& sum = result.at[i][static_cast<std::size_t>(row)];
-            for (int column = 0; column < 3; ++column) {
-                const Dyadic r = decode(pose.R(row, column));
-                const Dyadic v = decode((*points[i].v)[column]);
-                if (r.m != 0 && v.m != 0) add_shifted<L>(sum, Int128{r.m} * v.m, r.e + v.e - low);
-            }
-            if (&pose == &base) continue;
-            const Dyadic t = decode(pose.t[row]);
-            const Dyadic t0 = decode(base.t[row]);
-            if (t.m != 0) add_shifted<L>(sum, t.m, t.e - low);
-            if (t0.m != 0) add_shifted<L>(sum, -t0.m, t0.e - low);
-        }
-    }
-    return result;
-}
 
 // Replaces points by their differences from the first one, and returns the range of the digits of these.
 template <int L, std::size_t N>
@@ -164,20 +116,29 @@ auto use_narrowest(const IntegerPoints<TwoLimbKernel, N>& points, Use&& use) {
 }
 
 // Calls `use` with the points as IntegerPoints<Kernel, N> of the narrowest kernel that holds them, and returns what it
-// returns. `use` must take every kernel.
+// returns. `use` must take every kernel. The unit is that of these points alone. Far from the origin the differences
+// of translations are much shorter than these are.
 template <std::size_t N, class Use>
 auto with_integers(const PosedPoints<N>& points, Use&& use) {
-    const BitRange range = digits_of(points);
-    const int low = range.empty() ? 0 : range.low;
-    const int bits = range.width() + sum_bits;
-    const auto at_width = [&]<int L>(std::integral_constant<int, L>) {
-        auto in_limbs = evaluate<L>(points, low);
-        return use_narrowest<L>(in_limbs, use);
-    };
-    if (bits <= 64 * 4) return at_width(std::integral_constant<int, 4>{});
-    if (bits <= 64 * 8) return at_width(std::integral_constant<int, 8>{});
-    if (bits <= 64 * 20) return at_width(std::integral_constant<int, 20>{});
-    return at_width(std::integral_constant<int, limb_count_max>{});
+    std::array<PoseTerms, N> terms;
+    BitRange digits;
+    for (std::size_t i = 0; i < N; ++i) {
+        if (i > 0 && points[i].pose == points[i - 1].pose) {
+            terms[i] = terms[i - 1];
+        } else {
+            terms[i].set(*points[i].pose, points[0].pose->t);
+        }
+        std::array<BitRange, 3> v;
+        for (std::size_t k = 0; k < 3; ++k) v[k].include(decode((*points[i].v)[static_cast<Eigen::Index>(k)]));
+        digits.include(terms[i].digits(v));
+    }
+    const int unit = digits.empty() ? 0 : digits.low, bits = digits.width() + sum_bits;
+    return with_limb_count<4>(bits, [&]<int L>(std::integral_constant<int, L>) {
+        IntegerPoints<LimbKernel<L>, N> integers;
+        integers.unit = unit;
+        for (std::size_t i = 0; i < N; ++i) integers.at[i] = terms[i].template point_in<Limbs<L>>(unit, *points[i].v);
+        return use_narrowest<L>(integers, use);
+    });
 }
 
 }  // namespace ecods::exact

@@ -1,5 +1,7 @@
 #include "exact/point/mesh_extent.hpp"
 
+#include "geometry/used_vertices.hpp"
+
 namespace ecods::exact {
 
 MeshExtent measure(const Mesh& mesh) {
@@ -7,18 +9,16 @@ MeshExtent measure(const Mesh& mesh) {
     Vec3 min = vertices[mesh.triangles().front()[0]];
     Vec3 max = min;
     MeshExtent extent;
-    for (const Triangle& triangle : mesh.triangles()) {
-        for (const std::uint32_t index : triangle) {
-            const Vec3& v = vertices[index];
-            min = min.cwiseMin(v);
-            max = max.cwiseMax(v);
-            for (int axis = 0; axis < 3; ++axis) {
-                const Dyadic x = decode(v[axis]);
-                extent.digits[static_cast<std::size_t>(axis)].include(x);
-                extent.units[static_cast<std::size_t>(axis)].include(x);
-            }
+    for_each_used_vertex(mesh, [&](std::uint32_t index) {
+        const Vec3& v = vertices[index];
+        min = min.cwiseMin(v);
+        max = max.cwiseMax(v);
+        for (int axis = 0; axis < 3; ++axis) {
+            const Dyadic x = decode(v[axis]);
+            extent.digits[static_cast<std::size_t>(axis)].include(x);
+            extent.units[static_cast<std::size_t>(axis)].include(x);
         }
-    }
+    });
     // Halved before they are added: the sum of two large coordinates may overflow.
     extent.center = 0.5 * min + 0.5 * max;
     extent.half = 0.5 * max - 0.5 * min;

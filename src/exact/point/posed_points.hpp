@@ -4,11 +4,27 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
+#include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
+#include "exact/point/mesh_extent.hpp"
 #include "exact/point/point.hpp"
 
 namespace ecods::exact {
+
+// A mesh at a pose, by reference; `extent` is that of the mesh.
+struct BodyRef {
+    const Mesh* mesh;
+    const MeshExtent* extent;
+    const Pose* pose;
+};
+
+// A vertex of one of the bodies of a frame.
+struct VertexRef {
+    std::size_t body;
+    std::uint32_t vertex;
+};
 
 // The point R v + t of a body, by reference.
 struct PointRef {

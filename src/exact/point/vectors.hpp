@@ -28,4 +28,23 @@ ECODS_ALWAYS_INLINE double largest(const Point& a) noexcept {
     return std::max(std::max(std::abs(a[0]), std::abs(a[1])), std::abs(a[2]));
 }
 
+ECODS_ALWAYS_INLINE double sum_of_magnitudes(const Point& a) noexcept {
+    return (std::abs(a[0]) + std::abs(a[1])) + std::abs(a[2]);
+}
+
+// Which of three numbers is the least, or the greatest: the first of those that are equal.
+ECODS_ALWAYS_INLINE std::size_t least_of(double x, double y, double z) noexcept {
+    return x <= y ? (x <= z ? 0 : 2) : (y <= z ? 1 : 2);
+}
+ECODS_ALWAYS_INLINE std::size_t greatest_of(double x, double y, double z) noexcept {
+    return x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
+}
+
+// The edges of two triangles, each from a corner to the next one.
+using TriangleEdges = std::array<std::array<Point, 3>, 2>;
+ECODS_ALWAYS_INLINE TriangleEdges edges_of(const Points<6>& x) noexcept {
+    return {{{minus(x[1], x[0]), minus(x[2], x[1]), minus(x[0], x[2])},
+             {minus(x[4], x[3]), minus(x[5], x[4]), minus(x[3], x[5])}}};
+}
+
 }  // namespace ecods::exact

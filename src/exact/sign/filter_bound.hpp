@@ -45,6 +45,9 @@ struct DifferenceBound {
     std::array<double, 3> magnitude;
 };
 
+// The delta of coordinates that are what they are: subnormal ones may be taken for zero.
+inline constexpr double own_delta = 0x1p-1000;
+
 // `extent`: on each axis, the largest difference of the rounded points. `delta`: the error of a point's coordinate.
 inline DifferenceBound difference_bound(const std::array<double, 3>& extent, double delta) noexcept {
     DifferenceBound bound;
@@ -84,6 +87,12 @@ struct DeterminantBounds {
     std::array<double, 3> orient2d;  // by the axis of projection
 };
 
+// `extent` and `delta` as for difference_bound.
+inline DeterminantBounds determinant_bounds(const std::array<double, 3>& extent, double delta) noexcept {
+    const DifferenceBound d = difference_bound(extent, delta);
+    return {orient3d_bound(d), {orient2d_bound(d, 1, 2), orient2d_bound(d, 2, 0), orient2d_bound(d, 0, 1)}};
+}
+
 template <std::size_t N>
 DeterminantBounds determinant_bounds(const Points<N>& points, double delta) noexcept {
     std::array<double, 3> extent;
@@ -95,8 +104,7 @@ DeterminantBounds determinant_bounds(const Points<N>& points, double delta) noex
         }
         extent[k] = max - min;
     }
-    const DifferenceBound d = difference_bound(extent, delta);
-    return {orient3d_bound(d), {orient2d_bound(d, 1, 2), orient2d_bound(d, 2, 0), orient2d_bound(d, 0, 1)}};
+    return determinant_bounds(extent, delta);
 }
 
 }  // namespace ecods::exact

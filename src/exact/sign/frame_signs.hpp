@@ -18,6 +18,12 @@ inline double orient3d_bound(const Frame& frame) noexcept {
     return orient3d_bound(difference_bound({extent[0], extent[1], extent[2]}, frame.delta()));
 }
 
+// Bounds for all determinants of these, `delta` being the error of their coordinates.
+inline DeterminantBounds determinant_bounds(const Frame& frame, double delta) noexcept {
+    const Vec3& extent = frame.extent();
+    return determinant_bounds({extent[0], extent[1], extent[2]}, delta);
+}
+
 // Calls `ask` with a provider of exact signs of the vertices' points, point i being that of vertices[i], and returns
 // its result. `ask` must take every provider of this folder.
 //

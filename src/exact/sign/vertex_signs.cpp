@@ -39,9 +39,7 @@ DeterminantBounds own_bounds(std::span<const Vec3> points) noexcept {
         min = min.cwiseMin(v);
         max = max.cwiseMax(v);
     }
-    // Coordinates are what they are; subnormal ones may be taken for zero.
-    const DifferenceBound d = difference_bound({max[0] - min[0], max[1] - min[1], max[2] - min[2]}, 0x1p-1000);
-    return {orient3d_bound(d), {orient2d_bound(d, 1, 2), orient2d_bound(d, 2, 0), orient2d_bound(d, 0, 1)}};
+    return determinant_bounds({max[0] - min[0], max[1] - min[1], max[2] - min[2]}, own_delta);
 }
 
 int VertexSigns::orient3d(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const noexcept {

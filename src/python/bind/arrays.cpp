@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 #include "python/bind/errors.hpp"
 
@@ -12,10 +13,6 @@ namespace {
 
 // The largest integer up to which doubles hold all of them.
 constexpr std::int64_t whole_max = std::int64_t{1} << 53;
-
-std::string type_name(py::handle value) {
-    return py::str(py::type::handle_of(value).attr("__name__"));
-}
 
 py::array to_array(py::handle value, const char* what) {
     py::array array = value.is_none() ? py::array() : py::array::ensure(value);
@@ -69,6 +66,10 @@ void require_pose(const double* entries, std::size_t count, ListIndex index) {
 
 }  // namespace
 
+std::string type_name(py::handle value) {
+    return py::str(py::type::handle_of(value).attr("__name__"));
+}
+
 std::string shape_text(const py::array& array) {
     std::string text = "(";
     for (py::ssize_t i = 0; i < array.ndim(); ++i) text += (i == 0 ? "" : ", ") + std::to_string(array.shape(i));
@@ -92,6 +93,11 @@ Doubles exact_doubles(py::handle value, const char* what, std::span<const py::ss
     Doubles array = exact_doubles(value, what);
     require_shape(array, what, shape);
     return array;
+}
+
+Doubles exact_points(py::handle value, const char* what) {
+    constexpr std::array<py::ssize_t, 2> rows = {-1, 3};
+    return exact_doubles(value, what, rows);
 }
 
 Vec3 to_vec3(py::handle value, const char* what) {
@@ -178,23 +184,11 @@ py::array_t<std::uint64_t> from_bodies(std::span<const BodyId> bodies) {
 }
 
 py::array_t<std::uint64_t> from_pairs(std::span<const BodyPair> pairs) {
-    py::array_t<std::uint64_t> array({static_cast<py::ssize_t>(pairs.size()), py::ssize_t{2}});
-    std::uint64_t* out = array.mutable_data();
-    for (const BodyPair& pair : pairs) {
-        *out++ = number_of(pair.a);
-        *out++ = number_of(pair.b);
-    }
-    return array;
+    return from_named_pairs<std::uint64_t>(pairs, number_of);
 }
 
 py::array_t<std::uint32_t> from_triangles(std::span<const TrianglePair> pairs) {
-    py::array_t<std::uint32_t> array({static_cast<py::ssize_t>(pairs.size()), py::ssize_t{2}});
-    std::uint32_t* out = array.mutable_data();
-    for (const TrianglePair& pair : pairs) {
-        *out++ = pair.a;
-        *out++ = pair.b;
-    }
-    return array;
+    return from_named_pairs<std::uint32_t>(pairs, std::identity());
 }
 
 namespace {

@@ -28,8 +28,14 @@ Doubles exact_doubles(py::handle value, const char* what);
 // The same, of this shape; -1 stands for any length. Throws ValueError otherwise.
 Doubles exact_doubles(py::handle value, const char* what, std::span<const py::ssize_t> shape);
 
+// The same of points, (n, 3).
+Doubles exact_points(py::handle value, const char* what);
+
 // "(3, 4)"
 std::string shape_text(const py::array& array);
+
+// "list"
+std::string type_name(py::handle value);
 
 Vec3 to_vec3(py::handle value, const char* what);
 
@@ -64,6 +70,23 @@ py::array_t<double> from_vec3(const Vec3& v);
 py::array_t<double> from_points(std::span<const Vec3> points);  // (n, 3)
 py::array_t<double> from_box(const Aabb& box);                  // (2, 3)
 py::array_t<double> from_pose(const Pose& pose);                // (4, 4)
+
+template <class Number>
+py::array_t<Number> from_numbers(const std::vector<Number>& numbers) {
+    return py::array_t<Number>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
+}
+
+// A row for each pair, (n, 2), with number_of(name) of its two names.
+template <class Number, class Pairs, class NumberOf>
+py::array_t<Number> from_named_pairs(const Pairs& pairs, const NumberOf& number_of) {
+    py::array_t<Number> array({static_cast<py::ssize_t>(pairs.size()), py::ssize_t{2}});
+    Number* out = array.mutable_data();
+    for (const auto& pair : pairs) {
+        *out++ = number_of(pair.a);
+        *out++ = number_of(pair.b);
+    }
+    return array;
+}
 
 // A body as a number, and back. What no body has becomes the null id, which every call refuses as stale.
 constexpr std::uint64_t number_of(BodyId body) noexcept {

@@ -30,4 +30,19 @@ auto ask(PairWitness* witness, Question question) {
     return answer;
 }
 
+// Functions for pybind11 that ask question(given..., memory), and question(given..., memory, witness).
+template <class... Given, class Question>
+auto asked(Question question) {
+    return [question](const Given&... given) { return ask([&](auto& memory) { return question(given..., memory); }); };
+}
+template <class... Given, class Question>
+auto asked_with_witness(Question question) {
+    return [question](const Given&... given, PairWitness* known) {
+        return ask(known, [&](auto& memory, auto& witness) { return question(given..., memory, witness); });
+    };
+}
+
+// The library's function of that name, whichever of its overloads is meant.
+#define ECODS_QUESTION(name) [](auto&... given) { return name(given...); }
+
 }  // namespace ecods::python

@@ -12,7 +12,6 @@ void bind_results(pybind11::module_& m);
 void bind_pair_questions(pybind11::module_& m);
 void bind_line_questions(pybind11::module_& m);
 void bind_solid_questions(pybind11::module_& m);
-void bind_casts(pybind11::module_& m);
 void bind_many(pybind11::module_& m);
 void bind_predicates(pybind11::module_& m);
 void bind_certificates(pybind11::module_& m);
@@ -20,5 +19,10 @@ void bind_broad_phase(pybind11::module_& m);
 void bind_trace(pybind11::module_& m);
 void bind_world(pybind11::module_& m);
 void bind_process(pybind11::module_& m);
+
+// Shortens the errors of every function and method that is bound so far about arguments that fit no signature: one
+// line, which ecods/refusals.py makes, in place of pybind11's list of signatures with all arguments written out. A call
+// that is accepted costs one more by a pointer.
+void shorten_refusals(const pybind11::module_& m);
 
 }  // namespace ecods::python

@@ -1,7 +1,7 @@
 // Which boxes overlap, without a world: broad_phase.hpp. All under the interpreter's lock.
 #include "ecods/broad_phase.hpp"
 
-#include <array>
+#include <functional>
 #include <limits>
 #include <memory>
 
@@ -18,18 +18,13 @@ void require_box(const Aabb& box) {
     }
 }
 
-py::array_t<ProxyIndex> array_of(const std::vector<ProxyIndex>& proxies) {
-    return py::array_t<ProxyIndex>(static_cast<py::ssize_t>(proxies.size()), proxies.data());
+py::array_t<ProxyIndex> array_of(const std::vector<ProxyPair>& pairs) {
+    return from_named_pairs<ProxyIndex>(pairs, std::identity());
 }
 
-py::array_t<ProxyIndex> array_of(const std::vector<ProxyPair>& pairs) {
-    py::array_t<ProxyIndex> array({static_cast<py::ssize_t>(pairs.size()), py::ssize_t{2}});
-    ProxyIndex* out = array.mutable_data();
-    for (const ProxyPair& pair : pairs) {
-        *out++ = pair.a;
-        *out++ = pair.b;
-    }
-    return array;
+template <class What>
+py::array_t<ProxyIndex> found(const BroadPhase& self, const What& what) {
+    return from_numbers(self.find(what));
 }
 
 // A copy has the boxes under their numbers, and is as before its first update: its lists are empty until then.
@@ -42,14 +37,13 @@ py::tuple boxes_of(const BroadPhase& self) {
         const Aabb box = self.box(proxy);
         corners.insert(corners.end(), {box.min, box.max});
     }
-    return py::make_tuple(self.kind(), array_of(proxies), from_points(corners));
+    return py::make_tuple(self.kind(), from_numbers(proxies), from_points(corners));
 }
 
 std::unique_ptr<BroadPhase> with_boxes(const py::tuple& state) {
     auto made = make_broad_phase(state[0].cast<BroadPhaseKind>());
     const auto proxies = state[1].cast<py::array_t<ProxyIndex>>();
-    constexpr std::array<py::ssize_t, 2> rows = {-1, 3};
-    const Doubles corners = exact_doubles(state[2], "boxes", rows);
+    const Doubles corners = exact_points(state[2], "boxes");
     if (corners.shape(0) != 2 * proxies.size()) throw py::value_error("a box for each proxy is expected");
     for (py::ssize_t i = 0; i < proxies.size(); ++i) {
         const double* const x = corners.data() + 6 * i;
@@ -93,13 +87,11 @@ void bind_broad_phase(py::module_& m) {
         "began", [](BroadPhase& self) { return array_of(self.began()); }, "(k, 2) uint32.");
     type.def(
         "ended", [](BroadPhase& self) { return array_of(self.ended()); }, "(k, 2) uint32.");
-    type.def(
-        "find", [](BroadPhase& self, const Segment& what) { return array_of(self.find(what)); }, py::arg("what"),
-        "Boxes that share a point with a Segment, a Ball or a box, as of now: (k,) uint32.");
-    type.def(
-        "find", [](BroadPhase& self, const Ball& what) { return array_of(self.find(what)); }, py::arg("what"));
-    type.def(
-        "find", [](BroadPhase& self, const Aabb& what) { return array_of(self.find(what)); }, py::arg("what"));
+    const py::arg what("what");
+    type.def("find", found<Segment>, what,
+             "Boxes that share a point with a Segment, a Ball or a box, as of now: (k,) uint32.");
+    type.def("find", found<Ball>, what);
+    type.def("find", found<Aabb>, what);
 }
 
 }  // namespace ecods::python

@@ -66,6 +66,29 @@ Enumeration& enumeration() {
     return *kept;
 }
 
+// Pairs of bodies or of triangles, as tuples.
+template <class Pair>
+Pair to_pair(py::handle value) {
+    using Name = decltype(Pair::a);
+    const auto [a, b] = py::cast<std::pair<Name, Name>>(value);
+    return {a, b};
+}
+template <class Pair>
+py::object from_pair(const Pair& pair) {
+    return py::make_tuple(pair.a, pair.b);
+}
+
+inline ShapeKind to_kind(py::handle value) {
+    return {py::cast<std::uint32_t>(value)};
+}
+inline py::object from_kind(ShapeKind kind) {
+    return py::int_(kind.value);
+}
+
+inline Vec3 to_point(py::handle value) {
+    return to_vec3(value, "point or vector");
+}
+
 // The value of a member, or of its name; nothing if it is neither.
 std::optional<int> value_of(py::handle member_or_name, const Enumeration& enumeration);
 
@@ -136,84 +159,31 @@ struct type_caster<ecods::python::AnyId> {
     }
 };
 
-template <>
-struct type_caster<ecods::BodyPair> {
-    PYBIND11_TYPE_CASTER(ecods::BodyPair, const_name("Tuple[int, int]"));
+template <class Value, auto to_value, auto to_python>
+struct ecods_value_caster {
+    PYBIND11_TYPE_CASTER(Value, const_name("object"));
 
     bool load(handle source, bool) {
-        const auto pair = pybind11::cast<std::pair<ecods::BodyId, ecods::BodyId>>(source);
-        value = {pair.first, pair.second};
+        value = to_value(source);
         return true;
     }
-    static handle cast(const ecods::BodyPair& pair, return_value_policy, handle) {
-        return make_tuple(pair.a, pair.b).release();
-    }
+    static handle cast(const Value& given, return_value_policy, handle) { return object(to_python(given)).release(); }
 };
 
-template <>
-struct type_caster<ecods::TrianglePair> {
-    PYBIND11_TYPE_CASTER(ecods::TrianglePair, const_name("Tuple[int, int]"));
+#define ECODS_PYTHON_VALUE(Value, python_name, to_value, to_python)              \
+    template <>                                                                  \
+    struct type_caster<Value> : ecods_value_caster<Value, to_value, to_python> { \
+        static constexpr auto name = const_name(python_name);                    \
+    }
 
-    bool load(handle source, bool) {
-        const auto pair = pybind11::cast<std::pair<std::uint32_t, std::uint32_t>>(source);
-        value = {pair.first, pair.second};
-        return true;
-    }
-    static handle cast(const ecods::TrianglePair& pair, return_value_policy, handle) {
-        return make_tuple(pair.a, pair.b).release();
-    }
-};
-
-template <>
-struct type_caster<ecods::ShapeKind> {
-    PYBIND11_TYPE_CASTER(ecods::ShapeKind, const_name("int"));
-
-    bool load(handle source, bool) {
-        value = {pybind11::cast<std::uint32_t>(source)};
-        return true;
-    }
-    static handle cast(ecods::ShapeKind kind, return_value_policy, handle) {
-        return PyLong_FromUnsignedLong(kind.value);
-    }
-};
-
-template <>
-struct type_caster<ecods::Vec3> {
-    PYBIND11_TYPE_CASTER(ecods::Vec3, const_name("numpy.ndarray"));
-
-    bool load(handle source, bool) {
-        value = ecods::python::to_vec3(source, "point or vector");
-        return true;
-    }
-    static handle cast(const ecods::Vec3& v, return_value_policy, handle) {
-        return ecods::python::from_vec3(v).release();
-    }
-};
-
-template <>
-struct type_caster<ecods::Pose> {
-    PYBIND11_TYPE_CASTER(ecods::Pose, const_name("numpy.ndarray"));
-
-    bool load(handle source, bool) {
-        value = ecods::python::to_pose(source);
-        return true;
-    }
-    static handle cast(const ecods::Pose& pose, return_value_policy, handle) {
-        return ecods::python::from_pose(pose).release();
-    }
-};
-
-template <>
-struct type_caster<ecods::Aabb> {
-    PYBIND11_TYPE_CASTER(ecods::Aabb, const_name("numpy.ndarray"));
-
-    bool load(handle source, bool) {
-        value = ecods::python::to_box(source);
-        return true;
-    }
-    static handle cast(const ecods::Aabb& box, return_value_policy, handle) {
-        return ecods::python::from_box(box).release();
-    }
-};
+ECODS_PYTHON_VALUE(ecods::BodyPair, "Tuple[int, int]", ecods::python::to_pair<ecods::BodyPair>,
+                   ecods::python::from_pair<ecods::BodyPair>);
+ECODS_PYTHON_VALUE(ecods::TrianglePair, "Tuple[int, int]", ecods::python::to_pair<ecods::TrianglePair>,
+                   ecods::python::from_pair<ecods::TrianglePair>);
+ECODS_PYTHON_VALUE(ecods::ShapeKind, "int", ecods::python::to_kind, ecods::python::from_kind);
+ECODS_PYTHON_VALUE(ecods::Vec3, "numpy.ndarray", ecods::python::to_point, ecods::python::from_vec3);
+ECODS_PYTHON_VALUE(ecods::Pose, "numpy.ndarray", ecods::python::to_pose, ecods::python::from_pose);
+ECODS_PYTHON_VALUE(ecods::Aabb, "numpy.ndarray", ecods::python::to_box, ecods::python::from_box);
+#undef ECODS_PYTHON_VALUE
 
 }  // namespace pybind11::detail

@@ -13,12 +13,9 @@ namespace {
 // A certificate never changes, so a copy is the object itself. It refers to meshes, so it does not travel.
 template <class T>
 void keep_whole(py::class_<T>& type) {
-    type.def("__copy__", [](py::object self) { return self; });
-    type.def(
-        "__deepcopy__", [](py::object self, const py::dict&) { return self; }, py::arg("memo"));
+    copies_are_itself(type);
     type.def("__reduce__", [](const py::object& self) -> py::object {
-        throw py::type_error(std::string(py::str(py::type::of(self).attr("__name__"))) +
-                             " is not pickled: keep its text, str(certificate), which checkers read");
+        throw py::type_error(type_name(self) + " is not pickled: keep its text, str(certificate), which checkers read");
     });
 }
 
@@ -67,28 +64,14 @@ void bind_certificates(py::module_& m) {
     add_certificates(m);
     const py::keep_alive<0, 1> keeps_a;
     const py::keep_alive<0, 2> keeps_b;
-    m.def(
-        "certify",
-        [](const PosedMesh& a, const PosedMesh& b) { return ask([&](auto& memory) { return certify(a, b, memory); }); },
-        py::arg("a"), py::arg("b"), keeps_a, keeps_b, "relation(a, b) with its proof.");
-    m.def(
-        "certify_distance",
-        [](const PosedMesh& a, const PosedMesh& b) {
-            return ask([&](auto& memory) { return certify_distance(a, b, memory); });
-        },
-        py::arg("a"), py::arg("b"), keeps_a, keeps_b, "distance(a, b) with its proof.");
-    m.def(
-        "certify_within",
-        [](const PosedMesh& a, const PosedMesh& b, double d) {
-            return ask([&](auto& memory) { return certify_within(a, b, d, memory); });
-        },
-        py::arg("a"), py::arg("b"), py::arg("d"), keeps_a, keeps_b, "within(a, b, d) with its proof.");
-    m.def(
-        "certify_hit",
-        [](const Segment& segment, const PosedMesh& body) {
-            return ask([&](auto& memory) { return certify_hit(segment, body, memory); });
-        },
-        py::arg("segment"), py::arg("body"), keeps_b, "first_hit(segment, body) with its proof.");
+    m.def("certify", asked<PosedMesh, PosedMesh>(ECODS_QUESTION(certify)), py::arg("a"), py::arg("b"), keeps_a, keeps_b,
+          "relation(a, b) with its proof.");
+    m.def("certify_distance", asked<PosedMesh, PosedMesh>(ECODS_QUESTION(certify_distance)), py::arg("a"), py::arg("b"),
+          keeps_a, keeps_b, "distance(a, b) with its proof.");
+    m.def("certify_within", asked<PosedMesh, PosedMesh, double>(ECODS_QUESTION(certify_within)), py::arg("a"),
+          py::arg("b"), py::arg("d"), keeps_a, keeps_b, "within(a, b, d) with its proof.");
+    m.def("certify_hit", asked<Segment, PosedMesh>(ECODS_QUESTION(certify_hit)), py::arg("segment"), py::arg("body"),
+          keeps_b, "first_hit(segment, body) with its proof.");
     m.def(
         "certified_mesh",
         [](const MeshShape& mesh) {

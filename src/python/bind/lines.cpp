@@ -18,33 +18,25 @@ T checked(T made) {
 template <class Line>
 void add_questions(py::module_& m) {
     m.def(
-        "first_hit",
-        [](const Line& line, const PosedMesh& body, PairWitness* known) {
-            return ask(known, [&](auto& memory, auto& w) { return first_hit(line, body, memory, w); });
-        },
-        py::arg("line"), py::arg("body"), py::arg("witness") = py::none(),
+        "first_hit", asked_with_witness<Line, PosedMesh>(ECODS_QUESTION(first_hit)), py::arg("line"), py::arg("body"),
+        py::arg("witness") = py::none(),
         "The Hit of least parameter of a Segment or Ray, of several the least triangle; None if there is none. Exact.");
-    m.def(
-        "all_hits",
-        [](const Line& line, const PosedMesh& body) {
-            return ask([&](auto& memory) { return all_hits(line, body, memory); });
-        },
-        py::arg("line"), py::arg("body"),
-        "Every triangle that is hit, as a list of Hit in the order of real parameters.");
+    m.def("all_hits", asked<Line, PosedMesh>(ECODS_QUESTION(all_hits)), py::arg("line"), py::arg("body"),
+          "Every triangle that is hit, as a list of Hit in the order of real parameters.");
 }
 
 }  // namespace
 
 void bind_line_questions(py::module_& m) {
     add_record(m, "Segment", "The closed segment between two points (3,).",
-               Field<Segment, Vec3>{"a", &Segment::a, "Where it begins, (3,) float64."},
-               Field<Segment, Vec3>{"b", &Segment::b, "Where it ends, (3,) float64."})
+               Field{"a", &Segment::a, "Where it begins, (3,) float64."},
+               Field{"b", &Segment::b, "Where it ends, (3,) float64."})
         .def(py::init([](const Vec3& a, const Vec3& b) { return checked(Segment{.a = a, .b = b}); }), py::arg("a"),
              py::arg("b"), "Raises InvalidSegment unless the ends are finite.");
     add_record(m, "Ray", "The points origin + s * direction for s from 0 to parameter_max.",
-               Field<Ray, Vec3>{"origin", &Ray::origin, "(3,) float64."},
-               Field<Ray, Vec3>{"direction", &Ray::direction, "(3,) float64, as it was given."},
-               Field<Ray, double>{"parameter_max", &Ray::parameter_max, "Infinity unless it was given."})
+               Field{"origin", &Ray::origin, "(3,) float64."},
+               Field{"direction", &Ray::direction, "(3,) float64, as it was given."},
+               Field{"parameter_max", &Ray::parameter_max, "Infinity unless it was given."})
         .def(py::init([](const Vec3& origin, const Vec3& direction, double parameter_max) {
                  return checked(Ray{.origin = origin, .direction = direction, .parameter_max = parameter_max});
              }),
@@ -52,8 +44,7 @@ void bind_line_questions(py::module_& m) {
              py::arg("parameter_max") = std::numeric_limits<double>::infinity(),
              "Origin and direction are (3,); parameters are in units of the direction. Raises InvalidRay.");
     add_record(m, "Ball", "The points at a distance of at most the radius from the center (3,).",
-               Field<Ball, Vec3>{"center", &Ball::center, "(3,) float64."},
-               Field<Ball, double>{"radius", &Ball::radius, "Not negative."})
+               Field{"center", &Ball::center, "(3,) float64."}, Field{"radius", &Ball::radius, "Not negative."})
         .def(py::init(
                  [](const Vec3& center, double radius) { return checked(Ball{.center = center, .radius = radius}); }),
              py::arg("center"), py::arg("radius"), "Raises InvalidBall.");

@@ -74,9 +74,8 @@ void add_at_poses(py::module_& m, const char* name, const char* doc, Question qu
 
 py::tuple first_hits(const py::object& origins, const py::object& directions, const PosedMesh& body,
                      double parameter_max, std::size_t threads) {
-    constexpr std::array<py::ssize_t, 2> shape = {-1, 3};
-    const Doubles from = exact_doubles(origins, "origins", shape);
-    const Doubles along = exact_doubles(directions, "directions", shape);
+    const Doubles from = exact_points(origins, "origins");
+    const Doubles along = exact_points(directions, "directions");
     if (from.shape(0) != along.shape(0)) throw py::value_error("origins and directions: of different lengths");
     py::array_t<double> parameters(from.shape(0));
     py::array_t<std::int64_t> triangles(from.shape(0));
@@ -97,8 +96,7 @@ py::tuple first_hits(const py::object& origins, const py::object& directions, co
 }
 
 py::array_t<std::uint8_t> locate_many(const py::object& points, const PosedMesh& solid, std::size_t threads) {
-    constexpr std::array<py::ssize_t, 2> shape = {-1, 3};
-    const Doubles rows = exact_doubles(points, "points", shape);
+    const Doubles rows = exact_points(points, "points");
     const auto posed = as<Solid>(solid, "solid");
     py::array_t<std::uint8_t> sides(rows.shape(0));
     std::uint8_t* const out = sides.mutable_data();
@@ -118,9 +116,9 @@ void bind_many(py::module_& m) {
         m, "collide_many",
         "intersects() of a at each of its poses and b at each of its own: (k,) bool. Poses are (k, 4, 4) or "
         "(k, 3, 4); one pose, or None, stands for all. Raises InvalidPose with the index.",
-        [](auto& x, auto& y, auto& memory, auto& w) { return intersects(x, y, memory, w); });
+        ECODS_QUESTION(intersects));
     add_at_poses<double>(m, "distance_many", "distance() likewise: (k,) float64, each the true one, rounded once.",
-                         [](auto& x, auto& y, auto& memory, auto& w) { return distance(x, y, memory, w); });
+                         ECODS_QUESTION(distance));
     add_at_poses<std::uint8_t>(m, "relation_many", "relation() likewise: (k,) uint8, values of Relation.",
                                [](auto& x, auto& y, auto& memory, auto&) { return relation(x, y, memory); });
     m.def(
@@ -135,8 +133,7 @@ void bind_many(py::module_& m) {
     m.def("first_hits", &first_hits, py::arg("origins"), py::arg("directions"), py::arg("body"),
           py::arg("parameter_max") = std::numeric_limits<double>::infinity(), py::arg("threads") = 1,
           "first_hit() of rays (k, 3), (k, 3): parameters (k,) float64, NaN where nothing is hit, and triangles (k,) "
-          "int64, "
-          "-1 there. Raises InvalidRay.");
+          "int64, -1 there. Raises InvalidRay.");
     m.def("locate_many", &locate_many, py::arg("points"), py::arg("solid"), py::arg("threads") = 1,
           "locate() of points (k, 3): (k,) uint8, values of Side. Raises InvalidPoint.");
 }

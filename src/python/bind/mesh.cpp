@@ -1,8 +1,8 @@
 // Mesh, Solid, ConvexSolid; Posed and Moving.
-#include <array>
 #include <limits>
 #include <memory>
 #include <sstream>
+#include <type_traits>
 #include <utility>
 
 #include "ecods/aabb.hpp"
@@ -14,8 +14,6 @@
 namespace ecods::python {
 namespace {
 
-constexpr std::array<py::ssize_t, 2> triples = {-1, 3};
-
 // Indices as they are where they are of 32 bits, otherwise in 64, where a negative one becomes one that is too large.
 std::shared_ptr<const Mesh> make_mesh(py::handle vertices, py::handle faces) {
     const py::array indices = py::array::ensure(faces);
@@ -26,7 +24,7 @@ std::shared_ptr<const Mesh> make_mesh(py::handle vertices, py::handle faces) {
         throw py::value_error("faces: the shape (n, 3) is expected, not " + shape_text(indices));
     }
     Doubles points = exact_doubles(vertices, "vertices");
-    if (points.size() > 0) points = exact_doubles(points, "vertices", triples);
+    if (points.size() > 0) points = exact_points(points, "vertices");
     const std::span coordinates(points.data(), static_cast<std::size_t>(points.size()));
     const auto create = [&](const auto& numbers) {
         const std::span given(numbers.data(), static_cast<std::size_t>(numbers.size()));
@@ -80,12 +78,15 @@ void add_making(Type& type) {
             return py::make_tuple(self.attr("vertices").attr("copy")(), self.attr("faces").attr("copy")());
         },
         [](const py::tuple& state) { return make_shape<Shape>(make_mesh(state[0], state[1])); }));
+    if constexpr (!std::is_same_v<Shape, MeshShape>) {
+        type.def(py::init([](const MeshShape& mesh) { return make_shape<Shape>(mesh.mesh_ptr()); }), py::arg("mesh"));
+    }
 }
 
 std::string text_of(const py::object& self) {
     std::ostringstream text;
-    text << "<ecods." << std::string(py::str(py::type::of(self).attr("__name__"))) << " of "
-         << mesh_of(self).vertices().size() << " vertices, " << mesh_of(self).triangles().size() << " triangles>";
+    text << "<ecods." << type_name(self) << " of " << mesh_of(self).vertices().size() << " vertices, "
+         << mesh_of(self).triangles().size() << " triangles>";
     return text.str();
 }
 
@@ -119,7 +120,7 @@ void add_mesh_calls(py::class_<MeshShape, std::shared_ptr<MeshShape>>& type) {
     type.def(
         "refit",
         [](const MeshShape& self, const py::object& vertices) {
-            const Doubles points = exact_doubles(vertices, "vertices", triples);
+            const Doubles points = exact_points(vertices, "vertices");
             std::vector<Vec3> moved(static_cast<std::size_t>(points.shape(0)));
             std::copy_n(points.data(), points.size(), moved.empty() ? nullptr : moved.front().data());
             const py::gil_scoped_release release;
@@ -129,10 +130,7 @@ void add_mesh_calls(py::class_<MeshShape, std::shared_ptr<MeshShape>>& type) {
         "The same triangles with other vertices (n, 3), as a new Mesh, whose tree is that of this one with new boxes. "
         "Raises InvalidVertex, InvalidIndex.");
     type.def("__repr__", &text_of);
-    // A mesh never changes: who copies what refers to one refers to the same, whose tree is then not made again.
-    type.def("__copy__", [](py::object self) { return self; });
-    type.def(
-        "__deepcopy__", [](py::object self, const py::dict&) { return self; }, py::arg("memo"));
+    copies_are_itself(type);  // whose tree is then not made again
 }
 
 void add_solids(py::module_& m) {
@@ -141,17 +139,14 @@ void add_solids(py::module_& m) {
         "A mesh that bounds a solid: closed and free of self-intersection, which is checked exactly. Every call that "
         "takes a Mesh takes it. Raises NotClosed and SelfIntersecting, which name the place.");
     add_making<Solid>(solid);
-    solid.def(py::init([](const MeshShape& mesh) { return make_shape<Solid>(mesh.mesh_ptr()); }), py::arg("mesh"));
 
     py::class_<ConvexSolid, Solid, std::shared_ptr<ConvexSolid>> convex(
         m, "ConvexSolid", "A Solid without dents. Raises as Solid does, and NoInterior, NotConvex.");
     add_making<ConvexSolid>(convex);
-    convex.def(py::init([](const MeshShape& mesh) { return make_shape<ConvexSolid>(mesh.mesh_ptr()); }),
-               py::arg("mesh"));
     convex.def_static(
         "hull",
         [](const py::object& points) {
-            const Doubles rows = exact_doubles(points, "points", triples);
+            const Doubles rows = exact_points(points, "points");
             const std::span given(reinterpret_cast<const Vec3*>(rows.data()), static_cast<std::size_t>(rows.shape(0)));
             const py::gil_scoped_release release;
             return std::make_shared<ConvexSolid>(given);
@@ -179,10 +174,8 @@ void add_places(py::class_<PosedMesh>& type) {
              py::arg("mesh"), py::arg("pose") = py::none(),
              "Mesh.at(pose): a Mesh, Solid or ConvexSolid at a pose (4, 4) or (3, 4), or where it is. Raises "
              "InvalidPose, NullArgument.");
-    type.def_property_readonly(
-        "mesh", [](const PosedMesh& self) { return self.shape; }, "The Mesh, Solid or ConvexSolid.");
-    type.def_property_readonly(
-        "pose", [](const PosedMesh& self) { return self.pose; }, "(4, 4) float64.");
+    type.def_readonly("mesh", &PosedMesh::shape, "The Mesh, Solid or ConvexSolid.");
+    type.def_readonly("pose", &PosedMesh::pose, "(4, 4) float64.");
     type.def("__repr__", [](const PosedMesh& self) {
         return "Posed(" + text_of(py::cast(self.shape)) + ", " + pose_text("pose", self.pose) + ")";
     });
@@ -200,11 +193,9 @@ void add_motions(py::class_<MovingMesh>& type) {
              }),
              py::arg("mesh"), py::arg("start"), py::arg("end"),
              "Mesh.moving(start, end). Raises InvalidPose, NullArgument.");
-    type.def_property_readonly("mesh", [](const MovingMesh& self) { return self.shape; });
-    type.def_property_readonly(
-        "start", [](const MovingMesh& self) { return self.from; }, "(4, 4) float64.");
-    type.def_property_readonly(
-        "end", [](const MovingMesh& self) { return self.to; }, "(4, 4) float64.");
+    type.def_readonly("mesh", &MovingMesh::shape);
+    type.def_readonly("start", &MovingMesh::from, "(4, 4) float64.");
+    type.def_readonly("end", &MovingMesh::to, "(4, 4) float64.");
     type.def("__repr__", [](const MovingMesh& self) {
         return "Moving(" + text_of(py::cast(self.shape)) + ", " + pose_text("start", self.from) + ", " +
                pose_text("end", self.to) + ")";
@@ -214,13 +205,6 @@ void add_motions(py::class_<MovingMesh>& type) {
                             return MovingMesh{require(state[0].cast<std::shared_ptr<MeshShape>>()),
                                               state[1].cast<Pose>(), state[2].cast<Pose>()};
                         }));
-}
-
-void add_box(py::module_& m) {
-    m.def(
-        "box_of", [](const PosedMesh& body) { return box_of(body.shape->mesh(), body.pose); }, py::arg("body"),
-        "A box (2, 3) that contains the posed mesh and exceeds the least one by rounding only. One pass over "
-        "vertices.");
 }
 
 }  // namespace
@@ -242,7 +226,10 @@ void bind_meshes(py::module_& m) {
     add_solids(m);
     add_places(posed);
     add_motions(moving);
-    add_box(m);
+    m.def(
+        "box_of", [](const PosedMesh& body) { return box_of(body.shape->mesh(), body.pose); }, py::arg("body"),
+        "A box (2, 3) that contains the posed mesh and exceeds the least one by rounding only. One pass over "
+        "vertices.");
 }
 
 }  // namespace ecods::python

@@ -1,6 +1,5 @@
 // The module ecods._ecods, of which the package ecods shows everything.
 #include "python/bind/bind.hpp"
-#include "python/bind/refusals.hpp"
 
 namespace py = pybind11;
 
@@ -14,7 +13,6 @@ PYBIND11_MODULE(_ecods, m) {
     bind_pair_questions(m);
     bind_line_questions(m);
     bind_solid_questions(m);
-    bind_casts(m);
     bind_many(m);
     bind_predicates(m);
     bind_certificates(m);

@@ -150,16 +150,13 @@ void bind_predicates(py::module_& m) {
     const auto poses = py::arg("poses") = py::none();
     m.def("orient2d", &orient2d_of, py::arg("a"), py::arg("b"), py::arg("c"),
           "The sign of det(b - a, c - a) of points (..., 2): positive for a left turn. A Sign, or int8 values of Sign "
-          "over the "
-          "common leading axes. Exact. Raises InvalidPoint, as all predicates do.");
+          "over the common leading axes. Exact. Raises InvalidPoint, as all predicates do.");
     m.def("orient2d_along", &orient2d_along, py::arg("a"), py::arg("b"), py::arg("c"), py::arg("axis"), poses,
           "orient2d of points (..., 3), at poses (..., 4, 4) of their own, seen along an axis: of coordinates (axis + "
-          "1) mod 3 "
-          "and (axis + 2) mod 3. `poses` has one for each point, or None. Exact for the real points.");
+          "1) mod 3 and (axis + 2) mod 3. `poses` has one for each point, or None. Exact for the real points.");
     m.def("orient3d", &orient3d_of, py::arg("a"), py::arg("b"), py::arg("c"), py::arg("d"), poses,
           "The sign of det(b - a, c - a, d - a) of points (..., 3): positive when d is where (b - a) x (c - a) points. "
-          "With "
-          "`poses`, of the real points R v + t. Exact.");
+          "With `poses`, of the real points R v + t. Exact.");
     m.def("triangle_triangle", &triangles_of, py::arg("a"), py::arg("b"), poses,
           "Relation of triangles (..., 3, 3), or int8 values of Relation. With `poses`, of the real points. Exact.");
 }

@@ -37,6 +37,8 @@ struct Field {
     Value T::*member;
     const char* doc;
 };
+template <class T, class Value>
+Field(const char*, Value T::*, const char*) -> Field<T, Value>;
 
 // In full: numpy's own text of an array leaves digits out.
 inline std::string text_of_value(const py::object& value) {

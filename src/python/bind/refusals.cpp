@@ -1,6 +1,7 @@
-#include "python/bind/refusals.hpp"
-
+// One line for arguments that fit no signature.
 #include <string>
+
+#include "python/bind/bind.hpp"
 
 namespace ecods::python {
 namespace {

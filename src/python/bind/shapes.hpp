@@ -35,12 +35,19 @@ template <class Shape>
 Posed<Shape> as(const PosedMesh& posed, const char* argument) {
     const auto* solid = dynamic_cast<const Shape*>(posed.shape.get());
     if (solid == nullptr) {
-        const py::object type = py::type::of(py::cast(posed.shape));
         throw py::type_error(std::string(argument) + ": a " +
                              std::string(py::str(py::type::of<Shape>().attr("__name__"))) + " is expected, not a " +
-                             std::string(py::str(type.attr("__name__"))));
+                             type_name(py::cast(posed.shape)));
     }
     return {*solid, posed.pose};
+}
+
+// For classes whose objects never change: who copies what refers to one refers to the same.
+template <class Type>
+void copies_are_itself(Type& type) {
+    type.def("__copy__", [](py::object self) { return self; });
+    type.def(
+        "__deepcopy__", [](py::object self, const py::dict&) { return self; }, py::arg("memo"));
 }
 
 }  // namespace ecods::python

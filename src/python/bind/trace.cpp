@@ -76,21 +76,18 @@ void add_trace_calls(WorldClass& type) {
 }
 
 void bind_trace(py::module_& m) {
-    using Difference = ReplayReport::Difference;
     add_record(m, "ReplayDifference", "The first thing that is not as a trace says.",
-               Field<Difference, std::size_t>{"update", &Difference::update, "From 0."},
-               Field<Difference, std::size_t>{"call", &Difference::call, "From 0."},
-               Field<Difference, std::size_t>{"line", &Difference::line, "From 1."},
-               Field<Difference, std::string>{"what", &Difference::what, "In words."});
-    using Report = ReplayReport;
+               Field{"update", &ReplayReport::Difference::update, "From 0."},
+               Field{"call", &ReplayReport::Difference::call, "From 0."},
+               Field{"line", &ReplayReport::Difference::line, "From 1."},
+               Field{"what", &ReplayReport::Difference::what, "In words."});
     add_record(m, "ReplayReport", "How a replay went, up to its end or to the first difference.",
-               Field<Report, std::size_t>{"call_count", &Report::call_count, "Calls that were run."},
-               Field<Report, std::size_t>{"update_count", &Report::update_count, "Updates among them."},
-               Field<Report, std::size_t>{"question_count", &Report::question_count, "Questions among them."},
-               Field<Report, std::size_t>{"body_count", &Report::body_count, "Bodies at the end."},
-               Field<Report, std::size_t>{"colliding_count", &Report::colliding_count, "Pairs that collide then."},
-               Field<Report, std::optional<Difference>>{"difference", &Report::difference,
-                                                        "ReplayDifference, or None if all is as it was."});
+               Field{"call_count", &ReplayReport::call_count, "Calls that were run."},
+               Field{"update_count", &ReplayReport::update_count, "Updates among them."},
+               Field{"question_count", &ReplayReport::question_count, "Questions among them."},
+               Field{"body_count", &ReplayReport::body_count, "Bodies at the end."},
+               Field{"colliding_count", &ReplayReport::colliding_count, "Pairs that collide then."},
+               Field{"difference", &ReplayReport::difference, "ReplayDifference, or None if all is as it was."});
     py::class_<Trace>(m, "Trace", "The calls that changed a world, as text.")
         .def(py::init<std::string>(), py::arg("text"))
         .def_readonly("text", &Trace::text)

@@ -31,10 +31,8 @@ void add_bodies(WorldClass& type, const py::arg& body) {
         py::arg("mask") = CollisionFilter{}.mask, py::arg("user_data") = 0,
         "Makes a body and returns its id, an int. Bodies of one Mesh share its tree. `groups` and `mask` are bits: two "
         "bodies may meet if each is in a group that the other's mask names. Raises InvalidPose, NullArgument.");
-    type.def(
-        "destroy_body",
-        [](SharedWorld& self, BodyId id) { self.change([&](World& world) { world.destroy_body(id); }); }, body,
-        "The id is stale from now on. Raises StaleBody, as every call that is given an id does.");
+    type.def("destroy_body", changing(&World::destroy_body), body,
+             "The id is stale from now on. Raises StaleBody, as every call that is given an id does.");
     type.def(
         "set_pose",
         [](SharedWorld& self, BodyId id, const py::object& pose) {
@@ -59,15 +57,9 @@ void add_bodies(WorldClass& type, const py::arg& body) {
             self.change([&](World& world) { world.set_shape(id, shape); });
         },
         body, py::arg("mesh"), "Gives a body another mesh; of one that deforms, Mesh.refit() makes it.");
-    type.def(
-        "set_user_data",
-        [](SharedWorld& self, BodyId id, std::uint64_t data) {
-            self.change([&](World& world) { world.set_user_data(id, data); });
-        },
-        body, py::arg("data"), "A number of the caller's, below 2**64, kept with the body.");
-    type.def(
-        "reserve", [](SharedWorld& self, std::size_t n) { self.change([&](World& world) { world.reserve(n); }); },
-        py::arg("body_count"), "Reserves memory for so many bodies.");
+    type.def("set_user_data", changing(&World::set_user_data), body, py::arg("data"),
+             "A number of the caller's, below 2**64, kept with the body.");
+    type.def("reserve", changing(&World::reserve), py::arg("body_count"), "Reserves memory for so many bodies.");
 }
 
 void add_facts(WorldClass& type, const py::arg& body) {
@@ -77,33 +69,22 @@ void add_facts(WorldClass& type, const py::arg& body) {
             return self.read([&](const World& world) { return world.is_alive(id.body); });
         },
         body, "Whether the id names a body of this world.");
-    type.def(
-        "pose",
-        [](SharedWorld& self, BodyId id) { return self.read([&](const World& world) { return world.pose(id); }); },
-        body, "(4, 4) float64, set last.");
+    type.def("pose", reading(&World::pose), body, "(4, 4) float64, set last.");
     const auto mesh = [](SharedWorld& self, BodyId id) {
-        const auto shape = self.read([&](const World& world) { return world.shape(id); });
+        const auto shape = reading(&World::shape)(self, id);
         return std::const_pointer_cast<MeshShape>(std::static_pointer_cast<const MeshShape>(shape));
     };
     type.def("mesh", mesh, body, "The Mesh, Solid or ConvexSolid set last.");
     type.def(
         "posed",
         [mesh](SharedWorld& self, BodyId id) {
-            const auto pose = self.read([&](const World& world) { return world.pose(id); });
-            return PosedMesh{mesh(self, id), pose};
+            return PosedMesh{mesh(self, id), reading(&World::pose)(self, id)};
         },
         body, "The body as a Posed, for questions that need no world.");
+    type.def("box", reading(&World::box), body, "A box (2, 3) that contains the body.");
+    type.def("user_data", reading(&World::user_data), body, "The number given last; 0 at first.");
     type.def(
-        "box",
-        [](SharedWorld& self, BodyId id) { return self.read([&](const World& world) { return world.box(id); }); }, body,
-        "A box (2, 3) that contains the body.");
-    type.def(
-        "user_data",
-        [](SharedWorld& self, BodyId id) { return self.read([&](const World& world) { return world.user_data(id); }); },
-        body, "The number given last; 0 at first.");
-    type.def(
-        "bodies",
-        [](SharedWorld& self) { return from_bodies(self.read([](const World& world) { return world.bodies(); })); },
+        "bodies", [](SharedWorld& self) { return from_bodies(reading(&World::bodies)(self)); },
         "All ids, ascending: (n,) uint64.");
     type.def("__len__", [](SharedWorld& self) {
         return self.read([](const World& world) { return world.statistics().body_count; });
@@ -117,33 +98,23 @@ void add_filters(WorldClass& type, const py::arg& body) {
             self.change([&](World& world) { world.set_filter(id, {.groups = groups, .mask = mask}); });
         },
         body, py::arg("groups"), py::arg("mask"), "Which groups a body is in, and which it meets, as bits.");
-    type.def(
-        "filter",
-        [](SharedWorld& self, BodyId id) { return self.read([&](const World& world) { return world.filter(id); }); },
-        body, "The CollisionFilter set last.");
-    type.def(
-        "set_pair_enabled",
-        [](SharedWorld& self, BodyId a, BodyId b, bool is_enabled) {
-            self.change([&](World& world) { world.set_pair_enabled(a, b, is_enabled); });
-        },
-        py::arg("a"), py::arg("b"), py::arg("is_enabled"), "Switches one pair off, or on again. Raises SameBody.");
-    type.def(
-        "is_pair_enabled",
-        [](SharedWorld& self, BodyId a, BodyId b) {
-            return self.read([&](const World& world) { return world.is_pair_enabled(a, b); });
-        },
-        py::arg("a"), py::arg("b"), "By that switch alone, whatever the filters are.");
+    type.def("filter", reading(&World::filter), body, "The CollisionFilter set last.");
+    type.def("set_pair_enabled", changing(&World::set_pair_enabled), py::arg("a"), py::arg("b"), py::arg("is_enabled"),
+             "Switches one pair off, or on again. Raises SameBody.");
+    type.def("is_pair_enabled", reading(&World::is_pair_enabled), py::arg("a"), py::arg("b"),
+             "By that switch alone, whatever the filters are.");
 }
 
 }  // namespace
 
 void bind_world(py::module_& m) {
-    using Filter = CollisionFilter;
     add_record(m, "CollisionFilter", "Which groups a body is in, and which it meets, as bits.",
-               Field<Filter, std::uint64_t>{"groups", &Filter::groups, "The groups that it is in."},
-               Field<Filter, std::uint64_t>{"mask", &Filter::mask, "The groups that it meets."})
-        .def(py::init([](std::uint64_t groups, std::uint64_t mask) { return Filter{.groups = groups, .mask = mask}; }),
-             py::arg("groups") = Filter{}.groups, py::arg("mask") = Filter{}.mask);
+               Field{"groups", &CollisionFilter::groups, "The groups that it is in."},
+               Field{"mask", &CollisionFilter::mask, "The groups that it meets."})
+        .def(py::init([](std::uint64_t groups, std::uint64_t mask) {
+                 return CollisionFilter{.groups = groups, .mask = mask};
+             }),
+             py::arg("groups") = CollisionFilter{}.groups, py::arg("mask") = CollisionFilter{}.mask);
     WorldClass type(
         m, "World",
         "Many moving bodies: which of them touch, which come close, and which is the nearest? Changes take effect "
@@ -151,8 +122,7 @@ void bind_world(py::module_& m) {
         "beside each other. A copy, or what is pickled, has the bodies of now under the same ids, with their filters, "
         "data and switched pairs, the clearance and the options; ids that were stale are stale in it, too. It is as "
         "before its first update, and no trace goes on in it. Copies share the meshes. The cost is that of creating "
-        "the "
-        "bodies.");
+        "the bodies.");
     type.def(
         py::init<BroadPhaseKind, std::size_t>(), py::arg("broad_phase") = "automatic", py::arg("threads") = 1,
         "`threads`: how many run the two-body tests of update(), depths() and solid_distances(). No answer depends on "

@@ -72,6 +72,31 @@ class SharedWorld {
     World world_;
 };
 
+// Functions for pybind11 that make a call of World which changes it, or only reads.
+template <class Result, class... Given>
+auto changing(Result (World::*call)(Given...)) {
+    return [call](SharedWorld& self, Given... given) {
+        return self.change([&](World& world) { return (world.*call)(given...); });
+    };
+}
+template <class Result, class... Given>
+auto reading(Result (World::*call)(Given...) const) {
+    return [call](SharedWorld& self, Given... given) {
+        return self.read([&](const World& world) { return (world.*call)(given...); });
+    };
+}
+
+// One that asks question(world, given..., memory...), as SharedWorld::ask does.
+template <class... Given, class Question>
+auto asked_of_world(Question question) {
+    return [question](SharedWorld& self, const Given&... given) {
+        return self.ask([&](auto& world, auto&... memory) { return question(world, given..., memory...); });
+    };
+}
+
+// The World's function of that name, which has a form with a memory and one without.
+#define ECODS_CALL(name) [](auto& world, auto&... given) { return world.name(given...); }
+
 using WorldClass = pybind11::class_<SharedWorld>;
 
 void add_lists(WorldClass& type);

@@ -56,10 +56,6 @@ py::array_t<double> from_poses(const std::vector<Pose>& poses) {
     return array;
 }
 
-py::array_t<std::uint64_t> from_numbers(const std::vector<std::uint64_t>& numbers) {
-    return py::array_t<std::uint64_t>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
-}
-
 std::vector<std::uint64_t> to_numbers(const py::object& value) {
     const auto array = value.cast<Numbers>();
     return {array.data(), array.data() + array.size()};

@@ -10,9 +10,7 @@ constexpr double infinity = World::no_limit;
 void add_finding(WorldClass& type, const py::arg_v& filter) {
     type.def(
         "overlapping_bodies",
-        [](SharedWorld& self, const Aabb& box) {
-            return from_bodies(self.read([&](const World& world) { return world.overlapping_bodies(box); }));
-        },
+        [](SharedWorld& self, const Aabb& box) { return from_bodies(reading(&World::overlapping_bodies)(self, box)); },
         py::arg("box"), "Bodies whose boxes share a point with this one (2, 3): (k,) uint64. Raises InvalidBox.");
     type.def(
         "intersecting_bodies",
@@ -22,12 +20,8 @@ void add_finding(WorldClass& type, const py::arg_v& filter) {
             }));
         },
         py::arg("what"), filter, "Bodies that share a point with a Mesh or Posed: (k,) uint64, ascending. Exact.");
-    type.def(
-        "bodies_containing",
-        [](SharedWorld& self, const Vec3& point) {
-            return self.ask([&](auto& world, auto&... memory) { return world.bodies_containing(point, memory...); });
-        },
-        py::arg("point"), "BodiesContaining: the solids with the point (3,) in them or on them. Raises InvalidPoint.");
+    type.def("bodies_containing", asked_of_world<Vec3>(ECODS_CALL(bodies_containing)), py::arg("point"),
+             "BodiesContaining: the solids with the point (3,) in them or on them. Raises InvalidPoint.");
 }
 
 void add_nearest(WorldClass& type, const py::arg_v& filter) {
@@ -90,8 +84,7 @@ void add_casts(WorldClass& type, const py::arg_v& filter) {
         },
         py::arg("what"), py::arg("motion"), time_max,
         "BodyContact: what a body meets first while it is translated by time times motion (3,), up to time_max, or "
-        "None. "
-        "Nothing moves. Raises InvalidMotion, InvalidTime.");
+        "None. Nothing moves. Raises InvalidMotion, InvalidTime.");
     type.def(
         "cast",
         [](SharedWorld& self, const PosedMesh& what, const Vec3& motion, double most, const Filter& only) {

@@ -49,32 +49,20 @@ py::dict dict_of(const Statistics& s) {
 
 void add_settings(WorldClass& type) {
     type.def(
-        "set_clearance",
-        [](SharedWorld& self, std::optional<double> d) { self.change([&](World& world) { world.set_clearance(d); }); },
-        py::arg("clearance"),
+        "set_clearance", changing(&World::set_clearance), py::arg("clearance"),
         "From the next update on, close_pairs() are those at a distance of at most this, decided for the real number; "
-        "None "
-        "ends it. Raises InvalidDistance.");
-    type.def(
-        "clearance", [](SharedWorld& self) { return self.read([](const World& world) { return world.clearance(); }); },
-        "Set last, or None.");
-    type.def(
-        "set_solids",
-        [](SharedWorld& self, bool are_related) { self.change([&](World& world) { world.set_solids(are_related); }); },
-        py::arg("are_related"), "Whether updates make solid_pairs(), from the next one on.");
-    type.def(
-        "are_solids_related",
-        [](SharedWorld& self) { return self.read([](const World& world) { return world.are_solids_related(); }); },
-        "Set last; False at first.");
+        "None ends it. Raises InvalidDistance.");
+    type.def("clearance", reading(&World::clearance), "Set last, or None.");
+    type.def("set_solids", changing(&World::set_solids), py::arg("are_related"),
+             "Whether updates make solid_pairs(), from the next one on.");
+    type.def("are_solids_related", reading(&World::are_solids_related), "Set last; False at first.");
 }
 
 }  // namespace
 
 void add_lists(WorldClass& type) {
     add_settings(type);
-    type.def(
-        "update", [](SharedWorld& self) { self.change([](World& world) { world.update(); }); },
-        "Brings the lists up to date, with work that follows what changed.");
+    type.def("update", changing(&World::update), "Brings the lists up to date, with work that follows what changed.");
     add_list(type, "overlapping_pairs", &World::overlapping_pairs,
              "Pairs whose boxes overlap and that are not filtered out: (k, 2) uint64.");
     add_list(type, "colliding_pairs", &World::colliding_pairs,
@@ -94,15 +82,13 @@ void add_lists(WorldClass& type) {
         "Pairs of solids that are not apart: a list of SolidPair; empty unless set_solids(True) came before the "
         "update.");
     type.def(
-        "statistics",
-        [](SharedWorld& self) { return dict_of(self.read([](const World& world) { return world.statistics(); })); },
+        "statistics", [](SharedWorld& self) { return dict_of(reading(&World::statistics)(self)); },
         "What the world did, as counts.");
     type.def(
         "validate", [](SharedWorld& self) { self.change([](World& world) { world.validate(); }); },
         "Checks every invariant. Slow: for tests. Raises BrokenInvariant.");
-    type.def(
-        "digest", [](SharedWorld& self) { return self.read([](const World& world) { return world.digest(); }); },
-        "A hash of the bodies and their collisions as of the last update. Equal scenes have equal digests.");
+    type.def("digest", reading(&World::digest),
+             "A hash of the bodies and their collisions as of the last update. Equal scenes have equal digests.");
 }
 
 }  // namespace ecods::python

@@ -1,51 +1,74 @@
-#include <memory>
+#include <optional>
 
+#include "base/double_key.hpp"
 #include "bvh/axes/swept_axes.hpp"
-#include "query/cast/cast_search.hpp"
 #include "query/cast/cast_until.hpp"
-#include "query/cast/contact_at_start.hpp"
+#include "query/cast/contact_interval.hpp"
 #include "query/cast/triangle_contacts.hpp"
+#include "query/search/search.hpp"
 #include "query/shape/other_units.hpp"
 
 namespace ecods {
 namespace {
 
-// The Motion of a CastSearch.
+// Times of first contact as the numbers of a search (query/search).
 class Translation {
   public:
+    using Interval = ContactInterval;
+    using Value = FirstContact;
+
     // Returns false if there is certainly no contact until `latest`.
-    bool bind(const exact::BodyRef& a, const Vec3& motion, const exact::BodyRef& b, const PosedTree& tree_a,
-              const PosedTree& tree_b, double latest) {
-        if (!axes_.bind(tree_a, tree_b, b.pose->t - a.pose->t, motion, latest)) return false;
-        contacts_.bind(a, motion, b);
+    bool bind(const MeshPair& bodies, const Vec3& motion, double latest, CastCounts& counts) {
+        const MeshBody &a = bodies.a, &b = bodies.b;
+        counts_ = &counts;
+        if (!axes_.bind({a.tree.boxes, a.pose.R}, {b.tree.boxes, b.pose.R}, b.pose.t - a.pose.t, motion, latest)) {
+            return false;
+        }
+        contacts_.bind(a.ref(), motion, b.ref());
         return true;
     }
 
     float limit_above(double time) const noexcept { return axes_.window_above(time); }
     template <class X, class Y>
-    std::uint64_t find_near(const X& x, const Y& y, float limit, LaneTimes& times) const noexcept {
+    std::uint64_t find_near(const X& x, const Y& y, float limit, LaneBounds& times) const noexcept {
         return swept_mask(axes_.sets(), limit, x, y, times);
     }
-    ContactInterval enclose(std::uint32_t i, std::uint32_t j) { return contacts_.enclose(i, j); }
-    std::optional<FirstContact> contact(std::uint32_t i, std::uint32_t j, const ContactInterval& known) {
-        return contacts_.contact(i, j, known);
+    bool may_share(float time) const noexcept { return !(time > 0); }
+    ContactInterval enclose(const TrianglePair& triangles, double) {
+        ++counts_->enclosures;
+        return contacts_.enclose(triangles.a, triangles.b);
     }
-    bool meet_by(std::uint32_t i, std::uint32_t j, double latest) { return contacts_.meet_by(i, j, latest); }
+    // A pair of which it is not known whether there is contact is asked exactly at once.
+    bool complete(const TrianglePair& triangles, ContactInterval& interval, std::optional<FirstContact>& contact) {
+        if (key_of(interval.upper) <= key_of(1.0)) return true;
+        contact = round(triangles, interval);
+        if (contact) interval.lower = interval.upper = contact->time;
+        return contact.has_value();
+    }
+    std::optional<FirstContact> round(const TrianglePair& triangles, const ContactInterval& interval) {
+        ++counts_->exact;
+        return contacts_.contact(triangles.a, triangles.b, interval);
+    }
+    bool meet_by(const TrianglePair& triangles, double latest) {
+        ++counts_->exact;
+        return contacts_.meet_by(triangles.a, triangles.b, latest);
+    }
 
   private:
     SweptAxes axes_;
     TriangleContacts contacts_;
+    CastCounts* counts_ = nullptr;
 };
 
-struct Memory final : QueryMemoryPart {
-    CastMemory working;
-    Translation translation;
-};
-
-Memory& memory_of(QueryMemory& memory) {
-    auto& part = QueryMemoryAccess::state(memory).cast;
-    if (!part) part = std::make_unique<Memory>();
-    return static_cast<Memory&>(*part);
+// The first open contact, if it is by `latest`. What rounds to less is less; what rounds to `latest` may be above it,
+// of one pair that has the least rounded time and not of another. No motion goes on beyond 1.
+std::optional<FirstContact> first_by(double latest, Translation& translation, SieveOf<Translation>& sieve) {
+    const auto contact =
+        first_contact(sieve, [&](const auto& open) { return translation.round(open.triangles, open.interval); });
+    if (!contact || key_of(contact->time) > key_of(latest)) return std::nullopt;
+    if (key_of(contact->time) < key_of(latest) || key_of(latest) >= key_of(1.0)) return contact;
+    const auto is_by = [&](const TrianglePair& triangles) { return translation.meet_by(triangles, latest); };
+    return sieve.is_least_within(latest, is_by) ? contact : std::nullopt;
 }
 
 bool is_zero(const Vec3& v) {
@@ -63,24 +86,31 @@ std::optional<FirstContact> cast_at_rest(const Posed<MeshShape>& a, const Posed<
 
 }  // namespace
 
+FirstContact contact_at_start(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {
+    const TrianglePair first = as_part(memory, [&] { return intersecting_triangles(a, b, memory); }).front();
+    return {0, ClosestKind::intersecting, {Feature::Kind::face, first.a, 0}, {Feature::Kind::face, first.b, 0}};
+}
+
 std::optional<FirstContact> cast_until(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
                                        double latest, QueryMemory& memory, PairWitness& witness) {
     validate_motion(motion);
     if (is_zero(motion)) return cast_at_rest(a, b, memory, witness);
-    Memory& working = memory_of(memory);
-    ++QueryMemoryAccess::state(memory).counts.queries;
-    const MeshTree &tree_a = MeshShapeAccess::tree(*a.what), &tree_b = MeshShapeAccess::tree(*b.what);
-    const exact::BodyRef body_a{&a.what->mesh(), &tree_a.extent, &a.pose};
-    const exact::BodyRef body_b{&b.what->mesh(), &tree_b.extent, &b.pose};
-    if (!working.translation.bind(body_a, motion, body_b, {tree_a.boxes, a.pose.R}, {tree_b.boxes, b.pose.R}, latest)) {
-        return std::nullopt;
-    }
+    using Working = SearchMemory<Translation>;
+    Working& working = QueryMemoryAccess::part<Working>(memory, &QueryMemoryAccess::State::cast);
+    QueryCounts& counts = QueryMemoryAccess::state(memory).counts;
+    ++counts.queries;
+    const MeshPair bodies{MeshBody(a), MeshBody(b)};
+    if (!working.question.bind(bodies, motion, latest, counts.casts)) return std::nullopt;
     const OtherUnits units(a, b, motion);
     if (units.are_better()) {
         return as_part(memory,
                        [&] { return cast_until(units.of(a), units.of(motion), units.of(b), latest, memory, witness); });
     }
-    return CastSearch<Translation>(working.translation, a, b, working.working, memory).find(latest, witness);
+    Search(bodies, working, memory).run({.at_most = latest}, bodies.named_by(witness));
+    const auto contact = working.sieve.is_zero() ? std::optional(contact_at_start(a, b, memory))
+                                                 : first_by(latest, working.question, working.sieve);
+    if (contact) witness = {contact->a.triangle, contact->b.triangle};
+    return contact;
 }
 
 std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,

@@ -9,20 +9,13 @@
 #include "base/double_key.hpp"
 #include "base/next.hpp"
 #include "exact/measure/contact/possible_features.hpp"
+#include "exact/measure/distance/name_features.hpp"
 
 namespace ecods {
 namespace {
 
-ContactFeature name_of(const exact::FeaturePair& pair, std::size_t side, const Mesh& mesh, std::uint32_t triangle) {
-    using exact::FeatureKind;
-    const Triangle& corners = mesh.triangles()[triangle];
-    const std::size_t corner = side == 0 ? pair.a : pair.b;
-    const bool is_vertex =
-        pair.kind == FeatureKind::vertex_vertex || (pair.kind != FeatureKind::edge_edge && pair.vertex_side == side);
-    if (is_vertex) return {corners[corner], ContactFeature::none};
-    if (pair.kind == FeatureKind::vertex_face) return {triangle, triangle};
-    const auto [low, high] = std::minmax(corners[corner], corners[(corner + 1) % 3]);
-    return {low, high};
+FeatureKey key_on(const exact::FeaturePair& pair, std::size_t side, const Mesh& mesh, std::uint32_t triangle) {
+    return feature_key(exact::feature_of(pair, side, triangle), mesh.triangles()[triangle]);
 }
 
 // Times that bound the beginning of a way, powers of two: the first is the least that is not subnormal.
@@ -62,15 +55,20 @@ void MovingPairs::bind(const Moving<MeshShape>& a, const Moving<MeshShape>& b, C
     known_.clear();
 }
 
-exact::MovingPoints MovingPairs::points_of(const TrianglePair& triangles) {
-    const Triangle &s = a_->what->mesh().triangles()[triangles.a], &t = b_->what->mesh().triangles()[triangles.b];
-    exact::MovingPoints points;
-    for (std::size_t i = 0; i < 3; ++i) {
-        points.start[i] = frame_.rounded(0, s[i]);
-        points.start[3 + i] = frame_.rounded(1, t[i]);
-        points.end[i] = frame_.rounded(2, s[i]);
-        points.end[3 + i] = frame_.rounded(3, t[i]);
+std::array<exact::VertexRef, 12> MovingPairs::corners_of(const TrianglePair& triangles) const {
+    const std::array of{a_->what->mesh().triangles()[triangles.a], b_->what->mesh().triangles()[triangles.b]};
+    std::array<exact::VertexRef, 12> corners;
+    for (std::size_t body = 0; body < 4; ++body) {
+        for (std::size_t i = 0; i < 3; ++i) corners[3 * body + i] = {body, of[body % 2][i]};
     }
+    return corners;
+}
+
+exact::MovingPoints MovingPairs::points_of(const TrianglePair& triangles) {
+    const exact::Points<12> rounded = frame_.rounded(corners_of(triangles));
+    exact::MovingPoints points;
+    std::copy_n(rounded.begin(), 6, points.start.begin());
+    std::copy_n(rounded.begin() + 6, 6, points.end.begin());
     points.start_error = std::max(frame_.delta(0), frame_.delta(1));
     points.end_error = std::max(frame_.delta(2), frame_.delta(3));
     return points;
@@ -107,16 +105,7 @@ std::optional<exact::TimeSpan> MovingPairs::bound_at_beginning(const exact::Movi
 template <class Ask>
 auto MovingPairs::ask_exactly(const TrianglePair& triangles, Ask&& ask) {
     ++counts_->exact;
-    const Mesh &mesh_a = a_->what->mesh(), &mesh_b = b_->what->mesh();
-    const Triangle &s = mesh_a.triangles()[triangles.a], &t = mesh_b.triangles()[triangles.b];
-    exact::PosedPoints<12> points;
-    for (std::size_t i = 0; i < 3; ++i) {
-        points[i] = {&a_->from, &mesh_a.vertices()[s[i]]};
-        points[3 + i] = {&b_->from, &mesh_b.vertices()[t[i]]};
-        points[6 + i] = {&a_->to, &mesh_a.vertices()[s[i]]};
-        points[9 + i] = {&b_->to, &mesh_b.vertices()[t[i]]};
-    }
-    return exact::with_integers(points, [&](const auto& integers) {
+    return exact::with_integers(frame_.posed(corners_of(triangles)), [&](const auto& integers) {
         exact::MovingTriangles moving(integers);
         return ask(moving);
     });
@@ -134,11 +123,11 @@ std::optional<exact::Meeting> MovingPairs::decide(const TrianglePair& triangles,
         const exact::TimeSpan span = cells->span();
         const exact::FeatureSet features = exact::possible_features(points, span);
         const bool is_one = std::has_single_bit(features);
-        ContactFeature a, b;
+        FeatureKey a, b;
         if (is_one) {
             const exact::FeaturePair& pair = exact::feature_pairs[static_cast<std::size_t>(std::countr_zero(features))];
-            a = name_of(pair, 0, a_->what->mesh(), triangles.a);
-            b = name_of(pair, 1, b_->what->mesh(), triangles.b);
+            a = key_on(pair, 0, a_->what->mesh(), triangles.a);
+            b = key_on(pair, 1, b_->what->mesh(), triangles.b);
             if (const KnownMeeting* known = find_known(a, b, span)) {
                 return exact::Meeting{known->time, known->is_late, pair};
             }
@@ -161,7 +150,7 @@ std::optional<exact::Meeting> MovingPairs::decide(const TrianglePair& triangles,
 }
 
 // The time that is known is rounded: it is in the span where both of its neighbours are.
-const MovingPairs::KnownMeeting* MovingPairs::find_known(const ContactFeature& a, const ContactFeature& b,
+const MovingPairs::KnownMeeting* MovingPairs::find_known(const FeatureKey& a, const FeatureKey& b,
                                                          const exact::TimeSpan& time) const {
     for (const KnownMeeting& known : known_) {
         if (known.a == a && known.b == b && key_of(next_down(known.time)) >= key_of(time.from) &&

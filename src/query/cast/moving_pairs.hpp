@@ -2,6 +2,7 @@
 // decision, which knows what it has decided of the same features.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -29,17 +30,18 @@ class MovingPairs {
     // The first meeting of two features, where two triangles can only meet by these. Other triangles that have both
     // meet by them at the same time, if they do by no others.
     struct KnownMeeting {
-        ContactFeature a, b;
+        FeatureKey a, b;
         double time;
         bool is_late;
     };
 
     std::optional<exact::TimeSpan> bound_at_beginning(const exact::MovingPoints& points, double from, double to,
                                                       exact::Effort effort);
+    std::array<exact::VertexRef, 12> corners_of(const TrianglePair& triangles) const;  // at the start, at the end
     exact::MovingPoints points_of(const TrianglePair& triangles);
     template <class Ask>
     auto ask_exactly(const TrianglePair& triangles, Ask&& ask);
-    const KnownMeeting* find_known(const ContactFeature& a, const ContactFeature& b, const exact::TimeSpan& time) const;
+    const KnownMeeting* find_known(const FeatureKey& a, const FeatureKey& b, const exact::TimeSpan& time) const;
 
     const Moving<MeshShape>* a_ = nullptr;
     const Moving<MeshShape>* b_ = nullptr;

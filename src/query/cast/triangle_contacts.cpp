@@ -12,41 +12,16 @@ namespace ecods {
 
 using namespace exact;
 
-namespace {
-
-// Of a vertex and a face, or of two edges.
-FeaturePair features_of(const FirstContact& contact) noexcept {
-    const bool is_of_face = contact.kind == ClosestKind::vertex_face;
-    const auto byte = [](auto x) { return static_cast<std::uint8_t>(x); };
-    return {is_of_face ? FeatureKind::vertex_face : FeatureKind::edge_edge,
-            byte(contact.b.kind == Feature::Kind::vertex), byte(contact.a.corner), byte(contact.b.corner)};
-}
-
-// What a feature is to all triangles that have it.
-ContactFeature shared(const Feature& feature, const Triangle& triangle) noexcept {
-    const std::uint32_t corner = triangle[feature.corner], next = triangle[(feature.corner + 1) % 3];
-    switch (feature.kind) {
-        case Feature::Kind::vertex:
-            return {corner, ContactFeature::none};
-        case Feature::Kind::edge:
-            return {std::min(corner, next), std::max(corner, next)};
-        default:
-            return {feature.triangle, feature.triangle};
-    }
-}
-
-}  // namespace
-
 void TriangleContacts::bind(const BodyRef& a, const Vec3& motion, const BodyRef& b) {
     motion_ = motion;
     scaled_ = scaled_motion(motion);
     BitRange digits;
     for (int k = 0; k < 3; ++k) digits.include(decode(motion[k]));
-    points_.bind(a, b, digits);
+    points_.bind_pair(a, b, digits);
     triangles_ = {a.mesh->triangles().data(), b.mesh->triangles().data()};
     // As a difference of points.
     is_exact_ = points_.is_exact() && digits.low >= points_.unit() &&
-                digits.high - points_.unit() < FixedPoints::difference_bits;
+                digits.high - points_.unit() < IntegerFrame::difference_bits;
     if (!is_exact_) return;
     for (std::size_t k = 0; k < 3; ++k) {
         const Dyadic d = decode(motion[static_cast<Eigen::Index>(k)]);
@@ -55,28 +30,21 @@ void TriangleContacts::bind(const BodyRef& a, const Vec3& motion, const BodyRef&
 }
 
 IntegerPair TriangleContacts::integers(std::uint32_t i, std::uint32_t j) {
-    IntegerPair pair;
-    for (std::size_t k = 0; k < 3; ++k) {
-        pair.at[k] = points_.at(0, triangles_[0][i][k]);
-        pair.at[3 + k] = points_.at(1, triangles_[1][j][k]);
-    }
-    pair.unit = points_.unit();
-    pair.error = points_.is_exact() ? 0 : FixedPoints::error_units;
-    return pair;
+    return integer_pair(points_, triangles_[0][i], triangles_[1][j]);
 }
 
 ContactInterval TriangleContacts::enclose(std::uint32_t i, std::uint32_t j) {
     const IntegerPair pair = integers(i, j);
     const ContactGuess guess = guess_contact(pair, scaled_);
-    const ContactEnclosure enclosure = enclose_contact(pair, scaled_, guess);
+    const Enclosure enclosure = enclose_contact(pair, scaled_, guess);
     ContactInterval interval;
     interval.lower = enclosure.lower;
     interval.upper = enclosure.upper;
     interval.is_certain = enclosure.is_certain;
     if (enclosure.is_certain) {
         name_features(interval.contact, guess.features, {i, j});
-        interval.a = shared(interval.contact.a, triangles_[0][i]);
-        interval.b = shared(interval.contact.b, triangles_[1][j]);
+        interval.a = feature_key(interval.contact.a, triangles_[0][i]);
+        interval.b = feature_key(interval.contact.b, triangles_[1][j]);
     }
     return interval;
 }
@@ -86,7 +54,7 @@ ContactInterval TriangleContacts::enclose(std::uint32_t i, std::uint32_t j) {
 template <class Use>
 auto TriangleContacts::with_integers(std::uint32_t i, std::uint32_t j, Use&& use) {
     const auto in_kernel = [&]<class Kernel>(const IntegerPoints<Kernel, 8>& points) {
-        constexpr int L = limbs_of<Kernel>;
+        constexpr int L = Kernel::limb_count;
         const auto at = [&](std::size_t k) {
             return std::array{to_limbs(points.at[k][0]), to_limbs(points.at[k][1]), to_limbs(points.at[k][2])};
         };
@@ -117,10 +85,10 @@ auto TriangleContacts::with_integers(std::uint32_t i, std::uint32_t j, Use&& use
 std::optional<FirstContact> TriangleContacts::contact(std::uint32_t i, std::uint32_t j, const ContactInterval& known) {
     return with_integers(i, j, [&]<int L>(const TranslatedPair<L>& pair) -> std::optional<FirstContact> {
         if (known.is_certain) {
-            const auto time = ContactTimes<L>::time_of(features_of(known.contact), pair);
-            if (is_above_one(time)) return std::nullopt;
+            const auto time = ContactTimes<L>::time_of(features_named(known.contact), pair);
+            if (!ContactTimes<L>::is_by_one(time)) return std::nullopt;
             FirstContact result = known.contact;
-            result.time = round(time);
+            result.time = round_fraction(time.size());
             return result;
         }
         const ContactTimes<L> times(pair);
@@ -129,8 +97,8 @@ std::optional<FirstContact> TriangleContacts::contact(std::uint32_t i, std::uint
         FirstContact result;
         result.a = {Feature::Kind::face, i, 0};
         result.b = {Feature::Kind::face, j, 0};
-        if (first->sign > 0) name_features(result, times.first_features(*first), {i, j});
-        result.time = round(*first);
+        if (first->sign() > 0) name_features(result, times.first_features(*first), {i, j});
+        result.time = round_fraction(first->size());
         return result;
     });
 }
@@ -138,7 +106,7 @@ std::optional<FirstContact> TriangleContacts::contact(std::uint32_t i, std::uint
 bool TriangleContacts::meet_by(std::uint32_t i, std::uint32_t j, double latest) {
     return with_integers(i, j, [&]<int L>(const TranslatedPair<L>& pair) {
         const auto first = ContactTimes<L>(pair).first();
-        return first && compare(*first, latest) <= 0;
+        return first && compare(first->size(), latest) <= 0;
     });
 }
 

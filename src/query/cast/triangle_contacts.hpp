@@ -8,8 +8,8 @@
 
 #include "ecods/cast.hpp"
 #include "exact/measure/distance/enclose_distance.hpp"
-#include "exact/measure/round/fixed_points.hpp"
 #include "exact/measure/round/scaled_vector.hpp"
+#include "exact/point/integer_frame.hpp"
 #include "query/cast/contact_interval.hpp"
 
 namespace ecods {
@@ -35,12 +35,12 @@ class TriangleContacts {
     auto with_integers(std::uint32_t i, std::uint32_t j, Use&& use);
     exact::IntegerPair integers(std::uint32_t i, std::uint32_t j);
 
-    exact::FixedPoints points_;
+    exact::IntegerFrame points_;
     std::array<const Triangle*, 2> triangles_{};
     Vec3 motion_ = Vec3::Zero();
     exact::ScaledVector scaled_{};
     // In the unit of the points, which divides it where `is_exact_`.
-    exact::FixedPoints::Point integer_motion_{};
+    exact::IntegerVector integer_motion_{};
     bool is_exact_ = false;
 };
 

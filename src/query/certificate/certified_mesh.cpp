@@ -5,6 +5,7 @@
 
 #include "base/number_text.hpp"
 #include "base/sha256.hpp"
+#include "bvh/walks/tree_view.hpp"
 #include "ecods/certificate.hpp"
 #include "query/shape/mesh_tree.hpp"
 
@@ -68,15 +69,11 @@ class MeshText {
     // In pre-order.
     template <class Visit>
     void visit(Visit&& each) {
-        stack_.assign(1, tree_.root);
-        while (!stack_.empty()) {
-            const TreeRef top = stack_.back();
-            stack_.pop_back();
-            each(top);
-            if (top.is_leaf()) continue;
-            const BvhNode& node = tree_.nodes[top.index()];
-            for (std::size_t lane = node.count; lane-- > 0;) stack_.push_back(node.child[lane]);
-        }
+        const auto all = [&](TreeRef ref) -> std::uint32_t {
+            each(ref);
+            return ref.is_leaf() ? 0 : tree_.nodes[ref.index()].lanes();
+        };
+        walk_one<LaneOrder::first_first>(TreeView(tree_), stack_, all, [](TreeRef, std::uint32_t) { return true; });
     }
 
     const Mesh& mesh_;

@@ -23,10 +23,6 @@ struct CertificateMemory final : QueryMemoryPart {
     TriangleDistances pair;
 };
 
-exact::BodyRef body_of(const Posed<MeshShape>& posed) {
-    return {&posed.what->mesh(), &MeshShapeAccess::tree(*posed.what).extent, &posed.pose};
-}
-
 // One certificate in the making.
 class Maker {
   public:

@@ -32,14 +32,14 @@ Certificate certify_hit(const Segment& segment, const Posed<MeshShape>& body, Qu
     content.segment = segment;
     if (!hit) {
         content.claim = Certificate::Claim::miss;
-        LineProof(body, segment, {1, 0}, ApartBy::strictly, content.proof).run();
+        prove_line(body, segment, {1, 0}, ApartBy::strictly, content.proof);
     } else {
         content.claim = Certificate::Claim::hit;
         content.value = hit->parameter;
         content.a = {Feature::Kind::face, hit->triangle(), 0};
         if (key_of(hit->parameter) != 0) {
             const ApartBy apart = is_even(hit->parameter) ? ApartBy::half_open : ApartBy::strictly;
-            LineProof(body, segment, midpoint_below(hit->parameter), apart, content.proof).run();
+            prove_line(body, segment, midpoint_below(hit->parameter), apart, content.proof);
         }
     }
     return CertificateAccess::make(std::move(content));

@@ -9,37 +9,31 @@
 #include <cstdint>
 #include <vector>
 
+#include "query/certificate/body_axis.hpp"
 #include "query/certificate/exact_axis.hpp"
-#include "query/certificate/proof_axes.hpp"
+#include "query/certificate/proof.hpp"
 
 namespace ecods {
 
 class ContactAxis {
   public:
-    struct Body {
-        const MeshBvh* tree;
-        const Mesh* mesh;
-        const BodyFrame* frame;
-    };
+    // `corners` are the points of the triangles that the formula of `axis` is of; everything must outlive this.
+    ContactAxis(const ProofAxis& axis, const SixCorners& corners, const ExactPoints& points,
+                const std::array<BodyFrame, 2>& bodies);
 
-    // `corners` are the points of the triangles that `formula` is of; everything must outlive this. `towards_b` is
-    // about the direction from a to b, for triangles in one plane.
-    ContactAxis(const ProofAxis& named, const SixCorners& corners, const ExactPoints& points,
-                const std::array<Body, 2>& bodies, const Vec3& towards_b);
-
-    const ProofAxis& named() const noexcept { return named_; }
+    ProofAxis axis;
+    Proof::Word named = Proof::no_axis;
 
     // The lanes of a node or leaf of body 0 or 1 that are on its side.
-    std::uint32_t lanes_inside(std::size_t body, const BvhNode& node);
-    std::uint32_t lanes_inside(std::size_t body, const TreeLeaf& leaf);
+    template <class X>
+    std::uint32_t lanes_inside(std::size_t body, const X& x);
 
   private:
     enum class Side : std::uint8_t { unknown, inside, outside };
 
     struct Half {
-        Body body{};
-        double sign = 1;    // of a's half 1, of b's -1: inside is sign (n.x) <= plane
-        BodyAxis axis;      // n, as doubles, times the sign
+        const BodyFrame* body = nullptr;
+        BodyAxis axis;  // n, as doubles, times 1 for a's half, and -1 for b's: inside is what is not beyond the plane
         double plane = 0;   // of the triangle, along the axis
         double margin = 0;  // of errors
         double near = 0;    // what may be inside all the same is no further beyond the plane
@@ -48,11 +42,12 @@ class ContactAxis {
         std::vector<Side> nodes, leaves;
     };
 
-    std::array<std::uint32_t, 2> classify(const Half& half, const Reaches& reaches, std::uint32_t lanes) const;
-    bool is_inside(std::size_t body, TreeRef part);
+    template <class X>
+    std::array<std::uint32_t, 2> classify(const Half& half, const X& x) const;
+    bool is_part_inside(std::size_t body, const BvhNode& node, std::size_t lane);
+    bool is_part_inside(std::size_t body, const TreeLeaf& leaf, std::size_t lane);
     bool is_vertex_inside(std::size_t body, std::uint32_t vertex);
 
-    ProofAxis named_;
     const ExactPoints& points_;
     IntegerVector3 n_;  // from a to b
     std::array<Half, 2> halves_;

@@ -1,18 +1,18 @@
 // Axes that two triangles give, in integers, and which of them prove that the triangles are apart.
 #pragma once
 
-#include <array>
 #include <optional>
 
+#include "query/certificate/axis_formula.hpp"
 #include "query/certificate/exact_points.hpp"
-#include "query/certificate/proof.hpp"
 
 namespace ecods {
 
-// The corners of a triangle of a, then those of one of b.
-using SixCorners = std::array<IntegerVector3, 6>;
-
-IntegerVector3 normal_of(const AxisFormula& formula, const SixCorners& corners);
+// From where to where a triangle reaches along n.
+struct ExactReach {
+    exact::Integer low, high;
+};
+ExactReach reach_of(const IntegerVector3& n, const IntegerVector3* corners);
 
 // What is apart, besides being on two sides: the claims touching and hit.
 enum class ApartBy : std::uint8_t {

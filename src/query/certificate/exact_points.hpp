@@ -2,12 +2,13 @@
 #pragma once
 
 #include <array>
-#include <span>
+#include <cstdint>
 
 #include "ecods/segment.hpp"
 #include "exact/number/dyadic.hpp"
 #include "exact/number/integer.hpp"
-#include "exact/point/frame.hpp"
+#include "exact/point/pose_terms.hpp"
+#include "exact/point/posed_points.hpp"
 
 namespace ecods {
 
@@ -29,19 +30,22 @@ struct Parameter {
 class ExactPoints {
   public:
     // The points of two bodies. Everything that the arguments refer to must outlive the points.
-    ExactPoints(const exact::BodyRef& a, const exact::BodyRef& b);
+    ExactPoints(const exact::BodyRef& a, const exact::BodyRef& b) noexcept;
     // Those of a body, and those at parameters of a segment that are multiples of 2^e, or 0.
-    ExactPoints(const exact::BodyRef& a, const Segment& segment, const Parameter& finest);
+    ExactPoints(const exact::BodyRef& a, const Segment& segment, const Parameter& finest) noexcept;
 
-    IntegerVector3 vertex(std::size_t body, std::uint32_t index) const;
+    IntegerVector3 vertex(std::size_t body, std::uint32_t index) const {
+        return terms_[body].point_in<exact::Integer>(unit_, meshes_[body]->vertices()[index]);
+    }
     // from + s (to - from)
     IntegerVector3 on_segment(const Segment& segment, const Parameter& s) const;
 
   private:
-    void add(exact::Integer& sum, exact::Int128 m, int e) const;
+    exact::BitRange bind(std::size_t body, const exact::BodyRef& of) noexcept;
 
-    std::array<exact::BodyRef, 2> bodies_{};
-    int low_ = 0;  // all coordinates are multiples of 2^low_
+    std::array<const Mesh*, 2> meshes_{};
+    std::array<exact::PoseTerms, 2> terms_;
+    int unit_ = 0;  // all coordinates are multiples of 2^unit_
 };
 
 }  // namespace ecods

@@ -4,39 +4,77 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "base/arithmetic.hpp"
 #include "base/assert.hpp"
+#include "bvh/walks/tree_view.hpp"
+#include "query/certificate/body_axis.hpp"
 
 namespace ecods {
 namespace {
 
-double about(const Parameter& s) {
-    return std::ldexp(static_cast<double>(s.m), s.e);
-}
+using Kind = AxisFormula::Kind;
 
-}  // namespace
+class LineProof {
+  public:
+    LineProof(const Posed<MeshShape>& body, const ecods::Segment& segment, const Parameter& end, ApartBy apart,
+              Proof& proof)
+        : body_(body, body.pose.t),
+          apart_(apart),
+          proof_(proof),
+          from_(segment.a - body.pose.t),
+          to_(segment.b - body.pose.t),
+          parameter_(std::ldexp(static_cast<double>(end.m), end.e)),
+          points_(body_.ref, segment, end),
+          exact_from_(points_.on_segment(segment, {})),
+          exact_to_(points_.on_segment(segment, end)) {}
 
-LineProof::LineProof(const Posed<MeshShape>& body, const ecods::Segment& segment, const Parameter& end, ApartBy apart,
-                     Proof& proof)
-    : body_(body),
-      tree_(MeshShapeAccess::tree(*body.what)),
-      frame_(tree_.boxes, body.pose.R, Vec3::Zero()),
-      apart_(apart),
-      proof_(proof),
-      from_(segment.a - body.pose.t),
-      to_(segment.b - body.pose.t),
-      parameter_(about(end)),
-      points_({&body.what->mesh(), &tree_.extent, &body.pose}, segment, end),
-      exact_from_(points_.on_segment(segment, {})),
-      exact_to_(points_.on_segment(segment, end)) {}
+    void run() {
+        add_axes();
+        const TreeView view(body_.tree);
+        std::vector<TreeRef> stack;
+        walk_one<LaneOrder::first_first>(
+            view, stack, [&](TreeRef ref) { return view.with(ref, [&](const auto& x) { return open(x); }); },
+            [&](TreeRef ref, std::uint32_t lanes) {
+                for (; lanes != 0; lanes &= lanes - 1)
+                    decide(view.leaf(ref).vertices[static_cast<std::size_t>(std::countr_zero(lanes))]);
+                return true;
+            });
+    }
+
+  private:
+    struct Axis {
+        Vec3 n;
+        BodyAxis a;
+        double low = 0, high = 0;  // of the piece, enlarged by all errors
+        bool is_bounded = false;
+        Proof::Word named = Proof::no_axis;
+    };
+
+    Axis bind(const Vec3& n) const;
+    void add_axes();
+    template <class X>
+    std::uint32_t open(const X& x);
+    AxisFormula likely_axis(const Triangle& triangle) const;
+    void decide(const Triangle& triangle);
+
+    BodyFrame body_;
+    ApartBy apart_;
+    Proof& proof_;
+    Vec3 from_, to_;  // of the piece, less the body's translation, about
+    double parameter_;
+    ExactPoints points_;
+    IntegerVector3 exact_from_, exact_to_;
+    std::vector<Axis> axes_;
+};
 
 // The piece ends at from + s (to - from): two products, each with the errors of a difference, a parameter that is
 // rounded, and a product; and two sums. Below 8 u' (|from| + |to|) on each axis; products with n add 4 u'.
 LineProof::Axis LineProof::bind(const Vec3& n) const {
     Axis axis;
     axis.n = n;
-    axis.a = put_on_axis(frame_, n);
+    axis.a = put_on_axis(body_, n);
     const double from = n.dot(from_), to = n.dot(to_), end = from + parameter_ * (to - from);
     // How large the terms of from_ and to_ are does not matter: each is one rounded difference.
     const double size = n.cwiseAbs().dot(from_.cwiseAbs() + to_.cwiseAbs());
@@ -48,58 +86,40 @@ LineProof::Axis LineProof::bind(const Vec3& n) const {
 }
 
 void LineProof::add_axes() {
-    const Mat3 normals = box_normals(tree_.boxes.frame, body_.pose.R);
+    const Mat3 normals = body_.normals();
     const Vec3 direction = to_ - from_;
     for (int k = 0; k < 3; ++k) axes_.push_back(bind(shortened(normals.col(k))));
     for (int k = 0; k < 3; ++k) axes_.push_back(bind(shortened(shortened(direction).cross(shortened(normals.col(k))))));
 }
 
-// Chooses the axes of a step, and returns the parts that none of them proves.
+// Adds the opening of a node or leaf to the proof, and returns the parts that none of the axes proves.
 template <class X>
 std::uint32_t LineProof::open(const X& x) {
     std::uint32_t left = x.lanes();
-    of_step_.clear();
-    const auto use = [&](Axis& axis) {
-        if (!axis.is_bounded || axis.n == Vec3::Zero()) return;
-        Reaches reaches;
+    proof_.begin_opening();
+    for (Axis& axis : axes_) {
+        if (left == 0) break;
+        if (!axis.is_bounded || axis.n == Vec3::Zero()) continue;
+        Reaches<double> reaches;
         find_reaches(axis.a, x, reaches);
         std::uint32_t mask = 0;
         for (std::size_t i = 0; i < x.count; ++i) {
             if (reaches.high[i] < axis.low || reaches.low[i] > axis.high) mask |= 1u << i;
         }
-        if ((mask & left) == 0 || (axis.named == no_axis && proof_.axes.size() >= no_axis)) return;
-        if (axis.named == no_axis) {
-            axis.named = static_cast<Word>(proof_.axes.size());
-            proof_.axes.push_back({.is_given = true, .given = axis.n});
-        }
-        of_step_.push_back(axis.named);
-        left &= ~mask;
-    };
-    for (std::size_t k = 0; k < axes_.size() && left != 0; ++k) use(axes_[k]);
+        if ((mask & left) != 0 && proof_.name({.given = axis.n}, axis.named)) left &= ~mask;
+    }
+    std::array<Proof::Word, tree_width> parts;
+    std::size_t count = 0;
+    for (std::uint32_t rest = left; rest != 0; rest &= rest - 1)
+        parts[count++] = static_cast<Proof::Word>(std::countr_zero(rest));
+    proof_.end_opening(StepKind::open_a, {parts.data(), count});
     return left;
-}
-
-void LineProof::visit(TreeRef top) {
-    const auto with = [&](const auto& x) {
-        const std::uint32_t left = open(x);
-        std::vector<Word> parts;
-        for (std::uint32_t rest = left; rest != 0; rest &= rest - 1)
-            parts.push_back(static_cast<Word>(std::countr_zero(rest)));
-        proof_.add_opening(StepKind::open_a, of_step_, parts);
-        if constexpr (requires { x.child; }) {
-            for (std::size_t k = parts.size(); k-- > 0;) stack_.push_back(x.child[parts[k]]);
-        } else {
-            for (const Word k : parts) decide(x.triangle[k]);
-        }
-    };
-    top.is_leaf() ? with(tree_.boxes.leaves[top.index()]) : with(tree_.boxes.nodes[top.index()]);
 }
 
 // The formula along which the triangle and the piece seem to be furthest apart in doubles. It is only a guess, which
 // integers confirm: trying the 32 formulas with them, one after the other, takes most of the time of a proof.
 AxisFormula LineProof::likely_axis(const Triangle& triangle) const {
-    std::array<Vec3, 3> corner;
-    for (std::size_t c = 0; c < 3; ++c) corner[c] = body_.pose.R * body_.what->mesh().vertices()[triangle[c]];
+    const std::array<Vec3, 3> corner{body_.at(triangle[0]), body_.at(triangle[1]), body_.at(triangle[2])};
     const Vec3 way = parameter_ * (to_ - from_);
     AxisFormula best{};
     double most = -std::numeric_limits<double>::infinity();
@@ -111,7 +131,6 @@ AxisFormula LineProof::likely_axis(const Triangle& triangle) const {
         best = formula;
         most = gap / length;
     };
-    using Kind = AxisFormula::Kind;
     consider({Kind::normal_a}, (corner[1] - corner[0]).cross(corner[2] - corner[1]));
     for (std::uint8_t i = 0; i < 3; ++i) {
         const Vec3 edge = corner[(i + 1u) % 3] - corner[i];
@@ -123,27 +142,25 @@ AxisFormula LineProof::likely_axis(const Triangle& triangle) const {
     return best;
 }
 
-void LineProof::decide(std::uint32_t triangle) {
-    const Triangle& vertices = body_.what->mesh().triangles()[triangle];
+void LineProof::decide(const Triangle& triangle) {
     SixCorners corners;
-    for (std::size_t c = 0; c < 3; ++c) corners[c] = points_.vertex(0, vertices[c]);
+    for (std::size_t c = 0; c < 3; ++c) corners[c] = points_.vertex(0, triangle[c]);
     corners[3] = exact_from_;
     corners[4] = corners[5] = exact_to_;
-    const AxisFormula likely = likely_axis(vertices);
-    if (is_axis(likely, corners, apart_)) return proof_.add_triangles(likely);
-    const auto formula = find_axis(corners, apart_);
-    ECODS_ASSERT(formula);
-    proof_.add_triangles(*formula);
+    AxisFormula formula = likely_axis(triangle);
+    if (!is_axis(formula, corners, apart_)) {
+        const auto found = find_axis(corners, apart_);
+        ECODS_ASSERT(found);
+        formula = *found;
+    }
+    proof_.add_triangles(formula);
 }
 
-void LineProof::run() {
-    add_axes();
-    stack_.assign(1, tree_.boxes.root);
-    while (!stack_.empty()) {
-        const TreeRef top = stack_.back();
-        stack_.pop_back();
-        visit(top);
-    }
+}  // namespace
+
+void prove_line(const Posed<MeshShape>& body, const ecods::Segment& segment, const Parameter& end, ApartBy apart,
+                Proof& proof) {
+    LineProof(body, segment, end, apart, proof).run();
 }
 
 }  // namespace ecods

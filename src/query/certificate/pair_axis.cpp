@@ -9,19 +9,21 @@
 #include "simd/dispatch.hpp"
 
 namespace ecods {
+namespace {
 
-PairAxis pair_axis(const BodyAxis& a, const BodyAxis& b, double need) noexcept {
+// Sets what is in floats. Parts are apart if there is more than `need` between them, which is finite.
+void set_floats(PairAxis& axis, double need) noexcept {
     constexpr double v = 0x1p-23;
+    const BodyAxis &a = axis.a, &b = axis.b;
     double sum = std::abs(b.q - a.q) + need;
     for (std::size_t k = 0; k < 3; ++k) sum += std::abs(a.p[k]) + std::abs(b.p[k]);
-    if (!a.is_bounded || !b.is_bounded || !(sum > 0x1p-900 && sum < 0x1p900)) return {};
+    if (!(sum > 0x1p-900 && sum < 0x1p900)) return;
     const std::uint64_t exponent = std::bit_cast<std::uint64_t>(sum) >> 52;
     const double scale = std::bit_cast<double>((2 * 1023 - exponent) << 52);
-    PairAxis axis;
     axis.scale = scale;
     for (std::size_t k = 0; k < 3; ++k) {
-        axis.a[k] = static_cast<float>(a.p[k] * scale);
-        axis.b[k] = static_cast<float>(b.p[k] * scale);
+        axis.p_a[k] = static_cast<float>(a.p[k] * scale);
+        axis.p_b[k] = static_cast<float>(b.p[k] * scale);
     }
     // The difference of q is rounded, too, and what is computed here: less than the 2^-20.
     const double errors = (a.error + b.error) + (a.corner_reach + b.corner_reach) + 16 * v * sum;
@@ -29,6 +31,21 @@ PairAxis pair_axis(const BodyAxis& a, const BodyAxis& b, double need) noexcept {
     const double q = (b.q - a.q) * scale;
     axis.below = round_down(q - margin);
     axis.above = round_up(q + margin);
+}
+
+}  // namespace
+
+PairAxis pair_axis(const BodyFrame& a, const BodyFrame& b, const Vec3& n, double distance) {
+    PairAxis axis;
+    axis.n = n;
+    axis.a = put_on_axis(a, n);
+    axis.b = put_on_axis(b, n);
+    const double need = distance * n.norm() * (1 + 0x1p-40);
+    // Seven roundings of a product of positive numbers, and two of sums.
+    const double margin = (axis.a.error + axis.b.error) * (1 + 0x1p-20) + need;
+    if (!axis.a.is_bounded || !axis.b.is_bounded || !(margin < 0x1p600)) return axis;
+    axis.margin = margin;
+    set_floats(axis, need);
     return axis;
 }
 
@@ -57,20 +74,23 @@ SlabEnds slab_ends(const PairAxis& axis, const BodyAxis& of_tree, const Slab& sl
 
 namespace {
 
+// Beside a node, a leaf is one part.
+template <class X, class Y, class Number>
+ECODS_ALWAYS_INLINE void join_leaf(Reaches<Number>& of_x, Reaches<Number>& of_y) noexcept {
+    if constexpr (std::is_same_v<X, Y>) return;
+    std::is_same_v<X, TreeLeaf> ? of_x.join_lanes() : of_y.join_lanes();
+}
+
 template <std::size_t width>
-struct Kernel : ProjectedLanes<width> {
+struct InFloats : ProjectedLanes<width> {
     using Lanes = ProjectedLanes<width>;
-    using Lanes::collect, Lanes::find_ends, Lanes::load, Lanes::part_count, Lanes::store;
-    using typename Lanes::Floats, typename Lanes::Ints;
+    using Lanes::find_ends, Lanes::part_count, Lanes::store;
+    using typename Lanes::Floats;
 
-    struct Ends {
-        alignas(32) FloatLanes low;
-        alignas(32) FloatLanes high;
-    };
-
+    // Where the parts reach, and with them `below` and `above`.
     template <class X>
     ECODS_ALWAYS_INLINE static void project(const std::array<float, 3>& p, const X& x, const SlabEnds* slab,
-                                            Ends& ends) noexcept {
+                                            float below, float above, Reaches<float>& reaches) noexcept {
         for (std::size_t part = 0; part < part_count; ++part) {
             Floats low, high;
             find_ends(x, p, part, low, high);
@@ -80,56 +100,58 @@ struct Kernel : ProjectedLanes<width> {
                 low = max(low, low_rest + slab->low);
                 high = min(high, high_rest + slab->high);
             }
-            store(ends.low, part, low);
-            store(ends.high, part, high);
+            store(reaches.low, part, low + below);
+            store(reaches.high, part, high + above);
         }
     }
 
     template <class X, class Y>
     ECODS_ALWAYS_INLINE static std::uint64_t apart(const PairAxis& axis, const X& x, const Y& y, std::uint32_t columns,
                                                    const SlabEnds* slab_x, const SlabEnds* slab_y) noexcept {
-        Ends of_x, of_y;
-        project(axis.a, x, slab_x, of_x);
-        project(axis.b, y, slab_y, of_y);
-        if constexpr (std::is_same_v<X, TreeLeaf> && !std::is_same_v<Y, TreeLeaf>) join_lanes(of_x);
-        if constexpr (std::is_same_v<Y, TreeLeaf> && !std::is_same_v<X, TreeLeaf>) join_lanes(of_y);
-        Ints apart[part_count]{};
-        for (; columns != 0; columns &= columns - 1) {
-            const auto j = static_cast<std::size_t>(std::countr_zero(columns));
-            const float low = of_y.low[j] + axis.below, high = of_y.high[j] + axis.above;
-            for (std::size_t part = 0; part < part_count; ++part)
-                apart[part] |= ((load(of_x.high, part) < low) | (load(of_x.low, part) > high)) & (1 << j);
-        }
-        std::uint64_t pairs = 0;
-        for (std::size_t part = 0; part < part_count; ++part) collect(apart[part], part, pairs);
-        return pairs;
+        Reaches<float> of_x, of_y;
+        project(axis.p_a, x, slab_x, 0, 0, of_x);
+        project(axis.p_b, y, slab_y, axis.below, axis.above, of_y);
+        join_leaf<X, Y>(of_x, of_y);
+        return apart_lanes<width>(of_x, of_y, columns);
     }
 };
 
 template <class X, class Y>
-std::uint64_t widest(const PairAxis& axis, const X& x, const Y& y, std::uint32_t columns, const SlabEnds* of_x,
-                     const SlabEnds* of_y) noexcept {
-    return dispatch_by_width<Kernel<4>::template apart<X, Y>, Kernel<8>::template apart<X, Y>>(axis, x, y, columns,
-                                                                                               of_x, of_y);
+ECODS_ALWAYS_INLINE std::uint64_t apart_in_doubles(const PairAxis& axis, const X& x, const Y& y,
+                                                   std::uint32_t columns) noexcept {
+    Reaches<double> of_x, of_y;
+    InDoubles::find_reaches(axis.a, axis.margin, x, of_x);
+    InDoubles::find_reaches(axis.b, 0, y, of_y);
+    join_leaf<X, Y>(of_x, of_y);
+    return apart_lanes<4>(of_x, of_y, columns);
+}
+
+// Bit j: of some i, bit 8 i + j is set.
+std::uint32_t columns_of(std::uint64_t pairs) {
+    pairs |= pairs >> 32;
+    pairs |= pairs >> 16;
+    return static_cast<std::uint32_t>((pairs | pairs >> 8) & 0xff);
 }
 
 }  // namespace
 
-std::uint64_t apart_mask(const PairAxis& axis, const BvhNode& x, const BvhNode& y, std::uint32_t columns,
+template <class X, class Y>
+std::uint64_t apart_mask(const PairAxis& axis, const X& x, const Y& y, std::uint64_t pairs, bool is_fine,
                          const SlabEnds* of_x, const SlabEnds* of_y) noexcept {
-    return widest(axis, x, y, columns, of_x, of_y);
+    std::uint64_t mask = dispatch_by_width<InFloats<4>::template apart<X, Y>, InFloats<8>::template apart<X, Y>>(
+        axis, x, y, columns_of(pairs), of_x, of_y);
+    pairs &= ~mask;
+    if (is_fine && pairs != 0) mask |= dispatch<apart_in_doubles<X, Y>>(axis, x, y, columns_of(pairs));
+    return mask;
 }
-std::uint64_t apart_mask(const PairAxis& axis, const BvhNode& x, const TreeLeaf& y, std::uint32_t columns,
-                         const SlabEnds* of_x, const SlabEnds* of_y) noexcept {
-    return widest(axis, x, y, columns, of_x, of_y);
-}
-std::uint64_t apart_mask(const PairAxis& axis, const TreeLeaf& x, const BvhNode& y, std::uint32_t columns,
-                         const SlabEnds* of_x, const SlabEnds* of_y) noexcept {
-    return widest(axis, x, y, columns, of_x, of_y);
-}
-std::uint64_t apart_mask(const PairAxis& axis, const TreeLeaf& x, const TreeLeaf& y, std::uint32_t columns,
-                         const SlabEnds* of_x, const SlabEnds* of_y) noexcept {
-    return widest(axis, x, y, columns, of_x, of_y);
-}
+
+template std::uint64_t apart_mask(const PairAxis&, const BvhNode&, const BvhNode&, std::uint64_t, bool, const SlabEnds*,
+                                  const SlabEnds*) noexcept;
+template std::uint64_t apart_mask(const PairAxis&, const BvhNode&, const TreeLeaf&, std::uint64_t, bool,
+                                  const SlabEnds*, const SlabEnds*) noexcept;
+template std::uint64_t apart_mask(const PairAxis&, const TreeLeaf&, const BvhNode&, std::uint64_t, bool,
+                                  const SlabEnds*, const SlabEnds*) noexcept;
+template std::uint64_t apart_mask(const PairAxis&, const TreeLeaf&, const TreeLeaf&, std::uint64_t, bool,
+                                  const SlabEnds*, const SlabEnds*) noexcept;
 
 }  // namespace ecods

@@ -1,9 +1,10 @@
-// An axis on which the parts of two posed trees are compared, eight with eight, in floats.
+// An axis on which the parts of two posed trees are compared, eight with eight, in floats, and in doubles where those
+// fail.
 //
 // In floats a test takes a third of the time of one in doubles, and proves the same but where a gap is less than some
 // 2^-19 of the bodies' size beyond what it needs.
 //
-// With p, q and the errors of both trees (proof_axes.hpp), a part of a reaches to p_a . y, one of b from
+// With p, q and the errors of both trees (body_axis.hpp), a part of a reaches to p_a . y, one of b from
 // p_b . y + q, where q = q_b - q_a. Bound, in floats, v = 2^-23 for one operation in any rounding mode: let S = |p| 1
 // for either tree, and |y| <= 1 + 2^-22. Converting p, and products and sums, take 4.01 v S for the middle of a box, as
 // much for its reach, and 2 v S for its end: 10.1 v S. A triangle's corners take less. Adding q and the margin takes
@@ -17,21 +18,27 @@
 #include <cstdint>
 #include <limits>
 
-#include "bvh/tree/mesh_bvh.hpp"
-#include "query/certificate/proof_axes.hpp"
+#include "query/certificate/body_axis.hpp"
+#include "query/certificate/proof.hpp"
 
 namespace ecods {
 
 struct PairAxis {
-    std::array<float, 3> a{}, b{};
-    // What is added to where parts of b begin, and to where they end. As they are, nothing is apart.
-    float below = -std::numeric_limits<float>::infinity();
-    float above = std::numeric_limits<float>::infinity();
-    double scale = 0;  // by which a and b are multiplied
+    Vec3 n = Vec3::Zero();
+    BodyAxis a, b;
+    double margin = std::numeric_limits<double>::infinity();  // by how much more than nothing parts must be apart
+
+    // In floats; as they are, nothing is apart.
+    std::array<float, 3> p_a{}, p_b{};
+    float below = -std::numeric_limits<float>::infinity();  // added to where parts of b begin,
+    float above = std::numeric_limits<float>::infinity();   // and to where they end
+    double scale = 0;                                       // by which p_a and p_b are multiplied
+
+    Proof::Word named = Proof::no_axis;
 };
 
-// Parts are apart if there is more than `need` between them, which is finite.
-PairAxis pair_axis(const BodyAxis& a, const BodyAxis& b, double need) noexcept;
+// Parts are apart if there is more than `distance` between them.
+PairAxis pair_axis(const BodyFrame& a, const BodyFrame& b, const Vec3& n, double distance);
 
 // The slab of a node on an axis that is about the slab's: p . y = slope (normal . y) + rest . y.
 struct SlabEnds {
@@ -41,18 +48,14 @@ struct SlabEnds {
     float high = std::numeric_limits<float>::infinity();
 };
 
-// `p` is that of the slab's tree, of which the axis was made.
+// `of_tree` is that of the slab's tree.
 SlabEnds slab_ends(const PairAxis& axis, const BodyAxis& of_tree, const Slab& slab) noexcept;
 
-// Bit 8 i + j: parts i of x and j of y are certainly apart, on either side. Of all lanes i, and of those j that
-// `columns` has. A leaf beside a node is one part, 0, of all of its triangles. A slab is that of x or of y.
-std::uint64_t apart_mask(const PairAxis& axis, const BvhNode& x, const BvhNode& y, std::uint32_t columns,
-                         const SlabEnds* of_x = nullptr, const SlabEnds* of_y = nullptr) noexcept;
-std::uint64_t apart_mask(const PairAxis& axis, const BvhNode& x, const TreeLeaf& y, std::uint32_t columns,
-                         const SlabEnds* of_x = nullptr, const SlabEnds* of_y = nullptr) noexcept;
-std::uint64_t apart_mask(const PairAxis& axis, const TreeLeaf& x, const BvhNode& y, std::uint32_t columns,
-                         const SlabEnds* of_x = nullptr, const SlabEnds* of_y = nullptr) noexcept;
-std::uint64_t apart_mask(const PairAxis& axis, const TreeLeaf& x, const TreeLeaf& y, std::uint32_t columns,
+// Bit 8 i + j: parts i of x and j of y are certainly apart, on either side. Of all lanes i, and of those j that any of
+// `pairs` has. A leaf beside a node is one part, 0, of all of its triangles. A slab is that of x or of y. Doubles are
+// asked where floats fail, if `is_fine`.
+template <class X, class Y>
+std::uint64_t apart_mask(const PairAxis& axis, const X& x, const Y& y, std::uint64_t pairs, bool is_fine,
                          const SlabEnds* of_x = nullptr, const SlabEnds* of_y = nullptr) noexcept;
 
 }  // namespace ecods

@@ -2,22 +2,15 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <type_traits>
-
-#include "base/arithmetic.hpp"
-#include "base/double_key.hpp"
 
 namespace ecods {
 namespace {
 
 // Beside a node, a leaf is not opened: all of it must be apart along one axis.
 template <class X, class Y>
-inline constexpr bool is_leaf_beside_node = requires(X x) {
-    x.vertices;
-}
-&&requires(Y y) {
-    y.child;
-};
+inline constexpr bool is_leaf_beside_node = std::is_same_v<X, TreeLeaf>&& std::is_same_v<Y, BvhNode>;
 
 template <class X, class Y>
 std::size_t part_count(const X& x, const Y&) {
@@ -35,15 +28,6 @@ constexpr double tie_share = 0x1p-16;
 // As many pairs of leaves that only doubles proved anything of say that gaps are too small for floats.
 constexpr int fine_min = 4;
 
-constexpr double unbounded = 0x1p1000;
-
-// Bit j: of some i, bit 8 i + j is set.
-std::uint32_t columns_of(std::uint64_t pairs) {
-    pairs |= pairs >> 32;
-    pairs |= pairs >> 16;
-    return static_cast<std::uint32_t>((pairs | pairs >> 8) & 0xff);
-}
-
 std::uint64_t lanes_of(std::size_t rows, std::size_t columns) {
     std::uint64_t all = 0;
     for (std::size_t i = 0; i < rows; ++i) all |= ((std::uint64_t{1} << columns) - 1) << (tree_width * i);
@@ -54,68 +38,32 @@ std::uint64_t lanes_of(std::size_t rows, std::size_t columns) {
 
 PairProof::PairProof(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double least, TriangleDistances& pair,
                      Proof& proof)
-    : a_(a),
-      b_(b),
-      tree_a_(MeshShapeAccess::tree(*a.what)),
-      tree_b_(MeshShapeAccess::tree(*b.what)),
-      least_(least),
+    : least_(least),
       pair_(pair),
       proof_(proof),
-      frame_a_(tree_a_.boxes, a.pose.R, Vec3::Zero()),
-      frame_b_(tree_b_.boxes, b.pose.R, b.pose.t - a.pose.t),
-      normals_{box_normals(tree_a_.boxes.frame, a.pose.R), box_normals(tree_b_.boxes.frame, b.pose.R)} {}
-
-PairProof::Axis PairProof::bind(const Vec3& n) const {
-    Axis axis;
-    axis.n = n;
-    axis.a = put_on_axis(frame_a_, n);
-    axis.b = put_on_axis(frame_b_, n);
-    // Seven roundings of a product of positive numbers, and two of sums.
-    axis.margin = (axis.a.error + axis.b.error) * (1 + 0x1p-20) + least_ * n.norm() * (1 + 0x1p-40);
-    if (!axis.a.is_bounded || !axis.b.is_bounded || !(axis.margin < 0x1p600)) {
-        axis.margin = unbounded;
-    } else {
-        axis.in_floats = pair_axis(axis.a, axis.b, least_ * n.norm() * (1 + 0x1p-40));
-    }
-    return axis;
-}
-
-PairProof::Word PairProof::name(Axis& axis) {
-    if (axis.named == no_axis) {
-        axis.named = static_cast<Word>(proof_.axes.size());
-        proof_.axes.push_back({.is_given = true, .given = axis.n});
-    }
-    return axis.named;
-}
+      bodies_{BodyFrame(a, a.pose.t), BodyFrame(b, a.pose.t)},
+      normals_{bodies_[0].normals(), bodies_[1].normals()} {}
 
 template <class X, class Y>
-bool PairProof::try_axis(Axis& axis, const X& x, const Y& y, const Trial& trial, std::uint64_t& left) {
-    if (axis.margin == unbounded) return false;
-    std::uint64_t mask = apart_mask(axis.in_floats, x, y, columns_of(left), trial.of_x, trial.of_y);
-    if (trial.is_fine && (left & ~mask) != 0)
-        mask |= apart_mask(axis.a, axis.b, axis.margin, x, y, columns_of(left & ~mask));
+bool PairProof::try_axis(PairAxis& axis, const X& x, const Y& y, const Trial& trial, std::uint64_t& left) {
+    if (axis.margin == std::numeric_limits<double>::infinity()) return false;
+    const std::uint64_t mask = apart_mask(axis, x, y, left, trial.is_fine, trial.of_x, trial.of_y);
     // A new axis is a line of its own.
-    const int least = axis.named == no_axis ? trial.least : 1;
-    if (std::popcount(mask & left) < least || (axis.named == no_axis && proof_.axes.size() >= no_axis)) return false;
-    const Word named = name(axis);
-    if (std::ranges::find(of_step_, named) == of_step_.end()) of_step_.push_back(named);
+    const int least = axis.named == Proof::no_axis ? trial.least : 1;
+    if (std::popcount(mask & left) < least || !proof_.name({.given = axis.n}, axis.named)) return false;
     left &= ~mask;
     return true;
 }
 
-Vec3 PairProof::slab_normal(std::size_t body, const Slab& slab) const {
-    return normals_[body] * Vec3(static_cast<double>(slab.normal[0]), static_cast<double>(slab.normal[1]),
-                                 static_cast<double>(slab.normal[2]));
-}
-
 // Nodes come again, beside others.
 template <class X>
-PairProof::SlabAxis& PairProof::slab_axis(const MeshTree& tree, const X& x, std::size_t body) {
+PairProof::SlabAxis& PairProof::slab_axis(const X& x, std::size_t body) {
+    const MeshBvh& tree = bodies_[body].tree;
     std::size_t node;
-    if constexpr (requires { x.child; }) {
-        node = 4 * static_cast<std::size_t>(&x - tree.boxes.nodes.data()) + body;
+    if constexpr (std::is_same_v<X, BvhNode>) {
+        node = 4 * static_cast<std::size_t>(&x - tree.nodes.data()) + body;
     } else {
-        node = 4 * static_cast<std::size_t>(&x - tree.boxes.leaves.data()) + 2 + body;
+        node = 4 * static_cast<std::size_t>(&x - tree.leaves.data()) + 2 + body;
     }
     std::uint8_t& place = slab_places_[node % slab_places_.size()];
     if (place == 0) {
@@ -124,8 +72,10 @@ PairProof::SlabAxis& PairProof::slab_axis(const MeshTree& tree, const X& x, std:
     }
     SlabAxis& kept = slabs_[place - 1u];
     if (kept.node == node) return kept;
-    kept = {.node = node, .axis = bind(shortened(slab_normal(body, x.slab), slab_bits))};
-    kept.ends = slab_ends(kept.axis.in_floats, body == 0 ? kept.axis.a : kept.axis.b, x.slab);
+    const auto& n = x.slab.normal;
+    const Vec3 normal(static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2]));
+    kept = {.node = node, .axis = bind(shortened(normals_[body] * normal, slab_bits))};
+    kept.ends = slab_ends(kept.axis, body == 0 ? kept.axis.a : kept.axis.b, x.slab);
     return kept;
 }
 
@@ -144,8 +94,8 @@ template <class X, class Y>
 void PairProof::try_slabs(const X& x, const Y& y, bool is_fine, std::uint64_t& left) {
     for (const std::size_t body : {0u, 1u}) {
         if (left == 0) return;
-        SlabAxis& slab = body == 0 ? slab_axis(tree_a_, x, body) : slab_axis(tree_b_, y, body);
-        Axis& axis = slab.at == SlabAxis::none ? slab.axis : axes_[slab.at];
+        SlabAxis& slab = body == 0 ? slab_axis(x, body) : slab_axis(y, body);
+        PairAxis& axis = slab.at == SlabAxis::none ? slab.axis : axes_[slab.at];
         const Trial trial{slab_min, is_fine, body == 0 ? &slab.ends : nullptr, body == 0 ? nullptr : &slab.ends};
         if (!try_axis(axis, x, y, trial, left)) continue;
         if (slab.at == SlabAxis::none) {
@@ -160,7 +110,7 @@ void PairProof::try_slabs(const X& x, const Y& y, bool is_fine, std::uint64_t& l
 void PairProof::try_features(const TreeLeaf& x, const TreeLeaf& y, std::uint64_t& left) {
     if (left != 0) {
         const auto first = static_cast<std::size_t>(std::countr_zero(left));
-        Axis axis = bind(direction_of(x.triangle[first / tree_width], y.triangle[first % tree_width]));
+        PairAxis axis = bind(direction_of(x.triangle[first / tree_width], y.triangle[first % tree_width]));
         if (try_axis(axis, x, y, {.least = contact_count_ == 0 ? 1 : 3, .is_fine = true}, left)) {
             axes_.push_back(axis);
             remember(axes_.size() - 1);
@@ -171,7 +121,7 @@ void PairProof::try_features(const TreeLeaf& x, const TreeLeaf& y, std::uint64_t
         const auto first = static_cast<std::size_t>(std::countr_zero(left));
         const std::uint32_t i = x.triangle[first / tree_width], j = y.triangle[first % tree_width];
         // Triangles that are well apart are left open by their boxes' axes alone.
-        const bool is_tie = !(pair_.enclose(i, j).lower > least_ + tie_share * frame_a_.size.sum());
+        const bool is_tie = !(pair_.enclose(i, j).lower > least_ + tie_share * bodies_[0].size.sum());
         if (const auto formula = formula_for(i, j); is_tie && formula && add_contact(*formula, i, j))
             try_contact(contacts_.back(), x, y, left);
     }
@@ -179,10 +129,9 @@ void PairProof::try_features(const TreeLeaf& x, const TreeLeaf& y, std::uint64_t
 
 // Chooses the axes of a step, and returns the pairs that none of them proves.
 template <class X, class Y>
-std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
+std::uint64_t PairProof::try_axes(const X& x, const Y& y, std::uint64_t all) {
     constexpr bool are_leaves = std::is_same_v<X, TreeLeaf> && std::is_same_v<Y, TreeLeaf>;
     std::uint64_t left = all;
-    of_step_.clear();
     bool is_fine = fine_count_ == fine_min;
     const auto use = [&](std::size_t at) {
         if (try_axis(axes_[at], x, y, {.least = 1, .is_fine = is_fine}, left)) remember(at);
@@ -196,7 +145,7 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
         for (std::size_t k = 0; k < recent_count && left != 0; ++k) use(recent[k]);
         if (left != before && fine_count_ < fine_min) ++fine_count_;
     }
-    for (Contact& contact : contacts_) {
+    for (ContactAxis& contact : contacts_) {
         if (left != 0) try_contact(contact, x, y, left);
     }
     try_slabs(x, y, is_fine, left);
@@ -209,78 +158,73 @@ std::uint64_t PairProof::open(const X& x, const Y& y, std::uint64_t all) {
     return left;
 }
 
-void PairProof::visit(const Parts& top) {
-    const MeshBvh &a = tree_a_.boxes, &b = tree_b_.boxes;
-    const bool opens_a = !top.a.is_leaf() || top.b.is_leaf(), opens_b = !top.b.is_leaf() || top.a.is_leaf();
-    const auto with = [&](const auto& x, const auto& y) {
-        const std::size_t columns = part_count(y, x);
-        std::uint64_t left = open(x, y, lanes_of(part_count(x, y), columns));
-        std::array<Word, tree_width * tree_width> parts;
-        std::size_t count = 0;
-        if (opens_a && opens_b) {
-            for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
-                const auto bit = static_cast<std::size_t>(std::countr_zero(rest));
-                parts[count++] = static_cast<Word>(bit / tree_width * columns + bit % tree_width);
-            }
-            proof_.add_opening(StepKind::open_both, of_step_, {parts.data(), count});
-        } else {
-            std::uint64_t lanes = 0;
-            for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
-                const auto bit = static_cast<std::size_t>(std::countr_zero(rest));
-                lanes |= std::uint64_t{1} << (opens_a ? bit / tree_width : bit % tree_width);
-            }
-            left = lanes;
-            for (; lanes != 0; lanes &= lanes - 1) parts[count++] = static_cast<Word>(std::countr_zero(lanes));
-            proof_.add_opening(opens_a ? StepKind::open_a : StepKind::open_b, of_step_, {parts.data(), count});
-        }
-        for (std::size_t k = count; k-- > 0;) {
-            if constexpr (
-                requires { x.child; } && requires { y.child; }) {
-                stack_.push_back({x.child[parts[k] / columns], y.child[parts[k] % columns]});
-            } else if constexpr (requires { x.child; }) {
-                stack_.push_back({x.child[parts[k]], top.b});
-            } else if constexpr (requires { y.child; }) {
-                stack_.push_back({top.a, y.child[parts[k]]});
-            }
-        }
-        if constexpr (
-            !requires { x.child; } && !requires { y.child; }) {
-            for (std::size_t k = 0; k < count; ++k) {
-                if (!decide(x.triangle[parts[k] / columns], y.triangle[parts[k] % columns])) return;
-            }
-        }
-    };
-    if (top.a.is_leaf()) {
-        const TreeLeaf& x = a.leaves[top.a.index()];
-        top.b.is_leaf() ? with(x, b.leaves[top.b.index()]) : with(x, b.nodes[top.b.index()]);
-    } else {
-        const BvhNode& x = a.nodes[top.a.index()];
-        top.b.is_leaf() ? with(x, b.leaves[top.b.index()]) : with(x, b.nodes[top.b.index()]);
-    }
-}
-
 template <class X, class Y>
-void PairProof::try_contact(Contact& contact, const X& x, const Y& y, std::uint64_t& left) {
-    std::uint32_t rows = contact.axis.lanes_inside(0, x), columns = rows == 0 ? 0 : contact.axis.lanes_inside(1, y);
+void PairProof::try_contact(ContactAxis& contact, const X& x, const Y& y, std::uint64_t& left) {
+    std::uint32_t rows = contact.lanes_inside(0, x), columns = rows == 0 ? 0 : contact.lanes_inside(1, y);
     if (is_leaf_beside_node<X, Y>) rows = rows == x.lanes();
     if (is_leaf_beside_node<Y, X>) columns = columns == y.lanes();
     std::uint64_t mask = 0;
     for (; rows != 0; rows &= rows - 1)
         mask |= std::uint64_t{columns} << (tree_width * static_cast<std::size_t>(std::countr_zero(rows)));
-    if ((mask & left) == 0 || (contact.named == no_axis && proof_.axes.size() >= no_axis)) return;
-    if (contact.named == no_axis) {
-        contact.named = static_cast<Word>(proof_.axes.size());
-        proof_.axes.push_back(contact.axis.named());
+    if ((mask & left) != 0 && proof_.name(contact.axis, contact.named)) left &= ~mask;
+}
+
+// Adds the opening of two nodes or leaves to the proof, and returns the pairs that it leaves: bit 8 i + j is part i of
+// x and part j of y.
+template <class X, class Y>
+std::uint64_t PairProof::open(const X& x, const Y& y) {
+    const std::size_t columns = part_count(y, x);
+    proof_.begin_opening();
+    const std::uint64_t left = try_axes(x, y, lanes_of(part_count(x, y), columns));
+    std::array<Proof::Word, tree_width * tree_width> parts;
+    std::size_t count = 0;
+    for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
+        const auto bit = static_cast<std::size_t>(std::countr_zero(rest));
+        parts[count++] = static_cast<Proof::Word>(bit / tree_width * columns + bit % tree_width);
     }
-    of_step_.push_back(contact.named);
-    left &= ~mask;
+    const StepKind kind = std::is_same_v<X, Y>         ? StepKind::open_both
+                          : std::is_same_v<X, BvhNode> ? StepKind::open_a
+                                                       : StepKind::open_b;
+    proof_.end_opening(kind, {parts.data(), count});
+    return left;
+}
+
+// Opens a pair of body 1 and body 0: so LanePairs has the bits of open(). Returns false where the walk ends.
+bool PairProof::visit(const NodePair& top) {
+    return with_nodes(bodies_[1].tree, bodies_[0].tree, top, [&]<class Y, class X>(const Y& y, const X& x) {
+        LanePairs left(open(x, y));
+        if constexpr (are_leaves<Y, X>) {
+            for (; left.more(); left.next()) {
+                const std::uint32_t i = x.triangle[left.j()], j = y.triangle[left.i()];
+                const auto formula = formula_for(i, j);
+                if (!formula) found_ = TrianglePair{i, j};
+                if (found_) return false;
+                proof_.add_triangles(*formula);
+            }
+        } else {
+            const auto before = static_cast<std::ptrdiff_t>(stack_.size());
+            push_children(top, y, x, left, [&](const NodePair& children, const auto&) { stack_.push_back(children); });
+            std::reverse(stack_.begin() + before, stack_.end());  // a proof goes on with the first
+        }
+        return true;
+    });
+}
+
+// The axes that are tried first.
+void PairProof::add_first_axes(const TrianglePair& closest, const AxisFormula& formula) {
+    add_contact(formula, closest.a, closest.b);
+    axes_.push_back(bind(direction_of(closest.a, closest.b)));
+    if (axes_.back().n == Vec3::Zero()) {
+        axes_.pop_back();
+    } else {
+        recent_[recent_count_++] = axes_.size() - 1;
+    }
 }
 
 std::optional<TrianglePair> PairProof::run(const std::optional<TrianglePair>& closest, EndsAt ends_at) {
     ends_at_ = ends_at;
     axes_.reserve(256);
     stack_.reserve(256);
-    of_step_.reserve(32);
     proof_.axes.reserve(32);
     proof_.words.reserve(1024);
     for (const Mat3& normals : normals_) {
@@ -289,19 +233,13 @@ std::optional<TrianglePair> PairProof::run(const std::optional<TrianglePair>& cl
     if (closest) {
         const auto formula = formula_for(closest->a, closest->b);
         if (!formula) return closest;
-        add_contact(*formula, closest->a, closest->b);
-        axes_.push_back(bind(direction_of(closest->a, closest->b)));
-        if (axes_.back().n == Vec3::Zero()) {
-            axes_.pop_back();
-        } else {
-            recent_[recent_count_++] = axes_.size() - 1;
-        }
+        add_first_axes(*closest, *formula);
     }
-    stack_.assign(1, {tree_a_.boxes.root, tree_b_.boxes.root});
-    while (!stack_.empty() && !found_) {
-        const Parts top = stack_.back();
+    stack_.assign(1, {bodies_[1].tree.root, bodies_[0].tree.root});
+    while (!stack_.empty()) {
+        const NodePair top = stack_.back();
         stack_.pop_back();
-        visit(top);
+        if (!visit(top)) break;
     }
     return found_;
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "bvh/walks/open_pair.hpp"
 #include "ecods/certificate.hpp"
 #include "ecods/ids.hpp"
 #include "query/certificate/contact_axis.hpp"
@@ -11,9 +12,7 @@
 #include "query/certificate/exact_points.hpp"
 #include "query/certificate/pair_axis.hpp"
 #include "query/certificate/proof.hpp"
-#include "query/certificate/proof_axes.hpp"
 #include "query/distance/triangle_distances.hpp"
-#include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
 
@@ -31,22 +30,12 @@ class PairProof {
     std::optional<TrianglePair> run(const std::optional<TrianglePair>& closest, EndsAt ends_at);
 
   private:
-    using Word = Proof::Word;
-    static constexpr Word no_axis = 0xffff;
-
-    struct Axis {
-        Vec3 n;
-        BodyAxis a, b;
-        double margin = 0;  // by how much more than nothing parts must be apart
-        PairAxis in_floats;
-        Word named = no_axis;  // in the proof
-    };
     // The axis of the slab of a node or leaf.
     struct SlabAxis {
         static constexpr std::size_t none = ~std::size_t{0};
         std::size_t node = none;
         std::size_t at = none;  // in axes_, once it is named
-        Axis axis{};
+        PairAxis axis{};
         SlabEnds ends{};
     };
     // How an axis is tried: it must prove `least` pairs to be named; doubles are asked where floats fail.
@@ -56,56 +45,45 @@ class PairProof {
         const SlabEnds* of_x = nullptr;
         const SlabEnds* of_y = nullptr;
     };
-    struct Parts {
-        TreeRef a, b;
-    };
-    struct Contact {
-        ContactAxis axis;
-        Word named = no_axis;
-    };
 
-    Axis bind(const Vec3& n) const;
-    Word name(Axis& axis);
+    PairAxis bind(const Vec3& n) const { return pair_axis(bodies_[0], bodies_[1], n, least_); }
     template <class X, class Y>
-    std::uint64_t open(const X& x, const Y& y, std::uint64_t all);
+    std::uint64_t open(const X& x, const Y& y);
+    template <class X, class Y>
+    std::uint64_t try_axes(const X& x, const Y& y, std::uint64_t all);
     void remember(std::size_t at);
     template <class X, class Y>
     void try_slabs(const X& x, const Y& y, bool is_fine, std::uint64_t& left);
     void try_features(const TreeLeaf& x, const TreeLeaf& y, std::uint64_t& left);
     template <class X, class Y>
-    bool try_axis(Axis& axis, const X& x, const Y& y, const Trial& trial, std::uint64_t& left);
+    bool try_axis(PairAxis& axis, const X& x, const Y& y, const Trial& trial, std::uint64_t& left);
     template <class X>
-    SlabAxis& slab_axis(const MeshTree& tree, const X& x, std::size_t body);
-    Vec3 slab_normal(std::size_t body, const Slab& slab) const;
+    SlabAxis& slab_axis(const X& x, std::size_t body);
     Vec3 direction_of(std::uint32_t i, std::uint32_t j);
     SixCorners corners_of(std::uint32_t i, std::uint32_t j);
+    AxisFormula formula_of(const DistanceInterval& interval, std::uint32_t i, std::uint32_t j) const;
     std::optional<AxisFormula> formula_for(std::uint32_t i, std::uint32_t j);
     bool add_contact(const AxisFormula& formula, std::uint32_t i, std::uint32_t j);
     template <class X, class Y>
-    void try_contact(Contact& contact, const X& x, const Y& y, std::uint64_t& left);
-    bool decide(std::uint32_t i, std::uint32_t j);
-    void visit(const Parts& top);
+    void try_contact(ContactAxis& contact, const X& x, const Y& y, std::uint64_t& left);
+    void add_first_axes(const TrianglePair& closest, const AxisFormula& formula);
+    bool visit(const NodePair& top);
 
-    const Posed<MeshShape>& a_;
-    const Posed<MeshShape>& b_;
-    const MeshTree& tree_a_;
-    const MeshTree& tree_b_;
     double least_;
     TriangleDistances& pair_;
     Proof& proof_;
-    BodyFrame frame_a_, frame_b_;
+    std::array<BodyFrame, 2> bodies_;
     std::array<Mat3, 2> normals_;
-    std::vector<Axis> axes_;  // the first six are those of the boxes
+    std::vector<PairAxis> axes_;  // the first six are those of the boxes
     std::vector<SlabAxis> slabs_;
     std::array<std::uint8_t, 128> slab_places_{};  // by nodes: 1 + where in slabs_, or 0
     std::array<std::size_t, 4> recent_{};
     std::size_t recent_count_ = 0;
-    std::vector<Word> of_step_;
     int contact_count_ = 0;  // of pairs of leaves that axes of boxes did not prove
     int fine_count_ = 0;     // of pairs of leaves that need doubles
-    std::vector<Parts> stack_;
+    std::vector<NodePair> stack_;
     std::optional<ExactPoints> points_;
-    std::vector<Contact> contacts_;
+    std::vector<ContactAxis> contacts_;
     EndsAt ends_at_ = EndsAt::crossing;
     std::optional<TrianglePair> found_;  // where the walk ends
 };

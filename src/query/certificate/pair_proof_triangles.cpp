@@ -1,6 +1,7 @@
 // What a proof needs of two triangles: the axis of their closest features, or of their contact.
+#include <algorithm>
+
 #include "base/double_key.hpp"
-#include "query/certificate/closest_axis.hpp"
 #include "query/certificate/pair_proof.hpp"
 
 namespace ecods {
@@ -10,24 +11,51 @@ using Kind = AxisFormula::Kind;
 
 constexpr std::size_t contacts_max = 8;
 
+// The corner by which a triangle names a feature; 0 of a face.
+std::uint8_t corner_of(const FeatureKey& feature, std::uint32_t triangle, const Triangle& corners) {
+    return static_cast<std::uint8_t>(feature_of(feature, triangle, corners).corner);
+}
+
+// The axis along which two triangles that do not meet are as far apart as they are, by their closest features.
+AxisFormula formula_between(ClosestKind kind, bool a_is_vertex, std::uint8_t i, std::uint8_t j) {
+    switch (kind) {
+        case ClosestKind::vertex_vertex:
+            return {Kind::vertices, i, j};
+        case ClosestKind::vertex_edge:
+            return a_is_vertex ? AxisFormula{Kind::vertex_a_edge, i, j} : AxisFormula{Kind::vertex_b_edge, j, i};
+        case ClosestKind::vertex_face:
+            return {a_is_vertex ? Kind::normal_b : Kind::normal_a};
+        default:
+            return {Kind::edges, i, j};
+    }
+}
+
 }  // namespace
+
+// The interval is certain, and not of 0.
+AxisFormula PairProof::formula_of(const DistanceInterval& interval, std::uint32_t i, std::uint32_t j) const {
+    return formula_between(interval.kind, interval.a.is_vertex(), corner_of(interval.a, i, bodies_[0].triangle(i)),
+                           corner_of(interval.b, j, bodies_[1].triangle(j)));
+}
 
 // From the one triangle to the other where they are closest, about; zero where that is not clear.
 Vec3 PairProof::direction_of(std::uint32_t i, std::uint32_t j) {
     const DistanceInterval interval = pair_.enclose(i, j);
     if (!interval.is_certain) return Vec3::Zero();
-    return shortened(direction_along(formula_of(interval, a_, i, b_, j), a_, i, b_, j));
+    Corners<Vec3> corners;
+    for (std::size_t c = 0; c < 3; ++c) {
+        corners[c] = bodies_[0].at(bodies_[0].triangle(i)[c]);
+        corners[3 + c] = bodies_[1].at(bodies_[1].triangle(j)[c]);
+    }
+    return shortened(vector_of(formula_of(interval, i, j), corners));
 }
 
 SixCorners PairProof::corners_of(std::uint32_t i, std::uint32_t j) {
-    if (!points_) {
-        points_.emplace(exact::BodyRef{&a_.what->mesh(), &tree_a_.extent, &a_.pose},
-                        exact::BodyRef{&b_.what->mesh(), &tree_b_.extent, &b_.pose});
-    }
+    if (!points_) points_.emplace(bodies_[0].ref, bodies_[1].ref);
     SixCorners corners;
     for (std::size_t c = 0; c < 3; ++c) {
-        corners[c] = points_->vertex(0, a_.what->mesh().triangles()[i][c]);
-        corners[3 + c] = points_->vertex(1, b_.what->mesh().triangles()[j][c]);
+        corners[c] = points_->vertex(0, bodies_[0].triangle(i)[c]);
+        corners[3 + c] = points_->vertex(1, bodies_[1].triangle(j)[c]);
     }
     return corners;
 }
@@ -35,22 +63,15 @@ SixCorners PairProof::corners_of(std::uint32_t i, std::uint32_t j) {
 // Along which two triangles are apart as far as they can be; nothing where the walk ends.
 std::optional<AxisFormula> PairProof::formula_for(std::uint32_t i, std::uint32_t j) {
     const DistanceInterval interval = pair_.enclose(i, j);
-    if (interval.is_certain && key_of(interval.lower) > 0) return formula_of(interval, a_, i, b_, j);
+    if (interval.is_certain && key_of(interval.lower) > 0) return formula_of(interval, i, j);
     const ClosestPoints closest = pair_.closest(i, j);
-    if (closest.kind != ClosestKind::intersecting) return formula_of(closest);
+    if (closest.kind != ClosestKind::intersecting) {
+        return formula_between(closest.kind, closest.a.kind == Feature::Kind::vertex,
+                               static_cast<std::uint8_t>(closest.a.corner),
+                               static_cast<std::uint8_t>(closest.b.corner));
+    }
     if (ends_at_ == EndsAt::meeting) return std::nullopt;
     return find_axis(corners_of(i, j), ApartBy::weakly);
-}
-
-// Two triangles that no axis of their parts' proves to be apart. Returns false if the walk ends here.
-bool PairProof::decide(std::uint32_t i, std::uint32_t j) {
-    const auto formula = formula_for(i, j);
-    if (!formula) {
-        found_ = TrianglePair{i, j};
-        return false;
-    }
-    proof_.add_triangles(*formula);
-    return true;
 }
 
 // Has the axis of two triangles tried exactly from now on. Returns false if there is none more.
@@ -60,10 +81,8 @@ bool PairProof::add_contact(const AxisFormula& formula, std::uint32_t i, std::ui
         formula.kind == Kind::normal_a || formula.kind == Kind::normal_b || formula.kind == Kind::edges;
     if (contacts_.size() == contacts_max || !is_axis) return false;
     const SixCorners corners = corners_of(i, j);
-    const std::array<ContactAxis::Body, 2> bodies{ContactAxis::Body{&tree_a_.boxes, &a_.what->mesh(), &frame_a_},
-                                                  ContactAxis::Body{&tree_b_.boxes, &b_.what->mesh(), &frame_b_}};
-    const ProofAxis named{.is_given = false, .formula = formula, .a = i, .b = j};
-    contacts_.push_back({ContactAxis(named, corners, *points_, bodies, frame_b_.origin - frame_a_.origin), no_axis});
+    const ProofAxis axis{.is_given = false, .formula = formula, .a = i, .b = j};
+    contacts_.push_back(ContactAxis(axis, corners, *points_, bodies_));
     return true;
 }
 

@@ -85,12 +85,10 @@ void append_formula(std::string& text, Kind kind, std::uint64_t i, std::uint64_t
 
 // Appends one step, and returns where the next begins.
 std::size_t append_step(std::string& text, const std::vector<Proof::Word>& words, std::size_t at) {
-    static constexpr const char* names[] = {"ab", "a", "b", "k", "t"};
+    static constexpr const char* names[] = {"ab", "a", "b", "t"};
     const auto kind = static_cast<StepKind>(words[at++]);
     text.append(names[static_cast<std::size_t>(kind)]);
-    if (kind == StepKind::apart) {
-        append_count(text, words[at++]);
-    } else if (kind == StepKind::triangles) {
+    if (kind == StepKind::triangles) {
         append_formula(text, static_cast<Kind>(words[at]), words[at + 1], words[at + 2]);
         at += 3;
     } else {

@@ -5,60 +5,74 @@
 // guess of three vertices of each solid, of which the closest features are known, needs a handful of signs.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 
-#include "base/assert.hpp"
 #include "ecods/closest_points.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
+#include "exact/measure/round/squared_distance.hpp"
 #include "query/convex/gjk.hpp"
+#include "query/convex/hull_features.hpp"
 #include "query/convex/posed_hulls.hpp"
 
 namespace ecods::convex {
 
-// Two triangles of vertices of the hulls, and the features of these that hold closest points. Corners may be one
-// vertex.
+// Sets of up to four vertices of each hull.
+struct VertexSets {
+    std::array<std::array<std::uint32_t, 4>, 2> at{};
+    std::array<std::size_t, 2> count{};
+
+    VertexSets() = default;
+    explicit VertexSets(const Simplex& simplex) noexcept;
+
+    void add(std::size_t side, std::uint32_t vertex) noexcept {
+        const auto end = at[side].begin() + static_cast<std::ptrdiff_t>(count[side]);
+        if (std::find(at[side].begin(), end, vertex) == end) at[side][count[side]++] = vertex;
+    }
+    std::size_t triangle_count(std::size_t side) const noexcept { return count[side] == 4 ? 4 : 1; }
+    // A triangle has all of four vertices but one; otherwise all, the last one more than once if they are less than
+    // three.
+    std::array<std::uint32_t, 3> triangle(std::size_t side, std::size_t without = 0) const noexcept {
+        std::array<std::uint32_t, 3> result;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t k = count[side] == 4 ? i + (i >= without) : std::min(i, count[side] - 1);
+            result[i] = at[side][k];
+        }
+        return result;
+    }
+};
+
+// A vertex, an edge or a face of each hull that hold closest points: their vertices are the first ones of a triangle of
+// vertices, which may be one vertex more than once.
 struct HullFeatures {
     std::array<std::array<std::uint32_t, 3>, 2> corners{};
-    exact::FeaturePair features;
+    exact::FeaturePair features;  // of the triangles
+
+    HullFeatures() = default;
+    // Features of two triangles, whichever of their corners they have.
+    HullFeatures(const std::array<std::array<std::uint32_t, 3>, 2>& triangles, const exact::FeaturePair& f) noexcept;
 
     std::array<HullVertex, 6> vertices() const noexcept {
         return {HullVertex{0, corners[0][0]}, {0, corners[0][1]}, {0, corners[0][2]},
                 {1, corners[1][0]},           {1, corners[1][1]}, {1, corners[1][2]}};
     }
-    // How many corners the feature of a solid has, and the first of them; the others follow.
-    std::size_t corner_count(std::size_t side) const noexcept;
-    std::uint32_t corner(std::size_t side, std::size_t i) const noexcept {
-        const std::size_t first = side == 0 ? features.a : features.b;
-        return corners[side][(first + i) % 3];
-    }
-    // All of them, in their order.
-    std::array<std::uint32_t, 3> of_side(std::size_t side) const noexcept {
-        return {corner(side, 0), corner(side, 1), corner(side, 2)};
+    std::span<const std::uint32_t> of_side(std::size_t side) const noexcept {
+        return {corners[side].data(), features.corner_count(side)};
     }
 };
-
-// A vertex, an edge or a face of a hull.
-struct HullPart {
-    Feature::Kind kind = Feature::Kind::vertex;
-    std::uint32_t index = 0;
-
-    friend bool operator==(const HullPart&, const HullPart&) = default;
-};
-
-Feature part_name(const Hull& hull, const HullPart& part) noexcept;
 
 struct ClosestHulls {
     HullFeatures found;
-    // All of each solid that is furthest towards the other: the closest points are on these parts. Nothing: its feature
-    // of `found`, which nobody has looked up.
-    std::array<std::optional<HullPart>, 2> parts;
+    // A part is all of a solid that is furthest towards the other: the closest points are on both parts. Nothing: its
+    // feature of `found`, which nobody has looked up.
+    std::array<std::optional<HullFeature>, 2> parts;
     // Whether the features of `found` are these parts, and hold the only closest points inside both.
     bool are_only = false;
 
-    HullPart part(const PosedHulls& hulls, std::size_t side) const noexcept;
+    HullFeature part(const PosedHulls& hulls, std::size_t side) const noexcept;
 };
 
 // What signs of rounded points prove of the guess, and where these leave open which vertices are as far as the
@@ -78,22 +92,8 @@ bool are_closest_of_triangles(PosedHulls& hulls, const HullFeatures& found);
 
 // Of the direction of features, from the first solid to the second, and for the second turned back: the signs of its
 // products with the ways from a vertex to others, up to signs_at_once of them. Exact.
-inline constexpr std::size_t signs_at_once = 6;
 std::array<int, signs_at_once> signs_beyond(PosedHulls& hulls, const HullFeatures& found, std::size_t side,
                                             std::uint32_t at, std::span<const Hull::Neighbor> neighbors);
-
-// The edges of a vertex at right angles to a direction along which the vertex is furthest: two at most, of one face.
-struct LevelEdges {
-    std::size_t count = 0;
-    std::array<std::uint32_t, 2> edges{};
-
-    void add(std::uint32_t edge) noexcept {
-        ECODS_ASSERT(count < 2);
-        if (count < 2) edges[count++] = edge;
-    }
-    // All of the hull that is as far.
-    HullPart part(const Hull& hull, std::uint32_t vertex) const noexcept;
-};
 
 // The names of what holds the closest points by the rule of ClosestPoints, and these points.
 ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest);
@@ -104,16 +104,9 @@ std::optional<ClosestHulls> find_closest(PosedHulls& hulls, PairWitness* witness
 // The same from a pair of vertices.
 std::optional<ClosestHulls> find_closest(PosedHulls& hulls, const Simplex& start, PairWitness* witness = nullptr);
 
-// The distance, rounded once; and the sign of the distance less d.
+// The squared distance, exactly; the distance, rounded once; and the sign of the distance less d.
+exact::SquaredDistance square_of(PosedHulls& hulls, const HullFeatures& found);
 double round_distance(PosedHulls& hulls, const HullFeatures& found);
 int compare_distance(PosedHulls& hulls, const HullFeatures& found, double d);
-
-// The face of a hull that has three vertices, which are not on one line; none (~0) if no face has.
-std::uint32_t face_of(const Hull& hull, const std::array<std::uint32_t, 3>& vertices) noexcept;
-
-// Whether an edge is of a face.
-inline bool is_edge_of(const Hull& hull, std::uint32_t edge, std::uint32_t face) noexcept {
-    return hull.edges[edge].faces[0] == face || hull.edges[edge].faces[1] == face;
-}
 
 }  // namespace ecods::convex

@@ -6,6 +6,7 @@
 #include "ecods/convex_solid.hpp"
 #include "ecods/error.hpp"
 #include "geometry/find_invalid.hpp"
+#include "query/convex/convexity.hpp"
 #include "query/convex/hull_build.hpp"
 #include "query/convex/hull_of_points.hpp"
 
@@ -18,7 +19,9 @@ Hull hull_of(std::span<const Vec3> points) {
     const ProperMesh proper{Mesh::create({points.begin(), points.end()}, triangulate_hull(points)), {}};
     const MeshEdges edges(proper);
     const Border border{&proper, &edges, {}, &proper, {}, exact::VertexSigns(proper.mesh->vertices())};
-    return build_hull(border, find_flat_edges(border));
+    Shells shells;
+    shells.first = {0};
+    return build_hull(border, require_convex(border, shells, *proper.mesh));
 }
 
 }  // namespace

@@ -3,13 +3,13 @@
 
 #include <memory>
 
-#include "exact/measure/round/fixed_points.hpp"
+#include "exact/point/integer_frame.hpp"
 #include "query/intersection/query_memory.hpp"
 
 namespace ecods::convex {
 
 struct ConvexMemory final : QueryMemoryPart {
-    exact::FixedPoints points;
+    exact::IntegerFrame points;
 
     static ConvexMemory& of(QueryMemory& memory) {
         auto& part = QueryMemoryAccess::state(memory).convex;

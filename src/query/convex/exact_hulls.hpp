@@ -16,7 +16,7 @@ template <std::size_t N, class Use>
 auto with_exact_features(PosedHulls& hulls, const std::array<HullVertex, N>& vertices, Use&& use) {
     static_assert(N >= 6);
     return hulls.with_integers(vertices, [&]<class Kernel>(const exact::IntegerPoints<Kernel, N>& points) {
-        constexpr int L = exact::limbs_of<Kernel>;
+        constexpr int L = Kernel::limb_count;
         const auto limbs = exact::to_limbs(points);
         std::array<typename exact::ExactFeatures<L>::Point, 6> six;
         for (std::size_t i = 0; i < 6; ++i) six[i] = limbs[i];

@@ -1,9 +1,12 @@
-// Searches among all vertices of a small hull, four at a time. Everything is inlined into what is compiled for the
-// instruction set in use (simd/dispatch.hpp).
+// Searches among all vertices of a small hull, and among other numbers, four at a time. Everything is inlined into what
+// is compiled for the instruction set in use (simd/dispatch.hpp).
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "query/convex/support_points.hpp"
 #include "simd/inline.hpp"
@@ -13,6 +16,13 @@ namespace ecods::convex {
 
 using FourDoubles = Vec<double, static_cast<int>(SupportPoints::lanes)>;
 using FourIndices = MaskOf<FourDoubles>;
+
+// Calls use(lane) for the lanes that are set.
+template <class Use>
+ECODS_ALWAYS_INLINE void for_each_lane(FourIndices mask, Use&& use) {
+    auto bits = static_cast<std::uint64_t>(any_bits(mask & lane_bits<FourIndices>()));
+    for (; bits != 0; bits &= bits - 1) use(static_cast<std::uint32_t>(std::countr_zero(bits)));
+}
 
 // Products of a vector with vertices, a group at a time.
 struct Heights {
@@ -30,15 +40,21 @@ struct Heights {
     }
 };
 
-// The greatest products seen in each lane, and the groups that they were in.
+// The greatest numbers seen in each lane, and what they were of; the first of those that are equal. NaN is not seen.
 struct Best {
     FourDoubles most = broadcast<FourDoubles>(-std::numeric_limits<double>::infinity());
-    FourIndices group{};
+    FourIndices of{};
 
     ECODS_ALWAYS_INLINE void take(FourDoubles h, FourIndices at) noexcept {
         const FourIndices is_more = h > most;
         most = select(is_more, h, most);
-        group = (is_more & at) | (~is_more & group);
+        of = (is_more & at) | (~is_more & of);
+    }
+    // The greatest number of all is of this.
+    ECODS_ALWAYS_INLINE std::uint32_t of_greatest() noexcept {
+        take(shuffle<2, 3, 0, 1>(most), shuffle<2, 3, 0, 1>(of));
+        take(shuffle<1, 0, 3, 2>(most), shuffle<1, 0, 3, 2>(of));
+        return static_cast<std::uint32_t>(of[0]);
     }
 };
 
@@ -57,12 +73,21 @@ ECODS_ALWAYS_INLINE std::uint32_t furthest(const double* groups, std::size_t cou
         after += 2;
     }
     constexpr FourIndices lane{0, 1, 2, 3};
-    even.group = even.group * static_cast<std::int64_t>(lanes) + lane;
-    odd.group = odd.group * static_cast<std::int64_t>(lanes) + lane;
-    even.take(odd.most, odd.group);
-    even.take(shuffle<2, 3, 0, 1>(even.most), shuffle<2, 3, 0, 1>(even.group));
-    even.take(shuffle<1, 0, 3, 2>(even.most), shuffle<1, 0, 3, 2>(even.group));
-    return static_cast<std::uint32_t>(even.group[0]);
+    even.of = even.of * static_cast<std::int64_t>(lanes) + lane;
+    odd.of = odd.of * static_cast<std::int64_t>(lanes) + lane;
+    even.take(odd.most, odd.of);
+    return even.of_greatest();
+}
+
+// The index of the greatest of some numbers, which are read by fours.
+ECODS_ALWAYS_INLINE std::uint32_t index_of_greatest(const double* numbers, std::size_t count) noexcept {
+    Best best;
+    FourIndices at{0, 1, 2, 3};
+    for (std::size_t i = 0; i < count; i += SupportPoints::lanes) {
+        best.take(load_anywhere<FourDoubles>(numbers + i), at);
+        at += static_cast<std::int64_t>(SupportPoints::lanes);
+    }
+    return best.of_greatest();
 }
 
 // How many products are not less than a number: those of all places in the groups, those that the last vertex fills up
@@ -80,6 +105,21 @@ ECODS_ALWAYS_INLINE std::size_t count_not_below(const double* groups, std::size_
     even += odd;
     const std::int64_t below = -(even[0] + even[1] + even[2] + even[3]);
     return count / 3 - static_cast<std::size_t>(below);
+}
+
+// Lists the vertices whose products are at most `below` less than the greatest one, or NaN.
+ECODS_ALWAYS_INLINE void list_furthest(const SupportPoints& points, const exact::Point& along, double below,
+                                       std::vector<std::uint32_t>& list) {
+    const double* const groups = points.groups.data();
+    const std::uint32_t last = points.vertex_count - 1;
+    const std::uint32_t top = std::min(last, furthest(groups, points.groups.size(), along));
+    const Heights heights(along);
+    const FourDoubles least = broadcast<FourDoubles>(heights.of(groups + top / 4 * 12)[top % 4] - below);
+    for (std::uint32_t v = 0; v <= last; v += 4) {
+        for_each_lane(~(heights.of(groups + std::size_t{v} * 3) < least), [&](std::uint32_t lane) {
+            if (v + lane <= last) list.push_back(v + lane);
+        });
+    }
 }
 
 }  // namespace ecods::convex

@@ -153,13 +153,6 @@ struct OfScannedHulls {
         return hulls.scan(side, along);
     }
 };
-struct OfHulls {
-    const PosedHulls& hulls;
-
-    std::uint32_t operator()(std::size_t side, const Point& along, std::uint32_t start) const noexcept {
-        return hulls.support(side, along, start);
-    }
-};
 struct OfTriangles {
     const std::array<std::array<std::uint32_t, 3>, 2>& triangles;
     std::array<std::array<Point, 3>, 2> points;
@@ -189,7 +182,9 @@ Simplex run_gjk(const PosedHulls& hulls, const Simplex& start) noexcept {
     if (hulls.is_scanned(0) && hulls.is_scanned(1)) {
         dispatch<descend_scanned>(simplex, hulls);
     } else {
-        descend(simplex, hulls, OfHulls{hulls});
+        descend(simplex, hulls, [&](std::size_t side, const Point& along, std::uint32_t from) {
+            return hulls.support(side, along, from);
+        });
     }
     return simplex.count > 0 ? simplex : start;
 }

@@ -13,19 +13,14 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-// A side of a triangle on an edge of the set, and the faces left and right of it, seen from outside.
+// An edge of the set, or a side of a triangle on one: the way between two vertices of the mesh that has a face on its
+// left, seen from outside, and one on its right.
 struct Piece {
-    std::array<std::uint32_t, 2> between;  // the two faces, the lesser first
-    SideRef name;
-    std::uint32_t from, to;  // vertices of the mesh
-    std::uint32_t left, right;
-};
-
-// An edge of the set, its ends being vertices of the mesh: the way from the first to the second has `left` on its left.
-struct LongEdge {
     SideRef name;
     std::uint32_t from, to;
     std::uint32_t left, right;
+
+    std::array<std::uint32_t, 2> between() const noexcept { return {std::min(left, right), std::max(left, right)}; }
 };
 
 class Builder {
@@ -87,7 +82,6 @@ class Builder {
             piece.left = face_of_[side.triangle];
             piece.right = face_of_[other.triangle];
             if (border_.turns_right(side.triangle)) std::swap(piece.left, piece.right);
-            piece.between = {std::min(piece.left, piece.right), std::max(piece.left, piece.right)};
             pieces_.push_back(piece);
         }
     }
@@ -95,15 +89,15 @@ class Builder {
     // Two faces of a convex set share one edge at most, so pieces between the same two are one. On a line the order of
     // points is that of compare_points.
     void join_pieces() {
-        std::ranges::sort(pieces_, {}, [](const Piece& p) { return std::tuple(p.between, p.name); });
+        std::ranges::sort(pieces_, {}, [](const Piece& p) { return std::tuple(p.between(), p.name); });
         for (std::size_t i = 0; i < pieces_.size();) {
-            LongEdge edge{pieces_[i].name, pieces_[i].from, pieces_[i].to, pieces_[i].left, pieces_[i].right};
+            Piece edge = pieces_[i];
             if (compare_points(points_[edge.from], points_[edge.to]) > 0) {
                 std::swap(edge.from, edge.to);
                 std::swap(edge.left, edge.right);
             }
             std::size_t k = i + 1;
-            for (; k < pieces_.size() && pieces_[k].between == pieces_[i].between; ++k) {
+            for (; k < pieces_.size() && pieces_[k].between() == pieces_[i].between(); ++k) {
                 for (const std::uint32_t end : {pieces_[k].from, pieces_[k].to}) {
                     if (compare_points(points_[end], points_[edge.from]) < 0) edge.from = end;
                     if (compare_points(points_[end], points_[edge.to]) > 0) edge.to = end;
@@ -112,14 +106,14 @@ class Builder {
             edges_.push_back(edge);
             i = k;
         }
-        std::ranges::sort(edges_, {}, &LongEdge::name);
+        std::ranges::sort(edges_, {}, &Piece::name);
     }
 
     // A vertex of the set is a corner of every triangle that has it: in none it lies inside a side.
     void name_vertices() {
         vertex_of_.assign(points_.size(), none);
         constexpr std::uint32_t unnamed = none - 1;
-        for (const LongEdge& edge : edges_) vertex_of_[edge.from] = vertex_of_[edge.to] = unnamed;
+        for (const Piece& edge : edges_) vertex_of_[edge.from] = vertex_of_[edge.to] = unnamed;
         const auto named = border_.named->mesh->triangles();
         for (std::uint32_t i = 0; i < named.size(); ++i) {
             if (!border_.named->is_proper(i)) continue;
@@ -135,7 +129,7 @@ class Builder {
 
     void add_edges() {
         hull_.edges.reserve(edges_.size());
-        for (const LongEdge& edge : edges_) {
+        for (const Piece& edge : edges_) {
             const Feature name{Feature::Kind::edge, edge.name.triangle, edge.name.corner};
             const std::uint32_t from = vertex_of_[edge.from], to = vertex_of_[edge.to];
             if (from < to) {
@@ -205,7 +199,7 @@ class Builder {
     std::vector<std::uint32_t> parents_;  // by triangle: a lesser one of its face, or itself
     std::vector<std::uint32_t> face_of_;  // by triangle
     std::vector<Piece> pieces_;
-    std::vector<LongEdge> edges_;
+    std::vector<Piece> edges_;
     std::vector<std::uint32_t> vertex_of_;  // by vertex of the mesh
     Hull hull_;
 };
@@ -216,18 +210,6 @@ int side_of_plane(const Border& border, std::uint32_t triangle, std::uint32_t ve
     const auto& [a, b, c] = border.proper->mesh->triangles()[triangle];
     const int sign = border.signs.orient3d(a, b, c, vertex);
     return border.turns_right(triangle) ? -sign : sign;
-}
-
-std::vector<std::uint8_t> find_flat_edges(const Border& border) {
-    const auto triangles = border.proper->mesh->triangles();
-    std::vector<std::uint8_t> is_flat(border.edges->count());
-    for (std::size_t e = 0; e < is_flat.size(); ++e) {
-        const auto sides = border.edges->sides(e);
-        ECODS_ASSERT(sides.size() == 2);
-        const std::uint32_t apex = opposite_corner(triangles[sides[1].triangle], sides[1].corner);
-        is_flat[e] = side_of_plane(border, sides[0].triangle, apex) == 0;
-    }
-    return is_flat;
 }
 
 Hull build_hull(const Border& border, std::span<const std::uint8_t> is_flat) {

@@ -45,10 +45,7 @@ inline std::uint32_t opposite_corner(const Triangle& triangle, std::uint32_t sid
 // The sign of where a point is with respect to the plane of a triangle: positive outside. Exact.
 int side_of_plane(const Border& border, std::uint32_t triangle, std::uint32_t vertex) noexcept;
 
-// By edge: whether its two triangles are in one plane. Every edge must have two.
-std::vector<std::uint8_t> find_flat_edges(const Border& border);
-
-// The solid must be convex. Cost: n log n.
+// The solid must be convex; by edge, `is_flat` says whether its two triangles are in one plane. Cost: n log n.
 Hull build_hull(const Border& border, std::span<const std::uint8_t> is_flat);
 
 }  // namespace ecods::convex

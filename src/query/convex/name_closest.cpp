@@ -2,13 +2,14 @@
 //
 // All closest points of two convex sets are apart by one vector, so they are on the parts that are furthest along it:
 // one part of each solid, and the features in question are these and what borders them.
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "exact/measure/distance/closest_points.hpp"
 #include "exact/measure/round/exact_point.hpp"
 #include "exact/point/vectors.hpp"
+#include "geometry/feature_key.hpp"
 #include "query/convex/closest_hulls.hpp"
 #include "query/convex/exact_hulls.hpp"
 
@@ -23,8 +24,11 @@ using exact::times;
 using exact::FeatureKind;
 using Kind = Feature::Kind;
 
-// Three vertices of the hull that a part is named by, the first ones of its own.
-std::array<std::uint32_t, 3> corners_of(const Hull& hull, const HullPart& part) noexcept {
+// A feature of each solid.
+using Parts = std::array<HullFeature, 2>;
+
+// The vertices of a feature; of a face the first three.
+std::array<std::uint32_t, 3> corners_of(const Hull& hull, const HullFeature& part) noexcept {
     if (part.kind == Kind::vertex) return {part.index, part.index, part.index};
     if (part.kind == Kind::edge) {
         const auto& ends = hull.edges[part.index].ends;
@@ -34,50 +38,31 @@ std::array<std::uint32_t, 3> corners_of(const Hull& hull, const HullPart& part) 
     return {cycle[0].vertex, cycle[1].vertex, cycle[2].vertex};
 }
 
-// Calls use(part) for the vertices of a part, or for its edges.
+HullFeatures features_of(const PosedHulls& hulls, const Parts& parts) noexcept {
+    const auto count = [&](std::size_t side) { return static_cast<std::size_t>(parts[side].kind) + 1; };
+    return {{corners_of(hulls.hull(0), parts[0]), corners_of(hulls.hull(1), parts[1])},
+            exact::features_of_counts(count(0), count(1))};
+}
+
+// Calls use(feature) for the features of a kind that a feature is, or that border it.
 template <class Use>
-void for_vertices(const Hull& hull, const HullPart& part, Use&& use) {
-    if (part.kind == Kind::vertex) use(part);
+void for_each_of(const Hull& hull, const HullFeature& part, Kind kind, Use&& use) {
+    if (part.kind == kind) return use(part);
+    if (part.kind < kind) return;
     if (part.kind == Kind::edge) {
-        for (const std::uint32_t end : hull.edges[part.index].ends) use(HullPart{Kind::vertex, end});
+        for (const std::uint32_t end : hull.edges[part.index].ends) use(HullFeature{kind, end});
+    } else {
+        for (const Hull::Neighbor& n : hull.cycle_of(part.index))
+            use(HullFeature{kind, kind == Kind::vertex ? n.vertex : n.edge});
     }
-    if (part.kind == Kind::face) {
-        for (const Hull::Neighbor& n : hull.cycle_of(part.index)) use(HullPart{Kind::vertex, n.vertex});
-    }
-}
-template <class Use>
-void for_edges(const Hull& hull, const HullPart& part, Use&& use) {
-    if (part.kind == Kind::edge) use(part);
-    if (part.kind == Kind::face) {
-        for (const Hull::Neighbor& n : hull.cycle_of(part.index)) use(HullPart{Kind::edge, n.edge});
-    }
-}
-
-// A part of each solid.
-using PartPair = std::array<HullPart, 2>;
-
-HullFeatures features_of(const PosedHulls& hulls, const PartPair& parts) noexcept {
-    HullFeatures result;
-    for (const std::size_t side : {0, 1}) result.corners[side] = corners_of(hulls.hull(side), parts[side]);
-    const bool has_face = parts[0].kind == Kind::face || parts[1].kind == Kind::face;
-    const int edges = (parts[0].kind == Kind::edge) + (parts[1].kind == Kind::edge);
-    result.features.kind = has_face     ? FeatureKind::vertex_face
-                           : edges == 2 ? FeatureKind::edge_edge
-                           : edges == 1 ? FeatureKind::vertex_edge
-                                        : FeatureKind::vertex_vertex;
-    result.features.vertex_side = parts[0].kind > parts[1].kind ? 1 : 0;
-    return result;
 }
 
 class Naming {
   public:
     Naming(PosedHulls& hulls, const ClosestHulls& closest)
-        : hulls_(hulls), parts_{closest.part(hulls, 0), closest.part(hulls, 1)} {
-        with_exact_features(hulls, closest.found.vertices(),
-                            [&](const auto& points, const auto& features, const auto&) {
-                                least_.exponent = points.unit;
-                                features.measure(closest.found.features, least_);
-                            });
+        : hulls_(hulls),
+          parts_{closest.part(hulls, 0), closest.part(hulls, 1)},
+          least_(square_of(hulls, closest.found)) {
         const double distance = exact::round_root(least_);
         if (distance > 0x1p-1000 && distance < 0x1p1000) {
             const int exponent = exponent_above(distance) - hulls.exponent();
@@ -86,46 +71,50 @@ class Naming {
     }
 
     // The kinds in their order; of each, what is named first.
-    PartPair find() {
-        const Hull &a = hulls_.hull(0), &b = hulls_.hull(1);
-        for_vertices(a, parts_[0], [&](const HullPart& x) {
-            for_vertices(b, parts_[1], [&](const HullPart& y) { try_vertices({x, y}); });
-        });
+    Parts find() {
+        try_all(Kind::vertex, Kind::vertex);
         if (has_best_) return best_;
-        for_vertices(a, parts_[0], [&](const HullPart& x) {
-            for_edges(b, parts_[1], [&](const HullPart& y) { try_vertex_and_edge({x, y}); });
-        });
-        for_edges(a, parts_[0], [&](const HullPart& x) {
-            for_vertices(b, parts_[1], [&](const HullPart& y) { try_vertex_and_edge({x, y}); });
-        });
+        try_all(Kind::vertex, Kind::edge);
+        try_all(Kind::edge, Kind::vertex);
         if (has_best_) return best_;
-        if (parts_[1].kind == Kind::face) {
-            for_vertices(a, parts_[0], [&](const HullPart& x) { try_vertex_and_face({x, parts_[1]}); });
-        }
-        if (parts_[0].kind == Kind::face) {
-            for_vertices(b, parts_[1], [&](const HullPart& y) { try_vertex_and_face({parts_[0], y}); });
-        }
+        try_all(Kind::vertex, Kind::face);
+        try_all(Kind::face, Kind::vertex);
         if (has_best_) return best_;
-        for_edges(a, parts_[0], [&](const HullPart& x) {
-            for_edges(b, parts_[1], [&](const HullPart& y) { try_exactly({x, y}); });
-        });
+        try_all(Kind::edge, Kind::edge);
         ECODS_ASSERT(has_best_);
         return best_;
     }
 
   private:
-    auto rank(const PartPair& parts) const noexcept {
-        const Feature a = part_name(hulls_.hull(0), parts[0]), b = part_name(hulls_.hull(1), parts[1]);
-        return std::tuple(a.triangle, a.corner, b.triangle, b.corner, a.kind);
+    void try_all(Kind kind_a, Kind kind_b) {
+        for_each_of(hulls_.hull(0), parts_[0], kind_a, [&](const HullFeature& a) {
+            for_each_of(hulls_.hull(1), parts_[1], kind_b, [&](const HullFeature& b) {
+                const Parts parts{a, b};
+                if (!is_first(parts) || !may_hold(parts) || !holds(parts)) return;
+                best_ = parts;
+                has_best_ = true;
+            });
+        });
     }
-    bool is_first(const PartPair& parts) const noexcept { return !has_best_ || rank(parts) < rank(best_); }
-    void take(const PartPair& parts) noexcept {
-        best_ = parts;
-        has_best_ = true;
+
+    FeatureNames names_of(const Parts& parts) const noexcept {
+        return {ClosestKind{}, name_of(hulls_.hull(0), parts[0]), name_of(hulls_.hull(1), parts[1])};
+    }
+    // Ranks parts of one kind.
+    bool is_first(const Parts& parts) const noexcept {
+        return !has_best_ || rank(names_of(parts)) < rank(names_of(best_));
+    }
+
+    // Doubles do not exclude that the parts have the least distance.
+    bool may_hold(const Parts& parts) {
+        const Kind greater = std::max(parts[0].kind, parts[1].kind), lesser = std::min(parts[0].kind, parts[1].kind);
+        if (greater == Kind::vertex) return may_hold_vertices(parts);
+        if (lesser == Kind::edge) return true;
+        return greater == Kind::edge ? may_hold_vertex_and_edge(parts) : is_over(parts);
     }
 
     // Whether the parts have exactly the least distance, with points inside them.
-    bool holds(const PartPair& parts) {
+    bool holds(const Parts& parts) {
         const HullFeatures found = features_of(hulls_, parts);
         return with_exact_features(hulls_, found.vertices(),
                                    [&](const auto& points, const auto& features, const auto&) {
@@ -139,23 +128,16 @@ class Naming {
                                    });
     }
 
-    void try_exactly(const PartPair& parts) {
-        if (is_first(parts) && holds(parts)) take(parts);
-    }
-
     // Rounded points are off by delta on each axis, and a norm of their difference by a factor that is near 1.
-    void try_vertices(const PartPair& parts) {
-        if (!is_first(parts)) return;
+    bool may_hold_vertices(const Parts& parts) const noexcept {
         const Point w = minus(hulls_.rounded(1, parts[1].index), hulls_.rounded(0, parts[0].index));
         const double length = std::sqrt(dot(w, w));
-        if (length * (1 - 0x1p-48) - 4 * hulls_.delta() > limit_ * (1 + 0x1p-48)) return;
-        if (holds(parts)) take(parts);
+        return !(length * (1 - 0x1p-48) - 4 * hulls_.delta() > limit_ * (1 + 0x1p-48));
     }
 
     // The distance from the rounded edge is that from a point on its line, which its parameter's rounding moves by some
     // roundings of the vectors' lengths.
-    void try_vertex_and_edge(const PartPair& parts) {
-        if (!is_first(parts)) return;
+    bool may_hold_vertex_and_edge(const Parts& parts) const noexcept {
         const std::size_t of = parts[0].kind == Kind::edge ? 0 : 1;
         const auto& ends = hulls_.hull(of).edges[parts[of].index].ends;
         const Point p = hulls_.rounded(of, ends[0]);
@@ -164,16 +146,11 @@ class Naming {
         const double uu = dot(u, u), t = std::min(std::max(dot(w, u) / uu, 0.0), 1.0);
         const Point x = minus(w, times(u, t));
         const double margin = 0x1p-44 * (largest(w) + largest(u)) + 16 * hulls_.delta();
-        if (std::sqrt(dot(x, x)) - margin > limit_ * (1 + 0x1p-48)) return;
-        if (holds(parts)) take(parts);
-    }
-
-    void try_vertex_and_face(const PartPair& parts) {
-        if (is_first(parts) && is_over(parts) && holds(parts)) take(parts);
+        return !(std::sqrt(dot(x, x)) - margin > limit_ * (1 + 0x1p-48));
     }
 
     // Whether the foot of a vertex is inside a face: left of all its sides, seen along the normal.
-    bool is_over(const PartPair& parts) {
+    bool is_over(const Parts& parts) {
         constexpr std::size_t at_once = 7;
         const std::size_t of = parts[0].kind == Kind::face ? 0 : 1;
         const HullFeatures found = features_of(hulls_, parts);
@@ -202,28 +179,28 @@ class Naming {
     }
 
     PosedHulls& hulls_;
-    std::array<HullPart, 2> parts_;
+    Parts parts_;
     exact::SquaredDistance least_;
     double limit_ = std::numeric_limits<double>::infinity();  // the distance, about, as rounded points are counted
-    PartPair best_;
+    Parts best_;
     bool has_best_ = false;
 };
 
 }  // namespace
 
 ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest) {
-    const PartPair parts =
-        closest.are_only ? PartPair{closest.part(hulls, 0), closest.part(hulls, 1)} : Naming(hulls, closest).find();
+    const Parts parts =
+        closest.are_only ? Parts{closest.part(hulls, 0), closest.part(hulls, 1)} : Naming(hulls, closest).find();
     const HullFeatures found = features_of(hulls, parts);
     return with_exact_features(hulls, found.vertices(), [&](const auto& points, const auto& features, const auto&) {
         exact::SquaredDistance square;
         square.exponent = points.unit;
         features.measure(found.features, square);
         std::array<exact::ExactPoint, 2> ends;
-        exact::ClosestPointsOf(features, found.features, points.unit).find(ends);
+        exact::find_closest_points(features, found.features, points.unit, ends);
         const exact::PointRef origin = hulls.reference({0, found.corners[0][0]});
         return ClosestPoints{exact::round_root(square),           static_cast<ClosestKind>(found.features.kind),
-                             part_name(hulls.hull(0), parts[0]),  part_name(hulls.hull(1), parts[1]),
+                             name_of(hulls.hull(0), parts[0]),    name_of(hulls.hull(1), parts[1]),
                              exact::round_point(origin, ends[0]), exact::round_point(origin, ends[1])};
     });
 }

@@ -75,11 +75,7 @@ bool PosedHulls::scale_plainly() noexcept {
         const double size = largest_magnitude(body.at->R) * power;
         if (!(size <= 0x1p100)) return false;
         largest = std::max(largest, size);
-        for (std::size_t row = 0; row < 3; ++row) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                body.rows[row][k] = body.at->R(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k)) * power;
-            }
-        }
+        body.rows = rows_of(*body.at, [&](double r) { return r * power; });
     }
     if (!(largest >= 0x1p-100)) return false;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -107,12 +103,7 @@ void PosedHulls::scale_any() noexcept {
     }
     exponent_ = exponent;
     for (Body& body : bodies_) {
-        for (std::size_t row = 0; row < 3; ++row) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                const double r = body.at->R(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k));
-                body.rows[row][k] = times_power(r, body.points->exponent - exponent);
-            }
-        }
+        body.rows = rows_of(*body.at, [&](double r) { return times_power(r, body.points->exponent - exponent); });
     }
     for (std::size_t k = 0; k < 3; ++k) {
         bodies_[1].offset[k] = times_power(difference[k].x, difference[k].exponent - exponent);
@@ -184,42 +175,45 @@ std::uint32_t PosedHulls::support(std::size_t side, const Point& direction) cons
     return climb(body, along, body.points->extremes[2 * axis + (along[axis] > 0)]);
 }
 
-// Heights along n are taken in the mesh's coordinates. With u' = two_u and D = delta(), which is at least 4.25 u' sum
-// (find_bounds), sum bounding what is added up for any coordinate of a point: a height meets six roundings, and is off
-// by at most 6.1 u' sum |n|_1, |n|_1 being the sum of the magnitudes of n. Two of them, and the rounding of what they
-// are compared with, are below 13.4 u' sum |n|_1 < 3.2 D |n|_1. That n is off changes the difference of two heights by
-// 3 error size(side). The factor 3.6 covers the roundings of the margin as well, and what underflows: that is below
-// 2^-900, and D is asked to be at least 2^-200, as |n|_1 and the errors of its vectors then are 2^-600 or more.
+// With u' = two_u and D = delta(), which is at least 4.25 u' sum (find_bounds), sum bounding what is added up for any
+// coordinate of a point: a height meets six roundings, and is off by at most 6.1 u' sum |n|_1, |n|_1 being the sum of
+// the magnitudes of n. Two of them, and the rounding of what they are compared with, are below 13.4 u' sum |n|_1 < 3.2
+// D |n|_1. That n is off changes the difference of two heights by 3 error size(side). The factor 3.6 covers the
+// roundings of the margin as well, and what underflows: that is below 2^-900, and D is asked to be at least 2^-200, as
+// |n|_1 and the errors of its vectors then are 2^-600 or more.
+auto PosedHulls::heights(std::size_t side, const Point& n, double error) const noexcept -> Heights {
+    const Body& body = bodies_[side];
+    const double margin = 3.6 * (error * body.size + delta_ * exact::sum_of_magnitudes(n));
+    return {body.points, in_mesh(body, n), margin};
+}
+
+void PosedHulls::list_furthest(const Heights& heights, std::vector<std::uint32_t>& list) {
+    dispatch<convex::list_furthest>(*heights.points, heights.along, heights.margin, list);
+}
+
 bool PosedHulls::are_others_behind(std::size_t side, const Point& n, double error,
                                    std::span<const std::uint32_t> corners) const noexcept {
     if (!is_scanned(side)) return false;
-    const Body& body = bodies_[side];
-    const Point along = in_mesh(body, n), corner = body.points->at(corners[0]);
-    const double height = (along[0] * corner[0] + along[1] * corner[1]) + along[2] * corner[2];
-    const double sum = (std::abs(n[0]) + std::abs(n[1])) + std::abs(n[2]);
-    const double margin = 3.6 * (error * body.size + delta_ * sum);
-    const std::vector<double>& groups = body.points->groups;
+    const Heights heights = this->heights(side, n, error);
+    const std::vector<double>& groups = heights.points->groups;
     // The corners are as far as each other, and so is what the last vertex fills up if it is one of them.
     std::size_t expected = corners.size();
     for (const std::uint32_t vertex : corners) {
-        if (vertex + 1 == body.points->vertex_count) expected += groups.size() / 3 - body.points->vertex_count;
+        if (vertex == last_vertex(bodies_[side])) expected += groups.size() / 3 - heights.points->vertex_count;
     }
-    return dispatch<count_not_below>(groups.data(), groups.size(), along, height - margin) == expected;
+    const double least = heights.of(corners[0]) - heights.margin;
+    return dispatch<count_not_below>(groups.data(), groups.size(), heights.along, least) == expected;
 }
 
 // From vertex to vertex as long as that is further: the function that is compared has one value for each vertex, so it
 // ends.
-std::uint32_t PosedHulls::climb(const Body& body, const Point& along, std::uint32_t start) const noexcept {
-    const auto height = [&](std::uint32_t vertex) {
-        const Point v = body.points->at(vertex);
-        return (along[0] * v[0] + along[1] * v[1]) + along[2] * v[2];
-    };
+std::uint32_t PosedHulls::climb(const Body& body, const Point& along, std::uint32_t start) noexcept {
     std::uint32_t at = start;
-    double most = height(at);
+    double most = exact::dot(along, body.points->at(at));
     for (bool has_moved = true; has_moved;) {
         has_moved = false;
         for (const Hull::Neighbor& n : body.hull->neighbors_of(at)) {
-            const double h = height(n.vertex);
+            const double h = exact::dot(along, body.points->at(n.vertex));
             if (h > most) {
                 most = h;
                 at = n.vertex;
@@ -277,11 +271,13 @@ bool PosedHulls::find_short(const std::array<std::span<const std::uint32_t>, 2>&
     return true;
 }
 
+exact::BodyRef PosedHulls::body(std::size_t side) const {
+    const Body& body = bodies_[side];
+    return {&body.solid->mesh(), &MeshShapeAccess::tree(*body.solid).extent, body.at};
+}
+
 void PosedHulls::bind_exact() {
-    const auto reference = [](const Body& body) {
-        return exact::BodyRef{&body.solid->mesh(), &MeshShapeAccess::tree(*body.solid).extent, body.at};
-    };
-    memory_.points.bind(reference(bodies_[0]), reference(bodies_[1]));
+    memory_.points.bind_pair(body(0), body(1));
     is_bound_ = true;
 }
 

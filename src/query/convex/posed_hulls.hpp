@@ -17,6 +17,7 @@
 #include "exact/measure/distance/measure_pair.hpp"
 #include "exact/measure/round/scaled_vector.hpp"
 #include "exact/point/integer_points.hpp"
+#include "exact/point/vectors.hpp"
 #include "query/convex/convex_memory.hpp"
 #include "query/convex/convex_parts.hpp"
 #include "query/convex/furthest.hpp"
@@ -31,6 +32,17 @@ struct HullVertex {
     std::size_t side;
     std::uint32_t vertex;
 };
+
+// The rows of a pose's R, each entry as `scale` makes it.
+template <class Scale>
+std::array<Point, 3> rows_of(const Pose& pose, const Scale& scale) {
+    std::array<Point, 3> rows;
+    for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t k = 0; k < 3; ++k)
+            rows[row][k] = scale(pose.R(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k)));
+    }
+    return rows;
+}
 
 // The sign of the determinant of a pose's R, of which `rows` are rows times a power of two; decided exactly.
 Sign orientation(const std::array<Point, 3>& rows, const Pose& pose);
@@ -57,11 +69,6 @@ class PosedHulls {
     double size(std::size_t side) const noexcept { return bodies_[side].size; }
     int exponent() const noexcept { return exponent_; }
 
-    // What rounded points are made of: R, as it takes points of SupportPoints to rounded ones, by rows, and t - t0.
-    const SupportPoints& points(std::size_t side) const noexcept { return *bodies_[side].points; }
-    const std::array<Point, 3>& rows(std::size_t side) const noexcept { return bodies_[side].rows; }
-    const Point& offset(std::size_t side) const noexcept { return bodies_[side].offset; }
-
     // A vertex that is about the furthest along a direction: certainly no worse than `start`, as doubles see it, and
     // of small hulls than all others. Any direction may be asked for; one that is not finite gives any vertex.
     std::uint32_t support(std::size_t side, const Point& direction, std::uint32_t start) const noexcept;
@@ -76,6 +83,19 @@ class PosedHulls {
         const std::vector<double>& groups = body.points->groups;
         return std::min(last_vertex(body), furthest(groups.data(), groups.size(), in_mesh(body, direction)));
     }
+
+    // Products of vertices with n, in the mesh's coordinates; where n is off by `error` on each axis, one vertex is
+    // certainly further than another where it is by more than `margin`. Only where delta() is at least 2^-200.
+    struct Heights {
+        const SupportPoints* points;
+        Point along;
+        double margin;
+
+        double of(std::uint32_t vertex) const noexcept { return exact::dot(along, points->at(vertex)); }
+    };
+    Heights heights(std::size_t side, const Point& n, double error) const noexcept;
+    // Lists, ascending, the vertices that may be the furthest by these. Not of what is not scanned.
+    static void list_furthest(const Heights& heights, std::vector<std::uint32_t>& list);
 
     // Whether it is proven that all vertices of a solid are behind some corners of it, but for these: along a direction
     // at right angles to all edges among the corners, of which n is off by `error` on each axis. Only where delta() is
@@ -95,7 +115,7 @@ class PosedHulls {
     auto with_integers(const std::array<HullVertex, N>& vertices, Use&& use);
     // Whether exact points fit into two limbs, and these points: in units of 2^fixed_unit().
     bool has_fixed_points();
-    const exact::FixedPoints::Point& fixed(const HullVertex& v) noexcept {
+    const exact::IntegerVector& fixed(const HullVertex& v) noexcept {
         return memory_.points.at(v.side, mesh_vertex(v));
     }
     int fixed_unit() const noexcept { return memory_.points.unit(); }
@@ -108,6 +128,8 @@ class PosedHulls {
         bool are_exact;
     };
     Integers integers(const std::array<std::span<const std::uint32_t>, 2>& vertices);
+    // A solid as all exact questions take a body.
+    exact::BodyRef body(std::size_t side) const;
     // By reference, as round_point takes the point that others are counted from.
     exact::PointRef reference(const HullVertex& v) const noexcept {
         return {bodies_[v.side].at, &mesh(v.side).vertices()[mesh_vertex(v)]};
@@ -152,7 +174,7 @@ class PosedHulls {
     void scale_any() noexcept;
     void find_bounds() noexcept;
     void find_orientation(std::size_t side);
-    std::uint32_t climb(const Body& body, const Point& along, std::uint32_t start) const noexcept;
+    static std::uint32_t climb(const Body& body, const Point& along, std::uint32_t start) noexcept;
     void bind_exact();
     bool find_short(const std::array<std::span<const std::uint32_t>, 2>& vertices, Integers& result) const noexcept;
 
@@ -165,15 +187,10 @@ class PosedHulls {
 
 template <std::size_t N, class Use>
 auto PosedHulls::with_integers(const std::array<HullVertex, N>& vertices, Use&& use) {
-    if (has_fixed_points()) {
-        exact::IntegerPoints<exact::TwoLimbKernel, N> points;
-        points.unit = fixed_unit();
-        for (std::size_t i = 0; i < N; ++i) points.at[i] = fixed(vertices[i]);
-        return exact::use_narrowest(points, use);
-    }
-    exact::PosedPoints<N> points;
-    for (std::size_t i = 0; i < N; ++i) points[i] = reference(vertices[i]);
-    return exact::with_integers(points, use);
+    if (!is_bound_) bind_exact();
+    std::array<exact::VertexRef, N> of_meshes;
+    for (std::size_t i = 0; i < N; ++i) of_meshes[i] = {vertices[i].side, mesh_vertex(vertices[i])};
+    return memory_.points.with_integers(of_meshes, use);
 }
 
 }  // namespace ecods::convex

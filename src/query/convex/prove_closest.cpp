@@ -88,14 +88,13 @@ class Proof {
   public:
     Proof(PosedHulls& hulls, const HullFeatures& found) : hulls_(hulls), found_(found) {
         for (const std::size_t side : {0, 1}) {
-            for (std::size_t i = 0; i < found.corner_count(side); ++i) {
-                points_[side][i] = hulls.rounded(side, found.corner(side, i));
-            }
+            const auto corners = found.of_side(side);
+            for (std::size_t i = 0; i < corners.size(); ++i) points_[side][i] = hulls.rounded(side, corners[i]);
         }
     }
 
     // Whether the features hold closest points, and what of the solids is as near.
-    bool prove(std::array<std::optional<HullPart>, 2>& parts) {
+    bool prove(std::array<std::optional<HullFeature>, 2>& parts) {
         if (!find_direction()) return false;
         if (!prove_furthest(0, parts[0]) || !prove_furthest(1, parts[1])) return false;
         return is_inside_ || are_closest_of_triangles(hulls_, found_);
@@ -168,21 +167,19 @@ class Proof {
 
     // Whether all of a solid is behind the feature, or as far: then all that is as far is a part of the hull. It is the
     // feature where a look at all vertices proves the others behind it.
-    bool prove_furthest(std::size_t side, std::optional<HullPart>& part) {
-        const std::size_t count = found_.corner_count(side);
-        const std::array<std::uint32_t, 3> corners = found_.of_side(side);
+    bool prove_furthest(std::size_t side, std::optional<HullFeature>& part) {
         const Bounded n = side == 0 ? n_ : negated(n_);
-        if (hulls_.are_others_behind(side, n.x, n.error, {corners.data(), count})) return true;
+        if (hulls_.are_others_behind(side, n.x, n.error, found_.of_side(side))) return true;
         return prove_by_neighbors(side, n, part);
     }
 
     // The feature's own edges need not be asked about; the others are asked exactly where doubles leave them open.
-    bool prove_by_neighbors(std::size_t side, const Bounded& n, std::optional<HullPart>& part) {
+    bool prove_by_neighbors(std::size_t side, const Bounded& n, std::optional<HullFeature>& part) {
         const Hull& hull = hulls_.hull(side);
-        const std::size_t count = found_.corner_count(side);
-        const std::uint32_t at = found_.corner(side, 0);
-        const std::uint32_t face = count == 3 ? face_of(hull, found_.corners[side]) : SupportPoints::none;
-        const std::uint32_t other = count == 2 ? found_.corner(side, 1) : SupportPoints::none;
+        const auto corners = found_.of_side(side);
+        const std::uint32_t at = corners[0];
+        const std::uint32_t face = corners.size() == 3 ? face_of(hull, found_.corners[side]) : SupportPoints::none;
+        const std::uint32_t other = corners.size() == 2 ? corners[1] : SupportPoints::none;
         LevelEdges level;
         std::array<Hull::Neighbor, signs_at_once> open;
         std::size_t open_count = 0;
@@ -204,7 +201,7 @@ class Proof {
                 if (signs[i] == 0) level.add(open[i].edge);
             }
         }
-        part = level.part(hull, at);
+        part = level.feature(hull, at);
         return true;
     }
 
@@ -215,61 +212,54 @@ class Proof {
     bool is_inside_ = true;
 };
 
-// The vertices of a simplex of at most three pairs, and how many there are of each solid.
-struct SimplexCorners {
-    std::array<std::array<std::uint32_t, 3>, 2> at{};
-    std::array<std::size_t, 2> count{};
-
-    explicit SimplexCorners(const Simplex& simplex) noexcept {
-        for (const std::size_t side : {0, 1}) {
-            auto& corners = at[side];
-            for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {
-                const std::uint32_t vertex = simplex.pairs[i][side];
-                bool is_new = true;
-                for (std::size_t k = 0; k < count[side]; ++k) is_new &= corners[k] != vertex;
-                if (is_new) corners[count[side]++] = vertex;
-            }
-            for (std::size_t k = count[side]; k < 3; ++k) corners[k] = corners[count[side] - 1];
-        }
-    }
-};
-
-// The features that a simplex speaks of: its pairs span them, and are no more than that takes.
-std::optional<HullFeatures> features_of(const Simplex& simplex, const SimplexCorners& corners) noexcept {
-    const auto& count = corners.count;
-    if (static_cast<std::size_t>(simplex.count) + 1 != count[0] + count[1]) return std::nullopt;
-    HullFeatures result{corners.at, {}};
-    exact::FeaturePair& f = result.features;
-    f.kind = simplex.count == 1               ? FeatureKind::vertex_vertex
-             : simplex.count == 2             ? FeatureKind::vertex_edge
-             : count[0] == 2 && count[1] == 2 ? FeatureKind::edge_edge
-                                              : FeatureKind::vertex_face;
-    f.vertex_side = count[0] > count[1] ? 1 : 0;
-    return result;
-}
-
 }  // namespace
 
-std::size_t HullFeatures::corner_count(std::size_t side) const noexcept {
-    if (features.kind == FeatureKind::vertex_vertex) return 1;
-    if (features.kind == FeatureKind::edge_edge) return 2;
-    if (features.vertex_side == side) return 1;
-    return features.kind == FeatureKind::vertex_edge ? 2 : 3;
+VertexSets::VertexSets(const Simplex& simplex) noexcept {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {
+        for (const std::size_t side : {0, 1}) add(side, simplex.pairs[i][side]);
+    }
+}
+
+HullFeatures::HullFeatures(const std::array<std::array<std::uint32_t, 3>, 2>& triangles,
+                           const exact::FeaturePair& f) noexcept
+    : features(exact::features_of_counts(f.corner_count(0), f.corner_count(1))) {
+    for (const std::size_t side : {0, 1}) {
+        for (std::size_t i = 0; i < 3; ++i) corners[side][i] = triangles[side][(f.corner(side) + i) % 3];
+    }
+}
+
+HullFeature ClosestHulls::part(const PosedHulls& hulls, std::size_t side) const noexcept {
+    if (parts[side]) return *parts[side];
+    const Hull& hull = hulls.hull(side);
+    const auto corners = found.of_side(side);
+    switch (corners.size()) {
+        case 1:
+            return {Feature::Kind::vertex, corners[0]};
+        case 2:
+            return {Feature::Kind::edge, edge_of(hull, corners[0], corners[1])};
+        default:
+            return {Feature::Kind::face, face_of(hull, found.corners[side])};
+    }
 }
 
 std::optional<ClosestHulls> prove_closest(PosedHulls& hulls, const Simplex& guess) {
     if (!(hulls.delta() >= 0x1p-200) || guess.count < 1 || guess.count > 3) return std::nullopt;
-    const SimplexCorners corners(guess);
-    std::optional<HullFeatures> found = features_of(guess, corners);
-    // More vertices than features have, as of parallel faces: those of the triangles that they make.
-    if (!found) found = guess_of_triangles(hulls, corners.at);
-    ClosestHulls result{*found, {}, false};
-    Proof proof(hulls, *found);
+    const VertexSets sets(guess);
+    const std::array<std::array<std::uint32_t, 3>, 2> triangles{sets.triangle(0), sets.triangle(1)};
+    // The features that a simplex speaks of: its pairs span them, and are no more than that takes. Otherwise there are
+    // more vertices than features have, as of parallel faces: those of the triangles that they make.
+    const bool are_features = static_cast<std::size_t>(guess.count) + 1 == sets.count[0] + sets.count[1];
+    ClosestHulls result{are_features ? HullFeatures(triangles, exact::features_of_counts(sets.count[0], sets.count[1]))
+                                     : guess_of_triangles(hulls, triangles),
+                        {},
+                        false};
+    const HullFeatures& found = result.found;
+    Proof proof(hulls, found);
     if (!proof.prove(result.parts)) return std::nullopt;
     result.are_only = proof.is_inside();
     for (const std::size_t side : {0, 1}) {
         const auto& part = result.parts[side];
-        result.are_only &= !part || static_cast<std::size_t>(part->kind) + 1 == found->corner_count(side);
+        result.are_only &= !part || static_cast<std::size_t>(part->kind) + 1 == found.of_side(side).size();
     }
     return result;
 }

@@ -1,9 +1,5 @@
-// The points of two posed hulls as integers of 128 bits, where the digits of matrices and of vertices fit into 64 bits:
-// those of all but some percent of rotated models. A point then is nine products and three shifts; FixedPoints, which
-// are for any digits, cost several times that.
-//
-// Floating-point instructions scale and convert, exactly in any mode. Points that need more than 120 digits are rounded
-// down, as FixedPoints are.
+// The points of two posed hulls as integers of 128 bits, where the digits of matrices and of vertices fit into 64 bits
+// (ShortMatrix). Points that need more than 120 digits are rounded down, as those of IntegerFrame are.
 #pragma once
 
 #include <array>
@@ -11,6 +7,7 @@
 
 #include "ecods/pose.hpp"
 #include "exact/measure/round/scaled_vector.hpp"
+#include "exact/point/short_matrix.hpp"
 #include "query/convex/support_points.hpp"
 
 namespace ecods::convex {
@@ -27,20 +24,18 @@ class ShortPoints {
     bool find(std::size_t side, std::uint32_t vertex, exact::IntegerVector& point) noexcept;
 
     int unit() const noexcept { return unit_; }
-    // Whether all points that were asked for are exact. Otherwise products and a translation, each rounded down by less
-    // than a unit, less another translation, leave the difference of two coordinates off by less than 3 units.
+    // Whether all points that were asked for are exact. Otherwise products and a difference of translations, each
+    // rounded down by less than a unit, leave the difference of two coordinates off by less than 3 units.
     bool is_exact() const noexcept { return lost_ == 0; }
 
   private:
     struct Body {
         const SupportPoints* points;
-        std::array<std::array<std::int64_t, 3>, 3> rows;  // of R
-        exact::IntegerVector offset;                      // t - t0
-        int shift;                                        // of sums of products
-        exact::Uint128 below;                             // the digits that it cuts off
+        exact::ShortMatrix R;
+        exact::IntegerVector offset;  // t - t0
+        int shift;                    // of sums of products
+        exact::Uint128 below;         // the digits that it cuts off
     };
-
-    void set_offset(std::size_t k, double t, double t0) noexcept;
 
     std::array<Body, 2> bodies_;
     int unit_ = 0;

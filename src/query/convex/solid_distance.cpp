@@ -20,8 +20,8 @@ void leave(const PosedHulls& hulls, const Simplex& guess, PairWitness& witness) 
                hulls.hull(1).vertex_names[guess.pairs[0][1]].triangle};
 }
 void leave(const PosedHulls& hulls, const ClosestHulls& closest, PairWitness& witness) noexcept {
-    witness = {part_name(hulls.hull(0), closest.part(hulls, 0)).triangle,
-               part_name(hulls.hull(1), closest.part(hulls, 1)).triangle};
+    witness = {name_of(hulls.hull(0), closest.part(hulls, 0)).triangle,
+               name_of(hulls.hull(1), closest.part(hulls, 1)).triangle};
 }
 
 double distance_of(PosedHulls& hulls, PairWitness* witness) {

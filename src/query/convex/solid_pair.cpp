@@ -17,7 +17,7 @@ namespace {
 using exact::dot;
 using exact::largest;
 using exact::minus;
-using exact::negated;
+using exact::sum_of_magnitudes;
 
 // Whether the direction from one to the other, as good as any, proves that the solids are further apart than the limit,
 // by the pair of vertices that is nearest along it.
@@ -36,25 +36,15 @@ bool is_beyond(const PosedHulls& hulls, const Simplex& start, double limit) noex
     if (hulls.exponent() != 0 || !hulls.is_scanned(0) || !hulls.is_scanned(1) || !(largest(n) >= 0x1p-400))
         return false;
     const Point& gap = start.points[0];
-    double along = 0, magnitudes = 0, sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        along += n[k] * gap[k];
-        magnitudes += std::abs(n[k] * gap[k]);
-        sum += std::abs(n[k]);
-    }
-    const double least = ((along - 8 * two_u * magnitudes) - 9 * hulls.delta() * sum) - 0x1p-900;
+    const double magnitudes = sum_of_magnitudes({n[0] * gap[0], n[1] * gap[1], n[2] * gap[2]});
+    const double least = ((dot(n, gap) - 8 * two_u * magnitudes) - 9 * hulls.delta() * sum_of_magnitudes(n)) - 0x1p-900;
     return least > limit * (std::sqrt(dot(n, n)) * (1 + 8 * two_u));
 }
 
 }  // namespace
 
 bool is_regular(const Pose& pose) {
-    std::array<Point, 3> rows;
-    for (std::size_t row = 0; row < 3; ++row) {
-        for (std::size_t k = 0; k < 3; ++k)
-            rows[row][k] = pose.R(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k));
-    }
-    return orientation(rows, pose) != Sign::zero;
+    return orientation(rows_of(pose, [](double r) { return r; }), pose) != Sign::zero;
 }
 
 SolidInMemory::SolidInMemory(const ConvexSolid& solid) noexcept

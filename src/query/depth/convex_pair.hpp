@@ -1,4 +1,4 @@
-// Two posed convex solids as what their depth is found from: vertices, edges, faces, and the points of vertices.
+// Two posed convex solids by reference, as integers take them.
 #pragma once
 
 #include <array>
@@ -18,15 +18,5 @@ struct ConvexBody {
 };
 
 using ConvexPair = std::array<ConvexBody, 2>;
-
-// A vertex p of the first solid less a vertex q of the second, by their indices in the hulls. The set of differences of
-// two convex solids is the hull of these.
-struct DifferenceVertex {
-    std::uint32_t p = 0;
-    std::uint32_t q = 0;
-
-    std::uint32_t of(std::size_t side) const noexcept { return side == 0 ? p : q; }
-    friend bool operator==(const DifferenceVertex&, const DifferenceVertex&) = default;
-};
 
 }  // namespace ecods::depths

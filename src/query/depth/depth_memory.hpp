@@ -3,19 +3,15 @@
 
 #include <memory>
 
-#include "exact/measure/round/fixed_points.hpp"
 #include "query/depth/inner_polytope.hpp"
 #include "query/depth/nearest_planes.hpp"
-#include "query/depth/rounded_hulls.hpp"
 #include "query/intersection/query_memory.hpp"
 
 namespace ecods::depths {
 
 struct DepthMemory final : QueryMemoryPart {
-    RoundedHulls hulls;
     InnerPolytope polytope;
     NearestPlanes planes;
-    exact::FixedPoints points;
 
     static DepthMemory& of(QueryMemory& memory) {
         auto& part = QueryMemoryAccess::state(memory).depth;
@@ -25,6 +21,6 @@ struct DepthMemory final : QueryMemoryPart {
 };
 
 // Nothing if the solids share no point.
-std::optional<ExactDepth> find_depth(const ConvexPair& pair, const convex::PosedHulls& hulls, DepthMemory& memory);
+std::optional<ExactDepth> find_depth(convex::PosedHulls& hulls, DepthMemory& memory);
 
 }  // namespace ecods::depths

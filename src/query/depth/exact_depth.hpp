@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "query/depth/convex_pair.hpp"
-#include "query/depth/support_features.hpp"
+#include "query/depth/difference_face.hpp"
 
 namespace ecods::depths {
 
@@ -19,7 +19,7 @@ struct ExactDepth {
 
 // Nothing if the solids share no point.
 //
-// The hull of some vertices of the set of differences grows: while a face of it that is nearest to the origin, its
+// The hull of some points of the set of differences grows: while a face of it that is nearest to the origin, its
 // distance counted as negative where the origin is beyond it, is not one of the whole set, the vertex that is furthest
 // beyond it is added. Every step adds a vertex of the set, so it ends. Then no face of the hull is nearer than that
 // which is one of the set, so none of the set is: the hull is inside it.

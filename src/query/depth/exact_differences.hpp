@@ -9,47 +9,31 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "exact/measure/round/limb_vectors.hpp"
 #include "exact/number/dyadic.hpp"
 #include "exact/number/limbs.hpp"
-#include "exact/point/integer_points.hpp"
+#include "exact/point/pose_terms.hpp"
 #include "query/depth/convex_pair.hpp"
-#include "query/depth/support_features.hpp"
+#include "query/depth/difference_face.hpp"
 
 namespace ecods::depths {
 
-// Where integer points are counted from, and in what.
-struct PointScale {
-    // t - t0 by row, as one difference or, where their digits are too far apart, as two terms.
-    std::array<std::array<exact::DyadicDifference, 2>, 3> offset{};
-    exact::BitRange digits;
-
+// Pair terms are the poses of both solids in terms, counted from the first one's translation.
+struct PairTerms {
+    explicit PairTerms(const ConvexPair& pair) noexcept {
+        for (std::size_t side = 0; side < 2; ++side) {
+            of[side].set(*pair[side].body.pose, pair[0].body.pose->t);
+            digits.include(of[side].digits(pair[side].body.extent->digits));
+        }
+    }
     int unit() const noexcept { return digits.empty() ? 0 : digits.low; }
     int bits() const noexcept { return digits.width() + exact::sum_bits; }
-};
 
-inline PointScale find_scale(const ConvexPair& pair) noexcept {
-    PointScale scale;
-    for (const ConvexBody& side : pair) {
-        for (int column = 0; column < 3; ++column) {
-            exact::BitRange r;
-            for (int row = 0; row < 3; ++row) r.include(exact::decode(side.body.pose->R(row, column)));
-            scale.digits.include(r * side.body.extent->digits[static_cast<std::size_t>(column)]);
-        }
-    }
-    for (std::size_t row = 0; row < 3; ++row) {
-        const auto at = static_cast<Eigen::Index>(row);
-        const exact::Dyadic t0 = exact::decode(pair[0].body.pose->t[at]), t = exact::decode(pair[1].body.pose->t[at]);
-        if (const auto difference = exact::subtract(t, t0)) {
-            scale.offset[row][0] = *difference;
-        } else {
-            scale.offset[row] = {{{t.m, t.e}, {-t0.m, t0.e}}};
-        }
-        for (const exact::DyadicDifference& term : scale.offset[row]) scale.digits.include(term.digits());
-    }
-    return scale;
-}
+    std::array<exact::PoseTerms, 2> of;
+    exact::BitRange digits;  // of all vertices
+};
 
 template <int L>
 class ExactDifferences {
@@ -62,31 +46,13 @@ class ExactDifferences {
     static_assert(3 * k + 3 < 64 * (3 * L));
     static_assert(4 * k + 4 < 64 * (4 * L));
 
-    ExactDifferences(const ConvexPair& pair, const PointScale& scale) noexcept : pair_(pair), scale_(scale) {}
+    ExactDifferences(const ConvexPair& pair, const PairTerms& terms) noexcept : pair_(pair), terms_(terms) {}
 
-    int unit() const noexcept { return scale_.unit(); }
+    int unit() const noexcept { return terms_.unit(); }
+    const convex::Hull& hull(std::size_t side) const noexcept { return *pair_[side].hull; }
 
     Point point(std::size_t side, std::uint32_t vertex) const noexcept {
-        Point result{};
-        const Vec3& v = pair_[side].vertex(vertex);
-        const Mat3& R = pair_[side].body.pose->R;
-        for (int column = 0; column < 3; ++column) {
-            const exact::Dyadic x = exact::decode(v[column]);
-            if (x.m == 0) continue;
-            for (int row = 0; row < 3; ++row) {
-                const exact::Dyadic r = exact::decode(R(row, column));
-                if (r.m == 0) continue;
-                exact::add_shifted<L>(result[static_cast<std::size_t>(row)], exact::Int128{r.m} * x.m,
-                                      r.e + x.e - unit());
-            }
-        }
-        if (side == 0) return result;
-        for (std::size_t row = 0; row < 3; ++row) {
-            for (const exact::DyadicDifference& term : scale_.offset[row]) {
-                if (term.m != 0) add_term(result[row], term);
-            }
-        }
-        return result;
+        return terms_.of[side].template point_in<exact::Limbs<L>>(unit(), pair_[side].vertex(vertex));
     }
 
     Point difference(const DifferenceVertex& v) const noexcept {
@@ -102,53 +68,21 @@ class ExactDifferences {
         return side == 0 ? s : -s;
     }
 
-    // A vertex of one solid than which none is further along n, or against n for the second: what is further than all
-    // its neighbors is so of a convex set. Each step goes further, so it ends.
-    std::uint32_t furthest(std::size_t side, const Normal& n, std::uint32_t from) const noexcept {
-        Point at = point(side, from);
-        for (bool moves = true; moves;) {
-            moves = false;
-            for (const convex::Hull::Neighbor& neighbor : pair_[side].hull->neighbors_of(from)) {
-                const Point next = point(side, neighbor.vertex);
-                if (beyond(side, n, at, next) <= 0) continue;
-                from = neighbor.vertex;
-                at = next;
-                moves = true;
-                break;
-            }
-        }
-        return from;
-    }
-
-    // All of a solid that is as far as a vertex that is furthest.
-    SupportFeature feature_at(std::size_t side, const Normal& n, std::uint32_t furthest) const noexcept {
-        const convex::Hull& hull = *pair_[side].hull;
-        const Point at = point(side, furthest);
-        std::array<std::uint32_t, 2> level{};
-        std::size_t count = 0;
-        for (const convex::Hull::Neighbor& neighbor : hull.neighbors_of(furthest)) {
-            if (beyond(side, n, at, point(side, neighbor.vertex)) != 0) continue;
-            ECODS_ASSERT(count < 2);
-            level[count++] = neighbor.edge;
-        }
-        if (count == 0) return {Feature::Kind::vertex, furthest};
-        if (count == 1) return {Feature::Kind::edge, level[0]};
-        return {Feature::Kind::face, common_face(hull.edges[level[0]], hull.edges[level[1]])};
+    // A vertex of one solid than which none is further along n, or against n for the second, and what is as far.
+    convex::Furthest furthest(std::size_t side, const Normal& n, std::uint32_t from) const {
+        const auto signs = [&](std::uint32_t vertex, std::span<const convex::Hull::Neighbor> neighbors) {
+            std::array<int, convex::signs_at_once> result{};
+            const Point at = point(side, vertex);
+            for (std::size_t i = 0; i < neighbors.size() && (i == 0 || result[i - 1] <= 0); ++i)
+                result[i] = beyond(side, n, at, point(side, neighbors[i].vertex));
+            return result;
+        };
+        return convex::climb(*pair_[side].hull, from, signs);
     }
 
   private:
-    // A term is a multiple of the unit, which its own exponent may be below.
-    void add_term(exact::Limbs<L>& sum, const exact::DyadicDifference& term) const noexcept {
-        const int shift = term.e - unit();
-        if (shift >= 0) {
-            exact::add_shifted<L>(sum, term.m, shift);
-        } else {
-            exact::add_shifted<L>(sum, term.m >> -shift, 0);
-        }
-    }
-
     const ConvexPair& pair_;
-    const PointScale& scale_;
+    const PairTerms& terms_;
 };
 
 }  // namespace ecods::depths

@@ -5,11 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "exact/measure/round/direction.hpp"
 #include "exact/measure/round/squared_distance.hpp"
+#include "query/depth/border_edges.hpp"
 #include "query/depth/exact_depth.hpp"
 #include "query/depth/exact_differences.hpp"
 
@@ -72,7 +72,7 @@ int compare(const ExactPlane<L>& x, const ExactPlane<L>& y) noexcept {
 template <int L>
 class ExactExpansion {
   public:
-    ExactExpansion(const ConvexPair& pair, const PointScale& scale) : points_(pair, scale) {}
+    explicit ExactExpansion(const ExactDifferences<L>& points) : points_(points) {}
 
     std::optional<ExactDepth> find() {
         begin();
@@ -102,49 +102,26 @@ class ExactExpansion {
         bool is_final = false;  // whether it is in the plane of a face of the whole set
     };
 
-    DifferenceVertex furthest(const Normal& n, const DifferenceVertex& from) const noexcept {
-        return {points_.furthest(0, n, from.p), points_.furthest(1, n, from.q)};
+    DifferenceVertex furthest(const Normal& n, const DifferenceVertex& from) const {
+        return {points_.furthest(0, n, from.p).vertex, points_.furthest(1, n, from.q).vertex};
     }
 
-    // A tetrahedron. The set has inner points: along any vector its extent is positive, so that of what is furthest
-    // along it and against it, at least one is not on a line or plane at right angles to it.
+    // A tetrahedron of any four points of the set that are in no plane: three vertices of a face of the first solid and
+    // one beside it, less a vertex of the second.
     void begin() {
-        Normal x{};
-        x[0].limbs[0] = 1;
-        add_vertex(furthest(x, {}));
-        add_vertex(furthest(negated(x), {}));
-        const auto u = exact::difference<L>(points_at_[1], points_at_[0]);
-        std::size_t axis = 0;
-        while (exact::is_zero<L>(u[axis].limbs)) ++axis;
-        // At right angles to u, and not zero.
-        Normal across{};
-        const std::size_t next = (axis + 1) % 3;
-        std::copy_n(u[axis].limbs.begin(), L, across[next].limbs.begin());
-        across[next].negative = u[axis].negative;
-        std::copy_n(u[next].limbs.begin(), L, across[axis].limbs.begin());
-        across[axis].negative = ~u[next].negative;
-        add_off_plane(across);
-        const auto v = exact::difference<L>(points_at_[2], points_at_[0]);
-        const bool is_above = add_off_plane(exact::cross<L>(u, v));
+        const convex::Hull& hull = points_.hull(0);
+        const auto cycle = hull.cycle_of(0);
+        for (std::size_t i = 0; i < 3; ++i) add_vertex({cycle[i].vertex, 0});
+        const auto beside = std::ranges::find_if(
+            hull.neighbors_of(cycle[0].vertex),
+            [&](const convex::Hull::Neighbor& neighbor) { return !convex::is_edge_of(hull, neighbor.edge, 0); });
+        add_vertex({beside->vertex, 0});
+        const bool is_above = ExactPlane<L>(points_at_[0], points_at_[1], points_at_[2]).sign_at(points_at_[3]) > 0;
         const std::uint32_t b = is_above ? 2 : 1, c = is_above ? 1 : 2;
         add_face({0, b, c});
         add_face({0, c, 3});
         add_face({c, b, 3});
         add_face({b, 0, 3});
-    }
-
-    // Adds what is furthest along n, or against it where that is as far as the first vertex. Whether it was the former.
-    bool add_off_plane(const Normal& n) {
-        const DifferenceVertex above = furthest(n, vertices_[0]);
-        const auto from_first = exact::difference<L>(points_.difference(above), points_at_[0]);
-        const bool is_off = exact::sign<3 * L>(exact::dot<2 * L, L>(n, from_first)) > 0;
-        add_vertex(is_off ? above : furthest(negated(n), vertices_[0]));
-        return is_off;
-    }
-
-    static Normal negated(Normal n) noexcept {
-        for (auto& x : n) x = exact::negated<2 * L>(x);
-        return n;
     }
 
     std::uint32_t add_vertex(const DifferenceVertex& v) {
@@ -175,29 +152,15 @@ class ExactExpansion {
     // since the face beyond the border is one that it is strictly beyond, and so is not in line with their common edge.
     void add(const DifferenceVertex& w, const Point& m) {
         const std::uint32_t apex = add_vertex(w);
-        border_.clear();
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < faces_.size(); ++i) {
-            if (faces_[i].plane.sign_at(m) > 0) {
-                for (std::size_t c = 0; c < 3; ++c) toggle_border(faces_[i].at[c], faces_[i].at[(c + 1) % 3]);
-            } else {
-                if (kept != i) faces_[kept] = faces_[i];
-                ++kept;
-            }
-        }
-        faces_.erase(faces_.begin() + static_cast<std::ptrdiff_t>(kept), faces_.end());
-        for (const auto& [from, to] : border_) add_face({from, to, apex});
-    }
-
-    // Of an edge between two faces that go, both ways do.
-    void toggle_border(std::uint32_t from, std::uint32_t to) {
-        const auto twin = std::ranges::find(border_, std::pair(to, from));
-        if (twin == border_.end()) {
-            border_.emplace_back(from, to);
-        } else {
-            *twin = border_.back();
-            border_.pop_back();
-        }
+        std::uint32_t border_count = 0;
+        std::erase_if(faces_, [&](const Face& face) {
+            if (face.plane.sign_at(m) <= 0) return false;
+            border_.resize(border_count + 3);
+            border_count = add_edges(face.at, border_.data(), border_count);
+            return true;
+        });
+        for (std::uint32_t i = 0; i < border_count; ++i)
+            add_face({static_cast<std::uint32_t>(border_[i] >> 32), static_cast<std::uint32_t>(border_[i]), apex});
     }
 
     ExactDepth first_of_nearest() const {
@@ -219,16 +182,19 @@ class ExactExpansion {
     }
 
     // The corners of a final face are furthest along its normal.
-    DifferenceFace names_of(const Face& face) const noexcept {
-        return {points_.feature_at(0, face.plane.n, face.corners[0].p),
-                points_.feature_at(1, face.plane.n, face.corners[0].q)};
+    DifferenceFace names_of(const Face& face) const {
+        const auto feature = [&](std::size_t side) {
+            const convex::Furthest furthest = points_.furthest(side, face.plane.n, face.corners[0].of(side));
+            return furthest.level.feature(points_.hull(side), furthest.vertex);
+        };
+        return {feature(0), feature(1)};
     }
 
     ExactDifferences<L> points_;
     std::vector<DifferenceVertex> vertices_;
     std::vector<Point> points_at_;  // by vertex
     std::vector<Face> faces_;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> border_;
+    std::vector<BorderEdge> border_;
 };
 
 }  // namespace ecods::depths

@@ -2,15 +2,17 @@
 
 namespace ecods::depths {
 
-std::optional<ExactDepth> find_depth(const ConvexPair& pair, const convex::PosedHulls& hulls, DepthMemory& memory) {
-    if (!memory.hulls.bind(hulls)) return exact_depth(pair);
-    const InnerPolytope::End end = memory.polytope.find(memory.hulls);
-    if (end == InnerPolytope::End::apart) return std::nullopt;
-    if (end == InnerPolytope::End::nearest) {
-        const auto shown = memory.planes.find(pair, memory.hulls, memory.polytope, memory.points);
-        if (shown) return *shown;
+std::optional<ExactDepth> find_depth(convex::PosedHulls& hulls, DepthMemory& memory) {
+    const ConvexPair pair{ConvexBody{&hulls.hull(0), hulls.body(0)}, ConvexBody{&hulls.hull(1), hulls.body(1)}};
+    switch (memory.polytope.find(hulls)) {
+        case InnerPolytope::End::apart:
+            return std::nullopt;
+        case InnerPolytope::End::nearest:
+            if (const auto shown = memory.planes.find(pair, hulls, memory.polytope)) return *shown;
+            [[fallthrough]];
+        default:
+            return exact_depth(pair);
     }
-    return exact_depth(pair);
 }
 
 }  // namespace ecods::depths

@@ -11,8 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "query/depth/convex_pair.hpp"
-#include "query/depth/rounded_hulls.hpp"
+#include "query/depth/border_edges.hpp"
+#include "query/depth/difference_face.hpp"
+#include "query/depth/rounded_bounds.hpp"
 
 namespace ecods::depths {
 
@@ -24,12 +25,12 @@ class InnerPolytope {
         unknown,  // for integers
     };
 
-    End find(const RoundedHulls& hulls);
+    End find(const convex::PosedHulls& hulls);
 
     struct Face {
-        std::array<double, 3> n;  // the product of two edges
-        double n_error;           // of a coordinate of it
-        double length;            // of n
+        exact::Point n;  // the product of two edges
+        double n_error;  // of a coordinate of it
+        double length;   // of n
         std::array<DifferenceVertex, 3> corners;
     };
     std::uint32_t face_count() const noexcept { return face_count_; }
@@ -56,7 +57,7 @@ class InnerPolytope {
     bool insert(const DifferenceVertex& v, IsBeyond&& is_beyond) {
         if (!has_space()) add_space();
         add_vertex(v);
-        const auto& m = vertices_[vertex_count_ - 1].m;
+        const exact::Point& m = vertices_[vertex_count_ - 1].m;
         std::uint32_t visible_count = 0;
         for (std::uint32_t i = 0; i < face_count_; ++i) {
             const double height = (nx_[i] * m[0] + ny_[i] * m[1]) + nz_[i] * m[2] - h_[i];
@@ -70,7 +71,7 @@ class InnerPolytope {
 
   private:
     struct Vertex {
-        std::array<double, 3> m;
+        exact::Point m;
         DifferenceVertex of;
     };
 
@@ -78,16 +79,14 @@ class InnerPolytope {
     ECODS_ALWAYS_INLINE bool begin();
     bool begin_anywhere();
     ECODS_ALWAYS_INLINE bool set_tetrahedron();
-    ECODS_ALWAYS_INLINE void add_support(double nx, double ny, double nz);
+    ECODS_ALWAYS_INLINE void add_support(const exact::Point& n);
     ECODS_ALWAYS_INLINE void find_nearest();
     ECODS_ALWAYS_INLINE bool replace_visible(std::uint32_t visible_count);
     bool replace(std::uint32_t visible_count);
     void bound_by_nearest() noexcept;
-    template <int sign>
-    ECODS_ALWAYS_INLINE Furthest support(std::size_t side, double nx, double ny, double nz) const noexcept;
+    ECODS_ALWAYS_INLINE std::uint32_t support(std::size_t side, const exact::Point& n) const noexcept;
     ECODS_ALWAYS_INLINE void add_vertex(const DifferenceVertex& v) noexcept {
-        const auto p = hulls_->point(0, v.p), q = hulls_->point(1, v.q);
-        vertices_[vertex_count_++] = {{p[0] - q[0], p[1] - q[1], p[2] - q[2]}, v};
+        vertices_[vertex_count_++] = {exact::minus(hulls_->rounded(0, v.p), hulls_->rounded(1, v.q)), v};
     }
     ECODS_ALWAYS_INLINE std::uint32_t find_visible();
     ECODS_ALWAYS_INLINE std::uint32_t find_border(std::uint32_t visible_count);
@@ -101,14 +100,15 @@ class InnerPolytope {
 
     static constexpr std::uint32_t border_max = 64;
 
-    const RoundedHulls* hulls_ = nullptr;
+    const convex::PosedHulls* hulls_ = nullptr;
+    RoundedBounds bounds_;
     std::vector<double> nx_, ny_, nz_, h_, length_;
     std::vector<double> n_error_, h_error_;  // of a coordinate of n, and of h
-    std::vector<double> distance_;           // h / length; infinity beyond the last face
+    std::vector<double> nearness_;           // -h / length; -infinity beyond the last face
     std::vector<std::array<std::uint32_t, 3>> corners_;
     std::vector<Vertex> vertices_;
     std::vector<std::uint32_t> visible_;
-    std::array<std::uint64_t, border_max + 3> border_{};  // edges, the first end above 32 bits
+    std::array<BorderEdge, border_max + 3> border_{};
     std::uint32_t face_count_ = 0, vertex_count_ = 0, nearest_ = 0;
     double upper_ = 0;
 };

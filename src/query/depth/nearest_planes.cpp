@@ -1,31 +1,9 @@
 #include "query/depth/nearest_planes.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "simd/dispatch.hpp"
 
 namespace ecods::depths {
 namespace {
-
-// Lists the vertices that are at most `below` less far along n, or with sign -1 against it, than the furthest.
-template <int sign>
-ECODS_ALWAYS_INLINE void list_level(const RoundedHulls::Side& side, const std::array<double, 3>& n, double below,
-                                    std::vector<std::uint32_t>& level) {
-    const double least = sign * furthest<sign>(side, n[0], n[1], n[2]).along - below;
-    const Double4 x = broadcast<Double4>(sign * n[0]), y = broadcast<Double4>(sign * n[1]),
-                  z = broadcast<Double4>(sign * n[2]);
-    for (std::uint32_t i = 0; i < side.count; i += 4) {
-        const Double4 along = load_anywhere<Double4>(side.x.data() + i) * x +
-                              load_anywhere<Double4>(side.y.data() + i) * y +
-                              load_anywhere<Double4>(side.z.data() + i) * z;
-        auto bits = static_cast<std::uint64_t>(any_bits((along >= least) & lane_bits<Long4>()));
-        for (; bits != 0; bits &= bits - 1) {
-            const std::uint32_t v = i + static_cast<std::uint32_t>(std::countr_zero(bits));
-            if (v < side.count) level.push_back(v);
-        }
-    }
-}
 
 // Lists are ascending.
 bool contains(const std::vector<std::uint32_t>& level, std::uint32_t v) noexcept {
@@ -36,47 +14,37 @@ bool contains(const std::vector<std::uint32_t>& level, std::uint32_t v) noexcept
 }  // namespace
 
 FixedPlane::Vector NearestPlanes::point(std::size_t side, std::uint32_t vertex) const {
-    return points_->at(side, (*pair_)[side].hull->mesh_vertices[vertex]);
+    return hulls_->fixed({side, vertex});
 }
 
 // All vertices that may be as far along the face's exact normal as any.
 void NearestPlanes::find_level(std::size_t side, const InnerPolytope::Face& face, Level& level) {
     level.clear();
     const std::uint32_t start = face.corners[0].of(side);
-    const double sum = std::abs(face.n[0]) + std::abs(face.n[1]) + std::abs(face.n[2]);
-    const double below = hulls_->bounds().of_level(face.n_error, sum);
-    const RoundedHulls::Side& of = hulls_->side(side);
-    if (!hulls_->is_scanned(side)) return climb_to_level(side, face.n, start, below, level);
-    if (side == 0) {
-        dispatch<list_level<1>>(of, face.n, below, level);
-    } else {
-        dispatch<list_level<-1>>(of, face.n, below, level);
-    }
+    const exact::Point n = side == 0 ? face.n : exact::negated(face.n);
+    const auto heights = hulls_->heights(side, n, face.n_error);
+    if (hulls_->is_scanned(side)) return hulls_->list_furthest(heights, level);
+    climb_to_level(side, heights, hulls_->support(side, n, start), level);
 }
 
-// The same of a solid whose vertices are not looked at as a whole: those that are joined to a vertex by edges between
-// vertices that are at most `below` less far. All neighbors of these are certainly less far, so of them what is exactly
-// furthest is further than all its neighbors, or as far, and so than the whole solid; and all that is as far is joined
-// to it by edges.
-void NearestPlanes::climb_to_level(std::size_t side, const Normal& n, std::uint32_t start, double below, Level& level) {
-    const double sign = side == 0 ? 1 : -1;
-    const convex::Hull& hull = *(*pair_)[side].hull;
+// Lists them of a solid whose vertices are not looked at as a whole, from one that is about the furthest: those that
+// are joined to it by edges between vertices that may be. All neighbors of these are certainly less far, so of them
+// what is exactly furthest is further than all its neighbors, or as far, and so than the whole solid; and all that is
+// as far is joined to it by edges.
+void NearestPlanes::climb_to_level(std::size_t side, const convex::PosedHulls::Heights& heights, std::uint32_t top,
+                                   Level& level) {
+    const convex::Hull& hull = hulls_->hull(side);
     std::vector<std::uint32_t>& marks = marks_[side];
     if (marks.size() < hull.vertex_count()) marks.resize(hull.vertex_count());
     const std::uint32_t mark = next_mark();
-    const auto along = [&](std::uint32_t v) {
-        const auto p = hulls_->point(side, v);
-        return sign * (n[0] * p[0] + n[1] * p[1] + n[2] * p[2]);
-    };
-    const std::uint32_t top = hulls_->posed().support(side, {sign * n[0], sign * n[1], sign * n[2]}, start);
-    const double least = along(top) - below;
+    const double least = heights.of(top) - heights.margin;
     level.push_back(top);
     marks[top] = mark;
     for (std::size_t i = 0; i < level.size(); ++i) {
         for (const convex::Hull::Neighbor& neighbor : hull.neighbors_of(level[i])) {
             if (marks[neighbor.vertex] == mark) continue;
             marks[neighbor.vertex] = mark;
-            if (!(along(neighbor.vertex) < least)) level.push_back(neighbor.vertex);
+            if (!(heights.of(neighbor.vertex) < least)) level.push_back(neighbor.vertex);
         }
     }
     std::ranges::sort(level);
@@ -92,28 +60,21 @@ std::uint32_t NearestPlanes::next_mark() noexcept {
 }
 
 // The vertex, the edge or the face of which these are the vertices, if they are that.
-std::optional<SupportFeature> NearestPlanes::feature_of(std::size_t side, const Level& level) const noexcept {
-    const convex::Hull& hull = *(*pair_)[side].hull;
-    if (level.size() == 1) return SupportFeature{Feature::Kind::vertex, level[0]};
-    std::array<std::uint32_t, 2> edges{};
-    std::size_t count = 0;
+std::optional<convex::HullFeature> NearestPlanes::feature_of(std::size_t side, const Level& level) const noexcept {
+    const convex::Hull& hull = hulls_->hull(side);
+    convex::LevelEdges edges;
     for (const convex::Hull::Neighbor& neighbor : hull.neighbors_of(level[0])) {
         if (!contains(level, neighbor.vertex)) continue;
-        if (count == 2) return std::nullopt;
-        edges[count++] = neighbor.edge;
+        if (edges.count == 2) return std::nullopt;
+        edges.add(neighbor.edge);
     }
-    if (level.size() == 2) {
-        if (count != 1) return std::nullopt;
-        return SupportFeature{Feature::Kind::edge, edges[0]};
-    }
-    if (count != 2) return std::nullopt;
-    const std::uint32_t face = common_face(hull.edges[edges[0]], hull.edges[edges[1]]);
-    const auto cycle = hull.cycle_of(face);
-    if (cycle.size() != level.size()) return std::nullopt;
-    for (const convex::Hull::Neighbor& corner : cycle) {
-        if (!contains(level, corner.vertex)) return std::nullopt;
-    }
-    return SupportFeature{Feature::Kind::face, face};
+    if (edges.count != std::min<std::size_t>(level.size() - 1, 2)) return std::nullopt;
+    const convex::HullFeature feature = edges.feature(hull, level[0]);
+    if (feature.kind != Feature::Kind::face) return feature;
+    const auto cycle = hull.cycle_of(feature.index);
+    const bool is_face = cycle.size() == level.size() &&
+                         std::ranges::all_of(cycle, [&](const auto& corner) { return contains(level, corner.vertex); });
+    return is_face ? std::optional(feature) : std::nullopt;
 }
 
 // Whether a plane has all vertices of these features, which are all vertices near it, for certain. A vertex is in it
@@ -126,7 +87,7 @@ bool NearestPlanes::ties_for_certain(const Plane& plane, const DifferenceFace& f
         is(Feature::Kind::vertex, Feature::Kind::face)) {
         return true;
     }
-    if (!points_->is_exact()) return false;
+    if (!is_exact_) return false;
     const DifferenceVertex& first = plane.corners[0];
     for (std::size_t side = 0; side < 2; ++side) {
         const Level& level = levels_[plane.levels][side];
@@ -151,7 +112,7 @@ bool NearestPlanes::ties_for_certain(const Plane& plane, const DifferenceFace& f
 // that are in it.
 std::optional<DifferenceVertex> NearestPlanes::keep_ties(const Plane& plane) {
     auto& levels = levels_[plane.levels];
-    if (!points_->is_exact()) return keep_level(*pair_, plane.corners, levels);
+    if (!is_exact_) return keep_level(*pair_, plane.corners, levels);
     return keep_level(levels, plane.corners[0], [&](std::size_t side, std::uint32_t from, std::uint32_t to) {
         const int sign = plane.fixed.sign_along(exact::difference(point(side, to), point(side, from)));
         return side == 0 ? sign : -sign;
@@ -171,8 +132,7 @@ FixedPlane::Vector NearestPlanes::difference(const DifferenceVertex& v) const {
 }
 
 FixedPlane NearestPlanes::plane_of(const std::array<DifferenceVertex, 3>& corners) const {
-    return {
-        {difference(corners[0]), difference(corners[1]), difference(corners[2])}, points_->unit(), points_->is_exact()};
+    return {{difference(corners[0]), difference(corners[1]), difference(corners[2])}, hulls_->fixed_unit(), is_exact_};
 }
 
 // Remembers the plane of a face if it is that of a face of M; otherwise `beyond` is a vertex that shows that it is not.
@@ -188,7 +148,7 @@ auto NearestPlanes::add(const InnerPolytope::Face& face, DifferenceVertex& beyon
         });
     };
     Plane plane{face.corners, plane_of(face.corners), {}, at};
-    std::optional<SupportFeature> a = feature_of(0, levels[0]), b = feature_of(1, levels[1]);
+    std::optional<convex::HullFeature> a = feature_of(0, levels[0]), b = feature_of(1, levels[1]);
     if (!a || !b || !has_corners() || !ties_for_certain(plane, {*a, *b})) {
         if (const std::optional<DifferenceVertex> furthest = keep_ties(plane)) {
             beyond = *furthest;
@@ -204,7 +164,7 @@ auto NearestPlanes::add(const InnerPolytope::Face& face, DifferenceVertex& beyon
 }
 
 bool NearestPlanes::is_beyond(const InnerPolytope::Face& face, const DifferenceVertex& v) const {
-    if (!points_->is_exact()) return is_beyond_exactly(*pair_, face.corners, v);
+    if (!is_exact_) return is_beyond_exactly(*pair_, face.corners, v);
     const FixedPlane plane = plane_of(face.corners);
     return plane.sign_along(exact::difference(difference(v), difference(face.corners[0]))) > 0;
 }
@@ -254,13 +214,12 @@ std::size_t NearestPlanes::first_plane() const {
     return first;
 }
 
-auto NearestPlanes::find(const ConvexPair& pair, const RoundedHulls& hulls, InnerPolytope& polytope,
-                         exact::FixedPoints& points) -> std::optional<Shown> {
+auto NearestPlanes::find(const ConvexPair& pair, convex::PosedHulls& hulls, InnerPolytope& polytope)
+    -> std::optional<Shown> {
     pair_ = &pair;
     hulls_ = &hulls;
-    points_ = &points;
+    is_exact_ = hulls.has_fixed_points();
     planes_.clear();
-    points.bind(pair[0].body, pair[1].body);
     const bool has_found = find_planes(polytope);
     bool is_known = has_found && !planes_.empty();
     for (Plane& plane : planes_) {

@@ -21,7 +21,6 @@
 #include <vector>
 
 #include "exact/measure/round/fixed_plane.hpp"
-#include "exact/measure/round/fixed_points.hpp"
 #include "query/depth/exact_depth.hpp"
 #include "query/depth/inner_polytope.hpp"
 
@@ -37,11 +36,9 @@ class NearestPlanes {
     // Where a face of the polytope that may be nearest is in no plane of a face of M, a vertex beyond it is added, in
     // exact steps.
     using Shown = std::optional<ExactDepth>;
-    std::optional<Shown> find(const ConvexPair& pair, const RoundedHulls& hulls, InnerPolytope& polytope,
-                              exact::FixedPoints& points);
+    std::optional<Shown> find(const ConvexPair& pair, convex::PosedHulls& hulls, InnerPolytope& polytope);
 
   private:
-    using Normal = std::array<double, 3>;
     // Vertices of a solid.
     using Level = std::vector<std::uint32_t>;
 
@@ -65,11 +62,11 @@ class NearestPlanes {
     FixedPlane::Vector difference(const DifferenceVertex& v) const;
     bool is_in_known_plane(const std::array<DifferenceVertex, 3>& corners) const noexcept;
     void find_level(std::size_t side, const InnerPolytope::Face& face, Level& level);
-    void climb_to_level(std::size_t side, const Normal& n, std::uint32_t start, double below, Level& level);
+    void climb_to_level(std::size_t side, const convex::PosedHulls::Heights& heights, std::uint32_t top, Level& level);
     std::uint32_t next_mark() noexcept;
     bool ties_for_certain(const Plane& plane, const DifferenceFace& features) const;
     std::optional<DifferenceVertex> keep_ties(const Plane& plane);
-    std::optional<SupportFeature> feature_of(std::size_t side, const Level& level) const noexcept;
+    std::optional<convex::HullFeature> feature_of(std::size_t side, const Level& level) const noexcept;
     std::size_t first_plane() const;
     int compare(const Plane& x, const Plane& y) const;
     FixedPlane::Vector point(std::size_t side, std::uint32_t vertex) const;
@@ -78,8 +75,8 @@ class NearestPlanes {
     static constexpr int steps_max = 64;
 
     const ConvexPair* pair_ = nullptr;
-    const RoundedHulls* hulls_ = nullptr;
-    exact::FixedPoints* points_ = nullptr;
+    convex::PosedHulls* hulls_ = nullptr;
+    bool is_exact_ = false;  // whether the points are
     std::vector<Plane> planes_;
     // Faces of S that are too thin for a normal in doubles.
     std::vector<std::array<DifferenceVertex, 3>> thin_;

@@ -5,35 +5,18 @@
 // and nothing of the rest of the mesh is asked.
 #include <algorithm>
 #include <cstdint>
-#include <limits>
-#include <tuple>
 
-#include "base/double_key.hpp"
+#include "base/limits.hpp"
 #include "ecods/contact.hpp"
-#include "ecods/error.hpp"
+#include "geometry/feature_key.hpp"
 #include "query/distance/distance_search.hpp"
 #include "query/distance/least_names.hpp"
 
 namespace ecods {
 namespace {
 
-auto rank(const FeatureNames& f) {
-    return std::tuple(f.kind, f.a.triangle, f.a.corner, f.b.triangle, f.b.corner, f.a.kind);
-}
-
-Feature feature_of(const Mesh& mesh, std::uint32_t triangle, const SharedFeature& shared) {
-    if (shared.first == shared.second) return {Feature::Kind::face, triangle, 0};
-    const Triangle& corners = mesh.triangles()[triangle];
-    const auto is_end = [&](std::uint32_t corner) {
-        return corners[corner] == shared.first || corners[corner] == shared.second;
-    };
-    std::uint32_t corner = 0;
-    if (shared.second == SharedFeature::none) {
-        while (!is_end(corner)) ++corner;
-        return {Feature::Kind::vertex, triangle, corner};
-    }
-    while (!is_end(corner) || !is_end((corner + 1) % 3)) ++corner;
-    return {Feature::Kind::edge, triangle, corner};
+Feature feature_on(const Mesh& mesh, std::uint32_t triangle, const FeatureKey& key) {
+    return feature_of(key, triangle, mesh.triangles()[triangle]);
 }
 
 std::vector<FeatureNames> find_features(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d,
@@ -41,8 +24,8 @@ std::vector<FeatureNames> find_features(const Posed<MeshShape>& a, const Posed<M
     std::vector<FeatureNames> result;
     search.visit_within(d, [&](const TrianglePair& pair, const DistanceInterval& interval) {
         if (interval.is_certain) {
-            result.push_back({interval.kind, feature_of(a.what->mesh(), pair.a, interval.a),
-                              feature_of(b.what->mesh(), pair.b, interval.b)});
+            result.push_back({interval.kind, feature_on(a.what->mesh(), pair.a, interval.a),
+                              feature_on(b.what->mesh(), pair.b, interval.b)});
         } else {
             search.exact_pair().add_features(pair.a, pair.b, result);
         }
@@ -61,8 +44,7 @@ LeastNames least_names(const Mesh& mesh, const std::vector<FeatureNames>& found,
 
 std::vector<CloseFeatures> close_features(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d,
                                           QueryMemory& memory) {
-    const std::int64_t key = key_of(d);
-    if (key < 0 || key >= key_of(std::numeric_limits<double>::infinity())) throw InvalidDistance(d);
+    require_finite_distance(d);
     DistanceSearch search(a, b, memory);
     std::vector<FeatureNames> found = find_features(a, b, d, search);
     const LeastNames names_a = least_names(a.what->mesh(), found, &FeatureNames::a);
@@ -71,7 +53,7 @@ std::vector<CloseFeatures> close_features(const Posed<MeshShape>& a, const Posed
         features.a = names_a(features.a);
         features.b = names_b(features.b);
     }
-    std::ranges::sort(found, {}, rank);
+    std::ranges::sort(found, {}, rank<FeatureNames>);
     found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<CloseFeatures> result;
     result.reserve(found.size());

@@ -1,19 +1,15 @@
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <limits>
 
-#include "base/double_key.hpp"
+#include "base/limits.hpp"
 #include "ecods/distance.hpp"
-#include "ecods/error.hpp"
 #include "query/distance/distance_search.hpp"
 
 namespace ecods {
 
 std::vector<ClosestPoints> close_triangles(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d,
                                            QueryMemory& memory) {
-    const std::int64_t key = key_of(d);
-    if (key < 0 || key >= key_of(std::numeric_limits<double>::infinity())) throw InvalidDistance(d);
+    require_finite_distance(d);
     std::vector<ClosestPoints> result;
     DistanceSearch search(a, b, memory);
     search.visit_within(d, [&](const TrianglePair& pair, const DistanceInterval&) {

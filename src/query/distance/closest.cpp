@@ -1,17 +1,9 @@
-#include <tuple>
-
 #include "ecods/distance.hpp"
+#include "geometry/feature_key.hpp"
 #include "query/distance/distance_search.hpp"
-#include "query/distance/least_distance.hpp"
 
 namespace ecods {
 namespace {
-
-// The order in which one of several pairs of features is chosen that have exactly one distance.
-auto rank(const ClosestPoints& points) {
-    return std::tuple(points.kind, points.a.triangle, points.a.corner, points.b.triangle, points.b.corner,
-                      points.a.kind);
-}
 
 ClosestPoints closest_of_intersecting(const Posed<MeshShape>& a, const Posed<MeshShape>& b, DistanceSearch& search,
                                       QueryMemory& memory) {
@@ -25,12 +17,13 @@ ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, Quer
     DistanceSearch search(a, b, memory);
     search.run({}, witness);
     ClosestPoints result;
-    if (search.is_zero()) {
+    if (search.sieve().is_zero()) {
         result = closest_of_intersecting(a, b, search, memory);
     } else {
         // The open pairs have every pair of triangles that holds the least distance, or one of the same features before
         // it in the order of triangles.
-        const std::vector<OpenPair>& open = find_least(search);
+        const auto& open = search.sieve().keep_least(
+            [&](const TrianglePair& x, const TrianglePair& y) { return search.exact_pair().compare(x, y); });
         result = search.exact_pair().closest(open[0].triangles.a, open[0].triangles.b);
         for (std::size_t i = 1; i < open.size(); ++i) {
             const ClosestPoints other = search.exact_pair().closest(open[i].triangles.a, open[i].triangles.b);

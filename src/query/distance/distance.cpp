@@ -1,41 +1,22 @@
 #include "ecods/distance.hpp"
 
-#include <limits>
-#include <ostream>
-
-#include "base/double_key.hpp"
-#include "ecods/error.hpp"
+#include "base/limits.hpp"
+#include "base/write_name.hpp"
 #include "query/distance/distance_search.hpp"
-#include "query/distance/least_distance.hpp"
 
 namespace ecods {
 
 std::ostream& operator<<(std::ostream& out, ClosestKind kind) {
-    switch (kind) {
-        case ClosestKind::vertex_vertex:
-            return out << "vertex and vertex";
-        case ClosestKind::vertex_edge:
-            return out << "vertex and edge";
-        case ClosestKind::vertex_face:
-            return out << "vertex and face";
-        case ClosestKind::edge_edge:
-            return out << "edge and edge";
-        case ClosestKind::intersecting:
-            return out << "intersecting";
-    }
-    return out << "ClosestKind " << static_cast<int>(kind);
+    constexpr std::array names{"vertex and vertex", "vertex and edge", "vertex and face", "edge and edge",
+                               "intersecting"};
+    return write_name(out, kind, names);
 }
 
 double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness) {
     DistanceSearch search(a, b, memory);
-    if (search.can_refer()) {
-        const double result = search.find_distance(witness);
-        witness = search.witness();
-        return result;
-    }
-    search.run({}, witness);
-    witness = search.witness();
-    return search.is_zero() ? 0 : round_least(search, witness);
+    const double result = search.find_distance(witness);
+    witness = search.sieve().nearest();
+    return result;
 }
 
 double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {
@@ -45,15 +26,19 @@ double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemor
 
 // By keys, in whose order a NaN lies beyond the infinities.
 bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d, QueryMemory& memory, PairWitness& witness) {
-    const std::int64_t key = key_of(d), infinity = key_of(std::numeric_limits<double>::infinity());
-    if (key < 0 || key > infinity) throw InvalidDistance(d);
-    if (key == infinity) return true;
+    require_distance(d);
+    const std::int64_t key = key_of(d);
+    if (key == infinity_key) return true;
     if (key == 0) return intersects(a, b, memory, witness);
     DistanceSearch search(a, b, memory);
     search.run({.at_most = d, .stop_at = d}, witness);
-    if (search.witness().a != PairWitness::none) witness = search.witness();
-    if (search.is_zero() || key_of(search.upper()) <= key) return true;
-    if (is_least_within(search, d, witness)) return true;
+    DistanceSieve& sieve = search.sieve();
+    const auto is_at_most = [&](const TrianglePair& pair) {
+        return search.exact_pair().compare(pair.a, pair.b, d) <= 0;
+    };
+    const bool is_within = sieve.is_decided() || sieve.is_least_within(d, is_at_most);
+    if (sieve.nearest().a != PairWitness::none) witness = sieve.nearest();
+    if (is_within) return true;
     witness = apart_witness;
     return false;
 }

@@ -1,22 +1,16 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/double_key.hpp"
+#include "base/limits.hpp"
 #include "base/next.hpp"
 #include "ecods/distance.hpp"
-#include "ecods/error.hpp"
 #include "query/distance/distance_search.hpp"
-#include "query/distance/least_distance.hpp"
 
 namespace ecods {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double double_max = std::numeric_limits<double>::max();
-
-void check(double x) {
-    if (key_of(x) < 0 || key_of(x) > key_of(infinity)) throw InvalidDistance(x);
-}
 
 double least(double x, double y) {
     return key_of(x) < key_of(y) ? x : y;
@@ -35,10 +29,11 @@ bool is_narrow(const DistanceBounds& bounds, const DistanceTolerance& tolerance)
 // The doubles around the least distance, which are one where it is a double. Pairs that round to the same double may
 // lie on either side of it: all of them are asked, but for those of which it is known.
 DistanceBounds adjacent_bounds(DistanceSearch& search, PairWitness& witness) {
-    const double rounded = round_least(search, witness);
+    const double rounded = search.round_least();
+    witness = search.sieve().nearest();
     if (rounded == infinity) return {double_max, infinity};
     int sign = search.exact_pair().compare(witness.a, witness.b, rounded);
-    for (const OpenPair& open : search.open_pairs()) {
+    for (const DistanceSieve::Open& open : search.sieve().open()) {
         if (sign < 0) break;
         if (key_of(open.interval.lower) >= key_of(rounded)) continue;
         sign = std::min(sign, search.exact_pair().compare(open.triangles.a, open.triangles.b, rounded));
@@ -49,18 +44,18 @@ DistanceBounds adjacent_bounds(DistanceSearch& search, PairWitness& witness) {
 
 // What doubles know. Pairs that the search left out are beyond the floor, or beyond at_most.
 DistanceBounds enclosed_bounds(DistanceSearch& search, double at_most) {
-    double lower = least(search.floor(), at_most);
-    for (const OpenPair& open : search.open_pairs()) lower = least(lower, open.interval.lower);
-    return {lower, search.upper()};
+    double lower = least(search.sieve().floor(), at_most);
+    for (const DistanceSieve::Open& open : search.sieve().open()) lower = least(lower, open.interval.lower);
+    return {lower, search.sieve().upper()};
 }
 
 }  // namespace
 
 DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const DistanceTolerance& tolerance,
                                QueryMemory& memory, PairWitness& witness) {
-    check(tolerance.relative);
-    check(tolerance.absolute);
-    check(tolerance.at_most);
+    require_distance(tolerance.relative);
+    require_distance(tolerance.absolute);
+    require_distance(tolerance.at_most);
     // What is left out is beyond `limit`, so that the lower end is above at_most.
     const double limit = next_up(tolerance.at_most);
     {
@@ -69,16 +64,16 @@ DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>
                     .relative = least(tolerance.relative, double_max),
                     .absolute = least(tolerance.absolute, double_max)},
                    witness);
-        if (search.witness().a != PairWitness::none) witness = search.witness();
-        if (search.is_zero()) return {0, 0};
+        if (search.sieve().nearest().a != PairWitness::none) witness = search.sieve().nearest();
+        if (search.sieve().is_zero()) return {0, 0};
         const DistanceBounds bounds = enclosed_bounds(search, limit);
         if (key_of(bounds.lower) > key_of(tolerance.at_most)) return bounds;
         if (is_narrow(bounds, tolerance)) return bounds;
     }
     DistanceSearch search(a, b, memory);
     search.run({.at_most = limit}, witness);
-    if (search.is_zero()) return {0, 0};
-    if (search.open_pairs().empty()) return {limit, infinity};
+    if (search.sieve().is_zero()) return {0, 0};
+    if (search.sieve().open().empty()) return {limit, infinity};
     const DistanceBounds bounds = adjacent_bounds(search, witness);
     // Pairs beyond the limit were left out, some of which may be nearer than one that is beyond it.
     if (key_of(bounds.lower) > key_of(limit)) return {limit, infinity};

@@ -12,15 +12,6 @@ namespace ecods {
 
 using namespace exact;
 
-namespace {
-
-FeaturePair pair_of(const FeatureNames& names) noexcept {
-    return {static_cast<FeatureKind>(names.kind), static_cast<std::uint8_t>(names.a.kind > names.b.kind),
-            static_cast<std::uint8_t>(names.a.corner), static_cast<std::uint8_t>(names.b.corner)};
-}
-
-}  // namespace
-
 // The origin of all exact points of a pair.
 PointRef TriangleDistances::first_corner(std::uint32_t i) const noexcept {
     const BodyRef& a = points_.body(0);
@@ -39,13 +30,13 @@ ClosestPoints TriangleDistances::closest(std::uint32_t i, std::uint32_t j) {
             const SharedCorners corners(features);
             result.a = {Feature::Kind::face, i, 0};
             result.b = {Feature::Kind::face, j, 0};
-            corners.assign(corners.corners().front(), points.unit, ends[0]);
+            corners.corners().front().assign_to(ends[0], points.unit);
             result.point_a = result.point_b = round_point(first_corner(i), ends[0]);
             return result;
         }
         const FeaturePair first = first_closest(features, found);
         name_features(result, first, {i, j});
-        ClosestPointsOf(features, first, points.unit).find(ends);
+        find_closest_points(features, first, points.unit, ends);
         result.distance = round_root(square);
         result.point_a = round_point(first_corner(i), ends[0]);
         result.point_b = round_point(first_corner(i), ends[1]);
@@ -79,12 +70,12 @@ CloseFeatures TriangleDistances::measure(const FeatureNames& names) {
     const std::uint32_t i = names.a.triangle, j = names.b.triangle;
     if (names.kind == ClosestKind::intersecting) return {closest(i, j), std::nullopt};
     return with_features(i, j, [&](const auto& points, const auto& features, const ClosestFeatures&) {
-        const FeaturePair f = pair_of(names);
+        const FeaturePair f = features_named(names);
         SquaredDistance square;
         square.exponent = points.unit;
         features.measure(f, square);
         std::array<ExactPoint, 2> ends;
-        ClosestPointsOf(features, f, points.unit).find(ends);
+        find_closest_points(features, f, points.unit, ends);
         CloseFeatures result;
         result.closest = {round_root(square),
                           names.kind,

@@ -5,56 +5,15 @@
 
 #include "exact/measure/distance/guess_features.hpp"
 #include "exact/measure/distance/measure_pair.hpp"
+#include "exact/measure/distance/name_features.hpp"
 #include "query/distance/triangle_features.hpp"
 
 namespace ecods {
 
 using namespace exact;
 
-namespace {
-
-SharedFeature shared_vertex(const Triangle& triangle, std::size_t corner) noexcept {
-    return {triangle[corner], SharedFeature::none};
-}
-SharedFeature shared_edge(const Triangle& triangle, std::size_t corner) noexcept {
-    const std::uint32_t from = triangle[corner], to = triangle[corner == 2 ? 0 : corner + 1];
-    return {std::min(from, to), std::max(from, to)};
-}
-SharedFeature shared_face(std::uint32_t triangle) noexcept {
-    return {triangle, triangle};
-}
-
-void name_features(DistanceInterval& interval, const FeaturePair& f, const TrianglePair& pair, const Triangle& a,
-                   const Triangle& b) noexcept {
-    const bool is_vertex_of_a = f.vertex_side == 0;
-    switch (f.kind) {
-        case FeatureKind::vertex_vertex:
-            interval.kind = ClosestKind::vertex_vertex;
-            interval.a = shared_vertex(a, f.a);
-            interval.b = shared_vertex(b, f.b);
-            return;
-        case FeatureKind::vertex_edge:
-            interval.kind = ClosestKind::vertex_edge;
-            interval.a = is_vertex_of_a ? shared_vertex(a, f.a) : shared_edge(a, f.a);
-            interval.b = is_vertex_of_a ? shared_edge(b, f.b) : shared_vertex(b, f.b);
-            return;
-        case FeatureKind::vertex_face:
-            interval.kind = ClosestKind::vertex_face;
-            interval.a = is_vertex_of_a ? shared_vertex(a, f.a) : shared_face(pair.a);
-            interval.b = is_vertex_of_a ? shared_face(pair.b) : shared_vertex(b, f.b);
-            return;
-        case FeatureKind::edge_edge:
-            interval.kind = ClosestKind::edge_edge;
-            interval.a = shared_edge(a, f.a);
-            interval.b = shared_edge(b, f.b);
-            return;
-    }
-}
-
-}  // namespace
-
 void TriangleDistances::bind(const BodyRef& a, const BodyRef& b) {
-    points_.bind(a, b);
+    points_.bind_pair(a, b);
     triangles_ = {a.mesh->triangles().data(), b.mesh->triangles().data()};
     for (Measured& m : measured_) m.is_known = false;
     slab_.forget();
@@ -66,7 +25,11 @@ DistanceInterval TriangleDistances::enclose(std::uint32_t i, std::uint32_t j) {
     const Enclosure enclosure = enclose_distance(pair, features);
     DistanceInterval interval{
         enclosure.lower, enclosure.upper, enclosure.is_certain, ClosestKind::intersecting, {}, {}};
-    if (enclosure.is_certain) name_features(interval, features, {i, j}, triangles_[0][i], triangles_[1][j]);
+    if (enclosure.is_certain) {
+        interval.kind = static_cast<ClosestKind>(features.kind);
+        interval.a = feature_key(feature_of(features, 0, i), triangles_[0][i]);
+        interval.b = feature_key(feature_of(features, 1, j), triangles_[1][j]);
+    }
     return interval;
 }
 
@@ -119,7 +82,7 @@ bool TriangleDistances::is_not_nearer(const TrianglePair& pair) {
     if (!slab_.is_set()) return false;
     const auto is_outside = [&](std::size_t body, std::uint32_t vertex) {
         return slab_.is_outside(body, vertex, [&] {
-            const FixedPoints::Point& p = points_.at(body, vertex);
+            const IntegerFrame::Point& p = points_.at(body, vertex);
             return ClosestSlab::Point{to_limbs(p[0]), to_limbs(p[1]), to_limbs(p[2])};
         });
     };

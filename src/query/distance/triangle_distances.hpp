@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -12,23 +11,12 @@
 #include "exact/measure/distance/closest_slab.hpp"
 #include "exact/measure/distance/enclose_distance.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
-#include "exact/measure/round/fixed_points.hpp"
 #include "exact/measure/round/squared_distance.hpp"
 #include "exact/point/frame.hpp"
+#include "exact/point/integer_frame.hpp"
+#include "geometry/feature_key.hpp"
 
 namespace ecods {
-
-// One vertex, edge or face by what it is made of, which is the same from every triangle that has it.
-struct SharedFeature {
-    static constexpr std::uint32_t none = ~std::uint32_t{0};
-
-    // A vertex: its index and none; an edge: the indices of its two vertices, the lesser first; a face: its triangle's
-    // index twice. Ends of an edge are not one: a face and a vertex, or a face and an edge, are never named alike.
-    std::uint32_t first = none;
-    std::uint32_t second = none;
-
-    friend auto operator<=>(const SharedFeature&, const SharedFeature&) = default;
-};
 
 // Contains a distance. Pairs of triangles whose closest features are the same have the same distance: a search rounds
 // one of them.
@@ -40,15 +28,7 @@ struct DistanceInterval {
     // hold the only closest points of the two triangles and are the features of lowest dimension that do.
     bool is_certain = false;
     ClosestKind kind = ClosestKind::intersecting;
-    SharedFeature a, b;
-};
-
-// A feature of each mesh, named by a triangle that has it and a corner; `intersecting` names two faces.
-struct FeatureNames {
-    ClosestKind kind = ClosestKind::intersecting;
-    Feature a, b;
-
-    friend bool operator==(const FeatureNames&, const FeatureNames&) = default;
+    FeatureKey a, b;
 };
 
 class TriangleDistances {
@@ -105,7 +85,7 @@ class TriangleDistances {
     const Measured& measured(const TrianglePair& pair);
     exact::PointRef first_corner(std::uint32_t i) const noexcept;
 
-    exact::FixedPoints points_;
+    exact::IntegerFrame points_;
     std::array<const Triangle*, 2> triangles_{};
     exact::ClosestSlab slab_;
     std::array<Measured, 2> measured_;  // the one that was asked about last comes first

@@ -11,14 +11,7 @@
 namespace ecods {
 
 ECODS_ALWAYS_INLINE exact::IntegerPair TriangleDistances::integers(std::uint32_t i, std::uint32_t j) {
-    exact::IntegerPair pair;
-    for (std::size_t k = 0; k < 3; ++k) {
-        pair.at[k] = points_.at(0, triangles_[0][i][k]);
-        pair.at[3 + k] = points_.at(1, triangles_[1][j][k]);
-    }
-    pair.unit = points_.unit();
-    pair.error = points_.is_exact() ? 0 : exact::FixedPoints::error_units;
-    return pair;
+    return exact::integer_pair(points_, triangles_[0][i], triangles_[1][j]);
 }
 
 // Calls use(points, features, guess) with the points of two triangles in the narrowest kernel that holds them. A guess
@@ -29,19 +22,12 @@ auto TriangleDistances::with_features(std::uint32_t i, std::uint32_t j, Use&& us
     const exact::FeaturePair features = exact::guess_features(pair);
     const bool is_certain = exact::enclose_distance(pair, features).is_certain;
     const exact::ClosestFeatures guess{features, is_certain ? exact::Standing::only : exact::Standing::none};
-    const auto in_kernel = [&]<class Kernel>(const exact::IntegerPoints<Kernel, 6>& points) {
+    const Triangle &a = triangles_[0][i], &b = triangles_[1][j];
+    const std::array<exact::VertexRef, 6> corners{{{0, a[0]}, {0, a[1]}, {0, a[2]}, {1, b[0]}, {1, b[1]}, {1, b[2]}}};
+    return points_.with_integers(corners, [&]<class Kernel>(const exact::IntegerPoints<Kernel, 6>& points) {
         const auto limbs = exact::to_limbs(points);
-        return use(points, exact::ExactFeatures<exact::limbs_of<Kernel>>(limbs), guess);
-    };
-    if (points_.is_exact())
-        return exact::use_narrowest(exact::IntegerPoints<exact::TwoLimbKernel, 6>{pair.at, pair.unit}, in_kernel);
-    exact::PosedPoints<6> posed;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const exact::BodyRef &a = points_.body(0), &b = points_.body(1);
-        posed[k] = {a.pose, &a.mesh->vertices()[triangles_[0][i][k]]};
-        posed[3 + k] = {b.pose, &b.mesh->vertices()[triangles_[1][j][k]]};
-    }
-    return exact::with_integers(posed, in_kernel);
+        return use(points, exact::ExactFeatures<Kernel::limb_count>(limbs), guess);
+    });
 }
 
 }  // namespace ecods

@@ -16,7 +16,7 @@ SharedSet TriangleDistances::intersection(std::uint32_t i, std::uint32_t j) {
         if (const auto normal = shared.normal()) result.normal = round_direction(*normal);
         ExactPoint point;
         for (const auto& corner : corners_around(shared)) {
-            shared.assign(corner, points.unit, point);
+            corner.assign_to(point, points.unit);
             result.all_corners[result.corner_count++] = round_point(first_corner(i), point);
         }
         return result;

@@ -2,27 +2,15 @@
 
 #include <ostream>
 
+#include "base/write_name.hpp"
 #include "query/hit/hit_memory.hpp"
 #include "query/hit/hit_search.hpp"
 
 namespace ecods {
 
 std::ostream& operator<<(std::ostream& out, HitKind kind) {
-    switch (kind) {
-        case HitKind::front:
-            return out << "front";
-        case HitKind::back:
-            return out << "back";
-        case HitKind::face:
-            return out << "face";
-        case HitKind::edge:
-            return out << "edge";
-        case HitKind::vertex:
-            return out << "vertex";
-        case HitKind::along:
-            return out << "along";
-    }
-    return out;
+    constexpr std::array names{"front", "back", "face", "edge", "vertex", "along"};
+    return write_name(out, kind, names);
 }
 
 namespace {

@@ -34,9 +34,7 @@ struct HitMemory final : QueryMemoryPart {
     exact::LineHit *best = &hits[0], *own = &hits[1], *other = &hits[2];
 
     static HitMemory& of(QueryMemory& memory) {
-        auto& part = QueryMemoryAccess::state(memory).hit;
-        if (!part) part = std::make_unique<HitMemory>();
-        return static_cast<HitMemory&>(*part);
+        return QueryMemoryAccess::part<HitMemory>(memory, &QueryMemoryAccess::State::hit);
     }
 
     // Prepares all for a line and a body, both of which must outlive the questions. What depends on the body alone is

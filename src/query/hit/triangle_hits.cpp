@@ -156,20 +156,14 @@ HitEnclosure TriangleHits::enclose(const Triangle& corners) const noexcept {
 
 namespace {
 
-Magnitude<1> to_magnitude_of_one(Int128 x) noexcept {
-    const auto narrow = static_cast<std::int64_t>(x);
-    return magnitude<1>({static_cast<std::uint64_t>(narrow)});
-}
-Magnitude<2> to_magnitude_of_two(Int128 x) noexcept {
-    return magnitude<2>(to_limbs(x));
-}
 template <int L>
 LimbVector<L> to_vector(const LinePoints::Point& p) noexcept {
-    if constexpr (L == 1) {
-        return {to_magnitude_of_one(p[0]), to_magnitude_of_one(p[1]), to_magnitude_of_one(p[2])};
-    } else {
-        return {to_magnitude_of_two(p[0]), to_magnitude_of_two(p[1]), to_magnitude_of_two(p[2])};
-    }
+    const auto coordinate = [](Int128 x) {
+        const Limbs<2> limbs = to_limbs(x);
+        if constexpr (L == 1) return magnitude<1>({limbs[0]});
+        if constexpr (L == 2) return magnitude<2>(limbs);
+    };
+    return {coordinate(p[0]), coordinate(p[1]), coordinate(p[2])};
 }
 
 }  // namespace
@@ -209,7 +203,7 @@ auto TriangleHits::with_limbs(const Triangle& corners, Use&& use) {
     posed[1] = {&line_pose_, &line_->b};
     for (std::size_t k = 0; k < 3; ++k) posed[2 + k] = {body_.pose, &vertices[corners[k]]};
     return with_integers(posed, [&]<class Kernel>(const IntegerPoints<Kernel, 5>& points) {
-        constexpr int L = limbs_of<Kernel>;
+        constexpr int L = Kernel::limb_count;
         const auto limbs = to_limbs(points);
         const auto vector = [&](std::size_t i) { return difference<L>(limbs[i], limbs[0]); };
         return use(vector(1), std::array<LimbVector<L>, 3>{vector(2), vector(3), vector(4)});

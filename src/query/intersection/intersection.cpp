@@ -1,11 +1,10 @@
 #include "ecods/intersection.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <span>
+#include <type_traits>
 #include <utility>
 
 #include "bvh/axes/separating_axes.hpp"
@@ -15,7 +14,7 @@
 #include "query/intersection/plane_bound.hpp"
 #include "query/intersection/query_memory.hpp"
 #include "query/intersection/single_triangles.hpp"
-#include "query/shape/mesh_tree.hpp"
+#include "query/shape/mesh_body.hpp"
 #include "query/shape/other_units.hpp"
 
 namespace ecods {
@@ -32,42 +31,40 @@ void QueryMemory::reset_counts() noexcept {
     state_->counts = {};
 }
 
+namespace {
+
+template <class Counts, class... Count>
+Counts& add(Counts& to, const Counts& other, Count Counts::*... counts) noexcept {
+    ((to.*counts += other.*counts), ...);
+    return to;
+}
+
+}  // namespace
+
 StageCounts& StageCounts::operator+=(const StageCounts& other) noexcept {
-    triangle_tests += other.triangle_tests;
     for (const Stage& stage : ecods::stages) this->*stage.count += other.*stage.count;
-    return *this;
+    return add(*this, other, &StageCounts::triangle_tests);
 }
 
 DistanceCounts& DistanceCounts::operator+=(const DistanceCounts& other) noexcept {
-    triangle_bounds += other.triangle_bounds;
-    enclosures += other.enclosures;
-    exact += other.exact;
-    return *this;
+    using Counts = DistanceCounts;
+    return add(*this, other, &Counts::triangle_bounds, &Counts::enclosures, &Counts::exact);
 }
 
 HitCounts& HitCounts::operator+=(const HitCounts& other) noexcept {
-    triangle_tests += other.triangle_tests;
-    enclosures += other.enclosures;
-    exact += other.exact;
-    return *this;
+    using Counts = HitCounts;
+    return add(*this, other, &Counts::triangle_tests, &Counts::enclosures, &Counts::exact);
 }
 
 CastCounts& CastCounts::operator+=(const CastCounts& other) noexcept {
-    triangle_bounds += other.triangle_bounds;
-    enclosures += other.enclosures;
-    exact += other.exact;
-    return *this;
+    using Counts = CastCounts;
+    return add(*this, other, &Counts::triangle_bounds, &Counts::enclosures, &Counts::exact);
 }
 
 QueryCounts& QueryCounts::operator+=(const QueryCounts& other) noexcept {
-    queries += other.queries;
-    witness_hits += other.witness_hits;
-    box_tests += other.box_tests;
-    stages += other.stages;
-    distances += other.distances;
-    hits += other.hits;
-    casts += other.casts;
-    return *this;
+    using Counts = QueryCounts;
+    return add(*this, other, &Counts::queries, &Counts::witness_hits, &Counts::box_tests, &Counts::stages,
+               &Counts::distances, &Counts::hits, &Counts::casts);
 }
 
 namespace {
@@ -85,22 +82,12 @@ struct MeshAt {
 class Query {
   public:
     Query(const MeshAt& a, const MeshAt& b, QueryMemory& memory)
-        : a_(a),
-          b_(b),
-          tree_a_(MeshShapeAccess::tree(a.shape)),
-          tree_b_(MeshShapeAccess::tree(b.shape)),
-          state_(QueryMemoryAccess::state(memory)) {
+        : bodies_{{a.shape, a.pose}, {b.shape, b.pose}}, state_(QueryMemoryAccess::state(memory)) {
         ++state_.counts.queries;
     }
     Query(const Query&) = delete;
     Query& operator=(const Query&) = delete;
     ~Query() { leave_pair(); }
-
-    // Before another query works in the same memory.
-    void leave_pair() noexcept {
-        if (pair_is_bound_) state_.counts.stages += state_.pair.counts();
-        pair_is_bound_ = false;
-    }
 
     Relation relation_of(std::uint32_t i, std::uint32_t j) {
         if (!pair_is_bound_) bind_pair();
@@ -110,7 +97,7 @@ class Query {
     // The same of a pair of triangles from which nothing is prepared if a filter decides it.
     Relation relation_of_witness(const PairWitness& witness) {
         const std::optional<Relation> relation =
-            filter_triangles(a_.shape.mesh(), witness.a, a_.pose, b_.shape.mesh(), witness.b, b_.pose);
+            filter_triangles(a().mesh(), witness.a, a().pose, b().mesh(), witness.b, b().pose);
         if (!relation) return relation_of(witness.a, witness.b);
         ++state_.counts.stages.triangle_tests;
         ++state_.counts.stages.filter_passes;
@@ -127,12 +114,22 @@ class Query {
 
     // The axis that separates the roots, or -1. `first` is tried first.
     int bind_axes(int first = -1) {
-        return state_.axes.bind({tree_a_.boxes, a_.pose.R}, {tree_b_.boxes, b_.pose.R}, b_.pose.t - a_.pose.t, first);
+        return state_.axes.bind({a().tree.boxes, a().pose.R}, {b().tree.boxes, b().pose.R}, b().pose.t - a().pose.t,
+                                first);
     }
 
-    // True if no axis says anything, as of bodies near the ends of the range of doubles. Called after bind_axes.
-    bool has_no_axes() const noexcept {
-        return state_.axes.sets()[0].b.margin[0] == std::numeric_limits<float>::infinity();
+    // Asks ask(a, b) about both bodies in other units, if no axis says anything, as near the ends of the range of
+    // doubles, and other units are better; otherwise returns nothing. After bind_axes.
+    template <class Ask>
+    std::optional<std::invoke_result_t<Ask, MeshAt, MeshAt>> ask_in_other_units(QueryMemory& memory, const Ask& ask) {
+        if (state_.axes.sets()[0].b.margin[0] != std::numeric_limits<float>::infinity()) [[likely]]
+            return std::nullopt;
+        leave_pair();
+        const Posed<MeshShape> posed_a(a().shape, a().pose), posed_b(b().shape, b().pose);
+        const OtherUnits units(posed_a, posed_b);
+        if (!units.are_better()) return std::nullopt;
+        const Posed<MeshShape> other_a = units.of(posed_a), other_b = units.of(posed_b);
+        return as_part(memory, [&] { return ask(MeshAt(other_a), MeshAt(other_b)); });
     }
 
     // Calls visit(i, j, crosses) for pairs of triangles, among them every pair that shares a point, until it returns
@@ -141,39 +138,35 @@ class Query {
     void visit_near_pairs(Visit&& visit) {
         if (!pair_is_bound_) state_.pair.forget_groups();
         const OverlapBound boxes(state_.axes.sets(), state_.counts);
-        walk_two(tree_a_.boxes, tree_b_.boxes, state_.stack,
-                 PlaneBound(boxes, tree_a_.boxes, tree_b_.boxes, state_.pair),
+        walk_two(a().tree.boxes, b().tree.boxes, state_.stack,
+                 PlaneBound(boxes, a().tree.boxes, b().tree.boxes, state_.pair),
                  [&](std::uint32_t i, std::uint32_t j, bool crosses) {
                      return visit(i, j, crosses) && !state_.pair.are_parted();
                  });
     }
 
   private:
+    // Before another query works in the same memory.
+    void leave_pair() noexcept {
+        if (pair_is_bound_) state_.counts.stages += state_.pair.counts();
+        pair_is_bound_ = false;
+    }
+
     // Only the queries that come to triangles pay for this.
     void bind_pair() {
         state_.pair.reset_counts();
-        state_.pair.bind({&a_.shape.mesh(), &tree_a_.extent, &a_.pose}, {&b_.shape.mesh(), &tree_b_.extent, &b_.pose});
-        state_.pair.offer_groups(a_.shape, b_.shape);
+        state_.pair.bind(a().ref(), b().ref());
+        state_.pair.offer_groups(a().shape, b().shape);
         pair_is_bound_ = true;
     }
 
-    MeshAt a_, b_;
-    const MeshTree& tree_a_;
-    const MeshTree& tree_b_;
+    const MeshBody& a() const noexcept { return bodies_.a; }
+    const MeshBody& b() const noexcept { return bodies_.b; }
+
+    MeshPair bodies_;
     QueryMemoryAccess::State& state_;
     bool pair_is_bound_ = false;
 };
-
-// Asks about both bodies in other units if that is better.
-template <class Ask>
-[[gnu::noinline]] auto ask_in_other_units(const MeshAt& a, const MeshAt& b, QueryMemory& memory, Ask&& ask)
-    -> std::optional<decltype(ask(a, b))> {
-    const Posed<MeshShape> posed_a(a.shape, a.pose), posed_b(b.shape, b.pose);
-    const OtherUnits units(posed_a, posed_b);
-    if (!units.are_better()) return std::nullopt;
-    const Posed<MeshShape> other_a = units.of(posed_a), other_b = units.of(posed_b);
-    return as_part(memory, [&] { return ask(MeshAt(other_a), MeshAt(other_b)); });
-}
 
 // A witness is a pair of triangles, or no triangle and the number of an axis.
 bool holds_triangles(const PairWitness& witness, const MeshAt& a, const MeshAt& b) {
@@ -218,12 +211,8 @@ bool find_contact(const MeshAt& a, const MeshAt& b, QueryMemory& memory, PairWit
         witness = witness_of(axis);
         return false;
     }
-    if (query.has_no_axes()) [[unlikely]] {
-        query.leave_pair();
-        const auto answer = ask_in_other_units(
-            a, b, memory, [&](const MeshAt& x, const MeshAt& y) { return find_contact(x, y, memory, witness); });
-        if (answer) return *answer;
-    }
+    const auto again = [&](const MeshAt& x, const MeshAt& y) { return find_contact(x, y, memory, witness); };
+    if (auto answer = query.ask_in_other_units(memory, again)) return *std::move(answer);
     witness = {};
     bool found = false;
     query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j, bool crosses) {
@@ -239,12 +228,8 @@ Relation find_relation(const MeshAt& a, const MeshAt& b, QueryMemory& memory) {
     Query query(a, b, memory);
     Relation strongest = Relation::disjoint;
     if (query.bind_axes() >= 0) return strongest;
-    if (query.has_no_axes()) [[unlikely]] {
-        query.leave_pair();
-        const auto answer = ask_in_other_units(
-            a, b, memory, [&](const MeshAt& x, const MeshAt& y) { return find_relation(x, y, memory); });
-        if (answer) return *answer;
-    }
+    const auto again = [&](const MeshAt& x, const MeshAt& y) { return find_relation(x, y, memory); };
+    if (auto answer = query.ask_in_other_units(memory, again)) return *std::move(answer);
     query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j, bool crosses) {
         strongest = std::max(strongest, query.relation_of(i, j, crosses));
         return strongest != Relation::crossing;
@@ -256,12 +241,8 @@ std::vector<TrianglePair> find_triangles(const MeshAt& a, const MeshAt& b, Query
     std::vector<TrianglePair> pairs;
     Query query(a, b, memory);
     if (query.bind_axes() >= 0) return pairs;
-    if (query.has_no_axes()) [[unlikely]] {
-        query.leave_pair();
-        auto answer = ask_in_other_units(
-            a, b, memory, [&](const MeshAt& x, const MeshAt& y) { return find_triangles(x, y, memory); });
-        if (answer) return std::move(*answer);
-    }
+    const auto again = [&](const MeshAt& x, const MeshAt& y) { return find_triangles(x, y, memory); };
+    if (auto answer = query.ask_in_other_units(memory, again)) return *std::move(answer);
     query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j, bool crosses) {
         if (query.relation_of(i, j, crosses) != Relation::disjoint) pairs.push_back({i, j});
         return true;

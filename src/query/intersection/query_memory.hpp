@@ -27,6 +27,14 @@ struct QueryMemory::State {
 struct QueryMemoryAccess {
     using State = QueryMemory::State;
     static State& state(QueryMemory& memory) noexcept { return *memory.state_; }
+
+    // What a question keeps, which is at `place`; made when it is asked first.
+    template <class Part>
+    static Part& part(QueryMemory& memory, std::unique_ptr<QueryMemoryPart> State::*place) {
+        auto& part = state(memory).*place;
+        if (!part) part = std::make_unique<Part>();
+        return static_cast<Part&>(*part);
+    }
 };
 
 // Asks a question that is a part of another one: what it does is counted, and the question is not.

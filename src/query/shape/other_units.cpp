@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exact/number/power.hpp"
+#include "geometry/used_vertices.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
@@ -58,13 +59,7 @@ Numbers scaled_all(const Numbers& numbers, int e) {
 std::shared_ptr<const Mesh> scaled_mesh(const Mesh& mesh, int e) {
     std::vector<Vec3> vertices(mesh.vertices().begin(), mesh.vertices().end());
     std::vector<Triangle> triangles(mesh.triangles().begin(), mesh.triangles().end());
-    std::vector<bool> is_done(vertices.size());
-    for (const Triangle& triangle : triangles) {
-        for (const std::uint32_t index : triangle) {
-            if (!is_done[index]) vertices[index] = scaled_all(vertices[index], e);
-            is_done[index] = true;
-        }
-    }
+    for_each_used_vertex(mesh, [&](std::uint32_t index) { vertices[index] = scaled_all(mesh.vertices()[index], e); });
     return Mesh::create(std::move(vertices), std::move(triangles));
 }
 

@@ -28,14 +28,12 @@ class PointSigns {
     exact::Frame& frame_;
 };
 
-// The half-plane that begins at the line and has the apex in it.
+// The half-plane that begins at the line and has the apex in it, which is of the triangle's body.
 struct Wing {
     PointSigns::Point apex;
     std::uint32_t triangle;
-    std::uint8_t solid;  // of two
-    std::uint8_t
-        inside_after;     // whether the sector just after it, turning from p to q as a right-handed screw, is inside
-    std::uint32_t group;  // wings of one direction have one number
+    bool inside_after;  // whether the sector just after it, turning from p to q as a right-handed screw, is inside
+    std::uint32_t group = 0;  // wings of one direction have one number
 };
 
 // Sorts wings around the line from p to q, beginning with the direction of the first one, and sets their groups. The

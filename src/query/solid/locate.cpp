@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "bvh/walks/walk_tree.hpp"
 #include "ecods/error.hpp"
 #include "ecods/solid.hpp"
 #include "exact/sign/frame_signs.hpp"

@@ -97,8 +97,7 @@ void check_closed(const Mesh& given, const ProperMesh& proper, const MeshEdges& 
     for (std::size_t edge = 0; edge < edges.count(); ++edge) {
         if (edges.sides(edge).size() % 2 == 0) continue;
         const SideRef side = edges.sides(edge)[0];
-        const std::uint32_t a = triangles[side.triangle][side.corner];
-        const std::uint32_t b = triangles[side.triangle][(side.corner + 1) % 3];
+        const auto [a, b, opposite] = corners_from(triangles, side);
         loose.push_back({a, b, side});
         loose.push_back({b, a, side});
     }
@@ -119,8 +118,8 @@ void check_closed(const Mesh& given, const ProperMesh& proper, const MeshEdges& 
     }
     if (least == nullptr) return;
     const SideRef side = least->side;
-    const std::array<std::size_t, 2> ends{given.triangles()[side.triangle][side.corner],
-                                          given.triangles()[side.triangle][(side.corner + 1) % 3]};
+    const auto corners = corners_from(given.triangles(), side);
+    const std::array<std::size_t, 2> ends{corners[0], corners[1]};
     const auto coordinates = [&](std::size_t vertex) -> NotClosed::Coordinates {
         const Vec3& v = given.vertices()[vertex];
         return {v[0], v[1], v[2]};

@@ -18,6 +18,12 @@ struct SideRef {
     friend constexpr auto operator<=>(const SideRef&, const SideRef&) = default;
 };
 
+// The corners of a side's triangle: the ends of the side, and the corner opposite to it.
+inline std::array<std::uint32_t, 3> corners_from(std::span<const Triangle> triangles, const SideRef& side) noexcept {
+    const Triangle& t = triangles[side.triangle];
+    return {t[side.corner], t[(side.corner + 1) % 3], t[(side.corner + 2) % 3]};
+}
+
 class MeshEdges {
   public:
     MeshEdges() = default;

@@ -1,36 +1,23 @@
 #include <ostream>
 
+#include "base/write_name.hpp"
 #include "ecods/solid.hpp"
 
 namespace ecods {
 
 std::ostream& operator<<(std::ostream& out, Side side) {
-    return out << (side == Side::outside ? "outside" : side == Side::on ? "on" : "inside");
+    constexpr std::array names{"outside", "on", "inside"};
+    return write_name(out, side, names);
 }
 
 std::ostream& operator<<(std::ostream& out, SolidRelation relation) {
-    switch (relation) {
-        case SolidRelation::apart:
-            return out << "apart";
-        case SolidRelation::touching:
-            return out << "touching";
-        case SolidRelation::overlapping:
-            return out << "overlapping";
-        case SolidRelation::inside:
-            return out << "inside";
-        case SolidRelation::contains:
-            return out << "contains";
-        case SolidRelation::equal:
-            break;
-    }
-    return out << "equal";
+    constexpr std::array names{"apart", "touching", "overlapping", "inside", "contains", "equal"};
+    return write_name(out, relation, names);
 }
 
 std::ostream& operator<<(std::ostream& out, SurfaceRelation relation) {
-    return out << (relation == SurfaceRelation::apart      ? "apart"
-                   : relation == SurfaceRelation::touching ? "touching"
-                   : relation == SurfaceRelation::inside   ? "inside"
-                                                           : "partly inside");
+    constexpr std::array names{"apart", "touching", "inside", "partly inside"};
+    return write_name(out, relation, names);
 }
 
 }  // namespace ecods

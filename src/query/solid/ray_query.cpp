@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "bvh/walks/walk_tree.hpp"
+#include "bvh/walks/tree_view.hpp"
 #include "exact/sign/filter_bound.hpp"
 #include "exact/sign/frame_signs.hpp"
 #include "query/solid/proper_mesh.hpp"
@@ -17,12 +17,12 @@ bool is_before(const Feature& a, const Feature& b) noexcept {
 
 RayQuery::RayQuery(Frame& frame, std::size_t body, const MeshTree& tree, std::vector<TreeRef>& stack,
                    QueryCounts& counts)
-    : frame_(frame), body_(body), tree_(tree), stack_(stack), counts_(counts) {
-    const Vec3& extent = frame.extent();
-    const DifferenceBound d = difference_bound({extent[0], extent[1], extent[2]}, frame.delta());
-    bound3d_ = orient3d_bound(d);
-    bound2d_ = {orient2d_bound(d, 1, 2), orient2d_bound(d, 2, 0), orient2d_bound(d, 0, 1)};
-}
+    : frame_(frame),
+      body_(body),
+      tree_(tree),
+      stack_(stack),
+      counts_(counts),
+      bounds_(determinant_bounds(frame, frame.delta())) {}
 
 // Where it begins, relative to the body's translation.
 RayOrigin RayQuery::origin_of(VertexRef point) const {
@@ -35,12 +35,13 @@ RayOrigin RayQuery::origin_of(VertexRef point) const {
 
 // The axes on which the normal of a triangle is not zero, as bits: one at least.
 std::uint32_t RayQuery::axes_across(std::size_t of, const Triangle& triangle) {
-    const std::array<VertexRef, 3> corners{VertexRef{of, triangle[0]}, {of, triangle[1]}, {of, triangle[2]}};
+    const std::array<VertexRef, 3> corners = corners_and(of, triangle);
     std::uint32_t axes = 0;
     if (!doubles_are_exact()) {
         const Points<3> points = frame_.rounded(corners);
         const PlainNormal normal = plain_normal(points[0], points[1], points[2]);
-        for (std::size_t axis = 0; axis < 3; ++axis) axes |= (certain_sign(normal[axis], bound2d_[axis]) != 0) << axis;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            axes |= (certain_sign(normal[axis], bounds_.orient2d[axis]) != 0) << axis;
         if (axes != 0) return axes;
     }
     return with_signs(frame_, corners, [](auto& signs) {
@@ -61,7 +62,7 @@ RayQuery::Answer RayQuery::filter(std::uint32_t triangle, VertexRef from, RayDir
     const Point p = m;  // the next call for its body may replace it
     const Points<3> x{frame_.rounded(body_, corners[0]), frame_.rounded(body_, corners[1]),
                       frame_.rounded(body_, corners[2])};
-    const double bound = bound2d_[static_cast<std::size_t>(ray.axis)];
+    const double bound = bounds_.orient2d[static_cast<std::size_t>(ray.axis)];
     int low = 1, high = -1;
     for (std::size_t i = 0; i < 3; ++i) {
         const int s = certain_sign(plain_orient2d(x[i], x[(i + 1) % 3], p, ray.axis), bound);
@@ -70,25 +71,29 @@ RayQuery::Answer RayQuery::filter(std::uint32_t triangle, VertexRef from, RayDir
     }
     if (low < 0 && high > 0) return Answer::misses;
     if (low <= 0 && high >= 0) return Answer::open;
-    const int above = certain_sign(plain_orient3d(x[0], x[1], x[2], p), bound3d_);
+    const int above = certain_sign(plain_orient3d(x[0], x[1], x[2], p), bounds_.orient3d);
     if (above == 0) return Answer::open;
     return above * low * ray.sign < 0 ? Answer::crosses : Answer::misses;
 }
 
-bool RayQuery::crosses_odd(const TreeRay& ray, std::size_t of, const Triangle& triangle, std::uint32_t left_out) {
-    const RayDirection direction{ray.axis, ray.sign};
+template <class Take>
+void RayQuery::walk(const TreeRay& ray, Take&& take) {
     const auto bound = [&](const auto& node) {
         ++counts_.box_tests;
         return ray_mask(ray, node);
     };
+    walk_triangles(tree_.boxes, stack_, bound, take);
+}
+
+bool RayQuery::crosses_odd(const TreeRay& ray, std::size_t of, const Triangle& triangle, std::uint32_t left_out) {
+    const RayDirection direction{ray.axis, ray.sign};
     bool is_odd = false;
-    walk_tree(tree_.boxes, stack_, bound, [&](std::uint32_t index) {
+    walk(ray, [&](std::uint32_t index) {
         if (index == left_out) return true;
         Answer answer = filter(index, {of, triangle[0]}, direction);
         if (answer == Answer::open) {
-            const Triangle& x = triangle_at(body_, index);
-            const std::array<VertexRef, 6> points{VertexRef{body_, x[0]},     {body_, x[1]},     {body_, x[2]},
-                                                  VertexRef{of, triangle[0]}, {of, triangle[1]}, {of, triangle[2]}};
+            const auto [p, q, r] = corners_and(of, triangle);
+            const auto points = corners_and(body_, triangle_at(body_, index), p, q, r);
             const bool is_crossed =
                 with_signs(frame_, points, [&](auto& signs) { return inner_ray_crosses(signs, direction); });
             answer = is_crossed ? Answer::crosses : Answer::misses;
@@ -113,8 +118,8 @@ bool RayQuery::is_inside_above(std::uint32_t index) {
     const bool may_meet = set_ray(ray, tree_.boxes, R, origin_of({body_, triangle[0]}), axes_across(body_, triangle));
     ECODS_ASSERT(may_meet);
     if (!may_meet) return false;
-    const std::array<VertexRef, 3> corners{VertexRef{body_, triangle[0]}, {body_, triangle[1]}, {body_, triangle[2]}};
-    const int turn = with_signs(frame_, corners, [&](auto& signs) { return signs.orient2d(0, 1, 2, ray.axis); });
+    const int turn = with_signs(frame_, corners_and(body_, triangle),
+                                [&](auto& signs) { return signs.orient2d(0, 1, 2, ray.axis); });
     // The ray is on the side that the corners turn left to if their normal has its direction.
     const bool is_odd = crosses_odd(ray, body_, triangle, index);
     return turn == ray.sign ? is_odd : !is_odd;
@@ -124,17 +129,12 @@ Side RayQuery::side_beside(VertexRef p, VertexRef q, VertexRef r) {
     TreeRay ray;
     if (!set_ray(ray, tree_.boxes, frame_.body(body_).pose->R, origin_of(p), 7)) return Side::outside;
     const RayDirection direction{ray.axis, ray.sign};
-    const auto bound = [&](const auto& node) {
-        ++counts_.box_tests;
-        return ray_mask(ray, node);
-    };
     bool is_on = false, is_inside = false;
-    walk_tree(tree_.boxes, stack_, bound, [&](std::uint32_t index) {
+    walk(ray, [&](std::uint32_t index) {
         const Answer answer = filter(index, p, direction);
         is_inside ^= answer == Answer::crosses;
         if (answer != Answer::open) return true;
-        const Triangle& x = triangle_at(body_, index);
-        const std::array<VertexRef, 6> points{VertexRef{body_, x[0]}, {body_, x[1]}, {body_, x[2]}, p, q, r};
+        const auto points = corners_and(body_, triangle_at(body_, index), p, q, r);
         const RayContact contact =
             with_signs(frame_, points, [&](auto& signs) { return moved_ray_contact(signs, direction); });
         is_on = contact == RayContact::begins_on;
@@ -164,16 +164,12 @@ RayQuery::Place RayQuery::flat_place_of(VertexRef point) {
     TreeRay at;
     const BodyRef& body = frame_.body(body_);
     if (!set_point(at, tree_.boxes, body.pose->R, origin_of(point))) return place;
-    const auto bound = [&](const auto& node) {
-        ++counts_.box_tests;
-        return ray_mask(at, node);
-    };
     const auto vertices = body.mesh->vertices();
-    walk_tree(tree_.boxes, stack_, bound, [&](std::uint32_t index) {
+    walk(at, [&](std::uint32_t index) {
         const Triangle& x = triangle_at(body_, index);
         if (!have_area(vertices[x[0]], vertices[x[1]], vertices[x[2]])) return true;
-        const std::array<VertexRef, 4> points{VertexRef{body_, x[0]}, {body_, x[1]}, {body_, x[2]}, point};
-        note(with_signs(frame_, points, [](auto& signs) { return feature_at(signs); }), index, place);
+        note(with_signs(frame_, corners_and(body_, x, point), [](auto& signs) { return feature_at(signs); }), index,
+             place);
         return true;
     });
     return place;
@@ -185,16 +181,10 @@ RayQuery::Place RayQuery::place_of(VertexRef point) {
     const Mat3& R = frame_.body(body_).pose->R;
     if (!set_ray(ray, tree_.boxes, R, origin_of(point), 7)) return place;
     const RayDirection direction{ray.axis, ray.sign};
-    const auto bound = [&](const auto& node) {
-        ++counts_.box_tests;
-        return ray_mask(ray, node);
-    };
-    walk_tree(tree_.boxes, stack_, bound, [&](std::uint32_t index) {
+    walk(ray, [&](std::uint32_t index) {
         const Answer answer = filter(index, point, direction);
         if (answer == Answer::open) {
-            const Triangle& x = triangle_at(body_, index);
-            const std::array<VertexRef, 4> points{VertexRef{body_, x[0]}, {body_, x[1]}, {body_, x[2]}, point};
-            with_signs(frame_, points, [&](auto& signs) {
+            with_signs(frame_, corners_and(body_, triangle_at(body_, index), point), [&](auto& signs) {
                 if (signs.orient3d(0, 1, 2, 3) != 0) {
                     place.is_inside ^= ray_crosses(signs, direction);
                     return;

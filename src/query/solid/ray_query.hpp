@@ -11,12 +11,20 @@
 #include "ecods/intersection.hpp"
 #include "ecods/solid.hpp"
 #include "exact/point/frame.hpp"
+#include "exact/sign/filter_bound.hpp"
 #include "exact/simplex/ray_triangle.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
 
 inline constexpr std::uint32_t no_triangle = ~std::uint32_t{0};
+
+// The corners of a triangle of a body, and then other vertices.
+template <class... Others>
+constexpr std::array<exact::VertexRef, 3 + sizeof...(Others)> corners_and(std::size_t body, const Triangle& triangle,
+                                                                          const Others&... others) noexcept {
+    return {exact::VertexRef{body, triangle[0]}, {body, triangle[1]}, {body, triangle[2]}, others...};
+}
 
 // Whether a feature comes before another: by kind, then by triangle and corner.
 bool is_before(const Feature& a, const Feature& b) noexcept;
@@ -56,6 +64,9 @@ class RayQuery {
 
     RayOrigin origin_of(exact::VertexRef point) const;
     std::uint32_t axes_across(std::size_t of, const Triangle& triangle);
+    // Calls take(triangle) for each triangle of the body that the ray may meet, until it returns false.
+    template <class Take>
+    void walk(const TreeRay& ray, Take&& take);
     bool crosses_odd(const TreeRay& ray, std::size_t of, const Triangle& triangle, std::uint32_t left_out);
     Answer filter(std::uint32_t triangle, exact::VertexRef from, exact::RayDirection ray);
     bool doubles_are_exact() const noexcept { return frame_.arithmetic() >= exact::Arithmetic::differences; }
@@ -68,8 +79,7 @@ class RayQuery {
     const MeshTree& tree_;
     std::vector<TreeRef>& stack_;
     QueryCounts& counts_;
-    double bound3d_;
-    std::array<double, 3> bound2d_;
+    exact::DeterminantBounds bounds_;
 };
 
 }  // namespace ecods

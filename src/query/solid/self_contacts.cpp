@@ -1,11 +1,14 @@
 #include "query/solid/self_contacts.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <span>
 
 #include "bvh/axes/separating_axes.hpp"
 #include "bvh/walks/walk_self.hpp"
+#include "exact/point/frame.hpp"
 #include "exact/sign/filter_bound.hpp"
 #include "exact/sign/frame_signs.hpp"
 #include "exact/simplex/triangle_contact.hpp"
@@ -17,20 +20,6 @@ namespace {
 using namespace exact;
 
 const Pose identity;
-
-// Coordinates are what they are; subnormal ones may be taken for zero.
-constexpr double own_delta = 0x1p-1000;
-
-// The position in b of each corner of a, or -1.
-std::array<int, 3> shared_corners(const Triangle& a, const Triangle& b) noexcept {
-    std::array<int, 3> at{-1, -1, -1};
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-            if (a[i] == b[j]) at[i] = static_cast<int>(j);
-        }
-    }
-    return at;
-}
 
 // The axis of the largest component of a normal, which it sets.
 int largest_axis(const PlainNormal& normal, double& component) noexcept {
@@ -57,217 +46,258 @@ bool is_one_edge(const Triangle& a, std::size_t i, const Triangle& b, std::size_
     return (p == r && q == s) || (p == s && q == r);
 }
 
-}  // namespace
-
-SelfContacts::SelfContacts(const ProperMesh& proper, const MeshTree& tree) : proper_(proper), tree_(tree) {
-    const BodyRef body{proper.mesh.get(), &tree.extent, &identity};
-    frame_.bind({&body, 1});
-    const Vec3& extent = frame_.extent();
-    const DifferenceBound d = difference_bound({extent[0], extent[1], extent[2]}, own_delta);
-    bound_ = orient3d_bound(d);
-    bounds2d_ = {orient2d_bound(d, 1, 2), orient2d_bound(d, 2, 0), orient2d_bound(d, 0, 1)};
-    frame_.find_arithmetic();
-}
-
-SelfContacts::Pair SelfContacts::pair_of(std::uint32_t i, std::uint32_t j) const {
-    const auto triangles = proper_.mesh->triangles();
-    const auto vertices = proper_.mesh->vertices();
-    Pair pair{triangles[i], triangles[j], {}, 0};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3 &p = vertices[pair.a[k]], &q = vertices[pair.b[k]];
-        pair.points[k] = {p[0], p[1], p[2]};
-        pair.points[3 + k] = {q[0], q[1], q[2]};
+class SelfContacts {
+  public:
+    SelfContacts(const ProperMesh& proper, const MeshTree& tree) : proper_(proper), tree_(tree) {
+        const BodyRef body{proper.mesh.get(), &tree.extent, &identity};
+        frame_.bind({&body, 1});
+        bounds_ = determinant_bounds(frame_, own_delta);
+        frame_.find_arithmetic();
     }
-    for (const int at : shared_corners(pair.a, pair.b)) pair.shared_count += at >= 0;
-    return pair;
-}
 
-// Seen along an axis, two triangles on one edge are on different sides of it:
-// they share it alone. Most are so along the axis on which the normal of the
-// first is largest, in one plane or not.
-bool SelfContacts::is_flat_across_edge(const Pair& pair) const {
-    std::size_t i = 0, j = 0;
-    while (std::ranges::find(pair.b, pair.a[i]) != pair.b.end()) ++i;
-    while (std::ranges::find(pair.a, pair.b[j]) != pair.a.end()) ++j;
-    const auto& w = pair.points;
-    const std::size_t p = (i + 1) % 3, q = (i + 2) % 3;
-    double component;
-    const int axis = largest_axis(plain_normal(w[p], w[q], w[i]), component);
-    const double bound = bounds2d_[static_cast<std::size_t>(axis)];
-    const int side = certain_sign(component, bound);
-    return side != 0 && certain_sign(plain_orient2d(w[p], w[q], w[3 + j], axis), bound) == -side;
-}
+    std::optional<TrianglePair> find_least(std::vector<EdgeOverlap>& overlaps) {
+        std::optional<TrianglePair> least;
+        visit_contacts([&](const TrianglePair& pair, const Contact& found) {
+            if (found.is_crossing && (!least || pair < *least)) least = pair;
+            for (std::uint32_t bits = found.overlaps; !least && bits != 0; bits &= bits - 1) {
+                const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
+                overlaps.push_back({{pair.a, bit / 3}, {pair.b, bit % 3}});
+            }
+        });
+        return least;
+    }
 
-// The same of two triangles without a common corner, and any side of either:
-// they share nothing.
-bool SelfContacts::is_flat_apart(const Pair& pair) const {
-    const auto& w = pair.points;
-    double component;
-    const int axis = largest_axis(plain_normal(w[0], w[1], w[2]), component);
-    const double bound = bounds2d_[static_cast<std::size_t>(axis)];
-    for (const std::size_t own : {0u, 3u}) {
-        const std::size_t other = 3 - own;
-        const int turn = certain_sign(plain_orient2d(w[own], w[own + 1], w[own + 2], axis), bound);
-        for (std::size_t side = 0; turn != 0 && side < 3; ++side) {
-            const std::array corners{other, other + 1, other + 2};
-            if (is_separated(w, own + side, own + (side + 1) % 3, turn, corners, axis, bound)) return true;
+    std::vector<TrianglePair> find_all() {
+        std::vector<TrianglePair> pairs;
+        visit_contacts([&](const TrianglePair& pair, const Contact& found) {
+            if (found.is_crossing) pairs.push_back(pair);
+        });
+        std::ranges::sort(pairs);
+        return pairs;
+    }
+
+  private:
+    // The corners of two triangles, those of the first triangle first.
+    struct Pair {
+        Triangle a, b;
+        Points<6> points;
+        std::array<int, 3> shared{-1, -1, -1};  // by corner of a: its position in b, or -1
+        int shared_count = 0;
+
+        // The corner of each that is the one corner in common.
+        std::array<std::size_t, 2> common_corner() const noexcept {
+            const std::size_t i = shared[0] >= 0 ? 0 : shared[1] >= 0 ? 1 : 2;
+            return {i, static_cast<std::size_t>(shared[i])};
         }
-    }
-    return false;
-}
-
-// The same of two triangles with one corner in common, and the sides that begin
-// there.
-bool SelfContacts::is_flat_across_vertex(const Pair& pair) const {
-    const auto shared = shared_corners(pair.a, pair.b);
-    const auto i = static_cast<std::size_t>(shared[0] >= 0 ? 0 : shared[1] >= 0 ? 1 : 2);
-    const auto j = static_cast<std::size_t>(shared[i]);
-    const auto& w = pair.points;
-    const std::array<std::size_t, 2> a{(i + 1) % 3, (i + 2) % 3}, b{3 + (j + 1) % 3, 3 + (j + 2) % 3};
-    double component;
-    const int axis = largest_axis(plain_normal(w[i], w[a[0]], w[a[1]]), component);
-    const double bound = bounds2d_[static_cast<std::size_t>(axis)];
-    const int turn_a = certain_sign(component, bound);
-    if (turn_a != 0 &&
-        (is_separated(w, i, a[0], turn_a, b, axis, bound) || is_separated(w, i, a[1], -turn_a, b, axis, bound))) {
-        return true;
-    }
-    const int turn_b = certain_sign(plain_orient2d(w[i], w[b[0]], w[b[1]], axis), bound);
-    return turn_b != 0 &&
-           (is_separated(w, i, b[0], turn_b, a, axis, bound) || is_separated(w, i, b[1], -turn_b, a, axis, bound));
-}
-
-// Triangles on one edge share more than it only if they are in one plane.
-SelfContacts::Answer SelfContacts::filter_neighbours(const Pair& pair, double bound) {
-    std::size_t j = 0;
-    while (std::ranges::find(pair.a, pair.b[j]) != pair.a.end()) ++j;
-    const auto& w = pair.points;
-    return certain_sign(plain_orient3d(w[0], w[1], w[2], w[3 + j]), bound) != 0 ? Answer::harmless : Answer::open;
-}
-
-// Triangles with one corner in common: the plane of each has that corner of the
-// other, whatever is computed, and the two comparisons along the line of the
-// planes have the sign 0 where both edges end in it.
-SelfContacts::Answer SelfContacts::filter_across_vertex(const Pair& pair, double bound) {
-    const auto shared = shared_corners(pair.a, pair.b);
-    const auto i = static_cast<std::size_t>(shared[0] >= 0 ? 0 : shared[1] >= 0 ? 1 : 2);
-    const auto j = static_cast<std::size_t>(shared[i]);
-    const auto others_of = [bound](const PlaneSides& sides, std::size_t corner, Sides& signs) {
-        signs = sides.certain_signs(bound);
-        signs[corner] = 0;
-        return signs[(corner + 1) % 3] * signs[(corner + 2) % 3];
+        // The first corner of b that a does not have.
+        std::size_t own_corner_of_b() const noexcept {
+            std::size_t j = 0;
+            while (std::ranges::find(a, b[j]) != a.end()) ++j;
+            return j;
+        }
     };
-    Sides first, second;
-    const int first_others = others_of(plane_sides(pair.points, 3, 0), i, first);
-    if (first_others > 0) return Answer::harmless;
-    const int second_others = others_of(plane_sides(pair.points, 0, 3), j, second);
-    if (second_others > 0) return Answer::harmless;
-    if (first_others == 0 || second_others == 0) return Answer::open;
-    const EdgeComparison e = name_corners(first, second);
-    const auto is_shared = [&](int p) { return p == static_cast<int>(i) || p == 3 + static_cast<int>(j); };
-    if ((is_shared(e.q1) && is_shared(e.q2)) || (is_shared(e.r1) && is_shared(e.r2))) return Answer::harmless;
-    return filter_edges(pair.points, first, second, bound) == FilterAnswer::crossing ? Answer::crossing : Answer::open;
-}
+    // By the bits 3 i + j: side i of the first triangle lies along side j of the
+    // second, and they are different edges.
+    struct Contact {
+        bool is_crossing = false;
+        std::uint32_t overlaps = 0;
+    };
+    enum class Answer { harmless, crossing, open };
 
-SelfContacts::Answer SelfContacts::filter(const Pair& pair, double bound) {
-    switch (pair.shared_count) {
-        case 0: {
-            FilterTrace trace;
-            const FilterAnswer answer = exact::filter(pair.points, bound, trace);
-            return answer == FilterAnswer::unknown    ? Answer::open
-                   : answer == FilterAnswer::disjoint ? Answer::harmless
-                                                      : Answer::crossing;
+    Pair pair_of(std::uint32_t i, std::uint32_t j) const {
+        const auto triangles = proper_.mesh->triangles();
+        const auto vertices = proper_.mesh->vertices();
+        Pair pair{triangles[i], triangles[j], {}};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 &p = vertices[pair.a[k]], &q = vertices[pair.b[k]];
+            pair.points[k] = {p[0], p[1], p[2]};
+            pair.points[3 + k] = {q[0], q[1], q[2]};
         }
-        case 1:
-            return filter_across_vertex(pair, bound);
-        case 2:
-            return filter_neighbours(pair, bound);
-        default:
-            return Answer::crossing;  // one triangle twice
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto at = std::ranges::find(pair.b, pair.a[k]);
+            if (at == pair.b.end()) continue;
+            pair.shared[k] = static_cast<int>(at - pair.b.begin());
+            ++pair.shared_count;
+        }
+        return pair;
     }
-}
 
-SelfContacts::Contact SelfContacts::decide(const Pair& pair) {
-    const std::array<VertexRef, 6> corners{VertexRef{0, pair.a[0]}, {0, pair.a[1]}, {0, pair.a[2]},
-                                           VertexRef{0, pair.b[0]}, {0, pair.b[1]}, {0, pair.b[2]}};
-    return with_signs(frame_, corners, [&](auto& signs) {
-        Contact result;
-        const TriangleContact contact = triangle_contact(signs);
-        if (contact.kind == ContactKind::segment) {
-            result.is_crossing = contact.first == TriangleContact::face || contact.second == TriangleContact::face;
-            if (result.is_crossing) return result;
-            const auto i = static_cast<std::size_t>(contact.first), j = static_cast<std::size_t>(contact.second);
-            if (!is_one_edge(pair.a, i, pair.b, j)) result.overlaps = 1u << (3 * i + j);
-        } else if (contact.kind == ContactKind::coplanar) {
-            result.is_crossing = coplanar_faces_overlap(signs, signs.normal_axis(0));
-            // What triangles without a common inner point share is convex: an edge of
-            // both, and then no more, or less.
-            if (result.is_crossing || pair.shared_count == 2) return result;
-            const int axis = signs.normal_axis(0);
-            const auto shared = shared_corners(pair.a, pair.b);
-            for (int i = 0; i < 3; ++i) {
-                // Sides that are not those of a common corner cannot lie along each
-                // other without a common inner point.
-                if (pair.shared_count == 1 && shared[static_cast<std::size_t>(i)] < 0 &&
-                    shared[static_cast<std::size_t>(i + 1) % 3] < 0) {
-                    continue;
-                }
-                for (int j = 0; j < 3; ++j) {
-                    if (!segments_lie_along(signs, i, (i + 1) % 3, 3 + j, 3 + (j + 1) % 3, axis)) continue;
-                    result.overlaps |= 1u << (3 * i + j);
-                }
+    // Seen along an axis, two triangles on one edge are on different sides of it:
+    // they share it alone. Most are so along the axis on which the normal of the
+    // first is largest, in one plane or not.
+    bool is_flat_across_edge(const Pair& pair) const {
+        const std::size_t i = pair.shared[0] < 0 ? 0 : pair.shared[1] < 0 ? 1 : 2, j = pair.own_corner_of_b();
+        const auto& w = pair.points;
+        const std::size_t p = (i + 1) % 3, q = (i + 2) % 3;
+        double component;
+        const int axis = largest_axis(plain_normal(w[p], w[q], w[i]), component);
+        const double bound = bounds_.orient2d[static_cast<std::size_t>(axis)];
+        const int side = certain_sign(component, bound);
+        return side != 0 && certain_sign(plain_orient2d(w[p], w[q], w[3 + j], axis), bound) == -side;
+    }
+
+    // The same of two triangles without a common corner, and any side of either:
+    // they share nothing.
+    bool is_flat_apart(const Pair& pair) const {
+        const auto& w = pair.points;
+        double component;
+        const int axis = largest_axis(plain_normal(w[0], w[1], w[2]), component);
+        const double bound = bounds_.orient2d[static_cast<std::size_t>(axis)];
+        for (const std::size_t own : {0u, 3u}) {
+            const std::size_t other = 3 - own;
+            const int turn = certain_sign(plain_orient2d(w[own], w[own + 1], w[own + 2], axis), bound);
+            for (std::size_t side = 0; turn != 0 && side < 3; ++side) {
+                const std::array corners{other, other + 1, other + 2};
+                if (is_separated(w, own + side, own + (side + 1) % 3, turn, corners, axis, bound)) return true;
             }
         }
-        return result;
-    });
-}
-
-SelfContacts::Contact SelfContacts::contact(std::uint32_t i, std::uint32_t j) {
-    const Pair pair = pair_of(i, j);
-    if (pair.shared_count == 0 && is_flat_apart(pair)) return {};
-    if (pair.shared_count == 2 && is_flat_across_edge(pair)) return {};
-    if (pair.shared_count == 1 && is_flat_across_vertex(pair)) return {};
-    Answer answer = filter(pair, bound_);
-    if (answer == Answer::open && frame_.arithmetic() < Arithmetic::differences) {
-        answer = filter(pair, determinant_bounds(pair.points, own_delta).orient3d);
+        return false;
     }
-    if (answer == Answer::open) return decide(pair);
-    return {answer == Answer::crossing, 0};
-}
 
-template <class Take>
-void SelfContacts::visit_contacts(Take&& take) {
-    SeparatingAxes axes;
-    const PosedTree posed{tree_.boxes, identity.R};
-    axes.bind(posed, posed, Vec3::Zero());
-    std::vector<NodePair> stack;
-    const auto bound = [&](const auto& x, const auto& y) { return overlap_mask(axes.sets(), x, y); };
-    walk_self(tree_.boxes, stack, bound, [&](std::uint32_t i, std::uint32_t j) {
-        if (i > j) std::swap(i, j);
-        if (proper_.is_proper(i) && proper_.is_proper(j)) take(TrianglePair{i, j}, contact(i, j));
-        return true;
-    });
-}
-
-std::optional<TrianglePair> SelfContacts::find_least(std::vector<EdgeOverlap>& overlaps) {
-    std::optional<TrianglePair> least;
-    visit_contacts([&](const TrianglePair& pair, const Contact& found) {
-        if (found.is_crossing && (!least || pair < *least)) least = pair;
-        for (std::uint32_t bits = found.overlaps; !least && bits != 0; bits &= bits - 1) {
-            const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
-            overlaps.push_back({{pair.a, bit / 3}, {pair.b, bit % 3}});
+    // The same of two triangles with one corner in common, and the sides that begin
+    // there.
+    bool is_flat_across_vertex(const Pair& pair) const {
+        const auto [i, j] = pair.common_corner();
+        const auto& w = pair.points;
+        const std::array<std::size_t, 2> a{(i + 1) % 3, (i + 2) % 3}, b{3 + (j + 1) % 3, 3 + (j + 2) % 3};
+        double component;
+        const int axis = largest_axis(plain_normal(w[i], w[a[0]], w[a[1]]), component);
+        const double bound = bounds_.orient2d[static_cast<std::size_t>(axis)];
+        const int turn_a = certain_sign(component, bound);
+        if (turn_a != 0 &&
+            (is_separated(w, i, a[0], turn_a, b, axis, bound) || is_separated(w, i, a[1], -turn_a, b, axis, bound))) {
+            return true;
         }
-    });
-    return least;
+        const int turn_b = certain_sign(plain_orient2d(w[i], w[b[0]], w[b[1]], axis), bound);
+        return turn_b != 0 &&
+               (is_separated(w, i, b[0], turn_b, a, axis, bound) || is_separated(w, i, b[1], -turn_b, a, axis, bound));
+    }
+
+    // Triangles on one edge share more than it only if they are in one plane.
+    static Answer filter_neighbours(const Pair& pair, double bound) {
+        const auto& w = pair.points;
+        return certain_sign(plain_orient3d(w[0], w[1], w[2], w[3 + pair.own_corner_of_b()]), bound) != 0
+                   ? Answer::harmless
+                   : Answer::open;
+    }
+
+    // Triangles with one corner in common: the plane of each has that corner of the
+    // other, whatever is computed, and the two comparisons along the line of the
+    // planes have the sign 0 where both edges end in it.
+    static Answer filter_across_vertex(const Pair& pair, double bound) {
+        const auto [i, j] = pair.common_corner();
+        const auto others_of = [bound](const PlaneSides& sides, std::size_t corner, Sides& signs) {
+            signs = sides.certain_signs(bound);
+            signs[corner] = 0;
+            return signs[(corner + 1) % 3] * signs[(corner + 2) % 3];
+        };
+        Sides first, second;
+        const int first_others = others_of(plane_sides(pair.points, 3, 0), i, first);
+        if (first_others > 0) return Answer::harmless;
+        const int second_others = others_of(plane_sides(pair.points, 0, 3), j, second);
+        if (second_others > 0) return Answer::harmless;
+        if (first_others == 0 || second_others == 0) return Answer::open;
+        const EdgeComparison e = name_corners(first, second);
+        const auto is_shared = [&](int p) { return p == static_cast<int>(i) || p == 3 + static_cast<int>(j); };
+        if ((is_shared(e.q1) && is_shared(e.q2)) || (is_shared(e.r1) && is_shared(e.r2))) return Answer::harmless;
+        return filter_edges(pair.points, first, second, bound) == FilterAnswer::crossing ? Answer::crossing
+                                                                                         : Answer::open;
+    }
+
+    static Answer filter(const Pair& pair, double bound) {
+        switch (pair.shared_count) {
+            case 0: {
+                FilterTrace trace;
+                const FilterAnswer answer = exact::filter(pair.points, bound, trace);
+                return answer == FilterAnswer::unknown    ? Answer::open
+                       : answer == FilterAnswer::disjoint ? Answer::harmless
+                                                          : Answer::crossing;
+            }
+            case 1:
+                return filter_across_vertex(pair, bound);
+            case 2:
+                return filter_neighbours(pair, bound);
+            default:
+                return Answer::crossing;  // one triangle twice
+        }
+    }
+
+    Contact decide(const Pair& pair) {
+        const std::array<VertexRef, 6> corners{VertexRef{0, pair.a[0]}, {0, pair.a[1]}, {0, pair.a[2]},
+                                               VertexRef{0, pair.b[0]}, {0, pair.b[1]}, {0, pair.b[2]}};
+        return with_signs(frame_, corners, [&](auto& signs) {
+            Contact result;
+            const TriangleContact contact = triangle_contact(signs);
+            if (contact.kind == ContactKind::segment) {
+                result.is_crossing = contact.first == TriangleContact::face || contact.second == TriangleContact::face;
+                if (result.is_crossing) return result;
+                const auto i = static_cast<std::size_t>(contact.first), j = static_cast<std::size_t>(contact.second);
+                if (!is_one_edge(pair.a, i, pair.b, j)) result.overlaps = 1u << (3 * i + j);
+            } else if (contact.kind == ContactKind::coplanar) {
+                result.is_crossing = coplanar_faces_overlap(signs, signs.normal_axis(0));
+                // What triangles without a common inner point share is convex: an edge of
+                // both, and then no more, or less.
+                if (result.is_crossing || pair.shared_count == 2) return result;
+                const int axis = signs.normal_axis(0);
+                for (int i = 0; i < 3; ++i) {
+                    // Sides that are not those of a common corner cannot lie along each
+                    // other without a common inner point.
+                    if (pair.shared_count == 1 && pair.shared[static_cast<std::size_t>(i)] < 0 &&
+                        pair.shared[static_cast<std::size_t>(i + 1) % 3] < 0) {
+                        continue;
+                    }
+                    for (int j = 0; j < 3; ++j) {
+                        if (!segments_lie_along(signs, i, (i + 1) % 3, 3 + j, 3 + (j + 1) % 3, axis)) continue;
+                        result.overlaps |= 1u << (3 * i + j);
+                    }
+                }
+            }
+            return result;
+        });
+    }
+
+    Contact contact(std::uint32_t i, std::uint32_t j) {
+        const Pair pair = pair_of(i, j);
+        if (pair.shared_count == 0 && is_flat_apart(pair)) return {};
+        if (pair.shared_count == 2 && is_flat_across_edge(pair)) return {};
+        if (pair.shared_count == 1 && is_flat_across_vertex(pair)) return {};
+        Answer answer = filter(pair, bounds_.orient3d);
+        if (answer == Answer::open && frame_.arithmetic() < Arithmetic::differences) {
+            answer = filter(pair, determinant_bounds(pair.points, own_delta).orient3d);
+        }
+        if (answer == Answer::open) return decide(pair);
+        return {answer == Answer::crossing, 0};
+    }
+
+    template <class Take>
+    void visit_contacts(Take&& take) {
+        SeparatingAxes axes;
+        const PosedTree posed{tree_.boxes, identity.R};
+        axes.bind(posed, posed, Vec3::Zero());
+        std::vector<NodePair> stack;
+        const auto bound = [&](const auto& x, const auto& y) { return overlap_mask(axes.sets(), x, y); };
+        walk_self(tree_.boxes, stack, bound, [&](std::uint32_t i, std::uint32_t j) {
+            if (i > j) std::swap(i, j);
+            if (proper_.is_proper(i) && proper_.is_proper(j)) take(TrianglePair{i, j}, contact(i, j));
+            return true;
+        });
+    }
+
+    const ProperMesh& proper_;
+    const MeshTree& tree_;
+    Frame frame_;
+    DeterminantBounds bounds_{};
+};
+
+}  // namespace
+
+std::optional<TrianglePair> least_self_contact(const ProperMesh& proper, const MeshTree& tree,
+                                               std::vector<EdgeOverlap>& overlaps) {
+    return SelfContacts(proper, tree).find_least(overlaps);
 }
 
-std::vector<TrianglePair> SelfContacts::find_all() {
-    std::vector<TrianglePair> pairs;
-    visit_contacts([&](const TrianglePair& pair, const Contact& found) {
-        if (found.is_crossing) pairs.push_back(pair);
-    });
-    std::ranges::sort(pairs);
-    return pairs;
+std::vector<TrianglePair> all_self_contacts(const ProperMesh& proper, const MeshTree& tree) {
+    return SelfContacts(proper, tree).find_all();
 }
 
 }  // namespace ecods

@@ -51,8 +51,8 @@ class ShellFinder {
     // inside if its corners turn left seen from outside: they turn so around the edge if the side begins at the lesser
     // vertex, and the triangle's normal, which then points out, is the direction of the turn.
     bool inside_after(const SideRef& side) const {
-        const Triangle& corners = triangles()[side.triangle];
-        return corners[side.corner] > corners[(side.corner + 1) % 3];
+        const auto corners = corners_from(triangles(), side);
+        return corners[0] > corners[1];
     }
 
     // Takes the other triangles of an edge: around it, outside and inside alternate.
@@ -66,16 +66,15 @@ class ShellFinder {
         }
         wings_.clear();
         for (const SideRef& side : sides) {
-            const std::uint32_t apex = triangles()[side.triangle][(side.corner + 2) % 3];
-            wings_.push_back({{0, apex}, side.triangle, 0, static_cast<std::uint8_t>(inside_after(side)), 0});
+            wings_.push_back({{0, corners_from(triangles(), side)[2]}, side.triangle, inside_after(side)});
         }
-        const Triangle& corners = triangles()[from.triangle];
-        const auto [p, q] = std::minmax(corners[from.corner], corners[(from.corner + 1) % 3]);
+        const auto corners = corners_from(triangles(), from);
+        const auto [p, q] = std::minmax(corners[0], corners[1]);
         sort_fan(signs_, {0, p}, {0, q}, wings_);
         std::size_t own = 0;
         while (wings_[own].triangle != from.triangle) ++own;
         for (std::size_t i = 0; i < wings_.size(); ++i) {
-            reach(wings_[i].triangle, wings_[i].inside_after != 0, wanted != ((i + own) % 2 != 0));
+            reach(wings_[i].triangle, wings_[i].inside_after, wanted != ((i + own) % 2 != 0));
         }
     }
 

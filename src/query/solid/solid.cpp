@@ -33,8 +33,7 @@ Checked check(const MeshShape& shape) {
     check_closed(shape.mesh(), result.proper, result.edges);
     result.star_faces_in = prove_star(result.proper, result.edges);
     if (!result.star_faces_in.empty()) return result;
-    SelfContacts contacts(result.proper, MeshShapeAccess::tree(shape));
-    const std::optional<TrianglePair> least = contacts.find_least(result.overlaps);
+    const auto least = least_self_contact(result.proper, MeshShapeAccess::tree(shape), result.overlaps);
     if (least) throw SelfIntersecting(*least);
     return result;
 }
@@ -47,8 +46,7 @@ void check_solid(const Mesh& mesh) {
 
 std::vector<TrianglePair> self_intersections(const Mesh& mesh) {
     const MeshShape shape(borrowed(mesh));
-    const ProperMesh proper = find_proper(shape.mesh_ptr());
-    return SelfContacts(proper, MeshShapeAccess::tree(shape)).find_all();
+    return all_self_contacts(find_proper(shape.mesh_ptr()), MeshShapeAccess::tree(shape));
 }
 
 Solid::Solid(std::shared_ptr<const Mesh> mesh) : MeshShape(std::move(mesh)), solid_parts_(std::make_unique<Parts>()) {

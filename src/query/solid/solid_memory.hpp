@@ -71,9 +71,7 @@ struct SolidMemory final : QueryMemoryPart {
     std::vector<std::uint8_t> placed;    // by vertex, for that of each piece which is its own parent
 
     static SolidMemory& of(QueryMemory& memory) {
-        auto& part = QueryMemoryAccess::state(memory).solid;
-        if (!part) part = std::make_unique<SolidMemory>();
-        return static_cast<SolidMemory&>(*part);
+        return QueryMemoryAccess::part<SolidMemory>(memory, &QueryMemoryAccess::State::solid);
     }
 };
 

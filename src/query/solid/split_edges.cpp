@@ -58,8 +58,8 @@ class Splitter {
     const Vec3& point(std::uint32_t vertex) const { return vertices_[vertex]; }
 
     std::array<std::uint32_t, 2> ends_of(const SideRef& side) const {
-        const Triangle& triangle = triangles_[side.triangle];
-        return {triangle[side.corner], triangle[(side.corner + 1) % 3]};
+        const auto corners = corners_from(triangles_, side);
+        return {corners[0], corners[1]};
     }
 
     void add_ends(const SideRef& of, const SideRef& in) {

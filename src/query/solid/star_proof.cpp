@@ -45,9 +45,6 @@ namespace {
 
 using namespace exact;
 
-// Coordinates are what they are; subnormal ones may be taken for zero.
-constexpr double star_delta = 0x1p-1000;
-
 Point point_of(const Vec3& v) noexcept {
     return {v[0], v[1], v[2]};
 }
@@ -105,8 +102,7 @@ class StarProof {
             origin_[k] = std::clamp(sum[k] / total, min[k], max[k]);
             extent[k] = max[k] - min[k];
         }
-        const DifferenceBound d = difference_bound(extent, star_delta);
-        bounds_ = {orient3d_bound(d), {orient2d_bound(d, 1, 2), orient2d_bound(d, 2, 0), orient2d_bound(d, 0, 1)}};
+        bounds_ = determinant_bounds(extent, own_delta);
         return bounds_.orient3d < infinite_bound;
     }
 

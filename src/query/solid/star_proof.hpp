@@ -13,8 +13,8 @@ namespace ecods {
 // the surface is one shell that has the point inside, and the result says by triangle whether its corners turn right
 // seen from outside, as Shells::faces_in does. Otherwise the result is empty. If it is not, no two triangles share a
 // segment or more which is not a side of both, and no two edges that are not one lie along each other: what
-// SelfContacts would search for is not there. Why is said in the source. A surface for which this is not proven, such
-// as one with a handle or with several shells, may still be free of self-intersection.
+// self_contacts.hpp would search for is not there. Why is said in the source. A surface for which this is not proven,
+// such as one with a handle or with several shells, may still be free of self-intersection.
 //
 // Cost: one pass over the triangles and one over the edges, without the mesh's tree. Nothing is allocated but a byte a
 // triangle.

@@ -1,8 +1,10 @@
 #include "query/solid/surfaces_meet.hpp"
 
+#include <array>
+
 #include "bvh/walks/walk_two.hpp"
+#include "exact/simplex/common_pose.hpp"
 #include "query/intersection/overlap_bound.hpp"
-#include "query/intersection/query_memory.hpp"
 #include "query/solid/solid_parts.hpp"
 
 namespace ecods {
@@ -19,10 +21,21 @@ SurfaceAt::SurfaceAt(const Posed<Solid>& posed)
     body.extent = &tree.extent;
 }
 
+bool are_boxes_apart(const SurfaceAt& a, const SurfaceAt& b, QueryMemoryAccess::State& state) {
+    const Pose &at_a = *a.body.pose, &at_b = *b.body.pose;
+    return state.axes.bind({a.tree.boxes, at_a.R}, {b.tree.boxes, at_b.R}, at_b.t - at_a.t) >= 0;
+}
+
+exact::Frame& bind(exact::Frame& frame, const SurfaceAt& a, const SurfaceAt& b) {
+    std::array<exact::BodyRef, 2> bodies{a.body, b.body};
+    exact::cancel_common_pose(bodies);
+    frame.bind(bodies);
+    return frame;
+}
+
 bool surfaces_meet(const SurfaceAt& a, const SurfaceAt& b, QueryMemory& memory) {
     auto& state = QueryMemoryAccess::state(memory);
-    const Pose &at_a = *a.body.pose, &at_b = *b.body.pose;
-    if (state.axes.bind({a.tree.boxes, at_a.R}, {b.tree.boxes, at_b.R}, at_b.t - at_a.t) >= 0) return false;
+    if (are_boxes_apart(a, b, state)) return false;
     state.pair.reset_counts();
     state.pair.bind(a.body, b.body);
     bool meet = false;

@@ -5,6 +5,7 @@
 #include "ecods/posed.hpp"
 #include "ecods/solid.hpp"
 #include "exact/point/frame.hpp"
+#include "query/intersection/query_memory.hpp"
 #include "query/shape/mesh_tree.hpp"
 #include "query/solid/proper_mesh.hpp"
 
@@ -20,6 +21,12 @@ struct SurfaceAt {
 
     bool has(std::uint32_t triangle) const noexcept { return proper == nullptr || proper->is_proper(triangle); }
 };
+
+// Whether the trees' boxes are certainly apart; if not, the axes of `state` are bound to them.
+bool are_boxes_apart(const SurfaceAt& a, const SurfaceAt& b, QueryMemoryAccess::State& state);
+
+// Binds a frame to both, where they were modelled if they have one pose.
+exact::Frame& bind(exact::Frame& frame, const SurfaceAt& a, const SurfaceAt& b);
 
 // Under any poses, which must outlive the call.
 bool surfaces_meet(const SurfaceAt& a, const SurfaceAt& b, QueryMemory& memory);

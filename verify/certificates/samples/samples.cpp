@@ -48,31 +48,24 @@ void ask_pair(const std::string& name, const Shape& shape_a, const Pose& pose_a,
 void make_samples(std::size_t count, std::uint32_t seed, const Take& take) {
     scenes::Random random(seed);
     QueryMemory memory;
-    for (const scenes::HardFamily family : scenes::hard_families()) {
-        for (std::size_t k = 0; k < count; ++k) {
-            const scenes::PosedPair pair = scenes::make_pair(family, random);
-            ask_pair("hard pairs, " + std::string(name(family)), shape_of(pair.a), pair.pose_a, shape_of(pair.b),
-                     pair.pose_b, memory, take);
+    const auto for_each = [&](const auto& families, const auto& use) {
+        for (const auto& family : families) {
+            for (std::size_t k = 0; k < count; ++k) use(std::string(family.name), family.make(random));
         }
-    }
-    for (const scenes::DistanceFamily family : scenes::distance_families()) {
-        for (std::size_t k = 0; k < count; ++k) {
-            const scenes::DistanceCase made = scenes::make_distance_case(family, random);
-            ask_pair("distances, " + std::string(name(family)), shape_of(made.a), made.pose_a, shape_of(made.b),
-                     made.pose_b, memory, take);
-        }
-    }
+    };
+    for_each(scenes::hard_families(), [&](const std::string& name, const scenes::PosedPair& pair) {
+        ask_pair("hard pairs, " + name, shape_of(pair.a), pair.pose_a, shape_of(pair.b), pair.pose_b, memory, take);
+    });
+    for_each(scenes::distance_families(), [&](const std::string& name, const scenes::DistanceCase& made) {
+        ask_pair("distances, " + name, shape_of(made.a), made.pose_a, shape_of(made.b), made.pose_b, memory, take);
+    });
     make_flush_samples(12, seed, take);
-    for (const scenes::HitFamily family : scenes::hit_families()) {
-        for (std::size_t k = 0; k < count; ++k) {
-            const scenes::HitCase made = scenes::make_hit_case(family, random);
-            const auto* segment = std::get_if<Segment>(&made.line);
-            if (segment == nullptr) continue;
-            const Shape shape = shape_of(made.mesh);
-            take({"hits, " + std::string(name(family)), shape, nullptr,
-                  certify_hit(*segment, {*shape, made.pose}, memory)});
-        }
-    }
+    for_each(scenes::hit_families(), [&](const std::string& name, const scenes::HitCase& made) {
+        const auto* segment = std::get_if<Segment>(&made.line);
+        if (segment == nullptr) return;
+        const Shape shape = shape_of(made.mesh);
+        take({"hits, " + name, shape, nullptr, certify_hit(*segment, {*shape, made.pose}, memory)});
+    });
 }
 
 }  // namespace ecods::certificates

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 #include <fmt/ostream.h>
 
-#include <algorithm>
 #include <exception>
 #include <map>
 #include <memory>

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <string_view>
 
 #include "oracle/oracle.hpp"
 #include "scenes/hard_pairs.hpp"
@@ -48,11 +46,11 @@ bool my_engine_intersects(const Corners& a, const Corners& b) {
 int main() {
     constexpr int count = 400;
     fmt::print("{:26} {:>9} {:>5} {:>7} {:>7}\n", "family", "questions", "yes", "false -", "false +");
-    for (const scenes::HardFamily family : scenes::hard_families()) {
+    for (const auto& family : scenes::hard_families()) {
         scenes::Random random(1);  // the same questions on every machine
         int yes = 0, false_negatives = 0, false_positives = 0;
         for (int i = 0; i < count; ++i) {
-            const scenes::PosedPair pair = make_pair(family, random);
+            const scenes::PosedPair pair = family.make(random);
             const bool truth =
                 oracle::triangle_triangle(pair.pose_a, pair.a, pair.pose_b, pair.b) != Relation::disjoint;
             const bool answer = my_engine_intersects(posed(pair.pose_a, pair.a), posed(pair.pose_b, pair.b));
@@ -60,6 +58,6 @@ int main() {
             false_negatives += truth && !answer;
             false_positives += answer && !truth;
         }
-        fmt::print("{:26} {:9} {:5} {:7} {:7}\n", name(family), count, yes, false_negatives, false_positives);
+        fmt::print("{:26} {:9} {:5} {:7} {:7}\n", family.name, count, yes, false_negatives, false_positives);
     }
 }

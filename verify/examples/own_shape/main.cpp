@@ -5,7 +5,6 @@
 
 #include <bit>
 #include <memory>
-#include <vector>
 
 #include "ecods/distance.hpp"
 #include "ecods/world.hpp"

@@ -1,7 +1,6 @@
 #include "programs/clash/judge.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <tuple>
 #include <utility>
 #include <vector>

@@ -3,7 +3,6 @@
 
 #include <iterator>
 #include <ostream>
-#include <span>
 
 #include "scenes/building/building.hpp"
 

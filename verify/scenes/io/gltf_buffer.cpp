@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <optional>
-#include <utility>
 
 #include "scenes/io/gltf_model.hpp"
 #include "scenes/io/read_bytes.hpp"

@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <ostream>
-#include <sstream>
 
 #include "scenes/plane/plane_figure.hpp"
 

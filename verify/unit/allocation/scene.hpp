@@ -15,6 +15,7 @@
 #include "allocation/each_allocation.hpp"
 #include "allocation/world_state.hpp"
 #include "ecods/world.hpp"
+#include "scenes/pose_at.hpp"
 
 namespace ecods::allocation {
 
@@ -79,12 +80,6 @@ class BoxTest final : public TwoBodyTest {
         return intersects(a, b, memory) ? Relation::crossing : Relation::disjoint;
     }
 };
-
-inline Pose at(double x, double y = 0, double z = 0) {
-    Pose pose;
-    pose.t = Vec3(x, y, z);
-    return pose;
-}
 
 inline std::shared_ptr<const Mesh> tetrahedron() {
     return Mesh::create({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)},

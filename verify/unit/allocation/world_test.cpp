@@ -180,6 +180,8 @@ const std::array calls = {
               },
               apart},
     WorldCall{"bodies", [](Scene& s) { s.answer = slots_of(s.world.bodies()); }},
+    WorldCall{"next_ids", [](Scene& s) { s.answer = slots_of(s.world.next_ids()); }},
+    WorldCall{"disabled_pairs", [](Scene& s) { s.answer = std::to_string(s.world.disabled_pairs().size()); }},
     WorldCall{"statistics", [](Scene& s) { s.answer = std::to_string(s.world.statistics().body_count); }},
     WorldCall{"digest", [](Scene& s) { s.answer = std::to_string(s.world.digest()); }},
 };
@@ -232,6 +234,21 @@ TEST(WorldOutOfMemory, AWorldThatIsNotMade) {
          .difference = [](auto& a, auto& b) { return (a == nullptr) == (b == nullptr) ? "" : "a world"; }},
         failures);
     expect_none(failures, "World()");
+}
+
+// Whose slots are used, free, used up, and new.
+TEST(WorldOutOfMemory, AWorldUnderIdsThatIsNotMade) {
+    const WorldOptions options{.ids = {{7, 3, 1}, {2, 0, 1}, {40, 1, 1}, {1, 9, 1}, {41, 0, 1}}};
+    const auto ids_of = [](const std::unique_ptr<World>& world) {
+        return world == nullptr ? std::vector<BodyId>() : world->next_ids();
+    };
+    Failures failures;
+    fail_each_allocation<std::unique_ptr<World>>(
+        {.make = [] { return nullptr; },
+         .call = [&](std::unique_ptr<World>& world) { world = std::make_unique<World>(options); },
+         .difference = [&](auto& a, auto& b) { return ids_of(a) == ids_of(b) ? "" : "other ids"; }},
+        failures);
+    expect_none(failures, "World(ids)", 4);
 }
 
 }  // namespace

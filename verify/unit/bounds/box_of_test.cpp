@@ -6,14 +6,14 @@
 
 #include "ecods/aabb.hpp"
 #include "oracle/oracle.hpp"
+#include "scenes/each_case.hpp"
 #include "scenes/hard_pairs.hpp"
+#include "scenes/shapes.hpp"
 
 namespace ecods::box_of_test {
 namespace {
 
-std::shared_ptr<const Mesh> one_triangle(const std::array<Vec3, 3>& corners) {
-    return Mesh::create({corners.begin(), corners.end()}, {{0, 1, 2}});
-}
+using scenes::one_triangle;
 
 // The error that box_of promises: 18 u (|R| v_max + |t|), on the axis where that is largest.
 double promised_excess(const std::array<Vec3, 3>& corners, const Pose& pose) {
@@ -24,24 +24,21 @@ double promised_excess(const std::array<Vec3, 3>& corners, const Pose& pose) {
 TEST(BoxOf, ContainsTheExactBodyInEveryRoundingModeAndIsTight) {
     for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
         scenes::Random random(3);
-        for (const scenes::HardFamily family : scenes::hard_families()) {
-            for (int i = 0; i < 200; ++i) {
-                const scenes::PosedPair pair = scenes::make_pair(family, random);
-                const auto mesh = one_triangle(pair.a);
-                std::fesetround(mode);
-                const Aabb box = box_of(*mesh, pair.pose_a);
-                std::fesetround(FE_TONEAREST);
-                const oracle::OracleMesh exact(mesh, pair.pose_a);
-                ASSERT_TRUE(oracle::box_contains(box, exact)) << scenes::name(family) << " " << i;
-                const double excess = promised_excess(pair.a, pair.pose_a);
-                if (!(excess < std::numeric_limits<double>::max())) continue;
-                for (int k = 0; k < 3; ++k) {
-                    // The oracle's own box is around the exact one by some units in the last place.
-                    ASSERT_LE(exact.outer_box().min[k] - box.min[k], excess);
-                    ASSERT_LE(box.max[k] - exact.outer_box().max[k], excess);
-                }
+        scenes::for_each_case(scenes::hard_families(), random, 200, [&](const scenes::PosedPair& pair) {
+            const auto mesh = one_triangle(pair.a);
+            std::fesetround(mode);
+            const Aabb box = box_of(*mesh, pair.pose_a);
+            std::fesetround(FE_TONEAREST);
+            const oracle::OracleMesh exact(mesh, pair.pose_a);
+            ASSERT_TRUE(oracle::box_contains(box, exact));
+            const double excess = promised_excess(pair.a, pair.pose_a);
+            if (!(excess < std::numeric_limits<double>::max())) return;
+            for (int k = 0; k < 3; ++k) {
+                // The oracle's own box is around the exact one by some units in the last place.
+                ASSERT_LE(exact.outer_box().min[k] - box.min[k], excess);
+                ASSERT_LE(box.max[k] - exact.outer_box().max[k], excess);
             }
-        }
+        });
     }
 }
 

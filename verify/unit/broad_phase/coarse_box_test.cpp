@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "unit/broad_phase/lockstep.hpp"

@@ -12,26 +12,13 @@
 
 #include "bvh/masks/triangle_bounds.hpp"
 #include "bvh/walks/nearest_queue.hpp"
-#include "bvh/walks/walk_two.hpp"
-#include "oracle/distance.hpp"
 #include "scenes/distance_cases.hpp"
-#include "unit/bvh/mask_of_all.hpp"
+#include "unit/bvh/tree_body.hpp"
 
 namespace ecods::distance_axes_test {
 namespace {
 
-constexpr std::array rounding_modes{FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 constexpr float infinity = std::numeric_limits<float>::infinity();
-
-struct Body {
-    std::shared_ptr<const Mesh> mesh;
-    MeshBvh tree;
-    Pose pose;
-
-    Body(std::shared_ptr<const Mesh> m, const Pose& p)
-        : mesh(std::move(m)), tree(build_mesh_bvh(*mesh, fit_frame(*mesh))), pose(p) {}
-    oracle::Soup soup() const { return {mesh->vertices(), mesh->triangles(), pose}; }
-};
 
 // Two bodies, their bounds in the rounding mode that is set, and what is true.
 struct Pair {
@@ -42,7 +29,7 @@ struct Pair {
 
     explicit Pair(const scenes::DistanceCase& c) : a(c.a, c.pose_a), b(c.b, c.pose_b), truth(a.soup(), b.soup()) {}
 
-    void bind() { axes.bind({a.tree, a.pose.R}, {b.tree, b.pose.R}, b.pose.t - a.pose.t); }
+    void bind() { axes.bind(a.posed(), b.posed(), b.pose.t - a.pose.t); }
 };
 
 // near_mask() of every instruction set.
@@ -56,15 +43,9 @@ std::uint64_t near_mask_of(const Pair& pair, float limit, const X& x, const Y& y
 // Whether the trees let triangles i and j through to the leaves, from the roots down, where nothing beyond the limit
 // matters.
 bool let_through(const Pair& pair, float limit, std::uint32_t i, std::uint32_t j) {
-    std::vector<NodePair> stack;
-    bool found = false;
     alignas(32) LaneSquares squares;
     const auto mask = [&](const auto& x, const auto& y) { return near_mask_of(pair, limit, x, y, squares); };
-    walk_two(pair.a.tree, pair.b.tree, stack, MaskBound{mask}, [&](std::uint32_t p, std::uint32_t q) {
-        found = found || (p == i && q == j);
-        return !found;
-    });
-    return found;
+    return let_through(pair.a, pair.b, mask, i, j);
 }
 
 // Bounds of all triangles of two leaves, whose distances are between them.
@@ -111,14 +92,14 @@ void bend(Pose& pose, double amount, scenes::Random& random) {
     pose.R = pose.R * by;
 }
 
-class DistanceBoundsTest : public testing::TestWithParam<scenes::DistanceFamily> {};
+class DistanceBoundsTest : public testing::TestWithParam<scenes::Family<scenes::DistanceCase>> {};
 
 TEST_P(DistanceBoundsTest, AreBounds) {
     scenes::Random random(11);
     Tally tally;
     constexpr std::size_t pair_count = 2000;
     for (std::size_t k = 0, pairs = 0; pairs < pair_count; ++k) {
-        scenes::DistanceCase c = scenes::make_distance_case(GetParam(), random);
+        scenes::DistanceCase c = GetParam().make(random);
         // Rotations that are off by a little, and by so much that axes of the world are better.
         if (k % 4 == 3) bend(c.pose_a, std::exp2(random.uniform(-20, -5)), random);
         Pair pair(c);
@@ -141,13 +122,13 @@ TEST_P(DistanceBoundsTest, AreBounds) {
         std::fesetround(FE_TONEAREST);
         if (HasFailure()) FAIL() << "case " << k;
     }
-    if (GetParam() != scenes::DistanceFamily::apart) return;
+    if (GetParam().name != "apart") return;
     EXPECT_GT(tally.boxes, tally.apart / 2) << "the test would be right if nothing were bounded";
     EXPECT_GT(tally.triangles, tally.apart * 9 / 10);
 }
 
-std::string test_name(const testing::TestParamInfo<scenes::DistanceFamily>& family) {
-    std::string text(scenes::name(family.param));
+std::string test_name(const testing::TestParamInfo<scenes::Family<scenes::DistanceCase>>& family) {
+    std::string text(family.param.name);
     std::ranges::replace_if(
         text, [](char c) { return c == ' ' || c == '-'; }, '_');
     return text;
@@ -167,13 +148,13 @@ TEST(NearestQueue, GivesEachPairOnceAndTheNearestFirst) {
         for (int k = 0; k < 500; ++k) {
             const auto share = static_cast<float>(random.uniform(0, 1));
             const float square = k % 50 == 0 ? 0 : start * std::exp2(-30 * share * share);
-            queue.push({square, TreeRef::node(static_cast<std::size_t>(k)), TreeRef::leaf(0)});
+            queue.push({square, {TreeRef::node(static_cast<std::size_t>(k)), TreeRef::leaf(0)}});
             pushed.push_back(square);
         }
         const float limit = 0.5f * start;
         NearPair pair;
         while (queue.pop(limit, pair)) {
-            EXPECT_EQ(pair.square, pushed[pair.a.index()]);
+            EXPECT_EQ(pair.square, pushed[pair.nodes.a.index()]);
             // Of pairs that are one part in 32 from each other in square, the nearer one comes first.
             EXPECT_GE(pair.square * (1 + 0x1p-5f), popped.empty() ? 0 : popped.back());
             popped.push_back(pair.square);

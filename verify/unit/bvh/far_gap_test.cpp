@@ -7,27 +7,14 @@
 #include <cmath>
 #include <limits>
 
-#include "bvh/walks/walk_two.hpp"
-#include "oracle/distance.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
-#include "unit/bvh/mask_of_all.hpp"
+#include "unit/bvh/tree_body.hpp"
 
 namespace ecods::far_gap_test {
 namespace {
 
-constexpr std::array rounding_modes{FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct Body {
-    std::shared_ptr<const Mesh> mesh;
-    MeshBvh tree;
-    Pose pose;
-
-    explicit Body(std::shared_ptr<const Mesh> m) : mesh(std::move(m)), tree(build_mesh_bvh(*mesh, fit_frame(*mesh))) {}
-    oracle::Soup soup() const { return {mesh->vertices(), mesh->triangles(), pose}; }
-    PosedTree posed() const { return {tree, pose.R}; }
-};
 
 struct Pair {
     Body a{scenes::torus(12, 8, 0.4)}, b{scenes::torus(12, 8, 0.3)};
@@ -43,17 +30,11 @@ struct Pair {
 
 // Whether the trees let the triangles through to the leaves, where nothing above the limit matters.
 bool let_through(const Pair& pair, float limit, const TrianglePair& triangles) {
-    std::vector<NodePair> stack;
-    bool found = false;
     alignas(32) LaneSquares ranks;
     const auto mask = [&](const auto& x, const auto& y) {
         return mask_of_all(ranks, [&](LaneSquares& numbers) { return far_mask(pair.gap, limit, x, y, numbers); });
     };
-    walk_two(pair.a.tree, pair.b.tree, stack, MaskBound{mask}, [&](std::uint32_t p, std::uint32_t q) {
-        found = found || (p == triangles.a && q == triangles.b);
-        return !found;
-    });
-    return found;
+    return let_through(pair.a, pair.b, mask, triangles.a, triangles.b);
 }
 
 void expect_bounds(Pair& pair, const oracle::MeshDistances& truth, scenes::Random& random) {

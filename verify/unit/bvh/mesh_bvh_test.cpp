@@ -12,13 +12,10 @@
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
+#include "unit/bvh/tree_body.hpp"
 
 namespace ecods::mesh_bvh_test {
 namespace {
-
-MeshBvh build(const Mesh& mesh) {
-    return build_mesh_bvh(mesh, fit_frame(mesh));
-}
 
 using Number = CGAL::Gmpq;
 using ExactVec = std::array<Number, 3>;

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "bvh/walks/walk_tree.hpp"
+#include "bvh/walks/tree_view.hpp"
 #include "environment/instruction_sets.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
@@ -20,7 +20,7 @@ std::set<std::uint32_t> visited(const TreeRay& ray, const MeshBvh& tree) {
     const auto walk = [&] {
         std::set<std::uint32_t> found;
         std::vector<TreeRef> stack;
-        walk_tree(
+        walk_triangles(
             tree, stack, [&](const auto& node) { return ray_mask(ray, node); },
             [&](std::uint32_t triangle) {
                 EXPECT_TRUE(found.insert(triangle).second);

@@ -4,31 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cfenv>
-#include <memory>
-#include <utility>
 #include <vector>
 
-#include "bvh/axes/separating_axes.hpp"
 #include "ecods/ids.hpp"
-#include "ecods/predicates.hpp"
 #include "environment/instruction_sets.hpp"
+#include "unit/bvh/tree_body.hpp"
 
 namespace ecods {
-
-inline MeshBvh build(const Mesh& mesh) {
-    return build_mesh_bvh(mesh, fit_frame(mesh));
-}
-
-inline constexpr std::array rounding_modes{FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-
-struct Body {
-    std::shared_ptr<const Mesh> mesh;
-    MeshBvh tree;
-    Pose pose;
-
-    Body(std::shared_ptr<const Mesh> m, const Pose& p) : mesh(std::move(m)), tree(build(*mesh)), pose(p) {}
-};
 
 // overlap_mask(), once it is the same for every instruction set.
 template <class X, class Y>
@@ -41,39 +23,11 @@ std::uint64_t near_lanes_of_all(const std::array<AxisSet, 2>& sets, const X& x, 
     return near;
 }
 
-// Whether the trees let triangles i and j through, from the roots down.
 inline bool let_through(const Body& a, const Body& b, std::uint32_t i, std::uint32_t j) {
     SeparatingAxes axes;
-    if (axes.bind({a.tree, a.pose.R}, {b.tree, b.pose.R}, b.pose.t - a.pose.t) >= 0) return false;
-    const auto& sets = axes.sets();
-    std::vector<std::pair<TreeRef, TreeRef>> open{{a.tree.root, b.tree.root}};
-    while (!open.empty()) {
-        const auto [x, y] = open.back();
-        open.pop_back();
-        const auto visit = [&](std::uint64_t near, const auto& below_x, const auto& below_y) {
-            for (std::size_t bit = 0; bit < 64; ++bit) {
-                if (near >> bit & 1) open.emplace_back(below_x(bit % 8), below_y(bit / 8));
-            }
-        };
-        const auto x_itself = [&](std::size_t) { return x; };
-        const auto y_itself = [&](std::size_t) { return y; };
-        const auto x_child = [&](std::size_t lane) { return a.tree.nodes[x.index()].child[lane]; };
-        const auto y_child = [&](std::size_t lane) { return b.tree.nodes[y.index()].child[lane]; };
-        if (x.is_leaf() && y.is_leaf()) {
-            const TreeLeaf &p = a.tree.leaves[x.index()], &q = b.tree.leaves[y.index()];
-            const std::uint64_t near = near_lanes_of_all(sets, p, q);
-            for (std::size_t bit = 0; bit < 64; ++bit) {
-                if (near >> bit & 1 && p.triangle[bit % 8] == i && q.triangle[bit / 8] == j) return true;
-            }
-        } else if (x.is_leaf()) {
-            visit(near_lanes_of_all(sets, a.tree.leaves[x.index()], b.tree.nodes[y.index()]), x_itself, y_child);
-        } else if (y.is_leaf()) {
-            visit(near_lanes_of_all(sets, a.tree.nodes[x.index()], b.tree.leaves[y.index()]), x_child, y_itself);
-        } else {
-            visit(near_lanes_of_all(sets, a.tree.nodes[x.index()], b.tree.nodes[y.index()]), x_child, y_child);
-        }
-    }
-    return false;
+    if (axes.bind(a.posed(), b.posed(), b.pose.t - a.pose.t) >= 0) return false;
+    const auto mask = [&](const auto& x, const auto& y) { return near_lanes_of_all(axes.sets(), x, y); };
+    return let_through(a, b, mask, i, j);
 }
 
 inline bool let_through_in_every_rounding_mode(const Body& a, const Body& b, std::uint32_t i, std::uint32_t j) {
@@ -91,12 +45,7 @@ inline std::vector<TrianglePair> pairs_of(const Body& a, const Body& b) {
     std::vector<TrianglePair> pairs;
     for (std::uint32_t i = 0; i < a.mesh->triangles().size(); ++i) {
         for (std::uint32_t j = 0; j < b.mesh->triangles().size(); ++j) {
-            const auto corners = [](const Body& body, std::uint32_t t) {
-                const Triangle& indices = body.mesh->triangles()[t];
-                const auto v = body.mesh->vertices();
-                return std::array<Vec3, 3>{v[indices[0]], v[indices[1]], v[indices[2]]};
-            };
-            if (triangle_triangle({a.pose, corners(a, i)}, {b.pose, corners(b, j)}) != Relation::disjoint) {
+            if (triangle_triangle(a.posed_triangle(i), b.posed_triangle(j)) != Relation::disjoint) {
                 pairs.push_back({i, j});
             }
         }

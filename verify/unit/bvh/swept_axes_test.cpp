@@ -4,31 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <string>
-
-#include "bvh/walks/walk_two.hpp"
 #include "environment/float_mode.hpp"
 #include "oracle/first_contact.hpp"
 #include "scenes/cast_cases.hpp"
 #include "scenes/shapes.hpp"
-#include "unit/bvh/mask_of_all.hpp"
+#include "unit/bvh/tree_body.hpp"
 
 namespace ecods::swept_axes_test {
 namespace {
-
-struct Body {
-    std::shared_ptr<const Mesh> mesh;
-    MeshBvh tree;
-    Pose pose;
-
-    Body(std::shared_ptr<const Mesh> m, const Pose& p)
-        : mesh(std::move(m)), tree(build_mesh_bvh(*mesh, fit_frame(*mesh))), pose(p) {}
-    oracle::Soup soup() const { return {mesh->vertices(), mesh->triangles(), pose}; }
-    oracle::Soup soup_of(std::uint32_t triangle) const {
-        return {mesh->vertices(), mesh->triangles().subspan(triangle, 1), pose};
-    }
-};
 
 // Two bodies, their bounds in the environment that is set, and what is true.
 struct Pair {
@@ -43,9 +26,7 @@ struct Pair {
           motion(c.motion),
           truth(oracle::first_contact(a.soup(), c.motion, b.soup())) {}
 
-    bool bind(double latest) {
-        return axes.bind({a.tree, a.pose.R}, {b.tree, b.pose.R}, b.pose.t - a.pose.t, motion, latest);
-    }
+    bool bind(double latest) { return axes.bind(a.posed(), b.posed(), b.pose.t - a.pose.t, motion, latest); }
 };
 
 // swept_mask() of every instruction set.
@@ -57,15 +38,9 @@ std::uint64_t swept_mask_of(const Pair& pair, float limit, const X& x, const Y& 
 // Whether the trees let triangles i and j through to the leaves, from the roots down, where nothing after the limit
 // matters.
 bool let_through(const Pair& pair, float limit, std::uint32_t i, std::uint32_t j) {
-    std::vector<NodePair> stack;
-    bool found = false;
     alignas(32) LaneTimes times;
     const auto mask = [&](const auto& x, const auto& y) { return swept_mask_of(pair, limit, x, y, times); };
-    walk_two(pair.a.tree, pair.b.tree, stack, MaskBound{mask}, [&](std::uint32_t p, std::uint32_t q) {
-        found = found || (p == i && q == j);
-        return !found;
-    });
-    return found;
+    return let_through(pair.a, pair.b, mask, i, j);
 }
 
 // Rounded first times of all triangles of both, by the oracle; or -1.
@@ -138,12 +113,12 @@ bool is_zero(const Vec3& v) {
 }
 
 TEST(SweptAxes, AreBounds) {
-    for (const scenes::CastFamily family : scenes::cast_families()) {
-        SCOPED_TRACE(scenes::name(family));
+    for (const auto& family : scenes::cast_families()) {
+        SCOPED_TRACE(family.name);
         scenes::Random random(11);
         Tally tally;
         for (int k = 0, pairs = 0; pairs < 2000; ++k) {
-            const scenes::CastCase c = scenes::make_cast_case(family, random);
+            const scenes::CastCase c = family.make(random);
             ++pairs;
             if (is_zero(c.motion) || c.a->triangles().size() * c.b->triangles().size() > 150) continue;
             pairs += static_cast<int>(c.a->triangles().size() * c.b->triangles().size());

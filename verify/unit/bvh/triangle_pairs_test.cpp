@@ -4,11 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cfenv>
 #include <cmath>
 
+#include "scenes/each_case.hpp"
 #include "scenes/hard_pairs.hpp"
+#include "scenes/shapes.hpp"
 #include "unit/bvh/separated_bodies.hpp"
 
 namespace ecods::triangle_pairs_test {
@@ -25,11 +26,6 @@ struct Tally {
 void expect_sound(const Body& a, const Body& b, Tally& tally) {
     ASSERT_TRUE(a.tree.root.is_leaf() && b.tree.root.is_leaf());
     const TreeLeaf &x = a.tree.leaves[0], &y = b.tree.leaves[0];
-    const auto corners = [](const Body& body, std::uint32_t t) {
-        const Triangle& at = body.mesh->triangles()[t];
-        const auto v = body.mesh->vertices();
-        return PosedTriangle{body.pose, {v[at[0]], v[at[1]], v[at[2]]}};
-    };
     for (const int mode : rounding_modes) {
         std::fesetround(mode);
         SeparatingAxes axes;
@@ -46,7 +42,8 @@ void expect_sound(const Body& a, const Body& b, Tally& tally) {
             for (std::size_t j = 0; j < y.count; ++j) {
                 const std::uint64_t bit = std::uint64_t{1} << (8 * j + i);
                 const bool near = found.near & bit, crosses = found.crossing & bit;
-                const Relation truth = triangle_triangle(corners(a, x.triangle[i]), corners(b, y.triangle[j]));
+                const Relation truth =
+                    triangle_triangle(a.posed_triangle(x.triangle[i]), b.posed_triangle(y.triangle[j]));
                 ASSERT_TRUE(!crosses || truth == Relation::crossing);
                 ASSERT_TRUE(near || truth == Relation::disjoint);
                 if (mode != FE_TONEAREST) continue;
@@ -116,16 +113,10 @@ TEST(TrianglePairs, UnderSingularAndUnevenPosesAreSound) {
 TEST(TrianglePairs, OfHardFamiliesAreSound) {
     scenes::Random random(5);
     Tally tally;
-    for (const scenes::HardFamily family : scenes::hard_families()) {
-        for (int i = 0; i < 150; ++i) {
-            const scenes::PosedPair pair = scenes::make_pair(family, random);
-            const auto mesh_of = [](const std::array<Vec3, 3>& t) {
-                return Mesh::create({t.begin(), t.end()}, {{0, 1, 2}});
-            };
-            expect_sound(Body(mesh_of(pair.a), pair.pose_a), Body(mesh_of(pair.b), pair.pose_b), tally);
-            if (HasFatalFailure()) FAIL() << scenes::name(family) << " " << i;
-        }
-    }
+    scenes::for_each_case(scenes::hard_families(), random, 150, [&](const scenes::PosedPair& pair) {
+        expect_sound(Body(scenes::one_triangle(pair.a), pair.pose_a), Body(scenes::one_triangle(pair.b), pair.pose_b),
+                     tally);
+    });
     EXPECT_GT(tally.crossing, 100);
 }
 

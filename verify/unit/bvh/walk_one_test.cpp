@@ -13,7 +13,7 @@ struct Digits {
         std::uint32_t digit_count;
         std::uint32_t value;
     };
-    static constexpr std::size_t stack_size = 2 * 7 + 1;
+    using Stack = FixedStack<Node, 2 * 7 + 1>;
 
     Node root() const { return {0, 0}; }
     bool is_bottom(const Node& node) const { return node.digit_count == 2; }
@@ -21,11 +21,13 @@ struct Digits {
 };
 
 // The numbers that a walk comes to, with the lanes of each node that `lanes` holds.
+template <LaneOrder order = LaneOrder::last_first>
 std::vector<std::uint32_t> walk(std::uint32_t lanes, std::size_t count_max, int& asked) {
     std::vector<std::uint32_t> found;
     asked = 0;
-    walk_one(
-        Digits{},
+    Digits::Stack stack;
+    walk_one<order>(
+        Digits{}, stack,
         [&](const Digits::Node&) {
             ++asked;
             return lanes;
@@ -44,6 +46,13 @@ TEST(WalkOne, FollowsTheLanesOfTheBound) {
     EXPECT_EQ(asked, 1 + 2 + 4);
     EXPECT_TRUE(walk(0, 100, asked).empty());
     EXPECT_EQ(asked, 1);
+}
+
+TEST(WalkOne, BeginsWithTheFirstLaneWhereAsked) {
+    int asked;
+    EXPECT_EQ(walk<LaneOrder::first_first>(0b10000001, 100, asked), (std::vector<std::uint32_t>{000, 007, 070, 077}));
+    EXPECT_EQ(walk<LaneOrder::first_first>(0b110, 1, asked), (std::vector<std::uint32_t>{011}));
+    EXPECT_EQ(asked, 1 + 1 + 1);
 }
 
 TEST(WalkOne, AllLanesOfAllNodesFitTheStack) {

@@ -39,14 +39,14 @@ void ask_all(const scenes::DistanceCase& c, Counts& counts) {
 }
 
 TEST(ClosestSlab, NeverHidesANearerPair) {
-    for (const scenes::DistanceFamily family : scenes::distance_families()) {
+    for (const auto& family : scenes::distance_families()) {
         scenes::Random random(17);
         Counts counts;
         for (int k = 0; k < 30 && counts.asked < 50000; ++k) {
-            ask_all(scenes::make_distance_case(family, random), counts);
-            if (HasFatalFailure()) FAIL() << scenes::name(family) << " " << k;
+            ask_all(family.make(random), counts);
+            if (HasFatalFailure()) FAIL() << family.name << " " << k;
         }
-        if (family != scenes::DistanceFamily::bricks) continue;
+        if (family.name != "bricks") continue;
         EXPECT_GT(counts.said, counts.asked / 10);
         EXPECT_GT(counts.ties_said, counts.ties / 4) << "of " << counts.ties;
     }
@@ -54,7 +54,7 @@ TEST(ClosestSlab, NeverHidesANearerPair) {
 
 TEST(ClosestSlab, SaysNothingUntilItIsReferredTo) {
     scenes::Random random(1);
-    const scenes::DistanceCase c = scenes::make_distance_case(scenes::DistanceFamily::apart, random);
+    const scenes::DistanceCase c = scenes::family_named(scenes::distance_families(), "apart").make(random);
     const exact::MeshExtent extent_a = exact::measure(*c.a), extent_b = exact::measure(*c.b);
     TriangleDistances distances;
     distances.bind({c.a.get(), &extent_a, &c.pose_a}, {c.b.get(), &extent_b, &c.pose_b});

@@ -43,20 +43,13 @@ Vec3 some_motion(Random& random, const PosedPair& pair) {
     return motion;
 }
 
-IntegerPair integers(FixedPoints& points, const OnePair& meshes, const ScaledVector& motion) {
-    points.bind(meshes.a(), meshes.b(), {motion.shift, motion.shift + 53});
-    IntegerPair pair;
-    for (std::uint32_t k = 0; k < 3; ++k) {
-        pair.at[k] = points.at(0, k);
-        pair.at[3 + k] = points.at(1, k);
-    }
-    pair.unit = points.unit();
-    pair.error = points.is_exact() ? 0 : FixedPoints::error_units;
-    return pair;
+IntegerPair integers(IntegerFrame& points, const OnePair& meshes, const ScaledVector& motion) {
+    points.bind_pair(meshes.a(), meshes.b(), {motion.shift, motion.shift + 53});
+    return integer_pair(points, {0, 1, 2}, {0, 1, 2});
 }
 
 // Where there is no contact, it is not said that there is.
-bool contains(const ContactEnclosure& e, const std::optional<oracle::ExactContact>& contact) {
+bool contains(const Enclosure& e, const std::optional<oracle::ExactContact>& contact) {
     if (!contact) return e.upper > 1;
     if (!std::isfinite(e.lower) || contact->time.compare(mpq_class(e.lower)) < 0) return false;
     return !std::isfinite(e.upper) || contact->time.compare(mpq_class(e.upper)) <= 0;
@@ -74,7 +67,7 @@ bool are_features(const FeaturePair& f, const oracle::ExactContact& contact) {
 // With the guess, and with everything that could be guessed in its place.
 TEST(EncloseContact, ContainsTheTimeWhateverIsGuessed) {
     Random random(21);
-    FixedPoints points;
+    IntegerFrame points;
     int contact_count = 0, certain_count = 0, late_count = 0, never_count = 0;
     for_each_pair(40, [&](const std::string& name, const PosedPair& pair) {
         const Translated translated{pair, some_motion(random, pair)};
@@ -84,7 +77,7 @@ TEST(EncloseContact, ContainsTheTimeWhateverIsGuessed) {
         for (const int environment : environments) {
             for (const What what : {What::meeting, What::leaving, What::passing}) {
                 for (const FeaturePair& features : feature_pairs) {
-                    const ContactEnclosure e = in_environment(environment, [&] {
+                    const Enclosure e = in_environment(environment, [&] {
                         const ScaledVector m = scaled_motion(translated.motion);
                         return enclose_contact(integers(points, meshes, m), m, {what, features});
                     });
@@ -106,7 +99,7 @@ TEST(EncloseContact, ContainsTheTimeWhateverIsGuessed) {
 // Of triangles that are apart by at least 2^-27 of their size, far from where coordinates run out of digits.
 TEST(EncloseContact, IsNarrow) {
     Random random(22);
-    FixedPoints points;
+    IntegerFrame points;
     int apart_count = 0, certain_count = 0, narrow_count = 0, excluded_count = 0, none_count = 0;
     for (int i = 0; i < 2000; ++i) {
         const int exponent = i % 4 == 0 ? static_cast<int>(random.below(1201)) - 600 : 0;
@@ -118,7 +111,7 @@ TEST(EncloseContact, IsNarrow) {
         const OnePair meshes(pair);
         const ScaledVector m = scaled_motion(translated.motion);
         const IntegerPair six = integers(points, meshes, m);
-        const ContactEnclosure e = enclose_contact(six, m, guess_contact(six, m));
+        const Enclosure e = enclose_contact(six, m, guess_contact(six, m));
         apart_count += contact.has_value();
         none_count += !contact;
         excluded_count += !contact && e.lower > 1;

@@ -29,21 +29,14 @@ bool are_features(const FeaturePair& f, const oracle::ExactClosest& closest) {
            closest.b == oracle::NamedFeature{is_turned ? lesser : greater, 0, f.b};
 }
 
-IntegerPair integers(FixedPoints& points, const OnePair& meshes) {
-    points.bind(meshes.a(), meshes.b());
-    IntegerPair pair;
-    for (std::uint32_t k = 0; k < 3; ++k) {
-        pair.at[k] = points.at(0, k);
-        pair.at[3 + k] = points.at(1, k);
-    }
-    pair.unit = points.unit();
-    pair.error = points.is_exact() ? 0 : FixedPoints::error_units;
-    return pair;
+IntegerPair integers(IntegerFrame& points, const OnePair& meshes) {
+    points.bind_pair(meshes.a(), meshes.b());
+    return integer_pair(points, {0, 1, 2}, {0, 1, 2});
 }
 
 // With the guess, and with every other pair of features in its place.
 TEST(EncloseDistance, ContainsTheDistanceWhateverIsGuessed) {
-    FixedPoints points;
+    IntegerFrame points;
     int certain_count = 0;
     for_each_pair(60, [&](const std::string& name, const PosedPair& pair) {
         const OnePair meshes(pair);
@@ -65,7 +58,7 @@ TEST(EncloseDistance, ContainsTheDistanceWhateverIsGuessed) {
 // Of triangles that are apart by at least 2^-27 of their size, far from where coordinates run out of digits.
 TEST(EncloseDistance, IsNarrow) {
     Random random(18);
-    FixedPoints points;
+    IntegerFrame points;
     int apart_count = 0, certain_count = 0, narrow_count = 0;
     for (int i = 0; i < 4000; ++i) {
         const int exponent = i % 4 == 0 ? static_cast<int>(random.below(1201)) - 600 : 0;

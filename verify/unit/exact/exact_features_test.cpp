@@ -21,7 +21,7 @@ void with_features(const PosedPair& pair, Use&& use) {
                                 PointRef{&pair.pose_b, &pair.b[1]}, PointRef{&pair.pose_b, &pair.b[2]}};
     with_integers(points, [&]<class Kernel>(const IntegerPoints<Kernel, 6>& integers) {
         const auto limbs = to_limbs(integers);
-        use(integers, ExactFeatures<limbs_of<Kernel>>(limbs));
+        use(integers, ExactFeatures<Kernel::limb_count>(limbs));
     });
 }
 

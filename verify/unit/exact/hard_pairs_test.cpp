@@ -10,12 +10,12 @@
 namespace ecods::hard_pairs_test {
 namespace {
 
-class HardPairs : public testing::TestWithParam<scenes::HardFamily> {};
+class HardPairs : public testing::TestWithParam<scenes::Family<scenes::PosedPair>> {};
 
 INSTANTIATE_TEST_SUITE_P(Families, HardPairs,
                          testing::ValuesIn(scenes::hard_families().begin(), scenes::hard_families().end()),
                          [](const auto& tested) {
-                             std::string text(scenes::name(tested.param));
+                             std::string text(tested.param.name);
                              std::erase_if(text, [](char c) { return c == ',' || c == ' '; });
                              return text;
                          });
@@ -24,7 +24,7 @@ TEST_P(HardPairs, RelationIsTheOraclesAndSymmetric) {
     scenes::Random random(7);
     std::array<int, 3> counts{};
     for (int i = 0; i < 2000; ++i) {
-        const scenes::PosedPair pair = scenes::make_pair(GetParam(), random);
+        const scenes::PosedPair pair = GetParam().make(random);
         const PosedTriangle a{pair.pose_a, pair.a}, b{pair.pose_b, pair.b};
         const Relation relation = triangle_triangle(a, b);
         ASSERT_EQ(triangle_triangle(b, a), relation);

@@ -17,6 +17,7 @@
 #include "exact/point/frame.hpp"
 #include "scenes/hard_pairs.hpp"
 #include "scenes/random.hpp"
+#include "scenes/shapes.hpp"
 
 namespace ecods::exact {
 
@@ -44,8 +45,8 @@ template <class Evaluate>
 class OnePair {
   public:
     explicit OnePair(const PosedPair& pair) : pair_(pair) {
-        a_ = Mesh::create({pair.a.begin(), pair.a.end()}, {{0, 1, 2}});
-        b_ = Mesh::create({pair.b.begin(), pair.b.end()}, {{0, 1, 2}});
+        a_ = scenes::one_triangle(pair.a);
+        b_ = scenes::one_triangle(pair.b);
         extent_a_ = measure(*a_);
         extent_b_ = measure(*b_);
     }
@@ -120,11 +121,6 @@ inline PosedPair scaled_by(PosedPair pair, int exponent) {
     return pair;
 }
 
-struct MeasuredFamily {
-    std::string name;
-    PosedPair (*make)(Random&);
-};
-
 inline double some_gap(Random& random) {
     return std::ldexp(1.0, -static_cast<int>(random.below(45)));
 }
@@ -181,9 +177,9 @@ inline PosedPair modelled_far_off(Random& r) {
     return at_gap(r, pair, some_gap(r));
 }
 
-inline const std::vector<MeasuredFamily>& measured_families() {
+inline scenes::Families<PosedPair> measured_families() {
     static const auto below = [](Random& r, std::uint32_t count) { return static_cast<int>(r.below(count)); };
-    static const std::vector<MeasuredFamily> families{
+    static const scenes::Family<PosedPair> families[] = {
         {"random", [](Random& r) { return random_pair(r); }},
         {"gap", [](Random& r) { return at_gap(r, random_pair(r), some_gap(r)); }},
         {"needles", [](Random& r) { return at_gap(r, random_pair(r, std::ldexp(1.0, -below(r, 50))), some_gap(r)); }},
@@ -204,11 +200,10 @@ inline const std::vector<MeasuredFamily>& measured_families() {
 template <class Check>
 void for_each_pair(int count, Check check) {
     Random random(14);
-    for (const MeasuredFamily& family : measured_families()) {
-        for (int i = 0; i < count; ++i) check(family.name, family.make(random));
-    }
-    for (const scenes::HardFamily family : scenes::hard_families()) {
-        for (int i = 0; i < count; ++i) check(std::string(scenes::name(family)), scenes::make_pair(family, random));
+    for (const scenes::Families<PosedPair> families : {measured_families(), scenes::hard_families()}) {
+        for (const auto& family : families) {
+            for (int i = 0; i < count; ++i) check(std::string(family.name), family.make(random));
+        }
     }
 }
 

@@ -5,32 +5,28 @@
 #include <gtest/gtest.h>
 
 #include "ecods/mesh.hpp"
+#include "scenes/each_case.hpp"
 #include "scenes/hard_pairs.hpp"
 #include "scenes/shapes.hpp"
 
 namespace ecods::exact::triangle_relations_test {
 namespace {
 
-std::shared_ptr<const Mesh> one_triangle(const std::array<Vec3, 3>& corners) {
-    return Mesh::create({corners.begin(), corners.end()}, {{0, 1, 2}});
-}
+using scenes::one_triangle;
 
 TEST(TriangleRelations, AgreesWithThePredicateOnEveryFamily) {
     scenes::Random random(11);
     TriangleRelations bodies;
-    for (const scenes::HardFamily family : scenes::hard_families()) {
-        for (int i = 0; i < 3000; ++i) {
-            const scenes::PosedPair pair = scenes::make_pair(family, random);
-            const auto a = one_triangle(pair.a), b = one_triangle(pair.b);
-            const MeshExtent extent_a = measure(*a), extent_b = measure(*b);
-            bodies.bind({a.get(), &extent_a, &pair.pose_a}, {b.get(), &extent_b, &pair.pose_b});
-            const Relation expected = triangle_triangle({pair.pose_a, pair.a}, {pair.pose_b, pair.b});
-            ASSERT_EQ(bodies.relation(0, 0), expected) << scenes::name(family) << " " << i;
-            ASSERT_EQ(bodies.relation(0, 0), expected) << "from the cache";
-            bodies.bind({b.get(), &extent_b, &pair.pose_b}, {a.get(), &extent_a, &pair.pose_a});
-            ASSERT_EQ(bodies.relation(0, 0), expected);
-        }
-    }
+    scenes::for_each_case(scenes::hard_families(), random, 3000, [&](const scenes::PosedPair& pair) {
+        const auto a = one_triangle(pair.a), b = one_triangle(pair.b);
+        const MeshExtent extent_a = measure(*a), extent_b = measure(*b);
+        bodies.bind({a.get(), &extent_a, &pair.pose_a}, {b.get(), &extent_b, &pair.pose_b});
+        const Relation expected = triangle_triangle({pair.pose_a, pair.a}, {pair.pose_b, pair.b});
+        ASSERT_EQ(bodies.relation(0, 0), expected);
+        ASSERT_EQ(bodies.relation(0, 0), expected) << "from the cache";
+        bodies.bind({b.get(), &extent_b, &pair.pose_b}, {a.get(), &extent_a, &pair.pose_a});
+        ASSERT_EQ(bodies.relation(0, 0), expected);
+    });
     const StageCounts& counts = bodies.counts();
     EXPECT_GT(counts.filter_passes, 0u);
     EXPECT_GT(counts.local_passes, 0u);

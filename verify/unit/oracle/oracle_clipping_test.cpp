@@ -90,10 +90,10 @@ TEST(OracleClipping, DegenerateLatticePairs) {
 
 TEST(OracleClipping, HardPairs) {
     scenes::Random random(51);
-    for (const scenes::HardFamily family : scenes::hard_families()) {
+    for (const auto& family : scenes::hard_families()) {
         Tally tally;
         for (int i = 0; i < 150; ++i) {
-            scenes::PosedPair pair = make_pair(family, random);
+            scenes::PosedPair pair = family.make(random);
             // Every third pair has a triangle without area in it.
             if (i % 3 == 1) pair.a[2] = pair.a[static_cast<std::size_t>(i % 2)];
             if (i % 3 == 2) pair.b[0] = 0.5 * pair.b[1] + 0.5 * pair.b[2];
@@ -103,7 +103,7 @@ TEST(OracleClipping, HardPairs) {
             // In the other order, other points are clipped by other functions.
             ASSERT_EQ(clipping::relation(pair.pose_b, pair.b, pair.pose_a, pair.a), expected);
         }
-        EXPECT_EQ(tally.differing, 0) << scenes::name(family);
+        EXPECT_EQ(tally.differing, 0) << family.name;
     }
 }
 

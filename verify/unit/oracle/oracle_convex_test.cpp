@@ -9,6 +9,7 @@
 #include "oracle/convex.hpp"
 #include "oracle/solid.hpp"
 #include "scenes/convex_cases.hpp"
+#include "scenes/each_case.hpp"
 #include "scenes/hard_pair_parts.hpp"
 #include "scenes/lattice_hull.hpp"
 
@@ -46,30 +47,25 @@ std::vector<Triangle> triangles_with_area(const Mesh& mesh) {
 // convexity.
 TEST(OracleConvex, EveryFamilyAsItsRecipeAndAsTheSolids) {
     Random random(1);
-    for (const scenes::ConvexFamily family : scenes::convex_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        for (int i = 0; i < 20; ++i) {
-            SCOPED_TRACE(i);
-            const ConvexCase made = scenes::make_convex_case(family, random);
-            const ConvexPair pair = pair_of(made);
-            const double distance = oracle::nearest(pair.distance());
-            EXPECT_EQ(made.distance.value_or(distance), distance);
-            const auto depth = pair.depth();
-            ASSERT_EQ(depth.has_value(), distance == 0);
-            if (depth) {
-                EXPECT_EQ(made.depth.value_or(oracle::nearest(depth->depth)), oracle::nearest(depth->depth));
-            } else {
-                const auto of_a = triangles_with_area(*made.a.mesh), of_b = triangles_with_area(*made.b.mesh);
-                const oracle::MeshDistances surfaces({made.a.mesh->vertices(), of_a, made.a.pose},
-                                                     {made.b.mesh->vertices(), of_b, made.b.pose});
-                EXPECT_EQ(compare(surfaces.distance(), pair.distance()), 0);
-            }
-            if (made.a.mesh->triangles().size() + made.b.mesh->triangles().size() > 60) continue;
-            const auto relation = oracle::solid_relation(soup(made.a), soup(made.b));
-            EXPECT_EQ(relation == oracle::SolidsAre::apart, !depth.has_value());
-            EXPECT_EQ(relation == oracle::SolidsAre::touching, depth && depth->depth.is_zero());
+    scenes::for_each_case(scenes::convex_families(), random, 20, [](const ConvexCase& made) {
+        const ConvexPair pair = pair_of(made);
+        const double distance = oracle::nearest(pair.distance());
+        EXPECT_EQ(made.distance.value_or(distance), distance);
+        const auto depth = pair.depth();
+        ASSERT_EQ(depth.has_value(), distance == 0);
+        if (depth) {
+            EXPECT_EQ(made.depth.value_or(oracle::nearest(depth->depth)), oracle::nearest(depth->depth));
+        } else {
+            const auto of_a = triangles_with_area(*made.a.mesh), of_b = triangles_with_area(*made.b.mesh);
+            const oracle::MeshDistances surfaces({made.a.mesh->vertices(), of_a, made.a.pose},
+                                                 {made.b.mesh->vertices(), of_b, made.b.pose});
+            EXPECT_EQ(compare(surfaces.distance(), pair.distance()), 0);
         }
-    }
+        if (made.a.mesh->triangles().size() + made.b.mesh->triangles().size() > 60) return;
+        const auto relation = oracle::solid_relation(soup(made.a), soup(made.b));
+        EXPECT_EQ(relation == oracle::SolidsAre::apart, !depth.has_value());
+        EXPECT_EQ(relation == oracle::SolidsAre::touching, depth && depth->depth.is_zero());
+    });
 }
 
 // A depth as the root of a quotient.

@@ -3,11 +3,11 @@
 
 #include <cfenv>
 #include <cmath>
-#include <limits>
 
 #include "exact_vector.hpp"
 #include "oracle/distance.hpp"
 #include "oracle/oracle.hpp"
+#include "scenes/each_case.hpp"
 #include "scenes/hard_pairs.hpp"
 #include "scenes/shapes.hpp"
 
@@ -136,26 +136,22 @@ void expect_proof(const ExactClosest& closest, const std::array<ExactVector, 3>&
 }
 
 TEST(OracleDistance, EveryAnswerIsProved) {
-    for (const scenes::HardFamily family : scenes::hard_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(7);
-        for (int i = 0; i < 150; ++i) {
-            scenes::PosedPair pair = scenes::make_pair(family, random);
-            if (i % 3 == 1) pair.pose_b.t += pair.pose_b.R * pair.b[0];
-            const MeshDistances distances = distances_of(pair.a, pair.pose_a, pair.b, pair.pose_b);
-            const ExactClosest closest = distances.closest();
-            const Relation relation = triangle_triangle(pair.pose_a, pair.a, pair.pose_b, pair.b);
-            ASSERT_EQ(closest.kind == Closeness::intersecting, relation != Relation::disjoint);
-            ASSERT_EQ(closest.distance.is_zero(), relation != Relation::disjoint);
-            ASSERT_EQ(distances.intersection(0, 0).empty(), relation == Relation::disjoint);
-            if (relation != Relation::disjoint) continue;
-            expect_proof(closest, exact_corners(pair.pose_a, pair.a), exact_corners(pair.pose_b, pair.b));
-            const double rounded = nearest(closest.distance);
-            ASSERT_TRUE(is_nearest(closest.distance, rounded));
-            ASSERT_FALSE(is_nearest(closest.distance, std::nextafter(rounded, 0.0)));
-            ASSERT_FALSE(is_nearest(closest.distance, std::nextafter(rounded, HUGE_VAL)));
-        }
-    }
+    int i = 0;
+    scenes::for_each_case(scenes::hard_families(), 7, 150, [&](scenes::PosedPair pair) {
+        if (i++ % 3 == 1) pair.pose_b.t += pair.pose_b.R * pair.b[0];
+        const MeshDistances distances = distances_of(pair.a, pair.pose_a, pair.b, pair.pose_b);
+        const ExactClosest closest = distances.closest();
+        const Relation relation = triangle_triangle(pair.pose_a, pair.a, pair.pose_b, pair.b);
+        ASSERT_EQ(closest.kind == Closeness::intersecting, relation != Relation::disjoint);
+        ASSERT_EQ(closest.distance.is_zero(), relation != Relation::disjoint);
+        ASSERT_EQ(distances.intersection(0, 0).empty(), relation == Relation::disjoint);
+        if (relation != Relation::disjoint) return;
+        expect_proof(closest, exact_corners(pair.pose_a, pair.a), exact_corners(pair.pose_b, pair.b));
+        const double rounded = nearest(closest.distance);
+        ASSERT_TRUE(is_nearest(closest.distance, rounded));
+        ASSERT_FALSE(is_nearest(closest.distance, std::nextafter(rounded, 0.0)));
+        ASSERT_FALSE(is_nearest(closest.distance, std::nextafter(rounded, HUGE_VAL)));
+    });
 }
 
 // Known by drawing them.
@@ -266,7 +262,7 @@ TEST(OracleNearest, Fractions) {
 TEST(OracleDistance, TheEnvironmentDoesNotMatterAndStays) {
     scenes::Random random(5);
     for (int i = 0; i < 40; ++i) {
-        const auto pair = scenes::make_pair(scenes::HardFamily::generic, random);
+        const auto pair = scenes::family_named(scenes::hard_families(), "generic").make(random);
         const double expected = nearest(distances_of(pair.a, pair.pose_a, pair.b, pair.pose_b).distance());
         for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
             std::fesetround(mode);

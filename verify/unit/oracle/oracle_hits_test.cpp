@@ -119,7 +119,7 @@ TEST(OracleHits, AscendingWithRanks) {
 TEST(OracleHits, KnownByTheirRecipes) {
     scenes::Random random(1);
     for (int i = 0; i < 500; ++i) {
-        const auto made = scenes::make_hit_case(scenes::HitFamily::rational, random);
+        const auto made = scenes::family_named(scenes::hit_families(), "rational").make(random);
         const Ray ray = std::get<Ray>(made.line);
         std::fesetround(FE_DOWNWARD);
         const auto hits = all_hits({ray.origin, ray.direction, true, ray.parameter_max},

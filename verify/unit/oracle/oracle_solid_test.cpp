@@ -1,10 +1,8 @@
 // The oracle's solids against solids whose answers follow from how they are made.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
-
 #include "oracle/solid.hpp"
+#include "scenes/each_case.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/solid_cases.hpp"
 
@@ -32,25 +30,16 @@ void expect_solid(const Mesh& mesh) {
 
 TEST(OracleSolid, EveryFamilyAsItsRecipe) {
     scenes::Random random(1);
-    for (const scenes::SolidFamily family : scenes::solid_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        std::array<int, 6> counts{};
-        for (int i = 0; i < 8; ++i) {
-            SCOPED_TRACE(i);
-            const scenes::SolidCase made = scenes::make_solid_case(family, random);
-            expect_solid(*made.a.mesh);
-            expect_solid(*made.b.mesh);
-            const SolidRelation relation = solid_relation(made.a, made.b);
-            ++counts[static_cast<std::size_t>(relation)];
-            EXPECT_EQ(solid_relation(made.b, made.a), mirrored(relation));
-            EXPECT_EQ(relation, made.relation.value_or(relation));
-            for (const auto& [point, side] : made.points) {
-                EXPECT_EQ(static_cast<Side>(oracle::locate(point, soup(made.a)).side), side) << point.transpose();
-            }
+    scenes::for_each_case(scenes::solid_families(), random, 8, [](const scenes::SolidCase& made) {
+        expect_solid(*made.a.mesh);
+        expect_solid(*made.b.mesh);
+        const SolidRelation relation = solid_relation(made.a, made.b);
+        EXPECT_EQ(solid_relation(made.b, made.a), mirrored(relation));
+        EXPECT_EQ(relation, made.relation.value_or(relation));
+        for (const auto& [point, side] : made.points) {
+            EXPECT_EQ(static_cast<Side>(oracle::locate(point, soup(made.a)).side), side) << point.transpose();
         }
-        std::printf("%s: apart %d, touching %d, overlapping %d, inside %d, contains %d, equal %d\n",
-                    scenes::name(family).data(), counts[0], counts[1], counts[2], counts[3], counts[4], counts[5]);
-    }
+    });
 }
 
 TEST(OracleSolid, EveryContactAsSaid) {

@@ -1,30 +1,17 @@
 // Mesh files as programs in the field write them, which other readers read.
-#include <array>
 #include <cstring>
 
 #include "ecods/solid.hpp"
-#include "file_test.hpp"
-#include "scenes/io/mesh_file.hpp"
 #include "scenes/io/scene_file.hpp"
+#include "unit/programs/mesh_file_test.hpp"
 
 namespace ecods::scenes::read_field_test {
 namespace {
 
 const std::string mark = "\xef\xbb\xbf";  // of byte order, in UTF-8
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t position = text.find(from);
-    EXPECT_NE(position, std::string::npos) << from;
-    return text.replace(position, from.size(), to);
-}
-
-class ReadField : public FileTest {
+class ReadField : public MeshFileTest {
   protected:
-    void expect_bad(const std::string& name, const std::string& bytes, const std::string& place,
-                    const std::string& text) {
-        const auto file = write(name, bytes);
-        expect_error([&] { read_mesh_file(file); }, file, place, text);
-    }
     // The triangle 0 0 0, 1 0 0, 0 1 0.
     void expect_triangle(const std::string& name, const std::string& bytes) {
         const auto mesh = read_mesh_file(write(name, bytes));

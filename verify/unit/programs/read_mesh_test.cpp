@@ -3,11 +3,9 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <random>
 
-#include "file_test.hpp"
-#include "scenes/io/mesh_file.hpp"
+#include "unit/programs/mesh_file_test.hpp"
 
 namespace ecods::scenes {
 namespace {
@@ -17,12 +15,6 @@ std::string bytes_of(T value, bool big_endian = false) {
     std::string bytes(sizeof value, '\0');
     std::memcpy(bytes.data(), &value, sizeof value);
     return big_endian ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t position = text.find(from);
-    EXPECT_NE(position, std::string::npos) << from;
-    return text.replace(position, from.size(), to);
 }
 
 // Decimals with their nearest doubles: short, 17 digits, halfway cases, the ends of the range.
@@ -43,14 +35,8 @@ constexpr std::array<Decimal, 12> decimals{{{"0.1", 0x1.999999999999ap-4},
                                             {"+1.5", 1.5},
                                             {"-0", -0.0}}};
 
-class ReadMesh : public FileTest {
+class ReadMesh : public MeshFileTest {
   protected:
-    void expect_bad(const std::string& name, const std::string& bytes, const std::string& place,
-                    const std::string& text) {
-        const auto file = write(name, bytes);
-        expect_error([&] { read_mesh_file(file); }, file, place, text);
-    }
-
     // A mesh of two triangles on the vertices 0 0 0, 1 0 0, 0 1 0, 1 1 0.5.
     void expect_quad(const std::string& name, const std::string& bytes, std::vector<Triangle> triangles) {
         const auto mesh = read_mesh_file(write(name, bytes));

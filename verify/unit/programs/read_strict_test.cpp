@@ -1,23 +1,11 @@
 // Mesh files with something too much, or something that could be read in two ways: an error with its line.
-#include "file_test.hpp"
-#include "scenes/io/mesh_file.hpp"
+#include "unit/programs/mesh_file_test.hpp"
 
 namespace ecods::scenes::read_strict_test {
 namespace {
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t position = text.find(from);
-    EXPECT_NE(position, std::string::npos) << from;
-    return text.replace(position, from.size(), to);
-}
-
-class ReadStrict : public FileTest {
+class ReadStrict : public MeshFileTest {
   protected:
-    void expect_bad(const std::string& name, const std::string& bytes, const std::string& place,
-                    const std::string& text) {
-        const auto file = write(name, bytes);
-        expect_error([&] { read_mesh_file(file); }, file, place, text);
-    }
     void expect_good(const std::string& name, const std::string& bytes) {
         EXPECT_EQ(read_mesh_file(write(name, bytes))->triangles().size(), 1U) << bytes;
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ecods/cast.hpp"
+#include "scenes/pose_at.hpp"
 
 namespace ecods {
 
@@ -16,12 +17,6 @@ inline MeshShape shape_of(const std::vector<Vec3>& vertices) {
     std::vector<Triangle> triangles;
     for (std::uint32_t i = 0; i + 3 <= vertices.size(); i += 3) triangles.push_back({i, i + 1, i + 2});
     return MeshShape(Mesh::create(vertices, triangles));
-}
-
-inline Pose at(double x, double y, double z) {
-    Pose pose;
-    pose.t = {x, y, z};
-    return pose;
 }
 
 inline void expect_contact(const Contact& contact, double time, ClosestKind kind) {

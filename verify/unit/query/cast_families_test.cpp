@@ -1,53 +1,21 @@
 // Casts by a translation of every family of cast_cases.hpp beside the oracle, and what must not matter.
 #include <gtest/gtest.h>
 
-#include <array>
+#include <string_view>
 
-#include "judge/cast_truth.hpp"
-#include "scenes/cast_cases.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/query/expect_right.hpp"
 
 namespace ecods {
 namespace {
 
-// One witness goes through all of them: it comes from other bodies each time.
 TEST(CastFamilies, AsTheOracle) {
-    std::array<int, 6> kinds{};
-    for (const scenes::CastFamily family : scenes::cast_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(1);
-        QueryMemory memory;
-        PairWitness witness;
-        const bool is_of_many = family == scenes::CastFamily::distance_cases;
-        for (int i = 0; i < (is_of_many ? 250 : 100); ++i) {
-            SCOPED_TRACE(i);
-            const scenes::CastCase made = scenes::make_cast_case(family, random);
-            const MeshShape a(made.a), b(made.b);
-            const judge::CastTruth truth({a, made.pose_a}, made.motion, {b, made.pose_b});
-            if (made.time) {
-                ASSERT_EQ(truth.contact() ? truth.contact()->time : -1, *made.time);
-            }
-            ++kinds[truth.contact() ? static_cast<std::size_t>(truth.contact()->kind) : 5];
-            ASSERT_NO_FATAL_FAILURE(expect_right(truth, memory, witness));
-        }
-    }
-    for (const int count : kinds) EXPECT_GT(count, 15);
+    const auto count = [](std::string_view family) { return family == "bodies of distances" ? 250 : 100; };
+    expect_each(expect_all_right(scenes::cast_families(), 1, count), 6, 15);
 }
 
-// Neither instruction sets nor rounding modes matter, nor what a question leaves in the memory.
 TEST(CastFamilies, TheSameBitsInEveryEnvironment) {
-    for (const scenes::CastFamily family : scenes::cast_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(2);
-        for (int i = 0; i < 8; ++i) {
-            const scenes::CastCase made = scenes::make_cast_case(family, random);
-            const MeshShape a(made.a), b(made.b);
-            const judge::CastTruth truth({a, made.pose_a}, made.motion, {b, made.pose_b}, 1);
-            SCOPED_TRACE(i);
-            expect_right_everywhere(truth);
-        }
-    }
+    expect_all_right_everywhere(scenes::cast_families(), 2, 8, 1);
 }
 
 // Trees of several levels: bodies that are sent at each other and past each other.
@@ -101,27 +69,20 @@ TEST(CastFamilies, TimesOfShorterMotions) {
 // The time as a factor of the motion, and a body that has been moved there.
 TEST(CastFamilies, OwnAnswersAsArguments) {
     std::size_t asked = 0;
-    for (const scenes::CastFamily family : scenes::cast_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(5);
-        QueryMemory memory;
-        PairWitness witness;
-        for (int i = 0; i < 25; ++i) {
-            const scenes::CastCase made = scenes::make_cast_case(family, random);
-            const MeshShape a(made.a), b(made.b);
-            const auto contact = cast({a, made.pose_a}, made.motion, {b, made.pose_b}, memory);
-            if (!contact) continue;
-            const Vec3 motion = contact->time * made.motion;
-            Pose there = made.pose_a;
-            there.t += motion;
-            if (!there.t.allFinite()) continue;
-            ++asked;
-            const judge::CastTruth shorter({a, made.pose_a}, motion, {b, made.pose_b}, 1);
-            ASSERT_NO_FATAL_FAILURE(expect_right(shorter, memory, witness)) << i;
-            const judge::CastTruth from_there({a, there}, -motion, {b, made.pose_b}, 1);
-            ASSERT_NO_FATAL_FAILURE(expect_right(from_there, memory, witness)) << i;
-        }
-    }
+    QueryMemory memory;
+    PairWitness witness;
+    scenes::for_each_case(scenes::cast_families(), 5, 25, [&](const scenes::CastCase& made) {
+        const MeshShape a(made.a), b(made.b);
+        const auto contact = cast({a, made.pose_a}, made.motion, {b, made.pose_b}, memory);
+        if (!contact) return;
+        const Vec3 motion = contact->time * made.motion;
+        Pose there = made.pose_a;
+        there.t += motion;
+        if (!there.t.allFinite()) return;
+        ++asked;
+        expect_right(judge::CastTruth({a, made.pose_a}, motion, {b, made.pose_b}, 1), memory, witness);
+        expect_right(judge::CastTruth({a, there}, -motion, {b, made.pose_b}, 1), memory, witness);
+    });
     EXPECT_GT(asked, 60U);
 }
 

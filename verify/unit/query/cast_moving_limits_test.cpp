@@ -10,28 +10,15 @@
 #include "ecods/cast.hpp"
 #include "environment/each_environment.hpp"
 #include "judge/cast_truth.hpp"
-#include "query/cast/cast_moving.hpp"
+#include "query/cast/cast_until.hpp"
 #include "scenes/cast_cases.hpp"
+#include "scenes/each_case.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
+#include "unit/query/cast_bodies.hpp"
 
 namespace ecods::cast_moving_limits_test {
 namespace {
-
-MeshShape shape_of(const std::vector<Vec3>& vertices) {
-    std::vector<Triangle> triangles;
-    for (std::uint32_t i = 0; i + 3 <= vertices.size(); i += 3) triangles.push_back({i, i + 1, i + 2});
-    return MeshShape(Mesh::create(vertices, triangles));
-}
-
-Pose at(double x, double y, double z) {
-    Pose pose;
-    pose.t = {x, y, z};
-    return pose;
-}
-
-const std::vector<Vec3> flat{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}};
-const std::vector<Vec3> needle{{0, 0, 0}, {0.25, 0, 1}, {-0.25, 0, 1}};
 
 // Chords of gaps whose zeros underflow, in floats or in doubles: a triangle of the size of one is met at a time of
 // 2^-130, 2^-1000, 2^-1074 or less, and is left soon after.
@@ -153,21 +140,18 @@ TEST(CastMovingLimits, AtRestAsIntersects) {
     scenes::Random random(6);
     QueryMemory memory;
     int contacts = 0;
-    for (const scenes::MoveFamily family : scenes::move_families()) {
-        for (int i = 0; i < 40; ++i) {
-            const scenes::MoveCase made = scenes::make_move_case(family, random);
-            const MeshShape a(made.a), b(made.b);
-            const auto contact = cast(Moving<MeshShape>(a, made.from_a, made.from_a),
-                                      Moving<MeshShape>(b, made.from_b, made.from_b), memory);
-            const Posed<MeshShape> still_a(a, made.from_a), still_b(b, made.from_b);
-            ASSERT_EQ(contact.has_value(), intersects(still_a, still_b, memory));
-            if (!contact) continue;
-            ++contacts;
-            EXPECT_EQ(contact->time, 0);
-            EXPECT_EQ(contact->kind, ClosestKind::intersecting);
-            EXPECT_EQ(contact->triangles(), intersecting_triangles(still_a, still_b, memory).front());
-        }
-    }
+    scenes::for_each_case(scenes::move_families(), random, 40, [&](const scenes::MoveCase& made) {
+        const MeshShape a(made.a), b(made.b);
+        const auto contact = cast(Moving<MeshShape>(a, made.from_a, made.from_a),
+                                  Moving<MeshShape>(b, made.from_b, made.from_b), memory);
+        const Posed<MeshShape> still_a(a, made.from_a), still_b(b, made.from_b);
+        ASSERT_EQ(contact.has_value(), intersects(still_a, still_b, memory));
+        if (!contact) return;
+        ++contacts;
+        EXPECT_EQ(contact->time, 0);
+        EXPECT_EQ(contact->kind, ClosestKind::intersecting);
+        EXPECT_EQ(contact->triangles(), intersecting_triangles(still_a, still_b, memory).front());
+    });
     EXPECT_GT(contacts, 20);
 }
 

@@ -8,21 +8,10 @@
 #include "ecods/cast.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
+#include "unit/query/cast_bodies.hpp"
 
 namespace ecods {
 namespace {
-
-MeshShape shape_of(const std::vector<Vec3>& vertices) {
-    std::vector<Triangle> triangles;
-    for (std::uint32_t i = 0; i + 3 <= vertices.size(); i += 3) triangles.push_back({i, i + 1, i + 2});
-    return MeshShape(Mesh::create(vertices, triangles));
-}
-
-Pose at(double x, double y, double z) {
-    Pose pose;
-    pose.t = {x, y, z};
-    return pose;
-}
 
 Pose turned(const Mat3& R, const Vec3& t = Vec3::Zero()) {
     Pose pose;
@@ -44,15 +33,6 @@ std::optional<FirstContact> cast_at(const MeshShape& a, const Pose& from, const 
     }
     return contact;
 }
-
-void expect_contact(const std::optional<FirstContact>& contact, double time, ClosestKind kind) {
-    ASSERT_TRUE(contact.has_value());
-    EXPECT_EQ(contact->time, time);
-    EXPECT_EQ(contact->kind, kind);
-}
-
-const std::vector<Vec3> flat{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}};
-const std::vector<Vec3> needle{{0, 0, 0}, {0.25, 0, 1}, {-0.25, 0, 1}};
 
 TEST(CastMoving, VertexMeetsFace) {
     const MeshShape a = shape_of(needle), b = shape_of(flat);

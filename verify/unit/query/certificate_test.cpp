@@ -6,7 +6,6 @@
 #include <limits>
 #include <sstream>
 #include <string>
-#include <utility>
 
 #include "base/sha256.hpp"
 #include "certificates/samples/samples.hpp"
@@ -16,7 +15,9 @@
 #include "ecods/hit.hpp"
 #include "environment/float_mode.hpp"
 #include "scenes/distance_cases.hpp"
+#include "scenes/each_case.hpp"
 #include "scenes/mesh_pairs.hpp"
+#include "scenes/pose_at.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
 
@@ -32,33 +33,27 @@ Claim claim_of(Relation relation) {
 }
 
 Posed<MeshShape> at(const MeshShape& shape, const Vec3& t) {
-    Pose pose;
-    pose.t = t;
-    return {shape, pose};
+    return {shape, ecods::at(t)};
 }
 
 TEST(Certificates, ClaimThePlainAnswers) {
     scenes::Random random(7);
     QueryMemory memory;
-    for (const scenes::DistanceFamily family : scenes::distance_families()) {
-        SCOPED_TRACE(name(family));
-        for (int k = 0; k < 5; ++k) {
-            const scenes::DistanceCase made = scenes::make_distance_case(family, random);
-            const MeshShape shape_a(made.a), shape_b(made.b);
-            const Posed<MeshShape> a(shape_a, made.pose_a), b(shape_b, made.pose_b);
-            EXPECT_EQ(certify(a, b, memory).claim(), claim_of(relation(a, b, memory)));
-            const double d = distance(a, b, memory);
-            const Certificate of_distance = certify_distance(a, b, memory);
-            EXPECT_EQ(of_distance.claim(), Claim::distance);
-            EXPECT_EQ(of_distance.value(), d);
-            EXPECT_EQ(of_distance.step_count() == 0, d == 0);
-            for (const double limit : {0.0, d / 2, d, 2 * d}) {
-                const Certificate certificate = certify_within(a, b, limit, memory);
-                EXPECT_EQ(certificate.claim(), within(a, b, limit, memory) ? Claim::within : Claim::beyond);
-                EXPECT_EQ(certificate.value(), limit);
-            }
+    scenes::for_each_case(scenes::distance_families(), random, 5, [&](const scenes::DistanceCase& made) {
+        const MeshShape shape_a(made.a), shape_b(made.b);
+        const Posed<MeshShape> a(shape_a, made.pose_a), b(shape_b, made.pose_b);
+        EXPECT_EQ(certify(a, b, memory).claim(), claim_of(relation(a, b, memory)));
+        const double d = distance(a, b, memory);
+        const Certificate of_distance = certify_distance(a, b, memory);
+        EXPECT_EQ(of_distance.claim(), Claim::distance);
+        EXPECT_EQ(of_distance.value(), d);
+        EXPECT_EQ(of_distance.step_count() == 0, d == 0);
+        for (const double limit : {0.0, d / 2, d, 2 * d}) {
+            const Certificate certificate = certify_within(a, b, limit, memory);
+            EXPECT_EQ(certificate.claim(), within(a, b, limit, memory) ? Claim::within : Claim::beyond);
+            EXPECT_EQ(certificate.value(), limit);
         }
-    }
+    });
 }
 
 TEST(Certificates, ClaimTheFirstHit) {

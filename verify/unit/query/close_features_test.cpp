@@ -13,16 +13,12 @@
 #include "ecods/error.hpp"
 #include "judge/feature_truth.hpp"
 #include "scenes/distance_cases.hpp"
+#include "scenes/each_case.hpp"
+#include "scenes/pose_at.hpp"
 #include "scenes/shapes.hpp"
 
 namespace ecods {
 namespace {
-
-Pose at(double x, double y, double z) {
-    Pose pose;
-    pose.t = Vec3(x, y, z);
-    return pose;
-}
 
 // A small cube over the top of a large one, beside both diagonals of it.
 class CubeOnCube : public testing::Test {
@@ -221,39 +217,28 @@ double limit_for(double distance) {
 
 TEST(CloseFeatures, NoOrderOfTrianglesOrBodiesMatters) {
     QueryMemory memory;
-    for (const scenes::DistanceFamily family : scenes::distance_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(11);
-        for (int i = 0; i < 30; ++i) {
-            const scenes::DistanceCase made = scenes::make_distance_case(family, random);
-            const MeshShape a(made.a), b(made.b), turned_a(turned(*made.a)), turned_b(turned(*made.b));
-            const double d = limit_for(distance({a, made.pose_a}, {b, made.pose_b}, memory));
-            const auto expected = places(close_features({a, made.pose_a}, {b, made.pose_b}, d, memory), false);
-            ASSERT_FALSE(expected.empty());
-            ASSERT_EQ(places(close_features({turned_a, made.pose_a}, {turned_b, made.pose_b}, d, memory), false),
-                      expected);
-            ASSERT_EQ(places(close_features({b, made.pose_b}, {a, made.pose_a}, d, memory), true), expected);
-        }
-    }
+    scenes::for_each_case(scenes::distance_families(), 11, 30, [&](const scenes::DistanceCase& made) {
+        const MeshShape a(made.a), b(made.b), turned_a(turned(*made.a)), turned_b(turned(*made.b));
+        const double d = limit_for(distance({a, made.pose_a}, {b, made.pose_b}, memory));
+        const auto expected = places(close_features({a, made.pose_a}, {b, made.pose_b}, d, memory), false);
+        ASSERT_FALSE(expected.empty());
+        ASSERT_EQ(places(close_features({turned_a, made.pose_a}, {turned_b, made.pose_b}, d, memory), false), expected);
+        ASSERT_EQ(places(close_features({b, made.pose_b}, {a, made.pose_a}, d, memory), true), expected);
+    });
 }
 
 TEST(CloseFeatures, TheClosestAreAmongThem) {
     QueryMemory memory;
     int count = 0;
-    for (const scenes::DistanceFamily family : scenes::distance_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(12);
-        for (int i = 0; i < 30; ++i) {
-            const scenes::DistanceCase made = scenes::make_distance_case(family, random);
-            const MeshShape a(made.a), b(made.b);
-            const ClosestPoints c = closest({a, made.pose_a}, {b, made.pose_b}, memory);
-            if (c.kind == ClosestKind::intersecting) continue;
-            const auto close = close_features({a, made.pose_a}, {b, made.pose_b}, limit_for(c.distance), memory);
-            const auto is_closest = [&](const CloseFeatures& f) { return f.direction && judge::is_same(f.closest, c); };
-            ASSERT_EQ(std::ranges::count_if(close, is_closest), 1);
-            ++count;
-        }
-    }
+    scenes::for_each_case(scenes::distance_families(), 12, 30, [&](const scenes::DistanceCase& made) {
+        const MeshShape a(made.a), b(made.b);
+        const ClosestPoints c = closest({a, made.pose_a}, {b, made.pose_b}, memory);
+        if (c.kind == ClosestKind::intersecting) return;
+        const auto close = close_features({a, made.pose_a}, {b, made.pose_b}, limit_for(c.distance), memory);
+        const auto is_closest = [&](const CloseFeatures& f) { return f.direction && judge::is_same(f.closest, c); };
+        ASSERT_EQ(std::ranges::count_if(close, is_closest), 1);
+        ++count;
+    });
     EXPECT_GT(count, 200);
 }
 

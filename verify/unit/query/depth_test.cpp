@@ -14,6 +14,8 @@
 #include "environment/float_mode.hpp"
 #include "oracle/convex.hpp"
 #include "scenes/convex_cases.hpp"
+#include "scenes/each_case.hpp"
+#include "scenes/pose_at.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods {
@@ -39,10 +41,6 @@ ConvexSolid prism(int sides) {
         for (const double z : {-1.0, 1.0}) points.push_back({std::cos(angle), std::sin(angle), z});
     }
     return hull(points);
-}
-
-Pose at(const Vec3& t) {
-    return {Mat3::Identity(), t};
 }
 
 bool same_bits(double x, double y) {
@@ -207,13 +205,8 @@ void expect_right(const scenes::ConvexCase& c, QueryMemory& memory) {
 // Of the exponents' seventh case two depths differ in the 57th digit: more than the 38 that are compared first.
 TEST(Depth, IsThatOfTheOracleInEveryFloatMode) {
     QueryMemory memory;
-    for (const scenes::ConvexFamily family : scenes::convex_families()) {
-        scenes::Random random(1);
-        for (int i = 0; i < 8; ++i) {
-            SCOPED_TRACE(testing::Message() << scenes::name(family) << ' ' << i);
-            expect_right(scenes::make_convex_case(family, random), memory);
-        }
-    }
+    scenes::for_each_case(scenes::convex_families(), 1, 8,
+                          [&](const scenes::ConvexCase& made) { expect_right(made, memory); });
 }
 
 // Beyond 96 vertices, what is furthest is found by climbing.

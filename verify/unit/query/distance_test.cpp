@@ -4,18 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cfenv>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <sstream>
 
 #include "ecods/error.hpp"
-#include "environment/instruction_sets.hpp"
-#include "judge/distance_truth.hpp"
-#include "scenes/distance_cases.hpp"
+#include "scenes/pose_at.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
+#include "unit/query/expect_right.hpp"
 
 namespace ecods {
 namespace {
@@ -24,28 +21,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void expect_right(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness) {
-    const judge::DistanceTruth truth(a, b);
-    const auto wrong = truth.ask(memory, witness);
-    ASSERT_FALSE(wrong) << wrong->question << ": expected " << wrong->expected << ", got " << wrong->got;
+    expect_right(judge::DistanceTruth(a, b), memory, witness);
 }
 
-// One witness goes through all of them: it comes from other bodies each time.
 TEST(Distance, EveryFamilyAsTheOracle) {
-    for (const scenes::DistanceFamily family : scenes::distance_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(1);
-        QueryMemory memory;
-        PairWitness witness;
-        for (int i = 0; i < 60; ++i) {
-            SCOPED_TRACE(i);
-            const scenes::DistanceCase made = scenes::make_distance_case(family, random);
-            const MeshShape a(made.a), b(made.b);
-            if (made.distance) {
-                ASSERT_EQ(distance({a, made.pose_a}, {b, made.pose_b}, memory), *made.distance);
-            }
-            ASSERT_NO_FATAL_FAILURE(expect_right({a, made.pose_a}, {b, made.pose_b}, memory, witness));
-        }
-    }
+    expect_all_right(scenes::distance_families(), 1, 60);
 }
 
 TEST(Distance, ShipsInRandomPoses) {
@@ -66,30 +46,25 @@ struct Cubes {
     MeshShape cube{scenes::cube(0.5)};
     QueryMemory memory;
 
-    static Pose at(double x, double y, double z) {
-        Pose pose;
-        pose.t = Vec3(x, y, z);
-        return pose;
-    }
     Posed<MeshShape> posed(const Pose& pose) const { return {cube, pose}; }
     ClosestPoints closest_at(const Pose& pose) { return closest(posed(Pose()), posed(pose), memory); }
 };
 
 TEST(Distance, CubesBesideEachOther) {
     Cubes cubes;
-    const ClosestPoints corners = cubes.closest_at(Cubes::at(3, 4, 7));  // 2, 3 and 6 apart
+    const ClosestPoints corners = cubes.closest_at(at(3, 4, 7));  // 2, 3 and 6 apart
     EXPECT_EQ(corners.distance, 7);
     EXPECT_EQ(corners.kind, ClosestKind::vertex_vertex);
     EXPECT_EQ(corners.point_a, Vec3(0.5, 0.5, 0.5));
     EXPECT_EQ(corners.point_b, Vec3(2.5, 3.5, 6.5));
     EXPECT_EQ(corners.triangles(), (TrianglePair{corners.a.triangle, corners.b.triangle}));
     // Edge over edge; a vertex of the one is over the other's edge, and vertices come first.
-    EXPECT_EQ(cubes.closest_at(Cubes::at(4, 5, 0.25)).distance, 5);
-    EXPECT_EQ(cubes.closest_at(Cubes::at(4, 5, 0.25)).kind, ClosestKind::vertex_edge);
-    EXPECT_EQ(cubes.closest_at(Cubes::at(4, 5, 0)).kind, ClosestKind::vertex_vertex);
-    EXPECT_EQ(cubes.closest_at(Cubes::at(3, 0.25, 0.125)).distance, 2);
-    EXPECT_EQ(cubes.closest_at(Cubes::at(1, 0.25, 0.125)).kind, ClosestKind::intersecting);
-    EXPECT_EQ(cubes.closest_at(Cubes::at(1, 0.25, 0.125)).distance, 0);
+    EXPECT_EQ(cubes.closest_at(at(4, 5, 0.25)).distance, 5);
+    EXPECT_EQ(cubes.closest_at(at(4, 5, 0.25)).kind, ClosestKind::vertex_edge);
+    EXPECT_EQ(cubes.closest_at(at(4, 5, 0)).kind, ClosestKind::vertex_vertex);
+    EXPECT_EQ(cubes.closest_at(at(3, 0.25, 0.125)).distance, 2);
+    EXPECT_EQ(cubes.closest_at(at(1, 0.25, 0.125)).kind, ClosestKind::intersecting);
+    EXPECT_EQ(cubes.closest_at(at(1, 0.25, 0.125)).distance, 0);
 }
 
 // The name of a face is not that of the vertex of the same index: vertex 5 over face 7, and face 5 under vertex 7.
@@ -128,7 +103,7 @@ TEST(Distance, FacesAndVerticesOfOneIndexAreNotOne) {
 
 TEST(Distance, WithinIsDecidedForTheRealNumber) {
     Cubes cubes;
-    const Pose there = Cubes::at(2, 2, 2);  // the root of 3, which lies above 0x1.bb67ae8584caap0
+    const Pose there = at(2, 2, 2);  // the root of 3, which lies above 0x1.bb67ae8584caap0
     const auto is_within = [&](double d) { return within(cubes.posed(Pose()), cubes.posed(there), d, cubes.memory); };
     EXPECT_FALSE(is_within(0x1.bb67ae8584caap0));
     EXPECT_TRUE(is_within(0x1.bb67ae8584cabp0));
@@ -194,7 +169,7 @@ TEST(Distance, BoundsOfPairsThatRoundToOneDouble) {
 
 TEST(Distance, BadDistancesAreErrors) {
     Cubes cubes;
-    const auto a = cubes.posed(Pose()), b = cubes.posed(Cubes::at(3, 0, 0));
+    const auto a = cubes.posed(Pose()), b = cubes.posed(at(3, 0, 0));
     PairWitness witness;
     for (const double bad : {-1.0, -0x1p-1074, nan, -infinity}) {
         EXPECT_THROW(within(a, b, bad, cubes.memory), InvalidDistance);
@@ -217,30 +192,7 @@ TEST(Distance, KindsHaveNames) {
 
 // What a query leaves in its memory does not matter, and neither do instruction sets and rounding modes.
 TEST(Distance, TheSameBitsInEveryEnvironment) {
-    for (const scenes::DistanceFamily family : scenes::distance_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(3);
-        for (int i = 0; i < 8; ++i) {
-            const scenes::DistanceCase made = scenes::make_distance_case(family, random);
-            const MeshShape a(made.a), b(made.b);
-            const judge::DistanceTruth truth({a, made.pose_a}, {b, made.pose_b});
-            for (const InstructionSet set : environment::supported_instruction_sets()) {
-                const environment::InstructionSetLimit limit(set);
-                for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
-                    QueryMemory memory;
-                    PairWitness witness;
-                    std::fesetround(mode);
-                    const auto wrong = truth.ask(memory, witness);
-                    const int after = std::fegetround();
-                    std::fesetround(FE_TONEAREST);
-                    ASSERT_FALSE(wrong) << environment::name(set) << ", mode " << mode << ", " << i << ": "
-                                        << wrong->question << ": expected " << wrong->expected << ", got "
-                                        << wrong->got;
-                    ASSERT_EQ(after, mode);
-                }
-            }
-        }
-    }
+    expect_all_right_everywhere(scenes::distance_families(), 3, 8);
 }
 
 // Triangles in another order, and their corners: the same number.

@@ -1,11 +1,13 @@
-// The configurations on which other libraries fail, asked about distances, hits, casts and moves beside the oracle: by
-// lines through their corners and along their edges, and on ways that end at a corner, pass it, or begin in contact.
+// The configurations on which other libraries fail, asked about distances, hits, casts, moves and depths beside the
+// oracle: by lines through their corners and along their edges, and on ways that end at a corner, pass it, or begin in
+// contact.
 #include <gtest/gtest.h>
 
-#include "judge/cast_truth.hpp"
-#include "judge/distance_truth.hpp"
-#include "judge/hit_truth.hpp"
+#include <optional>
+
+#include "ecods/error.hpp"
 #include "scenes/io/hard_case_file.hpp"
+#include "unit/query/expect_right.hpp"
 
 namespace ecods {
 namespace {
@@ -37,20 +39,15 @@ class HardCases : public testing::Test {
         EXPECT_GT(asked, 40U);
     }
 
-    template <class Truth>
-    void expect_right(const Truth& truth) {
-        const auto wrong = truth.ask(memory_, witness_);
-        ASSERT_FALSE(wrong) << wrong->question << ": expected " << wrong->expected << ", got " << wrong->got;
-    }
-
-  private:
     scenes::HardCases known_;
     QueryMemory memory_;
     PairWitness witness_;
 };
 
 TEST_F(HardCases, Distances) {
-    for_each([&](const auto& a, const auto& b, const auto&, const auto&) { expect_right(judge::DistanceTruth(a, b)); });
+    for_each([&](const auto& a, const auto& b, const auto&, const auto&) {
+        expect_right(judge::DistanceTruth(a, b), memory_, witness_);
+    });
 }
 
 TEST_F(HardCases, Hits) {
@@ -59,7 +56,7 @@ TEST_F(HardCases, Hits) {
             const std::size_t next = (i + 1) % 3;
             for (const Segment& segment : {Segment{of_a(i), of_a(next)}, Segment{of_a(i), of_b(i)},
                                            Segment{of_a(i), 2 * of_b(next) - of_a(i)}, Segment{of_b(i), of_b(next)}}) {
-                ASSERT_NO_FATAL_FAILURE(expect_right(judge::HitTruth(segment, b)));
+                ASSERT_NO_FATAL_FAILURE(expect_right(judge::HitTruth(segment, b), memory_, witness_));
             }
         }
     });
@@ -71,9 +68,9 @@ TEST_F(HardCases, Casts) {
         Posed<MeshShape> back = a;
         back.pose.t -= 2 * (of_b(1) - of_b(0)) + (of_b(2) - of_b(0));
         for (const Vec3& motion : {way, Vec3(2 * way), Vec3(of_a(1) - of_a(0))}) {
-            ASSERT_NO_FATAL_FAILURE(expect_right(judge::CastTruth(a, motion, b, 2)));
+            ASSERT_NO_FATAL_FAILURE(expect_right(judge::CastTruth(a, motion, b, 2), memory_, witness_));
         }
-        ASSERT_NO_FATAL_FAILURE(expect_right(judge::CastTruth(back, a.pose.t - back.pose.t, b, 2)));
+        ASSERT_NO_FATAL_FAILURE(expect_right(judge::CastTruth(back, a.pose.t - back.pose.t, b, 2), memory_, witness_));
     });
 }
 
@@ -84,9 +81,31 @@ TEST_F(HardCases, Moves) {
         to.R = 0.5 * to.R + 0.5 * b.pose.R;
         from_b.t += of_b(1) - of_b(2);
         const Moving<MeshShape> first(*a.what, a.pose, to), second(*b.what, from_b, b.pose);
-        ASSERT_NO_FATAL_FAILURE(expect_right(judge::CastTruth(first, {*b.what, b.pose, b.pose}, 2)));
-        ASSERT_NO_FATAL_FAILURE(expect_right(judge::CastTruth(first, second, 2)));
+        ASSERT_NO_FATAL_FAILURE(expect_right(judge::CastTruth(first, {*b.what, b.pose, b.pose}, 2), memory_, witness_));
+        ASSERT_NO_FATAL_FAILURE(expect_right(judge::CastTruth(first, second, 2), memory_, witness_));
     });
+}
+
+// The ones that bound convex solids.
+TEST_F(HardCases, ConvexSolids) {
+    int asked = 0;
+    for (const scenes::HardCase& hard : known_.cases) {
+        SCOPED_TRACE(hard.id);
+        if (!hard.solid_relation) continue;
+        std::optional<ConvexSolid> a, b;
+        try {
+            a.emplace(hard.a.mesh);
+            b.emplace(hard.b.mesh);
+        } catch (const NotConvex&) {
+            continue;
+        }
+        ++asked;
+        const judge::ConvexTruth truth({*a, hard.a.pose}, {*b, hard.b.pose});
+        EXPECT_EQ(*hard.solid_relation == "apart", !truth.depth());
+        EXPECT_EQ(*hard.solid_relation == "touching", truth.depth() && truth.depth()->depth == 0);
+        ASSERT_NO_FATAL_FAILURE(expect_right(truth, memory_, witness_));
+    }
+    EXPECT_GT(asked, 30);
 }
 
 }  // namespace

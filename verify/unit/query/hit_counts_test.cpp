@@ -39,7 +39,7 @@ TEST(HitCounts, WorkIsWhatItWas) {
         QueryMemory memory;
         PairWitness witness;
         std::uint64_t hits = 0;
-        for (const Segment& segment : workload.segments) {
+        for (const Segment& segment : workload.queries) {
             hits += first_hit(segment, {shape, workload.bodies.front().pose}, memory, witness).has_value();
         }
         const HitCounts& counts = memory.counts().hits;

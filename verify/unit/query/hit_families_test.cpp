@@ -8,8 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "judge/hit_truth.hpp"
-#include "scenes/hit_cases.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
 #include "unit/query/expect_right.hpp"
@@ -17,45 +15,13 @@
 namespace ecods {
 namespace {
 
-// One witness goes through all of them: it comes from other bodies each time.
 TEST(HitFamilies, AsTheOracle) {
-    std::array<int, 7> kinds{};
-    for (const scenes::HitFamily family : scenes::hit_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(1);
-        QueryMemory memory;
-        PairWitness witness;
-        const bool is_of_many = family == scenes::HitFamily::distance_cases;
-        for (int i = 0; i < (is_of_many ? 1500 : 400); ++i) {
-            SCOPED_TRACE(i);
-            const scenes::HitCase made = scenes::make_hit_case(family, random);
-            const MeshShape shape(made.mesh);
-            const judge::HitTruth truth(made.line, {shape, made.pose});
-            if (made.known) {
-                ASSERT_FALSE(truth.hits().empty());
-                ASSERT_EQ(truth.hits()[0].parameter, made.known->parameter);
-                ASSERT_EQ(truth.hits()[0].feature, made.known->feature);
-            }
-            ++kinds[truth.hits().empty() ? 6 : static_cast<std::size_t>(truth.hits()[0].kind)];
-            ASSERT_NO_FATAL_FAILURE(expect_right(truth, memory, witness));
-        }
-    }
-    for (const int count : kinds) EXPECT_GT(count, 20);
+    const auto count = [](std::string_view family) { return family == "bodies of distances" ? 1500 : 400; };
+    expect_each(expect_all_right(scenes::hit_families(), 1, count), 7, 20);
 }
 
-// Neither instruction sets nor rounding modes matter, nor what a question leaves in the memory.
 TEST(HitFamilies, TheSameBitsInEveryEnvironment) {
-    for (const scenes::HitFamily family : scenes::hit_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(2);
-        for (int i = 0; i < 20; ++i) {
-            const scenes::HitCase made = scenes::make_hit_case(family, random);
-            const MeshShape shape(made.mesh);
-            const judge::HitTruth truth(made.line, {shape, made.pose});
-            SCOPED_TRACE(i);
-            expect_right_everywhere(truth);
-        }
-    }
+    expect_all_right_everywhere(scenes::hit_families(), 2, 20);
 }
 
 struct Named {
@@ -158,27 +124,22 @@ TEST(HitFamilies, ALongerRayHitsMore) {
 // Hits' points as ends of segments, and one as both.
 TEST(HitFamilies, OwnAnswersAsArguments) {
     std::size_t asked = 0;
-    for (const scenes::HitFamily family : scenes::hit_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(6);
-        QueryMemory memory;
-        PairWitness witness;
-        for (int i = 0; i < 60; ++i) {
-            const scenes::HitCase made = scenes::make_hit_case(family, random);
-            const MeshShape shape(made.mesh);
-            const Posed<MeshShape> body{shape, made.pose};
-            const auto hits = std::visit([&](const auto& line) { return all_hits(line, body, memory); }, made.line);
-            if (hits.empty()) continue;
-            const Vec3 first = hits.front().point, last = hits.back().leave_point;
-            if (!first.allFinite() || !last.allFinite()) continue;
-            const auto* segment = std::get_if<Segment>(&made.line);
-            const Vec3 from = segment != nullptr ? segment->a : std::get<Ray>(made.line).origin;
-            for (const Segment& of_answers : {Segment{from, first}, Segment{last, first}, Segment{first, first}}) {
-                ++asked;
-                ASSERT_NO_FATAL_FAILURE(expect_right(judge::HitTruth(of_answers, body), memory, witness)) << i;
-            }
+    QueryMemory memory;
+    PairWitness witness;
+    scenes::for_each_case(scenes::hit_families(), 6, 60, [&](const scenes::HitCase& made) {
+        const MeshShape shape(made.mesh);
+        const Posed<MeshShape> body{shape, made.pose};
+        const auto hits = std::visit([&](const auto& line) { return all_hits(line, body, memory); }, made.line);
+        if (hits.empty()) return;
+        const Vec3 first = hits.front().point, last = hits.back().leave_point;
+        if (!first.allFinite() || !last.allFinite()) return;
+        const auto* segment = std::get_if<Segment>(&made.line);
+        const Vec3 from = segment != nullptr ? segment->a : std::get<Ray>(made.line).origin;
+        for (const Segment& of_answers : {Segment{from, first}, Segment{last, first}, Segment{first, first}}) {
+            ++asked;
+            ASSERT_NO_FATAL_FAILURE(expect_right(judge::HitTruth(of_answers, body), memory, witness));
         }
-    }
+    });
     EXPECT_GT(asked, 400U);
 }
 

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <cfenv>
-#include <optional>
-#include <span>
-#include <string>
 #include <vector>
 
 #include "ecods/contact.hpp"

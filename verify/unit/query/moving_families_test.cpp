@@ -1,80 +1,50 @@
 // Casts between poses of every family of cast_cases.hpp beside the oracle, along their way, and what must not matter.
 #include <gtest/gtest.h>
 
-#include <array>
+#include <string_view>
 
-#include "environment/each_environment.hpp"
-#include "judge/cast_truth.hpp"
-#include "scenes/cast_cases.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/query/expect_right.hpp"
 
 namespace ecods {
 namespace {
 
-judge::CastTruth truth_of(const scenes::MoveCase& made, const MeshShape& a, const MeshShape& b, int samples) {
-    return {{a, made.from_a, made.to_a}, {b, made.from_b, made.to_b}, samples};
-}
+using Judged = judge::Judged<scenes::MoveCase>;
 
-// One witness goes through all of them: it comes from other bodies each time.
 TEST(MovingFamilies, AsTheOracle) {
-    std::array<int, 6> kinds{};
+    std::map<std::string, int> kinds;
     std::size_t samples = 0;
-    for (const scenes::MoveFamily family : scenes::move_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(1);
-        QueryMemory memory;
-        PairWitness witness;
-        for (int i = 0; i < 60; ++i) {
-            SCOPED_TRACE(i);
-            const scenes::MoveCase made = scenes::make_move_case(family, random);
-            const MeshShape a(made.a), b(made.b);
-            const judge::CastTruth truth = truth_of(made, a, b, 8);
-            if (made.time) {
-                ASSERT_EQ(truth.contact() ? truth.contact()->time : -1, *made.time);
-            }
-            ++kinds[truth.contact() ? static_cast<std::size_t>(truth.contact()->kind) : 5];
-            samples += truth.sample_count();
-            ASSERT_NO_FATAL_FAILURE(expect_right(truth, memory, witness));
-        }
-    }
-    for (const int count : kinds) EXPECT_GT(count, 10);
+    QueryMemory memory;
+    PairWitness witness;
+    scenes::for_each_case(scenes::move_families(), 1, 60, [&](const scenes::MoveCase& made) {
+        const Judged judged(made);
+        samples += judged.truth.sample_count();
+        expect_right(made, judged, memory, witness, kinds);
+    });
+    expect_each(kinds, 6, 10);
     EXPECT_GT(samples, 1000U);
 }
 
 // Two hundred times along the way: the poses there are doubles.
 TEST(MovingFamilies, SamplesAlongTheWay) {
     std::size_t samples = 0;
-    for (const auto family : {scenes::MoveFamily::lattice, scenes::MoveFamily::integer_matrix,
-                              scenes::MoveFamily::turned_over, scenes::MoveFamily::short_numbers}) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(2);
-        QueryMemory memory;
-        PairWitness witness;
-        for (int i = 0; i < 15; ++i) {
-            const scenes::MoveCase made = scenes::make_move_case(family, random);
-            const MeshShape a(made.a), b(made.b);
-            const judge::CastTruth truth = truth_of(made, a, b, 256);
-            samples += truth.sample_count();
-            ASSERT_NO_FATAL_FAILURE(expect_right(truth, memory, witness)) << i;
-        }
-    }
+    QueryMemory memory;
+    PairWitness witness;
+    const auto count = [](std::string_view family) {
+        const bool has_doubles =
+            family == "lattice" || family == "integer matrix" || family == "turned over" || family == "short numbers";
+        return has_doubles ? 15 : 0;
+    };
+    scenes::for_each_case(scenes::move_families(), 2, count, [&](const scenes::MoveCase& made) {
+        const Judged judged(made, 256);
+        samples += judged.truth.sample_count();
+        expect_right(judged.truth, memory, witness);
+    });
     EXPECT_GT(samples, 5000U);
 }
 
-// Neither instruction sets nor rounding modes matter, nor what a question leaves in the memory.
 TEST(MovingFamilies, TheSameBitsInEveryEnvironment) {
-    for (const scenes::MoveFamily family : scenes::move_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(3);
-        for (int i = 0; i < 5; ++i) {
-            const scenes::MoveCase made = scenes::make_move_case(family, random);
-            const MeshShape a(made.a), b(made.b);
-            const judge::CastTruth truth = truth_of(made, a, b, 1);
-            SCOPED_TRACE(i);
-            expect_right_everywhere(truth);
-        }
-    }
+    expect_all_right_everywhere(scenes::move_families(), 3, 5, 1);
 }
 
 // Trees of several levels.
@@ -106,24 +76,19 @@ TEST(MovingFamilies, OwnAnswersAsArguments) {
     const auto between = [](const Pose& from, const Pose& to, double s) {
         return Pose{from.R * (1 - s) + to.R * s, from.t * (1 - s) + to.t * s};
     };
-    for (const scenes::MoveFamily family : scenes::move_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        scenes::Random random(5);
-        QueryMemory memory;
-        PairWitness witness;
-        for (int i = 0; i < 15; ++i) {
-            scenes::MoveCase made = scenes::make_move_case(family, random);
-            const MeshShape a(made.a), b(made.b);
-            const auto contact = cast(Moving(a, made.from_a, made.to_a), Moving(b, made.from_b, made.to_b), memory);
-            if (!contact) continue;
-            made.to_a = between(made.from_a, made.to_a, contact->time);
-            made.to_b = between(made.from_b, made.to_b, contact->time);
-            if (!made.to_a.R.allFinite() || !made.to_a.t.allFinite()) continue;
-            if (!made.to_b.R.allFinite() || !made.to_b.t.allFinite()) continue;
-            ++asked;
-            ASSERT_NO_FATAL_FAILURE(expect_right(truth_of(made, a, b, 1), memory, witness)) << i;
-        }
-    }
+    QueryMemory memory;
+    PairWitness witness;
+    scenes::for_each_case(scenes::move_families(), 5, 15, [&](scenes::MoveCase made) {
+        const MeshShape a(made.a), b(made.b);
+        const auto contact = cast(Moving(a, made.from_a, made.to_a), Moving(b, made.from_b, made.to_b), memory);
+        if (!contact) return;
+        made.to_a = between(made.from_a, made.to_a, contact->time);
+        made.to_b = between(made.from_b, made.to_b, contact->time);
+        if (!made.to_a.R.allFinite() || !made.to_a.t.allFinite()) return;
+        if (!made.to_b.R.allFinite() || !made.to_b.t.allFinite()) return;
+        ++asked;
+        expect_right(Judged(made, 1).truth, memory, witness);
+    });
     EXPECT_GT(asked, 40U);
 }
 

@@ -4,8 +4,6 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 

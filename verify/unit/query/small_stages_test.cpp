@@ -1,10 +1,9 @@
 // Stages for bodies of special form: meshes of one triangle, and bodies that lie in one plane z = constant.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "ecods/intersection.hpp"
 #include "oracle/oracle.hpp"
+#include "scenes/each_case.hpp"
 #include "scenes/flush_parts.hpp"
 #include "scenes/hard_pairs.hpp"
 #include "scenes/random.hpp"
@@ -19,18 +18,15 @@ std::shared_ptr<const Mesh> one_triangle(const std::array<Vec3, 3>& corners) {
 TEST(SingleTriangles, AnswerAsThePredicateOnEveryFamily) {
     scenes::Random random(12);
     QueryMemory memory;
-    for (const scenes::HardFamily family : scenes::hard_families()) {
-        for (int i = 0; i < 300; ++i) {
-            const scenes::PosedPair pair = scenes::make_pair(family, random);
-            const MeshShape a(one_triangle(pair.a)), b(one_triangle(pair.b));
-            const Posed<MeshShape> x{a, pair.pose_a}, y{b, pair.pose_b};
-            const Relation expected = triangle_triangle({pair.pose_a, pair.a}, {pair.pose_b, pair.b});
-            ASSERT_EQ(relation(x, y, memory), expected) << scenes::name(family) << " " << i;
-            ASSERT_EQ(relation(y, x, memory), expected);
-            ASSERT_EQ(intersects(x, y, memory), expected != Relation::disjoint);
-            ASSERT_EQ(intersecting_triangles(x, y, memory).size(), expected != Relation::disjoint ? 1u : 0u);
-        }
-    }
+    scenes::for_each_case(scenes::hard_families(), random, 300, [&](const scenes::PosedPair& pair) {
+        const MeshShape a(one_triangle(pair.a)), b(one_triangle(pair.b));
+        const Posed<MeshShape> x{a, pair.pose_a}, y{b, pair.pose_b};
+        const Relation expected = triangle_triangle({pair.pose_a, pair.a}, {pair.pose_b, pair.b});
+        ASSERT_EQ(relation(x, y, memory), expected);
+        ASSERT_EQ(relation(y, x, memory), expected);
+        ASSERT_EQ(intersects(x, y, memory), expected != Relation::disjoint);
+        ASSERT_EQ(intersecting_triangles(x, y, memory).size(), expected != Relation::disjoint ? 1u : 0u);
+    });
     EXPECT_EQ(memory.counts().queries, 4 * 300 * std::size(scenes::hard_families()));
 }
 

@@ -1,63 +1,38 @@
 // Solids of every family of solid_cases.hpp beside the oracle and beside how they were made, and what must not matter.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 
-#include "environment/each_environment.hpp"
-#include "judge/solid_truth.hpp"
 #include "scenes/lattice_bodies.hpp"
 #include "scenes/shapes.hpp"
-#include "scenes/solid_cases.hpp"
+#include "unit/query/expect_right.hpp"
 
 namespace ecods {
 namespace {
 
 using scenes::Random;
 using scenes::SolidCase;
-using scenes::SolidFamily;
 
-void expect_none(const std::optional<judge::Wrong>& wrong) {
-    ASSERT_FALSE(wrong) << wrong->question << ": expected " << wrong->expected << ", got " << wrong->got;
-}
-
-int cases_of(SolidFamily family) {
-    switch (family) {
-        case SolidFamily::polycubes:
-        case SolidFamily::common_pose:
-        case SolidFamily::singular:
-            return 8;
-        case SolidFamily::contacts:
-        case SolidFamily::nudged:
-            return 40;
-        default:
-            return 20;
-    }
+int cases_of(std::string_view family) {
+    if (family == "polycubes" || family == "common pose" || family == "singular") return 8;
+    return family == "contacts" || family == "nudged" ? 40 : 20;
 }
 
 TEST(SolidFamilies, AsTheOracle) {
-    std::array<int, 6> relations{};
+    std::map<std::string, int> relations;
     std::array<int, 4> surfaces{};
     std::size_t on_count = 0;
     QueryMemory memory;
-    for (const SolidFamily family : scenes::solid_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        Random random(1);
-        for (int i = 0; i < cases_of(family); ++i) {
-            SCOPED_TRACE(i);
-            const SolidCase made = scenes::make_solid_case(family, random);
-            ASSERT_NO_FATAL_FAILURE(expect_none(judge::ask_whether_solid(*made.a.mesh)));
-            const Solid a(made.a.mesh), b(made.b.mesh);
-            const judge::SolidTruth truth({a, made.a.pose}, {b, made.b.pose}, made.known_points());
-            ASSERT_EQ(truth.relation(), made.relation.value_or(truth.relation()));
-            ++relations[static_cast<std::size_t>(truth.relation())];
-            ++surfaces[static_cast<std::size_t>(truth.surface_relation())];
-            on_count += truth.on_count();
-            ASSERT_NO_FATAL_FAILURE(expect_none(truth.ask(memory)));
-        }
-    }
-    for (const int count : relations) EXPECT_GT(count, 5);
+    PairWitness none;
+    scenes::for_each_case(scenes::solid_families(), 1, cases_of, [&](const SolidCase& made) {
+        ASSERT_NO_FATAL_FAILURE(expect_none(judge::ask_whether_solid(*made.a.mesh)));
+        const judge::Judged<SolidCase> judged(made);
+        ++surfaces[static_cast<std::size_t>(judged.truth.surface_relation())];
+        on_count += judged.truth.on_count();
+        expect_right(made, judged, memory, none, relations);
+    });
+    expect_each(relations, 6, 5);
     for (const int count : surfaces) EXPECT_GT(count, 5);
     EXPECT_GT(on_count, 300U);
 }
@@ -65,69 +40,57 @@ TEST(SolidFamilies, AsTheOracle) {
 // Neither instruction sets nor rounding modes matter, nor what a question leaves in the memory. Solids are made in the
 // environment, too.
 TEST(SolidFamilies, TheSameInEveryEnvironment) {
-    for (const SolidFamily family : scenes::solid_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        Random random(2);
-        for (int i = 0; i < 2; ++i) {
-            const SolidCase made = scenes::make_solid_case(family, random);
-            const Solid a(made.a.mesh), b(made.b.mesh);
-            const judge::SolidTruth truth({a, made.a.pose}, {b, made.b.pose}, made.known_points());
-            const auto ask = [&] {
-                QueryMemory memory;
-                const Solid new_a(made.a.mesh), new_b(made.b.mesh);
-                return truth.with({new_a, made.a.pose}, {new_b, made.b.pose}).ask(memory);
-            };
-            environment::in_each_environment(ask, [](const auto& wrong, const std::string& where) {
-                SCOPED_TRACE(where);
-                ASSERT_NO_FATAL_FAILURE(expect_none(wrong));
-            });
-        }
-    }
+    scenes::for_each_case(scenes::solid_families(), 2, 2, [](const SolidCase& made) {
+        const judge::Judged<SolidCase> judged(made);
+        const auto ask = [&] {
+            QueryMemory memory;
+            const Solid new_a(made.a.mesh), new_b(made.b.mesh);
+            return judged.truth.with({new_a, made.a.pose}, {new_b, made.b.pose}).ask(memory);
+        };
+        environment::in_each_environment(ask, [](const auto& wrong, const std::string& where) {
+            SCOPED_TRACE(where);
+            ASSERT_NO_FATAL_FAILURE(expect_none(wrong));
+        });
+    });
 }
 
 // The order of triangles and of their corners, and whether corners that are equal are one vertex.
 TEST(SolidFamilies, TheOrderOfTrianglesDoesNotMatter) {
     Random random(3);
     QueryMemory memory;
-    for (const SolidFamily family : scenes::solid_families()) {
-        for (int i = 0; i < 10; ++i) {
-            SCOPED_TRACE(i);
-            const SolidCase made = scenes::make_solid_case(family, random);
-            const auto shuffled = [&](const std::shared_ptr<const Mesh>& mesh) {
-                std::vector<Vec3> vertices(mesh->vertices().begin(), mesh->vertices().end());
-                std::vector<Triangle> triangles(mesh->triangles().begin(), mesh->triangles().end());
-                scenes::shuffle(vertices, triangles, random);
-                return Mesh::create(std::move(vertices), std::move(triangles));
-            };
-            const Solid a(made.a.mesh), b(made.b.mesh), c(shuffled(made.a.mesh)), d(shuffled(made.b.mesh));
-            const SolidRelation relation = solid_relation({a, made.a.pose}, {b, made.b.pose}, memory);
-            ASSERT_EQ(solid_relation({c, made.a.pose}, {d, made.b.pose}, memory), relation) << scenes::name(family);
-            ASSERT_EQ(surface_relation({c, made.a.pose}, {d, made.b.pose}, memory),
-                      surface_relation({a, made.a.pose}, {b, made.b.pose}, memory))
-                << scenes::name(family);
-            for (const Vec3& point : made.known_points()) {
-                ASSERT_EQ(locate(point, {a, made.a.pose}, memory).side, locate(point, {c, made.a.pose}, memory).side);
-            }
+    scenes::for_each_case(scenes::solid_families(), random, 10, [&](const SolidCase& made) {
+        const auto shuffled = [&](const std::shared_ptr<const Mesh>& mesh) {
+            std::vector<Vec3> vertices(mesh->vertices().begin(), mesh->vertices().end());
+            std::vector<Triangle> triangles(mesh->triangles().begin(), mesh->triangles().end());
+            scenes::shuffle(vertices, triangles, random);
+            return Mesh::create(std::move(vertices), std::move(triangles));
+        };
+        const Solid a(made.a.mesh), b(made.b.mesh), c(shuffled(made.a.mesh)), d(shuffled(made.b.mesh));
+        ASSERT_EQ(solid_relation({c, made.a.pose}, {d, made.b.pose}, memory),
+                  solid_relation({a, made.a.pose}, {b, made.b.pose}, memory));
+        ASSERT_EQ(surface_relation({c, made.a.pose}, {d, made.b.pose}, memory),
+                  surface_relation({a, made.a.pose}, {b, made.b.pose}, memory));
+        for (const Vec3& point : made.known_points()) {
+            ASSERT_EQ(locate(point, {a, made.a.pose}, memory).side, locate(point, {c, made.a.pose}, memory).side);
         }
-    }
+    });
 }
 
 // A solid is equal to itself at a pose, however its numbers are written.
 TEST(SolidFamilies, EveryOneWithItself) {
     Random random(4);
     QueryMemory memory;
-    for (const SolidFamily family : scenes::solid_families()) {
-        for (int i = 0; i < 10; ++i) {
-            const SolidCase made = scenes::make_solid_case(family, random);
-            const Solid a(made.a.mesh);
-            const bool is_empty = family == SolidFamily::no_solid_area, is_flat = family == SolidFamily::singular;
-            if (is_empty || is_flat) continue;
-            ASSERT_EQ(solid_relation({a, made.a.pose}, {a, made.a.pose}, memory), SolidRelation::equal);
-            Pose other = made.a.pose;
-            for (double& x : other.R.reshaped()) x = x == 0 ? -x : x;
-            ASSERT_EQ(solid_relation({a, made.a.pose}, {a, other}, memory), SolidRelation::equal);
-        }
-    }
+    const auto count = [](std::string_view family) {
+        const bool is_empty = family == "no solid area", is_flat = family == "singular";
+        return is_empty || is_flat ? 0 : 10;
+    };
+    scenes::for_each_case(scenes::solid_families(), random, count, [&](const SolidCase& made) {
+        const Solid a(made.a.mesh);
+        ASSERT_EQ(solid_relation({a, made.a.pose}, {a, made.a.pose}, memory), SolidRelation::equal);
+        Pose other = made.a.pose;
+        for (double& x : other.R.reshaped()) x = x == 0 ? -x : x;
+        ASSERT_EQ(solid_relation({a, made.a.pose}, {a, other}, memory), SolidRelation::equal);
+    });
 }
 
 // A triangle through the middle of an edge, or with a corner or a side there.
@@ -180,17 +143,12 @@ std::shared_ptr<const Mesh> spoilt(const Mesh& mesh, Random& random) {
 TEST(SolidFamilies, WhatIsNoSolidIsNamedAsTheOracleDoes) {
     Random random(6);
     std::array<int, 3> counts{};  // solids, open ones, ones that intersect themselves
-    for (const SolidFamily family : scenes::solid_families()) {
-        SCOPED_TRACE(scenes::name(family));
-        for (int i = 0; i < 25; ++i) {
-            SCOPED_TRACE(i);
-            const SolidCase made = scenes::make_solid_case(family, random);
-            std::shared_ptr<const Mesh> mesh = made.a.mesh;
-            for (int times = scenes::hard::integer(random, 1, 3); times > 0; --times) mesh = spoilt(*mesh, random);
-            ++counts[oracle::open_edge(*mesh) ? 1 : oracle::self_intersections(*mesh).empty() ? 0 : 2];
-            ASSERT_NO_FATAL_FAILURE(expect_none(judge::ask_whether_solid(*mesh)));
-        }
-    }
+    scenes::for_each_case(scenes::solid_families(), random, 25, [&](const SolidCase& made) {
+        std::shared_ptr<const Mesh> mesh = made.a.mesh;
+        for (int times = scenes::hard::integer(random, 1, 3); times > 0; --times) mesh = spoilt(*mesh, random);
+        ++counts[oracle::open_edge(*mesh) ? 1 : oracle::self_intersections(*mesh).empty() ? 0 : 2];
+        expect_none(judge::ask_whether_solid(*mesh));
+    });
     for (const int count : counts) EXPECT_GT(count, 10);
 }
 

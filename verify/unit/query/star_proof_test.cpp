@@ -6,8 +6,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
-#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -41,7 +39,7 @@ bool is_rightly_proven(const MeshPtr& mesh, bool asks_oracle) {
     const MeshShape shape(mesh);
     const ProperMesh proper = find_proper(mesh);
     std::vector<EdgeOverlap> overlaps;
-    EXPECT_FALSE(SelfContacts(proper, MeshShapeAccess::tree(shape)).find_least(overlaps).has_value());
+    EXPECT_FALSE(least_self_contact(proper, MeshShapeAccess::tree(shape), overlaps).has_value());
     EXPECT_TRUE(overlaps.empty());
     expect_shells_of_rays(proper, shape);
     if (asks_oracle) {

@@ -12,21 +12,20 @@ TEST(ConvexWorkloads, AreWhatTheySay) {
     QueryMemory memory;
     std::size_t distance_count = 0;
     for (const ConvexWorkload& workload : convex_workloads(WorkloadSize::tiny)) {
-        ASSERT_EQ(workload.pairs.queries.size(), 3u);
-        for (const auto& [a, b] : workload.pairs.queries) {
-            const Solid solid_a(workload.pairs.meshes[a.mesh_index].mesh),
-                solid_b(workload.pairs.meshes[b.mesh_index].mesh);
+        ASSERT_EQ(workload.queries.size(), 3u);
+        for (const auto& [a, b] : workload.queries) {
+            const Solid solid_a(workload.meshes[a.mesh_index].mesh), solid_b(workload.meshes[b.mesh_index].mesh);
             const Posed<Solid> posed_a(solid_a, a.pose), posed_b(solid_b, b.pose);
             const SolidRelation relation = solid_relation(posed_a, posed_b, memory);
             if (workload.question == ConvexQuestion::distance) {
                 ++distance_count;
                 const double d = distance(posed_a, posed_b, memory);
-                EXPECT_GT(d, workload.nominal) << workload.pairs.name;
-                EXPECT_LT(d, 1.01 * workload.nominal) << workload.pairs.name;
+                EXPECT_GT(d, workload.nominal) << workload.name;
+                EXPECT_LT(d, 1.01 * workload.nominal) << workload.name;
                 EXPECT_EQ(relation, SolidRelation::apart);
             } else {
-                EXPECT_NE(relation, SolidRelation::apart) << workload.pairs.name;
-                EXPECT_NE(relation, SolidRelation::touching) << workload.pairs.name;
+                EXPECT_NE(relation, SolidRelation::apart) << workload.name;
+                EXPECT_NE(relation, SolidRelation::touching) << workload.name;
             }
         }
     }

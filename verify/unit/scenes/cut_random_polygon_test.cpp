@@ -1,7 +1,6 @@
 // Random and long polygons, cut into triangles.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>

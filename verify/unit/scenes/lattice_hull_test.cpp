@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <set>
-
 #include "oracle/solid.hpp"
 #include "scenes/convex_cases.hpp"
 #include "scenes/hard_pair_parts.hpp"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-
 #include "oracle/oracle.hpp"
 #include "pose_digest.hpp"
 #include "scenes/fitted_parts.hpp"

@@ -30,12 +30,14 @@ struct alignas(64) Sixteen {
 };
 
 // Vectors stay inside of functions for the instruction set.
+ECODS_BEGIN_WIDE
 template <int first>
-ECODS_WIDE void spread(const Eight& x, Sixteen& all, Sixteen& two) {
+void spread(const Eight& x, Sixteen& all, Sixteen& two) {
     const wide::Floats v = wide::twice(x.numbers.data());
     _mm512_store_ps(all.numbers.data(), v);
     _mm512_store_ps(two.numbers.data(), wide::two_of<first>(v));
 }
+ECODS_END_REGION
 
 template <int first>
 void expect_spread(const Eight& x) {
@@ -61,11 +63,13 @@ TEST(Wide, SpreadsEightNumbers) {
 struct Compared {
     std::uint32_t not_above, not_below;
 };
-ECODS_WIDE Compared compare(std::uint32_t lanes, const Sixteen& x, const Sixteen& y) {
+ECODS_BEGIN_WIDE
+Compared compare(std::uint32_t lanes, const Sixteen& x, const Sixteen& y) {
     const wide::Floats a = _mm512_load_ps(x.numbers.data()), b = _mm512_load_ps(y.numbers.data());
     const auto mask = static_cast<wide::Mask>(lanes);
     return {wide::not_above(mask, a, b), wide::not_below(mask, a, b)};
 }
+ECODS_END_REGION
 
 TEST(Wide, ComparesTheLanesOfAMask) {
     if (!has_wide_registers()) GTEST_SKIP() << "no registers of sixteen floats";
@@ -84,9 +88,11 @@ TEST(Wide, ComparesTheLanesOfAMask) {
     }
 }
 
-ECODS_WIDE std::uint32_t not_outside(const Eight& low, const Eight& high, float from, float to) {
+ECODS_BEGIN_WIDE
+std::uint32_t not_outside(const Eight& low, const Eight& high, float from, float to) {
     return wide::not_outside(_mm256_load_ps(low.numbers.data()), _mm256_load_ps(high.numbers.data()), from, to);
 }
+ECODS_END_REGION
 
 TEST(Wide, FindsIntervalsThatReachAnother) {
     if (!has_wide_registers()) GTEST_SKIP() << "no registers of sixteen floats";
@@ -95,9 +101,11 @@ TEST(Wide, FindsIntervalsThatReachAnother) {
     EXPECT_EQ(not_outside(low, high, nan, nan), 0xffu);
 }
 
-ECODS_WIDE std::uint64_t bytes_of(std::uint32_t mask) {
+ECODS_BEGIN_WIDE
+std::uint64_t bytes_of(std::uint32_t mask) {
     return wide::bytes_of(mask);
 }
+ECODS_END_REGION
 TEST(Wide, TurnsMasksToBytes) {
     if (!has_wide_registers()) GTEST_SKIP() << "no registers of sixteen floats";
     for (std::uint32_t mask = 0; mask < 256; ++mask) {
@@ -113,7 +121,8 @@ struct Taken {
     std::array<std::int32_t, 8> i, j;
     std::uint64_t bits, left, of_some;
 };
-ECODS_WIDE Taken take_eight(std::uint64_t word, std::uint32_t some) {
+ECODS_BEGIN_WIDE
+Taken take_eight(std::uint64_t word, std::uint32_t some) {
     Taken taken{};
     const wide::PairNumbers pairs(word);
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(taken.i.data()), pairs.i);
@@ -125,6 +134,7 @@ ECODS_WIDE Taken take_eight(std::uint64_t word, std::uint32_t some) {
     taken.of_some = pairs.bits_of(lanes);
     return taken;
 }
+ECODS_END_REGION
 
 TEST(Wide, TakesTheLowestEightPairsOfAWord) {
     if (!has_wide_registers()) GTEST_SKIP() << "no registers of sixteen floats";
@@ -160,20 +170,20 @@ TEST(Wide, TakesTheLowestEightPairsOfAWord) {
     }
 }
 
-ECODS_ALWAYS_INLINE int of_four(int) noexcept {
+int of_four(int) noexcept {
     return 4;
 }
-ECODS_ALWAYS_INLINE int of_eight(int) noexcept {
+int of_eight(int) noexcept {
     return 8;
 }
-ECODS_WIDE int of_sixteen(int) noexcept {
+int of_sixteen(int) noexcept {
     return 16;
 }
 
 TEST(Wide, EachInstructionSetHasTheWidthOfItsRegisters) {
     for (const InstructionSet set : environment::supported_instruction_sets()) {
         const environment::InstructionSetLimit limit(set);
-        const int width = dispatch_by_three_widths<of_four, of_eight, of_sixteen>(0);
+        const int width = call_widest<of_four, of_eight, of_sixteen>(0);
         EXPECT_EQ(width, set == InstructionSet::baseline ? 4 : set == InstructionSet::avx2 ? 8 : 16);
     }
 }

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <vector>
-
 #include "broad_phase/changes/pair_list.hpp"
 #include "broad_phase/overlap_tracker.hpp"
 #include "scenes/random.hpp"

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-class WorldCastTest : public testing::TestWithParam<BroadPhaseKind> {
+class WorldCastTest : public EachWorld {
   protected:
     Posed<MeshShape> posed(BodyId body) {
         kept.push_back(world.shape(body));
@@ -31,9 +31,6 @@ class WorldCastTest : public testing::TestWithParam<BroadPhaseKind> {
         return {*at_start.what, at_start.pose, to};
     }
 
-    World world{WorldOptions{GetParam()}};
-    std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
-    QueryMemory memory;
     std::vector<std::shared_ptr<const Shape>> kept;
 };
 

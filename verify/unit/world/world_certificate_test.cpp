@@ -17,9 +17,7 @@ namespace {
 
 class WorldCertificates : public testing::TestWithParam<BroadPhaseKind> {};
 
-INSTANTIATE_TEST_SUITE_P(Kinds, WorldCertificates,
-                         testing::Values(BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune,
-                                         BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic));
+INSTANTIATE_TEST_SUITE_P(Kinds, WorldCertificates, broad_phases());
 
 TEST_P(WorldCertificates, AreOfTheLists) {
     scenes::Random random(4);

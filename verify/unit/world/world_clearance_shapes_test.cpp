@@ -53,7 +53,7 @@ class AnsweringPointTest final : public PointTest {
     }
 };
 
-class WorldClearanceShapesTest : public testing::TestWithParam<BroadPhaseKind> {
+class WorldClearanceShapesTest : public EachWorld {
   protected:
     WorldClearanceShapesTest() {
         world.set_test(point_kind, ShapeKind::mesh(), answering);
@@ -74,8 +74,6 @@ class WorldClearanceShapesTest : public testing::TestWithParam<BroadPhaseKind> {
         EXPECT_EQ(world.digest(), digest);
     }
 
-    World world{WorldOptions{GetParam()}};
-    std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
     std::shared_ptr<const Shape> point = std::make_shared<PointShape>();
     std::shared_ptr<const TwoBodyTest> answering = std::make_shared<AnsweringPointTest>();
     std::shared_ptr<const TwoBodyTest> silent = std::make_shared<PointTest>();

@@ -24,11 +24,7 @@ using Pairs = std::vector<BodyPair>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-class WorldClearanceTest : public testing::TestWithParam<BroadPhaseKind> {
-  protected:
-    World world{WorldOptions{GetParam()}};
-    std::shared_ptr<const Mesh> cube = scenes::cube(0.5);  // from -0.5 to 0.5
-};
+class WorldClearanceTest : public EachWorld {};
 
 INSTANTIATE_TEST_SUITE_P(BroadPhases, WorldClearanceTest, broad_phases(), broad_phase_name);
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -24,7 +23,7 @@ std::shared_ptr<const ConvexSolid> convex_cube(double half) {
     return std::make_shared<const ConvexSolid>(scenes::cube(half));
 }
 
-class WorldConvexTest : public testing::TestWithParam<BroadPhaseKind> {
+class WorldConvexTest : public EachWorld {
   protected:
     std::vector<BodyPair> all_pairs() const {
         std::vector<BodyPair> pairs;
@@ -61,8 +60,6 @@ class WorldConvexTest : public testing::TestWithParam<BroadPhaseKind> {
         return result;
     }
 
-    World world{WorldOptions{GetParam()}};
-    QueryMemory memory;
     std::shared_ptr<const ConvexSolid> large = convex_cube(1), small = convex_cube(0.25);
 };
 

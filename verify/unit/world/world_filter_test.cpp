@@ -23,7 +23,7 @@ TEST(CollisionFilter, EachMustNameAGroupOfTheOther) {
 }
 
 // Three cubes that all collide.
-class WorldFilterTest : public testing::TestWithParam<BroadPhaseKind> {
+class WorldFilterTest : public EachWorld {
   protected:
     WorldFilterTest() { world.update(); }
     ~WorldFilterTest() override { world.validate(); }
@@ -31,8 +31,6 @@ class WorldFilterTest : public testing::TestWithParam<BroadPhaseKind> {
     using Pairs = std::vector<BodyPair>;
     std::uint64_t tests() const { return world.statistics().two_body_tests; }
 
-    World world{WorldOptions{GetParam()}};
-    std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
     BodyId a = world.create_body(cube, at(0));
     BodyId b = world.create_body(cube, at(0.5, 0.5, 0.5));
     BodyId c = world.create_body(cube, at(0.25, 0.25, 0.25));

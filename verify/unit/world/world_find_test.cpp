@@ -15,11 +15,7 @@ namespace {
 
 using Bodies = std::vector<BodyId>;
 
-class WorldFindTest : public testing::TestWithParam<BroadPhaseKind> {
-  protected:
-    World world{WorldOptions{GetParam()}};
-    std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
-};
+class WorldFindTest : public EachWorld {};
 
 INSTANTIATE_TEST_SUITE_P(BroadPhases, WorldFindTest, broad_phases(), broad_phase_name);
 

@@ -1,20 +1,17 @@
-// Poses and small assertions for the tests of World.
+// Fixtures and small assertions for the tests of World.
 #pragma once
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "ecods/world.hpp"
+#include "scenes/pose_at.hpp"
+#include "scenes/shapes.hpp"
 
 namespace ecods {
-
-inline Pose at(double x, double y = 0, double z = 0) {
-    Pose pose;
-    pose.t = Vec3(x, y, z);
-    return pose;
-}
 
 inline std::vector<BodyPair> list(std::span<const BodyPair> pairs) {
     return {pairs.begin(), pairs.end()};
@@ -25,6 +22,14 @@ inline auto broad_phases() {
     return testing::Values(BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune,
                            BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic);
 }
+
+// A world with one of them.
+class EachWorld : public testing::TestWithParam<BroadPhaseKind> {
+  protected:
+    World world{WorldOptions{GetParam()}};
+    std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
+    QueryMemory memory;
+};
 
 inline std::string broad_phase_name(const testing::TestParamInfo<BroadPhaseKind>& tested) {
     return "Kind" + std::to_string(static_cast<int>(tested.param));

@@ -19,11 +19,7 @@ std::shared_ptr<const Mesh> box(const Vec3& size) {
     return Mesh::create(std::move(vertices), {cube->triangles().begin(), cube->triangles().end()});
 }
 
-class WorldHardCases : public testing::TestWithParam<BroadPhaseKind> {
-  protected:
-    World world{{.broad_phase = GetParam()}};
-    std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
-};
+class WorldHardCases : public EachWorld {};
 
 INSTANTIATE_TEST_SUITE_P(BroadPhases, WorldHardCases, broad_phases(), broad_phase_name);
 

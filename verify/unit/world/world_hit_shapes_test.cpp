@@ -15,7 +15,7 @@
 namespace ecods::world_hit_shapes_test {
 namespace {
 
-class WorldHitShapesTest : public testing::TestWithParam<BroadPhaseKind> {
+class WorldHitShapesTest : public EachWorld {
   protected:
     WorldHitShapesTest() {
         world.set_test(slab_kind, slab_kind, std::make_shared<SlabTest>());
@@ -87,10 +87,8 @@ class WorldHitShapesTest : public testing::TestWithParam<BroadPhaseKind> {
         }
     }
 
-    World world{WorldOptions{GetParam()}};
     int side = 12;
     scenes::Random random{23};
-    QueryMemory memory;
     SlabTest test;
     std::array<std::shared_ptr<const Shape>, 3> shapes = {
         std::make_shared<SlabShape>(0.5), std::make_shared<SlabShape>(0.25), std::make_shared<SlabShape>(1)};

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <tuple>
 
 #include "ecods/error.hpp"
@@ -31,7 +30,7 @@ std::shared_ptr<const Mesh> wall(double x) {
     return Mesh::create({Vec3(x, -1, -1), Vec3(x, 3, -1), Vec3(x, -1, 3)}, {{0, 1, 2}});
 }
 
-class WorldHitTest : public testing::TestWithParam<BroadPhaseKind> {
+class WorldHitTest : public EachWorld {
   protected:
     template <class Line>
     std::vector<BodyHit> model_of_all_hits(const Line& line, const std::optional<CollisionFilter>& filter) {
@@ -66,8 +65,6 @@ class WorldHitTest : public testing::TestWithParam<BroadPhaseKind> {
         count += expected.size();
     }
 
-    World world{WorldOptions{GetParam()}};
-    QueryMemory memory;
     scenes::Random random{29};
     std::size_t count = 0;
 };

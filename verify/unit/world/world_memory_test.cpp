@@ -16,11 +16,7 @@ TEST(WatchedMemory, FailsTheAllocationThatWasAskedFor) {
     ::operator delete(first);
 }
 
-class WorldMemory : public testing::TestWithParam<BroadPhaseKind> {
-  protected:
-    World world{WorldOptions{GetParam()}};
-    std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
-};
+class WorldMemory : public EachWorld {};
 
 INSTANTIATE_TEST_SUITE_P(BroadPhases, WorldMemory, broad_phases(), broad_phase_name);
 

@@ -13,14 +13,12 @@
 namespace ecods::world_move_test {
 namespace {
 
-class WorldMoveTest : public testing::TestWithParam<BroadPhaseKind> {
+class WorldMoveTest : public EachWorld {
   protected:
     WorldMoveTest() {
         for (int i = 0; i < 5; ++i) bodies.push_back(world.create_body(cube, at(3 * i)));
         world.update();
     }
-    World world{WorldOptions{GetParam()}};
-    std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
     std::vector<BodyId> bodies;
 };
 

@@ -17,12 +17,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-class WorldNearestTest : public testing::TestWithParam<BroadPhaseKind> {
-  protected:
-    World world{WorldOptions{GetParam()}};
-    std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
-    QueryMemory memory;
-};
+class WorldNearestTest : public EachWorld {};
 
 INSTANTIATE_TEST_SUITE_P(BroadPhases, WorldNearestTest, broad_phases(), broad_phase_name);
 

@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <map>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "ecods/world.hpp"

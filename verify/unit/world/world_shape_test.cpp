@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <stdexcept>
 
 #include "ecods/world.hpp"
@@ -69,10 +68,8 @@ class HalfSpacePointTest final : public TwoBodyTest {
     }
 };
 
-class WorldShapeTest : public testing::TestWithParam<BroadPhaseKind> {
+class WorldShapeTest : public EachWorld {
   protected:
-    World world{WorldOptions{GetParam()}};
-    std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
     std::shared_ptr<HalfSpaceMeshTest> plane_mesh = std::make_shared<HalfSpaceMeshTest>();
 };
 

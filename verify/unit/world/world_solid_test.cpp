@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -30,7 +29,7 @@ std::shared_ptr<const Solid> solid_cube(double half) {
     return std::make_shared<const Solid>(scenes::cube(half));
 }
 
-class WorldSolidTest : public testing::TestWithParam<BroadPhaseKind> {
+class WorldSolidTest : public EachWorld {
   protected:
     // All pairs, one by one.
     SolidPairs expected() {
@@ -52,8 +51,6 @@ class WorldSolidTest : public testing::TestWithParam<BroadPhaseKind> {
         return pairs;
     }
 
-    World world{WorldOptions{GetParam()}};
-    QueryMemory memory;
     std::shared_ptr<const Solid> large = solid_cube(1), small = solid_cube(0.25);
     std::shared_ptr<const Mesh> surface = scenes::cube(0.25);
 };

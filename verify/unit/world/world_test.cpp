@@ -11,11 +11,7 @@ namespace ecods::world_test {
 namespace {
 
 // What is true of a world does not depend on its broad phase.
-class WorldTest : public testing::TestWithParam<BroadPhaseKind> {
-  protected:
-    World world{WorldOptions{GetParam()}};
-    std::shared_ptr<const Mesh> cube = scenes::cube(0.5);
-};
+class WorldTest : public EachWorld {};
 
 INSTANTIATE_TEST_SUITE_P(BroadPhases, WorldTest, broad_phases(), broad_phase_name);
 

@@ -143,8 +143,7 @@ class Bounds {
     // By the normals of the faces and the products of edges, as they are at the beginning.
     ECODS_ALWAYS_INLINE static Part remaining(const Corners& from, const Corners& to) noexcept {
         const Points<6> p = without_small(from.points);
-        const Point a[3] = {minus(p[1], p[0]), minus(p[2], p[1]), minus(p[0], p[2])};
-        const Point b[3] = {minus(p[4], p[3]), minus(p[5], p[4]), minus(p[3], p[5])};
+        const auto [a, b] = edges_of(p);
         const Point normal_a = cross(a[0], a[1]), normal_b = cross(b[0], b[1]);
         const Point between = {(p[3][0] + p[4][0] + p[5][0]) - (p[0][0] + p[1][0] + p[2][0]),
                                (p[3][1] + p[4][1] + p[5][1]) - (p[0][1] + p[1][1] + p[2][1]),

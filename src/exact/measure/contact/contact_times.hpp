@@ -36,59 +36,11 @@
 
 #include "exact/measure/distance/exact_features.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
+#include "exact/measure/round/fraction.hpp"
 #include "exact/measure/round/limb_vectors.hpp"
-#include "exact/measure/round/squared_distance.hpp"
-#include "exact/number/dyadic.hpp"
 #include "exact/number/limbs.hpp"
 
 namespace ecods::exact {
-
-// num / den, den > 0.
-template <int L>
-struct ContactTime {
-    Limbs<L> num{};
-    Limbs<L> den{};
-    int sign = 0;  // of the time; num is its magnitude
-};
-
-template <int L>
-int compare_magnitudes(const Limbs<L>& a, const Limbs<L>& b) noexcept {
-    for (std::size_t i = L; i-- > 0;) {
-        if (a[i] != b[i]) return a[i] < b[i] ? -1 : 1;
-    }
-    return 0;
-}
-
-// The sign of the first less the second.
-template <int L>
-int compare(const ContactTime<L>& a, const ContactTime<L>& b) noexcept {
-    if (a.sign != b.sign || a.sign == 0) return a.sign < b.sign ? -1 : a.sign > b.sign;
-    return a.sign * compare_magnitudes<2 * L>(multiply<L, L>(a.num, b.den), multiply<L, L>(b.num, a.den));
-}
-
-template <int L>
-bool is_above_one(const ContactTime<L>& a) noexcept {
-    return a.sign > 0 && compare_magnitudes<L>(a.num, a.den) > 0;
-}
-
-// The sign of the time less d. Neither is negative, and d is finite.
-template <int L>
-int compare(const ContactTime<L>& a, double d) noexcept {
-    const Dyadic x = decode(d);
-    if (a.sign == 0 || x.m == 0) return a.sign - static_cast<int>(x.m != 0);
-    const std::array<std::uint64_t, 1> digits{magnitude(x.m)};
-    Natural<L + 1> other;
-    other.assign_product(without_leading_zeros(a.den), digits);
-    return compare_shifted(without_leading_zeros(a.num), -x.e, other.limbs());
-}
-
-// Rounded once; a positive time is at least 2^-1074. Not for negative ones.
-template <int L>
-double round(const ContactTime<L>& a) noexcept {
-    if (a.sign == 0) return 0;
-    const double t = round_quotient(without_leading_zeros(a.num), without_leading_zeros(a.den), 0, false);
-    return std::bit_cast<double>(std::max<std::uint64_t>(std::bit_cast<std::uint64_t>(t), 1));
-}
 
 // The corners of the first triangle, which moves, then those of the second; and m, which is not zero.
 template <int L>
@@ -101,14 +53,14 @@ template <int L>
 class ContactTimes {
   public:
     using Vector = LimbVector<L>;
-    using Time = ContactTime<3 * L>;
+    using Time = Ratio<3 * L>;
 
     explicit ContactTimes(const TranslatedPair<L>& pair) noexcept : features_(pair.points), m_(pair.m) {
         const auto& points = pair.points;
         for (std::size_t side = 0; side < 2; ++side) {
             for (std::size_t i = 0; i < 3; ++i) {
                 const LimbVector<2 * L> c = cross<L>(m_, features_.from(side, i, 1));
-                for (const auto& x : c) all_edges_are_parallel_ &= is_zero<2 * L>(x.limbs);
+                all_edges_are_parallel_ &= is_zero_vector<2 * L>(c);
                 for (std::size_t j = 0; j < 3; ++j) {
                     const Vector w =
                         side == 0 ? difference<L>(points[3 + j], points[i]) : difference<L>(points[j], points[3 + i]);
@@ -122,27 +74,30 @@ class ContactTimes {
 
     // The first time from 0 to 1 at which the triangles share a point.
     std::optional<Time> first() const noexcept {
-        Time least, greatest;
+        Time least{}, greatest{};
         bool is_known = false;
         for (const FeaturePair& f : feature_pairs) {
             if (!decides(f.kind)) continue;
-            Time t;
+            Time t{};
             if (meeting(f, t) == Standing::none) continue;
-            if (!is_known || compare<3 * L>(t, least) < 0) least = t;
-            if (!is_known || compare<3 * L>(t, greatest) > 0) greatest = t;
+            if (!is_known || compare(t, least) < 0) least = t;
+            if (!is_known || compare(t, greatest) > 0) greatest = t;
             is_known = true;
         }
-        if (!is_known || greatest.sign < 0 || is_above_one<3 * L>(least)) return std::nullopt;
-        if (least.sign < 0) least.sign = 0;
-        return least;
+        if (!is_known || greatest.sign() < 0) return std::nullopt;
+        if (least.sign() < 0) least.num = {};
+        return is_by_one(least) ? std::optional(least) : std::nullopt;
     }
+
+    // Whether a time, which is not negative, is not after 1.
+    static bool is_by_one(const Time& time) noexcept { return compare(time.size(), 1.0) <= 0; }
 
     // The first pair of features, in the order of feature_pairs, whose relative interiors share a point at the first
     // time, which is not 0.
     FeaturePair first_features(const Time& first) const noexcept {
         for (const FeaturePair& f : feature_pairs) {
-            Time t;
-            if (meeting(f, t) == Standing::inside && compare<3 * L>(t, first) == 0) return f;
+            Time t{};
+            if (meeting(f, t) == Standing::inside && compare(t, first) == 0) return f;
         }
         ECODS_ASSERT(false);  // The proof above.
         return {};
@@ -151,7 +106,7 @@ class ContactTimes {
     // The time of a vertex and a face, or of two edges, of which it is known that they have one.
     static Time time_of(const FeaturePair& f, const TranslatedPair<L>& pair) noexcept {
         const ExactFeatures<L> features(pair.points);
-        Time time;
+        Time time{};
         [[maybe_unused]] const bool is_set = set_height(features, pair.m, f, time);
         ECODS_ASSERT(is_set);
         return time;
@@ -184,13 +139,7 @@ class ContactTimes {
 
     template <int M>
     static void set(const Magnitude<M>& num, const Magnitude<M>& den, Time& time) noexcept {
-        static_assert(M <= 3 * L);
-        time.num = time.den = {};
-        for (std::size_t i = 0; i < M; ++i) {
-            time.num[i] = num.limbs[i];
-            time.den[i] = den.limbs[i];
-        }
-        time.sign = sign<M>(num) * sign<M>(den);
+        time = {widened<3 * L>(num), widened<3 * L>(den)};
     }
 
     // n.w / n.m. Sets nothing if the denominator is zero.
@@ -207,7 +156,7 @@ class ContactTimes {
     // The corner, seen along m, is in the triangle if it is on one side of all edges: the sum of the three
     // determinants is n.m.
     Standing of_vertex_and_face(const FeaturePair& f, Time& time) const noexcept {
-        const std::size_t face = 1 - f.vertex_side, vertex = face == 1 ? f.a : f.b;
+        const std::size_t face = 1 - f.vertex_side, vertex = f.corner(f.vertex_side);
         int positive = 0, negative = 0;
         for (std::size_t i = 0; i < 3; ++i) {
             positive += sides_[face][i][vertex] > 0;
@@ -229,7 +178,7 @@ class ContactTimes {
     // round. Then w x m = t (m x v), or -t (m x u).
     Standing of_vertex_and_edge(const FeaturePair& f, Time& time) const noexcept {
         const std::size_t edge_of = 1 - f.vertex_side;
-        const std::size_t edge = edge_of == 0 ? f.a : f.b, vertex = edge_of == 0 ? f.b : f.a;
+        const std::size_t edge = f.corner(edge_of), vertex = f.corner(f.vertex_side);
         if (sides_[edge_of][edge][vertex] != 0) return Standing::none;
         const Vector w = features_.between(f), u = features_.from(edge_of, edge, 1);
         const LimbVector<2 *L> across = cross<L>(m_, u), num = cross<L>(w, u), along = cross<L>(w, m_);
@@ -237,7 +186,8 @@ class ContactTimes {
             if (is_zero<2 * L>(across[axis].limbs)) continue;
             const int turn = sign<2 * L>(across[axis]) * (edge_of == 1 ? 1 : -1);
             const int from = sign<2 * L>(along[axis]) * turn;
-            const int to = compare_magnitudes<2 * L>(across[axis].limbs, along[axis].limbs);
+            const int to =
+                compare_shifted(without_leading_zeros(across[axis].limbs), 0, without_leading_zeros(along[axis].limbs));
             if (from < 0 || to < 0) return Standing::none;
             set(num[axis], across[axis], time);
             return from > 0 && to > 0 ? Standing::inside : Standing::border;

@@ -2,8 +2,6 @@
 // time times a vector; from one guess at what decides it.
 #pragma once
 
-#include <limits>
-
 #include "ecods/mesh.hpp"
 #include "exact/measure/contact/guess_contact.hpp"
 #include "exact/measure/distance/enclose_distance.hpp"
@@ -11,23 +9,13 @@
 
 namespace ecods::exact {
 
-struct ContactEnclosure {
-    // From time 0 on they share no point before; infinity if they share none. 0 says nothing.
-    double lower = 0;
-    // They do not share their first point after; infinity if it is not known whether they share one.
-    double upper = std::numeric_limits<double>::infinity();
-    // Whether the features of the guess certainly hold the only point that is shared first, each in its relative
-    // interior.
-    bool is_certain = false;
-};
-
 // A vector of doubles: its largest coordinate has 53 digits or is -2^53, others are low by less than one unit.
 ScaledVector scaled_motion(const Vec3& m) noexcept;
 
-// Whatever the guess is, the interval contains the time. In any rounding mode, with or without flush-to-zero or fused
+// Whatever the guess is, the interval contains the time: from time 0 on they share no point before `lower`, which is
+// infinity if they share none and says nothing if it is 0; and they do not share their first point after `upper`, which
+// is infinity if it is not known whether they share one. In any rounding mode, with or without flush-to-zero or fused
 // multiply-add. `pair` has the points at time 0.
-ContactEnclosure enclose_contact(const IntegerPair& pair, const ScaledVector& m, const ContactGuess& guess) noexcept;
-
-ContactGuess guess_contact(const IntegerPair& pair, const ScaledVector& m) noexcept;
+Enclosure enclose_contact(const IntegerPair& pair, const ScaledVector& m, const ContactGuess& guess) noexcept;
 
 }  // namespace ecods::exact

@@ -10,84 +10,60 @@
 namespace ecods::exact {
 namespace {
 
-// Whether the features belong to a corner and all of the other triangle, or to two edges with their ends.
-struct CornerAndTriangle {
-    std::size_t side, corner;
-
-    bool has(const FeaturePair& pair) const noexcept {
-        const std::size_t own = side == 0 ? pair.a : pair.b;
-        const bool has_vertex = pair.kind == FeatureKind::vertex_vertex ||
-                                (pair.kind != FeatureKind::edge_edge && pair.vertex_side == side);
-        return has_vertex && own == corner;
-    }
-};
-struct TwoEdges {
-    std::size_t a, b;
-
-    bool has(const FeaturePair& pair) const noexcept {
-        const auto is_end = [](std::size_t corner, std::size_t edge) {
-            return corner == edge || corner == next_corner(edge);
-        };
-        switch (pair.kind) {
-            case FeatureKind::vertex_vertex:
-                return is_end(pair.a, a) && is_end(pair.b, b);
-            case FeatureKind::vertex_edge:
-                return pair.vertex_side == 0 ? is_end(pair.a, a) && pair.b == b : pair.a == a && is_end(pair.b, b);
-            case FeatureKind::vertex_face:
-                return false;
-            case FeatureKind::edge_edge:
-                return pair.a == a && pair.b == b;
-        }
-        return false;
-    }
-};
-
 class MeetingSearch {
   public:
     MeetingSearch(MovingTriangles& triangles, FeatureSet features, const TimeCells* cells)
         : triangles_(triangles), features_(features), cells_(cells) {}
 
     PartialAnswer run() {
-        for (std::size_t side = 0; side < 2; ++side) {
-            for (std::size_t corner = 0; corner < 3; ++corner) add(CornerAndTriangle{side, corner});
-        }
-        for (std::size_t a = 0; a < 3; ++a) {
-            for (std::size_t b = 0; b < 3; ++b) add(TwoEdges{a, b});
+        for (const FeaturePair& pair : feature_pairs) {
+            if (pair.kind == FeatureKind::vertex_face || pair.kind == FeatureKind::edge_edge) add(pair);
         }
         if (!is_known_ || !first_) return {is_known_, std::nullopt};
-        TrianglesAtRoot then(triangles_, *first_);
-        for (std::size_t k = 0; k < feature_pairs.size(); ++k) {
-            if (!may_meet(k) || !then.share_point(feature_pairs[k])) continue;
-            const double time = first_->round();
-            return {true, Meeting{time, first_->is_above(time), feature_pairs[k]}};
-        }
-        ECODS_ASSERT(false);
-        return {false, std::nullopt};
+        const FeaturePair* const shared = first_shared(features_, *first_);
+        ECODS_ASSERT(shared != nullptr);
+        if (shared == nullptr) return {false, std::nullopt};
+        const double time = first_->round();
+        return {true, Meeting{time, first_->is_above(time), *shared}};
     }
 
   private:
-    bool may_meet(std::size_t pair) const noexcept { return features_ >> pair & 1; }
-    template <class Part>
-    bool may_meet(const Part& part) const noexcept {
-        for (std::size_t k = 0; k < feature_pairs.size(); ++k) {
-            if (may_meet(k) && part.has(feature_pairs[k])) return true;
+    // The features in question whose corners are among those of a corner and a triangle, or of two edges.
+    FeatureSet part_of(const FeaturePair& four) const noexcept {
+        const CornerPairs pairs = corner_pairs(four);
+        FeatureSet result = 0;
+        for (FeatureSet rest = features_; rest != 0; rest &= rest - 1) {
+            if ((corners_of_features[first_of(rest)] & ~pairs) == 0) result |= rest & -rest;
         }
-        return false;
+        return result;
+    }
+    static std::size_t first_of(FeatureSet features) noexcept {
+        return static_cast<std::size_t>(std::countr_zero(features));
     }
 
-    void add(const CornerAndTriangle& part) {
-        if (!may_meet(part)) return;
-        const Polynomial volume = triangles_.corner_volume(part.side, part.corner);
+    // The first features of a set that share a point at a time, or null.
+    const FeaturePair* first_shared(FeatureSet features, Root& time) {
+        TrianglesAtRoot then(triangles_, time);
+        for (; features != 0; features &= features - 1) {
+            const FeaturePair& pair = feature_pairs[first_of(features)];
+            if (then.share_point(pair)) return &pair;
+        }
+        return nullptr;
+    }
+
+    void add(const FeaturePair& four) {
+        const FeatureSet part = part_of(four);
+        if (part == 0) return;
+        const bool has_corner = four.kind == FeatureKind::vertex_face;
+        const std::size_t side = four.vertex_side, corner = four.corner(side);
+        const Polynomial volume =
+            has_corner ? triangles_.corner_volume(side, corner) : triangles_.edge_volume(four.a, four.b);
         if (!volume.is_zero()) return try_roots(volume, part);
-        for (std::size_t edge = 0; edge < 3; ++edge) add_in_plane({part.side, part.corner, edge}, part);
-    }
-    void add(const TwoEdges& part) {
-        if (!may_meet(part)) return;
-        const Polynomial volume = triangles_.edge_volume(part.a, part.b);
-        if (!volume.is_zero()) try_roots(volume, part);
+        if (!has_corner) return;
+        for (std::size_t edge = 0; edge < 3; ++edge) add_in_plane({side, corner, edge}, part);
     }
 
-    void add_in_plane(const CornerAndEdge& which, const CornerAndTriangle& part) {
+    void add_in_plane(const CornerAndEdge& which, FeatureSet part) {
         for (const Polynomial& coordinate : triangles_.turn(which)) {
             if (!coordinate.is_zero()) return try_roots(coordinate, part);
         }
@@ -105,17 +81,13 @@ class MeetingSearch {
         return roots ? std::move(*roots) : std::vector<Root>();
     }
 
-    // Keeps the first root at which the part meets, if it is before what is known.
-    template <class Part>
-    void try_roots(const Polynomial& p, const Part& part) {
+    // Keeps the first root at which one of the features is shared, if it is before what is known.
+    void try_roots(const Polynomial& p, FeatureSet part) {
         for (Root& time : roots_of(p)) {
             if (first_ && compare(time, *first_) >= 0) return;
-            TrianglesAtRoot then(triangles_, time);
-            for (std::size_t k = 0; k < feature_pairs.size(); ++k) {
-                if (!may_meet(k) || !part.has(feature_pairs[k]) || !then.share_point(feature_pairs[k])) continue;
-                first_ = std::move(time);
-                return;
-            }
+            if (first_shared(part, time) == nullptr) continue;
+            first_ = std::move(time);
+            return;
         }
     }
 

@@ -17,10 +17,9 @@ using Index = std::size_t;
 
 class Guess {
   public:
-    Guess(const Points<6>& x, const Point& m) noexcept : x_(x), m_(m) {
+    Guess(const Points<6>& x, const Point& m) noexcept : x_(x), m_(m), edge_(edges_of(x)) {
         for (Index side = 0; side < 2; ++side) {
             for (Index i = 0; i < 3; ++i) {
-                edge_[side][i] = minus(at(side, next_corner(i)), at(side, i));
                 const Point c = cross(m, edge_[side][i]);
                 square_[side][i] = dot(c, c);
                 for (Index j = 0; j < 3; ++j) over_[side][i][j] = dot(c, minus(at(1 - side, j), at(side, i)));
@@ -52,8 +51,7 @@ class Guess {
         for (Index side = 0; side < 2; ++side) {
             for (Index i = 0; i < 3; ++i) {
                 const auto& h = over_[side][i];
-                const Index low = h[0] <= h[1] ? (h[0] <= h[2] ? 0 : 2) : (h[1] <= h[2] ? 1 : 2);
-                const Index high = h[0] >= h[1] ? (h[0] >= h[2] ? 0 : 2) : (h[1] >= h[2] ? 1 : 2);
+                const Index low = least_of(h[0], h[1], h[2]), high = greatest_of(h[0], h[1], h[2]);
                 const double above = h[low] - std::max(own_[side][i], 0.0);
                 const double below = std::min(own_[side][i], 0.0) - h[high];
                 const double gap = std::max(above, below);
@@ -62,8 +60,7 @@ class Guess {
                 if (!(ratio > widest)) continue;
                 widest = ratio;
                 const Index other = above > below ? low : high;
-                best_ = {ContactGuess::What::passing, side == 0 ? pair_of(FeatureKind::vertex_edge, 0, i, other)
-                                                                : pair_of(FeatureKind::vertex_edge, 1, other, i)};
+                best_ = {ContactGuess::What::passing, vertex_and(FeatureKind::vertex_edge, side, i, other)};
             }
         }
         return widest > 0;
@@ -76,7 +73,7 @@ class Guess {
         if (!is_inside) return;
         const Point n = cross(edge_[side][0], edge_[side][1]);
         take(n, side == 0 ? minus(at(1, j), at(0, 0)) : minus(at(1, 0), at(0, j)),
-             side == 0 ? pair_of(FeatureKind::vertex_face, 1, 0, j) : pair_of(FeatureKind::vertex_face, 0, j, 0));
+             vertex_and(FeatureKind::vertex_face, 1 - side, j, 0));
     }
 
     ECODS_ALWAYS_INLINE void try_edges(Index i, Index j) noexcept {
@@ -101,7 +98,7 @@ class Guess {
 
     const Points<6>& x_;
     const Point& m_;
-    Point edge_[2][3];
+    TriangleEdges edge_;
     double over_[2][3][3];  // by side, edge, and corner of the other: the determinant with m
     double own_[2][3];      // the same of the third corner
     double square_[2][3];
@@ -112,8 +109,8 @@ class Guess {
 
 }  // namespace
 
-ContactGuess guess_contact(const Points<6>& points, const Point& m) noexcept {
-    return Guess(points, m).find();
+ContactGuess guess_contact(const IntegerPair& pair, const ScaledVector& m) noexcept {
+    return Guess(to_doubles(pair), m.x).find();
 }
 
 }  // namespace ecods::exact

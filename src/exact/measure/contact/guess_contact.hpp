@@ -2,7 +2,8 @@
 #pragma once
 
 #include "exact/measure/distance/feature_pair.hpp"
-#include "exact/point/point.hpp"
+#include "exact/measure/distance/integer_pair.hpp"
+#include "exact/measure/round/scaled_vector.hpp"
 
 namespace ecods::exact {
 
@@ -18,7 +19,7 @@ struct ContactGuess {
     FeaturePair features;
 };
 
-// For six points and the direction of the first three, all below 2^53, in plain doubles.
-ContactGuess guess_contact(const Points<6>& points, const Point& m) noexcept;
+// The guess is made in plain doubles; `m` is the motion of the first triangle.
+ContactGuess guess_contact(const IntegerPair& pair, const ScaledVector& m) noexcept;
 
 }  // namespace ecods::exact

@@ -48,28 +48,26 @@ Polynomial MovingTriangles::edge_volume(std::size_t edge_a, std::size_t edge_b) 
                        q - p);
 }
 
+template <class Make>
+int TrianglesAtRoot::sign_of(std::int8_t& known, const Make& make) {
+    if (known == unknown) known = static_cast<std::int8_t>(time_.sign_of(make()));
+    return known;
+}
+
 int TrianglesAtRoot::order(std::size_t i, std::size_t j, std::size_t axis) {
-    std::int8_t& sign = orders_[9 * i + 3 * j + axis];
-    if (sign == unknown) sign = static_cast<std::int8_t>(time_.sign_of(triangles_.difference(i, j, axis)));
-    return sign;
+    return sign_of(orders_[9 * i + 3 * j + axis], [&] { return triangles_.difference(i, j, axis); });
 }
 
 int TrianglesAtRoot::turn(const CornerAndEdge& which, std::size_t axis) {
-    std::int8_t& sign = turns_[3 * index_of(which) + axis];
-    if (sign == unknown) sign = static_cast<std::int8_t>(time_.sign_of(triangles_.turn(which)[axis]));
-    return sign;
+    return sign_of(turns_[3 * index_of(which) + axis], [&] { return triangles_.turn(which)[axis]; });
 }
 
 int TrianglesAtRoot::corner_volume(std::size_t side, std::size_t corner) {
-    std::int8_t& sign = volumes_[3 * side + corner];
-    if (sign == unknown) sign = static_cast<std::int8_t>(time_.sign_of(triangles_.corner_volume(side, corner)));
-    return sign;
+    return sign_of(volumes_[3 * side + corner], [&] { return triangles_.corner_volume(side, corner); });
 }
 
 int TrianglesAtRoot::edge_volume(std::size_t edge_a, std::size_t edge_b) {
-    std::int8_t& sign = volumes_[6 + 3 * edge_a + edge_b];
-    if (sign == unknown) sign = static_cast<std::int8_t>(time_.sign_of(triangles_.edge_volume(edge_a, edge_b)));
-    return sign;
+    return sign_of(volumes_[6 + 3 * edge_a + edge_b], [&] { return triangles_.edge_volume(edge_a, edge_b); });
 }
 
 // On the line of the edge, and on some axis strictly between its ends.
@@ -118,10 +116,9 @@ bool TrianglesAtRoot::share_point(const FeaturePair& features) {
             return order(features.a, features.b, 0) == 0 && order(features.a, features.b, 1) == 0 &&
                    order(features.a, features.b, 2) == 0;
         case FeatureKind::vertex_edge:
-            return side == 0 ? is_inside_edge({0, features.a, features.b})
-                             : is_inside_edge({1, features.b, features.a});
+            return is_inside_edge({side, features.corner(side), features.corner(1 - side)});
         case FeatureKind::vertex_face:
-            return is_inside_face(side, side == 0 ? features.a : features.b);
+            return is_inside_face(side, features.corner(side));
         case FeatureKind::edge_edge:
             return edges_cross(features.a, features.b);
     }

@@ -67,6 +67,9 @@ class TrianglesAtRoot {
   private:
     static constexpr std::int8_t unknown = 2;
 
+    // The sign of a polynomial at the time, made and asked for once.
+    template <class Make>
+    int sign_of(std::int8_t& known, const Make& make);
     int order(std::size_t i, std::size_t j, std::size_t axis);
     int turn(const CornerAndEdge& which, std::size_t axis);
     int corner_volume(std::size_t side, std::size_t corner);

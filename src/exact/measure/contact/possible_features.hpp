@@ -8,6 +8,7 @@
 // themselves. All are covered by what is more than 2. Vectors are products of three differences of corners at most.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "exact/measure/contact/moving_points.hpp"
@@ -19,6 +20,26 @@ namespace ecods::exact {
 using FeatureSet = std::uint64_t;
 inline constexpr FeatureSet all_features = (FeatureSet{1} << feature_pairs.size()) - 1;
 inline constexpr double short_time = 0x1p-20;
+
+// Pairs of corners, one of each triangle: bit 3 a + b.
+using CornerPairs = std::uint32_t;
+
+// The pairs of the corners that two features are made of.
+constexpr CornerPairs corner_pairs(const FeaturePair& f) noexcept {
+    CornerPairs result = 0;
+    for (std::size_t i = 0; i < f.corner_count(0); ++i) {
+        for (std::size_t j = 0; j < f.corner_count(1); ++j)
+            result |= CornerPairs{1} << (3 * ((f.corner(0) + i) % 3) + (f.corner(1) + j) % 3);
+    }
+    return result;
+}
+
+// The corner pairs of each of feature_pairs.
+inline constexpr std::array<CornerPairs, feature_pairs.size()> corners_of_features = [] {
+    std::array<CornerPairs, feature_pairs.size()> result{};
+    for (std::size_t k = 0; k < feature_pairs.size(); ++k) result[k] = corner_pairs(feature_pairs[k]);
+    return result;
+}();
 
 // Contains all pairs whose closed features share a point in the time. `time` is no longer than short_time.
 FeatureSet possible_features(const MovingPoints& points, const TimeSpan& time) noexcept;

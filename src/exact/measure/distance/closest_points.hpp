@@ -5,7 +5,6 @@
 // 4), and a point of a triangle less another is below 2^k: coordinates times den are below 2^(5k + 4), and have a sign.
 #pragma once
 
-#include <algorithm>
 #include <array>
 
 #include "exact/measure/distance/exact_features.hpp"
@@ -15,101 +14,78 @@
 
 namespace ecods::exact {
 
+// num / den, counted as above.
 template <int L>
-class ClosestPointsOf {
-  public:
-    ClosestPointsOf(const ExactFeatures<L>& features, const FeaturePair& pair, int unit) noexcept
-        : features_(features), pair_(pair), unit_(unit) {}
-
-    // The points of both triangles. The features must hold closest points.
-    void find(std::array<ExactPoint, 2>& points) const noexcept {
-        const std::size_t side = pair_.vertex_side, of = 1 - side;
-        switch (pair_.kind) {
-            case FeatureKind::vertex_vertex:
-                at_corner(0, pair_.a, points[0]);
-                at_corner(1, pair_.b, points[1]);
-                return;
-            case FeatureKind::vertex_edge:
-                at_corner(side, side == 0 ? pair_.a : pair_.b, points[side]);
-                on_edge(of, side == 0 ? pair_.b : pair_.a, points[of]);
-                return;
-            case FeatureKind::vertex_face:
-                at_corner(side, side == 0 ? pair_.a : pair_.b, points[side]);
-                on_face(of, points[of]);
-                return;
-            case FeatureKind::edge_edge:
-                on_crossing_edges(points);
-                return;
-        }
-    }
-
-  private:
-    using Vector = LimbVector<L>;
-    using Weight = Magnitude<4 * L>;
+struct WeightedPoint {
     static constexpr int k = ExactFeatures<L>::coordinate_bits + 1;
     static_assert(5 * k + 5 < 64 * (5 * L));
 
-    void at_corner(std::size_t side, std::size_t i, ExactPoint& point) const noexcept {
-        Weight one{};
-        one.limbs[0] = 1;
-        set(side, i, one, nullptr, nullptr, nullptr, nullptr, point);
-    }
+    std::array<Magnitude<5 * L>, 3> num;
+    Limbs<4 * L> den;
 
-    void on_edge(std::size_t side, std::size_t edge, ExactPoint& point) const noexcept {
-        const Vector w = features_.between(pair_), u = features_.from(side, edge, 1);
-        Magnitude<2 * L> along = dot<L, L>(w, u);
-        if (side == 1) along = negated<2 * L>(along);
-        const Weight den = widened(dot<L, L>(u, u)), s = widened(along);
-        set(side, edge, den, &s, &u, nullptr, nullptr, point);
-    }
-
-    void on_face(std::size_t side, ExactPoint& point) const noexcept {
-        Vector foot = features_.between(pair_);
-        if (side == 1) {
-            for (auto& x : foot) x = negated<L>(x);
-        }
-        const Vector u = features_.from(side, 0, 1), v = features_.from(side, 0, 2);
-        const LimbVector<2 * L> n = cross<L>(u, v);
-        const Weight den = dot<2 * L, 2 * L>(n, n);
-        const Weight s = dot<2 * L, 2 * L>(cross<L>(foot, v), n), t = dot<2 * L, 2 * L>(cross<L>(u, foot), n);
-        set(side, 0, den, &s, &u, &t, &v, point);
-    }
-
-    void on_crossing_edges(std::array<ExactPoint, 2>& points) const noexcept {
-        const Vector w = features_.between(pair_), u = features_.from(0, pair_.a, 1), v = features_.from(1, pair_.b, 1);
-        const LimbVector<2 * L> n = cross<L>(u, v);
-        const Weight den = dot<2 * L, 2 * L>(n, n);
-        const Weight s = dot<2 * L, 2 * L>(cross<L>(w, v), n), t = dot<2 * L, 2 * L>(cross<L>(w, u), n);
-        set(0, pair_.a, den, &s, &u, nullptr, nullptr, points[0]);
-        set(1, pair_.b, den, &t, &v, nullptr, nullptr, points[1]);
-    }
-
-    static Weight widened(const Magnitude<2 * L>& x) noexcept {
-        Weight result{{}, x.negative};
-        std::copy(x.limbs.begin(), x.limbs.end(), result.limbs.begin());
-        return result;
-    }
-
-    // (den p + s u + t v) / den for corner p = i of `side`.
-    void set(std::size_t side, std::size_t i, const Weight& den, const Weight* s, const Vector* u, const Weight* t,
-             const Vector* v, ExactPoint& point) const noexcept {
-        const Vector p = features_.position(side, i);
+    void assign_to(ExactPoint& point, int unit) const noexcept {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            Limbs<5 * L> sum{};
-            add_product<4 * L, L>(sum, den, p[axis]);
-            if (s != nullptr) add_product<4 * L, L>(sum, *s, (*u)[axis]);
-            if (t != nullptr) add_product<4 * L, L>(sum, *t, (*v)[axis]);
-            const Magnitude<5 * L> num = magnitude<5 * L>(sum);
-            point.num[axis].size.assign(num.limbs);
-            point.num[axis].is_negative = num.negative != 0;
+            point.num[axis].size.assign(num[axis].limbs);
+            point.num[axis].is_negative = num[axis].negative != 0;
         }
-        point.den.assign(den.limbs);
-        point.unit = unit_;
+        point.den.assign(den);
+        point.unit = unit;
     }
-
-    const ExactFeatures<L>& features_;
-    FeaturePair pair_;
-    int unit_;
 };
+
+// A vector times a weight.
+template <int L>
+struct Weighted {
+    const Magnitude<4 * L>& weight;
+    const LimbVector<L>& vector;
+};
+
+// (den p + s u) / den, or with two terms (den p + s u + t v) / den.
+template <int L, class... Terms>
+WeightedPoint<L> weighted_point(const Magnitude<4 * L>& den, const LimbVector<L>& p, const Terms&... terms) noexcept {
+    WeightedPoint<L> point;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        Limbs<5 * L> sum{};
+        add_product<4 * L, L>(sum, den, p[axis]);
+        (add_product<4 * L, L>(sum, terms.weight, terms.vector[axis]), ...);
+        point.num[axis] = magnitude<5 * L>(sum);
+    }
+    point.den = den.limbs;
+    return point;
+}
+template <int L>
+WeightedPoint<L> corner_point(const LimbVector<L>& p) noexcept {
+    return weighted_point<L>(Magnitude<4 * L>{{1}, 0}, p);
+}
+
+// The points of both triangles, in units of 2^unit. The features must hold closest points.
+template <int L>
+void find_closest_points(const ExactFeatures<L>& features, const FeaturePair& f, int unit,
+                         std::array<ExactPoint, 2>& points) noexcept {
+    for (const std::size_t side : {0, 1}) {
+        if (f.has_vertex(side)) corner_point<L>(features.position(side, f.corner(side))).assign_to(points[side], unit);
+    }
+    if (f.kind == FeatureKind::vertex_vertex) return;
+    const std::size_t of = 1 - f.vertex_side, corner = f.corner(of);
+    const LimbVector<L> p = features.position(of, corner);
+    if (f.kind == FeatureKind::vertex_edge) {
+        const auto foot = features.foot_on_edge(f);
+        const Magnitude<4 *L> s = widened<4 * L>(foot.s), den = widened<4 * L>(foot.den);
+        weighted_point<L>(den, p, Weighted<L>{s, foot.u}).assign_to(points[of], unit);
+        return;
+    }
+    const auto feet = features.feet(f, features.normal(f));
+    if (f.kind == FeatureKind::vertex_face) {
+        const LimbVector<L> u = features.from(of, 0, 1), v = features.from(of, 0, 2);
+        weighted_point<L>(feet.den, p, Weighted<L>{feet.s, u}, Weighted<L>{feet.t, v}).assign_to(points[of], unit);
+        return;
+    }
+    const std::array<Magnitude<4 * L>, 2> weights{feet.s, feet.t};
+    for (const std::size_t side : {0, 1}) {
+        const LimbVector<L> edge = features.from(side, f.corner(side), 1);
+        const LimbVector<L> begin = features.position(side, f.corner(side));
+        weighted_point<L>(feet.den, begin, Weighted<L>{weights[side], edge}).assign_to(points[side], unit);
+    }
+}
 
 }  // namespace ecods::exact

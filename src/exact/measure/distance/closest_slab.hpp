@@ -26,12 +26,9 @@ class ClosestSlab {
     // first and the second body in the planes of the closest points.
     template <int M>
     void set(const LimbVector<M>& n, bool is_turned, const Point& x, const Point& y) noexcept {
-        static_assert(M <= normal_limbs);
         is_set_ = true;
         for (std::size_t k = 0; k < 3; ++k) {
-            normal_[k] = {};
-            for (std::size_t i = 0; i < M; ++i) normal_[k].limbs[i] = n[k].limbs[i];
-            normal_[k].negative = is_turned ? ~n[k].negative : n[k].negative;
+            normal_[k] = widened<normal_limbs>(is_turned ? negated<M>(n[k]) : n[k]);
         }
         ends_ = {x, y};
         for (auto& side : sides_) side.clear();

@@ -53,10 +53,8 @@ class ExactFeatures {
                 return of_vertices(f);
             case FeatureKind::vertex_edge:
                 return of_vertex_and_edge(f);
-            case FeatureKind::vertex_face:
-                return of_vertex_and_face(f);
             default:
-                return of_edges(f);
+                return of_plane(f);
         }
     }
 
@@ -89,6 +87,37 @@ class ExactFeatures {
     // The corner of the second triangle that a feature is named by, less that of the first.
     Vector between(const FeaturePair& f) const noexcept { return difference<L>(corner(1, f.b), corner(0, f.a)); }
 
+    // The foot of a vertex on the line of an edge is s / den of the edge from its beginning.
+    struct FootOnEdge {
+        Vector w, u;  // between(f), and the edge
+        Magnitude<2 * L> s, den;
+    };
+    FootOnEdge foot_on_edge(const FeaturePair& f) const noexcept {
+        const std::size_t of = 1 - f.vertex_side;
+        FootOnEdge foot{between(f), from(of, f.corner(of), 1), {}, {}};
+        const Magnitude<2 * L> along = dot<L, L>(foot.w, foot.u);
+        foot.s = of == 1 ? negated<2 * L>(along) : along;
+        foot.den = dot<L, L>(foot.u, foot.u);
+        return foot;
+    }
+
+    // The foot of a vertex on a face's plane is s / den and t / den of the face's two edges from its first corner; the
+    // feet of two edges' lines on each other are s / den and t / den of the edges. `n` is normal(f).
+    struct Feet {
+        Magnitude<4 * L> s, t, den;
+    };
+    Feet feet(const FeaturePair& f, const LimbVector<2 * L>& n) const noexcept {
+        const auto along = [&](const Vector& x, const Vector& y) { return dot<2 * L, 2 * L>(cross<L>(x, y), n); };
+        const Magnitude<4 * L> den = dot<2 * L, 2 * L>(n, n);
+        if (f.kind == FeatureKind::edge_edge) {
+            const Vector w = between(f);
+            return {along(w, from(1, f.b, 1)), along(w, from(0, f.a, 1)), den};
+        }
+        const std::size_t side = f.vertex_side, of = 1 - side;
+        const Vector w = difference<L>(corner(side, f.corner(side)), corner(of, 0));
+        return {along(w, from(of, 0, 2)), along(from(of, 0, 1), w), den};
+    }
+
   private:
     static constexpr int k = coordinate_bits + 1;
     static_assert(2 * k + 2 < 64 * (2 * L));
@@ -117,24 +146,39 @@ class ExactFeatures {
         signs.positive((side == 0) != turned ? -s : s);
     }
 
-    // (u.u) w - (w.u) u
-    static LimbVector<3 * L> across_edge(const Vector& w, const Vector& u, const Magnitude<2 * L>& uu,
-                                         const Magnitude<2 * L>& wu) noexcept {
+    // (u.u) w - (w.u) u, of a vertex and an edge.
+    LimbVector<3 * L> across_edge(const FeaturePair& f, const FootOnEdge& foot) const noexcept {
+        const Magnitude<2 * L> along = f.vertex_side == 0 ? negated<2 * L>(foot.s) : foot.s;
         LimbVector<3 * L> n;
         for (std::size_t i = 0; i < 3; ++i) {
             Limbs<3 * L> sum{};
-            add_product<L, 2 * L>(sum, w[i], uu);
-            add_product<L, 2 * L>(sum, u[i], wu, all_ones);
+            add_product<L, 2 * L>(sum, foot.w[i], foot.den);
+            add_product<L, 2 * L>(sum, foot.u[i], along, all_ones);
             n[i] = magnitude<3 * L>(sum);
         }
         return n;
     }
 
-    // Whether the foot of a vertex is on an edge or a face, or the feet of two edges on each other. n is the normal, nn
-    // its square; of an edge, `uu` is its square and `along` its product with the vertex less its beginning.
-    Signs foot_on_edge(const Magnitude<2 * L>& uu, const Magnitude<2 * L>& along) const noexcept;
-    Signs foot_on_face(const FeaturePair& f, const LimbVector<2 * L>& n, const Magnitude<4 * L>& nn) const noexcept;
-    Signs feet_on_edges(const FeaturePair& f, const LimbVector<2 * L>& n, const Magnitude<4 * L>& nn) const noexcept;
+    // The signs that say whether feet are in the features.
+    static Signs are_inside(const FootOnEdge& foot) noexcept {
+        Signs inside;
+        inside.positive(sign<2 * L>(foot.s));
+        inside.positive(sign<2 * L>(minus<2 * L>(foot.den, foot.s)));
+        return inside;
+    }
+    static Signs are_inside(FeatureKind kind, const Feet& feet) noexcept {
+        const Magnitude<4 * L> rest = minus<4 * L>(feet.den, feet.s);
+        Signs inside;
+        inside.positive(sign<4 * L>(feet.s));
+        inside.positive(sign<4 * L>(feet.t));
+        if (kind == FeatureKind::edge_edge) {
+            inside.positive(sign<4 * L>(rest));
+            inside.positive(sign<4 * L>(minus<4 * L>(feet.den, feet.t)));
+        } else {
+            inside.positive(sign<4 * L>(minus<4 * L>(rest, feet.t)));
+        }
+        return inside;
+    }
 
     static Standing standing(const Signs& inside, const Signs& outside) noexcept {
         if (!inside.hold || !outside.hold) return Standing::none;
@@ -144,8 +188,7 @@ class ExactFeatures {
 
     Standing of_vertices(const FeaturePair& f) const noexcept;
     Standing of_vertex_and_edge(const FeaturePair& f) const noexcept;
-    Standing of_vertex_and_face(const FeaturePair& f) const noexcept;
-    Standing of_edges(const FeaturePair& f) const noexcept;
+    Standing of_plane(const FeaturePair& f) const noexcept;
 
     const std::array<Point, 6>& points_;
 };
@@ -164,92 +207,38 @@ Standing ExactFeatures<L>::of_vertices(const FeaturePair& f) const noexcept {
 template <int L>
 Standing ExactFeatures<L>::of_vertex_and_edge(const FeaturePair& f) const noexcept {
     const std::size_t side = f.vertex_side, of = 1 - side;
-    const std::size_t vertex = side == 0 ? f.a : f.b, edge = side == 0 ? f.b : f.a;
-    const Vector w = between(f), u = from(of, edge, 1);
-    const auto uu = dot<L, L>(u, u);
-    const auto wu = dot<L, L>(w, u);
-    if (is_zero<2 * L>(uu.limbs)) return Standing::none;
-    // The product of u with the vertex less the edge's beginning.
-    const Magnitude<2 * L> along = of == 1 ? negated<2 * L>(wu) : wu;
-    const Signs inside = foot_on_edge(uu, along);
+    const FootOnEdge foot = foot_on_edge(f);
+    if (is_zero<2 * L>(foot.den.limbs)) return Standing::none;
+    const Signs inside = are_inside(foot);
     if (!inside.hold) return Standing::none;
-    const LimbVector<3 * L> n = across_edge(w, u, uu, wu);
+    const LimbVector<3 * L> n = across_edge(f, foot);
     Signs outside;
-    outward<3 * L>(outside, n, false, side, vertex, 1);
-    outward<3 * L>(outside, n, false, side, vertex, 2);
-    outward<3 * L>(outside, n, false, of, edge, 2);
+    outward<3 * L>(outside, n, false, side, f.corner(side), 1);
+    outward<3 * L>(outside, n, false, side, f.corner(side), 2);
+    outward<3 * L>(outside, n, false, of, f.corner(of), 2);
     return standing(inside, outside);
 }
 
+// A vertex and a face, or two edges: what is at right angles to the gap, and so in a plane, need not be asked about. At
+// height zero the points are one.
 template <int L>
-Standing ExactFeatures<L>::of_vertex_and_face(const FeaturePair& f) const noexcept {
-    const std::size_t side = f.vertex_side, vertex = side == 0 ? f.a : f.b;
+Standing ExactFeatures<L>::of_plane(const FeaturePair& f) const noexcept {
     const LimbVector<2 * L> n = normal(f);
-    const Magnitude<4 * L> nn = dot<2 * L, 2 * L>(n, n);
-    if (is_zero<4 * L>(nn.limbs)) return Standing::none;
-    // The face is at right angles to the gap: only the other corners of the vertex's triangle can be on the wrong side.
-    // At height zero the points are one.
+    if (is_zero_vector<2 * L>(n)) return Standing::none;
     const int gap = sign<3 * L>(dot<2 * L, L>(n, between(f)));
     Signs outside;
     if (gap != 0) {
         const bool turned = gap < 0;
-        outward<2 * L>(outside, n, turned, side, vertex, 1);
-        outward<2 * L>(outside, n, turned, side, vertex, 2);
+        if (f.kind == FeatureKind::edge_edge) {
+            outward<2 * L>(outside, n, turned, 0, f.a, 2);
+            outward<2 * L>(outside, n, turned, 1, f.b, 2);
+        } else {
+            outward<2 * L>(outside, n, turned, f.vertex_side, f.corner(f.vertex_side), 1);
+            outward<2 * L>(outside, n, turned, f.vertex_side, f.corner(f.vertex_side), 2);
+        }
         if (!outside.hold) return Standing::none;
     }
-    return standing(foot_on_face(f, n, nn), outside);
-}
-
-template <int L>
-Standing ExactFeatures<L>::of_edges(const FeaturePair& f) const noexcept {
-    const LimbVector<2 * L> n = normal(f);
-    const Magnitude<4 * L> nn = dot<2 * L, 2 * L>(n, n);
-    if (is_zero<4 * L>(nn.limbs)) return Standing::none;
-    const int gap = sign<3 * L>(dot<2 * L, L>(n, between(f)));
-    Signs outside;
-    if (gap != 0) {
-        outward<2 * L>(outside, n, gap < 0, 0, f.a, 2);
-        outward<2 * L>(outside, n, gap < 0, 1, f.b, 2);
-        if (!outside.hold) return Standing::none;
-    }
-    return standing(feet_on_edges(f, n, nn), outside);
-}
-
-template <int L>
-auto ExactFeatures<L>::foot_on_edge(const Magnitude<2 * L>& uu, const Magnitude<2 * L>& along) const noexcept -> Signs {
-    Signs inside;
-    inside.positive(sign<2 * L>(along));
-    inside.positive(sign<2 * L>(minus<2 * L>(uu, along)));
-    return inside;
-}
-
-template <int L>
-auto ExactFeatures<L>::foot_on_face(const FeaturePair& f, const LimbVector<2 * L>& n,
-                                    const Magnitude<4 * L>& nn) const noexcept -> Signs {
-    const std::size_t side = f.vertex_side, of = 1 - side;
-    const Vector u = from(of, 0, 1), v = from(of, 0, 2);
-    const Vector foot = difference<L>(corner(side, side == 0 ? f.a : f.b), corner(of, 0));
-    const auto s = dot<2 * L, 2 * L>(cross<L>(foot, v), n);
-    const auto t = dot<2 * L, 2 * L>(cross<L>(u, foot), n);
-    Signs inside;
-    inside.positive(sign<4 * L>(s));
-    inside.positive(sign<4 * L>(t));
-    inside.positive(sign<4 * L>(minus<4 * L>(minus<4 * L>(nn, s), t)));
-    return inside;
-}
-
-template <int L>
-auto ExactFeatures<L>::feet_on_edges(const FeaturePair& f, const LimbVector<2 * L>& n,
-                                     const Magnitude<4 * L>& nn) const noexcept -> Signs {
-    const Vector w = between(f), u = from(0, f.a, 1), v = from(1, f.b, 1);
-    const auto s = dot<2 * L, 2 * L>(cross<L>(w, v), n);
-    const auto t = dot<2 * L, 2 * L>(cross<L>(w, u), n);
-    Signs inside;
-    inside.positive(sign<4 * L>(s));
-    inside.positive(sign<4 * L>(t));
-    inside.positive(sign<4 * L>(minus<4 * L>(nn, s)));
-    inside.positive(sign<4 * L>(minus<4 * L>(nn, t)));
-    return inside;
+    return standing(are_inside(f.kind, feet(f, n)), outside);
 }
 
 template <int L>
@@ -262,18 +251,12 @@ Standing ExactFeatures<L>::meeting(const FeaturePair& f) const noexcept {
         return is_zero<2 * L>(dot<L, L>(w, w).limbs) ? Standing::inside : Standing::none;
     }
     if (f.kind == FeatureKind::vertex_edge) {
-        const std::size_t edge_of = 1 - f.vertex_side;
-        const Vector u = from(edge_of, edge_of == 0 ? f.a : f.b, 1);
-        const auto uu = dot<L, L>(u, u);
-        const auto wu = dot<L, L>(w, u);
-        if (is_zero<2 * L>(uu.limbs) || !is_parallel<L>(w, u)) return Standing::none;
-        return of(foot_on_edge(uu, edge_of == 1 ? negated<2 * L>(wu) : wu));
+        const FootOnEdge foot = foot_on_edge(f);
+        return is_parallel<L>(w, foot.u) && !is_zero<2 * L>(foot.den.limbs) ? of(are_inside(foot)) : Standing::none;
     }
     const LimbVector<2 * L> n = normal(f);
-    if (!is_zero<3 * L>(dot<2 * L, L>(n, w).limbs)) return Standing::none;
-    const Magnitude<4 * L> nn = dot<2 * L, 2 * L>(n, n);
-    if (is_zero<4 * L>(nn.limbs)) return Standing::none;
-    return of(f.kind == FeatureKind::vertex_face ? foot_on_face(f, n, nn) : feet_on_edges(f, n, nn));
+    if (is_zero_vector<2 * L>(n) || !is_zero<3 * L>(dot<2 * L, L>(n, w).limbs)) return Standing::none;
+    return of(are_inside(f.kind, feet(f, n)));
 }
 
 template <int L>
@@ -281,10 +264,7 @@ template <class Use>
 auto ExactFeatures<L>::with_direction(const FeaturePair& f, Use&& use) const {
     const Vector w = between(f);
     if (f.kind == FeatureKind::vertex_vertex) return use(w, false);
-    if (f.kind == FeatureKind::vertex_edge) {
-        const Vector u = f.vertex_side == 0 ? from(1, f.b, 1) : from(0, f.a, 1);
-        return use(across_edge(w, u, dot<L, L>(u, u), dot<L, L>(w, u)), false);
-    }
+    if (f.kind == FeatureKind::vertex_edge) return use(across_edge(f, foot_on_edge(f)), false);
     const LimbVector<2 * L> n = normal(f);
     return use(n, sign<3 * L>(dot<2 * L, L>(n, w)) < 0);
 }
@@ -296,7 +276,8 @@ void ExactFeatures<L>::measure(const FeaturePair& f, SquaredDistance& result) co
         result.num.assign(dot<L, L>(w, w).limbs);
         result.den = Natural<denominator_limbs>(1);
     } else if (f.kind == FeatureKind::vertex_edge) {
-        const Vector u = f.vertex_side == 0 ? from(1, f.b, 1) : from(0, f.a, 1);
+        const std::size_t of = 1 - f.vertex_side;
+        const Vector u = from(of, f.corner(of), 1);
         const LimbVector<2 * L> c = cross<L>(w, u);
         result.num.assign(dot<2 * L, 2 * L>(c, c).limbs);
         result.den.assign(dot<L, L>(u, u).limbs);

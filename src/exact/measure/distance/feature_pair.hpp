@@ -16,11 +16,34 @@ struct FeaturePair {
     std::uint8_t vertex_side = 0;  // of vertex_edge and vertex_face: the triangle that has the vertex
     std::uint8_t a = 0, b = 0;
 
+    // The corner that names the feature of a triangle, and how many corners that feature has.
+    constexpr std::size_t corner(std::size_t side) const noexcept { return side == 0 ? a : b; }
+    constexpr std::size_t corner_count(std::size_t side) const noexcept {
+        if (kind == FeatureKind::vertex_vertex) return 1;
+        if (kind == FeatureKind::edge_edge) return 2;
+        if (vertex_side == side) return 1;
+        return kind == FeatureKind::vertex_edge ? 2 : 3;
+    }
+    constexpr bool has_vertex(std::size_t side) const noexcept { return corner_count(side) == 1; }
+
     friend bool operator==(const FeaturePair&, const FeaturePair&) = default;
 };
 
 constexpr FeaturePair pair_of(FeatureKind kind, std::size_t vertex_side, std::size_t a, std::size_t b) noexcept {
     return {kind, static_cast<std::uint8_t>(vertex_side), static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)};
+}
+
+// A vertex of `side`, and an edge or a face of the other triangle.
+constexpr FeaturePair vertex_and(FeatureKind kind, std::size_t side, std::size_t vertex, std::size_t other) noexcept {
+    return side == 0 ? pair_of(kind, 0, vertex, other) : pair_of(kind, 1, other, vertex);
+}
+
+// The features that have so many corners, the first ones of their triangles.
+constexpr FeaturePair features_of_counts(std::size_t count_a, std::size_t count_b) noexcept {
+    const std::size_t most = count_a > count_b ? count_a : count_b;
+    const FeatureKind kind =
+        count_a + count_b == 4 && most == 2 ? FeatureKind::edge_edge : static_cast<FeatureKind>(most - 1);
+    return pair_of(kind, count_a > count_b, 0, 0);
 }
 
 constexpr std::size_t next_corner(std::size_t i) noexcept {

@@ -33,10 +33,8 @@ struct Candidate {
 
 class FeatureGuess {
   public:
-    explicit FeatureGuess(const Points<6>& x) noexcept : x_(x) {
+    explicit FeatureGuess(const Points<6>& x) noexcept : x_(x), edge_(edges_of(x)) {
         for (Index i = 0; i < 3; ++i) {
-            edge_[0][i] = minus(x[next_corner(i)], x[i]);
-            edge_[1][i] = minus(x[3 + next_corner(i)], x[3 + i]);
             square_[0][i] = dot(edge_[0][i], edge_[0][i]);
             square_[1][i] = dot(edge_[1][i], edge_[1][i]);
         }
@@ -86,22 +84,20 @@ class FeatureGuess {
         for (Index i = 0; i < 3; ++i) h[i] = dot(minus(corners[i], face[0]), n);
         const bool is_above = h[0] > 0 && h[1] > 0 && h[2] > 0, is_below = h[0] < 0 && h[1] < 0 && h[2] < 0;
         if (!is_above && !is_below) return false;
-        const std::array<double, 3> size{std::abs(h[0]), std::abs(h[1]), std::abs(h[2])};
-        const Index nearest = size[0] <= size[1] ? (size[0] <= size[2] ? 0 : 2) : (size[1] <= size[2] ? 1 : 2);
+        const Index nearest = least_of(std::abs(h[0]), std::abs(h[1]), std::abs(h[2]));
         const Point r = minus(corners[nearest], face[0]);
         const double b1 = dot(cross(r, e2), n), b2 = dot(cross(e1, r), n), b0 = (dot(n, n) - b1) - b2;
         if (b0 >= 0 && b1 >= 0 && b2 >= 0) {
-            best_.features = side == 0 ? pair_of(FeatureKind::vertex_face, 1, 0, nearest)
-                                       : pair_of(FeatureKind::vertex_face, 0, nearest, 0);
+            best_.features = vertex_and(FeatureKind::vertex_face, 1 - side, nearest, 0);
             return true;
         }
-        first_[side] = b2 <= b0 ? (b2 <= b1 ? 0 : 2) : (b0 <= b1 ? 1 : 2);
+        first_[side] = least_of(b2, b0, b1);
         first_[1 - side] = nearest;
         return false;
     }
 
     const Points<6>& x_;
-    Point edge_[2][3];
+    TriangleEdges edge_;
     double square_[2][3];
     Candidate best_;
     Index first_[2] = {0, 0};
@@ -109,8 +105,8 @@ class FeatureGuess {
 
 }  // namespace
 
-FeaturePair guess_features(const Points<6>& points) noexcept {
-    return FeatureGuess(points).find();
+FeaturePair guess_features(const IntegerPair& pair) noexcept {
+    return FeatureGuess(to_doubles(pair)).find();
 }
 
 }  // namespace ecods::exact

@@ -15,13 +15,6 @@
 
 namespace ecods::exact {
 
-// How many limbs coordinates of a kernel have.
-template <class Kernel>
-inline constexpr int limbs_of = Kernel::limb_count;
-template <>
-inline constexpr int limbs_of<OneLimbKernel> = 1;
-template <>
-inline constexpr int limbs_of<TwoLimbKernel> = 2;
 static_assert(OneLimbKernel::coordinate_bits <= ExactFeatures<1>::coordinate_bits);
 static_assert(TwoLimbKernel::coordinate_bits <= ExactFeatures<2>::coordinate_bits);
 
@@ -38,7 +31,7 @@ const std::array<std::uint64_t, L>& to_limbs(const std::array<std::uint64_t, L>&
 
 template <class Kernel, std::size_t N>
 auto to_limbs(const IntegerPoints<Kernel, N>& points) noexcept {
-    std::array<std::array<Limbs<limbs_of<Kernel>>, 3>, N> result;
+    std::array<std::array<Limbs<Kernel::limb_count>, 3>, N> result;
     for (std::size_t i = 0; i < N; ++i) {
         for (std::size_t k = 0; k < 3; ++k) result[i][k] = to_limbs(points.at[i][k]);
     }

@@ -6,26 +6,28 @@
 
 namespace ecods::exact {
 
-// Of anything with a kind and features a and b; as the triangles of the pair give them.
+static_assert(static_cast<int>(ClosestKind::vertex_vertex) == static_cast<int>(FeatureKind::vertex_vertex));
+static_assert(static_cast<int>(ClosestKind::vertex_edge) == static_cast<int>(FeatureKind::vertex_edge));
+static_assert(static_cast<int>(ClosestKind::vertex_face) == static_cast<int>(FeatureKind::vertex_face));
+static_assert(static_cast<int>(ClosestKind::edge_edge) == static_cast<int>(FeatureKind::edge_edge));
+
+// The feature that a pair has of one of the two, a triangle of a mesh.
+inline Feature feature_of(const FeaturePair& f, std::size_t side, std::uint32_t triangle) noexcept {
+    return {static_cast<Feature::Kind>(f.corner_count(side) - 1), triangle, static_cast<std::uint32_t>(f.corner(side))};
+}
+
+// Names the kind and the features a and b in anything that has them, as the triangles of the pair give them.
 template <class Names>
 void name_features(Names& names, const FeaturePair& f, const TrianglePair& pair) noexcept {
-    using Kind = Feature::Kind;
-    const bool is_lesser_of_a = f.vertex_side == 0;
-    const auto name = [&](ClosestKind kind, Kind lesser, Kind greater) {
-        names.kind = kind;
-        names.a = {is_lesser_of_a ? lesser : greater, pair.a, f.a};
-        names.b = {is_lesser_of_a ? greater : lesser, pair.b, f.b};
-    };
-    switch (f.kind) {
-        case FeatureKind::vertex_vertex:
-            return name(ClosestKind::vertex_vertex, Kind::vertex, Kind::vertex);
-        case FeatureKind::vertex_edge:
-            return name(ClosestKind::vertex_edge, Kind::vertex, Kind::edge);
-        case FeatureKind::vertex_face:
-            return name(ClosestKind::vertex_face, Kind::vertex, Kind::face);
-        case FeatureKind::edge_edge:
-            return name(ClosestKind::edge_edge, Kind::edge, Kind::edge);
-    }
+    names.kind = static_cast<ClosestKind>(f.kind);
+    names.a = feature_of(f, 0, pair.a);
+    names.b = feature_of(f, 1, pair.b);
+}
+
+// The features of two triangles that names are of, which are not `intersecting`.
+template <class Names>
+FeaturePair features_named(const Names& names) noexcept {
+    return pair_of(static_cast<FeatureKind>(names.kind), names.a.kind > names.b.kind, names.a.corner, names.b.corner);
 }
 
 }  // namespace ecods::exact

@@ -48,8 +48,9 @@ class PolygonOrder {
     static constexpr int k = ExactFeatures<L>::coordinate_bits + 1;
     static_assert(14 * k + 16 <= 64 * (14 * L));
 
-    // Positive where p, q, r make a left turn.
-    int orientation(const Corner& p, const Corner& q, const Corner& r) const noexcept {
+    // Positive where p, q, r make a left turn. Not inlined: sorting asks at many places, which had 200 kB of the same
+    // code.
+    [[gnu::noinline]] int orientation(const Corner& p, const Corner& q, const Corner& r) const noexcept {
         Limbs<14 * L> sum{};
         add_cofactor(sum, p, q, r);
         add_cofactor(sum, q, r, p);

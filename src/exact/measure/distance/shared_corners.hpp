@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <utility>
 #include <vector>
 
+#include "exact/measure/distance/closest_points.hpp"
 #include "exact/measure/distance/exact_features.hpp"
 #include "exact/measure/round/exact_point.hpp"
 #include "exact/measure/round/limb_vectors.hpp"
@@ -22,21 +22,16 @@ namespace ecods::exact {
 template <int L>
 class SharedCorners {
   public:
-    // num / den, counted from the first corner of the first triangle: den below 2^(4k + 4), num below 2^(5k + 4), where
-    // differences are below 2^k (closest_points.hpp).
-    struct Corner {
-        std::array<Magnitude<5 * L>, 3> num;
-        Limbs<4 * L> den;
-    };
+    using Corner = WeightedPoint<L>;
 
     explicit SharedCorners(const ExactFeatures<L>& features) : features_(features) {
         for (std::size_t side = 0; side < 2; ++side) {
             normal_[side] = cross<L>(features.from(side, 0, 1), features.from(side, 0, 2));
-            is_proper_[side] = !is_zero<4 * L>(dot<2 * L, 2 * L>(normal_[side], normal_[side]).limbs);
+            is_proper_[side] = !is_zero_vector<2 * L>(normal_[side]);
         }
         for (std::size_t side = 0; side < 2; ++side) {
             for (std::size_t i = 0; i < 3; ++i) {
-                if (is_in(side, i)) add(features.position(side, i), one(), {}, {});
+                if (is_in(side, i)) add(corner_point<L>(features.position(side, i)));
                 if (is_proper_[1 - side]) add_piercing(side, i);
             }
         }
@@ -55,30 +50,9 @@ class SharedCorners {
     // the product of the edges. Otherwise nothing, and nothing if no point is shared.
     std::optional<LimbVector<2 * L>> normal() const;
 
-    static void assign(const Corner& corner, int unit, ExactPoint& point) noexcept {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            point.num[axis].size.assign(corner.num[axis].limbs);
-            point.num[axis].is_negative = corner.num[axis].negative != 0;
-        }
-        point.den.assign(corner.den);
-        point.unit = unit;
-    }
-
   private:
     using Vector = LimbVector<L>;
     using Weight = Magnitude<4 * L>;
-
-    static Weight one() noexcept {
-        Weight x{};
-        x.limbs[0] = 1;
-        return x;
-    }
-    template <int M>
-    static Weight widened(const Magnitude<M>& x) noexcept {
-        Weight result{{}, x.negative};
-        std::copy(x.limbs.begin(), x.limbs.end(), result.limbs.begin());
-        return result;
-    }
 
     bool is_in(std::size_t side, std::size_t i) const noexcept;
     std::optional<LimbVector<2 * L>> normal_at_point() const;
@@ -87,7 +61,7 @@ class SharedCorners {
     bool is_in_edge(std::size_t side) const noexcept;
     void add_piercing(std::size_t side, std::size_t edge);
     void add_crossing(std::size_t i, std::size_t j);
-    void add(const Vector& p, const Weight& den, const Weight& s, const Vector& u);
+    void add(const Corner& corner);
     static int compare(const Corner& a, const Corner& b) noexcept;
 
     const ExactFeatures<L>& features_;
@@ -100,10 +74,7 @@ class SharedCorners {
 template <int L>
 bool SharedCorners<L>::is_in(std::size_t side, std::size_t i) const noexcept {
     const auto holds = [&](FeatureKind kind, std::size_t of_other) {
-        FeaturePair f{kind, static_cast<std::uint8_t>(side), static_cast<std::uint8_t>(i),
-                      static_cast<std::uint8_t>(of_other)};
-        if (side == 1) std::swap(f.a, f.b);
-        return features_.meeting(f) != Standing::none;
+        return features_.meeting(vertex_and(kind, side, i, of_other)) != Standing::none;
     };
     if (is_proper_[1 - side]) return holds(FeatureKind::vertex_face, 0);
     for (std::size_t j = 0; j < 3; ++j) {
@@ -140,31 +111,23 @@ void SharedCorners<L>::add_piercing(std::size_t side, std::size_t edge) {
     }
     if (least < 0 && most > 0) return;
     // Both with the sign of h0, so that the denominator is positive.
-    Weight den = widened(fall), s = widened(h0);
+    Weight den = widened<4 * L>(fall), s = widened<4 * L>(h0);
     den.negative = s.negative = 0;
-    add(features_.position(side, edge), den, s, u);
+    add(weighted_point<L>(den, features_.position(side, edge), Weighted<L>{s, u}));
 }
 
 template <int L>
 void SharedCorners<L>::add_crossing(std::size_t i, std::size_t j) {
-    const FeaturePair f{FeatureKind::edge_edge, 0, static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j)};
+    const FeaturePair f = pair_of(FeatureKind::edge_edge, 0, i, j);
     if (features_.meeting(f) == Standing::none) return;
-    const Vector w = features_.between(f), u = features_.from(0, i, 1), v = features_.from(1, j, 1);
-    const LimbVector<2 * L> n = cross<L>(u, v);
-    add(features_.position(0, i), dot<2 * L, 2 * L>(n, n), dot<2 * L, 2 * L>(cross<L>(w, v), n), u);
+    const auto feet = features_.feet(f, features_.normal(f));
+    const Vector u = features_.from(0, i, 1);
+    add(weighted_point<L>(feet.den, features_.position(0, i), Weighted<L>{feet.s, u}));
 }
 
-// Adds (den p + s u) / den, unless it is there.
+// Adds a corner, unless it is there.
 template <int L>
-void SharedCorners<L>::add(const Vector& p, const Weight& den, const Weight& s, const Vector& u) {
-    Corner corner;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        Limbs<5 * L> sum{};
-        add_product<4 * L, L>(sum, den, p[axis]);
-        add_product<4 * L, L>(sum, s, u[axis]);
-        corner.num[axis] = magnitude<5 * L>(sum);
-    }
-    corner.den = den.limbs;
+void SharedCorners<L>::add(const Corner& corner) {
     const auto at = std::ranges::find_if(corners_, [&](const Corner& other) { return compare(other, corner) >= 0; });
     if (at == corners_.end() || compare(*at, corner) != 0) corners_.insert(at, corner);
 }
@@ -203,7 +166,7 @@ auto SharedCorners<L>::normal_at_point() const -> std::optional<LimbVector<2 * L
 // that is the middle corner of one without area.
 template <int L>
 bool SharedCorners<L>::goes_through(const FeaturePair& f) const {
-    const std::size_t side = f.vertex_side, corner = side == 0 ? f.a : f.b;
+    const std::size_t side = f.vertex_side, corner = f.corner(side);
     const LimbVector<2 * L> n = features_.normal(f);
     const auto height = [&](std::size_t k) { return sign<3 * L>(dot<2 * L, L>(n, features_.from(side, corner, k))); };
     return height(1) * height(2) < 0;

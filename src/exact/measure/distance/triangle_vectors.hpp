@@ -20,13 +20,28 @@
 // product of the X: a monomial meets at most (1 + C u')^g (1 + u')^r, and 2^-20 more (second_order) covers the second
 // order and the bound's own arithmetic. A difference of two such numbers in one power of two has the sum of the bounds,
 // and twice that covers its rounding. All numbers are 0 or between 2^-200 and 2^600: nothing underflows or overflows.
+// Certain signs have the bounds, in units of u' times the product of the X,
+//     x.y                                  3 (2 C + 3)
+//     (x x y).z                            6 (3 C + 5)
+//     (x x y).(z x v)                     12 (4 C + 7)
+//     ((y.y) x - (x.y) y).z               18 (4 C + 8)
+//
+// Feet. Let n = u x v, of a face's edges u and v from its corner, or of two edges, and d any vector along which
+// features are looked at: n itself, or the way of a motion. With f and g the powers of two between the unit of w and
+// those of u and v, and `foot` -w or w, from the face's corner to the vertex, the vertex is seen in the face at
+//     s1 = (foot x v).d / (f n.d),  s2 = (u x foot).d / (g n.d),  inside where s1, s2 and 1 - s1 - s2 are positive,
+// and two edges cross where they are seen at
+//     s1 = (w x v).d / (f n.d),     s2 = (w x u).d / (g n.d),     inside where these and 1 - s1, 1 - s2 are.
+// Signs of these, times n.d, are certain by the bound of (x x y).d, which is that of (x x y).z for a motion and that of
+// (x x y).(z x v) for n; sums of them as above.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/arithmetic.hpp"
-#include "exact/measure/distance/enclose_distance.hpp"
+#include "exact/measure/distance/feature_pair.hpp"
+#include "exact/measure/distance/integer_pair.hpp"
 #include "exact/measure/round/scaled_vector.hpp"
 #include "exact/point/vectors.hpp"
 #include "simd/inline.hpp"
@@ -39,8 +54,18 @@ inline constexpr double cube_of_size = 0x1p159;
 inline constexpr double second_order = 1 + 0x1p-20;
 
 struct TriangleVectors {
-    TriangleVectors(const IntegerPair& pair, std::size_t p, std::size_t q) noexcept {
-        const auto at = [&](std::size_t side, std::size_t i) -> const FixedPoints::Point& {
+    // Feet are at s / den of the first vector and at t / den of the second, den not negative; where `are_inside`, they
+    // are certainly inside both features.
+    struct Feet {
+        double s, t, den;
+        bool are_inside;
+    };
+
+    // The corners p and q are those that name the features; of a face, its blunt one.
+    TriangleVectors(const IntegerPair& pair, const FeaturePair& f) noexcept {
+        std::size_t p = f.a, q = f.b;
+        if (f.kind == FeatureKind::vertex_face) (f.vertex_side == 0 ? q : p) = blunt_corner(pair, 1 - f.vertex_side);
+        const auto at = [&](std::size_t side, std::size_t i) -> const IntegerVector& {
             return pair.at[3 * side + i % 3];
         };
         const bool is_exact = pair.error == 0;
@@ -55,10 +80,18 @@ struct TriangleVectors {
         eta = 1 + pair.error;
     }
 
-    // E, for a product with n.
-    double product_error(const Point& n) const noexcept {
-        return (8.5 + eta) * ((std::abs(n[0]) + std::abs(n[1])) + std::abs(n[2]));
+    // Bounds of signs by the table above, C = eta / 2: of x.y, (x x y).z, (x x y).(z x v), and of the last row.
+    double bound_of_two() const noexcept { return 3 * (eta + 3) * two_u * square_of_size * second_order; }
+    double bound_of_three() const noexcept { return 6 * (1.5 * eta + 5) * two_u * cube_of_size * second_order; }
+    double bound_of_four() const noexcept {
+        return 12 * (2 * eta + 7) * two_u * (square_of_size * square_of_size) * second_order;
     }
+    double bound_across() const noexcept {
+        return 18 * (2 * eta + 8) * two_u * (square_of_size * square_of_size) * second_order;
+    }
+
+    // E, for a product with n.
+    double product_error(const Point& n) const noexcept { return (8.5 + eta) * sum_of_magnitudes(n); }
 
     // A lower bound of the product of n with any point of the second triangle less any of the first, in units of w,
     // where it is positive.
@@ -79,10 +112,45 @@ struct TriangleVectors {
         return side == 0 ? x < -bound : x > bound;
     }
 
+    // A vertex and a face, or two edges: u, v and n of their feet, these feet along a vector for a bound of the signs,
+    // and whether the corners beside the features are outward.
+    const Point& first_edge(const FeaturePair& f) const noexcept { return other[plane_side(f)][0].x; }
+    const Point& second_edge(const FeaturePair& f) const noexcept {
+        return f.kind == FeatureKind::edge_edge ? other[1][0].x : other[plane_side(f)][1].x;
+    }
+    Point normal(const FeaturePair& f) const noexcept { return cross(first_edge(f), second_edge(f)); }
+    ECODS_ALWAYS_INLINE Feet feet(const FeaturePair& f, const Point& n, const Point& along,
+                                  double bound) const noexcept {
+        const Point &u = first_edge(f), &v = second_edge(f);
+        const double n_along = dot(n, along), sign = n_along < 0 ? -1 : 1, den = std::abs(n_along);
+        if (f.kind == FeatureKind::edge_edge) {
+            const double s = sign * dot(cross(w.x, v), along), t = sign * dot(cross(w.x, u), along);
+            const double a = factor[0][0], b = factor[1][0];
+            return {s, t, den,
+                    (s > bound) && (t > bound) && (den * a - s > bound * (1 + a) * 2) &&
+                        (den * b - t > bound * (1 + b) * 2)};
+        }
+        const std::size_t of = plane_side(f);
+        const Point foot = of == 1 ? negated(w.x) : w.x;
+        const double s = sign * dot(cross(foot, v), along), t = sign * dot(cross(u, foot), along);
+        const double a = factor[of][0], b = factor[of][1];
+        return {s, t, den, (s > bound) && (t > bound) && ((den - s / a) - t / b > bound * (1 + 1 / a + 1 / b) * 2)};
+    }
+    bool are_others_outward(const FeaturePair& f, const Point& n, double bound) const noexcept {
+        if (f.kind == FeatureKind::edge_edge) return is_outward(n, 0, 1, bound) && is_outward(n, 1, 1, bound);
+        return is_outward(n, f.vertex_side, 0, bound) && is_outward(n, f.vertex_side, 1, bound);
+    }
+
     ScaledVector w;
     ScaledVector other[2][2];
     double factor[2][2];  // powers of two: from the unit of a vector to that of w
     double eta;
+
+  private:
+    // The triangle that has the first edge.
+    static std::size_t plane_side(const FeaturePair& f) noexcept {
+        return f.kind == FeatureKind::edge_edge ? 0 : 1 - f.vertex_side;
+    }
 };
 
 }  // namespace ecods::exact

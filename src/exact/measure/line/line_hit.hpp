@@ -80,18 +80,8 @@ class LineTriangle {
     }
 
   private:
-    // A parameter that may be negative: num / den, den not zero.
-    struct Ratio {
-        Magnitude<2 * L> num, den;
-
-        int sign() const noexcept {
-            const int s = exact::sign<2 * L>(num);
-            return den.negative ? -s : s;
-        }
-        FractionRef size() const noexcept {
-            return {without_leading_zeros(num.limbs), without_leading_zeros(den.limbs)};
-        }
-    };
+    // A parameter that may be negative.
+    using Ratio = exact::Ratio<2 * L>;
     // What the line shares with an edge.
     struct Part {
         bool is_empty = true;
@@ -105,11 +95,7 @@ class LineTriangle {
     };
 
     static int compare(const FractionRef& x, double y) noexcept { return exact::compare(x, y); }
-    static int compare(const Ratio& x, const Ratio& y) noexcept {
-        const int a = x.sign(), b = y.sign();
-        if (a != b || a == 0) return a - b;
-        return a * exact::compare(x.size(), y.size());
-    }
+    static int compare(const Ratio& x, const Ratio& y) noexcept { return exact::compare(x, y); }
     static int compare(const Ratio& x, const Fraction& y) noexcept {
         return x.sign() < 0 ? -1 : exact::compare(x.size(), y.ref());
     }
@@ -254,12 +240,7 @@ class LineTriangle {
     // The parameter of a point of the line.
     Ratio on_line(const Vector& p) const noexcept {
         const std::size_t axis = axis_of<L>(d_);
-        return {widened(p[axis]), widened(d_[axis])};
-    }
-    static Magnitude<2 * L> widened(const Magnitude<L>& x) noexcept {
-        Magnitude<2 * L> result{{}, x.negative};
-        for (std::size_t i = 0; i < L; ++i) result.limbs[i] = x.limbs[i];
-        return result;
+        return {widened<2 * L>(p[axis]), widened<2 * L>(d_[axis])};
     }
 
     // Where the line crosses the open edge from p to q, neither of which is on it. With e = q - p, s d = p + t e: its

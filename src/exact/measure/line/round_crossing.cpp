@@ -4,13 +4,13 @@
 #include <bit>
 #include <cstdint>
 
+#include "exact/measure/round/fixed_digits.hpp"
+#include "exact/measure/round/scaled_vector.hpp"
 #include "exact/number/dyadic.hpp"
 #include "exact/number/limbs.hpp"
 
 namespace ecods::exact {
 namespace {
-
-using IntegerVector = TwoLimbKernel::Point;
 
 constexpr int coordinate_bits = TwoLimbKernel::coordinate_bits;
 constexpr int normal_bits = 126;  // that are kept of n
@@ -20,9 +20,6 @@ static_assert(normal_bits + coordinate_bits + 2 <= 255, "a sum of three products
 // By how many digits a sum is longer than the bound of its error.
 constexpr int digits_min = 70;
 
-Uint128 size_of(Int128 x) noexcept {
-    return x < 0 ? -static_cast<Uint128>(x) : static_cast<Uint128>(x);
-}
 int width_of(const IntegerVector& p) noexcept {
     return bit_width(size_of(p[0]) | size_of(p[1]) | size_of(p[2]));
 }
@@ -32,12 +29,6 @@ int width_of(const Int256& x) noexcept {
     const Uint128 high = static_cast<Uint128>(x.high) ^ sign, low = x.low ^ sign;
     return high != 0 ? 128 + bit_width(high) : bit_width(low);
 }
-// floor(x / 2^shift), 0 <= shift < 256. The result must fit.
-Int128 shifted_right(const Int256& x, int shift) noexcept {
-    if (shift >= 128) return x.high >> (shift - 128);
-    if (shift == 0) return static_cast<Int128>(x.low);
-    return static_cast<Int128>(static_cast<Uint128>(x.high) << (128 - shift) | x.low >> shift);
-}
 
 // n / 2^shift, rounded down, with as many digits as are kept.
 struct Normal {
@@ -46,20 +37,10 @@ struct Normal {
 };
 
 Normal normal_of(const std::array<IntegerVector, 3>& corners) noexcept {
-    IntegerVector u, v;
-    for (std::size_t k = 0; k < 3; ++k) {
-        u[k] = corners[1][k] - corners[0][k];
-        v[k] = corners[2][k] - corners[0][k];
-    }
-    std::array<Int256, 3> n;
-    int width = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-        n[k] = multiply(u[i], v[j]) - multiply(u[j], v[i]);
-        width = std::max(width, width_of(n[k]));
-    }
+    const WideVector n = cross(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
+    const int width = std::max({width_of(n[0]), width_of(n[1]), width_of(n[2])});
     const int shift = std::max(width - normal_bits, 0);
-    return {{shifted_right(n[0], shift), shifted_right(n[1], shift), shifted_right(n[2], shift)}, shift};
+    return {shifted(n, shift), shift};
 }
 
 // The leading digits of a sum: sum = digits 2^exponent, rounded down; none where it is zero or too short to be known.
@@ -79,7 +60,7 @@ LeadingDot leading_of_dot(const Normal& normal, const IntegerVector& p, int coun
     const int width = width_of(sum), exponent = width - count;
     if (width == 0 || (normal.shift > 0 && width < width_of(p) + 2 + digits_min)) return {};
     if (exponent < 0) return {sum.low << -exponent, exponent, is_negative};
-    return {static_cast<Uint128>(shifted_right(sum, exponent)), exponent, is_negative};
+    return {static_cast<Uint128>(shifted(sum, exponent)), exponent, is_negative};
 }
 
 // A positive number from digits 2^exponent to (digits + width) 2^exponent.

@@ -35,9 +35,6 @@ inline double at_least_subnormal(double x) noexcept {
     return std::bit_cast<double>(std::max<std::uint64_t>(std::bit_cast<std::uint64_t>(x), 1));
 }
 
-inline Uint128 size_of(Int128 x) noexcept {
-    return x < 0 ? -static_cast<Uint128>(x) : static_cast<Uint128>(x);
-}
 inline Int256 size_of(const Int256& x) noexcept {
     return x.high < 0 ? Int256{} - x : x;
 }
@@ -55,6 +52,23 @@ inline Int128 shifted(const Int256& x, int shift) noexcept {
     if (shift >= 128) return x.high >> (shift - 128);
     if (shift > 0) return static_cast<Int128>(static_cast<Uint128>(x.high) << (128 - shift) | x.low >> shift);
     return static_cast<Int128>(x.low << -shift);
+}
+
+// The product of two vectors has coordinates of 256 bits if theirs are below 2^127.
+using WideVector = std::array<Int256, 3>;
+inline WideVector cross(const IntegerVector& u, const IntegerVector& v) noexcept {
+    WideVector n;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+        n[k] = multiply(u[i], v[j]) - multiply(u[j], v[i]);
+    }
+    return n;
+}
+inline int bit_width(const WideVector& v) noexcept {
+    return std::max({bit_width(size_of(v[0])), bit_width(size_of(v[1])), bit_width(size_of(v[2]))});
+}
+inline IntegerVector shifted(const WideVector& v, int shift) noexcept {
+    return {shifted(v[0], shift), shifted(v[1], shift), shifted(v[2], shift)};
 }
 
 // The square of a vector's length.

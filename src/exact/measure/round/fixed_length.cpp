@@ -28,19 +28,11 @@ std::optional<Leading> leading(const IntegerVector& v, int error) noexcept {
 // The product of two vectors, of coordinates off by errors of their own.
 std::optional<Leading> leading_product(const IntegerVector& w, const IntegerVector& u, int w_error,
                                        int u_error) noexcept {
-    std::array<Int256, 3> product;
-    int width = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-        product[k] = multiply(w[i], u[j]) - multiply(w[j], u[i]);
-        width = std::max(width, bit_width(size_of(product[k])));
-    }
+    const WideVector product = cross(w, u);
+    const int width = bit_width(product);
     if (width == 0) return std::nullopt;
     const int shift = width - 126;
-    Leading result;
-    result.shift = shift;
-    for (std::size_t k = 0; k < 3; ++k) result.x[k] = shifted(product[k], shift);
-    result.error = shift > 0 ? 1 : 0;
+    Leading result{shifted(product, shift), shift, shift > 0 ? Uint128{1} : 0};
     if (w_error != 0 || u_error != 0) {
         // Of two products: |w| u_error + |u| w_error + u_error w_error each.
         const Int256 one = multiply(static_cast<Int128>(largest(w)) + w_error, u_error) +

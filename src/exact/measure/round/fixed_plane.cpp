@@ -45,19 +45,17 @@ FixedPlane::FixedPlane(const std::array<Vector, 3>& m, int unit, bool is_exact) 
 
 void FixedPlane::find_normal() noexcept {
     const Vector u = exact::difference(m_[1], m_[0]), v = exact::difference(m_[2], m_[0]);
-    int width = 0, count = 0;
+    n_ = cross(u, v);
+    int count = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-        n_[k] = exact::multiply(u[i], v[j]) - exact::multiply(u[j], v[i]);
         if (exact::sign(n_[k]) == 0) continue;
-        width = std::max(width, bit_width(size_of(n_[k])));
         axis_ = static_cast<int>(k);
         ++count;
     }
     if (count != 1 || !is_exact_) axis_ = -1;
-    if (axis_ >= 0 || width == 0) return;
-    const int shift = width - 126;
-    for (std::size_t k = 0; k < 3; ++k) short_n_[k] = shifted(n_[k], shift);
+    if (axis_ >= 0 || count == 0) return;
+    const int shift = bit_width(n_) - 126;
+    short_n_ = shifted(n_, shift);
     error_ = shift > 0 ? 1 : 0;
     if (!is_exact_) {
         // Edges u and v off by 10 units: their product by 2 (10 |u| + 10 |v| + 100).

@@ -1,9 +1,9 @@
 // A plane through three vertices of a set of differences, in integers of 128 and 256 bits: how far it is from the
 // origin and its unit normal, rounded once wherever that is certain.
 //
-// With FixedPoints::is_exact() points are exact, and so are normals. Otherwise a coordinate of a difference m is off by
-// less than 5 units, and one of an edge by 10. Points are below 2^122 and their differences below 2^123 in magnitude,
-// so edges of the set of differences are below 2^124, and products of two below 2^249: 256 bits hold them.
+// With IntegerFrame::is_exact() points are exact, and so are normals. Otherwise a coordinate of a difference m is off
+// by less than 5 units, and one of an edge by 10. Points are below 2^122 and their differences below 2^123 in
+// magnitude, so edges of the set of differences are below 2^124, and products of two below 2^249: 256 bits hold them.
 #pragma once
 
 #include <array>
@@ -11,7 +11,6 @@
 #include <optional>
 
 #include "exact/measure/round/fixed_digits.hpp"
-#include "exact/measure/round/fixed_points.hpp"
 #include "exact/measure/round/scaled_vector.hpp"
 #include "exact/number/limbs.hpp"
 

@@ -17,35 +17,6 @@ static_assert(fraction_limbs <= divisor_limbs);
 
 constexpr std::size_t double_limbs = 1074 / 64 + 1;
 
-// Terms are products of a double, a multiple of 2^-1074 below 2^1024, and a number of fraction_limbs; three of them.
-using CoordinateSum = NaturalSum<fraction_limbs + (1074 + 1024 + 8) / 64 + 2>;
-
-// A term of a coordinate: x times a natural number.
-struct Summand {
-    Dyadic x;
-    NaturalSpan times;
-    bool is_negative;
-};
-
-double round_coordinate(std::span<const Summand> terms, NaturalSpan den) noexcept {
-    BitRange range;
-    for (const Summand& term : terms) {
-        if (term.x.m == 0 || term.times.empty()) continue;
-        const int width = static_cast<int>(std::bit_width(magnitude(term.x.m)));
-        range.include(term.x.e, term.x.e + width + bit_width(term.times));
-    }
-    if (range.empty()) return 0;
-    CoordinateSum sum(range.low, range.high);
-    for (const Summand& term : terms) {
-        if (term.x.m == 0 || term.times.empty()) continue;
-        const std::uint64_t m = magnitude(term.x.m);
-        Natural<fraction_limbs + 1> product;
-        product.assign_product(term.times, {&m, 1});
-        sum.add(product.limbs(), term.x.e, (term.x.m < 0) != term.is_negative);
-    }
-    return sum.over(den);
-}
-
 Uint128 two_limbs(NaturalSpan a) noexcept {
     return (a.size() > 1 ? Uint128{a[1]} << 64 : 0) | (a.empty() ? 0 : a[0]);
 }
@@ -64,7 +35,7 @@ Int256 shifted(Int128 m, int shift) noexcept {
 // 2^192, and what is added to them below 2^250.
 bool round_from_digits(const Dyadic& from, const DyadicDifference& along, const LeadingDigits& s,
                        double& rounded) noexcept {
-    const Uint128 size = static_cast<Uint128>(along.m < 0 ? -along.m : along.m);
+    const Uint128 size = size_of(along.m);
     if ((size >> 64) != 0) return false;
     const int unit = s.exponent + along.e, shift = from.m == 0 ? 0 : from.e - unit;
     if (size == 0 || s.digits == 0) {
@@ -147,8 +118,13 @@ RoundedOnLine round_on_line(const Vec3& a, const Vec3& b, bool is_direction, con
         const Dyadic from = decode(a[k]), to = decode(b[k]);
         const auto along = subtract(to, is_direction ? Dyadic{} : from);
         if (along && round_from_digits(from, *along, digits, result.point[k])) continue;
-        const std::array<Summand, 3> terms{{{from, at.den, false}, {to, at.num, false}, {from, at.num, true}}};
-        result.point[k] = round_coordinate(std::span(terms).first(is_direction ? 2 : 3), at.den);
+        const std::uint64_t from_size = magnitude(from.m), to_size = magnitude(to.m);
+        const auto term = [](const std::uint64_t& size, const Dyadic& x, NaturalSpan times, bool is_turned) {
+            return Summand{without_leading_zeros({&size, 1}), times, x.e, (x.m < 0) != is_turned};
+        };
+        const std::array<Summand, 3> terms{term(from_size, from, at.den, false), term(to_size, to, at.num, false),
+                                           term(from_size, from, at.num, true)};
+        result.point[k] = round_sum(std::span(terms).first(is_direction ? 2 : 3), at.den);
     }
     return result;
 }

@@ -5,6 +5,7 @@
 
 #include "ecods/pose.hpp"
 #include "exact/number/kernel.hpp"
+#include "exact/number/limbs.hpp"
 #include "exact/number/natural.hpp"
 #include "exact/point/integer_points.hpp"
 
@@ -28,12 +29,30 @@ struct Fraction {
     FractionRef ref() const noexcept { return {num.limbs(), den.limbs()}; }
 };
 
+// A ratio is num / den of either sign, den not zero.
+template <int L>
+struct Ratio {
+    Magnitude<L> num, den;
+
+    int sign() const noexcept {
+        const int s = exact::sign<L>(num);
+        return den.negative ? -s : s;
+    }
+    FractionRef size() const noexcept { return {without_leading_zeros(num.limbs), without_leading_zeros(den.limbs)}; }
+};
+
 // A double that is finite and not negative. Of 2^-1074 the denominator has 17 limbs, as has the numerator of 2^1023.
 Fraction fraction_of(double x) noexcept;
 
 // The sign of the first less the second, or less the double x >= 0, which may be infinity.
 int compare(const FractionRef& first, const FractionRef& second) noexcept;
 int compare(const FractionRef& first, double x) noexcept;
+template <int L>
+int compare(const Ratio<L>& x, const Ratio<L>& y) noexcept {
+    const int a = x.sign(), b = y.sign();
+    if (a != b || a == 0) return a - b;
+    return a * compare(x.size(), y.size());
+}
 
 // The nearest double, ties to even; at least 2^-1074 if it is positive, infinity above the largest double. No
 // floating-point environment shows in it.

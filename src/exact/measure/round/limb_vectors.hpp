@@ -2,6 +2,7 @@
 // are asserted where they are used.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -16,6 +17,15 @@ template <int L>
 Magnitude<L> negated(Magnitude<L> a) noexcept {
     a.negative = ~a.negative;
     return a;
+}
+
+// Widens a number to as many limbs or more.
+template <int M, int L>
+Magnitude<M> widened(const Magnitude<L>& x) noexcept {
+    static_assert(M >= L);
+    Magnitude<M> result{{}, x.negative};
+    for (std::size_t i = 0; i < L; ++i) result.limbs[i] = x.limbs[i];
+    return result;
 }
 
 // sum += a * b, or sum -= a * b where `negative` is all_ones.
@@ -60,13 +70,15 @@ LimbVector<L> difference(const std::array<Limbs<L>, 3>& to, const std::array<Lim
     return result;
 }
 
+template <int L>
+bool is_zero_vector(const LimbVector<L>& a) noexcept {
+    return is_zero<L>(a[0].limbs) && is_zero<L>(a[1].limbs) && is_zero<L>(a[2].limbs);
+}
+
 // Or one of them zero.
 template <int L>
 bool is_parallel(const LimbVector<L>& a, const LimbVector<L>& b) noexcept {
-    for (const Magnitude<2 * L>& x : cross<L>(a, b)) {
-        if (!is_zero<2 * L>(x.limbs)) return false;
-    }
-    return true;
+    return is_zero_vector<2 * L>(cross<L>(a, b));
 }
 
 }  // namespace ecods::exact

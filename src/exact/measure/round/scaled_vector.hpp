@@ -11,8 +11,8 @@
 #include <limits>
 
 #include "base/assert.hpp"
-#include "exact/measure/round/fixed_points.hpp"
 #include "exact/number/limbs.hpp"
+#include "exact/point/integer_frame.hpp"
 #include "exact/point/point.hpp"
 #include "simd/inline.hpp"
 
@@ -25,15 +25,9 @@ struct ScaledVector {
     int shift;
 };
 
-// 2^e, for a normal result.
-constexpr double power_of_two(int e) noexcept {
-    ECODS_ASSERT(e >= -1022 && e <= 1023);
-    return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
-}
+using IntegerVector = IntegerFrame::Point;
 
-using IntegerVector = std::array<Int128, 3>;
-
-ECODS_ALWAYS_INLINE IntegerVector difference(const FixedPoints::Point& to, const FixedPoints::Point& from) noexcept {
+ECODS_ALWAYS_INLINE IntegerVector difference(const IntegerVector& to, const IntegerVector& from) noexcept {
     return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 

@@ -1,7 +1,6 @@
 #include "programs/clash/picture/composite.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace ecods::clash {

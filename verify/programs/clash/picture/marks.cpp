@@ -1,7 +1,6 @@
 #include "programs/clash/picture/marks.hpp"
 
 #include <array>
-#include <cmath>
 
 namespace ecods::clash {
 namespace {

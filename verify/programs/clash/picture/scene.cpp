@@ -1,7 +1,6 @@
 #include "programs/clash/picture/scene.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 #include "ecods/contact.hpp"

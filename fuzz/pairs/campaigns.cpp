@@ -1,0 +1,23 @@
+#include "fuzz/pairs/campaigns.hpp"
+
+namespace ecods::fuzz {
+
+std::span<const CaseCampaign> case_campaigns() {
+    static constexpr CaseCampaign table[] = {
+        {"pairs", "pairs of posed triangles, 1000 a run, each by every path of the exact layer", "triangle pairs",
+         run_pairs},
+        {"distances", "pairs of posed meshes, 1000 a run, every question about their distances", "distances",
+         run_distances},
+        {"hits", "segments and rays, 2000 a run, every question about what they hit of a mesh", "hits", run_hits},
+        {"casts", "posed meshes on their way, 250 a run, every question about their contact", "casts", run_casts},
+        {"solids", "pairs of posed solids, 130 a run, every question about them", "solids", run_solids},
+        {"polycubes", "sets of unit cells as posed solids, 1000 pairs a run", "solids", run_polycubes},
+        {"placements", "pairs of polycubes in all positions: 19 runs of up to three cells, 105 of up to four", "solids",
+         run_placements},
+        {"convex", "pairs of posed convex solids, 180 a run, their distances, depths, features and hulls", "convex",
+         run_convex},
+    };
+    return table;
+}
+
+}  // namespace ecods::fuzz

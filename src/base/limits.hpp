@@ -1,0 +1,21 @@
+// Checks of the limits that callers give: distances and times.
+#pragma once
+
+#include <limits>
+
+#include "base/double_key.hpp"
+#include "ecods/error.hpp"
+
+namespace ecods {
+
+inline constexpr std::int64_t infinity_key = key_of(std::numeric_limits<double>::infinity());
+
+// A limit is not negative and not NaN. Both throw InvalidDistance if d is none; the second one also if it is infinite.
+inline void require_distance(double d) {
+    if (!is_from_zero(d)) throw InvalidDistance(d);
+}
+inline void require_finite_distance(double d) {
+    if (!is_from_zero(d) || key_of(d) == infinity_key) throw InvalidDistance(d);
+}
+
+}  // namespace ecods

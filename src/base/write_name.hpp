@@ -1,0 +1,17 @@
+// The names of enumerators in a stream.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <ostream>
+
+namespace ecods {
+
+// Writes the name of a value whose enumeration counts from 0; a number that is no enumerator as one.
+template <class Enum, std::size_t count>
+std::ostream& write_name(std::ostream& out, Enum value, const std::array<const char*, count>& names) {
+    const auto at = static_cast<std::size_t>(value);
+    return at < count ? out << names[at] : out << at;
+}
+
+}  // namespace ecods

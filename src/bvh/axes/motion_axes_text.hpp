@@ -1,0 +1,21 @@
+// Text of bvh/axes/motion_axes.cpp, compiled for each instruction set.
+
+ECODS_ALWAYS_INLINE Matrix4 middle(const Edges& start, const Edges& end) noexcept {
+    Matrix4 result;
+    for (int i = 0; i < 3; ++i) result.column[i] = 0.5 * start.edges.column[i] + 0.5 * end.edges.column[i];
+    return result;
+}
+
+// The normals of either tree's boxes as they are half-way.
+[[gnu::noinline]] inline void bind_motion_sets(std::array<MotionSet, 2>& sets, const MovingTree& a, const MovingTree& b,
+                                               const Vec3& d_from, const Vec3& d_to) noexcept {
+    const Edges a_from(a.tree.frame, a.from), a_to(a.tree.frame, a.to);
+    const Edges b_from(b.tree.frame, b.from), b_to(b.tree.frame, b.to);
+    const Matrix4 a_middle = middle(a_from, a_to), b_middle = middle(b_from, b_to);
+    const Double4 d0 = load3(d_from.data()), d1 = load3(d_to.data());
+    const Matrix4 normals_a = axes_of(a_middle, b_middle), normals_b = axes_of(b_middle, a_middle);
+    set_floats(sets[0].start, DoubleAxes(normals_a, a_from, b_from, d0, Own::a));
+    set_floats(sets[0].end, DoubleAxes(normals_a, a_to, b_to, d1, Own::a));
+    set_floats(sets[1].start, DoubleAxes(normals_b, a_from, b_from, d0, Own::b));
+    set_floats(sets[1].end, DoubleAxes(normals_b, a_to, b_to, d1, Own::b));
+}

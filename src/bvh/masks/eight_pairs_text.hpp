@@ -1,0 +1,80 @@
+// Triangles of two leaves in registers of eight floats, any eight pairs at once: as a rule few of eight triangles are
+// near one, and a row for each of these would be mostly empty. Text of bvh/masks/overlap_mask.cpp for processors that
+// pick lanes by number and bits by mask (simd/wide.hpp).
+
+struct EightPairs : avx2::ProjectedLanes<8> {
+    // Clears the bits of pairs of triangles that are proven to be apart, and returns which are proven to cross.
+    ECODS_ALWAYS_INLINE static std::uint64_t find(const AxisSet& set, const Placed& x, const Placed& y,
+                                                  std::uint64_t& pairs) noexcept {
+        using Decided = avx2::TriangleLanes;
+        std::uint64_t near = 0, crossing = 0;
+        for (std::uint64_t rest = pairs; rest != 0;) {
+            const wide::PairNumbers eight(rest);
+            if (set.flat_axis >= 0) {
+                Ints open;
+                find_flat(set, x, y, eight, open);
+                near |= eight.bits_of(open);
+                continue;
+            }
+            Decided::Vectors p[3], q[3];
+            for (std::size_t c = 0; c < 3; ++c) {
+                pick(x.corners.at[c], eight.i, p[c]);
+                pick(y.corners.at[c], eight.j, q[c]);
+            }
+            const Decided::Vectors n = Decided::cross(p[1] - p[0], p[2] - p[0]),
+                                   m = Decided::cross(q[1] - q[0], q[2] - q[0]);
+            Decided::Vectors extent;
+            find_extent(x, y, 0, eight, extent.x);
+            find_extent(x, y, 1, eight, extent.y);
+            find_extent(x, y, 2, eight, extent.z);
+            const Ints all = ~Ints{};
+            const Decided::Found found = Decided::decide(set.point_error, p, n, q, m, extent, all);
+            near |= eight.bits_of(found.near);
+            crossing |= eight.bits_of(found.crossing);
+        }
+        pairs = near;
+        return set.is_bijective ? crossing : std::uint64_t{0};
+    }
+
+  private:
+    ECODS_ALWAYS_INLINE static void pick(const FloatLanes& from, wide::Index8 index, Floats& to) noexcept {
+        wide::store(wide::pick(from.data(), index), to);
+    }
+    ECODS_ALWAYS_INLINE static void pick(const std::array<FloatLanes, 3>& from, wide::Index8 index,
+                                         avx2::TriangleLanes::Vectors& to) noexcept {
+        pick(from[0], index, to.x);
+        pick(from[1], index, to.y);
+        pick(from[2], index, to.z);
+    }
+
+    // The extents of both triangles of each pair on an axis: as max and min of vectors, whose order of the arguments
+    // the instructions have, too.
+    ECODS_ALWAYS_INLINE static void find_extent(const Placed& x, const Placed& y, std::size_t axis,
+                                                const wide::PairNumbers& pairs, Floats& extent) noexcept {
+        const wide::Float8 high = wide::larger(wide::pick(x.spans.high[axis].data(), pairs.i),
+                                               wide::pick(y.spans.high[axis].data(), pairs.j)),
+                           low = wide::smaller(wide::pick(x.spans.low[axis].data(), pairs.i),
+                                               wide::pick(y.spans.low[axis].data(), pairs.j));
+        wide::store(high - low, extent);
+    }
+
+    // As FlatLanes::find_near_edges.
+    ECODS_ALWAYS_INLINE static void find_flat(const AxisSet& set, const Placed& x, const Placed& y,
+                                              const wide::PairNumbers& pairs, Ints& open) noexcept {
+        const auto k = static_cast<std::size_t>(set.flat_axis + 1) % 3,
+                   l = static_cast<std::size_t>(set.flat_axis + 2) % 3;
+        avx2::FlatLanes::FlatTriangle<Floats> p, q;
+        for (std::size_t c = 0; c < 3; ++c) {
+            pick(x.corners.at[c][k], pairs.i, p.x[c]);
+            pick(x.corners.at[c][l], pairs.i, p.y[c]);
+            pick(y.corners.at[c][k], pairs.j, q.x[c]);
+            pick(y.corners.at[c][l], pairs.j, q.y[c]);
+        }
+        p.find_edges();
+        q.find_edges();
+        Floats ex, ey;
+        find_extent(x, y, k, pairs, ex);
+        find_extent(x, y, l, pairs, ey);
+        avx2::FlatLanes::find_open(set, k, l, p, q, ex, ey, open);
+    }
+};

@@ -1,0 +1,126 @@
+// Text of bvh/masks/pair_kernel.hpp, compiled for each instruction set.
+
+// A measure says what is known of a pair, in each lane its Value, and
+//     put(set, tree, node, placed)              puts a node on the axes of a set
+//     load(i, part), store(i, part, value)      keep the values of row i
+//     is_near(value)                            says in which lanes the pair is still in question
+//     narrow<set>(value, x, y, i, part)         adds what a set says of row i of x and a part of y
+// and of slabs, where it has `axes(set)`,
+//     start(over_x, over_y, i, part)            is what they say together of row i; over_x has the rows in its lanes
+//     of_slab(set, axis, slab, shift, low, high)  is what one says of lanes from `low` to `high` beside it
+// It may begin with triangles (look_first) and go on with slabs (look_beside_slabs).
+//
+// Rows are lanes of x. Nodes are put on the second set where the first one leaves pairs in question.
+template <class Measure>
+struct PairKernel : ProjectedLanes<float_width> {
+    using Value = typename Measure::Value;
+    using Placed = typename Measure::Placed;
+
+    template <class X, class Y>
+    ECODS_ALWAYS_INLINE static std::uint64_t find(const Measure& measure, const X& x, const Y& y) noexcept {
+        Ints near[part_count];
+        Placed on_first[2];
+        return find_lanes(measure, x, y, on_first, near) ? pairs_of(near, y) : 0;
+    }
+
+    // The pairs as bits: 8 j + i for bit i of lane j.
+    template <class Y>
+    ECODS_ALWAYS_INLINE static std::uint64_t pairs_of(const Ints (&lanes)[part_count], const Y& y) noexcept {
+        std::uint64_t pairs = 0;
+        for (std::size_t part = 0; part < part_count; ++part) collect(lanes[part], part, pairs);
+        return pairs & ~std::uint64_t{0} >> (64 - tree_width * y.count);
+    }
+
+    // Sets bits i of lanes j for pairs in question, and returns whether there are any. Leaves both nodes on the axes of
+    // the first set.
+    template <class X, class Y>
+    ECODS_ALWAYS_INLINE static bool find_lanes(const Measure& measure, const X& x, const Y& y, Placed (&on_first)[2],
+                                               Ints (&near)[part_count]) noexcept {
+        Value over_x[part_count], over_y[part_count];
+        std::uint32_t rows = x.lanes();
+        for (Ints& all : near) all = ~Ints{};
+        if constexpr (requires { measure.look_first(x, y, near); }) {
+            measure.look_first(x, y, near);
+            rows &= bits_of(near);
+            if (rows == 0) return false;
+        }
+        if constexpr (requires { measure.axes(0); }) {
+            if (!look_at_slabs(measure, x, y, over_x, over_y, near, rows)) return false;
+        }
+        measure.put(0, &AxisSet::a, x, on_first[0]);
+        measure.put(0, &AxisSet::b, y, on_first[1]);
+        narrow_rows<0>(measure, on_first, rows, near, [&](std::size_t i, std::size_t part) -> Value {
+            if constexpr (requires { measure.look_first(x, y, near); }) {
+                return measure.join(measure.start(over_x, over_y, i, part), measure.load(i, part));
+            } else {
+                return measure.start(over_x, over_y, i, part);
+            }
+        });
+        rows = bits_of(near);
+        if (rows == 0) return false;
+        Placed on_second[2];
+        measure.put(1, &AxisSet::a, x, on_second[0]);
+        measure.put(1, &AxisSet::b, y, on_second[1]);
+        narrow_rows<1>(measure, on_second, rows, near,
+                       [&](std::size_t i, std::size_t part) -> Value { return measure.load(i, part); });
+        return bits_of(near) != 0;
+    }
+
+  private:
+    // Clears the bits of pairs that a set of axes leaves out. The values so far are value_of(i, part).
+    template <std::size_t set, class ValueOf>
+    ECODS_ALWAYS_INLINE static void narrow_rows(const Measure& measure, const Placed (&nodes)[2],
+                                                const std::uint32_t rows, Ints (&near)[part_count],
+                                                const ValueOf& value_of) noexcept {
+        for (std::size_t part = 0; part < part_count; ++part) {
+            Ints lanes{};
+            for (std::uint32_t rest = rows; rest != 0; rest &= rest - 1) {
+                const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+                Value value = value_of(i, part);
+                measure.template narrow<set>(value, nodes[0], nodes[1], i, part);
+                measure.store(i, part, value);
+                lanes |= measure.is_near(value) & (1 << i);
+            }
+            near[part] &= lanes;
+        }
+    }
+
+    // Sets what the slab of y says about x, and that of x about y.
+    template <class X, class Y>
+    ECODS_ALWAYS_INLINE static bool look_at_slabs(const Measure& measure, const X& x, const Y& y,
+                                                  Value (&over_x)[part_count], Value (&over_y)[part_count],
+                                                  Ints (&near)[part_count], std::uint32_t& rows) noexcept {
+        for (std::size_t part = 0; part < part_count; ++part) over_x[part] = over_y[part] = measure.unknown();
+        const AxisSet &first = measure.axes(0), &second = measure.axes(1);
+        if (first.a.is_unit) {
+            for (std::size_t part = 0; part < part_count; ++part) {
+                over_y[part] = beside_slab(measure, 0, SlabAxis(first, x.slab, first.b, 1), x.slab, y, 1, part);
+                near[part] &= measure.is_near(over_y[part]);
+            }
+            if (bits_of(near) == 0) return false;
+        }
+        if (second.b.is_unit) {
+            Ints lanes[part_count];
+            for (std::size_t part = 0; part < part_count; ++part) {
+                over_x[part] = beside_slab(measure, 1, SlabAxis(second, y.slab, second.a, -1), y.slab, x, -1, part);
+                lanes[part] = measure.is_near(over_x[part]);
+            }
+            rows &= lanes_of(lanes);
+            if (rows == 0) return false;
+        }
+        if constexpr (requires { measure.look_beside_slabs(x, y, near, rows); }) {
+            return measure.look_beside_slabs(x, y, near, rows);
+        }
+        return true;
+    }
+
+    // The value of the lanes of `other` beside a slab of the other tree; `shift` as for SlabAxis.
+    template <class Other>
+    ECODS_ALWAYS_INLINE static Value beside_slab(const Measure& measure, std::size_t set, const SlabAxis& axis,
+                                                 const Slab& slab, const Other& other, float shift,
+                                                 std::size_t part) noexcept {
+        Floats low, high;
+        find_ends(other, axis.m, part, low, high);
+        return measure.of_slab(set, axis, slab, shift, low, high);
+    }
+};

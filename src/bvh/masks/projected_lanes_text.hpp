@@ -1,0 +1,193 @@
+// Text of bvh/masks/projected_lanes.hpp, compiled for each instruction set.
+
+// For registers of `width` floats: four, which every x86-64 has, or eight. Operations and their order are the same in
+// every lane, so the bits are, too.
+template <std::size_t width>
+struct ProjectedLanes {
+    using Floats = Vec<float, width>;
+    using Ints = Vec<std::int32_t, width>;
+    static constexpr std::size_t part_count = tree_width / width;
+
+    ECODS_ALWAYS_INLINE static Floats load(const FloatLanes& lanes, std::size_t part) noexcept {
+        return ECODS_SET::load<Floats>(&lanes[part * width]);
+    }
+    ECODS_ALWAYS_INLINE static void store(FloatLanes& lanes, std::size_t part, Floats v) noexcept {
+        ECODS_SET::store(&lanes[part * width], v);
+    }
+
+    // The ends of eight boxes or triangles on three axes.
+    struct Spans {
+        alignas(32) std::array<FloatLanes, 3> low;
+        alignas(32) std::array<FloatLanes, 3> high;
+    };
+    // Corners of eight triangles in the coordinates of three axes.
+    struct Corners {
+        alignas(32) std::array<std::array<FloatLanes, 3>, 3> at;  // by corner and axis
+    };
+
+    // A node on three axes. Corners are those of a leaf.
+    struct Placed {
+        Corners corners;
+        Spans spans;
+    };
+
+    ECODS_ALWAYS_INLINE static void project(const Projection& p, const BvhNode& node, Spans& spans) noexcept {
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t part = 0; part < part_count; ++part) {
+                Floats middle, reach;
+                if (p.is_unit) {
+                    middle = load(node.center[k], part);
+                    reach = load(node.half[k], part);
+                } else {
+                    middle = (p.p[0][k] * load(node.center[0], part) + p.p[1][k] * load(node.center[1], part)) +
+                             p.p[2][k] * load(node.center[2], part);
+                    reach = (p.size[0][k] * load(node.half[0], part) + p.size[1][k] * load(node.half[1], part)) +
+                            p.size[2][k] * load(node.half[2], part);
+                }
+                middle = middle + p.shift[k];
+                reach = reach + p.margin[k];
+                store(spans.low[k], part, middle - reach);
+                store(spans.high[k], part, middle + reach);
+            }
+        }
+    }
+
+    ECODS_ALWAYS_INLINE static void pose(const Projection& p, const TreeLeaf& leaf, Corners& corners) noexcept {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto& y = leaf.corner[c];
+            for (std::size_t k = 0; k < 3; ++k) {
+                for (std::size_t part = 0; part < part_count; ++part) {
+                    const Floats z = p.is_unit ? load(y[k], part)
+                                               : (p.p[0][k] * load(y[0], part) + p.p[1][k] * load(y[1], part)) +
+                                                     p.p[2][k] * load(y[2], part);
+                    store(corners.at[c][k], part, z + p.shift[k]);
+                }
+            }
+        }
+    }
+
+    ECODS_ALWAYS_INLINE static void span(const Projection& p, const Corners& corners, Spans& spans) noexcept {
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t part = 0; part < part_count; ++part) {
+                const Floats a = load(corners.at[0][k], part), b = load(corners.at[1][k], part),
+                             c = load(corners.at[2][k], part);
+                store(spans.low[k], part, min(a, min(b, c)) - p.margin[k]);
+                store(spans.high[k], part, max(a, max(b, c)) + p.margin[k]);
+            }
+        }
+    }
+
+    ECODS_ALWAYS_INLINE static void place(const Projection& p, const BvhNode& node, Placed& placed) noexcept {
+        project(p, node, placed.spans);
+    }
+    ECODS_ALWAYS_INLINE static void place(const Projection& p, const TreeLeaf& leaf, Placed& placed) noexcept {
+        pose(p, leaf, placed.corners);
+        span(p, placed.corners, placed.spans);
+    }
+
+    // All bits of all lanes.
+    ECODS_ALWAYS_INLINE static std::uint32_t bits_of(const Ints (&lanes)[part_count]) noexcept {
+        Ints any = lanes[0];
+        for (std::size_t part = 1; part < part_count; ++part) any |= lanes[part];
+        return static_cast<std::uint32_t>(any_bits(any));
+    }
+
+    // The lanes that a mask has, as bits.
+    ECODS_ALWAYS_INLINE static std::uint32_t lanes_of(const Ints (&masks)[part_count]) noexcept {
+        Ints lanes[part_count];
+        for (std::size_t part = 0; part < part_count; ++part) {
+            lanes[part] = masks[part] & lane_bits<Ints>(static_cast<int>(part * width));
+        }
+        return bits_of(lanes);
+    }
+
+    // Bits i of lanes j to bits 8 j + i.
+    ECODS_ALWAYS_INLINE static void collect(const Ints& near, std::size_t part, std::uint64_t& pairs) noexcept {
+        pairs |= low_bytes(near) << (8 * part * width);
+    }
+
+    // The axis of a slab for the boxes and triangles of the other tree, which `p` projects: those of whose points y all
+    // m . y are above `high`, or below `low`, are certainly beyond the slab, and by how much is exact but for the
+    // rounding of the difference. The set must have the axes of the slab's tree; `shift` is 1 if the other tree is the
+    // shifted one, -1 if the slab's is.
+    //
+    // Bound: the slab's normal n is a vector in the coordinates N x. The other's projection there is n . (P y + q),
+    // computed as (P^T n) . y + n . q. For a corner there are the errors of converting P and q, of y, and 3.01 v s for
+    // each of three products of vectors, 3 v s for sums: below 14 v s + 13 u' w + e, summed as |n_k| (...)_k. A box
+    // adds a reach with two products, and the ends: below 23 v s + 20 u' w + 2 e. Three times point_error is 24 v s +
+    // 48 u' w
+    // + 3 e.
+    struct SlabAxis {
+        std::array<float, 3> m;
+        float low, high;
+        float margin;  // that `low` and `high` have
+
+        ECODS_ALWAYS_INLINE SlabAxis(const AxisSet& set, const Slab& slab, const Projection& p, float shift) noexcept {
+            const auto& n = slab.normal;
+            // The fourth lane of m is n . q.
+            const auto row = [](const std::array<float, 4>& r) { return Vec<float, 4>{r[0], r[1], r[2], r[3]}; };
+            const auto& rows = set.b.row;  // for q
+            const Vec<float, 4> m4 = (n[0] * row(p.row[0]) + n[1] * row(p.row[1])) + n[2] * row(p.row[2]);
+            m = {m4[0], m4[1], m4[2]};
+            const float q = shift * ((n[0] * rows[0][3] + n[1] * rows[1][3]) + n[2] * rows[2][3]);
+            margin = 3 * ((std::abs(n[0]) * set.point_error[0] + std::abs(n[1]) * set.point_error[1]) +
+                          std::abs(n[2]) * set.point_error[2]);
+            low = (slab.low - margin) - q;
+            high = (slab.high + margin) - q;
+        }
+    };
+
+    // The least and largest m . y of each lane's box or triangle.
+    ECODS_ALWAYS_INLINE static void find_ends(const BvhNode& node, const std::array<float, 3>& m, std::size_t part,
+                                              Floats& low, Floats& high) noexcept {
+        const Floats middle =
+            (m[0] * load(node.center[0], part) + m[1] * load(node.center[1], part)) + m[2] * load(node.center[2], part);
+        const Floats reach = (std::abs(m[0]) * load(node.half[0], part) + std::abs(m[1]) * load(node.half[1], part)) +
+                             std::abs(m[2]) * load(node.half[2], part);
+        low = middle - reach;
+        high = middle + reach;
+    }
+    ECODS_ALWAYS_INLINE static void find_ends(const TreeLeaf& leaf, const std::array<float, 3>& m, std::size_t part,
+                                              Floats& low, Floats& high) noexcept {
+        const auto at = [&](std::size_t c) {
+            const auto& y = leaf.corner[c];
+            return (m[0] * load(y[0], part) + m[1] * load(y[1], part)) + m[2] * load(y[2], part);
+        };
+        const Floats a = at(0), b = at(1), c = at(2);
+        low = min(a, min(b, c));
+        high = max(a, max(b, c));
+    }
+
+    // The axis m of a slab beside the slab of a node of the other tree, of normal n: for the points y of the node's
+    // triangles, m . y = slope (n . y) + rest . y. Where n is about the axis or its opposite, rest is small and n . y
+    // known well: on a smooth surface far better than boxes know m . y.
+    //
+    // Bound: m is taken as computed, for which a corner's 14 v s + 13 u' w + e stand. Let M = sum |m_k|, at most the
+    // sum of |n_i| s_i of the axis, and |n| < 1.001, so that sum |n_k| and the ends of slabs are below 1.74. Any slope
+    // is sound; computed as here it is below 1.002 M. Then sum |slope n_k| < 1.75 M, sum |rest_k| < 2.75 M, and, as all
+    // |y| are at most 1 + 2^-22, rounding rest is worth (1.75 + 2.75) v M. Middle and reach of a box on rest are 3.01 v
+    // of 2.75 M each, their sum 5.6 v M; ends of slope (n . y) 1.75 v M, with the margin as much again, and the last
+    // sum 7.3 v M: 38 v M. All are below 52 v s + 13 u' w + e: three times the margin of the axis is 72 v s + 144 u' w
+    // + 9 e.
+    struct ThinAxis {
+        std::array<float, 3> rest;
+        float low, high;  // of slope (n . y), the margin included
+
+        ECODS_ALWAYS_INLINE ThinAxis(const SlabAxis& axis, const Slab& slab) noexcept {
+            const auto &m = axis.m, &n = slab.normal;
+            const float slope = (m[0] * n[0] + m[1] * n[1]) + m[2] * n[2];
+            rest = {m[0] - slope * n[0], m[1] - slope * n[1], m[2] - slope * n[2]};
+            const float one = slope * slab.low, other = slope * slab.high;
+            low = std::min(one, other) - 2 * axis.margin;
+            high = std::max(one, other) + 2 * axis.margin;
+        }
+    };
+
+    // As find_ends, of nodes beside whose slab the axis is.
+    ECODS_ALWAYS_INLINE static void find_thin_ends(const BvhNode& node, const ThinAxis& axis, std::size_t part,
+                                                   Floats& low, Floats& high) noexcept {
+        find_ends(node, axis.rest, part, low, high);
+        low = low + axis.low;
+        high = high + axis.high;
+    }
+};

@@ -1,0 +1,82 @@
+// Text of bvh/masks/time_masks.cpp, compiled for each instruction set.
+
+// From the gap between two intervals that approach each other, and from how far they are from having passed, to times.
+struct Pace {
+    float to_begin, to_end;
+
+    ECODS_ALWAYS_INLINE explicit Pace(float speed) noexcept
+        : to_begin(std::min((1 - 0x1p-20f) / speed, 0x1p100f)), to_end((1 + 0x1p-20f) / speed) {}
+};
+inline constexpr float lost_time = 0x1p-100f;
+
+// When a body on its way may share points with another.
+struct SweptMeasure : TimeMeasure {
+    const std::array<SweptSet, 2>& sets;
+
+    ECODS_ALWAYS_INLINE const AxisSet& axes(std::size_t set) const noexcept { return sets[set].axes; }
+    template <class Node>
+    ECODS_ALWAYS_INLINE void put(std::size_t set, Projection AxisSet::*tree, const Node& node,
+                                 Placed& placed) const noexcept {
+        place(axes(set).*tree, node, placed);
+        turn(sets[set], placed.spans);
+    }
+
+    // Where a time is a NaN, it limits nothing.
+    ECODS_ALWAYS_INLINE static void meet(Value& value, const Pace& pace, Floats gap, Floats rest) noexcept {
+        value.begin = max(gap * pace.to_begin, value.begin);
+        value.end = min(rest * pace.to_end + lost_time, value.end);
+    }
+
+    // Turns axes so that the first tree moves upwards on them.
+    ECODS_ALWAYS_INLINE static void turn(const SweptSet& set, Spans& spans) noexcept {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!(set.velocity[k] < 0)) continue;
+            for (std::size_t part = 0; part < part_count; ++part) {
+                const Floats low = ProjectedLanes::load(spans.low[k], part),
+                             high = ProjectedLanes::load(spans.high[k], part);
+                ProjectedLanes::store(spans.low[k], part, -high);
+                ProjectedLanes::store(spans.high[k], part, -low);
+            }
+        }
+    }
+
+    ECODS_ALWAYS_INLINE Value start(const Value (&over_x)[part_count], const Value (&over_y)[part_count], std::size_t i,
+                                    std::size_t part) const noexcept {
+        const Value &x = over_x[i / float_width], &y = over_y[part];
+        const auto lane = static_cast<int>(i % float_width);
+        return {max(y.begin, x.begin[lane] + Floats{}), min(y.end, x.end[lane] + Floats{})};
+    }
+
+    template <std::size_t set>
+    ECODS_ALWAYS_INLINE void narrow(Value& value, const Placed& x, const Placed& y, std::size_t i,
+                                    std::size_t part) const noexcept {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Pace pace(std::abs(sets[set].velocity[k]));
+            meet(value, pace, ProjectedLanes::load(y.spans.low[k], part) - x.spans.high[k][i],
+                 ProjectedLanes::load(y.spans.high[k], part) - x.spans.low[k][i]);
+        }
+    }
+
+    ECODS_ALWAYS_INLINE Value of_slab(std::size_t set, const SlabAxis& axis, const Slab& slab, float shift, Floats low,
+                                      Floats high) const noexcept {
+        const auto& n = slab.normal;
+        const auto& v = sets[set].velocity;
+        // Of the slab, seen from the other.
+        const float speed = shift * ((n[0] * v[0] + n[1] * v[1]) + n[2] * v[2]);
+        const Pace pace(std::abs(speed));
+        Value value = unknown();
+        if (speed < 0) {
+            meet(value, pace, axis.low - high, axis.high - low);
+        } else {
+            meet(value, pace, low - axis.high, high - axis.low);
+        }
+        return value;
+    }
+};
+
+template <class X, class Y>
+[[gnu::noinline]] std::uint64_t swept_kernel(const std::array<SweptSet, 2>& sets, float limit, const X& x, const Y& y,
+                                             LaneTimes& times) noexcept {
+    alignas(32) LaneTimes ends;
+    return PairKernel<SweptMeasure>::find({{{}, limit, times, ends}, sets}, x, y);
+}

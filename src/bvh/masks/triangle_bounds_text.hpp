@@ -1,0 +1,169 @@
+// Text of bvh/masks/triangle_bounds.cpp, compiled for each instruction set.
+
+// Each lane is one pair of triangles. Two points of the triangles, good or not, give an upper bound; the vector n from
+// one to the other gives a lower one: all points of b are at least min n . b along n, all of a at most max n . a, so
+// the distance is at least (min n . b - max n . a) / |n|.
+//
+// Bound, with E = `error`, which is at least 8 v |z| for all coordinates z, v = 2^-23, and bounds the error of a
+// corner. Upper: a point of an edge, z + t e with 0 <= t <= 1: the difference e is off by 2 v |z|, product and sum by 5
+// v |z|: below E, and the combination of the corners as they are by E more. A point of a face, z + (t e - u e'), t and
+// u not negative, their sum at most 1 + v: differences 4 v |z|, products 4, their sum 4, the last sum 5, the excess 2:
+// below 2.4 E, and 1 E for the corners. So a difference of two points, n as computed, is off by less than 4.5 E on each
+// axis beside its own rounding v, its length by 8 E; squares, sums and root are 4 v. 9 E has margin for the rest.
+// Lower: n and the point p from which all is measured are floats, taken as they are. A corner is off by E, its
+// difference from p by v and the product with n by 3.01 v relative to M, the largest coordinate of a difference: the
+// sum of |n_k| (E + 4.01 v M). Two of them, and the rounding of M, make 2 E + 9 v M; the difference, its square, n . n,
+// the quotient and the factor are below 10 v, relative, and 2^-18 of `square` covers them with those of near_mask.
+struct BoundsKernel : ProjectedLanes<float_width> {
+    struct Vector {
+        Floats x, y, z;
+    };
+    ECODS_ALWAYS_INLINE static Vector sub(const Vector& a, const Vector& b) noexcept {
+        return {a.x - b.x, a.y - b.y, a.z - b.z};
+    }
+    // a + t b
+    ECODS_ALWAYS_INLINE static Vector along(const Vector& a, Floats t, const Vector& b) noexcept {
+        return {a.x + t * b.x, a.y + t * b.y, a.z + t * b.z};
+    }
+    ECODS_ALWAYS_INLINE static Floats dot(const Vector& a, const Vector& b) noexcept {
+        return (a.x * b.x + a.y * b.y) + a.z * b.z;
+    }
+    ECODS_ALWAYS_INLINE static Vector cross(const Vector& a, const Vector& b) noexcept {
+        return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    }
+    ECODS_ALWAYS_INLINE static Vector scale(Floats t, const Vector& a) noexcept { return {t * a.x, t * a.y, t * a.z}; }
+    ECODS_ALWAYS_INLINE static Vector select(Ints mask, const Vector& a, const Vector& b) noexcept {
+        return {ECODS_SET::select(mask, a.x, b.x), ECODS_SET::select(mask, a.y, b.y),
+                ECODS_SET::select(mask, a.z, b.z)};
+    }
+    // Into [0, 1]; a NaN becomes 0.
+    ECODS_ALWAYS_INLINE static Floats clamp(Floats t) noexcept { return min(max(t, Floats{}), broadcast<Floats>(1)); }
+
+    // A triangle a lane: corners, the edges from each to the next, and what is used of them for each other triangle.
+    struct Triangles {
+        Vector v[3], e[3];
+        Floats length[3], inverse[3];  // squared lengths of edges, and what they are divided by
+        Vector u, w;                   // r . u and r . w are the weights of e[0] and of -e[2] at the foot of v[0] + r
+
+        ECODS_ALWAYS_INLINE void find_edges() noexcept {
+            for (int i = 0; i < 3; ++i) {
+                e[i] = sub(v[(i + 1) % 3], v[i]);
+                length[i] = dot(e[i], e[i]);
+                inverse[i] = 1 / length[i];
+            }
+            const Vector n = cross(e[2], e[0]);
+            const Floats inverse_n = 1 / dot(n, n);
+            // with e' = -e[2]: u = e' x n, w = n x e
+            u = scale(inverse_n, cross(n, e[2]));
+            w = scale(inverse_n, cross(n, e[0]));
+        }
+    };
+
+    // The closest pair of points found so far: n from `from`, in a, to b.
+    struct Closest {
+        Floats square;
+        Vector n{}, from{};
+
+        ECODS_ALWAYS_INLINE Closest() noexcept : square(broadcast<Floats>(std::numeric_limits<float>::infinity())) {}
+
+        ECODS_ALWAYS_INLINE void take(const Vector& p, const Vector& q, Ints valid) noexcept {
+            const Vector r = sub(q, p);
+            const Floats d = dot(r, r);
+            const Ints closer = (d < square) & valid;
+            square = ECODS_SET::select(closer, d, square);
+            n = select(closer, r, n);
+            from = select(closer, p, from);
+        }
+    };
+
+    ECODS_ALWAYS_INLINE static void try_edges(const Triangles& a, const Triangles& b, Closest& closest) noexcept {
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j) {
+                const Vector r = sub(a.v[i], b.v[j]);
+                const Floats f = dot(b.e[j], r), c = dot(a.e[i], r), m = dot(a.e[i], b.e[j]);
+                const Floats den = a.length[i] * b.length[j] - m * m;
+                Floats s = clamp((m * f - c * b.length[j]) / den);
+                const Floats t = clamp((m * s + f) * b.inverse[j]);
+                s = clamp((m * t - c) * a.inverse[i]);
+                closest.take(along(a.v[i], s, a.e[i]), along(b.v[j], t, b.e[j]), ~Ints{});
+            }
+        }
+    }
+
+    // The foot of the point on the face, and whether it is inside. However bad the weights are, it is a combination of
+    // the corners; the point less a multiple of the normal may be far outside of a slender triangle.
+    ECODS_ALWAYS_INLINE static Vector foot(const Triangles& face, const Vector& point, Ints& inside) noexcept {
+        const Vector r = sub(point, face.v[0]);
+        const Floats t = dot(face.u, r), u = dot(face.w, r);
+        inside = (t >= 0) & (u >= 0) & (t + u <= 1);
+        return {face.v[0].x + (t * face.e[0].x - u * face.e[2].x), face.v[0].y + (t * face.e[0].y - u * face.e[2].y),
+                face.v[0].z + (t * face.e[0].z - u * face.e[2].z)};
+    }
+
+    ECODS_ALWAYS_INLINE static void try_faces(const Triangles& a, const Triangles& b, Closest& closest) noexcept {
+        for (int i = 0; i < 3; ++i) {
+            Ints inside;
+            const Vector on_a = foot(a, b.v[i], inside);
+            closest.take(on_a, b.v[i], inside);
+            const Vector on_b = foot(b, a.v[i], inside);
+            closest.take(a.v[i], on_b, inside);
+        }
+    }
+
+    ECODS_ALWAYS_INLINE static Floats largest(const Vector& r) noexcept {
+        return max(absolute(r.x), max(absolute(r.y), absolute(r.z)));
+    }
+
+    ECODS_ALWAYS_INLINE static Floats lower_square(const Triangles& a, const Triangles& b, const Closest& closest,
+                                                   float error, float square) noexcept {
+        const Vector& n = closest.n;
+        Floats high{}, low{}, size{};
+        for (int i = 0; i < 3; ++i) {
+            const Vector ra = sub(a.v[i], closest.from), rb = sub(b.v[i], closest.from);
+            const Floats at_a = dot(n, ra), at_b = dot(n, rb);
+            high = i == 0 ? at_a : max(high, at_a);
+            low = i == 0 ? at_b : min(low, at_b);
+            size = max(size, max(largest(ra), largest(rb)));
+        }
+        const Floats sum = (absolute(n.x) + absolute(n.y)) + absolute(n.z);
+        const Floats gap = max((low - high) - sum * (2 * error + 9 * 0x1p-23f * size), Floats{});
+        // Shorter ones have no square. The square of the gap may be beyond the floats, not that of its quotient.
+        const Ints is_long = closest.square > 0x1p-80f;
+        return ECODS_SET::select(is_long, gap * (gap / closest.square) * square, Floats{});
+    }
+
+    ECODS_ALWAYS_INLINE static void gather(Triangles& t, const AxisCorners& from, std::size_t part) noexcept {
+        for (std::size_t c = 0; c < 3; ++c) {
+            t.v[c] = {load(from[c][0], part), load(from[c][1], part), load(from[c][2], part)};
+        }
+        t.find_edges();
+    }
+
+    [[gnu::noinline]] static void bound(const DistanceSet& set, const TriangleBatch& batch,
+                                        TriangleSquares& squares) noexcept {
+        const auto& errors = set.axes.point_error;
+        const float error = std::max(std::max(errors[0], errors[1]), errors[2]);
+        for (std::size_t part = 0; part < part_count && part * float_width < batch.count; ++part) {
+            Triangles a, b;
+            gather(a, batch.a, part);
+            gather(b, batch.b, part);
+            Closest closest;
+            try_edges(a, b, closest);
+            try_faces(a, b, closest);
+            store(squares.lower, part, lower_square(a, b, closest, error, set.square));
+            store(squares.upper, part, closest.square);
+            store(squares.between[0], part, closest.n.x);
+            store(squares.between[1], part, closest.n.y);
+            store(squares.between[2], part, closest.n.z);
+        }
+    }
+
+    [[gnu::noinline]] static void put(const DistanceSet& set, const TreeLeaf& x, const TreeLeaf& y,
+                                      LeavesOnAxes& leaves) noexcept {
+        Corners corners;
+        pose(set.axes.a, x, corners);
+        leaves.x = corners.at;
+        pose(set.axes.b, y, corners);
+        leaves.y = corners.at;
+    }
+};

@@ -1,0 +1,166 @@
+// Text of bvh/masks/overlap_mask.cpp, compiled for each instruction set.
+
+template <class Number>
+struct LaneVector {
+    Number x, y, z;
+};
+template <class Number>
+ECODS_ALWAYS_INLINE LaneVector<Number> operator-(const LaneVector<Number>& a, const LaneVector<Number>& b) noexcept {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+// Coordinates are the world's under one linear map, so triangles that are apart there are disjoint in the world; and
+// where the map is a bijection, triangles that cross there cross in the world.
+struct TriangleLanes : ProjectedLanes<float_width> {
+    static constexpr float extent_max = 0x1p40f;
+
+    template <class Number>
+    using Vector = LaneVector<Number>;
+    using Vectors = Vector<Floats>;  // one in each lane
+
+    template <class Number>
+    ECODS_ALWAYS_INLINE static Vector<Number> cross(const Vector<Number>& a, const Vector<Number>& b) noexcept {
+        return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    }
+    template <class A, class B>
+    ECODS_ALWAYS_INLINE static Floats dot(const Vector<A>& a, const Vector<B>& b) noexcept {
+        return (a.x * b.x + a.y * b.y) + a.z * b.z;
+    }
+    ECODS_ALWAYS_INLINE static Floats least_of(const Floats (&v)[3]) noexcept { return min(v[0], min(v[1], v[2])); }
+    ECODS_ALWAYS_INLINE static Floats most_of(const Floats (&v)[3]) noexcept { return max(v[0], max(v[1], v[2])); }
+
+    // The corners of a part of eight triangles.
+    ECODS_ALWAYS_INLINE static Vectors corner(const Corners& corners, std::size_t c, std::size_t part) noexcept {
+        const auto& at = corners.at[c];
+        return {load(at[0], part), load(at[1], part), load(at[2], part)};
+    }
+    // The corner of triangle i, in all lanes.
+    ECODS_ALWAYS_INLINE static Vectors corner_of(const Corners& corners, std::size_t c, std::size_t i) noexcept {
+        const auto& at = corners.at[c];
+        return {broadcast<Floats>(at[0][i]), broadcast<Floats>(at[1][i]), broadcast<Floats>(at[2][i])};
+    }
+
+    ECODS_ALWAYS_INLINE static Vectors choose(Ints mask, const Vectors& yes, const Vectors& no) noexcept {
+        return {select<Floats>(mask, yes.x, no.x), select<Floats>(mask, yes.y, no.y),
+                select<Floats>(mask, yes.z, no.z)};
+    }
+    ECODS_ALWAYS_INLINE static void swap_where(Ints mask, Vectors& a, Vectors& b) noexcept {
+        const Vectors old = a;
+        a = choose(mask, b, a);
+        b = choose(mask, old, b);
+    }
+
+    // Corners in the order in which the one comes first that is alone on its side, given the sides of all, of which one
+    // is another than the other two; returns where that side is the negative one.
+    ECODS_ALWAYS_INLINE static Ints put_apex_first(const Floats (&sides)[3], Vectors (&p)[3]) noexcept {
+        const Ints n0 = sides[0] < Floats{}, n1 = sides[1] < Floats{}, n2 = sides[2] < Floats{};
+        const Ints first = ~(n1 ^ n2), second = ~(n0 ^ n2);
+        const Vectors apex = choose(first, p[0], choose(second, p[1], p[2])),
+                      next = choose(first, p[1], choose(second, p[2], p[0])),
+                      last = choose(first, p[2], choose(second, p[0], p[1]));
+        p[0] = apex;
+        p[1] = next;
+        p[2] = last;
+        return (first & n0) | (~first & ((second & n1) | (~second & n2)));
+    }
+
+    // The lanes of pairs that are certainly disjoint, and of those that certainly cross, of triangles whose corners are
+    // all certainly on one side or the other of the plane of the other one, and not all on one: by the two comparisons
+    // of edges along the line of the planes, which exact/simplex/triangle_pair.hpp derives. `p_sides` are those of the
+    // corners p.
+    ECODS_ALWAYS_INLINE static void compare_edges(Vectors (&p)[3], const Floats (&p_sides)[3], Vectors (&q)[3],
+                                                  const Floats (&q_sides)[3], Floats bound, Ints& apart,
+                                                  Ints& crossing) noexcept {
+        const Ints p_is_below = put_apex_first(p_sides, p), q_is_below = put_apex_first(q_sides, q);
+        swap_where(p_is_below, q[1], q[2]);
+        swap_where(q_is_below, p[1], p[2]);
+        const Floats begin = dot(cross(q[0] - p[1], p[0] - p[1]), q[1] - p[1]),
+                     end = dot(cross(q[0] - p[0], p[2] - p[0]), q[2] - p[0]);
+        apart = (begin > bound) | (end > bound);
+        crossing = (begin < -bound) & (end < -bound);
+    }
+
+    // In lane j, bits i of pairs of triangle i of x and triangle j of y.
+    struct Found {
+        Ints near;      // not proven to be apart
+        Ints crossing;  // of these, proven to cross, in the coordinates of the corners
+    };
+
+    // The normals of x, eight at once.
+    struct Normals {
+        alignas(32) std::array<FloatLanes, 3> at;
+
+        ECODS_ALWAYS_INLINE explicit Normals(const Corners& x) noexcept {
+            for (std::size_t part = 0; part < part_count; ++part) {
+                const Vectors p = corner(x, 0, part);
+                const Vectors n = cross(corner(x, 1, part) - p, corner(x, 2, part) - p);
+                store(at[0], part, n.x);
+                store(at[1], part, n.y);
+                store(at[2], part, n.z);
+            }
+        }
+    };
+
+    // Looks at the pairs in `near`: in each lane one of triangle p, of normal n, and triangle q, of normal m. Normals
+    // are numbers where they are the same in all lanes. Extents are those of both triangles.
+    //
+    // Bound: that of exact/sign/filter_bound.hpp, whose derivation holds for any unit roundoff, with v = 2^-23 for u'
+    // and point_error for delta. With E the extents of the two triangles, enlarged by e = v E + 2 delta, it is
+    //     (30 v ExEyEz + 6 (ex Ey Ez + Ex ey Ez + Ex Ey ez)) (1 + 2^-10)
+    //   = (48 v ExEyEz + 12 (dx Ey Ez + Ex dy Ez + Ex Ey dz)) (1 + 2^-10),    d = delta;
+    // 49 and 12.5 cover the last factor and their own evaluation. Overflow: not for extents below 2^40, and others are
+    // not judged. (An infinity would be harmless, but a mode that rounds down turns only the determinants into one, and
+    // the bound into the largest float.) Underflow: products of three lose 2^-126 times extents, but those that matter
+    // here are near one: coordinates that decide are below 4 in size, or delta is above 2^-20 of them; 2^-100 is added.
+    template <class NormalOfP>
+    ECODS_ALWAYS_INLINE static Found decide(const std::array<float, 4>& delta, const Vectors (&p)[3],
+                                            const NormalOfP& n, const Vectors (&q)[3], const Vectors& m,
+                                            const Vectors& extent, const Ints& near) noexcept {
+        const Floats ex = extent.x, ey = extent.y, ez = extent.z;
+        const Floats bound = ex * ey * (49 * 0x1p-23f * ez + 12.5f * delta[2]) +
+                             ez * (12.5f * delta[0] * ey + 12.5f * delta[1] * ex) + 0x1p-100f;
+        Floats q_sides[3], p_sides[3];
+        for (std::size_t c = 0; c < 3; ++c) {
+            q_sides[c] = dot(n, q[c] - p[0]);
+            p_sides[c] = dot(m, p[c] - q[0]);
+        }
+        const Ints apart = (least_of(q_sides) > bound) | (most_of(q_sides) < -bound) | (least_of(p_sides) > bound) |
+                           (most_of(p_sides) < -bound);
+        const Ints is_judged = (ex < extent_max) & (ey < extent_max) & (ez < extent_max);
+        Found found{~(apart & is_judged) & near, {}};
+        if (any_bits(found.near) == 0) return found;
+        const auto are_certain = [&](const Floats(&s)[3]) -> Ints {
+            return min(absolute(s[0]), min(absolute(s[1]), absolute(s[2]))) > bound;
+        };
+        const Ints are_clear = are_certain(q_sides) & are_certain(p_sides) & is_judged;
+        if (any_bits(found.near & are_clear) == 0) return found;
+        Vectors p_named[3] = {p[0], p[1], p[2]}, q_named[3] = {q[0], q[1], q[2]};
+        Ints edges_part, edges_cross;
+        compare_edges(p_named, p_sides, q_named, q_sides, bound, edges_part, edges_cross);
+        found.near &= ~(edges_part & are_clear);
+        found.crossing = found.near & edges_cross & are_clear;
+        return found;
+    }
+
+    // Looks at the pairs in `near`, whose bits are among `rows`.
+    ECODS_ALWAYS_INLINE static Found find(const std::array<float, 4>& delta, const Corners& x, const Spans& x_spans,
+                                          const Normals& x_normals, const Corners& y, const Spans& y_spans,
+                                          std::size_t part, Ints near, std::uint32_t rows) noexcept {
+        const Vectors q[3] = {corner(y, 0, part), corner(y, 1, part), corner(y, 2, part)};
+        const Vectors m = cross(q[1] - q[0], q[2] - q[0]);
+        Found found{};
+        for (; rows != 0; rows &= rows - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(rows));
+            const auto extent = [&](std::size_t k) -> Floats {
+                const auto low = broadcast<Floats>(x_spans.low[k][i]), high = broadcast<Floats>(x_spans.high[k][i]);
+                return max(high, load(y_spans.high[k], part)) - min(low, load(y_spans.low[k], part));
+            };
+            const Vectors p[3] = {corner_of(x, 0, i), corner_of(x, 1, i), corner_of(x, 2, i)};
+            const Vector<float> n{x_normals.at[0][i], x_normals.at[1][i], x_normals.at[2][i]};
+            const Found more = decide(delta, p, n, q, m, {extent(0), extent(1), extent(2)}, near & (1 << i));
+            found.near |= more.near;
+            found.crossing |= more.crossing;
+        }
+        return found;
+    }
+};

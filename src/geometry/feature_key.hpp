@@ -1,0 +1,62 @@
+// Keys of features, and the order in which one of several pairs of features is chosen.
+#pragma once
+
+#include <algorithm>
+#include <compare>
+#include <cstdint>
+#include <tuple>
+
+#include "ecods/closest_points.hpp"
+
+namespace ecods {
+
+// A key names a vertex, an edge or a face by what it is made of, which is the same from every triangle that has it.
+struct FeatureKey {
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    // A vertex: its index and none; an edge: the indices of its two vertices, the lesser first; a face: its triangle's
+    // index twice. Ends of an edge are not one: a face and a vertex, or a face and an edge, never have one key.
+    std::uint32_t first = none;
+    std::uint32_t second = none;
+
+    bool is_vertex() const noexcept { return second == none; }
+    friend auto operator<=>(const FeatureKey&, const FeatureKey&) = default;
+};
+
+// The key of a feature of a triangle with these corners.
+inline FeatureKey feature_key(const Feature& feature, const Triangle& corners) noexcept {
+    const std::uint32_t corner = corners[feature.corner], next = corners[(feature.corner + 1) % 3];
+    switch (feature.kind) {
+        case Feature::Kind::vertex:
+            return {corner, FeatureKey::none};
+        case Feature::Kind::edge:
+            return {std::min(corner, next), std::max(corner, next)};
+        default:
+            return {feature.triangle, feature.triangle};
+    }
+}
+
+// The feature of a triangle, by its least corner, that has a key. The triangle must have one.
+inline Feature feature_of(const FeatureKey& key, std::uint32_t triangle, const Triangle& corners) noexcept {
+    if (key.first == key.second) return {Feature::Kind::face, triangle, 0};
+    Feature result{key.is_vertex() ? Feature::Kind::vertex : Feature::Kind::edge, triangle, 0};
+    while (feature_key(result, corners) != key) ++result.corner;
+    return result;
+}
+
+// A feature of each of two meshes, named by a triangle that has it and a corner; `intersecting` names two faces.
+struct FeatureNames {
+    ClosestKind kind = ClosestKind::intersecting;
+    Feature a, b;
+
+    friend bool operator==(const FeatureNames&, const FeatureNames&) = default;
+};
+
+// The order in which one of several is chosen that tie, of anything with a kind and two features; the rules of
+// ClosestPoints, FirstContact and close_features() are this one.
+template <class Pair>
+auto rank(const Pair& f) noexcept {
+    return std::tuple(f.kind, f.a.triangle, f.a.corner, f.b.triangle, f.b.corner, f.a.kind);
+}
+
+}  // namespace ecods

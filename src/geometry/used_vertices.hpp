@@ -1,0 +1,22 @@
+// The vertices of a mesh that its triangles use.
+#pragma once
+
+#include <cstdint>
+
+#include "ecods/mesh.hpp"
+
+namespace ecods {
+
+// Calls visit(index) for each vertex that a triangle uses, for some of them more than once, in any order.
+template <class Visit>
+void for_each_used_vertex(const Mesh& mesh, const Visit& visit) {
+    if (mesh.uses_all_vertices()) {
+        for (std::uint32_t index = 0; index < mesh.vertices().size(); ++index) visit(index);
+    } else {
+        for (const Triangle& triangle : mesh.triangles()) {
+            for (const std::uint32_t index : triangle) visit(index);
+        }
+    }
+}
+
+}  // namespace ecods

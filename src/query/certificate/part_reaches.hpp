@@ -1,0 +1,110 @@
+// From where to where the parts of nodes and leaves reach along an axis (body_axis.hpp has the bounds), and which of
+// two nodes' parts are apart on it.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "bvh/tree/mesh_bvh.hpp"
+#include "ecods/pose.hpp"
+#include "simd/inline.hpp"
+#include "simd/vec.hpp"
+
+namespace ecods {
+
+struct BodyAxis {
+    std::array<double, 3> p{};
+    double q = 0;
+    double error = 0;
+    double corner_reach = 0;  // what a corner of a leaf may be off
+    bool is_bounded = false;  // otherwise nothing is known
+
+    double at(const Vec3& y) const noexcept { return p[0] * y[0] + p[1] * y[1] + p[2] * y[2] + q; }
+};
+
+// By lane. Lanes from the number of parts on repeat the last one.
+template <class Number>
+struct Reaches {
+    alignas(32) std::array<Number, tree_width> low;
+    alignas(32) std::array<Number, tree_width> high;
+
+    // Gives each lane the reach of all parts together.
+    ECODS_ALWAYS_INLINE void join_lanes() noexcept {
+        Number least = low[0], most = high[0];
+        for (std::size_t lane = 1; lane < tree_width; ++lane) {
+            least = low[lane] < least ? low[lane] : least;
+            most = high[lane] > most ? high[lane] : most;
+        }
+        low.fill(least);
+        high.fill(most);
+    }
+};
+
+// The reaches of parts in doubles; the axis's error is not included.
+struct InDoubles {
+    using Half = Vec<double, 4>;
+
+    ECODS_ALWAYS_INLINE static Half load(const FloatLanes& lanes, std::size_t part) noexcept {
+        return convert<Half>(ecods::load<Vec<float, 4>>(&lanes[4 * part]));
+    }
+
+    ECODS_ALWAYS_INLINE static void find_ends(const BodyAxis& axis, const BvhNode& node, std::size_t part, Half& low,
+                                              Half& high) noexcept {
+        const auto& p = axis.p;
+        const Half middle = (p[0] * load(node.center[0], part) + p[1] * load(node.center[1], part)) +
+                            (p[2] * load(node.center[2], part) + axis.q);
+        const Half reach = (std::abs(p[0]) * load(node.half[0], part) + std::abs(p[1]) * load(node.half[1], part)) +
+                           std::abs(p[2]) * load(node.half[2], part);
+        low = middle - reach;
+        high = middle + reach;
+    }
+    ECODS_ALWAYS_INLINE static Half corner(const BodyAxis& axis, const TreeLeaf& leaf, std::size_t c,
+                                           std::size_t part) noexcept {
+        const auto& p = axis.p;
+        const auto& y = leaf.corner[c];
+        return (p[0] * load(y[0], part) + p[1] * load(y[1], part)) + (p[2] * load(y[2], part) + axis.q);
+    }
+    ECODS_ALWAYS_INLINE static void find_ends(const BodyAxis& axis, const TreeLeaf& leaf, std::size_t part, Half& low,
+                                              Half& high) noexcept {
+        const Half x = corner(axis, leaf, 0, part), y = corner(axis, leaf, 1, part), z = corner(axis, leaf, 2, part);
+        low = min(x, min(y, z)) - axis.corner_reach;
+        high = max(x, max(y, z)) + axis.corner_reach;
+    }
+
+    // Enlarged by a margin.
+    template <class X>
+    ECODS_ALWAYS_INLINE static void find_reaches(const BodyAxis& axis, double margin, const X& x,
+                                                 Reaches<double>& reaches) noexcept {
+        for (std::size_t part = 0; part < 2; ++part) {
+            Half low, high;
+            find_ends(axis, x, part, low, high);
+            store(&reaches.low[4 * part], low - margin);
+            store(&reaches.high[4 * part], high + margin);
+        }
+    }
+};
+
+// Bit 8 i + j: parts i of x and j of y are apart, on either side. Of all lanes i, and of those j that `columns` has.
+template <std::size_t width, class Number>
+ECODS_ALWAYS_INLINE std::uint64_t apart_lanes(const Reaches<Number>& x, const Reaches<Number>& y,
+                                              std::uint32_t columns) noexcept {
+    using Numbers = Vec<Number, width>;
+    constexpr std::size_t part_count = tree_width / width;
+    MaskOf<Numbers> apart[part_count]{};
+    for (; columns != 0; columns &= columns - 1) {
+        const auto j = static_cast<std::size_t>(std::countr_zero(columns));
+        for (std::size_t part = 0; part < part_count; ++part) {
+            apart[part] |= ((load<Numbers>(&x.high[part * width]) < y.low[j]) |
+                            (load<Numbers>(&x.low[part * width]) > y.high[j])) &
+                           (1 << j);
+        }
+    }
+    std::uint64_t pairs = 0;
+    for (std::size_t part = 0; part < part_count; ++part) pairs |= low_bytes(apart[part]) << (8 * part * width);
+    return pairs;
+}
+
+}  // namespace ecods

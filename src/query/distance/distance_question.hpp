@@ -1,0 +1,84 @@
+// Distances of pairs of triangles as the numbers of a search (query/search).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "bvh/axes/distance_axes.hpp"
+#include "bvh/axes/far_gap.hpp"
+#include "bvh/masks/triangle_bounds.hpp"
+#include "query/distance/triangle_distances.hpp"
+#include "query/search/search.hpp"
+
+namespace ecods {
+
+class DistanceQuestion {
+  public:
+    using Interval = DistanceInterval;
+    using Value = double;
+    using Search = ecods::Search<DistanceQuestion>;
+
+    // Everything that the arguments refer to must outlive the questions. Excludes nothing until exclude() is called.
+    void bind(const MeshPair& bodies, QueryCounts& counts);
+    // The least distance alone is asked about, not which pairs have it: what is not nearer than another is excluded,
+    // where TriangleDistances can.
+    void exclude() noexcept { excludes_ = pair_.can_refer(); }
+
+    // Bodies that are far apart, of which floats know nothing but where they are along the gap.
+    bool is_far() const noexcept { return far_.is_far(); }
+    // Straight down to two triangles, which may well be among the nearest.
+    TrianglePair dive(const MeshPair& bodies);
+    TriangleDistances& pair() noexcept { return pair_; }
+    // Counts one exact rounding or comparison.
+    TriangleDistances& exact_pair() noexcept {
+        ++counts_->distances.exact;
+        return pair_;
+    }
+
+    // A search asks these. Bounds are squares, or ranks of bodies that are far apart.
+    float limit_above(double distance) const noexcept {
+        return is_far() ? far_.rank_above(distance) : axes_.square_above(distance);
+    }
+    template <class X, class Y>
+    std::uint64_t find_near(const X& x, const Y& y, float limit, LaneBounds& bounds) const noexcept {
+        return is_far() ? far_mask(far_, limit, x, y, bounds)
+                        : near_mask(axes_.sets(), direction_, limit, x, y, bounds);
+    }
+    bool may_share(float bound) const noexcept { return !(bound > 0) && !is_far(); }
+    DistanceInterval enclose(const TrianglePair& triangles, double at_most);
+    bool complete(const TrianglePair&, DistanceInterval&, std::optional<double>&) const noexcept { return true; }
+    bool refer_to(const TrianglePair& triangles);
+    bool is_not_less(const TrianglePair& triangles) { return pair_.is_not_nearer(triangles); }
+    void gather(Search& search, const TreeLeaf& x, const TreeLeaf& y, LanePairs lanes, const LaneBounds& bounds);
+    void advance(Search& search, float bound);
+
+  private:
+    struct Candidate {
+        float lower;  // squared, in units
+        TrianglePair triangles;
+    };
+
+    void bound_batch(Search& search);
+    void enclose_candidates(Search& search);
+    void take(Search& search, std::size_t lane);
+    void set_direction(std::size_t lane);
+
+    TriangleDistances pair_;
+    DistanceAxes axes_;
+    FarGap far_;
+    QueryCounts* counts_ = nullptr;
+    bool excludes_ = false;
+    std::optional<TrianglePair> referred_;  // what pair_ excludes others by
+    // From the nearest triangle of a to that of b, as far as floats know, and its square on the axes of the first set.
+    Direction direction_{};
+    float direction_square_ = std::numeric_limits<float>::infinity();
+    LeavesOnAxes leaves_{};
+    TriangleBatch batch_{};
+    TriangleSquares squares_{};
+    std::vector<Candidate> candidates_;  // of which floats know no more
+};
+
+}  // namespace ecods

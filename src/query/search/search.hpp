@@ -1,0 +1,152 @@
+// The search for the least number of the pairs of triangles of two bodies: a walk of both trees, nearest nodes first,
+// that leaves a few pairs among which exact arithmetic decides.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "bvh/walks/walk_nearest.hpp"
+#include "query/intersection/query_memory.hpp"
+#include "query/search/common_point.hpp"
+#include "query/search/question.hpp"
+#include "query/search/sieve.hpp"
+#include "query/shape/mesh_body.hpp"
+
+namespace ecods {
+
+// A question that knows bounds of triangles between those of nodes and intervals.
+//
+// `gather(search, x, y, lanes, bounds)` takes the pairs of triangles of two leaves with these lanes and bounds.
+// `advance(search, bound)` is called before nodes with this bound are opened, and with infinity after the last ones:
+// then all that was gathered has been given to search.take(), or is known to be out of question.
+template <class Question, class Search>
+concept GatheringQuestion = requires(Question& question, Search& search, const TreeLeaf& leaf, LanePairs lanes,
+                                     const LaneBounds& bounds, float bound) {
+    question.gather(search, leaf, leaf, lanes, bounds);
+    question.advance(search, bound);
+};
+
+template <class Question>
+using SieveOf = Sieve<typename Question::Interval, typename Question::Value>;
+
+// A question and what a search for it works in, kept from one to the next.
+template <class Question>
+struct SearchMemory final : QueryMemoryPart {
+    Question question;
+    SieveOf<Question> sieve;
+    NearestQueue queue;
+    alignas(32) LaneBounds bounds{};
+};
+
+template <class Question>
+class Search {
+  public:
+    // Everything that the arguments refer to must outlive the search; the question has been bound to the bodies.
+    Search(const MeshPair& bodies, SearchMemory<Question>& working, QueryMemory& memory)
+        : bodies_(bodies),
+          question_(working.question),
+          sieve_(working.sieve),
+          queue_(working.queue),
+          bounds_(working.bounds),
+          common_point_(bodies, memory),
+          counts_(QueryMemoryAccess::state(memory).counts) {
+        static_assert(PairQuestion<Question>);
+    }
+
+    // Tries the pair `first`, then the trees. Afterwards every pair of triangles is open in the sieve, or is known by
+    // it not to be in question; or the sieve is decided.
+    void run(const SearchGoal& goal, const std::optional<TrianglePair>& first) {
+        sieve_.start(goal);
+        set_limit();
+        if (first) take(*first);
+        sieve_.forget_open();  // it comes again
+        if (sieve_.is_decided()) return;
+        walk_nearest(bodies_.a.tree.boxes, bodies_.b.tree.boxes, queue_, *this);
+        advance(std::numeric_limits<float>::infinity());
+        sieve_.drop();
+    }
+
+    // The walk asks these (bvh/walks/walk_nearest.hpp).
+    float limit() const noexcept { return limit_; }
+    template <class X, class Y>
+    std::uint64_t find_near(const X& x, const Y& y, LaneBounds& bounds) {
+        ++counts_.box_tests;
+        return question_.find_near(x, y, limit_, bounds);
+    }
+    bool visits(const NearPair& pair) {
+        if (question_.may_share(pair.square) && common_point_.is_found_among_overlaps()) sieve_.take_zero();
+        advance(pair.square);
+        return !sieve_.is_decided();
+    }
+    bool take(const TreeLeaf& x, const TreeLeaf& y) {
+        const LanePairs lanes(find_near(x, y, bounds_));
+        if constexpr (GatheringQuestion<Question, Search>) {
+            question_.gather(*this, x, y, lanes, bounds_);
+        } else {
+            take_each(x, y, lanes);
+        }
+        return !sieve_.is_decided();
+    }
+
+    // Encloses pairs of triangles of two leaves.
+    void take_each(const TreeLeaf& x, const TreeLeaf& y, LanePairs lanes) {
+        for (; lanes.more() && !sieve_.is_decided(); lanes.next()) {
+            if (bounds_[tree_width * lanes.i() + lanes.j()] > limit_) continue;
+            take({x.triangle[lanes.i()], y.triangle[lanes.j()]});
+        }
+    }
+
+    // Encloses a pair's number, unless it is excluded; the sieve keeps the pair if it is in question.
+    void take(const TrianglePair& triangles) {
+        if constexpr (ExcludingQuestion<Question>) {
+            if (question_.is_not_less(triangles)) return;
+        }
+        take(triangles, question_.enclose(triangles, sieve_.bound()));
+    }
+    void take(const TrianglePair& triangles, const typename Question::Interval& interval) {
+        if (!sieve_.counts(interval.lower)) return;
+        if (key_of(interval.lower) <= 0 && question_.may_share(0) && common_point_.is_in(triangles))
+            return sieve_.take_zero(triangles);
+        typename SieveOf<Question>::Open open{interval, triangles};
+        if (!question_.complete(triangles, open.interval, open.value) || !sieve_.counts(open.interval.lower)) return;
+        const bool has_ties = !sieve_.open().empty();
+        take_upper(open.interval.upper, triangles);
+        if constexpr (ExcludingQuestion<Question>) {
+            // A pair that ties with the nearest one shares features with it, or is as far across parallel faces: more
+            // of the kind come. What is excluded from now on may be so because of the nearest pair alone, which
+            // therefore must not be lost.
+            const TrianglePair nearest{sieve_.nearest().a, sieve_.nearest().b};
+            if (has_ties && question_.refer_to(nearest)) {
+                typename SieveOf<Question>::Open known{{}, nearest};
+                known.interval.upper = sieve_.upper();
+                sieve_.add(known);
+            }
+        }
+        sieve_.add(open);
+    }
+    // Takes note that some pair's number is at most `upper`, or rounds to it.
+    void take_upper(double upper, const TrianglePair& triangles) {
+        if (sieve_.take_upper(upper, triangles)) set_limit();
+    }
+    SieveOf<Question>& sieve() noexcept { return sieve_; }
+
+  private:
+    void advance(float bound) {
+        if constexpr (GatheringQuestion<Question, Search>) {
+            if (!sieve_.is_decided()) question_.advance(*this, bound);
+        }
+    }
+    void set_limit() { limit_ = question_.limit_above(sieve_.bound()); }
+
+    const MeshPair& bodies_;
+    Question& question_;
+    SieveOf<Question>& sieve_;
+    NearestQueue& queue_;
+    LaneBounds& bounds_;
+    CommonPoint common_point_;
+    QueryCounts& counts_;
+    float limit_ = std::numeric_limits<float>::infinity();
+};
+
+}  // namespace ecods

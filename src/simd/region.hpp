@@ -1,0 +1,39 @@
+// Regions of an instruction set: all that is defined between the beginning and the end of one is compiled for that set,
+// member functions, templates and lambdas included, whether it is inlined or not. Each region has a namespace of its
+// own (baseline, avx2, and wide for AVX-512), so that two sets never share a function.
+//
+// Two kinds of functions are in no region with g++ 12, and so are not used in one: friends that a class template
+// defines, and constructors that the compiler declares by itself, inherited ones and those that set members to what the
+// class says.
+//
+// Regions have one text each, which simd/each_set.hpp includes. What is written for one set alone stands between
+// ECODS_BEGIN_WIDE and ECODS_END_REGION.
+#pragma once
+
+// A build with ECODS_BASELINE_ONLY has the plain versions and no others: what it answers is compared with the rest.
+#if defined(__x86_64__) && !defined(ECODS_BASELINE_ONLY)
+#define ECODS_CAN_DISPATCH 1
+#else
+#define ECODS_CAN_DISPATCH 0
+#endif
+
+#define ECODS_PRAGMA(text) _Pragma(#text)
+#if defined(__clang__)
+#define ECODS_BEGIN_REGION(set) ECODS_PRAGMA(clang attribute push(__attribute__((target(set))), apply_to = function))
+#define ECODS_END_REGION ECODS_PRAGMA(clang attribute pop)
+#else
+#define ECODS_BEGIN_REGION(set) ECODS_PRAGMA(GCC push_options) ECODS_PRAGMA(GCC target(set))
+#define ECODS_END_REGION ECODS_PRAGMA(GCC pop_options)
+#endif
+
+#define ECODS_BEGIN_AVX2 ECODS_BEGIN_REGION("avx2")
+#define ECODS_BEGIN_WIDE ECODS_BEGIN_REGION("avx512f,avx512bw,avx512dq,avx512vl,bmi,bmi2")
+
+namespace ecods {
+
+// Code outside of all regions is compiled for the baseline. (A directive, and no inline namespace: arguments must not
+// bring functions of the baseline into a region of another set.)
+namespace baseline {}
+using namespace baseline;
+
+}  // namespace ecods
