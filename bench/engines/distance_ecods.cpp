@@ -10,8 +10,8 @@ namespace ecods::bench {
 
 namespace {
 
-// What is asked about, and what is kept from query to query. `d` is the distance times the engine's factor, for
-// questions about it.
+// A question has the two bodies, and what is kept from query to query. `d` is the distance times the engine's factor,
+// for questions about it.
 struct DistanceAsked {
     const Posed<MeshShape> a, b;
     const double d;

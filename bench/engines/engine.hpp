@@ -1,4 +1,4 @@
-// What every engine offers: it is made ready once for a workload, and then asked. A question says what it is asked.
+// An engine is made ready once for a workload, and then asked. A question says what it is asked.
 #pragma once
 
 #include <cstddef>

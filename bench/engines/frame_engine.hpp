@@ -1,4 +1,4 @@
-// What every engine of things that move offers: it is set up once, and then its frames are run one by one.
+// An engine of things that move is set up once, and then its frames are run one by one.
 #pragma once
 
 #include <compare>
@@ -37,7 +37,7 @@ class FrameEngine {
     // How many pairs were given to the two-body test in the last frame, or excused by a cache; 0 where unknown.
     virtual std::size_t candidate_count() const { return 0; }
 
-    // What an ECoDS world counted since it was made.
+    // An ECoDS world has counted this since it was made.
     virtual std::optional<Statistics> statistics() const { return std::nullopt; }
 };
 

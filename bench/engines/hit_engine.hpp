@@ -1,4 +1,4 @@
-// What does a segment hit first? Triangles are numbered through all bodies.
+// Engines of hits find what a segment hits first. Triangles are numbered through all bodies.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What is true of each query of a workload: the answers of ECoDS, some of which are judged by the oracle.
+// Truths of the queries of a workload are the answers of ECoDS, some of which are judged by the oracle.
 #pragma once
 
 #include <algorithm>

@@ -10,7 +10,7 @@ namespace ecods::bench {
 
 namespace {
 
-// As SuiteOptions finds engines: every name contains itself.
+// Engines are found as SuiteOptions finds them: every name contains itself.
 void require_known(std::span<const Suite> suites, const std::string& text) {
     std::set<std::string> known;
     for (const Suite& suite : suites)

@@ -41,7 +41,7 @@ struct ContactCheck {
 // Asks a World about every contact that the oracle found. One of parts that rest is asked about once.
 ContactCheck check_contacts(const scenes::Scene& scene, const Truth& truth) {
     WorldBodies bodies(scene);
-    // Whether ECoDS says the same as the oracle: how the bodies meet, and which triangles do.
+    // ECoDS says the same as the oracle: how the bodies meet, and which triangles do.
     const auto agrees = [&](const TrueHit& hit) {
         const BodyId a = bodies[hit.pair.a], b = bodies[hit.pair.b];
         return bodies.world.relation(a, b) == hit.contact->relation &&

@@ -58,10 +58,6 @@ class DistanceAxes {
     double unit_ = 1;
 };
 
-// Squared distances of eight lanes of one node from eight of another: at 8 i + j of lane i of the first and j of the
-// second.
-using LaneSquares = std::array<float, tree_width * tree_width>;
-
 // A vector on the axes of the first set: zero, or of a length of at most one, and hardly less.
 using Direction = std::array<float, 3>;
 
@@ -71,7 +67,7 @@ using Direction = std::array<float, 3>;
 // they are bounds.
 template <class X, class Y>
 std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, const Direction& n, float limit, const X& x, const Y& y,
-                        LaneSquares& squares) noexcept;
+                        LaneBounds& squares) noexcept;
 
 // A pair of lanes whose boxes or triangles are near each other, by heuristics: where to look first.
 struct LanePair {

@@ -50,6 +50,6 @@ class FarGap {
 
 // As near_mask, with ranks in place of squares.
 template <class X, class Y>
-std::uint64_t far_mask(const FarGap& gap, float limit, const X& x, const Y& y, LaneSquares& ranks) noexcept;
+std::uint64_t far_mask(const FarGap& gap, float limit, const X& x, const Y& y, LaneBounds& ranks) noexcept;
 
 }  // namespace ecods

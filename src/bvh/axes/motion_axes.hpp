@@ -41,13 +41,10 @@ class MotionAxes {
     std::array<MotionSet, 2> sets_;
 };
 
-// Times for eight lanes of one node and eight of another: at 8 i + j of lane i of the first and j of the second.
-using LaneTimes = std::array<float, tree_width * tree_width>;
-
 // Returns a mask of the pairs of lanes that may meet at a time up to `limit`, as overlap_mask does, and sets a time for
 // each of them, not negative, before which they certainly do not.
 template <class X, class Y>
 std::uint64_t meeting_mask(const std::array<MotionSet, 2>& sets, float limit, const X& x, const Y& y,
-                           LaneTimes& times) noexcept;
+                           LaneBounds& times) noexcept;
 
 }  // namespace ecods

@@ -48,13 +48,10 @@ class SweptAxes {
     double start_ = 0, length_ = 1;
 };
 
-// Times by pairs of lanes, as LaneSquares.
-using LaneTimes = LaneSquares;
-
 // Returns a mask of the pairs of lanes that may share a point until `limit`, as near_mask does, and sets for them times
 // in the window before which they do not. `limit` is finite.
 template <class X, class Y>
 std::uint64_t swept_mask(const std::array<SweptSet, 2>& sets, float limit, const X& x, const Y& y,
-                         LaneTimes& times) noexcept;
+                         LaneBounds& times) noexcept;
 
 }  // namespace ecods

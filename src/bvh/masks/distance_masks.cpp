@@ -13,11 +13,11 @@ namespace ecods {
 
 template <class X, class Y>
 std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, const Direction& n, float limit, const X& x, const Y& y,
-                        LaneSquares& squares) noexcept {
+                        LaneBounds& squares) noexcept {
     return call_widest<ECODS_OF_EACH_SET(near_kernel<X, Y>)>(sets, n, limit, x, y, squares);
 }
 template <class X, class Y>
-std::uint64_t far_mask(const FarGap& gap, float limit, const X& x, const Y& y, LaneSquares& ranks) noexcept {
+std::uint64_t far_mask(const FarGap& gap, float limit, const X& x, const Y& y, LaneBounds& ranks) noexcept {
     return call_widest<ECODS_OF_EACH_SET(FarKernel::find<X, Y>)>(gap, limit, x, y, ranks);
 }
 template <class X, class Y>
@@ -27,8 +27,8 @@ LanePair nearest_lanes(const DistanceSet& set, const X& x, const Y& y) noexcept 
 
 #define ECODS_INSTANCE(X, Y)                                                                                         \
     template std::uint64_t near_mask(const std::array<DistanceSet, 2>&, const Direction&, float, const X&, const Y&, \
-                                     LaneSquares&) noexcept;                                                         \
-    template std::uint64_t far_mask(const FarGap&, float, const X&, const Y&, LaneSquares&) noexcept;                \
+                                     LaneBounds&) noexcept;                                                          \
+    template std::uint64_t far_mask(const FarGap&, float, const X&, const Y&, LaneBounds&) noexcept;                 \
     template LanePair nearest_lanes(const DistanceSet&, const X&, const Y&) noexcept;
 ECODS_FOR_ALL_NODES(ECODS_INSTANCE)
 

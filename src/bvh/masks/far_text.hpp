@@ -3,7 +3,7 @@
 struct FarKernel : ProjectedLanes<float_width> {
     template <class X, class Y>
     [[gnu::noinline]] static std::uint64_t find(const FarGap& gap, float limit, const X& x, const Y& y,
-                                                LaneSquares& ranks) noexcept {
+                                                LaneBounds& ranks) noexcept {
         alignas(32) FloatLanes high_x;
         Floats low[part_count];
         for (std::size_t part = 0; part < part_count; ++part) {

@@ -52,7 +52,7 @@ struct MeetingMeasure : TimeMeasure {
 
 template <class X, class Y>
 [[gnu::noinline]] std::uint64_t meeting_kernel(const std::array<MotionSet, 2>& sets, float limit, const X& x,
-                                               const Y& y, LaneTimes& times) noexcept {
-    alignas(32) LaneTimes ends;
+                                               const Y& y, LaneBounds& times) noexcept {
+    alignas(32) LaneBounds ends;
     return PairKernel<MeetingMeasure>::find({{{}, limit, times, ends}, sets}, x, y);
 }

@@ -6,7 +6,7 @@ struct NearMeasure : ProjectedLanes<float_width> {
     const std::array<DistanceSet, 2>& sets;
     const Direction& n;
     const float limit;
-    LaneSquares& squares;
+    LaneBounds& squares;
 
     ECODS_ALWAYS_INLINE const AxisSet& axes(std::size_t set) const noexcept { return sets[set].axes; }
     template <class Node>
@@ -91,6 +91,6 @@ struct NearMeasure : ProjectedLanes<float_width> {
 
 template <class X, class Y>
 [[gnu::noinline]] std::uint64_t near_kernel(const std::array<DistanceSet, 2>& sets, const Direction& n, float limit,
-                                            const X& x, const Y& y, LaneSquares& squares) noexcept {
+                                            const X& x, const Y& y, LaneBounds& squares) noexcept {
     return PairKernel<NearMeasure>::find({{}, sets, n, limit, squares}, x, y);
 }

@@ -76,7 +76,7 @@ struct SweptMeasure : TimeMeasure {
 
 template <class X, class Y>
 [[gnu::noinline]] std::uint64_t swept_kernel(const std::array<SweptSet, 2>& sets, float limit, const X& x, const Y& y,
-                                             LaneTimes& times) noexcept {
-    alignas(32) LaneTimes ends;
+                                             LaneBounds& times) noexcept {
+    alignas(32) LaneBounds ends;
     return PairKernel<SweptMeasure>::find({{{}, limit, times, ends}, sets}, x, y);
 }

@@ -8,7 +8,7 @@ struct TimeMeasure : ProjectedLanes<float_width> {
         Floats begin, end;
     };
     const float limit;
-    LaneTimes &begins, &ends;
+    LaneBounds &begins, &ends;
 
     ECODS_ALWAYS_INLINE Value load(std::size_t i, std::size_t part) const noexcept {
         const std::size_t at = tree_width * i + part * float_width;

@@ -17,6 +17,8 @@ namespace ecods {
 
 inline constexpr std::size_t tree_width = 8;
 using FloatLanes = std::array<float, tree_width>;
+// Pairs of lanes of two nodes have a number each, a squared distance, a rank or a time: that of i and j is at 8 i + j.
+using LaneBounds = std::array<float, tree_width * tree_width>;
 
 // A node or a leaf.
 class TreeRef {

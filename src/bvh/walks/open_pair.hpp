@@ -43,9 +43,6 @@ class LanePairs {
     std::uint64_t bits_;
 };
 
-// A number for each pair of lanes: that of i and j is at 8 i + j.
-using LaneBounds = std::array<float, tree_width * tree_width>;
-
 // One pair of lanes.
 struct LanesOfOne {
     std::size_t i, j;

@@ -33,7 +33,6 @@ class InnerPolytope {
         double length;   // of n
         std::array<DifferenceVertex, 3> corners;
     };
-    std::uint32_t face_count() const noexcept { return face_count_; }
     Face face(std::uint32_t i) const noexcept;
     std::uint32_t nearest() const noexcept { return nearest_; }
     // The depth is not above upper(): proven where all vertices were looked at. Otherwise it is that if the nearest

@@ -34,8 +34,8 @@ struct Pair {
 
 // near_mask() of every instruction set.
 template <class X, class Y>
-std::uint64_t near_mask_of(const Pair& pair, float limit, const X& x, const Y& y, LaneSquares& squares) {
-    return mask_of_all(squares, [&](LaneSquares& numbers) {
+std::uint64_t near_mask_of(const Pair& pair, float limit, const X& x, const Y& y, LaneBounds& squares) {
+    return mask_of_all(squares, [&](LaneBounds& numbers) {
         return near_mask(pair.axes.sets(), pair.direction, limit, x, y, numbers);
     });
 }
@@ -43,7 +43,7 @@ std::uint64_t near_mask_of(const Pair& pair, float limit, const X& x, const Y& y
 // Whether the trees let triangles i and j through to the leaves, from the roots down, where nothing beyond the limit
 // matters.
 bool let_through(const Pair& pair, float limit, std::uint32_t i, std::uint32_t j) {
-    alignas(32) LaneSquares squares;
+    alignas(32) LaneBounds squares;
     const auto mask = [&](const auto& x, const auto& y) { return near_mask_of(pair, limit, x, y, squares); };
     return let_through(pair.a, pair.b, mask, i, j);
 }
@@ -54,7 +54,7 @@ struct Tally {
 };
 
 void check_leaves(const Pair& pair, const TreeLeaf& x, const TreeLeaf& y, Tally& tally) {
-    alignas(32) LaneSquares squares;
+    alignas(32) LaneBounds squares;
     const std::uint64_t mask = near_mask_of(pair, infinity, x, y, squares);
     LeavesOnAxes leaves;
     put_on_axes(pair.axes.sets()[0], x, y, leaves);

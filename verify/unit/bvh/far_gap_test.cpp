@@ -30,9 +30,9 @@ struct Pair {
 
 // Whether the trees let the triangles through to the leaves, where nothing above the limit matters.
 bool let_through(const Pair& pair, float limit, const TrianglePair& triangles) {
-    alignas(32) LaneSquares ranks;
+    alignas(32) LaneBounds ranks;
     const auto mask = [&](const auto& x, const auto& y) {
-        return mask_of_all(ranks, [&](LaneSquares& numbers) { return far_mask(pair.gap, limit, x, y, numbers); });
+        return mask_of_all(ranks, [&](LaneBounds& numbers) { return far_mask(pair.gap, limit, x, y, numbers); });
     };
     return let_through(pair.a, pair.b, mask, triangles.a, triangles.b);
 }

@@ -16,8 +16,8 @@ namespace ecods {
 // Returns ask(numbers), which fills in what bounds the pairs of the mask. Fails where another set gives another mask,
 // or other numbers for the pairs in it.
 template <class Ask>
-std::uint64_t mask_of_all(LaneSquares& numbers, Ask&& ask) {
-    alignas(32) LaneSquares others;
+std::uint64_t mask_of_all(LaneBounds& numbers, Ask&& ask) {
+    alignas(32) LaneBounds others;
     const std::uint64_t mask = ask(numbers);
     for (const InstructionSet set : environment::supported_instruction_sets()) {
         const environment::InstructionSetLimit limited(set);

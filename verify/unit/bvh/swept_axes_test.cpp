@@ -31,14 +31,14 @@ struct Pair {
 
 // swept_mask() of every instruction set.
 template <class X, class Y>
-std::uint64_t swept_mask_of(const Pair& pair, float limit, const X& x, const Y& y, LaneTimes& times) {
-    return mask_of_all(times, [&](LaneTimes& numbers) { return swept_mask(pair.axes.sets(), limit, x, y, numbers); });
+std::uint64_t swept_mask_of(const Pair& pair, float limit, const X& x, const Y& y, LaneBounds& times) {
+    return mask_of_all(times, [&](LaneBounds& numbers) { return swept_mask(pair.axes.sets(), limit, x, y, numbers); });
 }
 
 // Whether the trees let triangles i and j through to the leaves, from the roots down, where nothing after the limit
 // matters.
 bool let_through(const Pair& pair, float limit, std::uint32_t i, std::uint32_t j) {
-    alignas(32) LaneTimes times;
+    alignas(32) LaneBounds times;
     const auto mask = [&](const auto& x, const auto& y) { return swept_mask_of(pair, limit, x, y, times); };
     return let_through(pair.a, pair.b, mask, i, j);
 }
@@ -61,7 +61,7 @@ struct Tally {
 };
 
 void check_leaves(Pair& pair, const std::vector<double>& truth, Tally& tally) {
-    alignas(32) LaneTimes times;
+    alignas(32) LaneBounds times;
     for (const TreeLeaf& x : pair.a.tree.leaves) {
         for (const TreeLeaf& y : pair.b.tree.leaves) {
             const std::uint64_t mask = swept_mask_of(pair, pair.axes.window_above(1), x, y, times);
