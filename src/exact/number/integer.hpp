@@ -1,5 +1,5 @@
-// Integers of any length, as sign and magnitude. Up to a dozen limbs are kept in place, more on the heap; work follows
-// the limbs in use.
+// An Integer has any length, and is stored as sign and magnitude. Up to a dozen limbs are stored in place, more on the
+// heap; the work of an operation follows the limbs in use.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class Integer {
         size_ = small_[1] != 0 ? 2 : small_[0] != 0 ? 1 : 0;
         is_negative_ = x < 0;
     }
-    // An integer in two's complement.
+    // Converts an integer from two's complement.
     template <std::size_t L>
     explicit Integer(const std::array<std::uint64_t, L>& x) {
         const Magnitude<static_cast<int>(L)> m = magnitude<static_cast<int>(L)>(x);
@@ -42,14 +42,14 @@ class Integer {
     }
     ~Integer() = default;
 
-    // -1, 0 or 1.
+    // Returns -1, 0 or 1.
     int sign() const noexcept { return size_ == 0 ? 0 : is_negative_ ? -1 : 1; }
     bool is_zero() const noexcept { return size_ == 0; }
 
-    // Of the magnitude, without leading zeros, and the number of its bits: 0 for zero.
+    // limbs() are the magnitude's, without leading zeros; bit_width() is the number of its bits. Zero has neither.
     NaturalSpan limbs() const noexcept { return {data(), size_}; }
     int bit_width() const noexcept { return exact::bit_width(limbs()); }
-    // How many zeros the magnitude ends in. Not for zero.
+    // Returns how many zero bits the magnitude ends in. Must not be called for zero.
     int trailing_zeros() const noexcept;
 
     Integer operator-() const&;
@@ -61,11 +61,11 @@ class Integer {
     friend Integer operator-(const Integer& a, const Integer& b) { return sum(a, b, true); }
     friend Integer operator*(const Integer& a, const Integer& b);
 
-    // Times 2^bits, and divided by 2^bits towards zero.
+    // Operator << multiplies by 2^bits; operator >> divides by 2^bits and rounds towards zero.
     friend Integer operator<<(const Integer& a, int bits);
     friend Integer operator>>(const Integer& a, int bits);
 
-    // The sign of a - b.
+    // Returns the sign of a - b.
     friend int compare(const Integer& a, const Integer& b) noexcept;
     friend bool operator==(const Integer& a, const Integer& b) noexcept { return compare(a, b) == 0; }
 
@@ -74,7 +74,7 @@ class Integer {
 
     const std::uint64_t* data() const noexcept { return capacity_ == small_limbs ? small_.data() : large_.get(); }
     std::uint64_t* data() noexcept { return capacity_ == small_limbs ? small_.data() : large_.get(); }
-    // Makes place for `size` limbs, whose values are then arbitrary.
+    // Reserves space for `size` limbs, whose values are then arbitrary.
     void reserve(std::size_t size) {
         if (size <= capacity_) return;
         large_ = std::make_unique_for_overwrite<std::uint64_t[]>(size);
@@ -105,8 +105,8 @@ class Integer {
     static Integer sum(const Integer& a, const Integer& b, bool negates_b);
 
     std::uint32_t size_ = 0;
-    std::uint32_t capacity_ = small_limbs;  // more: the limbs are in large_
-    bool is_negative_ = false;              // of zero, either
+    std::uint32_t capacity_ = small_limbs;  // greater: the limbs are in large_
+    bool is_negative_ = false;              // either for zero
     std::array<std::uint64_t, small_limbs> small_;
     std::unique_ptr<std::uint64_t[]> large_;
 };

@@ -1,4 +1,4 @@
-// Integer kernels: the exact determinants of points with integer coordinates, each kernel for one width of coordinates.
+// An integer kernel computes exact determinants of points with integer coordinates, for one width of coordinates.
 //
 // A kernel has these types and functions, all of them static:
 //
@@ -6,13 +6,13 @@
 //     Point                    three coordinates, each below 2^coordinate_bits in magnitude
 //     Normal                   (b - a) x (c - a), three minors
 //     normal(a, b, c)
-//     side(normal, a, p)       the sign of normal . (p - a); of normal(a, b, c) that is orient3d(a, b, c, p)
+//     side(normal, a, p)       the sign of normal . (p - a), which is orient3d(a, b, c, p) for normal(a, b, c)
 //     orient2d(a, b, c, axis)  the sign of the minor of b - a and c - a that leaves out `axis`
 //     compare(a, b, axis)      the sign of a - b on an axis
 //     is_zero(minor)
 //
 // Widths. With |coordinate| < 2^k, differences are below 2^(k+1), 2x2 minors of differences below 2^(2k+3), and a 3x3
-// determinant of differences below 3 * 2^(k+1) * 2^(2k+3) < 2^(3k+6). Static assertions hold each kernel to that.
+// determinant of differences below 3 * 2^(k+1) * 2^(2k+3) < 2^(3k+6). Static assertions check this for each kernel.
 #pragma once
 
 #include <array>
@@ -32,8 +32,8 @@ constexpr int determinant_bits(int k) {
     return 3 * k + 6;
 }
 
-// The kernel of an arithmetic, which has a Difference of two Numbers, a Minor of four differences, and a Sum of
-// products of differences and minors.
+// Computes determinants in an Arithmetic, which has a Difference of two Numbers, a Minor of four differences, and a Sum
+// of products of differences and minors.
 template <class Arithmetic>
 class DeterminantKernel {
   public:
@@ -115,11 +115,11 @@ struct WordArithmetic {
     static bool is_zero(const Minor& minor) noexcept { return exact::sign(minor) == 0; }
 };
 
-// Coordinates of up to 60 and up to 123 bits and a sign.
+// OneLimbKernel takes coordinates of up to 60 bits and a sign, TwoLimbKernel of up to 123 bits and a sign.
 using OneLimbKernel = DeterminantKernel<WordArithmetic<std::int64_t, Int128, 64, 60>>;
 using TwoLimbKernel = DeterminantKernel<WordArithmetic<Int128, Int256, 128, 123>>;
 
-// Coordinates of up to 64 L - 3 bits and a sign.
+// Coordinates have up to 64 L - 3 bits and a sign.
 template <int L>
 struct LimbArithmetic {
     static constexpr int limb_count = L;
@@ -144,7 +144,7 @@ struct LimbArithmetic {
     static Difference difference(const Number& to, const Number& from) noexcept {
         return magnitude<L>(subtract<L>(to, from));
     }
-    // a * b - c * d
+    // Returns a * b - c * d.
     static Minor minor(const Difference& a, const Difference& b, const Difference& c, const Difference& d) noexcept {
         Limbs<2 * L> sum{};
         add_signed<2 * L>(sum, multiply<L, L>(a.limbs, b.limbs), a.negative ^ b.negative);

@@ -1,4 +1,4 @@
-// Integers of a fixed number of 64-bit limbs, least significant first.
+// Limbs and Magnitude are integers of a fixed number of 64-bit limbs, the least significant limb first.
 #pragma once
 
 #include <array>
@@ -12,7 +12,8 @@ namespace ecods::exact {
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 Uint128;
 
-// std::bit_width and std::countr_zero for 128 bits, which the standard ones may not take. trailing_zeros needs x > 0.
+// bit_width and trailing_zeros are std::bit_width and std::countr_zero for 128 bits, which the standard functions need
+// not support. trailing_zeros needs x > 0.
 constexpr int bit_width(Uint128 x) noexcept {
     const auto high = static_cast<std::uint64_t>(x >> 64);
     return static_cast<int>(high != 0 ? 64 + std::bit_width(high) : std::bit_width(static_cast<std::uint64_t>(x)));
@@ -29,12 +30,12 @@ constexpr Uint128 size_of(Int128 x) noexcept {
 
 inline constexpr std::uint64_t all_ones = ~std::uint64_t{0};
 
-// An integer in two's complement.
+// Holds an integer in two's complement.
 template <int L>
 using Limbs = std::array<std::uint64_t, static_cast<std::size_t>(L)>;
 
-// An integer as sign and magnitude. `negative` is 0 or all_ones, so that it can be used as a mask; zero may have
-// either.
+// Holds an integer as sign and magnitude. `negative` is 0 or all_ones, so that it can be used as a mask; for zero it
+// may be either.
 template <int L>
 struct Magnitude {
     Limbs<L> limbs;
@@ -53,7 +54,7 @@ inline Limbs<L> subtract(const Limbs<L>& a, const Limbs<L>& b) noexcept {
     return result;
 }
 
-// sum += addend, or sum -= addend where `negative` is all_ones: a negated number is its complement plus one.
+// Adds `addend` to the sum, or subtracts it if `negative` is all_ones: -x is the complement of x plus one.
 template <int L>
 inline void add_signed(Limbs<L>& sum, const Limbs<L>& addend, std::uint64_t negative) noexcept {
     std::uint64_t carry = negative & 1;
@@ -71,8 +72,8 @@ inline Magnitude<L> magnitude(const Limbs<L>& a) noexcept {
     return result;
 }
 
-// Products of so many limbs by so many are called: inlined and unrolled at each place, they were a tenth of the
-// library's code and of the time that compiling it takes.
+// Products of more pairs of limbs than this are compiled out of line: inlined and unrolled at each call, they were a
+// tenth of the library's code and of its compile time.
 inline constexpr int inlined_products_max = 16;
 
 template <int A, int B>
@@ -93,7 +94,7 @@ template <int A, int B>
     multiply_into<A, B>(product, a, b);
 }
 
-// a * b, which always fits. Long numbers often have leading zero limbs, which are skipped.
+// Returns a * b, which always fits. Zero limbs of long `a` are skipped: long numbers often have leading zeros.
 template <int A, int B>
 inline Limbs<A + B> multiply(const Limbs<A>& a, const Limbs<B>& b) noexcept {
     Limbs<A + B> product{};
@@ -112,7 +113,7 @@ inline bool is_zero(const Limbs<L>& a) noexcept {
     return any == 0;
 }
 
-// The sign of a number: -1, 0 or 1.
+// Returns the sign of a number: -1, 0 or 1.
 template <int L>
 inline int sign(const Limbs<L>& a) noexcept {
     return (a[L - 1] >> 63) ? -1 : !is_zero<L>(a);
@@ -127,7 +128,7 @@ inline int sign(Int128 a) noexcept {
     return (a > 0) - (a < 0);
 }
 
-// An integer of 256 bits in two's complement.
+// Holds an integer of 256 bits in two's complement.
 struct Int256 {
     Uint128 low;
     Int128 high;
@@ -147,7 +148,8 @@ inline int sign(const Int256& a) noexcept {
     return a.high < 0 ? -1 : a.high != 0 || a.low != 0;
 }
 
-// The words that an integer of two consists of, and an integer of two words from one.
+// high_word and low_word are the halves of an integer of two words; widened extends an integer of one word to two
+// words.
 inline std::int64_t high_word(Int128 x) noexcept {
     return static_cast<std::int64_t>(x >> 64);
 }
@@ -170,7 +172,7 @@ inline Int256 widened(Int128 x) noexcept {
 inline Int128 multiply(std::int64_t a, std::int64_t b) noexcept {
     return Int128{a} * b;
 }
-// By a signed product, which takes b for 2^64 less than it is if its top bit is set.
+// Returns a * b. The signed product reads b as b - 2^64 if b's top bit is set, and then lacks a * 2^64.
 inline Int128 multiply_unsigned(std::int64_t a, std::uint64_t b) noexcept {
     const auto top = static_cast<std::uint64_t>(static_cast<std::int64_t>(b) >> 63);  // all ones if b's top bit is set
     const std::uint64_t missing = static_cast<std::uint64_t>(a) & top;
@@ -178,7 +180,7 @@ inline Int128 multiply_unsigned(std::int64_t a, std::uint64_t b) noexcept {
                                (Uint128{missing} << 64));
 }
 
-// a * b of unsigned numbers, by halves.
+// Returns a * b of unsigned numbers, from the products of their 64-bit halves.
 inline Int256 multiply_halves(Uint128 a, Uint128 b) noexcept {
     const auto a0 = static_cast<std::uint64_t>(a), a1 = static_cast<std::uint64_t>(a >> 64);
     const auto b0 = static_cast<std::uint64_t>(b), b1 = static_cast<std::uint64_t>(b >> 64);
@@ -188,7 +190,7 @@ inline Int256 multiply_halves(Uint128 a, Uint128 b) noexcept {
             static_cast<Int128>(p11 + (p01 >> 64) + (p10 >> 64) + (middle >> 64))};
 }
 
-// The product of the bits of `a` and b, less 2^128 b for a negative `a`, whose bits count 2^128 too much.
+// Returns a * b. A negative `a` read as unsigned is a + 2^128, so that product is 2^128 b too large.
 inline Int256 multiply_unsigned(Int128 a, Uint128 b) noexcept {
     Int256 p = multiply_halves(static_cast<Uint128>(a), b);
     p.high = static_cast<Int128>(static_cast<Uint128>(p.high) - (static_cast<Uint128>(a >> 127) & b));
@@ -202,13 +204,13 @@ inline Int256 multiply(Int128 a, Int128 b) noexcept {
     return p;
 }
 
-// The limb at position i, beyond the last one that of an extended sign.
+// Returns limb i; limbs beyond the last one repeat its sign bit.
 template <int L>
 inline std::uint64_t limb_at(const Limbs<L>& a, int i) noexcept {
     return i < L ? a[static_cast<std::size_t>(i)] : (a[L - 1] >> 63) ? all_ones : 0;
 }
 
-// a >> shift with its sign, in M limbs. The result must fit.
+// Returns a >> shift in M limbs, with the sign extended. The result must fit.
 template <int M, int L>
 inline Limbs<M> shift_right(const Limbs<L>& a, int shift) noexcept {
     const int skip = shift / 64;
@@ -222,7 +224,7 @@ inline Limbs<M> shift_right(const Limbs<L>& a, int shift) noexcept {
     return result;
 }
 
-// sum += term * 2^shift. The result must fit.
+// Adds term * 2^shift to the sum. The result must fit.
 template <int L>
 inline void add_shifted(Limbs<L>& sum, Int128 term, int shift) noexcept {
     ECODS_ASSERT(shift >= 0);

@@ -1,4 +1,5 @@
-// Natural numbers of any length up to a capacity, least significant limb first. Work follows the limbs in use.
+// A Natural is a natural number of any length up to a capacity, least significant limb first. The work of an operation
+// follows the limbs in use.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 
 namespace ecods::exact {
 
-// Without leading zero limbs: of zero there are none.
+// Refers to the limbs of a natural number without leading zero limbs; zero has no limbs.
 using NaturalSpan = std::span<const std::uint64_t>;
 
 inline NaturalSpan without_leading_zeros(NaturalSpan limbs) noexcept {
@@ -26,7 +27,7 @@ inline int bit_width(NaturalSpan a) noexcept {
     return a.empty() ? 0 : static_cast<int>(64 * a.size()) - std::countl_zero(a.back());
 }
 
-// Sets a b, of as many limbs as both have.
+// Sets product = a * b, which takes a.size() + b.size() limbs.
 inline void multiply(NaturalSpan a, NaturalSpan b, std::uint64_t* product) noexcept {
     std::fill_n(product, a.size() + b.size(), 0);
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -73,7 +74,7 @@ class Natural {
     std::array<std::uint64_t, capacity> limbs_;
 };
 
-// The limb at position i of a * 2^shift, shift >= 0.
+// Returns limb i of a * 2^shift, shift >= 0.
 inline std::uint64_t limb_of_shifted(NaturalSpan a, int shift, std::size_t i) noexcept {
     const std::size_t skip = static_cast<std::size_t>(shift) / 64;
     const int bits = shift % 64;
@@ -83,7 +84,7 @@ inline std::uint64_t limb_of_shifted(NaturalSpan a, int shift, std::size_t i) no
     return bits == 0 || i == skip ? high : high | limb(i - skip - 1) >> (64 - bits);
 }
 
-// The sign of a * 2^shift - b, for any shift.
+// Returns the sign of a * 2^shift - b, for a shift of either sign.
 inline int compare_shifted(NaturalSpan a, int shift, NaturalSpan b) noexcept {
     if (a.empty() || b.empty()) return static_cast<int>(!a.empty()) - static_cast<int>(!b.empty());
     const int width_a = bit_width(a) + shift, width_b = bit_width(b);

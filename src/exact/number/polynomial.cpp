@@ -39,7 +39,7 @@ Polynomial operator*(const Polynomial& p, const Polynomial& q) {
     return result;
 }
 
-// By Horner's scheme, times 2^(bits * degree).
+// Evaluates 2^(bits * degree) times the value at m / 2^bits, by Horner's scheme.
 int Polynomial::sign_at(const BinaryFraction& s) const {
     const int d = degree();
     if (d < 0) return 0;
@@ -48,7 +48,7 @@ int Polynomial::sign_at(const BinaryFraction& s) const {
     return value.sign();
 }
 
-// At -b / a the value times a^d.
+// Evaluates a^d times the value at b / a, the root of `linear`; a^d is negative for odd d and negative a.
 int Polynomial::sign_at_root_of(const Polynomial& linear) const {
     ECODS_ASSERT(linear.degree() == 1);
     const int d = degree();
@@ -64,7 +64,7 @@ int Polynomial::sign_at_root_of(const Polynomial& linear) const {
     return d % 2 == 1 && a.sign() < 0 ? -sign : sign;
 }
 
-// By sums and products with m (Shaw and Traub).
+// Shifts the polynomial's argument with sums and products by m only (Shaw and Traub).
 Polynomial Polynomial::moved_to(const BinaryFraction& from) const {
     const int d = degree();
     Coefficients t;
@@ -119,7 +119,7 @@ Polynomial gcd(Polynomial p, Polynomial q) {
     while (!q.is_zero()) {
         const int d = q.degree();
         while (p.degree() >= d && !p.is_zero()) {
-            // The leading terms of both products are equal.
+            // Replaces p by q[d] p - p[e] s^(e - d) q, whose leading terms cancel.
             const int e = p.degree();
             Polynomial::Coefficients rest;
             for (int i = 0; i < e; ++i) {

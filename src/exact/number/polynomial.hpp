@@ -1,5 +1,5 @@
-// Polynomials of degree three at most, with integer coefficients: how determinants of points that move on straight
-// lines depend on time.
+// A Polynomial has degree three at most and integer coefficients: determinants of points that move on straight lines
+// are such polynomials of time.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace ecods::exact {
 
-// The number m / 2^bits.
+// Holds the number m / 2^bits.
 struct BinaryFraction {
     Integer m;
     int bits = 0;
@@ -21,36 +21,36 @@ class Polynomial {
     using Coefficients = std::array<Integer, degree_max + 1>;
 
     Polynomial() = default;
-    // Of degree 1: constant + slope * s.
+    // Makes the polynomial constant + slope * s.
     Polynomial(Integer constant, Integer slope) : c_{std::move(constant), std::move(slope), {}, {}} {}
     explicit Polynomial(Coefficients coefficients) : c_(std::move(coefficients)) {}
 
-    // -1 for zero.
+    // Returns -1 for the zero polynomial.
     int degree() const noexcept;
     bool is_zero() const noexcept { return degree() < 0; }
-    // Of the power i.
+    // Returns the coefficient of s^i.
     const Integer& operator[](int i) const noexcept { return c_[static_cast<std::size_t>(i)]; }
 
     friend Polynomial operator+(const Polynomial& p, const Polynomial& q);
     friend Polynomial operator-(const Polynomial& p, const Polynomial& q);
-    // The degrees add up to three at most.
+    // Needs degrees that add up to three at most.
     friend Polynomial operator*(const Polynomial& p, const Polynomial& q);
 
-    // The sign of the value at a number.
+    // Returns the sign of the value at s.
     int sign_at(const BinaryFraction& s) const;
-    // The same at the root of a polynomial of degree 1.
+    // Returns the sign of the value at the root of `linear`, which has degree 1.
     int sign_at_root_of(const Polynomial& linear) const;
 
-    // In x, where s = (m + x) / 2^bits: times 2^(bits * degree).
+    // Substitutes s = (m + x) / 2^bits: returns 2^(bits * degree) times this polynomial, as a polynomial in x.
     Polynomial moved_to(const BinaryFraction& from) const;
 
-    // Positive multiples of the coefficients in the basis of Bernstein of degree() on the interval from 0 to 1: the
-    // first and the last have the signs of the values at the ends, and every value inside is a mean of them, with
-    // positive weights. Then the same on the interval from m / 2^bits to (m + 1) / 2^bits.
+    // Returns positive multiples of the Bernstein coefficients of degree() on the interval from 0 to 1, or from
+    // m / 2^bits to (m + 1) / 2^bits. The first and the last coefficient have the signs of the values at the ends.
+    // Every value inside is a mean of the Bernstein coefficients with positive weights.
     Coefficients on_unit_interval() const;
     Coefficients on_interval(const BinaryFraction& from) const { return moved_to(from).on_unit_interval(); }
 
-    // The same polynomial divided by the power of two that divides all coefficients.
+    // Divides the coefficients by the greatest power of two that divides all of them.
     void drop_zeros();
 
   private:
@@ -59,14 +59,14 @@ class Polynomial {
 
 Polynomial derivative(const Polynomial& p);
 
-// A greatest common divisor, but for a constant factor; that of zero and p is p. By remainders of multiples that need
-// no fractions (Knuth, The Art of Computer Programming, volume 2, 4.6.1, algorithm R).
+// Returns a greatest common divisor, up to a constant factor; of zero and p it is p. Pseudo-division avoids fractions
+// (Knuth, The Art of Computer Programming, volume 2, 4.6.1, algorithm R).
 Polynomial gcd(Polynomial p, Polynomial q);
 
-// How often the signs of the first degree + 1 coefficients change, zeros left out.
+// Counts the sign changes in the first degree + 1 coefficients, zeros left out.
 //
-// Of the coefficients on an interval this is at least the number of roots inside, counted as often as they are
-// multiple, and exceeds it by an even number (the rule of Descartes, for s / (1 - s)). Roots at the ends do not count.
+// Descartes' rule of signs, for s / (1 - s): for Bernstein coefficients on an interval, the count is at least the
+// number of roots strictly inside, with their multiplicities, and exceeds it by an even number.
 int sign_changes(const Polynomial::Coefficients& coefficients, int degree) noexcept;
 
 }  // namespace ecods::exact

@@ -1,4 +1,5 @@
-// Doubles times powers of two, by their bits: no floating-point environment takes part, and what is subnormal counts.
+// Doubles are multiplied by powers of two by their bits: no floating-point environment takes part, and subnormal
+// numbers are never taken for zero.
 #pragma once
 
 #include <bit>
@@ -10,22 +11,23 @@
 
 namespace ecods::exact {
 
-// The exponent of zero: sums of it and another one are below those of two numbers that are not zero, -2148 or more.
+// Stands for the exponent of zero. The sum of this and any other exponent is less than the sum of the exponents of two
+// numbers that are not zero, which is -2148 or more.
 inline constexpr int exponent_of_zero = -8192;
 
-// 2^e, for a normal result.
+// Returns 2^e, which must be a normal number.
 constexpr double power_of_two(int e) noexcept {
     ECODS_ASSERT(e >= -1022 && e <= 1023);
     return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
 }
 
-// The least e with |x| < 2^e, for finite x.
+// Returns the least e with |x| < 2^e, for finite x.
 constexpr int exponent_above(double x) noexcept {
     const Dyadic d = decode(x);
     return d.m == 0 ? exponent_of_zero : d.e + static_cast<int>(std::bit_width(magnitude(d.m)));
 }
 
-// x 2^e for finite x: zero where the result is below 2^-1022. It must be below 2^1024.
+// Returns x * 2^e for finite x, or zero if |x * 2^e| < 2^-1022. |x * 2^e| must be below 2^1024.
 inline double times_power(double x, int e) noexcept {
     const Dyadic d = decode(x);
     const auto width = static_cast<int>(std::bit_width(magnitude(d.m)));
@@ -35,7 +37,7 @@ inline double times_power(double x, int e) noexcept {
     return std::bit_cast<double>(bits + (static_cast<std::uint64_t>(std::int64_t{d.e} + e) << 52));
 }
 
-// The least double that is not below x 2^e, for finite x.
+// Rounds x * 2^e up, for finite x: returns the least double that is at least as large.
 inline double times_power_above(double x, int e) noexcept {
     constexpr std::uint64_t sign_bit = std::uint64_t{1} << 63;
     const Dyadic d = decode(x);
@@ -44,7 +46,7 @@ inline double times_power_above(double x, int e) noexcept {
     const int low = d.e + e, high = low + static_cast<int>(std::bit_width(size));  // the digits of the result
     if (high > 1024) return d.m > 0 ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::lowest();
     if (high > -1022) return times_power(x, e);
-    // The result is subnormal, a multiple of 2^-1074. As m is odd, no digit but zeros can be dropped without an error.
+    // The result is subnormal, a multiple of 2^-1074. m is odd: dropping any digit of m makes an error.
     if (low >= -1074) return std::bit_cast<double>(size << (low + 1074) | (d.m < 0 ? sign_bit : 0));
     const std::uint64_t kept = low > -1074 - 64 ? size >> (-1074 - low) : 0;
     return std::bit_cast<double>(d.m < 0 ? kept | sign_bit : kept + 1);

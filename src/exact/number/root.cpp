@@ -1,7 +1,9 @@
-// Isolation of roots by sign changes of Bernstein coefficients (Collins and Akritas, Polynomial real root isolation
-// using Descartes's rule of signs, SYMSAC 1976). It ends for polynomials without multiple roots. Those of a polynomial
-// of degree three at most are rational: a cubic has one at most, a square in which is the divisor of p and its
-// derivative; a quadratic or a cube is a multiple of a power of one linear polynomial.
+// Roots are isolated by sign changes of Bernstein coefficients (Collins and Akritas, Polynomial real root isolation
+// using Descartes's rule of signs, SYMSAC 1976), which ends for polynomials without multiple roots.
+//
+// Multiple roots of a polynomial p of degree at most three are rational. A cubic has at most one double root, which is
+// the root of the linear gcd(p, p'). A quadratic with a double root, or a cubic with a triple root, is a multiple of a
+// power of one linear polynomial.
 #include "exact/number/root.hpp"
 
 #include <algorithm>
@@ -33,7 +35,7 @@ int first_sign(const Polynomial::Coefficients& coefficients) {
     return 0;
 }
 
-// Whether all signs are one, and no coefficient is zero; then its sign.
+// Returns the sign that all coefficients have; 0 if their signs differ or one is zero.
 int common_sign(const Polynomial::Coefficients& coefficients, int degree) {
     const int sign = coefficients[0].sign();
     for (int i = 1; i <= degree; ++i) {
@@ -42,8 +44,9 @@ int common_sign(const Polynomial::Coefficients& coefficients, int degree) {
     return sign;
 }
 
-// The bits of the double nearest to (m + rest) / 2^bits, 0 < m, where 0 < rest < 1 unless it is exact. The number is at
-// most 1, and m has 54 bits at least, or 2^-bits is half the least double or less.
+// Returns the bits of the double nearest to (m + rest) / 2^bits, where rest = 0 if it is exact and 0 < rest < 1
+// otherwise. The number is positive and at most 1, and m has at least 54 bits, or 2^-bits is at most half the least
+// double.
 std::uint64_t nearest(const BinaryFraction& x, bool is_exact) {
     constexpr int least = -1074;
     const int width = x.m.bit_width();
@@ -60,7 +63,7 @@ std::uint64_t nearest(const BinaryFraction& x, bool is_exact) {
         const int side = compare(x.m - (whole << drop), half);
         if (side > 0 || (side == 0 && (!is_exact || (kept & 1) != 0))) ++kept;
     }
-    // A carry out of the digits goes on into the exponent, as it should.
+    // A carry out of the digits rightly goes on into the exponent.
     return (static_cast<std::uint64_t>(exponent - least) << 52) + kept;
 }
 
@@ -77,7 +80,7 @@ void add_rational(Polynomial linear, std::vector<Root>& roots) {
     }
 }
 
-// For p with a multiple root, and d the common divisor of p and its derivative, of degree one at least.
+// Returns the roots of p, which has a multiple root; d = gcd(p, p') has degree one at least.
 std::vector<Root> multiple_roots(const Polynomial& p, const Polynomial& d) {
     std::vector<Root> roots;
     const Integer two(std::int64_t{2}), three(std::int64_t{3});
@@ -86,7 +89,7 @@ std::vector<Root> multiple_roots(const Polynomial& p, const Polynomial& d) {
     } else if (d.degree() == 2) {
         add_rational({p[2], three * p[3]}, roots);
     } else {
-        // The sum of the roots, one of them twice, is -p2 / p3: the single one is -p2 / p3 + 2 d0 / d1.
+        // The roots add up to -p2 / p3. The double root is -d0 / d1, so the single root is -p2 / p3 + 2 d0 / d1.
         add_rational(d, roots);
         add_rational({p[2] * d[1] - two * (d[0] * p[3]), p[3] * d[1]}, roots);
         if (roots.size() == 2 && compare(roots[0], roots[1]) > 0) std::swap(roots[0], roots[1]);
@@ -94,10 +97,12 @@ std::vector<Root> multiple_roots(const Polynomial& p, const Polynomial& d) {
     return roots;
 }
 
-// A number k for which p has no root above 2^-k up to 1; 0 where none is seen. For if the term of s^j is larger than
-// all others together at 2^-k and at 1, it is so between: each other one divided by it is a convex function of log s.
-// At 1 another is less than a quarter of it if it is shorter by three bits; at 2^-k one of a lower power i is, too, if
-// k (j - i) is at most what is left of the difference of their bits. Terms of higher powers become smaller.
+// Returns k > 0 such that p has no root above 2^-k up to 1, or 0 if no k is found.
+//
+// A term p_j s^j that is larger than all others together at s = 2^-k and at s = 1 is larger between, too: each ratio
+// |p_i s^i| / |p_j s^j| is a convex function of log s. At s = 1 the ratio is less than 1/4 if p_i is shorter than p_j
+// by three bits. At s = 2^-k it is less than 1/4 for i < j if k (j - i) is at most the rest of the difference of their
+// bits; for i > j it is smaller there than at 1.
 int bits_without_roots(const Polynomial& p) {
     for (int j = 1; j <= p.degree(); ++j) {
         const int width = p[j].bit_width();
@@ -112,7 +117,7 @@ int bits_without_roots(const Polynomial& p) {
     return 0;
 }
 
-// For p without multiple roots.
+// Returns the roots of p, which has no multiple roots.
 std::vector<Root> simple_roots(const Polynomial& p) {
     std::vector<Root> roots;
     const int degree = p.degree();
@@ -120,12 +125,13 @@ std::vector<Root> simple_roots(const Polynomial& p) {
         BinaryFraction from;
         Polynomial local;
     };
-    std::vector<Open> open;  // from right to left
+    std::vector<Open> open;  // the leftmost interval is last
     open.emplace_back().local = p;
     while (!open.empty()) {
         Open top = std::move(open.back());
         open.pop_back();
-        // So depth follows the number of roots, and how near they are to each other, not how near to 0.
+        // Drops the part above 2^-bits, which has no root: the depth then follows the number of roots and their
+        // distances from each other, not from 0.
         if (const int bits = bits_without_roots(top.local); bits > 0) {
             top.from = {top.from.m << bits, top.from.bits + bits};
             top.local = top.local.moved_to({{}, bits});
@@ -139,7 +145,7 @@ std::vector<Root> simple_roots(const Polynomial& p) {
             if (ends_at_root) roots.emplace_back(std::move(end));
             continue;
         }
-        // The left half's end is looked at with it.
+        // A root at the middle counts as the end of the left half.
         const BinaryFraction left{{}, 1}, right{Integer(std::int64_t{1}), 1};
         const BinaryFraction middle{top.from.m + top.from.m, top.from.bits + 1};
         open.push_back({next(middle), top.local.moved_to(right)});
@@ -199,7 +205,8 @@ void Root::move_to(const BinaryFraction& part) {
     local_.drop_zeros();
 }
 
-// By the leading bits of both values, which have opposite signs, or of which one or both are zero.
+// Interpolates between the leading bits of the values at both ends, which have opposite signs unless one of them is
+// zero.
 std::int64_t Root::guess(int bits) const {
     constexpr int kept = 60;
     const Integer &first = local_[0], last = local_[0] + local_[1] + local_[2] + local_[3];
@@ -214,8 +221,8 @@ std::int64_t Root::guess(int bits) const {
     return std::min(part, (std::int64_t{1} << bits) - 1);
 }
 
-// Quadratic interval refinement (Abbott 2014): where the polynomial is nearly linear, the part that is guessed has the
-// root; then so many bits more are tried. Otherwise half of the interval has it.
+// Shortens the interval by quadratic interval refinement (Abbott 2014). Where the polynomial is nearly linear, the
+// guessed part has the root, and gain_ is doubled. Otherwise the interval and gain_ are halved.
 void Root::shorten() {
     constexpr int gain_max = 48;
     const auto is_below = [&](std::int64_t m, int bits, int& sign) {
@@ -244,7 +251,8 @@ void Root::refine(int bits) {
     while (!is_fraction_ && from_.bits < bits) shorten();
 }
 
-// The divisor has the root, or none in the interval: Descartes' rule counts right but for an even number.
+// The divisor has this root or no root in the interval. Sign changes exceed the number of its roots by an even number,
+// so an odd count means that it has the root.
 bool Root::is_root_of_divisor(const Polynomial& divisor) const {
     const int degree = divisor.degree();
     return degree > 0 && sign_changes(divisor.on_interval(from_), degree) % 2 == 1;
@@ -276,7 +284,7 @@ int compare(Root& x, Root& y) {
         if (x.is_fraction_) return -Root::compare_with_fraction(y, x.from_);
         if (compare_fractions(x.from_, next(y.from_)) >= 0) return 1;
         if (compare_fractions(next(x.from_), y.from_) <= 0) return -1;
-        // Of two such intervals that overlap one contains the other.
+        // One of two such intervals that overlap contains the other.
         const Root& inner = x.from_.bits >= y.from_.bits ? x : y;
         if (bits == 2 * first_bits && inner.is_root_of_divisor(gcd(x.p_, y.p_))) return 0;
         x.refine(bits);
@@ -285,7 +293,8 @@ int compare(Root& x, Root& y) {
 }
 
 double Root::round() {
-    // Halfway numbers between doubles are fractions of as many bits: none is inside the interval.
+    // Midpoints of neighbouring doubles have 54 digits or are multiples of 2^-1075: none lies strictly inside an
+    // interval whose ends have as many.
     constexpr int digits = 54, bits_max = 1075;
     while (!is_fraction_ && from_.m.bit_width() < digits && from_.bits < bits_max) shorten();
     if (from_.m.is_zero()) return std::bit_cast<double>(std::uint64_t{1});

@@ -6,8 +6,8 @@
 namespace ecods::exact {
 namespace {
 
-// Divides coordinates by the unit of their axis. Exact if they are multiples of it and the quotients are doubles, since
-// a quotient is rounded correctly.
+// Divides coordinates by the unit of their axis. Division rounds correctly, so it is exact if the coordinates are
+// multiples of the unit and the quotients are doubles.
 void divide(Point& p, const Vec3& unit) noexcept {
     for (std::size_t k = 0; k < 3; ++k) p[k] /= unit[static_cast<Eigen::Index>(k)];
 }
@@ -36,7 +36,7 @@ void Frame::pose(std::size_t body, std::uint32_t vertex, Point& p) const noexcep
     if (is_counted_) divide(p, unit_);
 }
 
-// Finds bounds from the boxes of all bodies: |R| times half the mesh's box, around its posed center.
+// Finds bounds from the posed boxes of all bodies: each has |R| times half the mesh's box around its posed center.
 void Frame::find_bounds() noexcept {
     delta_ = 0;
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
@@ -52,16 +52,16 @@ void Frame::find_bounds() noexcept {
         low = low.cwiseMin(center - half);
         high = high.cwiseMax(center + half);
     }
-    // The extents have roundings of their own: each of center, half and their sums is within delta of its value.
+    // The boxes have rounding errors of their own: each of center, half and their sums is within delta of its value.
     extent_ = high - low + Vec3::Constant(8 * delta_);
 }
 
-// Finds the width of all exact coordinates, and from it the arithmetic.
+// Finds the width of all exact coordinates, and from the width the arithmetic.
 void Frame::measure_digits() noexcept {
     arithmetic_ = Arithmetic::many_limbs;
     integers_.measure();
     if (!integers_.is_exact()) return;
-    // A coordinate is a sum of three products and a translation: two more bits.
+    // A coordinate is a sum of three products and a translation, which takes two more bits.
     const BitRange& digits = integers_.digits();
     const bool is_one_limb = digits.width() + 2 <= OneLimbKernel::coordinate_bits;
     arithmetic_ = is_one_limb ? Arithmetic::one_limb : Arithmetic::two_limbs;
@@ -76,8 +76,8 @@ void Frame::measure_digits() noexcept {
     to_integers_ = std::ldexp(1.0, -integers_.unit());
 }
 
-// Whether points of these digits are posed without a rounding error, none of the numbers near the ends of the range of
-// doubles: every partial sum of R v + d is a multiple of 2^low below 2^(high + 2), hence a double.
+// True if points with these digits are posed without a rounding error, and no number is near the ends of the range of
+// doubles. Every partial sum of R v + d is a multiple of 2^low below 2^(high + 2), hence a double.
 bool Frame::points_are_doubles(const BitRange& digits) const noexcept {
     if (digits.empty()) return true;
     if (digits.width() + 3 > mantissa_bits || digits.low < -300 || digits.high > 200) return false;
@@ -98,17 +98,17 @@ bool Frame::points_are_doubles(const BitRange& digits) const noexcept {
     return true;
 }
 
-// Whether plain double makes no rounding error with points whose coordinates are doubles and multiples of `unit`, by
+// True if plain double makes no rounding error with points whose coordinates are doubles and multiples of `unit`, by
 // axis. Counted in units, let differences be integers of at most E0, E1 and E2, all of them at least 1. Products of two
-// are at most Ei Ej, minors 2 Ei Ej, the three terms of a determinant 2 E0 E1 E2, and their sum 6 E0 E1 E2. With
-// E0 E1 E2 <= 2^50 all are integers below 2^53, hence doubles (the last factor, 8 / 6, covers the roundings in E).
+// are at most Ei Ej, minors 2 Ei Ej, the three terms of a determinant 2 E0 E1 E2, and their sum 6 E0 E1 E2. With E0 E1
+// E2 <= 2^50 all are integers below 2^53, hence doubles (the last factor, 8 / 6, covers the roundings in E).
 bool Frame::are_short(const Vec3& unit) const noexcept {
     return (extent_.array() / unit.array()).max(1.0).prod() <= 0x1p50;
 }
 
-// The unit of which all coordinates of R v + t - t0 are multiples, by axis; 1 where all are zero. Only for points that
+// Returns a unit, by axis, that divides all coordinates of R v + t - t0; 1 where all are zero. Needs points that
 // points_are_doubles accepts: then a product of an entry of R and a coordinate of a mesh has at most 50 bits, and so
-// has one of the entry and the mesh's own unit; so has the difference of the translations.
+// have a product of the entry and the mesh's own unit, and the difference of the translations.
 Vec3 Frame::common_unit() const noexcept {
     Vec3 result;
     for (int row = 0; row < 3; ++row) {
@@ -125,7 +125,7 @@ Vec3 Frame::common_unit() const noexcept {
     return result;
 }
 
-// From now on rounded points are counted in units, in which plain double is exact: an affine bijection changes no sign.
+// Divides rounded points by `unit` from now on: plain double is then exact, and an affine bijection changes no sign.
 void Frame::count_in(const Vec3& unit) noexcept {
     unit_ = unit;
     is_counted_ = true;

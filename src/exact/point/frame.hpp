@@ -1,11 +1,11 @@
-// A common frame for the points of any number of posed meshes.
+// A Frame poses the points of any number of meshes in one common frame.
 //
-// Everything is relative to the translation t0 of the first body: points are R v + (t - t0). Bounds then grow with the
+// All points are relative to the translation t0 of the first body: a point is R v + (t - t0). Bounds then grow with the
 // distance of the bodies from each other, not from the origin.
 //
-// Vertices are posed when they are asked for, rounded or as integers (IntegerFrame), and kept in small caches of fixed
-// size, so no question pays for the size of a mesh. The length of the exact coordinates is measured once for all
-// bodies, when the first question needs it, and decides which arithmetic gives exact signs.
+// Vertices are posed on demand, rounded or as integers (IntegerFrame), and cached in small caches of fixed size, so no
+// question pays for the size of a mesh. The length of the exact coordinates is measured once for all bodies, when the
+// first question needs it, and decides which arithmetic gives exact signs.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@
 
 namespace ecods::exact {
 
-// The arithmetic that gives exact signs for all points of a frame: from the dearest to the cheapest.
+// Names the arithmetic that gives exact signs for all points of a frame, from the dearest to the cheapest.
 enum class Arithmetic : std::uint8_t {
     unknown,      // not measured yet
     many_limbs,   // integers of more than two limbs
@@ -45,22 +45,21 @@ class Frame {
 
     const BodyRef& body(std::size_t i) const noexcept { return integers_.body(i); }
 
-    // Bounds for rounded points until find_arithmetic is called: of the error of a coordinate, and of the difference of
-    // two points by axis.
+    // Bounds for rounded points until find_arithmetic is called. delta() bounds the error of a coordinate, of all
+    // bodies or of one; extent() bounds the difference of two points, by axis.
     double delta() const noexcept { return delta_; }
-    // The first of these for the points of one body.
     double delta(std::size_t body) const noexcept { return bodies_[body].delta; }
     const Vec3& extent() const noexcept { return extent_; }
 
-    // Measures digits unless that has been done. Afterwards rounded points may be in other units: those of before must
-    // not be mixed with those of after. Cost: constant for each body.
+    // Measures digits unless that has been done. Afterwards rounded points may be in other units: points from before
+    // and after must not be mixed. Cost: constant for each body.
     void find_arithmetic() noexcept {
         if (arithmetic_ == Arithmetic::unknown) [[unlikely]]
             measure_digits();
     }
     Arithmetic arithmetic() const noexcept { return arithmetic_; }
 
-    // The rounded point of a vertex. Valid until the next call for the same body.
+    // Returns the rounded point of a vertex, valid until the next call for the same body.
     const Point& rounded(std::size_t body, std::uint32_t vertex);
     template <std::size_t N>
     Points<N> rounded(const std::array<VertexRef, N>& vertices) {
@@ -69,20 +68,20 @@ class Frame {
         return points;
     }
 
-    // Refers to the exact points of some vertices, whatever the arithmetic.
+    // Returns references to the exact points of some vertices, for any arithmetic.
     template <std::size_t N>
     PosedPoints<N> posed(const std::array<VertexRef, N>& vertices) const noexcept {
         return integers_.posed(vertices);
     }
 
-    // The power of two that makes integers below 2^52 of rounded points. Only where arithmetic() is `differences`.
+    // Returns the power of two that scales rounded points to integers below 2^52. Needs arithmetic() == differences.
     double to_integers() const noexcept {
         ECODS_ASSERT(arithmetic_ == Arithmetic::differences);
         return to_integers_;
     }
 
     // Calls `use` with the vertices' points as IntegerPoints<Kernel, N>, of any kernel that holds them, and returns its
-    // result. Only where arithmetic() is one of integers.
+    // result. Needs an arithmetic() of integers: one, two or many limbs.
     template <std::size_t N, class Use>
     auto with_integers(const std::array<VertexRef, N>& vertices, Use&& use);
 
@@ -95,8 +94,8 @@ class Frame {
 
     std::size_t body_count() const noexcept { return integers_.body_count(); }
     void forget_points() noexcept;
-    // Fills in a rounded point. Not inline, and with the arguments that the cache's caller holds in registers anyway: a
-    // question has one such place for each of its points, and nearly always passes by all of them.
+    // Poses a vertex that is not in the cache. Not inline, and with arguments that the caller holds in registers
+    // anyway: a question has such a call for each of its points, and hardly ever takes it.
     void pose(std::size_t body, std::uint32_t vertex, Point& p) const noexcept;
     void find_bounds() noexcept;
     void measure_digits() noexcept;
@@ -106,11 +105,11 @@ class Frame {
     void count_in(const Vec3& unit) noexcept;
 
     IntegerFrame integers_;     // measured once arithmetic_ is known
-    std::vector<Body> bodies_;  // those beyond body_count() keep their memory
+    std::vector<Body> bodies_;  // entries beyond body_count() keep their memory
     Vec3 extent_ = Vec3::Zero();
     double delta_ = 0;
     Arithmetic arithmetic_ = Arithmetic::unknown;
-    bool is_counted_ = false;  // whether rounded points are divided by unit_
+    bool is_counted_ = false;  // true if rounded points are divided by unit_
     Vec3 unit_ = Vec3::Ones();
     double to_integers_ = 1;
 };

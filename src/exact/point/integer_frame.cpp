@@ -16,12 +16,11 @@ void IntegerFrame::bind(std::span<const BodyRef> bodies) {
     }
 }
 
-// A coordinate is the sum of three products and a difference of translations, each below 2^high: the difference of two
-// coordinates is below 2^(high + 3), and difference_bits hold it.
+// Finds digits and unit. A coordinate is the sum of three products and a difference of translations, each below 2^high,
+// so the difference of two coordinates is below 2^(high + 3) and must fit into difference_bits.
 //
-// Bodies under one rotation, which assemblies are made of, and of which many faces are parallel, have it taken to
-// pieces once. The differences, not the translations, are in the coordinates: near bodies far from the origin have
-// short ones.
+// Bodies under one rotation, as in assemblies, where many faces are parallel, have that rotation decoded once.
+// Coordinates contain differences of translations: bodies near each other and far from the origin have short ones.
 void IntegerFrame::measure(const BitRange& others) noexcept {
     digits_ = {};
     const Vec3& t0 = bodies_[0].ref.pose->t;

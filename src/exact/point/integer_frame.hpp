@@ -1,9 +1,9 @@
-// An integer frame counts the points of any number of posed meshes in one power of two.
+// An IntegerFrame counts the points of any number of posed meshes in units of one power of two.
 //
-// Integers of 128 bits are the points R v + t - t0 themselves where the digits of all bodies fit, which they do for
-// most; t0 is the first body's translation. Otherwise points are rounded down at the last of 120 digits, and exact ones
-// are made for some vertices at a time, in as many limbs as these need. Neither a rounding mode nor flush-to-zero shows
-// in a point, and nothing is near enough to zero or infinity to underflow or overflow.
+// Integers of 128 bits are the points R v + t - t0 themselves if the digits of all bodies fit, as they usually do; t0
+// is the first body's translation. Otherwise points are rounded down to 120 digits, and with_integers makes exact ones
+// of a few vertices, in as many limbs as they need. Neither a rounding mode nor flush-to-zero changes a point, and no
+// number is near enough to zero or infinity to underflow or overflow.
 #pragma once
 
 #include <array>
@@ -31,8 +31,9 @@ class IntegerFrame {
     // Replaces all bodies. There must be at least one, and everything that they refer to must outlive the questions.
     // Cost: some instructions a body. Memory: 64 KiB a body, kept for the bodies of later calls.
     void bind(std::span<const BodyRef> bodies);
-    // Finds the digits of all bodies and the unit: only then may points be asked for. `others` are digits of numbers
-    // that will be counted in the same unit: it divides them if they and the points fit. Cost: constant for each body.
+    // Finds the digits of all bodies and the unit; points may be taken only afterwards. `others` are the digits of
+    // numbers that will be counted in the same unit, which divides them if they and the points fit. Cost: constant for
+    // each body.
     void measure(const BitRange& others = {}) noexcept;
 
     void bind_pair(const BodyRef& a, const BodyRef& b, const BitRange& others = {}) {
@@ -44,26 +45,26 @@ class IntegerFrame {
     const BodyRef& body(std::size_t i) const noexcept { return bodies_[i].ref; }
     const PoseTerms& terms(std::size_t i) const noexcept { return bodies_[i].terms; }
 
-    // These are the digits of all products and differences of translations that coordinates are sums of.
+    // digits() holds the digits of all terms of coordinates: products R_ij v_j, and differences of translations.
     const BitRange& digits() const noexcept { return digits_; }
     int unit() const noexcept { return unit_; }
     bool is_exact() const noexcept { return is_exact_; }
 
-    // The point of a vertex, in units of 2^unit(). Valid until the next call for the same body. The difference of any
-    // two is below 2^difference_bits.
+    // Returns the point of a vertex in units of 2^unit(), valid until the next call for the same body. The difference
+    // of any two coordinates is below 2^difference_bits.
     ECODS_ALWAYS_INLINE const Point& at(std::size_t body, std::uint32_t vertex) noexcept {
         Body& of = bodies_[body];
         return of.points.get(vertex, [&](Point& p) { pose(of, vertex, p); });
     }
     static constexpr int difference_bits = TwoLimbKernel::coordinate_bits;
 
-    // Where points are not exact: three products and a difference of translations, which may be two terms, each rounded
-    // down by less than one unit, leave a coordinate by less than 5 units too low. The difference of two coordinates is
-    // off by less than 5 units.
+    // Bounds the error of points that are not exact. A coordinate is a sum of three products and a difference of
+    // translations, which may be two terms, each rounded down by less than one unit: it is less than 5 units too low.
+    // The difference of two coordinates is off by less than 5 units.
     static constexpr int error_units = 5;
     int error() const noexcept { return is_exact_ ? 0 : error_units; }
 
-    // Refers to the exact points of some vertices.
+    // Returns references to the exact points of some vertices.
     template <std::size_t N>
     PosedPoints<N> posed(const std::array<VertexRef, N>& vertices) const noexcept {
         PosedPoints<N> points;
@@ -75,7 +76,7 @@ class IntegerFrame {
     }
 
     // Calls `use` with the exact points of some vertices as IntegerPoints<Kernel, N> of the narrowest kernel that holds
-    // them, counted from the first of them, and returns its result. `use` must take every kernel.
+    // them, relative to the first of them, and returns its result. `use` must take every kernel.
     template <std::size_t N, class Use>
     auto with_integers(const std::array<VertexRef, N>& vertices, Use&& use) {
         if (!is_exact_) return exact::with_integers(posed(vertices), use);
@@ -89,13 +90,13 @@ class IntegerFrame {
     struct Body {
         BodyRef ref{};
         PoseTerms terms;
-        ShortProducts products;  // bound when the first exact point is asked for
+        ShortProducts products;  // bound at the first exact point
         Point offset{};          // t - t0
         VertexCache<Point> points;
     };
 
     std::span<Body> bodies() noexcept { return {bodies_.data(), body_count_}; }
-    // Not inline: a question has one such place for each of its points, and nearly always passes by all of them.
+    // Not inline: a question has such a call for each of its points, and hardly ever takes it.
     void pose(Body& of, std::uint32_t vertex, Point& p) const noexcept;
 
     std::vector<Body> bodies_;  // the first body_count_ are bound; the others keep their memory

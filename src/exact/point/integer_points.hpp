@@ -1,4 +1,5 @@
-// N posed points as integers, in the narrowest kernel that holds them: complete for every finite double.
+// IntegerPoints are N posed points as integers, in the narrowest kernel that holds them: complete for every finite
+// double.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@
 
 namespace ecods::exact {
 
-// Points for an integer kernel: counted in one power of two, and moved by one vector, so no sign changes.
+// Holds points for an integer kernel, in units of one power of two and moved by one vector, so signs are unchanged.
 template <class Kernel, std::size_t N>
 struct IntegerPoints {
     std::array<typename Kernel::Point, N> at;
@@ -22,7 +23,7 @@ struct IntegerPoints {
 
 static_assert(64 * 4 - sum_bits + 4 <= LimbKernel<4>::coordinate_bits);
 
-// Replaces points by their differences from the first one, and returns the range of the digits of these.
+// Replaces points by their differences from the first one, and returns the range of the digits of the differences.
 template <int L, std::size_t N>
 BitRange relate_to_first(IntegerPoints<LimbKernel<L>, N>& points) noexcept {
     const std::array<Limbs<L>, 3> first = points.at[0];
@@ -43,7 +44,7 @@ BitRange relate_to_first(IntegerPoints<LimbKernel<L>, N>& points) noexcept {
     return range;
 }
 
-// One coordinate for another kernel. The value must fit.
+// Converts one coordinate, divided by 2^shift, for another kernel. The value must fit.
 template <int L>
 void assign(std::int64_t& to, const Limbs<L>& from, int shift) noexcept {
     to = static_cast<std::int64_t>(shift_right<1, L>(from, shift)[0]);
@@ -58,7 +59,7 @@ void assign(std::array<std::uint64_t, M>& to, const Limbs<L>& from, int shift) n
     to = shift_right<static_cast<int>(M), L>(from, shift);
 }
 
-// The points divided by 2^shift, which must divide them, for a kernel that must hold the quotients.
+// Returns the points divided by 2^shift, which must divide them, for a kernel that must hold the quotients.
 template <class Kernel, int L, std::size_t N>
 IntegerPoints<Kernel, N> narrow(const IntegerPoints<LimbKernel<L>, N>& points, int shift) noexcept {
     IntegerPoints<Kernel, N> result;
@@ -69,7 +70,7 @@ IntegerPoints<Kernel, N> narrow(const IntegerPoints<LimbKernel<L>, N>& points, i
     return result;
 }
 
-// Calls `use` with the points in the narrowest kernel that holds them: zeros that all differences end in are stripped.
+// Calls `use` with the points in the narrowest kernel that holds them, without the zeros that all differences end in.
 template <int L, std::size_t N, class Use>
 auto use_narrowest(IntegerPoints<LimbKernel<L>, N>& points, Use&& use) {
     const BitRange range = relate_to_first<L>(points);
@@ -84,16 +85,16 @@ auto use_narrowest(IntegerPoints<LimbKernel<L>, N>& points, Use&& use) {
     if constexpr (L > 8) {
         if (width <= LimbKernel<20>::coordinate_bits) return use(narrow<LimbKernel<20>, L>(points, shift));
     }
-    // In as many limbs as before: `sum_bits` has left the bits that a kernel's determinants need.
+    // The points keep their limbs: `sum_bits` has left the bits that a kernel's determinants need.
     return use(narrow<LimbKernel<L>, L>(points, shift));
 }
 
-// The same for points whose differences have at most TwoLimbKernel::coordinate_bits.
+// Overload for points whose differences have at most TwoLimbKernel::coordinate_bits.
 template <std::size_t N, class Use>
 auto use_narrowest(const IntegerPoints<TwoLimbKernel, N>& points, Use&& use) {
     IntegerPoints<TwoLimbKernel, N> two;
     two.unit = points.unit;
-    Uint128 leading = 0;   // has as many bits as the largest magnitude; that of -2^k may count as 2^k - 1
+    Uint128 leading = 0;   // has as many bits as the largest magnitude; -2^k may count as 2^k - 1
     Uint128 trailing = 0;  // ends in as many zeros as all coordinates do
     for (std::size_t i = 0; i < N; ++i) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -115,9 +116,9 @@ auto use_narrowest(const IntegerPoints<TwoLimbKernel, N>& points, Use&& use) {
     return use(one);
 }
 
-// Calls `use` with the points as IntegerPoints<Kernel, N> of the narrowest kernel that holds them, and returns what it
-// returns. `use` must take every kernel. The unit is that of these points alone. Far from the origin the differences
-// of translations are much shorter than these are.
+// Calls `use` with the points as IntegerPoints<Kernel, N> of the narrowest kernel that holds them, and returns its
+// result. `use` must take every kernel. The unit is chosen for these points alone. Far from the origin, differences of
+// translations are much shorter than the translations.
 template <std::size_t N, class Use>
 auto with_integers(const PosedPoints<N>& points, Use&& use) {
     std::array<PoseTerms, N> terms;

@@ -9,8 +9,8 @@ void LinePoints::bind(const BodyRef& body) noexcept {
     products_.bind(body.pose->R, body.extent->digits, digits_);
 }
 
-// A coordinate is a sum of three products and a difference, each below 2^high: two more bits. Differences of corners
-// are taken by the kernel. Differences may be shorter than what they are differences of, far from the origin.
+// Needs two more bits than the digits: a coordinate is a sum of three products and a difference, each below 2^high. The
+// kernel takes differences of corners. Far from the origin, the differences taken here are shorter than their operands.
 bool LinePoints::bind(const Line& line) noexcept {
     terms_.set_offset(t_, line.a);
     DifferenceTerms along;

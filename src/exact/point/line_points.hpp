@@ -1,4 +1,4 @@
-// The points of a posed mesh and the direction of a line, as integers counted from the line's beginning.
+// LinePoints are the points of a posed mesh and the direction of a line, as integers relative to the line's beginning.
 #pragma once
 
 #include <array>
@@ -13,31 +13,31 @@
 
 namespace ecods::exact {
 
-// For those lines and bodies whose digits fit into two limbs, which is most of them: what is asked of a triangle then
-// costs its three points and no more.
+// Serves lines and bodies whose digits fit into two limbs, which most do: a question about a triangle then costs its
+// three points and no more.
 class LinePoints {
   public:
     using Point = TwoLimbKernel::Point;
 
-    // What depends on the body alone; mesh and pose may be elsewhere afterwards.
+    // Binds what depends on the body alone; mesh and pose may be elsewhere afterwards.
     void bind(const BodyRef& body) noexcept;
 
-    // Returns whether the digits fit. Only then may anything be asked.
+    // Returns true if the digits fit; the functions below may be called only then.
     bool bind(const Line& line) noexcept;
 
-    // Whether one limb holds all of them: coordinates are below 2^OneLimbKernel::coordinate_bits.
+    // True if one limb holds each coordinate: all are below 2^OneLimbKernel::coordinate_bits.
     bool is_one_limb() const noexcept { return is_one_limb_; }
 
-    // The direction, and the point of a vertex of the body's mesh, in units of 2^unit().
+    // direction() and at() are the line's direction and the point of a vertex, in units of 2^unit().
     int unit() const noexcept { return unit_; }
     const Point& direction() const noexcept { return direction_; }
     Point at(const Vec3& v) const noexcept;
 
   private:
-    PoseTerms terms_;  // the offset is that of a line
+    PoseTerms terms_;  // its offset is t less the line's beginning
     ShortProducts products_;
     Vec3 t_ = Vec3::Zero();
-    BitRange digits_;  // of the products
+    BitRange digits_;  // digits of the products
     Point offset_{};   // t less the line's beginning
     Point direction_{};
     int unit_ = 0;

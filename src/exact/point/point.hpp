@@ -1,14 +1,14 @@
-// Points in a common frame as doubles: posing them, and a proven bound of its error.
+// Points in a common frame are posed in doubles, with a proven bound of the error.
 //
-// One operation, in any rounding mode: fl(a op b) = (a op b)(1 + e), |e| <= u' = 2^-52, unless it underflows. (two_u in
-// code; twice the unit roundoff u = 2^-53.) Fused multiply-add leaves an error out; bounds stay.
+// One operation, in any rounding mode, has fl(a op b) = (a op b)(1 + e), |e| <= u' = 2^-52, unless it underflows. (u'
+// is two_u in code, twice the unit roundoff u = 2^-53.) Fused multiply-add leaves an error out; bounds stay.
 //
 // A posed point is p = fl(R v + d), with the sum taken in the order ((r0 v0 + r1 v1) + r2 v2) + d, where d = fl(t - t0)
 // is a rounded difference of translations. Each term meets at most four factors (1 + e), so
 //     |p - (R v + t - t0)| <= ((1 + u')^4 - 1) S <= (17/4) u' S,   S = sum |r_j||v_j| + |t - t0|.
-// (verify/proofs/posed_point.g.) The sum S is itself computed, low by a factor of no more than (1 - u')^4, and (t - t0)
-// is known as d to a factor of 1 + u': ((1 + u')^4 - 1) (1 - u')^-5 < 4.0001 u', so the slack of 17/4 over 4 covers it.
-// An absolute term covers underflow (point_error_bound).
+// (verify/proofs/posed_point.g.) The sum S is itself computed, and too low by at most a factor of (1 - u')^4, and
+// (t - t0) is known as d to a factor of 1 + u': ((1 + u')^4 - 1) (1 - u')^-5 < 4.0001 u', so the slack of 17/4 over 4
+// covers it. An absolute term covers underflow (point_error_bound).
 #pragma once
 
 #include <algorithm>
@@ -22,11 +22,11 @@ namespace ecods::exact {
 
 using Point = std::array<double, 3>;
 
-// The points of a question: any number of them, of any bodies, all relative to one origin and in one unit.
+// The points of a question: any number of points of any bodies, all relative to one origin and in one unit.
 template <std::size_t N>
 using Points = std::array<Point, N>;
 
-// fl(R v + d), in the order of operations that point_error_bound is about.
+// Returns fl(R v + d), in the order of operations that point_error_bound assumes.
 inline Point pose_point(const Mat3& R, const Vec3& v, const Vec3& d) noexcept {
     Point p;
     for (int row = 0; row < 3; ++row) {
@@ -35,8 +35,8 @@ inline Point pose_point(const Mat3& R, const Vec3& v, const Vec3& d) noexcept {
     return p;
 }
 
-// The error of fl(R v + d) on any axis, from the largest sum S on any axis and the largest magnitude of the factors
-// R_ij and v_j.
+// Bounds the error of fl(R v + d) on any axis, from the largest sum S on any axis and the largest magnitude of the
+// factors R_ij and v_j.
 //
 // The absolute term covers underflow. A product or sum that underflows, gradually or to zero, loses at most 2^-1022;
 // there are eight. A subnormal input that the processor takes for zero changes a product by less than 2^-1022 times the
@@ -46,7 +46,7 @@ inline double point_error_bound(double sum_max, double factor_max) noexcept {
     const double underflow = factor_max < 0x1p19 ? 0x1p-1000 : 0x1p-1000 + 0x1p-1000 * factor_max;
     return 4.25 * two_u * sum_max + underflow;
 }
-// The same for all points with |v_j| <= v_max_j.
+// Bounds the error for all points with |v_j| <= v_max_j.
 inline double point_error_bound(const Mat3& R, const Vec3& v_max, const Vec3& d) noexcept {
     const double sum_max = (R.cwiseAbs() * v_max + d.cwiseAbs()).maxCoeff();
     const double factor_max = std::max(R.cwiseAbs().maxCoeff(), v_max.maxCoeff());

@@ -1,7 +1,9 @@
-// A posed point R v + t - t0 is a sum of terms m 2^e: poses are taken to pieces for integers here, and nowhere else.
+// PoseTerms decodes a posed point R v + t - t0 into a sum of terms m 2^e, for integers of every width; no other code
+// decodes poses.
 //
-// Integers of any width count the same terms in a power of two: two limbs, several, or as many as it takes. Doubles are
-// read by their bits: no floating-point instruction takes part, so neither a rounding mode nor flush-to-zero shows.
+// An integer of two limbs, several, or as many as it takes counts these terms in units of a power of two. Doubles are
+// decoded from their bits: no floating-point instruction takes part, so neither a rounding mode nor flush-to-zero
+// matters.
 #pragma once
 
 #include <algorithm>
@@ -18,15 +20,15 @@
 
 namespace ecods::exact {
 
-// A coordinate is a sum of three products and two translations, each below 2^high: three more bits. A difference of two
-// coordinates needs one more. A kernel of L limbs takes coordinates of 64 L - 3 bits and a sign.
+// A coordinate is a sum of three products and two translations, each below 2^high, which takes three more bits. A
+// difference of two coordinates takes one more. A kernel of L limbs takes coordinates of 64 L - 3 bits and a sign.
 inline constexpr int sum_bits = 3 + 1 + 3;
 
 // Products of doubles are multiples of 2^-2148 and below 2^2048.
 inline constexpr int limb_count_max = 66;
 static_assert(2048 + 2148 + sum_bits <= 64 * limb_count_max);
 
-// Calls use(L) with the least of some numbers of limbs, from `least` on, that hold so many bits, as a constant type.
+// Calls use(L) with the least of the listed limb counts from `least` on that holds so many bits, as a constant type.
 template <int least, class Use>
 auto with_limb_count(int bits, Use&& use) {
     ECODS_ASSERT(bits <= 64 * limb_count_max);
@@ -51,7 +53,8 @@ inline void add_term(Integer& sum, Int128 m, int shift) {
     if (m != 0) sum = sum + (shift >= 0 ? Integer(m) << shift : Integer(m >> std::min(-shift, 127)));
 }
 
-// Each coordinate of a difference of two vectors is one term or, where digits are too far apart, two; of zero, m is 0.
+// Holds the difference of two vectors. A coordinate is one term or, if its digits are too far apart, two; m is 0 in
+// unused terms.
 class DifferenceTerms {
   public:
     using Coordinate = std::array<DyadicDifference, 2>;
@@ -67,7 +70,7 @@ class DifferenceTerms {
 
     const Coordinate& operator[](std::size_t row) const noexcept { return terms_[row]; }
 
-    // The digits of a sum of two terms are among them.
+    // Returns a range that has the digits of all terms, and of the sum where a coordinate has two.
     BitRange digits() const noexcept {
         BitRange digits;
         for (const Coordinate& x : terms_) {
@@ -79,7 +82,7 @@ class DifferenceTerms {
         return digits;
     }
 
-    // Counts the difference in units of 2^unit, each term rounded down.
+    // Returns the difference in units of 2^unit, each term rounded down.
     template <class Number>
     std::array<Number, 3> in(int unit) const {
         std::array<Number, 3> result{};
@@ -115,31 +118,31 @@ class PoseTerms {
     void set_offset(const Vec3& t, const Vec3& t0) noexcept { offset_.set(t, t0); }
     void set_no_offset() noexcept { offset_ = {}; }
 
-    const Columns& columns() const noexcept { return columns_; }  // of R
+    const Columns& columns() const noexcept { return columns_; }  // columns of R
     const DifferenceTerms& offset() const noexcept { return offset_; }
 
-    // Returns the digits of all products R_ij v_j of vertices whose coordinates have such digits.
+    // Returns the digits of all products R_ij v_j of vertices whose coordinates have the digits `v`.
     BitRange digits_of_products(const std::array<BitRange, 3>& v) const noexcept {
         BitRange digits;
         for (std::size_t column = 0; column < 3; ++column) digits.include(ranges_[column] * v[column]);
         return digits;
     }
-    // Returns these and those of t - t0.
+    // Returns the digits of all products, and of t - t0.
     BitRange digits(const std::array<BitRange, 3>& v) const noexcept {
         BitRange digits = digits_of_products(v);
         digits.include(offset_.digits());
         return digits;
     }
 
-    // Counts R v + t - t0 in units of 2^unit, each term rounded down. The point is exact where the unit divides all
-    // terms: where it is not above the digits of the vertices' products and of the offset.
+    // Returns R v + t - t0 in units of 2^unit, each term rounded down. The point is exact if 2^unit divides all terms:
+    // if unit is at most the lowest digit of the vertices' products and of the offset.
     template <class Number>
     std::array<Number, 3> point_in(int unit, const Vec3& v) const {
         std::array<Number, 3> p = offset_.in<Number>(unit);
         add_products(v, unit, p);
         return p;
     }
-    // Adds R v to a point.
+    // Adds R v, in units of 2^unit, to a point.
     template <class Number>
     void add_products(const Vec3& v, int unit, std::array<Number, 3>& p) const {
         for (std::size_t column = 0; column < 3; ++column) {
@@ -154,7 +157,7 @@ class PoseTerms {
 
   private:
     Columns columns_{};
-    std::array<BitRange, 3> ranges_;  // of the columns' digits
+    std::array<BitRange, 3> ranges_;  // by column: the range of its digits
     DifferenceTerms offset_;          // t - t0
 };
 

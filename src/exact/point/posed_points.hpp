@@ -1,4 +1,4 @@
-// N points, each of any body, by reference; and the same points rounded, with the bound on their error.
+// PosedPoints are N points of any bodies, by reference; RoundedPoints are such points in doubles, with an error bound.
 #pragma once
 
 #include <algorithm>
@@ -13,33 +13,33 @@
 
 namespace ecods::exact {
 
-// A mesh at a pose, by reference; `extent` is that of the mesh.
+// Refers to a mesh at a pose; `extent` is the mesh's.
 struct BodyRef {
     const Mesh* mesh;
     const MeshExtent* extent;
     const Pose* pose;
 };
 
-// A vertex of one of the bodies of a frame.
+// Names a body of a frame and a vertex of its mesh, by index.
 struct VertexRef {
     std::size_t body;
     std::uint32_t vertex;
 };
 
-// The point R v + t of a body, by reference.
+// Refers to the point R v + t of a body.
 struct PointRef {
     const Pose* pose;
     const Vec3* v;
 };
 
-// Points of up to N bodies. Relative to the translation t0 of the first one's pose they are R v + t - t0.
+// Points of up to N bodies; relative to the translation t0 of the first pose, each is R v + t - t0.
 template <std::size_t N>
 using PosedPoints = std::array<PointRef, N>;
 
 template <std::size_t N>
 struct RoundedPoints {
     Points<N> points;
-    double delta;  // every coordinate differs from the exact one by no more
+    double delta;  // upper bound of the error of every coordinate
 };
 
 template <std::size_t N>
@@ -54,7 +54,7 @@ RoundedPoints<N> round_points(const PosedPoints<N>& exact) noexcept {
     return result;
 }
 
-// The same where every pose is the identity: rounded points are the exact ones.
+// Rounds points whose poses are all the identity, which makes no error.
 template <std::size_t N>
 RoundedPoints<N> plain_points(const PosedPoints<N>& exact) noexcept {
     RoundedPoints<N> result{{}, 0};
@@ -62,7 +62,7 @@ RoundedPoints<N> plain_points(const PosedPoints<N>& exact) noexcept {
         const Vec3& v = *exact[i].v;
         result.points[i] = {v[0], v[1], v[2]};
     }
-    // Subnormal coordinates may be taken for zero.
+    // Covers subnormal coordinates that the processor takes for zero.
     result.delta = 0x1p-1000;
     return result;
 }

@@ -1,7 +1,8 @@
-// Matrices and vectors are short where their digits fit into 64 bits, as those of all but some percent of rotated
-// models do. A product then is nine multiplications, where terms of any digits cost several times that.
+// Matrices and vectors are short if their digits fit into 64 bits, as they do for all but some percent of rotated
+// models. The product of a short matrix and vector takes nine multiplications; terms of any digits cost several times
+// that.
 //
-// Floating-point instructions scale and convert, exactly in any mode.
+// Floating-point instructions scale and convert, exactly in any rounding mode.
 #pragma once
 
 #include <array>
@@ -15,13 +16,14 @@
 
 namespace ecods::exact {
 
-// Magnitudes of short numbers are below 2^62: a sum of three products is below 2^126.
+// Magnitudes of short numbers are below 2^62, so a sum of three products is below 2^126.
 inline constexpr int short_bits = 62;
-// The exponents that powers may have by which numbers become short: no product of them underflows, in any mode.
+// Limits the exponents of powers of two by which numbers are scaled to short ones, so that no scaling underflows, in
+// any mode.
 inline constexpr int short_power_max = 480;
 
-// Converts x times a power of two that leaves it below 2^62, for |x| >= 2^-500 or zero. Returns whether that is an
-// integer: multiplied and converted exactly, and back without a rounding if no digits were cut off.
+// Converts x * power, for |x| >= 2^-500 or x = 0 and a power of two that leaves |x * power| below 2^62. Returns true if
+// the product is an integer: scaling is exact, and converting back gives the same number if no digits were cut off.
 inline bool to_short(double x, double power, std::int64_t& result) noexcept {
     const double scaled = x * power;
     result = static_cast<std::int64_t>(scaled);
@@ -30,7 +32,7 @@ inline bool to_short(double x, double power, std::int64_t& result) noexcept {
 
 class ShortMatrix {
   public:
-    // Returns whether the digits fit; only then may anything be asked.
+    // Returns true if the digits fit; the functions below may be called only then.
     bool bind(const Mat3& R) noexcept;
 
     // Entries are integers in units of 2^unit().
@@ -49,17 +51,17 @@ class ShortMatrix {
     int unit_ = 0;
 };
 
-// Products R v of the vertices of a mesh are short ones where R and all vertices are short, and sums of terms
+// Computes products R v of the vertices of a mesh: short ones if R and all vertices are short, and sums of terms
 // otherwise.
 class ShortProducts {
   public:
-    // Coordinates of vertices have the digits `v`, products the digits `products`.
+    // Binds R. Coordinates of vertices have the digits `v`, and products R_ij v_j the digits `products`.
     void bind(const Mat3& R, const std::array<BitRange, 3>& v, const BitRange& products) noexcept;
     void forget() noexcept { are_short_ = is_bound_ = false; }
     bool is_bound() const noexcept { return is_bound_; }
 
-    // Adds R v, of which `terms` are the terms, in units of 2^unit. Short products are exact: the unit must divide all
-    // of them, and 2^120 units be above them.
+    // Adds R v in units of 2^unit; `terms` are the terms of the same R. Short products are exact: 2^unit must divide
+    // all of them, and they must be below 2^(unit + 120).
     void add(const PoseTerms& terms, const Vec3& v, int unit, TwoLimbKernel::Point& p) const noexcept {
         if (!are_short_) return terms.add_products(v, unit, p);
         std::array<std::int64_t, 3> x;

@@ -1,4 +1,4 @@
-// Vectors of doubles, in the order of operations that bounds are about.
+// Vectors of doubles are computed in the order of operations that error bounds assume.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ ECODS_ALWAYS_INLINE double sum_of_magnitudes(const Point& a) noexcept {
     return (std::abs(a[0]) + std::abs(a[1])) + std::abs(a[2]);
 }
 
-// Which of three numbers is the least, or the greatest: the first of those that are equal.
+// Return the index of the least and of the greatest of three numbers: the first index among equal ones.
 ECODS_ALWAYS_INLINE std::size_t least_of(double x, double y, double z) noexcept {
     return x <= y ? (x <= z ? 0 : 2) : (y <= z ? 1 : 2);
 }
@@ -40,7 +40,7 @@ ECODS_ALWAYS_INLINE std::size_t greatest_of(double x, double y, double z) noexce
     return x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
 }
 
-// The edges of two triangles, each from a corner to the next one.
+// Holds the edges of two triangles, each from a corner to the next one.
 using TriangleEdges = std::array<std::array<Point, 3>, 2>;
 ECODS_ALWAYS_INLINE TriangleEdges edges_of(const Points<6>& x) noexcept {
     return {{{minus(x[1], x[0]), minus(x[2], x[1]), minus(x[0], x[2])},

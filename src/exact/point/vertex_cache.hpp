@@ -1,4 +1,4 @@
-// A cache of fixed size for values of one mesh's vertices.
+// A VertexCache has a fixed size and caches values of one mesh's vertices.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace ecods::exact {
 
-// Direct-mapped: of all vertices with one remainder, the one that was asked for last has its value in the entry.
-// The default size makes 32 KiB of rounded points: a level 1 cache.
+// Direct-mapped: vertices with the same remainder modulo `size` share an entry, which holds the latest of them. The
+// default size makes 32 KiB of rounded points: a level 1 cache.
 template <class Value, std::size_t size = 1024>
 class VertexCache {
   public:
@@ -22,7 +22,7 @@ class VertexCache {
         }
     }
 
-    // The value of `vertex`; make(value) fills it in if it is not there. Valid until the next call.
+    // Returns the value of `vertex`, valid until the next call; make(value) fills it in if it is not cached.
     template <class Make>
     ECODS_ALWAYS_INLINE const Value& get(std::uint32_t vertex, Make&& make) {
         Entry& entry = entries_[vertex % size];
@@ -40,7 +40,7 @@ class VertexCache {
         Value value{};
     };
     std::vector<Entry> entries_ = std::vector<Entry>(size);
-    std::uint64_t epoch_ = std::uint64_t{1} << 32;  // in the upper half of tags, never 0
+    std::uint64_t epoch_ = std::uint64_t{1} << 32;  // the upper half of tags, never 0
 };
 
 }  // namespace ecods::exact

@@ -1,10 +1,10 @@
-// Signs of determinants of N points, each point of any body, in an arithmetic that makes no error with them.
+// ExactSigns gives signs of determinants of N points, each of any body, in an arithmetic that makes no error with them.
 //
-// A provider of signs, this one or another of this folder, answers
+// A provider of signs, from here or from another file of this folder, answers
 //
 //     orient3d(a, b, c, d)     sign of det(b - a, c - a, d - a)
 //     sides(plane, points)     orient3d(plane, plane + 1, plane + 2, p) for p = points, points + 1 and points + 2
-//     orient2d(a, b, c, axis)  the same as orient3d in the projection along an axis
+//     orient2d(a, b, c, axis)  sign of the area of a, b, c in the projection along an axis: positive if they turn left
 //     compare(a, b, axis)      sign of a - b on an axis
 //     normal_axis(plane)       an axis on which the normal of points plane, plane + 1 and plane + 2 is not zero, or -1
 //                              if they are on one line
@@ -20,10 +20,10 @@
 
 namespace ecods::exact {
 
-// The signs of three points against one plane.
+// Holds the signs of three points against one plane.
 using Sides = std::array<int, 3>;
 
-// Kernel: an integer kernel, or PlainArithmetic.
+// Kernel is an integer kernel or PlainArithmetic.
 template <class Kernel, std::size_t N>
 class ExactSigns {
   public:

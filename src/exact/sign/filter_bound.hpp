@@ -1,13 +1,15 @@
-// Bounds of the floating-point filter, as formulas in u = 2^-53, with their derivation.
+// Bounds of the floating-point filter are formulas in u = 2^-53, with their derivation here.
 //
-// Roundings and the points are those of exact/point/point.hpp: u' = 2^-52 bounds one operation in any rounding mode,
-// and delta the error of a point's coordinate. Overflow and NaN make a bound infinite or a comparison false, and the
+// Roundings and points are as in exact/point/point.hpp: u' = 2^-52 bounds one operation in any rounding mode, and delta
+// bounds the error of a point's coordinate. Overflow and NaN make a bound infinite or a comparison false, and the
 // question goes to integers.
 //
-// Differences. x = fl(p - q) of two such points, on an axis on which |p - q| <= ext (rounded points, exact difference):
+// Differences. x = fl(p - q) of two rounded points, on an axis on which |p - q| <= ext (the exact difference of the
+// rounded points), satisfies
 //     |x - exact| <= e = u' ext + 2 delta,    |x|, |exact| <= E = ext + e.
 //
-// Determinant of three differences, computed as a normal (three 2x2 minors) and a dot product. Two sources of error.
+// Determinants of three differences are computed as a normal (three 2x2 minors) and a dot product, with two sources of
+// error.
 // (1) Rounding, for differences as computed: every product of three factors meets at most five roundings; the
 //     proof bounds the sum over the six products of magnitude up to Ex Ey Ez: 28.125 u' Ex Ey Ez
 //     (verify/proofs/orient3d.g; stated there for u' and here as 30 u', which also absorbs the
@@ -17,8 +19,8 @@
 // B3 = (30 u' Ex Ey Ez + 6 (...)) (1 + 2^-20). Half of the last factor's 2^-20 covers all roundings in the evaluation
 // of ext, e, E and B3 (fewer than 40, each 2^-52); the other half covers underflow, see the range guard.
 //
-// The minor of two differences on axes i and j: rounding (17/4) u' Ei Ej (verify/proofs/orient2d.g: two products of
-// two roundings each), input error 2 (ei Ej + Ei ej).
+// Minors of two differences on axes i and j have a rounding error of (17/4) u' Ei Ej (verify/proofs/orient2d.g: two
+// products of two roundings each) and an input error of 2 (ei Ej + Ei ej).
 //
 // Range guard. E < 2^200 keeps every product below 2^602: no overflow. Underflow in the determinant, gradual or to
 // zero, loses at most 2^-1022 in each of six inner products, times a third factor below 2^200, and 2^-1022 in each of
@@ -39,16 +41,16 @@ namespace ecods::exact {
 
 inline constexpr double infinite_bound = std::numeric_limits<double>::infinity();
 
-// Per axis: the error of a rounded difference, and the magnitude of differences.
+// Bounds, by axis, the error of a rounded difference and the magnitude of differences.
 struct DifferenceBound {
     std::array<double, 3> error;
     std::array<double, 3> magnitude;
 };
 
-// The delta of coordinates that are what they are: subnormal ones may be taken for zero.
+// The delta of coordinates that were not posed: the processor may take subnormal ones for zero.
 inline constexpr double own_delta = 0x1p-1000;
 
-// `extent`: on each axis, the largest difference of the rounded points. `delta`: the error of a point's coordinate.
+// `extent` is the largest difference of the rounded points on each axis, `delta` the error of a point's coordinate.
 inline DifferenceBound difference_bound(const std::array<double, 3>& extent, double delta) noexcept {
     DifferenceBound bound;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -64,7 +66,7 @@ inline bool is_in_range(const DifferenceBound& d, double bound) noexcept {
     return std::max({d.magnitude[0], d.magnitude[1], d.magnitude[2]}) < 0x1p200 && bound > 0x1p-780;
 }
 
-// |det3 as computed - exact determinant| <= the result.
+// Bounds the error of orient3d: |det3 as computed - exact determinant| <= the result.
 inline double orient3d_bound(const DifferenceBound& d) noexcept {
     const auto& e = d.error;
     const auto& E = d.magnitude;
@@ -73,7 +75,7 @@ inline double orient3d_bound(const DifferenceBound& d) noexcept {
     return is_in_range(d, bound) ? bound : infinite_bound;
 }
 
-// |minor on axes i, j as computed - exact minor| <= the result.
+// Bounds the error of orient2d: |minor on axes i, j as computed - exact minor| <= the result.
 inline double orient2d_bound(const DifferenceBound& d, std::size_t i, std::size_t j) noexcept {
     const auto& e = d.error;
     const auto& E = d.magnitude;
@@ -81,13 +83,13 @@ inline double orient2d_bound(const DifferenceBound& d, std::size_t i, std::size_
     return is_in_range(d, bound) ? bound : infinite_bound;
 }
 
-// Bounds for all determinants of some points.
+// Holds bounds for all determinants of some points.
 struct DeterminantBounds {
     double orient3d;
     std::array<double, 3> orient2d;  // by the axis of projection
 };
 
-// `extent` and `delta` as for difference_bound.
+// Takes `extent` and `delta` like difference_bound.
 inline DeterminantBounds determinant_bounds(const std::array<double, 3>& extent, double delta) noexcept {
     const DifferenceBound d = difference_bound(extent, delta);
     return {orient3d_bound(d), {orient2d_bound(d, 1, 2), orient2d_bound(d, 2, 0), orient2d_bound(d, 0, 1)}};

@@ -1,4 +1,4 @@
-// Signs from the filter where its bound allows, otherwise from an integer kernel.
+// FilteredSigns takes signs from the filter where its bound allows, otherwise from an integer kernel.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace ecods::exact {
 
-// The axis of the largest component of the rounded normal of points plane, plane + 1 and plane + 2, where the filter
-// works best, or -1 if that component may be zero.
+// Returns the axis of the largest component of the rounded normal of points plane, plane + 1 and plane + 2, where the
+// filter works best, or -1 if that component may be zero.
 template <std::size_t N>
 int certain_normal_axis(const Points<N>& points, int plane, const DeterminantBounds& bounds) noexcept {
     ECODS_ASSERT(plane >= 0 && static_cast<std::size_t>(plane) + 2 < N);
@@ -24,7 +24,7 @@ int certain_normal_axis(const Points<N>& points, int plane, const DeterminantBou
     return size[largest] > bounds.orient2d[largest] ? static_cast<int>(largest) : -1;
 }
 
-// Signs of single determinants of rounded points, 0 where the filter leaves them open.
+// Gives signs of single determinants of rounded points, and 0 where the filter leaves the sign open.
 template <std::size_t N>
 class FilterSigns {
   public:
@@ -56,7 +56,7 @@ class FilterSigns {
     const DeterminantBounds& bounds_;
 };
 
-// The filter's signs, and where it leaves one open, that of the same points as integers.
+// Asks the filter first, and the same points as integers where the filter leaves a sign open.
 template <class Kernel, std::size_t N>
 class FilteredSigns {
   public:
@@ -80,7 +80,7 @@ class FilteredSigns {
         return axis >= 0 ? axis : exact_.normal_axis(plane);
     }
 
-    // Replaces sides that are 0 by those of the integers.
+    // Replaces each side that is 0 by the side in integers.
     Sides complete(Sides sides, int plane, int points) const noexcept {
         if (sides[0] != 0 && sides[1] != 0 && sides[2] != 0) return sides;
         const auto at = [&](int i) -> const auto& {

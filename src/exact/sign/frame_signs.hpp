@@ -1,4 +1,4 @@
-// Exact signs of any number of points of a frame's bodies, by the cheapest way that gives them.
+// with_signs gives exact signs of any number of points of a frame's bodies, in the cheapest way.
 #pragma once
 
 #include <array>
@@ -12,24 +12,24 @@
 
 namespace ecods::exact {
 
-// A bound of the error of orient3d for all rounded points of a frame, until Frame::find_arithmetic is called.
+// Bounds the error of orient3d for all rounded points of a frame, until Frame::find_arithmetic is called.
 inline double orient3d_bound(const Frame& frame) noexcept {
     const Vec3& extent = frame.extent();
     return orient3d_bound(difference_bound({extent[0], extent[1], extent[2]}, frame.delta()));
 }
 
-// Bounds for all determinants of these, `delta` being the error of their coordinates.
+// Bounds the errors of all determinants of a frame's points whose coordinates have an error of at most `delta`.
 inline DeterminantBounds determinant_bounds(const Frame& frame, double delta) noexcept {
     const Vec3& extent = frame.extent();
     return determinant_bounds({extent[0], extent[1], extent[2]}, delta);
 }
 
-// Calls `ask` with a provider of exact signs of the vertices' points, point i being that of vertices[i], and returns
-// its result. `ask` must take every provider of this folder.
+// Calls `ask` with a provider of exact signs of the vertices' points, where point i is vertices[i], and returns its
+// result. `ask` must take every provider of this folder.
 //
-// Cost: it finds a bound for these very points, and makes integers of them whether they are needed or not. A question
-// that the filter mostly decides should try the plain determinants with orient3d_bound(frame) first, as
-// query/intersection does.
+// Cost: finds a bound for just these points, and makes integers of them whether they are needed or not. A question that
+// the filter mostly decides should try the plain determinants with orient3d_bound(frame) first, as query/intersection
+// does.
 template <std::size_t N, class Ask>
 auto with_signs(Frame& frame, const std::array<VertexRef, N>& vertices, Ask&& ask) {
     frame.find_arithmetic();

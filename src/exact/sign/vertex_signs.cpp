@@ -9,9 +9,9 @@
 namespace ecods::exact {
 namespace {
 
-// Whether the points are in a plane across an axis, or along an axis are seen as two points at most, so that they are
-// in a plane along it: faces of boxes and prisms. Bits are compared, so a mode that takes subnormals for zero does not
-// matter.
+// True if all points have one coordinate in common, or if an axis shows at most two points when seen along it, so that
+// they are in a plane along that axis. Faces of boxes and prisms are like this. Bits are compared, so a mode that takes
+// subnormals for zero does not matter.
 bool are_level(const std::array<const Vec3*, 4>& points) noexcept {
     std::array<std::array<std::int64_t, 4>, 3> keys;
     for (std::size_t axis = 0; axis < 3; ++axis) {

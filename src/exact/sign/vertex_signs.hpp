@@ -1,4 +1,4 @@
-// Signs of vertices of one mesh in its own coordinates, where many are asked for.
+// VertexSigns gives signs of many determinants of one mesh's vertices in its own coordinates.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,21 @@
 
 namespace ecods::exact {
 
-// Bounds for all determinants of some points, whose coordinates have no error. At least one point.
+// Returns bounds for all determinants of points whose coordinates have no error. Needs at least one point.
 DeterminantBounds own_bounds(std::span<const Vec3> points) noexcept;
 
-// One bound serves all vertices. Where it does not decide, points are first looked at for what shows without arithmetic
-// that they are in one plane, as those of a face across an axis are; then the exact predicate decides.
+// Decides by one bound for all vertices. If that leaves a sign open, looks for a reason without arithmetic that the
+// points are in one plane, as in a face across an axis; then asks the exact predicate.
 class VertexSigns {
   public:
-    // The vertices must outlive it. Cost: one pass over them.
+    // The vertices must outlive this object. Cost: one pass over them.
     explicit VertexSigns(std::span<const Vec3> vertices) noexcept
         : vertices_(vertices), bounds_(own_bounds(vertices)) {}
 
-    // As ecods::orient3d: exact.
+    // Returns ecods::orient3d of the vertices: exact.
     int orient3d(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const noexcept;
 
-    // The sign of a component of (b - a) x (c - a): exact.
+    // Returns the sign of a component of (b - a) x (c - a): exact.
     int orient2d(std::uint32_t a, std::uint32_t b, std::uint32_t c, int axis) const noexcept;
 
   private:

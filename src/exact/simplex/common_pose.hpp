@@ -1,4 +1,4 @@
-// Bodies that have one pose in common.
+// cancel_common_pose replaces a pose that all bodies have in common by the identity.
 #pragma once
 
 #include <span>
@@ -10,18 +10,18 @@
 
 namespace ecods::exact {
 
-// Whether a matrix is a bijection: exact, as the sign of the determinant is that of its columns and the origin.
+// True if a matrix is a bijection. Exact: orient3d of the origin and the columns has the determinant's sign.
 inline bool is_regular(const Mat3& R) noexcept {
     return orient3d(Vec3::Zero(), R.col(0), R.col(1), R.col(2)) != Sign::zero;
 }
 
-// Whether it turns a right-handed frame to a left-handed one: exact, too.
+// True if a matrix turns a right-handed frame into a left-handed one. Exact, too.
 inline bool is_mirror(const Mat3& R) noexcept {
     return orient3d(Vec3::Zero(), R.col(0), R.col(1), R.col(2)) == Sign::negative;
 }
 
-// Gives all bodies the identity for a pose if theirs are the same bits and regular: a common affine bijection changes
-// no relation of theirs, and where they were modelled coordinates are shorter.
+// Gives all bodies the identity for a pose if their poses have the same bits and are regular. A common affine bijection
+// changes no relation between the bodies, and coordinates are shorter where the bodies were modelled.
 inline void cancel_common_pose(std::span<BodyRef> bodies) noexcept {
     static const Pose identity;
     ECODS_ASSERT(!bodies.empty());

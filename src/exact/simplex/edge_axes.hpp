@@ -1,9 +1,9 @@
-// Triangles that may have no area, kept apart by a plane along an edge of each.
+// Triangles that may have no area are separated by the cross product of an edge of each.
 //
 // The plane of a triangle that is a segment is not known from rounded points: all its determinants are open, and every
 // pair with such a triangle whose boxes meet would go to integers. Real meshes have such triangles. Disjoint convex
-// polygons that no plane of theirs separates are separated by the cross product of an edge of each (Gottschalk, Lin and
-// Manocha, OBBTree, SIGGRAPH 1996, section 5), which is clear of zero for most.
+// polygons that neither polygon's plane separates are separated by the cross product of an edge of each (Gottschalk,
+// Lin and Manocha, OBBTree, SIGGRAPH 1996, section 5), which is certainly not zero for most pairs.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 
 namespace ecods::exact {
 
-// Whether the cross product of an edge of each triangle certainly separates them. Points 0 to 2 are the corners of the
-// first triangle, 3 to 5 those of the second; `bound` is one for every orient3d of them.
+// True if the cross product of an edge of each triangle certainly separates them. Points 0 to 2 are the corners of the
+// first triangle, 3 to 5 the corners of the second; `bound` must hold for every orient3d of these points.
 //
 // Projections on n = u x e are taken from the beginning p of the edge u. The ends of u are at 0, exactly, and so is the
-// difference of the ends of e; the projections of other points x are det(u, e, x - p), a determinant of three
-// differences of the six points, which is off by no more than the bound. So the two intervals are disjoint if as
-// computed one begins more than twice the bound behind the end of the other; asking for four times the bound covers the
-// rounding of that difference. An infinite bound separates nothing.
+// difference of the ends of e. The projection of any other point x is det(u, e, x - p), a determinant of three
+// differences of the six points, which is off by at most the bound. So the two intervals are disjoint if, as computed,
+// one begins more than twice the bound behind the end of the other; four times the bound covers the rounding of that
+// difference. An infinite bound separates nothing.
 inline bool edges_separate(const Points<6>& w, double bound) noexcept {
     for (std::size_t i = 0; i < 3; ++i) {
         const Point &p = w[i], &q = w[(i + 1) % 3], &r = w[(i + 2) % 3];

@@ -1,6 +1,6 @@
-// How the segment or point that a zero-area triangle spans meets a triangle of positive area, decided from signs alone
-// (exact/sign/exact_signs.hpp): where on the triangle's boundary pieces of the segment may begin. Points 0 to 2 are the
-// corners of the first, 3 to 5 those of the second.
+// flat_contact decides from signs alone (exact/sign/exact_signs.hpp) how the segment or point that a zero-area triangle
+// spans meets a triangle of positive area, and where on the triangle's boundary pieces of the segment may begin. Points
+// 0 to 2 are the corners of the first triangle, 3 to 5 the corners of the second.
 #pragma once
 
 #include <array>
@@ -13,11 +13,12 @@ namespace ecods::exact {
 struct FlatContact {
     bool meets = false;
     bool crosses = false;  // the open segment and the open triangle share a single point
-    // The ends of the segment, as corners of the first; equal for a point.
+    // Corners of the first triangle that are the ends of the segment; equal for a point.
     int from = 0;
     int to = 0;
-    // Unless it crosses: the corners of the second on the segment, but for one at its end `to`; and the sides, from
-    // that corner to the next one, inside which it has a single point that is not that end.
+    // Set if crosses is false. holds_vertex[k] is true if corner k of the second triangle is on the segment, but not at
+    // its end `to`. crosses_edge[k] is true if the segment meets the second triangle's side from corner k to the next
+    // one in a single point inside the side, which is not `to`.
     std::array<bool, 3> holds_vertex{};
     std::array<bool, 3> crosses_edge{};
 };

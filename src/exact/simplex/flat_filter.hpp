@@ -1,5 +1,5 @@
-// Two triangles in one plane that is seen along a coordinate axis, decided by plain doubles and one bound. Points 0 to
-// 2 are the corners of the first triangle, 3 to 5 those of the second.
+// filter_flat decides two triangles in one plane, seen along a coordinate axis, by plain doubles and one bound. Points
+// 0 to 2 are the corners of the first triangle, 3 to 5 the corners of the second.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,11 @@ namespace ecods::exact {
 
 enum class FlatAnswer : std::uint8_t { disjoint, touching, unknown };
 
-// `bound` must hold for every orient2d of these points along the axis. As in coplanar_pair (triangle_pair.hpp) they are
-// disjoint exactly when all of one is strictly on the outer side of an edge of the other: that is certain if the three
-// values are beyond the bound; and no edge separates if each has a corner certainly on its inner side. Both need turns
-// that are certain. An infinite bound decides nothing.
+// Decides by `bound`, which must hold for every orient2d of these points along the axis. As in coplanar_pair
+// (triangle_pair.hpp), the triangles are disjoint exactly when all of one is strictly on the outer side of an edge of
+// the other. An edge certainly separates if all three values are beyond the bound. No edge separates if each has a
+// corner of the other triangle certainly on its inner side. Both need turns that are certain. An infinite bound decides
+// nothing.
 inline FlatAnswer filter_flat(const Points<6>& w, int axis, double bound) noexcept {
     bool may_separate = false;
     for (const std::size_t own : {std::size_t{0}, std::size_t{3}}) {

@@ -1,11 +1,11 @@
-// Whether a ray along an axis crosses a triangle, from a point that is moved symbolically where it has to be. Decided
-// from signs alone (exact/sign/exact_signs.hpp). Points 0 to 2 are the corners of the triangle.
+// Rays along an axis are tested against a triangle from signs alone (exact/sign/exact_signs.hpp). Points 0 to 2 are the
+// corners of the triangle. A ray that would hit a side or a corner is moved symbolically.
 //
-// Seen along the axis, the triangle is its shadow, a triangle of the plane, unless it is parallel to the axis: then a
-// ray that is moved in a general way misses it. The ray begins at a point m off the triangle, and m is moved so little
-// that no sign changes but those that were zero: so m is in the open shadow, or off the closed one. It crosses the
-// triangle exactly when it is in the shadow and the triangle is in front of it. Positive orient3d(0, 1, 2, m) says that
-// m is above the triangle as seen along the axis if the shadow turns left, and below it if it turns right.
+// The triangle's shadow is its projection along the axis: a triangle of the plane, unless it is parallel to the axis;
+// then a ray that is moved in a general way misses it. The ray begins at a point m off the triangle, and m is moved so
+// little that no sign changes but those that were zero: so m is in the open shadow, or off the closed one. The ray
+// crosses the triangle exactly when m is in the shadow and the triangle is in front of m. Positive orient3d(0, 1, 2, m)
+// says that m is above the triangle as seen along the axis if the shadow turns left, and below it if it turns right.
 #pragma once
 
 #include <array>
@@ -17,21 +17,21 @@
 
 namespace ecods::exact {
 
-// The axis, 0 to 2, and 1 or -1 for a ray that goes up or down on it.
+// Names the axis, 0 to 2, and 1 or -1 for a ray that goes up or down on it.
 struct RayDirection {
     int axis = 0;
     int sign = 1;
 };
 
-// The open feature of a triangle that holds a point.
+// Names the open feature of a triangle that holds a point.
 struct PointFeature {
     enum class Kind : std::uint8_t { none, vertex, edge, face };
 
     Kind kind = Kind::none;
-    int corner = 0;  // the vertex, or where the edge begins
+    int corner = 0;  // the vertex, or the corner where the edge begins
 };
 
-// The feature of a triangle that may have no area which holds point 3.
+// Returns the feature that holds point 3, of a triangle that may have no area.
 template <class Signs>
 PointFeature feature_at(Signs& signs) {
     using Kind = PointFeature::Kind;
@@ -53,8 +53,8 @@ PointFeature feature_at(Signs& signs) {
     return {Kind::face, 0};
 }
 
-// Whether the ray from `m` crosses the triangle; `in_shadow(a, b)` is the sign of orient2d(a, b, m) along its axis, and
-// `above()` that of orient3d(0, 1, 2, m), neither of them zero.
+// True if the ray from `m` crosses the triangle. `in_shadow(a, b)` is the sign of orient2d(a, b, m) along the ray's
+// axis, and `above()` the sign of orient3d(0, 1, 2, m); neither may be zero.
 template <class Signs, class InShadow, class Above>
 bool crosses(Signs& signs, RayDirection ray, InShadow&& in_shadow, Above&& above) {
     const int turn = signs.orient2d(0, 1, 2, ray.axis);
@@ -65,9 +65,10 @@ bool crosses(Signs& signs, RayDirection ray, InShadow&& in_shadow, Above&& above
     return above() * turn * ray.sign < 0;
 }
 
-// The ray from point 3, which is not on the triangle, with m = p + d e_i + d^2 e_j for the other two axes i and j and
-// an infinitesimal d > 0. orient2d(a, b, m) is (b_i - a_i)(m_j - a_j) - (b_j - a_j)(m_i - a_i): where it is 0 for p,
-// the sign of its change is that of a_j - b_j, and if that is zero, that of b_i - a_i.
+// True if the ray from point 3, p, crosses the triangle. p is not on the triangle, and m = p + d e_i + d^2 e_j for the
+// other two axes i and j and an infinitesimal d > 0. orient2d(a, b, m) is
+// (b_i - a_i)(m_j - a_j) - (b_j - a_j)(m_i - a_i): if it is 0 for p, its change has the sign of a_j - b_j or, if that
+// is zero, of b_i - a_i.
 template <class Signs>
 bool ray_crosses(Signs& signs, RayDirection ray) {
     const int i = (ray.axis + 1) % 3, j = (ray.axis + 2) % 3;
@@ -79,8 +80,9 @@ bool ray_crosses(Signs& signs, RayDirection ray) {
     return crosses(signs, ray, in_shadow, [&] { return signs.orient3d(0, 1, 2, 3); });
 }
 
-// The ray from inside the triangle of points 3, 4 and 5, p, q and r, with m = p + d (q - p) + d^2 (r - p). Signs are
-// those of functions that are affine in m: the first of their values at p, q and r that is not zero.
+// True if the ray from inside the triangle p, q, r of points 3, 4 and 5 crosses the other triangle, where
+// m = p + d (q - p) + d^2 (r - p). A function that is affine in m has the sign of the first of its values at p, q and r
+// that is not zero.
 template <class Signs>
 bool inner_ray_crosses(Signs& signs, RayDirection ray) {
     const auto in_shadow = [&](int a, int b) {
@@ -95,17 +97,19 @@ bool inner_ray_crosses(Signs& signs, RayDirection ray) {
     return crosses(signs, ray, in_shadow, above);
 }
 
-// What a ray does to a triangle of positive area.
+// Says how a ray meets a triangle of positive area.
 enum class RayContact : std::uint8_t {
     misses,
     crosses,
     begins_on,
 };
 
-// The ray from m = p + d (q - p) + d^2 (r - p) + d^3 e_i + d^4 e_j, p, q and r being points 3, 4 and 5, which may be
-// equal or on one line: for q = r, m is beside p on the way to q. It begins on the triangle if it does without the last
-// two terms, which are there so that its shadow is off the lines of the triangle's sides. Where it does not, those do
-// not change on which side of the triangle's plane m is: m is off the plane, or off the triangle's shadow.
+// Decides the ray from m = p + d (q - p) + d^2 (r - p) + d^3 e_i + d^4 e_j, where p, q and r are points 3, 4 and 5.
+// They may be equal or on one line: for q = r, m is beside p on the way to q.
+//
+// Let m' be m without the last two terms. The ray begins on the triangle if m' is on it. Otherwise m' is in the
+// triangle's plane and beside the triangle, which the ray misses, or off the plane. The last two terms then leave m on
+// the same side of the plane, and move its shadow off the lines of the triangle's sides.
 template <class Signs>
 RayContact moved_ray_contact(Signs& signs, RayDirection ray) {
     const auto first_sign = [](auto&& at) {

@@ -1,11 +1,12 @@
-// Whether two triangles of positive area share more than isolated points, and along which of their features, decided
-// from signs alone (exact/sign/exact_signs.hpp). Points 0 to 2 are the corners of the first triangle, 3 to 5 those of
-// the second.
+// triangle_contact decides from signs alone (exact/sign/exact_signs.hpp) whether two triangles of positive area share
+// more than isolated points, and along which of their features. Points 0 to 2 are the corners of the first triangle, 3
+// to 5 the corners of the second.
 //
-// Triangles in two planes share what their intervals on the line of the planes share (triangle_pair.hpp): a segment
-// exactly when both comparisons are strict and neither interval is a single corner, which it is when that corner is in
-// the other's plane and the other two are strictly on one side of it. All of the segment then lies on a side of a
-// triangle if the two ends of that side are in the other's plane, and inside the triangle otherwise.
+// Triangles in two planes share the intersection of their intervals on the line of the planes (triangle_pair.hpp). It
+// is a segment exactly when both comparisons are strict and neither interval is a single corner. An interval is a
+// single corner if this corner is in the other's plane and the other two corners are strictly on one side of it. The
+// whole segment then lies on a side of a triangle if both ends of the side are in the other's plane, and inside the
+// triangle otherwise.
 #pragma once
 
 #include <array>
@@ -20,8 +21,8 @@ namespace ecods::exact {
 
 enum class ContactKind : std::uint8_t {
     none,      // they share no point
-    point,     // one point
-    segment,   // a segment, of two planes
+    point,     // they share one point
+    segment,   // they share a segment, and are in two planes
     coplanar,  // the triangles are in one plane
     flat,      // the first has no area and is not in the plane of the second
 };
@@ -30,12 +31,13 @@ struct TriangleContact {
     static constexpr int face = -1;
 
     ContactKind kind = ContactKind::none;
-    // Of a segment: the side of each triangle that it lies on, from that corner to the next one, or `face`.
+    // For a segment: the side of each triangle that it lies on, from corner `first` or `second` to the next one, or
+    // `face`.
     int first = face;
     int second = face;
 };
 
-// The side whose ends both have the sign 0, or `face`.
+// Returns the side whose ends both have the sign 0, or `face`.
 inline int side_in_plane(const Sides& s) noexcept {
     for (std::size_t i = 0; i < 3; ++i) {
         if (s[i] == 0 && s[(i + 1) % 3] == 0) return static_cast<int>(i);
@@ -43,12 +45,12 @@ inline int side_in_plane(const Sides& s) noexcept {
     return TriangleContact::face;
 }
 
-// Whether one corner is in the plane and the others are strictly on one side.
+// True if one corner is in the plane and the others are strictly on one side.
 inline bool is_single_corner(const Sides& s) noexcept {
     return (s[0] == 0) + (s[1] == 0) + (s[2] == 0) == 1 && !strictly_on_both(s);
 }
 
-// The second triangle has an area. If the first has none, the answer is none, coplanar or flat.
+// Needs a second triangle with an area. If the first has none, the answer is none, coplanar or flat.
 template <class Signs>
 TriangleContact triangle_contact(Signs& signs) {
     const Sides first = signs.sides(3, 0);
@@ -67,7 +69,7 @@ TriangleContact triangle_contact(Signs& signs) {
     return {ContactKind::segment, side_in_plane(first), side_in_plane(second)};
 }
 
-// Whether two triangles of one plane share an inner point, seen along an axis on which that plane's normal is not zero:
+// True if two triangles of one plane share an inner point, seen along an axis on which that plane's normal is not zero:
 // no side of either has all of the other on its outer side or on its line.
 template <class Signs>
 bool coplanar_faces_overlap(Signs& signs, int axis) {
@@ -85,8 +87,8 @@ bool coplanar_faces_overlap(Signs& signs, int axis) {
     return true;
 }
 
-// Whether the segments pq and rs of one plane, which has a normal that is not zero on this axis, lie along each other:
-// on one line, with more than a point in common. Points of a line are ordered as their coordinates on the first axis on
+// True if the segments pq and rs of one plane lie along each other: on one line, with more than a point in common. The
+// plane's normal is not zero on `normal_axis`. Points of a line are ordered by their coordinates on the first axis on
 // which p and q differ.
 template <class Signs>
 bool segments_lie_along(Signs& signs, int p, int q, int r, int s, int normal_axis) {

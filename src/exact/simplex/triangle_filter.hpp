@@ -1,9 +1,9 @@
-// The hot path: a pair of triangles decided by plain doubles and one bound. Points 0 to 2 are the corners of the first
-// triangle, 3 to 5 those of the second.
+// The triangle filter is the hot path: it decides a pair of triangles by plain doubles and one bound. Points 0 to 2 are
+// the corners of the first triangle, 3 to 5 the corners of the second.
 //
-// A bound is either finite, and then no coordinate is large enough for a NaN or infinity to arise
-// (exact/sign/filter_bound.hpp), or infinite, and then no comparison with it succeeds. So minima and maxima need no
-// care about NaN.
+// A bound is finite or infinite. If it is finite, no coordinate is large enough for a NaN or infinity to arise
+// (exact/sign/filter_bound.hpp). If it is infinite, no comparison with it succeeds. So minima and maxima need no care
+// about NaN.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace ecods::exact {
 // The filter never certifies touching: it cannot distinguish a zero from a small number.
 enum class FilterAnswer { disjoint, crossing, unknown };
 
-// The values of one plane's determinant at three corners.
+// Holds the values of one plane's determinant at three corners.
 struct PlaneSides {
     double a, b, c;
 
@@ -31,7 +31,7 @@ struct PlaneSides {
     ECODS_ALWAYS_INLINE bool are_certain(double bound) const noexcept {
         return std::min({std::abs(a), std::abs(b), std::abs(c)}) > bound;
     }
-    // 1 or -1 where the sign is certain, otherwise 0.
+    // Returns 1 or -1 where the sign is certain, otherwise 0.
     ECODS_ALWAYS_INLINE Sides certain_signs(double bound) const noexcept {
         return {certain_sign(a, bound), certain_sign(b, bound), certain_sign(c, bound)};
     }
@@ -42,7 +42,7 @@ ECODS_ALWAYS_INLINE PlaneSides plane_sides(const Points<6>& w, std::size_t own, 
     return {plain_side(n, w[own], w[other]), plain_side(n, w[own], w[other + 1]), plain_side(n, w[own], w[other + 2])};
 }
 
-// The two comparisons along the line of the planes, for sides that are all certain.
+// Decides by the two comparisons along the line of the planes, for sides that are all certain.
 inline FilterAnswer filter_edges(const Points<6>& w, const Sides& first, const Sides& second, double bound) noexcept {
     const EdgeComparison e = name_corners(first, second);
     const auto at = [&](int i) -> const Point& { return w[static_cast<std::size_t>(i)]; };
@@ -53,7 +53,7 @@ inline FilterAnswer filter_edges(const Points<6>& w, const Sides& first, const S
     return begin < -bound && end < -bound ? FilterAnswer::crossing : FilterAnswer::unknown;
 }
 
-// The determinants that the filter computed before it gave up, for the stages after it.
+// Keeps the determinants that the filter computed before it gave up, for the stages after it.
 struct FilterTrace {
     PlaneSides first;   // corners of the first triangle against the plane of the second
     PlaneSides second;  // set unless `first` decided
@@ -69,14 +69,14 @@ ECODS_ALWAYS_INLINE FilterAnswer filter(const Points<6>& w, double bound, Filter
     return filter_edges(w, trace.first.certain_signs(bound), trace.second.certain_signs(bound), bound);
 }
 
-// The same with another bound, for determinants that have been computed.
+// Tries to decide by another bound, from determinants that have been computed.
 inline FilterAnswer filter_again(const Points<6>& w, double bound, const FilterTrace& trace) noexcept {
     if (trace.first.are_beyond(bound) || trace.second.are_beyond(bound)) return FilterAnswer::disjoint;
     if (!trace.first.are_certain(bound) || !trace.second.are_certain(bound)) return FilterAnswer::unknown;
     return filter_edges(w, trace.first.certain_signs(bound), trace.second.certain_signs(bound), bound);
 }
 
-// FilteredSigns of two triangles, with sides from a trace in which both planes are set.
+// Takes the sides of two triangles from a trace in which both planes are set, and other signs from FilteredSigns.
 template <class Kernel>
 class TracedSigns : public FilteredSigns<Kernel, 6> {
   public:
@@ -85,7 +85,7 @@ class TracedSigns : public FilteredSigns<Kernel, 6> {
                 const IntegerPoints<Kernel, 6>& integers) noexcept
         : FilteredSigns<Kernel, 6>(points, bounds, integers), trace_(trace), bound_(bounds.orient3d) {}
 
-    // Of two triangles there are only these: `points` is the other triangle.
+    // Two triangles have only these sides: `points` is the other triangle.
     Sides sides(int plane, int points) const noexcept {
         ECODS_ASSERT((plane == 0 && points == 3) || (plane == 3 && points == 0));
         return this->complete((plane == 3 ? trace_.first : trace_.second).certain_signs(bound_), plane, points);

@@ -1,20 +1,20 @@
-// How two triangles meet, decided from signs alone.
+// triangle_pair decides from signs alone how two triangles meet.
 //
 // The decision is written once, for any provider of signs (exact/sign/exact_signs.hpp). Points 0 to 2 are the corners
-// of the first triangle, 3 to 5 those of the second: a triangle is named by the first of its corners. If the provider's
-// signs are exact, so is the decision.
+// of the first triangle, 3 to 5 the corners of the second; a triangle is named by the first of its corners. If the
+// provider's signs are exact, so is the decision.
 //
 // Proper triangles in different planes (Guigue and Devillers 2003, derived again). Let the corners of each be on both
 // closed sides of the other's plane. Both triangles then meet the line L of the two planes in closed intervals. Name
 // the corners of the first p1, q1, r1 such that p1 is alone on its side: q1 and r1 are on the opposite closed side. L
-// meets the first triangle between its edges p1q1 and p1r1, and the second between p2q2 and p2r2. Swap q2 and
-// r2 if p1 is on the negative side of the second plane, and q1 and r1 if p2 is on the negative side of the first: then
-// both intervals are named in the same direction along L, and they share a point exactly when neither ends before the
-// other begins. That the end on p1r1 is not before the beginning on p2q2 is a sign of orient3d of the two edges, and so
-// is the other comparison. They share an open interval exactly when both comparisons are strict.
+// meets the first triangle between its edges p1q1 and p1r1, and the second between p2q2 and p2r2. Swap q2 and r2 if p1
+// is on the negative side of the second plane, and q1 and r1 if p2 is on the negative side of the first. Then both
+// intervals are named in the same direction along L, and they share a point exactly when neither ends before the other
+// begins. Each of these two comparisons is a sign of orient3d of two edges: for the beginning on p2q2 and the end on
+// p1r1, of these two edges. The intervals share an open interval exactly when both comparisons are strict.
 //
-// Relative interiors then share a point exactly when each triangle has corners strictly on both sides (otherwise the
-// part of it on L is on its boundary) and both comparisons are strict.
+// Relative interiors then share a point exactly when each triangle has corners strictly on both sides (otherwise its
+// interval on L is on its boundary) and both comparisons are strict.
 #pragma once
 
 #include <array>
@@ -40,25 +40,26 @@ inline bool strictly_on_both(const Sides& s) noexcept {
     return (s[0] > 0 || s[1] > 0 || s[2] > 0) && (s[0] < 0 || s[1] < 0 || s[2] < 0);
 }
 
-// The corner that is alone on its side, and whether that side is the negative one.
+// Names the corner that is alone on its side; `negative` is true if that side is the negative one.
 struct Apex {
     int corner;
     bool negative;
 };
 
-// `s` is not all positive, all negative or all zero.
+// Returns the apex; `s` must not be all positive, all negative or all zero.
 inline Apex find_apex(const Sides& s) noexcept {
     ECODS_ASSERT(!all_positive(s) && !all_negative(s) && !all_zero(s));
     const int positive_count = (s[0] > 0) + (s[1] > 0) + (s[2] > 0);
     const int negative_count = (s[0] < 0) + (s[1] < 0) + (s[2] < 0);
-    // With one positive corner the other two are on the closed negative side, and the other way round. Otherwise one
-    // corner is in the plane and the other two are strictly on one side: the one in the plane is on the opposite one.
+    // If one corner is positive, the other two are on the closed negative side; if one is negative, on the closed
+    // positive side. Otherwise one corner is in the plane and the other two are strictly on one side: the one in the
+    // plane counts as on the opposite side.
     const int wanted = positive_count == 1 ? 1 : negative_count == 1 ? -1 : 0;
     const bool negative = wanted < 0 || (wanted == 0 && positive_count > 0);
     return {s[0] == wanted ? 0 : s[1] == wanted ? 1 : 2, negative};
 }
 
-// The five corners that the two comparisons along L are about.
+// Names the corners that the two comparisons along L are about.
 struct EdgeComparison {
     int p1, q1, r1, p2, q2, r2;
 };
@@ -73,8 +74,8 @@ inline EdgeComparison name_corners(const Sides& first, const Sides& second) noex
     return e;
 }
 
-// Two proper triangles in one plane, seen along an axis on which that plane's normal is not zero. Two convex polygons
-// are disjoint exactly when all of one is strictly on the outer side of an edge of the other.
+// Decides two proper triangles in one plane, seen along an axis on which that plane's normal is not zero. Two convex
+// polygons are disjoint exactly when all of one is strictly on the outer side of an edge of the other.
 template <class Signs>
 Relation coplanar_pair(Signs& signs, int axis) {
     for (const int own : {0, 3}) {
@@ -94,7 +95,8 @@ Relation coplanar_pair(Signs& signs, int axis) {
     return Relation::touching;
 }
 
-// At least one of the triangles' corners are all in the other's plane (a zero-area triangle has every plane).
+// Decides a pair of which one triangle has all corners in the other's plane. (Against a zero-area triangle all points
+// have side 0.)
 template <class Signs>
 Relation flat_pair(Signs& signs) {
     const int axis = signs.normal_axis(3);

@@ -15,21 +15,23 @@ namespace {
 using Double4 = Vec<double, 4>;
 using Four = std::array<Double4, 3>;  // vectors, one in each lane
 
-// Each step shortens or parts an interval. More than these are only needed where both triangles graze each other.
+// Limits the steps, each of which shortens or parts an interval. More are only needed if both triangles graze each
+// other.
 constexpr int step_max = 96;
 constexpr int coarse_step_max = 3;
-// A chord's zero is as near to the meeting as the square of the interval's length: so of what is left the first half is
-// looked at; where they meet in it, the first quarter of that, then a sixteenth (as in quadratic interval refinement:
-// Abbott, Quadratic interval refinement for real roots, 2014).
+// Limits how far an interval is parted. The distance of a chord's zero from the meeting shrinks as the square of the
+// interval's length. So the first half of an interval is searched; if the triangles may meet in it, its first quarter,
+// then its first sixteenth (as in quadratic interval refinement: Abbott, Quadratic interval refinement for real roots,
+// 2014).
 constexpr int halvings_max = 32;
-// Shorter ones are not parted: relative to their end, a few times the distance of doubles.
+// Limits the length, relative to the end, of intervals that are parted: a few times the distance of doubles.
 constexpr double length_min = 0x1p-44;
 
 ECODS_ALWAYS_INLINE Four four(const Point& a, const Point& b, const Point& c, const Point& d) noexcept {
     return {Double4{a[0], b[0], c[0], d[0]}, Double4{a[1], b[1], c[1], d[1]}, Double4{a[2], b[2], c[2], d[2]}};
 }
 
-// The ends of both triangles on four axes at one time.
+// Holds the ends of both triangles' projections on four vectors at once.
 struct Ends {
     Double4 low_a, high_a, low_b, high_b;
 
@@ -43,12 +45,12 @@ struct Ends {
     }
 };
 
-// What is left of an interval, as parts of its length: nothing where first > last.
+// The remaining part of an interval, as parts of its length: nothing if first > last.
 struct Part {
     double first = 0, last = 1;
 };
 
-// The gaps at both ends of the interval leave the part between the zeros of their chords.
+// Keeps the part between the zeros of the gaps' chords, from the gaps along four vectors at both ends of the interval.
 ECODS_ALWAYS_INLINE void shorten(Part& part, Double4 gap_from, Double4 gap_to) noexcept {
     const Double4 zero{}, one = zero + 1, two = zero + 2;
     const auto apart_before = gap_from > zero, apart_after = gap_to > zero;
@@ -61,7 +63,8 @@ ECODS_ALWAYS_INLINE void shorten(Part& part, Double4 gap_from, Double4 gap_to) n
     }
 }
 
-// Above a sum of which no part was rounded by more than an ulp, or lost 2^-1022 to underflow.
+// Returns an upper bound of a sum as computed, no part of which was rounded by more than an ULP or lost 2^-1022 to
+// underflow.
 ECODS_ALWAYS_INLINE double above(double sum) noexcept {
     return next_up(next_up(sum + 0x1p-1000));
 }
@@ -105,7 +108,7 @@ class Bounds {
     }
 
   private:
-    // Corners at a time, and how far they are off.
+    // Holds corners at a time, with their error bounds.
     struct Corners {
         Points<6> points;
         Point error;
@@ -126,7 +129,7 @@ class Bounds {
         shorten(part, (before.low_a - before.high_b) - bound_before, (after.low_a - after.high_b) - bound_after);
     }
 
-    // Made larger where products of their differences could underflow: where the bodies grow much larger on the way.
+    // Scales points up if products of their differences could underflow: if the bodies grow much larger on their way.
     ECODS_ALWAYS_INLINE static Points<6> without_small(const Points<6>& points) noexcept {
         constexpr double small = 0x1p-64;
         double size = 0;
@@ -140,7 +143,7 @@ class Bounds {
         return result;
     }
 
-    // By the normals of the faces and the products of edges, as they are at the beginning.
+    // Shortens by the normals of the faces and the cross products of edges, as they are at the beginning.
     ECODS_ALWAYS_INLINE static Part remaining(const Corners& from, const Corners& to) noexcept {
         const Points<6> p = without_small(from.points);
         const auto [a, b] = edges_of(p);

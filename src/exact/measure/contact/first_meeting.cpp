@@ -28,7 +28,8 @@ class MeetingSearch {
     }
 
   private:
-    // The features in question whose corners are among those of a corner and a triangle, or of two edges.
+    // Returns the pairs of features in question all of whose corners belong to `four`: a corner and a triangle, or two
+    // edges.
     FeatureSet part_of(const FeaturePair& four) const noexcept {
         const CornerPairs pairs = corner_pairs(four);
         FeatureSet result = 0;
@@ -41,7 +42,7 @@ class MeetingSearch {
         return static_cast<std::size_t>(std::countr_zero(features));
     }
 
-    // The first features of a set that share a point at a time, or null.
+    // Returns the first features of a set that share a point at a time, or null.
     const FeaturePair* first_shared(FeatureSet features, Root& time) {
         TrianglesAtRoot then(triangles_, time);
         for (; features != 0; features &= features - 1) {
@@ -81,7 +82,7 @@ class MeetingSearch {
         return roots ? std::move(*roots) : std::vector<Root>();
     }
 
-    // Keeps the first root at which one of the features is shared, if it is before what is known.
+    // Keeps the first root at which one of the features is shared, if it is before the first time so far.
     void try_roots(const Polynomial& p, FeatureSet part) {
         for (Root& time : roots_of(p)) {
             if (first_ && compare(time, *first_) >= 0) return;
@@ -108,7 +109,7 @@ PartialAnswer first_meeting_in(MovingTriangles& triangles, const TimeCells& cell
     return MeetingSearch(triangles, features, &cells).run();
 }
 
-// Powers of two that are normal numbers, and integers below 2^53: all of it is exact.
+// Powers of two that are normal numbers, and integers below 2^53, make all of this exact.
 TimeSpan TimeCells::span() const noexcept {
     const double unit = std::bit_cast<double>(static_cast<std::uint64_t>(1023 - bits) << 52);
     return {static_cast<double>(m) * unit, static_cast<double>(m + count) * unit};
@@ -116,7 +117,8 @@ TimeSpan TimeCells::span() const noexcept {
 
 std::optional<TimeCells> cells_around(const TimeSpan& time) noexcept {
     constexpr int bits_min = 21, bits_max = 900, relative = 44;
-    // As powers of two: not below the length, and not below the time by more than so many bits, so that m has 45.
+    // The unit is at least the length, and at least 2^-44 of the power of two in time.to, so that m has at most 45
+    // bits.
     const auto exponent = [](double x) { return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52) - 1023; };
     const int unit = std::max(exponent(time.to - time.from) + 1, exponent(time.to) - relative);
     const int bits = -unit;

@@ -1,6 +1,6 @@
-// Seen along the motion, triangles that will share a point overlap, and the first time is that of a corner of what they
-// share there: of a vertex in the other's face, or of two edges that cross (contact_times.hpp). Otherwise an edge of
-// one separates them.
+// Projected along the motion, triangles that will share a point overlap. The first time then belongs to a corner of the
+// overlap: a vertex in the other's face, or two edges that cross (contact_times.hpp). Otherwise an edge of one
+// separates the projections.
 #include "exact/measure/contact/guess_contact.hpp"
 
 #include <algorithm>
@@ -23,7 +23,8 @@ class Guess {
                 const Point c = cross(m, edge_[side][i]);
                 square_[side][i] = dot(c, c);
                 for (Index j = 0; j < 3; ++j) over_[side][i][j] = dot(c, minus(at(1 - side, j), at(side, i)));
-                // The sum of the three is the same for each corner of the other, and this at the third corner.
+                // own_ is the determinant for the triangle's own third corner. It is also the sum of over_ over the
+                // three edges, for any corner of the other triangle.
                 own_[side][i] = dot(c, minus(at(side, next_corner(next_corner(i))), at(side, i)));
             }
         }
@@ -45,7 +46,7 @@ class Guess {
   private:
     const Point& at(Index side, Index i) const noexcept { return x_[3 * side + i]; }
 
-    // The edge that leaves the widest gap.
+    // Finds the edge that leaves the widest gap.
     ECODS_ALWAYS_INLINE bool find_gap() noexcept {
         double widest = 0;
         for (Index side = 0; side < 2; ++side) {
@@ -66,7 +67,7 @@ class Guess {
         return widest > 0;
     }
 
-    // Corner j against the face of `side`.
+    // Tries corner j of the other triangle against the face of `side`.
     ECODS_ALWAYS_INLINE void try_face(Index side, Index j) noexcept {
         const double s0 = over_[side][0][j], s1 = over_[side][1][j], s2 = over_[side][2][j];
         const bool is_inside = (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);
@@ -100,7 +101,7 @@ class Guess {
     const Point& m_;
     TriangleEdges edge_;
     double over_[2][3][3];  // by side, edge, and corner of the other: the determinant with m
-    double own_[2][3];      // the same of the third corner
+    double own_[2][3];      // by side and edge: the determinant for the third corner
     double square_[2][3];
     double least_ = infinity, greatest_ = -infinity;
     FeaturePair first_, last_;

@@ -1,4 +1,5 @@
-// A guess at what decides when two triangles first share a point, of which the first is translated.
+// guess_contact guesses the features that decide when two triangles first share a point. The first triangle is
+// translated.
 #pragma once
 
 #include "exact/measure/distance/feature_pair.hpp"
@@ -9,17 +10,17 @@ namespace ecods::exact {
 
 struct ContactGuess {
     enum class What : std::uint8_t {
-        meeting,  // they first share a point on these features
-        leaving,  // they share none any more from a time before 0 on, when they did on these
-        passing,  // seen along the motion, the edge of `features` that begins at corner a or b of the triangle
-                  // `vertex_side` has the other triangle beyond it, whose nearest corner the other one is
+        meeting,  // they first share a point on `features`
+        leaving,  // they share their last point on `features`, before time 0
+        passing,  // seen along the motion, an edge of the triangle vertex_side separates them: `features` holds the
+                  // corner where that edge begins, and the nearest corner of the other triangle
     };
 
     What what = What::meeting;
     FeaturePair features;
 };
 
-// The guess is made in plain doubles; `m` is the motion of the first triangle.
+// Guesses in plain doubles; `m` is the motion of the first triangle.
 ContactGuess guess_contact(const IntegerPair& pair, const ScaledVector& m) noexcept;
 
 }  // namespace ecods::exact

@@ -1,18 +1,18 @@
-// The corners of two triangles on their way, in doubles.
+// MovingCorners are the corners of two triangles on their way, in doubles with an error bound.
 //
-// Bound. A corner at time s is computed as P (1 - s) + Q s from its rounded places P and Q, which are off by e0 and e1;
-// so the corner is off by e(s) = e0 (1 - s) + e1 s, but for three factors (1 + e), |e| <= u' = 2^-52, on either
-// product: 3.01 u' M(s), where M(s) = M0 (1 - s) + M1 s of the largest magnitudes on the axis at both ends. Taking the
-// reference point off before adds u' M0 and u' M1 to the places, which is taken into e0 and e1. A product with a vector
-// n meets three more factors on either term: 3.01 u' |n| M(s). The difference of two such projections adds the bound
-// twice, and u' times 2 |n| M(s). Together 2 e(s) + 14.1 u' M(s) on each axis, times |n|; 2.25 e(s) + 20 u' M(s) cover
-// the bound's own rounding, as what is between its values at both ends. Subtracting it adds u' of a number that is at
-// most twice |n| M(s): covered, too.
+// Bound. A corner at time s is computed as P (1 - s) + Q s from its rounded places P and Q, which are off by e0 and e1.
+// So the corner is off by e(s) = e0 (1 - s) + e1 s, and by 3.01 u' M(s) for three factors (1 + e), |e| <= u' = 2^-52,
+// on either product, where M(s) = M0 (1 - s) + M1 s of the largest magnitudes on the axis at both ends. Subtracting the
+// reference point first adds u' M0 and u' M1 to the errors of the places; e0 and e1 include them. A dot product with a
+// vector n meets three more factors on either term: 3.01 u' |n| M(s). The difference of two such projections has the
+// bound twice, and u' times 2 |n| M(s). Together this is 2 e(s) + 14.1 u' M(s) on each axis, times |n|; 2.25 e(s) + 20
+// u' M(s) cover the bound's own rounding, too, and its interpolation between both ends. Subtracting the bound adds u'
+// of a number that is at most twice |n| M(s): covered, too.
 //
-// Underflow. All of it is scaled by a power of two, to magnitudes below 2. That is exact but for what is below 2^-1022
-// then; what was below it before is less than 2^-22 of e0 and e1, which are 2^-1000 or more. Vectors n are products of
-// three differences at most: below 2^8. An operation that underflows, or a time that is taken for zero, loses 2^-1022
-// times such factors: a hundred of them are below 2^-1000, and 2^-990 is added to the bound.
+// Underflow. All numbers are scaled by a power of two, to magnitudes below 2. That is exact except for results below
+// 2^-1022; numbers below 2^-1022 before scaling are less than 2^-22 of e0 and e1, which are 2^-1000 or more. Vectors n
+// are products of three differences at most: below 2^8. An operation that underflows, or a time that is taken for zero,
+// loses 2^-1022 times such factors: a hundred of them are below 2^-1000, and 2^-990 is added to the bound.
 #pragma once
 
 #include <algorithm>
@@ -28,18 +28,18 @@
 
 namespace ecods::exact {
 
-// The corners of both triangles at the times 0 and 1, rounded, and how far they are off on any axis then.
+// Holds the rounded corners of both triangles at the times 0 and 1, and the bounds of their errors on any axis.
 struct MovingPoints {
     Points<6> start, end;
     double start_error, end_error;
 };
 
-// Times from one to another, from 0 to 1.
+// The times from `from` to `to`, both in [0, 1].
 struct TimeSpan {
     double from, to;
 };
 
-// The same relative to a corner, which they are near to.
+// Holds moving corners relative to one of them, which the others are near to.
 class MovingCorners {
   public:
     static constexpr double underflow = 0x1p-990;
@@ -71,7 +71,7 @@ class MovingCorners {
         }
     }
 
-    // Otherwise the bound does not hold.
+    // True if numbers are small enough for the error bound to hold.
     ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return is_bounded_; }
 
     ECODS_ALWAYS_INLINE Points<6> at(double s) const noexcept {
@@ -83,18 +83,19 @@ class MovingCorners {
         return result;
     }
 
-    // Times |n_k|, summed, and with `underflow` added: the bound of a difference of two projections to n, at a time.
+    // Returns factors e_k at a time: |n_0| e_0 + |n_1| e_1 + |n_2| e_2 + `underflow` bounds the error of a difference
+    // of two projections on n.
     ECODS_ALWAYS_INLINE Point error_at(double s) const noexcept {
         const double rest = 1 - s;
         return {start_error_[0] * rest + end_error_[0] * s, start_error_[1] * rest + end_error_[1] * s,
                 start_error_[2] * rest + end_error_[2] * s};
     }
-    // The same at any time.
+    // Returns factors e_k of that bound that hold at all times.
     ECODS_ALWAYS_INLINE Point error() const noexcept {
         return {std::max(start_error_[0], end_error_[0]), std::max(start_error_[1], end_error_[1]),
                 std::max(start_error_[2], end_error_[2])};
     }
-    // The largest distance on each axis that a corner goes in all, as computed.
+    // Returns the largest distance that a corner travels on each axis, as computed.
     ECODS_ALWAYS_INLINE Point way() const noexcept {
         Point result{};
         for (std::size_t i = 0; i < 6; ++i) {
@@ -103,7 +104,7 @@ class MovingCorners {
         return result;
     }
 
-    // A power of two by which x becomes less than 2, and no less than 1 unless it is below 2^-1000.
+    // Returns a power of two p for x < 2^1001 with 1 <= p x < 2, or p x < 1 if x is below 2^-1000.
     ECODS_ALWAYS_INLINE static double inverse_power(double x) noexcept {
         const auto exponent = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(x) >> 52);  // x >= 0
         const std::int64_t clamped = std::clamp<std::int64_t>(exponent, 23, 2023);

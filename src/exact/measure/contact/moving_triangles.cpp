@@ -70,7 +70,7 @@ int TrianglesAtRoot::edge_volume(std::size_t edge_a, std::size_t edge_b) {
     return sign_of(volumes_[6 + 3 * edge_a + edge_b], [&] { return triangles_.edge_volume(edge_a, edge_b); });
 }
 
-// On the line of the edge, and on some axis strictly between its ends.
+// True if a corner is on the line of an edge and, on some axis, strictly between its ends.
 bool TrianglesAtRoot::is_inside_edge(const CornerAndEdge& which) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (turn(which, axis) != 0) return false;
@@ -84,8 +84,8 @@ bool TrianglesAtRoot::is_inside_edge(const CornerAndEdge& which) {
     return false;
 }
 
-// In the face's plane, and along some axis strictly on one side of all of its edges. The three turns add up to the
-// normal: where they have one sign, the face has an area, seen along that axis.
+// True if a corner is in the face's plane and, seen along some axis, strictly on one side of all its edges. The three
+// turns add up to the normal: if they have one sign, the face has an area when seen along that axis.
 bool TrianglesAtRoot::is_inside_face(std::size_t side, std::size_t corner) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int sign = turn({side, corner, 0}, axis);
@@ -96,9 +96,9 @@ bool TrianglesAtRoot::is_inside_face(std::size_t side, std::size_t corner) {
     return false;
 }
 
-// In one plane, and along some axis each with its ends strictly on the two sides of the other. The two turns of one
-// edge differ by the product of both edges: where they have opposite signs, the edges are not parallel, and the view
-// along that axis keeps points of the plane apart.
+// True if two edges are in one plane and, seen along some axis, each has its ends strictly on the two sides of the
+// other. The two turns of one edge differ by the cross product of both edges: if they have opposite signs, the edges
+// are not parallel, and the view along that axis keeps points of the plane apart.
 bool TrianglesAtRoot::edges_cross(std::size_t edge_a, std::size_t edge_b) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (turn({0, edge_a, edge_b}, axis) * turn({0, next_corner(edge_a), edge_b}, axis) < 0 &&

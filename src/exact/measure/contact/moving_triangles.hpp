@@ -1,5 +1,5 @@
-// Two triangles whose corners move on straight lines, from one place each at time 0 to another at time 1: as
-// polynomials in time, what says how they lie.
+// MovingTriangles describe how two triangles lie whose corners move on straight lines, from places at time 0 to places
+// at time 1, by polynomials in time.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@
 
 namespace ecods::exact {
 
-// A corner of one triangle and the edge of the other that begins at corner `edge`. The first triangle is side 0.
+// Names a corner of one triangle and the edge of the other that begins at corner `edge`. The first triangle is side 0.
 struct CornerAndEdge {
-    std::size_t side;  // of the corner
+    std::size_t side;  // side of the corner
     std::size_t corner;
     std::size_t edge;
 };
@@ -24,7 +24,7 @@ class MovingTriangles {
   public:
     using Vector = std::array<Polynomial, 3>;
 
-    // The corners of both triangles at time 0, then the same at time 1.
+    // Takes the corners of both triangles at time 0, then the corners at time 1.
     template <class Kernel>
     explicit MovingTriangles(const IntegerPoints<Kernel, 12>& points) {
         for (std::size_t i = 0; i < 6; ++i) {
@@ -35,11 +35,12 @@ class MovingTriangles {
         }
     }
 
-    // Corner i of the first triangle less corner j of the second.
+    // Returns corner i of the first triangle less corner j of the second.
     Polynomial difference(std::size_t i, std::size_t j, std::size_t axis) const;
-    // (q - p) x (c - p) of the edge from p to q and the corner c: zero where c is on the line of the edge.
+    // Returns (q - p) x (c - p) for the edge from p to q and the corner c: zero if c is on the line of the edge.
     const Vector& turn(const CornerAndEdge& which);
-    // Six times the volume of a corner and the other triangle, and of an edge of each: zero where they are in a plane.
+    // Return six times the volume of a corner and the other triangle, and of an edge of each: zero if they are in one
+    // plane.
     Polynomial corner_volume(std::size_t side, std::size_t corner);
     Polynomial edge_volume(std::size_t edge_a, std::size_t edge_b) const;
 
@@ -51,7 +52,7 @@ class MovingTriangles {
     std::array<std::optional<Vector>, 18> turns_;
 };
 
-// How two moving triangles lie at one time.
+// Answers how two moving triangles lie at one time.
 class TrianglesAtRoot {
   public:
     TrianglesAtRoot(MovingTriangles& triangles, Root& time) noexcept : triangles_(triangles), time_(time) {
@@ -60,14 +61,14 @@ class TrianglesAtRoot {
         volumes_.fill(unknown);
     }
 
-    // Whether the features share a point: each a corner, an edge without its ends or a face without its edges; edges
-    // where they cross and are not parallel.
+    // True if the features share a point. A feature is a corner, an edge without its ends or a face without its edges;
+    // two edges share one only if they cross and are not parallel.
     bool share_point(const FeaturePair& features);
 
   private:
     static constexpr std::int8_t unknown = 2;
 
-    // The sign of a polynomial at the time, made and asked for once.
+    // Returns the sign of a polynomial at the time; makes and evaluates the polynomial once.
     template <class Make>
     int sign_of(std::int8_t& known, const Make& make);
     int order(std::size_t i, std::size_t j, std::size_t axis);

@@ -17,7 +17,7 @@ class Sieve {
         edges_ = edges_of(p_);
     }
 
-    // Cheap vectors first; mostly one pair is left after them.
+    // Tries cheap vectors first; mostly one pair is left after them.
     FeatureSet run() noexcept {
         if (!corners_.is_bounded()) return all_features;
         for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) look_along(axis);
@@ -37,7 +37,7 @@ class Sieve {
     }
 
   private:
-    // Drops the features that this vector parts.
+    // Drops the features that this vector certainly separates.
     void look_along(const Point& n) noexcept {
         const auto on = [&](std::size_t i) { return (n[0] * p_[i][0] + n[1] * p_[i][1]) + n[2] * p_[i][2]; };
         const double bound = ((std::abs(n[0]) * error_[0] + std::abs(n[1]) * error_[1]) + std::abs(n[2]) * error_[2]) +
@@ -58,7 +58,7 @@ class Sieve {
         }
     }
 
-    // Along and across each edge, in the plane of both, and from one of its ends to a corner.
+    // Tries vectors along each edge, across it in the plane of both edges, and across it towards a corner of the other.
     void look_past_edges(std::size_t i, std::size_t j) noexcept {
         const Point between = minus(p_[3 + j], p_[i]), across = cross(edges_[0][i], edges_[1][j]);
         for (const Point& edge : {edges_[0][i], edges_[1][j]}) {

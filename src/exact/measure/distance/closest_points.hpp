@@ -1,8 +1,8 @@
-// The points of two features that are closest to each other, in integers.
+// find_closest_points computes the points of two features that are closest to each other, in integers.
 //
-// All points are counted from the first corner of the first triangle, from which integer points are counted. A point at
-// a part num / den of an edge u from p on is (den p + num u) / den. With differences below 2^k, den is below 2^(4k +
-// 4), and a point of a triangle less another is below 2^k: coordinates times den are below 2^(5k + 4), and have a sign.
+// All points are relative to the first corner of the first triangle, and integer points are, too. A point at a part
+// num / den of an edge u from p on is (den p + num u) / den. With differences below 2^k, den is below 2^(4k + 4), and a
+// point of a triangle less another is below 2^k: coordinates times den are below 2^(5k + 4), and have a sign.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace ecods::exact {
 
-// num / den, counted as above.
+// Holds the point num / den, relative to the first corner of the first triangle.
 template <int L>
 struct WeightedPoint {
     static constexpr int k = ExactFeatures<L>::coordinate_bits + 1;
@@ -33,14 +33,14 @@ struct WeightedPoint {
     }
 };
 
-// A vector times a weight.
+// Holds a vector times a weight.
 template <int L>
 struct Weighted {
     const Magnitude<4 * L>& weight;
     const LimbVector<L>& vector;
 };
 
-// (den p + s u) / den, or with two terms (den p + s u + t v) / den.
+// Returns (den p + s u) / den, or with two terms (den p + s u + t v) / den.
 template <int L, class... Terms>
 WeightedPoint<L> weighted_point(const Magnitude<4 * L>& den, const LimbVector<L>& p, const Terms&... terms) noexcept {
     WeightedPoint<L> point;
@@ -58,7 +58,7 @@ WeightedPoint<L> corner_point(const LimbVector<L>& p) noexcept {
     return weighted_point<L>(Magnitude<4 * L>{{1}, 0}, p);
 }
 
-// The points of both triangles, in units of 2^unit. The features must hold closest points.
+// Sets the closest points of both triangles, in units of 2^unit. The features must hold closest points.
 template <int L>
 void find_closest_points(const ExactFeatures<L>& features, const FeaturePair& f, int unit,
                          std::array<ExactPoint, 2>& points) noexcept {

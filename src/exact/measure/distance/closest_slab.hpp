@@ -1,6 +1,7 @@
-// The slab between two closest points, at right angles to what is between them. Two sets on its two sides are not
-// nearer to each other than these points: a search that has found them need not measure triangles that are, which is
-// most that share a closest vertex or edge, and all that tie across parallel faces.
+// A ClosestSlab is the slab between two closest points, perpendicular to the segment between them. Two sets on opposite
+// sides of the slab are not nearer to each other than these points. So a search that has found the points need not
+// measure triangles outside the slab: most triangles that share a closest vertex or edge, and all that tie across
+// parallel faces.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@
 
 namespace ecods::exact {
 
-// Exact, for points of two limbs. Every vertex is asked about once, and kept in a small cache.
+// Decides exactly, for points of two limbs. A small cache keeps the answer for each vertex.
 class ClosestSlab {
   public:
     static constexpr int limb_count = 2;
@@ -22,8 +23,8 @@ class ClosestSlab {
     bool is_set() const noexcept { return is_set_; }
     void forget() noexcept { is_set_ = false; }
 
-    // `n` points from the first body to the second, or the other way where it is turned; x and y are points of the
-    // first and the second body in the planes of the closest points.
+    // Sets the slab. `n` points from the first body to the second, or the other way if is_turned; x and y are points of
+    // the first and the second body in the two planes of the slab.
     template <int M>
     void set(const LimbVector<M>& n, bool is_turned, const Point& x, const Point& y) noexcept {
         is_set_ = true;
@@ -34,7 +35,7 @@ class ClosestSlab {
         for (auto& side : sides_) side.clear();
     }
 
-    // Whether the point of a vertex is in the plane of its own body, or beyond it, seen from the slab.
+    // True if the point of a vertex is outside the open slab on its own body's side.
     template <class PointOf>
     bool is_outside(std::size_t body, std::uint32_t vertex, PointOf&& point_of) noexcept {
         return sides_[body].get(vertex, [&](bool& is_outside) {
@@ -45,7 +46,7 @@ class ClosestSlab {
     }
 
   private:
-    // (u.u) w - (w.u) u is the longest; see exact_features.hpp for its width, and that of its product.
+    // The longest normal is (u.u) w - (w.u) u; exact_features.hpp derives its width and the width of its product.
     static constexpr int normal_limbs = 3 * limb_count;
 
     bool is_set_ = false;

@@ -1,23 +1,23 @@
-// Whether two features of two triangles hold closest points, and how far these are from each other, in integers.
+// ExactFeatures decides in integers if two features of two triangles hold closest points, and how far apart they are.
 //
 // Points x of the first triangle and y of the second, n = y - x not zero, are closest if and only if no corner of the
-// first triangle is beyond x along n, and none of the second before y: the product with n is a linear function, and
-// a triangle is the hull of its corners. So a pair of features is decided by a handful of signs: that the foot is in
-// the features, and that no other corner is on the wrong side. All may be zero: other features then hold points that
-// are as close, and these are closest all the same.
+// first triangle is beyond x along n, and no corner of the second before y: the dot product with n is a linear
+// function, and a triangle is the convex hull of its corners. So a pair of features is decided by a handful of signs:
+// that the foot is in the features, and that no other corner is on the wrong side. Any of them may be zero: other
+// features then hold points that are as close, and these points are still closest.
 //
-// Disjoint triangles always have such features, and triangles that meet have none but those at distance zero. Let x and
-// y be closest. If each is in the relative interior of an edge or face of which the other's is parallel, both can be
-// moved along it by the same vector, until one is at the end of its edge or on the border of its face. What remains are
-// a vertex and anything, and two edges that are not parallel.
+// Disjoint triangles always have a pair of features that this decides, and triangles that meet have only pairs at
+// distance zero. Let x and y be closest. If each is in the relative interior of an edge or face, and these two are
+// parallel in some direction, both points can be moved along it by the same vector, until one is at the end of its edge
+// or on the border of its face. The remaining pairs are a vertex and anything, and two edges that are not parallel.
 //
-// Widths. Let differences of coordinates be below 2^k. Below, the exponent counts twice what a sum of several products
-// needs: products of two differences 2k, and one or two bits more for a sum of two or three.
+// Widths. Let differences of coordinates be below 2^k. Exponents: a product of two differences has 2k, and a sum of two
+// or three products one or two bits more.
 //     w.u, u.u           2k + 2       w x u, u x v        2k + 1
 //     n.w                3k + 3       n.n, (w x v).n      4k + 4
 //     (u.u) w - (w.u) u  3k + 3       its product with a difference  4k + 5
 //     numerators: w.w 2k + 2; (w x u)^2 4k + 4; (n.w)^2 6k + 6; denominators u.u, n.n
-// Integers of two's complement need one bit more for the sign.
+// Integers in two's complement need one bit more for the sign.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@
 
 namespace ecods::exact {
 
-// What a pair of features is to the closest points.
+// Says how a pair of features relates to the closest points.
 enum class Standing : std::uint8_t {
     none,    // it does not hold any
     border,  // it holds two on the border of a feature, which are in features of lower dimension
@@ -41,7 +41,7 @@ enum class Standing : std::uint8_t {
 template <int L>
 class ExactFeatures {
   public:
-    // Of coordinates with their sign.
+    // Coordinates have so many bits and a sign.
     static constexpr int coordinate_bits = 64 * L - 3;
     using Point = std::array<Limbs<L>, 3>;
 
@@ -58,36 +58,36 @@ class ExactFeatures {
         }
     }
 
-    // Calls use(v, is_turned) with a vector along which the closest points of the features are apart, from the first
-    // triangle to the second, or from the second to the first where it is turned. Not where they meet.
+    // Calls use(v, is_turned) with a vector along the gap between the closest points of the features, from the first
+    // triangle to the second, or from the second to the first if is_turned. The features must not meet.
     template <class Use>
     auto with_direction(const FeaturePair& f, Use&& use) const;
 
-    // Whether the features have one point in common, being vertices or not parallel: `inside` both, or on the border of
-    // one; `none` otherwise.
+    // Decides if features that are vertices or not parallel have one point in common: `inside` both, or on the `border`
+    // of one; `none` if they have not.
     Standing meeting(const FeaturePair& f) const noexcept;
 
-    // The squared distance of features that hold closest points; `exponent` is left alone.
+    // Sets the squared distance of features that hold closest points, except for its `exponent`.
     void measure(const FeaturePair& f, SquaredDistance& result) const noexcept;
 
     using Vector = LimbVector<L>;
 
-    // A corner, counted from where all are.
+    // Returns a corner, relative to the origin of all points.
     Vector position(std::size_t side, std::size_t i) const noexcept { return difference<L>(corner(side, i), Point{}); }
-    // Corner i + to less corner i.
+    // Returns corner (i + to) minus corner i.
     Vector from(std::size_t side, std::size_t i, std::size_t to) const noexcept {
         return difference<L>(corner(side, i + to), corner(side, i));
     }
-    // Of a face, or at right angles to two edges.
+    // Returns the normal of the face, or the cross product of the two edges.
     LimbVector<2 * L> normal(const FeaturePair& f) const noexcept {
         if (f.kind == FeatureKind::edge_edge) return cross<L>(from(0, f.a, 1), from(1, f.b, 1));
         const std::size_t of = 1 - f.vertex_side;
         return cross<L>(from(of, 0, 1), from(of, 0, 2));
     }
-    // The corner of the second triangle that a feature is named by, less that of the first.
+    // Returns w: the corner of the second triangle that names its feature, less the corner of the first.
     Vector between(const FeaturePair& f) const noexcept { return difference<L>(corner(1, f.b), corner(0, f.a)); }
 
-    // The foot of a vertex on the line of an edge is s / den of the edge from its beginning.
+    // Holds the foot of a vertex on the line of an edge, at s / den of the edge from its beginning.
     struct FootOnEdge {
         Vector w, u;  // between(f), and the edge
         Magnitude<2 * L> s, den;
@@ -101,8 +101,8 @@ class ExactFeatures {
         return foot;
     }
 
-    // The foot of a vertex on a face's plane is s / den and t / den of the face's two edges from its first corner; the
-    // feet of two edges' lines on each other are s / den and t / den of the edges. `n` is normal(f).
+    // Holds the foot of a vertex on a face's plane, at s / den and t / den of the face's two edges from its first
+    // corner, or the feet of two edges' lines on each other, at s / den and t / den of the edges. `n` is normal(f).
     struct Feet {
         Magnitude<4 * L> s, t, den;
     };
@@ -125,7 +125,7 @@ class ExactFeatures {
     static_assert(4 * k + 5 < 64 * (4 * L));
     static_assert(6 * k + 6 <= 64 * (6 * L));
 
-    // A conjunction of weak signs, which knows whether all of them were strict.
+    // Joins weak signs by "and", and knows if all of them were strict.
     struct Signs {
         bool hold = true;
         bool are_strict = true;
@@ -137,7 +137,8 @@ class ExactFeatures {
 
     const Point& corner(std::size_t side, std::size_t i) const noexcept { return points_[3 * side + i % 3]; }
 
-    // n points from the first triangle to the second, or the other way where `turned`. Of `side`, corner i + to.
+    // Requires that corner i + to of `side` is not beyond corner i along n, which points from the first triangle to the
+    // second, or the other way if `turned`.
     template <int M>
     void outward(Signs& signs, const LimbVector<M>& n, bool turned, std::size_t side, std::size_t i,
                  std::size_t to) const noexcept {
@@ -146,7 +147,7 @@ class ExactFeatures {
         signs.positive((side == 0) != turned ? -s : s);
     }
 
-    // (u.u) w - (w.u) u, of a vertex and an edge.
+    // Returns (u.u) w - (w.u) u, for a vertex and an edge.
     LimbVector<3 * L> across_edge(const FeaturePair& f, const FootOnEdge& foot) const noexcept {
         const Magnitude<2 * L> along = f.vertex_side == 0 ? negated<2 * L>(foot.s) : foot.s;
         LimbVector<3 * L> n;
@@ -159,7 +160,7 @@ class ExactFeatures {
         return n;
     }
 
-    // The signs that say whether feet are in the features.
+    // Return the signs that decide if feet are in the features.
     static Signs are_inside(const FootOnEdge& foot) noexcept {
         Signs inside;
         inside.positive(sign<2 * L>(foot.s));
@@ -219,8 +220,8 @@ Standing ExactFeatures<L>::of_vertex_and_edge(const FeaturePair& f) const noexce
     return standing(inside, outside);
 }
 
-// A vertex and a face, or two edges: what is at right angles to the gap, and so in a plane, need not be asked about. At
-// height zero the points are one.
+// Decides a vertex and a face, or two edges. Corners of the face or edges are in a plane perpendicular to the gap, and
+// need no test. At height zero the two points are one.
 template <int L>
 Standing ExactFeatures<L>::of_plane(const FeaturePair& f) const noexcept {
     const LimbVector<2 * L> n = normal(f);

@@ -1,4 +1,4 @@
-// A vertex, an edge or a face of each of two triangles, by corners.
+// A FeaturePair names a vertex, an edge or a face of each of two triangles, by corners.
 #pragma once
 
 #include <array>
@@ -9,14 +9,14 @@ namespace ecods::exact {
 
 enum class FeatureKind : std::uint8_t { vertex_vertex, vertex_edge, vertex_face, edge_edge };
 
-// `a` and `b` are corners of the first and the second triangle: a corner is a vertex, the edge that begins there, or 0
-// for the face.
+// `a` and `b` are corners of the first and the second triangle: a corner names a vertex, or the edge that begins there;
+// 0 names the face.
 struct FeaturePair {
     FeatureKind kind = FeatureKind::vertex_vertex;
-    std::uint8_t vertex_side = 0;  // of vertex_edge and vertex_face: the triangle that has the vertex
+    std::uint8_t vertex_side = 0;  // for vertex_edge and vertex_face: the triangle that has the vertex
     std::uint8_t a = 0, b = 0;
 
-    // The corner that names the feature of a triangle, and how many corners that feature has.
+    // corner() names the feature of a triangle; corner_count() is the number of the feature's corners.
     constexpr std::size_t corner(std::size_t side) const noexcept { return side == 0 ? a : b; }
     constexpr std::size_t corner_count(std::size_t side) const noexcept {
         if (kind == FeatureKind::vertex_vertex) return 1;
@@ -33,12 +33,12 @@ constexpr FeaturePair pair_of(FeatureKind kind, std::size_t vertex_side, std::si
     return {kind, static_cast<std::uint8_t>(vertex_side), static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)};
 }
 
-// A vertex of `side`, and an edge or a face of the other triangle.
+// Pairs a vertex of `side` with an edge or a face of the other triangle.
 constexpr FeaturePair vertex_and(FeatureKind kind, std::size_t side, std::size_t vertex, std::size_t other) noexcept {
     return side == 0 ? pair_of(kind, 0, vertex, other) : pair_of(kind, 1, other, vertex);
 }
 
-// The features that have so many corners, the first ones of their triangles.
+// Returns a pair of features with count_a and count_b corners, each the first of its kind in its triangle.
 constexpr FeaturePair features_of_counts(std::size_t count_a, std::size_t count_b) noexcept {
     const std::size_t most = count_a > count_b ? count_a : count_b;
     const FeatureKind kind =
@@ -50,8 +50,8 @@ constexpr std::size_t next_corner(std::size_t i) noexcept {
     return i == 2 ? 0 : i + 1;
 }
 
-// All of two triangles, in the order in which one of several that are equally close is chosen: by kind, by the corner
-// of the first triangle, by that of the second, and then the one with the vertex on the first triangle.
+// Lists all pairs of two triangles, in the order in which one of several equally close pairs is chosen: by kind, by the
+// corner of the first triangle, by the corner of the second, and then the pair with the vertex on the first triangle.
 inline constexpr std::array<FeaturePair, 42> feature_pairs = [] {
     std::array<FeaturePair, 42> pairs;
     std::size_t count = 0;

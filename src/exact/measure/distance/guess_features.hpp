@@ -1,4 +1,4 @@
-// Which features of two triangles are probably the closest.
+// guess_features guesses which features of two triangles are the closest.
 #pragma once
 
 #include "exact/measure/distance/feature_pair.hpp"
@@ -6,11 +6,12 @@
 
 namespace ecods::exact {
 
-// Nothing is promised about the guess, so no rounding matters. `vertex_edge` and `edge_edge` have edges of positive
+// Promises nothing about the guess, so rounding does not matter. `vertex_edge` and `edge_edge` have edges of positive
 // length, `vertex_face` a face with an area.
 //
-// After Larsen, Gottschalk, Lin and Manocha, Fast Proximity Queries with Swept Sphere Volumes, 1999, section 6: all
-// pairs of edges until the planes across the gap have both triangles on their outer sides, then corners over faces.
+// Follows Larsen, Gottschalk, Lin and Manocha, Fast Proximity Queries with Swept Sphere Volumes, 1999, section 6, with
+// faces first: tries corners over faces, then all pairs of edges until the planes across the gap have both triangles on
+// their outer sides.
 FeaturePair guess_features(const IntegerPair& pair) noexcept;
 
 }  // namespace ecods::exact

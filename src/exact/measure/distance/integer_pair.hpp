@@ -1,4 +1,4 @@
-// The corners of two triangles as integers: what enclosures, and guesses of features, are made from.
+// An IntegerPair holds the corners of two triangles as integers, for enclosures and guesses of features.
 #pragma once
 
 #include <array>
@@ -9,14 +9,15 @@
 
 namespace ecods::exact {
 
-// Six integer points in units of 2^unit, each coordinate of a difference off by less than `error` units.
+// Holds six integer points in units of 2^unit. A coordinate of a difference of two points is off by less than `error`
+// units.
 struct IntegerPair {
     std::array<IntegerFrame::Point, 6> at;
     int unit;
-    int error;  // 0: exact, or IntegerFrame::error_units
+    int error;  // 0 if exact, or IntegerFrame::error_units
 };
 
-// Reads the corners of a triangle of each of the first two bodies.
+// Reads the corners of one triangle of each of the first two bodies.
 ECODS_ALWAYS_INLINE IntegerPair integer_pair(IntegerFrame& frame, const Triangle& a, const Triangle& b) noexcept {
     IntegerPair pair;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -28,10 +29,10 @@ ECODS_ALWAYS_INLINE IntegerPair integer_pair(IntegerFrame& frame, const Triangle
     return pair;
 }
 
-// The points less the first one, in a common power of two, below 2^53.
+// Returns the points less the first one, in a common power of two, below 2^53.
 Points<6> to_doubles(const IntegerPair& pair) noexcept;
 
-// The corner of a face from which its two shorter edges go: their product is the most accurate one.
+// Returns the corner of a face where its two shorter edges meet: their cross product is the most accurate one.
 std::size_t blunt_corner(const IntegerPair& pair, std::size_t side) noexcept;
 
 }  // namespace ecods::exact

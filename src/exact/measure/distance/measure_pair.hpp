@@ -1,4 +1,4 @@
-// The exact distance of two triangles of integer points.
+// measure_pair.hpp finds the features that hold the closest points of two triangles of integer points.
 #pragma once
 
 #include <algorithm>
@@ -38,14 +38,14 @@ auto to_limbs(const IntegerPoints<Kernel, N>& points) noexcept {
     return result;
 }
 
-// A pair of features that holds closest points, and what it is to them; `none` if the triangles share a point and the
-// guess does not show it.
+// Holds a pair of features with closest points and its standing; `none` if the triangles share a point and the guess
+// does not show it.
 struct ClosestFeatures {
     FeaturePair features;
     Standing standing = Standing::none;
 };
 
-// `guess` is tried first; it is taken as it is if its standing is `only`.
+// Tries `guess` first; it is taken without a test if its standing is `only`.
 template <class Kernel, int L>
 ClosestFeatures find_closest(const IntegerPoints<Kernel, 6>& points, const ExactFeatures<L>& features,
                              const ClosestFeatures& guess) noexcept {
@@ -61,7 +61,7 @@ ClosestFeatures find_closest(const IntegerPoints<Kernel, 6>& points, const Exact
     return {};
 }
 
-// Of disjoint triangles, the first features in the order of feature_pairs that hold closest points inside.
+// Returns the first features in the order of feature_pairs that hold closest points of disjoint triangles inside.
 template <int L>
 FeaturePair first_closest(const ExactFeatures<L>& features, const ClosestFeatures& found) noexcept {
     if (found.standing == Standing::only) return found.features;

@@ -1,4 +1,4 @@
-// The public names of features of two triangles.
+// name_features gives features of two triangles their public names (ecods/closest_points.hpp).
 #pragma once
 
 #include "ecods/closest_points.hpp"
@@ -11,12 +11,13 @@ static_assert(static_cast<int>(ClosestKind::vertex_edge) == static_cast<int>(Fea
 static_assert(static_cast<int>(ClosestKind::vertex_face) == static_cast<int>(FeatureKind::vertex_face));
 static_assert(static_cast<int>(ClosestKind::edge_edge) == static_cast<int>(FeatureKind::edge_edge));
 
-// The feature that a pair has of one of the two, a triangle of a mesh.
+// Returns the feature of one side of a pair, in a triangle of a mesh.
 inline Feature feature_of(const FeaturePair& f, std::size_t side, std::uint32_t triangle) noexcept {
     return {static_cast<Feature::Kind>(f.corner_count(side) - 1), triangle, static_cast<std::uint32_t>(f.corner(side))};
 }
 
-// Names the kind and the features a and b in anything that has them, as the triangles of the pair give them.
+// Sets the kind and the features a and b of an object that has these members; `pair` holds the numbers of the
+// triangles.
 template <class Names>
 void name_features(Names& names, const FeaturePair& f, const TrianglePair& pair) noexcept {
     names.kind = static_cast<ClosestKind>(f.kind);
@@ -24,7 +25,7 @@ void name_features(Names& names, const FeaturePair& f, const TrianglePair& pair)
     names.b = feature_of(f, 1, pair.b);
 }
 
-// The features of two triangles that names are of, which are not `intersecting`.
+// Returns the features that `names` were made from, which must not be `intersecting`.
 template <class Names>
 FeaturePair features_named(const Names& names) noexcept {
     return pair_of(static_cast<FeatureKind>(names.kind), names.a.kind > names.b.kind, names.a.corner, names.b.corner);

@@ -1,7 +1,7 @@
-// The corners of a convex polygon in the order in which they go around it.
+// PolygonOrder sorts the corners of a convex polygon into the order in which they go around it.
 //
-// In lexicographic order the first and the last of them are the ends of a diagonal, and the others are on its two
-// sides: on each in the order in which they follow each other. Which side that is, is the sign of an orientation in the
+// In lexicographic order the first and the last corner are the ends of a diagonal, and the others are on its two sides,
+// on each side in the order in which they follow each other. The side of a corner is the sign of an orientation in the
 // plane of two coordinates onto which the polygon does not collapse, in homogeneous coordinates.
 //
 // Widths. Numerators are below 2^(5k + 4) and denominators below 2^(4k + 4) (closest_points.hpp), so the determinant, a
@@ -24,7 +24,7 @@ class PolygonOrder {
   public:
     using Corner = typename SharedCorners<L>::Corner;
 
-    // `normal` of the polygon's plane, not zero.
+    // `normal` is a normal of the polygon's plane, not zero.
     explicit PolygonOrder(const LimbVector<2 * L>& normal) noexcept {
         std::size_t axis = 0;
         while (is_zero<2 * L>(normal[axis].limbs)) ++axis;
@@ -40,7 +40,7 @@ class PolygonOrder {
         const auto upper = std::stable_partition(corners.begin() + 1, corners.end() - 1, [&](const Corner& corner) {
             return turn_ * orientation(first, last, corner) < 0;
         });
-        // The lower side, the last corner, and the upper side backwards.
+        // The order is: the lower side, the last corner, and the upper side backwards.
         std::reverse(upper, corners.end());
     }
 
@@ -48,7 +48,7 @@ class PolygonOrder {
     static constexpr int k = ExactFeatures<L>::coordinate_bits + 1;
     static_assert(14 * k + 16 <= 64 * (14 * L));
 
-    // Positive where p, q, r make a left turn. Not inlined: sorting asks at many places, which had 200 kB of the same
+    // Positive if p, q, r make a left turn. Not inlined: sorting calls it in many places, which had 200 kB of the same
     // code.
     [[gnu::noinline]] int orientation(const Corner& p, const Corner& q, const Corner& r) const noexcept {
         Limbs<14 * L> sum{};
@@ -58,7 +58,7 @@ class PolygonOrder {
         return sign<14 * L>(sum);
     }
 
-    // sum += (p_x q_y - p_y q_x) times the denominator of r.
+    // Adds (p_x q_y - p_y q_x) times the denominator of r.
     void add_cofactor(Limbs<14 * L>& sum, const Corner& p, const Corner& q, const Corner& r) const noexcept {
         Limbs<10 * L> minor{};
         add_product<5 * L, 5 * L>(minor, p.num[x_], q.num[y_]);
@@ -70,7 +70,8 @@ class PolygonOrder {
     int turn_;
 };
 
-// Of a polygon in this order, counterclockwise around the first triangle's normal.
+// Returns the shared corners in the order in which they go around their polygon, counterclockwise as seen from where
+// the first triangle's normal points to.
 template <int L>
 std::vector<typename SharedCorners<L>::Corner> corners_around(const SharedCorners<L>& shared) {
     auto corners = shared.corners();

@@ -1,10 +1,10 @@
-// The corners of what two triangles share, in integers.
+// SharedCorners finds the corners of the intersection of two triangles, in integers.
 //
-// The common points of two triangles are a convex set of at most six corners. A corner is in the relative interior of
-// a vertex, edge or face of each, and these have nothing else in common: so it is a vertex that is in the other
-// triangle, a point where an edge goes through the other's face, or a crossing of two edges. All such points of proper
-// triangles are corners, since what they are in has only that point in common with the other's. Of segments, a vertex
-// of a zero-area triangle may lie between the ends.
+// The intersection is convex and has at most six corners. A corner is in the relative interior of a vertex, edge or
+// face of each triangle, and these two features have no other point in common. So it is a vertex that is in the other
+// triangle, a point where an edge goes through the other's face, or a crossing of two edges. For proper triangles all
+// points of these three kinds are corners, since their features have only one point in common. If the intersection is a
+// segment, a vertex of a zero-area triangle may lie between its ends.
 #pragma once
 
 #include <algorithm>
@@ -42,12 +42,13 @@ class SharedCorners {
         if (is_segment && corners_.size() > 2) corners_ = {corners_.front(), corners_.back()};
     }
 
-    // Each once, in lexicographic order of their coordinates; none if the triangles share no point.
+    // Returns each corner once, in lexicographic order of coordinates; none if the triangles share no point.
     const std::vector<Corner>& corners() const noexcept { return corners_; }
 
-    // The features of lowest dimension that hold the inside of what is shared define a normal if these are a face and
-    // anything in its plane, or two edges that are not parallel: that of the face, of the first triangle if of both, or
-    // the product of the edges. Otherwise nothing, and nothing if no point is shared.
+    // Returns the normal that is defined by the features of lowest dimension that hold the inside of the intersection.
+    // They define one if they are a face and anything in its plane (the face's normal, the first triangle's if both are
+    // faces) or two edges that are not parallel (their cross product). Returns nothing otherwise, or if no point is
+    // shared.
     std::optional<LimbVector<2 * L>> normal() const;
 
   private:
@@ -70,7 +71,7 @@ class SharedCorners {
     std::vector<Corner> corners_;
 };
 
-// Whether corner i of a triangle is in the other.
+// True if corner i of a triangle is in the other.
 template <int L>
 bool SharedCorners<L>::is_in(std::size_t side, std::size_t i) const noexcept {
     const auto holds = [&](FeatureKind kind, std::size_t of_other) {
@@ -83,8 +84,8 @@ bool SharedCorners<L>::is_in(std::size_t side, std::size_t i) const noexcept {
     return false;
 }
 
-// Adds the point in which an edge goes through the other's face, its ends strictly on both sides: at h0 / (h0 - h1) of
-// the edge, h0 and h1 the heights of its ends.
+// Adds the point in which an edge goes through the other's face, with its ends strictly on both sides: at
+// h0 / (h0 - h1) of the edge, where h0 and h1 are the heights of its ends.
 template <int L>
 void SharedCorners<L>::add_piercing(std::size_t side, std::size_t edge) {
     const std::size_t face = 1 - side;
@@ -96,7 +97,7 @@ void SharedCorners<L>::add_piercing(std::size_t side, std::size_t edge) {
     const Magnitude<3 * L> fall = negated<3 * L>(rise);
     const int begin = sign<3 * L>(h0), end = begin * sign<3 * L>(minus<3 * L>(h0, fall));
     if (begin == 0 || end >= 0) return;
-    // On which side of the edge's line each edge of the face goes by.
+    // Finds the sides of the edge's line on which the edges of the face pass.
     int least = 1, most = -1;
     for (std::size_t i = 0; i < 3; ++i) {
         Vector x = features_.position(face, i), y = features_.position(face, i + 1);
@@ -110,7 +111,7 @@ void SharedCorners<L>::add_piercing(std::size_t side, std::size_t edge) {
         most = std::max(most, s);
     }
     if (least < 0 && most > 0) return;
-    // Both with the sign of h0, so that the denominator is positive.
+    // Both get the sign of h0, so that the denominator is positive.
     Weight den = widened<4 * L>(fall), s = widened<4 * L>(h0);
     den.negative = s.negative = 0;
     add(weighted_point<L>(den, features_.position(side, edge), Weighted<L>{s, u}));
@@ -125,7 +126,7 @@ void SharedCorners<L>::add_crossing(std::size_t i, std::size_t j) {
     add(weighted_point<L>(feet.den, features_.position(0, i), Weighted<L>{feet.s, u}));
 }
 
-// Adds a corner, unless it is there.
+// Adds a corner unless it is in the list.
 template <int L>
 void SharedCorners<L>::add(const Corner& corner) {
     const auto at = std::ranges::find_if(corners_, [&](const Corner& other) { return compare(other, corner) >= 0; });
@@ -162,8 +163,8 @@ auto SharedCorners<L>::normal_at_point() const -> std::optional<LimbVector<2 * L
     return std::nullopt;  // a segment that goes through a face
 }
 
-// Whether a corner inside the other's face has its triangle on both sides of it: of triangles that share a point only,
-// that is the middle corner of one without area.
+// True if a corner inside the other's face has its triangle on both sides of the face. If triangles share only a point,
+// this corner is the middle one of a zero-area triangle.
 template <int L>
 bool SharedCorners<L>::goes_through(const FeaturePair& f) const {
     const std::size_t side = f.vertex_side, corner = f.corner(side);
@@ -179,7 +180,7 @@ auto SharedCorners<L>::normal_along_segment() const -> std::optional<LimbVector<
     return normal_[is_in_edge_of_a ? 1 : 0];
 }
 
-// Whether an edge of a triangle holds both corners: den p - num is parallel to it, p being one of its ends.
+// True if an edge of a triangle holds both corners: den p - num is parallel to the edge, where p is one of its ends.
 template <int L>
 bool SharedCorners<L>::is_in_edge(std::size_t side) const noexcept {
     const auto is_on_line = [&](const Corner& corner, std::size_t edge) {

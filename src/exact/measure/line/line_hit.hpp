@@ -1,14 +1,14 @@
-// What a part of a line shares with a triangle, in integers that make no error.
+// LineTriangle decides in exact integers what a part of a line shares with a triangle.
 //
-// Points are counted from the beginning of the line: it is the points s d, 0 <= s <= end. With corners p, q and r, and
+// Points are relative to the beginning of the line, whose points are s d, 0 <= s <= end. With corners p, q and r, and
 // n = (q - p) x (r - p), the line crosses the plane at s = n . p / n . d, and
-//     det(d, q, r) + det(d, r, p) + det(d, p, q) = n . d,
-// the terms being the weights of the corners in that point, times n . d: it is in the triangle where none has another
-// sign. Where n . d = 0 there is a common point only if all is in one plane; then the triangle's part of the line is
-// spanned by what the edges have of it, which holds for triangles of zero area, too.
+//     det(d, q, r) + det(d, r, p) + det(d, p, q) = n . d.
+// The three terms are the barycentric weights of the corners in that point, times n . d: the point is in the triangle
+// if no two of them have opposite signs. If n . d = 0, there is a common point only if line and triangle are in one
+// plane; then the triangle's part of the line is spanned by the parts of its edges, for triangles of zero area, too.
 //
 // Widths. With coordinates below 2^k all of these are determinants of three differences, below 2^(3k + 6), and
-// parameters are fractions of such numbers or of shorter ones.
+// parameters are fractions of such determinants or of shorter numbers.
 #pragma once
 
 #include <algorithm>
@@ -21,16 +21,16 @@
 
 namespace ecods::exact {
 
-// The shared points are those from parameter `enter` to `leave`.
+// Describes the shared points, from parameter `enter` to `leave`.
 struct LineHit {
     Fraction enter;
     Fraction leave;
-    bool is_along = false;  // whether these differ
+    bool is_along = false;  // true if enter and leave differ
     // The least corner of the feature of lowest dimension that holds all shared points.
     Feature::Kind feature = Feature::Kind::face;
     std::uint32_t corner = 0;
     int facing = 0;           // the sign of n . d
-    std::uint32_t entry = 3;  // where along: the corner that is at `enter`, or 3 if none is known to be
+    std::uint32_t entry = 3;  // if is_along: the corner that is at `enter`, or 3 if none is known to be
 };
 
 template <int L>
@@ -44,10 +44,10 @@ class LineTriangle {
     using Vector = LimbVector<L>;
     using Corners = std::array<Vector, 3>;
 
-    // `end` is not negative, or infinity. The arguments must outlive the decision.
+    // `end` is infinity or any number >= 0. The arguments must outlive the decision.
     LineTriangle(const Vector& d, const Corners& corners, double end) noexcept : d_(d), corner_(corners), end_(end) {}
 
-    // Sets all of `hit` and returns true if they share a point.
+    // Sets `hit` and returns true if line and triangle share a point.
     bool find(LineHit& hit) const noexcept {
         if (is_zero_vector<L>(d_)) return find_point(hit);
         const Weights weights = find_weights();
@@ -59,7 +59,7 @@ class LineTriangle {
             least = std::min(least, signs[i]);
         }
         if (most > 0 && least < 0) return false;
-        // Seen along the line all corners are on one line through it: that and the triangle are in one plane.
+        // All corners are on one line when seen along d: line and triangle are in one plane.
         if (most == 0 && least == 0) return find_in_plane(hit);
         hit.facing = most + least;
         hit.is_along = false;
@@ -70,8 +70,8 @@ class LineTriangle {
         return true;
     }
 
-    // Sets the parameter of the point in which the line crosses the plane. Only where it is known that it does, not
-    // before its beginning. Returns the sign of n . d.
+    // Sets the parameter of the point in which the line crosses the plane, and returns the sign of n . d. The caller
+    // must know that the line crosses the plane, and not before its beginning.
     int find_crossing(Fraction& at) const noexcept {
         const LimbVector<2 * L> n = normal();
         const Magnitude<3 * L> den = dot<2 * L, L>(n, d_);
@@ -82,12 +82,12 @@ class LineTriangle {
   private:
     // A parameter that may be negative.
     using Ratio = exact::Ratio<2 * L>;
-    // What the line shares with an edge.
+    // Holds the interval of the line that is on an edge.
     struct Part {
         bool is_empty = true;
         Ratio low, high;
     };
-    // What it shares with corners and with the edges that begin there.
+    // Holds the parameters of corners on the line, and the parts of edges, which begin at corners of the same index.
     struct Parts {
         std::array<bool, 3> has_corner{};
         std::array<Ratio, 3> corner;
@@ -100,7 +100,7 @@ class LineTriangle {
         return x.sign() < 0 ? -1 : exact::compare(x.size(), y.ref());
     }
 
-    // num / den, which is not negative.
+    // Sets the fraction num / den, which must not be negative.
     template <int M>
     static void set(Fraction& to, const Magnitude<M>& num, const Magnitude<M>& den) noexcept {
         to.num.assign(num.limbs);
@@ -111,7 +111,7 @@ class LineTriangle {
     static bool is_zero_vector(const LimbVector<M>& v) noexcept {
         return is_zero<M>(v[0].limbs) && is_zero<M>(v[1].limbs) && is_zero<M>(v[2].limbs);
     }
-    // The axis of a component that is not zero.
+    // Returns the axis of a component that is not zero.
     template <int M>
     static std::size_t axis_of(const LimbVector<M>& v) noexcept {
         std::size_t axis = 0;
@@ -127,15 +127,15 @@ class LineTriangle {
 
     using Weights = std::array<Magnitude<3 * L>, 3>;
 
-    // Of the corners, times n . d.
+    // Returns the barycentric weights of the corners, times n . d.
     Weights find_weights() const noexcept {
         const LimbVector<2 *L> dp = cross<L>(d_, corner_[0]), dq = cross<L>(d_, corner_[1]);
         return {dot<2 * L, L>(dq, corner_[2]), negated<3 * L>(dot<2 * L, L>(dp, corner_[2])),
                 dot<2 * L, L>(dp, corner_[1])};
     }
 
-    // Sets the parameter of the point in which the line crosses the plane, by the shortest numbers that say it, and
-    // returns true; or returns false if it is negative. The feature must have been set.
+    // Sets the parameter of the point in which the line crosses the plane, as a fraction of the shortest numbers, and
+    // returns true; or returns false if the parameter is negative. The feature must have been set.
     bool set_crossing(const Weights& weights, LineHit& hit) const noexcept {
         if (hit.feature == Feature::Kind::vertex) return set(hit.enter, on_line(corner_[hit.corner]));
         if (hit.feature == Feature::Kind::edge) {
@@ -144,7 +144,7 @@ class LineTriangle {
             const std::size_t axis = axis_of<2 * L>(de);
             return set(hit.enter, {cross<L>(p, e)[axis], de[axis]});
         }
-        // n . p = p . (q x r), and n . d is the sum of the weights.
+        // Uses n . p = p . (q x r); n . d is the sum of the weights.
         const Magnitude<3 * L> num = dot<2 * L, L>(cross<L>(corner_[1], corner_[2]), corner_[0]);
         if (sign<3 * L>(num) * hit.facing < 0) return false;
         Magnitude<3 * L> den = weights[0];
@@ -158,7 +158,7 @@ class LineTriangle {
         return true;
     }
 
-    // A point is inside the edge opposite to the corner whose weight is 0, or at the corner whose weight alone is not.
+    // Names the inside of the edge opposite to the corner whose weight is 0, or the only corner whose weight is not 0.
     static void name_feature(const std::array<int, 3>& weights, LineHit& hit) noexcept {
         std::uint32_t zeros = 0, at_zero = 0, at_weight = 0;
         for (std::uint32_t i = 0; i < 3; ++i) {
@@ -237,14 +237,14 @@ class LineTriangle {
         }
     }
 
-    // The parameter of a point of the line.
+    // Returns the parameter of a point of the line.
     Ratio on_line(const Vector& p) const noexcept {
         const std::size_t axis = axis_of<L>(d_);
         return {widened<2 * L>(p[axis]), widened<2 * L>(d_[axis])};
     }
 
-    // Where the line crosses the open edge from p to q, neither of which is on it. With e = q - p, s d = p + t e: its
-    // cross products with e and with d are s (d x e) = p x e and t (d x e) = p x d.
+    // Sets `part` to the point in which the line crosses the open edge from p to q, neither of which is on the line.
+    // With e = q - p, s d = p + t e: its cross products with e and with d are s (d x e) = p x e and t (d x e) = p x d.
     void find_crossing(const Vector& p, const Vector& q, Part& part) const noexcept {
         const Vector e = minus(q, p);
         const LimbVector<2 * L> de = cross<L>(d_, e);
@@ -256,7 +256,7 @@ class LineTriangle {
         part = {false, s, s};
     }
 
-    // The line is the point at 0.
+    // Decides a line that is the single point 0.
     bool find_point(LineHit& hit) const noexcept {
         const LimbVector<2 * L> n = normal();
         if (sign<3 * L>(dot<2 * L, L>(n, corner_[0])) != 0) return false;

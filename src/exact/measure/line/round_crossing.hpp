@@ -1,4 +1,4 @@
-// The point in which a line crosses a triangle's face, rounded once: by leading digits, where these say it.
+// round_crossing rounds the point in which a line crosses a triangle's face, once, from leading digits if they suffice.
 #pragma once
 
 #include <array>
@@ -9,23 +9,23 @@
 
 namespace ecods::exact {
 
-// A line's beginning, its direction and a triangle's corners counted from there, in units of 2^unit.
+// Holds a line's beginning, in world coordinates, and its direction in units of 2^unit. The corners of a triangle that
+// go with it are relative to the beginning, in the same units.
 struct LineInUnits {
     Vec3 from;
     TwoLimbKernel::Point direction;
     int unit = 0;
 };
 
-// What round_on_line() says of the point in which the line crosses the triangle, and the sign of n . d as in
-// line_hit.hpp.
+// Holds the crossing's parameter and point, rounded like round_on_line(), and the sign of n . d as in line_hit.hpp.
 struct RoundedCrossing {
     RoundedOnLine at;
     int facing = 0;
 };
 
-// Sets it and returns true; or returns false where leading digits do not say it, as of numbers half-way between two
-// doubles. Only where it is known that the line crosses the triangle's plane, at a positive parameter. Integers alone:
-// no floating-point environment shows in it. Cost: a third of that of the exact fraction and its rounding.
+// Sets `result` and returns true; or returns false if leading digits leave a rounding open, as for numbers half-way
+// between two doubles. The caller must know that the line crosses the triangle's plane, at a positive parameter. Uses
+// integers alone: the floating-point environment has no effect. Cost: a third of the exact fraction and its rounding.
 bool round_crossing(const LineInUnits& line, const std::array<TwoLimbKernel::Point, 3>& corners,
                     RoundedCrossing& result) noexcept;
 

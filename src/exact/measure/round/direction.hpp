@@ -1,4 +1,4 @@
-// Unit vectors along vectors of integers.
+// Unit vectors along vectors of integers are rounded once.
 #pragma once
 
 #include "ecods/pose.hpp"
@@ -8,7 +8,8 @@
 
 namespace ecods::exact {
 
-// v / |v|, each coordinate rounded once to the nearest double, ties to even; a zero is +0. v is not zero.
+// Returns v / |v|, or its negative if is_turned. Each coordinate is rounded once to the nearest double, ties to even; a
+// zero is +0. v must not be zero.
 template <int M>
 Vec3 round_direction(const LimbVector<M>& v, bool is_turned = false) noexcept {
     static_assert(2 * M <= static_cast<int>(divisor_limbs));

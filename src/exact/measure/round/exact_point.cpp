@@ -8,7 +8,7 @@
 namespace ecods::exact {
 namespace {
 
-// The coordinate R v + t + num / den is the sum of products with the denominator, over it.
+// Returns the coordinate R v + t + num / den, as the sum of products with the denominator, over the denominator.
 double round_coordinate(const PointRef& origin, int row, const ExactPoint& point) noexcept {
     const ExactPoint::Coordinate& num = point.num[static_cast<std::size_t>(row)];
     const NaturalSpan den = point.den.limbs();

@@ -1,4 +1,4 @@
-// A point with rational coordinates, and its rounding to doubles.
+// An ExactPoint has rational coordinates, and is rounded to doubles once.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace ecods::exact {
 
-// num / den * 2^unit by axis, from the first corner of the first triangle on. Numerators of five factors: a weight of
-// four and a difference.
+// Holds num / den * 2^unit by axis, relative to the first corner of the first triangle. Numerators have five factors: a
+// weight of four and a difference.
 struct ExactPoint {
     struct Coordinate {
         Natural<5 * limb_count_max> size;
@@ -21,8 +21,8 @@ struct ExactPoint {
     int unit = 0;
 };
 
-// Where the point is in the world, each coordinate rounded once to the nearest double, ties to even; a zero is +0.
-// `origin` is the corner that it is counted from.
+// Returns the point in the world, each coordinate rounded once to the nearest double, ties to even; a zero is +0.
+// `origin` is the corner that the point is relative to.
 Vec3 round_point(const PointRef& origin, const ExactPoint& point) noexcept;
 
 }  // namespace ecods::exact

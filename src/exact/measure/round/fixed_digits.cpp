@@ -4,14 +4,14 @@
 
 namespace ecods::exact {
 
-// With x the leading digits of s, 2^124 <= x < 2^128, a root in doubles gives g = 2^84 / sqrt(x / 2^64) up to a part of
-// 2^-49: three roundings of 2^-52, one of which a root halves, and cut-off digits. One step of Newton leaves 3/8 of the
-// square of twice that, below 2^-95, beside digits that are cut off.
+// Let x be the leading digits of s, 2^124 <= x < 2^128. A root in doubles gives g = 2^84 / sqrt(x / 2^64) with a
+// relative error of 2^-49: three roundings of 2^-52, one of which the root halves, and digits that are cut off. One
+// step of Newton leaves 3/8 of the square of twice that error, which is below 2^-95, besides digits that are cut off.
 Uint128 inverse_root(const Int256& s) noexcept {
     const auto x = static_cast<Uint128>(s.high) << 2 | s.low >> 126;
     const double top = static_cast<double>(static_cast<std::uint64_t>(x >> 64));
     const auto g = static_cast<std::uint64_t>(1 / std::sqrt(top) * 0x1p84);
-    // (1 - x g^2 / 2^232) 2^108
+    // rest = (1 - x g^2 / 2^232) 2^108
     const Int256 one{0, Int128{1} << (232 - 128)};
     const Int128 rest = shifted(one - multiply_halves(x, Uint128{g} * g), 124);
     return (Uint128{g} << 73) + static_cast<Uint128>((Int128{static_cast<std::int64_t>(g)} * rest) >> 36);

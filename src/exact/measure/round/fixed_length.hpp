@@ -1,7 +1,7 @@
-// The length of a vector and the distance of a point from a line, of integer points: rounded once wherever that is
-// certain, which it is but for one in 2^30 or so. For what is left there are fractions (squared_distance.hpp).
+// Lengths of vectors and distances of points from lines, of integer points, are rounded once if the rounding is
+// certain, as it is but for one number in 2^30 or so. Fractions round the rest (squared_distance.hpp).
 //
-// With `is_exact`, points are exact. Otherwise a coordinate of a difference of two of them is off by less than 5 units.
+// If `is_exact`, points are exact. Otherwise a coordinate of a difference of two points is off by less than 5 units.
 // Differences are below 2^123 in magnitude. A coordinate is a multiple of 2^unit.
 #pragma once
 
@@ -11,11 +11,11 @@
 
 namespace ecods::exact {
 
-// Of a difference of two points, at least 2^-1074 if it is positive.
+// Returns the length of w, a difference of two points: at least 2^-1074 if it is positive.
 std::optional<double> fixed_length(const IntegerVector& w, int unit, bool is_exact) noexcept;
 
-// The distance of a point from a line: it is w away from one end of the line's vector u. Nothing where it may be zero,
-// or u may be.
+// Returns the distance of a point from a line: w is the point relative to one end of the line's vector u. Returns
+// nothing if the distance or u may be zero.
 std::optional<double> fixed_distance_from_line(const IntegerVector& w, const IntegerVector& u, int unit,
                                                bool is_exact) noexcept;
 

@@ -1,4 +1,4 @@
-// Fractions of integers that are not negative: parameters along a line, times.
+// Fractions of integers that are not negative are parameters along a line, or times.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ namespace ecods::exact {
 inline constexpr std::size_t fraction_limbs = 3 * limb_count_max;
 static_assert(determinant_bits(LimbKernel<limb_count_max>::coordinate_bits) <= static_cast<int>(64 * fraction_limbs));
 
-// num / den by reference, den > 0.
+// Refers to the fraction num / den, den > 0.
 struct FractionRef {
     NaturalSpan num;
     NaturalSpan den;
 };
 
-// num / den, den > 0.
+// Holds the fraction num / den, den > 0.
 struct Fraction {
     Natural<fraction_limbs> num;
     Natural<fraction_limbs> den{1};
@@ -29,7 +29,7 @@ struct Fraction {
     FractionRef ref() const noexcept { return {num.limbs(), den.limbs()}; }
 };
 
-// A ratio is num / den of either sign, den not zero.
+// Holds the ratio num / den of either sign, den not zero.
 template <int L>
 struct Ratio {
     Magnitude<L> num, den;
@@ -41,10 +41,11 @@ struct Ratio {
     FractionRef size() const noexcept { return {without_leading_zeros(num.limbs), without_leading_zeros(den.limbs)}; }
 };
 
-// A double that is finite and not negative. Of 2^-1074 the denominator has 17 limbs, as has the numerator of 2^1023.
+// Converts a double that is finite and not negative. The denominator of 2^-1074 has 17 limbs; no numerator has more
+// than 16.
 Fraction fraction_of(double x) noexcept;
 
-// The sign of the first less the second, or less the double x >= 0, which may be infinity.
+// Returns the sign of the first less the second, or less the double x >= 0, which may be infinity.
 int compare(const FractionRef& first, const FractionRef& second) noexcept;
 int compare(const FractionRef& first, double x) noexcept;
 template <int L>
@@ -54,12 +55,12 @@ int compare(const Ratio<L>& x, const Ratio<L>& y) noexcept {
     return a * compare(x.size(), y.size());
 }
 
-// The nearest double, ties to even; at least 2^-1074 if it is positive, infinity above the largest double. No
-// floating-point environment shows in it.
+// Returns the nearest double, ties to even; at least 2^-1074 if x is positive, infinity above the largest double. The
+// floating-point environment has no effect.
 double round_fraction(const FractionRef& x) noexcept;
 
-// A parameter of a line, and the point there: a + (b - a) num / den, or a + b num / den where `is_direction`. Each
-// number is rounded once to the nearest double, ties to even; a zero is +0, and a positive parameter at least 2^-1074.
+// Holds a parameter of a line, and its point a + (b - a) num / den, or a + b num / den if `is_direction`. Each number
+// is rounded once to the nearest double, ties to even; a zero is +0, and a positive parameter at least 2^-1074.
 struct RoundedOnLine {
     double parameter = 0;
     Vec3 point = Vec3::Zero();

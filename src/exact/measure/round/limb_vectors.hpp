@@ -1,5 +1,4 @@
-// Vectors of integers as sign and magnitude, and their products. The caller sees to it that results fit: their widths
-// are asserted where they are used.
+// A LimbVector is a vector of integers as sign and magnitude. Products must fit: their users assert the widths.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +18,7 @@ Magnitude<L> negated(Magnitude<L> a) noexcept {
     return a;
 }
 
-// Widens a number to as many limbs or more.
+// Widens a number to M limbs.
 template <int M, int L>
 Magnitude<M> widened(const Magnitude<L>& x) noexcept {
     static_assert(M >= L);
@@ -28,7 +27,7 @@ Magnitude<M> widened(const Magnitude<L>& x) noexcept {
     return result;
 }
 
-// sum += a * b, or sum -= a * b where `negative` is all_ones.
+// Adds a * b to the sum, or subtracts it if `negative` is all_ones.
 template <int A, int B>
 inline void add_product(Limbs<A + B>& sum, const Magnitude<A>& a, const Magnitude<B>& b,
                         std::uint64_t negative = 0) noexcept {
@@ -75,7 +74,7 @@ bool is_zero_vector(const LimbVector<L>& a) noexcept {
     return is_zero<L>(a[0].limbs) && is_zero<L>(a[1].limbs) && is_zero<L>(a[2].limbs);
 }
 
-// Or one of them zero.
+// True if a and b are parallel, or one of them is zero.
 template <int L>
 bool is_parallel(const LimbVector<L>& a, const LimbVector<L>& b) noexcept {
     return is_zero_vector<2 * L>(cross<L>(a, b));

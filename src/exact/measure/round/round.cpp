@@ -1,8 +1,8 @@
-// Roots and quotients of integers, rounded to nearest: whole digits by integer division, then one bit for the rest.
+// Roots and quotients of integers are rounded to nearest: integer division gives the leading digits, rounded down, and
+// one bit says if anything is left.
 //
-// A number is known as its leading digits, rounded down, and whether anything is left: its rounding to any shorter
-// number follows, half-way cases and powers of two included. floor(sqrt(x)) = floor(sqrt(floor(x))), so the digits of a
-// root follow from those of its square.
+// Digits and bit together determine the rounding to any shorter number, ties and powers of two included.
+// floor(sqrt(x)) = floor(sqrt(floor(x))), so the digits of a root follow from the digits of its square.
 #include <algorithm>
 #include <cmath>
 
@@ -12,20 +12,21 @@
 namespace ecods::exact {
 namespace {
 
-// (digits + rest) 2^exponent, 0 <= rest < 1, and whether rest is 0.
+// Holds (digits + rest) 2^exponent, 0 <= rest < 1; is_exact is true if rest is 0.
 struct Truncated {
     std::uint64_t digits;
     int exponent;
     bool is_exact;
 };
 
-// floor(num * 2^shift / den) < 2^128, and whether that is the quotient.
+// Holds floor(num * 2^shift / den) < 2^128; is_exact is true if the division left no rest.
 struct Quotient {
     Uint128 whole;
     bool is_exact;
 };
 
-// dividend -= digit * divisor * 2^(64 at), unless the digit is too large by one or two: then it is made smaller.
+// Subtracts digit * divisor from the dividend. Decreases a digit that is too large, by one or two, and adds the divisor
+// back.
 void subtract_product(std::uint64_t* dividend, NaturalSpan divisor, std::uint64_t& digit) noexcept {
     std::uint64_t carry = 0, borrow = 0;
     const std::size_t n = divisor.size();
@@ -53,10 +54,10 @@ void subtract_product(std::uint64_t* dividend, NaturalSpan divisor, std::uint64_
     }
 }
 
-// to[i] = the limb at position first + i of a * 2^shift, shift >= 0: as limb_of_shifted, of which it is many.
+// Sets to[i] to the limb at position first + i of a * 2^shift, shift >= 0: many calls of limb_of_shifted at once.
 void set_shifted(std::span<std::uint64_t> to, NaturalSpan a, int shift, std::size_t first) noexcept {
     const int bits = shift % 64;
-    // Wraps around below zero, beyond all limbs.
+    // A negative position wraps around to one beyond all limbs.
     std::size_t at = first - static_cast<std::size_t>(shift) / 64;
     std::uint64_t below = at - 1 < a.size() ? a[at - 1] : 0;
     for (std::uint64_t& limb : to) {
@@ -67,10 +68,10 @@ void set_shifted(std::span<std::uint64_t> to, NaturalSpan a, int shift, std::siz
     }
 }
 
-// Long division by limbs (Knuth, The Art of Computer Programming, volume 2, 4.3.1, algorithm D), of two digits. The
-// quotient must be below 2^128.
+// Returns num * 2^shift / den by long division with two digits of 64 bits (Knuth, The Art of Computer Programming,
+// volume 2, 4.3.1, algorithm D). The quotient must be below 2^128.
 Quotient divide(NaturalSpan num, int shift, NaturalSpan den) noexcept {
-    // The divisor gets a leading limb with its top bit set, and at least two limbs.
+    // Normalizes the divisor: its leading limb has its top bit set, and it has at least two limbs.
     const std::size_t n = std::max<std::size_t>(den.size(), 2);
     const int up = static_cast<int>(64 * n) - bit_width(den);
     std::array<std::uint64_t, divisor_limbs> v;
@@ -108,8 +109,8 @@ Quotient divide(NaturalSpan num, int shift, NaturalSpan den) noexcept {
     return {whole, is_exact};
 }
 
-// floor(sqrt(x)), for 2^116 <= x < 2^126. The root in floating point is a first guess, off by 2^-50 of it in any
-// rounding mode; a step of Newton's squares that error, and integers correct what is left.
+// Returns floor(sqrt(x)), for 2^116 <= x < 2^126. The root in floating point is a first guess with a relative error of
+// 2^-50 in any rounding mode; a Newton step squares that error, and integers correct the rest.
 std::uint64_t floor_of_root(Uint128 x) noexcept {
     const double guess = std::sqrt(static_cast<double>(static_cast<std::int64_t>(x >> 64))) * 0x1p32;
     auto m = static_cast<std::uint64_t>(guess);
@@ -119,8 +120,8 @@ std::uint64_t floor_of_root(Uint128 x) noexcept {
     return m;
 }
 
-// The bits of the double nearest to a number of at least 55 digits, ties to even. As bits, so that it is not taken for
-// zero where it is subnormal.
+// Returns the bits of the double nearest to a number of at least 55 digits, ties to even. Bits, because the processor
+// may take a subnormal double for zero.
 std::uint64_t nearest(const Truncated& x) noexcept {
     constexpr int least = -1074;
     const int width = static_cast<int>(std::bit_width(x.digits));
@@ -135,14 +136,14 @@ std::uint64_t nearest(const Truncated& x) noexcept {
         const bool is_tie = lost == half && x.is_exact;
         if (lost > half || (lost == half && !x.is_exact) || (is_tie && (kept & 1) != 0)) ++kept;
     }
-    // A carry out of the digits goes on into the exponent, as it should, up to infinity.
+    // A carry out of the digits rightly goes on into the exponent, up to infinity.
     return (static_cast<std::uint64_t>(exponent - least) << 52) + kept;
 }
 
-// The bits of the double nearest to sqrt(num / den) 2^exponent.
+// Returns the bits of the double nearest to sqrt(num / den) 2^exponent.
 std::uint64_t root_bits(NaturalSpan num, NaturalSpan den, int exponent) noexcept {
     if (num.empty()) return 0;
-    // An even shift to a quotient of 118 to 121 bits, whose root has 59 to 61.
+    // An even shift makes a quotient of 118 to 121 bits, whose root has 59 to 61.
     const int shift = (120 - (bit_width(num) - bit_width(den))) & ~1;
     const Quotient quotient = divide(num, shift, den);
     const std::uint64_t root = floor_of_root(quotient.whole);
@@ -197,7 +198,7 @@ double round_integer(const Int256& x, int exponent) noexcept {
         low = 0;
         exponent -= 128;
     }
-    // The leading bit goes to the top.
+    // Shifts the leading bit to the top.
     const int up = 128 - bit_width(high);
     if (up > 0) {
         high = high << up | low >> (128 - up);
