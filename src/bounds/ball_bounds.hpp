@@ -1,4 +1,4 @@
-// A ball, prepared for being tested against many boxes.
+// BallBounds is a ball that is prepared for tests against many boxes.
 #pragma once
 
 #include "bounds/segment_bounds.hpp"
@@ -6,30 +6,31 @@
 
 namespace ecods {
 
-// The squared distance of the center from a box is the sum of the squared gaps on the axes: min - c, c - max or none.
+// Compares the squared distance of the center from a box with the squared radius. The squared distance is the sum of
+// the squared gaps on the axes: min - c, c - max or none.
 //
-// Bound. With u' = 2^-52 (any rounding mode) a gap is off by u', relative, its square by 3.01 u', and the sum of three
-// by 5.1 u'; the squared radius by u'. Together the two are off by less than 6.2 u' m, m being the larger of them, and
-// 16 u' m covers the evaluation of the comparison, too. Underflow, subnormals taken for zero included, loses less than
-// 2^-1020 in a gap and in a square; below 2^-500 m, where m is at least 2^-900. Overflow: m must be below 2^900; a mode
-// that rounds down makes large numbers of infinities, and these are not.
+// Bound. With u' = 2^-52 (any rounding mode) a gap has a relative error of u', its square of 3.01 u', and the sum of
+// three of 5.1 u'; the squared radius has u'. Together the two are off by less than 6.2 u' m, where m is the larger of
+// them, and 16 u' m covers the evaluation of the comparison, too. Underflow, subnormals taken for zero included, loses
+// less than 2^-1020 in a gap and in a square; this is below 2^-500 m if m is at least 2^-900. Overflow: m must be below
+// 2^900, since a mode that rounds down turns infinities into large numbers.
 class BallBounds {
   public:
     explicit BallBounds(const Ball& ball) noexcept;
 
-    // A box that contains the ball, but for what no double reaches.
+    // Returns a box that contains the ball, except for points beyond all doubles.
     const Aabb& box() const noexcept { return box_; }
 
-    // Of any box.
+    // Decides any box by doubles and the bound.
     BoxVerdict judge(const Aabb& box) const noexcept;
 
-    // overlap(ball, box)
+    // Returns overlap(ball, box).
     bool meets(const Aabb& box) const noexcept;
 
   private:
     Ball ball_;
     Aabb box_;
-    double square_;  // of the radius, rounded
+    double square_;  // squared radius, rounded
 };
 
 }  // namespace ecods

@@ -1,4 +1,4 @@
-// Vectors and matrices of three dimensions in registers of four doubles, for code that is compiled for several
+// Vectors and matrices of three dimensions are held in registers of four doubles, for code that is compiled for several
 // instruction sets (simd/region.hpp). Products of matrices and vectors add from left to right.
 #pragma once
 

@@ -1,6 +1,6 @@
-// Text of bounds/support_table.cpp for AVX-512.
+// eight_boxes_text.hpp is the text of bounds/support_table.cpp for AVX-512.
 
-// find_four_boxes() of eight.
+// Does for eight poses what find_four_boxes() does for four.
 [[gnu::noinline]] inline bool find_eight_boxes(const TableView& table, const std::array<const Pose*, 8>& poses,
                                                const std::array<Aabb*, 8>& boxes) noexcept {
     const Rows<Double4> low = load_four(poses.data()), high = load_four(poses.data() + 4);

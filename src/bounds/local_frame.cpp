@@ -8,11 +8,11 @@
 namespace ecods {
 namespace {
 
-// Beyond this, differences of coordinates, and products of them with the frame, may overflow.
+// Larger coordinates may overflow in differences and in products of these with the frame.
 constexpr double coordinate_max = 0x1p900;
 constexpr double scale_min = 0x1p-900;
 
-// Triangles that the choice of axes looks at: any axes are right, so a sample will do.
+// Limits the triangles that choose the axes: any axes are right, so a sample will do.
 constexpr std::size_t sample_size_max = 4096;
 
 struct Range {
@@ -45,7 +45,7 @@ Range range_of(const Mesh& mesh, std::size_t stride, Map&& map) {
     return range;
 }
 
-// Principal axes of the corners, as orthonormal columns; the identity if that did not come out precisely enough.
+// Returns the principal axes of the corners, as orthonormal columns, or the identity if they are not precise enough.
 Mat3 principal_axes(const Mesh& mesh, std::size_t stride, const Vec3& center, double size) {
     Vec3 mean = Vec3::Zero();
     Mat3 moment = Mat3::Zero();
@@ -67,12 +67,12 @@ Mat3 principal_axes(const Mesh& mesh, std::size_t stride, const Vec3& center, do
     for (int i = 0; i < 9; ++i) {
         if (std::abs(axes.data()[i]) < 0x1p-100) axes.data()[i] = 0;
     }
-    // The product as computed is off by no more than 4 u', u' = 2^-52.
+    // The product as computed is off by at most 4 u', u' = 2^-52.
     const double tau = (axes.transpose() * axes - Mat3::Identity()).cwiseAbs().maxCoeff();
     return tau <= 0.5 * frame_tau_max ? axes : Mat3::Identity();
 }
 
-// The frame with these axes, around `near`, which need not be the middle.
+// Returns the frame with these axes, from a center that is computed relative to `near`: any point near the mesh.
 LocalFrame frame_along(const Mesh& mesh, const Mat3& axes, const Vec3& near) {
     LocalFrame frame;
     frame.center =
@@ -82,7 +82,7 @@ LocalFrame frame_along(const Mesh& mesh, const Mat3& axes, const Vec3& near) {
         reaches = reaches.cwiseMax((axes.transpose() * (v - frame.center)).cwiseAbs());
     });
     const double reach = reaches.maxCoeff();
-    // A power of two above the reach, with a margin for the error of coordinates.
+    // The scale is a power of two above the reach, with a margin for the error of coordinates.
     int exponent = 0;
     const double fraction = std::frexp(reach, &exponent);
     const double scale =
@@ -91,7 +91,7 @@ LocalFrame frame_along(const Mesh& mesh, const Mat3& axes, const Vec3& near) {
     frame.map = axes * scale;
     frame.inverse = axes.transpose() / scale;
     frame.scale = scale;
-    // The sum is rounded by no more than half of coordinate_error.
+    // The sum is rounded by at most half of coordinate_error.
     frame.half = reaches / scale + Vec3::Constant(2 * coordinate_error);
     frame.map_size = frame.map.cwiseAbs().rowwise().sum();
     frame.size_max = std::max({1.0, frame.map.cwiseAbs().maxCoeff(), frame.center.cwiseAbs().maxCoeff()});

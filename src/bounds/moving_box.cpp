@@ -11,7 +11,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double speed_min = 0x1p-1000, speed_max = 0x1p1000;
 constexpr double less = 1 - 0x1p-48, more = 1 + 0x1p-48;
 
-// At least the real b - a. A difference that may be subnormal, and flushed to zero, is known by its sign alone.
+// Returns an upper bound of the real b - a. A difference that may be subnormal, and flushed to zero, is known by its
+// sign alone.
 double difference_above(double a, double b) noexcept {
     if (key_of(a) == key_of(b)) return 0;
     const double difference = b - a;
@@ -21,7 +22,8 @@ double difference_above(double a, double b) noexcept {
 
 }  // namespace
 
-// An infinite side is where every box is on this side of it, or none is.
+// Sides at infinity do not move. If p is infinity, e <= p always holds; if p is -infinity and the side is not coming,
+// it holds for e = -infinity alone.
 void MovingBox::set(std::size_t side, double p, double velocity) noexcept {
     const std::int64_t key = key_of(velocity);
     Side& s = sides_[side];

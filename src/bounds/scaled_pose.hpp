@@ -1,11 +1,11 @@
-// A pose in units in which nothing overflows, and little is lost to underflow: what boxes of bodies near the ends of
-// the range of doubles are made in.
+// A ScaledPose is a pose in units in which nothing overflows, and little is lost to underflow. Boxes of bodies near the
+// ends of the range of doubles are computed with it.
 //
 // Coordinate i of a point is sum_j R_ij v_j + t_i. It is computed times 2^-e, from entries R_ij times 2^(c_j - e),
 // coordinates v_j times 2^-c_j, and t_i times 2^-e. With 2^c_j above all |v_j|, and e the least exponent for which all
 // |R_ij| 2^c_j and |t_i| are below 2^e, all of these are below 1, and the largest sum of magnitudes is 1/4 or more.
-// Scaling is by bits, and exact but for results below 2^-1022, which are zero: with factors below 1 the nine products
-// lose less than 2^-1018, which is below 2^-10 of the term for underflow in point_error_bound.
+// Scaling is by bits, and exact except for results below 2^-1022, which are zero: with factors below 1 the nine
+// products lose less than 2^-1018, which is below 2^-10 of the term for underflow in point_error_bound.
 #pragma once
 
 #include <algorithm>
@@ -18,14 +18,14 @@
 
 namespace ecods {
 
-// A pose need not be scaled where point_error_bound is above `unscaled_min` (1 + factor_max): then less than 2^-9 of it
-// is the term for underflow.
+// A pose need not be scaled if point_error_bound exceeds unscaled_min (1 + factor_max): then the term for underflow is
+// less than 2^-9 of the bound.
 inline constexpr double unscaled_min = 0x1p-990;
 
 class ScaledPose {
   public:
-    // For points with |v_j| <= v_max_j. If coordinates of points are not to be scaled, all c_j above are zero, but for
-    // the choice of e.
+    // Takes points with |v_j| <= v_max_j. If coordinates of points are not to be scaled, all c_j are zero except in the
+    // choice of e.
     ScaledPose(const Pose& pose, const Vec3& v_max, bool scales_points) noexcept {
         std::array<int, 3> above{};
         for (std::size_t j = 0; j < 3; ++j) above[j] = exact::exponent_above(v_max[static_cast<Eigen::Index>(j)]);
@@ -58,7 +58,8 @@ class ScaledPose {
                 exact::times_power(v[2], -points_[2])};
     }
 
-    // The least box of doubles that contains a box of scaled points. It is infinite only where doubles end.
+    // Returns the least box of doubles that contains a box of scaled points. An end is infinite only beyond the largest
+    // double.
     Aabb unscaled(const Aabb& box) const noexcept {
         Aabb result;
         for (int k = 0; k < 3; ++k) {

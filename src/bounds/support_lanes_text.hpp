@@ -1,9 +1,9 @@
-// Text of bounds/support_lanes.hpp, compiled for each instruction set. V is Double4, or Double8 where that is one
-// register (simd/double8.hpp), and each lane's numbers are made by the same operations in the same order.
+// support_lanes_text.hpp is the text of bounds/support_lanes.hpp, compiled for each instruction set. V is Double4, or
+// Double8 if that is one register (simd/double8.hpp); the same operations in the same order make each lane's numbers.
 
 using namespace support;
 
-// ---- four numbers, by the names that eight of them have
+// ---- four numbers, with the function names that eight have
 
 using Mask4 = Vec<std::int64_t, 4>;
 using Int4 = Vec<std::int32_t, 4>;
@@ -30,7 +30,7 @@ ECODS_ALWAYS_INLINE Double4 negative(Double4 x) noexcept {
     using Bits = Vec<std::uint64_t, 4>;
     return bits_as<Double4>(bits_as<Bits>(x) ^ (std::uint64_t{1} << 63));
 }
-// next_up(x) of what is neither infinite nor NaN.
+// Returns next_up(x), for x that is neither infinite nor NaN.
 ECODS_ALWAYS_INLINE Double4 next_up_of_finite(Double4 x) noexcept {
     using Bits = Vec<std::uint64_t, 4>;
     const Bits bits = bits_as<Bits>(x), zero{}, one = zero + 1;
@@ -43,7 +43,7 @@ ECODS_ALWAYS_INLINE Int4 either(Mask4 mask, Int4 yes, Int4 no) noexcept {
 ECODS_ALWAYS_INLINE Int4 places_of(Int4 numbers) noexcept {
     return numbers;
 }
-// Four pairs of floats, pair i at table[2 places[i]]: the first of each, and the second.
+// Loads four pairs of floats, pair i from table[2 places[i]]: the first of each, and the second.
 ECODS_ALWAYS_INLINE void load_pairs(const float* table, Int4 places, Double4& first, Double4& second) noexcept {
     const auto two = [&](int i) -> Vec<float, 4> {
         double pairs[2];
@@ -63,7 +63,7 @@ struct Reaches {
     V along, against;
 };
 
-// The values at a corner of each cell: both ends of its direction lie side by side in the table.
+// Returns the values at a corner of each cell: both ends of its direction lie side by side in the table.
 template <class V, class Places>
 ECODS_ALWAYS_INLINE Reaches<V> table_corner(const float* support, const Places& places) noexcept {
     Reaches<V> reaches;
@@ -71,22 +71,23 @@ ECODS_ALWAYS_INLINE Reaches<V> table_corner(const float* support, const Places& 
     return reaches;
 }
 
-// h(d) and h(-d) for the rows d of R, from above, in units of the scale.
+// Returns upper bounds of h(d) and h(-d) for the rows d of R, in units of the scale.
 //
-// Several rows at once, one in each lane of x, y and z: the three of one R, or one of each of several. The table has
-// both ends of each direction side by side: -d is in the same cell, with the same shares.
+// Computes several rows at once, one in each lane of x, y and z: the three of one R, or one of each of several. The
+// table has both ends of each direction side by side: -d is in the same cell, with the same barycentric shares.
 //
 // Bound, with m = |d_axis| and u' = 2^-52: the factor to cells is off by u', a place in the grid by 17 u' (of 8 cells,
-// each a quarter of m wide), what is left of it in a cell is exact, and the shares by 2 u'. So d and m sum l_k p_k
-// differ by less than 8 u' m on each axis, worth 8 u' m 3 sqrt(3) < 42 u' m; the shares' errors and the roundings of
-// the sum cost 8 u' m |h| < 24 u' m. 512 u' m covers all. Below 2^-1000, |h(d)| <= 3 m will do.
+// each a quarter of m wide), its remainder within a cell is exact, and the shares are off by 2 u'. So d and m sum l_k
+// p_k differ by less than 8 u' m on each axis, worth 8 u' m 3 sqrt(3) < 42 u' m; the shares' errors and the roundings
+// of the sum cost 8 u' m |h| < 24 u' m. 512 u' m covers all. For m below 2^-1000, the bound |h(d)| <= 3 m suffices.
 template <class V>
 ECODS_ALWAYS_INLINE Reaches<V> reaches(const Row& support, V x, V y, V z) noexcept {
     const V none{}, one = none + 1;
     const V size_x = absolute(x), size_y = absolute(y), size_z = absolute(z);
     const V size_xy = larger(size_y, size_x), m = larger(size_z, size_xy);
     const auto is_y = is_less(size_x, size_y), is_z = is_less(size_xy, size_z);
-    // The coordinate on the axis, those on the next two, and where the axis begins in the table.
+    // by_axis selects by the axis of the largest coordinate. d is that coordinate; `start` is the beginning of its face
+    // in the table.
     const auto by_axis = [&](V a, V b, V c) -> V { return either(is_z, c, either(is_y, b, a)); };
     const auto is_tiny = is_less(m, none + tiny);
     const V d = either(is_tiny, one, by_axis(x, y, z));
@@ -103,7 +104,7 @@ ECODS_ALWAYS_INLINE Reaches<V> reaches(const Row& support, V x, V y, V z) noexce
     const Int i = cell(at_i), j = cell(at_j);
     const V f = at_i - doubles_of(i), g = at_j - doubles_of(j);
 
-    // Each cell is cut along its diagonal.
+    // Each cell is cut along its diagonal into two triangles.
     const V low = smaller(f, g), high = larger(g, f);
     const V first_share = 1 - high, across_share = high - low;
     const Int first = (start + side_count * j) + i,
@@ -121,7 +122,7 @@ ECODS_ALWAYS_INLINE Reaches<V> reaches(const Row& support, V x, V y, V z) noexce
 
 // ---- boxes
 
-// Several poses, one in each lane, by row and column.
+// Holds several poses, one in each lane, by row and column.
 template <class V>
 struct Rows {
     V R[3][3], t[3];
@@ -154,7 +155,7 @@ ECODS_ALWAYS_INLINE Rows<Double4> load_four(const Pose* const* poses) noexcept {
     return rows;
 }
 
-// Boxes from their ends in x, y and z: the lower ones, then the upper ones.
+// Stores boxes from their ends in x, y and z: the lower ones, then the upper ones.
 ECODS_ALWAYS_INLINE void store_four(const Double4 (&ends)[6], Aabb* const* boxes) noexcept {
     static_assert(sizeof(Aabb) == 6 * sizeof(double), "the lower ends, then the upper ones");
     const Double4 xy_even = shuffle<0, 4, 2, 6>(ends[0], ends[1]), xy_odd = shuffle<1, 5, 3, 7>(ends[0], ends[1]);
@@ -170,7 +171,7 @@ ECODS_ALWAYS_INLINE void store_four(const Double4 (&ends)[6], Aabb* const* boxes
     }
 }
 
-// Sets the ends of boxes, and returns whether no pose need be scaled for its box; otherwise they are not set.
+// Sets the ends of boxes and returns true; or returns false, and sets nothing, if a pose must be scaled for its box.
 template <class V>
 ECODS_ALWAYS_INLINE bool find_ends(const TableView& table, const Rows<V>& rows, V (&ends)[6]) noexcept {
     const LocalFrame& frame = table.frame;
@@ -186,7 +187,7 @@ ECODS_ALWAYS_INLINE bool find_ends(const TableView& table, const Rows<V>& rows, 
         sum_max = larger(sum_max, sum + absolute(rows.t[row]));
     }
     const V factor_max = larger(size_max, none + table.v_max_of_all);
-    // point_error_bound
+    // This is point_error_bound.
     const V underflow =
         either(is_less(factor_max, none + 0x1p19), none + 0x1p-1000, 0x1p-1000 + 0x1p-1000 * factor_max);
     const V delta = 4.25 * double_u * sum_max + underflow;

@@ -34,8 +34,8 @@ using namespace support;
 constexpr double float_u = 0x1p-23;
 constexpr std::size_t face_size = SupportTableGrid::face_size, direction_count = SupportTableGrid::direction_count;
 
-// The pose in units in which its sums are about one: with v_max between 2^-900 and 2^902, entries of R are below 2^901,
-// and the term for underflow is below 2^-90 of the bound.
+// Scales the pose to units in which its sums are about one. With v_max between 2^-900 and 2^902, entries of R are below
+// 2^901, and the term for underflow is below 2^-90 of the bound.
 [[gnu::noinline]] Aabb scaled_box_by_table(const TableView& table, const Pose& pose) {
     const ScaledPose scaled(pose, table.v_max, false);
     if (scaled.is_zero()) return {};
@@ -80,8 +80,8 @@ Aabb SupportTable::box(const Pose& pose) const {
 
 namespace {
 
-// Calls `boxes_of` with `width` poses at a time, of which the last ones repeat where there are fewer; it returns
-// whether that can be done. One that is left is asked for alone, and so are all where one must be scaled.
+// Calls `boxes_of` with `width` poses at a time; the last call repeats its last pose if there are fewer. `boxes_of`
+// returns false if a pose must be scaled. Its poses are then computed one by one, and so is a last pose that is alone.
 template <std::size_t width, class BoxesOf>
 void find_boxes(const SupportTable& table, std::span<const Pose* const> poses, std::span<Aabb* const> boxes,
                 const BoxesOf& boxes_of) {

@@ -1,12 +1,12 @@
-// The box of a posed mesh in constant time, from a table of the support function.
+// A SupportTable gives the box of a posed mesh in constant time, from a table of the support function.
 //
-// The support function h(d) = max d . v over the points v of a mesh gives the box of every pose: on axis i it reaches
-// from (R center + t)_i - h(-r_i) to (R center + t)_i + h(r_i), r_i being row i of R, and points relative to the
-// center. h is convex and positively homogeneous, so values at the corners p_k of a triangle on the surface of the unit
-// cube bound it on the whole cone over that triangle:
+// The support function h(d) = max d . v over the points v of a mesh gives the box of every pose. On axis i the box
+// reaches from (R center + t)_i - h(-r_i) to (R center + t)_i + h(r_i), where r_i is row i of R, and points v are
+// relative to the center. h is convex and positively homogeneous, so values at the corners p_k of a triangle on the
+// surface of the unit cube bound it on the whole cone over that triangle:
 //     d = m (l_0 p_0 + l_1 p_1 + l_2 p_2),  l_k >= 0   implies   h(d) <= m (l_0 h(p_0) + l_1 h(p_1) + l_2 h(p_2)).
-// Kept of the mesh are a table of h on a grid over the cube, and the oriented box of its local frame, which is tighter
-// for rods and plates.
+// The table has h on a grid over the cube, and the oriented box of the mesh's local frame, which is tighter for rods
+// and plates.
 #pragma once
 
 #include <array>
@@ -21,9 +21,9 @@ namespace ecods {
 
 struct SupportTableGrid {
     static constexpr int cell_count = 8;               // along an edge of the cube
-    static constexpr int side_count = cell_count + 1;  // grid points along it
+    static constexpr int side_count = cell_count + 1;  // grid points along an edge
     static constexpr std::size_t face_size = side_count * side_count;
-    // By axis and corner p of the grid on the face where that coordinate is one: h(p) and h(-p).
+    // A table has h(p) and h(-p), by axis and by grid corner p on the face where that coordinate is one.
     static constexpr std::size_t direction_count = 3 * face_size * 2;
 };
 
@@ -33,12 +33,12 @@ class SupportTable {
     SupportTable(const Mesh& mesh, const LocalFrame& frame);
 
     // Returns a box that contains the exact body. On each side it is loose by at most an eighth of the mesh's half
-    // diagonal (1.6 % of the radius for a ball), and never looser than the oriented box. An end is infinite only
-    // beyond the largest double, whatever the other ends are.
+    // diagonal (1.6 % of the radius for a ball), and never looser than the oriented box. An end is infinite only beyond
+    // the largest double, whatever the other ends are.
     Aabb box(const Pose& pose) const;
 
-    // The same of as many poses as boxes, the same bits: four at a time in about half the time, or eight at a time in a
-    // quarter, as the processor allows. Poses, and boxes, may repeat.
+    // Sets the same bits as box() for as many poses as boxes: four at a time in about half the time, or eight at a time
+    // in a quarter, if the processor allows. Poses, and boxes, may repeat.
     void boxes(std::span<const Pose* const> poses, std::span<Aabb* const> boxes) const;
 
   private:

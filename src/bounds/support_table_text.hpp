@@ -1,6 +1,6 @@
-// Text of bounds/support_table.cpp, compiled for each instruction set.
+// support_table_text.hpp is the text of bounds/support_table.cpp, compiled for each instruction set.
 
-// reach[k] = max(reach[k], direction k . y).
+// Sets reach[k] = max(reach[k], direction k . y).
 [[gnu::noinline]] inline void include(const Row& x, const Row& y, const Row& z, const std::array<float, 3>& point,
                                       Row& reach) noexcept {
     for (std::size_t k = 0; k < SupportTableGrid::direction_count; ++k) {
@@ -9,13 +9,14 @@
     }
 }
 
-// The center is posed with the error of a point (exact/point/point.hpp), as any point of the mesh would be, whose
-// coordinates are below |center| + 2 scale: the bound's term for underflow covers the reach, too. The oriented box
-// reaches |R axes| half from the center: both products are off by 3.01 u' sqrt(3) |R| 1, below 16 u' |R| 1 in units of
-// the scale. The reach that is added to the center has three roundings, below 4 u', and the sum has one.
+// Returns the box from the table. The center is posed with the error of a point (exact/point/point.hpp), like any point
+// of the mesh, whose coordinates are below |center| + 2 scale: the bound's term for underflow covers the reach, too.
+// The oriented box reaches |R axes| half from the center: both products are off by 3.01 u' sqrt(3) |R| 1, below 16 u'
+// |R| 1 in units of the scale. The reach that is added to the center has three roundings, below 4 u', and the sum has
+// one.
 ECODS_ALWAYS_INLINE Aabb box_by_table(const TableView& table, const Matrix4& R, Double4 t, const Matrix4& size,
                                       double delta) noexcept {
-    const Double4 center = R * load3(table.frame.center.data()) + t;  // as pose_point has it
+    const Double4 center = R * load3(table.frame.center.data()) + t;  // the operations of pose_point
     const Double4 oriented =
         absolute(R * load3(table.frame.axes)) * load3(table.frame.half.data()) + 16 * double_u * row_sums(size);
     const Reaches<Double4> h = reaches<Double4>(table.support, R.column[0], R.column[1], R.column[2]);
@@ -31,7 +32,7 @@ ECODS_ALWAYS_INLINE Aabb box_by_table(const TableView& table, const Matrix4& R, 
     return box;
 }
 
-// Sets the box, unless the pose must be scaled for it.
+// Sets the box and returns true, unless the pose must be scaled for it.
 [[gnu::noinline]] inline bool find_box(const TableView& table, const Pose& pose, Aabb& box) noexcept {
     const Matrix4 R = load3(pose.R), size = absolute(R);
     const Double4 t = load3(pose.t.data());
@@ -45,7 +46,7 @@ ECODS_ALWAYS_INLINE Aabb box_by_table(const TableView& table, const Matrix4& R, 
     return true;
 }
 
-// Returns whether no pose need be scaled for its box; otherwise the boxes are not set.
+// Sets the boxes and returns true; or returns false, and sets nothing, if a pose must be scaled for its box.
 [[gnu::noinline]] inline bool find_four_boxes(const TableView& table, const std::array<const Pose*, 4>& poses,
                                               const std::array<Aabb*, 4>& boxes) noexcept {
     Double4 ends[6];
