@@ -1,4 +1,4 @@
-// What the library asks of a compiler, checked at compile time.
+// The library checks at compile time what it needs of a compiler.
 #pragma once
 
 #include <cfloat>
@@ -14,13 +14,13 @@
 
 namespace ecods {
 
-// Answers are proved for IEEE binary64 evaluated as binary64: no x87 registers, no wider intermediates. Contraction
-// to fused multiply-add, any rounding mode and flush-to-zero are covered by the proofs.
+// Proofs of answers assume IEEE binary64 evaluated as binary64: no x87 registers, no wider intermediates. They cover
+// contraction to fused multiply-add, any rounding mode and flush-to-zero.
 static_assert(std::numeric_limits<double>::is_iec559 && DBL_MANT_DIG == 53 && DBL_MAX_EXP == 1024);
 static_assert(FLT_EVAL_METHOD == 0);
 static_assert(CHAR_BIT == 8);
 
-// Twice the unit roundoff u = 2^-53: the relative error of one operation in any rounding mode is below it.
+// Twice the unit roundoff u = 2^-53: an upper bound of the relative error of one operation in any rounding mode.
 inline constexpr double two_u = 0x1p-52;
 
 }  // namespace ecods

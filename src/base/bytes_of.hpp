@@ -1,4 +1,4 @@
-// How much memory lists hold.
+// bytes_of counts the memory that lists hold.
 #pragma once
 
 #include <cstddef>

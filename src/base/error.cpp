@@ -10,7 +10,7 @@
 namespace ecods {
 namespace {
 
-// The shortest decimal that reads back as the same double; NaN and infinities by name.
+// Returns the shortest decimal that reads back as the same double; NaN and infinities by name.
 std::string text(double x) {
     std::array<char, 32> buffer;
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr;
@@ -40,7 +40,7 @@ std::string pose_entry(int row, int column) {
     return column == 3 ? "t[" + r + "]" : "R(" + r + ", " + std::to_string(column) + ")";
 }
 
-// By the value of the enumerator.
+// Names questions by the value of the enumerator.
 constexpr std::array<std::string_view, 10> question_names = {
     "relation",      "intersecting_triangles", "distance", "within",      "closest",
     "intersections", "close_features",         "cast",     "cast_moving", "hits"};
@@ -51,7 +51,7 @@ std::string name_of(Question question) {
     return value < question_names.size() ? std::string(question_names[value]) : "question " + std::to_string(value);
 }
 
-// "axis 2: coordinate is nan, not finite"
+// Returns, for example, "axis 2: coordinate is nan, not finite".
 std::string bad_coordinate(int axis, double value) {
     return "axis " + std::to_string(axis) + ": coordinate is " + text(value) + ", not finite";
 }

@@ -16,8 +16,8 @@ std::string text_of(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-// Each is written as one string: a width set on the stream is for all of it, and a locale that groups digits has no
-// say.
+// Each operator writes one string, so a width set on the stream applies to all of it, and a locale that groups digits
+// has no effect.
 
 std::ostream& operator<<(std::ostream& out, BodyId body) {
     return out << text_of(body);

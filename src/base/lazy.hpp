@@ -1,4 +1,4 @@
-// A value that is made when it is asked for first.
+// A Lazy value is made on first use.
 #pragma once
 
 #include <atomic>
@@ -7,8 +7,8 @@
 
 namespace ecods {
 
-// Many threads may ask at once: one makes the value, and the others wait for it. If making it throws, the next one that
-// asks tries again. Asking for what is there costs a load.
+// Many threads may call get() at once: one makes the value, and the others wait for it. If making it throws, the next
+// call tries again. Once the value is there, a call costs a load.
 template <class T>
 class Lazy {
   public:

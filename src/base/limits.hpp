@@ -1,4 +1,4 @@
-// Checks of the limits that callers give: distances and times.
+// Limits that callers give are checked: distances and times.
 #pragma once
 
 #include <limits>
@@ -10,7 +10,7 @@ namespace ecods {
 
 inline constexpr std::int64_t infinity_key = key_of(std::numeric_limits<double>::infinity());
 
-// A limit is not negative and not NaN. Both throw InvalidDistance if d is none; the second one also if it is infinite.
+// Throw InvalidDistance if d is negative or NaN; the second one also if d is infinite.
 inline void require_distance(double d) {
     if (!is_from_zero(d)) throw InvalidDistance(d);
 }

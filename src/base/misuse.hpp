@@ -1,4 +1,4 @@
-// Telling the misuse handler before a program's own mistake is thrown.
+// A program's own mistakes are reported to the misuse handler before they are thrown.
 #pragma once
 
 #include "ecods/error.hpp"

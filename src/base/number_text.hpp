@@ -1,4 +1,4 @@
-// Numbers as text that is the same in every locale: decimal and hexadecimal.
+// Numbers become text that is the same in every locale: decimal and hexadecimal.
 #pragma once
 
 #include <cstdint>
@@ -6,10 +6,10 @@
 
 namespace ecods {
 
-// The shortest hexadecimal form, which is exact: -0x1.8p+3. A whole number without 0x.
+// Append the shortest hexadecimal form. A double is exact, as in -0x1.8p+3; a whole number has no 0x.
 void append_hex(std::string& text, double x);
 void append_hex(std::string& text, std::uint64_t x);
 
-void append(std::string& text, std::uint64_t x);  // decimal
+void append(std::string& text, std::uint64_t x);  // in decimal
 
 }  // namespace ecods

@@ -1,7 +1,7 @@
-// Doubles narrowed to single precision: outwards, which is how a tree's boxes are made, and to nearest.
+// Doubles are narrowed to single precision: outwards, for the boxes of trees, and to nearest.
 //
-// By the bits of the double: no rounding mode takes part, and no optimiser. That is needed. A conversion to float and
-// back is one that compilers drop: g++ 12, vectorising straight-line code, computes with the double that was not
+// Narrowing works on the bits of the double, so no rounding mode and no optimiser takes part. That is needed: compilers
+// drop a conversion to float and back. g++ 12, vectorising straight-line code, computes with the double that was not
 // rounded (with -O3, in places with -O2). A float compared with the double that it came from would then always equal
 // it, and a box could end inside what it is to contain.
 #pragma once
@@ -24,12 +24,12 @@ inline constexpr std::uint32_t float_min_magnitude = std::bit_cast<std::uint32_t
 inline constexpr std::uint32_t float_max_magnitude = float_infinity_magnitude - 1;
 inline constexpr std::uint64_t double_infinity_magnitude = 0x7ff0000000000000u;
 
-// A double has 29 bits more behind the point, and a bias of the exponent that is greater by 1023 - 127.
+// A double's fraction has 29 more bits than a float's, and the bias of its exponent is greater by 1023 - 127.
 inline constexpr int narrowed_bits = 29;
 inline constexpr std::uint64_t narrowed_mask = (std::uint64_t{1} << narrowed_bits) - 1;
 inline constexpr std::uint64_t narrowed_bias = std::uint64_t{1023 - 127} << 52;
 
-// The magnitude of the double that equals a normal float.
+// Returns the magnitude of the double that equals a normal float.
 constexpr std::uint64_t widened(std::uint32_t magnitude) noexcept {
     return (std::uint64_t{magnitude} << narrowed_bits) + narrowed_bias;
 }
@@ -42,7 +42,7 @@ constexpr bool has_sign(double x) noexcept {
     return std::bit_cast<std::uint64_t>(x) >> 63 != 0;
 }
 
-// The greatest magnitude of a float that is not above that of a double: zero or normal.
+// Rounds a magnitude down to a float: the greatest that is at most as large, zero or normal or infinite.
 constexpr std::uint32_t narrowed_inwards(std::uint64_t magnitude) noexcept {
     if (magnitude < widened(float_min_magnitude)) return 0;
     if (magnitude > widened(float_max_magnitude)) {
@@ -51,7 +51,8 @@ constexpr std::uint32_t narrowed_inwards(std::uint64_t magnitude) noexcept {
     return static_cast<std::uint32_t>((magnitude - narrowed_bias) >> narrowed_bits);
 }
 
-// The least that is not below it. A carry out of the fraction goes on into the exponent, as it should.
+// Rounds a magnitude up to a float: the least that is at least as large. A carry out of the fraction rightly goes on
+// into the exponent.
 constexpr std::uint32_t narrowed_outwards(std::uint64_t magnitude) noexcept {
     if (magnitude == 0) return 0;
     if (magnitude < widened(float_min_magnitude)) return float_min_magnitude;
@@ -59,24 +60,24 @@ constexpr std::uint32_t narrowed_outwards(std::uint64_t magnitude) noexcept {
     return static_cast<std::uint32_t>((magnitude - narrowed_bias + narrowed_mask) >> narrowed_bits);
 }
 
-// The negative of a float that is given by its magnitude; of zero, zero.
+// Returns the negative of a float that is given by its magnitude; zero for zero.
 constexpr float negated(std::uint32_t magnitude) noexcept {
     return std::bit_cast<float>(magnitude == 0 ? 0 : magnitude | 0x80000000u);
 }
 
-// The least float, zero or normal or infinite, that is not below x. Not for NaN.
+// Returns the least float, zero or normal or infinite, that is at least x. Not for NaN.
 constexpr float round_up(double x) noexcept {
     const std::uint64_t magnitude = magnitude_of(x);
     return has_sign(x) ? negated(narrowed_inwards(magnitude)) : std::bit_cast<float>(narrowed_outwards(magnitude));
 }
 
-// The greatest that is not above x. Not for NaN.
+// Returns the greatest float, zero or normal or infinite, that is at most x. Not for NaN.
 constexpr float round_down(double x) noexcept {
     const std::uint64_t magnitude = magnitude_of(x);
     return has_sign(x) ? negated(narrowed_outwards(magnitude)) : std::bit_cast<float>(narrowed_inwards(magnitude));
 }
 
-// The float nearest to x, the even one of two; zero where it would be below the normal ones. Not for NaN. For floats
+// Returns the float nearest to x, ties to even, or zero if |x| is below the least normal float. Not for NaN. For floats
 // that are read as doubles afterwards.
 constexpr float round_to_nearest(double x) noexcept {
     const std::uint64_t magnitude = magnitude_of(x);

@@ -24,7 +24,7 @@ std::uint32_t big_endian(const unsigned char* bytes) noexcept {
 
 }  // namespace
 
-// Sections 6.2.2 and 4.1.2, with their names.
+// Follows sections 6.2.2 and 4.1.2, with their names.
 void Sha256::compress(const unsigned char* block) noexcept {
     std::array<std::uint32_t, 64> w;
     for (std::size_t t = 0; t < 16; ++t) w[t] = big_endian(block + 4 * t);
@@ -69,7 +69,7 @@ void Sha256::operator()(std::string_view piece) noexcept {
     if (!piece.empty()) std::memcpy(rest_.data(), piece.data(), piece.size());
 }
 
-// The text is followed by a bit of 1, zeros, and its length in bits, 64 of them, at the end of a block (5.1.1).
+// Pads the text with a bit of 1, zeros, and its length in bits, as 64 bits at the end of a block (5.1.1).
 Sha256::Digest Sha256::finish() noexcept {
     constexpr std::size_t length_at = block_bytes - 8;
     const std::uint64_t bit_count = 8 * byte_count_;

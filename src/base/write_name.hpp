@@ -1,4 +1,4 @@
-// The names of enumerators in a stream.
+// write_name writes the names of enumerators to a stream.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace ecods {
 
-// Writes the name of a value whose enumeration counts from 0; a number that is no enumerator as one.
+// Writes the name of a value whose enumeration counts from 0, or its number if it is no enumerator.
 template <class Enum, std::size_t count>
 std::ostream& write_name(std::ostream& out, Enum value, const std::array<const char*, count>& names) {
     const auto at = static_cast<std::size_t>(value);
