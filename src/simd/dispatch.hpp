@@ -1,4 +1,4 @@
-// One function, compiled for several instruction sets; which of them runs is asked at each call.
+// A dispatched function is compiled for several instruction sets; each call runs the version of the set in use.
 //
 // Versions differ in width only: nothing is contracted (-ffp-contract=off), so every version gives the same bits.
 #pragma once
@@ -12,7 +12,7 @@
 
 namespace ecods {
 
-// body(arguments...), or where it is a member, (first of arguments.*body)(the others...).
+// Calls body(arguments...) or, if body is a member function, (first.*body)(rest...).
 template <auto body, class First, class... Rest>
 ECODS_ALWAYS_INLINE decltype(auto) call(First&& first, Rest&&... rest) {
     if constexpr (std::is_member_function_pointer_v<decltype(body)>) {
@@ -22,8 +22,8 @@ ECODS_ALWAYS_INLINE decltype(auto) call(First&& first, Rest&&... rest) {
     }
 }
 
-// The versions. What is always inlined is compiled for the function that it ends up in; these three never are, so that
-// a caller holds nothing but the choice.
+// The on_... functions are the versions: each compiles the body that is inlined into it for its instruction set. They
+// are never inlined themselves, so that a caller has only the choice among them.
 template <auto body, class... Arguments>
 [[gnu::noinline]] decltype(auto) on_baseline(Arguments&&... arguments) {
     return call<body>(std::forward<Arguments>(arguments)...);
@@ -39,8 +39,8 @@ template <auto body, class... Arguments>
 }
 #endif
 
-// Calls `body`, which must be ECODS_ALWAYS_INLINE and so must all be that it leaves its loops to, compiled for the
-// instruction set in use. Cost: a load and a branch or two.
+// Calls `body`, compiled for the instruction set in use. `body` must be ECODS_ALWAYS_INLINE, and so must all functions
+// that have its loops. Cost: a load and a branch or two.
 template <auto body, class... Arguments>
 ECODS_ALWAYS_INLINE decltype(auto) dispatch(Arguments&&... arguments) {
 #if ECODS_CAN_DISPATCH
@@ -51,10 +51,10 @@ ECODS_ALWAYS_INLINE decltype(auto) dispatch(Arguments&&... arguments) {
     return on_baseline<body>(std::forward<Arguments>(arguments)...);
 }
 
-// As dispatch, for bodies that are written for a width of registers: `four_wide` for registers of four floats, which
-// every x86-64 has, `eight_wide` for those of eight. The set is read here and not asked for: with a call in it, the
-// caller of a short body keeps its arguments in memory across that call (18 instructions each time in place of 6, 2 %
-// of a query of meshes).
+// Calls one of two bodies that are written for a width of registers: `four_wide` for registers of four floats, which
+// every x86-64 has, `eight_wide` for registers of eight. The set is read here, without a function call: with one, the
+// caller of a short body keeps its arguments in memory across it (18 instructions each time in place of 6, 2 % of a
+// query of meshes).
 template <auto four_wide, auto eight_wide, class... Arguments>
 ECODS_ALWAYS_INLINE decltype(auto) dispatch_by_width(Arguments&&... arguments) {
 #if ECODS_CAN_DISPATCH
@@ -65,14 +65,14 @@ ECODS_ALWAYS_INLINE decltype(auto) dispatch_by_width(Arguments&&... arguments) {
     return on_baseline<four_wide>(std::forward<Arguments>(arguments)...);
 }
 
-// A function that a text has in the region of each set (simd/each_set.hpp), as arguments of call_widest.
+// Names a function that a text has in the region of each set (simd/each_set.hpp), as arguments of call_widest.
 #if ECODS_CAN_DISPATCH
 #define ECODS_OF_EACH_SET(...) baseline::__VA_ARGS__, avx2::__VA_ARGS__
 #else
 #define ECODS_OF_EACH_SET(...) baseline::__VA_ARGS__, baseline::__VA_ARGS__
 #endif
 
-// Calls the function of the instruction set in use. Most texts say the same of AVX-512 as of AVX2.
+// Calls the function of the instruction set in use. Most texts have no AVX-512 version and use AVX2's.
 template <auto of_baseline, auto of_avx2, auto of_avx512 = of_avx2, class... Arguments>
 ECODS_ALWAYS_INLINE decltype(auto) call_widest(Arguments&&... arguments) {
 #if ECODS_CAN_DISPATCH

@@ -1,5 +1,5 @@
-// Registers of eight doubles, on processors that have them: two of four side by side, or eight of one kind. As in
-// simd/wide.hpp, whoever uses these must be in the same region.
+// Double8 is a register of eight doubles, on processors that have it: two vectors of four side by side, or eight
+// numbers of one kind. Code that uses it must be in the same region, as in simd/wide.hpp.
 #pragma once
 
 #include <array>
@@ -29,19 +29,19 @@ ECODS_ALWAYS_INLINE Vec<double, 4> high_half(Double8 v) noexcept {
     return bits_as<Vec<double, 4>>(_mm512_maskz_extractf64x4_pd(0xff, v, 1));
 }
 
-// One of the two halves (0 and 1) as the low half, and one as the high half.
+// Returns one of the two halves (0 and 1) as the low half, and one as the high half.
 template <int low, int high>
 ECODS_ALWAYS_INLINE Double8 halves(Double8 v) noexcept {
     return _mm512_maskz_shuffle_f64x2(0xff, v, v, _MM_SHUFFLE(2 * high + 1, 2 * high, 2 * low + 1, 2 * low));
 }
 
-// One lane of each half, in all lanes of that half.
+// Copies one lane of each half into all lanes of that half.
 template <int lane>
 ECODS_ALWAYS_INLINE Double8 each(Double8 v) noexcept {
     return _mm512_maskz_permutex_pd(0xff, v, lane * 0x55);
 }
 
-// A number for each half, in all of its lanes; the halves in the other order; the sum of three lanes of each.
+// both() puts a number into all lanes of each half, swapped() exchanges the halves, and sum() adds three lanes of each.
 ECODS_ALWAYS_INLINE Double8 both(double low, double high) noexcept {
     return join(broadcast<Vec<double, 4>>(low), broadcast<Vec<double, 4>>(high));
 }
@@ -52,7 +52,7 @@ ECODS_ALWAYS_INLINE Double8 sum(Double8 v) noexcept {
     return (each<0>(v) + each<1>(v)) + each<2>(v);
 }
 
-// Three numbers of each in the halves, whose fourth lanes are zero.
+// Load three numbers into each half, whose fourth lane is zero.
 ECODS_ALWAYS_INLINE Double8 load_three(const double* low, const double* high) noexcept {
     return _mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(_mm256_maskz_loadu_pd(7, low)),
                                     _mm256_maskz_loadu_pd(7, high), 1);
@@ -69,7 +69,7 @@ ECODS_ALWAYS_INLINE Double8 eight(double x) noexcept {
 ECODS_ALWAYS_INLINE Double8 absolute(Double8 v) noexcept {
     return _mm512_abs_pd(v);
 }
-// The signs of those lanes are changed whose lane in `signs` is -0, and no other where that is 0.
+// Changes the sign of each lane whose lane in `signs` is -0, and leaves it if that is 0.
 ECODS_ALWAYS_INLINE Double8 flip(Double8 v, Double8 signs) noexcept {
     return _mm512_xor_pd(v, signs);
 }
@@ -77,7 +77,7 @@ ECODS_ALWAYS_INLINE Double8 negative(Double8 v) noexcept {
     return flip(v, eight(-0.0));
 }
 
-// Comparisons do not hold where a lane is a NaN.
+// Comparisons do not hold if a lane is a NaN.
 ECODS_ALWAYS_INLINE Mask8 is_less(Double8 a, Double8 b) noexcept {
     return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
 }
@@ -99,7 +99,7 @@ ECODS_ALWAYS_INLINE bool all(std::uint32_t mask) noexcept {
 ECODS_ALWAYS_INLINE Double8 either(Mask8 mask, Double8 yes, Double8 no) noexcept {
     return _mm512_mask_blend_pd(mask, no, yes);
 }
-// a > b ? a : b, and a < b ? a : b.
+// Return a > b ? a : b, and a < b ? a : b.
 ECODS_ALWAYS_INLINE Double8 larger(Double8 a, Double8 b) noexcept {
     return _mm512_maskz_max_pd(0xff, a, b);
 }
@@ -107,20 +107,20 @@ ECODS_ALWAYS_INLINE Double8 smaller(Double8 a, Double8 b) noexcept {
     return _mm512_maskz_min_pd(0xff, a, b);
 }
 
-// Lanes 0, 2, 4 and 6, or 1, 3, 5 and 7, of a and b in turn.
+// Return lanes 0, 2, 4 and 6, or 1, 3, 5 and 7, of a and b in turn.
 ECODS_ALWAYS_INLINE Double8 even_lanes(Double8 a, Double8 b) noexcept {
     return _mm512_maskz_unpacklo_pd(0xff, a, b);
 }
 ECODS_ALWAYS_INLINE Double8 odd_lanes(Double8 a, Double8 b) noexcept {
     return _mm512_maskz_unpackhi_pd(0xff, a, b);
 }
-// Lanes of a are 0 to 7, and those of b 8 to 15.
+// Returns the lanes with these numbers: lanes of a are 0 to 7, and lanes of b 8 to 15.
 template <int i, int j, int k, int l, int m, int n, int o, int p>
 ECODS_ALWAYS_INLINE Double8 lanes_of(Double8 a, Double8 b) noexcept {
     return _mm512_permutex2var_pd(a, _mm512_setr_epi64(i, j, k, l, m, n, o, p), b);
 }
 
-// next_up(x) of what is neither infinite nor NaN.
+// Returns next_up(x), for x that is neither infinite nor NaN.
 ECODS_ALWAYS_INLINE Double8 next_up_of_finite(Double8 x) noexcept {
     const __m512i bits = _mm512_castpd_si512(x), one = _mm512_set1_epi64(1);
     const __m512i up = _mm512_add_epi64(bits, one);
@@ -131,7 +131,7 @@ ECODS_ALWAYS_INLINE Double8 next_up_of_finite(Double8 x) noexcept {
 
 // ---- integers
 
-// Numbers from -2^31 to 2^31 - 1, rounded towards zero; and back.
+// Convert numbers from -2^31 to 2^31 - 1, rounded towards zero, and back.
 ECODS_ALWAYS_INLINE Int8 truncated(Double8 v) noexcept {
     return bits_as<Int8>(_mm512_maskz_cvttpd_epi32(0xff, v));
 }
@@ -142,8 +142,8 @@ ECODS_ALWAYS_INLINE Int8 either(Mask8 mask, Int8 yes, Int8 no) noexcept {
     return bits_as<Int8>(_mm256_mask_mov_epi32(bits_as<__m256i>(no), mask, bits_as<__m256i>(yes)));
 }
 
-// Eight pairs of floats, pair i at table[2 places[i]]: the first of each, and the second. Each pair is loaded by
-// itself, which measured a little faster than gathering eight.
+// Loads eight pairs of floats, pair i from table[2 places[i]]: the first of each, and the second. Each pair is loaded
+// by itself, which measured a little faster than gathering eight.
 struct EightPlaces {
     alignas(32) std::array<std::int32_t, 8> at;
 };

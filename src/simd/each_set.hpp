@@ -1,5 +1,5 @@
-// Includes the file ECODS_TEXT in the region of each instruction set whose registers have a width of their own. The
-// text has no includes, as what it needs is included before, and ECODS_SET is the namespace that it stands in.
+// Includes the file ECODS_TEXT in the region of each instruction set that has its own width of registers. The text has
+// no includes: the headers that it needs are included before. ECODS_SET is the namespace in which the text stands.
 
 #define ECODS_SET baseline
 namespace ecods::baseline {

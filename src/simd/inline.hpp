@@ -1,5 +1,6 @@
-// Functions of the hot path that must not become calls, whatever a compiler's heuristics say. In a region
-// (simd/region.hpp) that is a matter of speed alone: `-D ECODS_ALWAYS_INLINE=inline` leaves it to the compiler.
+// ECODS_ALWAYS_INLINE marks functions of the hot path that must not become calls, whatever a compiler's heuristics say.
+// In a region (simd/region.hpp) it is a matter of speed alone: `-D ECODS_ALWAYS_INLINE=inline` leaves it to the
+// compiler.
 #pragma once
 
 #ifndef ECODS_ALWAYS_INLINE

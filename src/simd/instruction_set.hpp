@@ -1,4 +1,4 @@
-// The instruction set in use (ecods/instruction_set.hpp), as the dispatcher reads it.
+// The instruction set in use (ecods/instruction_set.hpp) is read here by the dispatcher.
 #pragma once
 
 #include <atomic>
@@ -7,7 +7,7 @@
 
 namespace ecods {
 
-// Baseline until the library's objects of namespace scope have been initialised.
+// The baseline until the library's objects of namespace scope have been initialised.
 extern std::atomic<InstructionSet> instruction_set_in_use;
 
 inline InstructionSet read_instruction_set() noexcept {

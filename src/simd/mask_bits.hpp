@@ -1,4 +1,4 @@
-// A mask of eight lanes as eight bits.
+// mask_bits turns a mask of eight lanes into eight bits.
 #pragma once
 
 #include <cstdint>
@@ -7,13 +7,13 @@
 
 namespace ecods {
 
-// Bit i is that of lane i of a mask, whose lanes are eight integers of 32 bits.
+// Sets bit i if lane i of a mask is set. The lanes are eight integers of 32 bits.
 template <IsVec V>
 ECODS_ALWAYS_INLINE std::uint32_t mask_bits(V mask) noexcept {
     static_assert(lane_count<V> == 8 && sizeof(LaneType<V>) == 4);
 #if defined(__SSE2__)
-    // Halves, since the baseline has an instruction for four signs at a time and none for eight; with any_bits() it
-    // takes twice as many.
+    // Halves are used, since the baseline has an instruction for four signs at a time and none for eight; any_bits()
+    // takes twice as many instructions.
     const auto signs = bits_as<Vec<float, 8>>(mask);
     const Vec<float, 4> low = __builtin_shufflevector(signs, signs, 0, 1, 2, 3);
     const Vec<float, 4> high = __builtin_shufflevector(signs, signs, 4, 5, 6, 7);

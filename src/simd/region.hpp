@@ -1,16 +1,16 @@
-// Regions of an instruction set: all that is defined between the beginning and the end of one is compiled for that set,
-// member functions, templates and lambdas included, whether it is inlined or not. Each region has a namespace of its
-// own (baseline, avx2, and wide for AVX-512), so that two sets never share a function.
+// A region belongs to an instruction set: all definitions between its beginning and its end are compiled for that set,
+// member functions, templates and lambdas included, inlined or not. Each region has a namespace of its own (baseline,
+// avx2, and wide for AVX-512), so that two sets never share a function.
 //
-// Two kinds of functions are in no region with g++ 12, and so are not used in one: friends that a class template
-// defines, and constructors that the compiler declares by itself, inherited ones and those that set members to what the
-// class says.
+// With g++ 12 two kinds of functions stay outside of a region, and so must not be used in one: friends that a class
+// template defines, and constructors that the compiler declares by itself (inherited ones, and those that set members
+// to their default initialisers).
 //
-// Regions have one text each, which simd/each_set.hpp includes. What is written for one set alone stands between
+// Regions share one text, which simd/each_set.hpp includes in each. Code for AVX-512 alone stands between
 // ECODS_BEGIN_WIDE and ECODS_END_REGION.
 #pragma once
 
-// A build with ECODS_BASELINE_ONLY has the plain versions and no others: what it answers is compared with the rest.
+// A build with ECODS_BASELINE_ONLY has only the baseline versions: its answers are compared with those of other builds.
 #if defined(__x86_64__) && !defined(ECODS_BASELINE_ONLY)
 #define ECODS_CAN_DISPATCH 1
 #else
@@ -31,8 +31,8 @@
 
 namespace ecods {
 
-// Code outside of all regions is compiled for the baseline. (A directive, and no inline namespace: arguments must not
-// bring functions of the baseline into a region of another set.)
+// Code outside of all regions is compiled for the baseline. (A using directive, not an inline namespace:
+// argument-dependent lookup must not bring functions of the baseline into a region of another set.)
 namespace baseline {}
 using namespace baseline;
 

@@ -1,13 +1,13 @@
-// The vector vocabulary: some numbers of one type side by side, and what is done with all of them at once.
+// Vec is the vector vocabulary: some numbers of one type side by side, and operations on all of them at once.
 //
 // Vec<T, N> has the operators of numbers, lane by lane; comparisons give integers of the same width, all ones where
-// they hold. A compiler keeps one vector in as many registers as its lanes need. A vector of more lanes than a register
-// of the instruction set has is split; by g++ 12 into single numbers where no register of the baseline has a quarter
-// of it, so eight doubles are written as two vectors of four.
+// they hold. A compiler keeps one vector in as many registers as its lanes need. It splits a vector of more lanes than
+// a register of the instruction set has; g++ 12 splits it into single numbers if a register of the baseline has less
+// than a quarter of it, so eight doubles are written as two vectors of four.
 //
-// The functions (simd/vec_text.hpp) are there once for each instruction set: code in a region of a set finds those of
-// its namespace, and all other code those of the baseline. They are always inlined, so that code which dispatch()
-// compiles for a set without being in a region may use the latter. No other file spells vector_size.
+// The functions (simd/vec_text.hpp) exist once for each instruction set: code in the region of a set finds the
+// functions of its namespace, and all other code finds the baseline's. They are always inlined, so code that dispatch()
+// compiles for a set outside of a region may use the baseline's. No other file spells vector_size.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ namespace ecods {
 template <class T, int N>
 struct VecTypes {
     typedef T Value __attribute__((vector_size(sizeof(T) * N)));
-    // As it lies in memory: in an array of T, aligned as a vector or only as a number is.
+    // Vectors in memory lie in an array of T: InMemory is aligned as a vector, Anywhere only as a number.
     typedef T InMemory __attribute__((vector_size(sizeof(T) * N), may_alias));
     typedef T Anywhere __attribute__((vector_size(sizeof(T) * N), may_alias, aligned(alignof(T))));
 };
@@ -36,7 +36,7 @@ using Vec = typename VecTypes<T, N>::Value;
 template <class V>
 using LaneType = std::remove_cvref_t<decltype(std::declval<V&>()[0])>;
 
-// What can be subscripted and is neither a class nor a pointer nor an array.
+// True for types that can be subscripted and are neither a class nor a pointer nor an array.
 template <class V>
 concept IsVec = !std::is_class_v<V> && !std::is_pointer_v<V> && !std::is_array_v<V> && requires(V v) {
     v[0];
@@ -51,7 +51,7 @@ using MaskOf = decltype(std::declval<V>() < std::declval<V>());
 
 }  // namespace ecods
 
-// Floats in a register of each set.
+// float_width is the number of floats in a register of each set.
 namespace ecods::baseline {
 inline constexpr std::size_t float_width = 4;
 }

@@ -1,6 +1,7 @@
-// What is done with all lanes of vectors at once: text of simd/vec.hpp, compiled for each instruction set.
+// vec_text.hpp is the text of simd/vec.hpp: operations on all lanes of vectors at once, compiled for each instruction
+// set.
 
-// Lane i is first[i]. `first` is aligned as V is; in load_anywhere, as a number is.
+// Load first[i] into lane i. `first` is aligned as V is; in load_anywhere, as a number is.
 template <IsVec V>
 ECODS_ALWAYS_INLINE V load(const LaneType<V>* first) noexcept {
     return *reinterpret_cast<const typename VecTypes<LaneType<V>, lane_count<V>>::InMemory*>(first);
@@ -10,7 +11,7 @@ ECODS_ALWAYS_INLINE V load_anywhere(const LaneType<V>* first) noexcept {
     return *reinterpret_cast<const typename VecTypes<LaneType<V>, lane_count<V>>::Anywhere*>(first);
 }
 
-// first[i] = lane i. `first` is aligned as V is; in store_anywhere, as a number is.
+// Store lane i in first[i]. `first` is aligned as V is; in store_anywhere, as a number is.
 template <IsVec V>
 ECODS_ALWAYS_INLINE void store(LaneType<V>* first, V v) noexcept {
     *reinterpret_cast<typename VecTypes<LaneType<V>, lane_count<V>>::InMemory*>(first) = v;
@@ -21,14 +22,14 @@ ECODS_ALWAYS_INLINE void store_anywhere(LaneType<V>* first, V v) noexcept {
     *reinterpret_cast<typename VecTypes<LaneType<V>, lane_count<V>>::Anywhere*>(first) = v;
 }
 
-// x in each lane. Nothing is subtracted, which leaves every number as it is, -0 too, and so costs no instruction;
-// adding nothing would.
+// Returns x in each lane. Subtracting zero leaves every number as it is, -0 too, so the compiler drops it; adding zero
+// would cost an instruction.
 template <IsVec V>
 ECODS_ALWAYS_INLINE V broadcast(LaneType<V> x) noexcept {
     return x - V{};
 }
 
-// The same bits as lanes of another type, and the same numbers, converted as the rounding mode says.
+// bits_as reads the same bits as lanes of another type; convert converts the numbers, as the rounding mode says.
 template <IsVec To, IsVec From>
 ECODS_ALWAYS_INLINE To bits_as(From v) noexcept {
     static_assert(sizeof(To) == sizeof(From));
@@ -40,13 +41,13 @@ ECODS_ALWAYS_INLINE To convert(From v) noexcept {
     return __builtin_convertvector(v, To);
 }
 
-// Lane by lane yes where the mask is all ones, no where it is zero.
+// Returns, lane by lane, yes if the mask is all ones, and no if it is zero.
 template <IsVec V>
 ECODS_ALWAYS_INLINE V select(MaskOf<V> mask, V yes, V no) noexcept {
     return mask ? yes : no;
 }
 
-// Where a lane of a or b is a NaN: b.
+// Return b in lanes in which a or b is a NaN.
 template <IsVec V>
 ECODS_ALWAYS_INLINE V min(V a, V b) noexcept {
     return a < b ? a : b;
@@ -56,7 +57,7 @@ ECODS_ALWAYS_INLINE V max(V a, V b) noexcept {
     return a > b ? a : b;
 }
 
-// Without the sign, by bits.
+// Clears the sign bits.
 template <IsVec V>
 ECODS_ALWAYS_INLINE V absolute(V v) noexcept {
     static_assert(std::is_floating_point_v<LaneType<V>>);
@@ -65,7 +66,7 @@ ECODS_ALWAYS_INLINE V absolute(V v) noexcept {
     return bits_as<V>(bits_as<Bits>(v) & all_but_sign);
 }
 
-// The lanes in the order that `index` gives: those of a are 0, 1, ..., and those of b follow.
+// Return the lanes with the numbers in `index`: lanes of a are 0, 1, ..., and lanes of b follow.
 template <int... index, IsVec V>
 ECODS_ALWAYS_INLINE V shuffle(V a, V b) noexcept {
     return __builtin_shufflevector(a, b, index...);
@@ -75,7 +76,7 @@ ECODS_ALWAYS_INLINE V shuffle(V v) noexcept {
     return __builtin_shufflevector(v, v, index...);
 }
 
-// The bits that are set in any lane. Lanes are integers of 32 or 64 bits, two or more.
+// Returns the bits that are set in any lane. Lanes are integers of 32 or 64 bits, two or more.
 template <IsVec V>
 ECODS_ALWAYS_INLINE LaneType<V> any_bits(V v) noexcept {
     static_assert(std::is_integral_v<LaneType<V>> && sizeof(LaneType<V>) >= 4);
@@ -94,8 +95,8 @@ ECODS_ALWAYS_INLINE LaneType<V> any_bits(V v) noexcept {
     return static_cast<LaneType<V>>(bits);
 }
 
-// Whether any lane of a mask is set, and whether all are. The baseline has an instruction for the signs of four lanes
-// at a time, which is all that there is to know of a mask.
+// any() is true if any lane of a mask is set, all() if all are. The baseline has an instruction for the signs of four
+// lanes at once, and the signs suffice for a mask.
 template <IsVec V>
 ECODS_ALWAYS_INLINE bool any(V mask) noexcept {
 #if defined(__SSE2__)
@@ -117,7 +118,7 @@ ECODS_ALWAYS_INLINE bool all(V mask) noexcept {
     return !any(~mask);
 }
 
-// Bit first + i in lane i, and no other.
+// Returns bit first + i alone in lane i.
 template <IsVec V>
 ECODS_ALWAYS_INLINE V lane_bits(int first = 0) noexcept {
     V bits{};
@@ -125,7 +126,7 @@ ECODS_ALWAYS_INLINE V lane_bits(int first = 0) noexcept {
     return bits;
 }
 
-// The low byte of each lane, lane 0 in the lowest.
+// Returns the low byte of each lane, lane 0 in the lowest byte.
 template <IsVec V>
 ECODS_ALWAYS_INLINE std::uint64_t low_bytes(V v) noexcept {
     const auto bytes = convert<Vec<std::uint8_t, lane_count<V>>>(v);
