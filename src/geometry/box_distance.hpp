@@ -1,4 +1,4 @@
-// How far boxes are from each other at least: a bound that is used to leave boxes out, and decides nothing.
+// distance_below is a lower bound of the distance of two boxes; it is used to leave boxes out, and decides nothing.
 #pragma once
 
 #include <algorithm>
@@ -9,20 +9,20 @@
 
 namespace ecods {
 
-// At most the distance of the two closed boxes, in every floating-point environment; infinity only where the distance
-// is above the largest double. Boxes that contain these are no further apart by it.
+// Returns a lower bound of the distance of two closed boxes, in every floating-point environment; infinity only if the
+// distance exceeds the largest double. The bound of boxes that contain these is no greater.
 //
-// With u' = 2^-52, which bounds an operation in any rounding mode, a gap is off by u', relative, its square by 3.01 u',
-// the sum of three by 5.02 u', the root by 3.52 u' and the product at the end by 4.53 u'; the factor takes off 16 u'.
-// Gaps below 2^-500 count as none and those above 2^500 as 2^500, so that no square overflows or is subnormal; ends
+// With u' = 2^-52, which bounds an operation in any rounding mode, a gap has a relative error of u', its square of 3.01
+// u', the sum of three of 5.02 u', the root of 3.52 u' and the product at the end of 4.53 u'; the factor takes off 16
+// u'. Gaps below 2^-500 count as none and gaps above 2^500 as 2^500, so that no square overflows or is subnormal; ends
 // that were flushed to zero are off by 2^-1022, which is 2^-522 of a gap that counts there. The largest gap alone is a
-// bound at any scale: it may be as small as 2^-960, of which 2^-1022 is 2^-62. All steps are monotone, so that boxes
-// within these give no less.
+// bound at any scale: it may be as small as 2^-960, of which 2^-1022 is 2^-62. All steps are monotone, so boxes within
+// these have no smaller bound.
 inline double distance_below(const Aabb& a, const Aabb& b) noexcept {
     constexpr double factor = 1 - 0x1p-48, gap_min = 0x1p-500, gap_max = 0x1p500, largest_min = 0x1p-960;
     double largest = 0, sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        // Of infinite ends this is NaN, which is no gap.
+        // Infinite ends may give NaN, which is no gap.
         const double gap = std::max(a.min[axis] - b.max[axis], b.min[axis] - a.max[axis]);
         if (!(gap >= largest_min)) continue;
         largest = std::max(largest, gap);

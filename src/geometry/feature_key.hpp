@@ -1,4 +1,4 @@
-// Keys of features, and the order in which one of several pairs of features is chosen.
+// Features have keys, and pairs of features an order in which one of several is chosen.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,13 @@
 
 namespace ecods {
 
-// A key names a vertex, an edge or a face by what it is made of, which is the same from every triangle that has it.
+// Names a vertex, an edge or a face by its vertices or its triangle: the same key from every triangle that has the
+// feature.
 struct FeatureKey {
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-    // A vertex: its index and none; an edge: the indices of its two vertices, the lesser first; a face: its triangle's
-    // index twice. Ends of an edge are not one: a face and a vertex, or a face and an edge, never have one key.
+    // A vertex has its index and none; an edge the indices of its two vertices, the lesser first; a face its triangle's
+    // index twice. Ends of an edge differ, so a face never has the key of a vertex or an edge.
     std::uint32_t first = none;
     std::uint32_t second = none;
 
@@ -23,7 +24,7 @@ struct FeatureKey {
     friend auto operator<=>(const FeatureKey&, const FeatureKey&) = default;
 };
 
-// The key of a feature of a triangle with these corners.
+// Returns the key of a feature of a triangle with these corners.
 inline FeatureKey feature_key(const Feature& feature, const Triangle& corners) noexcept {
     const std::uint32_t corner = corners[feature.corner], next = corners[(feature.corner + 1) % 3];
     switch (feature.kind) {
@@ -36,7 +37,7 @@ inline FeatureKey feature_key(const Feature& feature, const Triangle& corners) n
     }
 }
 
-// The feature of a triangle, by its least corner, that has a key. The triangle must have one.
+// Returns the feature with this key, by its least corner in a triangle that has it.
 inline Feature feature_of(const FeatureKey& key, std::uint32_t triangle, const Triangle& corners) noexcept {
     if (key.first == key.second) return {Feature::Kind::face, triangle, 0};
     Feature result{key.is_vertex() ? Feature::Kind::vertex : Feature::Kind::edge, triangle, 0};
@@ -44,7 +45,7 @@ inline Feature feature_of(const FeatureKey& key, std::uint32_t triangle, const T
     return result;
 }
 
-// A feature of each of two meshes, named by a triangle that has it and a corner; `intersecting` names two faces.
+// Names a feature of each of two meshes, by a triangle that has it and a corner; `intersecting` names two faces.
 struct FeatureNames {
     ClosestKind kind = ClosestKind::intersecting;
     Feature a, b;
@@ -52,8 +53,8 @@ struct FeatureNames {
     friend bool operator==(const FeatureNames&, const FeatureNames&) = default;
 };
 
-// The order in which one of several is chosen that tie, of anything with a kind and two features; the rules of
-// ClosestPoints, FirstContact and close_features() are this one.
+// Returns the rank of a pair of features: among pairs that tie, the least rank is chosen. The pair is anything with a
+// kind and two features. ClosestPoints, FirstContact and close_features() promise this order.
 template <class Pair>
 auto rank(const Pair& f) noexcept {
     return std::tuple(f.kind, f.a.triangle, f.a.corner, f.b.triangle, f.b.corner, f.a.kind);

@@ -1,4 +1,4 @@
-// Boxes as integers, so that which boxes overlap cannot depend on the floating-point environment.
+// A KeyBox is a box as integers, so that overlaps of boxes cannot depend on the floating-point environment.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ inline KeyBox key_box(const Aabb& box) noexcept {
     return keys;
 }
 
-// Whether the closed boxes share a point.
+// True if the closed boxes share a point.
 inline bool overlap(const KeyBox& a, const KeyBox& b) noexcept {
     for (int axis = 0; axis < 3; ++axis) {
         if (a.min[axis] > b.max[axis] || b.min[axis] > a.max[axis]) return false;

@@ -26,7 +26,7 @@ void require_finite(std::span<const Vec3> vertices) {
     }
 }
 
-// The number of groups of three, `stride` apart.
+// Returns the number of groups of three numbers, `stride` apart.
 std::size_t count_groups(std::size_t number_count, std::size_t stride) {
     if (stride < 3) throw InvalidLayout(number_count, stride);
     const std::size_t rest = number_count % stride;
@@ -38,7 +38,7 @@ double exact_double(double x) noexcept {
     return x;
 }
 
-// A conversion is exact, but takes subnormal floats for zero where the processor is set to do so.
+// Converts exactly. A plain conversion would take subnormal floats for zero if the processor is set to do so.
 double exact_double(float x) noexcept {
     const auto bits = std::bit_cast<std::uint32_t>(x);
     if ((bits & 0x7f800000u) != 0) return x;

@@ -12,7 +12,7 @@ Pose Pose::from_quaternion(double w, double x, double y, double z, const Vec3& t
     return {Eigen::Quaternion<double, Eigen::DontAlign>(w, x, y, z).toRotationMatrix(), t};
 }
 
-// Bits are compared but for the sign of a zero: a NaN is no zero, and a subnormal is none in any environment.
+// Compares bits except for the sign of a zero: a NaN is no zero, and neither is a subnormal in any environment.
 void Pose::require_last_row(double x, double y, double z, double w) {
     const double row[] = {x, y, z, w};
     for (int column = 0; column < 4; ++column) {

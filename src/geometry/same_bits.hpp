@@ -1,4 +1,4 @@
-// Whether two poses are written the same.
+// same_bits compares poses by their bits.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace ecods {
 
-// A comparison of bits, not of values: where the processor takes subnormals for zero, values that differ compare equal.
+// Compares bits, not values: if the processor takes subnormals for zero, different values compare equal.
 inline bool same_bits(const Mat3& a, const Mat3& b) noexcept {
     using Two = Vec<std::uint64_t, 2>;
     const auto* const x = reinterpret_cast<const std::uint64_t*>(a.data());  // read as vectors, which may alias
@@ -18,7 +18,7 @@ inline bool same_bits(const Mat3& a, const Mat3& b) noexcept {
     return any_bits(low | high | differ(7)) == 0;
 }
 
-// Where bodies move their translations differ, as a rule: those are compared first.
+// Compares translations first: those of moving bodies usually differ.
 inline bool same_bits(const Pose& a, const Pose& b) noexcept {
     using Two = Vec<std::uint64_t, 2>;
     const auto* const x = reinterpret_cast<const std::uint64_t*>(a.t.data());

@@ -17,17 +17,18 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double length_min = 0x1p-900;
 constexpr double coordinate_max = 0x1p1021;  // differences of larger ones may overflow
 
-// That of a number that is not zero; of subnormal ones, -1023.
+// Returns the exponent of a number that is not zero; -1023 for a subnormal number.
 int exponent_of(double x) noexcept {
     return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff) - 1023;
 }
 
-// 2^e, for a normal result.
+// Returns 2^e, which must be a normal number.
 double power_of_two(int e) noexcept {
     return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
 }
 
-// Contain x 2^e, x >= 0. By bits: nothing is rounded, and no subnormal is taken for zero.
+// Holds lower and upper bounds of x 2^e, x >= 0. Made from bits: nothing is rounded, and no subnormal is taken for
+// zero.
 struct Scaled {
     double low, high;
 };
@@ -46,7 +47,7 @@ Scaled scaled(double x, int e) noexcept {
 
 }  // namespace
 
-// Bound. With u' = 2^-52, a difference of two coordinates is off by u' of itself. Numbers that underflow, or are
+// Bound. With u' = 2^-52, a difference of two coordinates has a relative error of u'. Numbers that underflow, or are
 // subnormal and taken for zero, lose less than 2^-1020 before the direction is scaled, by at most 2^900.
 ScaledLine::ScaledLine(const Line& line) noexcept : a(line.a) {
     is_point = !line.is_ray;

@@ -1,4 +1,4 @@
-// The vertices of a mesh that its triangles use.
+// for_each_used_vertex visits the vertices of a mesh that its triangles use.
 #pragma once
 
 #include <cstdint>

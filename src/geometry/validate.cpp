@@ -1,4 +1,4 @@
-// What callers give is checked before it is used: typed errors name the first coordinate that is bad.
+// Callers' arguments are checked before they are used: typed errors name the first coordinate that is bad.
 #include "base/double_key.hpp"
 #include "ecods/ball.hpp"
 #include "ecods/error.hpp"
@@ -39,7 +39,7 @@ void validate(const Ray& ray) {
         if (!is_finite(ray.origin[axis])) throw InvalidRay(InvalidRay::Part::origin, axis, ray.origin[axis]);
         if (!is_finite(ray.direction[axis])) throw InvalidRay(InvalidRay::Part::direction, axis, ray.direction[axis]);
     }
-    // By bits: where subnormal numbers are taken for zero, a direction of them still is one.
+    // Compares bits: if subnormal numbers are taken for zero, a direction of subnormal numbers is still a direction.
     if (key_of(ray.direction[0]) == 0 && key_of(ray.direction[1]) == 0 && key_of(ray.direction[2]) == 0) {
         throw InvalidRay(InvalidRay::Part::direction, 0, 0);
     }
