@@ -12,7 +12,7 @@ namespace ecods {
 namespace {
 
 constexpr int exponent_count = 2048;  // exponents of doubles
-constexpr int class_width = 3;        // a power-of-two exponent per class
+constexpr int class_width = 3;        // in powers of two
 
 // Returns the number of the tree for each size. Sizes with few boxes share the tree of the next larger sizes in use:
 // small boxes in a tree of large ones do no harm, large ones in a tree of small ones do.
