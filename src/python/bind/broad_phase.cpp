@@ -1,4 +1,4 @@
-// Which boxes overlap, without a world: broad_phase.hpp. All under the interpreter's lock.
+// Binds broad_phase.hpp: overlapping boxes without a world. All functions keep the interpreter's lock.
 #include "ecods/broad_phase.hpp"
 
 #include <functional>
@@ -27,7 +27,7 @@ py::array_t<ProxyIndex> found(const BroadPhase& self, const What& what) {
     return from_numbers(self.find(what));
 }
 
-// A copy has the boxes under their numbers, and is as before its first update: its lists are empty until then.
+// Returns the state of a copy: the boxes with their numbers. A copy is as before its first update, with empty lists.
 py::tuple boxes_of(const BroadPhase& self) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Aabb everything{.min = Vec3::Constant(-infinity), .max = Vec3::Constant(infinity)};

@@ -1,4 +1,4 @@
-// Answers with a proof: certificate.hpp.
+// Binds certificate.hpp: answers with a proof.
 #include "ecods/certificate.hpp"
 
 #include <sstream>
@@ -10,7 +10,8 @@
 namespace ecods::python {
 namespace {
 
-// A certificate never changes, so a copy is the object itself. It refers to meshes, so it does not travel.
+// Makes a copy of a certificate the object itself, as it never changes, and refuses to pickle it, as it refers to
+// meshes.
 template <class T>
 void keep_whole(py::class_<T>& type) {
     copies_are_itself(type);

@@ -1,4 +1,4 @@
-// The library's errors as Python's exceptions: the same names, text and members.
+// Makes Python exceptions for the library's errors, with equal names, text and members.
 #include "python/bind/errors.hpp"
 
 #include <functional>
@@ -16,7 +16,7 @@ struct Known {
     std::function<void(const Error&, py::object&)> add_members;
 };
 
-// Lives as long as the process, as exceptions may come until its end.
+// Returns the known errors. They live as long as the process, since exceptions may come until its end.
 std::map<std::type_index, Known>& known() {
     static auto* const kept = new std::map<std::type_index, Known>;
     return *kept;
@@ -54,7 +54,7 @@ std::string stale_text(const std::string& number, ListIndex index) {
     return (index ? "entry " + std::to_string(*index) + ": " : "") + "id " + number + " names no body of this world";
 }
 
-// The library's text, with an id as Python has it: an integer.
+// Returns the library's text, with an id as Python has it: an integer.
 std::string message_of(const Error& error) {
     const auto* const stale = dynamic_cast<const StaleBody*>(&error);
     if (stale == nullptr) return error.what();
@@ -63,7 +63,7 @@ std::string message_of(const Error& error) {
     return std::string(error.what()) + " (id " + number + ")";
 }
 
-// The exception, with the members of the error. `text` is its message.
+// Returns the exception, with the members of the error; `text` is its message.
 py::object exception_of(const Error& error, const std::string& text) {
     const auto at = known().find(typeid(error));
     py::object raised = py::handle(at == known().end() ? base_type : at->second.type)(text);

@@ -1,4 +1,4 @@
-// Segments, rays and balls, and what lines meet of a body: hit.hpp.
+// Binds hit.hpp: segments, rays and balls, and the triangles of a body that a line hits.
 #include "ecods/ball.hpp"
 #include "ecods/hit.hpp"
 #include "python/bind/ask.hpp"

@@ -1,4 +1,4 @@
-// The same question for many poses, points or rays at once: one call, without the interpreter's lock, on some threads.
+// Binds questions about many poses, points or rays: one call, without the interpreter's lock, on several threads.
 #include <algorithm>
 #include <exception>
 #include <functional>
@@ -14,7 +14,7 @@
 namespace ecods::python {
 namespace {
 
-// Calls part(begin, end) for the parts of a list. Parts are long, so that what a call keeps for the next one helps.
+// Calls part(begin, end) for the parts of a list. Parts are long, so that the witness of one query helps the next.
 template <class Part>
 void in_parts(std::size_t count, std::size_t threads, const Part& part) {
     const auto executor = make_threads(threads);
@@ -42,7 +42,7 @@ std::size_t common_length(const PoseList& a, const PoseList& b) {
     return a.size();
 }
 
-// The answers of question(a, b, memory, witness) at pose after pose.
+// Returns the answers of question(a, b, memory, witness) for each pose.
 template <class Answer, class Question>
 py::array_t<Answer> at_poses(const MeshShape& a, const py::object& poses_a, const MeshShape& b,
                              const py::object& poses_b, std::size_t threads, const Question& question) {

@@ -1,4 +1,4 @@
-// Mesh, Solid, ConvexSolid; Posed and Moving.
+// Binds Mesh, Solid, ConvexSolid, Posed and Moving.
 #include <limits>
 #include <memory>
 #include <sstream>
@@ -14,7 +14,8 @@
 namespace ecods::python {
 namespace {
 
-// Indices as they are where they are of 32 bits, otherwise in 64, where a negative one becomes one that is too large.
+// Makes a mesh. Indices of 32 bits are used as they are; others become 64 bits, and a negative index one that is too
+// large.
 std::shared_ptr<const Mesh> make_mesh(py::handle vertices, py::handle faces) {
     const py::array indices = py::array::ensure(faces);
     if (!indices) throw py::error_already_set();
@@ -50,7 +51,7 @@ std::shared_ptr<Shape> make_shape(const std::shared_ptr<const Mesh>& mesh) {
     return std::make_shared<Shape>(mesh);
 }
 
-// The numbers where they lie: the array refers to the mesh and keeps it.
+// Returns a read-only array that refers to the numbers in place and keeps the mesh alive.
 template <class Number, class Rows>
 py::array view(const py::object& owner, const Rows& rows) {
     py::array array(py::dtype::of<Number>(), {static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}}, rows.data(),
@@ -63,7 +64,7 @@ const Mesh& mesh_of(const py::object& self) {
     return self.cast<const MeshShape&>().mesh();
 }
 
-// A class that is made of vertices and faces, or of a Mesh, and pickled as those.
+// Adds constructors from vertices and faces, or from a Mesh, and pickling by vertices and faces.
 template <class Shape, class Type>
 void add_making(Type& type) {
     type.def(py::init([](const py::object& vertices, const py::object& faces) {
@@ -130,7 +131,7 @@ void add_mesh_calls(py::class_<MeshShape, std::shared_ptr<MeshShape>>& type) {
         "The same triangles with other vertices (n, 3), as a new Mesh, whose tree is that of this one with new boxes. "
         "Raises InvalidVertex, InvalidIndex.");
     type.def("__repr__", &text_of);
-    copies_are_itself(type);  // whose tree is then not made again
+    copies_are_itself(type);  // so that a copy has the tree already
 }
 
 void add_solids(py::module_& m) {
@@ -156,7 +157,7 @@ void add_solids(py::module_& m) {
         "Raises InvalidVertex, NoInterior.");
 }
 
-// "pose=[[1.0, 0.0, 0.0, 2.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]"
+// Returns a pose as text, such as "pose=[[1.0, 0.0, 0.0, 2.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]".
 std::string pose_text(const char* name, const Pose& pose) {
     const py::list rows = from_pose(pose).attr("tolist")();
     return std::string(name) + "=" + std::string(py::repr(rows[py::slice(0, 3, 1)]));
@@ -210,7 +211,7 @@ void add_motions(py::class_<MovingMesh>& type) {
 }  // namespace
 
 void bind_meshes(py::module_& m) {
-    // Named in signatures of Mesh.
+    // Declared first, as signatures of Mesh name them.
     py::class_<PosedMesh> posed(m, "Posed",
                                 "A mesh at a pose: the set of the real points R v + t. Mesh.at() makes one, too.");
     py::class_<MovingMesh> moving(

@@ -1,4 +1,4 @@
-// Questions about two bodies: intersection.hpp, distance.hpp, contact.hpp, cast.hpp.
+// Binds questions about two bodies: intersection.hpp, distance.hpp, contact.hpp, cast.hpp.
 #include "ecods/cast.hpp"
 #include "ecods/contact.hpp"
 #include "ecods/distance.hpp"

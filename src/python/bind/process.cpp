@@ -1,4 +1,4 @@
-// Settings of the whole process, and small helpers.
+// Binds settings of the whole process, and small helpers.
 #include <sstream>
 
 #include "ecods/instruction_set.hpp"

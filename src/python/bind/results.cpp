@@ -1,4 +1,4 @@
-// What questions answer, field by field.
+// Binds the answers to questions, field by field.
 #include <algorithm>
 
 #include "ecods/depth.hpp"

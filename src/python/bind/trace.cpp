@@ -1,4 +1,4 @@
-// Traces of a world's calls, and running them again: trace.hpp, replay.hpp.
+// Binds trace.hpp and replay.hpp: traces of a world's calls, and their replay.
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
@@ -12,7 +12,7 @@
 namespace ecods::python {
 namespace {
 
-// The text of a trace.
+// A trace, as text.
 struct Trace {
     std::string text;
 };

@@ -1,4 +1,4 @@
-// World: bodies, and what is asked of them.
+// Binds World: its bodies, and what is known of each.
 #include "python/bind/world.hpp"
 
 #include "python/bind/bind.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using Shape = std::shared_ptr<MeshShape>;
 
-// The pose of a body to be moved: an error names the body, as World::set_pose does.
+// Returns the pose for a body that is moved. An error names the body, as one of World::set_pose does.
 Pose pose_for(BodyId body, const py::object& pose) {
     try {
         return to_pose(pose);

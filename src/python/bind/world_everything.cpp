@@ -1,4 +1,4 @@
-// World: questions about all of its bodies, as of now.
+// Binds the questions of World about all of its present bodies.
 #include "python/bind/world.hpp"
 
 namespace ecods::python {

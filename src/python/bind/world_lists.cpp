@@ -1,10 +1,10 @@
-// World: updates and the lists that they make, and what a world says about itself.
+// Binds the updates of World, the lists that updates make, and statistics.
 #include "python/bind/world.hpp"
 
 namespace ecods::python {
 namespace {
 
-// A list of pairs: (k, 2) ids. A copy, as the world's own changes with it.
+// Adds a list of pairs: (k, 2) ids. It returns a copy, as the world's own list changes with the world.
 template <class List>
 void add_list(WorldClass& type, const char* name, List list, const char* doc) {
     type.def(

@@ -1,4 +1,4 @@
-// World: questions about two of its bodies, as of now.
+// Binds the questions of World about two of its present bodies.
 #include "python/bind/world.hpp"
 
 namespace ecods::python {
