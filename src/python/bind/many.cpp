@@ -114,10 +114,10 @@ py::array_t<std::uint8_t> locate_many(const py::object& points, const PosedMesh&
 void bind_many(py::module_& m) {
     add_at_poses<bool>(
         m, "collide_many",
-        "intersects() of a at each of its poses and b at each of its own: (k,) bool. Poses are (k, 4, 4) or "
-        "(k, 3, 4); one pose, or None, stands for all. Raises InvalidPose with the index.",
+        "intersects() of a and b at each pair of their poses: (k,) bool. Poses are (k, 4, 4) or (k, 3, 4); one "
+        "pose, or None, stands for all. Raises InvalidPose with the index.",
         ECODS_QUESTION(intersects));
-    add_at_poses<double>(m, "distance_many", "distance() likewise: (k,) float64, each the true one, rounded once.",
+    add_at_poses<double>(m, "distance_many", "distance() likewise: (k,) float64, each the true distance, rounded once.",
                          ECODS_QUESTION(distance));
     add_at_poses<std::uint8_t>(m, "relation_many", "relation() likewise: (k,) uint8, values of Relation.",
                                [](auto& x, auto& y, auto& memory, auto&) { return relation(x, y, memory); });

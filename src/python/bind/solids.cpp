@@ -73,7 +73,7 @@ void bind_solid_questions(py::module_& m) {
     m.def("solid_distance", asked_of_convex_solids(ECODS_QUESTION(solid_distance)), a, b, witness,
           "The distance of two ConvexSolids, interiors included: rounded once. Raises SingularPose.");
     m.def("solid_closest", asked_of_convex_solids(ECODS_QUESTION(solid_closest)), a, b, witness,
-          "ClosestPoints of two ConvexSolids; None where they share a point. Raises SingularPose.");
+          "ClosestPoints of two ConvexSolids; None if they share a point. Raises SingularPose.");
     m.def("depth", asked_of_convex_solids(ECODS_QUESTION(depth)), a, b, witness,
           "Depth of two ConvexSolids in each other. Raises SolidsApart, SingularPose.");
 }
