@@ -19,7 +19,7 @@
 
 namespace ecods {
 
-// Writes calls after they succeeded, so it must not throw: a failure ends the writing, and has_failed() becomes true.
+// Writes each call after it has succeeded. So writing does not throw: a failure ends it, and has_failed() becomes true.
 // Text is written unformatted: flags, width and locale of the stream have no effect.
 class TraceWriter {
   public:

@@ -71,7 +71,7 @@ std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, const Direction&
 
 // A pair of lanes whose boxes or triangles are near each other, by a heuristic: a search starts there.
 struct LanePair {
-    std::size_t i;  // of the first tree
+    std::size_t i;  // lane of the first tree
     std::size_t j;
 };
 template <class X, class Y>

@@ -42,7 +42,7 @@ ECODS_ALWAYS_INLINE void bind_set(DistanceSet& set, const EvenAxes& even, const 
                                   Double4 d, Own own, double unit) noexcept {
     const DoubleAxes exact(even.N * (1 / unit), edges_a, edges_b, d, own);
     set_floats(set.axes, exact);
-    // The comparison is false for NaN, which so counts as unbounded.
+    // The comparison is false for NaN, which therefore counts as unbounded.
     if (!(sum(exact.s) < square_max)) {
         set.axes.set_unbounded();
     }

@@ -83,7 +83,7 @@ void LineAxes::bind(const MeshBvh& tree, const Pose& pose) {
             part_.size[k][row] = std::abs(part_.p[k][row]);
         }
     }
-    // The comparisons are false for NaN, which so counts as unbounded.
+    // The comparisons are false for NaN, which therefore counts as unbounded.
     s.is_bounded = world < axes::world_max && s.factor < axes::factor_max;
     for (std::size_t row = 0; row < 3; ++row) s.is_bounded = s.is_bounded && std::abs(s.center[row]) + s.half[row] < 4;
 }
@@ -122,7 +122,7 @@ LineAxes::Place LineAxes::place(const ScaledLine& line, double limit) {
         if (std::abs(D[row]) > std::abs(D[m])) m = row;
     }
     const double size_m = std::abs(D[m]), reach_of_line = std::abs(X[m]) + 8;
-    // The comparisons are false for NaN, which so makes the place unknown.
+    // The comparisons are false for NaN, which therefore makes the place unknown.
     bool is_placed = (factor + 4) * s.factor < axes::factor_max && s.factor < axes::factor_max;
     for (std::size_t row = 0; row < 3; ++row) {
         if (!line.is_point) {
@@ -201,7 +201,7 @@ bool LineAxes::place_box(const Vec3& low, const Vec3& high, BoxOnAxes& box) cons
         half[k] = 0.5 * (to - from) + 4 * two_u * x_size[k];
         factor += x_size[k];
     }
-    // The comparisons are false for NaN, which so makes the place unknown.
+    // The comparisons are false for NaN, which therefore makes the place unknown.
     bool is_placed = (factor + 4) * s.factor < axes::factor_max;
     for (std::size_t row = 0; row < 3; ++row) {
         const auto &N = s.N[row], &size = s.N_size[row];

@@ -65,7 +65,7 @@ namespace ecods {
 struct LinePart {
     std::array<float, 3> origin;
     std::array<float, 3> direction;     // none is zero
-    std::array<float, 3> inverse;       // of the direction
+    std::array<float, 3> inverse;       // 1 / direction
     std::array<float, 3> inverse_size;  // |inverse|
     std::array<float, 3> margin;        // added to the reach of boxes
     // The axes of the view along the direction: triangles are projected to the plane of x and y.
@@ -128,13 +128,13 @@ class LineAxes {
         std::array<double, 3> origin;                    // R center
         std::array<double, 3> t, origin_size;
         std::array<double, 3> own_error;     // error of P y
-        std::array<double, 3> center, half;  // of the root's box
+        std::array<double, 3> center, half;  // the root's box
         double factor;
         bool is_bounded;
         bool is_unit;
     };
 
-    // Sets part_ to the floats of the part from o to o + e, whose coordinates are off by `error`.
+    // Sets part_ to the part from o to o + e, rounded to floats; its coordinates are off by `error`.
     void set_part(const std::array<double, 3>& o, const std::array<double, 3>& e,
                   const std::array<double, 3>& error) noexcept;
 

@@ -103,7 +103,7 @@ template <class V>
 struct AxesOf {
     Matrix<V> own, other;  // P of the tree whose normals the axes are, and of the other one
     V offset, margin;
-    V s, w;  // the sums of the derivation
+    V s, w;  // the sums s and w of separating_axes.hpp
     V e;     // distance of the own P from the identity; 0 if P is not taken for it
     bool is_unit;
     bool is_bounded;
@@ -140,7 +140,7 @@ struct AxesOf {
         const NumberOf<V> factor = ((own_edges.factor + other_edges.factor) + sum(d_size)) * sum(row_sums(N_size));
         e = distance_from_identity(own);
         is_unit = are_at_most(sum(e), unit_distance_max);
-        // The comparisons are false for NaN, which so counts as unbounded.
+        // The comparisons are false for NaN, which therefore counts as unbounded.
         is_bounded = are_below(sum(world), world_max) && are_below(sum(s), sum_max) && are_below(sum(w), sum_max) &&
                      are_below(factor, factor_max);
     }

@@ -30,7 +30,7 @@ namespace ecods {
 
 struct SweptSet {
     AxisSet axes;
-    std::array<float, 4> velocity;  // of the first tree on the axes, in the window
+    std::array<float, 4> velocity;  // motion of the first tree on the axes, in the window
 };
 
 class SweptAxes {

@@ -3,7 +3,7 @@
 // processors that pick lanes by number and bits by mask (simd/wide.hpp).
 
 struct EightPairs : avx2::ProjectedLanes<8> {
-    // Clears the bits of pairs of triangles that are proven to be apart, and returns which are proven to cross.
+    // Clears the bits of pairs of triangles that are proven to be apart, and returns the bits of those proven to cross.
     ECODS_ALWAYS_INLINE static std::uint64_t find(const AxisSet& set, const Placed& x, const Placed& y,
                                                   std::uint64_t& pairs) noexcept {
         using Decided = avx2::TriangleLanes;

@@ -26,7 +26,7 @@ struct FlatLanes : ProjectedLanes<float_width> {
     ECODS_ALWAYS_INLINE static float below_zero(float x) noexcept { return std::min(x, 0.0f); }
     ECODS_ALWAYS_INLINE static Floats below_zero(Floats x) noexcept { return min(x, Floats{}); }
 
-    // Returns the lanes in which an edge of `own` certainly lies on a line that separates the triangles.
+    // Returns the lanes in which a line parallel to an edge of `own` certainly separates the triangles.
     //
     // The vector n across the edge is taken as it is computed: any is sound. The line function of the corner p where
     // the edge begins, p as computed, has the values n . (z - p) at all points z.

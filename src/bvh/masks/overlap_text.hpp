@@ -61,7 +61,7 @@ struct OverlapMeasure : ProjectedLanes<float_width> {
         }
     }
 
-    // Comparisons are false for NaN, which so proves nothing apart.
+    // Comparisons are false for NaN, which therefore proves nothing apart.
     template <std::size_t>
     ECODS_ALWAYS_INLINE void narrow(Value& value, const Placed& x, const Placed& y, std::size_t i,
                                     std::size_t part) const noexcept {

@@ -125,7 +125,7 @@ struct ProjectedLanes {
             const auto& n = slab.normal;
             // The fourth lane of m is n . q.
             const auto row = [](const std::array<float, 4>& r) { return Vec<float, 4>{r[0], r[1], r[2], r[3]}; };
-            const auto& rows = set.b.row;  // for q
+            const auto& rows = set.b.row;  // the fourth number of each is q
             const Vec<float, 4> m4 = (n[0] * row(p.row[0]) + n[1] * row(p.row[1])) + n[2] * row(p.row[2]);
             m = {m4[0], m4[1], m4[2]};
             const float q = shift * ((n[0] * rows[0][3] + n[1] * rows[1][3]) + n[2] * rows[2][3]);

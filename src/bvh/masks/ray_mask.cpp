@@ -36,7 +36,7 @@ struct PosedRoot {
         error = origin.error;
         const double largest = std::max(edge_size.maxCoeff(), 0x1p-60 * from_size.maxCoeff());
         const double factor = std::max({R_size.maxCoeff(), frame.size_max, origin.offset.cwiseAbs().maxCoeff()});
-        // The comparisons are false for NaN, which so counts as unbounded.
+        // The comparisons are false for NaN, which therefore counts as unbounded.
         is_bounded = frame.is_bounded && largest > 0x1p-400 && from_size.maxCoeff() < 0x1p500 && factor < 0x1p500;
         if (!is_bounded) return;
         const double unit = std::ldexp(1.0, -std::ilogb(largest));

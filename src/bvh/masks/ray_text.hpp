@@ -17,7 +17,7 @@ struct RayKernel {
         return static_cast<std::uint32_t>(any_bits(~apart & lane_bits<Ints>(static_cast<int>(first))));
     }
 
-    // Comparisons are false for NaN, which so proves nothing apart.
+    // Comparisons are false for NaN, which therefore proves nothing apart.
     [[gnu::noinline]] static std::uint32_t node_mask(const TreeRay& ray, const BvhNode& node) noexcept {
         std::uint32_t lanes = 0;
         for (std::size_t first = 0; first < tree_width; first += width) {

@@ -55,7 +55,7 @@ struct BoundsKernel : ProjectedLanes<float_width> {
             }
             const Vector n = cross(e[2], e[0]);
             const Floats inverse_n = 1 / dot(n, n);
-            // with e' = -e[2]: u = e' x n, w = n x e
+            // With e = e[0] and e' = -e[2]: u = e' x n / n . n, w = n x e / n . n.
             u = scale(inverse_n, cross(n, e[2]));
             w = scale(inverse_n, cross(n, e[0]));
         }

@@ -68,7 +68,7 @@ class Splitter {
             middles.include({middle, middle});
         }
         const Float4 size = middles.max - middles.min;
-        const Float4 factor = static_cast<float>(bin_count) * 0.999f / size;  // the largest falls into the last bin
+        const Float4 factor = static_cast<float>(bin_count) * 0.999f / size;  // so that no item is past the last bin
 
         std::array<std::array<Bin, bin_count>, 3> bins{};
         const auto bin_of = [&](const PrimitiveRef& item, int axis) {

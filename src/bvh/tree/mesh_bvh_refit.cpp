@@ -50,7 +50,7 @@ MeshBvh refit_mesh_bvh(const MeshBvh& tree, const Mesh& mesh) {
     }
     set_corners_and_slabs(result, mesh);
     set_root(result, box_at(result.root));
-    // The comparison is false for a NaN, the cost of infinite boxes, which so keeps the tree.
+    // The comparison is false for a NaN, the cost of infinite boxes, which therefore keeps the tree.
     if (tree_cost(result) > cost_growth_max * result.built_cost) return build_mesh_bvh(mesh, fit_frame(mesh));
     return result;
 }

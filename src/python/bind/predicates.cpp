@@ -32,7 +32,7 @@ class Rows {
         return shape;
     }
 
-    // Broadcasts the leading axes to these.
+    // Broadcasts the rows to the shape `leading` of their leading axes.
     void spread(const py::tuple& leading) {
         step_ = size_of_one();
         if (array_.size() == static_cast<py::ssize_t>(step_)) {
