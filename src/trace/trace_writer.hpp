@@ -110,7 +110,7 @@ class TraceWriter {
     std::string text_of(const Shape& shape) const;
 
     // A mesh or shape that has a number. The map finds it by its address, which another object may have once this one
-    // is gone; the weak pointer tells them apart.
+    // is gone; the weak pointer distinguishes the two.
     struct Numbered {
         std::weak_ptr<const void> object;
         std::uint64_t number = 0;

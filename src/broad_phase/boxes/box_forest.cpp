@@ -63,7 +63,7 @@ void BoxForest::build(std::span<const PackedBox> lines) {
 
 void BoxForest::build(std::span<Item> items, std::span<const PackedBox> lines) {
     trees_.clear();
-    positions_.reserve(lines.size() + lines.size() / 32);  // spare room, so that adding the first box does not copy all
+    positions_.reserve(lines.size() + lines.size() / 32);  // so that adding the first box does not copy all
     positions_.assign(lines.size(), {});
     const auto classes = choose_classes(items);
     const std::size_t count = items.empty() ? 0 : std::size_t{classes[exponent_count - 1]} + 1;

@@ -71,7 +71,7 @@ constexpr std::array<std::uint32_t, 16> cell_counts = {1,  2,  3,  4,  6,  8,   
 }  // namespace
 
 void RankMap::set(std::size_t axis, double from, double to) noexcept {
-    // The largest product, rounded up, must be below rank_end: the factor 1 - 2^-40 leaves room for more than two
+    // The largest product, rounded up, must be below rank_end: the factor 1 - 2^-40 leaves more than the error of two
     // roundings.
     constexpr double ranks = rank_end * (1 - 0x1p-40);
     const double per_unit = ranks / (to - from);

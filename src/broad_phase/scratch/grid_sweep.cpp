@@ -23,7 +23,7 @@ void GridSweep::arrange(std::span<const PackedBox> lines) {
     plan_ = plan_grid(lines);
     ranked_.resize(lines.size());
     dispatch<Loops::rank>(*this, lines);
-    // The plan may be bad if the sample missed many boxes that reach many cells: then halves the numbers of cells.
+    // The plan may be bad if the sample lacks many boxes that reach many cells: then halves the numbers of cells.
     while (!count_cells(lines)) {
         for (std::uint32_t& count : plan_.cells) count = std::max(count / 2, 1u);
     }
@@ -108,7 +108,7 @@ bool GridSweep::count_cells(std::span<const PackedBox> lines) {
         cell.offset = offset;
         offset += row_count * cell.stride();
     }
-    // Frees first, since nothing needs to be copied, and adds some room, since the next search mostly needs a little
+    // Frees first, since nothing needs to be copied, and reserves more, since the next search mostly needs a little
     // more.
     if (rows_.capacity() < offset) {
         release(rows_);

@@ -46,7 +46,7 @@ void list_each_pair(const ForEach& for_each, std::size_t end, ProxyPairs& list, 
     for_each([&, &next = next, &by_second = by_second](ProxyIndex a, ProxyIndex b) {
         by_second[next[std::max(a, b)].second++] = ordered_pair(a, b);
     });
-    // Frees first, since nothing needs to be copied, and adds some room, since the next list is mostly a little longer.
+    // Frees first, since nothing needs to be copied, and reserves more, since the next list is mostly a little longer.
     if (list.capacity() < by_second.size()) {
         release(list);
         list.reserve(by_second.size() + by_second.size() / 16);

@@ -91,7 +91,7 @@ class CollisionManager:
     The methods have the names and arguments of trimesh.collision.CollisionManager. Answers are exact, and about
     surfaces: touching counts, and a distance is the true one, rounded once; 0 if surfaces share a point, never
     negative, infinity if there is nothing to measure to. A mesh inside another one does not collide with it, even if
-    trimesh would take a convex mesh for a solid; solid_relation() and World.set_solids() tell what is inside. Contacts
+    trimesh would take a convex mesh for a solid; solid_relation() and World.set_solids() say what is inside. Contacts
     are all pairs of triangles that meet; their depth is NaN but for two ConvexSolids. Pass an ecods.Mesh in place of
     another object if you ask about it again: its tree is then made once. Names are any hashable values. Copies and
     pickles work as those of a World.
