@@ -31,7 +31,7 @@ void DistanceAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d) {
     }
 }
 
-// The factor covers four roundings of u' each.
+// The factor 1 + 2^-48 covers four roundings of u' each.
 float DistanceAxes::square_above(double distance) const noexcept {
     const double x = distance / unit_;
     return round_up(x * x * (1 + 0x1p-48) + least_square);

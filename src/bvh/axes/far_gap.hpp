@@ -1,7 +1,7 @@
 // Bounds the distances between nodes of two posed trees that are very far apart compared with their size.
 //
-// For such trees the squared distances of all pairs of nodes round to about the same float: they differ by less than v
-// of themselves. But along the vector n between the trees' centers, nodes differ as much as they do in their own
+// For such trees the squared distances of all pairs of nodes round to about the same float: they differ by less than v,
+// relatively. But along the vector n between the trees' centers, nodes differ as much as they do in their own
 // coordinates, and
 //     |q - p| >= n . (q - p) / |n|
 // is nearly an equality for two points p and q: the difference is about the squared part of q - p across n, divided by
