@@ -10,8 +10,8 @@
 namespace ecods {
 namespace {
 
-// A margin on all sides, and one for moving on as it did, each no wider than an extent or half of it: what is fast is
-// not to be found by what it will not meet. Any margin is right.
+// Returns a fat box: with a margin on all sides, and a further one in the direction of the last move, each at most the
+// extent or half of it, so that queries seldom find a fast box in vain. Any margins are correct.
 PackedBox fatten(const Aabb& box, const PackedBox& line, const PackedBox& old) {
     constexpr double margin = 0.125, steps_ahead = 4;
     const double extent = (box.max - box.min).maxCoeff();

@@ -1,4 +1,4 @@
-// An index of the boxes that are present, for questions about one box, segment or ball.
+// An index of the boxes that are present, for queries by one box, segment or ball.
 #pragma once
 
 #include <cstddef>
@@ -12,27 +12,28 @@
 
 namespace ecods {
 
-// Trees of fat boxes. A box that stays in its fat box costs a comparison when the index is brought up to date, and
-// one that left it a new place in a tree. Slots are proxies.
+// Trees of fat boxes. When the index is brought up to date, a box that is still in its fat box costs a comparison, and
+// one that left it gets a new place in a tree. Slots are proxies.
 class BoxIndex {
   public:
-    // The box of this proxy came, went or moved. Where memory for that is lacking, the index starts from scratch with
-    // the next refresh().
+    // Notes that the box of this proxy came, went or moved. If memory runs out, the next refresh() builds the index
+    // from scratch.
     void note(ProxyIndex proxy) noexcept;
 
-    // Makes the fat boxes contain the boxes of `table`. Cost: proportional to the proxies noted since it was called
-    // last, and at times n log n, which has been paid for by n / 4 boxes that came or n that left their fat boxes. If
-    // memory ends, it starts from scratch the next time. Returns the number of boxes that it looked at.
+    // Makes the fat boxes contain the boxes of `table`, and returns the number of boxes examined. Cost: proportional to
+    // the proxies noted since the last call; at times n log n, which is amortized over n / 4 boxes that came or n that
+    // left their fat boxes. If memory runs out, the next call builds the index from scratch.
     std::uint64_t refresh(const ProxyTable& table);
 
-    // Appends the proxies whose fat boxes overlap; as those of BoxTree. After refresh().
+    // Appends the proxies whose fat boxes meet `bounds`, and returns the number of box tests, as BoxTree::find does.
+    // Call refresh() first.
     template <class Bounds>
     std::uint64_t find(const Bounds& bounds, std::vector<ProxyIndex>& found) const {
         ECODS_ASSERT(is_built_ && noted_.empty());
         return forest_.find(bounds, found);
     }
 
-    // The trees of fat boxes. After refresh().
+    // Returns the trees of fat boxes. Call refresh() first.
     std::span<const BoxTree> trees() const noexcept {
         ECODS_ASSERT(is_built_ && noted_.empty());
         return forest_.trees();
@@ -40,7 +41,7 @@ class BoxIndex {
 
     std::size_t bytes() const noexcept;
 
-    // Throws BrokenInvariant unless each box is in its fat box, and the trees are right. After refresh().
+    // Throws BrokenInvariant unless each box is in its fat box, and the trees are valid. Call refresh() first.
     void validate(const ProxyTable& table) const;
 
   private:
@@ -50,8 +51,8 @@ class BoxIndex {
 
     bool is_built_ = false;
     BoxForest forest_;
-    std::vector<PackedBox> fat_lines_;    // by proxy; empty where none is present
-    std::vector<ProxyIndex> noted_;       // since the last refresh, each once
+    std::vector<PackedBox> fat_lines_;    // by proxy; empty if the proxy is not present
+    std::vector<ProxyIndex> noted_;       // proxies noted since the last refresh, each once
     std::vector<std::uint8_t> is_noted_;  // by proxy
     std::size_t escaped_since_build_ = 0;
 };

@@ -20,8 +20,8 @@ std::string text(const ProxyPair& pair) {
     return std::to_string(pair.a) + ", " + std::to_string(pair.b);
 }
 
-// Throws BrokenInvariant unless `pairs` are all_pairs, the events are ascending, what began is here, and what ended is
-// gone or began again.
+// Throws BrokenInvariant unless `pairs` equals all_pairs, the events are ascending, each pair that began is in `pairs`,
+// and each pair that ended is not, or began again.
 void validate_pairs(const ProxyTable& table, const ProxyPairs& pairs, const ProxyPairs& began,
                     const ProxyPairs& ended) {
     for (const ProxyPairs* list : {&pairs, &began, &ended}) {
@@ -48,7 +48,7 @@ void validate_pairs(const ProxyTable& table, const ProxyPairs& pairs, const Prox
     }
 }
 
-// For those who use a broad phase alone: the tracker, and a list of the pairs.
+// The public BroadPhase: the tracker, and a list of the pairs.
 class ListingBroadPhase final : public BroadPhase {
   public:
     explicit ListingBroadPhase(BroadPhaseKind kind) : tracker_(kind) {}

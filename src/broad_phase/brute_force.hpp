@@ -1,12 +1,12 @@
-// Every box against every other.
+// Tests every box against every other.
 #pragma once
 
 #include "broad_phase/changes/pair_finder.hpp"
 
 namespace ecods {
 
-// Makes `found` the overlapping pairs among the boxes present, ascending, by testing all. Returns the number of tests.
-// The definition of what a broad phase answers.
+// Sets `found` to the overlapping pairs among the boxes present, ascending, by testing all pairs. Returns the number of
+// tests. This defines the answer of every broad phase.
 std::uint64_t all_pairs(const ProxyTable& table, ProxyPairs& found);
 
 class BruteForce final : public PairFinder {
@@ -17,7 +17,7 @@ class BruteForce final : public PairFinder {
     void validate(const ProxyTable&) const override {}
 
   private:
-    ProxyPairs found_;  // of the update that runs
+    ProxyPairs found_;  // pairs of the update that runs
 };
 
 }  // namespace ecods

@@ -1,4 +1,4 @@
-// Which way of finding pairs suits a scene.
+// Chooses the way of finding pairs that suits a scene.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,12 @@
 
 namespace ecods {
 
-// Returns what the next update should use, of so many boxes, where `running` is in use. Decides from the number of
-// boxes, so that runs repeat, and no scene pays for a change of mind: whatever many boxes do, kept candidates cost no
-// more than sorted lists, since what comes, goes or moves takes no pass over all.
+// Returns the way of finding pairs that the next update should use, given the number of boxes and the way `running`
+// that is in use. The choice depends on the number of boxes only, so that runs repeat and no scene pays for frequent
+// switches: whatever many boxes do, kept candidates cost no more than sorted lists, since a box that comes, goes or
+// moves takes no pass over all boxes.
 //
-// Measured of twelve motions: with 24 boxes sorted lists take 0.8 to 1.3 times as long as kept candidates, with 48 0.9
+// Measured on twelve motions: with 24 boxes sorted lists take 0.8 to 1.3 times as long as kept candidates, with 48 0.9
 // to 1.7, with 256 0.9 to 2.4. The two sizes are far enough apart that a scene that grows and shrinks does not switch
 // each time.
 constexpr BroadPhaseKind choose_finder(BroadPhaseKind running, std::size_t size) noexcept {

@@ -38,15 +38,15 @@ void OverlapTracker::reserve(std::size_t count) {
     if (finder_) finder_->reserve(count);
 }
 
-// A failure leaves the table as it was. The finder, which may have changed in part, is dropped: the next update looks
-// everything up.
+// Updates the pairs. A failure leaves the table as it was. The finder, which may have changed in part, is dropped, and
+// the next update finds all pairs from scratch.
 void OverlapTracker::update(PairKeeper& keeper) {
     events_.clear();
     const ProxyChanges& changes = table_.collect();
     const BroadPhaseCounts before = counts_;
     ++counts_.updates;
     if (changes.empty()) {
-        table_.settle();  // of what came and went in between
+        table_.settle();  // forgets boxes that came and went since the last update
         return;
     }
     counts_.moved += changes.added.size() + changes.moved.size();
@@ -67,7 +67,7 @@ void OverlapTracker::update(PairKeeper& keeper) {
     if (!finder_) build_finder();
 }
 
-// Before an update that sees nothing but new boxes: what it keeps is kept by the way of finding that suits them, from
+// Chooses the finder before an update in which all boxes are new, so that the one that suits them keeps its data from
 // the start.
 void OverlapTracker::begin() {
     if (kind_ == BroadPhaseKind::automatic) choose();
@@ -82,7 +82,7 @@ void OverlapTracker::choose() noexcept {
     ++counts_.switches;
 }
 
-// The update is complete by now: one that finds no memory for a finder leaves it to the next update.
+// Builds a finder after the update is complete. If memory runs out, the next update builds it.
 void OverlapTracker::build_finder() noexcept {
     try {
         auto made = make_finder(running_);

@@ -1,5 +1,5 @@
-// Boxes, which of them overlap, and which of them a box, a segment or a ball meets: what a broad phase is, but for the
-// pairs themselves. Whoever uses it keeps these: it reports those that began and ended.
+// Keeps boxes and reports the pairs whose overlap began and ended; also finds which boxes a box, a segment or a ball
+// meets. It is a broad phase without the list of pairs, which its user keeps.
 #pragma once
 
 #include <atomic>
@@ -20,7 +20,7 @@
 
 namespace ecods {
 
-// What BroadPhase promises of the calls of these names.
+// The functions promise the same as the functions of BroadPhase with these names.
 class OverlapTracker {
   public:
     explicit OverlapTracker(BroadPhaseKind kind);
@@ -48,14 +48,14 @@ class OverlapTracker {
     const ProxyTable& table() const noexcept { return table_; }
     std::size_t size() const noexcept { return table_.size(); }
 
-    // Makes events() those between the pairs that `keeper` has and those that overlap now. Out of memory there are
-    // none, and the next update finds all that changed since the last one that succeeded.
+    // Sets events() to the differences between the pairs that `keeper` has and the pairs that overlap now. If memory
+    // runs out there are no events, and the next update finds all changes since the last one that succeeded.
     void update(PairKeeper& keeper);
 
-    // Of the last update; ascending, and each once.
+    // Returns the events of the last update, ascending, each once.
     const PairEvents& events() const noexcept { return events_; }
 
-    // Once they are known to whoever keeps the pairs, events may be forgotten.
+    // Clears the events; allowed once the keeper of the pairs has read them.
     void clear_events() noexcept { events_.clear(); }
 
     std::vector<ProxyIndex> find(const Aabb& box) const;
@@ -68,19 +68,19 @@ class OverlapTracker {
     void visit_along(const Aabb& box, const Vec3& motion, double limit,
                      const std::function<double(ProxyIndex)>& visit) const;
 
-    // Appends the pairs that overlap if each of `chosen`, which are present and each there once, has the box in `boxes`
-    // in place of its own, and of which at least one is chosen; in no order, each once. Cost: sorting the chosen into
-    // trees, and a question for each chosen box, or for each box where they are many.
+    // Appends the pairs that would overlap if each proxy in `chosen` had the box in `boxes` in place of its own, and of
+    // which at least one is chosen; in no order, each once. The chosen proxies must be present, each listed once. Cost:
+    // sorting the chosen into trees, and a query for each chosen box, or for each box if many are chosen.
     void find_pairs_with(std::span<const ProxyIndex> chosen, std::span<const Aabb> boxes, ProxyPairs& found) const;
 
-    // Only those of which both are chosen.
+    // Appends only the pairs of which both are chosen.
     void find_pairs_among(std::span<const ProxyIndex> chosen, std::span<const Aabb> boxes, ProxyPairs& found) const;
     FindCounts find_counts() const noexcept;
 
     const BroadPhaseCounts& counts() const noexcept { return counts_; }
     std::size_t bytes() const noexcept;
 
-    // Throws BrokenInvariant. The pairs are not looked at.
+    // Throws BrokenInvariant. Does not check the pairs.
     void validate() const;
 
   private:
@@ -102,14 +102,14 @@ class OverlapTracker {
     void build_finder() noexcept;
 
     BroadPhaseKind kind_;
-    BroadPhaseKind running_;  // another than kind_ when that is automatic
+    BroadPhaseKind running_;  // the way in use; differs from kind_ if that is automatic
     ProxyTable table_;
     PairEvents events_;
     std::unique_ptr<PairFinder> finder_;  // null after a failure
     BroadPhaseCounts counts_;
 
-    // The index is made and brought up to date by the questions, which are const. Nothing else reads it, and what is
-    // not const does not run beside them: so a question that finds it up to date needs no lock.
+    // The index is built and brought up to date by queries, which are const. Only queries read it, and non-const
+    // functions do not run concurrently with them: so a query that finds it up to date needs no lock.
     mutable std::mutex index_mutex_;
     mutable std::unique_ptr<BoxIndex> index_;
     mutable std::atomic<bool> index_is_current_ = false;

@@ -1,4 +1,4 @@
-// Which boxes a box, a segment or a ball meets.
+// Finds which boxes a box, a segment or a ball meets.
 #include <algorithm>
 
 #include "bounds/ball_bounds.hpp"
@@ -10,7 +10,7 @@
 namespace ecods {
 namespace {
 
-// A box, prepared as SegmentBounds and BallBounds are.
+// A box in the form of a query, as SegmentBounds and BallBounds are.
 class BoxBounds {
   public:
     explicit BoxBounds(const Aabb& box) : keys_(key_box(box)) { make_reach(packed_box(keys_), reach_); }
@@ -31,7 +31,7 @@ const Bounds& for_trees(const Bounds& bounds) {
     return bounds;
 }
 
-// Up to here testing all boxes costs no more than trees do.
+// The number of boxes up to which testing all costs no more than trees do.
 constexpr std::size_t scanned_max = 64;
 
 }  // namespace
@@ -41,7 +41,8 @@ bool OverlapTracker::has_trees() const noexcept {
            table_.size() > scanned_max;
 }
 
-// To scan all boxes for near ones costs more than it costs find(), for near pairs by far.
+// True if trees serve queries about near boxes. Trees pay for more kinds here than in has_trees(), since scanning all
+// boxes for near ones costs more than it does for find(), and far more for near pairs.
 bool OverlapTracker::has_near_trees() const noexcept {
     return kind_ != BroadPhaseKind::brute_force && table_.size() > scanned_max;
 }

@@ -1,4 +1,4 @@
-// The pairs that overlap when some boxes are others than they are.
+// Finds the pairs that would overlap if some boxes were replaced by others.
 #include "broad_phase/overlap_tracker.hpp"
 #include "broad_phase/sweep/find_pairs.hpp"
 
@@ -9,8 +9,8 @@ void OverlapTracker::find_pairs_among(std::span<const ProxyIndex> chosen, std::s
     count_find(ChosenBoxes(chosen, boxes).find_pairs_among(found));
 }
 
-// Where fewer than one in so many are chosen, each of them is looked up among all boxes; otherwise all boxes are looked
-// up among them, which costs less for each.
+// Queries all boxes with each chosen one if fewer than one box in 16 is chosen. Otherwise queries the chosen boxes with
+// every other box, which costs less per query.
 void OverlapTracker::find_pairs_with(std::span<const ProxyIndex> chosen, std::span<const Aabb> boxes,
                                      ProxyPairs& found) const {
     constexpr std::size_t few = 16;

@@ -1,4 +1,4 @@
-// Which boxes are near a box or each other, and which a segment, a ray or a box on the move may meet: the first ones
+// Visits the boxes near a box or near each other, and the boxes that a segment, a ray or a moving box may meet, best
 // first.
 #include <algorithm>
 #include <cstdint>
@@ -16,7 +16,8 @@
 namespace ecods {
 namespace {
 
-// Visits all boxes by lower_of(box), up to greatest(limit), as the walks of trees do. Returns the number of box tests.
+// Visits all boxes in ascending order of lower_of(box), up to greatest(limit), as the tree walks do. Returns the number
+// of box tests.
 template <class LowerOf, class Greatest>
 std::uint64_t scan(const ProxyTable& table, double limit, const LowerOf& lower_of, const Greatest& greatest,
                    const std::function<double(ProxyIndex)>& visit) {
@@ -34,7 +35,7 @@ std::uint64_t scan(const ProxyTable& table, double limit, const LowerOf& lower_o
     return table.size();
 }
 
-// Visits pairs in their order: sorting them by distance would take memory for all.
+// Visits near pairs in the order of proxies: sorting by distance would take memory for all pairs.
 std::uint64_t scan_near_pairs(const ProxyTable& table, double limit, const std::function<double(ProxyPair)>& visit) {
     std::uint64_t tests = 0;
     table.for_each([&](ProxyIndex a, const Aabb& box) {
@@ -68,7 +69,7 @@ void OverlapTracker::visit_near_pairs(double limit, const std::function<double(P
 void OverlapTracker::visit_along(const MovingBox& moving, double limit,
                                  const std::function<double(ProxyIndex)>& visit) const {
     const auto lower_of = [&](const Aabb& box) { return moving.meets_from(box); };
-    // What is never met has an infinite time.
+    // Caps the limit at number_max: boxes that are never met have an infinite time.
     const auto greatest = [](double time) { return std::min(MovingBox::latest(time), MovingBox::number_max); };
     count_find(has_near_trees() ? walk_along(current_index().trees(), table_.boxes(), moving, limit, visit)
                                 : scan(table_, limit, lower_of, greatest, visit));

@@ -1,6 +1,6 @@
 """Builds the module with CMake, library included, and packs it. README.md at the top shows the commands.
 
-ECODS_PYTHON_PACKAGE: a folder with a package that CMake has built (build/release/python): that is packed, nothing built.
+ECODS_PYTHON_PACKAGE: a folder with a package that CMake has built (build/release/python); it is packed without a build.
 """
 import os
 import pathlib
@@ -59,7 +59,7 @@ setup(
     package_data={"ecods": ["py.typed", "*.pyi"]},
     ext_modules=[Extension("ecods._ecods", [])],
     cmdclass={"build_ext": BuildWithCMake},
-    # Nothing is written beside the sources.
+    # Keeps written files out of the sources.
     options={"build": {"build_base": str(BUILD)}, "egg_info": {"egg_base": str(BUILD)}},
     zip_safe=False,
 )

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the types of the module, as its signatures say them, for editors and type checkers; and _ecods.pyi beside it.
+"""Writes a stub with the types of the module, from its signatures, for editors and type checkers; and _ecods.pyi.
 
 usage: PYTHONPATH=FOLDER_OF_THE_PACKAGE stubs.py OUT
 """
@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-sys.path.pop(0)  # the folder of this file, where the package has no module
+sys.path.pop(0)  # this file's folder, where the package lacks its module
 
 import ecods  # noqa: E402
 from ecods.refusals import split  # noqa: E402
@@ -19,7 +19,7 @@ GIVEN = {"object": "Any", "dict": "dict[str, Any]"}
 
 
 def plain(text):
-    """A type without the names of modules, as pybind11 spells it."""
+    """Returns a type without the names of modules that pybind11 writes."""
     text = text.replace("ecods._ecods.", "").replace("ecods.", "")
     text = re.sub(r"numpy\.ndarray\[[^\]]*\]", "numpy.ndarray", text)
     return re.sub(r"\b(List|Tuple|Dict)\b", lambda match: match.group(1).lower(), text)
@@ -36,7 +36,7 @@ def taken(name, text, default):
 
 
 def signatures(doc):
-    """(arguments, result, text) of each overload."""
+    """Yields (arguments, result, text) of each overload."""
     lines = (doc or "").splitlines()
     pattern = re.compile(r"^(?:\d+\. )?\w+\((.*)\) -> (.*)$")
     found = [(i, pattern.match(line)) for i, line in enumerate(lines)]
@@ -103,7 +103,7 @@ def main(out):
             made += function(name, thing.__doc__) + [""]
     with open(out, "w", encoding="utf-8") as file:
         file.write("\n".join(made))
-    # The package's own files import from the module of C++.
+    # Stub of _ecods, from which the package's own files import.
     names = [name for name in ecods.__all__ if hasattr(ecods._ecods, name)]
     with open(pathlib.Path(out).with_name("_ecods.pyi"), "w", encoding="utf-8") as file:
         file.write("\n".join(["# Written by stubs.py.", *[f"from . import {name} as {name}" for name in names], ""]))

@@ -123,7 +123,7 @@ void Replayer::make(const Row<calls::InOrder>& traced) {
     Row<calls::InOrder>::fields(KeepIds{{}, *this}, traced, call);
 }
 
-// Ties go to the least ids, so an answer is that of the trace where the ids are.
+// Compares the digests of the answers if the replayed world has the ids of the trace, since ties go to the least ids.
 template <template <class> class Row>
 void Replayer::ask(const Row<calls::InOrder>& traced) {
     const std::uint64_t answer = AnswerDigest::of(in_world(traced).ask(world_));

@@ -1,20 +1,20 @@
-// The table of calls: a call of World that a trace holds is one row, a struct with its name in the text, its arguments,
-// the function of World that it is, and its fields in the order of the text. Writer, reader, replay, the fuzzer's
-// scripts and their shrinking are made of these rows; src/README.md says how to add one.
+// The table of calls. Each call of World that a trace holds is one row: a struct with the call's name in the text, its
+// arguments, the function of World that it makes, and its fields in the order of the text. Writer, reader, replay, the
+// fuzzer's scripts and their shrinking follow from these rows; src/README.md says how to add one.
 //
-// The same row serves under several Names, types that say what stands for a body, for a shape and for a list: ids and
-// numbers of shapes while a trace is written, the order of creation when it is read, and in a fuzzer's script meshes in
-// place of shapes.
+// A row is a template over Names, a type that says by what bodies, shapes and lists are named: ids and shape numbers
+// while a trace is written, the order of creation when it is read, and meshes in place of shapes in a fuzzer's script.
 //
-// `fields` hands each field to a visitor, by the kind of the field:
+// `fields` passes each field to a visitor, by the kind of the field:
 //
-//     created    a body that comes with the call            pose, filter
-//     destroyed  a body that is gone after it               flag       true or false
-//     body       any other; other_body: another than that   data       64 bits of the caller's own
-//     shape                                                 clearance  a distance, or none
-//     posed_bodies   as many bodies as poses
+//     created    a body that the call creates             pose, filter
+//     destroyed  a body that the call destroys            flag       true or false
+//     body       any other body                           data       64 bits of the caller's own
+//     other_body the second, different body of a pair     clearance  a distance, or none
+//     shape                                               posed_bodies   as many bodies as poses
 //
-// Given several calls of one row, it hands over the same field of each: so one is copied to another, under other names.
+// Given several calls of one row, `fields` passes the same field of each to the visitor, which may so copy one call to
+// another that uses other names.
 #pragma once
 
 #include <algorithm>
@@ -36,28 +36,29 @@
 
 namespace ecods::calls {
 
-// A body by the number of bodies that were created before it.
+// A body's name by order: the number of bodies created before it.
 using Label = std::size_t;
 
 // ---- names
+// Names while writing: ids, and numbers of shapes.
 
 // Names while writing: ids, and numbers of shapes.
 struct Tracing {
     using Body = BodyId;
-    using Shape = std::uint64_t;  // its number in the text
+    using Shape = std::uint64_t;  // the shape's number in the text
     template <class Item>
     using List = std::span<const Item>;
 };
 
-// Names while reading: bodies by order of creation.
+// Names while reading: bodies and shapes by order of creation.
 struct InOrder {
     using Body = Label;
-    using Shape = std::size_t;  // the number of meshes and shapes before it in the text
+    using Shape = std::size_t;  // number of meshes and shapes before it in the text
     template <class Item>
     using List = std::vector<Item>;
 };
 
-// In a World.
+// Names in a World: ids, and the shapes themselves.
 struct InWorld {
     using Body = BodyId;
     using Shape = std::shared_ptr<const ecods::Shape>;
@@ -214,13 +215,13 @@ using Call = std::variant<Create<Names>, CreateWith<Names>, Destroy<Names>, SetP
                           SetShape<Names>, SetFilter<Names>, SetPairEnabled<Names>, SetUserData<Names>,
                           SetClearance<Names>, SetSolids<Names>, Others...>;
 
-// The names of the rows, by their places in a Call.
+// The names of the rows of a Call, by index.
 template <class AnyCall>
 inline constexpr int row_names = 0;
 template <class... Rows>
 inline constexpr std::array<std::string_view, sizeof...(Rows)> row_names<std::variant<Rows...>> = {Rows::name...};
 
-// The row with this index, its arguments empty.
+// Sets `call` to the row with this index, with empty arguments.
 template <class AnyCall, std::size_t... indices>
 void emplace_row(AnyCall& call, std::size_t index, std::index_sequence<indices...>) {
     ((indices == index ? void(call.template emplace<indices>()) : void()), ...);
@@ -230,7 +231,8 @@ void emplace_row(AnyCall& call, std::size_t index) {
     emplace_row(call, index, std::make_index_sequence<std::variant_size_v<AnyCall>>());
 }
 
-// The row with this name, its arguments empty. False, and the call is unchanged, if there is none.
+// Sets `call` to the row with this name, with empty arguments, and returns true. Returns false, and leaves the call
+// unchanged, if there is none.
 template <class AnyCall>
 bool emplace_row(AnyCall& call, std::string_view name) {
     const auto& names = row_names<AnyCall>;
@@ -242,7 +244,7 @@ bool emplace_row(AnyCall& call, std::string_view name) {
 
 // ---- visitors
 
-// Visits no field: for visitors of a few kinds to derive from.
+// Visits no field; a base for visitors of a few kinds.
 struct NoField {
     void created(auto&...) const noexcept {}
     void destroyed(auto&...) const noexcept {}
@@ -257,8 +259,8 @@ struct NoField {
     void clearance(auto&...) const noexcept {}
 };
 
-// Copies fields. `body_of` and `shape_of` say which body and which shape of the other call a name stands for. A body
-// that the call makes has a name under labels only; an id it gets when the call is made.
+// Copies fields from one call to another. `body_of` and `shape_of` translate the names of bodies and shapes. A created
+// body is copied only between labels; an id is known only after the call is made.
 template <class BodyOf, class ShapeOf>
 struct CopyFields {
     BodyOf body_of;
@@ -280,7 +282,7 @@ struct CopyFields {
     void data(const auto& from, auto& to) const { to = from; }
     void clearance(const auto& from, auto& to) const { to = from; }
 
-    // Of questions (questions.hpp).
+    // The kinds of fields that only questions have (questions.hpp).
     void answer(const auto& from, auto& to) const { to = from; }
     void line(const auto& from, auto& to) const { to = from; }
     void motion(const auto& from, auto& to) const { to = from; }
@@ -289,7 +291,7 @@ struct CopyFields {
     void optional_filter(const auto& from, auto& to) const { to = from; }
 };
 
-// The same call under other names.
+// Returns the same call under other names.
 template <class To, template <class> class Row, class From, class BodyOf, class ShapeOf>
 Row<To> renamed(const Row<From>& call, BodyOf body_of, ShapeOf shape_of) {
     Row<To> result{};

@@ -1,4 +1,5 @@
-// As what a body's shape is a mesh: a surface, a solid or a convex solid. A trace says it, since answers depend on it.
+// The form in which a mesh is a body's shape: a surface, a solid or a convex solid. A trace states the form, since
+// answers depend on it.
 #pragma once
 
 #include <array>
@@ -14,14 +15,14 @@ namespace ecods {
 
 enum class MeshForm : std::uint8_t { surface, solid, convex };
 
-// By form: the first word of the line.
+// The first word of a mesh's line, by form.
 inline constexpr std::array<std::string_view, 3> mesh_form_names = {"mesh", "solid", "convex"};
 
 std::optional<MeshForm> parse_mesh_form(std::string_view name);
 
 MeshForm form_of(const MeshShape& shape) noexcept;
 
-// A new shape. Throws where the mesh has not got this form.
+// Returns a new shape. Throws if the mesh does not have this form.
 std::shared_ptr<const MeshShape> make_shape(const std::shared_ptr<const Mesh>& mesh, MeshForm form);
 
 }  // namespace ecods

@@ -1,9 +1,10 @@
-// The table of questions that a trace may hold: a question that World answers about many bodies is one row, as a call
-// is in calls.hpp. It begins with the digest of its answer (world/answer_digest.hpp), by which a replay compares.
+// The table of questions. Each question of World about many bodies that a trace holds is one row, as each call is in
+// calls.hpp. A row begins with the digest of the answer (world/answer_digest.hpp), which a replay compares with its
+// own.
 //
-// `fields` hands over, beside the kinds of calls.hpp:
+// `fields` passes these kinds of fields beside those of calls.hpp:
 //
-//     answer     the digest                             number           from 0, infinity included
+//     answer     the digest                             number           0 or more, infinity included
 //     line       a segment or a ray                     motion, point, optional_filter
 #pragma once
 
@@ -15,7 +16,7 @@
 
 namespace ecods::calls {
 
-// What a segment or a ray meets.
+// The fields of the questions about hits of a segment or a ray.
 template <class Line>
 struct OfLine {
     std::uint64_t answer;
@@ -53,7 +54,7 @@ struct AllHitsOfRay : OfLine<Ray> {
     auto ask(auto& world) const { return world.all_hits(line, filter); }
 };
 
-// What is asked up to a distance.
+// The fields of questions with an upper limit of distances.
 struct UpTo {
     std::uint64_t answer;
     double limit;

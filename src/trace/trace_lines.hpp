@@ -1,4 +1,4 @@
-// A trace read line by line, word by word. Text that is not as it must be is an InvalidTrace with its line.
+// Reads a trace line by line, and each line word by word. Malformed text is an InvalidTrace with the line's number.
 #pragma once
 
 #include <cstddef>
@@ -18,15 +18,16 @@ class TraceLines {
   public:
     explicit TraceLines(std::istream& in, std::size_t lines_before = 0) : in_(in), number_(lines_before) {}
 
-    // Goes to the next line. False behind the last. Reads from the stream's buffer: no flag, width or locale of the
-    // stream has a part in it, and where memory runs out, std::bad_alloc is thrown.
+    // Goes to the next line; returns false after the last one. Reads the stream's buffer directly, so flags, width and
+    // locale of the stream have no effect. Throws std::bad_alloc if memory runs out.
     bool next();
 
-    // Goes to the first line, and returns whether it is this one. It may begin with the byte order mark of UTF-8. If it
-    // ends with CR LF, so does each line: an editor wrote them, and the CR belongs to no line.
+    // Goes to the first line, and returns true if it is `header`. The line may begin with the byte order mark of UTF-8.
+    // If it ends with CR LF, an editor wrote the file so, and the CR is dropped from every line.
     bool next_is_header(std::string_view header);
 
-    // The next word of the line. `what` names it in the error that is thrown where it is missing or another.
+    // These functions read the next word or words of the line. They throw InvalidTrace if a word is missing or
+    // malformed; `what` names it in the error.
     std::string_view word(const char* what);
     std::uint64_t hex(const char* what);
     std::uint64_t decimal(const char* what, std::uint64_t max);
@@ -35,29 +36,29 @@ class TraceLines {
     Pose pose();
     CollisionFilter filter();
     std::optional<double> clearance();
-    double number();  // from 0, infinity included
+    double number();  // 0 or more, infinity included
     std::optional<CollisionFilter> optional_filter();
 
-    std::string_view rest();  // of the line, which is then at its end
+    std::string_view rest();  // the rest of the line; nothing is left afterwards
     bool rest_is(std::string_view text) const noexcept { return left_ == text; }
     bool at_end() const noexcept { return left_.empty(); }
     void require_end();
 
-    // A line that belongs to the one before it, and begins with this word.
+    // Goes to the next line, which must exist and begin with this word: a continuation of the line before.
     void require_next(std::string_view first_word);
 
-    std::size_t number() const noexcept { return number_; }  // from 1
+    std::size_t number() const noexcept { return number_; }  // number of the current line, from 1
     [[noreturn]] void fail(const std::string& reason) const;
 
   private:
     double coordinate();
-    bool skips(std::string_view next_word);  // if it is the next word
+    bool skips(std::string_view next_word);  // skips the next word, and returns true, if it is this one
 
     std::istream& in_;
     std::string text_;
-    std::string_view left_;  // of text_
+    std::string_view left_;  // rest of the current line, in text_
     std::size_t number_;
-    bool drops_cr_ = false;  // from the end of each line
+    bool drops_cr_ = false;  // true if each line ends with CR
 };
 
 }  // namespace ecods

@@ -1,5 +1,5 @@
-// The reading end of a trace: its lines as data, one after the other, consistent in themselves. Bodies and shapes are
-// known when they are named; a list has as many items as it says. Text that is not so is an InvalidTrace.
+// Reads a trace: its lines as data, one after the other. Checks that each body and shape is known when it is named, and
+// that each list has as many items as it announces; otherwise the text is an InvalidTrace.
 #pragma once
 
 #include <cstdint>
@@ -29,11 +29,11 @@ struct TracedUpdate {
         std::uint64_t digest;
         std::uint64_t colliding_count;
     };
-    std::optional<Result> result;  // none of an update that failed or crashed
+    std::optional<Result> result;  // empty if the update failed, or the program ended during it
     bool has_failed = false;
 };
 
-// A mesh, or a shape of the caller's own: each has the next index in calls::InOrder.
+// A mesh, or below a shape of the caller's own. Both are numbered in one sequence, which is calls::InOrder::Shape.
 struct TracedMesh {
     std::shared_ptr<const Mesh> mesh;
     MeshForm form = MeshForm::surface;
@@ -49,19 +49,19 @@ struct TracedNote {
 
 using TraceItem = std::variant<TracedCall, TracedQuestion, TracedUpdate, TracedMesh, TracedShape, TracedNote>;
 
-// What bodies and shapes of a trace are called so far.
+// The names of bodies and shapes in a trace, as far as it is read.
 struct TracedNames {
     struct BodyHash {
         std::size_t operator()(const TracedBody& body) const noexcept {
             return std::hash<std::uint64_t>()(std::uint64_t{body.generation} << 32 | body.slot);
         }
     };
-    std::unordered_map<TracedBody, calls::Label, BodyHash> bodies;  // alive
+    std::unordered_map<TracedBody, calls::Label, BodyHash> bodies;  // living bodies
     std::vector<TracedBody> created;                                // by label
     std::unordered_map<std::uint64_t, std::size_t> shapes;          // by number
 };
 
-// The visitor that reads the fields of a call.
+// Reads the fields of a call, as a visitor.
 class FieldReader {
   public:
     FieldReader(TraceLines& lines, TracedNames& names) : lines_(lines), names_(names) {}
@@ -98,19 +98,21 @@ class FieldReader {
 
 class TraceReader {
   public:
-    // Reads the head.
+    // Reads the header.
     explicit TraceReader(std::istream& in);
 
     BroadPhaseKind broad_phase() const noexcept { return broad_phase_; }
-    bool begins_empty() const noexcept { return begins_empty_; }  // no id was given before the first line
+    // True if the world had given no id before the first line.
+    bool begins_empty() const noexcept { return begins_empty_; }
 
-    // The next item; nothing at the end. A mesh that Mesh::create refuses is an InvalidTrace, too.
+    // Returns the next item; nothing at the end. A mesh that Mesh::create rejects is an InvalidTrace, too.
     std::optional<TraceItem> next();
 
-    std::size_t line() const noexcept { return lines_.number(); }  // of the item, from 1; of a list its last
+    // Returns the line of the last item, from 1; for a list, its last line.
+    std::size_t line() const noexcept { return lines_.number(); }
     [[noreturn]] void fail(const std::string& reason) const { lines_.fail(reason); }
 
-    // For notes that hold fields.
+    // Names for notes that hold fields.
     TracedNames& names() noexcept { return names_; }
 
   private:

@@ -1,4 +1,4 @@
-// Numbers and names as they stand in a trace, both ways.
+// Converts numbers and names to the text of a trace and back.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,8 @@ void append(std::string& text, BodyId body);
 void append(std::string& text, const Vec3& point);
 void append(std::string& text, const Pose& pose);
 
-// A body as a trace names it: slot and generation in the world that wrote the trace. It is no id of any other world.
+// A body as a trace names it: by slot and generation in the world that wrote the trace. These are no id in any other
+// world.
 struct TracedBody {
     std::uint32_t slot = 0;
     std::uint32_t generation = 0;
@@ -36,7 +37,7 @@ constexpr TracedBody traced(BodyId body) noexcept {
     return {body.slot, body.generation};
 }
 
-// Nothing unless the whole word is such a number or name.
+// The parsers return nothing unless the whole word is a number or name of the kind.
 std::optional<double> parse_hex_double(std::string_view word);  // finite
 std::optional<std::uint64_t> parse_hex(std::string_view word);
 std::optional<std::uint64_t> parse_decimal(std::string_view word, std::uint64_t max);

@@ -15,7 +15,7 @@ void TraceWriter::put_text() {
     text_.clear();
 }
 
-// In place of the space behind the last word.
+// Replaces the space after the last word by a newline, and writes the line.
 void TraceWriter::end_line() {
     text_.back() = '\n';
     put_text();
@@ -38,7 +38,7 @@ void TraceWriter::FieldWriter::optional_filter(const std::optional<CollisionFilt
     optional ? filter(*optional) : writer.put_words("none");
 }
 
-// A line each, so that a long list takes no memory.
+// Writes one line for each item, so that a long list takes no memory.
 void TraceWriter::FieldWriter::posed_bodies(std::span<const BodyId> bodies, std::span<const Pose> poses) const {
     writer.put_words(std::uint64_t{bodies.size()});
     for (std::size_t i = 0; i < bodies.size(); ++i) {

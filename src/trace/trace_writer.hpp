@@ -1,4 +1,4 @@
-// The writing end of a trace.
+// Writes a trace.
 #pragma once
 
 #include <cstddef>
@@ -19,22 +19,23 @@
 
 namespace ecods {
 
-// Calls are written after they succeeded, so writing them must not throw: a failure ends the writing, and has_failed()
-// says so. Text reaches the stream as it is: no flag, width or locale of the stream has a part in it.
+// Writes each call after it has succeeded. So writing does not throw: a failure ends it, and has_failed() becomes true.
+// Text is written unformatted: flags, width and locale of the stream have no effect.
 class TraceWriter {
   public:
     TraceWriter(std::ostream& out, TraceOptions options);
 
-    // The number of a mesh or shape, whose text is written if it has not been yet: before the call that brings it in.
-    // Throws NotSupported.
+    // Returns the number of a mesh or shape. Writes its text first if this is not yet done, so that it precedes the
+    // call that uses it. Throws NotSupported if the shape cannot be written.
     std::uint64_t number_of(const std::shared_ptr<const Shape>& shape);
 
     void begin(BroadPhaseKind kind, std::size_t slot_count) noexcept;
 
-    // Whether questions are to be written.
+    // True if the trace includes questions.
     bool writes_questions() const noexcept { return options_.questions; }
 
-    // A call or a question, as one of the rows of calls.hpp and questions.hpp: write<calls::SetPose>(body, pose).
+    // Writes a call or a question, as one of the rows of calls.hpp and questions.hpp: write<calls::SetPose>(body,
+    // pose).
     template <template <class> class Row, class... Arguments>
     void write(const Arguments&... arguments) noexcept {
         const Row<calls::Tracing> call{arguments...};
@@ -46,7 +47,8 @@ class TraceWriter {
     }
     void note(std::string_view text) noexcept;
 
-    // An update is announced before it runs: the file is complete up to there, should the program not be there after.
+    // Writes and flushes the word `update` before an update runs, so that the file is complete up to there even if the
+    // program crashes in it.
     void begin_update() noexcept;
     void end_update(std::uint64_t digest, std::size_t colliding_count) noexcept;
     void end_failed_update() noexcept;
@@ -55,7 +57,7 @@ class TraceWriter {
     bool has_failed() const noexcept { return has_failed_; }
 
   private:
-    // The visitor that writes the fields of a call.
+    // Writes the fields of a call, as a visitor.
     struct FieldWriter {
         TraceWriter& writer;
 
@@ -79,7 +81,7 @@ class TraceWriter {
         void optional_filter(const std::optional<CollisionFilter>& filter) const;
     };
 
-    // Does nothing after a failure. An exception that `act` throws is a failure, too.
+    // Calls `act`, unless writing failed before. An exception that `act` throws counts as a failure.
     template <class Act>
     void guarded(Act act) noexcept {
         if (has_failed_) return;
@@ -107,7 +109,8 @@ class TraceWriter {
     void put_mesh(MeshForm form, const Mesh& mesh, std::uint64_t number) noexcept;
     std::string text_of(const Shape& shape) const;
 
-    // A mesh or shape that has a number, known by its address; which may be used again once the object is gone.
+    // A mesh or shape that has a number. The map finds it by its address, which another object may have once this one
+    // is gone; the weak pointer distinguishes the two.
     struct Numbered {
         std::weak_ptr<const void> object;
         std::uint64_t number = 0;
@@ -115,9 +118,9 @@ class TraceWriter {
     std::ostream* out_;
     TraceOptions options_;
     std::unordered_map<const void*, Numbered> numbers_;
-    std::size_t numbers_max_ = 64;  // when that many are known, forget those that are gone
+    std::size_t numbers_max_ = 64;  // number of entries at which entries of destroyed objects are removed
     std::uint64_t last_number_ = 0;
-    std::string text_;  // of the line that is under way
+    std::string text_;  // text of the line being written
     bool has_failed_ = false;
 };
 

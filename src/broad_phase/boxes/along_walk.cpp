@@ -18,8 +18,8 @@ using Numbers = Vec<double, 4>;
 
 using Course = MovingBox::Course;
 
-// When the boxes of a block are met, as MovingBox::meets_from has it, step by step; infinity where a box is never met,
-// or there is none.
+// The times from which the boxes of a block may be met: MovingBox::meets_from in the same steps for eight boxes.
+// Infinity for a box that is never met, and for an empty lane.
 struct BlockTimes {
     static_assert(width == 8);
     Numbers from[2], to[2];
@@ -40,8 +40,8 @@ struct BlockTimes {
         }
     }
 
-    // Three sides, whose partners are the minima of boxes, or the maxima. These are mirrored there and not here: ~k is
-    // the end of a maximum of key k, and -k, which is compared, is that and one.
+    // Applies three sides, whose partners are the minima of the boxes, or the maxima. For a maximum of key k, MovingBox
+    // compares -k with the side's key, whereas the block stores ~k = -k - 1.
     template <bool are_minima>
     ECODS_ALWAYS_INLINE void take(const std::array<std::int64_t, width>* ends, const MovingBox::Side* sides) noexcept {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -80,7 +80,8 @@ class Walk {
          const std::function<double(SlotIndex)>& visit)
         : trees_(trees), boxes_(boxes), moving_(moving), limit_(MovingBox::latest(limit)), visit_(visit) {}
 
-    // What comes next mostly lies in what was opened last: only the rest of that waits.
+    // Visits boxes in the order of their times. The next part mostly lies in the part opened last, so only the other
+    // children of that part are queued.
     ECODS_ALWAYS_INLINE std::uint64_t run() {
         for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
             const std::uint32_t height = trees_[tree].level_count() + BoundedPart::position;
@@ -102,13 +103,13 @@ class Walk {
     }
 
   private:
-    // Replaces `part` by the first of what lies in it, and puts the rest to what waits. Returns false if nothing
-    // counts.
+    // Replaces `part` by the first part in it, and queues the rest. Returns false if no part in it matters.
     ECODS_ALWAYS_INLINE bool look_into(BoundedPart& part) {
         return part.height() == BoundedPart::position ? look_at_box(part) : open(part);
     }
 
-    // The tree's box contains that of the slot. It is looked up as late as that: of many no more is asked.
+    // Replaces a position by its box. The tree's box contains the slot's own box, which is read only now, since many
+    // positions never get here.
     ECODS_ALWAYS_INLINE bool look_at_box(BoundedPart& part) {
         const SlotIndex slot = trees_[part.tree()].slot(part.index());
         part = {moving_.meets_from(boxes_[slot]), BoundedPart::box, slot, part.tree()};

@@ -1,4 +1,4 @@
-// The boxes of some trees in the order of when a box on the move may meet them.
+// Visits the boxes of some trees in the order of the times at which a moving box may meet them.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 
 namespace ecods {
 
-// As walk_near, by times: each of `boxes` that may be met up to the limit is visited when its own lower bound
-// (MovingBox::meets_from) is the least of what is left, equal ones by slot.
+// Visits boxes as walk_near does, by times instead of distances: each of `boxes` that may be met up to the limit is
+// visited when its own lower bound (MovingBox::meets_from) is the least among the remaining boxes, equal ones by slot.
 std::uint64_t walk_along(std::span<const BoxTree> trees, std::span<const Aabb> boxes, const MovingBox& moving,
                          double limit, const std::function<double(SlotIndex)>& visit);
 
-// MovingBox::meets_from of eight boxes, infinity for the empty ones: the same bits.
+// Sets MovingBox::meets_from of eight boxes, bit by bit the same; infinity for empty boxes.
 void meet_block(const BoxBlock& block, const MovingBox& moving, std::array<double, BoxBlock::width>& from);
 
 }  // namespace ecods

@@ -11,11 +11,11 @@
 namespace ecods {
 namespace {
 
-constexpr int exponent_count = 2048;  // of doubles
-constexpr int class_width = 3;        // powers of two
+constexpr int exponent_count = 2048;  // exponents of doubles
+constexpr int class_width = 3;        // in powers of two
 
-// The number of the tree for each size. Sizes with few boxes share the tree of the next larger sizes in use: small
-// boxes in a tree of large ones do no harm, large ones in a tree of small ones do.
+// Returns the number of the tree for each size. Sizes with few boxes share the tree of the next larger sizes in use:
+// small boxes in a tree of large ones do no harm, large ones in a tree of small ones do.
 std::array<std::uint8_t, exponent_count> choose_classes(std::span<const BoxForest::Item> items) {
     std::array<std::uint32_t, exponent_count> counts{};
     for (const auto& item : items) ++counts[static_cast<std::size_t>(item.size_exponent)];
@@ -23,7 +23,7 @@ std::array<std::uint8_t, exponent_count> choose_classes(std::span<const BoxFores
     std::array<std::uint8_t, exponent_count> classes{};
     std::uint8_t current = 0;
     std::size_t in_class = 0;
-    int first = 0;  // the smallest size in the class
+    int first = 0;  // smallest size in the class
     for (int exponent = 0; exponent < exponent_count; ++exponent) {
         if (counts[exponent] > 0) {
             if (in_class == 0) first = exponent;
@@ -63,7 +63,7 @@ void BoxForest::build(std::span<const PackedBox> lines) {
 
 void BoxForest::build(std::span<Item> items, std::span<const PackedBox> lines) {
     trees_.clear();
-    positions_.reserve(lines.size() + lines.size() / 32);  // lest the first one that comes copies all
+    positions_.reserve(lines.size() + lines.size() / 32);  // so that adding the first box does not copy all
     positions_.assign(lines.size(), {});
     const auto classes = choose_classes(items);
     const std::size_t count = items.empty() ? 0 : std::size_t{classes[exponent_count - 1]} + 1;

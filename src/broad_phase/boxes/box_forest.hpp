@@ -1,4 +1,4 @@
-// Trees over boxes of any sizes, and boxes that come, go and change.
+// Trees over boxes of all sizes, for boxes that come, go and change.
 #pragma once
 
 #include <array>
@@ -11,12 +11,13 @@
 
 namespace ecods {
 
-// One tree for each class of sizes, a factor of eight wide, and a few trees of unsorted boxes: those that came later,
-// whatever their size. Each of these is more than three times as large as the next, so there are few to search, and a
-// box is moved to another of them a few times for each time that their number quadruples.
+// Holds one tree for each class of sizes, a factor of eight wide, and a few trees of unsorted boxes: boxes of any size
+// that were added later. Each unsorted tree is more than three times as large as the next, so there are few to search,
+// and while their number of boxes quadruples, a box moves only a few times from one unsorted tree to another.
 class BoxForest {
   public:
-    // A box to be put into a tree: its slot, center and size. Only lines[slot] decides which boxes it overlaps.
+    // A box to be put into a tree: its slot, center and size. These decide only where it is put; lines[slot] decides
+    // what it overlaps.
     struct Item {
         TreeItem item;
         int size_exponent;
@@ -26,28 +27,28 @@ class BoxForest {
     // Appends the item of a slot, unless its line is empty.
     static void append_item(SlotIndex slot, std::span<const PackedBox> lines, std::vector<Item>& items);
 
-    // Makes the forest one of these boxes alone, or of all lines that are not empty. Reorders `items`. Cost: n log n.
+    // Builds the forest from these boxes, or from all lines that are not empty. Reorders `items`. Cost: n log n.
     void build(std::span<Item> items, std::span<const PackedBox> lines);
     void build(std::span<const PackedBox> lines);
 
-    // Gives every slot that is in a tree the box that it has now. Cost: n.
+    // Sets the box of every slot that is in a tree to its present line. Cost: n.
     void refit(std::span<const PackedBox> lines);
 
-    // Adds boxes: each takes the position of a removed box close to it, if there is one; the others get an unsorted
-    // tree.
+    // Adds boxes: each takes the position of a removed box near it, if there is one in its tree; the others get an
+    // unsorted tree.
     void add(std::span<const Item> items, std::span<const PackedBox> lines);
 
-    // Gives a slot another box, or removes it. Nothing happens if the slot is in no tree.
+    // Sets the box of a slot, or removes the slot. Does nothing if the slot is in no tree.
     void set(SlotIndex slot, const PackedBox& line);
     void remove(SlotIndex slot);
 
-    // Asks for the memory that set() of this slot, and find() of its box, will read.
+    // Prefetches the memory that set() of this slot, and find() of its box, will read.
     void prefetch(SlotIndex slot) const noexcept;
 
-    // Boxes in unsorted trees. Searches slow down as they become many: then build().
+    // Returns the number of boxes in unsorted trees. Searches slow down as it grows: then call build().
     std::size_t unsorted_count() const noexcept;
 
-    // As BoxTree::find, over all trees.
+    // Calls BoxTree::find for all trees.
     template <class Bounds>
     std::uint64_t find(const Bounds& bounds, std::vector<SlotIndex>& found) const {
         std::uint64_t tests = 0;
@@ -55,7 +56,7 @@ class BoxForest {
         return tests;
     }
 
-    // As BoxTree::find_each, over all trees.
+    // Calls BoxTree::find_each for all trees.
     std::uint64_t find_each(std::span<const BoxReach> reaches, BlockVisits& visits,
                             std::vector<FoundBox>& found) const {
         std::uint64_t tests = 0;
@@ -77,15 +78,15 @@ class BoxForest {
     static constexpr std::uint32_t no_tree = ~std::uint32_t{0};
     struct Position {
         std::uint32_t tree = no_tree;
-        std::uint32_t index = 0;  // in the tree
+        std::uint32_t index = 0;  // index in the tree
     };
 
     void build_tree(std::span<TreeItem> items, std::span<const PackedBox> lines);
     bool insert(const Item& item, std::span<const PackedBox> lines);
 
     std::vector<BoxTree> trees_;
-    std::size_t class_count_ = 0;      // trees before the unsorted ones
-    std::vector<int> largest_;         // size exponent, by class
+    std::size_t class_count_ = 0;      // number of trees before the unsorted ones
+    std::vector<int> largest_;         // largest size exponent, by class
     std::vector<Position> positions_;  // by slot
 };
 

@@ -1,4 +1,4 @@
-// A tree over boxes, eight children a node.
+// A tree over boxes with eight children per node.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace ecods {
 
-// Names a box in its owner's array of lines.
+// The index of a box in its owner's array of lines.
 using SlotIndex = std::uint32_t;
 
 constexpr SlotIndex no_slot = ~SlotIndex{0};
@@ -26,54 +26,55 @@ struct TreeItem {
 
 TreeItem tree_item(const Aabb& box, SlotIndex slot) noexcept;
 
-// One of the boxes that one of many overlaps.
+// A box that overlaps the box of one of several queries.
 struct FoundBox {
-    std::uint32_t query;  // which of the many
+    std::uint32_t query;  // number of the query
     SlotIndex slot;
 };
 
-// Working memory of a search for many boxes at once: blocks of one level and of the next, and for whom they are looked
-// at.
+// Scratch of a search for many queries at once: the blocks to visit on one level and on the next, with the query that
+// visits each.
 struct BlockVisit {
     std::uint32_t query;
     std::uint32_t block;
-    std::uint32_t lanes;  // those that overlap, as bits
+    std::uint32_t lanes;  // lanes that overlap, as bits
 };
 struct BlockVisits {
     std::vector<BlockVisit> level, next;
 };
 
-// Level 0 is of boxes, each further one of bounds of the blocks below; the last is one block.
+// The levels of a tree, bottom up. Level 0 has blocks of boxes, each further one blocks of bounds of the blocks below;
+// the last level is one block.
 using BoxLevels = std::vector<std::vector<BoxBlock>>;
 
 // Boxes in the order of a kd-tree, eight per block; above them the bounds of eight blocks per block, and so on: the
 // tree is an array for each level, without pointers. Splitting by rank keeps it balanced for any distribution:
-// clusters, lines, far outliers. Mixed sizes spoil it, since one large box makes the bounds of a block of small ones
-// large: users keep a tree for each class of sizes.
+// clusters, lines, far outliers. Boxes of mixed sizes make queries slow, since one large box makes the bounds of a
+// block of small ones large: users keep a tree for each class of sizes.
 //
-// It shares with the tree of a mesh (bvh/tree/mesh_bvh.hpp) the walk of one tree. Their builders have nothing in
-// common: that one weighs surfaces and gives nodes any number of children, this one is made again many times a second.
+// The walk of one tree is shared with the tree of a mesh (bvh/tree/mesh_bvh.hpp). The builders have nothing in common:
+// the mesh's weighs surfaces and gives nodes any number of children, this one runs many times a second.
 class BoxTree {
   public:
-    // Orders the items. lines[item.slot] is the box. Cost: n log n.
+    // Sorts the items and builds the tree; lines[item.slot] is the box of an item. Cost: n log n.
     void build(std::span<TreeItem> items, std::span<const PackedBox> lines);
 
-    std::size_t size() const noexcept { return slots_.size(); }        // positions, empty ones included
-    std::size_t alive_count() const noexcept { return alive_count_; }  // positions that hold a box
-    SlotIndex slot(std::size_t position) const {                       // or no_slot
+    std::size_t size() const noexcept { return slots_.size(); }        // number of positions, empty ones included
+    std::size_t alive_count() const noexcept { return alive_count_; }  // number of positions that hold a box
+    SlotIndex slot(std::size_t position) const {                       // slot at the position, or no_slot
         ECODS_ASSERT(position < size());
         return slots_[position];
     }
 
-    // Sets every position's box to lines[its slot]; the order stays. Cost: n.
+    // Sets the box at every position to the line of its slot; the order stays. Cost: n.
     void refit(std::span<const PackedBox> lines);
 
-    // Puts a box at an empty position near its center, and returns true, or finds none and returns false. Cost: as
-    // find() of a point.
+    // Puts a box at an empty position near its center and returns true, or returns false if none is found. Cost: that
+    // of find() for a point.
     bool insert(const TreeItem& item, const PackedBox& line, std::uint32_t& position);
 
-    // Sets a position's box; an empty box also removes the slot. Cost: a block per level, up to the first whose bounds
-    // stay the same.
+    // Sets a position's box; an empty box also removes the slot. Cost: a block per level, up to the first level whose
+    // bounds do not change.
     void set(std::size_t position, const PackedBox& line);
     void prefetch(std::size_t position) const noexcept;
     PackedBox get(std::size_t position) const {
@@ -81,15 +82,16 @@ class BoxTree {
         return levels_[0][position / BoxBlock::width].get(position % BoxBlock::width);
     }
 
-    // The tree itself, for walks of other files: level 0 holds boxes, the last level one block. Child `lane` of block b
-    // on a level above 0 is block b * 8 + lane of the level below.
+    // Accessors for walks in other files: level 0 holds boxes, the last level one block. Child `lane` of block b on a
+    // level above 0 is block b * 8 + lane of the level below.
     std::uint32_t level_count() const noexcept { return static_cast<std::uint32_t>(levels_.size()); }
     const BoxBlock& block(std::uint32_t level, std::uint32_t index) const { return levels_[level][index]; }
 
     // Appends the slots of the boxes that overlap. Returns the number of box tests.
     std::uint64_t find(const BoxReach& reach, std::vector<SlotIndex>& found) const;
 
-    // The same for many at once, which costs less for each: some hundreds are a good part. Found ones are in no order.
+    // Does what find() does for many queries at once, at a lower cost for each; some hundreds are a good batch. The
+    // found boxes are in no order.
     std::uint64_t find_each(std::span<const BoxReach> reaches, BlockVisits& visits, std::vector<FoundBox>& found) const;
 
     // Appends the slots of the boxes that doubles do not prove to be apart from a segment (SegmentBounds) or a ball
@@ -97,13 +99,13 @@ class BoxTree {
     template <class Bounds>
     std::uint64_t find(const Bounds& bounds, std::vector<SlotIndex>& found) const;
 
-    // Appends the pairs of slots that overlap, one of this tree and one of `other`, which may be the same tree. Fastest
-    // when the boxes of `other` are the larger ones. Returns the number of box tests.
+    // Appends the pairs of overlapping slots, one of this tree and one of `other`, which may be the same tree. Fastest
+    // if the boxes of `other` are the larger ones. Returns the number of box tests.
     std::uint64_t join(const BoxTree& other, std::vector<std::array<SlotIndex, 2>>& found) const;
 
     std::size_t bytes() const noexcept;
 
-    // Throws BrokenInvariant unless every bound is the bound of what lies below it.
+    // Throws BrokenInvariant unless every bound is the bound of the boxes below it.
     void validate() const;
 
   private:

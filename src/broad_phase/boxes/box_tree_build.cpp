@@ -11,7 +11,7 @@
 namespace ecods {
 namespace {
 
-// The axis on which centers spread most. Spreads may overflow to infinity.
+// Returns the axis on which centers spread most. Spreads may overflow to infinity.
 int choose_axis(std::span<const TreeItem> items) {
     std::array<double, 3> min = items[0].center;
     std::array<double, 3> max = min;
@@ -28,7 +28,7 @@ int choose_axis(std::span<const TreeItem> items) {
     return best;
 }
 
-// Sorts the items into the order of the tree: splits by rank until a block is left. The first part of each split is a
+// Sorts the items into the order of the tree: splits by rank down to single blocks. The first part of each split is a
 // power of two of blocks, so that the eight blocks of a parent are the result of three splits.
 void order(std::span<TreeItem> items) {
     std::array<std::span<TreeItem>, 32> stack;  // second parts, each at most half as long as the one below

@@ -9,7 +9,7 @@
 namespace ecods {
 namespace {
 
-// Appends the slots of the lanes of blocks of boxes.
+// Appends the slots of the given lanes of blocks on level 0.
 class SlotResult {
   public:
     ECODS_ALWAYS_INLINE SlotResult(const std::vector<SlotIndex>& slots, std::vector<SlotIndex>& found)

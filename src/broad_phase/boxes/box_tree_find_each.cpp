@@ -8,8 +8,8 @@
 namespace ecods {
 namespace {
 
-// Appends make(query, child) of each lane of the visits, which are used up. Each pass takes one lane of each and leaves
-// those with more: a loop over the lanes of each would end where nobody can foretell.
+// Appends make(query, child) for each lane of the visits, and consumes the visits. Each pass takes one lane of each
+// visit and keeps the visits with more lanes: an inner loop over the lanes of a visit would mispredict its end.
 template <class Result, class Make>
 ECODS_ALWAYS_INLINE void append_children(std::vector<BlockVisit>& visits, std::vector<Result>& results,
                                          const Make& make) {
@@ -37,8 +37,8 @@ ECODS_ALWAYS_INLINE void visit_blocks(const std::vector<BoxBlock>& blocks, std::
     visits.resize(count);
 }
 
-// Level by level: what a level needs is asked for when the one above is done, and is there when it is looked at; and
-// no branch depends on what was found. Returns the number of box tests.
+// Searches level by level: a level's blocks are prefetched while the level above is processed, and no branch depends on
+// the findings. Returns the number of box tests.
 ECODS_ALWAYS_INLINE std::uint64_t find_each_slot(const BoxLevels& levels, const std::vector<SlotIndex>& slots,
                                                  std::span<const BoxReach> reaches, BlockVisits& visits,
                                                  std::vector<FoundBox>& found) {

@@ -25,7 +25,7 @@ bool BoxTree::insert(const TreeItem& item, const PackedBox& line, std::uint32_t&
     make_reach(point, reach);
     std::vector<ParentBlock> parents;
     dispatch<find_parents>(levels_, reach, 0U, parents);
-    // The blocks around the center come first, and then those beside them.
+    // Tries the blocks around the center first, and then all blocks with the same parents.
     constexpr std::uint32_t all_children = (1u << width) - 1;
     for (const std::uint32_t beside : {0u, all_children}) {
         for (const ParentBlock& parent : parents) {

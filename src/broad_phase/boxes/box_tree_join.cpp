@@ -7,14 +7,14 @@
 namespace ecods {
 namespace {
 
-// What a tree holds, by reference.
+// The levels and slots of a tree, by reference.
 struct TreeView {
     const BoxLevels& levels;
     const std::vector<SlotIndex>& slots;
 };
 
-// Appends the pairs of slots that overlap, one of each tree; of one tree with itself, each pair once. Returns the
-// number of box tests.
+// Appends the pairs of overlapping slots, one of each tree; for a tree with itself, each pair once. Returns the number
+// of box tests.
 ECODS_ALWAYS_INLINE std::uint64_t join_trees(const TreeView& tree, const TreeView& other,
                                              std::vector<std::array<SlotIndex, 2>>& found) {
     const bool is_self = &tree.levels == &other.levels;

@@ -1,6 +1,6 @@
-// What the walks of a BoxTree share: a view of its levels, and the search for parents of blocks. All of it is always
-// inlined, into functions that are compiled for each instruction set (simd/dispatch.hpp). Those are functions of levels
-// and slots, no members, so that the class does not name them.
+// Shared parts of the walks of a BoxTree: a view of its levels, and the search for parents of blocks. All of it is
+// always inlined, into functions that are compiled for each instruction set (simd/dispatch.hpp). Those functions take
+// levels and slots and are no members, so that the class does not name them.
 #pragma once
 
 #include <cstddef>
@@ -18,19 +18,19 @@ ECODS_ALWAYS_INLINE void prefetch_block(const BoxBlock& block) noexcept {
     for (const auto& row : block.ends) __builtin_prefetch(row.data());
 }
 
-// A block: on level 0 of boxes, on others of bounds of blocks.
+// A block: of boxes on level 0, of bounds of blocks on higher levels.
 struct TreeNode {
     std::uint32_t level;
     std::uint32_t block;
 };
 
-// What a walk sees of a tree: its blocks from the root down to level `bottom`.
+// The view of a tree that walk_one needs: its blocks from the root down to level `bottom`.
 template <std::uint32_t bottom>
 class LevelsView {
   public:
     using Node = TreeNode;
-    // A node has at most eight children, of which all but one wait while that one is followed down: with 2^32 boxes
-    // there are eleven levels.
+    // A node has at most eight children, and seven wait while one is followed down. With 2^32 boxes there are eleven
+    // levels.
     using Stack = FixedStack<Node, 11 * (BoxBlock::width - 1) + 1>;
 
     ECODS_ALWAYS_INLINE explicit LevelsView(const BoxLevels& levels) : levels_(levels) {}
@@ -50,14 +50,14 @@ class LevelsView {
     const BoxLevels& levels_;
 };
 
-// A block on level 1, and lanes of it.
+// A block on level 1, and some of its lanes, as bits.
 struct ParentBlock {
     std::uint32_t block;
     std::uint32_t children;
 };
 
-// Appends the blocks of bounds on level 1, with the children, from `first` on, whose bounds overlap. There must be more
-// than one block. Returns the number of box tests.
+// Appends the blocks on level 1 that have overlapping lanes, with these lanes; only children from `first` on count.
+// There must be more than one level. Returns the number of box tests.
 ECODS_ALWAYS_INLINE std::uint64_t find_parents(const BoxLevels& levels, const BoxReach& reach, std::uint32_t first,
                                                std::vector<ParentBlock>& found) {
     constexpr std::uint32_t width = BoxBlock::width;
@@ -66,7 +66,7 @@ ECODS_ALWAYS_INLINE std::uint64_t find_parents(const BoxLevels& levels, const Bo
     const auto bound = [&](const TreeNode& node) {
         tests += width;
         std::uint32_t lanes = overlapping(view.block(node), reach);
-        // The first child that has a block from `first` on below it: it holds 8^(level - 1) blocks.
+        // The first child with a block from `first` on below it; a child has 8^(level - 1) blocks.
         const std::uint32_t begin = first >> (3 * (node.level - 1)), child = node.block * width;
         if (child < begin) lanes &= begin - child < width ? ~std::uint32_t{0} << (begin - child) : 0;
         return lanes;

@@ -1,4 +1,4 @@
-// Boxes in half of their digits, which decide nearly all overlap tests.
+// Boxes with half of the bits of each coordinate, which decide nearly all overlap tests.
 #pragma once
 
 #include <array>
@@ -12,17 +12,18 @@ namespace ecods {
 
 using CoarseLanes = Vec<std::int32_t, 8>;
 
-// The upper halves of the six numbers of a packed box, cut off; one register of eight holds them, in which the last of
-// each four is less than everything. Of two numbers whose upper halves differ, the halves show which is the lower one;
-// only of equal halves nothing is known. Nothing is rounded here, as it would be in single precision, for two boxes may
-// have come in different rounding modes. The upper half of a double has the sign, the exponent and 20 digits.
+// The upper halves of the six numbers of a packed box, truncated, in one register of eight: three numbers in each half
+// of the register, followed by one that is less than everything. If two numbers have different upper halves, these
+// order as the numbers do; if the halves are equal, the order is unknown. Rounding to single precision would not do, as
+// two boxes may be added in different rounding modes. The upper half of a double has the sign, the exponent and 20 bits
+// of the mantissa.
 struct alignas(32) CoarseBox {
     static constexpr std::int32_t beyond_all = std::numeric_limits<std::int32_t>::max();
 
     std::array<std::int32_t, 8> ends = {beyond_all, beyond_all, beyond_all, ~beyond_all,
-                                        beyond_all, beyond_all, beyond_all, ~beyond_all};  // of the empty box
+                                        beyond_all, beyond_all, beyond_all, ~beyond_all};  // the empty box
 
-    // A marked box is in doubt with every other: its last number and the lane that another has for it are equal then.
+    // Marks a box as in doubt with every other one: its last number then equals the lane that it is compared with.
     void mark() noexcept { ends[7] = beyond_all; }
     void unmark() noexcept { ends[7] = ~beyond_all; }
 
@@ -42,8 +43,8 @@ ECODS_ALWAYS_INLINE void make_coarse_box(const PackedBox& line, CoarseBox& coars
     make_coarse_box(lanes, coarse);
 }
 
-// What coarse boxes say of whether two overlap. Where ends are equal, or a box is marked, the boxes themselves must be
-// asked; otherwise they overlap unless they are apart.
+// The result of comparing two coarse boxes. If ends are equal, or a box is marked, the result is in doubt, and the
+// packed boxes must be compared. Otherwise the boxes overlap unless they are apart.
 struct CoarseOverlap {
     bool are_apart, are_in_doubt;
 };

@@ -46,7 +46,7 @@ class PairWalk {
     }
 
   private:
-    // The pairs within a block.
+    // Queues the pairs of children of a block, including each child with itself.
     void open(const Part& part) {
         const auto found = parts_.open(part, lanes_);
         for (std::size_t i = 0; i < found.size(); ++i) {

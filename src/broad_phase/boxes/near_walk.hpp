@@ -1,4 +1,4 @@
-// The boxes of some trees, and their pairs, in the order of how far they are from each other at least.
+// Visits the boxes of some trees near a box, and their near pairs, in ascending order of a lower bound of the distance.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace ecods {
 
-// Best first (Hjaltason and Samet, Distance Browsing in Spatial Databases, 1999; for pairs the same authors,
-// Incremental Distance Join Algorithms for Spatial Databases, 1998). `boxes`, by slot, are what the trees' boxes
-// contain; each is visited when its own lower bound (distance_below) is the least of what is left, equal ones by slot.
-// A visit returns the limit from then on, which may shrink: what is proven to be further apart is not visited. Return
-// the number of box tests.
+// Best-first search (Hjaltason and Samet, Distance Browsing in Spatial Databases, 1999; for pairs the same authors,
+// Incremental Distance Join Algorithms for Spatial Databases, 1998). `boxes` has the boxes by slot, which the trees'
+// boxes contain. A box or a pair is visited when its own lower bound (distance_below) is the least among those that
+// remain, equal ones by slot. A visit returns the limit from then on, which may shrink; boxes and pairs that are proven
+// farther apart are not visited. Return the number of box tests.
 std::uint64_t walk_near(std::span<const BoxTree> trees, std::span<const Aabb> boxes, const Aabb& box, double limit,
                         const std::function<double(SlotIndex)>& visit);
 std::uint64_t walk_near_pairs(std::span<const BoxTree> trees, std::span<const Aabb> boxes, double limit,

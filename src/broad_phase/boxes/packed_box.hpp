@@ -1,6 +1,6 @@
-// Boxes packed for vector registers: one after the other, or eight per block, end by end.
+// Boxes packed for vector registers: single ones, or blocks of eight with a row for each end.
 //
-// Everything here is integers (geometry/key_box.hpp) and comparisons, so it means the same on every instruction set.
+// All operations are on integers (geometry/key_box.hpp), so they give the same results with every instruction set.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +17,9 @@ namespace ecods {
 
 using KeyLanes = Vec<std::int64_t, 4>;
 
-// A box as six numbers: the minima, and the complements of the maxima. Complements reverse the order, so that of each
-// the smaller number reaches farther: containment, union and overlap are one operation for all. Two registers of four
-// hold it, in which two numbers are twice.
+// A box as six numbers: the minima, and the complements of the maxima. Complements reverse the order, so that of two
+// boxes the one with the smaller number reaches farther on each of the six sides: containment, union and overlap are
+// one operation for all sides. Two overlapping registers of four hold the six numbers; both have the numbers 2 and 3.
 struct PackedBox {
     static constexpr std::int64_t unreachable = std::numeric_limits<std::int64_t>::max();
     static constexpr std::size_t second = 2;  // where the second register begins
@@ -31,13 +31,13 @@ struct PackedBox {
     bool is_empty() const noexcept { return ends[0] == unreachable; }
 };
 
-// The same in registers.
+// A packed box in registers.
 struct BoxLanes {
     KeyLanes first, second;
 };
 
-// A box prepared for overlap tests: another one overlaps it if each of its ends is at most what is here for it. By
-// registers, as a box is held in them.
+// A box prepared for overlap tests: another box overlaps it if each of the other's ends is at most the number at the
+// same place here. Has the layout of two registers.
 struct alignas(64) BoxReach {
     std::array<std::int64_t, 8> ends;
 
@@ -56,14 +56,15 @@ ECODS_ALWAYS_INLINE void store_lanes(const BoxLanes& lanes, PackedBox& line) noe
     store_anywhere(line.ends.data() + PackedBox::second, lanes.second);
 }
 
-// double_of() of each lane. In unsigned numbers, for ends of empty boxes are no keys of doubles, and would overflow.
+// Returns double_of() of each lane. Computes with unsigned numbers, since ends of empty boxes are no keys of doubles,
+// and would overflow.
 ECODS_ALWAYS_INLINE Vec<double, 4> doubles_of(KeyLanes keys) noexcept {
     using Words = Vec<std::uint64_t, 4>;
     const Words signs = bits_as<Words>(keys < 0);
     return bits_as<Vec<double, 4>>(((bits_as<Words>(keys) ^ signs) - signs) | (signs & std::uint64_t{1} << 63));
 }
 
-// The keys of doubles, of which the bits are given.
+// Returns the keys of the doubles with these bits.
 ECODS_ALWAYS_INLINE KeyLanes keys_of(KeyLanes bits) noexcept {
     constexpr std::int64_t rest = std::numeric_limits<std::int64_t>::max();
     const KeyLanes signs = bits < 0;
@@ -77,7 +78,7 @@ inline KeyBox key_box(const PackedBox& line) noexcept {
     return {{line.ends[0], line.ends[1], line.ends[2]}, {~line.ends[3], ~line.ends[4], ~line.ends[5]}};
 }
 
-// The box of which this is the packed one, which must not be empty.
+// Returns the box of a packed box, which must not be empty.
 inline Aabb box_of(const PackedBox& line) noexcept {
     ECODS_ASSERT(!line.is_empty());
     Aabb box;
@@ -88,7 +89,7 @@ inline Aabb box_of(const PackedBox& line) noexcept {
     return box;
 }
 
-// packed_box(key_box(box)), in registers.
+// Sets the registers of packed_box(key_box(box)).
 ECODS_ALWAYS_INLINE void make_lanes(const Aabb& box, BoxLanes& lanes) noexcept {
     static_assert(sizeof(Aabb) == 6 * sizeof(double));
     const auto* first = reinterpret_cast<const std::int64_t*>(box.min.data());  // read as vectors, which may alias
@@ -101,7 +102,8 @@ ECODS_ALWAYS_INLINE void make_packed_box(const Aabb& box, PackedBox& line) noexc
     store_lanes(lanes, line);
 }
 
-// What is there twice reaches everything in the register in which it is not used.
+// Makes the reach of a box. A number that both registers of a box have is compared in one of them; the other has the
+// greatest number there.
 ECODS_ALWAYS_INLINE void make_reach(const PackedBox& line, BoxLanes& reach) noexcept {
     BoxLanes ends;
     load_lanes(line, ends);
@@ -116,7 +118,7 @@ ECODS_ALWAYS_INLINE void make_reach(const PackedBox& line, BoxReach& reach) noex
     store(&reach.ends[4], lanes.second);
 }
 
-// Whether the closed boxes share a point. An empty box overlaps none.
+// True if the closed boxes share a point. An empty box overlaps none.
 ECODS_ALWAYS_INLINE bool overlaps(const PackedBox& line, const BoxLanes& reach) noexcept {
     BoxLanes ends;
     load_lanes(line, ends);
@@ -144,7 +146,7 @@ inline void enlarge(PackedBox& line, const PackedBox& by) noexcept {
     for (std::size_t k = 0; k < 6; ++k) line.ends[k] = std::min(line.ends[k], by.ends[k]);
 }
 
-// Eight boxes, end by end.
+// Eight boxes, with a row for each end.
 struct alignas(64) BoxBlock {
     static constexpr std::uint32_t width = 8;
 
@@ -163,13 +165,13 @@ struct alignas(64) BoxBlock {
         for (std::size_t row = 0; row < 6; ++row) line.ends[row] = ends[row][index];
         return line;
     }
-    // get(index) == line, faster.
+    // True if get(index) == line; faster than that.
     bool has(std::size_t index, const PackedBox& line) const noexcept {
         bool is_same = true;
         for (std::size_t row = 0; row < 6; ++row) is_same &= ends[row][index] == line.ends[row];
         return is_same;
     }
-    // The smallest box that contains all. By values, of which none is branched on, as min_element() would.
+    // Returns the smallest box that contains all. Compares values without branches, unlike min_element().
     PackedBox bounds() const noexcept {
         PackedBox line;
         for (std::size_t row = 0; row < 6; ++row) {
@@ -179,7 +181,7 @@ struct alignas(64) BoxBlock {
     }
 };
 
-// Bit i is set if box i overlaps.
+// Returns bits: bit i is set if box i overlaps.
 ECODS_ALWAYS_INLINE std::uint32_t overlapping(const BoxBlock& block, const BoxReach& reach) noexcept {
     KeyLanes beyond[2] = {};
     for (std::size_t row = 0; row < 6; ++row) {

@@ -1,5 +1,5 @@
-// The blocks and boxes of a forest as one kind of thing, and their order while they wait: shared by the walks that
-// visit the first boxes first.
+// Treats the blocks and boxes of a forest as one kind of item, with an order for priority queues; shared by the
+// best-first walks.
 #pragma once
 
 #include <array>
@@ -17,11 +17,10 @@
 
 namespace ecods {
 
-// A block of a tree, or a box. Orders by size, boxes last: what is equally near is opened before a box is visited, and
-// boxes come in the order of their slots.
+// A block of a tree, or a box.
 struct Part {
-    std::uint32_t height = 0;  // 0: a box, otherwise the block's level and one
-    std::uint32_t index = 0;   // of the block in its level, or the box's slot
+    std::uint32_t height = 0;  // 0 for a box, otherwise the block's level plus one
+    std::uint32_t index = 0;   // index of the block in its level, or the box's slot
     std::uint32_t tree = 0;
 
     bool is_box() const noexcept { return height == 0; }
@@ -50,7 +49,7 @@ class Parts {
                              : ecods::box_of(trees_[part.tree].block(part.height - 1, part.index).bounds());
     }
 
-    // What lies in a block: up to eight.
+    // Returns the blocks or boxes in a block, up to eight.
     std::span<const PartBox> open(const Part& part, std::array<PartBox, BoxBlock::width>& lanes) const {
         const BoxTree& tree = trees_[part.tree];
         const BoxBlock& block = tree.block(part.height - 1, part.index);
@@ -74,14 +73,15 @@ class Parts {
     std::span<const Aabb> boxes_;
 };
 
-// A part and its lower bound, a distance or a time, which is not negative. What is equally near is opened before a box
-// is visited, and boxes come in the order of their slots. `position` is that of a box whose slot is not looked up yet.
+// A block or box with its lower bound, a distance or a time, which is not negative. Items with equal bounds are ordered
+// so that blocks are opened before boxes are visited, and boxes come in the order of their slots. `position` is a box
+// whose slot is not looked up yet.
 class BoundedPart {
   public:
-    static constexpr std::uint32_t box = 0, position = 1, block = 2;  // or higher, by the block's level
+    static constexpr std::uint32_t box = 0, position = 1, block = 2;  // block plus the level, for blocks
 
     BoundedPart() = default;
-    // `index` is that of the block in its level, the position, or the box's slot.
+    // `index` is the index of the block in its level, the position, or the box's slot.
     BoundedPart(double lower, std::uint32_t height, std::uint32_t index, std::uint32_t tree) noexcept
         : lower_(std::bit_cast<std::uint64_t>(lower)),
           place_(std::uint64_t{height_max - height} << 56 | std::uint64_t{index} << 24 | tree) {
@@ -93,7 +93,7 @@ class BoundedPart {
     std::uint32_t index() const noexcept { return static_cast<std::uint32_t>(place_ >> 24); }
     std::uint32_t tree() const noexcept { return static_cast<std::uint32_t>(place_) & 0xffffff; }
 
-    // Without branches: which of two comes first is anybody's guess.
+    // Compares without branches, as the outcome is unpredictable.
     ECODS_ALWAYS_INLINE friend bool operator<(const BoundedPart& a, const BoundedPart& b) noexcept {
         return ((a.lower_ < b.lower_) | ((a.lower_ == b.lower_) & (a.place_ < b.place_))) != 0;
     }
@@ -101,8 +101,8 @@ class BoundedPart {
   private:
     static constexpr std::uint32_t height_max = 255;
 
-    std::uint64_t lower_ = 0;  // bits of numbers that are not negative have their order
-    std::uint64_t place_ = 0;  // least significant: the tree, the index, and how far the height is below the largest
+    std::uint64_t lower_ = 0;  // bits of nonnegative numbers order as the numbers do
+    std::uint64_t place_ = 0;  // from the most significant bits: height_max - height, the index, the tree
 };
 
 }  // namespace ecods

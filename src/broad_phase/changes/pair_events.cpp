@@ -6,8 +6,8 @@
 
 namespace ecods {
 
-// By digits, the last one first; digits that are the same in all pairs are left out. Comparing costs more when there
-// are many, since a processor cannot foretell how a comparison ends.
+// Sorts by radix, least significant digit first, and skips digits that are equal in all pairs. For many pairs this is
+// faster than comparing, as branch prediction fails there.
 void sort_pairs(ProxyPairs& pairs) {
     constexpr std::size_t few = 96;
     constexpr unsigned digit_bits = 8;
@@ -22,7 +22,7 @@ void sort_pairs(ProxyPairs& pairs) {
     ProxyPairs spare(pairs.size());
     for (unsigned shift = 0; shift < 64; shift += digit_bits) {
         if ((varying >> shift) % digit_count == 0) continue;
-        std::array<std::size_t, digit_count> next{};  // where the next pair with this digit goes
+        std::array<std::size_t, digit_count> next{};  // place of the next pair with this digit
         for (const ProxyPair& pair : pairs) ++next[(rank_of(pair) >> shift) % digit_count];
         std::size_t sum = 0;
         for (std::size_t& place : next) sum += std::exchange(place, sum);

@@ -1,4 +1,4 @@
-// The pairs that came and went with an update, and what finders of pairs ask of whoever keeps them.
+// The pairs that began and ended with an update, and the interface to the keeper of the pairs.
 #pragma once
 
 #include <cstddef>
@@ -16,21 +16,21 @@ inline ProxyPair ordered_pair(ProxyIndex a, ProxyIndex b) noexcept {
     return a < b ? ProxyPair{a, b} : ProxyPair{b, a};
 }
 
-// One number that orders as the pair does.
+// Returns a number that orders as the pair does.
 constexpr std::uint64_t rank_of(const ProxyPair& pair) noexcept {
     return std::uint64_t{pair.a} << 32 | pair.b;
 }
 
-// Orders pairs by their ranks; an object, so that algorithms do not call it through a pointer.
+// Orders pairs by their ranks; a function object, so that algorithms inline it.
 inline constexpr auto is_before = [](const ProxyPair& a, const ProxyPair& b) { return rank_of(a) < rank_of(b); };
 
 // Sorts ascending.
 void sort_pairs(ProxyPairs& pairs);
 
-// Sorts, and leaves each pair once.
+// Sorts, and removes duplicates.
 void normalise(ProxyPairs& pairs);
 
-// A pair may be in both: then it ended, and another of the same numbers began.
+// The events of an update. A pair in both lists ended, and another pair with the same proxy numbers began.
 struct PairEvents {
     ProxyPairs began, ended;
 
@@ -41,16 +41,16 @@ struct PairEvents {
     }
 };
 
-// Whoever keeps the pairs: those that began at earlier updates and have not ended since. The finders keep none. Where a
-// call throws, what is kept is as it was.
+// The keeper of the pairs that began at earlier updates and have not ended since. Finders keep no pairs. If a call
+// throws, the kept pairs are unchanged.
 class PairKeeper {
   public:
-    // Appends the pairs kept of the boxes that were removed, each once, in any order.
+    // Appends the kept pairs of the boxes that were removed, each once, in any order.
     virtual void append_removed(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& ended) = 0;
 
-    // Makes the events the differences between the pairs kept and `found`, which are all pairs of now, ascending. Pairs
-    // of boxes that were removed have ended, and those of them that were found have begun again. What is left in
-    // `found` is memory to be used again.
+    // Sets the events to the differences between the kept pairs and `found`, which holds all pairs that overlap now,
+    // ascending. Pairs of removed boxes have ended; if such a pair is in `found`, it has begun again. `found` is left
+    // with unspecified contents, as scratch.
     virtual void compare(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& found,
                          PairEvents& events) = 0;
 

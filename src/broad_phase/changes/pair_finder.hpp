@@ -1,4 +1,4 @@
-// What the broad phases do differently: finding the pairs.
+// The interface of the ways of finding pairs, in which the broad phases differ.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace ecods {
 
-// What an update has to work with.
+// The input and output of an update.
 struct FindingUpdate {
     const ProxyTable& table;
     const ProxyChanges& changes;  // not empty
@@ -22,11 +22,10 @@ class PairFinder {
   public:
     virtual ~PairFinder() = default;
 
-    // Takes over all boxes of a table that has settled, and of which the pairs are known. Called once, before any
-    // update.
+    // Takes over all boxes of a settled table, whose pairs are known. Called once, before any update.
     virtual void build(const ProxyTable& table, BroadPhaseCounts& counts) = 0;
 
-    // Makes the events those of the changes: ascending, and each once.
+    // Adds the events of the changes: ascending, each once.
     virtual void update(const FindingUpdate& update) = 0;
 
     virtual void reserve(std::size_t) {}

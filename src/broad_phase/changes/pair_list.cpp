@@ -12,8 +12,8 @@
 namespace ecods {
 namespace {
 
-// The first in a sorted range that is not before `pair`. It is looked for near the beginning first: changes of a list
-// follow each other closely.
+// Returns the first pair in a sorted range that is not before `pair`, by galloping search: changes of a list follow
+// each other closely.
 const ProxyPair* find_from(const ProxyPair* first, const ProxyPair* last, const ProxyPair& pair) {
     std::ptrdiff_t step = 1;
     while (step < last - first && is_before(first[step], pair)) {
@@ -23,13 +23,14 @@ const ProxyPair* find_from(const ProxyPair* first, const ProxyPair* last, const 
     return std::lower_bound(first, first + std::min(step + 1, last - first), pair, is_before);
 }
 
-// What lies between two changes of a list, and where it goes.
+// The part of a list between two changes, and its new place.
 struct Block {
     std::size_t begin, end, to;
 };
 
-// The blocks of a list without `gone`, which need not all be in it, and with `come`, and the places of these; all are
-// ascending. Returns the size that the list will have.
+// Finds the unchanged blocks of a list from which `gone` is removed and into which `come` is inserted, and the places
+// of the pairs in `come`. Both are ascending; pairs of `gone` may be missing from the list. Returns the new size of the
+// list.
 std::size_t find_blocks(const ProxyPairs& list, const ProxyPairs& gone, const ProxyPairs& come,
                         std::vector<Block>& blocks, std::vector<std::size_t>& places) {
     const ProxyPair* const first = list.data();
@@ -57,9 +58,9 @@ std::size_t find_blocks(const ProxyPairs& list, const ProxyPairs& gone, const Pr
     return size;
 }
 
-// Appends what two ascending lists do not share, in order: of the old one to `ended`, of the new one to `began`. Fast
-// path: skips blocks of eight that are equal in both lists. In other blocks both lists go on, or the one that is
-// behind, without a branch.
+// Appends the differences of two ascending lists, in order: pairs only in the old one to `ended`, pairs only in the new
+// one to `began`. Fast path: skips blocks of eight that are equal in both lists. Elsewhere advances the list that is
+// behind, or both, without a branch.
 void append_differences(const ProxyPairs& old_list, const ProxyPairs& new_list, ProxyPairs& ended, ProxyPairs& began) {
     constexpr std::size_t few = 8;
     const ProxyPair* gone = old_list.data();
@@ -103,7 +104,7 @@ void PairList::log_events() {
     for (const ProxyPair& pair : events_.began) log_.push_back({pair, order_ + 1});
     order_ += 2;
     is_pending_ = false;
-    // A pass over the list is paid for by a proportional number of events.
+    // Events are applied in bulk, so that the pass over the list is amortized over a proportional number of them.
     constexpr std::size_t log_min = 1024;
     if (log_.size() > list_.size() / 4 + log_min) apply_log();
 }
@@ -120,7 +121,8 @@ void PairList::drop_update() noexcept {
 
 void PairList::append_removed(const ProxyTable& table, const ProxyChanges&, ProxyPairs& ended) {
     apply_log();
-    // Some of many, which nobody can foretell: all are written, and the next one over those that do not belong.
+    // The outcome of the test is unpredictable, so there is no branch: every pair is written, and overwritten by the
+    // next one if it does not belong.
     constexpr std::size_t some = 64;
     std::array<ProxyPair, some> removed;
     for (std::size_t begin = 0; begin < list_.size(); begin += some) {
@@ -153,7 +155,7 @@ const ProxyPairs& PairList::sorted() {
     return list_;
 }
 
-// Of the events of one pair the last counts.
+// Applies the logged events; the last event of each pair counts.
 void PairList::apply_log() {
     if (log_.empty()) return;
     std::sort(log_.begin(), log_.end(), [](const Change& a, const Change& b) {
@@ -170,10 +172,10 @@ void PairList::apply_log() {
     order_ = 0;
 }
 
-// The list without `gone`, which need not all be in it, and with `come`; both are ascending.
+// Removes `gone` from the list and inserts `come`; both are ascending. Pairs of `gone` may be missing from the list.
 void PairList::patch(const ProxyPairs& gone, const ProxyPairs& come) {
     if (gone.empty() && come.empty()) return;
-    constexpr std::size_t long_block = 16;  // shorter ones cost more to move than to copy
+    constexpr std::size_t long_block = 16;  // shorter blocks cost more to move than to copy
     if (long_block * (gone.size() + come.size()) < list_.size()) {
         patch_in_place(gone, come);
     } else {
@@ -182,13 +184,13 @@ void PairList::patch(const ProxyPairs& gone, const ProxyPairs& come) {
     }
 }
 
-// Within the list, which takes no memory for another one. What lies between two changes moves as a
-// block: what moves down from the first block on, and then what moves up from the last one on, so that none is written
-// over before it has moved.
+// Patches the list in place, without memory for a second one. Unchanged blocks move as a whole: first the blocks that
+// move down, from the first one on, then the blocks that move up, from the last one on, so that none is overwritten
+// before it has moved.
 void PairList::patch_in_place(const ProxyPairs& gone, const ProxyPairs& come) {
     std::vector<Block> blocks;
     blocks.reserve(gone.size() + come.size() + 1);
-    std::vector<std::size_t> places;  // of those that come
+    std::vector<std::size_t> places;  // places of the pairs that come
     places.reserve(come.size());
     const std::size_t size = find_blocks(list_, gone, come, blocks, places);
     if (size > list_.size()) grow_to(list_, size);
@@ -205,7 +207,7 @@ void PairList::patch_in_place(const ProxyPairs& gone, const ProxyPairs& come) {
     list_.resize(size);
 }
 
-// Changes are close to each other here: all three lists go on step by step, and no branch depends on which does.
+// Writes the patched list to spare_ by a merge without branches, for changes that are close to each other.
 void PairList::make_patched(const ProxyPairs& gone, const ProxyPairs& come) {
     constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
     spare_.resize(list_.size() + come.size());
@@ -217,7 +219,7 @@ void PairList::make_patched(const ProxyPairs& gone, const ProxyPairs& come) {
         const std::uint64_t kept = rank_of(*read);
         const std::uint64_t goes = next_gone != gone_end ? rank_of(*next_gone) : none;
         const std::uint64_t comes = next_come != come_end ? rank_of(*next_come) : none;
-        if (goes < kept) [[unlikely]] {  // it was not there
+        if (goes < kept) [[unlikely]] {  // the pair was not in the list
             ++next_gone;
             continue;
         }

@@ -1,4 +1,4 @@
-// The pairs there are, as a sorted list.
+// Keeps the pairs that overlap, as a sorted list.
 #pragma once
 
 #include <cstddef>
@@ -9,26 +9,26 @@
 
 namespace ecods {
 
-// Is brought up to date when it is read: an update leaves its events, and nothing else is done until somebody asks.
+// The list is brought up to date lazily: an update only leaves its events, which are applied when the list is read.
 class PairList final : public PairKeeper {
   public:
-    // The events of updates appear in `events`, which are not changed but between begin_update() and the end of that
-    // update, and are then ascending and each once.
+    // `events` receives the events of each update. It may change only between begin_update() and the end of that
+    // update, and is then ascending, each event once.
     explicit PairList(const PairEvents& events) : events_(events) {}
 
-    // Before an update clears the events: their effect is kept. Out of memory, here and in all below, the list is what
-    // it was.
+    // Logs the events of the last update, before the next one clears them. If memory runs out, in this function and in
+    // those below, the list is unchanged.
     void begin_update();
 
-    // After an update: either that, or the other for one that failed, of which there are no events.
+    // Ends an update that succeeded, or with drop_update() one that failed, which left no events.
     void end_update() noexcept;
     void drop_update() noexcept;
 
-    // During an update. Where it compares, end_update() makes what was found the list.
+    // Functions of PairKeeper, during an update. After compare(), end_update() replaces the list by the pairs found.
     void append_removed(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& ended) override;
     void compare(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& found, PairEvents& events) override;
 
-    // The pairs, ascending. Cost: one pass if there were events since it was asked last, otherwise nothing.
+    // Returns the pairs, ascending. Cost: one pass if there were events since the last call, otherwise constant.
     const ProxyPairs& sorted();
 
     std::size_t bytes() const noexcept;
@@ -47,11 +47,11 @@ class PairList final : public PairKeeper {
 
     const PairEvents& events_;
     ProxyPairs list_;
-    ProxyPairs spare_;         // where the next list_ is made, so that making it may fail
-    std::vector<Change> log_;  // events that list_ lacks, of updates before the last
+    ProxyPairs spare_;         // the next list_ while it is made, so that a failure leaves list_ unchanged
+    std::vector<Change> log_;  // events that list_ lacks, from updates before the last
     std::uint32_t order_ = 0;
     bool is_pending_ = false;   // list_ lacks the events of the last update, too
-    bool is_replaced_ = false;  // during an update: spare_ has what it found
+    bool is_replaced_ = false;  // during an update: spare_ holds the new list
 };
 
 }  // namespace ecods

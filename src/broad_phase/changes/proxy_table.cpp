@@ -12,7 +12,7 @@
 namespace ecods {
 namespace {
 
-// Bits, not numbers: a move from 0.0 to -0.0 changes what box() returns, and finds the same pairs again.
+// Compares bits, not numbers: a move from 0.0 to -0.0 changes what box() returns, though it changes no pair.
 ECODS_ALWAYS_INLINE bool is_same(const Aabb& a, const Aabb& b) {
     using Two = Vec<std::int64_t, 2>;
     static_assert(sizeof(Aabb) == 3 * sizeof(Two));
@@ -45,7 +45,7 @@ void ProxyTable::add(ProxyIndex proxy, const Aabb& box) {
         const std::size_t count = std::size_t{proxy} + 1;
         grow_to(boxes_, count);
         grow_to(queued_at_, count);
-        grow_to(states_, count);  // last: where memory ends before, end() is what it was
+        grow_to(states_, count);  // last: if memory runs out earlier, end() is unchanged
     }
     enqueue(proxy);
     has_moves_only_ = false;
@@ -135,7 +135,8 @@ void ProxyTable::settle() {
         }
         changes_.removed.clear();
         has_moves_only_ = true;
-        // Boxes that were just placed are at rest for a while, as a rule. A pass over all is paid for by so many.
+        // Boxes that were just added mostly rest for a while. Trimming takes a pass over all boxes, amortized over the
+        // many that were added.
         if (8 * changes_.added.size() > size_) {
             release(changes_.added, queue_, moved_);
             trim(states_, reserved_);
@@ -146,7 +147,7 @@ void ProxyTable::settle() {
     constexpr std::size_t few = 64;
     few* queue_.size() < queue_.capacity() ? release(queue_) : queue_.clear();
     changes_.moved = {};
-    if (++turn_ == 0) {  // turns are numbered from one again: those of long ago must not be taken for later ones
+    if (++turn_ == 0) {  // turns start again at one: old numbers must not be taken for new ones
         std::fill(queued_at_.begin(), queued_at_.end(), 0);
         turn_ = 1;
     }

@@ -1,4 +1,4 @@
-// Which boxes are present, and what changed since the last update: the bookkeeping that every broad phase shares.
+// The boxes that are present, and the changes since the last update: the bookkeeping that every broad phase shares.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +10,22 @@
 
 namespace ecods {
 
-// A proxy that is removed and added again between two updates is both: the old one is in `removed`, the new one
-// in `added`.
+// The changes since the last update. A proxy that is removed and added again counts as both: the old box is in
+// `removed`, the new one in `added`.
 struct ProxyChanges {
-    std::vector<ProxyIndex> added;      // present, and not so at the last update
-    std::span<const ProxyIndex> moved;  // present at both times, and given another box in between
-    std::vector<ProxyIndex> removed;    // present at the last update, and gone since
+    std::vector<ProxyIndex> added;      // present now, but not at the last update
+    std::span<const ProxyIndex> moved;  // present at both times, with another box now
+    std::vector<ProxyIndex> removed;    // present at the last update, and removed since
 
     bool empty() const noexcept { return added.empty() && moved.empty() && removed.empty(); }
 };
 
 class ProxyTable {
   public:
-    // Numbers from here on are refused: one bit of 32 is for which end of a box it is.
+    // Exclusive upper bound of proxies: one of 32 bits marks which end of a box it is.
     static constexpr ProxyIndex limit = ProxyIndex{1} << 31;
 
-    // What BroadPhase promises of the calls of these names.
+    // The functions promise the same as the functions of BroadPhase with these names.
     void reserve(std::size_t count);
     void add(ProxyIndex proxy, const Aabb& box);
     void move(ProxyIndex proxy, const Aabb& box);
@@ -35,25 +35,26 @@ class ProxyTable {
     std::size_t size() const noexcept { return size_; }
     std::size_t bytes() const noexcept;
 
-    // What differs from the last settle(). Constant when nothing was called since, otherwise proportional to the calls.
+    // Returns the changes since the last settle(). Cost: constant if nothing was called since, otherwise proportional
+    // to the number of calls.
     const ProxyChanges& collect();
 
-    // Takes what is here now as what the last update saw.
+    // Makes the present boxes those of the last update.
     void settle();
 
-    // Numbers in use are below this.
+    // Returns an exclusive upper bound of the proxies in use.
     ProxyIndex end() const noexcept { return static_cast<ProxyIndex>(states_.size()); }
 
     bool is_present(ProxyIndex proxy) const noexcept { return has(proxy, present); }
     bool is_removed(ProxyIndex proxy) const noexcept { return has(proxy, removed); }
 
-    // By proxy; of those that are not present, anything.
+    // Returns the boxes by proxy; unspecified for proxies that are not present.
     const std::vector<Aabb>& boxes() const noexcept { return boxes_; }
 
-    // The proxies that are present, ascending.
+    // Returns the proxies that are present, ascending.
     std::vector<ProxyIndex> present_proxies() const;
 
-    // Calls visit(proxy, box) with each of them, in that order.
+    // Calls visit(proxy, box) for each present proxy, ascending.
     template <class Visit>
     void for_each(const Visit& visit) const {
         for (ProxyIndex proxy = 0; proxy < end(); ++proxy) {
@@ -63,9 +64,9 @@ class ProxyTable {
 
   private:
     enum : std::uint8_t {
-        present = 1,  // a box of this number is here
-        settled = 2,  // and the last update saw it
-        removed = 4,  // the last update saw a box of this number that is gone
+        present = 1,  // a box with this number is present
+        settled = 2,  // that box was present at the last update
+        removed = 4,  // a box with this number was present at the last update, and was removed since
     };
 
     bool has(ProxyIndex proxy, unsigned flag) const noexcept {
@@ -82,17 +83,17 @@ class ProxyTable {
         queued_at_[proxy] = turn_;
     }
 
-    // By proxy.
+    // Indexed by proxy.
     std::vector<std::uint8_t> states_;
     std::vector<Aabb> boxes_;
-    std::vector<std::uint32_t> queued_at_;  // the turn in which it was put into queue_ last
+    std::vector<std::uint32_t> queued_at_;  // the turn in which it was last put into queue_
 
-    // Turns end with settle(). In most there are moves and nothing else, and nothing is done for each of them then.
+    // Number of the turn; a turn ends with settle(). Most turns have moves only, and then need no work per move.
     std::uint32_t turn_ = 1;
     bool has_moves_only_ = true;
-    std::vector<ProxyIndex> queue_;  // added or moved in this turn, each once
-    std::vector<ProxyIndex> moved_;  // those of them that moved, where there are others
-    ProxyChanges changes_;           // `removed` is kept as it happens, the others are made by collect()
+    std::vector<ProxyIndex> queue_;  // proxies added or moved in this turn, each once
+    std::vector<ProxyIndex> moved_;  // proxies in queue_ that moved; used unless has_moves_only_
+    ProxyChanges changes_;           // `removed` is kept up to date by remove(), the rest is set by collect()
     std::size_t size_ = 0;
     std::size_t reserved_ = 0;
 };

@@ -9,11 +9,11 @@ namespace {
 
 constexpr double largest = std::numeric_limits<double>::max() / 8;
 
-// Where the boxes of the sample are on one axis.
+// The distribution of a sample of boxes on one axis.
 struct AxisSample {
-    double low = 0;  // with nearly all centers between these two
+    double low = 0;  // nearly all centers are between low and high
     double high = 0;
-    double extent = 0;  // of a box, on the average; at most high - low
+    double extent = 0;  // average extent of a box; at most high - low
 
     double range() const noexcept { return high - low; }
 };
@@ -29,7 +29,7 @@ AxisSample look_at_axis(std::span<const PackedBox> sample, std::size_t axis) {
         centers.push_back(0.5 * clamp_finite(double_of(line.ends[axis])) +
                           0.5 * clamp_finite(double_of(~line.ends[axis + 3])));
     }
-    // Few lie far out, as a rule, and must not make the steps wide in which the others are.
+    // Ignores outliers, which would make the cells too wide for the other boxes.
     const std::size_t few = centers.size() / 20;
     const auto place = [&](std::size_t rank) { return centers.begin() + static_cast<std::ptrdiff_t>(rank); };
     std::nth_element(centers.begin(), place(few), centers.end());
@@ -47,14 +47,15 @@ AxisSample look_at_axis(std::span<const PackedBox> sample, std::size_t axis) {
     return result;
 }
 
-// How many boxes a box passes on an axis, as a share of all.
+// Returns the share of all boxes that a box passes in a sweep along the axis.
 double passed(const AxisSample& axis) noexcept {
     return axis.range() > 0 ? std::min(1.0, axis.extent / axis.range()) : 1;
 }
 
-// What a search with so many cells costs for each box, in tests. A box is in each cell that it reaches, and is tested
-// against the boxes of the cell that it passes in the sweep. To put a box into a cell costs about as much as so many
-// tests; so does to visit a cell. Both are estimates, of which only the speed depends.
+// Returns the estimated cost per box, in tests, of a search with this number of cells. A box is entered into each cell
+// that it reaches, and is tested against the boxes of the cell that it passes in the sweep. Entering a box into a cell
+// costs about as much as entry_cost tests, visiting a cell as much as cell_cost tests. The estimates affect nothing but
+// the speed.
 double cost(double count, const std::array<double, 3>& shares, double cells_1, double cells_2) noexcept {
     constexpr double entry_cost = 40, cell_cost = 80;
     const double entries = (1 + shares[1] * cells_1) * (1 + shares[2] * cells_2);
@@ -63,19 +64,20 @@ double cost(double count, const std::array<double, 3>& shares, double cells_1, d
     return entries * (entry_cost + tests) + cells / count * cell_cost;
 }
 
-// Powers of two, and the numbers half way between.
+// Numbers of cells to try: powers of two, and the numbers half way between.
 constexpr std::array<std::uint32_t, 16> cell_counts = {1,  2,  3,  4,  6,  8,   12,  16,
                                                        24, 32, 48, 64, 96, 128, 192, GridPlan::cells_max};
 
 }  // namespace
 
 void RankMap::set(std::size_t axis, double from, double to) noexcept {
-    // The largest product must be below rank_end, rounded up: 1 - 2^-40 leaves it more than what two roundings add.
+    // The largest product, rounded up, must be below rank_end: the factor 1 - 2^-40 leaves more than the error of two
+    // roundings.
     constexpr double ranks = rank_end * (1 - 0x1p-40);
     const double per_unit = ranks / (to - from);
     low[axis] = from;
-    // Too close together, or too far apart, for ranks: all have rank 0. Where rounding is downward, the difference of
-    // equal numbers is -0, and the quotient negative.
+    // If the ends are too close together or too far apart, all coordinates get rank 0. With rounding downward, the
+    // difference of equal numbers is -0, and the quotient negative.
     constexpr double number_max = std::numeric_limits<double>::max();
     if (!(per_unit > 0) || !(per_unit <= number_max) || !(to - from <= number_max)) return;
     width[axis] = to - from;

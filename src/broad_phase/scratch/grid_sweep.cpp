@@ -13,7 +13,7 @@
 namespace ecods {
 namespace {
 
-// How many boxes ahead memory is asked for.
+// Prefetch distance, in boxes.
 constexpr std::size_t prefetch_distance = 12;
 
 }  // namespace
@@ -23,7 +23,7 @@ void GridSweep::arrange(std::span<const PackedBox> lines) {
     plan_ = plan_grid(lines);
     ranked_.resize(lines.size());
     dispatch<Loops::rank>(*this, lines);
-    // A sample may lack many boxes that reach many cells.
+    // The plan may be bad if the sample lacks many boxes that reach many cells: then halves the numbers of cells.
     while (!count_cells(lines)) {
         for (std::uint32_t& count : plan_.cells) count = std::max(count / 2, 1u);
     }
@@ -53,12 +53,12 @@ std::uint64_t GridSweep::find_pairs(std::span<const PackedBox> lines, std::vecto
     return work.tests + forest.find_pairs(found);
 }
 
-// By the digits of their ranks.
+// Sorts the boxes along the sweep's axis, by radix sort of their ranks.
 void GridSweep::sort_begins(std::span<const PackedBox> lines) {
     constexpr unsigned digit_bits = RankMap::rank_bits / 2;
     constexpr std::size_t digit_count = std::size_t{1} << digit_bits;
     static_assert(2 * digit_bits == RankMap::rank_bits);
-    std::array<std::array<std::uint32_t, digit_count>, 2> next{};  // where the next box with this digit goes
+    std::array<std::array<std::uint32_t, digit_count>, 2> next{};  // place of the next box with this digit
     begins_.clear();
     begins_.reserve(lines.size());
     const std::size_t axis = plan_.axes[0];
@@ -80,9 +80,10 @@ void GridSweep::sort_begins(std::span<const PackedBox> lines) {
     }
 }
 
-// Returns false where boxes are in too many cells, for which there is a remedy while there are more than one.
+// Counts the entries of each cell. Returns false if boxes are in too many cells and there is more than one cell, so
+// that fewer cells help.
 bool GridSweep::count_cells(std::span<const PackedBox> lines) {
-    constexpr std::size_t entries_max = 12;  // for each box, on the average
+    constexpr std::size_t entries_max = 12;  // average per box
     reached_.resize(lines.size());
     cells_.assign(plan_.cell_count(), {});
     std::size_t entries = 0;
@@ -107,7 +108,9 @@ bool GridSweep::count_cells(std::span<const PackedBox> lines) {
         cell.offset = offset;
         offset += row_count * cell.stride();
     }
-    if (rows_.capacity() < offset) {  // nothing in it is to be copied; and the next time it is a little more, as a rule
+    // Frees first, since nothing needs to be copied, and reserves more, since the next search mostly needs a little
+    // more.
+    if (rows_.capacity() < offset) {
         release(rows_);
         rows_.reserve(offset + offset / 8);
     }

@@ -1,4 +1,4 @@
-// All pairs of boxes that overlap, from scratch.
+// Finds all pairs of overlapping boxes from scratch.
 #pragma once
 
 #include <array>
@@ -13,19 +13,20 @@
 namespace ecods {
 
 // Sort and sweep in the columns of a grid: boxes are sorted along one axis and put in that order into each cell of the
-// other two axes that they reach. In each cell, a box is compared with those that begin before it ends, eight at once.
-// A pair is found in the first cell, on both axes, that both boxes reach, and in no other. Ends are ranks, of which
-// half as many bits suffice (grid_plan.hpp); where two are equal, the boxes themselves decide. Where the sweep takes
-// many tests for few pairs, it is given up for trees, which no arrangement makes slow. (The sweep is that of D.
-// Baraff's thesis, 1992; that one from scratch, over integers beside each other in memory, may cost less than keeping
-// its lists is from P. Terdiman, "Box pruning revisited".)
+// other two axes that they reach. In each cell, a box is compared with the boxes that begin before it ends, eight at
+// once. A pair is reported in the first cell, on both axes, that both boxes reach, and in no other. Ends are ranks, for
+// which half as many bits suffice (grid_plan.hpp); if two ranks are equal, the boxes themselves decide. If the sweep
+// takes many tests for few pairs, it is given up for trees, which no arrangement makes slow. (The sweep is from D.
+// Baraff's thesis, 1992. That a sweep from scratch, over integers that are contiguous in memory, may cost less than
+// keeping its lists is from P. Terdiman, "Box pruning revisited".)
 //
-// Its working memory stays, so that the next search need not ask for it.
+// The scratch memory is kept for the next search.
 class GridSweep {
   public:
     // Appends all pairs of slots whose boxes overlap, each once, in no order. Empty lines overlap none. Returns the
-    // number of box tests. Cost: a few passes over the boxes, and a test for each two of a cell that overlap on the
-    // axis of the sweep; at most as many as make trees cost less. Out of memory, `found` has some of the pairs.
+    // number of box tests. Cost: a few passes over the boxes, and a test for each two boxes of a cell that overlap on
+    // the axis of the sweep, up to the number of tests beyond which trees cost less. If memory runs out, `found` has
+    // some of the pairs.
     std::uint64_t find_pairs(std::span<const PackedBox> lines, std::vector<std::array<SlotIndex, 2>>& found);
 
     // Appends the slots of all lines that are not empty, in the order in which the search goes through boxes:
@@ -48,22 +49,23 @@ class GridSweep {
         std::int32_t rank;
         SlotIndex slot;
     };
-    // A cell is eight rows of numbers: where its boxes begin and end on three axes, in the order of the sweep, who they
-    // are, and on which of the axes the cell is the first one that they reach.
+    // A cell has eight rows of numbers: the begins and ends of its boxes on three axes, in the order of the sweep,
+    // their slots, and bits for the axes on which the cell is the first one that the box reaches.
     struct Cell {
-        std::size_t offset = 0;  // of the first row
+        std::size_t offset = 0;  // offset of the first row
         std::uint32_t count = 0;
         std::uint32_t filled = 0;
         std::size_t stride() const noexcept { return count + padding; }
     };
-    // Boxes of a cell that may overlap one of its boxes: bits, from the first of some boxes on. They are noted first,
-    // and looked at when there are many: nothing waits for what is only noted.
+    // Boxes of a cell that may overlap box `own`: bits of eight boxes, from `first` on. Hits are collected and
+    // processed in bulk, so that the sweep does not wait for the memory that processing reads.
     struct Hits {
         std::uint32_t own;
         std::uint32_t first;
         std::uint32_t bits;
     };
-    // Tests are for nothing where boxes are in places so far apart that those of one place have the same ranks.
+    // Bounds the work. Most tests find nothing if boxes are at places so far apart that all boxes of one place have
+    // equal ranks.
     struct Work {
         std::uint64_t tests = 0;
         std::uint64_t tests_max;
@@ -75,11 +77,11 @@ class GridSweep {
             return tests < tests_per_pair * found_count;
         }
     };
-    // What is read beyond the last box of a row begins after all others end.
+    // Each row ends with padding, which the sweep may read: its boxes begin after all others end.
     static constexpr std::size_t padding = 8;
     static constexpr std::size_t row_count = 8;
 
-    struct Loops;  // grid_sweep_loops.hpp: what is compiled for each instruction set
+    struct Loops;  // functions compiled for each instruction set, in grid_sweep_loops.hpp
 
     void arrange(std::span<const PackedBox> lines);
     void sort_begins(std::span<const PackedBox> lines);

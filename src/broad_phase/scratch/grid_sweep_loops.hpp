@@ -13,7 +13,7 @@ namespace ecods {
 struct GridSweep::Loops {
     using Lanes = Vec<std::int32_t, 8>;
 
-    // The rows of a cell.
+    // Pointers to the rows of a cell.
     struct View {
         const std::int32_t *begin, *end, *begin_1, *end_1, *begin_2, *end_2, *slots, *firsts;
     };
@@ -30,9 +30,9 @@ struct GridSweep::Loops {
 
     static constexpr std::int32_t first_of_both = 3;
 
-    // The pairs among those noted. Some were found here, but another cell is the first that both boxes reach. Each pass
-    // takes one pair of each note and leaves those with more: a loop over the bits of each would end where nobody can
-    // foretell, and a processor that guesses wrong loses more than the work of a pair.
+    // Appends the pairs among the collected hits, except pairs for which another cell is the first that both boxes
+    // reach. Each pass takes one pair of each hit and keeps the hits with more: an inner loop over the bits of a hit
+    // would mispredict its end, which costs more than the work of a pair.
     [[gnu::noinline]] static void take(std::span<Hits> noted, const View& cell, std::span<const PackedBox> lines,
                                        std::vector<std::array<SlotIndex, 2>>& found) {
         for (std::size_t left = 0, count = noted.size(); count != 0; count = std::exchange(left, 0)) {
@@ -59,7 +59,7 @@ struct GridSweep::Loops {
         }
     }
 
-    // Returns false where most tests were for nothing.
+    // Returns false if most tests found nothing.
     ECODS_ALWAYS_INLINE static bool sweep(GridSweep& self, std::span<const PackedBox> lines, Work& work,
                                           std::vector<std::array<SlotIndex, 2>>& found) {
         for (const Cell& cell : self.cells_) {
@@ -69,15 +69,15 @@ struct GridSweep::Loops {
         return true;
     }
 
-    // Each box against those that begin with it or after it, and before it ends. On the other axes, two are apart where
-    // the one begins after the other ends.
+    // Tests each box against the boxes that begin with it or after it, and before it ends. On the other axes, two boxes
+    // are apart if one begins after the other ends.
     ECODS_ALWAYS_INLINE static bool sweep_cell(const View& cell, std::uint32_t count, std::vector<Hits>& hits,
                                                std::span<const PackedBox> lines, Work& work,
                                                std::vector<std::array<SlotIndex, 2>>& found) {
         constexpr std::uint32_t width = lane_count<Lanes>;
         static_assert(width <= padding);
-        // Notes are taken in when there are enough, between two boxes. A branch on whether some boxes have hits would
-        // cost more than the tests: it goes either way.
+        // Hits are processed between two boxes, once there are enough. A branch on whether eight boxes have hits would
+        // cost more than the tests, as it is unpredictable.
         constexpr std::size_t enough = 512;
         if (hits.size() < enough + count / width + 1) hits.resize(enough + count / width + 1);
         Hits* const noted = hits.data();

@@ -1,4 +1,4 @@
-// The pairs that a search found, as a list.
+// Makes a sorted list of the pairs that a search found.
 #pragma once
 
 #include <algorithm>
@@ -15,21 +15,20 @@
 
 namespace ecods {
 
-// Working memory of making lists, for the next one.
+// Scratch that is kept for the next list.
 struct ListingMemory {
     struct Next {
-        std::uint32_t first = 0, second = 0;  // where the next pair goes of which this is that number
+        std::uint32_t first = 0, second = 0;  // places of the next pair that has this number as its first, or second
     };
-    std::vector<Next> next;  // by number
+    std::vector<Next> next;  // indexed by number
     ProxyPairs by_second;
 };
 
-// Makes `list` the pairs that for_each(visit) gives to visit(a, b), the same ones each time, in ascending order.
-// Numbers are below `end`. Cost: proportional to pairs and numbers.
+// Sets `list` to the pairs that for_each(visit) passes to visit(a, b), ascending; it must pass the same pairs each
+// time. Numbers are below `end`. Cost: proportional to pairs and numbers.
 //
-// By the second numbers and then by the first ones, as digits are sorted: counted, and put where those of a number
-// begin. Sorting the few pairs of each first number by comparing them costs more, since nobody can foretell how that
-// ends.
+// Sorts by counting, first by the second numbers and then by the first ones. Sorting the few pairs of each first number
+// by comparisons costs more, since their outcome is unpredictable.
 template <class ForEach>
 void list_each_pair(const ForEach& for_each, std::size_t end, ProxyPairs& list, ListingMemory& memory) {
     auto& [next, by_second] = memory;
@@ -47,7 +46,8 @@ void list_each_pair(const ForEach& for_each, std::size_t end, ProxyPairs& list, 
     for_each([&, &next = next, &by_second = by_second](ProxyIndex a, ProxyIndex b) {
         by_second[next[std::max(a, b)].second++] = ordered_pair(a, b);
     });
-    if (list.capacity() < by_second.size()) {  // nothing in it is to be copied, and the next one is a little longer
+    // Frees first, since nothing needs to be copied, and reserves more, since the next list is mostly a little longer.
+    if (list.capacity() < by_second.size()) {
         release(list);
         list.reserve(by_second.size() + by_second.size() / 16);
     }

@@ -1,4 +1,4 @@
-// Boxes as they are now and as they were at the update before.
+// Keeps each box as it is now and as it was at the last update.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ class BoxHistory {
         before_.reserve(count);
     }
 
-    // Takes the boxes of these proxies over from the table.
+    // Copies the present boxes of these proxies from the table.
     void advance(std::span<const ProxyIndex> proxies, const ProxyTable& table) {
         if (now_.size() < table.end()) {
             now_.resize(table.end());
@@ -26,7 +26,7 @@ class BoxHistory {
         }
         for (const ProxyIndex proxy : proxies) now_[proxy] = key_box(table.boxes()[proxy]);
     }
-    // Ends an update.
+    // Ends an update: the boxes of these proxies become the boxes of the last update.
     void settle(std::span<const ProxyIndex> proxies) {
         for (const ProxyIndex proxy : proxies) before_[proxy] = now_[proxy];
     }

@@ -10,13 +10,14 @@
 
 namespace ecods {
 
-// The order is total: by coordinate; at equal coordinates a minimum before a maximum, since boxes are closed; then by
-// proxy. So the order of a list is a function of the boxes alone, and an end can be found by binary search.
+// The end of a box on an axis. Ends are totally ordered: by coordinate; at equal coordinates a minimum before a
+// maximum, since boxes are closed; then by proxy. So the order of a list is a function of the boxes alone, and binary
+// search finds an end.
 struct Endpoint {
     static constexpr std::uint32_t max_bit = std::uint32_t{1} << 31;
 
     std::int64_t key = 0;
-    std::uint32_t tag = 0;  // the proxy; max_bit when it is the maximum
+    std::uint32_t tag = 0;  // the proxy, with max_bit set for a maximum
 
     bool is_max() const noexcept { return (tag & max_bit) != 0; }
     ProxyIndex proxy() const noexcept { return tag & ~max_bit; }

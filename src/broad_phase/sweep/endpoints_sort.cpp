@@ -6,7 +6,8 @@
 namespace ecods {
 namespace {
 
-// `left` now lies before `right`, and did not before.
+// Appends the pair of two ends that changed order if it began or ended. `left` is now before `right`, and was not
+// before.
 void judge_swap(const Endpoint& left, const Endpoint& right, SortState& state) {
     const ProxyIndex a = left.proxy();
     const ProxyIndex b = right.proxy();
@@ -46,7 +47,8 @@ bool sort_all(EndpointList& ends, int axis, SortState& state) {
     return true;
 }
 
-// All positions must be found before the first coordinate changes: the search needs a sorted list.
+// Finds the positions of the ends of the moved boxes. This must be done before the first coordinate changes, since
+// binary search needs a sorted list.
 void find_positions(const EndpointList& ends, int axis, std::span<const ProxyIndex> moved, SortState& state) {
     state.positions.clear();
     for (const ProxyIndex proxy : moved) {
@@ -62,11 +64,11 @@ void find_positions(const EndpointList& ends, int axis, std::span<const ProxyInd
 bool sort_some(EndpointList& ends, int axis, std::span<const ProxyIndex> moved, SortState& state) {
     find_positions(ends, axis, moved, state);
     for (const std::uint32_t position : state.positions) refresh(ends[position], axis, state.boxes);
-    std::size_t sorted = 0;  // ends before this are
+    std::size_t sorted = 0;  // ends before this position are sorted
     for (const std::uint32_t position : state.positions) {
         if (position < sorted) continue;
-        // What lies between is in order as it was. From here on each end may have to pass one that grew, up to the
-        // first that need not and, not having changed itself, stands for all behind it.
+        // Ends up to here kept their order. From here on each end may have to pass an end that grew. The first end that
+        // need not and did not change itself stands for all ends behind it.
         sorted = position;
         do {
             sink(ends, sorted, state);
@@ -80,7 +82,7 @@ bool sort_some(EndpointList& ends, int axis, std::span<const ProxyIndex> moved, 
 }  // namespace
 
 bool sort_axis(EndpointList& ends, int axis, std::span<const ProxyIndex> moved, SortState& state) {
-    // A search costs about as much as looking at some ten ends in a row.
+    // A binary search costs about as much as scanning ten ends.
     constexpr std::size_t ends_per_search = 10;
     const bool few = 2 * moved.size() * ends_per_search < ends.size();
     return few ? sort_some(ends, axis, moved, state) : sort_all(ends, axis, state);

@@ -1,4 +1,4 @@
-// Overlapping pairs without temporal coherence: all, or those of some boxes.
+// Finds overlapping pairs without temporal coherence: all pairs, or the pairs of some boxes.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace ecods {
 
-// Appends the pairs that overlap and of which at least one is `chosen`, in no order, each once. All chosen proxies
-// are present. Returns the number of box tests. Cost: sorting the chosen into trees, and a query for each box present.
+// Appends the overlapping pairs with at least one proxy in `chosen`, in no order, each once. All chosen proxies must be
+// present. Returns the number of box tests. Cost: sorting the chosen into trees, and a query for each box present.
 std::uint64_t find_pairs_of(std::span<const ProxyIndex> chosen, const ProxyTable& table, ProxyPairs& found);
 
-// Makes the events of an update the differences between the pairs kept and all pairs of now.
+// Sets the events of an update to the differences between the kept pairs and all pairs that overlap now.
 void update_from_scratch(const FindingUpdate& update);
 
-// Trees of boxes that stand in place of those of some chosen proxies, each of which is chosen once. Both lists must
-// outlive it. Its calls append pairs and return the number of box tests.
+// Trees of boxes that replace the boxes of the proxies in `chosen`, each listed once. Both lists must outlive the
+// object. Its functions append pairs and return the number of box tests.
 class ChosenBoxes {
   public:
     ChosenBoxes(std::span<const ProxyIndex> chosen, std::span<const Aabb> boxes);
@@ -26,7 +26,7 @@ class ChosenBoxes {
     std::uint64_t find_pairs_among(ProxyPairs& found) const;
     std::uint64_t find_pairs_with_others(const ProxyTable& table, ProxyPairs& found) const;
 
-    // By proxy below `end`: 1 of those that are chosen.
+    // Returns a mark for each proxy below `end`: 1 if it is chosen.
     std::vector<std::uint8_t> marks(ProxyIndex end) const;
 
   private:

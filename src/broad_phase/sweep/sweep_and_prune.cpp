@@ -14,7 +14,7 @@
 namespace ecods {
 namespace {
 
-// Takes the ends of the removed proxies out. Cost: one pass, however many there are.
+// Removes the ends of the removed proxies. Cost: one pass, however many there are.
 void remove_ends(EndpointList& ends, const ProxyTable& table) {
     std::erase_if(ends, [&](const Endpoint& end) { return table.is_removed(end.proxy()); });
 }
@@ -67,12 +67,12 @@ void SweepAndPrune::update(const FindingUpdate& update) {
     boxes_.settle(changes.added);
 }
 
-// Returns whether all changes of pairs were seen. If not, the lists are sorted nevertheless.
+// Sorts the lists, and returns true if all changes of pairs were found. If not, the lists are sorted nevertheless.
 bool SweepAndPrune::sort_axes(const FindingUpdate& update) {
     const std::span<const ProxyIndex> moved = update.changes.moved;
     if (moved.empty()) return true;
-    // When boxes jump, ends pass a large part of a list each, and starting from scratch is cheaper: sorting the lists
-    // and finding the pairs from scratch cost about as much as so many swaps for each end of one list.
+    // When boxes jump, their ends pass a large part of a list each, and starting from scratch is cheaper: sorting the
+    // lists and finding the pairs from scratch cost about as much as this number of swaps for each end of one list.
     constexpr std::uint64_t swaps_per_end_max = 128;
     SortState state{.boxes = boxes_,
                     .began = update.events.began,
@@ -104,7 +104,7 @@ void validate_axis(const EndpointList& ends, int axis, const ProxyTable& table) 
     for (std::size_t i = 0; i < ends.size(); ++i) {
         const Endpoint& end = ends[i];
         const std::string whose = name + "an end of proxy " + std::to_string(end.proxy());
-        // Together with the number of ends: each box present has its two ends, once.
+        // Together with the number of ends, strict order shows that each present box has its two ends, once each.
         if (i > 0 && !(ends[i - 1] < end)) throw BrokenInvariant(whose + " is out of order");
         if (!table.is_present(end.proxy())) throw BrokenInvariant(whose + ", which is not present");
         const KeyBox box = key_box(table.box(end.proxy()));

@@ -11,8 +11,8 @@
 
 namespace ecods {
 
-// The report keeps, for each pair of boxes, on how many axes they overlap. The same knowledge is in the boxes of the
-// last update and of this one, so nothing is kept for a pair: memory is for the boxes.
+// The report keeps for each pair of boxes the number of axes on which they overlap. Here that number follows from the
+// boxes of the last update and of this one, so memory is needed for boxes only, and none for pairs.
 class SweepAndPrune final : public PairFinder {
   public:
     void build(const ProxyTable& table, BroadPhaseCounts& counts) override;
@@ -26,7 +26,7 @@ class SweepAndPrune final : public PairFinder {
 
     BoxHistory boxes_;
     std::array<EndpointList, 3> axes_;
-    std::vector<std::uint32_t> positions_;  // working memory of sort_axis
+    std::vector<std::uint32_t> positions_;  // scratch of sort_axis
 };
 
 }  // namespace ecods

@@ -1,6 +1,6 @@
-// Two posed trees on the face normals of both at once: AxesOf in registers of eight doubles. The first four lanes are
-// those of the set of a's normals, the last four of b's. For poses that turn and no more, and numbers within their
-// limits. Text of bvh/axes/separating_axes.cpp for AVX-512.
+// Computes two posed trees on the face normals of both at once: AxesOf in registers of eight doubles. The first four
+// lanes hold the set of a's normals, the last four that of b's. Poses must be rotations, up to rounding, and numbers
+// within their limits. Text of bvh/axes/separating_axes.cpp for AVX-512.
 
 ECODS_ALWAYS_INLINE Matrix<Double8> transpose(const Matrix<Double8>& m) noexcept {
     const Double8 low = even_lanes(m.column[0], m.column[1]);
@@ -54,12 +54,12 @@ ECODS_ALWAYS_INLINE AxesOf<Double8> axes_of_both(const EdgesOf<Double8>& edges, 
     return {N, N * edges.edges, edges, swapped(edges), between + d, absolute(d)};
 }
 
-// What find_axis asks of trees whose axes are fit, all of it at once.
+// The boxes that find_axis tests, with both sets computed at once, for trees whose P is the identity but for rounding.
 struct BothBoxes {
     const AxesOf<Double8>& axes;
     RootBox root_a, root_b;
-    Double8 other_half;   // the reach of the box that the normals are not of
-    std::uint32_t faces;  // that separate the roots, as bits: 0 to 2 those of a, 4 to 6 those of b
+    Double8 other_half;   // reach of the box whose normals these are not
+    std::uint32_t faces;  // bits of the normals that separate the roots: 0 to 2 for a's, 4 to 6 for b's
 
     ECODS_ALWAYS_INLINE BothBoxes(const AxesOf<Double8>& of, const MeshBvh& a, const MeshBvh& b) noexcept
         : axes(of), root_a(a), root_b(b) {

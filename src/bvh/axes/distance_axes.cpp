@@ -31,7 +31,7 @@ void DistanceAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d) {
     }
 }
 
-// Four roundings of u' each.
+// The factor 1 + 2^-48 covers four roundings of u' each.
 float DistanceAxes::square_above(double distance) const noexcept {
     const double x = distance / unit_;
     return round_up(x * x * (1 + 0x1p-48) + least_square);
@@ -42,7 +42,7 @@ double DistanceAxes::distance_below(float square) const noexcept {
     return certain > 0 ? std::sqrt(certain) * (1 - 0x1p-48) * unit_ : 0;
 }
 
-// See triangle_bounds.cpp for the errors: 9 E, and 4 v of the length. Underflow of the square is below E.
+// The errors are those of triangle_bounds.cpp: 9 E, and 4 v of the length. Underflow of the square is below E.
 double DistanceAxes::distance_above(float square) const noexcept {
     const DistanceSet& set = sets_[0];
     const auto& errors = set.axes.point_error;

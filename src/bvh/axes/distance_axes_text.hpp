@@ -1,9 +1,9 @@
 // Text of bvh/axes/distance_axes.cpp, compiled for each instruction set.
 
-inline constexpr double tau_max = 0x1p-7;     // beyond, bounds would suffer
-inline constexpr double square_max = 0x1p55;  // of coordinates that are squared
+inline constexpr double tau_max = 0x1p-7;     // with larger tau, bounds would suffer
+inline constexpr double square_max = 0x1p55;  // for coordinates that are squared
 
-// The power of two at or below x, from 2^-900 to 2^900; 1 for 0.
+// Returns the largest power of two that is at most x, clamped to 2^-900 .. 2^900; 1 for 0.
 ECODS_ALWAYS_INLINE double power_of_two(double x) noexcept {
     if (!(x > 0)) return 1;
     const double clamped = std::min(std::max(x, 0x1p-900), 0x1p900);
@@ -14,15 +14,16 @@ ECODS_ALWAYS_INLINE Matrix4 operator*(const Matrix4& m, double x) noexcept {
     return {{m.column[0] * x, m.column[1] * x, m.column[2] * x}};
 }
 
-// Axes in units of the search, and how long they are: the eigenvalues of N N^T are from factor / (1 + tau) to factor
-// (1 + tau).
+// Nearly orthogonal axes in units of the search, and their length: the eigenvalues of N N^T are from factor / (1 + tau)
+// to factor (1 + tau).
 struct EvenAxes {
     Matrix4 N;
     double factor;
     double tau;
 };
 
-// The normals of the faces of `own` if they are even enough, otherwise the axes of the world.
+// Returns the normals of the faces of `own` if they are nearly orthogonal and of one length, otherwise the axes of the
+// world.
 ECODS_ALWAYS_INLINE EvenAxes even_axes(const Matrix4& own, const Matrix4& other) noexcept {
     const Matrix4 N = axes_of(own, other);
     const Matrix4 rows = transpose(N);
@@ -41,7 +42,7 @@ ECODS_ALWAYS_INLINE void bind_set(DistanceSet& set, const EvenAxes& even, const 
                                   Double4 d, Own own, double unit) noexcept {
     const DoubleAxes exact(even.N * (1 / unit), edges_a, edges_b, d, own);
     set_floats(set.axes, exact);
-    // In this form NaN is not bounded.
+    // The comparison is false for NaN, which therefore counts as unbounded.
     if (!(sum(exact.s) < square_max)) {
         set.axes.set_unbounded();
     }

@@ -9,7 +9,7 @@
 
 namespace ecods {
 
-// The axis between the centers.
+// The axis n between the centers, as a row of N.
 struct FarRow {
     double length;
     double a[3], b[3];
@@ -26,8 +26,8 @@ namespace {
 
 using namespace axes;
 
-// In units, which are about the size of the larger tree. From there on ranks leave less work than squares do, by
-// counting it; which of the two is asked changes nothing else.
+// The least distance of far trees, in units (about the size of the larger tree). Beyond it ranks leave fewer pairs than
+// squared distances do, as counted; the choice affects nothing but the work.
 constexpr double far_min = 0x1p9;
 constexpr double unit_max = 0x1p400;
 
@@ -59,7 +59,7 @@ float FarGap::rank_above(double distance) const noexcept {
     const double at = length_ * (distance / unit_) * (1 + 0x1p-48);
     const double rank = ((at - gap_) + own) + margin_;
     const double rounding = 0x1p-49 * (((at + std::abs(gap_)) + own) + margin_);
-    // Ranks are below 3 reach: no box is beyond it, but for roundings.
+    // No rank is above 3 reach, but for rounding.
     const double all = 4 * own + 1;
     return round_up(std::min(std::max(rank + rounding, 0.0), all));
 }

@@ -6,7 +6,7 @@ ECODS_ALWAYS_INLINE Matrix4 middle(const Edges& start, const Edges& end) noexcep
     return result;
 }
 
-// The normals of either tree's boxes as they are half-way.
+// Binds the sets to the normals of either tree's boxes half-way through the motion.
 [[gnu::noinline]] inline void bind_motion_sets(std::array<MotionSet, 2>& sets, const MovingTree& a, const MovingTree& b,
                                                const Vec3& d_from, const Vec3& d_to) noexcept {
     const Edges a_from(a.tree.frame, a.from), a_to(a.tree.frame, a.to);

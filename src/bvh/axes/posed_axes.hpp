@@ -21,9 +21,9 @@ inline constexpr double underflow = 0x1p-100;
 inline constexpr double sum_max = 0x1p100;
 inline constexpr double factor_max = 0x1p900;
 inline constexpr double world_max = 0x1p1000;
-inline constexpr double unit_distance_max = 0x1p-40;  // beyond, margins would suffer
+inline constexpr double unit_distance_max = 0x1p-40;  // with larger distances, margins would grow too much
 
-// Which tree the axes are the face normals of.
+// The tree whose face normals the axes are.
 enum class Own { a, b };
 
 }  // namespace ecods::axes

@@ -2,7 +2,7 @@
 
 using namespace axes;
 
-// A number for each body.
+// The type of a number for each body: one double, or two of them.
 template <class V>
 using NumberOf = decltype(sum(V{}));
 
@@ -13,15 +13,15 @@ ECODS_ALWAYS_INLINE bool are_below(double number, double limit) noexcept {
     return number < limit;
 }
 
-// The edges and the center of trees' boxes in the world, with the sums that enter the bound.
+// The edges and the center of the trees' root frames in the world, with the sums that enter the bound.
 template <class V>
 struct EdgesOf {
     Matrix<V> edges;     // R map
     V size;              // |R| |map| 1
     V origin;            // R center
     V origin_size;       // |R| |center|
-    NumberOf<V> factor;  // above every number that a rounding error of these is multiplied by
-    NumberOf<V> scale;   // of the frame: a power of two, the length of the columns of map
+    NumberOf<V> factor;  // upper bound of every number that a rounding error of these is multiplied by
+    NumberOf<V> scale;   // the frame's scale: a power of two, the length of the columns of map
 
     ECODS_ALWAYS_INLINE EdgesOf() noexcept {}
     ECODS_ALWAYS_INLINE EdgesOf(const Matrix<V>& R, const Matrix<V>& map, V map_size, V center, NumberOf<V> size_max,
@@ -42,7 +42,7 @@ struct Edges : EdgesOf<Double4> {
                   frame.scale) {}
 };
 
-// The box of a whole tree, in its own coordinates.
+// The box of a whole tree, in the tree's own coordinates.
 struct RootBox {
     Double4 center, half;
 
@@ -53,8 +53,9 @@ struct RootBox {
                static_cast<double>(tree.root_half[2]), 0} {}
 };
 
-// The normals of the faces of a box with these edges, as rows, of such length that the box is about [-1, 1] on each;
-// the axes of the world, so long that both boxes are about that, where the box is too flat for it. Any choice is sound.
+// Returns the normals of the faces of a box with the edges `own`, as rows, scaled so that the box is about [-1, 1] on
+// each. If the box is too flat for that, returns the axes of the world, scaled so that both boxes are about [-1, 1].
+// Any choice is sound.
 ECODS_ALWAYS_INLINE Matrix4 axes_of(const Matrix4& own, const Matrix4& other) noexcept {
     const Double4 x = own.column[0], y = own.column[1], z = own.column[2];
     const Double4 yz = cross(y, z);
@@ -68,14 +69,14 @@ ECODS_ALWAYS_INLINE Matrix4 axes_of(const Matrix4& own, const Matrix4& other) no
     return {{Double4{factor, 0, 0, 0}, Double4{0, factor, 0, 0}, Double4{0, 0, factor, 0}}};
 }
 
-// How far a matrix is from the identity, by row.
+// Returns the distance of a matrix from the identity, by row.
 ECODS_ALWAYS_INLINE Double4 distance_from_identity(const Matrix4& m) noexcept {
     return row_sums(Matrix4{{absolute(m.column[0] - Double4{1, 0, 0, 0}), absolute(m.column[1] - Double4{0, 1, 0, 0}),
                              absolute(m.column[2] - Double4{0, 0, 1, 0})}});
 }
 
-// The axes that axes_of() gives, but for rounding, where a pose turns and no more, as nearly all do: edges are
-// orthogonal and of one length, so that the normals lie along them, and no determinant is asked for.
+// Returns the axes of axes_of(), up to rounding, for a pose that only rotates, as nearly all do: the edges are then
+// orthogonal and of one length, so the normals lie along them, and no determinant is needed.
 template <class V>
 ECODS_ALWAYS_INLINE Matrix<V> normals_along(const EdgesOf<V>& edges) noexcept {
     const NumberOf<V> per_scale = 1 / edges.scale;
@@ -83,7 +84,7 @@ ECODS_ALWAYS_INLINE Matrix<V> normals_along(const EdgesOf<V>& edges) noexcept {
     return transpose(Matrix<V>{{normal(0), normal(1), normal(2)}});
 }
 
-// Normals of any boxes, and the own tree's P.
+// The normals of any box, and P of the tree that owns it.
 struct FaceNormals {
     Matrix4 N, own;
 
@@ -97,26 +98,26 @@ struct FaceNormals {
     }
 };
 
-// Three axes in doubles, or three of each of two trees.
+// Three axes in doubles, or three for each of two trees.
 template <class V>
 struct AxesOf {
-    Matrix<V> own, other;  // P of the tree that the axes are the normals of, and of the other one
+    Matrix<V> own, other;  // P of the tree whose normals the axes are, and of the other one
     V offset, margin;
-    V s, w;  // the sums
-    V e;     // how far the own P is from the identity, if it is taken for it
+    V s, w;  // the sums s and w of separating_axes.hpp
+    V e;     // distance of the own P from the identity; 0 if P is not taken for it
     bool is_unit;
     bool is_bounded;
 
     ECODS_ALWAYS_INLINE AxesOf() noexcept {}
-    // `between` is from the origin of a to that of b; `d_size` is at least |d| and the terms that d was made of by one
-    // rounding of their sum or less.
+    // Sets the axes of trees at rest. `between` is the vector from the origin of a to that of b. `d_size` is at least
+    // |d|, and at least the sum of the magnitudes of the terms of d, up to one rounding.
     ECODS_ALWAYS_INLINE AxesOf(const Matrix<V>& N, const Matrix<V>& own_P, const EdgesOf<V>& own_edges,
                                const EdgesOf<V>& other_edges, V between, V d_size) noexcept {
         set_sums(N, own_P, own_edges, other_edges, between, d_size);
         set_margin();
     }
 
-    // For trees that move: `path` is how far they go on the axes, which is added to s as an offset is.
+    // Sets the axes of trees that move by `path` on the axes, which is added to s as an offset is.
     ECODS_ALWAYS_INLINE AxesOf(const Matrix<V>& N, const EdgesOf<V>& own_edges, const EdgesOf<V>& other_edges,
                                V between, V d_size, V path) noexcept {
         set_sums(N, N * own_edges.edges, own_edges, other_edges, between, d_size);
@@ -139,7 +140,7 @@ struct AxesOf {
         const NumberOf<V> factor = ((own_edges.factor + other_edges.factor) + sum(d_size)) * sum(row_sums(N_size));
         e = distance_from_identity(own);
         is_unit = are_at_most(sum(e), unit_distance_max);
-        // In this form NaN is not bounded.
+        // The comparisons are false for NaN, which therefore counts as unbounded.
         is_bounded = are_below(sum(world), world_max) && are_below(sum(s), sum_max) && are_below(sum(w), sum_max) &&
                      are_below(factor, factor_max);
     }
@@ -180,7 +181,7 @@ ECODS_ALWAYS_INLINE std::array<float, 4> to_floats(Double4 v) noexcept {
     return result;
 }
 
-// Four rows of four floats, as columns.
+// Stores the first three columns of the matrix with these four rows.
 ECODS_ALWAYS_INLINE void store_transposed(const Float4 (&rows)[4], std::array<std::array<float, 4>, 3>& first_three) {
     const Float4 low_01 = shuffle<0, 4, 1, 5>(rows[0], rows[1]), high_01 = shuffle<2, 6, 3, 7>(rows[0], rows[1]);
     const Float4 low_23 = shuffle<0, 4, 1, 5>(rows[2], rows[3]), high_23 = shuffle<2, 6, 3, 7>(rows[2], rows[3]);
@@ -189,8 +190,8 @@ ECODS_ALWAYS_INLINE void store_transposed(const Float4 (&rows)[4], std::array<st
     store_anywhere(first_three[2].data(), shuffle<0, 1, 4, 5>(high_01, high_23));
 }
 
-// From the columns of P and the shift. Sizes are those of the numbers as converted: conversion is off by float_u of
-// either.
+// Sets the projection from the columns of P and the shift. Sizes are those of the converted numbers, which differ from
+// the others by float_u.
 ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Float4 (&columns)[4]) noexcept {
     for (std::size_t j = 0; j < 3; ++j) {
         store_anywhere(projection.p[j].data(), columns[j]);
@@ -202,7 +203,7 @@ ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Float4 (&c
     projection.is_unit = false;
 }
 
-// Of a tree on its own normals, whose P is taken for the identity, nothing but the shift is asked for.
+// Sets the projection of a tree on its own normals, whose P is taken for the identity: only the shift is used.
 ECODS_ALWAYS_INLINE void set_unit_projection(Projection& projection, Float4 shift) noexcept {
     store_anywhere(projection.shift.data(), shift);
     for (std::size_t j = 0; j < 3; ++j) projection.row[j][3] = projection.shift[j];
@@ -217,11 +218,11 @@ ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Matrix4& P
                                 convert<Float4>(P.column[2]), float_shift});
 }
 
-// The last factor covers the rounding of the bounds to floats.
+// Rounds both trees' maps and margins to floats. The factor 1 + 2^-22 covers the rounding of the margins.
 //
-// The map to coordinates N x certainly is a bijection if N times the edges of the own tree's boxes is: as computed it
-// is e from the identity, summed over a row, and that is off by less than 7 u' w. A matrix whose rows are less than one
-// from the identity's is not singular.
+// The map to coordinates N x certainly is a bijection if N times the edges of the own tree's boxes is. As computed this
+// product is e from the identity, summed over a row, and its error is less than 7 u' w. A matrix whose rows are less
+// than one from the identity's is not singular.
 ECODS_ALWAYS_INLINE void set_floats(AxisSet& set, const DoubleAxes& exact) noexcept {
     const bool is_of_a = exact.own_tree == Own::a;
     set_projection(set.a, exact.a(), Double4{}, exact.is_unit && is_of_a);

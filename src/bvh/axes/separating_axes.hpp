@@ -1,8 +1,8 @@
-// Certain disjointness of the boxes of two posed trees, for any two affine poses.
+// Proves the boxes of two posed trees disjoint, for any two affine poses.
 //
 // Two boxes are disjoint if their exact projections on some vector n are. Any n is sound: it needs no accuracy, only
 // the projections need a bound. Axes come in sets of three: the face normals of one tree's boxes, which under a sheared
-// pose are not the directions of their edges; or the axes of the world, where a pose is too flat for normals to mean
+// pose are not the directions of their edges; or the axes of the world, if a pose is too flat for normals to mean
 // anything. A zero axis never separates.
 //
 // With trees' frames v = center + map y, and coordinates of the world relative to the first body's translation, the
@@ -20,13 +20,13 @@
 // and with the roundings of the sums w themselves (relative 10 u') below 13 u' w, w = w_a + w_b + w_d.
 //
 // In floats let v = 2^-23, S_a = |P_a| 1 and S_b = |P_b| 1, and s = S_a + S_b + |q|, in one row.
-//   Corners of triangles, P y + q: converting P and q is worth v s; the error of y (corner_error) 1.01 v S; products
-//   and sums 3.01 v S; adding q v s. With the errors of P and q below 7 v s + 13 u' w; a bound of 8 v s + 16 u' w has
-//   margin for its own evaluation. Boxes, exact in y: converting P and products and sums 4.01 v S for the middle and as
-//   much for the reach; q, its addition, that of the margin, and the two ends v s each: below 14 v s for both boxes.
-//   Ends of triangles are no worse. A margin of 16 v s + 16 u' w is enough for all. Where a tree's boxes are on its own
-//   normals, P is the identity but for rounding, and is taken for it: with e the sum of |P - I| over the row, corners
-//   are off by e more, middle and reach of boxes by 2 e.
+//   Corners of triangles, P y + q: converting P and q costs v s; the error of y (corner_error) 1.01 v S; products
+//   and sums 3.01 v S; adding q v s. With the errors of P and q that is below 7 v s + 13 u' w; a bound of 8 v s + 16 u'
+//   w has margin for its own evaluation. Boxes, exact in y: converting P and products and sums 4.01 v S for the middle
+//   and as much for the reach; q, its addition, that of the margin, and the two ends v s each: below 14 v s for both
+//   boxes. Ends of triangles are no worse. A margin of 16 v s + 16 u' w is enough for all. If a tree's boxes are on its
+//   own normals, P is the identity but for rounding, and is taken for it: with e the sum of |P - I| over the row,
+//   corners are off by e more, middle and reach of boxes by 2 e.
 //
 // Doubles (for the roots) have no conversions: below 15 u' s + 13 u' w. For the products of edges,
 // n' = column of P_a x column of P_b is taken in the coordinates N x; its projections have the bounds of the rows in
@@ -36,7 +36,7 @@
 // 2^900, which is checked (otherwise the margin is infinite): below 2^-100; floats lose 2^-126 each. Overflow: s and w
 // are required to be below 2^100; otherwise, and for NaN, the margin is infinite and the row never separates. A mode
 // that rounds down turns infinities into large numbers, which a short axis would hide: so the sum of magnitudes before
-// the projection by N, an upper bound on every world coordinate, is required to be below 2^1000.
+// the projection by N, an upper bound of every world coordinate, is required to be below 2^1000.
 #pragma once
 
 #include <array>
@@ -48,7 +48,7 @@
 
 namespace ecods {
 
-// A tree at a pose, by reference.
+// A tree and the linear part of its pose, by reference.
 struct PosedTree {
     const MeshBvh& tree;
     const Mat3& R;
@@ -58,20 +58,20 @@ struct PosedTree {
 struct Projection {
     std::array<std::array<float, 4>, 3> p;     // columns; rows are axes, the fourth is zero; unless is_unit
     std::array<std::array<float, 4>, 3> size;  // |p|
-    std::array<std::array<float, 4>, 3> row;   // of p, with the shift as the fourth
+    std::array<std::array<float, 4>, 3> row;   // p by rows, with the shift as the fourth number
     std::array<float, 4> shift;                // added to p y
     std::array<float, 4> margin;               // added to the reach of boxes
-    bool is_unit;                              // p is the identity: of p, size and row only the shift is set
+    bool is_unit;                              // p is taken for the identity; p, size and row (but its shift) are unset
 };
 
 // Three axes, and both trees' boxes on them.
 struct AxisSet {
     Projection a, b;                   // shift and margin are zero for a
-    std::array<float, 4> point_error;  // of a corner of either
-    int flat_axis = -1;                // along which both trees are flat, or nearly; -1: none
-    bool is_bijective = false;         // the map to the axes' coordinates certainly is
+    std::array<float, 4> point_error;  // error of a corner of either tree
+    int flat_axis = -1;                // axis along which both trees are flat, or nearly; -1: none
+    bool is_bijective = false;         // the map to the axes' coordinates is certainly a bijection
 
-    // From then on the set proves nothing to be apart.
+    // Makes all margins infinite, so that the set proves no boxes apart.
     void set_unbounded() noexcept {
         b.margin.fill(std::numeric_limits<float>::infinity());
         point_error.fill(std::numeric_limits<float>::infinity());
@@ -83,8 +83,8 @@ inline constexpr int root_axis_count = 15;
 class SeparatingAxes {
   public:
     // Returns the number of an axis that certainly separates the roots: 0 to 2 for the normals of a's faces, 3 to 5 for
-    // b's, 6 to 14 for the cross products of their edges. Returns -1 if none is known to; then the sets are ready for
-    // overlap_mask. `d` is fl(t_b - t_a). The group of the axis `first` is tried first; -1 has no preference.
+    // b's, 6 to 14 for the cross products of their edges. Returns -1 if no such axis is found; then the sets are ready
+    // for overlap_mask. `d` is fl(t_b - t_a). The group of the axis `first` is tried first; -1 has no preference.
     int bind(const PosedTree& a, const PosedTree& b, const Vec3& d, int first = -1);
 
     const std::array<AxisSet, 2>& sets() const noexcept { return sets_; }
@@ -101,8 +101,8 @@ std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const X& x, const
 
 // Pairs of triangles of two leaves, as bits.
 struct TrianglePairs {
-    std::uint64_t near = 0;      // not proven disjoint: by an axis, the plane of one of them, or an edge of each
-    std::uint64_t crossing = 0;  // of these, proven to cross
+    std::uint64_t near = 0;      // not proven disjoint by an axis, a plane of one of them, or an edge of each
+    std::uint64_t crossing = 0;  // those in `near` that are proven to cross
 };
 TrianglePairs triangle_pairs(const std::array<AxisSet, 2>& sets, const TreeLeaf& x, const TreeLeaf& y) noexcept;
 

@@ -1,7 +1,7 @@
 // Text of bvh/axes/separating_axes.cpp, compiled for each instruction set, AVX-512 included.
 
-// Returns which of the nine cross products of edges separates the boxes, or -1. Edge i of a is tested with the three of
-// b at once. Edge i of a is the axis i, so a product has two coordinates, k = i + 1 and l = i + 2.
+// Returns the number of a cross product of edges, out of nine, that separates the boxes, or -1. Edge i of a is tested
+// with the three of b at once. Edge i of a is the axis i, so a product has two coordinates, k = i + 1 and l = i + 2.
 ECODS_ALWAYS_INLINE int separating_edges(const Matrix4& b, Double4 offset, Double4 margin, const RootBox& x,
                                          const RootBox& y) noexcept {
     const Matrix4 rows = transpose(b);
@@ -20,8 +20,8 @@ ECODS_ALWAYS_INLINE int separating_edges(const Matrix4& b, Double4 offset, Doubl
     return -1;
 }
 
-// Returns the axis on which both boxes have less than 2^-20 of their greatest extent, or -1: there triangles are parted
-// by edges, not by planes. Any answer is sound.
+// Returns the axis on which both boxes have less than 2^-20 of their greatest extent, or -1. Triangles of flat trees
+// are separated by edges rather than by planes. Any answer is sound.
 ECODS_ALWAYS_INLINE int find_flat_axis(Double4 x_half, Double4 y_half) noexcept {
     const double x_thin = 0x1p-20 * largest(x_half), y_thin = 0x1p-20 * largest(y_half);
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,7 +1,7 @@
 // Text of bvh/axes/separating_axes.cpp, compiled for each instruction set.
 
-// Returns which of the three face normals separates the boxes, or -1. `x` is the box of the tree that the normals
-// belong to, and `y` the other one.
+// Returns the row of a face normal, out of three, that separates the boxes, or -1. `x` is the box of the tree that the
+// normals belong to, and `y` the other one.
 ECODS_ALWAYS_INLINE int separating_face(const DoubleAxes& set, const RootBox& x, const RootBox& y,
                                         double sign) noexcept {
     const Double4 x_center = set.is_unit ? x.center : set.own * x.center;
@@ -14,7 +14,7 @@ ECODS_ALWAYS_INLINE int separating_face(const DoubleAxes& set, const RootBox& x,
     return -1;
 }
 
-// What find_axis asks, one set after the other, for any poses.
+// The boxes that find_axis tests, one set after the other, for any poses.
 struct SingleBoxes {
     const Edges edges_a, edges_b;
     const RootBox root_a, root_b;

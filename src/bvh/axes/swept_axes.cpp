@@ -42,7 +42,7 @@ bool SweptAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d, cons
     return true;
 }
 
-// Three roundings, and one of the time in the world.
+// Rounds up: 2^-48 covers three roundings, and next_up() the rounding of the time in the world.
 float SweptAxes::window_above(double time) const noexcept {
     const double at = (next_up(time) - start_) / length_;
     return round_up(std::min(std::max(at + std::abs(at) * 0x1p-48, 0.0), 1.0) + least_time);

@@ -1,6 +1,6 @@
 // Text of bvh/axes/swept_axes.cpp, compiled for each instruction set.
 
-// Narrows the window to where the roots share points of all three axes. A NaN changes nothing.
+// Narrows the window to the times at which the roots share points of all three axes. A NaN changes nothing.
 ECODS_ALWAYS_INLINE void narrow(SweptWindow& window, const DoubleAxes& set, Double4 velocity, const RootBox& a,
                                 const RootBox& b) noexcept {
     const Double4 apart = (set.b() * b.center + set.offset) - set.a() * a.center;

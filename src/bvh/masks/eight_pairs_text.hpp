@@ -1,9 +1,9 @@
-// Triangles of two leaves in registers of eight floats, any eight pairs at once: as a rule few of eight triangles are
-// near one, and a row for each of these would be mostly empty. Text of bvh/masks/overlap_mask.cpp for processors that
-// pick lanes by number and bits by mask (simd/wide.hpp).
+// Tests triangles of two leaves in registers of eight floats, any eight pairs at once: as a rule few of eight triangles
+// are near a given one, and a row for each of them would be mostly empty. Text of bvh/masks/overlap_mask.cpp for
+// processors that pick lanes by number and bits by mask (simd/wide.hpp).
 
 struct EightPairs : avx2::ProjectedLanes<8> {
-    // Clears the bits of pairs of triangles that are proven to be apart, and returns which are proven to cross.
+    // Clears the bits of pairs of triangles that are proven to be apart, and returns the bits of those proven to cross.
     ECODS_ALWAYS_INLINE static std::uint64_t find(const AxisSet& set, const Placed& x, const Placed& y,
                                                   std::uint64_t& pairs) noexcept {
         using Decided = avx2::TriangleLanes;
@@ -47,8 +47,8 @@ struct EightPairs : avx2::ProjectedLanes<8> {
         pick(from[2], index, to.z);
     }
 
-    // The extents of both triangles of each pair on an axis: as max and min of vectors, whose order of the arguments
-    // the instructions have, too.
+    // Sets the extents of both triangles of each pair on an axis, by vector max and min in the operand order of the
+    // instructions.
     ECODS_ALWAYS_INLINE static void find_extent(const Placed& x, const Placed& y, std::size_t axis,
                                                 const wide::PairNumbers& pairs, Floats& extent) noexcept {
         const wide::Float8 high = wide::larger(wide::pick(x.spans.high[axis].data(), pairs.i),
@@ -58,7 +58,8 @@ struct EightPairs : avx2::ProjectedLanes<8> {
         wide::store(high - low, extent);
     }
 
-    // As FlatLanes::find_near_edges.
+    // Sets the lanes in which no edge of either triangle is proven to separate the two, as in
+    // FlatLanes::find_near_edges.
     ECODS_ALWAYS_INLINE static void find_flat(const AxisSet& set, const Placed& x, const Placed& y,
                                               const wide::PairNumbers& pairs, Ints& open) noexcept {
         const auto k = static_cast<std::size_t>(set.flat_axis + 1) % 3,

@@ -3,12 +3,13 @@
 struct FlatLanes : ProjectedLanes<float_width> {
     static constexpr float extent_max = 0x1p40f;
 
-    // A triangle on two axes, those that flat trees are seen on: one of x for all lanes, or in each lane one of y.
+    // A triangle on the two axes along which flat trees are seen. Number is float for one triangle of x in all lanes,
+    // or Floats for a triangle of y in each lane.
     template <class Number>
     struct FlatTriangle {
         Number x[3], y[3];         // corners
-        Number ex[3], ey[3];       // edges, each from the corner of its number
-        Number least[3], most[3];  // the values of edges' lines at the triangle, 0 at their ends
+        Number ex[3], ey[3];       // edges; edge i begins at corner i
+        Number least[3], most[3];  // range of each edge's line function on the triangle; 0 on the edge
 
         ECODS_ALWAYS_INLINE void find_edges() noexcept {
             for (std::size_t i = 0; i < 3; ++i) {
@@ -25,15 +26,15 @@ struct FlatLanes : ProjectedLanes<float_width> {
     ECODS_ALWAYS_INLINE static float below_zero(float x) noexcept { return std::min(x, 0.0f); }
     ECODS_ALWAYS_INLINE static Floats below_zero(Floats x) noexcept { return min(x, Floats{}); }
 
-    // Returns the lanes in which the triangles are certainly on two sides of a line along an edge of `own`.
+    // Returns the lanes in which a line parallel to an edge of `own` certainly separates the triangles.
     //
-    // The vector n across the edge is taken as it is computed: any is sound. The line through the corner p where the
-    // edge begins, p as computed, has the values n . (z - p) at all points z.
+    // The vector n across the edge is taken as it is computed: any is sound. The line function of the corner p where
+    // the edge begins, p as computed, has the values n . (z - p) at all points z.
     //
     // Bound, with v = 2^-23, d the error of a corner and E the extents of both triangles, which no difference of two
     // corners exceeds: a value is off by sum |n_k| (d_k + 3.01 v E_k) for the corner, the difference, products and
-    // their sum; those of the edge's ends, taken for 0, by no more. Two of them, and rounding the sum on the right,
-    // which is worth v E_k, are sum |n_k| (2 d_k + 7.02 v E_k); `error` is 2.01 d + 7.1 v E, which covers its own
+    // their sum; the values at the edge's ends, taken for 0, by no more. Two of them, and rounding the sum on the
+    // right, which costs v E_k, are sum |n_k| (2 d_k + 7.02 v E_k); `error` is 2.01 d + 7.1 v E, which covers its own
     // evaluation. Underflow: products lose 2^-126 each, far below the 2^-100 that is added.
     template <class Own, class Other>
     ECODS_ALWAYS_INLINE static Ints find_parted(const FlatTriangle<Own>& own, const FlatTriangle<Other>& other,
@@ -52,8 +53,9 @@ struct FlatLanes : ProjectedLanes<float_width> {
     ECODS_ALWAYS_INLINE static float size_of(float x) noexcept { return std::abs(x); }
     ECODS_ALWAYS_INLINE static Floats size_of(Floats x) noexcept { return absolute(x); }
 
-    // Returns in lane j those bits i of `rows` for which no edge of triangle i of x or triangle j of y is proven to
-    // separate the two, seen along the flat axis: then they are disjoint in the world, too.
+    // Returns in lane j the bits i of `rows` for which no edge of triangle i of x or triangle j of y is proven to
+    // separate the two, seen along the flat axis. Triangles that are separated in this view are disjoint in the world,
+    // too.
     ECODS_ALWAYS_INLINE static Ints find_near_edges(const AxisSet& set, const Corners& x, const Spans& x_spans,
                                                     const Corners& y, const Spans& y_spans, std::size_t part,
                                                     std::uint32_t rows) noexcept {
@@ -86,8 +88,8 @@ struct FlatLanes : ProjectedLanes<float_width> {
         return near;
     }
 
-    // Sets the lanes in which no edge of p or q is proven to separate the two. Extents are those of both triangles
-    // on the axes k and l. Overflow: as for planes.
+    // Sets the lanes in which no edge of p or q is proven to separate the two. `ex` and `ey` are the extents of both
+    // triangles on the axes k and l. Overflow: as in TriangleLanes::decide, extents of 2^40 or more prove nothing.
     template <class NumberOfP>
     ECODS_ALWAYS_INLINE static void find_open(const AxisSet& set, std::size_t k, std::size_t l,
                                               const FlatTriangle<NumberOfP>& p, const FlatTriangle<Floats>& q,

@@ -1,14 +1,14 @@
 // Text of bvh/masks/time_masks.cpp, compiled for each instruction set.
 
-// Chords of gaps, for eight lanes against eight.
+// Bounds the times at which lanes meet by chords of their gaps, eight lanes against eight.
 //
 // Rounding. Ends of boxes and triangles have the margins of separating_axes.hpp, which hold for the ends as computed; a
 // gap is a difference of two, which rounds by v = 2^-23 of itself at most, so that its sign is right. A chord's zero is
-// f = g0 / (g0 - g1), of gaps of opposite signs: each is off by v of itself, their difference by 2 v and the quotient
-// by one more: below 5 v, for which 8 v of f are taken off or added. A difference of gaps of opposite signs is no less
-// than either, so where underflow makes a gap zero, it proves nothing, and where it does not, the quotient is defined.
-// A quotient that underflows is off by 2^-126: 2^-100 is taken off or added, too. What is left of it begins at 0 or
-// later. NaN compares false, and proves nothing.
+// f = g0 / (g0 - g1), for gaps of opposite signs: each is off by v of itself, their difference by 2 v and the quotient
+// by one more: below 5 v, for which 8 v of f is subtracted or added. A difference of gaps of opposite signs is no less
+// than either in size, so if underflow makes a gap zero, it proves nothing, and otherwise the quotient is defined. A
+// quotient that underflows is off by 2^-126: 2^-100 is subtracted or added, too. The intervals that remain begin at 0
+// or later. NaN compares false, and proves nothing.
 struct MeetingMeasure : TimeMeasure {
     const std::array<MotionSet, 2>& sets;
 
@@ -22,7 +22,7 @@ struct MeetingMeasure : TimeMeasure {
         value.end = min(last, value.end);
     }
 
-    // A node on three axes, at the start and at the end.
+    // A node on three axes, at the start and at the end of the motion.
     struct Placed {
         ProjectedLanes::Placed start, end;
     };

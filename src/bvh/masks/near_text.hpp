@@ -1,6 +1,6 @@
 // Text of bvh/masks/distance_masks.cpp, compiled for each instruction set.
 
-// Squared distances, which are in question up to the limit.
+// Lower bounds of squared distances. A pair is in question while its bound is at most the limit.
 struct NearMeasure : ProjectedLanes<float_width> {
     using Value = Floats;
     const std::array<DistanceSet, 2>& sets;
@@ -33,12 +33,12 @@ struct NearMeasure : ProjectedLanes<float_width> {
     }
     ECODS_ALWAYS_INLINE static Value join(Value a, Value b) noexcept { return max(a, b); }
 
-    // Where a gap is a NaN, 0.
+    // Returns the gap, or 0 if it is negative or a NaN.
     ECODS_ALWAYS_INLINE static Floats positive(Floats gap) noexcept { return max(gap, Floats{}); }
 
-    // Sets the squared distances of the lanes of y from those of x along the gap, and clears in lane j those bits i
-    // that are above the limit. Triangles are projected as they are, where the sets' axes see a box around them; boxes
-    // have few pairs between which there is more along the gap than their axes see.
+    // Sets the squared distances of the lanes of y from the lanes of x along the direction n, and in lane j the bits i
+    // whose squares are at most the limit. Triangles are projected as they are, whereas the sets' axes see a box around
+    // them. Nodes skip this step: for few pairs of boxes is the gap along n larger than the gaps on their axes.
     //
     // Bound: y as for SlabAxis, and x has the error of a corner and 3.01 v s for products and sums, or of a box 7 v s:
     // below twice point_error, summed as |n_k| (...)_k.

@@ -1,7 +1,8 @@
 // Text of bvh/masks/distance_masks.cpp, compiled for each instruction set.
 
 struct NearestKernel : ProjectedLanes<float_width> {
-    // Gaps count more than the distance of centers, which decides among boxes that overlap.
+    // Returns the pair of lanes with the least weighted sum of squared gaps and squared distances of centers. Gaps
+    // weigh more; the centers decide among boxes that overlap.
     template <class X, class Y>
     [[gnu::noinline]] static LanePair find(const DistanceSet& set, const X& x, const Y& y) noexcept {
         Placed placed_x, placed_y;

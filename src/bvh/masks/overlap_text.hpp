@@ -1,7 +1,7 @@
 // Text of bvh/masks/overlap_mask.cpp, compiled for each instruction set.
 
-// Masks of the lanes that are not certainly apart. Slabs separate most pairs whose boxes overlap, nearly flat parts of
-// smooth surfaces above each other.
+// Masks of the lanes that are not proven apart. Slabs separate most pairs whose boxes overlap though they are apart:
+// nearly flat parts of smooth surfaces above each other.
 struct OverlapMeasure : ProjectedLanes<float_width> {
     using Value = Ints;
     const std::array<AxisSet, 2>& sets;
@@ -13,7 +13,7 @@ struct OverlapMeasure : ProjectedLanes<float_width> {
         place(axes(set).*tree, node, placed);
     }
 
-    // Nothing is known of a pair but that it is in question.
+    // Values hold only whether a pair is in question, so none is loaded or stored.
     ECODS_ALWAYS_INLINE Value load(std::size_t, std::size_t) const noexcept { return unknown(); }
     ECODS_ALWAYS_INLINE void store(std::size_t, std::size_t, const Value&) const noexcept {}
     ECODS_ALWAYS_INLINE Ints is_near(const Value& value) const noexcept { return value; }
@@ -48,8 +48,8 @@ struct OverlapMeasure : ProjectedLanes<float_width> {
         return rows != 0;
     }
 
-    // Clears the lanes of `other` whose boxes are certainly beyond the slab where `other` has one of its own that says
-    // more than its boxes do. Arguments as for find_in_slab.
+    // Clears the lanes of `other` whose boxes are certainly beyond the slab, by the node's own slab, which is thinner
+    // than its boxes. `set`, `p` and `shift` are those of SlabAxis.
     ECODS_ALWAYS_INLINE static void find_thin(const AxisSet& set, const Slab& slab, const Projection& p,
                                               const BvhNode& other, float shift, Ints (&lanes)[part_count]) noexcept {
         const SlabAxis axis(set, slab, p, shift);
@@ -61,7 +61,7 @@ struct OverlapMeasure : ProjectedLanes<float_width> {
         }
     }
 
-    // NaN compares false: not apart.
+    // Comparisons are false for NaN, which therefore proves nothing apart.
     template <std::size_t>
     ECODS_ALWAYS_INLINE void narrow(Value& value, const Placed& x, const Placed& y, std::size_t i,
                                     std::size_t part) const noexcept {
@@ -72,7 +72,7 @@ struct OverlapMeasure : ProjectedLanes<float_width> {
     }
 };
 
-// Nothing crosses but triangles of two leaves.
+// Finds pairs that overlap, and for two leaves also the pairs of triangles that cross.
 struct OverlapKernel : PairKernel<OverlapMeasure> {
     using AxisSets = std::array<AxisSet, 2>;
 
@@ -90,7 +90,7 @@ struct OverlapKernel : PairKernel<OverlapMeasure> {
     }
 
   private:
-    // Clears the bits of pairs of triangles that are proven to be apart, and returns which are proven to cross.
+    // Clears the bits of pairs of triangles that are proven to be apart, and returns the bits of those proven to cross.
     ECODS_ALWAYS_INLINE static std::uint64_t find_triangles(const AxisSet& set, const Placed& x, const Placed& y,
                                                             Ints (&near)[part_count]) noexcept {
         if (set.flat_axis >= 0) {

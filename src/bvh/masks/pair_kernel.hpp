@@ -1,5 +1,5 @@
-// Eight lanes of a node against eight of another, by a measure: what overlaps, is near, or may meet, on the two sets of
-// axes and on the slabs of both.
+// Tests eight lanes of a node against eight of another, on the two sets of axes and on the slabs of both. A measure
+// says what is tested: whether lanes overlap, are near, or may meet.
 #pragma once
 
 #include <algorithm>

@@ -1,16 +1,16 @@
 // Text of bvh/masks/pair_kernel.hpp, compiled for each instruction set.
 
-// A measure says what is known of a pair, in each lane its Value, and
+// A measure keeps what is known of each pair, as a Value with one lane per lane of y, and has
 //     put(set, tree, node, placed)              puts a node on the axes of a set
 //     load(i, part), store(i, part, value)      keep the values of row i
 //     is_near(value)                            says in which lanes the pair is still in question
-//     narrow<set>(value, x, y, i, part)         adds what a set says of row i of x and a part of y
-// and of slabs, where it has `axes(set)`,
-//     start(over_x, over_y, i, part)            is what they say together of row i; over_x has the rows in its lanes
-//     of_slab(set, axis, slab, shift, low, high)  is what one says of lanes from `low` to `high` beside it
+//     narrow<set>(value, x, y, i, part)         adds the evidence of a set on row i of x and a part of y
+// and for slabs, if it has `axes(set)`,
+//     start(over_x, over_y, i, part)            joins both slabs' evidence on row i; over_x has the rows in its lanes
+//     of_slab(set, axis, slab, shift, low, high)  is one slab's evidence on lanes from `low` to `high` along its normal
 // It may begin with triangles (look_first) and go on with slabs (look_beside_slabs).
 //
-// Rows are lanes of x. Nodes are put on the second set where the first one leaves pairs in question.
+// Rows are lanes of x. Nodes are put on the second set only if the first one leaves pairs in question.
 template <class Measure>
 struct PairKernel : ProjectedLanes<float_width> {
     using Value = typename Measure::Value;
@@ -23,7 +23,7 @@ struct PairKernel : ProjectedLanes<float_width> {
         return find_lanes(measure, x, y, on_first, near) ? pairs_of(near, y) : 0;
     }
 
-    // The pairs as bits: 8 j + i for bit i of lane j.
+    // Returns the pairs as bits: bit i of lane j becomes bit 8 j + i.
     template <class Y>
     ECODS_ALWAYS_INLINE static std::uint64_t pairs_of(const Ints (&lanes)[part_count], const Y& y) noexcept {
         std::uint64_t pairs = 0;
@@ -31,8 +31,8 @@ struct PairKernel : ProjectedLanes<float_width> {
         return pairs & ~std::uint64_t{0} >> (64 - tree_width * y.count);
     }
 
-    // Sets bits i of lanes j for pairs in question, and returns whether there are any. Leaves both nodes on the axes of
-    // the first set.
+    // Sets in lane j the bits i of the pairs in question, and returns true if there are any. Leaves both nodes on the
+    // axes of the first set.
     template <class X, class Y>
     ECODS_ALWAYS_INLINE static bool find_lanes(const Measure& measure, const X& x, const Y& y, Placed (&on_first)[2],
                                                Ints (&near)[part_count]) noexcept {
@@ -67,7 +67,7 @@ struct PairKernel : ProjectedLanes<float_width> {
     }
 
   private:
-    // Clears the bits of pairs that a set of axes leaves out. The values so far are value_of(i, part).
+    // Clears the bits of pairs that a set of axes excludes. value_of(i, part) is the value so far.
     template <std::size_t set, class ValueOf>
     ECODS_ALWAYS_INLINE static void narrow_rows(const Measure& measure, const Placed (&nodes)[2],
                                                 const std::uint32_t rows, Ints (&near)[part_count],
@@ -85,7 +85,8 @@ struct PairKernel : ProjectedLanes<float_width> {
         }
     }
 
-    // Sets what the slab of y says about x, and that of x about y.
+    // Sets over_y to the evidence of the slab of x on the lanes of y, and over_x to that of the slab of y on the lanes
+    // of x. Returns false if no pair is left in question.
     template <class X, class Y>
     ECODS_ALWAYS_INLINE static bool look_at_slabs(const Measure& measure, const X& x, const Y& y,
                                                   Value (&over_x)[part_count], Value (&over_y)[part_count],
@@ -114,7 +115,7 @@ struct PairKernel : ProjectedLanes<float_width> {
         return true;
     }
 
-    // The value of the lanes of `other` beside a slab of the other tree; `shift` as for SlabAxis.
+    // Returns the value of the lanes of `other` beside a slab of the other tree; `shift` is that of SlabAxis.
     template <class Other>
     ECODS_ALWAYS_INLINE static Value beside_slab(const Measure& measure, std::size_t set, const SlabAxis& axis,
                                                  const Slab& slab, const Other& other, float shift,

@@ -1,5 +1,5 @@
-// Eight boxes or triangles of a node, projected to the axes of a set (separating_axes.hpp): what all kernels that
-// compare two nodes begin with.
+// Eight boxes or triangles of a node, projected to the axes of a set (separating_axes.hpp): the first step of all
+// kernels that compare two nodes.
 #pragma once
 
 #include <algorithm>

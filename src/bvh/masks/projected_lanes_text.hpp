@@ -1,7 +1,7 @@
 // Text of bvh/masks/projected_lanes.hpp, compiled for each instruction set.
 
-// For registers of `width` floats: four, which every x86-64 has, or eight. Operations and their order are the same in
-// every lane, so the bits are, too.
+// Projects eight lanes in registers of `width` floats: four, which every x86-64 processor has, or eight. Operations and
+// their order are the same in every lane, so the resulting bits do not depend on the width.
 template <std::size_t width>
 struct ProjectedLanes {
     using Floats = Vec<float, width>;
@@ -15,7 +15,7 @@ struct ProjectedLanes {
         ECODS_SET::store(&lanes[part * width], v);
     }
 
-    // The ends of eight boxes or triangles on three axes.
+    // The ends of the projections of eight boxes or triangles to three axes.
     struct Spans {
         alignas(32) std::array<FloatLanes, 3> low;
         alignas(32) std::array<FloatLanes, 3> high;
@@ -25,7 +25,7 @@ struct ProjectedLanes {
         alignas(32) std::array<std::array<FloatLanes, 3>, 3> at;  // by corner and axis
     };
 
-    // A node on three axes. Corners are those of a leaf.
+    // A node on three axes. Corners are set for leaves only.
     struct Placed {
         Corners corners;
         Spans spans;
@@ -85,14 +85,14 @@ struct ProjectedLanes {
         span(p, placed.corners, placed.spans);
     }
 
-    // All bits of all lanes.
+    // Returns the bits that any lane has.
     ECODS_ALWAYS_INLINE static std::uint32_t bits_of(const Ints (&lanes)[part_count]) noexcept {
         Ints any = lanes[0];
         for (std::size_t part = 1; part < part_count; ++part) any |= lanes[part];
         return static_cast<std::uint32_t>(any_bits(any));
     }
 
-    // The lanes that a mask has, as bits.
+    // Returns the lanes whose masks are set, as bits.
     ECODS_ALWAYS_INLINE static std::uint32_t lanes_of(const Ints (&masks)[part_count]) noexcept {
         Ints lanes[part_count];
         for (std::size_t part = 0; part < part_count; ++part) {
@@ -101,32 +101,31 @@ struct ProjectedLanes {
         return bits_of(lanes);
     }
 
-    // Bits i of lanes j to bits 8 j + i.
+    // Adds bit i of lane j to `pairs`, as bit 8 j + i.
     ECODS_ALWAYS_INLINE static void collect(const Ints& near, std::size_t part, std::uint64_t& pairs) noexcept {
         pairs |= low_bytes(near) << (8 * part * width);
     }
 
-    // The axis of a slab for the boxes and triangles of the other tree, which `p` projects: those of whose points y all
-    // m . y are above `high`, or below `low`, are certainly beyond the slab, and by how much is exact but for the
-    // rounding of the difference. The set must have the axes of the slab's tree; `shift` is 1 if the other tree is the
-    // shifted one, -1 if the slab's is.
+    // The axis of a slab for the boxes and triangles of the other tree, which `p` projects. A box or triangle is
+    // certainly beyond the slab if all its points y have m . y above `high`, or all below `low`; the gap is exact but
+    // for the rounding of the difference. The set must have the axes of the slab's tree; `shift` is 1 if the other tree
+    // is the shifted one, -1 if the slab's tree is.
     //
     // Bound: the slab's normal n is a vector in the coordinates N x. The other's projection there is n . (P y + q),
     // computed as (P^T n) . y + n . q. For a corner there are the errors of converting P and q, of y, and 3.01 v s for
     // each of three products of vectors, 3 v s for sums: below 14 v s + 13 u' w + e, summed as |n_k| (...)_k. A box
     // adds a reach with two products, and the ends: below 23 v s + 20 u' w + 2 e. Three times point_error is 24 v s +
-    // 48 u' w
-    // + 3 e.
+    // 48 u' w + 3 e.
     struct SlabAxis {
         std::array<float, 3> m;
         float low, high;
-        float margin;  // that `low` and `high` have
+        float margin;  // the margin that `low` and `high` include
 
         ECODS_ALWAYS_INLINE SlabAxis(const AxisSet& set, const Slab& slab, const Projection& p, float shift) noexcept {
             const auto& n = slab.normal;
             // The fourth lane of m is n . q.
             const auto row = [](const std::array<float, 4>& r) { return Vec<float, 4>{r[0], r[1], r[2], r[3]}; };
-            const auto& rows = set.b.row;  // for q
+            const auto& rows = set.b.row;  // the fourth number of each is q
             const Vec<float, 4> m4 = (n[0] * row(p.row[0]) + n[1] * row(p.row[1])) + n[2] * row(p.row[2]);
             m = {m4[0], m4[1], m4[2]};
             const float q = shift * ((n[0] * rows[0][3] + n[1] * rows[1][3]) + n[2] * rows[2][3]);
@@ -137,7 +136,7 @@ struct ProjectedLanes {
         }
     };
 
-    // The least and largest m . y of each lane's box or triangle.
+    // Sets the least and largest m . y of each lane's box or triangle.
     ECODS_ALWAYS_INLINE static void find_ends(const BvhNode& node, const std::array<float, 3>& m, std::size_t part,
                                               Floats& low, Floats& high) noexcept {
         const Floats middle =
@@ -158,20 +157,20 @@ struct ProjectedLanes {
         high = max(a, max(b, c));
     }
 
-    // The axis m of a slab beside the slab of a node of the other tree, of normal n: for the points y of the node's
-    // triangles, m . y = slope (n . y) + rest . y. Where n is about the axis or its opposite, rest is small and n . y
-    // known well: on a smooth surface far better than boxes know m . y.
+    // The axis m of a slab, for the boxes of a node of the other tree that has a slab of its own, of normal n: for the
+    // points y of the node's triangles, m . y = slope (n . y) + rest . y. If n is nearly parallel to m, rest is small
+    // and the node's slab bounds n . y well: on a smooth surface far better than boxes bound m . y.
     //
-    // Bound: m is taken as computed, for which a corner's 14 v s + 13 u' w + e stand. Let M = sum |m_k|, at most the
+    // Bound: m is taken as computed, for which a corner's 14 v s + 13 u' w + e account. Let M = sum |m_k|, at most the
     // sum of |n_i| s_i of the axis, and |n| < 1.001, so that sum |n_k| and the ends of slabs are below 1.74. Any slope
     // is sound; computed as here it is below 1.002 M. Then sum |slope n_k| < 1.75 M, sum |rest_k| < 2.75 M, and, as all
-    // |y| are at most 1 + 2^-22, rounding rest is worth (1.75 + 2.75) v M. Middle and reach of a box on rest are 3.01 v
-    // of 2.75 M each, their sum 5.6 v M; ends of slope (n . y) 1.75 v M, with the margin as much again, and the last
-    // sum 7.3 v M: 38 v M. All are below 52 v s + 13 u' w + e: three times the margin of the axis is 72 v s + 144 u' w
-    // + 9 e.
+    // |y| are at most 1 + 2^-22, rounding rest costs (1.75 + 2.75) v M. Middle and reach of a box on rest are 3.01 v of
+    // 2.75 M each, their sum 5.6 v M; ends of slope (n . y) 1.75 v M, with the margin as much again, and the last sum
+    // 7.3 v M: 38 v M. All are below 52 v s + 13 u' w + e: three times the margin of the axis is 72 v s + 144 u' w + 9
+    // e.
     struct ThinAxis {
         std::array<float, 3> rest;
-        float low, high;  // of slope (n . y), the margin included
+        float low, high;  // ends of slope (n . y), the margin included
 
         ECODS_ALWAYS_INLINE ThinAxis(const SlabAxis& axis, const Slab& slab) noexcept {
             const auto &m = axis.m, &n = slab.normal;
@@ -183,7 +182,7 @@ struct ProjectedLanes {
         }
     };
 
-    // As find_ends, of nodes beside whose slab the axis is.
+    // Sets the ends of m . y for the boxes of a node, by the node's slab and its boxes.
     ECODS_ALWAYS_INLINE static void find_thin_ends(const BvhNode& node, const ThinAxis& axis, std::size_t part,
                                                    Floats& low, Floats& high) noexcept {
         find_ends(node, axis.rest, part, low, high);

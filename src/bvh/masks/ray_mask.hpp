@@ -1,14 +1,14 @@
-// A ray along an axis of the world, or a point, against the boxes of a posed tree.
+// Tests a ray along an axis of the world, or a point, against the boxes of a posed tree.
 //
 // A row is a vector n of the world. For a point of the mesh with the coordinates y, which is R (center + map y) + t,
 // and the beginning p of the ray,
 //
 //     n . (R (center + map y) + t - p) = shift + g . y,    g = (R map)^T n,    shift = n . (R center - (p - t)).
 //
-// The rows `across` are orthogonal to the ray: it meets a box only if all of these are zero somewhere in it. Rows that
-// are products of the ray and an edge of the boxes bound the shadow of a box along the ray exactly. Where the row
+// The rows `across` are orthogonal to the ray: it meets a box only if all of them are zero somewhere in the box. Rows
+// that are products of the ray and an edge of the boxes bound the shadow of a box along the ray exactly. If the row
 // `along`, n = the ray's direction, is negative in all of a box, the box is behind the ray. For a point the rows across
-// are the axes of the world, and there is none along.
+// are the axes of the world, and the row along excludes nothing.
 //
 // Bound, for numbers in units of a power of two that makes the largest entry of R map about one (exact). In any
 // rounding mode one operation has an error of u' = 2^-52 (base/arithmetic.hpp); boxes have |center| + half <= 1 +
@@ -21,7 +21,7 @@
 //   5.1 v (|shift| + sum |g|) for shift + g . center, and as much for the reach. A triangle's corner is off by
 //   corner_error < 2.01 v of a unit. In all below 16 v (|shift| + sum |g|).
 //   Underflow. Doubles lose 2^-1022 each, times factors below 2^500, which is checked, so below 2^-400 in a hundred
-//   operations; floats 2^-126 each: 2^-100 is added. Where a check fails the margin is infinite, and every box matters.
+//   operations; floats 2^-126 each: 2^-100 is added. If a check fails the margin is infinite, and no box is excluded.
 #pragma once
 
 #include <array>
@@ -43,25 +43,25 @@ struct TreeRay {
     std::array<RayRow, 3> across;
     RayRow along;
     int axis = 0;
-    int sign = 1;  // the ray goes up or down
+    int sign = 1;  // 1 if the ray goes up, -1 if down
 };
 
-// Where a ray begins: p - t for the translation t of the tree's pose, each coordinate off by no more than u' times its
-// size and `error` more.
+// The beginning of a ray: p - t for the translation t of the tree's pose. Each coordinate is off by at most u' times
+// its size, plus `error`.
 struct RayOrigin {
     Vec3 offset;
     double error;
 };
 
-// Makes the ray along one of `axes` (bits 0 to 2, one at least), up or down, that leaves the tree's root soonest for
-// the root's size. Returns false if the beginning is certainly outside the root's box, with the axes of the world for
-// its normals: then every ray that leads away from the box misses it.
+// Sets the ray along one of `axes` (bits 0 to 2, at least one), up or down, that leaves the tree's root soonest,
+// relative to the root's size. Returns false if the beginning is certainly outside the root's box, by the axes of the
+// world: then every ray that leads away from the box misses it.
 bool set_ray(TreeRay& ray, const MeshBvh& tree, const Mat3& R, const RayOrigin& origin, std::uint32_t axes);
 
-// Makes the point. Returns false if it is certainly outside the root's box.
+// Sets the point. Returns false if it is certainly outside the root's box.
 bool set_point(TreeRay& point, const MeshBvh& tree, const Mat3& R, const RayOrigin& origin);
 
-// The lanes that the ray may meet, as bits: those of the others are clear, and those that repeat a lane.
+// Returns the lanes that the ray may meet, as bits; bits of lanes that repeat another are clear.
 std::uint32_t ray_mask(const TreeRay& ray, const BvhNode& node) noexcept;
 std::uint32_t ray_mask(const TreeRay& ray, const TreeLeaf& leaf) noexcept;
 

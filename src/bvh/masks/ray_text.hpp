@@ -17,7 +17,7 @@ struct RayKernel {
         return static_cast<std::uint32_t>(any_bits(~apart & lane_bits<Ints>(static_cast<int>(first))));
     }
 
-    // A NaN is not apart.
+    // Comparisons are false for NaN, which therefore proves nothing apart.
     [[gnu::noinline]] static std::uint32_t node_mask(const TreeRay& ray, const BvhNode& node) noexcept {
         std::uint32_t lanes = 0;
         for (std::size_t first = 0; first < tree_width; first += width) {
@@ -34,7 +34,7 @@ struct RayKernel {
         }
         return lanes & node.lanes();
     }
-    // Values of a bounded row are no NaN: all its numbers are finite, and corners too.
+    // Bounded rows give no NaN: all their numbers are finite, as the corners are.
     [[gnu::noinline]] static std::uint32_t leaf_mask(const TreeRay& ray, const TreeLeaf& leaf) noexcept {
         std::uint32_t lanes = 0;
         for (std::size_t first = 0; first < tree_width; first += width) {

@@ -1,6 +1,7 @@
 // Text of bvh/masks/time_masks.cpp, compiled for each instruction set.
 
-// From the gap between two intervals that approach each other, and from how far they are from having passed, to times.
+// Factors that turn the gap between two intervals that approach each other, and the way until they have passed each
+// other, into times.
 struct Pace {
     float to_begin, to_end;
 
@@ -9,7 +10,7 @@ struct Pace {
 };
 inline constexpr float lost_time = 0x1p-100f;
 
-// When a body on its way may share points with another.
+// Lower and upper bounds of the times at which a translated body may share points with another.
 struct SweptMeasure : TimeMeasure {
     const std::array<SweptSet, 2>& sets;
 
@@ -21,13 +22,13 @@ struct SweptMeasure : TimeMeasure {
         turn(sets[set], placed.spans);
     }
 
-    // Where a time is a NaN, it limits nothing.
+    // Narrows `value` to the times at which two intervals overlap. A time that is a NaN limits nothing.
     ECODS_ALWAYS_INLINE static void meet(Value& value, const Pace& pace, Floats gap, Floats rest) noexcept {
         value.begin = max(gap * pace.to_begin, value.begin);
         value.end = min(rest * pace.to_end + lost_time, value.end);
     }
 
-    // Turns axes so that the first tree moves upwards on them.
+    // Flips axes so that the first tree moves upwards on them.
     ECODS_ALWAYS_INLINE static void turn(const SweptSet& set, Spans& spans) noexcept {
         for (std::size_t k = 0; k < 3; ++k) {
             if (!(set.velocity[k] < 0)) continue;
@@ -61,7 +62,7 @@ struct SweptMeasure : TimeMeasure {
                                       Floats high) const noexcept {
         const auto& n = slab.normal;
         const auto& v = sets[set].velocity;
-        // Of the slab, seen from the other.
+        // The speed of the slab, as seen from the other tree.
         const float speed = shift * ((n[0] * v[0] + n[1] * v[1]) + n[2] * v[2]);
         const Pace pace(std::abs(speed));
         Value value = unknown();

@@ -1,9 +1,9 @@
 // Text of bvh/masks/time_masks.cpp, compiled for each instruction set.
 
-// Times from which on, and until which, lanes may share points: in question while there are any. The measures differ in
-// what sets of axes say of them.
+// The interval of times in which lanes may share points; a pair is in question while its interval is not empty. The
+// measures differ in how sets of axes narrow it.
 struct TimeMeasure : ProjectedLanes<float_width> {
-    // None where begin > end; begin is at least 0.
+    // An interval of times, with begin at least 0; empty if begin > end.
     struct Value {
         Floats begin, end;
     };

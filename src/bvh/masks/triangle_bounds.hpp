@@ -1,4 +1,4 @@
-// Bounds of the distances of the triangles of two leaves, in floats.
+// Bounds the distances of the triangles of two leaves, in floats.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ struct TriangleBatch {
 
     bool is_full() const noexcept { return count == tree_width; }
 
-    // Triangle i of x and j of y, which are called `pair`.
+    // Adds triangle i of x and triangle j of y; `pair` names the two.
     void add(const LeavesOnAxes& leaves, std::size_t i, std::size_t j, const TrianglePair& pair) noexcept {
         for (std::size_t c = 0; c < 3; ++c) {
             for (std::size_t k = 0; k < 3; ++k) {
@@ -42,12 +42,12 @@ struct TriangleBatch {
 
 // Squared distances of the pairs of a batch.
 struct TriangleSquares {
-    alignas(32) FloatLanes lower;                   // in units; 0 where nothing is known
-    alignas(32) FloatLanes upper;                   // on the axes, of two points of the triangles; without errors
-    alignas(32) std::array<FloatLanes, 3> between;  // from the one to the other
+    alignas(32) FloatLanes lower;                   // lower bound, in units; 0 if nothing is known
+    alignas(32) FloatLanes upper;                   // squared distance of two points on the axes, without error bound
+    alignas(32) std::array<FloatLanes, 3> between;  // vector from the one point to the other
 };
 
-// Sets the squares of all pairs of the batch, and of lanes that hold no pair, too. All lanes must be numbers.
+// Sets the squares of all lanes, also of lanes that hold no pair. The coordinates of all lanes must be numbers.
 void bound_triangles(const DistanceSet& set, const TriangleBatch& batch, TriangleSquares& squares) noexcept;
 
 }  // namespace ecods

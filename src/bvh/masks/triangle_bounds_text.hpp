@@ -1,8 +1,8 @@
 // Text of bvh/masks/triangle_bounds.cpp, compiled for each instruction set.
 
-// Each lane is one pair of triangles. Two points of the triangles, good or not, give an upper bound; the vector n from
-// one to the other gives a lower one: all points of b are at least min n . b along n, all of a at most max n . a, so
-// the distance is at least (min n . b - max n . a) / |n|.
+// Bounds the distance of one pair of triangles in each lane. Two points of the triangles, good or not, give an upper
+// bound. The vector n from one to the other gives a lower bound: all points of b are at least min n . b along n, all of
+// a at most max n . a, so the distance is at least (min n . b - max n . a) / |n|.
 //
 // Bound, with E = `error`, which is at least 8 v |z| for all coordinates z, v = 2^-23, and bounds the error of a
 // corner. Upper: a point of an edge, z + t e with 0 <= t <= 1: the difference e is off by 2 v |z|, product and sum by 5
@@ -13,7 +13,8 @@
 // Lower: n and the point p from which all is measured are floats, taken as they are. A corner is off by E, its
 // difference from p by v and the product with n by 3.01 v relative to M, the largest coordinate of a difference: the
 // sum of |n_k| (E + 4.01 v M). Two of them, and the rounding of M, make 2 E + 9 v M; the difference, its square, n . n,
-// the quotient and the factor are below 10 v, relative, and 2^-18 of `square` covers them with those of near_mask.
+// the quotient and the factor are below 10 v, relative, and 2^-18 of `square` covers them together with the errors of
+// near_mask.
 struct BoundsKernel : ProjectedLanes<float_width> {
     struct Vector {
         Floats x, y, z;
@@ -21,7 +22,7 @@ struct BoundsKernel : ProjectedLanes<float_width> {
     ECODS_ALWAYS_INLINE static Vector sub(const Vector& a, const Vector& b) noexcept {
         return {a.x - b.x, a.y - b.y, a.z - b.z};
     }
-    // a + t b
+    // Returns a + t b.
     ECODS_ALWAYS_INLINE static Vector along(const Vector& a, Floats t, const Vector& b) noexcept {
         return {a.x + t * b.x, a.y + t * b.y, a.z + t * b.z};
     }
@@ -36,14 +37,15 @@ struct BoundsKernel : ProjectedLanes<float_width> {
         return {ECODS_SET::select(mask, a.x, b.x), ECODS_SET::select(mask, a.y, b.y),
                 ECODS_SET::select(mask, a.z, b.z)};
     }
-    // Into [0, 1]; a NaN becomes 0.
+    // Clamps to [0, 1]; a NaN becomes 0.
     ECODS_ALWAYS_INLINE static Floats clamp(Floats t) noexcept { return min(max(t, Floats{}), broadcast<Floats>(1)); }
 
-    // A triangle a lane: corners, the edges from each to the next, and what is used of them for each other triangle.
+    // A triangle in each lane: corners, the edges from each corner to the next, and values that do not depend on the
+    // other triangle.
     struct Triangles {
         Vector v[3], e[3];
-        Floats length[3], inverse[3];  // squared lengths of edges, and what they are divided by
-        Vector u, w;                   // r . u and r . w are the weights of e[0] and of -e[2] at the foot of v[0] + r
+        Floats length[3], inverse[3];  // squared lengths of edges, and their reciprocals
+        Vector u, w;                   // weights of e[0] and -e[2] at the foot of v[0] + r are r . u and r . w
 
         ECODS_ALWAYS_INLINE void find_edges() noexcept {
             for (int i = 0; i < 3; ++i) {
@@ -53,13 +55,13 @@ struct BoundsKernel : ProjectedLanes<float_width> {
             }
             const Vector n = cross(e[2], e[0]);
             const Floats inverse_n = 1 / dot(n, n);
-            // with e' = -e[2]: u = e' x n, w = n x e
+            // With e = e[0] and e' = -e[2]: u = e' x n / n . n, w = n x e / n . n.
             u = scale(inverse_n, cross(n, e[2]));
             w = scale(inverse_n, cross(n, e[0]));
         }
     };
 
-    // The closest pair of points found so far: n from `from`, in a, to b.
+    // The closest pair of points found so far: `from` in a, and `from` + n in b.
     struct Closest {
         Floats square;
         Vector n{}, from{};
@@ -90,8 +92,9 @@ struct BoundsKernel : ProjectedLanes<float_width> {
         }
     }
 
-    // The foot of the point on the face, and whether it is inside. However bad the weights are, it is a combination of
-    // the corners; the point less a multiple of the normal may be far outside of a slender triangle.
+    // Returns the foot of the point on the face, and sets the lanes in which it is inside. Since it is a combination of
+    // the corners, it stays near a slender triangle even if the weights are inaccurate; the point less a multiple of
+    // the normal might not.
     ECODS_ALWAYS_INLINE static Vector foot(const Triangles& face, const Vector& point, Ints& inside) noexcept {
         const Vector r = sub(point, face.v[0]);
         const Floats t = dot(face.u, r), u = dot(face.w, r);
@@ -127,7 +130,8 @@ struct BoundsKernel : ProjectedLanes<float_width> {
         }
         const Floats sum = (absolute(n.x) + absolute(n.y)) + absolute(n.z);
         const Floats gap = max((low - high) - sum * (2 * error + 9 * 0x1p-23f * size), Floats{});
-        // Shorter ones have no square. The square of the gap may be beyond the floats, not that of its quotient.
+        // Shorter vectors n get the bound 0, as their squares lose digits to underflow. The order of operations avoids
+        // the square of the gap, which may overflow.
         const Ints is_long = closest.square > 0x1p-80f;
         return ECODS_SET::select(is_long, gap * (gap / closest.square) * square, Floats{});
     }

@@ -1,10 +1,10 @@
 // Text of bvh/masks/overlap_mask.cpp for registers of sixteen floats.
 
-// OverlapKernel with two rows of pairs at once: masks of sixteen bits are two bytes of the answer.
+// Does what OverlapKernel does, with two rows of pairs at once: masks of sixteen bits are two bytes of the answer.
 struct WideOverlap : avx2::ProjectedLanes<8> {
     using AxisSets = std::array<AxisSet, 2>;
 
-    // Returns those of `pairs` whose spans are not apart on any axis.
+    // Returns the bits of `pairs` whose spans overlap on all axes.
     ECODS_ALWAYS_INLINE static std::uint64_t find_near(const Spans& x, const Spans& y, std::uint64_t pairs) noexcept {
         const wide::Floats x_low[3] = {twice(x.low[0]), twice(x.low[1]), twice(x.low[2])},
                            x_high[3] = {twice(x.high[0]), twice(x.high[1]), twice(x.high[2])},
@@ -14,7 +14,8 @@ struct WideOverlap : avx2::ProjectedLanes<8> {
                near_two<4>(x_low, x_high, y_low, y_high, pairs) | near_two<6>(x_low, x_high, y_low, y_high, pairs);
     }
 
-    // The lanes of `other`, as bits, that are not certainly beyond a slab; `set` and `shift` as for SlabAxis.
+    // Returns the lanes of `other`, as bits, that are not certainly beyond a slab; `set`, `p` and `shift` are those of
+    // SlabAxis.
     template <class Other>
     ECODS_ALWAYS_INLINE static std::uint32_t in_slab(const AxisSet& set, const Slab& slab, const Projection& p,
                                                      const Other& other, float shift) noexcept {
@@ -24,7 +25,7 @@ struct WideOverlap : avx2::ProjectedLanes<8> {
         return not_outside(low, high, axis.low, axis.high);
     }
 
-    // As OverlapMeasure::find_thin, as bits.
+    // Returns the lanes of `other`, as bits, that OverlapMeasure::find_thin would not clear.
     ECODS_ALWAYS_INLINE static std::uint32_t in_thin(const AxisSet& set, const Slab& slab, const Projection& p,
                                                      const BvhNode& other, float shift) noexcept {
         const SlabAxis axis(set, slab, p, shift);
@@ -33,7 +34,7 @@ struct WideOverlap : avx2::ProjectedLanes<8> {
         return not_outside(low, high, axis.low, axis.high);
     }
 
-    // As OverlapKernel::find.
+    // Returns the pairs that OverlapKernel::find returns.
     template <class X, class Y>
     [[gnu::noinline]] static TrianglePairs find(const AxisSets& sets, const X& x, const Y& y) noexcept {
         std::uint64_t pairs = ~std::uint64_t{0} >> (64 - tree_width * y.count);
@@ -82,13 +83,13 @@ struct WideOverlap : avx2::ProjectedLanes<8> {
         return wide::twice(lanes.data());
     }
 
-    // Of lanes j and j + 1 of y.
+    // Returns the bits of `pairs` in lanes j and j + 1 of y whose spans overlap on all axes.
     template <int j>
     ECODS_ALWAYS_INLINE static std::uint64_t near_two(const wide::Floats (&x_low)[3], const wide::Floats (&x_high)[3],
                                                       const wide::Floats (&y_low)[3], const wide::Floats (&y_high)[3],
                                                       std::uint64_t pairs) noexcept {
-        // A comparison waits for the mask of the one before it: two chains take half as long as one, and more are no
-        // faster.
+        // A comparison waits for the mask of the one before it: two chains take half as long as one, and more chains
+        // are no faster.
         auto begin = static_cast<Mask>(pairs >> (8 * j));
         Mask end = all_lanes;
         for (std::size_t k = 0; k < 3; ++k) {

@@ -26,14 +26,15 @@ struct FrameBox {
         min = ecods::min(min, box.min);
         max = ecods::max(max, box.max);
     }
-    // Half of the surface.
+    // Returns half of the surface area.
     float surface() const noexcept {
         const Float4 e = max - min;
         return e[0] * e[1] + e[1] * e[2] + e[2] * e[0];
     }
 };
 
-// A box that contains the triangle: its corners as computed, which are off by at most coordinate_error, and that error.
+// Returns a box that contains the triangle: the box of its computed corners, enlarged by their error bound,
+// coordinate_error.
 inline FrameBox box_of(const Mesh& mesh, const Triangle& triangle, const LocalFrame& frame) {
     FrameBox box;
     if (!frame.is_bounded) {
@@ -55,7 +56,7 @@ inline FrameBox box_of(const Mesh& mesh, const Triangle& triangle, const LocalFr
     return box;
 }
 
-// Center and half size of one axis of a box, rounded outwards.
+// Sets the center and half size of one axis of a box, rounded outwards.
 inline void set_span(float min, float max, float& center, float& half) noexcept {
     center = max == FrameBox::infinity ? 0 : 0.5f * min + 0.5f * max;
     const double c = static_cast<double>(center);

@@ -1,4 +1,4 @@
-// The bounding volume hierarchy of a mesh: boxes over its triangles, eight children per node.
+// The bounding volume hierarchy of a mesh: a tree of boxes over its triangles, eight children per node.
 //
 // Boxes are aligned with the local frame of the mesh, so they are oriented boxes of the body: RAPID's OBB tree
 // (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996) with one orientation for all boxes of a tree. Because of that,
@@ -17,10 +17,10 @@ namespace ecods {
 
 inline constexpr std::size_t tree_width = 8;
 using FloatLanes = std::array<float, tree_width>;
-// Pairs of lanes of two nodes have a number each, a squared distance, a rank or a time: that of i and j is at 8 i + j.
+// A number for each pair of lanes of two nodes: a squared distance, a rank or a time. Lanes i and j have it at 8 i + j.
 using LaneBounds = std::array<float, tree_width * tree_width>;
 
-// A node or a leaf.
+// The index of a node or of a leaf, and which of the two it is.
 class TreeRef {
   public:
     TreeRef() = default;
@@ -56,13 +56,13 @@ struct alignas(32) BvhNode {
     std::uint32_t lanes() const noexcept { return (1u << count) - 1; }
 };
 
-// Eight triangles. Coordinates are off by no more than corner_error. Lanes from `count` on repeat the last one.
+// Eight triangles. Coordinates are off by at most corner_error. Lanes from `count` on repeat the last one.
 //
-// The vertices are those of Mesh::triangles(), 12 bytes for a triangle, so that who asks for the exact corners need not
-// wait for that first. All of it is seven cache lines.
+// The vertices are copies from Mesh::triangles(), 12 bytes a triangle, so that a reader of the exact corners does not
+// first wait for that list. A leaf is seven cache lines.
 struct alignas(64) TreeLeaf {
     std::array<std::array<FloatLanes, 3>, 3> corner;  // by corner and axis
-    std::array<std::uint32_t, tree_width> triangle;   // in the mesh
+    std::array<std::uint32_t, tree_width> triangle;   // index in the mesh
     Slab slab;
     std::uint32_t count;
     std::array<Triangle, tree_width> vertices;
@@ -70,7 +70,7 @@ struct alignas(64) TreeLeaf {
     std::uint32_t lanes() const noexcept { return (1u << count) - 1; }
 };
 
-// Bounds the error of a leaf's corner, on each axis: that of computing a coordinate of size at most one, and of
+// Bounds the error of a leaf's corner, on each axis: the error of computing a coordinate of size at most one, and of
 // rounding it to a float in any mode.
 inline constexpr double corner_error = 0x1p-23 + coordinate_error;
 
@@ -89,18 +89,18 @@ struct MeshBvh {
 };
 
 // Builds a binary tree by the surface area heuristic (Goldsmith and Salmon 1987) over bins (Wald 2007), counting leaves
-// of eight in place of triangles, and collapses it to eight children per node such that the sum of the surfaces of the
+// of eight in place of triangles. Collapses it to eight children per node such that the sum of the surfaces of the
 // remaining nodes is least (Ylitie, Karras and Laine, Efficient incoherent ray traversal on GPUs through compressed
 // wide BVHs, HPG 2017, section 3). Cost: n log n; no recursion.
 MeshBvh build_mesh_bvh(const Mesh& mesh, const LocalFrame& frame);
 
-// Returns the tree of a mesh with the same triangles and other vertices: the same triangles in the same nodes, with new
-// boxes. Where that makes tree_cost more than 1.5 times what it was when the tree was built, it builds a new tree
-// instead. `mesh` must have the triangles of the tree's mesh. Cost: one pass, or that of build_mesh_bvh.
+// Returns the tree of `mesh`, which must have the triangles of the tree's mesh and may have other vertices: each
+// triangle stays in its leaf, and boxes are computed again. If that raises tree_cost to more than 1.5 times the cost
+// just after building, builds a new tree instead. Cost: one pass, or that of build_mesh_bvh.
 MeshBvh refit_mesh_bvh(const MeshBvh& tree, const Mesh& mesh);
 
-// The sum of the surfaces of all boxes, divided by the root's, in frame coordinates: the expected number of boxes that
-// a random query visits.
+// Returns the sum of the surfaces of all boxes, divided by the root's, in frame coordinates: the expected number of
+// boxes that a random query visits.
 double tree_cost(const MeshBvh& tree) noexcept;
 
 }  // namespace ecods

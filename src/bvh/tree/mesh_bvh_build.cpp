@@ -13,7 +13,7 @@ namespace {
 
 using PrimitiveRefs = std::vector<PrimitiveRef>;
 
-// A range of triangles in the order of the builder, and its box.
+// A range of triangles in the builder's order, and its box.
 struct Range {
     std::uint32_t begin;
     std::uint32_t end;
@@ -22,13 +22,14 @@ struct Range {
     std::uint32_t size() const noexcept { return end - begin; }
 };
 
-// Splits parts in two where the surface area heuristic says.
+// Splits ranges in two by the surface area heuristic.
 class Splitter {
   public:
     explicit Splitter(PrimitiveRefs& items) : items_(items) {}
 
-    // The two halves of `part`, neither of them empty. A part is split right after the one that it is half of, or after
-    // all that the other half is split into: so the parts of a block come one after the other.
+    // Returns the two halves of `part`, neither of them empty. The caller splits depth-first: after a split come the
+    // splits of one half and all its parts, then those of the other half. So the parts of a block come one after the
+    // other.
     std::array<Range, 2> split(const Range& part) {
         if (part.size() > SweepSplit::size_max) {
             const std::uint32_t middle = split_by_bins(part);
@@ -59,7 +60,7 @@ class Splitter {
         std::uint32_t count = 0;
     };
 
-    // Cuts between bins of equal width. Middles that are all the same, and those of infinite boxes, are cut in half.
+    // Splits between bins of equal width. If all middles are equal or boxes are infinite, splits the range in half.
     std::uint32_t split_by_bins(const Range& part) {
         FrameBox middles;
         for (std::uint32_t i = part.begin; i < part.end; ++i) {
@@ -67,7 +68,7 @@ class Splitter {
             middles.include({middle, middle});
         }
         const Float4 size = middles.max - middles.min;
-        const Float4 factor = static_cast<float>(bin_count) * 0.999f / size;  // the largest falls into the last bin
+        const Float4 factor = static_cast<float>(bin_count) * 0.999f / size;  // so that no item is past the last bin
 
         std::array<std::array<Bin, bin_count>, 3> bins{};
         const auto bin_of = [&](const PrimitiveRef& item, int axis) {
@@ -122,21 +123,21 @@ class Splitter {
     std::uint32_t block_begin_ = 0, block_end_ = 0;
 };
 
-// How many of some roots are in which half.
+// The numbers of roots in the left and in the right half.
 struct Split {
     std::uint8_t left = 0;  // both 0: the part is one root
     std::uint8_t right = 0;
 };
 
-// A node of the binary tree that the wide one is made from.
+// A node of the binary tree from which the wide tree is made.
 struct BinaryNode {
     FrameBox box;
-    std::uint32_t begin;                     // items of a leaf
-    std::uint32_t count;                     // 0: inner
-    std::uint32_t child;                     // of an inner node; the other follows it
-    Split children;                          // of an inner node: its children, if it becomes a wide node
-    std::array<float, tree_width> cost;      // [k - 1]: of the part as at most k roots
-    std::array<Split, tree_width> split_at;  // [k - 1]: how that is done
+    std::uint32_t begin;                     // first item of a leaf
+    std::uint32_t count;                     // items of a leaf; 0 for an inner node
+    std::uint32_t child;                     // first child of an inner node; the other follows it
+    Split children;                          // split of an inner node that becomes a wide node
+    std::array<float, tree_width> cost;      // [k - 1]: cost of the part as at most k roots
+    std::array<Split, tree_width> split_at;  // [k - 1]: the split with that cost
 };
 
 class Builder {
@@ -181,7 +182,7 @@ class Builder {
         }
     }
 
-    // Finds from the leaves up what each binary node costs if it becomes one to eight roots: leaves or eight-wide
+    // Finds from the leaves up the cost of each binary node if it becomes one to eight roots: leaves or eight-wide
     // nodes, each visited with a probability proportional to its surface.
     void find_costs() {
         for (std::size_t i = binary_.size(); i-- > 0;) {
@@ -202,7 +203,7 @@ class Builder {
         }
     }
 
-    // The best way to have `count` roots in the two halves of a node.
+    // Finds the cheapest way to have `count` roots in the two halves of a node.
     void find_splits(BinaryNode& node, std::size_t count) {
         const BinaryNode& left = binary_[node.child];
         const BinaryNode& right = binary_[node.child + 1];
@@ -254,7 +255,7 @@ class Builder {
             std::uint32_t node;
             std::size_t count;
         };
-        std::array<Subtree, tree_width> parts;  // each becomes one root at least, so there are at most eight
+        std::array<Subtree, tree_width> parts;  // each becomes at least one root, so there are at most eight
         std::size_t part_count = 0, root_count = 0;
         const auto divide = [&](const BinaryNode& node, Split split_at) {
             parts[part_count++] = {node.child + 1, split_at.right};

@@ -1,4 +1,4 @@
-// Leaf corners, and a slab (one-normal k-DOP) for each node and leaf.
+// Computes leaf corners, and a slab (one-normal k-DOP) for each node and leaf.
 #pragma once
 
 #include "bvh/tree/mesh_bvh.hpp"

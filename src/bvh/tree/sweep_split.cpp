@@ -5,8 +5,8 @@
 namespace ecods {
 namespace {
 
-// A number that is greater for a greater float, and the same for both zeros. It is made of bits: no floating-point
-// environment changes the order.
+// Returns a key that increases with the float, and is equal for both zeros. It is made from the bits, so that no
+// floating-point environment changes the order.
 std::uint32_t order_key(float x) noexcept {
     const auto bits = std::bit_cast<std::uint32_t>(x);
     constexpr std::uint32_t sign = std::uint32_t{1} << 31;
@@ -25,7 +25,7 @@ void SweepSplit::begin(std::span<PrimitiveRef> items) {
     for (std::size_t axis = 0; axis < 3; ++axis) sort(axis);
 }
 
-// By the middle of boxes, then by triangle, which is what places in copies_ are sorted by.
+// Sorts places in copies_ by the middle of the boxes, then by triangle, which is the order of copies_ itself.
 void SweepSplit::sort(std::size_t axis) {
     std::array<std::uint64_t, size_max> keys;
     const std::size_t count = items_.size();
@@ -35,7 +35,7 @@ void SweepSplit::sort(std::size_t axis) {
     for (std::size_t i = 0; i < count; ++i) orders_[axis][i] = static_cast<std::uint8_t>(keys[i]);
 }
 
-// Every way to cut the part in its order along an axis.
+// Tries every cut of the part in its order along an axis.
 void SweepSplit::sweep(std::uint32_t begin, std::uint32_t end, std::size_t axis, Cut& best) const noexcept {
     const Order& order = orders_[axis];
     const std::uint32_t count = end - begin;
@@ -49,7 +49,7 @@ void SweepSplit::sweep(std::uint32_t begin, std::uint32_t end, std::size_t axis,
     for (std::uint32_t i = count - 1; i > 0; --i) {
         box.include(copies_[order[begin + i]].box);
         const float cost = left_cost[i] + box.surface() * leaf_visits(count - i);
-        // Flat parts may cost nothing wherever they are cut: then in the middle.
+        // All cuts of a flat part may cost zero: then the cut in the middle is taken.
         if (cost < best.cost || (cost == best.cost && best.cost == 0 && i >= count / 2)) best = {cost, i, axis};
     }
 }

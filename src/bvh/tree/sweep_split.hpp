@@ -1,4 +1,4 @@
-// Cuts few triangles of a tree where the surface area heuristic says, looking at every way to cut them.
+// Splits small sets of triangles by the surface area heuristic, trying every cut along the three axes.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace ecods {
 
-// A triangle's index and its box, which has a lane to spare for the index.
+// A triangle's index and its box; the box has a spare lane, which holds the index.
 struct PrimitiveRef {
     FrameBox box;
 
@@ -21,7 +21,7 @@ struct PrimitiveRef {
         box.min[3] = std::bit_cast<float>(triangle);
     }
 
-    Float4 middle() const noexcept { return box.min + box.max; }  // twice
+    Float4 middle() const noexcept { return box.min + box.max; }  // twice the middle
     std::uint32_t triangle() const noexcept {
         const float lane = box.min[3];
         return std::bit_cast<std::uint32_t>(lane);
@@ -29,26 +29,27 @@ struct PrimitiveRef {
 };
 static_assert(sizeof(PrimitiveRef) == 32);
 
-// The cost of visiting the leaves that this many triangles need, since a leaf is tested whole.
+// Returns the number of leaves that this many triangles need: the cost of visiting them, since a leaf is tested whole.
 inline float leaf_visits(std::uint32_t count) noexcept {
     const std::size_t leaves = (count + tree_width - 1) / tree_width;
     return static_cast<float>(leaves);
 }
 
-// A block of items, in their orders along the three axes: sorted once for the block, and kept while it is cut into
-// smaller and smaller parts.
+// A block of items with their orders along the three axes. The orders are sorted once for the block, and stay sorted
+// while it is cut into smaller and smaller parts.
 class SweepSplit {
   public:
-    static constexpr std::uint32_t size_max = 64;  // above it, sorting costs more than it gains
+    static constexpr std::uint32_t size_max = 64;  // for larger blocks, sorting costs more than it gains
 
-    // The items, at most size_max, as a block. They must outlive it.
+    // Starts a block of `items`, at most size_max, which must outlive the block.
     void begin(std::span<PrimitiveRef> items);
 
-    // Cuts the part [begin, end) of the block, which is the whole block or one side of an earlier cut, and returns
-    // where. The items of each side that is not more than a leaf are put into their order along the axis of the cut.
+    // Splits the part [begin, end) of the block, which is the whole block or one side of an earlier split, and returns
+    // where the second side begins. The items of each side that fits into a leaf are put into their order along the
+    // axis of the cut.
     std::uint32_t split(std::uint32_t begin, std::uint32_t end);
 
-    // The box of the part, which is a side of the last cut.
+    // Returns the box of the part, which must be a side of the last split.
     FrameBox box_of(std::uint32_t begin, std::uint32_t end) const noexcept;
 
   private:
@@ -56,7 +57,7 @@ class SweepSplit {
 
     struct Cut {
         float cost = FrameBox::infinity;
-        std::uint32_t size = 0;  // of the first side
+        std::uint32_t size = 0;  // size of the first side
         std::size_t axis = 0;
     };
 
@@ -68,7 +69,7 @@ class SweepSplit {
     std::span<PrimitiveRef> items_;
     std::array<PrimitiveRef, size_max> copies_;  // ascending by triangle
     std::array<Order, 3> orders_;
-    std::size_t axis_ = 0;  // of the last cut
+    std::size_t axis_ = 0;  // axis of the last cut
 };
 
 }  // namespace ecods

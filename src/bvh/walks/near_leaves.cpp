@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::size_t stack_size = 64;
 
-// From A to B, on the axes.
+// The segment from A to B, on the axes.
 struct SegmentOnAxes {
     std::array<float, 3> a, b;
-    std::array<float, 3> low, high, middle, reach;  // with the error
+    std::array<float, 3> low, high, middle, reach;  // error included
     float error;
 };
 
@@ -31,7 +31,7 @@ struct NearLeaves::Lanes : ProjectedLanes<width> {
     using Base::bits_of, Base::load, Base::part_count;
     using typename Base::Floats, typename Base::Ints;
 
-    // The boxes, as bits, that are not apart from that of this center and half.
+    // Returns, as bits, the boxes that overlap the box with the center `middle` and the half size `reach`.
     ECODS_ALWAYS_INLINE static std::uint32_t meet(const std::array<FloatLanes, 3>& center,
                                                   const std::array<FloatLanes, 3>& half,
                                                   const std::array<float, 3>& middle,
@@ -47,7 +47,7 @@ struct NearLeaves::Lanes : ProjectedLanes<width> {
         return bits_of(lanes);
     }
 
-    // `box(k)` is the leaf's center and half on an axis.
+    // Adds a leaf; `box(k)` is its center and half size on an axis.
     template <class Box>
     ECODS_ALWAYS_INLINE static void add(NearLeaves& to, TreeRef leaf, const Box& box) noexcept {
         Group& group = to.groups_[to.leaf_count_ / tree_width];
@@ -65,8 +65,8 @@ struct NearLeaves::Lanes : ProjectedLanes<width> {
             return;
         }
         FixedStack<TreeRef, stack_size> stack;
-        // A leaf is taken where its parent is: only there is its box. The walk goes on to inner nodes, unless there are
-        // too many.
+        // Adds leaves at their parent, which holds their boxes, and walks on to inner nodes. Gives up if there are too
+        // many leaves or waiting nodes.
         const auto bound = [&](TreeRef ref) -> std::uint32_t {
             if (!result.is_ready_) return 0;
             const BvhNode& node = tree.nodes[ref.index()];
@@ -123,7 +123,7 @@ struct NearLeaves::Lanes : ProjectedLanes<width> {
         return std::min(a, b) - slab.high > error || slab.low - std::max(a, b) > error;
     }
 
-    // Returns how many triangles there are.
+    // Writes the triangles that may meet the segment to near.triangles_, and returns their number.
     ECODS_ALWAYS_INLINE static std::size_t find(const MeshBvh& tree, const SegmentOnAxes& s, NearLeaves& near,
                                                 std::uint64_t& tested) noexcept {
         std::size_t count = 0;

@@ -1,10 +1,10 @@
-// The leaves of a posed tree that come near a box of the world: what a segment within that box may hit, so that one
-// after the other can be asked without a walk.
+// Gathers the leaves of a posed tree that overlap a box of the world. Segments within that box are then tested against
+// these leaves, without a walk for each segment.
 //
-// A segment is that from A to B on the axes of line_axes.hpp, in floats, each coordinate off by less than `error`,
-// where 64 v are of floats, v = 2^-23, and the rest is E. It is apart from a leaf whose box ends before it on an axis;
-// whose slab has both ends on one side; and from a triangle whose corners end before it on an axis, or lie with it on
-// two sides of some plane, for which the plane of the corners is taken.
+// A segment goes from A to B on the axes of line_axes.hpp, in floats, each coordinate off by less than `error`, of
+// which 64 v are for floats, v = 2^-23, and the rest is E. It is apart from a leaf if the leaf's box ends before it on
+// an axis, or if both its ends are beyond the leaf's slab, on one side. It is apart from a triangle if the corners end
+// before it on an axis, or if a plane with the normal of the corners separates the two.
 //
 // Bound. Coordinates A and B are at most 4, those of the tree 1 + 2^-21. Along an axis, the middle and the half of A
 // and B are off by 4 v each for A and B and 4 v for a sum, their difference from a box and the sum of halves by 5 v and
@@ -28,15 +28,15 @@ class NearLeaves {
   public:
     static constexpr std::size_t leaf_count_max = 64;
 
-    // Gathers those of a tree and pose, to which the axes are bound, and returns true; or returns false, with nothing
-    // gathered, where the axes do not say which or they are too many. `box_tests` is made greater by the nodes looked
-    // at.
+    // Gathers the leaves that overlap the box from `low` to `high`, and returns true. Returns false, with nothing
+    // gathered, if the axes cannot place the box or the leaves are too many. The axes must be bound to the tree and its
+    // pose. Adds the number of nodes visited to `box_tests`.
     bool gather(const MeshBvh& tree, const LineAxes& axes, const Vec3& low, const Vec3& high,
                 std::uint64_t& box_tests) noexcept;
     void clear() noexcept { is_ready_ = false; }
     bool is_ready() const noexcept { return is_ready_; }
 
-    // Whether the segment is within the box of the leaves that are gathered.
+    // True if the segment is within the box whose leaves are gathered.
     bool holds(const Vec3& a, const Vec3& b) const noexcept {
         if (!is_ready_) return false;
         for (int k = 0; k < 3; ++k) {
@@ -45,9 +45,8 @@ class NearLeaves {
         return true;
     }
 
-    // The triangles that a segment may share a point with, which must be within the box; tree, pose and axes must be
-    // those of gather(). `tested` is made greater by the triangles looked at. What is returned lasts until the next
-    // call.
+    // Returns the triangles that a segment within the box may share a point with; the list is valid until the next
+    // call. Tree, pose and axes must be those of gather(). Adds the number of triangles tested to `tested`.
     std::span<const std::uint32_t> find(const MeshBvh& tree, const LineAxes& axes, const Vec3& a, const Vec3& b,
                                         std::uint64_t& tested) noexcept;
 

@@ -1,4 +1,4 @@
-// Pairs of nodes that wait to be visited, the nearest first, but for those that are about equally near.
+// A queue of pairs of nodes that wait to be visited, nearest first up to a small relative error.
 #pragma once
 
 #include <algorithm>
@@ -18,12 +18,13 @@ struct NearPair {
     NodePair nodes;
 };
 
-// Buckets by the leading bits of the square: 32 in each binary order of magnitude, which is one part in 64 of the
-// distance. In a bucket the last pair that was pushed is the first one, so that a walk goes deep. Pushing and popping
-// cost a constant.
+// Buckets by the leading bits of the square: 32 for each power of two, so that the distances in a bucket differ by
+// about one part in 64. Within a bucket the pair pushed last is popped first, so that a walk goes deep. Pushing and
+// popping take constant time.
 class NearestQueue {
   public:
-    // Forgets all pairs. Buckets are chosen for squares from `limit` down, over 32 orders of magnitude.
+    // Removes all pairs. Buckets cover the squares from `limit` down, over 32 powers of two; smaller squares share the
+    // first bucket.
     void start(float limit) noexcept {
         base_ = bucket_bits(limit) - static_cast<std::int32_t>(bucket_count - 1);
         words_.fill(0);
@@ -32,7 +33,7 @@ class NearestQueue {
         free_ = none;
     }
 
-    // `square` is at most the limit of start().
+    // Adds a pair, whose `square` must be at most the limit of start().
     void push(const NearPair& pair) {
         const std::size_t bucket = bucket_of(pair.square);
         const std::size_t word = bucket / 64;
@@ -51,7 +52,8 @@ class NearestQueue {
         first_word_ = std::min(first_word_, word);
     }
 
-    // Takes out a pair whose square is at most `limit`. Returns false if there is none.
+    // Pops the next pair whose square is at most `limit`, and discards pairs that come before it. Returns false if
+    // there is none.
     bool pop(float limit, NearPair& pair) noexcept {
         const std::size_t last = bucket_of(limit);
         for (; first_word_ < words_.size(); ++first_word_) {
@@ -82,7 +84,7 @@ class NearestQueue {
         std::uint32_t next;
     };
 
-    // Bits of floats that are not negative order as the floats do.
+    // Returns the leading bits, which order as the floats do since these are not negative.
     static std::int32_t bucket_bits(float square) noexcept {
         return std::bit_cast<std::int32_t>(square) >> dropped_bits;
     }
@@ -94,7 +96,7 @@ class NearestQueue {
     std::int32_t base_ = 0;
     std::size_t first_word_ = 0;
     std::array<std::uint64_t, bucket_count / 64> words_{};  // which buckets hold a pair
-    std::array<std::uint32_t, bucket_count> heads_;         // of those, the first pair
+    std::array<std::uint32_t, bucket_count> heads_;         // first pair of each bucket that holds one
     std::vector<Link> links_;
     std::uint32_t free_ = none;
 };

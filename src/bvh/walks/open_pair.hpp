@@ -1,5 +1,5 @@
-// Opening a pair of nodes of two trees: which of the four cases of nodes and leaves it is, and which pairs of children
-// follow.
+// Opens a pair of nodes of two trees: distinguishes the four cases of nodes and leaves, and lists the pairs of
+// children.
 #pragma once
 
 #include <algorithm>
@@ -26,11 +26,11 @@ class LanePairs {
   public:
     explicit LanePairs(std::uint64_t bits) : bits_(bits) {}
 
-    // The pairs that have one lane of the first, or of the second.
+    // The pairs whose first lane is i, and the pairs whose second lane is j.
     LanePairs of_first(std::size_t i) const noexcept { return LanePairs(bits_ & lane_of_each << i); }
     LanePairs of_second(std::size_t j) const noexcept { return LanePairs(bits_ & all_of_one << (tree_width * j)); }
 
-    // From the first pair on: `for (; pairs.more(); pairs.next())` with i() and j().
+    // Iteration: `for (; pairs.more(); pairs.next())` with i() and j().
     bool more() const noexcept { return bits_ != 0; }
     void next() noexcept { bits_ &= bits_ - 1; }
     std::size_t i() const noexcept { return static_cast<std::size_t>(std::countr_zero(bits_)) % tree_width; }
@@ -48,7 +48,7 @@ struct LanesOfOne {
     std::size_t i, j;
 };
 
-// The least of the bounds of pairs of lanes; there must be one.
+// Returns the least of the bounds of the pairs of lanes, of which there must be at least one.
 inline float least_of(const LaneBounds& bounds, LanesOfOne lanes) noexcept {
     return bounds[tree_width * lanes.i + lanes.j];
 }
@@ -58,7 +58,7 @@ inline float least_of(const LaneBounds& bounds, LanePairs lanes) noexcept {
     return least;
 }
 
-// Calls use(x, y) with what a pair refers to, each a BvhNode or a TreeLeaf, and returns what it returns.
+// Calls use(x, y) with the BvhNode or TreeLeaf of either tree that the pair refers to, and returns its result.
 template <class Use>
 ECODS_ALWAYS_INLINE decltype(auto) with_nodes(const MeshBvh& a, const MeshBvh& b, const NodePair& pair, Use&& use) {
     if (pair.a.is_leaf()) {
@@ -74,9 +74,9 @@ inline constexpr bool are_leaves = std::is_same_v<X, TreeLeaf>&& std::is_same_v<
 template <class X, class Y>
 inline constexpr bool are_nodes = std::is_same_v<X, BvhNode>&& std::is_same_v<Y, BvhNode>;
 
-// Calls push(children, lanes) for each pair of children of a pair of nodes x and y that has one of the lanes, in their
-// order: with the lanes it has, a LanesOfOne of two nodes, otherwise LanePairs. A leaf beside a node is its own child,
-// and has all of its lanes. Two leaves have no children.
+// Calls push(children, lanes) for each pair of children of x and y that contains one of the given lanes, in the order
+// of the children. `lanes` is a LanesOfOne if x and y are nodes, otherwise the LanePairs of the child. A leaf beside a
+// node counts as its own child, with all of its lanes. Two leaves have no children.
 template <class X, class Y, class Push>
 ECODS_ALWAYS_INLINE void push_children(const NodePair& pair, const X& x, const Y& y, LanePairs lanes, Push&& push) {
     static_assert(!are_leaves<X, Y>);
@@ -98,8 +98,9 @@ ECODS_ALWAYS_INLINE void push_children(const NodePair& pair, const X& x, const Y
     }
 }
 
-// Opens a pair: two leaves are given to leaves(x, y), which returns whether the walk goes on; of others, push(children,
-// lanes) takes the pairs of children that bound(x, y) leaves, as bits of LanePairs. Returns whether the walk goes on.
+// Opens a pair. Two leaves go to leaves(x, y), which returns true if the walk goes on. Otherwise bound(x, y) returns
+// the lanes that may matter, as bits of LanePairs, and push(children, lanes) takes their pairs of children. Returns
+// true if the walk goes on.
 template <class Bound, class Push, class Leaves>
 ECODS_ALWAYS_INLINE bool open_pair(const MeshBvh& a, const MeshBvh& b, const NodePair& pair, Bound&& bound, Push&& push,
                                    Leaves&& leaves) {

@@ -1,4 +1,4 @@
-// A priority queue of what waits to be visited.
+// A priority queue of items that wait to be visited.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace ecods {
 
-// A binary heap with the first item in front: `Order` says which of two comes first, best without branches, since that
-// is anybody's guess. Inlined, so that walks may be compiled for an instruction set.
+// A binary heap with the first item in front. `Order` says which of two items comes first, best without branches, since
+// the outcome is unpredictable. Its functions are inlined, so that walks may be compiled for an instruction set.
 template <class Item, class Order = std::less<Item>>
 class Waiting {
   public:

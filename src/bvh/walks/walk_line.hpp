@@ -14,7 +14,7 @@
 
 namespace ecods {
 
-// A node or leaf that waits to be visited, and a parameter r before which the line meets nothing of it.
+// A node or leaf that waits to be visited, and a lower bound of the parameter r at which the line meets it.
 struct LineNode {
     float from;
     TreeRef ref;
@@ -22,9 +22,9 @@ struct LineNode {
 
 // Triangles of a leaf, as bits.
 struct FoundInLeaf {
-    std::uint32_t may_meet;  // the line may share a point with it
-    std::uint32_t cross;     // of these: the line certainly is neither in its plane nor parallel to it
-    std::uint32_t inside;    // of these: the line certainly crosses it inside its face, between these parameters
+    std::uint32_t may_meet;  // triangles that may share a point with the line
+    std::uint32_t cross;     // of these, the triangles to whose planes the line is certainly not parallel
+    std::uint32_t inside;    // of these, the triangles that it certainly crosses inside the face, at r in [low, high]
     alignas(32) FloatLanes low, high;
 };
 
@@ -34,7 +34,8 @@ struct LineLanes : ProjectedLanes<width> {
     using Lanes::bits_of, Lanes::load, Lanes::part_count;
     using typename Lanes::Floats, typename Lanes::Ints;
 
-    // Returns the lanes of which the line's part up to `limit` may meet the box, as bits, and sets from where on.
+    // Returns, as bits, the lanes whose boxes the line's part up to `limit` may meet, and sets lower bounds of the r at
+    // which it meets them.
     ECODS_ALWAYS_INLINE static std::uint32_t find_lanes(const LinePart& line, const BvhNode& node, float limit,
                                                         FloatLanes& from) noexcept {
         Ints lanes[part_count];
@@ -62,8 +63,8 @@ struct LineLanes : ProjectedLanes<width> {
         return bits_of(lanes) & node.lanes();
     }
 
-    // Corners of a leaf's triangles as the line sees them from its point `start`: x and y beside the line, and z along
-    // it, as a difference of parameters.
+    // Corners of a leaf's triangles as seen along the line from its point `start`: x and y beside the line, and z along
+    // the line, as a difference of parameters.
     struct CornersFromLine {
         Floats x[3], y[3], z[3];
 
@@ -90,7 +91,8 @@ struct LineLanes : ProjectedLanes<width> {
         }
     };
 
-    // The triangles of a leaf that the line's part up to `limit` may meet; it meets nothing of the leaf before `from`.
+    // Finds the triangles of a leaf that the line's part up to `limit` may meet. The line must meet nothing of the leaf
+    // before `from`.
     ECODS_ALWAYS_INLINE static void find_lanes(const LinePart& line, const TreeLeaf& leaf, float from, float limit,
                                                FoundInLeaf& found) noexcept {
         std::array<float, 3> start;
@@ -114,7 +116,8 @@ struct LineLanes : ProjectedLanes<width> {
             const Ints is_outside =
                 (x_low > line.side) | (x_high < -line.side) | (y_low > line.side) | (y_high < -line.side);
             const Ints is_apart = (z_low > (ahead + line.depth)) | (z_high < -(from + line.depth));
-            // Where the line crosses the plane, by the weights of the corners.
+            // Excludes triangles by the point where the line crosses their plane, computed from the weights of the
+            // corners.
             const Floats sizes = (absolute(a) + absolute(b)) + absolute(c), all = (a + b) + c;
             const Floats reach = max(absolute(z_low), absolute(z_high)) + (ahead + from);
             const Floats error =
@@ -127,7 +130,8 @@ struct LineLanes : ProjectedLanes<width> {
                 (is_front & ((after > error) | (before < -error))) | (is_back & ((after < -error) | (before > error)));
             lanes[part] = ~(is_beside | is_outside | is_apart | is_beyond) & bits;
             crossed[part] = (is_front | is_back) & bits;
-            // In the face the point is where the weighted mean of the corners' parameters is: between them.
+            // The parameter of a crossing inside the face is the weighted mean of the corners' parameters, and lies
+            // between them.
             const Floats far = max(absolute(z_low), absolute(z_high));
             const Floats all_size = absolute(all), at_plane = ((a * z[0] + b * z[1]) + c * z[2]) / all;
             const Floats doubt_of_it =
@@ -144,7 +148,7 @@ struct LineLanes : ProjectedLanes<width> {
         found.inside = bits_of(inside) & found.cross;
     }
 
-    // Asks for the memory of a node or leaf that is visited soon.
+    // Prefetches a node or leaf that is visited soon.
     ECODS_ALWAYS_INLINE static void prefetch(const MeshBvh& tree, TreeRef ref) noexcept {
         constexpr std::size_t line = 64;
         const char* const first = ref.is_leaf() ? reinterpret_cast<const char*>(&tree.leaves[ref.index()])
@@ -153,7 +157,7 @@ struct LineLanes : ProjectedLanes<width> {
         for (std::size_t i = 0; i < size; i += line) __builtin_prefetch(first + i);
     }
 
-    // Puts the lanes of a node on the stack, the nearest last.
+    // Pushes the lanes of a node on the stack, the nearest last.
     ECODS_ALWAYS_INLINE static LineNode* push(const MeshBvh& tree, const BvhNode& node, std::uint32_t lanes,
                                               const FloatLanes& from, LineNode* top) noexcept {
         LineNode* const first = top;
@@ -202,11 +206,11 @@ struct LineLanes : ProjectedLanes<width> {
     }
 };
 
-// Visits the leaves that the line may meet, in the order of `from` or nearly so.
+// Visits the leaves that the line may meet, nearly in the order of `from`.
 //
-// `result.limit()` is the r that counts from now on, at most 1: what is only met beyond it is left out.
-// `result.visit(leaf, found)` takes what is found of the triangles of a leaf; it may lower the limit.
-// `result.visit_node()` counts. `stack` is working memory.
+// `result.limit()` returns the current upper bound of r, at most 1: nodes that are met only beyond it are skipped.
+// `result.visit(leaf, found)` takes the findings on the triangles of a leaf, and may lower the limit.
+// `result.visit_node()` counts inner nodes. `stack` is scratch.
 template <class Result>
 void walk_line(const MeshBvh& tree, const LinePart& line, std::vector<LineNode>& stack, Result& result) {
     dispatch_by_width<LineLanes<4>::template walk<Result>, LineLanes<8>::template walk<Result>>(tree, line, stack,

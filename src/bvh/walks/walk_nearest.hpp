@@ -10,13 +10,13 @@
 
 namespace ecods {
 
-// A search says what it wants of a walk, nearest first.
+// A search that walk_nearest serves.
 //
-// `limit()` is the bound beyond which no pair matters: such pairs are not taken from the queue. `find_near(x, y,
-// bounds)` is asked once for each pair visited that is not two leaves, x and y being a BvhNode or a TreeLeaf of the
-// first and the second tree; it sets bounds, which are finite, for pairs of lanes, which it returns as bits, as
-// near_mask does. `visits(pair)` is asked of each pair taken from the queue, and may lower the limit: if it is false,
-// the walk ends. `take(x, y)` takes two leaves, and returns whether the walk goes on.
+// `limit()` returns the bound beyond which no pair matters: such pairs are not taken from the queue. `find_near(x, y,
+// bounds)` is called once for each visited pair other than two leaves, where x and y are a BvhNode or a TreeLeaf of the
+// first and the second tree. It returns pairs of lanes as bits and sets their bounds, which are finite, as near_mask
+// does. `visits(pair)` is called for each pair taken from the queue, and may lower the limit; if it returns false, the
+// walk ends. `take(x, y)` takes two leaves, and returns true if the walk goes on.
 template <class Search>
 concept NearestSearch = requires(Search& search, const BvhNode& node, const TreeLeaf& leaf, LaneBounds& bounds,
                                  const NearPair& pair) {
@@ -28,8 +28,7 @@ concept NearestSearch = requires(Search& search, const BvhNode& node, const Tree
     { search.take(leaf, leaf) } -> std::same_as<bool>;
 };
 
-// Visits pairs of nodes in the order of their bounds, or nearly so, until no pair that is left can matter. `queue` is
-// working memory.
+// Visits pairs of nodes, nearly in the order of their bounds, until no remaining pair can matter. `queue` is scratch.
 template <NearestSearch Search>
 void walk_nearest(const MeshBvh& a, const MeshBvh& b, NearestQueue& queue, Search& search) {
     alignas(32) LaneBounds bounds;

@@ -10,14 +10,14 @@
 
 namespace ecods {
 
-// The pairs of lanes i < j: of a node with itself each pair of different lanes once.
+// The pairs of lanes i < j: each pair of different lanes of a node with itself, once.
 inline constexpr std::uint64_t lesser_lane_first = [] {
     std::uint64_t bits = 0;
     for (std::size_t j = 0; j < tree_width; ++j) bits |= ((std::uint64_t{1} << j) - 1) << (tree_width * j);
     return bits;
 }();
 
-// A bound that counts only lesser lanes of a node with itself, and visits children in no order.
+// A bound that leaves only the pairs of lanes i < j of a node with itself, and does not order children.
 template <class Bound>
 struct SelfBound {
     Bound& bound;
@@ -34,8 +34,8 @@ struct SelfBound {
     }
 };
 
-// Visits pairs of nodes depth first, so that `result(i, j)` takes each pair of different triangles that `bound` leaves
-// once, in either order; it returns whether the walk goes on. `bound(x, y)` and `stack` are as for walk_two.
+// Visits pairs of nodes depth first. `result(i, j)` takes each pair of different triangles that `bound` leaves, once,
+// in either order, and returns true if the walk goes on. `bound(x, y)` and `stack` are those of walk_two.
 template <class Bound, class Result>
 void walk_self(const MeshBvh& tree, std::vector<NodePair>& stack, Bound&& bound, Result&& result) {
     stack.assign(1, NodePair{tree.root, tree.root});
@@ -43,7 +43,7 @@ void walk_self(const MeshBvh& tree, std::vector<NodePair>& stack, Bound&& bound,
     while (!stack.empty()) {
         const NodePair top = stack.back();
         stack.pop_back();
-        // A node with itself: each child with itself, and with the others.
+        // A node with itself: pushes each child with itself, before the pairs of different children.
         if (!top.a.is_leaf() && !top.b.is_leaf() && top.a.index() == top.b.index()) {
             const BvhNode& x = tree.nodes[top.a.index()];
             for (std::size_t i = 0; i < x.count; ++i) stack.push_back({x.child[i], x.child[i]});

@@ -1,4 +1,4 @@
-// The walk of two trees of triangles at once, from their roots to the pairs of triangles that matter.
+// Walks two trees of triangles at once, from their roots to the pairs of triangles that matter.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace ecods {
 
-// Visits one pair of nodes: gives pairs of triangles to `result`, or pushes pairs of children. Returns whether the walk
-// goes on.
+// Visits one pair of nodes: passes pairs of triangles to `result`, or pushes pairs of children. Returns true if the
+// walk goes on.
 template <class Bound, class Result>
 ECODS_ALWAYS_INLINE bool visit_two(const MeshBvh& a, const MeshBvh& b, const NodePair& top,
                                    std::vector<NodePair>& stack, Bound&& bound, Result&& result) {
@@ -44,10 +44,10 @@ ECODS_ALWAYS_INLINE bool visit_two(const MeshBvh& a, const MeshBvh& b, const Nod
 
 // Visits pairs of nodes depth first.
 //
-// `bound(x, y)` is asked once for each pair visited, x and y being a BvhNode or a TreeLeaf of the first and the second
-// tree, and returns as bits which pairs of lanes may matter. `bound.order(x, y, pairs, children)`, if there is one for
-// two nodes, may reorder their pairs of children, of which the last is visited next. `result(i, j)` takes each pair of
-// triangles that is left, and returns whether the walk goes on. `stack` is working memory.
+// `bound(x, y)` is called once for each visited pair, where x and y are a BvhNode or a TreeLeaf of the first and the
+// second tree, and returns as bits which pairs of lanes may matter. `bound.order(x, y, pairs, children)`, if it exists
+// for two nodes, may reorder their pairs of children; the last one is visited next. `result(i, j)` takes each pair of
+// triangles that is left, and returns true if the walk goes on. `stack` is scratch.
 template <class Bound, class Result>
 void walk_two(const MeshBvh& a, const MeshBvh& b, std::vector<NodePair>& stack, Bound&& bound, Result&& result) {
     stack.assign(1, NodePair{a.root, b.root});

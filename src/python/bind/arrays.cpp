@@ -11,7 +11,7 @@
 namespace ecods::python {
 namespace {
 
-// The largest integer up to which doubles hold all of them.
+// The greatest integer up to which doubles represent all integers.
 constexpr std::int64_t whole_max = std::int64_t{1} << 53;
 
 py::array to_array(py::handle value, const char* what) {
@@ -45,7 +45,7 @@ void require_shape(const Doubles& array, const char* what, std::span<const py::s
     }
 }
 
-// The entries of a pose: 16 or 12.
+// Checks the shape of a pose, and returns the number of its entries: 16 or 12.
 std::size_t pose_entries(const Doubles& array, py::ssize_t first_axis, const char* what) {
     const bool fits = array.ndim() == first_axis + 2 && array.shape(first_axis + 1) == 4 &&
                       (array.shape(first_axis) == 3 || array.shape(first_axis) == 4);
@@ -193,7 +193,7 @@ py::array_t<std::uint32_t> from_triangles(std::span<const TrianglePair> pairs) {
 
 namespace {
 
-// Throws StaleBody of the first number that is negative.
+// Throws StaleBody for the first number that is negative.
 void require_ids(const py::array& array, char kind) {
     if (kind != 'i') return;
     const auto numbers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>::ensure(array);
@@ -207,7 +207,7 @@ void require_ids(const py::array& array, char kind) {
 std::vector<BodyId> to_bodies(py::handle value) {
     const py::array array = to_array(value, "bodies");
     const char kind = array.dtype().kind();
-    const bool is_empty = array.size() == 0;  // of floats, as numpy makes an empty list one
+    const bool is_empty = array.size() == 0;  // numpy makes an empty list an array of floats
     if (array.ndim() != 1 || (kind != 'u' && kind != 'i' && !is_empty)) {
         throw py::type_error("bodies: one axis of ids is expected, not " + shape_text(array) + " of " +
                              std::string(py::str(array.dtype())));

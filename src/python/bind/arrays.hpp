@@ -1,4 +1,4 @@
-// Numbers in and out of numpy, none of them rounded.
+// Converts numbers from and to numpy arrays without rounding.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -18,38 +18,39 @@ namespace ecods::python {
 
 namespace py = pybind11;
 
-// Doubles side by side, row by row.
+// Contiguous doubles, row by row.
 using Doubles = py::array_t<double, py::array::c_style>;
 
-// The numbers of an array, or of what numpy makes one of. Throws TypeError where they are not numbers; ValueError where
-// one is an integer that no double is. `what` names the argument in messages.
+// Returns the numbers of an array, or of an object that numpy turns into one. Throws TypeError if they are not numbers,
+// and ValueError if an integer cannot be a double exactly. `what` names the argument in messages.
 Doubles exact_doubles(py::handle value, const char* what);
 
-// The same, of this shape; -1 stands for any length. Throws ValueError otherwise.
+// Returns the numbers of an array of this shape, in which -1 stands for any length. Also throws ValueError for another
+// shape.
 Doubles exact_doubles(py::handle value, const char* what, std::span<const py::ssize_t> shape);
 
-// The same of points, (n, 3).
+// Returns the numbers of an array of points, (n, 3).
 Doubles exact_points(py::handle value, const char* what);
 
-// "(3, 4)"
+// Returns the shape as text, such as "(3, 4)".
 std::string shape_text(const py::array& array);
 
-// "list"
+// Returns the name of the value's type, such as "list".
 std::string type_name(py::handle value);
 
 Vec3 to_vec3(py::handle value, const char* what);
 
-// A box: (2, 3), its least corner first.
+// Returns the box of an array (2, 3), whose first row is the least corner.
 Aabb to_box(py::handle value);
 
-// One pose: (4, 4) with a last row of 0 0 0 1, (3, 4), or None, which is where the mesh is. Throws InvalidPose.
+// Returns the pose of an array (4, 4) with a last row of 0 0 0 1, or (3, 4); the identity for None. Throws InvalidPose.
 Pose to_pose(py::handle value);
 
-// The pose of 12 doubles, row by row; four more may follow. It is not checked.
+// Returns the pose of 12 doubles, row by row; four more may follow. Does not check them.
 Pose pose_of(const double* entries);
 
-// Poses one after the other: (k, 4, 4) or (k, 3, 4); or one, which then stands for as many as are asked for. All of
-// them are checked when the list is made: InvalidPose names the entry.
+// A list of poses: (k, 4, 4) or (k, 3, 4), or a single pose, which stands for any number of equal poses. The
+// constructor checks all of them: InvalidPose names the entry.
 class PoseList {
   public:
     explicit PoseList(py::handle value, const char* what);
@@ -62,10 +63,10 @@ class PoseList {
     Doubles array_;
     const double* data_ = nullptr;
     std::size_t count_ = 1;
-    std::size_t step_ = 0;  // 0: one for all
+    std::size_t step_ = 0;  // 0 for a single pose
 };
 
-// New arrays.
+// The functions below return new arrays.
 py::array_t<double> from_vec3(const Vec3& v);
 py::array_t<double> from_points(std::span<const Vec3> points);  // (n, 3)
 py::array_t<double> from_box(const Aabb& box);                  // (2, 3)
@@ -76,7 +77,7 @@ py::array_t<Number> from_numbers(const std::vector<Number>& numbers) {
     return py::array_t<Number>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
 }
 
-// A row for each pair, (n, 2), with number_of(name) of its two names.
+// Returns a row for each pair, (n, 2), with number_of() of its two names.
 template <class Number, class Pairs, class NumberOf>
 py::array_t<Number> from_named_pairs(const Pairs& pairs, const NumberOf& number_of) {
     py::array_t<Number> array({static_cast<py::ssize_t>(pairs.size()), py::ssize_t{2}});
@@ -88,7 +89,8 @@ py::array_t<Number> from_named_pairs(const Pairs& pairs, const NumberOf& number_
     return array;
 }
 
-// A body as a number, and back. What no body has becomes the null id, which every call refuses as stale.
+// Convert a body to a number and back. A number that no body has becomes the null id, which every call rejects as
+// stale.
 constexpr std::uint64_t number_of(BodyId body) noexcept {
     return body.rank();
 }
@@ -102,7 +104,7 @@ py::array_t<std::uint64_t> from_bodies(std::span<const BodyId> bodies);         
 py::array_t<std::uint64_t> from_pairs(std::span<const BodyPair> pairs);          // (n, 2)
 py::array_t<std::uint32_t> from_triangles(std::span<const TrianglePair> pairs);  // (n, 2)
 std::vector<BodyId> to_bodies(py::handle value);
-// The poses that bodies are to have, checked as PoseList does; errors name the body, as World::set_poses does.
+// Returns poses for `bodies`, checked as PoseList does; errors name the body, as those of World::set_poses do.
 std::vector<Pose> to_poses(py::handle value, std::span<const BodyId> bodies);
 
 }  // namespace ecods::python

@@ -1,4 +1,4 @@
-// How a question is asked from Python: with the memory of the thread, and without the interpreter's lock.
+// Asks questions from Python: in the memory of the calling thread, and without the interpreter's lock.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -8,20 +8,20 @@
 
 namespace ecods::python {
 
-// Of the thread that calls: it grows to what the largest query of that thread needed.
+// Returns the query memory of the calling thread; it grows to the size that the thread's largest query needed.
 inline QueryMemory& thread_memory() {
     thread_local QueryMemory memory;
     return memory;
 }
 
-// The answer of question(memory), asked without the interpreter's lock.
+// Returns question(memory), called without the interpreter's lock.
 template <class Question>
 auto ask(Question question) {
     const pybind11::gil_scoped_release release;
     return question(thread_memory());
 }
 
-// The same with a witness, which other threads may be using: the question works on a copy.
+// Asks with a witness, which other threads may be using: the question works on a copy.
 template <class Question>
 auto ask(PairWitness* witness, Question question) {
     PairWitness known = witness == nullptr ? PairWitness{} : *witness;
@@ -30,7 +30,7 @@ auto ask(PairWitness* witness, Question question) {
     return answer;
 }
 
-// Functions for pybind11 that ask question(given..., memory), and question(given..., memory, witness).
+// Return functions for pybind11 that ask question(given..., memory), and question(given..., memory, witness).
 template <class... Given, class Question>
 auto asked(Question question) {
     return [question](const Given&... given) { return ask([&](auto& memory) { return question(given..., memory); }); };
@@ -42,7 +42,7 @@ auto asked_with_witness(Question question) {
     };
 }
 
-// The library's function of that name, whichever of its overloads is meant.
+// A callable that selects the overload of the library's function `name` by its arguments.
 #define ECODS_QUESTION(name) [](auto&... given) { return name(given...); }
 
 }  // namespace ecods::python

@@ -1,4 +1,4 @@
-// The parts of the module, in the order in which they are bound: a signature names what is bound before it.
+// The parts of the module, in the order in which they are bound: the types in a signature must be bound before it.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -20,9 +20,9 @@ void bind_trace(pybind11::module_& m);
 void bind_world(pybind11::module_& m);
 void bind_process(pybind11::module_& m);
 
-// Shortens the errors of every function and method that is bound so far about arguments that fit no signature: one
-// line, which ecods/refusals.py makes, in place of pybind11's list of signatures with all arguments written out. A call
-// that is accepted costs one more by a pointer.
+// Shortens the error for arguments that fit no signature, for every function and method bound so far. In place of
+// pybind11's list of signatures and arguments, it has the one line that ecods/refusals.py makes. A successful call
+// costs one more indirect call.
 void shorten_refusals(const pybind11::module_& m);
 
 }  // namespace ecods::python

@@ -1,4 +1,4 @@
-// Which boxes overlap, without a world: broad_phase.hpp. All under the interpreter's lock.
+// Binds broad_phase.hpp: overlapping boxes without a world. All functions keep the interpreter's lock.
 #include "ecods/broad_phase.hpp"
 
 #include <functional>
@@ -27,7 +27,7 @@ py::array_t<ProxyIndex> found(const BroadPhase& self, const What& what) {
     return from_numbers(self.find(what));
 }
 
-// A copy has the boxes under their numbers, and is as before its first update: its lists are empty until then.
+// Returns the state of a copy: the boxes with their numbers. A copy is as before its first update, with empty lists.
 py::tuple boxes_of(const BroadPhase& self) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Aabb everything{.min = Vec3::Constant(-infinity), .max = Vec3::Constant(infinity)};
@@ -60,33 +60,38 @@ void bind_broad_phase(py::module_& m) {
     const py::arg proxy("proxy");
     const py::arg box("box");
     py::class_<BroadPhase> type(
-        m, "BroadPhase", "Which boxes (2, 3) overlap. Each has a number of the caller's, a proxy: keep them dense.");
+        m, "BroadPhase",
+        "Finds which boxes (2, 3) overlap. Each box has a number that the caller chooses, a proxy: keep them dense.");
     type.def(py::init([](BroadPhaseKind kind) { return make_broad_phase(kind); }), py::arg("kind") = "automatic");
     const auto add = [](BroadPhase& self, ProxyIndex which, const Aabb& at) {
         require_box(at);
         self.add(which, at);
     };
-    type.def("add", add, proxy, box, "Adds a box. Raises InvalidBox; Error if the proxy is there, or not below 2**31.");
+    type.def("add", add, proxy, box, "Adds a box. Raises InvalidBox; Error if the proxy is present, or 2**31 or more.");
     const auto move = [](BroadPhase& self, ProxyIndex which, const Aabb& at) {
         require_box(at);
         self.move(which, at);
     };
-    type.def("move", move, proxy, box, "Gives a proxy another box. Raises InvalidBox; Error if there is none.");
-    type.def("remove", &BroadPhase::remove, proxy, "Raises Error if there is none.");
-    type.def("box", &BroadPhase::box, proxy, "(2, 3) float64.");
+    type.def("move", move, proxy, box,
+             "Sets the box of a proxy. Raises InvalidBox; Error if the proxy is not present.");
+    type.def("remove", &BroadPhase::remove, proxy, "Removes a proxy. Raises Error if it is not present.");
+    type.def("box", &BroadPhase::box, proxy, "The box of a proxy, (2, 3) float64.");
     type.def("__len__", &BroadPhase::size);
     type.def("__repr__", [](const BroadPhase& self) {
         return "<ecods.BroadPhase of " + std::to_string(self.size()) + " boxes, " +
                std::string(py::str(py::cast(self.kind()))) + ">";
     });
     type.def(py::pickle(&boxes_of, &with_boxes));
-    type.def("update", &BroadPhase::update, "Makes pairs() those that overlap now.");
+    type.def("update", &BroadPhase::update, "Sets pairs() to the pairs that overlap now.");
     type.def(
-        "pairs", [](BroadPhase& self) { return array_of(self.pairs()); }, "(k, 2) uint32, ascending.");
+        "pairs", [](BroadPhase& self) { return array_of(self.pairs()); },
+        "The pairs that overlapped at the last update: (k, 2) uint32, ascending.");
     type.def(
-        "began", [](BroadPhase& self) { return array_of(self.began()); }, "(k, 2) uint32.");
+        "began", [](BroadPhase& self) { return array_of(self.began()); },
+        "The pairs that began to overlap with the last update: (k, 2) uint32.");
     type.def(
-        "ended", [](BroadPhase& self) { return array_of(self.ended()); }, "(k, 2) uint32.");
+        "ended", [](BroadPhase& self) { return array_of(self.ended()); },
+        "The pairs that ceased to overlap with the last update: (k, 2) uint32.");
     const py::arg what("what");
     type.def("find", found<Segment>, what,
              "Boxes that share a point with a Segment, a Ball or a box, as of now: (k,) uint32.");

@@ -1,13 +1,13 @@
-// How the library's plain values cross between C++ and Python. Every file that binds something includes this one, so
-// that a value is the same thing in all signatures.
+// Converts the library's plain values between C++ and Python. Every file that binds something includes this one, so
+// that each value has one form in all signatures.
 //
-//     BodyId              an int; an array of them is an array of uint64. StaleBody where no id is that int
-//     AnyId               the same, taken: of any int
+//     BodyId              an int; an array of bodies is an array of uint64. StaleBody if no id is that int
+//     AnyId               an int, as an argument only; any int is accepted
 //     TrianglePair        a tuple of two ints
 //     Vec3                an array (3,)
-//     Pose                an array (4, 4); taken: also (3, 4), or None
+//     Pose                an array (4, 4); as an argument also (3, 4), or None
 //     Aabb                an array (2, 3)
-//     an enum             a member of Python's enum.IntEnum; taken: also the name of one
+//     an enum             a member of Python's enum.IntEnum; as an argument also the member's name
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -31,7 +31,7 @@
 
 namespace ecods::python {
 
-// The integer that an object is; null if it is none.
+// Returns the value of an integer object; null for other objects.
 inline py::object integer_of(py::handle value) {
     if (PyFloat_Check(value.ptr()) || !PyIndex_Check(value.ptr())) return {};
     auto integer = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
@@ -39,7 +39,7 @@ inline py::object integer_of(py::handle value) {
     return integer;
 }
 
-// The body of an integer; nothing if that is negative, or of more than 64 bits.
+// Returns the body of an integer; nothing if the integer is negative, or has more than 64 bits.
 inline std::optional<BodyId> body_of(const py::object& integer) {
     const std::uint64_t number = PyLong_AsUnsignedLongLong(integer.ptr());
     if (PyErr_Occurred() == nullptr) return body_of(number);
@@ -47,13 +47,13 @@ inline std::optional<BodyId> body_of(const py::object& integer) {
     return std::nullopt;
 }
 
-// A question about ids is asked of any integer: null where that is no id.
+// An id as an argument of functions that accept any integer; null if the integer is no id.
 struct AnyId {
     BodyId body;
 };
 
-// Python's enum that stands for one of the library's: the type, and its members in the order of their values, of which
-// the first is `least`. Lives as long as the process.
+// Python's enum for an enum of the library: its type, and its members in the order of their values, of which `least` is
+// the first. Lives as long as the process.
 struct Enumeration {
     PyObject* type = nullptr;
     std::vector<PyObject*> members;
@@ -66,7 +66,7 @@ Enumeration& enumeration() {
     return *kept;
 }
 
-// Pairs of bodies or of triangles, as tuples.
+// Convert pairs of bodies or of triangles from and to tuples.
 template <class Pair>
 Pair to_pair(py::handle value) {
     using Name = decltype(Pair::a);
@@ -89,7 +89,7 @@ inline Vec3 to_point(py::handle value) {
     return to_vec3(value, "point or vector");
 }
 
-// The value of a member, or of its name; nothing if it is neither.
+// Returns the value of a member, or of a member's name; nothing for other objects.
 std::optional<int> value_of(py::handle member_or_name, const Enumeration& enumeration);
 
 }  // namespace ecods::python

@@ -1,4 +1,4 @@
-// Answers with a proof: certificate.hpp.
+// Binds certificate.hpp: answers with a proof.
 #include "ecods/certificate.hpp"
 
 #include <sstream>
@@ -10,7 +10,8 @@
 namespace ecods::python {
 namespace {
 
-// A certificate never changes, so a copy is the object itself. It refers to meshes, so it does not travel.
+// Makes a copy of a certificate the object itself, as it never changes, and refuses to pickle it, as it refers to
+// meshes.
 template <class T>
 void keep_whole(py::class_<T>& type) {
     copies_are_itself(type);
@@ -24,11 +25,11 @@ void add_certificates(py::module_& m) {
         m, "Certificate",
         "A claim and its proof, which verify/certificates checks. str() is the text, which is what to keep: the object "
         "refers to its meshes, is not pickled, and a copy of it is itself.");
-    certificate.def_property_readonly("claim", &Certificate::claim, "Claim: what is proved.")
+    certificate.def_property_readonly("claim", &Certificate::claim, "The Claim that is proved.")
         .def_property_readonly("value", &Certificate::value,
                                "The number of a distance, within, beyond or hit; otherwise 0.")
-        .def_property_readonly("step_count", &Certificate::step_count, "How many steps the proof has.")
-        .def_property_readonly("axis_count", &Certificate::axis_count, "How many directions the steps name.")
+        .def_property_readonly("step_count", &Certificate::step_count, "The number of steps of the proof.")
+        .def_property_readonly("axis_count", &Certificate::axis_count, "The number of directions that the steps name.")
         .def("__str__", &Certificate::to_string)
         .def("__repr__", [](const Certificate& self) {
             return "<ecods.Certificate of " + std::string(py::str(py::cast(self.claim()))) + ", value " +
@@ -37,7 +38,8 @@ void add_certificates(py::module_& m) {
         });
     keep_whole(certificate);
     py::class_<WorldCertificate> of_world(
-        m, "WorldCertificate", "The lists of a world with their proof. str() is the text; kept as of a Certificate.");
+        m, "WorldCertificate",
+        "The lists of a world with their proof. str() is the text to keep, as of a Certificate.");
     of_world.def_property_readonly("colliding_count", &WorldCertificate::colliding_count)
         .def_property_readonly("close_count", &WorldCertificate::close_count)
         .def_property_readonly("apart_count", &WorldCertificate::apart_count)
@@ -79,9 +81,9 @@ void bind_certificates(py::module_& m) {
             write_certified_mesh(text, mesh);
             return text.str();
         },
-        py::arg("mesh"), "The mesh as certificates mean it: the text that checkers read.");
+        py::arg("mesh"), "The text of a mesh that checkers of certificates read.");
     m.def("certified_mesh_digest", &certified_mesh_digest, py::arg("mesh"),
-          "The name of that text in certificates: its SHA-256, 64 hexadecimal digits.");
+          "The SHA-256 of certified_mesh(mesh), 64 hexadecimal digits: its name in certificates.");
 }
 
 }  // namespace ecods::python

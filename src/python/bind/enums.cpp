@@ -1,4 +1,4 @@
-// The library's enums as Python's.
+// Makes Python enums for the library's enums.
 #include <algorithm>
 #include <concepts>
 #include <initializer_list>
@@ -11,7 +11,7 @@
 namespace ecods::python {
 namespace {
 
-// Makes the type of an enum whose values from the least to the greatest have these names.
+// Makes the type of an enum with these names, for consecutive values from `least` on.
 void make(py::module_& m, Enumeration& made, const char* name, const char* doc, const std::vector<std::string>& names,
           int least) {
     py::dict values;
@@ -31,7 +31,7 @@ void make(py::module_& m, const char* name, const char* doc, std::initializer_li
     make(m, enumeration<Enum>(), name, doc, names, 0);
 }
 
-// With the names that the library writes.
+// Makes the type of an enum with the names that the library writes.
 template <class Enum>
 void make(py::module_& m, const char* name, const char* doc, Enum least, Enum greatest) {
     std::vector<std::string> names;
@@ -64,25 +64,26 @@ void bind_enums(py::module_& m) {
          "How two surfaces meet: they share no point; they share one; or two triangles that are not coplanar share a "
          "point inside both.",
          Relation::disjoint, Relation::crossing);
-    make<Feature::Kind>(m, "FeatureKind", "What a Feature of a mesh is.", {"vertex", "edge", "face"});
+    make<Feature::Kind>(m, "FeatureKind", "The kind of a Feature of a mesh.", {"vertex", "edge", "face"});
     make<ClosestKind>(m, "ClosestKind",
-                      "Which two features hold the closest points, or touch first; `intersecting` where the bodies "
-                      "share a point.",
+                      "The kinds of the two features that hold the closest points, or touch first; `intersecting` if "
+                      "the bodies share a point.",
                       {"vertex_vertex", "vertex_edge", "vertex_face", "edge_edge", "intersecting"});
     make(m, "HitKind",
          "How a line meets a triangle: inside the face, from the side of its normal, from the other one or from none; "
          "in an edge or a vertex; or at more than one point.",
          HitKind::front, HitKind::along);
-    make(m, "Side", "Where a point is with respect to a solid.", Side::outside, Side::inside);
-    make(m, "SolidRelation", "How a solid is to another one, interiors included.", SolidRelation::apart,
+    make(m, "Side", "The place of a point with respect to a solid.", Side::outside, Side::inside);
+    make(m, "SolidRelation", "The relation of a solid to another one, interiors included.", SolidRelation::apart,
          SolidRelation::equal);
-    make(m, "SurfaceRelation", "How a mesh, taken as a surface, is to a solid.", SurfaceRelation::apart,
+    make(m, "SurfaceRelation", "The relation of a mesh, taken as a surface, to a solid.", SurfaceRelation::apart,
          SurfaceRelation::partly_inside);
-    make<BroadPhaseKind>(m, "BroadPhaseKind", "How overlapping boxes are found. No answer depends on it.",
+    make<BroadPhaseKind>(m, "BroadPhaseKind", "The way of finding overlapping boxes. No answer depends on it.",
                          {"brute_force", "sweep_and_prune", "kept_candidates", "automatic"});
-    make(m, "InstructionSet", "Instructions of the processor, each with those before it. No answer depends on them.",
+    make(m, "InstructionSet",
+         "Instructions of the processor; each set includes the sets before it. No answer depends on them.",
          InstructionSet::baseline, InstructionSet::avx512);
-    make<Certificate::Claim>(m, "Claim", "What a Certificate proves.",
+    make<Certificate::Claim>(m, "Claim", "The claim that a Certificate proves.",
                              {"disjoint", "touching", "crossing", "distance", "within", "beyond", "hit", "miss"});
     make<Question>(m, "Question", "The question that NotSupported names.",
                    {"relation", "intersecting_triangles", "distance", "within", "closest", "intersections",

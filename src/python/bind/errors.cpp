@@ -1,4 +1,4 @@
-// The library's errors as Python's exceptions: the same names, text and members.
+// Makes Python exceptions for the library's errors, with equal names, text and members.
 #include "python/bind/errors.hpp"
 
 #include <functional>
@@ -16,7 +16,7 @@ struct Known {
     std::function<void(const Error&, py::object&)> add_members;
 };
 
-// Lives as long as the process, as exceptions may come until its end.
+// Returns the known errors. They live as long as the process, since exceptions may come until its end.
 std::map<std::type_index, Known>& known() {
     static auto* const kept = new std::map<std::type_index, Known>;
     return *kept;
@@ -54,7 +54,7 @@ std::string stale_text(const std::string& number, ListIndex index) {
     return (index ? "entry " + std::to_string(*index) + ": " : "") + "id " + number + " names no body of this world";
 }
 
-// The library's text, with an id as Python has it: an integer.
+// Returns the library's text, with an id as Python has it: an integer.
 std::string message_of(const Error& error) {
     const auto* const stale = dynamic_cast<const StaleBody*>(&error);
     if (stale == nullptr) return error.what();
@@ -63,7 +63,7 @@ std::string message_of(const Error& error) {
     return std::string(error.what()) + " (id " + number + ")";
 }
 
-// The exception, with the members of the error. `text` is its message.
+// Returns the exception, with the members of the error; `text` is its message.
 py::object exception_of(const Error& error, const std::string& text) {
     const auto at = known().find(typeid(error));
     py::object raised = py::handle(at == known().end() ? base_type : at->second.type)(text);
@@ -89,16 +89,17 @@ void add_mesh_errors(py::module_& m) {
     add<MeshTooLarge>(m, "MeshTooLarge", "A mesh has more vertices or triangles than 32-bit indices can name.",
                       member("vertex_count", &MeshTooLarge::vertex_count),
                       member("triangle_count", &MeshTooLarge::triangle_count));
-    add<NotClosed>(m, "NotClosed", "The triangles of a solid to be are not closed along this edge.",
+    add<NotClosed>(m, "NotClosed", "The triangles meant to bound a solid are not closed along this edge.",
                    member("triangle", &NotClosed::triangle), member("corner", &NotClosed::corner),
                    member("vertices", &NotClosed::vertices), member("points", &NotClosed::points));
     add<SelfIntersecting>(m, "SelfIntersecting",
-                          "Two triangles of a solid to be share a segment or more that is not a side of both.",
+                          "Two triangles meant to bound a solid share a segment or more that is not a side of both.",
                           member("triangles", &SelfIntersecting::triangles));
-    add<NotConvex>(m, "NotConvex", "A convex solid to be has a vertex beyond the plane of one of its triangles.",
+    add<NotConvex>(m, "NotConvex",
+                   "A mesh meant as a convex solid has a vertex beyond the plane of one of its triangles.",
                    member("triangle", &NotConvex::triangle), member("corner", &NotConvex::corner),
                    member("vertices", &NotConvex::vertices), member("beyond", &NotConvex::beyond));
-    add<NoInterior>(m, "NoInterior", "The points of a convex solid to be lie in one plane, or there are none.",
+    add<NoInterior>(m, "NoInterior", "The points meant for a convex solid lie in one plane, or there are none.",
                     member("point_count", &NoInterior::point_count));
 }
 
@@ -107,7 +108,8 @@ void add_body_errors(py::module_& m) {
                      member("row", &InvalidPose::row), member("column", &InvalidPose::column),
                      member("value", &InvalidPose::value), member("body", &InvalidPose::body),
                      member("index", &InvalidPose::index));
-    add<SingularPose>(m, "SingularPose", "The matrix of a solid's pose is singular where inner points are needed.",
+    add<SingularPose>(m, "SingularPose",
+                      "The matrix of a solid's pose is singular, and the question needs inner points.",
                       member("argument", &SingularPose::argument), member("body", &SingularPose::body));
     add<SolidsApart>(m, "SolidsApart", "Two solids share no point, so neither is in the other to a depth.",
                      member("a", &SolidsApart::a), member("b", &SolidsApart::b));
@@ -117,9 +119,9 @@ void add_body_errors(py::module_& m) {
     add<NullArgument>(m, "NullArgument", "None was given for a mesh.");
     add<StaleBody>(m, "StaleBody", "An id names no body of this world.", member("body", &StaleBody::body),
                    member("index", &StaleBody::index));
-    add<MovedFromWorld>(m, "MovedFromWorld", "A world that was moved from was asked; not in Python.");
+    add<MovedFromWorld>(m, "MovedFromWorld", "A world was used after it was moved from; not in Python.");
     add<MeshAndShape>(m, "MeshAndShape", "A body was to be of two shapes at once; not in Python.");
-    add<SameBody>(m, "SameBody", "One body was given where a pair was asked for.", member("body", &SameBody::body));
+    add<SameBody>(m, "SameBody", "One body was given twice in place of a pair.", member("body", &SameBody::body));
     add<MissingTest>(m, "MissingTest", "No test for two kinds of shapes is registered.", member("a", &MissingTest::a),
                      member("b", &MissingTest::b));
     add<NotSupported>(m, "NotSupported", "A shape cannot be asked this question: a mesh that is no Solid, say.",
@@ -146,10 +148,10 @@ void add_argument_errors(py::module_& m) {
     add<InvalidDistance>(m, "InvalidDistance", "A distance is negative or NaN, or infinite where it must not be.",
                          member("value", &InvalidDistance::value));
     add<InvalidTime>(m, "InvalidTime", "A limit of time is negative or NaN.", member("value", &InvalidTime::value));
-    add<NotUpdated>(m, "NotUpdated", "A world changed since its last update, of which a certificate was asked.");
-    add<NotCertified>(m, "NotCertified", "A shape of which there are no certificates; not in Python.",
+    add<NotUpdated>(m, "NotUpdated", "A certificate was requested of a world that changed since its last update.");
+    add<NotCertified>(m, "NotCertified", "A shape has no certificates; not in Python.",
                       member("body", &NotCertified::body), member("kind", &NotCertified::kind));
-    add<ShapeChanged>(m, "ShapeChanged", "A shape is not what it was when its body got it; not in Python.",
+    add<ShapeChanged>(m, "ShapeChanged", "A shape changed after its body got it; not in Python.",
                       member("body", &ShapeChanged::body), member("kind", &ShapeChanged::kind));
     add<ExecutorFailed>(m, "ExecutorFailed", "Threads did not run each task once.");
     add<TraceFailed>(m, "TraceFailed", "A trace could not be written in full.");

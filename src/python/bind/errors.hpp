@@ -1,4 +1,4 @@
-// Errors that only Python's numbers have: integers of either sign, of any size.
+// Raises errors that only Python's integers can cause, which have a sign and any size.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -7,10 +7,10 @@
 
 namespace ecods::python {
 
-// Raises StaleBody of an integer that no id can be: it is negative, or of more than 64 bits.
+// Raises StaleBody for an integer that no id can be: it is negative, or has more than 64 bits.
 [[noreturn]] void raise_stale(const pybind11::object& number, ListIndex index = {});
 
-// Raises InvalidIndex of an index that was negative before it was taken for one of 64 bits without a sign.
+// Raises InvalidIndex for an index that was negative before it was converted to 64 unsigned bits.
 [[noreturn]] void raise_negative(const InvalidIndex& error);
 
 }  // namespace ecods::python

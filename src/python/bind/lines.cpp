@@ -1,4 +1,4 @@
-// Segments, rays and balls, and what lines meet of a body: hit.hpp.
+// Binds hit.hpp: segments, rays and balls, and the triangles of a body that a line hits.
 #include "ecods/ball.hpp"
 #include "ecods/hit.hpp"
 #include "python/bind/ask.hpp"
@@ -17,10 +17,10 @@ T checked(T made) {
 
 template <class Line>
 void add_questions(py::module_& m) {
-    m.def(
-        "first_hit", asked_with_witness<Line, PosedMesh>(ECODS_QUESTION(first_hit)), py::arg("line"), py::arg("body"),
-        py::arg("witness") = py::none(),
-        "The Hit of least parameter of a Segment or Ray, of several the least triangle; None if there is none. Exact.");
+    m.def("first_hit", asked_with_witness<Line, PosedMesh>(ECODS_QUESTION(first_hit)), py::arg("line"), py::arg("body"),
+          py::arg("witness") = py::none(),
+          "The Hit of least parameter of a Segment or Ray, and of least triangle among equals; None if nothing is hit. "
+          "Exact.");
     m.def("all_hits", asked<Line, PosedMesh>(ECODS_QUESTION(all_hits)), py::arg("line"), py::arg("body"),
           "Every triangle that is hit, as a list of Hit in the order of real parameters.");
 }
@@ -29,8 +29,8 @@ void add_questions(py::module_& m) {
 
 void bind_line_questions(py::module_& m) {
     add_record(m, "Segment", "The closed segment between two points (3,).",
-               Field{"a", &Segment::a, "Where it begins, (3,) float64."},
-               Field{"b", &Segment::b, "Where it ends, (3,) float64."})
+               Field{"a", &Segment::a, "The first end, (3,) float64."},
+               Field{"b", &Segment::b, "The second end, (3,) float64."})
         .def(py::init([](const Vec3& a, const Vec3& b) { return checked(Segment{.a = a, .b = b}); }), py::arg("a"),
              py::arg("b"), "Raises InvalidSegment unless the ends are finite.");
     add_record(m, "Ray", "The points origin + s * direction for s from 0 to parameter_max.",

@@ -1,4 +1,4 @@
-// The same question for many poses, points or rays at once: one call, without the interpreter's lock, on some threads.
+// Binds questions about many poses, points or rays: one call, without the interpreter's lock, on several threads.
 #include <algorithm>
 #include <exception>
 #include <functional>
@@ -14,7 +14,7 @@
 namespace ecods::python {
 namespace {
 
-// Calls part(begin, end) for the parts of a list. Parts are long, so that what a call keeps for the next one helps.
+// Calls part(begin, end) for the parts of a list. Parts are long, so that the witness of one query helps the next.
 template <class Part>
 void in_parts(std::size_t count, std::size_t threads, const Part& part) {
     const auto executor = make_threads(threads);
@@ -42,7 +42,7 @@ std::size_t common_length(const PoseList& a, const PoseList& b) {
     return a.size();
 }
 
-// The answers of question(a, b, memory, witness) at pose after pose.
+// Returns the answers of question(a, b, memory, witness) for each pose.
 template <class Answer, class Question>
 py::array_t<Answer> at_poses(const MeshShape& a, const py::object& poses_a, const MeshShape& b,
                              const py::object& poses_b, std::size_t threads, const Question& question) {
@@ -114,10 +114,10 @@ py::array_t<std::uint8_t> locate_many(const py::object& points, const PosedMesh&
 void bind_many(py::module_& m) {
     add_at_poses<bool>(
         m, "collide_many",
-        "intersects() of a at each of its poses and b at each of its own: (k,) bool. Poses are (k, 4, 4) or "
-        "(k, 3, 4); one pose, or None, stands for all. Raises InvalidPose with the index.",
+        "intersects() of a and b at each pair of their poses: (k,) bool. Poses are (k, 4, 4) or (k, 3, 4); one "
+        "pose, or None, stands for all. Raises InvalidPose with the index.",
         ECODS_QUESTION(intersects));
-    add_at_poses<double>(m, "distance_many", "distance() likewise: (k,) float64, each the true one, rounded once.",
+    add_at_poses<double>(m, "distance_many", "distance() likewise: (k,) float64, each the true distance, rounded once.",
                          ECODS_QUESTION(distance));
     add_at_poses<std::uint8_t>(m, "relation_many", "relation() likewise: (k,) uint8, values of Relation.",
                                [](auto& x, auto& y, auto& memory, auto&) { return relation(x, y, memory); });

@@ -1,4 +1,4 @@
-// Mesh, Solid, ConvexSolid; Posed and Moving.
+// Binds Mesh, Solid, ConvexSolid, Posed and Moving.
 #include <limits>
 #include <memory>
 #include <sstream>
@@ -14,7 +14,8 @@
 namespace ecods::python {
 namespace {
 
-// Indices as they are where they are of 32 bits, otherwise in 64, where a negative one becomes one that is too large.
+// Makes a mesh. Indices of 32 bits are used as they are; others become 64 bits, and a negative index one that is too
+// large.
 std::shared_ptr<const Mesh> make_mesh(py::handle vertices, py::handle faces) {
     const py::array indices = py::array::ensure(faces);
     if (!indices) throw py::error_already_set();
@@ -50,7 +51,7 @@ std::shared_ptr<Shape> make_shape(const std::shared_ptr<const Mesh>& mesh) {
     return std::make_shared<Shape>(mesh);
 }
 
-// The numbers where they lie: the array refers to the mesh and keeps it.
+// Returns a read-only array that refers to the numbers in place and keeps the mesh alive.
 template <class Number, class Rows>
 py::array view(const py::object& owner, const Rows& rows) {
     py::array array(py::dtype::of<Number>(), {static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}}, rows.data(),
@@ -63,16 +64,16 @@ const Mesh& mesh_of(const py::object& self) {
     return self.cast<const MeshShape&>().mesh();
 }
 
-// A class that is made of vertices and faces, or of a Mesh, and pickled as those.
+// Adds constructors from vertices and faces, or from a Mesh, and pickling by vertices and faces.
 template <class Shape, class Type>
 void add_making(Type& type) {
     type.def(py::init([](const py::object& vertices, const py::object& faces) {
                  return make_shape<Shape>(make_mesh(vertices, faces));
              }),
              py::arg("vertices"), py::arg("faces"),
-             "Of vertices (n, 3), floats or integers that doubles hold, in a unit of the caller's, and faces (m, 3), "
+             "Made of vertices (n, 3), floats or integers that doubles hold, in the caller's unit, and faces (m, 3), "
              "indices of vertices. Raises EmptyMesh, InvalidVertex, InvalidIndex, MeshTooLarge; TypeError and "
-             "ValueError for what is no such array.");
+             "ValueError for other arrays.");
     type.def(py::pickle(
         [](const py::object& self) {
             return py::make_tuple(self.attr("vertices").attr("copy")(), self.attr("faces").attr("copy")());
@@ -101,7 +102,7 @@ void add_mesh_calls(py::class_<MeshShape, std::shared_ptr<MeshShape>>& type) {
                                "A hash of coordinates and indices, the same on every machine.");
     type.def_property_readonly("uses_all_vertices",
                                [](const MeshShape& self) { return self.mesh().uses_all_vertices(); });
-    type.def("tree_bytes", &MeshShape::tree_bytes, "Memory of the tree, which is made if there is none yet.");
+    type.def("tree_bytes", &MeshShape::tree_bytes, "The bytes of the tree, which is built if there is none yet.");
     type.def("box", &MeshShape::box, py::arg("pose") = py::none(),
              "A box (2, 3) that contains the posed mesh: quick, and close to the least one. box_of() is closer.");
     type.def(
@@ -127,10 +128,10 @@ void add_mesh_calls(py::class_<MeshShape, std::shared_ptr<MeshShape>>& type) {
             return std::const_pointer_cast<MeshShape>(ecods::refit(self, std::move(moved)));
         },
         py::arg("vertices"),
-        "The same triangles with other vertices (n, 3), as a new Mesh, whose tree is that of this one with new boxes. "
-        "Raises InvalidVertex, InvalidIndex.");
+        "A new Mesh with the triangles of this one and other vertices (n, 3). Its tree is the tree of this one with "
+        "new boxes. Raises InvalidVertex, InvalidIndex.");
     type.def("__repr__", &text_of);
-    copies_are_itself(type);  // whose tree is then not made again
+    copies_are_itself(type);  // so that a copy has the tree already
 }
 
 void add_solids(py::module_& m) {
@@ -152,11 +153,11 @@ void add_solids(py::module_& m) {
             return std::make_shared<ConvexSolid>(given);
         },
         py::arg("points"),
-        "The convex hull of points (n, 3), exactly: its vertices are those points that are no combination of others. "
+        "The convex hull of points (n, 3), exactly: its vertices are the points that are no combination of others. "
         "Raises InvalidVertex, NoInterior.");
 }
 
-// "pose=[[1.0, 0.0, 0.0, 2.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]"
+// Returns a pose as text, such as "pose=[[1.0, 0.0, 0.0, 2.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]".
 std::string pose_text(const char* name, const Pose& pose) {
     const py::list rows = from_pose(pose).attr("tolist")();
     return std::string(name) + "=" + std::string(py::repr(rows[py::slice(0, 3, 1)]));
@@ -172,7 +173,7 @@ void add_places(py::class_<PosedMesh>& type) {
                  return PosedMesh{require(std::move(mesh)), pose};
              }),
              py::arg("mesh"), py::arg("pose") = py::none(),
-             "Mesh.at(pose): a Mesh, Solid or ConvexSolid at a pose (4, 4) or (3, 4), or where it is. Raises "
+             "A Mesh, Solid or ConvexSolid at a pose (4, 4) or (3, 4), as Mesh.at(pose); None is the identity. Raises "
              "InvalidPose, NullArgument.");
     type.def_readonly("mesh", &PosedMesh::shape, "The Mesh, Solid or ConvexSolid.");
     type.def_readonly("pose", &PosedMesh::pose, "(4, 4) float64.");
@@ -210,7 +211,7 @@ void add_motions(py::class_<MovingMesh>& type) {
 }  // namespace
 
 void bind_meshes(py::module_& m) {
-    // Named in signatures of Mesh.
+    // Declared first, as signatures of Mesh name them.
     py::class_<PosedMesh> posed(m, "Posed",
                                 "A mesh at a pose: the set of the real points R v + t. Mesh.at() makes one, too.");
     py::class_<MovingMesh> moving(
@@ -219,8 +220,8 @@ void bind_meshes(py::module_& m) {
     py::class_<MeshShape, std::shared_ptr<MeshShape>> mesh(
         m, "Mesh",
         "Closed triangles, immutable: a surface, which need not be closed or connected. Triangles of zero area are the "
-        "segments or points that they span. What questions need of it is made once, when the first one asks: keep the "
-        "object to ask again. Arrays that are given are copied.");
+        "segments or points that they span. Its tree and other data for questions are made once, when first needed: "
+        "keep the object to ask again. The given arrays are copied.");
     add_making<MeshShape>(mesh);
     add_mesh_calls(mesh);
     add_solids(m);

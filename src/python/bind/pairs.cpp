@@ -1,4 +1,4 @@
-// Questions about two bodies: intersection.hpp, distance.hpp, contact.hpp, cast.hpp.
+// Binds questions about two bodies: intersection.hpp, distance.hpp, contact.hpp, cast.hpp.
 #include "ecods/cast.hpp"
 #include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
@@ -14,7 +14,7 @@ const double infinity = std::numeric_limits<double>::infinity();
 
 void add_intersections(py::module_& m, const py::arg& a, const py::arg& b, const py::arg_v& witness) {
     m.def("intersects", asked_with_witness<PosedMesh, PosedMesh>(ECODS_QUESTION(intersects)), a, b, witness,
-          "Whether two bodies share a point. Exact. A body is a Mesh, or Mesh.at(pose).");
+          "True if two bodies share a point. Exact. A body is a Mesh, or Mesh.at(pose).");
     m.def("relation", asked<PosedMesh, PosedMesh>(ECODS_QUESTION(relation)), a, b,
           "Relation: disjoint, touching or crossing, the strongest of any two of their triangles. Exact.");
     m.def(
@@ -24,7 +24,8 @@ void add_intersections(py::module_& m, const py::arg& a, const py::arg& b, const
         },
         a, b, "Every pair of triangles that share a point, ascending: (k, 2) uint32, indices of faces of a and of b.");
     m.def("intersections", asked<PosedMesh, PosedMesh>(ECODS_QUESTION(intersections)), a, b,
-          "The same, as a list of TriangleIntersection: with what they share, and the normal where one is defined.");
+          "Every pair of triangles that share a point, as a list of TriangleIntersection: the shared points, and the "
+          "normal if it is defined.");
 }
 
 void add_distances(py::module_& m, const py::arg& a, const py::arg& b, const py::arg_v& witness) {
@@ -32,10 +33,10 @@ void add_distances(py::module_& m, const py::arg& a, const py::arg& b, const py:
     m.def("distance", asked_with_witness<PosedMesh, PosedMesh>(ECODS_QUESTION(distance)), a, b, witness,
           "The distance in the unit of the coordinates: the true number, rounded once; 0 exactly when they intersect.");
     m.def("within", asked_with_witness<PosedMesh, PosedMesh, double>(ECODS_QUESTION(within)), a, b, d, witness,
-          "Whether the distance is at most d, decided for the real number. Raises InvalidDistance if d is negative or "
+          "True if the distance is at most d, decided for the real number. Raises InvalidDistance if d is negative or "
           "NaN.");
     m.def("closest", asked_with_witness<PosedMesh, PosedMesh>(ECODS_QUESTION(closest)), a, b, witness,
-          "ClosestPoints: where they are closest to each other, and on which features.");
+          "ClosestPoints: two points at the least distance, and the features that hold them.");
     m.def(
         "distance_bounds",
         [](const PosedMesh& x, const PosedMesh& y, double relative, double absolute, double at_most,
@@ -58,16 +59,16 @@ void add_casts(py::module_& m, const py::arg& a, const py::arg& b, const py::arg
           "FirstContact of a, translated by time times motion (3,), with b, which stays; None if there is none up to "
           "time 1. Contact at time 0 and grazing count. Exact. Raises InvalidMotion.");
     m.def("cast", asked_with_witness<MovingMesh, MovingMesh>(ECODS_QUESTION(cast)), a, b, witness,
-          "The same of two meshes of which each goes from one pose to another (Mesh.moving): each point straight from "
-          "its one place to the other, so that a mesh that turns is not rigid on its way.");
+          "FirstContact of two meshes that each go from one pose to another (Mesh.moving): each point moves straight "
+          "from its first place to its last, so that a mesh that turns is not rigid on its way.");
 }
 
 }  // namespace
 
 void bind_pair_questions(py::module_& m) {
     add_record(m, "Witness",
-               "What decided a pair the last time: given again for a pair that has moved little, it saves time. It is "
-               "tried first and never believed; no answer depends on it. Questions change it.",
+               "A memory of the features that decided a pair last time: passed again for a pair that has moved little, "
+               "it saves time. It is only tried first; no answer depends on it. Questions change it.",
                Field{"a", &PairWitness::a, "The library's own; 2**32 - 1 at first."},
                Field{"b", &PairWitness::b, "The library's own; 2**32 - 1 at first."})
         .def(py::init<>());

@@ -1,4 +1,4 @@
-// Exact predicates over arrays: predicates.hpp.
+// Binds predicates.hpp: exact predicates over arrays.
 #include "ecods/predicates.hpp"
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 namespace ecods::python {
 namespace {
 
-// Points, triangles or poses that belong together by numpy's rules of broadcasting over the axes before the last ones.
+// An argument of points, triangles or poses. All axes before the last ones, `tail`, follow numpy's rules of
+// broadcasting.
 class Rows {
   public:
     Rows(const py::object& value, const char* what, std::vector<py::ssize_t> tail) : tail_(std::move(tail)) {
@@ -31,7 +32,7 @@ class Rows {
         return shape;
     }
 
-    // Makes the leading axes these.
+    // Broadcasts the rows to the shape `leading` of their leading axes.
     void spread(const py::tuple& leading) {
         step_ = size_of_one();
         if (array_.size() == static_cast<py::ssize_t>(step_)) {
@@ -63,7 +64,7 @@ class Rows {
     std::size_t step_ = 0;
 };
 
-// The answers of answer(i), as an array of the common leading shape; of no leading axis, the one answer.
+// Returns answer(i) for all rows, as an array of the common leading shape; a single answer if there is no leading axis.
 template <class Answer, class Function>
 py::object over(std::vector<Rows>& rows, const Function& answer) {
     py::list shapes;
@@ -89,7 +90,8 @@ std::array<Vec3, 3> corners(const double* x) {
     return {vec3(x), vec3(x + 3), vec3(x + 6)};
 }
 
-// After the rows of points those of the poses: a sequence of one pose, or None, a point; (..., 4, 4).
+// Appends the rows of the poses after the rows of the points. `poses` is a sequence of one item for each point: an
+// array (..., 4, 4), or None.
 void add_poses(std::vector<Rows>& rows, const py::object& poses) {
     const auto sequence = py::cast<py::sequence>(poses);
     const std::size_t count = rows.size();

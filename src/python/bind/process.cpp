@@ -1,4 +1,4 @@
-// Settings of the whole process, and small helpers.
+// Binds settings of the whole process, and small helpers.
 #include <sstream>
 
 #include "ecods/instruction_set.hpp"
@@ -41,11 +41,12 @@ void bind_process(py::module_& m) {
             text << body;
             return text.str();
         },
-        py::arg("body"), "As messages and traces write a body: slot and generation, \"3.1\".");
+        py::arg("body"), "The name of a body in messages and traces: slot and generation, \"3.1\".");
     m.def("supported_instruction_set", &supported_instruction_set, "The widest InstructionSet of this processor.");
     m.def("instruction_set", &instruction_set,
           "The InstructionSet in use: one for the process. No answer depends on it.");
-    m.def("limit_instruction_set", &limit_instruction_set, py::arg("widest"), "From now on nothing wider is used.");
+    m.def("limit_instruction_set", &limit_instruction_set, py::arg("widest"),
+          "Forbids wider instruction sets from now on.");
 }
 
 }  // namespace ecods::python

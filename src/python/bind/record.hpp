@@ -1,4 +1,5 @@
-// Answers of several fields as Python objects: read-only, compared field by field, written as they are made, pickled.
+// Makes Python types for answers of several fields: read-only, compared field by field, with a repr of all fields,
+// pickled.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,7 @@
 
 namespace ecods::python {
 
-// Whether two values of a field are the same.
+// True if two values of a field are equal.
 template <class T>
 bool are_same(const T& a, const T& b) {
     return a == b;
@@ -40,7 +41,7 @@ struct Field {
 template <class T, class Value>
 Field(const char*, Value T::*, const char*) -> Field<T, Value>;
 
-// In full: numpy's own text of an array leaves digits out.
+// Returns all digits of a value: numpy's own repr of an array omits some.
 inline std::string text_of_value(const py::object& value) {
     return py::repr(py::isinstance<py::array>(value) ? value.attr("tolist")() : value);
 }

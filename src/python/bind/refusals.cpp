@@ -1,4 +1,4 @@
-// One line for arguments that fit no signature.
+// Makes one line of an error for arguments that fit no signature.
 #include <string>
 
 #include "python/bind/bind.hpp"
@@ -8,10 +8,10 @@ namespace {
 
 namespace py = pybind11;
 
-// pybind11 calls it for each of its functions: it looks for the overload and converts arguments.
+// The function that pybind11 calls for each of its functions: it selects the overload and converts arguments.
 PyCFunctionWithKeywords dispatcher = nullptr;
 
-// Puts one line in place of the error that is set, if that is about arguments that no overload takes.
+// Replaces the error that is set by one line if it is about arguments that no overload takes.
 void shorten(PyObject* args, PyObject* kwargs) {
     py::error_already_set refused;
     try {
@@ -41,7 +41,7 @@ PyMethodDef& definition_of(PyObject* function) {
     return *reinterpret_cast<PyCFunctionObject*>(function)->m_ml;
 }
 
-// Others than pybind11's stay as they are: classes have some of Python's own.
+// Wraps one function. Functions that are not pybind11's stay as they are: classes have some of Python's own.
 void shorten_one(py::handle value) {
     PyObject* function = value.ptr();
     const py::object of_static = py::getattr(value, "__func__", py::none());
@@ -57,7 +57,8 @@ void shorten_one(py::handle value) {
 
 void shorten_refusals(const py::module_& m) {
     const py::cpp_function any([] {});
-    if (definition_of(any.ptr()).ml_flags != (METH_VARARGS | METH_KEYWORDS)) return;  // a pybind11 that calls otherwise
+    // a pybind11 with another calling convention
+    if (definition_of(any.ptr()).ml_flags != (METH_VARARGS | METH_KEYWORDS)) return;
     dispatcher = as_called(definition_of(any.ptr()).ml_meth);
     for (const auto& item : m.attr("__dict__").cast<py::dict>()) {
         if (!py::isinstance<py::type>(item.second)) {

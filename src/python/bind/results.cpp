@@ -1,4 +1,4 @@
-// What questions answer, field by field.
+// Binds the answers to questions, field by field.
 #include <algorithm>
 
 #include "ecods/depth.hpp"
@@ -15,26 +15,27 @@ template <class T>
 void add_triangles(py::class_<T>& type) {
     type.def_property_readonly(
         "triangles", [](const T& self) { return self.triangles(); },
-        "Of each mesh a triangle that has the feature, as a tuple of two indices.");
+        "A triangle of each mesh that has the feature, as a tuple of two indices.");
 }
 
 void add_features(py::module_& m) {
     add_record(
         m, "Feature",
         "A vertex, an edge or a face of a mesh, named by a triangle and the least of its corners that names it: the "
-        "vertex; the corner from which the edge goes to the next one; 0 of a face.",
+        "vertex; the corner from which the edge goes to the next one; 0 for a face.",
         Field{"kind", &Feature::kind, "FeatureKind"},
         Field{"triangle", &Feature::triangle, "Index of a face of the mesh."},
         Field{"corner", &Feature::corner, "0 to 2"});
 
     auto closest = add_record(
         m, "ClosestPoints",
-        "Where two bodies are closest to each other, and what the points are on. Of several pairs of "
-        "features the first one, by kind and then by names. `intersecting`: the distance is 0, and both "
+        "The closest points of two bodies, and the features that hold them. Among several pairs of features it "
+        "is the first one, by kind and then by names. If the kind is `intersecting`, the distance is 0, and both "
         "points are the least common corner of the least two triangles that share a point.",
         Field{"distance", &ClosestPoints::distance, "The true distance, rounded once."},
-        Field{"kind", &ClosestPoints::kind, "ClosestKind"}, Field{"a", &ClosestPoints::a, "What point_a is on."},
-        Field{"b", &ClosestPoints::b, "What point_b is on."},
+        Field{"kind", &ClosestPoints::kind, "ClosestKind"},
+        Field{"a", &ClosestPoints::a, "The feature that holds point_a."},
+        Field{"b", &ClosestPoints::b, "The feature that holds point_b."},
         Field{"point_a", &ClosestPoints::point_a, "(3,) float64, each coordinate rounded once."},
         Field{"point_b", &ClosestPoints::point_b, "(3,) float64, each coordinate rounded once."});
     add_triangles(closest);
@@ -45,8 +46,8 @@ void add_features(py::module_& m) {
                      "Unit vector (3,) from a to b; at distance 0 the normal that the features define, or None."});
 
     add_record(m, "DistanceBounds", "An interval that contains the true distance.",
-               Field{"lower", &DistanceBounds::lower, "Not above the distance."},
-               Field{"upper", &DistanceBounds::upper, "Not below the distance."});
+               Field{"lower", &DistanceBounds::lower, "A lower bound of the distance."},
+               Field{"upper", &DistanceBounds::upper, "An upper bound of the distance."});
 }
 
 void add_shared(py::module_& m) {
@@ -59,7 +60,7 @@ void add_shared(py::module_& m) {
         "(k, 3) float64, k from 1 to 6: a point, a segment, or the corners of a polygon in a common plane.");
     type.def_property_readonly(
         "normal", [](const Shared& self) { return self.shared.normal; },
-        "Unit vector (3,) where one face or two edges define it; None where triangles cross or corners touch.");
+        "Unit vector (3,) if one face or two edges define it; None if triangles cross or corners touch.");
     type.def("__repr__", [](const py::object& self) {
         return py::str("TriangleIntersection(triangles={}, corners={}, normal={})")
             .format(self.attr("triangles"), text_of_value(self.attr("corners")), text_of_value(self.attr("normal")));
@@ -87,38 +88,39 @@ void add_shared(py::module_& m) {
 }
 
 void add_hits(py::module_& m) {
-    auto hit = add_record(m, "Hit", "What a segment or ray shares with one triangle.",
-                          Field{"parameter", &Hit::parameter, "Of the first common point, rounded once."},
-                          Field{"leave_parameter", &Hit::leave_parameter, "Of the last one; the same unless `along`."},
-                          Field{"kind", &Hit::kind, "HitKind"},
-                          Field{"rank", &Hit::rank, "How many smaller real parameters are hit; ties have one rank."},
-                          Field{"feature", &Hit::feature, "The feature of the triangle that holds the common points."},
-                          Field{"point", &Hit::point, "(3,) float64, each coordinate rounded once."},
-                          Field{"leave_point", &Hit::leave_point, "(3,) float64."});
+    auto hit =
+        add_record(m, "Hit", "The points that a segment or ray shares with one triangle.",
+                   Field{"parameter", &Hit::parameter, "Parameter of the first common point, rounded once."},
+                   Field{"leave_parameter", &Hit::leave_parameter, "Parameter of the last one; equal unless `along`."},
+                   Field{"kind", &Hit::kind, "HitKind"},
+                   Field{"rank", &Hit::rank, "Number of smaller real parameters that are hit."},
+                   Field{"feature", &Hit::feature, "The feature of the triangle that holds the common points."},
+                   Field{"point", &Hit::point, "First common point: (3,) float64, each rounded once."},
+                   Field{"leave_point", &Hit::leave_point, "Last common point: (3,) float64."});
     hit.def_property_readonly("triangle", &Hit::triangle, "Index of the face.");
 
-    auto contact =
-        add_record(m, "FirstContact", "When two bodies first share a point, and the first two features that do then.",
-                   Field{"time", &FirstContact::time, "From 0 to 1: the true time, rounded once."},
-                   Field{"kind", &FirstContact::kind, "ClosestKind; `intersecting` at time 0."},
-                   Field{"a", &FirstContact::a, "Feature of the first body."},
-                   Field{"b", &FirstContact::b, "Feature of the second body."});
+    auto contact = add_record(m, "FirstContact",
+                              "The time at which two bodies first share a point, and the first two features that do.",
+                              Field{"time", &FirstContact::time, "From 0 to 1: the true time, rounded once."},
+                              Field{"kind", &FirstContact::kind, "ClosestKind; `intersecting` at time 0."},
+                              Field{"a", &FirstContact::a, "Feature of the first body."},
+                              Field{"b", &FirstContact::b, "Feature of the second body."});
     add_triangles(contact);
 }
 
 void add_solid_answers(py::module_& m) {
-    add_record(m, "Location", "Where a point is with respect to a solid.",
+    add_record(m, "Location", "The place of a point with respect to a solid.",
                Field{"side", &Location::side, "Side: outside, on or inside."},
-               Field{"feature", &Location::feature, "What the point is on, if it is on the surface."});
-    add_record(m, "Depth", "The shortest translation of b that parts two convex solids.",
-               Field{"depth", &Depth::depth, "Its length, rounded once; 0 where they touch."},
-               Field{"a", &Depth::a, "What of a is furthest along the direction."},
-               Field{"b", &Depth::b, "What of b is furthest against it."},
+               Field{"feature", &Location::feature, "The feature that the point is on, if it is on the surface."});
+    add_record(m, "Depth", "The shortest translation of b that separates two convex solids.",
+               Field{"depth", &Depth::depth, "Its length, rounded once; 0 if they touch."},
+               Field{"a", &Depth::a, "The feature of a that is furthest along the direction."},
+               Field{"b", &Depth::b, "The feature of b that is furthest against the direction."},
                Field{"direction", &Depth::direction, "Unit vector (3,); b moves along it."});
     add_record(m, "DepthBounds", "Proven bounds of the depth of two solids.",
-               Field{"lower", &DepthBounds::lower, "Not above the depth."},
-               Field{"upper", &DepthBounds::upper, "Not below the depth."},
-               Field{"parted", &DepthBounds::parted, "A translation of b's pose that parts them."});
+               Field{"lower", &DepthBounds::lower, "A lower bound of the depth."},
+               Field{"upper", &DepthBounds::upper, "An upper bound of the depth."},
+               Field{"parted", &DepthBounds::parted, "A translation of b's pose that separates them."});
 }
 
 void add_world_answers(py::module_& m) {
@@ -127,29 +129,29 @@ void add_world_answers(py::module_& m) {
     add_record(m, "ClosestPair", "Two bodies of a world that are closest to each other.",
                Field{"bodies", &ClosestPair::bodies, "Their ids, the lesser first."},
                Field{"distance", &ClosestPair::distance, "The true distance, rounded once."});
-    add_record(m, "BodyHit", "What a segment or a ray meets of a body.", Field{"body", &BodyHit::body, "Its id."},
-               Field{"hit", &BodyHit::hit, "Its rank counts the parameters of all bodies."});
-    add_record(m, "BodyContact", "A body that is met first by one on the move.",
+    add_record(m, "BodyHit", "A hit of a segment or a ray on a body.", Field{"body", &BodyHit::body, "Its id."},
+               Field{"hit", &BodyHit::hit, "The Hit; its rank counts the parameters of all bodies."});
+    add_record(m, "BodyContact", "The body that a moving one meets first.",
                Field{"body", &BodyContact::body, "Its id."},
-               Field{"contact", &BodyContact::contact, "a: of the one that moves."});
+               Field{"contact", &BodyContact::contact, "The FirstContact; a is a feature of the moving body."});
     add_record(m, "Meeting", "Two bodies that meet while bodies move.",
                Field{"bodies", &Meeting::bodies, "Their ids, the lesser first."},
-               Field{"contact", &Meeting::contact, "When, and with which features."});
+               Field{"contact", &Meeting::contact, "The time and the features."});
     add_record(m, "SolidPair", "Two solids that are not apart.",
                Field{"bodies", &SolidPair::bodies, "Their ids, the lesser first."},
-               Field{"relation", &SolidPair::relation, "How the first is to the second."});
-    add_record(m, "BodyDepth", "Two convex solids that share a point, and the shortest way out, of the second.",
+               Field{"relation", &SolidPair::relation, "The relation of the first to the second."});
+    add_record(m, "BodyDepth", "Two convex solids that share a point, and their depth.",
                Field{"bodies", &BodyDepth::bodies, "Their ids, the lesser first."},
-               Field{"depth", &BodyDepth::depth, "How deep they are in each other."});
+               Field{"depth", &BodyDepth::depth, "The Depth, by which the second body would move."});
     add_record(m, "SolidDistance", "Two convex solids and their distance.",
                Field{"bodies", &SolidDistance::bodies, "Their ids, the lesser first."},
-               Field{"distance", &SolidDistance::distance, "Rounded once; 0 where they meet."});
+               Field{"distance", &SolidDistance::distance, "The distance, rounded once; 0 if they share a point."});
     add_record(m, "BodyAt", "A body that a point is in, or on.", Field{"body", &BodyAt::body, "Its id."},
                Field{"side", &BodyAt::side, "Side: on or inside."});
-    add_record(
-        m, "BodiesContaining", "The solids of a world that a point is in, or on.",
-        Field{"bodies", &BodiesContaining::bodies, "Ascending."},
-        Field{"skipped_count", &BodiesContaining::skipped_count, "How many bodies are no solids, and were not asked."});
+    add_record(m, "BodiesContaining", "The solids of a world that a point is in, or on.",
+               Field{"bodies", &BodiesContaining::bodies, "Ascending."},
+               Field{"skipped_count", &BodiesContaining::skipped_count,
+                     "Number of bodies that are no solids, and were skipped."});
 }
 
 }  // namespace

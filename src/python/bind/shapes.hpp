@@ -1,4 +1,4 @@
-// Meshes and solids as Python holds them: shared, so that whatever refers to one keeps it.
+// Meshes and solids as Python holds them: shared, so that whatever refers to a mesh keeps it alive.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace ecods::python {
 
-// What a Posed of Python's is: it owns its shape, which the library's does not.
+// A Posed in Python: owns its shape, unlike the library's Posed.
 struct PosedMesh {
     std::shared_ptr<MeshShape> shape;  // never null
     Pose pose;
@@ -21,7 +21,7 @@ struct PosedMesh {
     operator Posed<MeshShape>() const { return {*shape, pose}; }
 };
 
-// The same of a Moving.
+// A Moving in Python: owns its shape, unlike the library's Moving.
 struct MovingMesh {
     std::shared_ptr<MeshShape> shape;  // never null
     Pose from;
@@ -30,7 +30,7 @@ struct MovingMesh {
     operator Moving<MeshShape>() const { return {*shape, from, to}; }
 };
 
-// The posed mesh as a Solid, or as a ConvexSolid. Throws TypeError if it is none.
+// Returns the posed mesh as a Solid or a ConvexSolid. Throws TypeError if it is neither.
 template <class Shape>
 Posed<Shape> as(const PosedMesh& posed, const char* argument) {
     const auto* solid = dynamic_cast<const Shape*>(posed.shape.get());
@@ -42,7 +42,7 @@ Posed<Shape> as(const PosedMesh& posed, const char* argument) {
     return {*solid, posed.pose};
 }
 
-// For classes whose objects never change: who copies what refers to one refers to the same.
+// Makes copies of an object the object itself, for classes whose objects never change.
 template <class Type>
 void copies_are_itself(Type& type) {
     type.def("__copy__", [](py::object self) { return self; });

@@ -1,4 +1,4 @@
-// Questions about solids: solid.hpp, convex_solid.hpp, depth.hpp.
+// Binds questions about solids: solid.hpp, convex_solid.hpp, depth.hpp.
 #include "ecods/depth.hpp"
 #include "python/bind/ask.hpp"
 #include "python/bind/bind.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using Body = const PosedMesh&;
 
-// question(a, b, memory) of two Solids.
+// Returns a function that asks question(a, b, memory) about two Solids.
 template <class Question>
 auto asked_of_solids(Question question) {
     return [question](Body a, Body b) {
@@ -19,7 +19,7 @@ auto asked_of_solids(Question question) {
     };
 }
 
-// question(a, b, memory, witness) of two ConvexSolids.
+// Returns a function that asks question(a, b, memory, witness) about two ConvexSolids.
 template <class Question>
 auto asked_of_convex_solids(Question question) {
     return [question](Body a, Body b, PairWitness* known) {
@@ -73,7 +73,7 @@ void bind_solid_questions(py::module_& m) {
     m.def("solid_distance", asked_of_convex_solids(ECODS_QUESTION(solid_distance)), a, b, witness,
           "The distance of two ConvexSolids, interiors included: rounded once. Raises SingularPose.");
     m.def("solid_closest", asked_of_convex_solids(ECODS_QUESTION(solid_closest)), a, b, witness,
-          "ClosestPoints of two ConvexSolids; None where they share a point. Raises SingularPose.");
+          "ClosestPoints of two ConvexSolids; None if they share a point. Raises SingularPose.");
     m.def("depth", asked_of_convex_solids(ECODS_QUESTION(depth)), a, b, witness,
           "Depth of two ConvexSolids in each other. Raises SolidsApart, SingularPose.");
 }

@@ -1,4 +1,4 @@
-// Threads of Python's worlds and of questions about many poses. They never touch the interpreter.
+// Threads for Python's worlds and for questions about many poses. They never use the interpreter.
 #pragma once
 
 #include <condition_variable>
@@ -11,8 +11,8 @@
 
 namespace ecods::python {
 
-// The thread that calls, and count - 1 others, which wait. In a process that was forked, where they are not, the thread
-// that calls does the work.
+// An executor of the calling thread and count - 1 others, which wait for work. In a forked process, where the others do
+// not exist, the calling thread does all the work.
 class Threads final : public Executor {
   public:
     explicit Threads(std::size_t count);
@@ -26,13 +26,13 @@ class Threads final : public Executor {
     void take_tasks(std::size_t worker);
 
     std::vector<std::thread> others_;
-    long process_;  // that started them
+    long process_;  // id of the process that started the threads
 
     std::mutex mutex_;
     std::condition_variable begins_;
     std::condition_variable ends_;
-    std::uint64_t round_ = 0;  // how often run() was called
-    std::size_t busy_ = 0;     // threads that have not ended this round
+    std::uint64_t round_ = 0;  // number of calls of run()
+    std::size_t busy_ = 0;     // threads that have not finished this round
     bool is_over_ = false;
 
     std::mutex next_mutex_;
@@ -41,7 +41,7 @@ class Threads final : public Executor {
     const std::function<void(std::size_t, std::size_t)>* task_ = nullptr;
 };
 
-// Null for one thread. Throws ValueError unless there is at least one.
+// Returns an executor, or null for one thread. Throws ValueError if `count` is 0.
 std::shared_ptr<Executor> make_threads(std::size_t count);
 
 }  // namespace ecods::python

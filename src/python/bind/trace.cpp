@@ -1,4 +1,4 @@
-// Traces of a world's calls, and running them again: trace.hpp, replay.hpp.
+// Binds trace.hpp and replay.hpp: traces of a world's calls, and their replay.
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
@@ -12,7 +12,7 @@
 namespace ecods::python {
 namespace {
 
-// The text of a trace.
+// A trace, as text.
 struct Trace {
     std::string text;
 };
@@ -63,8 +63,8 @@ void add_trace_calls(WorldClass& type) {
             self.begin_trace(open(path), questions);
         },
         py::arg("path") = py::none(), py::arg("questions") = false,
-        "Records every call that changes the world from now on, in memory or in a file; with `questions`, also what is "
-        "asked about more than two bodies. Raises OSError.");
+        "Records every call that changes the world from now on, in memory or in a file; with `questions`, also "
+        "questions about more than two bodies. Raises OSError.");
     type.def(
         "end_trace",
         [](SharedWorld& self) -> std::optional<Trace> {
@@ -72,22 +72,22 @@ void add_trace_calls(WorldClass& type) {
             const auto* text = dynamic_cast<const std::ostringstream*>(stream.get());
             return text == nullptr ? std::nullopt : std::optional(Trace{text->str()});
         },
-        "Ends it: a Trace, or None if it went to a file or there is none. Raises TraceFailed.");
+        "Ends the trace: a Trace, or None if it went to a file or there is none. Raises TraceFailed.");
 }
 
 void bind_trace(py::module_& m) {
-    add_record(m, "ReplayDifference", "The first thing that is not as a trace says.",
-               Field{"update", &ReplayReport::Difference::update, "From 0."},
-               Field{"call", &ReplayReport::Difference::call, "From 0."},
-               Field{"line", &ReplayReport::Difference::line, "From 1."},
-               Field{"what", &ReplayReport::Difference::what, "In words."});
-    add_record(m, "ReplayReport", "How a replay went, up to its end or to the first difference.",
-               Field{"call_count", &ReplayReport::call_count, "Calls that were run."},
-               Field{"update_count", &ReplayReport::update_count, "Updates among them."},
-               Field{"question_count", &ReplayReport::question_count, "Questions among them."},
-               Field{"body_count", &ReplayReport::body_count, "Bodies at the end."},
-               Field{"colliding_count", &ReplayReport::colliding_count, "Pairs that collide then."},
-               Field{"difference", &ReplayReport::difference, "ReplayDifference, or None if all is as it was."});
+    add_record(m, "ReplayDifference", "The first difference between a replay and its trace.",
+               Field{"update", &ReplayReport::Difference::update, "Number of the update, from 0."},
+               Field{"call", &ReplayReport::Difference::call, "Number of the call, from 0."},
+               Field{"line", &ReplayReport::Difference::line, "Line of the trace, from 1."},
+               Field{"what", &ReplayReport::Difference::what, "The difference in words."});
+    add_record(m, "ReplayReport", "The result of a replay, up to its end or to the first difference.",
+               Field{"call_count", &ReplayReport::call_count, "Number of calls that were made."},
+               Field{"update_count", &ReplayReport::update_count, "Number of updates among them."},
+               Field{"question_count", &ReplayReport::question_count, "Number of questions among them."},
+               Field{"body_count", &ReplayReport::body_count, "Number of bodies at the end."},
+               Field{"colliding_count", &ReplayReport::colliding_count, "Number of pairs that collide at the end."},
+               Field{"difference", &ReplayReport::difference, "ReplayDifference, or None if there is none."});
     py::class_<Trace>(m, "Trace", "The calls that changed a world, as text.")
         .def(py::init<std::string>(), py::arg("text"))
         .def_readonly("text", &Trace::text)
@@ -97,7 +97,7 @@ void bind_trace(py::module_& m) {
                  return "<ecods.Trace of " + std::to_string(lines) + " lines>";
              })
         .def("replay", &run, py::arg("broad_phase") = py::none(), py::arg("threads") = 1, py::arg("validates") = false,
-             "Runs it again, until its end or the first difference: a ReplayReport. Raises InvalidTrace.")
+             "Makes the calls again, up to the end or the first difference: a ReplayReport. Raises InvalidTrace.")
         .def(
             "__eq__", [](const Trace& self, const Trace& other) { return self.text == other.text; }, py::is_operator())
         .def(py::pickle([](const Trace& self) { return py::make_tuple(self.text); },

@@ -1,4 +1,4 @@
-// World: bodies, and what is asked of them.
+// Binds World: its bodies, and what is known of each.
 #include "python/bind/world.hpp"
 
 #include "python/bind/bind.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using Shape = std::shared_ptr<MeshShape>;
 
-// The pose of a body to be moved: an error names the body, as World::set_pose does.
+// Returns the pose for a body that is moved. An error names the body, as one of World::set_pose does.
 Pose pose_for(BodyId body, const py::object& pose) {
     try {
         return to_pose(pose);
@@ -32,14 +32,14 @@ void add_bodies(WorldClass& type, const py::arg& body) {
         "Makes a body and returns its id, an int. Bodies of one Mesh share its tree. `groups` and `mask` are bits: two "
         "bodies may meet if each is in a group that the other's mask names. Raises InvalidPose, NullArgument.");
     type.def("destroy_body", changing(&World::destroy_body), body,
-             "The id is stale from now on. Raises StaleBody, as every call that is given an id does.");
+             "Destroys a body; its id is stale from now on. Raises StaleBody, as every call that is given an id does.");
     type.def(
         "set_pose",
         [](SharedWorld& self, BodyId id, const py::object& pose) {
             const Pose place = pose_for(id, pose);
             self.change([&](World& world) { world.set_pose(id, place); });
         },
-        body, py::arg("pose"), "Moves a body; for the lists at update(). Raises InvalidPose.");
+        body, py::arg("pose"), "Moves a body; the lists follow at update(). Raises InvalidPose.");
     type.def(
         "set_poses",
         [](SharedWorld& self, const py::object& bodies, const py::object& poses) {
@@ -56,9 +56,9 @@ void add_bodies(WorldClass& type, const py::arg& body) {
             const std::shared_ptr<const ecods::Shape> shape = mesh;
             self.change([&](World& world) { world.set_shape(id, shape); });
         },
-        body, py::arg("mesh"), "Gives a body another mesh; of one that deforms, Mesh.refit() makes it.");
+        body, py::arg("mesh"), "Gives a body another mesh; Mesh.refit() makes one for a mesh that deforms.");
     type.def("set_user_data", changing(&World::set_user_data), body, py::arg("data"),
-             "A number of the caller's, below 2**64, kept with the body.");
+             "Stores a number of the caller's, below 2**64, with the body.");
     type.def("reserve", changing(&World::reserve), py::arg("body_count"), "Reserves memory for so many bodies.");
 }
 
@@ -68,8 +68,8 @@ void add_facts(WorldClass& type, const py::arg& body) {
         [](SharedWorld& self, const AnyId& id) {
             return self.read([&](const World& world) { return world.is_alive(id.body); });
         },
-        body, "Whether the id names a body of this world.");
-    type.def("pose", reading(&World::pose), body, "(4, 4) float64, set last.");
+        body, "True if the id names a body of this world.");
+    type.def("pose", reading(&World::pose), body, "The pose set last, (4, 4) float64.");
     const auto mesh = [](SharedWorld& self, BodyId id) {
         const auto shape = reading(&World::shape)(self, id);
         return std::const_pointer_cast<MeshShape>(std::static_pointer_cast<const MeshShape>(shape));
@@ -97,18 +97,18 @@ void add_filters(WorldClass& type, const py::arg& body) {
         [](SharedWorld& self, BodyId id, std::uint64_t groups, std::uint64_t mask) {
             self.change([&](World& world) { world.set_filter(id, {.groups = groups, .mask = mask}); });
         },
-        body, py::arg("groups"), py::arg("mask"), "Which groups a body is in, and which it meets, as bits.");
+        body, py::arg("groups"), py::arg("mask"), "Sets the groups that a body is in, and meets, as bits.");
     type.def("filter", reading(&World::filter), body, "The CollisionFilter set last.");
     type.def("set_pair_enabled", changing(&World::set_pair_enabled), py::arg("a"), py::arg("b"), py::arg("is_enabled"),
              "Switches one pair off, or on again. Raises SameBody.");
     type.def("is_pair_enabled", reading(&World::is_pair_enabled), py::arg("a"), py::arg("b"),
-             "By that switch alone, whatever the filters are.");
+             "True unless set_pair_enabled() switched the pair off, whatever the filters are.");
 }
 
 }  // namespace
 
 void bind_world(py::module_& m) {
-    add_record(m, "CollisionFilter", "Which groups a body is in, and which it meets, as bits.",
+    add_record(m, "CollisionFilter", "The groups that a body is in, and the groups that it meets, as bits.",
                Field{"groups", &CollisionFilter::groups, "The groups that it is in."},
                Field{"mask", &CollisionFilter::mask, "The groups that it meets."})
         .def(py::init([](std::uint64_t groups, std::uint64_t mask) {
@@ -119,14 +119,13 @@ void bind_world(py::module_& m) {
         m, "World",
         "Many moving bodies: which of them touch, which come close, and which is the nearest? Changes take effect "
         "at once for questions, and at update() for the lists. Any thread may call; calls that only ask run "
-        "beside each other. A copy, or what is pickled, has the bodies of now under the same ids, with their filters, "
+        "beside each other. A copy, or a pickle, has the present bodies under the same ids, with their filters, "
         "data and switched pairs, the clearance and the options; ids that were stale are stale in it, too. It is as "
         "before its first update, and no trace goes on in it. Copies share the meshes. The cost is that of creating "
         "the bodies.");
-    type.def(
-        py::init<BroadPhaseKind, std::size_t>(), py::arg("broad_phase") = "automatic", py::arg("threads") = 1,
-        "`threads`: how many run the two-body tests of update(), depths() and solid_distances(). No answer depends on "
-        "either.");
+    type.def(py::init<BroadPhaseKind, std::size_t>(), py::arg("broad_phase") = "automatic", py::arg("threads") = 1,
+             "`threads`: the number that run the two-body tests of update(), depths() and solid_distances(). No answer "
+             "depends on either.");
     const py::arg body("body");
     add_bodies(type, body);
     add_facts(type, body);

@@ -1,4 +1,4 @@
-// A world as Python holds it: calls from several threads wait for each other where they must.
+// A world as Python holds it: calls from several threads wait for each other if they must.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -17,11 +17,11 @@
 
 namespace ecods::python {
 
-// Each call gives up the interpreter's lock before it waits for the world's, and nothing done to the world needs the
-// interpreter, so no two locks can wait for each other.
+// Guards a world by a lock. Each call releases the interpreter's lock before it waits for the world's lock, and no
+// operation on the world uses the interpreter, so there is no deadlock.
 class SharedWorld {
   public:
-    // With `ids` as in WorldOptions.
+    // Makes a world; `ids` is that of WorldOptions.
     SharedWorld(BroadPhaseKind broad_phase, std::size_t threads, std::vector<BodyId> ids = {})
         : broad_phase_(broad_phase),
           threads_(threads),
@@ -30,7 +30,7 @@ class SharedWorld {
     BroadPhaseKind broad_phase() const noexcept { return broad_phase_; }
     std::size_t threads() const noexcept { return threads_; }
 
-    // The world alone: for calls that change it.
+    // Calls what(world) with exclusive access, for calls that change the world.
     template <class Change>
     auto change(Change what) {
         const pybind11::gil_scoped_release release;
@@ -38,7 +38,7 @@ class SharedWorld {
         return what(world_);
     }
 
-    // Beside other calls that only read.
+    // Calls what(world) with shared access, for calls that only read.
     template <class Read>
     auto read(Read what) const {
         const pybind11::gil_scoped_release release;
@@ -46,8 +46,8 @@ class SharedWorld {
         return what(world_);
     }
 
-    // question(world, memory...): in the memory of the thread, beside others; or, while a trace is to have questions,
-    // in the world's own.
+    // Calls question(world, memory): with shared access and the memory of the thread. While a trace records questions,
+    // calls question(world) instead, with exclusive access and the world's own memory.
     template <class Question>
     auto ask(Question question) {
         const pybind11::gil_scoped_release release;
@@ -59,20 +59,21 @@ class SharedWorld {
         return question(world_);
     }
 
-    // A trace on a stream, which the world keeps until the trace ends. Without a trace, the end gives null.
+    // Begins a trace on a stream, which this object owns until the trace ends. The end returns the stream, or null if
+    // there was no trace.
     void begin_trace(std::unique_ptr<std::ostream> out, bool questions);
     std::unique_ptr<std::ostream> end_trace();
 
   private:
     mutable std::shared_mutex mutex_;
-    std::unique_ptr<std::ostream> trace_;  // before the world, which writes to it until it ends
+    std::unique_ptr<std::ostream> trace_;  // declared before the world, which writes to it until its end
     bool traces_questions_ = false;
     const BroadPhaseKind broad_phase_;
     const std::size_t threads_;
     World world_;
 };
 
-// Functions for pybind11 that make a call of World which changes it, or only reads.
+// Return functions for pybind11 that make a call of World: one that changes it, or one that only reads.
 template <class Result, class... Given>
 auto changing(Result (World::*call)(Given...)) {
     return [call](SharedWorld& self, Given... given) {
@@ -86,7 +87,7 @@ auto reading(Result (World::*call)(Given...) const) {
     };
 }
 
-// One that asks question(world, given..., memory...), as SharedWorld::ask does.
+// Returns a function for pybind11 that asks question(world, given..., memory...), as SharedWorld::ask does.
 template <class... Given, class Question>
 auto asked_of_world(Question question) {
     return [question](SharedWorld& self, const Given&... given) {
@@ -94,7 +95,8 @@ auto asked_of_world(Question question) {
     };
 }
 
-// The World's function of that name, which has a form with a memory and one without.
+// A callable that selects the overload of the member function `name` of World, with or without a memory, by its
+// arguments.
 #define ECODS_CALL(name) [](auto& world, auto&... given) { return world.name(given...); }
 
 using WorldClass = pybind11::class_<SharedWorld>;

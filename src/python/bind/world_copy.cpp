@@ -1,4 +1,5 @@
-// World: copies and pickles. What is written of a world makes it again by calls, under the same ids.
+// Binds the copying and pickling of World. The state of a world is data from which calls make it again, under the same
+// ids.
 #include <array>
 #include <map>
 
@@ -13,11 +14,11 @@ constexpr int state_version = 1;
 using SharedMesh = std::shared_ptr<MeshShape>;
 using Numbers = py::array_t<std::uint64_t, py::array::c_style | py::array::forcecast>;
 
-// A scene holds what a world is now, in the order of its bodies.
+// The present state of a world, in the order of its bodies.
 struct Scene {
     std::vector<BodyId> bodies;
     std::vector<BodyId> next_ids;
-    std::vector<SharedMesh> meshes;  // each once
+    std::vector<SharedMesh> meshes;  // each mesh once
     std::vector<std::uint64_t> mesh_of;
     std::vector<Pose> poses;
     std::vector<std::uint64_t> groups, masks, data;

@@ -1,4 +1,4 @@
-// World: questions about all of its bodies, as of now.
+// Binds the questions of World about all of its present bodies.
 #include "python/bind/world.hpp"
 
 namespace ecods::python {
@@ -32,7 +32,7 @@ void add_nearest(WorldClass& type, const py::arg_v& filter) {
             return self.ask([&](auto& world, auto&... memory) { return world.nearest(body, memory..., most); });
         },
         py::arg("what"), limit,
-        "NearestBody to a body, among those within the limit with which it is not filtered out, or None. Of equal "
+        "NearestBody to a body, among those within the limit with which it is not filtered out, or None. Among equal "
         "distances the least id. Raises InvalidDistance.");
     type.def(
         "nearest",
@@ -72,7 +72,7 @@ void add_hits(WorldClass& type, const py::arg_v& filter) {
         [](SharedWorld& self, const Line& line, const Filter& only) {
             return self.ask([&](auto& world, auto&... memory) { return world.all_hits(line, memory..., only); });
         },
-        py::arg("line"), filter, "All that a Segment or Ray hits: a list of BodyHit, by real parameter.");
+        py::arg("line"), filter, "All hits of a Segment or Ray: a list of BodyHit, by real parameter.");
 }
 
 void add_casts(WorldClass& type, const py::arg_v& filter) {
@@ -83,8 +83,8 @@ void add_casts(WorldClass& type, const py::arg_v& filter) {
             return self.ask([&](auto& world, auto&... memory) { return world.cast(body, motion, memory..., most); });
         },
         py::arg("what"), py::arg("motion"), time_max,
-        "BodyContact: what a body meets first while it is translated by time times motion (3,), up to time_max, or "
-        "None. Nothing moves. Raises InvalidMotion, InvalidTime.");
+        "BodyContact of a body with the one that it meets first if translated by time times motion (3,), up to "
+        "time_max, or None. Nothing moves. Raises InvalidMotion, InvalidTime.");
     type.def(
         "cast",
         [](SharedWorld& self, const PosedMesh& what, const Vec3& motion, double most, const Filter& only) {
@@ -92,7 +92,8 @@ void add_casts(WorldClass& type, const py::arg_v& filter) {
                 return world.cast(*what.shape, what.pose, motion, memory..., most, only);
             });
         },
-        py::arg("what"), py::arg("motion"), time_max, filter, "The same of a Mesh or Posed that is no body.");
+        py::arg("what"), py::arg("motion"), time_max, filter,
+        "BodyContact of a translated Mesh or Posed that is no body.");
     type.def(
         "meetings",
         [](SharedWorld& self, const py::object& bodies, const py::object& poses) {

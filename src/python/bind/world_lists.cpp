@@ -1,10 +1,10 @@
-// World: updates and the lists that they make, and what a world says about itself.
+// Binds the updates of World, the lists that updates make, and statistics.
 #include "python/bind/world.hpp"
 
 namespace ecods::python {
 namespace {
 
-// A list of pairs: (k, 2) ids. A copy, as the world's own changes with it.
+// Adds a list of pairs: (k, 2) ids. It returns a copy, as the world's own list changes with the world.
 template <class List>
 void add_list(WorldClass& type, const char* name, List list, const char* doc) {
     type.def(
@@ -48,27 +48,27 @@ py::dict dict_of(const Statistics& s) {
 }
 
 void add_settings(WorldClass& type) {
-    type.def(
-        "set_clearance", changing(&World::set_clearance), py::arg("clearance"),
-        "From the next update on, close_pairs() are those at a distance of at most this, decided for the real number; "
-        "None ends it. Raises InvalidDistance.");
-    type.def("clearance", reading(&World::clearance), "Set last, or None.");
+    type.def("set_clearance", changing(&World::set_clearance), py::arg("clearance"),
+             "Makes close_pairs() the pairs at a distance of at most this, decided for the real number, from the next "
+             "update on; None ends it. Raises InvalidDistance.");
+    type.def("clearance", reading(&World::clearance), "The clearance set last, or None.");
     type.def("set_solids", changing(&World::set_solids), py::arg("are_related"),
-             "Whether updates make solid_pairs(), from the next one on.");
-    type.def("are_solids_related", reading(&World::are_solids_related), "Set last; False at first.");
+             "If True, updates make solid_pairs(), from the next one on.");
+    type.def("are_solids_related", reading(&World::are_solids_related),
+             "True if updates make solid_pairs(); False at first.");
 }
 
 }  // namespace
 
 void add_lists(WorldClass& type) {
     add_settings(type);
-    type.def("update", changing(&World::update), "Brings the lists up to date, with work that follows what changed.");
+    type.def("update", changing(&World::update), "Brings the lists up to date. Cost: follows the changes.");
     add_list(type, "overlapping_pairs", &World::overlapping_pairs,
              "Pairs whose boxes overlap and that are not filtered out: (k, 2) uint64.");
     add_list(type, "colliding_pairs", &World::colliding_pairs,
              "Pairs that share a point as of the last update, ascending: (k, 2) uint64. Exact.");
     add_list(type, "began", &World::began, "Pairs that began to collide with the last update: (k, 2) uint64.");
-    add_list(type, "ended", &World::ended, "Pairs that ended to collide with the last update: (k, 2) uint64.");
+    add_list(type, "ended", &World::ended, "Pairs that ceased to collide with the last update: (k, 2) uint64.");
     add_list(type, "close_pairs", &World::close_pairs, "Pairs within the clearance, colliding ones included. Exact.");
     add_list(type, "close_began", &World::close_began, "Pairs that came to be within the clearance.");
     add_list(type, "close_ended", &World::close_ended, "Pairs that are within the clearance no more.");
@@ -83,7 +83,7 @@ void add_lists(WorldClass& type) {
         "update.");
     type.def(
         "statistics", [](SharedWorld& self) { return dict_of(reading(&World::statistics)(self)); },
-        "What the world did, as counts.");
+        "Counts of the world's work.");
     type.def(
         "validate", [](SharedWorld& self) { self.change([](World& world) { world.validate(); }); },
         "Checks every invariant. Slow: for tests. Raises BrokenInvariant.");

@@ -1,4 +1,4 @@
-// World: questions about two of its bodies, as of now.
+// Binds the questions of World about two of its present bodies.
 #include "python/bind/world.hpp"
 
 namespace ecods::python {
@@ -8,7 +8,7 @@ void add_pair_questions(WorldClass& type) {
     const py::arg b("b");
     const py::arg d("d");
     type.def("intersects", asked_of_world<BodyId, BodyId>(ECODS_CALL(intersects)), a, b,
-             "Whether two bodies share a point, as of now. Raises StaleBody, SameBody, as all of these do.");
+             "True if two bodies share a point, as of now. Raises StaleBody, SameBody, as all of these do.");
     type.def("relation", asked_of_world<BodyId, BodyId>(ECODS_CALL(relation)), a, b, "Relation of two bodies.");
     type.def(
         "intersecting_triangles",
@@ -20,10 +20,10 @@ void add_pair_questions(WorldClass& type) {
     type.def("distance", asked_of_world<BodyId, BodyId>(ECODS_CALL(distance)), a, b,
              "The distance of two bodies, rounded once.");
     type.def("within", asked_of_world<BodyId, BodyId, double>(ECODS_CALL(within)), a, b, d,
-             "Whether the distance is at most d, decided for the real number. Raises InvalidDistance.");
+             "True if the distance is at most d, decided for the real number. Raises InvalidDistance.");
     type.def("closest", asked_of_world<BodyId, BodyId>(ECODS_CALL(closest)), a, b, "ClosestPoints of two bodies.");
     type.def("intersections", asked_of_world<BodyId, BodyId>(ECODS_CALL(intersections)), a, b,
-             "What intersecting triangles share: a list of TriangleIntersection.");
+             "The shared points of intersecting triangles: a list of TriangleIntersection.");
     type.def("close_features", asked_of_world<BodyId, BodyId, double>(ECODS_CALL(close_features)), a, b, d,
              "Pairs of features within d: a list of CloseFeatures. Raises InvalidDistance.");
     type.def("solid_relation", asked_of_world<BodyId, BodyId>(ECODS_CALL(solid_relation)), a, b,
@@ -31,7 +31,7 @@ void add_pair_questions(WorldClass& type) {
     type.def("solid_distance", asked_of_world<BodyId, BodyId>(ECODS_CALL(solid_distance)), a, b,
              "The distance of two ConvexSolids, interiors included. Raises NotSupported, SingularPose.");
     type.def("solid_closest", asked_of_world<BodyId, BodyId>(ECODS_CALL(solid_closest)), a, b,
-             "ClosestPoints of two ConvexSolids; None where they meet.");
+             "ClosestPoints of two ConvexSolids; None if they share a point.");
     type.def("depth", asked_of_world<BodyId, BodyId>(ECODS_CALL(depth)), a, b,
              "Depth of two ConvexSolids in each other. Raises SolidsApart.");
     type.def("depth_bounds", asked_of_world<BodyId, BodyId>(ECODS_CALL(depth_bounds)), a, b,

@@ -10,7 +10,7 @@ EXTERNAL = "__external"
 
 
 def as_mesh(mesh):
-    """A Mesh of a Mesh, of an object with `vertices` and `faces`, or of the two in a tuple. Raises TypeError."""
+    """Returns the Mesh of a Mesh, an object with `vertices` and `faces`, or a tuple of the two. Raises TypeError."""
     if isinstance(mesh, _ecods.Mesh):
         return mesh
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
@@ -22,7 +22,7 @@ def as_mesh(mesh):
 
 
 def _text_of(data, **numbers):
-    """Names with their faces, then numbers."""
+    """Returns the text of a result: names with their faces, then numbers."""
     parts = [f"{name!r}: face {face}" for name, face in data._indices.items()]
     return f"{type(data).__name__}({', '.join(parts + [f'{name}={value}' for name, value in numbers.items()])})"
 
@@ -30,9 +30,9 @@ def _text_of(data, **numbers):
 class ContactData:
     """Two triangles that share a point.
 
-    point: (3,) float, the least corner of what they share. normal: (3,) float, the unit normal that a face or two edges
-    define there, or the direction of the depth; NaN where there is none. depth: of two ConvexSolids how deep they are in
-    each other, exactly; otherwise NaN, as no depth of two surfaces is defined.
+    point: (3,) float, the least corner of the shared points. normal: (3,) float, the unit normal that a face or two
+    edges define there, or the direction of the depth; NaN if there is none. depth: the exact depth of two ConvexSolids in
+    each other; otherwise NaN, as two surfaces have no depth.
     """
 
     def __init__(self, names, contact, depth):
@@ -52,7 +52,7 @@ class ContactData:
 
 
 class DistanceData:
-    """Where two meshes are closest to each other."""
+    """The closest points of two meshes, and the distance."""
 
     def __init__(self, names, closest):
         self.names = set(names)
@@ -80,7 +80,7 @@ def _contacts(names, a, b):
 
 
 def _answer(first, *rest):
-    """The first, and those of the rest that were asked for: pairs of whether and what."""
+    """Returns the first value alone, or a tuple with the values in `rest`, pairs (is_wanted, value), that are wanted."""
     wanted = [what for is_wanted, what in rest if is_wanted]
     return (first, *wanted) if wanted else first
 
@@ -88,13 +88,13 @@ def _answer(first, *rest):
 class CollisionManager:
     """Named meshes: which collide, and how far are they apart?
 
-    The methods have the names and arguments of those of trimesh.collision.CollisionManager. Answers are exact, and about
-    surfaces: touching counts, and a distance is the true one, rounded once; 0 where surfaces share a point, never
-    negative, infinity where there is nothing to measure to. A mesh inside another one does not collide with it, also
-    where trimesh takes a convex mesh for a solid; solid_relation() and World.set_solids() know what is inside. Contacts
-    are all pairs of triangles that meet; their depth is NaN but for two ConvexSolids. Give an ecods.Mesh, in place of
-    another object, where the same one is asked about again: its tree is then made once. Names are any hashable values. It is
-    copied and pickled as a World is.
+    The methods have the names and arguments of trimesh.collision.CollisionManager. Answers are exact, and about
+    surfaces: touching counts, and a distance is the true one, rounded once; 0 if surfaces share a point, never
+    negative, infinity if there is nothing to measure to. A mesh inside another one does not collide with it, even if
+    trimesh would take a convex mesh for a solid; solid_relation() and World.set_solids() say what is inside. Contacts
+    are all pairs of triangles that meet; their depth is NaN but for two ConvexSolids. Pass an ecods.Mesh in place of
+    another object if you ask about it again: its tree is then made once. Names are any hashable values. Copies and
+    pickles work as those of a World.
     """
 
     def __init__(self, threads=1):
@@ -112,7 +112,7 @@ class CollisionManager:
         return self._bodies[name]
 
     def _names_in_order(self, bodies):
-        """Sorted, as trimesh does; names that have no order, as an int and a str, as they were added."""
+        """Returns names sorted, as trimesh does; names without an order, as an int and a str, in the order of adding."""
         names = tuple(self._names[body] for body in sorted(bodies))
         try:
             return tuple(sorted(names))
@@ -123,7 +123,7 @@ class CollisionManager:
         return [(name, self._world.posed(body)) for name, body in self._bodies.items()]
 
     def add_object(self, name, mesh, transform=None):
-        """Adds a mesh at a transform (4, 4), in place of one of the same name."""
+        """Adds a mesh at a transform (4, 4); replaces one of the same name."""
         body = self._world.create_body(as_mesh(mesh), transform)
         if name in self._bodies:
             self.remove_object(name)
@@ -131,17 +131,17 @@ class CollisionManager:
         self._names[body] = name
 
     def remove_object(self, name):
-        """Removes it. Raises ValueError if there is none."""
+        """Removes the object with that name. Raises ValueError if there is none."""
         body = self._body(name)
         self._world.destroy_body(body)
         del self._bodies[name], self._names[body]
 
     def set_transform(self, name, transform):
-        """Moves it to a transform (4, 4). Raises ValueError if there is none."""
+        """Moves the object with that name to a transform (4, 4). Raises ValueError if there is none."""
         self._world.set_pose(self._body(name), transform)
 
     def in_collision_single(self, mesh, transform=None, return_names=False, return_data=False):
-        """Whether a mesh collides with any object; with the names of those, and a list of ContactData."""
+        """Returns True if a mesh collides with any object; on demand also their names, and a list of ContactData."""
         external = as_mesh(mesh).at(transform)
         bodies = self._world.intersecting_bodies(external)
         names = {self._names[body] for body in bodies}
@@ -152,7 +152,7 @@ class CollisionManager:
         return _answer(len(bodies) > 0, (return_names, names), (return_data, data))
 
     def in_collision_internal(self, return_names=False, return_data=False):
-        """Whether any two objects collide; with pairs of names, each in order, and a list of ContactData."""
+        """Returns True if any two objects collide; on demand also pairs of names, sorted, and a list of ContactData."""
         self._world.update()
         pairs = self._world.colliding_pairs()
         names, data = set(), []
@@ -164,7 +164,7 @@ class CollisionManager:
         return _answer(len(pairs) > 0, (return_names, names), (return_data, data))
 
     def in_collision_other(self, other_manager, return_names=False, return_data=False):
-        """Whether an object collides with one of another manager's; pairs of names begin with this one's."""
+        """Returns True if an object collides with one of another manager; pairs of names begin with this manager's."""
         names, data = set(), []
         for other_name, other in other_manager._posed():
             for body in self._world.intersecting_bodies(other):
@@ -174,7 +174,7 @@ class CollisionManager:
         return _answer(len(names) > 0, (return_names, names), (return_data, data))
 
     def min_distance_single(self, mesh, transform=None, return_name=False, return_data=False):
-        """The least distance of a mesh from any object; with the name of that, and its DistanceData."""
+        """Returns the least distance of a mesh from any object; on demand also its name, and the DistanceData."""
         external = as_mesh(mesh).at(transform)
         nearest = self._world.nearest(external)
         if nearest is None:
@@ -186,7 +186,7 @@ class CollisionManager:
         return _answer(nearest.distance, (return_name, name), (return_data, data))
 
     def min_distance_internal(self, name=None, return_names=False, return_data=False):
-        """The least distance of two objects, or of one of that name from the others; with names in order, and data."""
+        """Returns the least distance of two objects, or of the named one from the others; on demand also names and data."""
         if name is None:
             closest = self._world.closest_pair()
             bodies = None if closest is None else closest.bodies
@@ -200,7 +200,7 @@ class CollisionManager:
         return _answer(closest.distance, (return_names, self._names_in_order(bodies)), (return_data, data))
 
     def min_distance_other(self, other_manager, return_names=False, return_data=False):
-        """The least distance from the objects of another manager; names begin with this one's."""
+        """Returns the least distance from the objects of another manager; names begin with this manager's."""
         best, pair, other_posed = math.inf, None, None
         for other_name, other in other_manager._posed():
             nearest = self._world.nearest(other, limit=best)

@@ -1,4 +1,4 @@
-"""One line for arguments that fit no signature: which argument, what it was, and what is accepted there."""
+"""Makes one line for arguments that fit no signature: which argument, what it was, and what is accepted there."""
 import enum
 import operator
 import re
@@ -16,7 +16,7 @@ def with_article(noun):
 
 
 def describe(value):
-    """The type of a value and its shape or length, or the value where that is short."""
+    """Returns the type of a value and its shape or length, or the value itself if that is short."""
     if isinstance(value, np.ndarray):
         return f"a numpy array of shape {value.shape}"
     if isinstance(value, (list, tuple, dict, set)):
@@ -44,7 +44,7 @@ def is_number(value):
 
 
 def accepts(kind, value):
-    """Whether a parameter of this kind, as a signature writes it, takes a value. Other kinds have errors of their own."""
+    """Returns True if a parameter of this kind, as in a signature, takes a value. Unknown kinds take any value."""
     if kind.startswith("Optional["):
         return value is None or accepts(kind[len("Optional["):-1], value)
     named = getattr(_ecods, kind, None)
@@ -68,7 +68,7 @@ def wanted(kind):
 
 
 def hint(kinds, value):
-    """How to make what is wanted of arrays, or of another library's mesh."""
+    """Returns a hint how to make a Mesh or Posed from arrays, or from another library's mesh."""
     if "Posed" not in kinds and "Mesh" not in kinds:
         return ""
     place = ", and place it with .at(pose)" if "Posed" in kinds else ""
@@ -78,7 +78,7 @@ def hint(kinds, value):
 
 
 def split(text):
-    """The parts between commas that are in no bracket."""
+    """Returns the parts between the commas that are outside brackets."""
     depth, part, parts = 0, "", []
     for c in text:
         depth += (c in "([{<") - (c in ")]}>")
@@ -113,7 +113,7 @@ def parameters_of(signature):
 
 
 def problem(parameters, args, kwargs):
-    """(position, text, parameter or None) of the first argument that does not fit; None if all seem to."""
+    """Returns (position, text, (kind, value) or None) for the first argument that does not fit; None if all seem to."""
     by_position = [each for each in parameters if each.by_position]
     names = ", ".join(each.name for each in parameters) or "none"
     for i, parameter in enumerate(parameters):
@@ -147,7 +147,7 @@ def out_of_range(parameters, args, kwargs):
 
 
 def line(text, args, kwargs):
-    """The line for a call that pybind11 refused with this text."""
+    """Returns the line for a call that pybind11 refused with this text."""
     name = text[:text.index("(")]
     signatures = re.findall(r"^ +\d+\. (.*)$", text, re.M)
     is_method = signatures[0].startswith("(self: ")
