@@ -52,8 +52,7 @@ class NumberMemo {
 
 class PlaneSigns {
   public:
-    static constexpr std::size_t triangle_count_max = std::size_t{1}
-                                                      << 31;  // for both bodies together, so that keys are unique
+    static constexpr std::size_t triangle_count_max = std::size_t{1} << 31;  // of both bodies; limited by keys
 
     // Forgets groups and signs. Cost: constant.
     void clear() noexcept {
