@@ -14,7 +14,7 @@ struct ExactReach {
 };
 ExactReach reach_of(const IntegerVector3& n, const IntegerVector3* corners);
 
-// How two triangles must be apart along an axis; weakly and half_open serve the claims touching and hit.
+// Says how two triangles must be apart along an axis. The claims touching and hit need weakly and half_open.
 enum class ApartBy : std::uint8_t {
     weakly,     // gap >= 0: they are on different sides, and may touch
     strictly,   // gap > 0

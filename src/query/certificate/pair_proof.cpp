@@ -106,7 +106,8 @@ void PairProof::try_slabs(const X& x, const Y& y, bool is_fine, std::uint64_t& l
     }
 }
 
-// Tries the axis of the closest features of the first open pair of triangles, as a vector and as a formula.
+// Tries the axis of the closest features of the first open pair of triangles, as a vector. If many pairs
+// stay open, tries it exactly, as a formula.
 void PairProof::try_features(const TreeLeaf& x, const TreeLeaf& y, std::uint64_t& left) {
     if (left != 0) {
         const auto first = static_cast<std::size_t>(std::countr_zero(left));

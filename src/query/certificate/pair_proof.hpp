@@ -38,7 +38,8 @@ class PairProof {
         PairAxis axis{};
         SlabEnds ends{};
     };
-    // The way to try an axis: it must prove `least` pairs to be named; if `is_fine`, doubles decide where floats fail.
+    // Says how an axis is tried: it must prove `least` pairs to be named; if `is_fine`, doubles decide where floats
+    // fail.
     struct Trial {
         int least;
         bool is_fine;

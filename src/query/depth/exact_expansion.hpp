@@ -33,8 +33,8 @@ struct ExactPlane {
         side = exact::sign<3 * L>(h);
         const auto hh = exact::multiply<3 * L, 3 * L>(h.limbs, h.limbs);
         near = exact::leading_digits(exact::without_leading_zeros(hh), exact::without_leading_zeros(nn.limbs));
-        // Shortens 128 digits to 127, all numbers thus having one length; is_exact tells if no digit is lost. Digits of
-        // one length compare like the quotients.
+        // Shortens 128 digits to 127, all numbers thus having one length; is_exact is true if no digit is lost. Digits
+        // of one length compare like the quotients.
         if (near.digits >> 127 != 0) {
             near.is_exact &= (near.digits & 1) == 0;
             near.digits >>= 1;

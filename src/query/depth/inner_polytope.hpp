@@ -49,7 +49,7 @@ class InnerPolytope {
         }
     }
 
-    // Adds a vertex, which must be beyond some face. If doubles leave it open, is_beyond(face) must tell if the vertex
+    // Adds a vertex, which must be beyond some face. If doubles leave it open, is_beyond(face) must say if the vertex
     // is strictly beyond that face's plane. Returns false if the border is too long.
     template <class IsBeyond>
     bool insert(const DifferenceVertex& v, IsBeyond&& is_beyond) {

@@ -21,7 +21,7 @@ constexpr int normal_count_max = 3;
 constexpr std::array<double, 6> margins{0, 0x1p-52, 0x1p-50, 0x1p-46, 0x1p-38, 0x1p-26};
 
 // The limits of the last part of a way, relative to it. A contact's time is known to 2^-52 of the way, so to 2^-46 of a
-// last part as short as `short_part`. For a part below `unknown_part` this may be too little to tell if the way is
+// last part as short as `short_part`. For a part below `unknown_part` this may be too little to show if the way is
 // worth following.
 constexpr double short_part = 0x1p-6, unknown_part = 0x1p-20;
 

@@ -38,7 +38,7 @@ class PartingSearch {
   private:
     struct Direction {
         Vec3 n;
-        double reach;  // how far out the boxes are apart
+        double reach;  // length of the translation at which the boxes are apart
     };
 
     void add_direction(const Vec3& n);

@@ -9,7 +9,7 @@
 
 namespace ecods {
 
-// Gives exact signs of single points of a frame's bodies. It converts the points for each sign: for rare questions.
+// Gives exact signs of points of a frame's bodies. Each call converts its points, so it is for rare use.
 class PointSigns {
   public:
     using Point = exact::VertexRef;
@@ -37,7 +37,7 @@ struct Wing {
 };
 
 // Sorts wings by angle around the line from p to q, from the direction of the first wing on, and sets their groups. Let
-// w0 be the first wing's apex. The sign of orient3d(p, q, w0, w) tells which half-turn apex w is in; if it is 0, w is
+// w0 be the first wing's apex. The sign of orient3d(p, q, w0, w) shows which half-turn apex w is in; if it is 0, w is
 // in the plane of w0, on the same side of the line if orient2d(p, q, w) has the sign of orient2d(p, q, w0). Within a
 // half-turn the sign of orient3d(p, q, w, w') orders w and w'.
 void sort_fan(PointSigns& signs, PointSigns::Point p, PointSigns::Point q, std::vector<Wing>& wings);

@@ -14,7 +14,7 @@ namespace ecods {
 struct SurfaceAt {
     exact::BodyRef body;
     const MeshTree& tree;      // tree of body.mesh
-    const ProperMesh* proper;  // tells which triangles count; null if all do
+    const ProperMesh* proper;  // the triangles that count; null if all do
 
     explicit SurfaceAt(const Posed<MeshShape>& posed);  // all triangles count
     explicit SurfaceAt(const Posed<Solid>& posed);      // those that bound the solid count
