@@ -27,10 +27,10 @@ void NearestPlanes::find_level(std::size_t side, const InnerPolytope::Face& face
     climb_to_level(side, heights, hulls_->support(side, n, start), level);
 }
 
-// Lists these vertices for a solid that is not scanned, from a vertex `top` that is nearly extreme: those connected to
-// it by edges between vertices that may be extreme. All other neighbors of listed vertices are certainly less far. So
-// the exactly furthest listed vertex is as far as all its neighbors, or further, and hence extreme in the whole solid;
-// and all vertices that are as far are connected to it by edges.
+// Lists the vertices that may be extreme, for a solid that is not scanned. From a vertex `top` that is nearly extreme
+// it follows edges between vertices that may be extreme. All other neighbors of listed vertices are certainly less far.
+// So the exactly furthest listed vertex is as far as all its neighbors, or further, and hence extreme in the whole
+// solid; and edges between listed vertices connect it to all vertices that are as far.
 void NearestPlanes::climb_to_level(std::size_t side, const convex::PosedHulls::Heights& heights, std::uint32_t top,
                                    Level& level) {
     const convex::Hull& hull = hulls_->hull(side);

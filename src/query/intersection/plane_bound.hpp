@@ -9,8 +9,8 @@
 
 namespace ecods {
 
-// Adds to OverlapBound, once groups are used, that it skips two nodes of one plane each if these planes are parallel
-// with a gap, however small.
+// Bounds a walk like OverlapBound. Once groups are used, it also skips two nodes whose triangles lie in one plane each,
+// if these planes are parallel with a gap, however small.
 class PlaneBound {
   public:
     // The arguments must outlive the bound. The relations need not be bound yet.

@@ -27,8 +27,8 @@ int exponent_of(const MeshShape& shape) {
     return std::max({exponent_above(size[0]), exponent_above(size[1]), exponent_above(size[2])});
 }
 
-// The exponent e by which the shape's scaled mesh is larger, 2^e times; 0 if it needs none. It depends on the shape
-// alone.
+// The exponent e of the shape's scaled mesh, which is 2^e times as large; 0 if the shape needs none. It depends on the
+// shape alone.
 int scale_of(const MeshShape& shape) {
     const int exponent = exponent_of(shape);
     return is_moderate(exponent) || exponent == exact::exponent_of_zero ? 0 : -exponent;

@@ -119,8 +119,9 @@ class StarProof {
         return true;
     }
 
-    // Condition (1) for an edge. The sign of (edge, third corner, origin) is the sign of (corners, origin) if the side
-    // runs from the lesser to the greater vertex, and its opposite if not.
+    // Condition (1) for an edge. The sign of orient3d(lesser vertex, greater vertex, third corner, origin) is the sign
+    // of the triangle's corners and the origin if the side begins at its lesser vertex, and the opposite sign
+    // otherwise.
     bool is_seen_between(std::span<const SideRef> sides) const {
         if (sides.size() != 2) return false;
         const auto is_third_above = [&](const SideRef& side) {

@@ -86,8 +86,8 @@ class SurfaceSearch {
         }
     }
 
-    // Notes no sides: where a piece of the triangle ends at coplanar triangles, it also ends at triangles of the solid
-    // that are not coplanar, whose pairs note its side.
+    // Marks what two coplanar triangles share, and notes no side. Where a piece of the triangle ends at coplanar
+    // triangles, it also ends at triangles of the solid that are not coplanar; their pairs note its side.
     void take_coplanar(std::uint32_t i, std::uint32_t j) {
         enum class Shared { nothing, points, face, no_area };
         const Shared shared = with_signs(memory_.frame, corners_of(triangle(i), boundary_triangle(j)), [](auto& signs) {
