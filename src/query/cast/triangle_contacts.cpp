@@ -19,7 +19,7 @@ void TriangleContacts::bind(const BodyRef& a, const Vec3& motion, const BodyRef&
     for (int k = 0; k < 3; ++k) digits.include(decode(motion[k]));
     points_.bind_pair(a, b, digits);
     triangles_ = {a.mesh->triangles().data(), b.mesh->triangles().data()};
-    // The motion is a difference of points, whose bits bound it.
+    // The motion must fit where a difference of points fits.
     is_exact_ = points_.is_exact() && digits.low >= points_.unit() &&
                 digits.high - points_.unit() < IntegerFrame::difference_bits;
     if (!is_exact_) return;

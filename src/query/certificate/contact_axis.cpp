@@ -40,7 +40,8 @@ ContactAxis::ContactAxis(const ProofAxis& named_axis, const SixCorners& corners,
     : axis(named_axis), points_(points), n_(vector_of(axis.formula, corners)) {
     ExactReach a = reach_of(n_, &corners[0]), b = reach_of(n_, &corners[3]);
     const bool is_up = compare(b.low, a.high) >= 0, is_down = compare(a.low, b.high) >= 0;
-    // If both directions separate weakly, the triangles are in one plane: n then points about from a to b.
+    // If both directions separate weakly, the triangles are in one plane. The axis is then turned to point roughly from
+    // a to b.
     const Vec3 towards_b = bodies[1].origin - bodies[0].origin;
     if (is_down && (!is_up || in_doubles(n_).dot(towards_b) < 0)) {
         n_ = minus({}, n_);
@@ -100,7 +101,7 @@ bool ContactAxis::is_part_inside(std::size_t body, const TreeLeaf& leaf, std::si
                                [&](std::uint32_t vertex) { return is_vertex_inside(body, vertex); });
 }
 
-// Decides a lane of a node: it is inside if all parts are that bounds leave open.
+// Decides if a part of a node is inside: it is if all triangles in it are inside that bounds leave open.
 bool ContactAxis::is_part_inside(std::size_t body, const BvhNode& node, std::size_t lane) {
     Half& half = halves_[body];
     const TreeRef part = node.child[lane];

@@ -32,7 +32,7 @@ class DistanceQuestion {
     // Descends from the roots to two triangles that are probably among the nearest.
     TrianglePair dive(const MeshPair& bodies);
     TriangleDistances& pair() noexcept { return pair_; }
-    // Gives the pair for one exact rounding or comparison, and counts it.
+    // Counts one exact rounding or comparison, and returns the object that makes it.
     TriangleDistances& exact_pair() noexcept {
         ++counts_->distances.exact;
         return pair_;

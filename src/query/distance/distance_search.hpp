@@ -37,7 +37,7 @@ class DistanceSearch {
     void visit_within(double d, Visit&& visit);
 
     DistanceSieve& sieve() noexcept { return working_.sieve; }
-    // Gives the pair for one exact rounding or comparison, and counts it.
+    // Counts one exact rounding or comparison, and returns the object that makes it.
     TriangleDistances& exact_pair() noexcept { return question_.exact_pair(); }
 
   private:

@@ -22,7 +22,8 @@ struct ProperMesh {
 // By vertex: the least vertex at the same coordinates. Empty if no two vertices have the same coordinates.
 std::vector<std::uint32_t> least_equals(std::span<const Vec3> vertices);
 
-// Finds both. Cost: one pass over the vertices, with a hash table, and one over the triangles.
+// Gives corners at equal coordinates one index, and finds the triangles of positive area. Cost: one pass over the
+// vertices, with a hash table, and one over the triangles.
 ProperMesh find_proper(std::shared_ptr<const Mesh> mesh);
 
 // True if three points are not on one line. Exact.

@@ -16,8 +16,8 @@ struct Cut {
     friend constexpr auto operator<=>(const Cut&, const Cut&) = default;
 };
 
-// A piece of a triangle: the sides that its sides are parts of, and by side the vertices inside it, in the side's
-// order.
+// A piece of a triangle. By side: the side of the whole triangle that contains it, and the vertices inside it, in the
+// side's order.
 struct Part {
     Triangle corners;
     std::array<std::uint8_t, 3> sides;

@@ -56,7 +56,7 @@ class SurfaceSearch {
     // the sides beside that contact were looked at.
     enum Contact : std::uint8_t { none, at_points, looked_at };
 
-    // True if a vertex, edge or face of the solid is new for triangle i: each is looked at once for each triangle.
+    // True if triangle i has not met this vertex or edge of the solid before. Each is looked at once for each triangle.
     bool is_new(std::uint32_t i, std::uint64_t vertex_or_edge) { return memory_.fans.insert(i, vertex_or_edge); }
     void note(Side side) noexcept {
         has_inner_ |= side == Side::inside;
@@ -191,7 +191,7 @@ class SurfaceSearch {
         const std::size_t count = mesh.vertices().size();
         std::vector<std::uint32_t>& parent = memory_.parents;
         parent.clear();
-        // Corners of separate triangles are joined by their coordinates if no vertex is used twice.
+        // If the mesh may be a triangle soup, vertices at equal coordinates count as one vertex.
         if (count >= 3 * mesh.triangles().size()) parent = least_equals(mesh.vertices());
         if (parent.empty()) {
             parent.resize(count);
