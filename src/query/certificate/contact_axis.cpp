@@ -101,7 +101,7 @@ bool ContactAxis::is_part_inside(std::size_t body, const TreeLeaf& leaf, std::si
                                [&](std::uint32_t vertex) { return is_vertex_inside(body, vertex); });
 }
 
-// Decides if a part of a node is inside: it is if all triangles in it are inside that bounds leave open.
+// Decides if a part of a node is inside: it is if all triangles in it that bounds leave open are inside.
 bool ContactAxis::is_part_inside(std::size_t body, const BvhNode& node, std::size_t lane) {
     Half& half = halves_[body];
     const TreeRef part = node.child[lane];

@@ -159,8 +159,8 @@ Relation TriangleRelations::decide_flat(std::uint32_t a, std::uint32_t b, const 
 }
 
 // True if groups decide pairs from now on. They are found, once for a mesh, after integers have decided at least one
-// pair of the query for each 512 triangles, so that the search for groups costs little beside them. The rule depends on
-// the query alone, and so do its counts.
+// pair of the query for each 512 triangles, so that queries with few such pairs do not pay for the search. The rule
+// depends on the query alone, and so do its counts.
 bool TriangleRelations::may_use_groups() {
     if (planes_.are_used()) return true;
     if (shapes_[0] == nullptr) return false;
