@@ -8,7 +8,7 @@
 namespace ecods {
 namespace {
 
-// By bits: where subnormal numbers count as zero, numbers that differ may compare equal.
+// True if the body does not move. Compares bits: if subnormals count as zero, different numbers may compare equal.
 bool is_at_rest(const Moving<MeshShape>& body) {
     return same_bits(body.from, body.to);
 }

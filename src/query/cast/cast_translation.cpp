@@ -11,7 +11,7 @@
 namespace ecods {
 namespace {
 
-// Times of first contact as the numbers of a search (query/search).
+// Makes the times of first contact under a translation the numbers that a search compares (query/search).
 class Translation {
   public:
     using Interval = ContactInterval;
@@ -38,7 +38,7 @@ class Translation {
         ++counts_->enclosures;
         return contacts_.enclose(triangles.a, triangles.b);
     }
-    // A pair of which it is not known whether there is contact is asked exactly at once.
+    // Decides the pair exactly at once if it is not known to have a contact.
     bool complete(const TrianglePair& triangles, ContactInterval& interval, std::optional<FirstContact>& contact) {
         if (key_of(interval.upper) <= key_of(1.0)) return true;
         contact = round(triangles, interval);
@@ -60,8 +60,9 @@ class Translation {
     CastCounts* counts_ = nullptr;
 };
 
-// The first open contact, if it is by `latest`. What rounds to less is less; what rounds to `latest` may be above it,
-// of one pair that has the least rounded time and not of another. No motion goes on beyond 1.
+// The first open contact if its real time is at most `latest`. A time that rounds below `latest` is below it. One that
+// rounds to `latest` may be above it, and of pairs that tie in the rounded time one may be above and another not, so
+// they are compared exactly. If `latest` is 1, all contacts are in time.
 std::optional<FirstContact> first_by(double latest, Translation& translation, SieveOf<Translation>& sieve) {
     const auto contact =
         first_contact(sieve, [&](const auto& open) { return translation.round(open.triangles, open.interval); });

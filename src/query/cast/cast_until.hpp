@@ -1,4 +1,4 @@
-// Casts with a limit of time: what the world asks, whose other bodies may be met before.
+// Declares casts with a time limit, for a world in which a body may meet other bodies earlier.
 #pragma once
 
 #include <optional>
@@ -7,15 +7,16 @@
 
 namespace ecods {
 
-// The first contact if its real time is at most `latest`, which is from 0 to 1; nothing otherwise. What is given is the
-// answer of cast(), whose rounded time is at most `latest` then, too. Bodies that are far apart all the way cost a few
-// tenths of a microsecond, and two at rest no more than `intersects`. Throws InvalidMotion.
+// The first contact if its real time is at most `latest`, which is from 0 to 1; otherwise nullopt. The result is that
+// of cast(), so its rounded time is at most `latest`, too. Cost: a few tenths of a microsecond if the bodies are far
+// apart all the way; the cost of `intersects` if both are at rest. Throws InvalidMotion.
 std::optional<FirstContact> cast_until(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
                                        double latest, QueryMemory& memory, PairWitness& witness);
 std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<MeshShape>& b, double latest,
                                        QueryMemory& memory, PairWitness& witness);
 
-// The contact of bodies that share a point before they move, which they must. Part of another question.
+// The contact, at time 0, of bodies that share a point before they move, which is required. Counts as part of another
+// query.
 FirstContact contact_at_start(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory);
 
 }  // namespace ecods

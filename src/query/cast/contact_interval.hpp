@@ -1,4 +1,4 @@
-// What is known of the first time at which two triangles on their way share a point, and of the features they do on.
+// Bounds the first time at which two moving triangles share a point, and names the features that meet then.
 #pragma once
 
 #include <limits>
@@ -11,20 +11,20 @@
 namespace ecods {
 
 struct ContactInterval {
-    // From time 0 on there is no contact before; infinity if there is none. 0 says nothing.
+    // Lower bound of the time of first contact; infinity if there is no contact; 0 if nothing is known.
     double lower = 0;
-    // The first contact is not later; infinity if it is not known whether there is one.
+    // Upper bound of the time of first contact; infinity if a contact is not certain.
     double upper = std::numeric_limits<double>::infinity();
 
-    // Where this is set, the first contact is at one point, inside these two features and no others. Pairs of triangles
-    // that have the same features have the same first contact.
+    // True if the first contact is certainly at one point, inside these two features and no others. Pairs of triangles
+    // with the same two features have the same first contact.
     bool is_certain = false;
-    FirstContact contact;  // by these triangles; `time` is not set
+    FirstContact contact;  // named by these triangles; `time` is not set
     FeatureKey a, b;
 };
 
-// The first of the open contacts of a sieve by their rounded times and ranks; round(open) gives that of a pair, if
-// there is one.
+// The first of a sieve's open contacts by rounded time, then by rank; round(open) gives the contact of a pair, if it
+// has one.
 template <class Sieve, class Round>
 std::optional<FirstContact> first_contact(Sieve& sieve, Round&& round) {
     return sieve.least([&](const auto& open, const auto&) { return round(open); },

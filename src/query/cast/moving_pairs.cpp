@@ -18,11 +18,12 @@ FeatureKey key_on(const exact::FeaturePair& pair, std::size_t side, const Mesh& 
     return feature_key(exact::feature_of(pair, side, triangle), mesh.triangles()[triangle]);
 }
 
-// Times that bound the beginning of a way, powers of two: the first is the least that is not subnormal.
+// The ends of the first two time intervals, powers of two; the first is the least normal number.
 constexpr std::array<double, 2> beginnings{0x1p-1022, 0x1p-537};
 
-// On their way up to a time. A corner there is P (1 - s) + Q s, computed as moving_points.hpp says: off by what the
-// places are off, at most e0 + s e1, by 3.01 u' (|P| + s |Q|), and by 2^-1022 for each product that underflows.
+// The motion up to time s, as a motion of its own. Its end is P (1 - s) + Q s, computed as moving_points.hpp says: off
+// by the errors of the given points, at most e0 + s e1, by 3.01 u' (|P| + s |Q|) of rounding, and by 2^-1022 for each
+// product that underflows.
 exact::MovingPoints points_up_to(const exact::MovingPoints& points, double s) {
     exact::MovingPoints result = points;
     double most_at_start = 0, most_at_end = 0;
@@ -82,9 +83,10 @@ std::optional<exact::TimeSpan> MovingPairs::bound(const TrianglePair& triangles,
     return time && time->from < beginnings.back() ? bound_at_beginning(points, from, to, effort) : time;
 }
 
-// Where bodies become 2^500 times as large on their way, or more, they are lost to underflow beside what they become;
-// in times as short they are not. Divisions by these ends are exact, or a subnormal number is taken for zero, which is
-// earlier; products that underflow become earlier, too, or by less than the next number.
+// Bounds the first meeting from early intervals on. If bodies become 2^500 times as large or more on their way, their
+// starts underflow beside their ends; up to times as short as these intervals they do not. Dividing by the intervals'
+// ends is exact, or flushes a subnormal number to zero, which is earlier. Products that underflow become earlier, too,
+// or change by less than the next number.
 std::optional<exact::TimeSpan> MovingPairs::bound_at_beginning(const exact::MovingPoints& points, double from,
                                                                double to, exact::Effort effort) {
     for (const double end : beginnings) {
@@ -111,10 +113,11 @@ auto MovingPairs::ask_exactly(const TrianglePair& triangles, Ask&& ask) {
     });
 }
 
-// Tries some short times in which few features can meet, then all. Where points are far from the origin of their mesh,
-// the bound ends before the meeting by what they are off: so the times become longer.
+// Tries exactly some short times after the bound, in which few features can meet, then all times. If the points are far
+// from their mesh's origin, the bound may end before the meeting because of the points' errors: so the tried times
+// grow.
 std::optional<exact::Meeting> MovingPairs::decide(const TrianglePair& triangles, exact::TimeSpan time, double to) {
-    constexpr std::array<double, 3> lengths{0x1p-44, 0x1p-36, 0x1p-28};  // relative
+    constexpr std::array<double, 3> lengths{0x1p-44, 0x1p-36, 0x1p-28};  // relative to time.to
     const exact::MovingPoints points = points_of(triangles);
     for (const double length : lengths) {
         time.to = std::min(1.0, std::max(time.to, time.from + length * time.to));
@@ -149,7 +152,8 @@ std::optional<exact::Meeting> MovingPairs::decide(const TrianglePair& triangles,
     return ask_exactly(triangles, [](exact::MovingTriangles& moving) { return exact::first_meeting(moving); });
 }
 
-// The time that is known is rounded: it is in the span where both of its neighbours are.
+// The meeting of two features that is known to be in `time`. The known time is rounded, so both of its neighbors must
+// be in `time`.
 const MovingPairs::KnownMeeting* MovingPairs::find_known(const FeatureKey& a, const FeatureKey& b,
                                                          const exact::TimeSpan& time) const {
     for (const KnownMeeting& known : known_) {

@@ -1,5 +1,5 @@
-// Pairs of triangles of two meshes on their way between poses: bounds of when they first share a point, and the exact
-// decision, which knows what it has decided of the same features.
+// Decides when pairs of triangles of two meshes moving between poses first share a point: by bounds, and exactly. Exact
+// decisions are kept for pairs with the same features.
 #pragma once
 
 #include <array>
@@ -17,18 +17,20 @@ namespace ecods {
 
 class MovingPairs {
   public:
-    // Everything that the arguments refer to must outlive the questions.
+    // Everything that the arguments refer to must outlive this.
     void bind(const Moving<MeshShape>& a, const Moving<MeshShape>& b, CastCounts& counts);
 
-    // The first time in [from, to] in which the triangles may share a point; nothing if they share none up to `to`.
+    // An interval of [from, to] that contains the first common point, if there is one; nullopt if there is none up to
+    // `to`.
     std::optional<exact::TimeSpan> bound(const TrianglePair& triangles, double from, double to, exact::Effort effort);
 
-    // Their first meeting, if it is at `to` or before; otherwise maybe nothing. They share no point before `time`.
+    // The triangles' first meeting if it is at most `to`; a later one may be left out. They must share no point before
+    // `time`.
     std::optional<exact::Meeting> decide(const TrianglePair& triangles, exact::TimeSpan time, double to);
 
   private:
-    // The first meeting of two features, where two triangles can only meet by these. Other triangles that have both
-    // meet by them at the same time, if they do by no others.
+    // The first meeting of two features through which alone two triangles can meet. Other triangles that can meet only
+    // through the same features meet at the same time.
     struct KnownMeeting {
         FeatureKey a, b;
         double time;
@@ -37,7 +39,7 @@ class MovingPairs {
 
     std::optional<exact::TimeSpan> bound_at_beginning(const exact::MovingPoints& points, double from, double to,
                                                       exact::Effort effort);
-    std::array<exact::VertexRef, 12> corners_of(const TrianglePair& triangles) const;  // at the start, at the end
+    std::array<exact::VertexRef, 12> corners_of(const TrianglePair& triangles) const;  // at the start, then at the end
     exact::MovingPoints points_of(const TrianglePair& triangles);
     template <class Ask>
     auto ask_exactly(const TrianglePair& triangles, Ask&& ask);
@@ -46,7 +48,7 @@ class MovingPairs {
     const Moving<MeshShape>* a_ = nullptr;
     const Moving<MeshShape>* b_ = nullptr;
     CastCounts* counts_ = nullptr;
-    exact::Frame frame_;  // of a and b at the start, then at the end
+    exact::Frame frame_;  // of a and b at the start, then of both at the end
     std::vector<KnownMeeting> known_;
 };
 

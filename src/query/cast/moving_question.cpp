@@ -13,7 +13,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The only box of a node: that of the root.
+// A node whose only box is the root's.
 BvhNode root_of(const MeshBvh& tree) {
     BvhNode node{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -50,8 +50,8 @@ float MovingQuestion::limit_above(double time) const noexcept {
     return round_up(time);
 }
 
-// Whether the triangles may share a point from `from` to `latest`: in span_. A time that rounds to the latest may be
-// above it.
+// True if the triangles may share a point from `from` to `latest`; then sets span_ to an interval that contains the
+// first one. It asks up to the next double, because a time that rounds to `latest` may be above it.
 bool MovingQuestion::narrow(const TrianglePair& triangles, double from, double latest, exact::Effort effort) {
     to_ = std::min(next_up(latest), 1.0);
     if (key_of(from) > key_of(to_)) return false;
@@ -97,7 +97,7 @@ void MovingQuestion::advance(Search& search, float time) {
     }
 }
 
-// Decides the pair now if no pair that waits, nor a node from `next` on, may be earlier; otherwise it waits again.
+// Decides the pair now if no waiting pair, nor any node from time `next` on, may be earlier; otherwise requeues it.
 void MovingQuestion::refine(Search& search, const Candidate& candidate, float next) {
     using Known = Candidate::Known;
     const double latest = search.sieve().bound();

@@ -1,7 +1,8 @@
-// Times of first contact of two bodies on straight ways between poses as the numbers of a search (query/search).
+// Makes the times of first contact of two bodies that move straight between poses the numbers that a search compares
+// (query/search).
 //
-// Bounds of pairs of triangles are made narrower step by step, earliest pairs first: exact decisions are left to those
-// that nothing which waits may come before.
+// Bounds of pairs of triangles are refined step by step, earliest pairs first. Only a pair that no waiting pair may
+// precede is decided exactly.
 #pragma once
 
 #include <cstdint>
@@ -22,16 +23,16 @@ class MovingQuestion {
     using Value = FirstContact;
     using Search = ecods::Search<MovingQuestion>;
 
-    // Everything that the arguments refer to must outlive the questions.
+    // Everything that the arguments refer to must outlive this.
     void bind_boxes(const Moving<MeshShape>& a, const Moving<MeshShape>& b);
-    // A time before which the boxes around both bodies certainly do not meet; nothing if they never do.
+    // Lower bound of the time at which the boxes of the bodies meet; nullopt if they never do.
     std::optional<float> first_of_boxes();
-    // The bodies must not share a point at the start. Contacts are asked about up to `at_most`.
+    // Prepares the search for contacts up to `at_most`. The bodies must not share a point at the start.
     void bind_pairs(const Moving<MeshShape>& a, const Moving<MeshShape>& b, double at_most, CastCounts& counts);
-    // Returns whether some contact that was found is at `at_most` or before, and does not only round to it.
+    // True if the real time of some contact found is at most `at_most`; its rounded time alone does not suffice.
     bool is_by_then() const noexcept { return is_by_then_; }
 
-    // A search asks these.
+    // The functions that a search calls.
     float limit_above(double time) const noexcept;
     template <class X, class Y>
     std::uint64_t find_near(const X& x, const Y& y, float limit, LaneBounds& times) const noexcept {
@@ -44,16 +45,16 @@ class MovingQuestion {
     void advance(Search& search, float time);
 
   private:
-    // A pair of triangles that waits, of which its boxes' time is known, or a coarse or a fine bound.
+    // A waiting pair of triangles, with the bound that is known of it: of its boxes, coarse, or fine.
     struct Candidate {
         enum class Known : std::uint8_t { boxes, coarse, fine };
 
-        std::int64_t time;  // the key of a time before which they share no point
+        std::int64_t time;  // key of a lower bound of the first common time
         std::uint32_t order;
         Known known;
         TrianglePair triangles;
 
-        // Earliest first; of those, what came last, so that the search goes deep.
+        // Orders by time; ties by latest insertion, so that the search is depth-first.
         friend bool operator<(const Candidate& x, const Candidate& y) noexcept {
             return ((x.time < y.time) | ((x.time == y.time) & (x.order > y.order))) != 0;
         }
@@ -68,7 +69,7 @@ class MovingQuestion {
     MovingPairs pairs_;
     Waiting<Candidate> waiting_;
     std::uint32_t order_ = 0;
-    exact::TimeSpan span_{};  // of the pair in question, which is asked about up to to_
+    exact::TimeSpan span_{};  // interval of the pair under examination, up to to_
     double to_ = 1;
     double at_most_ = 1;
     bool is_by_then_ = false;

@@ -1,5 +1,4 @@
-// Two posed meshes of which the first is translated, ready for questions about the first contact of pairs of their
-// triangles.
+// Answers queries about the first contact of pairs of triangles of two posed meshes, of which the first is translated.
 #pragma once
 
 #include <array>
@@ -16,18 +15,18 @@ namespace ecods {
 
 class TriangleContacts {
   public:
-    // Cost: constant. Everything that the arguments refer to must outlive the questions. The motion is finite and not
-    // zero.
+    // Cost: constant. Everything that the arguments refer to must outlive this. The motion must be finite and not zero.
     void bind(const exact::BodyRef& a, const Vec3& motion, const exact::BodyRef& b);
 
-    // Contains the first time of triangle `i` of the first mesh and `j` of the second, by doubles with proven bounds.
+    // An interval that contains the time of first contact of triangle `i` of the first mesh and `j` of the second, from
+    // doubles with proven bounds.
     ContactInterval enclose(std::uint32_t i, std::uint32_t j);
 
-    // Their first contact from time 0 to 1, with the first features by the rule of FirstContact. `known` is what
-    // enclose() says of the pair.
+    // The first contact from time 0 to 1, with the first features by the rule of FirstContact. `known` must be the
+    // result of enclose() for the pair.
     std::optional<FirstContact> contact(std::uint32_t i, std::uint32_t j, const ContactInterval& known);
 
-    // Whether they share a point from time 0 to `latest`.
+    // True if the triangles share a point from time 0 to `latest`.
     bool meet_by(std::uint32_t i, std::uint32_t j, double latest);
 
   private:
@@ -39,7 +38,7 @@ class TriangleContacts {
     std::array<const Triangle*, 2> triangles_{};
     Vec3 motion_ = Vec3::Zero();
     exact::ScaledVector scaled_{};
-    // In the unit of the points, which divides it where `is_exact_`.
+    // The motion in the points' unit; set if is_exact_.
     exact::IntegerVector integer_motion_{};
     bool is_exact_ = false;
 };

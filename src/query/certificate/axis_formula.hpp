@@ -1,4 +1,5 @@
-// Vectors that two triangles give, one of a and one of b (verify/certificates/README.md, FORMULA).
+// Defines axes as formulas of the corners of two triangles, one of body a and one of body b (FORMULA in
+// verify/certificates/README.md).
 #pragma once
 
 #include <array>
@@ -15,13 +16,13 @@ struct AxisFormula {
     enum class Kind : std::uint8_t {
         normal_a,
         normal_b,
-        edges,          // edge i of a's  x  edge j of b's
-        edge_a,         // edge i of a's  x  coordinate axis j
-        edge_b,         // edge i of b's  x  coordinate axis j
+        edges,          // a's edge i  x  b's edge j
+        edge_a,         // a's edge i  x  coordinate axis j
+        edge_b,         // b's edge i  x  coordinate axis j
         coordinate,     // coordinate axis i
-        vertices,       // corner j of b's - corner i of a's
-        vertex_a_edge,  // from edge j of b's to corner i of a's, at right angles to the edge
-        vertex_b_edge,  // from edge j of a's to corner i of b's
+        vertices,       // b's corner j - a's corner i
+        vertex_a_edge,  // from b's edge j to a's corner i, perpendicular to the edge
+        vertex_b_edge,  // from a's edge j to b's corner i, perpendicular to the edge
     };
 
     Kind kind = Kind::normal_a;
@@ -31,7 +32,7 @@ struct AxisFormula {
     friend bool operator==(const AxisFormula&, const AxisFormula&) = default;
 };
 
-// The corners of a triangle of a, then those of one of b: in integers, or in doubles about.
+// The corners of a triangle of a, then those of a triangle of b: exact, in integers, or rounded, in doubles.
 template <class Vector>
 using Corners = std::array<Vector, 6>;
 using SixCorners = Corners<IntegerVector3>;

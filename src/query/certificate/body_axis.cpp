@@ -26,7 +26,7 @@ BodyFrame::BodyFrame(const Posed<MeshShape>& body, const Vec3& base)
     origin = R * frame.center + offset;
     size = R_size * frame.map_size;
     origin_size = R_size * frame.center.cwiseAbs() + offset.cwiseAbs();
-    // In this form NaN is not bounded.
+    // The comparison is written so that NaN counts as unbounded.
     is_bounded = frame.is_bounded && (1 + R_size.sum()) * frame.size_max + offset.cwiseAbs().sum() < size_max;
 }
 

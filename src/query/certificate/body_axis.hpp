@@ -1,16 +1,16 @@
-// Where the parts of a posed tree are along an axis, with proven bounds.
+// Projects the parts of a posed tree onto an axis, with proven error bounds.
 //
 // With a tree's frame v = center + map y, the coordinate of a point along n, counted from `base`, is
 //     n . (R v + t - base) = p . y + q,   p = map^T R^T n,   q = n . (R center + d),   d = fl(t - base).
-// Bound, in doubles, u' = 2^-52 for one operation in any rounding mode: let w = |n| |R| |map| 1 and
-// w_d = |n| (|R| |center| + |d|). R map is off by 3.01 u' times its sum of magnitudes, and p by as much again: p . y,
-// |y| <= 1 + 2^-22, by 6.2 u' w. q is off by 8.2 u' w_d, the rounding of d included. Middle and reach of a box each
-// have that error of p and 3.01 u' w of products and sums; adding q, and the two ends, less than 3 u' (w + w_d).
-// Together below 22 u' w + 12 u' w_d; 32 u' (w + w_d) covers the evaluation of the sums, too. A leaf's corners are off
-// by corner_error more, on each axis.
+// Bound, in doubles, with u' = 2^-52 for one operation in any rounding mode: let w = |n| |R| |map| 1 and
+// w_d = |n| (|R| |center| + |d|). R map is off by 3.01 u' times its sum of magnitudes, and p by as much again, so
+// p . y, with |y| <= 1 + 2^-22, is off by 6.2 u' w. q is off by 8.2 u' w_d, the rounding of d included. The middle and
+// the reach of a box each have that error of p, and 3.01 u' w of products and sums; adding q, and the two ends, takes
+// less than 3 u' (w + w_d). Together this is below 22 u' w + 12 u' w_d; 32 u' (w + w_d) covers the evaluation of the
+// sums, too. A leaf's corners are off by corner_error more, on each axis.
 //
-// Underflow: all of the sums that enter are required to be below 2^300, and w + w_d above 2^-300. A hundred operations
-// lose 2^-1022 each, subnormals taken for zero included, times factors below 2^600: less than a hundredth of u' w.
+// Underflow: all sums that enter are required to be below 2^300, and w + w_d above 2^-300. A hundred operations lose
+// 2^-1022 each, also if subnormals count as zero, times factors below 2^600: less than a hundredth of u' w.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +25,9 @@ namespace ecods {
 
 exact::BodyRef body_of(const Posed<MeshShape>& posed);
 
-// What all axes need of a posed mesh.
+// Holds what all axes need of a posed mesh, named as in the derivation above.
 struct BodyFrame {
-    // Points are counted from `base`. What the posed mesh refers to, and its pose, must outlive this.
+    // Points are counted from `base`. The pose and the shape that `body` refers to must outlive this.
     BodyFrame(const Posed<MeshShape>& body, const Vec3& base);
 
     exact::BodyRef ref;
@@ -40,20 +40,21 @@ struct BodyFrame {
     bool is_bounded;
 
     const Triangle& triangle(std::uint32_t i) const { return ref.mesh->triangles()[i]; }
-    // The posed vertex, about.
+    // The posed vertex, rounded without a bound.
     Vec3 at(std::uint32_t vertex) const { return ref.pose->R * ref.mesh->vertices()[vertex] + offset; }
-    // The normals of the boxes in the world, or the axes of the world where the pose is too flat for these. Columns.
+    // The columns are the normals of the tree's boxes in the world, or the world's axes if the pose is too flat for
+    // them.
     Mat3 normals() const;
 };
 
 BodyAxis put_on_axis(const BodyFrame& body, const Vec3& n);
 
-// The reaches of parts; `error` is not included.
+// Finds the interval of each part along the axis, without `axis.error`.
 template <class X>
 void find_reaches(const BodyAxis& axis, const X& x, Reaches<double>& reaches) noexcept;
 
-// About the same direction in few digits: the largest coordinate is between 1 and 2, and all are multiples of 2^-bits.
-// Zero where there is no direction.
+// Rounds a direction to few digits: its largest coordinate is between 1 and 2, and all are multiples of 2^-bits. Zero
+// if the direction is zero, NaN, or out of range.
 Vec3 shortened(const Vec3& direction, int bits = 16);
 
 }  // namespace ecods

@@ -1,4 +1,4 @@
-// What a certificate holds, and its text.
+// Defines what a certificate holds, and how its text is made.
 #pragma once
 
 #include <array>
@@ -15,12 +15,12 @@ namespace ecods {
 struct Certificate::Content {
     Claim claim = Claim::disjoint;
     double value = 0;
-    // The features of distance and within; or the triangles that meet, as faces.
+    // The closest features, for distance and within; or the triangles that meet, as faces.
     Feature a, b;
-    bool names_triangles = false;  // of distance and within: whether these meet
+    bool names_triangles = false;  // for distance and within: true if the triangles meet
 
     const MeshShape* shape_a = nullptr;
-    const MeshShape* shape_b = nullptr;  // null: the second body is the segment
+    const MeshShape* shape_b = nullptr;  // null if the second body is the segment
     Pose pose_a, pose_b;
     Segment segment;
     Proof proof;
@@ -34,12 +34,12 @@ struct CertificateAccess {
     static const Content& content(const Certificate& certificate) noexcept { return *certificate.content_; }
 };
 
-// The lines from `claim` to `end`.
+// Appends the lines from `claim` to `end`.
 void append_proof(std::string& text, const CertificateAccess::Content& content);
-// Each coordinate after a space.
+// Appends a space and the coordinate, three times.
 void append_coordinates(std::string& text, const Vec3& point);
 inline constexpr std::size_t digest_length = 64;
-// DIGEST POSE, and the end of the line.
+// Appends DIGEST POSE and a newline.
 void append_body(std::string& text, const MeshShape& shape, const Pose& pose);
 
 }  // namespace ecods

@@ -12,7 +12,7 @@
 namespace ecods {
 namespace {
 
-// The canonical text of verify/certificates/README.md. A sink takes it piece by piece: a stream, or a digest.
+// Writes a mesh's canonical text (verify/certificates/README.md), piece by piece, to a sink: a stream or a digest.
 template <class Sink>
 class MeshText {
   public:
@@ -66,7 +66,7 @@ class MeshText {
         }
     }
 
-    // In pre-order.
+    // Visits the nodes and leaves in pre-order.
     template <class Visit>
     void visit(Visit&& each) {
         const auto all = [&](TreeRef ref) -> std::uint32_t {

@@ -23,7 +23,7 @@ struct CertificateMemory final : QueryMemoryPart {
     TriangleDistances pair;
 };
 
-// One certificate in the making.
+// Makes one certificate.
 class Maker {
   public:
     Maker(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory)
@@ -35,7 +35,7 @@ class Maker {
     }
 
     Certificate relation() {
-        // A proof that they are disjoint is begun as if they were: it ends where they meet.
+        // Tries to prove that the bodies are disjoint; the attempt ends at two triangles that meet.
         content_.claim = Claim::disjoint;
         const auto meeting = PairProof(a_, b_, 0, pair_, content_.proof).run(std::nullopt, PairProof::EndsAt::meeting);
         if (!meeting) return CertificateAccess::make(std::move(content_));
@@ -57,11 +57,12 @@ class Maker {
     Certificate within(double d) {
         PairWitness witness;
         const bool is_within = ecods::within(a_, b_, d, memory_, witness);
-        if (key_of(d) == 0) d = 0;  // not its negative
+        if (key_of(d) == 0) d = 0;  // not -0
         content_.value = d;
         if (!is_within) return prove(Claim::beyond, d);
         content_.claim = Claim::within;
-        // Anything is within infinity, and the witness may be of a search that found a common point by itself.
+        // The witness need not be a pair within d: every pair is within infinity, and the search may have left no pair,
+        // or one that another query found.
         if (key_of(d) == key_of(infinity) || !names_pair(witness) || pair_.compare(witness.a, witness.b, d) > 0) {
             witness = {};
             if (key_of(ecods::distance(a_, b_, memory_, witness)) == 0) return meeting(witness);

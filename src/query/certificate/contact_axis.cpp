@@ -13,7 +13,7 @@ using exact::Integer;
 
 namespace {
 
-// About v 2^-e, for the e with which the longest coordinate is below 1 and at least 1/2: off by less than 2^-51.
+// Rounds v 2^-e, with e such that the longest coordinate is at least 1/2 and below 1. The error is less than 2^-51.
 Vec3 in_doubles(const IntegerVector3& v) {
     int width = 0;
     for (const Integer& x : v) width = std::max(width, x.bit_width());
@@ -26,19 +26,22 @@ Vec3 in_doubles(const IntegerVector3& v) {
     return result;
 }
 
-// Points that are beyond the plane by more than rounding and a leaf's corners explain are not looked at exactly.
+// The share of the body's size within which points beyond the plane are decided exactly. Points further beyond are
+// outside by more than rounding and the leaf corners' error explain.
 constexpr double near_share = 0x1p-18;
 
 }  // namespace
 
-// The bound: n in doubles is off by 2^-51 on each axis, and a point of the body by no more than size + origin_size from
-// where coordinates are counted. The plane is that of a corner of the body, and has the errors of any other point.
+// The bound of `margin`: n in doubles is off by 2^-51 on each axis, and each point of the body is at most size +
+// origin_size from where coordinates are counted. The plane is computed from a corner of the body, and has the errors
+// of any other point.
 ContactAxis::ContactAxis(const ProofAxis& named_axis, const SixCorners& corners, const ExactPoints& points,
                          const std::array<BodyFrame, 2>& bodies)
     : axis(named_axis), points_(points), n_(vector_of(axis.formula, corners)) {
     ExactReach a = reach_of(n_, &corners[0]), b = reach_of(n_, &corners[3]);
     const bool is_up = compare(b.low, a.high) >= 0, is_down = compare(a.low, b.high) >= 0;
-    // For triangles in one plane it is about the direction from a to b.
+    // If both directions separate weakly, the triangles are in one plane. The axis is then turned to point roughly from
+    // a to b.
     const Vec3 towards_b = bodies[1].origin - bodies[0].origin;
     if (is_down && (!is_up || in_doubles(n_).dot(towards_b) < 0)) {
         n_ = minus({}, n_);
@@ -54,7 +57,7 @@ ContactAxis::ContactAxis(const ProofAxis& named_axis, const SixCorners& corners,
         half.body = &body;
         half.axis = put_on_axis(body, (k == 0 ? 1.0 : -1.0) * n);
         const double size = body.size.sum() + body.origin_size.sum();
-        // The coordinates of the plane's corner are off, too.
+        // Doubled because the coordinates of the plane's corner are off, too.
         half.margin = (2 * half.axis.error + 0x1p-49 * size) * (1 + 0x1p-20) + half.axis.corner_reach;
         half.near = near_share * body.size.sum();
         half.vertices.assign(body.ref.mesh->vertices().size(), Side::unknown);
@@ -68,7 +71,7 @@ ContactAxis::ContactAxis(const ProofAxis& named_axis, const SixCorners& corners,
     }
 }
 
-// Those that are inside, and those that may be.
+// The lanes that are inside, and the lanes that may be.
 template <class X>
 std::array<std::uint32_t, 2> ContactAxis::classify(const Half& half, const X& x) const {
     if (!half.axis.is_bounded) return {0, x.lanes()};
@@ -98,7 +101,7 @@ bool ContactAxis::is_part_inside(std::size_t body, const TreeLeaf& leaf, std::si
                                [&](std::uint32_t vertex) { return is_vertex_inside(body, vertex); });
 }
 
-// A part is inside if all that bounds leave open in it is.
+// Decides if a part of a node is inside: it is if all triangles in it that bounds leave open are inside.
 bool ContactAxis::is_part_inside(std::size_t body, const BvhNode& node, std::size_t lane) {
     Half& half = halves_[body];
     const TreeRef part = node.child[lane];

@@ -1,8 +1,9 @@
-// The axis of two triangles that are in contact or closest, and which parts of both bodies are on its two sides.
+// Classifies parts of two bodies by the axis of two triangles that are in contact or closest.
 //
-// What is not beyond the triangle of a along the axis, and what is not before that of b, is apart as the two triangles
-// are: one line then proves all parts of two faces that lie flush on each other, and all triangles that share the
-// closest features. Decided by bounds in doubles, and near the planes in integers, a vertex at a time; each is kept.
+// A part of a that is not beyond a's triangle along the axis is at least as far from each part of b that is not before
+// b's triangle as the two triangles are from each other, along the axis. So one axis line proves all parts of two faces
+// that lie flush on each other, and all triangles that share the closest features. Bounds in doubles decide; near the
+// planes integers do, a vertex at a time. Each decision is kept.
 #pragma once
 
 #include <array>
@@ -17,14 +18,14 @@ namespace ecods {
 
 class ContactAxis {
   public:
-    // `corners` are the points of the triangles that the formula of `axis` is of; everything must outlive this.
+    // `corners` are the corners of the triangles that the formula of `axis` refers to. All arguments must outlive this.
     ContactAxis(const ProofAxis& axis, const SixCorners& corners, const ExactPoints& points,
                 const std::array<BodyFrame, 2>& bodies);
 
     ProofAxis axis;
     Proof::Word named = Proof::no_axis;
 
-    // The lanes of a node or leaf of body 0 or 1 that are on its side.
+    // The lanes of a node or leaf of body 0 or 1 that are inside: not beyond the plane of that body's triangle.
     template <class X>
     std::uint32_t lanes_inside(std::size_t body, const X& x);
 
@@ -33,10 +34,10 @@ class ContactAxis {
 
     struct Half {
         const BodyFrame* body = nullptr;
-        BodyAxis axis;  // n, as doubles, times 1 for a's half, and -1 for b's: inside is what is not beyond the plane
-        double plane = 0;   // of the triangle, along the axis
-        double margin = 0;  // of errors
-        double near = 0;    // what may be inside all the same is no further beyond the plane
+        BodyAxis axis;      // along n in doubles, negated for b: inside is not beyond the plane
+        double plane = 0;   // coordinate of the triangle's plane
+        double margin = 0;  // error bound of a coordinate relative to `plane`
+        double near = 0;    // parts further beyond the plane than this are outside
         exact::Integer exact_plane;
         std::vector<Side> vertices;
         std::vector<Side> nodes, leaves;
@@ -49,7 +50,7 @@ class ContactAxis {
     bool is_vertex_inside(std::size_t body, std::uint32_t vertex);
 
     const ExactPoints& points_;
-    IntegerVector3 n_;  // from a to b
+    IntegerVector3 n_;  // points from a to b
     std::array<Half, 2> halves_;
 };
 

@@ -1,4 +1,4 @@
-// Axes that two triangles give, in integers, and which of them prove that the triangles are apart.
+// Finds an axis, in integers, that proves two triangles to be apart.
 #pragma once
 
 #include <optional>
@@ -8,23 +8,24 @@
 
 namespace ecods {
 
-// From where to where a triangle reaches along n.
+// The interval of a triangle along n.
 struct ExactReach {
     exact::Integer low, high;
 };
 ExactReach reach_of(const IntegerVector3& n, const IntegerVector3* corners);
 
-// What is apart, besides being on two sides: the claims touching and hit.
+// Says how two triangles must be apart along an axis. The claims touching and hit need weakly and half_open.
 enum class ApartBy : std::uint8_t {
-    weakly,     // not on the inner sides of each other: gap >= 0
+    weakly,     // gap >= 0: they are on different sides, and may touch
     strictly,   // gap > 0
-    half_open,  // corner 3 strictly on the other side of a's triangle, and corners 4 and 5 weakly
+    half_open,  // corner 3 strictly on the other side of a's triangle, corners 4 and 5 weakly
 };
 
-// The first of the 32 axes of verify/certificates/README.md along which the triangles are apart; they are complete: if
-// there is none, triangles cross (weakly), meet (strictly), or a's meets the segment before its end (half_open).
+// The first of the 32 axes of verify/certificates/README.md along which the triangles are apart. The list is complete:
+// if there is none, the triangles cross (weakly), share a point (strictly), or a's triangle meets the segment before
+// its end (half_open).
 std::optional<AxisFormula> find_axis(const SixCorners& corners, ApartBy apart);
-// Whether they are apart along this one.
+// True if the triangles are apart along this axis.
 bool is_axis(const AxisFormula& formula, const SixCorners& corners, ApartBy apart);
 
 }  // namespace ecods

@@ -14,7 +14,7 @@ Integer dot(const IntegerVector3& a, const IntegerVector3& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Counted from the origin, as segments are.
+// Sets the origin as the point from which coordinates are counted, as for segments.
 BitRange ExactPoints::bind(std::size_t body, const BodyRef& of) noexcept {
     meshes_[body] = of.mesh;
     terms_[body].set(*of.pose, Vec3::Zero());

@@ -1,4 +1,4 @@
-// Posed vertices and points of a segment as integers of any length, all counted in one power of two.
+// Represents posed vertices and points of a segment as integers of any length, as multiples of one power of two.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ inline bool is_zero(const IntegerVector3& v) noexcept {
     return v[0].is_zero() && v[1].is_zero() && v[2].is_zero();
 }
 
-// A parameter m 2^e, which may be the midpoint of two doubles.
+// A parameter m 2^e of a segment, which may be the midpoint of two doubles.
 struct Parameter {
     std::int64_t m = 0;
     int e = 0;
@@ -29,9 +29,10 @@ struct Parameter {
 
 class ExactPoints {
   public:
-    // The points of two bodies. Everything that the arguments refer to must outlive the points.
+    // Represents the vertices of two bodies. Everything that the arguments refer to must outlive this.
     ExactPoints(const exact::BodyRef& a, const exact::BodyRef& b) noexcept;
-    // Those of a body, and those at parameters of a segment that are multiples of 2^e, or 0.
+    // Represents the vertices of a body, and the points of a segment at parameter 0 and at multiples of 2^e, with the e
+    // of `finest`.
     ExactPoints(const exact::BodyRef& a, const Segment& segment, const Parameter& finest) noexcept;
 
     IntegerVector3 vertex(std::size_t body, std::uint32_t index) const {

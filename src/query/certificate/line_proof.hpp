@@ -1,4 +1,4 @@
-// The walk of a tree that proves that a segment, or its piece before the first hit, meets none of its triangles.
+// Proves by a walk of a tree that a segment, or its piece before the first hit, meets no triangle.
 #pragma once
 
 #include "ecods/posed.hpp"
@@ -9,8 +9,8 @@
 
 namespace ecods {
 
-// The piece goes from parameter 0 to `end`. `apart` is half_open where triangles may be met at the very end. The claim
-// must be true.
+// Proves that the piece from parameter 0 to `end` meets no triangle. This claim must be true. `apart` is half_open if
+// triangles may be met at the very end.
 void prove_line(const Posed<MeshShape>& body, const Segment& segment, const Parameter& end, ApartBy apart,
                 Proof& proof);
 

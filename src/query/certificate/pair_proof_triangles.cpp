@@ -1,4 +1,4 @@
-// What a proof needs of two triangles: the axis of their closest features, or of their contact.
+// Finds the axis of two triangles for a proof: that of their closest features, or of their contact.
 #include <algorithm>
 
 #include "base/double_key.hpp"
@@ -11,12 +11,12 @@ using Kind = AxisFormula::Kind;
 
 constexpr std::size_t contacts_max = 8;
 
-// The corner by which a triangle names a feature; 0 of a face.
+// The corner by which a triangle names a feature; 0 for a face.
 std::uint8_t corner_of(const FeatureKey& feature, std::uint32_t triangle, const Triangle& corners) {
     return static_cast<std::uint8_t>(feature_of(feature, triangle, corners).corner);
 }
 
-// The axis along which two triangles that do not meet are as far apart as they are, by their closest features.
+// The axis of the closest features of two triangles that do not meet: the gap along it is their distance.
 AxisFormula formula_between(ClosestKind kind, bool a_is_vertex, std::uint8_t i, std::uint8_t j) {
     switch (kind) {
         case ClosestKind::vertex_vertex:
@@ -32,13 +32,14 @@ AxisFormula formula_between(ClosestKind kind, bool a_is_vertex, std::uint8_t i, 
 
 }  // namespace
 
-// The interval is certain, and not of 0.
+// The interval must be certain, and its lower bound positive.
 AxisFormula PairProof::formula_of(const DistanceInterval& interval, std::uint32_t i, std::uint32_t j) const {
     return formula_between(interval.kind, interval.a.is_vertex(), corner_of(interval.a, i, bodies_[0].triangle(i)),
                            corner_of(interval.b, j, bodies_[1].triangle(j)));
 }
 
-// From the one triangle to the other where they are closest, about; zero where that is not clear.
+// The rounded direction from the closest point of triangle i to that of triangle j; zero if the closest features are
+// not certain.
 Vec3 PairProof::direction_of(std::uint32_t i, std::uint32_t j) {
     const DistanceInterval interval = pair_.enclose(i, j);
     if (!interval.is_certain) return Vec3::Zero();
@@ -60,7 +61,7 @@ SixCorners PairProof::corners_of(std::uint32_t i, std::uint32_t j) {
     return corners;
 }
 
-// Along which two triangles are apart as far as they can be; nothing where the walk ends.
+// The axis along which two triangles have their widest gap; nullopt if the walk ends at them.
 std::optional<AxisFormula> PairProof::formula_for(std::uint32_t i, std::uint32_t j) {
     const DistanceInterval interval = pair_.enclose(i, j);
     if (interval.is_certain && key_of(interval.lower) > 0) return formula_of(interval, i, j);
@@ -74,9 +75,10 @@ std::optional<AxisFormula> PairProof::formula_for(std::uint32_t i, std::uint32_t
     return find_axis(corners_of(i, j), ApartBy::weakly);
 }
 
-// Has the axis of two triangles tried exactly from now on. Returns false if there is none more.
+// Adds the axis of two triangles to those that are tried exactly. Returns false if it is of another kind or the list is
+// full.
 bool PairProof::add_contact(const AxisFormula& formula, std::uint32_t i, std::uint32_t j) {
-    // Of ties at a vertex each pair of triangles has a line of its own.
+    // Kinds that involve a vertex are left out: if triangles tie at a vertex, each pair has a line of its own.
     const bool is_axis =
         formula.kind == Kind::normal_a || formula.kind == Kind::normal_b || formula.kind == Kind::edges;
     if (contacts_.size() == contacts_max || !is_axis) return false;

@@ -1,5 +1,5 @@
-// From where to where the parts of nodes and leaves reach along an axis (body_axis.hpp has the bounds), and which of
-// two nodes' parts are apart on it.
+// Finds the intervals of the parts of nodes and leaves along an axis, and compares those of two nodes (body_axis.hpp
+// derives the bounds).
 #pragma once
 
 #include <array>
@@ -19,19 +19,19 @@ struct BodyAxis {
     std::array<double, 3> p{};
     double q = 0;
     double error = 0;
-    double corner_reach = 0;  // what a corner of a leaf may be off
-    bool is_bounded = false;  // otherwise nothing is known
+    double corner_reach = 0;  // error bound of a leaf's corner
+    bool is_bounded = false;  // if false, the bounds do not hold
 
     double at(const Vec3& y) const noexcept { return p[0] * y[0] + p[1] * y[1] + p[2] * y[2] + q; }
 };
 
-// By lane. Lanes from the number of parts on repeat the last one.
+// The interval of each lane. Lanes beyond the number of parts repeat the last part.
 template <class Number>
 struct Reaches {
     alignas(32) std::array<Number, tree_width> low;
     alignas(32) std::array<Number, tree_width> high;
 
-    // Gives each lane the reach of all parts together.
+    // Gives each lane the union of all intervals.
     ECODS_ALWAYS_INLINE void join_lanes() noexcept {
         Number least = low[0], most = high[0];
         for (std::size_t lane = 1; lane < tree_width; ++lane) {
@@ -43,7 +43,7 @@ struct Reaches {
     }
 };
 
-// The reaches of parts in doubles; the axis's error is not included.
+// Finds the intervals in doubles, without the axis's error.
 struct InDoubles {
     using Half = Vec<double, 4>;
 
@@ -74,7 +74,7 @@ struct InDoubles {
         high = max(x, max(y, z)) + axis.corner_reach;
     }
 
-    // Enlarged by a margin.
+    // Enlarges the intervals by a margin.
     template <class X>
     ECODS_ALWAYS_INLINE static void find_reaches(const BodyAxis& axis, double margin, const X& x,
                                                  Reaches<double>& reaches) noexcept {
@@ -87,7 +87,7 @@ struct InDoubles {
     }
 };
 
-// Bit 8 i + j: parts i of x and j of y are apart, on either side. Of all lanes i, and of those j that `columns` has.
+// Bit 8 i + j of the result: parts i of x and j of y are apart. It tests all lanes i, and the lanes j in `columns`.
 template <std::size_t width, class Number>
 ECODS_ALWAYS_INLINE std::uint64_t apart_lanes(const Reaches<Number>& x, const Reaches<Number>& y,
                                               std::uint32_t columns) noexcept {

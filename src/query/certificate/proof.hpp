@@ -1,4 +1,4 @@
-// A proof as it is kept: axes, and steps as a row of numbers.
+// Stores a proof: its axes, and its steps as one sequence of numbers.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,8 @@
 
 namespace ecods {
 
-// An axis that steps name: a vector of short doubles, or a formula of two triangles that is one of the first three.
+// An axis that steps refer to: a vector of doubles with few digits, or one of the first three kinds of formula, of two
+// triangles.
 struct ProofAxis {
     bool is_given = true;
     Vec3 given = Vec3::Zero();
@@ -27,21 +28,21 @@ struct Proof {
     static constexpr Word no_axis = 0xffff;
 
     std::vector<ProofAxis> axes;
-    // One step after the other. An opening: its kind, the number of axes, these, the number of pairs left open, these.
-    // Two triangles: the step's kind, and the formula's kind, i and j.
+    // The steps, one after the other. An opening: its kind, the number of axes, the axes, the number of pairs left
+    // open, the pairs. Two triangles: the step's kind, the formula's kind, i and j.
     std::vector<Word> words;
     std::size_t step_count = 0;
-    std::size_t opening = 0;  // where the last one begins
+    std::size_t opening = 0;  // index of the last opening's first word
 
     void clear() noexcept { *this = {}; }
 
-    // An opening begins, names axes, and ends with what these leave open.
+    // Begins an opening; name() adds its axes, and end_opening() the parts that they leave open.
     void begin_opening() {
         opening = words.size();
         words.insert(words.end(), {0, 0});
     }
-    // Names an axis in the step, once, and in the proof where `named` is no_axis. Returns false, with nothing named,
-    // where the list of axes is full.
+    // Names an axis once in the step, and adds it to the proof's list if `named` is no_axis. Returns false, with
+    // nothing named, if the list is full.
     bool name(const ProofAxis& axis, Word& named) {
         if (named == no_axis) {
             if (axes.size() >= no_axis) return false;

@@ -83,7 +83,7 @@ void append_formula(std::string& text, Kind kind, std::uint64_t i, std::uint64_t
     if (kind != Kind::coordinate) append_count(text, j);
 }
 
-// Appends one step, and returns where the next begins.
+// Appends one step. Returns the index of the next one.
 std::size_t append_step(std::string& text, const std::vector<Proof::Word>& words, std::size_t at) {
     static constexpr const char* names[] = {"ab", "a", "b", "t"};
     const auto kind = static_cast<StepKind>(words[at++]);

@@ -1,4 +1,4 @@
-// What the certificate of a world holds.
+// Defines what the certificate of a world holds.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ struct WorldCertificate::Content {
         Pose pose;
         CollisionFilter filter;
     };
-    // One claim, or disjoint and within.
+    // One claim about a pair, or two: disjoint and within.
     struct Pair {
         BodyPair ids;
         Certificate first;

@@ -1,8 +1,8 @@
-// Where two convex solids are closest to each other, proven.
+// Finds and proves where two convex solids are closest to each other.
 //
-// Points x of the first and y of the second are closest if and only if no point of the first is beyond x along n = y -
-// x, and none of the second before y. Of a convex set no vertex is beyond another if none of its neighbors is: so a
-// guess of three vertices of each solid, of which the closest features are known, needs a handful of signs.
+// Points x of the first solid and y of the second are closest if and only if no point of the first is beyond x along n
+// = y - x, and no point of the second is before y. In a convex set no vertex is beyond one that has no neighbor beyond
+// it. So it takes a handful of signs to prove a guess of three vertices of each solid whose closest features are known.
 #pragma once
 
 #include <algorithm>
@@ -33,8 +33,8 @@ struct VertexSets {
         if (std::find(at[side].begin(), end, vertex) == end) at[side][count[side]++] = vertex;
     }
     std::size_t triangle_count(std::size_t side) const noexcept { return count[side] == 4 ? 4 : 1; }
-    // A triangle has all of four vertices but one; otherwise all, the last one more than once if they are less than
-    // three.
+    // A triangle of the set's vertices. With four vertices it leaves out number `without`; with one or two it repeats
+    // the last one.
     std::array<std::uint32_t, 3> triangle(std::size_t side, std::size_t without = 0) const noexcept {
         std::array<std::uint32_t, 3> result;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -45,14 +45,14 @@ struct VertexSets {
     }
 };
 
-// A vertex, an edge or a face of each hull that hold closest points: their vertices are the first ones of a triangle of
-// vertices, which may be one vertex more than once.
+// A vertex, an edge or a face of each hull that hold closest points. Their vertices are the first ones of a triangle of
+// vertices, which may repeat a vertex.
 struct HullFeatures {
     std::array<std::array<std::uint32_t, 3>, 2> corners{};
-    exact::FeaturePair features;  // of the triangles
+    exact::FeaturePair features;  // features of the two triangles
 
     HullFeatures() = default;
-    // Features of two triangles, whichever of their corners they have.
+    // Reorders each triangle so that the vertices of its feature come first.
     HullFeatures(const std::array<std::array<std::uint32_t, 3>, 2>& triangles, const exact::FeaturePair& f) noexcept;
 
     std::array<HullVertex, 6> vertices() const noexcept {
@@ -66,45 +66,46 @@ struct HullFeatures {
 
 struct ClosestHulls {
     HullFeatures found;
-    // A part is all of a solid that is furthest towards the other: the closest points are on both parts. Nothing: its
-    // feature of `found`, which nobody has looked up.
+    // By side: all of a solid that is extreme towards the other one; the closest points are on both parts. Null if the
+    // part is the feature of `found`, and its index has not been looked up.
     std::array<std::optional<HullFeature>, 2> parts;
-    // Whether the features of `found` are these parts, and hold the only closest points inside both.
+    // True if the features of `found` are these parts, and hold the only closest points, which are inside both.
     bool are_only = false;
 
     HullFeature part(const PosedHulls& hulls, std::size_t side) const noexcept;
 };
 
-// What signs of rounded points prove of the guess, and where these leave open which vertices are as far as the
-// features, exact ones. Nothing if the guess is not right, or the closest points may be on the border of a feature.
+// Proves the guess by signs of rounded points. If these leave open which vertices are level with the features, exact
+// signs decide. Returns nullopt if the guess is wrong, or a closest point may be on the border of a feature.
 std::optional<ClosestHulls> prove_closest(PosedHulls& hulls, const Simplex& guess);
-// Whether rounded points prove that the origin is inside the simplex: then the solids share a point.
+// True if rounded points prove that the origin is inside the simplex: the solids then share a point.
 bool prove_meeting(const PosedHulls& hulls, const Simplex& guess) noexcept;
 
-// The same exactly, from any guess of at least one pair. Nothing if the solids share a point.
+// Finds and proves the closest features exactly, from any guess of at least one pair. Returns nullopt if the solids
+// share a point.
 std::optional<ClosestHulls> find_closest_exactly(PosedHulls& hulls, const Simplex& guess);
 
-// The closest features of two triangles of vertices, as doubles see it.
+// The closest features of two triangles of vertices, computed in doubles without proof.
 HullFeatures guess_of_triangles(PosedHulls& hulls, const std::array<std::array<std::uint32_t, 3>, 2>& corners);
 
-// Whether features of two triangles, of vertices that are apart, hold closest points of these. Exact.
+// True if the features hold closest points of their two triangles, whose vertices must not meet. Exact.
 bool are_closest_of_triangles(PosedHulls& hulls, const HullFeatures& found);
 
-// Of the direction of features, from the first solid to the second, and for the second turned back: the signs of its
-// products with the ways from a vertex to others, up to signs_at_once of them. Exact.
+// The signs of n . (neighbor - vertex `at`), for up to signs_at_once neighbors. n is the direction of the features from
+// the first solid to the second, negated for the second. Exact.
 std::array<int, signs_at_once> signs_beyond(PosedHulls& hulls, const HullFeatures& found, std::size_t side,
                                             std::uint32_t at, std::span<const Hull::Neighbor> neighbors);
 
-// The names of what holds the closest points by the rule of ClosestPoints, and these points.
+// Names the features that hold the closest points, by the rule of ClosestPoints, and computes these points.
 ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest);
 
-// Where two solids are closest, by the first of these that knows; nothing if they share a point. The witness as in
-// convex_solid.hpp, or null.
+// Finds where two solids are closest, by the cheapest of these functions that succeeds; nullopt if they share a point.
+// `witness` is as in convex_solid.hpp, or null.
 std::optional<ClosestHulls> find_closest(PosedHulls& hulls, PairWitness* witness);
-// The same from a pair of vertices.
+// Begins the search at a pair of vertices.
 std::optional<ClosestHulls> find_closest(PosedHulls& hulls, const Simplex& start, PairWitness* witness = nullptr);
 
-// The squared distance, exactly; the distance, rounded once; and the sign of the distance less d.
+// The exact squared distance; the distance, rounded once; and the sign of (distance - d).
 exact::SquaredDistance square_of(PosedHulls& hulls, const HullFeatures& found);
 double round_distance(PosedHulls& hulls, const HullFeatures& found);
 int compare_distance(PosedHulls& hulls, const HullFeatures& found, double d);

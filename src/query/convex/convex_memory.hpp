@@ -1,4 +1,4 @@
-// What questions about two convex solids work in.
+// Scratch memory of the questions about two convex solids.
 #pragma once
 
 #include <memory>

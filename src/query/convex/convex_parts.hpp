@@ -1,4 +1,4 @@
-// What a ConvexSolid holds beside what a Solid holds.
+// Defines what a ConvexSolid holds beside what a Solid holds.
 #pragma once
 
 #include "ecods/convex_solid.hpp"
@@ -12,7 +12,7 @@ struct ConvexSolid::ConvexParts {
     convex::SupportPoints points;
 };
 
-// The library's own way to the parts of a ConvexSolid.
+// Gives the library access to the parts of a ConvexSolid.
 struct ConvexSolidAccess {
     static const convex::Hull& hull(const ConvexSolid& solid) noexcept { return solid.convex_parts_->hull; }
     static const convex::SupportPoints& points(const ConvexSolid& solid) noexcept {

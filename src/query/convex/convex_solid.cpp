@@ -18,9 +18,9 @@ Hull make_hull(const Solid& solid) {
     const Shells& shells = SolidAccess::shells(solid);
     const Mesh& mesh = solid.mesh();
     if (shells.first.empty()) throw NoInterior(mesh.vertices().size());
-    // Where edges were split, features are named in the mesh before that.
+    // If edges were split, features are named in the mesh as it was given.
     ProperMesh whole;
-    if (!parts.origins.empty()) whole = find_proper({std::shared_ptr<const void>(), &mesh});  // kept by the solid
+    if (!parts.origins.empty()) whole = find_proper({std::shared_ptr<const void>(), &mesh});  // owned by the solid
     const Border border{&parts.proper,   &parts.edges,
                         shells.faces_in, parts.origins.empty() ? &parts.proper : &whole,
                         parts.origins,   exact::VertexSigns(parts.proper.mesh->vertices())};

@@ -1,4 +1,4 @@
-// Features of two hulls in integers.
+// Gives the features of two hulls in exact integers.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace ecods::convex {
 
-// Calls use(points, features) with the vertices' points in the narrowest kernel that holds them: the features are those
-// of the first three and the next three. N is at least 6; `use` gets the limbs of all as its third argument.
+// Calls use(points, features, limbs) with the vertices' points in the narrowest kernel that holds them. `features` are
+// those of the first three points and the next three, so N is at least 6; `limbs` holds all points.
 template <std::size_t N, class Use>
 auto with_exact_features(PosedHulls& hulls, const std::array<HullVertex, N>& vertices, Use&& use) {
     static_assert(N >= 6);

@@ -1,5 +1,5 @@
-// Searches among all vertices of a small hull, and among other numbers, four at a time. Everything is inlined into what
-// is compiled for the instruction set in use (simd/dispatch.hpp).
+// Searches all vertices of a small hull, or other numbers, four at a time. Every function is inlined into code that is
+// compiled for the instruction set in use (simd/dispatch.hpp).
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ ECODS_ALWAYS_INLINE void for_each_lane(FourIndices mask, Use&& use) {
     for (; bits != 0; bits &= bits - 1) use(static_cast<std::uint32_t>(std::countr_zero(bits)));
 }
 
-// Products of a vector with vertices, a group at a time.
+// Computes the products of a vector with vertices, a group of four at a time.
 struct Heights {
     FourDoubles x, y, z;
 
@@ -40,7 +40,7 @@ struct Heights {
     }
 };
 
-// The greatest numbers seen in each lane, and what they were of; the first of those that are equal. NaN is not seen.
+// Keeps the greatest number of each lane and its index, the first one of equal numbers. NaN is skipped.
 struct Best {
     FourDoubles most = broadcast<FourDoubles>(-std::numeric_limits<double>::infinity());
     FourIndices of{};
@@ -50,7 +50,7 @@ struct Best {
         most = select(is_more, h, most);
         of = (is_more & at) | (~is_more & of);
     }
-    // The greatest number of all is of this.
+    // The index of the greatest number of all lanes.
     ECODS_ALWAYS_INLINE std::uint32_t of_greatest() noexcept {
         take(shuffle<2, 3, 0, 1>(most), shuffle<2, 3, 0, 1>(of));
         take(shuffle<1, 0, 3, 2>(most), shuffle<1, 0, 3, 2>(of));
@@ -58,8 +58,8 @@ struct Best {
     }
 };
 
-// The vertex of the greatest product with a vector, as doubles have it; the first one where all are NaN. Even and odd
-// groups are two chains of comparisons, each of which waits for itself only.
+// The vertex with the greatest product with a vector, in doubles; vertex 0 if all products are NaN. Even and odd groups
+// are two independent chains of comparisons, which run in parallel.
 ECODS_ALWAYS_INLINE std::uint32_t furthest(const double* groups, std::size_t count,
                                            const exact::Point& along) noexcept {
     constexpr std::size_t lanes = SupportPoints::lanes;
@@ -79,7 +79,7 @@ ECODS_ALWAYS_INLINE std::uint32_t furthest(const double* groups, std::size_t cou
     return even.of_greatest();
 }
 
-// The index of the greatest of some numbers, which are read by fours.
+// The index of the greatest of some numbers, which are read four at a time.
 ECODS_ALWAYS_INLINE std::uint32_t index_of_greatest(const double* numbers, std::size_t count) noexcept {
     Best best;
     FourIndices at{0, 1, 2, 3};
@@ -90,14 +90,14 @@ ECODS_ALWAYS_INLINE std::uint32_t index_of_greatest(const double* numbers, std::
     return best.of_greatest();
 }
 
-// How many products are not less than a number: those of all places in the groups, those that the last vertex fills up
-// included. NaN is not less.
+// The number of products that are not less than `least`, in all places of the groups, the copies of the last vertex
+// included. NaN counts as not less.
 ECODS_ALWAYS_INLINE std::size_t count_not_below(const double* groups, std::size_t count, const exact::Point& along,
                                                 double least) noexcept {
     constexpr std::size_t lanes = SupportPoints::lanes;
     const Heights heights(along);
     const FourDoubles limit = broadcast<FourDoubles>(least);
-    FourIndices even{}, odd{};  // the negative of how many are below
+    FourIndices even{}, odd{};  // minus the number of products below the limit
     for (std::size_t i = 0; i < count; i += 6 * lanes) {
         even += heights.of(groups + i) < limit;
         odd += heights.of(groups + i + 3 * lanes) < limit;
@@ -107,7 +107,7 @@ ECODS_ALWAYS_INLINE std::size_t count_not_below(const double* groups, std::size_
     return count / 3 - static_cast<std::size_t>(below);
 }
 
-// Lists the vertices whose products are at most `below` less than the greatest one, or NaN.
+// Lists the vertices whose products are NaN, or less than the greatest one by at most `below`.
 ECODS_ALWAYS_INLINE void list_furthest(const SupportPoints& points, const exact::Point& along, double below,
                                        std::vector<std::uint32_t>& list) {
     const double* const groups = points.groups.data();

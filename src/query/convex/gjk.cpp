@@ -14,14 +14,15 @@ using exact::minus;
 using exact::negated;
 using exact::times;
 
-// More than any pair needs that ends at all; what is left then is a guess as good as another.
+// Limit of the rounds: more than any pair needs whose search ends by itself. After that the guess is as good as
+// another.
 constexpr int rounds_max = 200;
 
-// The point of a simplex that is nearest to the origin, and which of its points it is a combination of.
+// The simplex's point nearest to the origin, and the vertices of the simplex that it is a combination of.
 struct Nearest {
     Point v{};
     double square = std::numeric_limits<double>::infinity();
-    unsigned kept = 0;  // a bit for each point
+    unsigned kept = 0;  // a bit for each vertex
 
     ECODS_ALWAYS_INLINE void take(const Point& point, unsigned bits) noexcept {
         const double s = dot(point, point);
@@ -47,7 +48,7 @@ ECODS_ALWAYS_INLINE void find_on_segment(const Simplex& s, int i, int j, Nearest
     nearest.take(minus(a, times(u, -t / uu)), bit(i) | bit(j));
 }
 
-// By the regions of a triangle (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
+// Finds the nearest point by the regions of a triangle (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
 ECODS_ALWAYS_INLINE void find_on_triangle(const Simplex& s, int i, int j, int k, Nearest& nearest) noexcept {
     const Point& a = s.points[static_cast<std::size_t>(i)];
     const Point& b = s.points[static_cast<std::size_t>(j)];
@@ -72,8 +73,9 @@ ECODS_ALWAYS_INLINE void find_on_triangle(const Simplex& s, int i, int j, int k,
     nearest.take(times(n, dot(a, n) / nn), bit(i) | bit(j) | bit(k));
 }
 
-// Of each face on whose outer side the origin is, or may be; if there is none, the origin is inside. The point that was
-// added last comes last: the nearest point was in the face of the others, the origin on its other side.
+// Finds the nearest point of the faces that have, or may have, the origin on their outer side; if there is none, the
+// origin is inside. The face without the last vertex needs no test: the nearest point was in it, and the last vertex
+// was added on the origin's side.
 ECODS_ALWAYS_INLINE void find_in_tetrahedron(const Simplex& s, Nearest& nearest) noexcept {
     bool is_inside = true;
     for (int l = 2; l >= 0; --l) {
@@ -125,7 +127,7 @@ ECODS_ALWAYS_INLINE void add(Simplex& s, const PosedHulls& hulls, const std::arr
     s.points[at] = minus(hulls.rounded(1, pair[1]), hulls.rounded(0, pair[0]));
 }
 
-// support(side, direction, start) gives vertices of what is asked about.
+// Runs GJK; support(side, direction, start) gives support vertices.
 template <class Support>
 ECODS_ALWAYS_INLINE void descend(Simplex& simplex, const PosedHulls& hulls, const Support& support) noexcept {
     Nearest nearest = find_nearest(simplex);

@@ -1,4 +1,4 @@
-// The vertices, edges and faces of a convex solid, whatever the triangles and pieces of edges they are given in.
+// Describes the vertices, edges and faces of a convex solid, independent of the triangles and edge pieces of its mesh.
 #pragma once
 
 #include <array>
@@ -11,18 +11,18 @@
 
 namespace ecods::convex {
 
-// Vertices, edges and faces are ascending by their names, so that a lesser index is a lesser name.
+// Vertices, edges and faces are in ascending order of their names, so that a lesser index means a lesser name.
 struct Hull {
     struct Edge {
         Feature name;
         std::array<std::uint32_t, 2> ends;   // vertices of the hull, the lesser first
-        std::array<std::uint32_t, 2> faces;  // the one that is left of the way from the first end to the second, seen
-                                             // from outside, and the one that is right of it
+        std::array<std::uint32_t, 2> faces;  // the faces on the left and on the right of the
+                                             // direction from ends[0] to ends[1], seen from outside
     };
     struct Face {
         Feature name;
-        std::uint32_t first;  // in face_cycles
-        std::uint32_t count;  // of vertices, and of edges
+        std::uint32_t first;  // index in face_cycles
+        std::uint32_t count;  // number of vertices, which is that of edges
     };
     struct Neighbor {
         std::uint32_t vertex;
@@ -30,13 +30,13 @@ struct Hull {
     };
 
     std::vector<Feature> vertex_names;         // by vertex
-    std::vector<std::uint32_t> mesh_vertices;  // by vertex: its index in the proper mesh of the Solid
+    std::vector<std::uint32_t> mesh_vertices;  // by vertex: its index in the Solid's proper mesh
     std::vector<Edge> edges;
     std::vector<Face> faces;
 
-    // By face: its vertices counterclockwise, seen from outside, and the edge from each to the next one.
+    // By face: its vertices counterclockwise, seen from outside, each with the edge to the next one.
     std::vector<Neighbor> face_cycles;
-    // By vertex: the ends of its edges, in no promised order; neighbors_first[v] to neighbors_first[v + 1].
+    // By vertex v: the ends of its edges, in no promised order, from neighbors_first[v] to neighbors_first[v + 1].
     std::vector<Neighbor> neighbors;
     std::vector<std::uint32_t> neighbors_first;
 

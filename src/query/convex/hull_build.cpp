@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-// An edge of the set, or a side of a triangle on one: the way between two vertices of the mesh that has a face on its
-// left, seen from outside, and one on its right.
+// An edge of the convex set, or a triangle's side that is a piece of one. It runs between two vertices of the mesh,
+// with a face on its left, seen from outside, and one on its right.
 struct Piece {
     SideRef name;
     std::uint32_t from, to;
@@ -48,7 +48,8 @@ class Builder {
         return i;
     }
 
-    // Triangles that meet in flat edges are one face. Its least triangle comes first, and so do faces by their names.
+    // Joins triangles that meet in flat edges to faces, by union-find. The root is a face's least triangle, so faces
+    // come in the order of their names.
     void join_faces() {
         parents_.resize(triangles_.size());
         std::iota(parents_.begin(), parents_.end(), 0);
@@ -86,8 +87,8 @@ class Builder {
         }
     }
 
-    // Two faces of a convex set share one edge at most, so pieces between the same two are one. On a line the order of
-    // points is that of compare_points.
+    // Joins the pieces between the same two faces to one edge: two faces of a convex set share at most one edge.
+    // compare_points orders points along a line.
     void join_pieces() {
         std::ranges::sort(pieces_, {}, [](const Piece& p) { return std::tuple(p.between(), p.name); });
         for (std::size_t i = 0; i < pieces_.size();) {
@@ -109,7 +110,8 @@ class Builder {
         std::ranges::sort(edges_, {}, &Piece::name);
     }
 
-    // A vertex of the set is a corner of every triangle that has it: in none it lies inside a side.
+    // Names each vertex by its least triangle and corner: a vertex of the set is inside no side, so every triangle at
+    // it has it as a corner.
     void name_vertices() {
         vertex_of_.assign(points_.size(), none);
         constexpr std::uint32_t unnamed = none - 1;
@@ -140,7 +142,7 @@ class Builder {
         }
     }
 
-    // Walks around each face from its least vertex on, with the face on the left of every edge.
+    // Walks around each face from its least vertex, with the face on the left of every edge.
     void add_cycles() {
         std::uint32_t first = 0;
         for (const Hull::Edge& edge : hull_.edges) {
@@ -150,7 +152,7 @@ class Builder {
             face.first = first;
             first += face.count;
         }
-        // By face, its edges in any order; then by vertex the edge that leaves it, for one face at a time.
+        // By face its edges, in any order; then, for one face at a time, by vertex the edge that leaves it.
         std::vector<std::uint32_t> edges_of(first), filled(hull_.faces.size(), 0), leaves(hull_.vertex_count(), none);
         for (std::uint32_t e = 0; e < hull_.edges.size(); ++e) {
             for (const std::uint32_t face : hull_.edges[e].faces)
@@ -196,7 +198,7 @@ class Builder {
     std::span<const Triangle> triangles_;
     std::span<const Vec3> points_;
     std::span<const std::uint8_t> is_flat_;
-    std::vector<std::uint32_t> parents_;  // by triangle: a lesser one of its face, or itself
+    std::vector<std::uint32_t> parents_;  // by triangle: union-find parent
     std::vector<std::uint32_t> face_of_;  // by triangle
     std::vector<Piece> pieces_;
     std::vector<Piece> edges_;

@@ -1,4 +1,4 @@
-// Vertices, edges and faces of a hull: their names, and which of them is furthest along a direction.
+// Names vertices, edges and faces of a hull, and finds which of them is extreme along a direction.
 #pragma once
 
 #include <algorithm>
@@ -21,16 +21,17 @@ struct HullFeature {
 
 Feature name_of(const Hull& hull, const HullFeature& feature) noexcept;
 
-// The edge between two vertices that have one.
+// The edge between two vertices, which must be neighbors.
 std::uint32_t edge_of(const Hull& hull, std::uint32_t from, std::uint32_t to) noexcept;
-// The face of a hull that has three vertices, which are not on one line; none (~0) if no face has.
+// The face that contains three vertices, which must not be on one line; ~0 if there is none.
 std::uint32_t face_of(const Hull& hull, const std::array<std::uint32_t, 3>& vertices) noexcept;
 
 inline bool is_edge_of(const Hull& hull, std::uint32_t edge, std::uint32_t face) noexcept {
     return hull.edges[edge].faces[0] == face || hull.edges[edge].faces[1] == face;
 }
 
-// The edges of a vertex at right angles to a direction along which the vertex is furthest: two at most, of one face.
+// The edges of an extreme vertex that are perpendicular to the direction along which it is extreme: at most two, of one
+// face.
 struct LevelEdges {
     std::size_t count = 0;
     std::array<std::uint32_t, 2> edges{};
@@ -39,22 +40,23 @@ struct LevelEdges {
         ECODS_ASSERT(count < 2);
         if (count < 2) edges[count++] = edge;
     }
-    // The vertex, the edge or the face that is as far as the vertex.
+    // The vertex, the edge or the face that is as far along the direction as the vertex.
     HullFeature feature(const Hull& hull, std::uint32_t vertex) const noexcept;
 };
 
-// A vertex than which none is further along a direction, and its edges at right angles to that.
+// A vertex that is extreme along a direction, and its edges perpendicular to the direction.
 struct Furthest {
     std::uint32_t vertex;
     LevelEdges level;
 };
 
-// How many neighbors a climb asks about at a time.
+// The number of neighbors whose signs a climb requests at once.
 inline constexpr std::size_t signs_at_once = 6;
 
-// Goes to a neighbor that is further along a direction, if there is one; otherwise `at` knows which are as far: of a
-// convex set two at most, as they are on one face. signs(vertex, neighbors) has the signs of how much further than the
-// vertex they are, as an array of signs_at_once; behind a positive one it may have anything.
+// Moves to a neighbor that is further along a direction, and returns true. If there is none, stores in at.level the
+// edges to neighbors that are as far: at most two in a convex set, as they are on one face. signs(vertex, neighbors)
+// returns the signs of how much further each neighbor is than the vertex, as an array of signs_at_once; after the first
+// positive sign the rest may be anything.
 template <class Signs>
 bool climb_once(const Hull& hull, Furthest& at, const Signs& signs) {
     at.level = {};
@@ -73,7 +75,8 @@ bool climb_once(const Hull& hull, Furthest& at, const Signs& signs) {
     return false;
 }
 
-// Each step goes further, so it ends; and of a convex set no vertex is further than one that is beyond no neighbor.
+// Climbs to an extreme vertex. It ends because each step goes further. In a convex set a vertex is extreme if no
+// neighbor is beyond it.
 template <class Signs>
 Furthest climb(const Hull& hull, std::uint32_t start, const Signs& signs) {
     Furthest result{start, {}};

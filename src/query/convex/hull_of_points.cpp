@@ -1,10 +1,9 @@
-// Quickhull (Barber, Dobkin and Huhdanpaa, The quickhull algorithm for convex hulls, 1996) with exact signs.
+// Implements Quickhull (Barber, Dobkin and Huhdanpaa, The quickhull algorithm for convex hulls, 1996) with exact signs.
 //
-// A point is added by replacing the triangles that it is strictly beyond by those from their rim to it. Triangles
-// in whose plane the point lies stay, so faces of many triangles grow triangle by triangle; a point on the line of an
-// edge is beyond neither or in the plane of both of its triangles, or beyond one and in the plane of the other, which
-// cannot be on that line: no new triangle has zero area. Which point comes next is chosen in doubles, and decides
-// nothing but the time that it takes.
+// A point is added by replacing the triangles that it is strictly beyond by triangles that join their rim to it.
+// Triangles whose plane contains the point stay, so faces of many triangles grow triangle by triangle. No new triangle
+// has zero area: a point on the line of a rim edge would be in the planes of both triangles of the edge, but it is
+// beyond one of them. Doubles choose the next point, which affects only the time.
 #include "query/convex/hull_of_points.hpp"
 
 #include <algorithm>
@@ -44,14 +43,14 @@ class QuickHull {
     struct Facet {
         Triangle corners;                        // counterclockwise, seen from outside
         std::array<std::uint32_t, 3> neighbors;  // over the side from a corner to the next one
-        std::uint32_t first = nothing;           // of the points beyond it that are in its list
+        std::uint32_t first = nothing;           // first point of the list of points beyond it
         bool is_alive = true;
         bool is_visible = false;
     };
 
     struct RimEdge {
         std::uint32_t from, to;
-        std::uint32_t behind;  // the facet that stays
+        std::uint32_t behind;  // facet that stays
     };
 
     const Vec3& at(std::uint32_t i) const noexcept { return points_[i]; }
@@ -61,7 +60,7 @@ class QuickHull {
         return orient3d(at(a), at(b), at(c), at(point)) == Sign::positive;
     }
 
-    // How far a point is beyond a plane, about; any number where that overflows.
+    // The height of a point above a plane, times twice the triangle's area, in doubles; any number if it overflows.
     static double height(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) noexcept {
         return (b - a).cross(c - a).dot(p - a);
     }
@@ -74,7 +73,7 @@ class QuickHull {
         }
     }
 
-    // The candidate with the greatest measure if it is `good`; otherwise the first that is.
+    // The candidate with the greatest measure if it is good; otherwise the first candidate that is.
     template <class Measure, class Good>
     std::optional<std::uint32_t> find(Measure&& measure, Good&& good) const {
         if (candidates_.empty()) return std::nullopt;
@@ -111,7 +110,7 @@ class QuickHull {
         return {a, b, c, d};
     }
 
-    // Triangle 0, 1, 2 of the simplex is turned outwards: corner 3 is not beyond it.
+    // Begins with the simplex. Its triangle 0, 1, 2 is turned outwards: corner 3 is not beyond it.
     void begin(const std::array<std::uint32_t, 4>& s) {
         facets_.push_back({{s[0], s[1], s[2]}, {1, 2, 3}});
         facets_.push_back({{s[1], s[0], s[3]}, {0, 3, 2}});
@@ -122,7 +121,7 @@ class QuickHull {
         }
     }
 
-    // Puts a point into the list of a facet that it is beyond, if there is one from `first_facet` on.
+    // Puts a point into the list of the first facet, from `first_facet` on, that it is beyond, if there is one.
     void assign(std::uint32_t point, std::size_t first_facet) {
         for (std::size_t i = first_facet; i < facets_.size(); ++i) {
             if (!is_beyond(facets_[i], point)) continue;
@@ -132,7 +131,7 @@ class QuickHull {
         }
     }
 
-    // Takes a point out of a facet's list: the furthest one, as far as doubles know.
+    // Removes the furthest point of a facet's list, as far as doubles know, and returns it.
     std::uint32_t take_furthest(std::uint32_t of) {
         Facet& facet = facets_[of];
         const Vec3 &a = at(facet.corners[0]), &b = at(facet.corners[1]), &c = at(facet.corners[2]);
@@ -150,9 +149,9 @@ class QuickHull {
         return best;
     }
 
-    // Adds a point that is beyond a facet. The points of the facets that go are beyond one of the new ones or inside:
-    // the way to such a point from inside a facet that goes leaves the new hull through a new facet, since all the way
-    // it is beyond the old one.
+    // Adds a point that is beyond a facet. The points in the lists of removed facets are beyond a new facet, or inside:
+    // the segment to such a point from inside a removed facet is beyond the old facet all the way, so it leaves the new
+    // hull through a new facet.
     void add(std::uint32_t point, std::uint32_t beyond) {
         find_visible(point, beyond);
         const std::size_t first_new = facets_.size();
@@ -184,7 +183,8 @@ class QuickHull {
         }
     }
 
-    // The facets that a point is beyond are connected over edges, and the rim around them is one cycle.
+    // Lists the facets that a point is beyond, and their rim. The facets are connected over edges, and the rim is one
+    // cycle.
     void find_visible(std::uint32_t point, std::uint32_t beyond) {
         visible_.assign(1, beyond);
         rim_.clear();
@@ -205,7 +205,7 @@ class QuickHull {
     }
 
     std::span<const Vec3> points_;
-    std::vector<std::uint32_t> candidates_;  // each place once
+    std::vector<std::uint32_t> candidates_;  // points without repeated coordinates
     std::vector<std::uint32_t> next_;        // by point: the next one in its list
     std::vector<Facet> facets_;
     std::vector<std::uint32_t> visible_;

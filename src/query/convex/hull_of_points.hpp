@@ -1,4 +1,4 @@
-// The convex hull of points, as triangles.
+// Finds the convex hull of points, as triangles.
 #pragma once
 
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace ecods::convex {
 
-// Triangles that make up the border of the hull, turned outwards, their edges shared by two each. Corners are indices
-// of points, of equal ones the first; a corner may lie inside a face or an edge of the hull. Throws NoInterior.
+// The triangles of the hull's border, turned outwards; each edge has two triangles. Corners are indices of points, of
+// equal points the first. A corner may lie inside a face or an edge of the hull. Throws NoInterior.
 std::vector<Triangle> triangulate_hull(std::span<const Vec3> points);
 
 }  // namespace ecods::convex

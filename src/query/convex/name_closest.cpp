@@ -1,7 +1,7 @@
-// Which of several pairs of features that have exactly the least distance is named, by the rule of ClosestPoints.
+// Chooses which of the pairs of features at exactly the least distance is named, by the rule of ClosestPoints.
 //
-// All closest points of two convex sets are apart by one vector, so they are on the parts that are furthest along it:
-// one part of each solid, and the features in question are these and what borders them.
+// All pairs of closest points of two convex sets differ by one vector, so they are on the parts that are extreme along
+// it, one part of each solid. The features to choose from are these parts and the features that border them.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -44,7 +44,7 @@ HullFeatures features_of(const PosedHulls& hulls, const Parts& parts) noexcept {
             exact::features_of_counts(count(0), count(1))};
 }
 
-// Calls use(feature) for the features of a kind that a feature is, or that border it.
+// Calls use(feature) for each feature of a kind that is the given feature, or borders it.
 template <class Use>
 void for_each_of(const Hull& hull, const HullFeature& part, Kind kind, Use&& use) {
     if (part.kind == kind) return use(part);
@@ -70,7 +70,7 @@ class Naming {
         }
     }
 
-    // The kinds in their order; of each, what is named first.
+    // Tries the kinds in the order of the rule. The first kind with a pair of features at the least distance decides.
     Parts find() {
         try_all(Kind::vertex, Kind::vertex);
         if (has_best_) return best_;
@@ -100,12 +100,12 @@ class Naming {
     FeatureNames names_of(const Parts& parts) const noexcept {
         return {ClosestKind{}, name_of(hulls_.hull(0), parts[0]), name_of(hulls_.hull(1), parts[1])};
     }
-    // Ranks parts of one kind.
+    // True if parts precede the best parts of their kind.
     bool is_first(const Parts& parts) const noexcept {
         return !has_best_ || rank(names_of(parts)) < rank(names_of(best_));
     }
 
-    // Doubles do not exclude that the parts have the least distance.
+    // True unless doubles exclude that the parts have the least distance.
     bool may_hold(const Parts& parts) {
         const Kind greater = std::max(parts[0].kind, parts[1].kind), lesser = std::min(parts[0].kind, parts[1].kind);
         if (greater == Kind::vertex) return may_hold_vertices(parts);
@@ -113,7 +113,7 @@ class Naming {
         return greater == Kind::edge ? may_hold_vertex_and_edge(parts) : is_over(parts);
     }
 
-    // Whether the parts have exactly the least distance, with points inside them.
+    // True if the parts have exactly the least distance, with points inside them.
     bool holds(const Parts& parts) {
         const HullFeatures found = features_of(hulls_, parts);
         return with_exact_features(hulls_, found.vertices(),
@@ -128,14 +128,14 @@ class Naming {
                                    });
     }
 
-    // Rounded points are off by delta on each axis, and a norm of their difference by a factor that is near 1.
+    // Rounded points are off by delta on each axis, and the norm of their difference by a factor near 1.
     bool may_hold_vertices(const Parts& parts) const noexcept {
         const Point w = minus(hulls_.rounded(1, parts[1].index), hulls_.rounded(0, parts[0].index));
         const double length = std::sqrt(dot(w, w));
         return !(length * (1 - 0x1p-48) - 4 * hulls_.delta() > limit_ * (1 + 0x1p-48));
     }
 
-    // The distance from the rounded edge is that from a point on its line, which its parameter's rounding moves by some
+    // Measures the vertex from a point on the rounded edge's line. Rounding its parameter moves that point by some
     // roundings of the vectors' lengths.
     bool may_hold_vertex_and_edge(const Parts& parts) const noexcept {
         const std::size_t of = parts[0].kind == Kind::edge ? 0 : 1;
@@ -149,7 +149,7 @@ class Naming {
         return !(std::sqrt(dot(x, x)) - margin > limit_ * (1 + 0x1p-48));
     }
 
-    // Whether the foot of a vertex is inside a face: left of all its sides, seen along the normal.
+    // True if a vertex projects into a face: it is left of all sides, seen along the normal. Exact.
     bool is_over(const Parts& parts) {
         constexpr std::size_t at_once = 7;
         const std::size_t of = parts[0].kind == Kind::face ? 0 : 1;
@@ -181,7 +181,7 @@ class Naming {
     PosedHulls& hulls_;
     Parts parts_;
     exact::SquaredDistance least_;
-    double limit_ = std::numeric_limits<double>::infinity();  // the distance, about, as rounded points are counted
+    double limit_ = std::numeric_limits<double>::infinity();  // rounded distance, in the unit of rounded points
     Parts best_;
     bool has_best_ = false;
 };

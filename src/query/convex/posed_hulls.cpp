@@ -23,7 +23,7 @@ double largest_magnitude(const Mat3& R) noexcept {
     return R.cwiseAbs().maxCoeff();
 }
 
-// t - t0 = x 2^exponent, x rounded once and below 2 in magnitude.
+// The difference t - t0 = x 2^exponent, with x rounded once and below 2 in magnitude.
 struct ScaledDifference {
     double x = 0;
     int exponent = -exact::BitRange::none;
@@ -39,7 +39,7 @@ ScaledDifference subtract(double t, double t0) noexcept {
     const exact::Uint128 size =
         difference->m < 0 ? -static_cast<exact::Uint128>(difference->m) : static_cast<exact::Uint128>(difference->m);
     const int shift = std::max(0, exact::bit_width(size) - 62);
-    // What is shifted out is less than 2^-61 of the rest.
+    // The digits shifted out are less than 2^-61 of the rest.
     const auto digits = static_cast<std::int64_t>(size >> shift);
     const double x = static_cast<double>(digits) * 0x1p-62;
     return {difference->m < 0 ? -x : x, difference->e + shift + 62};
@@ -64,8 +64,8 @@ PosedHulls::PosedHulls(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
     find_orientation(1);
 }
 
-// Where sizes are ordinary, points are counted as they are: entries of R are multiplied by the power of two that the
-// points of a mesh were divided by.
+// Keeps points in their own unit if sizes are ordinary: multiplies entries of R by the power of two that the mesh's
+// points were divided by. Returns false if sizes are not ordinary.
 bool PosedHulls::scale_plainly() noexcept {
     double largest = 0;
     for (Body& body : bodies_) {
@@ -87,7 +87,8 @@ bool PosedHulls::scale_plainly() noexcept {
     return true;
 }
 
-// Any sizes: everything is taken from its bits and divided by a power of two that leaves the largest number below 2.
+// Scales points of any size: reads all numbers from their bits, and divides them by a power of two that leaves the
+// largest one below 2.
 void PosedHulls::scale_any() noexcept {
     std::array<ScaledDifference, 3> difference;
     int exponent = -exact::BitRange::none;
@@ -110,9 +111,9 @@ void PosedHulls::scale_any() noexcept {
     }
 }
 
-// As in exact/point/point.hpp, for factors that are products of an entry of R, or a coordinate, and a power of two.
-// Such a product may underflow: of an entry by less than 2^-1022 times 2^300, of others by less than 2^-900
-// (times_power); each times another factor of at most 2^100. All of that is below 2^-700.
+// Bounds errors as in exact/point/point.hpp, for factors that are products of an entry of R, or a coordinate, and a
+// power of two. Such a product may underflow: an entry's by less than 2^-1022 times 2^300, others by less than 2^-900
+// (times_power), each times another factor of at most 2^100. All of that is below 2^-700.
 void PosedHulls::find_bounds() noexcept {
     delta_ = 0;
     for (Body& body : bodies_) {
@@ -129,9 +130,9 @@ void PosedHulls::find_bounds() noexcept {
     for (Body& body : bodies_) body.size += 4 * delta_;
 }
 
-// In doubles the sign is certain above 6 u' times the sum of the products' magnitudes (exact/sign/difference_signs.hpp,
-// for three vectors in place of three differences), and another u' for what underflows, which is below 2^-500 with
-// factors of at most 2^100.
+// Decides the sign in doubles if it is certain, which it is above 6 u' times the sum of the products' magnitudes
+// (exact/sign/difference_signs.hpp, for three vectors in place of three differences). Another u' covers underflow,
+// which is below 2^-500 with factors of at most 2^100.
 Sign orientation(const std::array<Point, 3>& rows, const Pose& pose) {
     const auto& [r, s, t] = rows;
     const auto minor = [&](std::size_t i, std::size_t j) { return s[i] * t[j] - s[j] * t[i]; };
@@ -175,12 +176,12 @@ std::uint32_t PosedHulls::support(std::size_t side, const Point& direction) cons
     return climb(body, along, body.points->extremes[2 * axis + (along[axis] > 0)]);
 }
 
-// With u' = two_u and D = delta(), which is at least 4.25 u' sum (find_bounds), sum bounding what is added up for any
-// coordinate of a point: a height meets six roundings, and is off by at most 6.1 u' sum |n|_1, |n|_1 being the sum of
-// the magnitudes of n. Two of them, and the rounding of what they are compared with, are below 13.4 u' sum |n|_1 < 3.2
-// D |n|_1. That n is off changes the difference of two heights by 3 error size(side). The factor 3.6 covers the
-// roundings of the margin as well, and what underflows: that is below 2^-900, and D is asked to be at least 2^-200, as
-// |n|_1 and the errors of its vectors then are 2^-600 or more.
+// Derives the margin. Let u' = two_u and D = delta(), which is at least 4.25 u' sum (find_bounds), where `sum` bounds
+// what is added up for any coordinate of a point, and let |n|_1 be the sum of the magnitudes of n. A height has six
+// roundings, and is off by at most 6.1 u' sum |n|_1. Two heights, and the rounding of what they are compared with, are
+// off by less than 13.4 u' sum |n|_1 < 3.2 D |n|_1. The error of n changes the difference of two heights by
+// 3 error size(side). The factor 3.6 covers the roundings of the margin as well, and underflow: that is below 2^-900,
+// and D must be at least 2^-200, as |n|_1 and the errors of its vectors then are 2^-600 or more.
 auto PosedHulls::heights(std::size_t side, const Point& n, double error) const noexcept -> Heights {
     const Body& body = bodies_[side];
     const double margin = 3.6 * (error * body.size + delta_ * exact::sum_of_magnitudes(n));
@@ -196,7 +197,7 @@ bool PosedHulls::are_others_behind(std::size_t side, const Point& n, double erro
     if (!is_scanned(side)) return false;
     const Heights heights = this->heights(side, n, error);
     const std::vector<double>& groups = heights.points->groups;
-    // The corners are as far as each other, and so is what the last vertex fills up if it is one of them.
+    // The corners are level with each other, and so are the copies of the last vertex if it is one of them.
     std::size_t expected = corners.size();
     for (const std::uint32_t vertex : corners) {
         if (vertex == last_vertex(bodies_[side])) expected += groups.size() / 3 - heights.points->vertex_count;
@@ -205,8 +206,8 @@ bool PosedHulls::are_others_behind(std::size_t side, const Point& n, double erro
     return dispatch<count_not_below>(groups.data(), groups.size(), heights.along, least) == expected;
 }
 
-// From vertex to vertex as long as that is further: the function that is compared has one value for each vertex, so it
-// ends.
+// Climbs from vertex to vertex as long as the product increases. The product has one value for each vertex, so the
+// climb ends.
 std::uint32_t PosedHulls::climb(const Body& body, const Point& along, std::uint32_t start) noexcept {
     std::uint32_t at = start;
     double most = exact::dot(along, body.points->at(at));
@@ -253,7 +254,7 @@ PosedHulls::Integers PosedHulls::integers(const std::array<std::span<const std::
     return result;
 }
 
-// Of points that are counted as they are, so that the offset is t - t0.
+// Finds the points as short integers if they are in their own unit, so that the offset is t - t0.
 bool PosedHulls::find_short(const std::array<std::span<const std::uint32_t>, 2>& vertices,
                             Integers& result) const noexcept {
     if (exponent_ != 0) return false;

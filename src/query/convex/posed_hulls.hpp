@@ -1,10 +1,10 @@
-// Two convex solids at their poses, ready for questions about the pair: support points by searches in doubles, rounded
-// points with a proven bound, and exact points.
+// Prepares two posed convex solids for questions about the pair: support points by searches in doubles, rounded points
+// with a proven bound, and exact points.
 //
-// All points are relative to the translation of the first solid's pose. Rounded points are counted in a power of two,
-// 2^exponent(), in which at least one of the two solids is neither tiny nor immense, and nothing overflows:
-// coordinates are below 2^110. Nothing here is proportional to the size of a mesh, but for hulls of up to
-// `scanned_max` vertices, which a search scans as a whole.
+// All points are relative to the translation of the first solid's pose. Rounded points are in units of a power of two,
+// 2^exponent(), in which at least one of the two solids is neither tiny nor immense, and nothing overflows: coordinates
+// are below 2^110. No cost is proportional to the size of a mesh, except that a search scans all vertices of a hull of
+// up to `scanned_max` vertices.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ struct HullVertex {
     std::uint32_t vertex;
 };
 
-// The rows of a pose's R, each entry as `scale` makes it.
+// The rows of a pose's R, with scale(entry) in place of each entry.
 template <class Scale>
 std::array<Point, 3> rows_of(const Pose& pose, const Scale& scale) {
     std::array<Point, 3> rows;
@@ -44,7 +44,7 @@ std::array<Point, 3> rows_of(const Pose& pose, const Scale& scale) {
     return rows;
 }
 
-// The sign of the determinant of a pose's R, of which `rows` are rows times a power of two; decided exactly.
+// The sign of the determinant of a pose's R, exactly. `rows` are its rows times a power of two.
 Sign orientation(const std::array<Point, 3>& rows, const Pose& pose);
 
 class PosedHulls {
@@ -55,37 +55,38 @@ class PosedHulls {
 
     const Hull& hull(std::size_t side) const noexcept { return *bodies_[side].hull; }
     const Mesh& mesh(std::size_t side) const noexcept { return bodies_[side].solid->mesh(); }
-    // Whether the pose reflects: then faces, whose cycles are counterclockwise in the mesh, are clockwise.
+    // True if the pose reflects: faces, whose cycles are counterclockwise in the mesh, then are clockwise.
     bool is_mirrored(std::size_t side) const noexcept { return bodies_[side].is_mirrored; }
 
-    // The point of a vertex, rounded: each coordinate is off by at most delta().
+    // The point of a vertex, rounded; each coordinate is off by at most delta().
     ECODS_ALWAYS_INLINE Point rounded(std::size_t side, std::uint32_t vertex) const noexcept {
         return pose(bodies_[side], bodies_[side].points->at(vertex));
     }
     double delta() const noexcept { return delta_; }
-    // About the middle of a solid.
+    // The posed center of the box around a solid's vertices, rounded.
     Point center(std::size_t side) const noexcept { return pose(bodies_[side], bodies_[side].points->center); }
-    // No difference of two rounded points of one solid is larger on any axis.
+    // Upper bound, on any axis, of the difference of two rounded points of one solid.
     double size(std::size_t side) const noexcept { return bodies_[side].size; }
     int exponent() const noexcept { return exponent_; }
 
-    // A vertex that is about the furthest along a direction: certainly no worse than `start`, as doubles see it, and
-    // of small hulls than all others. Any direction may be asked for; one that is not finite gives any vertex.
+    // A support vertex along a direction, in doubles: it is at least as far as `start`, and if the hull is scanned, as
+    // all other vertices. Any direction is allowed; one that is not finite gives any vertex.
     std::uint32_t support(std::size_t side, const Point& direction, std::uint32_t start) const noexcept;
-    // A vertex that is about the furthest along a direction, where nothing is known of it.
+    // A support vertex along a direction, without a start.
     std::uint32_t support(std::size_t side, const Point& direction) const noexcept;
-    // Up to here all vertices are looked at.
+    // The greatest number of vertices of a hull that is scanned rather than climbed.
     static constexpr std::size_t scanned_max = 96;
     bool is_scanned(std::size_t side) const noexcept { return bodies_[side].points->vertex_count <= scanned_max; }
-    // support() of what is scanned, for callers that are compiled for the instruction set in use.
+    // Finds support() of a scanned hull, for callers that are compiled for the instruction set in use.
     ECODS_ALWAYS_INLINE std::uint32_t scan(std::size_t side, const Point& direction) const noexcept {
         const Body& body = bodies_[side];
         const std::vector<double>& groups = body.points->groups;
         return std::min(last_vertex(body), furthest(groups.data(), groups.size(), in_mesh(body, direction)));
     }
 
-    // Products of vertices with n, in the mesh's coordinates; where n is off by `error` on each axis, one vertex is
-    // certainly further than another where it is by more than `margin`. Only where delta() is at least 2^-200.
+    // Products of vertices with n, in the mesh's coordinates. If n is off by at most `error` on each axis, a vertex is
+    // certainly further than another if its product exceeds the other's by more than `margin`. Requires delta() of at
+    // least 2^-200.
     struct Heights {
         const SupportPoints* points;
         Point along;
@@ -94,43 +95,42 @@ class PosedHulls {
         double of(std::uint32_t vertex) const noexcept { return exact::dot(along, points->at(vertex)); }
     };
     Heights heights(std::size_t side, const Point& n, double error) const noexcept;
-    // Lists, ascending, the vertices that may be the furthest by these. Not of what is not scanned.
+    // Lists, ascending, the vertices that may be extreme by these products. Requires a scanned hull.
     static void list_furthest(const Heights& heights, std::vector<std::uint32_t>& list);
 
-    // Whether it is proven that all vertices of a solid are behind some corners of it, but for these: along a direction
-    // at right angles to all edges among the corners, of which n is off by `error` on each axis. Only where delta() is
-    // at least 2^-200; not of what is not scanned.
+    // True if all vertices of a solid other than `corners` are proven to be behind the corners, along the direction
+    // that n approximates within `error` on each axis. The direction must be perpendicular to all edges among the
+    // corners. Requires delta() of at least 2^-200; false if the hull is not scanned.
     bool are_others_behind(std::size_t side, const Point& n, double error,
                            std::span<const std::uint32_t> corners) const noexcept;
 
-    // The vertices of a triangle of the mesh, for a witness that may come from anywhere: corners that are no vertices
-    // of the hull, or of a triangle that does not exist, are other vertices.
+    // The vertices of a triangle of the mesh, for a witness that may be anything. A corner that is no vertex of the
+    // hull is replaced by another vertex; so are all three if the triangle does not exist.
     std::array<std::uint32_t, 3> vertices_near(std::size_t side, std::uint32_t triangle) const noexcept;
 
-    // Calls `use` with the vertices' points as IntegerPoints<Kernel, N> of the narrowest kernel that holds them, and
-    // returns its result: they are exact, counted from the first of them, and in units that it says. Cost: 0.1
-    // microseconds when it is asked first, then some dozens of nanoseconds; more where the points' digits do not fit
-    // into two limbs.
+    // Calls `use` with the vertices' exact points as IntegerPoints<Kernel, N>, in the narrowest kernel that holds them,
+    // and returns its result. Points are relative to the first one, in the unit that IntegerPoints names. Cost: 0.1
+    // microseconds on first use, then some dozens of nanoseconds; more if the points' digits do not fit into two limbs.
     template <std::size_t N, class Use>
     auto with_integers(const std::array<HullVertex, N>& vertices, Use&& use);
-    // Whether exact points fit into two limbs, and these points: in units of 2^fixed_unit().
+    // True if exact points fit into two limbs. fixed() gives them in units of 2^fixed_unit().
     bool has_fixed_points();
     const exact::IntegerVector& fixed(const HullVertex& v) noexcept {
         return memory_.points.at(v.side, mesh_vertex(v));
     }
     int fixed_unit() const noexcept { return memory_.points.unit(); }
 
-    // Points of up to three vertices of each solid as integers, short ones where their digits fit, in units of 2^unit;
-    // differences of two coordinates are off by less than 5 units if they are not exact.
+    // Points of up to three vertices of each solid as integers, in units of 2^unit; short ones if their digits fit. If
+    // they are not exact, the difference of two coordinates is off by less than 5 units.
     struct Integers {
         std::array<std::array<exact::IntegerVector, 3>, 2> at;
         int unit;
         bool are_exact;
     };
     Integers integers(const std::array<std::span<const std::uint32_t>, 2>& vertices);
-    // A solid as all exact questions take a body.
+    // The solid in the form that exact questions take.
     exact::BodyRef body(std::size_t side) const;
-    // By reference, as round_point takes the point that others are counted from.
+    // The point by reference, in the form in which round_point takes the origin of other points.
     exact::PointRef reference(const HullVertex& v) const noexcept {
         return {bodies_[v.side].at, &mesh(v.side).vertices()[mesh_vertex(v)]};
     }
@@ -141,7 +141,7 @@ class PosedHulls {
         const Pose* at;
         const Hull* hull;
         const SupportPoints* points;
-        std::array<Point, 3> rows;  // of R, times the power of two that takes points to rounded ones
+        std::array<Point, 3> rows;  // rows of R, times the power of two that scales points to rounded ones
         Point offset;               // t - t0
         double size;
         bool is_mirrored;
@@ -156,7 +156,7 @@ class PosedHulls {
         return p;
     }
 
-    // A direction as the mesh's coordinates see it.
+    // A direction in the mesh's coordinates: R^T direction.
     ECODS_ALWAYS_INLINE static Point in_mesh(const Body& body, const Point& direction) noexcept {
         Point along;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -165,7 +165,7 @@ class PosedHulls {
         }
         return along;
     }
-    // What fills up the last groups counts as this vertex.
+    // The vertex whose copies fill up the last groups.
     static std::uint32_t last_vertex(const Body& body) noexcept { return body.points->vertex_count - 1; }
     std::uint32_t mesh_vertex(const HullVertex& v) const noexcept {
         return bodies_[v.side].hull->mesh_vertices[v.vertex];
@@ -182,7 +182,7 @@ class PosedHulls {
     ConvexMemory& memory_;
     double delta_ = 0;
     int exponent_ = 0;
-    bool is_bound_ = false;  // whether memory_.points is of this pair
+    bool is_bound_ = false;  // true if memory_.points is bound to this pair
 };
 
 template <std::size_t N, class Use>

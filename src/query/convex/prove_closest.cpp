@@ -1,19 +1,19 @@
-// Signs of rounded points with bounds of their errors.
+// Proves closest features by signs of rounded points with error bounds.
 //
 // In any rounding mode one operation is off by a factor of 1 + e, |e| <= u' = 2^-52. Rounded points are off by at most
 // delta on each axis, so a difference x of two, of which no coordinate is larger than X, is off by at most
 //     e(X) = 2 delta + u' X.
-// Let vectors x, y be off by at most a, b on each axis, and their coordinates be at most X, Y. With a <= X / 16, b <= Y
-// / 16 (or the bound is written out):
+// Let vectors x, y be off by at most a, b on each axis, and their coordinates be at most X, Y. With a <= X / 16,
+// b <= Y / 16 (or the bound is written out):
 //     x . y         three products, each off by X b + Y a + a b, and 4 u' X Y for its rounding and those of the sums
 //     x cross y     two products on each axis, off by X b + Y a + a b <= 1.04 (X b + Y a), and 3 u' X Y
-//     (u.u) w - (w.u) u   six products of three factors on each axis, off by (U + a)^2 (W + b) - U^2 W <= 1.13 (2 U W a
-//                   + U^2 b), and by 6 u' U^2 W for their roundings
+//     (u.u) w - (w.u) u   six products of three factors on each axis, off by
+//                   (U + a)^2 (W + b) - U^2 W <= 1.13 (2 U W a + U^2 b), and by 6 u' U^2 W for their roundings
 // The factors below are larger by some percent, which covers the roundings of the bounds themselves.
 //
-// Nothing overflows: coordinates are below 2^111, products of four below 2^460. What underflows loses less than
-// 2^-1022, times other factors; the bounds have two factors of at least 2^-200, which delta is asked to be, in its
-// place.
+// Nothing overflows: coordinates are below 2^111, products of four below 2^460. Underflow loses less than 2^-1022,
+// times other factors. The bounds have two factors of at least 2^-200 in its place, because delta must be at least
+// 2^-200.
 #include <cmath>
 
 #include "base/arithmetic.hpp"
@@ -32,7 +32,7 @@ using exact::times;
 
 using exact::FeatureKind;
 
-// A vector, the largest of its coordinates, and a bound of its error on each axis.
+// A vector, its largest coordinate in magnitude, and a bound of its error on each axis.
 struct Bounded {
     Point x;
     double size;
@@ -79,7 +79,7 @@ Bounded across(const Bounded& w, const Bounded& u) noexcept {
     return {x, largest(x), 7 * products + 44 * two_u * (u.size * u.size * w.size)};
 }
 
-// Whether the vector is known well enough for the bounds.
+// True if the vector's relative error is small enough for the bounds.
 bool is_certain(const Bounded& a) noexcept {
     return 16 * a.error <= a.size;
 }
@@ -93,13 +93,14 @@ class Proof {
         }
     }
 
-    // Whether the features hold closest points, and what of the solids is as near.
+    // True if the features hold closest points. Then sets the parts of the solids that are as near, if a look at
+    // neighbors found them.
     bool prove(std::array<std::optional<HullFeature>, 2>& parts) {
         if (!find_direction()) return false;
         if (!prove_furthest(0, parts[0]) || !prove_furthest(1, parts[1])) return false;
         return is_inside_ || are_closest_of_triangles(hulls_, found_);
     }
-    // Whether it is certain that the points are inside the features, not on their borders.
+    // True if the points are certainly inside the features, not on their borders.
     bool is_inside() const noexcept { return is_inside_; }
 
   private:
@@ -107,13 +108,15 @@ class Proof {
         return difference(points_[side][to], points_[side][0], hulls_.delta());
     }
 
-    // Whether a number that is to be positive, or zero at the border of a feature, is not certainly negative.
+    // False if a number is certainly negative that must be positive inside a feature, and is zero at its border. Clears
+    // is_inside_ unless the number is certainly positive.
     bool may_hold(const BoundedNumber& x) noexcept {
         is_inside_ &= x.is_positive();
         return !(x.x < -x.error);
     }
 
-    // Sets n_, from the first solid to the second, and asks whether the foot is inside the features.
+    // Sets n_, from the first solid to the second. False if it is not certain, or a closest point is certainly outside
+    // its feature.
     bool find_direction() noexcept {
         const Bounded w = difference(points_[1][0], points_[0][0], hulls_.delta());
         if (!is_certain(w)) return false;
@@ -136,7 +139,7 @@ class Proof {
         if (!is_certain(u)) return false;
         const BoundedNumber along = dot(of == 0 ? w : negated(w), u);
         n_ = across(w, u);
-        if (!(n_.size > n_.error)) return false;  // The vertex may be on the edge.
+        if (!(n_.size > n_.error)) return false;  // the vertex may be on the edge
         return may_hold(along) && may_hold(dot(u, u) - along);
     }
 
@@ -165,15 +168,16 @@ class Proof {
         return gap.x < -gap.error;
     }
 
-    // Whether all of a solid is behind the feature, or as far: then all that is as far is a part of the hull. It is the
-    // feature where a look at all vertices proves the others behind it.
+    // True if all of a solid is behind its feature, or level with it. All that is level is a part of the hull: the
+    // feature itself if a scan of all vertices proves the others to be behind.
     bool prove_furthest(std::size_t side, std::optional<HullFeature>& part) {
         const Bounded n = side == 0 ? n_ : negated(n_);
         if (hulls_.are_others_behind(side, n.x, n.error, found_.of_side(side))) return true;
         return prove_by_neighbors(side, n, part);
     }
 
-    // The feature's own edges need not be asked about; the others are asked exactly where doubles leave them open.
+    // Tests the feature's first vertex against its neighbors. The feature's own edges need no test; if doubles leave
+    // others open, exact signs decide.
     bool prove_by_neighbors(std::size_t side, const Bounded& n, std::optional<HullFeature>& part) {
         const Hull& hull = hulls_.hull(side);
         const auto corners = found_.of_side(side);
@@ -246,8 +250,8 @@ std::optional<ClosestHulls> prove_closest(PosedHulls& hulls, const Simplex& gues
     if (!(hulls.delta() >= 0x1p-200) || guess.count < 1 || guess.count > 3) return std::nullopt;
     const VertexSets sets(guess);
     const std::array<std::array<std::uint32_t, 3>, 2> triangles{sets.triangle(0), sets.triangle(1)};
-    // The features that a simplex speaks of: its pairs span them, and are no more than that takes. Otherwise there are
-    // more vertices than features have, as of parallel faces: those of the triangles that they make.
+    // A simplex names features if its pairs span them with no vertex too many. Otherwise it has more vertices than
+    // features have, for example at parallel faces; then doubles guess the features of the two triangles.
     const bool are_features = static_cast<std::size_t>(guess.count) + 1 == sets.count[0] + sets.count[1];
     ClosestHulls result{are_features ? HullFeatures(triangles, exact::features_of_counts(sets.count[0], sets.count[1]))
                                      : guess_of_triangles(hulls, triangles),
@@ -264,7 +268,8 @@ std::optional<ClosestHulls> prove_closest(PosedHulls& hulls, const Simplex& gues
     return result;
 }
 
-// The origin is inside if every three points see it on the side on which they see the fourth.
+// Proves that the origin is inside the tetrahedron: it is if, for every three vertices, the origin is on the same side
+// of their plane as the fourth.
 bool prove_meeting(const PosedHulls& hulls, const Simplex& guess) noexcept {
     if (guess.count != 4 || !(hulls.delta() >= 0x1p-200)) return false;
     std::array<Bounded, 4> w;
@@ -273,7 +278,7 @@ bool prove_meeting(const PosedHulls& hulls, const Simplex& guess) noexcept {
         w[i] = {guess.points[i], size, 2 * hulls.delta() + two_u * size};
         if (!is_certain(w[i])) return false;
     }
-    // With the origin 0, det(w_j, w_k, w_l) is of one sign for all four, where their order alternates.
+    // With the origin 0, det(w_j, w_k, w_l) has one sign for all four triples if their orders alternate.
     const auto det = [&](std::size_t i, std::size_t j, std::size_t k) { return dot(cross(w[i], w[j]), w[k]); };
     const std::array<BoundedNumber, 4> dets{det(1, 2, 3), det(0, 3, 2), det(0, 1, 3), det(0, 2, 1)};
     bool are_positive = true, are_negative = true;

@@ -1,5 +1,5 @@
-// The points of two posed hulls as integers of 128 bits, where the digits of matrices and of vertices fit into 64 bits
-// (ShortMatrix). Points that need more than 120 digits are rounded down, as those of IntegerFrame are.
+// Computes the points of two posed hulls as 128-bit integers, if the digits of matrices and vertices fit into 64 bits
+// (ShortMatrix). Points that need more than 120 digits are rounded down, like those of IntegerFrame.
 #pragma once
 
 #include <array>
@@ -14,18 +14,19 @@ namespace ecods::convex {
 
 class ShortPoints {
   public:
-    // Returns whether matrices fit; only then may points be asked for. `reach` is at least half of the largest
-    // magnitude of a coordinate of b.t - a.t, and ordinary: at most 2^100.
+    // Returns true if the matrices fit; find() requires it. `reach` must be at least half of the largest magnitude of a
+    // coordinate of b.t - a.t, and at most 2^100.
     bool bind(const Pose& a, const SupportPoints& points_a, const Pose& b, const SupportPoints& points_b,
               double reach) noexcept;
 
-    // The point of a vertex of the first (0) or second (1) hull, in units of 2^unit(), relative to a.t. Returns whether
-    // the digits of its coordinates fit. Magnitudes are below 2^122, and so are those of the differences of two points.
+    // Computes the point of a vertex of the first (0) or second (1) hull, relative to a.t, in units of 2^unit().
+    // Returns true if the digits of its coordinates fit. Magnitudes of points, and of differences of two points, are
+    // below 2^122.
     bool find(std::size_t side, std::uint32_t vertex, exact::IntegerVector& point) noexcept;
 
     int unit() const noexcept { return unit_; }
-    // Whether all points that were asked for are exact. Otherwise products and a difference of translations, each
-    // rounded down by less than a unit, leave the difference of two coordinates off by less than 3 units.
+    // True if all points found are exact. Otherwise products and a difference of translations, each rounded down by
+    // less than a unit, leave the difference of two coordinates off by less than 3 units.
     bool is_exact() const noexcept { return lost_ == 0; }
 
   private:
@@ -33,13 +34,13 @@ class ShortPoints {
         const SupportPoints* points;
         exact::ShortMatrix R;
         exact::IntegerVector offset;  // t - t0
-        int shift;                    // of sums of products
-        exact::Uint128 below;         // the digits that it cuts off
+        int shift;                    // number of digits dropped from sums of products
+        exact::Uint128 below;         // mask of the digits dropped
     };
 
     std::array<Body, 2> bodies_;
     int unit_ = 0;
-    exact::Uint128 lost_ = 0;  // digits that were cut off
+    exact::Uint128 lost_ = 0;  // all digits that were dropped
 };
 
 }  // namespace ecods::convex

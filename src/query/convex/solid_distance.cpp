@@ -14,7 +14,7 @@ bool is_known(const PairWitness& witness) noexcept {
     return witness.a != PairWitness::none && witness.b != PairWitness::none;
 }
 
-// Leaves triangles that have the closest features, or vertices that are near them.
+// Sets the witness to triangles at the closest features, or at vertices near them.
 void leave(const PosedHulls& hulls, const Simplex& guess, PairWitness& witness) noexcept {
     witness = {hulls.hull(0).vertex_names[guess.pairs[0][0]].triangle,
                hulls.hull(1).vertex_names[guess.pairs[0][1]].triangle};
@@ -37,7 +37,7 @@ std::optional<ClosestPoints> points_of(PosedHulls& hulls, PairWitness* witness) 
 
 }  // namespace
 
-// Features that were the closest before are proven as any others.
+// Tries the witness's triangles first. Features that were the closest before are proven like any others.
 std::optional<ClosestHulls> convex::find_closest(PosedHulls& hulls, PairWitness* witness) {
     if (witness == nullptr || !is_known(*witness)) return find_closest(hulls, between_centers(hulls), witness);
     const Simplex guess =

@@ -19,18 +19,18 @@ using exact::largest;
 using exact::minus;
 using exact::sum_of_magnitudes;
 
-// Whether the direction from one to the other, as good as any, proves that the solids are further apart than the limit,
-// by the pair of vertices that is nearest along it.
-// Not of hulls that are climbed, where what is furthest is not known.
+// True if the direction between the centers, taken as a separating axis, proves that the solids are further apart than
+// the limit. It uses the nearest pair of vertices along the direction, so it is false for hulls that are not scanned.
 //
-// With n the direction, u' = two_u and D = delta(), which is at least 4.25 u' sum (find_bounds), sum bounding what is
-// added up for any coordinate of a point: the height of a vertex along n, taken in the mesh's coordinates, is off by
-// at most (1 + u')^6 - 1 < 6.1 u' of sum |n|_1, the sum of the magnitudes of n: less than 1.5 D |n|_1. So the one that
-// was found is lower than the highest by less than 3 D |n|_1, and its rounded point is off by D |n|_1 along n: of both
-// solids by less than 8 D |n|_1. The product of n and the difference of the two points is off by less than 5 u' of its
-// terms' magnitudes S. 9 D and 8 u' also cover the rounding of the sums and of both products below, the root being off
-// by less than 4 u'. What underflows in a product is below 2^-1022, and all of it below 2^-900; n is so large that it
-// shows in no other way, and a limit that is taken for zero is below what 2^-900 / |n| leaves.
+// Derivation. Let n be the direction, u' = two_u and D = delta(), which is at least 4.25 u' sum (find_bounds), where
+// `sum` bounds what is added up for any coordinate of a point, and |n|_1 the sum of the magnitudes of n. A vertex's
+// height along n, in the mesh's coordinates, is off by at most (1 + u')^6 - 1 < 6.1 u' of sum |n|_1: less than
+// 1.5 D |n|_1. So the vertex found is lower than the highest one by less than 3 D |n|_1, and its rounded point is off
+// by D |n|_1 along n: for both solids together by less than 8 D |n|_1. The product of n and the difference of the two
+// points is off by less than 5 u' of its terms' magnitudes S. 9 D and 8 u' also cover the rounding of the sums and of
+// both products below; the root is off by less than 4 u'. Underflow in a product is below 2^-1022, and all of it below
+// 2^-900; n is so large that underflow has no other effect, and a limit that is flushed to zero is below what 2^-900 /
+// |n| leaves.
 bool is_beyond(const PosedHulls& hulls, const Simplex& start, double limit) noexcept {
     const Point n = minus(hulls.center(1), hulls.center(0));
     if (hulls.exponent() != 0 || !hulls.is_scanned(0) || !hulls.is_scanned(1) || !(largest(n) >= 0x1p-400))
@@ -70,7 +70,7 @@ void SolidInMemory::prefetch() const noexcept {
         __builtin_prefetch(numbers + at);
 }
 
-// Only of a distance that rounds to the limit it is left to be seen on which side of it the real one is.
+// Compares exactly only if the rounded distance equals the limit: only then it is open if the real one exceeds it.
 std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit,
                                       QueryMemory& memory) {
     PosedHulls hulls(a, b, memory);

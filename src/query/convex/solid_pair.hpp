@@ -1,4 +1,4 @@
-// What lists of many pairs of convex solids ask of each: no more is found out of a pair that is not in the list.
+// Answers the questions that lists of many pairs of convex solids ask of each pair, with no work beyond the answer.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace ecods::convex {
 
-// Whether a solid has a volume at a pose: R is not singular.
+// True if R is not singular, so that a posed solid has a volume.
 bool is_regular(const Pose& pose);
 
-// Where what a question reads of a solid is in memory; and asks for it ahead of the question. No more than a hint.
+// Addresses of the data of a solid that a query reads, to prefetch them. Only a hint.
 struct SolidInMemory {
     const void* parts = nullptr;
     const double* points = nullptr;
@@ -22,16 +22,17 @@ struct SolidInMemory {
     explicit SolidInMemory(const ConvexSolid& solid) noexcept;
     void prefetch() const noexcept;
 
-    // What the constructor reads: a solid first, or null, and when that has come, its parts.
+    // Prefetch what the constructor reads: first a solid, or null; when it has arrived, its parts.
     static void prefetch_solid(const ConvexSolid* solid) noexcept;
     static void prefetch_parts(const ConvexSolid& solid) noexcept;
 };
 
-// The distance, rounded once, if the real one is at most the limit. Throws SingularPose. limit >= 0, or infinity.
+// The distance, rounded once, if the real distance is at most `limit`; otherwise nullopt. `limit` must be >= 0, or
+// infinity. Throws SingularPose.
 std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit,
                                       QueryMemory& memory);
 
-// Whether the sets share a point. Throws SingularPose.
+// True if the solids share a point. Throws SingularPose.
 bool do_meet(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory);
 
 }  // namespace ecods::convex

@@ -1,4 +1,4 @@
-// The border of triangles that are taken out of a surface.
+// Finds the border of triangles that are removed from a surface.
 #pragma once
 
 #include <array>
@@ -8,11 +8,11 @@
 
 namespace ecods::depths {
 
-// An edge, its first end above 32 bits.
+// An edge: its first end in the upper 32 bits, its second end in the lower ones.
 using BorderEdge = std::uint64_t;
 
-// Adds the edges of a triangle to `count` edges, and returns how many there are then: three more at most. An edge
-// between two of the triangles is there both ways, and goes.
+// Adds the edges of a triangle to a list of `count` edges, and returns the new count, which is at most count + 3. An
+// edge between two of the triangles comes in both directions, and cancels.
 ECODS_ALWAYS_INLINE std::uint32_t add_edges(const std::array<std::uint32_t, 3>& corners, BorderEdge* border,
                                             std::uint32_t count) noexcept {
     for (std::size_t c = 0; c < 3; ++c) {

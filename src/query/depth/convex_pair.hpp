@@ -1,4 +1,4 @@
-// Two posed convex solids by reference, as integers take them.
+// References two posed convex solids in the form that exact integers need.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace ecods::depths {
 
-// A convex solid at a pose, by reference. `body` has the mesh whose vertices the hull names, and what contains it.
+// References a posed convex solid. `body` has the mesh whose vertices the hull names, and the extent of that mesh.
 struct ConvexBody {
     const convex::Hull* hull;
     exact::BodyRef body;

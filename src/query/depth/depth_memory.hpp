@@ -1,4 +1,4 @@
-// What depth() works in.
+// Scratch memory of depth().
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ struct DepthMemory final : QueryMemoryPart {
     }
 };
 
-// Nothing if the solids share no point.
+// The depth of two convex solids; nullopt if they share no point.
 std::optional<ExactDepth> find_depth(convex::PosedHulls& hulls, DepthMemory& memory);
 
 }  // namespace ecods::depths

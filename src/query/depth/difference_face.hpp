@@ -1,4 +1,4 @@
-// Vertices and faces of the set of differences of two convex solids, and the order of these faces.
+// Defines vertices and faces of the Minkowski difference of two convex solids, and an order of the faces.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace ecods::depths {
 
-// A vertex p of the first solid less a vertex q of the second, by their indices in the hulls. The set of differences of
-// two convex solids is the hull of these.
+// A vertex p of the first solid minus a vertex q of the second, as indices in the hulls. The Minkowski difference of
+// two convex solids is the convex hull of these points.
 struct DifferenceVertex {
     std::uint32_t p = 0;
     std::uint32_t q = 0;
@@ -21,12 +21,12 @@ struct DifferenceVertex {
     friend bool operator==(const DifferenceVertex&, const DifferenceVertex&) = default;
 };
 
-// A face of the set of differences: what of the first solid is furthest along its outer normal, and what of the second
-// is furthest against it. One of them is a face, or both are edges that are not parallel.
+// A face of the Minkowski difference: the feature of the first solid that is extreme along the face's outer normal, and
+// the feature of the second that is extreme against it. One of them is a face, or both are edges that are not parallel.
 using DifferenceFace = std::array<convex::HullFeature, 2>;
 
-// The order in which one of several faces is chosen that are at exactly one distance: faces of the first solid, then of
-// the second, then pairs of edges. No two faces of the set of differences are equal in it.
+// Orders faces at exactly the same distance, to choose one: faces of the first solid come first, then faces of the
+// second, then pairs of edges. No two faces of the Minkowski difference are equal in this order.
 inline std::strong_ordering order_of(const DifferenceFace& x, const DifferenceFace& y) noexcept {
     const auto rank = [](const DifferenceFace& f) -> std::array<std::uint32_t, 3> {
         if (f[0].kind == Feature::Kind::face) return {0, f[0].index, 0};
@@ -36,9 +36,9 @@ inline std::strong_ordering order_of(const DifferenceFace& x, const DifferenceFa
     return rank(x) <=> rank(y);
 }
 
-// Of lists of vertices of both solids, among which are all that are furthest along a normal, and against it: returns
-// what is furthest if it is further than `corner`, and otherwise keeps those that are as far. further(side, from, to)
-// is the sign of how much further `to` is than `from`.
+// Returns the furthest vertex if it is further along a normal than `corner`. Otherwise reduces the lists `levels` to
+// the vertices that are as far as the corner. The lists must contain all vertices that are extreme along the normal, or
+// against it for the second solid. further(side, from, to) is the sign of how much further `to` is than `from`.
 template <class Further>
 std::optional<DifferenceVertex> keep_level(std::array<std::vector<std::uint32_t>, 2>& levels,
                                            const DifferenceVertex& corner, Further&& further) {

@@ -1,4 +1,4 @@
-// The depth of two convex solids in integers alone: complete for every finite input, and dear.
+// Finds the depth of two convex solids in integers alone: complete for every finite input, and expensive.
 #pragma once
 
 #include <optional>
@@ -9,43 +9,45 @@
 
 namespace ecods::depths {
 
-// A face of the set of differences that is nearest to the origin, the first of those that tie; how far it is, and its
-// outer unit normal, rounded once.
+// A face of the Minkowski difference that is nearest to the origin, the first one of ties; its distance, and its outer
+// unit normal, each rounded once.
 struct ExactDepth {
     DifferenceFace face;
     double depth = 0;
     Vec3 direction = Vec3::Zero();
 };
 
-// Nothing if the solids share no point.
+// The depth; nullopt if the solids share no point.
 //
-// The hull of some points of the set of differences grows: while a face of it that is nearest to the origin, its
-// distance counted as negative where the origin is beyond it, is not one of the whole set, the vertex that is furthest
-// beyond it is added. Every step adds a vertex of the set, so it ends. Then no face of the hull is nearer than that
-// which is one of the set, so none of the set is: the hull is inside it.
+// A hull of some points of the Minkowski difference grows. It picks a face nearest to the origin; the distance counts
+// as negative if the origin is beyond the face. While that face is not in a face of the whole difference, it adds the
+// vertex furthest beyond the face. Every step adds a vertex of the difference, so it ends. Then no face of the hull is
+// nearer than the picked one, which is in a face of the difference. So no face of the difference is nearer, because the
+// hull is inside it.
 //
-// Those of the set that are as near are faces of the hull, too. Where the distance d is positive, the ball of radius d
-// is inside the hull and touches the set's border only where it touches the hull's. Where it is 0, the normals of all
-// planes through the origin that have the set on one side are a cone, whose extreme rays are the normals of faces; that
-// of the hull contains it, and is no larger, since all of the hull's faces that are nearest are faces of the set.
+// All faces of the difference that tie with it are faces of the hull, too. If the distance d is positive, the ball of
+// radius d is inside the hull, and touches the difference's border only where it touches the hull's. If d is 0, the
+// normals of all planes through the origin that have the difference on one side form a cone, whose extreme rays are the
+// normals of faces. The cone of the hull contains the difference's cone, and is no larger, since all nearest faces of
+// the hull are faces of the difference.
 std::optional<ExactDepth> exact_depth(const ConvexPair& pair);
 
-// The same of a face that is known: the plane of three vertices of the set of differences, counterclockwise from
-// outside, which are not on one line.
+// The depth from a known face. `corners` are three vertices of the Minkowski difference in its plane, counterclockwise
+// from outside, not on one line.
 ExactDepth measure_exactly(const ConvexPair& pair, const DifferenceFace& face,
                            const std::array<DifferenceVertex, 3>& corners);
 
-// Of vertices of both solids, ascending, among which are all that are furthest along the normal of the plane of three
-// vertices of the set of differences, and against it. If what is furthest is beyond the plane, returns it. Otherwise
-// keeps those that are in the plane.
+// Returns the furthest vertex along the normal of the plane through `corners` if it is beyond the plane. Otherwise
+// reduces the lists `levels` to the vertices in the plane. The lists must be ascending, and contain all vertices that
+// are extreme along the normal, or against it for the second solid.
 std::optional<DifferenceVertex> keep_level(const ConvexPair& pair, const std::array<DifferenceVertex, 3>& corners,
                                            std::array<std::vector<std::uint32_t>, 2>& levels);
 
-// Whether a vertex is strictly beyond the plane of three.
+// True if a vertex is strictly beyond the plane through three.
 bool is_beyond_exactly(const ConvexPair& pair, const std::array<DifferenceVertex, 3>& corners,
                        const DifferenceVertex& vertex);
 
-// The sign of how much further from the origin the plane of the first three vertices is than that of the second.
+// Compares the distances of two planes from the origin, each through three vertices: the sign of first minus second.
 int compare_exactly(const ConvexPair& pair, const std::array<DifferenceVertex, 3>& first,
                     const std::array<DifferenceVertex, 3>& second);
 

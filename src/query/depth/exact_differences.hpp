@@ -1,9 +1,9 @@
-// The vertices of two posed convex solids, and their differences, as integers of L limbs in one unit.
+// Represents the vertices of two posed convex solids, and their differences, as integers of L limbs in one unit.
 //
-// Widths. Products and translations are below 2^high and multiples of 2^unit. A point, counted from the first solid's
-// translation, is a sum of three products and two translations, the difference of two points is below 2^(high + 4), and
-// the difference m of two of these, an edge of the set of differences, below 2^(high + 5). With high - unit + sum_bits
-// <= 64 L all differences are below 2^k, k = 64 L - 2; the widths of products follow as in
+// Widths. Products and translations are below 2^high and multiples of 2^unit. A point, relative to the first solid's
+// translation, is a sum of three products and two translations. The difference of two points is below 2^(high + 4), and
+// the difference m of two of these, an edge of the Minkowski difference, below 2^(high + 5). With high - unit +
+// sum_bits <= 64 L all differences are below 2^k, k = 64 L - 2; the widths of products follow as in
 // exact/measure/distance/exact_features.hpp.
 #pragma once
 
@@ -20,7 +20,7 @@
 
 namespace ecods::depths {
 
-// Pair terms are the poses of both solids in terms, counted from the first one's translation.
+// Holds the poses of both solids as sums of terms, relative to the first solid's translation.
 struct PairTerms {
     explicit PairTerms(const ConvexPair& pair) noexcept {
         for (std::size_t side = 0; side < 2; ++side) {
@@ -32,7 +32,7 @@ struct PairTerms {
     int bits() const noexcept { return digits.width() + exact::sum_bits; }
 
     std::array<exact::PoseTerms, 2> of;
-    exact::BitRange digits;  // of all vertices
+    exact::BitRange digits;  // digits of all vertices
 };
 
 template <int L>
@@ -62,13 +62,13 @@ class ExactDifferences {
         return result;
     }
 
-    // The sign of how much further along n vertex `to` of the first solid is than `from`; of the second, against n.
+    // The sign of how much further vertex `to` is than `from`: along n for the first solid, against n for the second.
     int beyond(std::size_t side, const Normal& n, const Point& from, const Point& to) const noexcept {
         const int s = exact::sign<3 * L>(exact::dot<2 * L, L>(n, exact::difference<L>(to, from)));
         return side == 0 ? s : -s;
     }
 
-    // A vertex of one solid than which none is further along n, or against n for the second, and what is as far.
+    // A vertex of one solid that is extreme along n, or against n for the second, and its edges that are as far.
     convex::Furthest furthest(std::size_t side, const Normal& n, std::uint32_t from) const {
         const auto signs = [&](std::uint32_t vertex, std::span<const convex::Hull::Neighbor> neighbors) {
             std::array<int, convex::signs_at_once> result{};

@@ -1,4 +1,4 @@
-// The polytope of exact_depth.hpp, in integers of L limbs.
+// Grows the polytope of exact_depth.hpp, in integers of L limbs.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 
 namespace ecods::depths {
 
-// A plane through vertices of the set of differences: n . x = h.
+// A plane n . x = h through vertices of the Minkowski difference.
 template <int L>
 struct ExactPlane {
     exact::LimbVector<2 * L> n;
     exact::Magnitude<3 * L> h;
     exact::Magnitude<4 * L> nn;
-    int side = 0;               // the sign of h
-    exact::LeadingDigits near;  // of h^2 / n.n: 127 of them
+    int side = 0;               // sign of h
+    exact::LeadingDigits near;  // 127 leading digits of h^2 / n.n
 
     using Point = typename ExactDifferences<L>::Point;
 
@@ -33,7 +33,8 @@ struct ExactPlane {
         side = exact::sign<3 * L>(h);
         const auto hh = exact::multiply<3 * L, 3 * L>(h.limbs, h.limbs);
         near = exact::leading_digits(exact::without_leading_zeros(hh), exact::without_leading_zeros(nn.limbs));
-        // Of one length, all of whose digits are known: they then compare as the quotients do.
+        // Shortens 128 digits to 127, all numbers thus having one length; is_exact is true if no digit is lost. Digits
+        // of one length compare like the quotients.
         if (near.digits >> 127 != 0) {
             near.is_exact &= (near.digits & 1) == 0;
             near.digits >>= 1;
@@ -63,7 +64,7 @@ int compare(const ExactPlane<L>& x, const ExactPlane<L>& y) noexcept {
     if (x.side == 0) return 0;
     const auto further = [&](int sign) { return x.side < 0 ? -sign : sign; };
     if (x.near.exponent != y.near.exponent) return further(x.near.exponent < y.near.exponent ? -1 : 1);
-    // Digits that are cut off count less than one more in the last place.
+    // Digits that are cut off count less than one unit in the last place.
     if (x.near.digits != y.near.digits) return further(x.near.digits < y.near.digits ? -1 : 1);
     if (x.near.is_exact && y.near.is_exact) return 0;
     return further(exact::compare(x.square(0), y.square(0)));
@@ -96,18 +97,18 @@ class ExactExpansion {
     using Corners = std::array<std::uint32_t, 3>;
 
     struct Face {
-        Corners at;  // of vertices_, counterclockwise from outside
+        Corners at;  // indices of vertices_, counterclockwise from outside
         std::array<DifferenceVertex, 3> corners;
         ExactPlane<L> plane;
-        bool is_final = false;  // whether it is in the plane of a face of the whole set
+        bool is_final = false;  // true if it is in the plane of a face of the whole difference
     };
 
     DifferenceVertex furthest(const Normal& n, const DifferenceVertex& from) const {
         return {points_.furthest(0, n, from.p).vertex, points_.furthest(1, n, from.q).vertex};
     }
 
-    // A tetrahedron of any four points of the set that are in no plane: three vertices of a face of the first solid and
-    // one beside it, less a vertex of the second.
+    // Begins with a tetrahedron of four points of the Minkowski difference that are in no plane: three vertices of a
+    // face of the first solid and a vertex off that face, each minus one vertex of the second.
     void begin() {
         const convex::Hull& hull = points_.hull(0);
         const auto cycle = hull.cycle_of(0);
@@ -136,7 +137,7 @@ class ExactExpansion {
                           ExactPlane<L>(points_at_[at[0]], points_at_[at[1]], points_at_[at[2]])});
     }
 
-    // A nearest face that is not final, unless all that are nearest are.
+    // A nearest face that is not final; nullopt if all nearest faces are final.
     std::optional<std::size_t> next_face() const noexcept {
         std::size_t nearest = 0;
         for (std::size_t i = 1; i < faces_.size(); ++i) {
@@ -147,9 +148,9 @@ class ExactExpansion {
         return nearest;
     }
 
-    // Adds a vertex that is strictly outside. The faces that it is strictly beyond are replaced by those that join it
-    // to their border. A face in whose plane it is stays: what joins it to a border there is no triangle of area zero,
-    // since the face beyond the border is one that it is strictly beyond, and so is not in line with their common edge.
+    // Adds a vertex that is strictly outside. The faces that it is strictly beyond are replaced by triangles that join
+    // it to their border. A face whose plane contains the vertex stays. A triangle at its border has area all the same:
+    // the vertex is strictly beyond the face on the other side of the border edge, and so not in line with that edge.
     void add(const DifferenceVertex& w, const Point& m) {
         const std::uint32_t apex = add_vertex(w);
         std::uint32_t border_count = 0;
@@ -181,7 +182,7 @@ class ExactExpansion {
                 exact::round_direction<2 * L>(first->plane.n)};
     }
 
-    // The corners of a final face are furthest along its normal.
+    // The features of a final face. Its corners are extreme along its normal.
     DifferenceFace names_of(const Face& face) const {
         const auto feature = [&](std::size_t side) {
             const convex::Furthest furthest = points_.furthest(side, face.plane.n, face.corners[0].of(side));

@@ -11,7 +11,7 @@
 namespace ecods::depths {
 namespace {
 
-// A point as a shape: a mesh of one vertex at the origin, under a pose that moves it there.
+// A mesh of one vertex at the origin: under a translation it is a point that stands for a shape.
 const MeshShape& point_shape() {
     static const MeshShape shape(Mesh::create({Vec3(0, 0, 0)}, {Triangle{0, 0, 0}}));
     return shape;
@@ -20,7 +20,7 @@ const MeshShape& point_shape() {
 class BallSearch {
   public:
     BallSearch(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) : a_(a), b_(b), memory_(memory) {
-        // What both boxes contain.
+        // The box that both solids' boxes have in common.
         Vec3 low, high;
         for (const Posed<Solid>* solid : {&a, &b}) {
             const exact::MeshExtent& extent = MeshShapeAccess::tree(*solid->what).extent;
@@ -40,7 +40,7 @@ class BallSearch {
         }
         climb(half_ / 3);
         if (hint) {
-            // From there on its own: the best point so far may be that of another place.
+            // The second search starts afresh: the best point so far may be in another place.
             const double most = most_;
             most_ = -number_max;
             count_ = 0;
@@ -56,7 +56,7 @@ class BallSearch {
     static constexpr int halvings_max = 6;
     static constexpr int point_count_max = 90;
 
-    // By steps along the axes while they improve, then by shorter ones.
+    // Improves the best point by steps along the axes, and halves the steps when none improves it.
     void climb(Vec3 step) {
         for (int halvings = 0; halvings < halvings_max;) {
             const Vec3 from = best_;
@@ -71,7 +71,7 @@ class BallSearch {
         }
     }
 
-    // The radius of a ball in the solid around a point; outside it, how far it is from there, negative.
+    // The radius of a ball around a point that is inside the solid; outside, minus the distance from the solid.
     double radius(const Posed<Solid>& solid, const Vec3& point) {
         const Posed<MeshShape> at(point_shape(), {Mat3::Identity(), point});
         const Side side = locate(point, solid, memory_).side;
@@ -84,8 +84,8 @@ class BallSearch {
         if (count_ == point_count_max || !point.allFinite()) return;
         ++count_;
         const double r = radius(a_, point), s = radius(b_, point);
-        // Two roundings, each by 2^-52 at most: rounded down. A sum that is subnormal, or nearly, is exact, and the
-        // product then is rounded to it at most. One that overflows is above number_max.
+        // The sum and the product round by 2^-52 at most each, so the value is rounded down. A sum that is subnormal,
+        // or nearly, is exact, and the product then rounds at most to it. A sum that overflows is above number_max.
         const double value = r > 0 && s > 0 ? std::min((r + s) * (1 - 0x1p-50), number_max) : std::min({r, s, 0.0});
         if (!(value > most_)) return;
         best_ = point;

@@ -38,9 +38,9 @@ void InnerPolytope::add_space() {
     for (auto* list : {&nx_, &ny_, &nz_, &length_, &n_error_, &h_error_}) list->resize(size);
     nearness_.resize(size, -infinity);
     corners_.resize(size);
-    vertices_.resize(size);  // Every vertex but three adds two faces at least.
+    vertices_.resize(size);  // every vertex but three adds two faces at least
     visible_.resize(size);
-    h_.resize(size);  // The last one, whose size is asked.
+    h_.resize(size);  // the last one, because has_space() reads its size
 }
 
 std::uint32_t InnerPolytope::support(std::size_t side, const Point& n) const noexcept {
@@ -49,7 +49,7 @@ std::uint32_t InnerPolytope::support(std::size_t side, const Point& n) const noe
     return face_count_ == 0 ? hulls_->support(side, n) : hulls_->support(side, n, face(nearest_).corners[0].of(side));
 }
 
-// Adds the vertex that is furthest along a vector, and bounds the depth by how far that is.
+// Adds the vertex furthest along a vector, and lowers the upper bound of the depth to that vertex's distance.
 void InnerPolytope::add_support(const Point& n) {
     const DifferenceVertex v{support(0, n), support(1, negated(n))};
     add_vertex(v);
@@ -75,7 +75,7 @@ void InnerPolytope::set_face(std::uint32_t i, std::uint32_t a, std::uint32_t b, 
     corners_[i] = {a, b, c};
 }
 
-// Makes a tetrahedron of the first four vertices, if they are certainly not in one plane.
+// Makes a tetrahedron of the first four vertices; false if they may be in one plane.
 bool InnerPolytope::set_tetrahedron() {
     const auto x = minus(vertices_[1].m, vertices_[0].m), y = minus(vertices_[2].m, vertices_[0].m), n = cross(x, y);
     const double above = dot(n, minus(vertices_[3].m, vertices_[0].m));
@@ -90,18 +90,18 @@ bool InnerPolytope::set_tetrahedron() {
     return true;
 }
 
-// The nearest faces are likely to be where the ray from the middle of the set through the origin leaves it: three
-// vertices around that, and one on the other side.
+// Begins where the nearest faces are likely to be: where the ray from the middle of the difference through the origin
+// leaves it. Takes three vertices around that ray, and one on the other side.
 bool InnerPolytope::begin() {
     const Point middle = minus(hulls_->center(1), hulls_->center(0));
     const double length = std::sqrt(dot(middle, middle));
     const Point ray = length > 0x1p-20 * bounds_.E ? times(middle, 1 / length) : Point{0.6, 0.64, 0.48};
-    // At right angles to the ray and to each other.
+    // The axes e and f are perpendicular to the ray and to each other.
     const double s = ray[2] < 0 ? -1 : 1, a = -1 / (s + ray[2]), b = ray[0] * ray[1] * a;
     const Point e{1 + s * ray[0] * ray[0] * a, s * b, -s * ray[0]}, f{b, s + ray[1] * ray[1] * a, -ray[1]};
     upper_ = infinity;
     constexpr std::array<Point, 4> ways{{{1, 0, 0.375}, {-0.5, 0.875, 0.375}, {-0.5, -0.875, 0.375}, {0, 0, -1}}};
-    // A loop, so that what is always inlined is so once.
+    // A loop, so that the function, which is always inlined, is inlined once.
     for (const auto& [x, y, z] : ways) {
         add_support(
             {x * e[0] + y * f[0] + z * ray[0], x * e[1] + y * f[1] + z * ray[1], x * e[2] + y * f[2] + z * ray[2]});
@@ -109,7 +109,7 @@ bool InnerPolytope::begin() {
     return set_tetrahedron() || begin_anywhere();
 }
 
-// A tetrahedron of what is furthest along vectors at right angles to those before.
+// Begins with a tetrahedron of vertices that are extreme along vectors, each perpendicular to the edges found before.
 bool InnerPolytope::begin_anywhere() {
     vertex_count_ = 0;
     const auto add_furthest = [&](const Point& n) {
@@ -147,7 +147,7 @@ std::uint32_t InnerPolytope::find_visible() {
     return count;
 }
 
-// The edges of visible faces without those between two of them. Returns how many, or none if there are too many.
+// Lists the edges of visible faces, except those between two of them. Returns their number, or 0 if there are too many.
 std::uint32_t InnerPolytope::find_border(std::uint32_t visible_count) {
     std::uint32_t count = 0;
     for (std::uint32_t i = 0; i < visible_count; ++i) {
@@ -173,18 +173,19 @@ bool InnerPolytope::replace(std::uint32_t visible_count) {
     return replace_visible(visible_count);
 }
 
-// The depth is not above the distance of a plane of a face of the whole set. Where that is negative, it shows that the
-// solids are apart.
+// Sets the upper bound of the depth from the nearest face: the depth is at most the distance of the plane of any face
+// of the whole difference. If that distance is negative, the solids are apart.
 //
-// The true normal is at least as long as the one as computed less the root of 3 times n_error. Of a thin face that may
-// be nothing: its plane may be at any distance, so every face counts as near.
+// The true normal is at least as long as the computed one minus sqrt(3) n_error. For a thin face this may be nothing:
+// its plane may be at any distance, so every face then counts as near.
 void InnerPolytope::bound_by_nearest() noexcept {
     if (is_upper_proven()) return;
     find_nearest();
     const std::uint32_t i = nearest_;
     const double length = length_[i] / RoundedBounds::slack - 2 * n_error_[i];
     upper_ = length > 0 ? (h_[i] + h_error_[i]) / length * RoundedBounds::slack : infinity;
-    // Of a face that the origin is beyond: faces count as near that are not certainly on its inner side.
+    // The origin may be beyond the face: with 0, visit_near leaves out only faces that certainly have it on their inner
+    // side.
     if (!(upper_ > 0)) upper_ = 0;
 }
 
@@ -195,8 +196,8 @@ void InnerPolytope::remove_face(std::uint32_t i) noexcept {
     nearness_[last] = -infinity;
 }
 
-// Every step adds a vertex or ends the search. A vertex may come over again, where roundings have it, so steps are
-// counted.
+// Grows the polytope. Every step adds a vertex or ends the search. Rounding may make a vertex come again, so the number
+// of steps is limited.
 InnerPolytope::End InnerPolytope::grow() {
     if (!begin()) return End::unknown;
     std::size_t steps = 64 + 4 * (hulls_->hull(0).vertex_count() + hulls_->hull(1).vertex_count());

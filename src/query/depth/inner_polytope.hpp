@@ -1,9 +1,8 @@
-// A polytope of vertices of the set of differences of two convex solids that grows toward its nearest faces, in
-// doubles.
+// Grows a polytope of vertices of the Minkowski difference of two convex solids toward its faces nearest to the origin,
+// in doubles.
 //
-// Its faces are triangles, turned outwards. They are a closed surface whatever is rounded: what is taken away has a
-// border, and what is put in its place joins a vertex to that border. What follows from it, and from that alone, is in
-// nearest_planes.hpp.
+// Its faces are triangles, turned outwards. They form a closed surface whatever rounding does: removed faces leave a
+// border, and new faces join a vertex to that border. This property is all that the proof in nearest_planes.hpp uses.
 #pragma once
 
 #include <array>
@@ -21,27 +20,27 @@ class InnerPolytope {
   public:
     enum class End : std::uint8_t {
         nearest,  // no vertex is beyond the nearest face, as far as doubles know
-        apart,    // a plane was found of which the whole set is on one side and the origin is on the other: proven
-        unknown,  // for integers
+        apart,    // proven: a plane has the whole difference on one side and the origin on the other
+        unknown,  // left to integers
     };
 
     End find(const convex::PosedHulls& hulls);
 
     struct Face {
-        exact::Point n;  // the product of two edges
-        double n_error;  // of a coordinate of it
-        double length;   // of n
+        exact::Point n;  // product of two edges
+        double n_error;  // error bound of a coordinate of n
+        double length;   // length of n
         std::array<DifferenceVertex, 3> corners;
     };
     Face face(std::uint32_t i) const noexcept;
     std::uint32_t nearest() const noexcept { return nearest_; }
-    // The depth is not above upper(): proven where all vertices were looked at. Otherwise it is that if the nearest
-    // face is in the plane of a face of the whole set.
+    // Upper bound of the depth. It is proven if all vertices were scanned; otherwise it holds if the nearest face is in
+    // the plane of a face of the whole difference.
     double upper() const noexcept { return upper_; }
     bool is_upper_proven() const noexcept { return hulls_->is_scanned(0) && hulls_->is_scanned(1); }
 
-    // Calls visit(i) for the faces that are not proven to be further from the origin than upper(), and to have it on
-    // their inner side.
+    // Calls visit(i) for each face unless it is proven to be further from the origin than upper() and to have the
+    // origin on its inner side.
     template <class Visit>
     void visit_near(Visit&& visit) const {
         for (std::uint32_t i = 0; i < face_count_; ++i) {
@@ -50,8 +49,8 @@ class InnerPolytope {
         }
     }
 
-    // Adds a vertex. Where doubles leave it open, is_beyond(face) says whether it is strictly beyond a face's plane; it
-    // must be beyond one. Returns false where the border is too long.
+    // Adds a vertex, which must be beyond some face. If doubles leave it open, is_beyond(face) must say if the vertex
+    // is strictly beyond that face's plane. Returns false if the border is too long.
     template <class IsBeyond>
     bool insert(const DifferenceVertex& v, IsBeyond&& is_beyond) {
         if (!has_space()) add_space();
@@ -92,7 +91,7 @@ class InnerPolytope {
     ECODS_ALWAYS_INLINE void set_face(std::uint32_t i, std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept;
     void remove_face(std::uint32_t i) noexcept;
     void add_space();
-    // Whether lists have space for a step: faces are read by fours.
+    // True if the lists have space for a step; faces are read four at a time.
     bool has_space() const noexcept {
         return face_count_ + border_max + 4 <= h_.size() && vertex_count_ + 8 <= vertices_.size();
     }
@@ -102,7 +101,7 @@ class InnerPolytope {
     const convex::PosedHulls* hulls_ = nullptr;
     RoundedBounds bounds_;
     std::vector<double> nx_, ny_, nz_, h_, length_;
-    std::vector<double> n_error_, h_error_;  // of a coordinate of n, and of h
+    std::vector<double> n_error_, h_error_;  // error bounds of a coordinate of n, and of h
     std::vector<double> nearness_;           // -h / length; -infinity beyond the last face
     std::vector<std::array<std::uint32_t, 3>> corners_;
     std::vector<Vertex> vertices_;

@@ -5,7 +5,7 @@
 namespace ecods::depths {
 namespace {
 
-// Lists are ascending.
+// True if an ascending list contains a vertex.
 bool contains(const std::vector<std::uint32_t>& level, std::uint32_t v) noexcept {
     if (level.size() > 8) return std::ranges::binary_search(level, v);
     return std::ranges::find(level, v) != level.end();
@@ -17,7 +17,7 @@ FixedPlane::Vector NearestPlanes::point(std::size_t side, std::uint32_t vertex) 
     return hulls_->fixed({side, vertex});
 }
 
-// All vertices that may be as far along the face's exact normal as any.
+// Lists all vertices that may be extreme along the face's exact normal.
 void NearestPlanes::find_level(std::size_t side, const InnerPolytope::Face& face, Level& level) {
     level.clear();
     const std::uint32_t start = face.corners[0].of(side);
@@ -27,10 +27,10 @@ void NearestPlanes::find_level(std::size_t side, const InnerPolytope::Face& face
     climb_to_level(side, heights, hulls_->support(side, n, start), level);
 }
 
-// Lists them of a solid whose vertices are not looked at as a whole, from one that is about the furthest: those that
-// are joined to it by edges between vertices that may be. All neighbors of these are certainly less far, so of them
-// what is exactly furthest is further than all its neighbors, or as far, and so than the whole solid; and all that is
-// as far is joined to it by edges.
+// Lists the vertices that may be extreme, for a solid that is not scanned. From a vertex `top` that is nearly extreme
+// it follows edges between vertices that may be extreme. All other neighbors of listed vertices are certainly less far.
+// So the exactly furthest listed vertex is as far as all its neighbors, or further, and hence extreme in the whole
+// solid; and edges between listed vertices connect it to all vertices that are as far.
 void NearestPlanes::climb_to_level(std::size_t side, const convex::PosedHulls::Heights& heights, std::uint32_t top,
                                    Level& level) {
     const convex::Hull& hull = hulls_->hull(side);
@@ -50,7 +50,7 @@ void NearestPlanes::climb_to_level(std::size_t side, const convex::PosedHulls::H
     std::ranges::sort(level);
 }
 
-// Another one than all that are in use.
+// A mark that no vertex has yet.
 std::uint32_t NearestPlanes::next_mark() noexcept {
     if (++mark_ == 0) {
         for (auto& marks : marks_) std::ranges::fill(marks, 0);
@@ -59,7 +59,7 @@ std::uint32_t NearestPlanes::next_mark() noexcept {
     return mark_;
 }
 
-// The vertex, the edge or the face of which these are the vertices, if they are that.
+// The vertex, the edge or the face that has exactly these vertices; nullopt if there is none.
 std::optional<convex::HullFeature> NearestPlanes::feature_of(std::size_t side, const Level& level) const noexcept {
     const convex::Hull& hull = hulls_->hull(side);
     convex::LevelEdges edges;
@@ -77,12 +77,13 @@ std::optional<convex::HullFeature> NearestPlanes::feature_of(std::size_t side, c
     return is_face ? std::optional(feature) : std::nullopt;
 }
 
-// Whether a plane has all vertices of these features, which are all vertices near it, for certain. A vertex is in it
-// with the first corner; of an edge a second vertex must be, and of a face a second and a third: no three of its
-// vertices are on one line. A vertex of one solid is where it makes a corner with that of the first corner.
+// True if the plane certainly contains all vertices of these features, which are all vertices near it. The first
+// corner's vertices are in it. For an edge it suffices that a second vertex is in the plane, and for a face that a
+// second and a third one are, since no three vertices of a face are on one line. A vertex of one solid is known to be
+// in the plane if it makes a corner together with the other solid's vertex of the first corner.
 bool NearestPlanes::ties_for_certain(const Plane& plane, const DifferenceFace& features) const {
     const auto is = [&](Feature::Kind a, Feature::Kind b) { return features[0].kind == a && features[1].kind == b; };
-    // A plane of three vertices is that of the edges or of the face that they are of.
+    // Three vertices determine the plane of their two edges, or of their face.
     if (is(Feature::Kind::edge, Feature::Kind::edge) || is(Feature::Kind::face, Feature::Kind::vertex) ||
         is(Feature::Kind::vertex, Feature::Kind::face)) {
         return true;
@@ -108,8 +109,8 @@ bool NearestPlanes::ties_for_certain(const Plane& plane, const DifferenceFace& f
     return true;
 }
 
-// The vertex that is furthest beyond a plane of which the vertices near it are listed. If there is none, keeps those
-// that are in it.
+// Returns the vertex furthest beyond a plane, given lists of the vertices near it. If no vertex is beyond, reduces the
+// lists to the vertices in the plane.
 std::optional<DifferenceVertex> NearestPlanes::keep_ties(const Plane& plane) {
     auto& levels = levels_[plane.levels];
     if (!is_exact_) return keep_level(*pair_, plane.corners, levels);
@@ -135,7 +136,7 @@ FixedPlane NearestPlanes::plane_of(const std::array<DifferenceVertex, 3>& corner
     return {{difference(corners[0]), difference(corners[1]), difference(corners[2])}, hulls_->fixed_unit(), is_exact_};
 }
 
-// Remembers the plane of a face if it is that of a face of M; otherwise `beyond` is a vertex that shows that it is not.
+// Keeps the plane of a face if it is the plane of a face of M. If it is not, `beyond` becomes a vertex beyond it.
 auto NearestPlanes::add(const InnerPolytope::Face& face, DifferenceVertex& beyond) -> Found {
     if (!(face.length > 4 * face.n_error)) return Found::thin;
     const std::size_t at = planes_.size();
@@ -169,7 +170,7 @@ bool NearestPlanes::is_beyond(const InnerPolytope::Face& face, const DifferenceV
     return plane.sign_along(exact::difference(difference(v), difference(face.corners[0]))) > 0;
 }
 
-// Finds the planes of all faces of S that may be nearest, but for thin ones.
+// Finds the planes of all faces of S that may be nearest, except thin ones.
 bool NearestPlanes::find_planes(InnerPolytope& polytope) {
     for (int steps = 0; steps < steps_max; ++steps) {
         thin_.clear();
@@ -192,7 +193,7 @@ bool NearestPlanes::find_planes(InnerPolytope& polytope) {
     return false;
 }
 
-// Thin faces that are in no known plane must be further than the nearest one.
+// True if each thin face is in a known plane, or further than the nearest plane.
 bool NearestPlanes::thin_faces_are_further(const Plane& nearest) const {
     return std::ranges::all_of(thin_, [&](const auto& corners) {
         return is_in_known_plane(corners) || compare_exactly(*pair_, corners, nearest.corners) > 0;

@@ -1,4 +1,5 @@
-// Nothing that is computed here has to be right: what is confirmed counts.
+// Searches for partings by heuristics. Nothing computed here has to be right, because solid_relation() confirms each
+// result.
 #include "query/depth/parting_search.hpp"
 
 #include <algorithm>
@@ -10,25 +11,28 @@
 namespace ecods::depths {
 namespace {
 
-// How many directions are tried of those that look best, and how many normals of contacts are followed from each.
+// The number of directions that are tried, best ones first, and the number of contact normals that are followed from
+// each.
 constexpr std::size_t direction_count_max = 6;
 constexpr int normal_count_max = 3;
 
-// By how much a way is made longer until it parts the solids, relative to the numbers that it is a difference of.
+// The amounts by which a translation is lengthened until it parts the solids, relative to the numbers whose difference
+// it is.
 constexpr std::array<double, 6> margins{0, 0x1p-52, 0x1p-50, 0x1p-46, 0x1p-38, 0x1p-26};
 
-// A contact is known to 2^-52 of the way: to 2^-46 of a last part as short as `short_part`. Of a part below
-// `unknown_part` that may be too little to say whether the way is worth following.
+// The limits of the last part of a way, relative to it. A contact's time is known to 2^-52 of the way, so to 2^-46 of a
+// last part as short as `short_part`. For a part below `unknown_part` this may be too little to show if the way is
+// worth following.
 constexpr double short_part = 0x1p-6, unknown_part = 0x1p-20;
 
 const exact::MeshExtent& extent_of(const Posed<Solid>& solid) {
     return MeshShapeAccess::tree(*solid.what).extent;
 }
 
-// An upper bound of |v|: three quotients, their squares, a root and a product are off by less than 2^-48 of it.
+// Upper bound of |v|: three quotients, their squares, a root and a product are off by less than 2^-48 of it.
 double length_above(const Vec3& v) noexcept {
     const double most = v.cwiseAbs().maxCoeff();
-    // Below, roundings are no part of the number any more.
+    // Below this, rounding errors are no longer relative to the number.
     if (!(most >= 0x1p-900)) return std::isnan(most) ? std::numeric_limits<double>::infinity() : 0x1p-898;
     const Vec3 part = v / most;
     return most * (std::sqrt(part.dot(part)) * (1 + 0x1p-46));
@@ -86,10 +90,11 @@ void PartingSearch::try_length(const Vec3& direction, double length) {
     }
 }
 
-// The time of a contact resolves 2^-53 of the way, which is as long as the solids are large. Where the contact comes in
-// a short last part of the way that is the best one known, that part is cast along once more, allowing for the
-// roundings of the longer one; and so on, until the part is no longer short, or it is below a rounding error of the
-// smaller solid's size. Where the other one is 2^k times as large, these are up to k / 48 + 2 casts more.
+// Slides along a way up to the first contact. The time of a contact resolves 2^-53 of the way, which is as long as the
+// solids are large. If the contact comes in a short last part of the best way so far, it casts along that part once
+// more, allowing for the roundings of the longer cast; and so on, until the part is no longer short, or below a
+// rounding error of the smaller solid's size. If the other solid is 2^k times as large, these are up to k / 48 + 2
+// casts more.
 std::optional<FirstContact> PartingSearch::slide(const Direction& way) {
     double known = best_.length;
     std::optional<FirstContact> contact = slide_once(way);
@@ -124,8 +129,8 @@ std::optional<FirstContact> PartingSearch::slide_once(const Direction& way) {
     return contact;
 }
 
-// A corner of a feature that touches, from the translation of its body: the one that moves comes first in a contact,
-// and is the second solid.
+// A corner of a feature in contact, relative to its body's translation. In a contact the moving body comes first, which
+// is the second solid.
 Vec3 PartingSearch::corner(bool second, const FirstContact& contact, std::uint32_t i) const {
     const Posed<Solid>& solid = second ? b_ : a_;
     const Feature& f = second ? contact.a : contact.b;
@@ -133,19 +138,19 @@ Vec3 PartingSearch::corner(bool second, const FirstContact& contact, std::uint32
     return solid.pose.R * mesh.vertices()[mesh.triangles()[f.triangle][(f.corner + i) % 3]];
 }
 
-// Where the solids touch, with the second one at a translation.
+// The point where the solids touch, with the second one at the translation `parted`.
 Vec3 PartingSearch::contact_point(const FirstContact& contact, const Vec3& parted) const {
     if (contact.b.kind == Feature::Kind::vertex) return corner(false, contact, 0) + a_.pose.t;
     const Vec3 p = corner(true, contact, 0) + parted;
     if (contact.kind != ClosestKind::edge_edge) return p;
-    // The point of the second one's edge that is nearest to the first one's line.
+    // The point of the second solid's edge that is nearest to the line of the first one's edge.
     const Vec3 u = corner(true, contact, 1) - corner(true, contact, 0);
     const Vec3 v = corner(false, contact, 1) - corner(false, contact, 0), n = u.cross(v);
     const Vec3 w = corner(false, contact, 0) + a_.pose.t - p;
     return p + u * (w.cross(v).dot(n) / n.dot(n));
 }
 
-// The normal of the features that touch first, turned to the direction that the second solid goes out in.
+// The normal of the features that touch first, on the side to which the second solid goes out.
 std::optional<Vec3> PartingSearch::contact_normal(const FirstContact& contact, const Vec3& along) const {
     const auto edge = [&](bool second, std::uint32_t i) -> Vec3 {
         return corner(second, contact, i) - corner(second, contact, 0);
@@ -187,7 +192,7 @@ void PartingSearch::search() {
             way = directions_.back();
         }
     }
-    // What is left, while nothing was confirmed.
+    // Tries the other directions until one is confirmed.
     for (std::size_t i = count; i < directions_.size() && !has_found(); ++i) {
         slide(Direction(directions_[i]));
     }

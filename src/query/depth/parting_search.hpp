@@ -1,4 +1,5 @@
-// A short translation of the second of two solids that parts their interiors: solid_relation() has confirmed it.
+// Searches for a short translation of the second of two solids that parts their interiors, confirmed by
+// solid_relation().
 #pragma once
 
 #include <array>
@@ -11,11 +12,12 @@
 
 namespace ecods::depths {
 
-// A translation for the pose of the second solid, and an upper bound of how far that is from the one it has.
+// A translation for the pose of the second solid, and an upper bound of its distance from the translation that the pose
+// has.
 struct Parting {
     Vec3 parted = Vec3::Zero();
     double length = std::numeric_limits<double>::infinity();
-    // About in the middle of what the solids have in common there where they touch last, if that is known.
+    // A point near the middle of what the solids share at the place where they touch last, if it is known.
     std::optional<Vec3> middle = {};
 };
 
@@ -26,17 +28,17 @@ class PartingSearch {
     const Parting& best() const noexcept { return best_; }
     bool has_found() const noexcept { return best_.length < std::numeric_limits<double>::infinity(); }
 
-    // Takes the second solid out along the direction by a length, or a little more.
+    // Tries to part the solids by moving the second one along a direction, by `length` or a little more.
     void try_length(const Vec3& direction, double length);
 
-    // Comes in from outside, against likely directions, up to the first contact, and from there turns to the normals of
-    // such contacts.
+    // Slides the second solid in from outside, along likely directions, up to the first contact; then along the normals
+    // of the contacts found.
     void search();
 
   private:
     struct Direction {
         Vec3 n;
-        double reach;  // how far out the boxes are apart
+        double reach;  // length of the translation at which the boxes are apart
     };
 
     void add_direction(const Vec3& n);
@@ -51,8 +53,8 @@ class PartingSearch {
     const Posed<Solid>& a_;
     const Posed<Solid>& b_;
     QueryMemory& memory_;
-    std::array<Vec3, 2> centers_;  // of the posed boxes of the meshes
-    double way_min_;               // shorter ones are not made shorter
+    std::array<Vec3, 2> centers_;  // centers of the meshes' posed boxes
+    double way_min_;               // ways up to this length are not refined
     std::vector<Direction> directions_;
     Parting best_;
 };

@@ -1,8 +1,8 @@
-// Pairs of features from pairs of triangles.
+// Finds pairs of close features from pairs of close triangles.
 //
-// A triangle that has a feature is no farther from another triangle than that feature is: if two features are within d,
-// so is every pair of triangles that has them. The triangles that were found are therefore all that can name a feature,
-// and nothing of the rest of the mesh is asked.
+// The distance of two triangles is at most that of any two of their features. So if two features are within d, every
+// pair of triangles that has them is within d, too, and is found. The triangles found thus include all that can name a
+// feature, and the rest of the mesh is not read.
 #include <algorithm>
 #include <cstdint>
 

@@ -20,8 +20,8 @@ ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, Quer
     if (search.sieve().is_zero()) {
         result = closest_of_intersecting(a, b, search, memory);
     } else {
-        // The open pairs have every pair of triangles that holds the least distance, or one of the same features before
-        // it in the order of triangles.
+        // The open pairs contain every pair of triangles at the least distance, or a pair with the same features that
+        // comes before it in the order of triangles.
         const auto& open = search.sieve().keep_least(
             [&](const TrianglePair& x, const TrianglePair& y) { return search.exact_pair().compare(x, y); });
         result = search.exact_pair().closest(open[0].triangles.a, open[0].triangles.b);

@@ -24,7 +24,7 @@ double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemor
     return distance(a, b, memory, witness);
 }
 
-// By keys, in whose order a NaN lies beyond the infinities.
+// Compares keys, in whose order NaN lies beyond the infinities.
 bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d, QueryMemory& memory, PairWitness& witness) {
     require_distance(d);
     const std::int64_t key = key_of(d);

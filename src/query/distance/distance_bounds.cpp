@@ -16,18 +16,18 @@ double least(double x, double y) {
     return key_of(x) < key_of(y) ? x : y;
 }
 
-// Whether upper - lower <= max(absolute, relative * lower) certainly, or the two are equal or adjacent doubles. The
-// difference and the product are off by u' = 2^-52 each.
+// True if certainly upper - lower <= max(absolute, relative * lower), or if the bounds are equal or adjacent doubles.
+// The difference and the product are each off by u' = 2^-52.
 bool is_narrow(const DistanceBounds& bounds, const DistanceTolerance& tolerance) {
     if (key_of(bounds.upper) - key_of(bounds.lower) <= 1) return true;
     if (key_of(bounds.upper) == key_of(infinity)) return false;
     const double width = (bounds.upper - bounds.lower) * (1 + 4 * 0x1p-52);
-    if (!(width >= std::numeric_limits<double>::min())) return false;  // it may have been taken for zero
+    if (!(width >= std::numeric_limits<double>::min())) return false;  // the difference may have been flushed to zero
     return width <= std::max(tolerance.absolute, tolerance.relative * bounds.lower);
 }
 
-// The doubles around the least distance, which are one where it is a double. Pairs that round to the same double may
-// lie on either side of it: all of them are asked, but for those of which it is known.
+// The adjacent doubles around the least distance; both are the distance if it is a double. Distances that round to the
+// same double may lie on either side of it, so each open pair is compared with it, unless its lower bound suffices.
 DistanceBounds adjacent_bounds(DistanceSearch& search, PairWitness& witness) {
     const double rounded = search.round_least();
     witness = search.sieve().nearest();
@@ -42,7 +42,7 @@ DistanceBounds adjacent_bounds(DistanceSearch& search, PairWitness& witness) {
     return sign > 0 ? DistanceBounds{rounded, next_up(rounded)} : DistanceBounds{next_down(rounded), rounded};
 }
 
-// What doubles know. Pairs that the search left out are beyond the floor, or beyond at_most.
+// The bounds that doubles prove. Pairs that the search left out are beyond the floor, or beyond at_most.
 DistanceBounds enclosed_bounds(DistanceSearch& search, double at_most) {
     double lower = least(search.sieve().floor(), at_most);
     for (const DistanceSieve::Open& open : search.sieve().open()) lower = least(lower, open.interval.lower);
@@ -56,7 +56,7 @@ DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>
     require_distance(tolerance.relative);
     require_distance(tolerance.absolute);
     require_distance(tolerance.at_most);
-    // What is left out is beyond `limit`, so that the lower end is above at_most.
+    // Pairs beyond `limit` are left out, and `limit` is above at_most: if all are, the lower bound is above at_most.
     const double limit = next_up(tolerance.at_most);
     {
         DistanceSearch search(a, b, memory);
@@ -75,7 +75,7 @@ DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>
     if (search.sieve().is_zero()) return {0, 0};
     if (search.sieve().open().empty()) return {limit, infinity};
     const DistanceBounds bounds = adjacent_bounds(search, witness);
-    // Pairs beyond the limit were left out, some of which may be nearer than one that is beyond it.
+    // The nearest open pair is beyond the limit. Pairs that were left out may be nearer, but are beyond the limit, too.
     if (key_of(bounds.lower) > key_of(limit)) return {limit, infinity};
     return bounds;
 }

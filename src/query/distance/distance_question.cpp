@@ -58,7 +58,7 @@ bool DistanceQuestion::refer_to(const TrianglePair& triangles) {
 
 void DistanceQuestion::gather(Search& search, const TreeLeaf& x, const TreeLeaf& y, LanePairs lanes,
                               const LaneBounds&) {
-    // Where bodies are far apart, floats know no more of two triangles than of their nodes.
+    // If bodies are far apart, floats bound two triangles no better than the nodes that hold them.
     if (is_far()) return search.take_each(x, y, lanes);
     if (!lanes.more()) return;
     put_on_axes(axes_.sets()[0], x, y, leaves_);
@@ -70,7 +70,7 @@ void DistanceQuestion::gather(Search& search, const TreeLeaf& x, const TreeLeaf&
     }
 }
 
-// Bounds the triangles that were put together.
+// Bounds the batched pairs of triangles.
 void DistanceQuestion::bound_batch(Search& search) {
     counts_->distances.triangle_bounds += batch_.count;
     bound_triangles(axes_.sets()[0], batch_, squares_);
@@ -78,11 +78,13 @@ void DistanceQuestion::bound_batch(Search& search) {
     batch_.count = 0;
 }
 
-// Where floats know nothing, doubles do: bodies that intersect are noticed at once, and many pairs need not be kept.
+// Takes a pair with its bounds in floats. If floats bound it only by zero, doubles enclose it at once, so that common
+// points are noticed early. Other pairs become candidates if they are within the limit.
 void DistanceQuestion::take(Search& search, std::size_t lane) {
     const TrianglePair& triangles = batch_.pairs[lane];
     const float lower = squares_.lower[lane], upper = squares_.upper[lane];
-    // Even beyond the limit: that there is nothing within it is seen along the gap soonest.
+    // The direction is set even by pairs beyond the limit: along it a walk proves soonest that nothing is within the
+    // limit.
     if (upper < direction_square_ && upper > 0) set_direction(lane);
     if (lower > search.limit()) return;
     if (!(lower > 0)) return search.take(triangles);
@@ -98,15 +100,15 @@ void DistanceQuestion::set_direction(std::size_t lane) {
     }
 }
 
-// Candidates wait until all nodes have been visited.
+// Encloses the candidates once all nodes have been visited.
 void DistanceQuestion::advance(Search& search, float bound) {
     if (bound < std::numeric_limits<float>::infinity()) return;
     bound_batch(search);
     if (!search.sieve().is_decided()) enclose_candidates(search);
 }
 
-// From the nearest on, until those that are left are farther than one that was enclosed. If others can be excluded by
-// it, the nearest pair of all is measured first.
+// Encloses candidates in ascending order of their lower bounds, until the rest is beyond the limit. If a slab can
+// exclude pairs, the nearest pair is measured exactly first, to set the slab.
 void DistanceQuestion::enclose_candidates(Search& search) {
     if (excludes_) {
         const TrianglePair nearest{search.sieve().nearest().a, search.sieve().nearest().b};

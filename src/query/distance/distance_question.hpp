@@ -1,4 +1,4 @@
-// Distances of pairs of triangles as the numbers of a search (query/search).
+// Makes the distances of pairs of triangles the numbers that a search compares (query/search).
 #pragma once
 
 #include <array>
@@ -21,24 +21,24 @@ class DistanceQuestion {
     using Value = double;
     using Search = ecods::Search<DistanceQuestion>;
 
-    // Everything that the arguments refer to must outlive the questions. Excludes nothing until exclude() is called.
+    // Everything that the arguments refer to must outlive this. Excludes no pairs until exclude() is called.
     void bind(const MeshPair& bodies, QueryCounts& counts);
-    // The least distance alone is asked about, not which pairs have it: what is not nearer than another is excluded,
-    // where TriangleDistances can.
+    // Lets the search exclude pairs that are certainly not nearer than another pair, if TriangleDistances supports it.
+    // For queries that need only the least distance, not the pairs that have it.
     void exclude() noexcept { excludes_ = pair_.can_refer(); }
 
-    // Bodies that are far apart, of which floats know nothing but where they are along the gap.
+    // True if the bodies are so far apart that floats know only the positions of nodes along the gap.
     bool is_far() const noexcept { return far_.is_far(); }
-    // Straight down to two triangles, which may well be among the nearest.
+    // Descends from the roots to two triangles that are probably among the nearest.
     TrianglePair dive(const MeshPair& bodies);
     TriangleDistances& pair() noexcept { return pair_; }
-    // Counts one exact rounding or comparison.
+    // Counts one exact rounding or comparison, and returns the object that makes it.
     TriangleDistances& exact_pair() noexcept {
         ++counts_->distances.exact;
         return pair_;
     }
 
-    // A search asks these. Bounds are squares, or ranks of bodies that are far apart.
+    // The functions that a search calls. Bounds are squared distances, or ranks if the bodies are far apart.
     float limit_above(double distance) const noexcept {
         return is_far() ? far_.rank_above(distance) : axes_.square_above(distance);
     }
@@ -57,7 +57,7 @@ class DistanceQuestion {
 
   private:
     struct Candidate {
-        float lower;  // squared, in units
+        float lower;  // squared distance, in units of the axes
         TrianglePair triangles;
     };
 
@@ -71,14 +71,15 @@ class DistanceQuestion {
     FarGap far_;
     QueryCounts* counts_ = nullptr;
     bool excludes_ = false;
-    std::optional<TrianglePair> referred_;  // what pair_ excludes others by
-    // From the nearest triangle of a to that of b, as far as floats know, and its square on the axes of the first set.
+    std::optional<TrianglePair> referred_;  // the pair that pair_ compares others with
+    // The direction from the nearest triangle of a to that of b, as far as floats know, and the squared distance on the
+    // axes of the first set.
     Direction direction_{};
     float direction_square_ = std::numeric_limits<float>::infinity();
     LeavesOnAxes leaves_{};
     TriangleBatch batch_{};
     TriangleSquares squares_{};
-    std::vector<Candidate> candidates_;  // of which floats know no more
+    std::vector<Candidate> candidates_;  // pairs left for doubles
 };
 
 }  // namespace ecods

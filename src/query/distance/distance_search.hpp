@@ -1,4 +1,4 @@
-// The search for the closest triangles of two posed meshes.
+// Searches for the closest triangles of two posed meshes.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace ecods {
 
-// What is left of a pair that was apart: no triangle, and an axis (query/intersection). One that was not within a
-// distance is asked from its roots on next time, since two triangles would be measured in vain.
+// The witness of a pair that was not within a distance: no triangle, and the number of an axis (query/intersection).
+// The next query begins at the roots, because measuring two triangles first would be in vain.
 inline constexpr PairWitness apart_witness{.a = PairWitness::none, .b = 0};
 constexpr bool is_apart(const PairWitness& witness) noexcept {
     return witness.a == PairWitness::none && witness.b != PairWitness::none;
@@ -25,19 +25,19 @@ class DistanceSearch {
     DistanceSearch(const DistanceSearch&) = delete;
     DistanceSearch& operator=(const DistanceSearch&) = delete;
 
-    // Tries the witness's triangles first, then the trees. What the sieve knows afterwards is in query/search.
+    // Tries the witness's triangles first, then searches the trees. The sieve then holds the result (query/search).
     void run(const SearchGoal& goal, const PairWitness& witness);
-    // The least distance of all, rounded once, after a search for it; 0 where the bodies share a point.
+    // Searches for the least distance and rounds it once; 0 if the bodies share a point.
     double find_distance(const PairWitness& witness);
-    // The same of the open pairs, of which there must be one at least, after run().
+    // Rounds the least distance of the open pairs once. Requires at least one open pair after run().
     double round_least();
 
-    // Calls visit(pair, interval) for every pair of triangles within d, with what contains its distance.
+    // Calls visit(pair, interval) for every pair of triangles within d; `interval` contains the pair's distance.
     template <class Visit>
     void visit_within(double d, Visit&& visit);
 
     DistanceSieve& sieve() noexcept { return working_.sieve; }
-    // Counts one exact rounding or comparison.
+    // Counts one exact rounding or comparison, and returns the object that makes it.
     TriangleDistances& exact_pair() noexcept { return question_.exact_pair(); }
 
   private:

@@ -1,4 +1,4 @@
-// Vertices and edges of a mesh by the least triangle and corner that name them, from the triangles that matter alone.
+// Finds the least triangle and corner that name a vertex or an edge, among given triangles of a mesh.
 #pragma once
 
 #include <array>
@@ -12,22 +12,21 @@ namespace ecods {
 
 class LeastNames {
   public:
-    // `triangles` of the mesh, in any order and any number of times.
-    // Cost: that of sorting their corners. Nothing is read of the rest of the mesh.
+    // `triangles` may be in any order and repeat. Cost: sorting their corners; the rest of the mesh is not read.
     LeastNames(const Mesh& mesh, std::vector<std::uint32_t> triangles);
 
-    // The least triangle and corner among the triangles that are the same vertex or edge as `feature`, which is of one
-    // of them. A face stays as it is.
+    // The least triangle and corner, among the given triangles, that name the vertex or edge `feature`. It must be a
+    // feature of one of them. A face keeps its name.
     Feature operator()(const Feature& feature) const;
 
   private:
-    // Coordinates by the order of doubles (base/double_key.hpp), in which both zeros are one.
+    // The coordinates of a vertex, as keys in the order of doubles (base/double_key.hpp), which has one zero.
     using Place = std::array<std::int64_t, 3>;
     struct Vertex {
         Place place;
         std::uint32_t triangle, corner;
     };
-    // Ends are indices of vertices_, the lesser first.
+    // An edge; its ends are indices of vertices_, the lesser first.
     struct Edge {
         std::array<std::uint32_t, 2> ends;
         std::uint32_t triangle, corner;
@@ -38,8 +37,8 @@ class LeastNames {
     std::array<std::uint32_t, 2> ends_of(std::uint32_t triangle, std::uint32_t corner) const;
 
     const Mesh& mesh_;
-    std::vector<Vertex> vertices_;  // ascending by place, each once
-    std::vector<Edge> edges_;       // ascending by ends, each once
+    std::vector<Vertex> vertices_;  // ascending by place, unique
+    std::vector<Edge> edges_;       // ascending by ends, unique
 };
 
 }  // namespace ecods

@@ -12,7 +12,7 @@ namespace ecods {
 
 using namespace exact;
 
-// The origin of all exact points of a pair.
+// The corner of triangle i that is the origin of all exact points of a pair.
 PointRef TriangleDistances::first_corner(std::uint32_t i) const noexcept {
     const BodyRef& a = points_.body(0);
     return {a.pose, &a.mesh->vertices()[triangles_[0][i][0]]};

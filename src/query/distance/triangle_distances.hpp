@@ -1,4 +1,4 @@
-// Two posed meshes, ready for questions about the distances of pairs of their triangles.
+// Answers exact queries about the distances of pairs of triangles of two posed meshes.
 #pragma once
 
 #include <array>
@@ -18,14 +18,14 @@
 
 namespace ecods {
 
-// Contains a distance. Pairs of triangles whose closest features are the same have the same distance: a search rounds
-// one of them.
+// An interval that contains a distance. Pairs of triangles with the same closest features have the same distance, of
+// which a search rounds one.
 struct DistanceInterval {
     double lower = 0;
     double upper = std::numeric_limits<double>::infinity();
 
-    // Where this is set, all signs that say so are certain: the distance is exactly that of these two features, which
-    // hold the only closest points of the two triangles and are the features of lowest dimension that do.
+    // True if the signs that determine the closest features are all certain: the distance is exactly that of features a
+    // and b. They hold the only closest points of the two triangles, and are the features of lowest dimension that do.
     bool is_certain = false;
     ClosestKind kind = ClosestKind::intersecting;
     FeatureKey a, b;
@@ -33,50 +33,50 @@ struct DistanceInterval {
 
 class TriangleDistances {
   public:
-    // Cost: constant. Everything that the arguments refer to must outlive the questions.
+    // Cost: constant. Everything that the arguments refer to must outlive this.
     void bind(const exact::BodyRef& a, const exact::BodyRef& b);
 
-    // Contains the distance of triangle `i` of the first mesh and `j` of the second, by doubles with proven bounds.
-    // `lower` is 0 where it is not proven to be more.
+    // An interval that contains the distance of triangle `i` of the first mesh and `j` of the second, from doubles with
+    // proven bounds. `lower` is 0 unless more is proven.
     DistanceInterval enclose(std::uint32_t i, std::uint32_t j);
 
-    // The distance, rounded once; 0 exactly if the triangles share a point.
+    // The distance, rounded once; exactly 0 if and only if the triangles share a point.
     double distance(std::uint32_t i, std::uint32_t j);
 
-    // The sign of the real distance of a pair of triangles less the double d >= 0.
+    // The sign of (the real distance of a pair of triangles) - d, for a double d >= 0.
     int compare(std::uint32_t i, std::uint32_t j, double d);
 
-    // The sign of the real distance of the first pair of triangles less that of the second.
+    // The sign of (the real distance of the first pair) - (that of the second pair).
     int compare(const TrianglePair& first, const TrianglePair& second);
 
-    // Whether is_not_nearer can say anything: where coordinates fit into two limbs.
+    // True if is_not_nearer can succeed: the coordinates fit into two limbs.
     bool can_refer() const noexcept { return points_.is_exact(); }
-    // Remembers a pair of triangles that do not meet, for is_not_nearer.
+    // Sets the pair of triangles, which do not meet, that is_not_nearer compares with.
     void refer_to(const TrianglePair& pair);
-    // Whether it is certain that the distance of a pair is not less than that of the one referred to. Exact where it
-    // says so, and says nothing otherwise: asked of pairs that may tie with it, or share its features, it mostly says
-    // so. Cost: some nanoseconds, and 0.1 microseconds for each vertex that was not asked about before.
+    // True if the distance of `pair` is certainly not less than that of the pair given to refer_to. False proves
+    // nothing. For pairs that may tie with that pair, or share its features, the answer is mostly true. Cost: some
+    // nanoseconds, and 0.1 microseconds for each new vertex.
     bool is_not_nearer(const TrianglePair& pair);
 
-    // The closest points of a pair of triangles, by the rule of ClosestPoints.
+    // The closest points of a pair of triangles, chosen by the rule of ClosestPoints.
     ClosestPoints closest(std::uint32_t i, std::uint32_t j);
 
-    // Adds the pairs of features with which a pair of triangles counts in close_features(), the first by the rule of
-    // ClosestPoints first.
+    // Appends the pairs of features for which close_features() lists a pair of triangles. The first one is chosen by
+    // the rule of ClosestPoints.
     void add_features(std::uint32_t i, std::uint32_t j, std::vector<FeatureNames>& to);
-    // What features of one of these pairs are to each other, whichever triangles name them.
+    // The distance, points and direction of two features of a pair of triangles, whichever triangles name them.
     CloseFeatures measure(const FeatureNames& features);
 
-    // No corners if the triangles share no point.
+    // The common points of two triangles; without corners if there are none.
     SharedSet intersection(std::uint32_t i, std::uint32_t j);
 
   private:
-    // The exact distance of a pair of triangles that was asked about lately.
+    // The exact distance of a pair of triangles, kept for the next calls.
     struct Measured {
         TrianglePair pair;
         bool is_known = false;
         exact::SquaredDistance square;
-        exact::FeaturePair features;  // that hold closest points, unless the square is zero
+        exact::FeaturePair features;  // features that hold closest points, unless the square is zero
     };
 
     exact::IntegerPair integers(std::uint32_t i, std::uint32_t j);
@@ -88,7 +88,7 @@ class TriangleDistances {
     exact::IntegerFrame points_;
     std::array<const Triangle*, 2> triangles_{};
     exact::ClosestSlab slab_;
-    std::array<Measured, 2> measured_;  // the one that was asked about last comes first
+    std::array<Measured, 2> measured_;  // most recently used first
 };
 
 }  // namespace ecods

@@ -1,4 +1,4 @@
-// The points of two triangles in the narrowest integers that hold them: what all exact questions begin with.
+// Gives exact queries the points of two triangles in the narrowest integers that hold them.
 #pragma once
 
 #include "exact/measure/distance/enclose_distance.hpp"
@@ -15,7 +15,7 @@ ECODS_ALWAYS_INLINE exact::IntegerPair TriangleDistances::integers(std::uint32_t
 }
 
 // Calls use(points, features, guess) with the points of two triangles in the narrowest kernel that holds them. A guess
-// that doubles prove is not asked about again.
+// that doubles prove is marked as certain, so that integers need not prove it.
 template <class Use>
 auto TriangleDistances::with_features(std::uint32_t i, std::uint32_t j, Use&& use) {
     const exact::IntegerPair pair = integers(i, j);

@@ -69,7 +69,7 @@ QueryCounts& QueryCounts::operator+=(const QueryCounts& other) noexcept {
 
 namespace {
 
-// A mesh at a pose, both referred to: for the length of a query nothing is copied.
+// References a mesh and its pose, so that a query copies nothing.
 struct MeshAt {
     MeshAt(const Posed<MeshShape>& posed) : shape(*posed.what), pose(posed.pose) {}
     MeshAt(const Posed<Shape>& posed) : shape(static_cast<const MeshShape&>(*posed.what)), pose(posed.pose) {}
@@ -78,7 +78,7 @@ struct MeshAt {
     const Pose& pose;
 };
 
-// One query: the two bodies, and the memory that it works in.
+// A running query: the two bodies, and the memory that it works in.
 class Query {
   public:
     Query(const MeshAt& a, const MeshAt& b, QueryMemory& memory)
@@ -94,7 +94,7 @@ class Query {
         return state_.pair.relation(i, j);
     }
 
-    // The same of a pair of triangles from which nothing is prepared if a filter decides it.
+    // Decides a pair of triangles, without binding the bodies if a filter suffices.
     Relation relation_of_witness(const PairWitness& witness) {
         const std::optional<Relation> relation =
             filter_triangles(a().mesh(), witness.a, a().pose, b().mesh(), witness.b, b().pose);
@@ -104,7 +104,7 @@ class Query {
         return *relation;
     }
 
-    // The same of a pair that is visited.
+    // Decides a visited pair; `crosses` if a filter has proven that it crosses.
     Relation relation_of(std::uint32_t i, std::uint32_t j, bool crosses) {
         if (!crosses) return relation_of(i, j);
         ++state_.counts.stages.triangle_tests;
@@ -112,14 +112,14 @@ class Query {
         return Relation::crossing;
     }
 
-    // The axis that separates the roots, or -1. `first` is tried first.
+    // The index of an axis that separates the roots, or -1. Tries the axis `first` first.
     int bind_axes(int first = -1) {
         return state_.axes.bind({a().tree.boxes, a().pose.R}, {b().tree.boxes, b().pose.R}, b().pose.t - a().pose.t,
                                 first);
     }
 
-    // Asks ask(a, b) about both bodies in other units, if no axis says anything, as near the ends of the range of
-    // doubles, and other units are better; otherwise returns nothing. After bind_axes.
+    // Calls ask(a, b) with both bodies in other units, if floats bound nothing on the axes, as near the ends of the
+    // range of doubles, and other units are better. Otherwise returns nullopt. Requires bind_axes.
     template <class Ask>
     std::optional<std::invoke_result_t<Ask, MeshAt, MeshAt>> ask_in_other_units(QueryMemory& memory, const Ask& ask) {
         if (state_.axes.sets()[0].b.margin[0] != std::numeric_limits<float>::infinity()) [[likely]]
@@ -132,8 +132,8 @@ class Query {
         return as_part(memory, [&] { return ask(MeshAt(other_a), MeshAt(other_b)); });
     }
 
-    // Calls visit(i, j, crosses) for pairs of triangles, among them every pair that shares a point, until it returns
-    // false; `crosses` of those that are known to cross. After bind_axes.
+    // Calls visit(i, j, crosses) for pairs of triangles, among them every pair that shares a point, until visit returns
+    // false. `crosses` is true for pairs that are known to cross. Requires bind_axes.
     template <class Visit>
     void visit_near_pairs(Visit&& visit) {
         if (!pair_is_bound_) state_.pair.forget_groups();
@@ -146,13 +146,13 @@ class Query {
     }
 
   private:
-    // Before another query works in the same memory.
+    // Adds the pair's counts, before another query works in the same memory.
     void leave_pair() noexcept {
         if (pair_is_bound_) state_.counts.stages += state_.pair.counts();
         pair_is_bound_ = false;
     }
 
-    // Only the queries that come to triangles pay for this.
+    // Binds the pair at the first pair of triangles, so that queries without one do not pay for it.
     void bind_pair() {
         state_.pair.reset_counts();
         state_.pair.bind(a().ref(), b().ref());
@@ -168,7 +168,7 @@ class Query {
     bool pair_is_bound_ = false;
 };
 
-// A witness is a pair of triangles, or no triangle and the number of an axis.
+// True if the witness is a pair of triangles of the bodies. Otherwise it may be no triangle and the number of an axis.
 bool holds_triangles(const PairWitness& witness, const MeshAt& a, const MeshAt& b) {
     return witness.a < a.shape.mesh().triangles().size() && witness.b < b.shape.mesh().triangles().size();
 }
@@ -179,7 +179,7 @@ PairWitness witness_of(int axis) {
     return {PairWitness::none, static_cast<std::uint32_t>(axis)};
 }
 
-// The relation of two meshes of one triangle each, if that takes no more than a filter; nothing of other meshes.
+// The relation of two meshes of one triangle each if a filter decides it; nullopt otherwise, and for other meshes.
 std::optional<Relation> filter_singles(const MeshAt& a, const MeshAt& b, QueryMemory& memory) {
     if (a.shape.mesh().triangles().size() != 1 || b.shape.mesh().triangles().size() != 1) return std::nullopt;
     const std::optional<Relation> relation = filter_triangles(a.shape.mesh(), 0, a.pose, b.shape.mesh(), 0, b.pose);

@@ -1,4 +1,4 @@
-// The two-body test of meshes, as far as intersections go.
+// Tests two meshes for intersection.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// The bound of walks of two trees that look for common points.
+// Bounds walks of two trees that look for common points.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace ecods {
 
-// The bound of the walk: boxes and triangles that an axis or a plane certainly separates do not matter.
+// Leaves out boxes and triangles that an axis or a plane certainly separates.
 class OverlapBound {
   public:
     OverlapBound(const std::array<AxisSet, 2>& sets, QueryCounts& counts) : sets_(sets), counts_(counts) {}
@@ -29,8 +29,8 @@ class OverlapBound {
         return ecods::triangle_pairs(sets_, x, y);
     }
 
-    // A heuristic for deep penetration: when many pairs of children overlap, the pair with the nearest centers is
-    // visited first, since it nearly always intersects. Only the order of the walk depends on it.
+    // Orders children for deep penetration: if many pairs of children overlap, the pair with the nearest centers is
+    // visited first, since it nearly always intersects. It affects only the order of the walk.
     void order(const BvhNode& x, const BvhNode& y, LanePairs pairs, std::span<NodePair> children) const {
         constexpr std::size_t crowd_min = 4;
         if (children.size() < crowd_min) return;

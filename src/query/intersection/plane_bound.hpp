@@ -1,4 +1,4 @@
-// The bound of walks of two trees that look for common points, where coplanar triangles are known.
+// Bounds walks of two trees that look for common points, using groups of coplanar triangles.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace ecods {
 
-// OverlapBound, and once the relations use groups, nodes whose triangles are in one plane each are skipped where these
-// planes are parallel with a gap, however small.
+// Bounds a walk like OverlapBound. Once groups are used, it also skips two nodes whose triangles lie in one plane each,
+// if these planes are parallel with a gap, however small.
 class PlaneBound {
   public:
-    // The arguments must outlive the bound; the relations need not be bound.
+    // The arguments must outlive the bound. The relations need not be bound yet.
     PlaneBound(const OverlapBound& boxes, const MeshBvh& a, const MeshBvh& b, TriangleRelations& relations)
         : boxes_(boxes), a_(a), b_(b), relations_(relations) {}
 
@@ -30,7 +30,7 @@ class PlaneBound {
     }
 
   private:
-    // Whether all triangles of two nodes are in parallel planes with a gap, as far as that is known.
+    // True if all triangles of two nodes are known to be in parallel planes with a gap.
     template <class X, class Y>
     bool are_apart(const X& x, const Y& y) {
         if (!relations_.uses_groups()) return false;

@@ -1,10 +1,9 @@
-// On which sides of the planes of one body's triangles the other body's vertices lie: each sign is computed in integers
-// once for a query, and then remembered.
+// Finds on which sides of the planes of one body's triangles the other body's vertices lie. Integers compute each sign
+// once for a query; then it is cached.
 //
-// Bodies that lie face on face have many pairs of triangles that the filter leaves open, of few planes. Where a body's
-// triangles of one plane are known (query/shape/coplanar_groups.hpp) a plane is one for all of them; and where two such
-// planes are parallel, which they are in parts modelled face on face under one rotation, all points of one are on the
-// same side of the other.
+// Bodies that lie face on face have many pairs of triangles that the filter leaves open, but few planes. If a body's
+// coplanar triangles are known (query/shape/coplanar_groups.hpp), they share one plane. If two such planes are
+// parallel, as in parts modelled face on face under one rotation, all points of one are on the same side of the other.
 #pragma once
 
 #include <array>
@@ -18,11 +17,12 @@
 
 namespace ecods {
 
-// Small numbers by a key of 64 bits. Direct-mapped: of all keys of one place, the one that was asked for last is known.
+// A direct-mapped cache of small numbers by 64-bit keys: of all keys with one slot, it holds the last one that was
+// used.
 class NumberMemo {
   public:
     void clear() noexcept {
-        if (++epoch_ == 0) {  // after 2^32 times epochs would repeat
+        if (++epoch_ == 0) {  // after 2^32 calls epochs would repeat
             entries_.clear();
             epoch_ = 1;
         }
@@ -46,13 +46,13 @@ class NumberMemo {
         std::uint32_t epoch = 0;
         std::int32_t number = 0;
     };
-    std::vector<Entry> entries_;  // empty until the first one
+    std::vector<Entry> entries_;  // empty until first use
     std::uint32_t epoch_ = 1;
 };
 
 class PlaneSigns {
   public:
-    static constexpr std::size_t triangle_count_max = std::size_t{1} << 31;  // of both bodies, for the keys
+    static constexpr std::size_t triangle_count_max = std::size_t{1} << 31;  // of both bodies; limited by keys
 
     // Forgets groups and signs. Cost: constant.
     void clear() noexcept {
@@ -62,26 +62,26 @@ class PlaneSigns {
         sides_.clear();
     }
 
-    // From then on signs may be asked for. The frame's arithmetic must be one of integers; the groups must be those of
-    // its two bodies, either may be empty, and they must outlive the questions.
+    // Enables signs. The frame's arithmetic must be one of integers. The groups must be those of its two bodies; either
+    // may be empty; they must outlive this.
     void use(exact::Frame& frame, const CoplanarGroups& a, const CoplanarGroups& b) noexcept;
     bool are_used() const noexcept { return groups_[0] != nullptr; }
     const CoplanarGroups& groups(std::size_t body) const noexcept { return *groups_[body]; }
 
-    // How many signs were computed in integers.
+    // The number of signs that were computed in integers.
     std::uint64_t computed_count() const noexcept { return computed_count_; }
 
-    // Replaces those signs that are 0 by the exact ones: of the corners of triangle `other` of the other body and the
-    // plane of triangle `own` of `body`.
+    // Replaces zero signs by the exact ones. `sides` are the signs of the corners of triangle `other` of the other body
+    // about the plane of triangle `own` of `body`.
     exact::Sides complete(exact::Sides sides, std::size_t body, std::uint32_t own, std::uint32_t other);
 
-    // Whether two parallel planes are known that have the bodies on both sides of the gap between them.
+    // True if two parallel planes are known that have one body on each side of the gap between them.
     bool are_parted() const noexcept { return is_parted_; }
 
-    // Whether two triangles of the bodies are in parallel planes with a gap, if both are in groups.
+    // True if two triangles of the bodies are in groups, and these are in parallel planes with a gap.
     bool are_triangles_apart(std::uint32_t a, std::uint32_t b);
 
-    // Whether all triangles of a group of the first body and of one of the second are in parallel planes with a gap.
+    // True if a group of the first body and one of the second are in parallel planes with a gap.
     bool are_apart(std::uint32_t group_a, std::uint32_t group_b) {
         const int side = side_of_parallel(0, group_a, group_b);
         return side == 1 || side == -1;
@@ -95,7 +95,7 @@ class PlaneSigns {
     int compute_side_of_parallel(std::size_t body, std::uint32_t group, std::uint32_t other_group);
     bool part_bodies(std::size_t body, std::uint32_t group, std::uint32_t other_group, int side);
 
-    // -1 if the pose of a body mirrors it, otherwise 1.
+    // The sign of a pose's orientation: -1 if it mirrors the body, otherwise 1.
     int turn(std::size_t body);
 
     // The side of the plane of triangle `own` on which a vertex of the other body lies.
@@ -107,7 +107,7 @@ class PlaneSigns {
 
     exact::Frame* frame_ = nullptr;
     std::array<const CoplanarGroups*, 2> groups_{};
-    std::array<int, 2> turn_{};  // by body; 0: not known yet
+    std::array<int, 2> turn_{};  // by body; 0 until known
     bool is_parted_ = false;
     NumberMemo parallel_, sides_;
     std::uint64_t computed_count_ = 0;

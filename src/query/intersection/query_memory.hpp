@@ -1,4 +1,4 @@
-// What a QueryMemory holds: the memory of each question.
+// Defines the memory that a QueryMemory holds for each kind of query.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace ecods {
 
-// The memory of a question of another folder, made when that is asked first.
+// The memory of queries of another folder, created on first use.
 struct QueryMemoryPart {
     virtual ~QueryMemoryPart() = default;
 };
@@ -28,7 +28,7 @@ struct QueryMemoryAccess {
     using State = QueryMemory::State;
     static State& state(QueryMemory& memory) noexcept { return *memory.state_; }
 
-    // What a question keeps, which is at `place`; made when it is asked first.
+    // The memory of one kind of query, which `place` points to; created on first use.
     template <class Part>
     static Part& part(QueryMemory& memory, std::unique_ptr<QueryMemoryPart> State::*place) {
         auto& part = state(memory).*place;
@@ -37,7 +37,7 @@ struct QueryMemoryAccess {
     }
 };
 
-// Asks a question that is a part of another one: what it does is counted, and the question is not.
+// Makes a query within another one: its work is counted, but not as another query.
 template <class Ask>
 auto as_part(QueryMemory& memory, Ask&& ask) {
     struct NotCounted {

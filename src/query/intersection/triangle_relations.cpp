@@ -17,7 +17,7 @@ using namespace exact;
 
 void TriangleRelations::bind(const BodyRef& a, const BodyRef& b) {
     std::array<BodyRef, 2> bodies{a, b};
-    // Bodies with one pose are compared where they were modelled.
+    // If both bodies have one pose, the models' own coordinates are compared.
     cancel_common_pose(bodies);
     frame_.bind(bodies);
     triangles_ = {a.mesh->triangles().data(), b.mesh->triangles().data()};
@@ -40,7 +40,7 @@ ECODS_ALWAYS_INLINE Points<6> TriangleRelations::rounded(const Triangle& a, cons
 Relation TriangleRelations::relation(std::uint32_t a, std::uint32_t b) {
     ECODS_ASSERT(a < frame_.body(0).mesh->triangles().size() && b < frame_.body(1).mesh->triangles().size());
     ++counts_.triangle_tests;
-    // First: where planes are used, they decide most of what is left, and cost less than points do.
+    // Planes come first: once in use they decide most open pairs, and they cost less than posing points.
     if (planes_.are_used() && planes_.are_triangles_apart(a, b)) [[unlikely]] {
         ++counts_.plane_passes;
         return Relation::disjoint;
@@ -70,14 +70,14 @@ Relation TriangleRelations::decide_in_doubles(const Points<6>& points) {
     return relation;
 }
 
-// Decides triangles that the filter left open with the bound of the bodies.
+// Decides triangles that the filter left open with the bound for the two bodies.
 [[gnu::noinline]] Relation TriangleRelations::decide_open(std::uint32_t a, std::uint32_t b, const Points<6>& points,
                                                           const FilterTrace& trace) {
     const Triangle &ta = triangles_[0][a], &tb = triangles_[1][b];
     const bool is_first = frame_.arithmetic() == Arithmetic::unknown;
     frame_.find_arithmetic();
     doubles_are_exact_ = frame_.arithmetic() >= Arithmetic::differences;
-    // `points` may be in other units than the frame's points are now.
+    // Rounds the points again: find_arithmetic may have changed the frame's units.
     if (doubles_are_exact_) return decide_in_doubles(rounded(ta, tb));
     if (is_first) {
         find_flat_axis();
@@ -106,15 +106,15 @@ Relation TriangleRelations::decide_in_doubles(const Points<6>& points) {
 
 namespace {
 
-// Whether all points of the mesh have the same coordinate. Half of it is the rounded half of a difference of doubles,
-// which loses nothing where one of them is not near the least ones. Zeros are known by their bits: a processor may take
-// other numbers for them.
+// True if all vertices of the mesh have one coordinate on the axis. extent.half is the rounded half of a difference of
+// doubles, which is zero for different ones only if both are near the least doubles: hence 2^-900. Zeros are recognized
+// by their bits, because a processor may treat other numbers as zero.
 bool is_constant(const MeshExtent& extent, int axis) noexcept {
     if (extent.digits[static_cast<std::size_t>(axis)].empty()) return true;
     return extent.half[axis] == 0 && extent.magnitude[axis] > 0x1p-900;
 }
 
-// Whether all points of the body have the same coordinate on this axis of the world.
+// True if all points of the body have the same coordinate on this axis of the world.
 bool is_flat(const BodyRef& body, int row) noexcept {
     for (int column = 0; column < 3; ++column) {
         if (decode(body.pose->R(row, column)).m != 0 && !is_constant(*body.extent, column)) return false;
@@ -158,9 +158,9 @@ Relation TriangleRelations::decide_flat(std::uint32_t a, std::uint32_t b, const 
     return decide_by_integers(corners, points, bounds, trace);
 }
 
-// Groups are found when integers have decided so many pairs of the query that finding them, which costs about as much
-// as a pair for each triangle and is done once for a mesh, is not much beside it. That depends on the query alone, and
-// so do its counts.
+// True if groups decide pairs from now on. They are found, once for a mesh, after integers have decided at least one
+// pair of the query for each 512 triangles, so that queries with few such pairs do not pay for the search. The rule
+// depends on the query alone, and so do its counts.
 bool TriangleRelations::may_use_groups() {
     if (planes_.are_used()) return true;
     if (shapes_[0] == nullptr) return false;
@@ -179,7 +179,7 @@ bool TriangleRelations::may_use_groups() {
 
 namespace {
 
-// The signs that triangle_pair needs of triangles in different planes: the filter's, then those known of planes, then
+// Gives triangle_pair the signs of triangles in different planes: from the filter, then from known planes, then from
 // integers.
 class SignsOfPlanes {
   public:
@@ -221,7 +221,8 @@ class SignsOfPlanes {
 
 }  // namespace
 
-// Triangles of one plane need many more signs than those of planes: they are left to integers.
+// Decides a pair by planes. Coplanar triangles are left to integers, because they need many more signs than those of
+// planes.
 Relation TriangleRelations::decide_by_planes(std::uint32_t a, std::uint32_t b, const Corners& corners,
                                              const Points<6>& points, const DeterminantBounds& bounds,
                                              const FilterTrace& trace) {

@@ -1,4 +1,4 @@
-// Two posed meshes, ready for exact questions about pairs of their triangles.
+// Decides the relations of pairs of triangles of two posed meshes exactly.
 #pragma once
 
 #include <array>
@@ -16,25 +16,25 @@ namespace ecods {
 
 class TriangleRelations {
   public:
-    // Cost: constant. Everything that the arguments refer to must outlive the questions.
+    // Cost: constant. Everything that the arguments refer to must outlive this.
     void bind(const exact::BodyRef& a, const exact::BodyRef& b);
 
-    // The shapes of the meshes, after bind(): once integers have decided some pairs, their coplanar triangles are found
-    // and decided together. Without them every pair is decided on its own.
+    // Offers the shapes of the meshes, after bind(). Once integers have decided some pairs, coplanar triangles are
+    // found in the shapes and decided together. Without shapes every pair is decided on its own.
     void offer_groups(const MeshShape& a, const MeshShape& b) noexcept {
         shapes_ = {&a, &b};
         groups_of_ = &MeshShapeAccess::groups;
     }
 
-    // Those of the bodies that were bound last are used no more.
+    // Stops using the groups of the bodies that were bound last.
     void forget_groups() noexcept {
         shapes_ = {};
         planes_.clear();
     }
 
-    // The shapes' groups are used, and all triangles of these two are known to be apart: they may be skipped.
+    // True if the shapes' groups are used; two groups that are apart may then be skipped.
     bool uses_groups() const noexcept { return planes_.are_used(); }
-    bool are_parted() const noexcept { return planes_.are_parted(); }  // the bodies share no point
+    bool are_parted() const noexcept { return planes_.are_parted(); }  // true if the bodies are known to share no point
     bool are_apart(std::uint32_t group_a, std::uint32_t group_b) { return planes_.are_apart(group_a, group_b); }
     const CoplanarGroups& groups(std::size_t body) const noexcept { return planes_.groups(body); }
 
@@ -45,7 +45,7 @@ class TriangleRelations {
     void reset_counts() noexcept { counts_ = {}; }
 
   private:
-    // The corners of a triangle of each body, those of the first body first.
+    // The corners of a triangle of each body, the first body's first.
     using Corners = std::array<exact::VertexRef, 6>;
 
     exact::Points<6> rounded(const Triangle& a, const Triangle& b);
@@ -63,15 +63,15 @@ class TriangleRelations {
 
     exact::Frame frame_;
     std::array<const Triangle*, 2> triangles_{};
-    double static_bound_ = 0;         // for every orient3d of points of the two bodies
-    bool doubles_are_exact_ = false;  // whether decide_in_doubles answers everything
-    // The axis along which both bodies have one coordinate, the same in all their points; -1: none, or not known yet.
+    double static_bound_ = 0;         // bounds the error of every orient3d of points of both bodies
+    bool doubles_are_exact_ = false;  // if true, decide_in_doubles decides all pairs
+    // The axis on which all points of both bodies have one coordinate; -1 if there is none or it is not known yet.
     int flat_axis_ = -1;
-    double flat_bound_ = 0;  // for every orient2d along it
-    // What finds groups, so that without shapes triangles are decided without trees.
+    double flat_bound_ = 0;  // bounds the error of every orient2d along flat_axis_
+    // The function that finds groups. As a pointer it keeps trees out of programs that decide triangles without shapes.
     const CoplanarGroups& (*groups_of_)(const MeshShape&) = nullptr;
-    std::array<const MeshShape*, 2> shapes_{};  // null: none, or their groups are used, or there are none
-    std::size_t open_count_ = 0;                // pairs that were left to integers while there were shapes
+    std::array<const MeshShape*, 2> shapes_{};  // null if none, or once their groups are used or found empty
+    std::size_t open_count_ = 0;                // number of pairs left to integers while there were shapes
     PlaneSigns planes_;
     StageCounts counts_;
 };

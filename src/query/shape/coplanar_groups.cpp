@@ -14,8 +14,9 @@ namespace {
 
 using namespace exact;
 
-// What triangles of one plane have in common but for rounding, which is judged exactly afterwards: the direction of the
-// normal in steps of 2^-10, and the distance from the middle of the mesh in steps of 2^-20 of its size.
+// Coarse coordinates of a triangle's plane, which triangles of one plane share but for rounding: the direction of the
+// normal in steps of 2^-10, and the distance from the mesh's center in steps of 2^-20 of the mesh's size. An exact test
+// follows.
 struct PlaneKey {
     std::array<std::int32_t, 4> step;
     std::uint32_t triangle;
@@ -24,7 +25,7 @@ struct PlaneKey {
     friend auto operator<=>(const PlaneKey&, const PlaneKey&) = default;
 };
 
-// Nothing for triangles whose normal is zero or beyond doubles: these are in no group.
+// The key of a triangle; nullopt if its normal is zero or overflows, and the triangle then is in no group.
 std::optional<PlaneKey> key_of(const Mesh& mesh, const MeshExtent& extent, std::uint32_t triangle) {
     const Triangle& t = mesh.triangles()[triangle];
     const Vec3& a = mesh.vertices()[t[0]];
@@ -38,7 +39,7 @@ std::optional<PlaneKey> key_of(const Mesh& mesh, const MeshExtent& extent, std::
     return PlaneKey{{steps(n[0], 0x1p10), steps(n[1], 0x1p10), steps(n[2], 0x1p10), steps(distance, 0x1p20)}, triangle};
 }
 
-// Whether two triangles are in one plane and turned the same way: exact.
+// True if two triangles are in one plane and face the same side. Exact.
 bool is_coplanar(const VertexSigns& signs, const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
     const Triangle &s = mesh.triangles()[a], &t = mesh.triangles()[b];
     for (const std::uint32_t vertex : t) {
@@ -51,8 +52,8 @@ bool is_coplanar(const VertexSigns& signs, const Mesh& mesh, std::uint32_t a, st
     return false;
 }
 
-// Gives triangles of one key their groups. Of the planes of a key only some are remembered: so many different planes
-// that are so near are those of a surface with hardly a group.
+// Groups the triangles of one key. Only the first few planes of a key are remembered: a surface with so many
+// different planes so near each other has hardly a group.
 class Grouper {
   public:
     explicit Grouper(const Mesh& mesh)
@@ -63,8 +64,9 @@ class Grouper {
         for (const PlaneKey& key : keys) add(key.triangle);
     }
 
-    // On which side of the group's plane all vertices are, in the closed sense, and so all triangles; or 0 if there are
-    // some on both. Vertices are a third to a sixth of the corners; those of no triangle can only hide a side.
+    // The closed side of the group's plane that contains all vertices, and so all triangles; 0 if there are vertices on
+    // both sides. It visits vertices, because corners are three to six times as many; a vertex of no triangle can only
+    // hide a side.
     std::int8_t side_of_mesh(std::uint32_t group) {
         const Triangle& t = mesh_.triangles()[first_[group]];
         const auto count = static_cast<std::uint32_t>(mesh_.vertices().size());
@@ -102,7 +104,7 @@ class Grouper {
     std::size_t plane_count_ = 0;
 };
 
-// The group that all have, or none.
+// The group that all items have, or none.
 template <class Items, class GroupOf>
 std::uint32_t common_group(const Items& items, std::size_t count, const GroupOf& group_of) {
     const std::uint32_t group = group_of(items[0]);
@@ -120,7 +122,7 @@ void find_groups_of_nodes(CoplanarGroups& groups, const MeshBvh& tree) {
         groups.of_leaf[i] =
             common_group(leaf.triangle, leaf.count, [&](std::uint32_t t) { return groups.of_triangle[t]; });
     }
-    // Parents are before children.
+    // Goes backwards, because parents precede children.
     for (std::size_t i = tree.nodes.size(); i-- > 0;) {
         const BvhNode& node = tree.nodes[i];
         groups.of_node[i] = common_group(node.child, node.count, [&](TreeRef child) {

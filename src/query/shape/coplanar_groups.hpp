@@ -1,4 +1,4 @@
-// Which triangles of a mesh lie in one plane, exactly.
+// Groups the triangles of a mesh that lie exactly in one plane.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +9,23 @@
 
 namespace ecods {
 
-// Groups of two or more triangles of one plane that are turned the same way. An affine map keeps them in one plane, so
-// the side of that plane on which a point lies needs to be decided once for all of them, under any pose.
+// Groups of two or more triangles that lie in one plane and face the same side. An affine map keeps them in one plane,
+// so under any pose the side of that plane on which a point lies is decided once for all of them.
 //
-// A group need not be all triangles of its plane. Triangles of no area are in none.
+// A group need not contain all triangles of its plane. Triangles without area are in no group.
 struct CoplanarGroups {
     static constexpr std::uint32_t none = 0xffffffff;
 
-    std::vector<std::uint32_t> of_triangle;  // the group, or none
+    std::vector<std::uint32_t> of_triangle;  // by triangle: its group, or none
     std::vector<std::uint32_t> first;        // by group: its least triangle
-    std::vector<std::int8_t> side;           // by group: 1 or -1 if the mesh is nowhere on the other side; 0: not known
-    std::vector<std::uint32_t> of_node;      // the group of all triangles below a node, or none
-    std::vector<std::uint32_t> of_leaf;      // ... of a leaf
+    std::vector<std::int8_t> side;  // by group: 1 or -1 if the mesh is on that closed side of its plane; 0 if unknown
+    std::vector<std::uint32_t> of_node;  // by node: the group of all triangles below it, or none
+    std::vector<std::uint32_t> of_leaf;  // by leaf: the group of all its triangles, or none
 
     bool empty() const noexcept { return first.empty(); }
 };
 
-// Cost: n log n. Sides are known of few groups where the mesh has many, so that finding them costs some passes.
+// Cost: n log n. If the mesh has many groups, sides are found only for the first few of them, in some passes.
 CoplanarGroups find_coplanar_groups(const Mesh& mesh, const exact::MeshExtent& extent, const MeshBvh& tree);
 
 }  // namespace ecods

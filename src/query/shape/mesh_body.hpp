@@ -1,4 +1,4 @@
-// A posed mesh as the questions about it see it.
+// References a posed mesh for a query.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace ecods {
 
-// A mesh, its pose and its tree, by reference: for the length of a query nothing is copied.
+// References a mesh, its pose and its tree, so that a query copies nothing.
 struct MeshBody {
     MeshBody(const MeshShape& of, const Pose& at) : shape(of), pose(at), tree(MeshShapeAccess::tree(of)) {}
     explicit MeshBody(const Posed<MeshShape>& posed) : MeshBody(*posed.what, posed.pose) {}
@@ -24,9 +24,9 @@ struct MeshBody {
     const MeshTree& tree;
 };
 
-// The two bodies of a question.
+// The two bodies of a query.
 struct MeshPair {
-    // The pair of triangles that a witness has, if both bodies have these.
+    // The pair of triangles that a witness names, if both bodies have these triangles.
     std::optional<TrianglePair> named_by(const PairWitness& w) const noexcept {
         if (w.a >= a.mesh().triangles().size() || w.b >= b.mesh().triangles().size()) return std::nullopt;
         return TrianglePair{w.a, w.b};

@@ -11,7 +11,8 @@
 namespace ecods {
 namespace {
 
-// Up to here posing every vertex is as quick as asking the support_table, and tighter.
+// The greatest number of vertices that box() poses one by one: up to here that is as fast as a support table, and
+// tighter.
 constexpr std::size_t vertices_posed_max = 32;
 
 std::uint64_t next_tree_id() noexcept {
@@ -21,7 +22,8 @@ std::uint64_t next_tree_id() noexcept {
 
 }  // namespace
 
-// All that a mesh's shape has beside the mesh, each part the same whoever asks for it first.
+// Holds everything that a MeshShape derives from its mesh. Each part is made on first use, and is the same whoever uses
+// it first.
 struct MeshShape::Parts {
     Lazy<LocalFrame> frame;
     Lazy<SupportTable> support_table;
@@ -30,7 +32,7 @@ struct MeshShape::Parts {
     Lazy<Sha256::Digest> digest;
     Lazy<std::unique_ptr<const MeshShape>> in_other_units;
 
-    // What boxes are looked up in; null where vertices are posed for them.
+    // The table from which boxes are computed; null if all vertices are posed instead.
     const SupportTable* table_for(const MeshShape& shape);
 };
 
@@ -77,7 +79,7 @@ void MeshShapeAccess::refit_tree(const MeshShape& shape, const MeshShape& model)
 const SupportTable* MeshShape::Parts::table_for(const MeshShape& shape) {
     if (shape.mesh().vertices().size() <= vertices_posed_max) return nullptr;
     const LocalFrame& own = MeshShapeAccess::frame(shape);
-    // A table would know little of a mesh that is larger or smaller than a frame can be.
+    // A table bounds poorly a mesh that is larger or smaller than a frame can be.
     if (!own.is_bounded || own.half.maxCoeff() < 0.25) return nullptr;
     return &support_table.get([&] { return SupportTable(shape.mesh(), own); });
 }

@@ -1,4 +1,4 @@
-// What shapes and tests of two bodies need not answer.
+// Defines the default answers of shapes and of tests of two bodies.
 #include <optional>
 #include <vector>
 

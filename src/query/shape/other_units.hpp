@@ -1,11 +1,11 @@
-// Bodies near the ends of the range of doubles, in other units.
+// Scales bodies near the ends of the range of doubles to other units.
 //
-// An answer that has no unit (a time, a name, whether two bodies meet) is that of bodies which are 2^e times as large.
-// Bounds of rounding errors have terms for underflow, below which nothing is decided without integers, and limits,
-// above which nothing is: so bodies below 2^-200 or above 2^200 are asked for as large as 1.
+// An answer without a unit (a time, a name, an intersection) is the same for bodies that are 2^e times as large. Bounds
+// of rounding errors have terms for underflow, which leave very small bodies to integers, and limits above which they
+// decide nothing. So queries about bodies below 2^-200 or above 2^200 are answered for bodies scaled to about 1.
 //
-// A body is made larger by its pose, and where its vertices are small or large themselves by a mesh of its own, which
-// its shape keeps. Translations are made larger either way. Everything is exact, or the bodies stay as they are.
+// The pose scales a body. If the vertices themselves are very small or large, a scaled mesh does so, which the shape
+// keeps. Translations are scaled either way. All scaling is exact; otherwise the bodies stay as they are.
 #pragma once
 
 #include <array>
@@ -18,14 +18,15 @@ namespace ecods {
 
 class OtherUnits {
   public:
-    // For all poses of two bodies, and a vector by which one of them is moved. Cost: some dozens of nanoseconds.
+    // Chooses units for all poses of two bodies, and for a vector by which one of them is moved. Cost: some dozens of
+    // nanoseconds.
     OtherUnits(const Moving<MeshShape>& a, const Moving<MeshShape>& b);
     OtherUnits(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Vec3& motion = Vec3::Zero());
 
-    // True if bodies should be asked about in these units, which are 2^-e times the usual ones.
+    // True if queries should use these units, which are 2^-e times the usual ones.
     bool are_better() const noexcept { return exponent_ != 0; }
 
-    // Both bodies, or the vector, in these units. The first call for a shape may make another one, with its tree.
+    // The body, or the vector, in these units. The first call for a shape may make another shape, with its tree.
     Posed<MeshShape> of(const Posed<MeshShape>& body) const;
     Moving<MeshShape> of(const Moving<MeshShape>& body) const;
     Vec3 of(const Vec3& motion) const noexcept;

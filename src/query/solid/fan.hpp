@@ -1,4 +1,4 @@
-// The half-planes of triangles around the line of a segment, in the order of their angles.
+// Sorts the half-planes of triangles around the line of a segment by angle.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace ecods {
 
-// Exact signs of single points of a frame's bodies, for questions that are asked seldom.
+// Gives exact signs of points of a frame's bodies. Each call converts its points, so it is for rare use.
 class PointSigns {
   public:
     using Point = exact::VertexRef;
@@ -21,24 +21,25 @@ class PointSigns {
     int compare(Point a, Point b, int axis);
     int normal_axis(Point a, Point b, Point c);
 
-    // Whether b is after a along the direction from p to q, for points of one line, p and q different.
+    // True if b comes after a in the direction from p to q. All four points are on one line, and p differs from q.
     bool are_in_order(Point p, Point q, Point a, Point b);
 
   private:
     exact::Frame& frame_;
 };
 
-// The half-plane that begins at the line and has the apex in it, which is of the triangle's body.
+// A half-plane bounded by the line: the one that contains `apex`, a vertex of the triangle's body.
 struct Wing {
     PointSigns::Point apex;
     std::uint32_t triangle;
-    bool inside_after;  // whether the sector just after it, turning from p to q as a right-handed screw, is inside
-    std::uint32_t group = 0;  // wings of one direction have one number
+    bool inside_after;        // true if the next sector, turning from p to q as a right-handed screw, is inside
+    std::uint32_t group = 0;  // equal for wings of one direction
 };
 
-// Sorts wings around the line from p to q, beginning with the direction of the first one, and sets their groups. The
-// angle to the first apex w0 is in a half by the sign of orient3d(p, q, w0, w); in the plane of w0, apexes on the same
-// side of the line have one sign of orient2d(p, q, w); within a half orient3d(p, q, w, w') orders.
+// Sorts wings by angle around the line from p to q, from the direction of the first wing on, and sets their groups. Let
+// w0 be the first wing's apex. The sign of orient3d(p, q, w0, w) shows which half-turn apex w is in; if it is 0, w is
+// in the plane of w0, on the same side of the line if orient2d(p, q, w) has the sign of orient2d(p, q, w0). Within a
+// half-turn the sign of orient3d(p, q, w, w') orders w and w'.
 void sort_fan(PointSigns& signs, PointSigns::Point p, PointSigns::Point q, std::vector<Wing>& wings);
 
 }  // namespace ecods

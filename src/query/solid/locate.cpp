@@ -15,7 +15,7 @@
 namespace ecods {
 namespace {
 
-// A point as a body: a mesh of one vertex at the origin, under a pose that moves it there.
+// A mesh of one vertex at the origin: under a translation it is a point that stands for a body.
 struct PointMesh {
     std::shared_ptr<const Mesh> mesh = Mesh::create({Vec3(0, 0, 0)}, {Triangle{0, 0, 0}});
     exact::MeshExtent extent = exact::measure(*mesh);
@@ -26,10 +26,11 @@ struct PointMesh {
     }
 };
 
-// Whether a coordinate of the point is certainly none of the body's: further from the translation's than the corner of
-// the mesh's box about its origin can be. u' = 2^-52: the difference is off by u' of it, the three products and sums by
-// 3.01 u' of the sum, and 2^-50 is four of these; where they underflow, they lose 2^-1022 each. What overflows is
-// infinite: a sum then is not less, and a difference is larger than every finite sum.
+// True if on some axis no point of the body can have the point's coordinate: |point - t| exceeds the sum of |R_k| m_k,
+// where m is the greatest magnitude of the mesh's coordinates by axis. Rounding, with u' = 2^-52: the difference is off
+// by u' of itself, the three products and sums by 3.01 u' of the sum, and 2^-50 = 4 u'; each underflow loses at most
+// 2^-1022. Overflow does no harm: an infinite sum is not exceeded, and an infinite difference is larger than every
+// finite sum.
 bool is_far(const Vec3& point, const exact::MeshExtent& extent, const Pose& pose) noexcept {
     for (int axis = 0; axis < 3; ++axis) {
         const double offset = std::abs(point[axis] - pose.t[axis]);

@@ -10,7 +10,7 @@
 namespace ecods {
 namespace {
 
-// A side as the vertex that is not its lesser one sees it, sorted by it below.
+// A side in the list of its lesser vertex; `other` is the greater one, which the list is sorted by.
 struct OpenSide {
     std::uint32_t other;
     SideRef side;
@@ -18,15 +18,15 @@ struct OpenSide {
     friend constexpr auto operator<=>(const OpenSide&, const OpenSide&) = default;
 };
 
-// An end of an edge that does not cancel.
+// An end of an edge with an odd number of sides.
 struct LooseEnd {
     std::uint32_t at;
     std::uint32_t other;
     SideRef side;
 };
 
-// The order of lines through a point by the directions of points on them. Directions are turned such that their first
-// coordinate that is not zero is positive: by its axis, and then by their slopes.
+// Orders the lines through a point `at` by direction. A line's direction is turned so that its first nonzero coordinate
+// is positive; lines are ordered by the axis of that coordinate, then by slope.
 class LineOrder {
   public:
     explicit LineOrder(std::span<const Vec3> vertices) : vertices_(vertices) {}
@@ -69,7 +69,7 @@ MeshEdges::MeshEdges(const ProperMesh& proper) {
             }
         }
     };
-    // Sides by their lesser vertex, then by the other one.
+    // Sorts the sides by their lesser vertex, then by the greater one.
     std::vector<std::uint32_t> begin(vertex_count + 1, 0);
     for_sides([&](std::uint32_t vertex, const OpenSide&) { ++begin[vertex + 1]; });
     for (std::size_t i = 0; i < vertex_count; ++i) begin[i + 1] += begin[i];

@@ -1,4 +1,4 @@
-// How triangles of two posed meshes meet, as much of it as questions about solids need.
+// Finds how triangles of two posed meshes meet, in the detail that questions about solids need.
 #pragma once
 
 #include "ecods/intersection.hpp"
@@ -9,11 +9,11 @@ namespace ecods {
 
 class PairContacts {
   public:
-    // `frame` is bound to two bodies, and outlives the questions.
+    // `frame` must be bound to two bodies and outlive this object.
     PairContacts(exact::Frame& frame, StageCounts& counts);
 
-    // The contact of a triangle of the first body and one of the second; that of the second has an area. By the
-    // cheapest stage that decides, as in query/intersection/triangle_relations.cpp.
+    // The contact of a triangle of the first body with one of the second, found by the cheapest stage that decides it,
+    // as in query/intersection/triangle_relations.cpp. The second triangle must have an area.
     exact::TriangleContact contact(const Triangle& a, const Triangle& b);
 
   private:
@@ -21,10 +21,10 @@ class PairContacts {
 
     exact::Frame& frame_;
     StageCounts& counts_;
-    double bound_;  // for every orient3d of points of the two
+    double bound_;  // bounds the error of every orient3d of points of both bodies
 };
 
-// The corners of both, those of the first body's triangle first.
+// The corners of both triangles, of the first body's triangle first.
 constexpr std::array<exact::VertexRef, 6> corners_of(const Triangle& a, const Triangle& b) noexcept {
     return {exact::VertexRef{0, a[0]}, {0, a[1]}, {0, a[2]}, {1, b[0]}, {1, b[1]}, {1, b[2]}};
 }

@@ -1,4 +1,4 @@
-// The triangles of positive area of a mesh, corners at equal coordinates having one index.
+// Marks the triangles of positive area of a mesh, and gives corners at equal coordinates one index.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,27 @@
 namespace ecods {
 
 struct ProperMesh {
-    // As it was given, or a copy in which corners name the least of the vertices with their coordinates.
+    // The given mesh, or a copy in which each corner is the least vertex at its coordinates.
     std::shared_ptr<const Mesh> mesh;
-    // By triangle: whether its area is positive. Empty if every area is.
+    // By triangle: true if its area is positive. Empty if all areas are.
     std::vector<std::uint8_t> has_area;
 
     bool is_proper(std::size_t triangle) const noexcept { return has_area.empty() || has_area[triangle] != 0; }
 };
 
-// By vertex, the least one at its coordinates; empty if no two are at the same.
+// By vertex: the least vertex at the same coordinates. Empty if no two vertices have the same coordinates.
 std::vector<std::uint32_t> least_equals(std::span<const Vec3> vertices);
 
-// Cost: one pass over the vertices, with a hash table, and one over the triangles.
+// Gives corners at equal coordinates one index, and finds the triangles of positive area. Cost: one pass over the
+// vertices, with a hash table, and one over the triangles.
 ProperMesh find_proper(std::shared_ptr<const Mesh> mesh);
 
-// Whether three points are not on one line: exact.
+// True if three points are not on one line. Exact.
 bool have_area(const Vec3& a, const Vec3& b, const Vec3& c) noexcept;
 
-// The order of points by x, then y, then z: negative, zero or positive. On a line it is the order along the line. Bits
-// are compared, so a mode that takes subnormals for zero does not matter.
+// Compares points by x, then y, then z; the result is negative, zero or positive. On a line it is the order along the
+// line. Coordinates are compared by their bits, so a floating-point mode that treats subnormals as zero changes
+// nothing.
 int compare_points(const Vec3& a, const Vec3& b) noexcept;
 
 }  // namespace ecods

@@ -24,7 +24,7 @@ RayQuery::RayQuery(Frame& frame, std::size_t body, const MeshTree& tree, std::ve
       counts_(counts),
       bounds_(determinant_bounds(frame, frame.delta())) {}
 
-// Where it begins, relative to the body's translation.
+// The point relative to the body's translation, with its error bound.
 RayOrigin RayQuery::origin_of(VertexRef point) const {
     const BodyRef& of = frame_.body(point.body);
     const Vec3 d = of.pose->t - frame_.body(body_).pose->t;
@@ -33,7 +33,7 @@ RayOrigin RayQuery::origin_of(VertexRef point) const {
     return {Vec3(p[0], p[1], p[2]), point_error_bound(of.pose->R, v.cwiseAbs(), d)};
 }
 
-// The axes on which the normal of a triangle is not zero, as bits: one at least.
+// The axes, as bits, on which the normal of a triangle is not zero. The triangle has an area, so there is one at least.
 std::uint32_t RayQuery::axes_across(std::size_t of, const Triangle& triangle) {
     const std::array<VertexRef, 3> corners = corners_and(of, triangle);
     std::uint32_t axes = 0;
@@ -54,12 +54,12 @@ std::uint32_t RayQuery::axes_across(std::size_t of, const Triangle& triangle) {
     });
 }
 
-// Sure only where no sign is zero: then a point infinitely near has the same.
+// Decides only if no sign is zero: all points infinitely near to `from` then have the same signs.
 RayQuery::Answer RayQuery::filter(std::uint32_t triangle, VertexRef from, RayDirection ray) {
     if (doubles_are_exact()) return Answer::open;
     const Triangle& corners = triangle_at(body_, triangle);
     const Point& m = frame_.rounded(from.body, from.vertex);
-    const Point p = m;  // the next call for its body may replace it
+    const Point p = m;  // a copy: the next call for its body may replace m
     const Points<3> x{frame_.rounded(body_, corners[0]), frame_.rounded(body_, corners[1]),
                       frame_.rounded(body_, corners[2])};
     const double bound = bounds_.orient2d[static_cast<std::size_t>(ray.axis)];
@@ -120,7 +120,7 @@ bool RayQuery::is_inside_above(std::uint32_t index) {
     if (!may_meet) return false;
     const int turn = with_signs(frame_, corners_and(body_, triangle),
                                 [&](auto& signs) { return signs.orient2d(0, 1, 2, ray.axis); });
-    // The ray is on the side that the corners turn left to if their normal has its direction.
+    // The ray is on the side from which the corners turn left if the normal has the ray's direction.
     const bool is_odd = crosses_odd(ray, body_, triangle, index);
     return turn == ray.sign ? is_odd : !is_odd;
 }
@@ -146,7 +146,7 @@ Side RayQuery::side_beside(VertexRef p, VertexRef q, VertexRef r) {
 
 namespace {
 
-// Takes the feature that holds the point, if it is the first so far.
+// Keeps the feature that holds the point if it is the first so far.
 void note(const PointFeature& feature, std::uint32_t triangle, RayQuery::Place& place) {
     using Kind = PointFeature::Kind;
     if (feature.kind == Kind::none) return;
@@ -189,7 +189,7 @@ RayQuery::Place RayQuery::place_of(VertexRef point) {
                     place.is_inside ^= ray_crosses(signs, direction);
                     return;
                 }
-                if (signs.normal_axis(0) < 0) return;  // it bounds nothing
+                if (signs.normal_axis(0) < 0) return;  // a triangle without area bounds nothing
                 note(feature_at(signs), index, place);
             });
         }

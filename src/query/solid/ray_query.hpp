@@ -1,4 +1,4 @@
-// Where a point is with respect to a posed solid, by a ray from it.
+// Finds on which side of a posed solid's surface a point is, by a ray from the point.
 #pragma once
 
 #include <array>
@@ -19,52 +19,52 @@ namespace ecods {
 
 inline constexpr std::uint32_t no_triangle = ~std::uint32_t{0};
 
-// The corners of a triangle of a body, and then other vertices.
+// The corners of a triangle of a body, followed by other vertices.
 template <class... Others>
 constexpr std::array<exact::VertexRef, 3 + sizeof...(Others)> corners_and(std::size_t body, const Triangle& triangle,
                                                                           const Others&... others) noexcept {
     return {exact::VertexRef{body, triangle[0]}, {body, triangle[1]}, {body, triangle[2]}, others...};
 }
 
-// Whether a feature comes before another: by kind, then by triangle and corner.
+// True if feature a comes before b: by kind, then by triangle, then by corner.
 bool is_before(const Feature& a, const Feature& b) noexcept;
 
-// Rays against one body of a frame, at a regular pose.
+// Casts rays against one body of a frame. The body's pose is regular, except for flat_place_of.
 class RayQuery {
   public:
-    // `frame` is bound, and `tree` is that of the body's mesh. All arguments must outlive the questions.
+    // `frame` must be bound, and `tree` be that of the body's mesh. All arguments must outlive this object.
     RayQuery(exact::Frame& frame, std::size_t body, const MeshTree& tree, std::vector<TreeRef>& stack,
              QueryCounts& counts);
 
-    // The side of the surface that a point infinitely near to corner 0 of a triangle of body `of`, and inside that
-    // triangle, is on. The triangle has an area, and shares no segment with a triangle of the body at the point.
+    // True if the points inside `triangle`, of body `of`, that are infinitely near to its corner 0 are inside the
+    // solid. The triangle must have an area, and share no segment with a triangle of the solid at that corner.
     bool is_inside(std::size_t of, const Triangle& triangle);
 
-    // The same for triangle `index` of the body itself, which does not count: whether the region beside it, to where
-    // its corners turn left, is inside.
+    // True if the region beside triangle `index` of this body, on the side from which its corners turn left, is inside.
+    // The ray ignores the triangle itself.
     bool is_inside_above(std::uint32_t index);
 
     struct Place {
-        bool is_inside;             // if it is not on the surface
-        std::optional<Feature> on;  // the first feature that holds it
+        bool is_inside;             // valid if the point is not on the surface
+        std::optional<Feature> on;  // the first feature that holds the point
     };
     Place place_of(exact::VertexRef point);
 
-    // Where a point is that is infinitely near to p: p + d (q - p) + d^2 (r - p) for an infinitesimal d > 0. The points
-    // may be equal. If the answer is that it is on the surface, no feature is named.
+    // The side of the surface of the point p + d (q - p) + d^2 (r - p), for an infinitesimal d > 0. The points may be
+    // equal. Side::on comes without a feature.
     Side side_beside(exact::VertexRef p, exact::VertexRef q, exact::VertexRef r);
 
-    // As place_of, under any pose, where nothing is inside: zero-area triangles of the mesh are left out, but not those
-    // that the pose makes flat.
+    // Answers place_of under any pose, for a body without inner points. Triangles that have zero area in the mesh are
+    // left out; triangles that only the pose makes flat are not.
     Place flat_place_of(exact::VertexRef point);
 
   private:
-    // Whether the filter is sure that a ray crosses a triangle.
+    // The filter's answer about a ray and a triangle; open if the filter is not certain.
     enum class Answer : std::uint8_t { misses, crosses, open };
 
     RayOrigin origin_of(exact::VertexRef point) const;
     std::uint32_t axes_across(std::size_t of, const Triangle& triangle);
-    // Calls take(triangle) for each triangle of the body that the ray may meet, until it returns false.
+    // Calls take(triangle) for each triangle of the body that the ray may meet, until take returns false.
     template <class Take>
     void walk(const TreeRay& ray, Take&& take);
     bool crosses_odd(const TreeRay& ray, std::size_t of, const Triangle& triangle, std::uint32_t left_out);

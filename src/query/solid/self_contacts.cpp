@@ -21,7 +21,7 @@ using namespace exact;
 
 const Pose identity;
 
-// The axis of the largest component of a normal, which it sets.
+// The axis of the normal's largest component; sets `component` to that component.
 int largest_axis(const PlainNormal& normal, double& component) noexcept {
     int axis = 0;
     for (int k = 1; k < 3; ++k) {
@@ -31,10 +31,9 @@ int largest_axis(const PlainNormal& normal, double& component) noexcept {
     return axis;
 }
 
-// Whether the shadow of triangle v, a, b along an axis is on one side of its
-// side va, and `others`, the corners of another triangle but for v if it has
-// that, are strictly on the other: then the triangles share v at most. `turn`
-// is the sign of orient2d(v, a, b).
+// True if, projected along an axis, the line of va certainly separates triangle v, a, b from the vertices `others`.
+// `others` are the corners of another triangle without v, if v is one of them; the two triangles then share at most v.
+// `turn` is the sign of orient2d(v, a, b).
 bool is_separated(const Points<6>& w, std::size_t v, std::size_t a, int turn, std::span<const std::size_t> others,
                   int axis, double bound) noexcept {
     return std::ranges::all_of(
@@ -77,27 +76,27 @@ class SelfContacts {
     }
 
   private:
-    // The corners of two triangles, those of the first triangle first.
+    // Two triangles and their corners, the first triangle's corners first.
     struct Pair {
         Triangle a, b;
         Points<6> points;
         std::array<int, 3> shared{-1, -1, -1};  // by corner of a: its position in b, or -1
         int shared_count = 0;
 
-        // The corner of each that is the one corner in common.
+        // The position in a, and in b, of the only common corner.
         std::array<std::size_t, 2> common_corner() const noexcept {
             const std::size_t i = shared[0] >= 0 ? 0 : shared[1] >= 0 ? 1 : 2;
             return {i, static_cast<std::size_t>(shared[i])};
         }
-        // The first corner of b that a does not have.
+        // The first corner of b that is not a corner of a.
         std::size_t own_corner_of_b() const noexcept {
             std::size_t j = 0;
             while (std::ranges::find(a, b[j]) != a.end()) ++j;
             return j;
         }
     };
-    // By the bits 3 i + j: side i of the first triangle lies along side j of the
-    // second, and they are different edges.
+    // Bit 3 i + j of `overlaps`: side i of the first triangle and side j of the second share a segment but are
+    // different edges.
     struct Contact {
         bool is_crossing = false;
         std::uint32_t overlaps = 0;
@@ -122,9 +121,9 @@ class SelfContacts {
         return pair;
     }
 
-    // Seen along an axis, two triangles on one edge are on different sides of it:
-    // they share it alone. Most are so along the axis on which the normal of the
-    // first is largest, in one plane or not.
+    // True if two triangles with a common edge are certainly on different sides of it, projected along an axis: then
+    // they share only the edge. The axis is that of the largest component of the first normal, along which most pairs
+    // are separated, coplanar or not.
     bool is_flat_across_edge(const Pair& pair) const {
         const std::size_t i = pair.shared[0] < 0 ? 0 : pair.shared[1] < 0 ? 1 : 2, j = pair.own_corner_of_b();
         const auto& w = pair.points;
@@ -136,8 +135,8 @@ class SelfContacts {
         return side != 0 && certain_sign(plain_orient2d(w[p], w[q], w[3 + j], axis), bound) == -side;
     }
 
-    // The same of two triangles without a common corner, and any side of either:
-    // they share nothing.
+    // True if two triangles without a common corner are certainly separated by a side of either, projected along an
+    // axis: then they share nothing.
     bool is_flat_apart(const Pair& pair) const {
         const auto& w = pair.points;
         double component;
@@ -154,8 +153,8 @@ class SelfContacts {
         return false;
     }
 
-    // The same of two triangles with one corner in common, and the sides that begin
-    // there.
+    // True if two triangles with one common corner are certainly separated by a side that begins there, projected along
+    // an axis: then they share only the corner.
     bool is_flat_across_vertex(const Pair& pair) const {
         const auto [i, j] = pair.common_corner();
         const auto& w = pair.points;
@@ -173,7 +172,7 @@ class SelfContacts {
                (is_separated(w, i, b[0], turn_b, a, axis, bound) || is_separated(w, i, b[1], -turn_b, a, axis, bound));
     }
 
-    // Triangles on one edge share more than it only if they are in one plane.
+    // Two triangles with a common edge share more than the edge only if they are coplanar.
     static Answer filter_neighbours(const Pair& pair, double bound) {
         const auto& w = pair.points;
         return certain_sign(plain_orient3d(w[0], w[1], w[2], w[3 + pair.own_corner_of_b()]), bound) != 0
@@ -181,9 +180,9 @@ class SelfContacts {
                    : Answer::open;
     }
 
-    // Triangles with one corner in common: the plane of each has that corner of the
-    // other, whatever is computed, and the two comparisons along the line of the
-    // planes have the sign 0 where both edges end in it.
+    // Filters two triangles with one common corner. The sign of that corner about the other triangle's plane is set to
+    // 0, whatever was computed. A comparison along the line of both planes has the sign 0 if both its edges end in the
+    // common corner.
     static Answer filter_across_vertex(const Pair& pair, double bound) {
         const auto [i, j] = pair.common_corner();
         const auto others_of = [bound](const PlaneSides& sides, std::size_t corner, Sides& signs) {
@@ -235,13 +234,13 @@ class SelfContacts {
                 if (!is_one_edge(pair.a, i, pair.b, j)) result.overlaps = 1u << (3 * i + j);
             } else if (contact.kind == ContactKind::coplanar) {
                 result.is_crossing = coplanar_faces_overlap(signs, signs.normal_axis(0));
-                // What triangles without a common inner point share is convex: an edge of
-                // both, and then no more, or less.
+                // Two triangles whose insides are disjoint share a convex set. If it contains a common edge, it is that
+                // edge.
                 if (result.is_crossing || pair.shared_count == 2) return result;
                 const int axis = signs.normal_axis(0);
                 for (int i = 0; i < 3; ++i) {
-                    // Sides that are not those of a common corner cannot lie along each
-                    // other without a common inner point.
+                    // Only sides that end in the common corner can overlap along a segment while the insides are
+                    // disjoint.
                     if (pair.shared_count == 1 && pair.shared[static_cast<std::size_t>(i)] < 0 &&
                         pair.shared[static_cast<std::size_t>(i + 1) % 3] < 0) {
                         continue;

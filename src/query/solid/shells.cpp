@@ -27,7 +27,7 @@ class ShellFinder {
         for (std::uint32_t i = 0; i < count; ++i) {
             if (!proper_.is_proper(i) || shells_.of_triangle[i] != no_shell) continue;
             shells_.first.push_back(i);
-            // Its normal is to point out, so what is above it is to be outside.
+            // The normal is to point out: the triangle faces in if the region above it is inside.
             take(i, rays.is_inside_above(i));
             while (!open_.empty()) {
                 const std::uint32_t next = open_.back();
@@ -47,15 +47,16 @@ class ShellFinder {
         open_.push_back(triangle);
     }
 
-    // Whether the sector just after a triangle, turning around its edge from the lesser vertex to the other one, is
-    // inside if its corners turn left seen from outside: they turn so around the edge if the side begins at the lesser
-    // vertex, and the triangle's normal, which then points out, is the direction of the turn.
+    // True if the sector just after a triangle, turning around its edge from the lesser vertex to the greater one, is
+    // inside, given that the triangle's corners turn left seen from outside. Its normal then points out. If the side
+    // begins at the lesser vertex, the corners turn around the edge in that sense and the normal is the direction of
+    // the turn, so that the sector after the triangle is outside.
     bool inside_after(const SideRef& side) const {
         const auto corners = corners_from(triangles(), side);
         return corners[0] > corners[1];
     }
 
-    // Takes the other triangles of an edge: around it, outside and inside alternate.
+    // Reaches the other triangles of an edge. Around the edge, outside and inside alternate.
     void cross_edge(const SideRef& from) {
         const auto sides = edges_.sides(edges_.edge_of(from));
         const bool wanted = inside_after(from) != (shells_.faces_in[from.triangle] != 0);

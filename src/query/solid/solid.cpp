@@ -13,12 +13,12 @@
 namespace ecods {
 namespace {
 
-// A pointer to a mesh that somebody else keeps.
+// Makes a pointer to a mesh that somebody else owns.
 std::shared_ptr<const Mesh> borrowed(const Mesh& mesh) {
     return {std::shared_ptr<const void>(), &mesh};
 }
 
-// What is found out about a mesh that bounds a solid.
+// Holds what the check of a mesh that bounds a solid found.
 struct Checked {
     ProperMesh proper;
     MeshEdges edges;

@@ -1,4 +1,4 @@
-// What questions about solids work in.
+// Scratch memory of the questions about solids.
 #pragma once
 
 #include <array>
@@ -15,16 +15,16 @@
 
 namespace ecods {
 
-// Pairs of numbers that were seen.
+// A hash set of pairs of numbers.
 class PairSet {
   public:
-    // Forgets them, at the cost of a counter.
+    // Empties the set in constant time, by a new epoch.
     void clear() noexcept {
         ++epoch_;
         count_ = 0;
     }
 
-    // Whether the pair was not there yet.
+    // Adds a pair; true if it was not in the set.
     bool insert(std::uint64_t a, std::uint64_t b) {
         if (2 * count_ >= entries_.size()) grow();
         Entry& entry = find(entries_, a, b);
@@ -36,7 +36,7 @@ class PairSet {
 
   private:
     struct Entry {
-        std::uint64_t epoch = 0;  // of clear(); the entry is free if it is not the current one
+        std::uint64_t epoch = 0;  // epoch in which the entry was written; any other than the current one means free
         std::uint64_t a = 0, b = 0;
     };
 
@@ -54,7 +54,7 @@ class PairSet {
         entries_ = std::move(larger);
     }
 
-    std::vector<Entry> entries_;  // their number is a power of two
+    std::vector<Entry> entries_;  // the size is a power of two
     std::uint64_t epoch_ = 1;
     std::size_t count_ = 0;
 };
@@ -62,13 +62,13 @@ class PairSet {
 struct SolidMemory final : QueryMemoryPart {
     exact::Frame frame;
     std::vector<TreeRef> stack;
-    std::array<std::vector<std::uint8_t>, 2> met;  // by solid and shell
+    std::array<std::vector<std::uint8_t>, 2> met;  // by solid and shell: not 0 if a segment of contact was found
     PairSet fans;
     std::vector<Wing> wings;
-    // Of a surface against a solid:
+    // Used for a surface against a solid:
     std::vector<std::uint8_t> contacts;  // by triangle
-    std::vector<std::uint32_t> parents;  // by vertex: another one of the same piece, or itself
-    std::vector<std::uint8_t> placed;    // by vertex, for that of each piece which is its own parent
+    std::vector<std::uint32_t> parents;  // by vertex: union-find parent
+    std::vector<std::uint8_t> placed;    // by root vertex of a piece: not 0 if its side is known
 
     static SolidMemory& of(QueryMemory& memory) {
         return QueryMemoryAccess::part<SolidMemory>(memory, &QueryMemoryAccess::State::solid);

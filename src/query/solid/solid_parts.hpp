@@ -1,4 +1,4 @@
-// What a Solid holds beside its mesh and its tree.
+// Defines what a Solid holds beside its mesh and its tree.
 #pragma once
 
 #include <memory>
@@ -15,25 +15,25 @@
 namespace ecods {
 
 struct Solid::Parts {
-    // The triangles of the solid: those of its mesh by the same indices, unless edges were split.
+    // The triangles of the solid. They have the indices of its mesh unless edges were split.
     ProperMesh proper;
     MeshEdges edges;
-    // By triangle of proper.mesh, the one that it is a part of, where edges were split; otherwise empty.
+    // By triangle of proper.mesh: the triangle that it was cut out of. Empty if no edges were split.
     std::vector<TriangleOrigin> origins;
-    // The shape of proper.mesh where edges were split; otherwise null, and the solid's own tree is its tree.
+    // The shape of proper.mesh if edges were split. Otherwise null: the solid's own tree is then that of proper.mesh.
     std::unique_ptr<const MeshShape> split_shape;
-    // What prove_star() has found out, before the shells are made of it; empty if it has proven nothing.
+    // The result of prove_star(), from which the shells are made; empty if it proved nothing.
     std::vector<std::uint8_t> star_faces_in;
     Lazy<Shells> shells;
 };
 
-// The library's own way to the parts of a Solid.
+// Gives the library access to the parts of a Solid.
 struct SolidAccess {
     using Parts = Solid::Parts;
 
     static const Parts& parts(const Solid& solid) noexcept { return *solid.solid_parts_; }
-    static const MeshTree& tree(const Solid& solid);  // of parts().proper.mesh
-    static const Shells& shells(const Solid& solid);  // made when asked for first
+    static const MeshTree& tree(const Solid& solid);  // tree of parts().proper.mesh
+    static const Shells& shells(const Solid& solid);  // made on first use
 };
 
 void require_valid(const Vec3& point);  // throws InvalidPoint

@@ -22,10 +22,11 @@ using namespace exact;
 
 namespace {
 
-// Finds which open regions two posed solids make, and whether they touch (README.md: why that is all there is to know).
+// Finds which kinds of open regions two posed solids have, and whether they touch (README.md proves that this
+// suffices).
 class SolidSearch {
   public:
-    // The pose of each must be regular.
+    // Both poses must be regular.
     SolidSearch(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory)
         : state_(QueryMemoryAccess::state(memory)),
           memory_(SolidMemory::of(memory)),
@@ -49,7 +50,7 @@ class SolidSearch {
     }
 
   private:
-    // Kinds of open regions, as bits.
+    // The kinds of open regions, as bits.
     enum : unsigned { in_both = 1, in_a_only = 2, in_b_only = 4, all_regions = 7 };
 
     struct Body {
@@ -62,7 +63,7 @@ class SolidSearch {
             : at(posed), parts(SolidAccess::parts(*posed.what)), shells(SolidAccess::shells(*posed.what)) {}
         std::span<const Triangle> triangles() const { return at.body.mesh->triangles(); }
     };
-    // A triangle of a solid, and what of it a segment lies on: a side, or TriangleContact::face.
+    // The part of a triangle that a segment lies on: one of its sides, or TriangleContact::face.
     struct Part {
         std::size_t solid;
         std::uint32_t triangle;
@@ -97,7 +98,7 @@ class SolidSearch {
         if (found.kind == ContactKind::point) return;
         const Part a{0, i, found.first}, b{1, j, found.second};
         if (a.is_face() && b.is_face()) {
-            // Around a segment in which two planes cross there are regions of all kinds.
+            // Two faces that cross in a segment have regions of all kinds around it.
             regions_ = all_regions;
             return;
         }
@@ -105,13 +106,14 @@ class SolidSearch {
         turn_around(a, b);
     }
 
-    // An edge or a face of a solid.
+    // A number for the edge or the face of a solid.
     std::uint64_t name_of(const Part& part) const {
         if (part.is_face()) return 2 * std::uint64_t{part.triangle} + 1;
         return 2 * std::uint64_t{bodies_[part.solid].parts.edges.edge_of(part.side_ref())};
     }
 
-    // Reads the regions around a segment that a feature of each solid holds, one of them at least an edge.
+    // Adds the kinds of regions around a segment that a feature of each solid contains. One feature at least is an
+    // edge.
     void turn_around(const Part& a, const Part& b) {
         if (!memory_.fans.insert(name_of(a), name_of(b))) return;
         const Part& lead = a.is_face() ? b : a;
@@ -128,8 +130,8 @@ class SolidSearch {
         part.is_face() ? add_face_wings(part, line) : add_edge_wings(part, line);
     }
 
-    // Turning around the line, one leaves a triangle to where its corners turn left, its outer side unless it faces in,
-    // if the line has the direction of its side.
+    // Adds the triangles around an edge. If the line has the direction of a triangle's side, turning around it leaves
+    // the triangle to the side from which its corners turn left, which is the outer side unless the triangle faces in.
     void add_edge_wings(const Part& part, const Line& line) {
         const Body& body = bodies_[part.solid];
         const std::uint32_t first = corners_from(body.triangles(), part.side_ref())[0],
@@ -143,7 +145,7 @@ class SolidSearch {
         }
     }
 
-    // The two halves of a plane: with a corner on each side of the line.
+    // Adds the two halves of a face's plane, each with a corner on its side of the line as apex.
     void add_face_wings(const Part& part, const Line& line) {
         const Triangle& corners = bodies_[part.solid].triangles()[part.triangle];
         const auto at = [&](std::size_t k) { return VertexRef{part.solid, corners[k]}; };
@@ -160,7 +162,7 @@ class SolidSearch {
         }
     }
 
-    // Each sector between two directions is part of a region: once around, beginning with what is after the last wings.
+    // Adds the region that each sector is part of. One turn, beginning with the sector after the last wings.
     void read_sectors() {
         const std::vector<Wing>& wings = memory_.wings;
         std::array<bool, 2> is_inside{};
@@ -178,7 +180,7 @@ class SolidSearch {
         }
     }
 
-    // A shell without a segment of contact is on one side of the other solid's surface.
+    // Adds the regions beside each shell without a segment of contact: it is on one side of the other solid's surface.
     void find_places(std::size_t solid) {
         const Body& own = bodies_[solid];
         const unsigned own_only = solid == 0 ? in_a_only : in_b_only, other_only = solid == 0 ? in_b_only : in_a_only;
@@ -206,7 +208,7 @@ class SolidSearch {
     bool touch_ = false;
 };
 
-// Whether a shell of `a`, flat or not, is inside b, whose pose is regular and whose surface it does not meet.
+// True if a shell of `a`, flat or not, is inside b. The pose of b is regular, and the surfaces share no point.
 bool has_shell_inside(const Solid& solid, const SurfaceAt& a, const SurfaceAt& b, QueryMemory& memory) {
     SolidMemory& own = SolidMemory::of(memory);
     const std::array<BodyRef, 2> bodies{a.body, b.body};
@@ -218,8 +220,9 @@ bool has_shell_inside(const Solid& solid, const SurfaceAt& a, const SurfaceAt& b
     });
 }
 
-// One pose at least is singular. The image of a solid under a singular matrix is that of its surface: on a line that
-// is mapped to one point, an inner point is between two of the surface. It has no inner point.
+// Relates two solids of which one pose at least is singular. The image of a solid under a singular matrix is the image
+// of its surface: on a line that is mapped to one point, an inner point is between two points of the surface. So the
+// image has no inner point.
 SolidRelation flat_relation(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) {
     ++QueryMemoryAccess::state(memory).counts.queries;
     const SurfaceAt surface_a(a), surface_b(b);

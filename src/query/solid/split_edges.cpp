@@ -8,7 +8,7 @@
 namespace ecods {
 namespace {
 
-// A vertex inside a side of a triangle.
+// A vertex that divides a side of a triangle.
 struct Cut {
     SideRef side;
     std::uint32_t vertex;
@@ -16,7 +16,8 @@ struct Cut {
     friend constexpr auto operator<=>(const Cut&, const Cut&) = default;
 };
 
-// A triangle, what its sides are parts of, and the vertices inside each of them, in the order of the side.
+// A piece of a triangle. By side: the side of the whole triangle that contains it, and the vertices inside it, in the
+// side's order.
 struct Part {
     Triangle corners;
     std::array<std::uint8_t, 3> sides;
@@ -28,7 +29,7 @@ class Splitter {
     explicit Splitter(const ProperMesh& proper)
         : triangles_(proper.mesh->triangles()), vertices_(proper.mesh->vertices()) {}
 
-    // The ends of one side that are inside the other.
+    // Cuts each side at the ends of the other side that are inside it.
     void add(const EdgeOverlap& overlap) {
         add_ends(overlap.a, overlap.b);
         add_ends(overlap.b, overlap.a);
@@ -79,8 +80,8 @@ class Splitter {
         });
     }
 
-    // A fan from the corner opposite to a side, over the vertices inside that side. The first triangle of it has one of
-    // the other two sides, and the last one the other.
+    // Cuts a triangle into a fan from the corner opposite to a side, over the vertices inside that side. The first and
+    // the last triangle of the fan each have one of the other two sides, which are divided in turn.
     static void divide(std::uint32_t triangle, Part whole, std::vector<Triangle>& result,
                        std::vector<TriangleOrigin>& origins) {
         std::vector<Part> open;

@@ -64,7 +64,7 @@ class StarProof {
         return std::ranges::any_of(std::array{0, 1, 2}, [&](int axis) { return is_met_once(axis); });
     }
 
-    // By triangle: whether its corners turn right, seen from outside.
+    // By triangle: true if its corners turn right, seen from outside.
     std::vector<std::uint8_t> take_sides() noexcept { return std::move(is_above_); }
 
   private:
@@ -76,9 +76,9 @@ class StarProof {
         }
     }
 
-    // A mean of all corners, with weights of no pattern: from the very middle of a box, the half-lines along the axes
-    // meet the diagonals of its faces. If it was rounded out of the box around the corners, for which the bounds are,
-    // it is moved into it.
+    // Takes a weighted mean of all corners as the origin. The weights have no pattern, because from the exact middle of
+    // a box the half-lines along the axes meet the diagonals of its faces. The mean is clamped to the box around the
+    // corners, for which the error bounds hold, in case rounding moved it out.
     bool choose_origin() {
         Point min, max, sum{};
         min.fill(std::numeric_limits<double>::infinity());
@@ -106,7 +106,7 @@ class StarProof {
         return bounds_.orient3d < infinite_bound;
     }
 
-    // Fills in on which side of each triangle's plane the origin is.
+    // Finds for each triangle on which side of its plane the origin is; false if that is not certain.
     bool are_planes_off_origin() {
         is_above_.assign(triangles_.size(), 0);
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
@@ -119,8 +119,9 @@ class StarProof {
         return true;
     }
 
-    // (1) for an edge: the sign of a triangle's corners and the origin is that of the edge in the order of the side,
-    // the third corner and the origin.
+    // Condition (1) for an edge. The sign of orient3d(lesser vertex, greater vertex, third corner, origin) is the sign
+    // of the triangle's corners and the origin if the side begins at its lesser vertex, and the opposite sign
+    // otherwise.
     bool is_seen_between(std::span<const SideRef> sides) const {
         if (sides.size() != 2) return false;
         const auto is_third_above = [&](const SideRef& side) {
@@ -130,7 +131,7 @@ class StarProof {
         return is_third_above(sides[0]) != is_third_above(sides[1]);
     }
 
-    // (2) for the half-line from the origin along an axis.
+    // Condition (2) for the half-line from the origin along an axis.
     bool is_met_once(int axis) const {
         std::size_t count = 0;
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
@@ -142,8 +143,9 @@ class StarProof {
         return count == 1;
     }
 
-    // Along the axis the triangle turns as its normal's component n says. Where the line meets it inside, at o + t e,
-    // t n is minus the height of o above the plane: t > 0 if they have different signs.
+    // The half-line's answer about a triangle. Projected along the axis, the corners turn as the sign of the normal's
+    // component n says. If the line meets the triangle's inside at o + t e, then t n is minus the height of o above the
+    // plane, so t > 0 if n and the height have different signs.
     Hit hit_of(std::size_t i, int axis) const {
         const auto t = corners(i);
         for (const int k : {(axis + 1) % 3, (axis + 2) % 3}) {
@@ -171,7 +173,7 @@ class StarProof {
     std::span<const Vec3> vertices_;
     Point origin_{};
     DeterminantBounds bounds_{};
-    std::vector<std::uint8_t> is_above_;  // by triangle: whether the origin is above its plane
+    std::vector<std::uint8_t> is_above_;  // by triangle: true if the origin is above its plane
 };
 
 }  // namespace

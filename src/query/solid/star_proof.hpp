@@ -1,4 +1,4 @@
-// A proof that a surface is free of self-intersection, for surfaces that are seen as a whole from one point.
+// Proves that a surface is free of self-intersection if all of it is visible from one point.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace ecods {
 
-// If it is proven that, from a point in the middle of the triangles' corners, every half-line meets the surface once,
-// the surface is one shell that has the point inside, and the result says by triangle whether its corners turn right
-// seen from outside, as Shells::faces_in does. Otherwise the result is empty. If it is not, no two triangles share a
-// segment or more which is not a side of both, and no two edges that are not one lie along each other: what
-// self_contacts.hpp would search for is not there. Why is said in the source. A surface for which this is not proven,
-// such as one with a handle or with several shells, may still be free of self-intersection.
+// Tries to prove that every half-line from a point in the middle of the triangles' corners meets the surface once. If
+// that is proven, the surface is one shell with the point inside; no two triangles share a segment or more which is not
+// a side of both; and no two different edges share a segment: self_contacts.hpp would find nothing. The result then
+// says by triangle if its corners turn right seen from outside, like Shells::faces_in. The source has the proof.
 //
-// Cost: one pass over the triangles and one over the edges, without the mesh's tree. Nothing is allocated but a byte a
-// triangle.
+// If it is not proven, the result is empty. Such a surface, for example one with a handle or of several shells, may
+// still be free of self-intersection.
+//
+// Cost: one pass over the triangles and one over the edges, without the mesh's tree. It allocates one byte a triangle.
 std::vector<std::uint8_t> prove_star(const ProperMesh& proper, const MeshEdges& edges);
 
 }  // namespace ecods

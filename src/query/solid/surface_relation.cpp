@@ -22,10 +22,10 @@ using namespace exact;
 
 namespace {
 
-// Finds on which sides of a posed solid a surface has points (README.md: why what is looked at suffices).
+// Finds on which sides of a posed solid a surface has points (README.md proves that what it looks at suffices).
 class SurfaceSearch {
   public:
-    // The pose of the solid must be regular, and the axes of the memory bound to both trees.
+    // The pose of the solid must be regular, and the axes in the memory bound to both trees.
     SurfaceSearch(const SurfaceAt& surface, const Solid& solid, const SurfaceAt& boundary, QueryMemory& memory)
         : surface_(surface),
           boundary_(boundary),
@@ -52,11 +52,11 @@ class SurfaceSearch {
     }
 
   private:
-    // What a triangle of the surface has in common with the solid's: nothing; some points; or more, and then what lies
-    // beside that has been looked at.
+    // The contact of a triangle with the solid's surface: no common point; only isolated points; or more, in which case
+    // the sides beside that contact were looked at.
     enum Contact : std::uint8_t { none, at_points, looked_at };
 
-    // The vertex, edge or face of the solid, which is looked at once for each triangle.
+    // True if triangle i has not met this vertex or edge of the solid before. Each is looked at once for each triangle.
     bool is_new(std::uint32_t i, std::uint64_t vertex_or_edge) { return memory_.fans.insert(i, vertex_or_edge); }
     void note(Side side) noexcept {
         has_inner_ |= side == Side::inside;
@@ -86,7 +86,8 @@ class SurfaceSearch {
         }
     }
 
-    // Pieces of the triangle end where triangles of the solid's that are not in its plane hold them.
+    // Marks what two coplanar triangles share, and notes no side. Where a piece of the triangle ends at coplanar
+    // triangles, it also ends at triangles of the solid that are not coplanar; their pairs note its side.
     void take_coplanar(std::uint32_t i, std::uint32_t j) {
         enum class Shared { nothing, points, face, no_area };
         const Shared shared = with_signs(memory_.frame, corners_of(triangle(i), boundary_triangle(j)), [](auto& signs) {
@@ -108,8 +109,8 @@ class SurfaceSearch {
             has_inner_ = has_outer_ = true;
             return;
         }
-        // A side of the triangle in a face: the triangle is on the side of its third corner. To where the face's
-        // corners turn left is the outer side, unless it faces in.
+        // A side of the triangle is in a face, so the triangle is on the same side of the face as its third corner. The
+        // side from which the face's corners turn left is outside, unless the face faces in.
         const auto corner = static_cast<std::size_t>(found.first + 2) % 3;
         const auto vertices = corners_and(1, boundary_triangle(j), VertexRef{0, triangle(i)[corner]});
         const int side = with_signs(memory_.frame, vertices, [](auto& signs) { return signs.orient3d(0, 1, 2, 3); });
@@ -118,8 +119,8 @@ class SurfaceSearch {
         note((side > 0) == faces_in ? Side::inside : Side::outside);
     }
 
-    // The triangle lies on an edge with a side, or the edge passes through its inside: then it has a corner on each
-    // side.
+    // Notes the sides beside an edge of the solid. Either the triangle has a side along the edge, or the edge passes
+    // through its inside, and then the triangle has a corner on each side of the edge.
     void look_beside_edge(std::uint32_t i, int side, const SideRef& edge) {
         const MeshEdges& edges = SolidAccess::parts(solid_).edges;
         if (!is_new(i, 2 * std::uint64_t{edges.edge_of(edge)})) return;
@@ -140,14 +141,15 @@ class SurfaceSearch {
         }
     }
 
-    // A segment, or a point. Its pieces begin at its first end, inside an edge that it crosses or at a vertex.
+    // Takes a triangle that is a segment or a point. A segment's pieces begin at its first end, inside an edge that the
+    // segment crosses, or at a vertex.
     void take_flat(std::uint32_t i, std::uint32_t j) {
         const FlatContact found = with_signs(memory_.frame, corners_of(triangle(i), boundary_triangle(j)),
                                              [](auto& signs) { return flat_contact(signs); });
         if (!found.meets) return;
         const bool is_first = memory_.contacts[i] != looked_at;
         mark(i, looked_at);
-        if (found.from == found.to) return;  // a point of the solid's surface
+        if (found.from == found.to) return;  // a point on the solid's surface
         if (found.crosses) {
             has_inner_ = has_outer_ = true;
             return;
@@ -165,8 +167,8 @@ class SurfaceSearch {
         }
     }
 
-    // Triangles that share no segment with the solid's. Those that share no point with them are on one side with all
-    // that share corners with them.
+    // Notes the sides of triangles that share no segment with the solid's surface. A triangle that shares no point with
+    // it is on the same side as all such triangles that are joined to it over corners: one ray for each piece.
     void place_triangles() {
         const auto all = surface_.body.mesh->triangles();
         join_triangles();
@@ -183,13 +185,13 @@ class SurfaceSearch {
         }
     }
 
-    // Joins the vertices of each triangle without a contact.
+    // Joins the vertices of each triangle without a contact, by union-find.
     void join_triangles() {
         const Mesh& mesh = *surface_.body.mesh;
         const std::size_t count = mesh.vertices().size();
         std::vector<std::uint32_t>& parent = memory_.parents;
         parent.clear();
-        // Where triangles have corners of their own, those at equal coordinates are one vertex.
+        // If the mesh may be a triangle soup, vertices at equal coordinates count as one vertex.
         if (count >= 3 * mesh.triangles().size()) parent = least_equals(mesh.vertices());
         if (parent.empty()) {
             parent.resize(count);
@@ -228,7 +230,7 @@ SurfaceRelation surface_relation(const Posed<MeshShape>& surface, const Posed<So
     ++state.counts.queries;
     const SurfaceAt of(surface), boundary(solid);
     if (!is_regular(solid.pose.R)) {
-        // The solid is the image of its surface, and has no inner point.
+        // The posed solid is the image of its surface, and has no inner point.
         return surfaces_meet(of, boundary, memory) ? SurfaceRelation::touching : SurfaceRelation::apart;
     }
     if (are_boxes_apart(of, boundary, state)) return SurfaceRelation::apart;

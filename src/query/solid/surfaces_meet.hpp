@@ -1,4 +1,4 @@
-// Whether posed triangles share a point, where some triangles of their meshes do not count.
+// Decides if two posed meshes share a point, leaving out some of their triangles.
 #pragma once
 
 #include "ecods/intersection.hpp"
@@ -13,22 +13,22 @@ namespace ecods {
 
 struct SurfaceAt {
     exact::BodyRef body;
-    const MeshTree& tree;      // of body.mesh
-    const ProperMesh* proper;  // which triangles count; null: all of them
+    const MeshTree& tree;      // tree of body.mesh
+    const ProperMesh* proper;  // the triangles that count; null if all do
 
-    explicit SurfaceAt(const Posed<MeshShape>& posed);  // all triangles
-    explicit SurfaceAt(const Posed<Solid>& posed);      // those that bound the solid
+    explicit SurfaceAt(const Posed<MeshShape>& posed);  // all triangles count
+    explicit SurfaceAt(const Posed<Solid>& posed);      // those that bound the solid count
 
     bool has(std::uint32_t triangle) const noexcept { return proper == nullptr || proper->is_proper(triangle); }
 };
 
-// Whether the trees' boxes are certainly apart; if not, the axes of `state` are bound to them.
+// True if the trees' boxes are certainly apart. If false, the axes of `state` are bound to both trees.
 bool are_boxes_apart(const SurfaceAt& a, const SurfaceAt& b, QueryMemoryAccess::State& state);
 
-// Binds a frame to both, where they were modelled if they have one pose.
+// Binds a frame to both bodies. If both have one pose, the frame uses the models' own coordinates.
 exact::Frame& bind(exact::Frame& frame, const SurfaceAt& a, const SurfaceAt& b);
 
-// Under any poses, which must outlive the call.
+// True if the counted triangles share a point, under any poses. The poses must outlive the call.
 bool surfaces_meet(const SurfaceAt& a, const SurfaceAt& b, QueryMemory& memory);
 
 }  // namespace ecods
