@@ -19,14 +19,14 @@ class BodySearch {
           triangles_(body.what->mesh().triangles().data()),
           vertices_(body.what->mesh().vertices().data()),
           memory_(memory),
+          faces_(memory.faces),
           line_(line),
-          limit_(limit),
           counts_(counts) {
-        memory_.faces.clear();
+        faces_.start({.at_most = limit});
     }
 
     // Every hit that is not beyond it counts; some hit, of this body or another, is not beyond it.
-    double parameter_limit() const noexcept { return limit_; }
+    double parameter_limit() const noexcept { return faces_.bound(); }
 
     // Has a triangle tried before all others. Where floats leave nothing to try, neither is it.
     void try_first(std::uint32_t triangle) noexcept { waiting_ = triangle; }
@@ -73,14 +73,9 @@ class BodySearch {
   private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-    void leave_out_late_faces() noexcept {
-        std::erase_if(memory_.faces, [&](const HitMemory::FaceHit& face) { return face.lower > limit_; });
-    }
-    void set_ratio() noexcept { ratio_ = memory_.axes.ratio_above(limit_); }
-    void lower_limit(double upper) noexcept {
-        if (!(upper < limit_)) return;
-        limit_ = upper;
-        set_ratio();
+    void set_ratio() noexcept { ratio_ = memory_.axes.ratio_above(faces_.bound()); }
+    void take_upper(double upper, std::uint32_t triangle) noexcept {
+        if (faces_.take_upper(upper, {triangle, 0})) set_ratio();
     }
     // It comes again.
     void try_waiting() {
@@ -90,10 +85,10 @@ class BodySearch {
     }
     // It is certainly hit inside its face.
     void take_face(std::uint32_t triangle, const Triangle& vertices, double lower, double upper) {
-        if (lower > limit_) return;
+        if (!faces_.counts(lower)) return;
         for (const std::uint32_t vertex : vertices) __builtin_prefetch(&vertices_[vertex]);
-        memory_.faces.push_back({triangle, vertices, lower, upper});
-        lower_limit(upper);
+        faces_.add({{lower, upper, vertices}, {triangle, 0}});
+        take_upper(upper, triangle);
     }
     void decide(std::uint32_t triangle, const Triangle& vertices, const HitEnclosure& enclosure);
     void keep_least(std::uint32_t triangle, const Triangle& vertices) noexcept;
@@ -106,8 +101,8 @@ class BodySearch {
     const Triangle* triangles_;
     const Vec3* vertices_;
     HitMemory& memory_;
+    HitMemory::FaceSieve& faces_;
     const ScaledLine& line_;
-    double limit_;
     float ratio_ = 1;
     HitCounts& counts_;
     std::uint64_t box_tests_ = 0;
@@ -125,7 +120,7 @@ class BodySearch {
 void BodySearch::visit(std::uint32_t triangle, const Triangle& vertices) {
     ++counts_.enclosures;
     const HitEnclosure enclosure = memory_.triangles.enclose(vertices);
-    if (enclosure.verdict == HitEnclosure::Verdict::none || enclosure.lower > limit_) return;
+    if (enclosure.verdict == HitEnclosure::Verdict::none || !faces_.counts(enclosure.lower)) return;
     if (enclosure.verdict == HitEnclosure::Verdict::face) {
         take_face(triangle, vertices, enclosure.lower, enclosure.upper);
     } else {
@@ -142,7 +137,7 @@ void BodySearch::decide(std::uint32_t triangle, const Triangle& vertices, const 
     if (least_ != triangle) return;
     double upper = enclosure.upper;
     if (!enclosure.is_crossing) upper = line_.scaled_above(next_up(exact::round_fraction(memory_.own->enter.ref())));
-    lower_limit(upper);
+    take_upper(upper, triangle);
 }
 
 // Keeps memory.other, of this triangle, if it is the least so far.
@@ -215,38 +210,37 @@ bool BodySearch::ties_along(std::uint32_t triangle, const Triangle& corners) noe
 }
 
 void BodySearch::settle() {
-    auto& faces = memory_.faces;
-    leave_out_late_faces();
+    faces_.drop();
     // Floats may leave several that doubles part.
-    if (faces.size() + (least_ != none) < 2) return;
-    for (HitMemory::FaceHit& face : faces) {
+    if (faces_.open().size() + (least_ != none) < 2) return;
+    for (HitMemory::FaceSieve::Open& face : faces_.open()) {
         ++counts_.enclosures;
-        const HitEnclosure enclosure = memory_.triangles.enclose(face.vertices);
-        face.lower = std::max(face.lower, enclosure.lower);
-        lower_limit(enclosure.upper);
+        const HitEnclosure enclosure = memory_.triangles.enclose(face.interval.vertices);
+        face.interval.lower = std::max(face.interval.lower, enclosure.lower);
+        take_upper(enclosure.upper, face.triangles.a);
     }
-    leave_out_late_faces();
+    faces_.drop();
 }
 
 bool BodySearch::round_only_face(Hit& hit) {
-    if (least_ != none || memory_.faces.size() != 1) return false;
-    const HitMemory::FaceHit& face = memory_.faces.front();
+    if (least_ != none || faces_.open().size() != 1) return false;
+    const HitMemory::FaceSieve::Open& face = faces_.open().front();
     exact::RoundedCrossing crossing;
-    if (!memory_.triangles.round_crossing(face.vertices, crossing)) return false;
+    if (!memory_.triangles.round_crossing(face.interval.vertices, crossing)) return false;
     ++counts_.exact;
-    least_ = face.triangle;
+    least_ = face.triangles.a;
     hit.parameter = hit.leave_parameter = crossing.at.parameter;
     hit.point = hit.leave_point = crossing.at.point;
     hit.kind = crossing.facing < 0 ? HitKind::front : HitKind::back;
-    hit.feature = {Feature::Kind::face, face.triangle, 0};
+    hit.feature = {Feature::Kind::face, least_, 0};
     return true;
 }
 
 bool BodySearch::finish() {
-    for (const HitMemory::FaceHit& face : memory_.faces) {
+    for (const HitMemory::FaceSieve::Open& face : faces_.open()) {
         ++counts_.exact;
-        memory_.triangles.find_crossing(face.vertices, *memory_.other);
-        keep_least(face.triangle, face.vertices);
+        memory_.triangles.find_crossing(face.interval.vertices, *memory_.other);
+        keep_least(face.triangles.a, face.interval.vertices);
     }
     return least_ != none;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 #include "bvh/axes/line_axes.hpp"
@@ -12,22 +13,25 @@
 #include "query/hit/step_region.hpp"
 #include "query/hit/triangle_hits.hpp"
 #include "query/intersection/query_memory.hpp"
+#include "query/search/sieve.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
 
 struct HitMemory final : QueryMemoryPart {
-    // A triangle that is certainly hit inside its face, between two scaled parameters.
+    // Contains the scaled parameter at which a triangle with these vertices is certainly hit inside its face.
     struct FaceHit {
-        std::uint32_t triangle;
-        Triangle vertices;
         double lower, upper;
+        Triangle vertices;
     };
+    // Faces in question. What the sieve leaves is compared in full, with the hits of edges and vertices: no value is
+    // kept.
+    using FaceSieve = Sieve<FaceHit, std::monostate>;
 
     LineAxes axes;
     TriangleHits triangles;
     std::vector<LineNode> stack;
-    std::vector<FaceHit> faces;
+    FaceSieve faces;
     StepRegion steps;  // near the body that all is bound to
     std::array<exact::LineHit, 3> hits;
     // The least hit of all bodies, that of the body in question, and the one in question.
