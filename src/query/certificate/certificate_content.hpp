@@ -36,10 +36,5 @@ struct CertificateAccess {
 
 // The lines from `claim` to `end`.
 void append_proof(std::string& text, const CertificateAccess::Content& content);
-// Each coordinate after a space.
-void append_coordinates(std::string& text, const Vec3& point);
-inline constexpr std::size_t digest_length = 64;
-// DIGEST POSE, and the end of the line.
-void append_body(std::string& text, const MeshShape& shape, const Pose& pose);
 
 }  // namespace ecods
