@@ -22,10 +22,6 @@ class CandidateList {
     static constexpr SlotIndex overlap_bit = SlotIndex{1} << 31;
 
     std::size_t size() const noexcept { return pairs_.size(); }
-    SlotPair operator[](std::size_t index) const noexcept {
-        return {pairs_[index][0], pairs_[index][1] & ~overlap_bit};
-    }
-    bool overlapped(std::size_t index) const noexcept { return (pairs_[index][1] & overlap_bit) != 0; }
     std::size_t overlapping_count() const noexcept { return overlapping_count_; }  // before the last test
 
     void add(SlotIndex a, SlotIndex b, bool do_overlap) { pairs_.push_back({a, b | (do_overlap ? overlap_bit : 0)}); }

@@ -50,7 +50,6 @@ class SlotTable {
     std::size_t size() const noexcept { return lines_.size(); }  // free slots included
     std::size_t used_count() const noexcept { return used_count_; }
     std::size_t awake_count() const noexcept { return awake_count_; }
-    std::size_t proxy_end() const noexcept { return slots_.size(); }
 
     std::span<const PackedBox> lines() const noexcept { return lines_; }
     std::span<const CoarseBox> coarse_boxes() const noexcept {

@@ -84,22 +84,16 @@ Relation TriangleRelations::decide_in_doubles(const Points<6>& points) {
         if (flat_axis_ >= 0) return decide_flat(a, b, points);
     }
     const DeterminantBounds bounds = determinant_bounds(points, frame_.delta());
-    switch (filter_again(points, bounds.orient3d, trace)) {
-        case FilterAnswer::disjoint:
-            ++counts_.semi_static_passes;
-            return Relation::disjoint;
-        case FilterAnswer::crossing:
-            ++counts_.semi_static_passes;
-            return Relation::crossing;
-        case FilterAnswer::unknown:
-            break;
+    if (const auto relation = certain_relation(filter_again(points, bounds.orient3d, trace))) {
+        ++counts_.semi_static_passes;
+        return *relation;
     }
     const bool may_be_flat = certain_normal_axis(points, 0, bounds) < 0 || certain_normal_axis(points, 3, bounds) < 0;
     if (may_be_flat && edges_separate(points, bounds.orient3d)) {
         ++counts_.semi_static_passes;
         return Relation::disjoint;
     }
-    const Corners corners{VertexRef{0, ta[0]}, {0, ta[1]}, {0, ta[2]}, {1, tb[0]}, {1, tb[1]}, {1, tb[2]}};
+    const Corners corners = corners_of(ta, tb);
     if (may_use_groups()) return decide_by_planes(a, b, corners, points, bounds, trace);
     return decide_by_integers(corners, points, bounds, trace);
 }
@@ -151,8 +145,7 @@ Relation TriangleRelations::decide_flat(std::uint32_t a, std::uint32_t b, const 
         ++counts_.semi_static_passes;
         return answer == FlatAnswer::disjoint ? Relation::disjoint : Relation::touching;
     }
-    const Triangle &ta = triangles_[0][a], &tb = triangles_[1][b];
-    const Corners corners{VertexRef{0, ta[0]}, {0, ta[1]}, {0, ta[2]}, {1, tb[0]}, {1, tb[1]}, {1, tb[2]}};
+    const Corners corners = corners_of(triangles_[0][a], triangles_[1][b]);
     FilterTrace trace;
     filter(points, infinite_bound, trace);
     return decide_by_integers(corners, points, bounds, trace);
@@ -239,17 +232,11 @@ Relation TriangleRelations::decide_by_planes(std::uint32_t a, std::uint32_t b, c
         has_used_integers = signs.has_used_integers();
     }
     if (has_used_integers || planes_.computed_count() != computed_before) {
-        count_integers();
+        ++integer_stage(counts_, frame_.arithmetic());
     } else {
         ++counts_.plane_passes;
     }
     return relation;
-}
-
-void TriangleRelations::count_integers() noexcept {
-    ++(frame_.arithmetic() == Arithmetic::one_limb    ? counts_.one_limb
-       : frame_.arithmetic() == Arithmetic::two_limbs ? counts_.two_limbs
-                                                      : counts_.many_limbs);
 }
 
 Relation TriangleRelations::decide_by_integers(const Corners& corners, const Points<6>& points,
