@@ -23,8 +23,6 @@
 
 namespace ecods {
 
-exact::BodyRef body_of(const Posed<MeshShape>& posed);
-
 // What all axes need of a posed mesh.
 struct BodyFrame {
     // Points are counted from `base`. What the posed mesh refers to, and its pose, must outlive this.

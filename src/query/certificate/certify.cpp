@@ -1,5 +1,4 @@
 #include <limits>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "query/certificate/certificate_content.hpp"
 #include "query/certificate/pair_proof.hpp"
 #include "query/intersection/query_memory.hpp"
+#include "query/shape/mesh_body.hpp"
 
 namespace ecods {
 namespace {
@@ -72,10 +72,9 @@ class Maker {
 
   private:
     static TriangleDistances& bound_pair(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {
-        auto& part = QueryMemoryAccess::state(memory).certificate;
-        if (!part) part = std::make_unique<CertificateMemory>();
-        TriangleDistances& pair = static_cast<CertificateMemory&>(*part).pair;
-        pair.bind(body_of(a), body_of(b));
+        using State = QueryMemoryAccess::State;
+        TriangleDistances& pair = QueryMemoryAccess::part<CertificateMemory>(memory, &State::certificate).pair;
+        pair.bind(MeshBody(a).ref(), MeshBody(b).ref());
         return pair;
     }
 

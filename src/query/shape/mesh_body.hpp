@@ -24,6 +24,12 @@ struct MeshBody {
     const MeshTree& tree;
 };
 
+// A point is a body: this mesh of one vertex at the origin, under a pose that moves it there.
+inline const MeshShape& point_shape() {
+    static const MeshShape shape(Mesh::create({Vec3(0, 0, 0)}, {Triangle{0, 0, 0}}));
+    return shape;
+}
+
 // The two bodies of a question.
 struct MeshPair {
     // The pair of triangles that a witness has, if both bodies have these.

@@ -1,30 +1,18 @@
 #include <array>
 #include <cmath>
-#include <memory>
-#include <vector>
 
 #include "ecods/error.hpp"
 #include "ecods/solid.hpp"
 #include "exact/sign/frame_signs.hpp"
 #include "exact/simplex/common_pose.hpp"
 #include "geometry/find_invalid.hpp"
+#include "query/shape/mesh_body.hpp"
 #include "query/solid/ray_query.hpp"
 #include "query/solid/solid_memory.hpp"
 #include "query/solid/solid_parts.hpp"
 
 namespace ecods {
 namespace {
-
-// A point as a body: a mesh of one vertex at the origin, under a pose that moves it there.
-struct PointMesh {
-    std::shared_ptr<const Mesh> mesh = Mesh::create({Vec3(0, 0, 0)}, {Triangle{0, 0, 0}});
-    exact::MeshExtent extent = exact::measure(*mesh);
-
-    static const PointMesh& get() {
-        static const PointMesh mesh;
-        return mesh;
-    }
-};
 
 // Whether a coordinate of the point is certainly none of the body's: further from the translation's than the corner of
 // the mesh's box about its origin can be. u' = 2^-52: the difference is off by u' of it, the three products and sums by
@@ -53,15 +41,12 @@ Location locate(const Vec3& point, const Posed<Solid>& solid, QueryMemory& memor
     require_valid(point);
     auto& state = QueryMemoryAccess::state(memory);
     ++state.counts.queries;
-    const MeshShape& shape = *solid.what;
-    const MeshTree& tree = MeshShapeAccess::tree(shape);
-    if (is_far(point, tree.extent, solid.pose)) return {};
+    const MeshBody body(*solid.what, solid.pose);
+    if (is_far(point, body.tree.extent, solid.pose)) return {};
     SolidMemory& own = SolidMemory::of(memory);
     const Pose at{Mat3::Identity(), point};
-    const std::array<exact::BodyRef, 2> bodies{exact::BodyRef{&shape.mesh(), &tree.extent, &solid.pose},
-                                               {PointMesh::get().mesh.get(), &PointMesh::get().extent, &at}};
-    own.frame.bind(bodies);
-    RayQuery rays(own.frame, 0, tree, own.stack, state.counts);
+    own.frame.bind(std::array{body.ref(), MeshBody(point_shape(), at).ref()});
+    RayQuery rays(own.frame, 0, body.tree, own.stack, state.counts);
     const bool is_regular = exact::is_regular(solid.pose.R);
     const RayQuery::Place place = is_regular ? rays.place_of({1, 0}) : rays.flat_place_of({1, 0});
     if (place.on) return {Side::on, *place.on};

@@ -26,9 +26,6 @@ constexpr std::array<exact::VertexRef, 3 + sizeof...(Others)> corners_and(std::s
     return {exact::VertexRef{body, triangle[0]}, {body, triangle[1]}, {body, triangle[2]}, others...};
 }
 
-// Whether a feature comes before another: by kind, then by triangle and corner.
-bool is_before(const Feature& a, const Feature& b) noexcept;
-
 // Rays against one body of a frame, at a regular pose.
 class RayQuery {
   public:
