@@ -115,7 +115,8 @@ class SelfContacts {
         };
         for (const std::size_t own : {0u, 3u}) {
             const Triangle &corners = own == 0 ? pair.a : pair.b, &others = own == 0 ? pair.b : pair.a;
-            const int own_turn = turn(own, own + 1, own + 2);
+            const int own_turn =
+                own == 0 ? certain_sign(normal[axis], bounds_.orient2d[axis]) : turn(own, own + 1, own + 2);
             for (std::size_t side = 0; own_turn != 0 && side < 3; ++side) {
                 const std::size_t p = side, q = (side + 1) % 3;
                 const auto is_end = [&](std::uint32_t vertex) { return vertex == corners[p] || vertex == corners[q]; };

@@ -107,10 +107,6 @@ class LineTriangle {
         to.den.assign(den.limbs);
     }
 
-    template <int M>
-    static bool is_zero_vector(const LimbVector<M>& v) noexcept {
-        return is_zero<M>(v[0].limbs) && is_zero<M>(v[1].limbs) && is_zero<M>(v[2].limbs);
-    }
     // The axis of a component that is not zero.
     template <int M>
     static std::size_t axis_of(const LimbVector<M>& v) noexcept {

@@ -23,9 +23,6 @@ class FixedPlane {
     // Of three differences of vertices, counterclockwise from outside; a coordinate of them is a multiple of 2^unit.
     FixedPlane(const std::array<Vector, 3>& m, int unit, bool is_exact) noexcept;
 
-    // The axis that the normal is certainly parallel to; -1 otherwise.
-    int axis() const noexcept { return axis_; }
-
     // The sign of the product of the normal with the difference of two points. Only of exact points.
     int sign_along(const Vector& v) const noexcept;
 
