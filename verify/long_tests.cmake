@@ -57,7 +57,10 @@ ecods_long("CGAL's own side of a mesh, which takes long to compile" side_of_mesh
 ecods_long("every pair of triangles of a lattice; no planted fault is seen by it alone" exhaustive_tests.*)
 ecods_long("the checkers of certificates, which share nothing with the library, asked about many that are spoilt"
            certificates.tampered certificates.false_claims certificates.malformed certificates.python_cases)
-ecods_long("many runs of what other tests run a few times" fuzz.motion fuzz_tests.FuzzProgramTest.JobsDoNotMatter)
+ecods_long("many runs of what other tests run a few times" fuzz.motion fuzz.more_distances fuzz.more_solids
+           fuzz_tests.FuzzProgramTest.JobsDoNotMatter)
+ecods_long("eleven programs to build, whose corpora ask the library what other tests ask" fuzz.corpus.*
+           instruction_sets.unknown.fuzz_triangles output.fuzz_predicates.*)
 ecods_long("each allocation of each call fails in turn; verify/run has that for one broad phase"
            allocation_tests.QueryOutOfMemory.EveryQuestion* allocation_tests.BroadPhases/WorldOutOfMemory.*/1
            allocation_tests.BroadPhases/WorldOutOfMemory.*/2 allocation_tests.BroadPhases/WorldOutOfMemory.*/3
