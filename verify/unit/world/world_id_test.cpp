@@ -161,6 +161,51 @@ TEST(WorldId, IsTheSameInACopyOfAWorld) {
     EXPECT_NE(World().create_body(cube, at(0)).world, stale.world);
 }
 
+// The calls of a history are the digits of its number, of base 4: a body comes, which does not meet the one before it,
+// or the first, second or third one that lives goes.
+constexpr int call_kinds = 4, histories_of_six_calls = 4096;
+
+void play_history(World& world, int history) {
+    std::set<BodyId> given;
+    for (int rest = history; rest != 0; rest /= call_kinds) {
+        const std::vector<BodyId> bodies = world.bodies();
+        if (const auto going = static_cast<std::size_t>(rest % call_kinds); going != 0) {
+            if (going <= bodies.size()) world.destroy_body(bodies[going - 1]);
+            continue;
+        }
+        const BodyId coming = world.next_ids().front(), body = world.create_body(cube, at(0));
+        ASSERT_EQ(body, coming);
+        ASSERT_TRUE(given.insert(body).second) << "an id comes twice";
+        if (!bodies.empty()) world.set_pair_enabled(body, bodies.back(), false);
+    }
+}
+
+// The slots are at the end of their generations (1), one before it (2), used up (3) and new (4).
+TEST(WorldId, IsTheSameInACopyAfterEveryHistoryOfSixCalls) {
+    const std::vector<BodyId> at_the_end = {{2, 65'534, 7}, {1, 65'535, 7}, {4, 0, 7}};
+    for (int history = 0; history < histories_of_six_calls; ++history) {
+        SCOPED_TRACE(history);
+        World world({.ids = at_the_end});
+        play_history(world, history);
+        const std::vector<BodyId> bodies = world.bodies();
+        World copy({.ids = all_ids(world)});
+        for (const BodyId body : bodies) ASSERT_EQ(copy.create_body(cube, at(0)), body);
+        for (const auto& [a, b] : world.disabled_pairs()) copy.set_pair_enabled(a, b, false);
+        for (World* const each : {&world, &copy}) {
+            if (!bodies.empty()) each->destroy_body(bodies.front());
+            each->update();
+            each->validate();
+        }
+        for (int i = 0; i < 5; ++i) {
+            ASSERT_EQ(copy.next_ids(), world.next_ids());
+            ASSERT_EQ(copy.disabled_pairs(), world.disabled_pairs());
+            ASSERT_EQ(copy.create_body(cube, at(0)), world.create_body(cube, at(0)));
+        }
+        ASSERT_EQ(copy.bodies(), world.bodies());
+        ASSERT_FALSE(copy.is_alive({3, 65'535, 7})) << "its generations are used up";
+    }
+}
+
 TEST(WorldId, GivenFirstIsRefusedUnlessEachSlotComesOnceAndOfOneWorld) {
     const auto index_of_refused = [](std::vector<BodyId> ids) {
         try {
