@@ -218,7 +218,7 @@ const std::vector<Room>& rooms() {
         {"fuzz/shrink", {"include", "fuzz/script"}},
         {"fuzz/targets",
          {"include", "verify/certificates/checker", "verify/oracle", "verify/judge", "verify/scenes",
-          "verify/environment"}},
+          "verify/environment", "fuzz/base", "fuzz/script"}},
         {"fuzz/tests",
          {"include", "verify/scenes", "verify/environment", "verify/unit/programs", "fuzz/base", "fuzz/checks",
           "fuzz/script", "fuzz/motion", "fuzz/shrink"}},
