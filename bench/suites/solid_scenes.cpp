@@ -67,8 +67,7 @@ std::vector<SolidScene> solid_scenes(std::uint32_t triangle_count) {
 
 std::vector<PointScene> point_scenes(const Mesh& mesh, std::size_t point_count) {
     scenes::Random random(2);
-    Pose turned;
-    turned.R = random.rotation().toRotationMatrix();
+    Pose turned = random.turned();
     turned.t = Vec3(0.5, 0.25, -0.125);
     std::vector<PointScene> all = {{"random, in its box", turned, {}, true},
                                    {"near, at 1e-3", turned, {}, true},

@@ -126,7 +126,7 @@ TEST(TrianglePairs, NextToContactAreSound) {
     scenes::Random random(6);
     Tally tally;
     for (int i = 0; i < 150; ++i) {
-        const auto rotation = [&] { return Pose{random.rotation().toRotationMatrix(), Vec3::Zero()}; };
+        const auto rotation = [&] { return random.turned(); };
         const Body a(soup(random, 1, 1), rotation());
         Body b(soup(random, 1, 1), rotation());
         const auto middle = [](const Body& body) -> Vec3 {

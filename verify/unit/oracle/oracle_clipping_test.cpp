@@ -133,8 +133,7 @@ TEST(OracleClipping, Meshes) {
             return Mesh::create(std::move(vertices), std::move(triangles));
         };
         const auto a = soup(), b = soup();
-        Pose pose_a, pose_b;
-        pose_a.R = random.rotation().toRotationMatrix();
+        Pose pose_a = random.turned(), pose_b;
         pose_b.R = i % 2 == 0 ? pose_a.R : random.rotation().toRotationMatrix();
         pose_b.t = pose_a.R * Vec3(1, 0, 0);
         Verdict expected;

@@ -183,7 +183,7 @@ TEST(OracleDistance, OfMeshesAsOfAllPairs) {
     const auto mesh_a = scenes::torus(9, 5, 0.4), mesh_b = scenes::cube(0.5);
     scenes::Random random(11);
     for (int i = 0; i < 20; ++i) {
-        Pose a{random.rotation().toRotationMatrix(), Vec3::Zero()}, b;
+        Pose a = random.turned(), b;
         b.t = random.direction() * random.uniform(1, 3);
         if (i % 2 == 1) b.R = a.R;
         const MeshDistances distances({mesh_a->vertices(), mesh_a->triangles(), a},

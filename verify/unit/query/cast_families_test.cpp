@@ -25,9 +25,7 @@ TEST(CastFamilies, LargerMeshesAsTheOracle) {
     QueryMemory memory;
     PairWitness witness;
     for (int i = 0; i < 16; ++i) {
-        Pose a, b;
-        a.R = random.rotation().toRotationMatrix();
-        b.R = random.rotation().toRotationMatrix();
+        Pose a = random.turned(), b = random.turned();
         a.t = 4 * random.direction();
         const Vec3 motion = (i % 2 == 0 ? -1.0 : -0.75) * a.t + (i % 3) * random.direction();
         ASSERT_NO_FATAL_FAILURE(expect_right(judge::CastTruth({torus, a}, motion, {sphere, b}), memory, witness)) << i;
@@ -41,9 +39,7 @@ TEST(CastFamilies, TimesOfShorterMotions) {
     QueryMemory memory;
     int contacts = 0;
     for (int i = 0; i < 200; ++i) {
-        Pose a, b;
-        a.R = random.rotation().toRotationMatrix();
-        b.R = random.rotation().toRotationMatrix();
+        Pose a = random.turned(), b = random.turned();
         a.t = 4 * random.direction();
         const Vec3 motion = -a.t + 2 * random.direction();
         const auto whole = cast({torus, a}, motion, {sphere, b}, memory);

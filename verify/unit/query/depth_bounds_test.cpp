@@ -165,11 +165,9 @@ TEST(DepthBounds, AreNarrowBesideABoxOfAnySize) {
     const Solid bracket(Mesh::create(corners, triangles));
     scenes::Random random(31);
     QueryMemory memory;
-    const auto cube = scenes::cube(1);
     for (const double half : {1e5, 1e22, 3.40282347e38, 1e100, 1e300}) {
-        std::vector<Vec3> ends;
-        for (const Vec3& v : cube->vertices()) ends.emplace_back(v[0] * half, v[1] * half, v[2] > 0 ? -100 : -half);
-        const Solid ground(Mesh::create(ends, {cube->triangles().begin(), cube->triangles().end()}));
+        const Solid ground(scenes::mapped(
+            *scenes::cube(1), [&](const Vec3& v) { return Vec3(v[0] * half, v[1] * half, v[2] > 0 ? -100 : -half); }));
         for (int turn = 0; turn < 2; ++turn) {
             Pose pose;
             if (turn > 0) pose.R = random.rotation().toRotationMatrix();

@@ -34,9 +34,7 @@ TEST(Distance, ShipsInRandomPoses) {
     QueryMemory memory;
     PairWitness witness;
     for (int i = 0; i < 12; ++i) {
-        Pose a, b;
-        a.R = random.rotation().toRotationMatrix();
-        b.R = random.rotation().toRotationMatrix();
+        Pose a = random.turned(), b = random.turned();
         b.t = random.direction() * random.uniform(0.2, 3);
         expect_right({ship, a}, {ship, b}, memory, witness);
     }
@@ -207,8 +205,7 @@ TEST(Distance, TheOrderOfTrianglesDoesNotMatter) {
     scenes::Random random(4);
     QueryMemory memory;
     for (int i = 0; i < 40; ++i) {
-        Pose a, b;
-        a.R = random.rotation().toRotationMatrix();
+        Pose a = random.turned(), b;
         b.R = i % 2 == 0 ? a.R : Mat3(random.rotation().toRotationMatrix());
         b.t = random.direction() * random.uniform(1, 4);
         const double d = distance({plain, a}, {plain, b}, memory);
@@ -227,9 +224,7 @@ TEST(Distance, TheTriangleInequalityUnderTranslation) {
     scenes::Random random(5);
     QueryMemory memory;
     for (int i = 0; i < 60; ++i) {
-        Pose a, b;
-        a.R = random.rotation().toRotationMatrix();
-        b.R = random.rotation().toRotationMatrix();
+        Pose a = random.turned(), b = random.turned();
         b.t = random.direction() * random.uniform(1, 4);
         Pose moved = b;
         const int axis = static_cast<int>(random.below(3));
@@ -247,8 +242,7 @@ TEST(Distance, WitnessesOnAPath) {
     QueryMemory memory;
     PairWitness witness;
     scenes::Random random(6);
-    Pose pose_a, pose_b;
-    pose_b.R = random.rotation().toRotationMatrix();
+    Pose pose_a, pose_b = random.turned();
     for (int i = 0; i < 200; ++i) {
         pose_b.t = Vec3(3.5 - i * 0.01, 0.1, 0.2);
         const double fresh = distance({a, pose_a}, {b, pose_b}, memory);

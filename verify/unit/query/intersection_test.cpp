@@ -18,8 +18,7 @@ namespace ecods {
 namespace {
 
 Pose random_pose(scenes::Random& random, double reach) {
-    Pose pose;
-    pose.R = random.rotation().toRotationMatrix();
+    Pose pose = random.turned();
     for (int k = 0; k < 3; ++k) pose.t[k] = random.uniform(-reach, reach);
     return pose;
 }

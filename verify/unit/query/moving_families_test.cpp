@@ -59,9 +59,7 @@ TEST(MovingFamilies, LargerMeshesAsTheOracle) {
         return result;
     };
     for (int i = 0; i < 8; ++i) {
-        Pose a, b;
-        a.R = random.rotation().toRotationMatrix();
-        b.R = random.rotation().toRotationMatrix();
+        Pose a = random.turned(), b = random.turned();
         a.t = 4 * random.direction();
         Pose to_a = near(a), to_b = near(b);
         to_a.t = (i % 3) * random.direction() - (i % 2) * a.t;

@@ -30,9 +30,7 @@ Vec3 scaled(const Vec3& v, int e) {
     return {std::ldexp(v[0], e), std::ldexp(v[1], e), std::ldexp(v[2], e)};
 }
 std::shared_ptr<const Mesh> scaled(const Mesh& mesh, int e) {
-    std::vector<Vec3> vertices;
-    for (const Vec3& v : mesh.vertices()) vertices.push_back(scaled(rounded(v), e));
-    return Mesh::create(std::move(vertices), {mesh.triangles().begin(), mesh.triangles().end()});
+    return scenes::mapped(mesh, [e](const Vec3& v) { return scaled(rounded(v), e); });
 }
 
 // Turned bodies, near each other and farther off, some of which meet, and ways and segments for them.

@@ -7,6 +7,7 @@
 #include "scenes/flush_parts.hpp"
 #include "scenes/hard_pairs.hpp"
 #include "scenes/random.hpp"
+#include "scenes/shapes.hpp"
 
 namespace ecods {
 namespace {
@@ -74,17 +75,7 @@ TEST(FlatBodies, AllTrianglesOfALatticeInExactContact) {
     scenes::Random random(13);
     for (int axis = 0; axis < 3; ++axis) {
         for (const double z : {0.0, 0.7}) {
-            const auto turned = [&] {
-                const auto mesh = lattice_triangles(z);
-                std::vector<Vec3> vertices;
-                for (const Vec3& v : mesh->vertices()) {
-                    Vec3 w;
-                    for (int k = 0; k < 3; ++k) w[(axis + 1 + k) % 3] = v[k];
-                    vertices.push_back(w);
-                }
-                return Mesh::create(std::move(vertices), {mesh->triangles().begin(), mesh->triangles().end()});
-            }();
-            const MeshShape shape(turned);
+            const MeshShape shape(scenes::across(*lattice_triangles(z), axis));
             Pose a;
             const double c = random.uniform(0.5, 0.9) + random.uniform(0, 0x1p-32),
                          s = random.uniform(0.1, 0.5) + random.uniform(0, 0x1p-32);

@@ -76,9 +76,7 @@ TEST(SolidDistance, OfHulls) {
     for (int i = 0; i < 60; ++i) {
         const ConvexSolid a = hull_of(random, 4 + i), b = hull_of(random, 40, {2, 1, 0.01});
         for (int k = 0; k < 10; ++k) {
-            Pose p, q;
-            p.R = random.rotation().toRotationMatrix();
-            q.R = random.rotation().toRotationMatrix();
+            Pose p = random.turned(), q = random.turned();
             q.t = random.direction() * random.uniform(0, 5);
             if (k % 3 == 0) q.R.row(0) *= -1;
             expect_right({a, p}, {b, q}, memory);
@@ -91,9 +89,7 @@ TEST(SolidDistance, NearContact) {
     QueryMemory memory;
     for (int i = 0; i < 40; ++i) {
         const ConvexSolid a = hull_of(random, 32), b = hull_of(random, 32);
-        Pose p, q;
-        p.R = random.rotation().toRotationMatrix();
-        q.R = random.rotation().toRotationMatrix();
+        Pose p = random.turned(), q = random.turned();
         const Vec3 way = random.direction();
         for (int round = 0; round < 60; ++round) {
             const double gap = solid_distance({a, p}, {b, q}, memory);
@@ -225,8 +221,7 @@ TEST(SolidDistance, OfLargeHulls) {
     QueryMemory memory;
     const ConvexSolid a = hull_of(random, 900), b = hull_of(random, 500, {1, 3, 2});
     for (int i = 0; i < 40; ++i) {
-        Pose p, q;
-        p.R = random.rotation().toRotationMatrix();
+        Pose p = random.turned(), q;
         q.t = random.direction() * random.uniform(1, 6);
         expect_right({a, p}, {b, q}, memory);
     }

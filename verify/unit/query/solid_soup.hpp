@@ -88,8 +88,7 @@ inline std::vector<Pose> common_poses() {
     sheared.t = Vec3(0.1, 0.2, 0.3);
     poses.push_back(sheared);
     scenes::Random random(11);
-    Pose turned;
-    turned.R = random.rotation().toRotationMatrix();
+    Pose turned = random.turned();
     poses.push_back(turned);
     for (const int exponent : {-900, -200, 200, 900}) {
         Pose scaled = turned;
