@@ -13,10 +13,7 @@ namespace {
 
 // The cube of side 1, stretched.
 std::shared_ptr<const Mesh> box(const Vec3& size) {
-    const auto cube = scenes::cube(0.5);
-    std::vector<Vec3> vertices;
-    for (const Vec3& v : cube->vertices()) vertices.push_back(v.cwiseProduct(size));
-    return Mesh::create(std::move(vertices), {cube->triangles().begin(), cube->triangles().end()});
+    return scenes::mapped(*scenes::cube(0.5), [&](const Vec3& v) -> Vec3 { return v.cwiseProduct(size); });
 }
 
 class WorldHardCases : public EachWorld {};

@@ -56,11 +56,7 @@ class WorldHitShapesTest : public EachWorld {
             }
         }
         std::ranges::stable_sort(hits, {}, [](const BodyHit& h) { return std::pair(h.hit.parameter, h.body); });
-        std::uint32_t rank = 0;
-        for (std::size_t i = 0; i < hits.size(); ++i) {
-            if (i > 0 && hits[i].hit.parameter != hits[i - 1].hit.parameter) ++rank;
-            hits[i].hit.rank = rank;
-        }
+        rank_by_parameter(hits);
         return hits;
     }
     static auto fields(const BodyHit& h) {
@@ -73,18 +69,6 @@ class WorldHitShapesTest : public EachWorld {
     Posed<Shape> posed(BodyId body) {
         kept.push_back(world.shape(body));
         return {*kept.back(), world.pose(body)};
-    }
-
-    template <class Call>
-    void expect_not_supported(const Call& call, Question question, ShapeKind a, ShapeKind b) {
-        try {
-            call();
-            ADD_FAILURE() << "not refused";
-        } catch (const NotSupported& error) {
-            EXPECT_EQ(error.question, question);
-            EXPECT_EQ(error.a, a);
-            EXPECT_EQ(error.b, b);
-        }
     }
 
     int side = 12;

@@ -41,13 +41,8 @@ class WorldHitTest : public EachWorld {
             const Posed<MeshShape> posed(dynamic_cast<const MeshShape&>(*shape), world.pose(body));
             for (const Hit& hit : ecods::all_hits(line, posed, memory)) hits.push_back({body, hit});
         }
-        // Where parameters are not rounded.
         std::ranges::stable_sort(hits, {}, [](const BodyHit& h) { return h.hit.parameter; });
-        std::uint32_t rank = 0;
-        for (std::size_t i = 0; i < hits.size(); ++i) {
-            if (i > 0 && hits[i].hit.parameter != hits[i - 1].hit.parameter) ++rank;
-            hits[i].hit.rank = rank;
-        }
+        rank_by_parameter(hits);
         return hits;
     }
     template <class Line>

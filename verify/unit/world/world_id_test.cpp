@@ -206,6 +206,16 @@ TEST(WorldId, IsTheSameInACopyAfterEveryHistoryOfSixCalls) {
     }
 }
 
+// Ids of which none is of a new slot, the highest slot first or last.
+TEST(WorldId, OfTheFirstBodiesAreThoseThatAreGiven) {
+    const BodyId one{1, 3, 7}, two{2, 5, 7}, then{3, 0, 7};
+    for (const auto& ids : {std::vector{one, two}, std::vector{two, one}}) {
+        World world({.ids = ids});
+        EXPECT_EQ(world.next_ids(), (std::vector{ids[0], ids[1], then}));
+        for (const BodyId id : {ids[0], ids[1], then}) EXPECT_EQ(world.create_body(cube, at(0)), id);
+    }
+}
+
 TEST(WorldId, GivenFirstIsRefusedUnlessEachSlotComesOnceAndOfOneWorld) {
     const auto index_of_refused = [](std::vector<BodyId> ids) {
         try {
