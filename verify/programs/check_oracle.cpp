@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <sstream>
 
 #include "check_print.hpp"
 #include "judge/distance_truth.hpp"
+#include "judge/text.hpp"
 #include "oracle/distance.hpp"
 #include "oracle/oracle.hpp"
 #include "oracle/solid.hpp"
@@ -41,11 +41,7 @@ void OracleJudge::check_frame(SceneWorld& world, const FrameAnswer& answer) {
 }
 
 oracle::MeshDistances OracleJudge::distances(const SceneWorld& world, std::size_t a, std::size_t b) const {
-    const auto soup = [&](std::size_t body) {
-        const Mesh& mesh = *scene_.meshes[scene_.bodies[body].mesh_index].mesh;
-        return oracle::Soup{mesh.vertices(), mesh.triangles(), world.pose(body)};
-    };
-    return {soup(a), soup(b)};
+    return {judge::soup(world.posed(a)), judge::soup(world.posed(b))};
 }
 
 void OracleJudge::check_distance(const oracle::MeshDistances& exact, const FrameAnswer& answer,
@@ -146,9 +142,8 @@ bool oracle_agrees(const scenes::HardCase& hard, Relation relation, const std::v
     const auto soup = [](const scenes::HardCase::Body& body) {
         return oracle::Soup{body.mesh->vertices(), body.mesh->triangles(), body.pose};
     };
-    std::ostringstream solids;
-    solids << static_cast<SolidRelation>(oracle::solid_relation(soup(hard.a), soup(hard.b)));
-    return solids.str() == *hard.solid_relation;
+    return name_of(static_cast<SolidRelation>(oracle::solid_relation(soup(hard.a), soup(hard.b)))) ==
+           *hard.solid_relation;
 }
 
 }  // namespace ecods::check
