@@ -188,7 +188,7 @@ const std::vector<Room>& rooms() {
         {"verify/unit/broad_phase",
          {"include", "src/base", "src/geometry", "src/bounds", "src/broad_phase/changes", "src/broad_phase/boxes",
           "src/broad_phase/scratch", "src/broad_phase/sweep", "src/broad_phase/candidates", "src/broad_phase",
-          "verify/scenes"}},
+          "verify/scenes", "verify/environment"}},
         {"verify/unit/world",
          {"include", "src/base", "src/broad_phase/changes", "src/broad_phase", "src/world", "verify/oracle",
           "verify/scenes", "verify/environment"}},

@@ -6,18 +6,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cfenv>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
-
-#if defined(__x86_64__)
-#include <xmmintrin.h>
-#endif
 
 #include "bounds/ball_bounds.hpp"
 #include "bounds/segment_bounds.hpp"
 #include "ecods/error.hpp"
+#include "environment/float_mode.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::segment_ball_test {
@@ -59,51 +56,32 @@ bool model_meets(const Ball& ball, const Aabb& box) {
     return sum <= Rational(ball.radius) * Rational(ball.radius);
 }
 
-// The four rounding modes, and subnormals taken for zero in the last.
-class Environment {
-  public:
-    static constexpr int count = 5;
-    explicit Environment(int index) {
-        std::fegetenv(&saved_);
-        constexpr int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, FE_TONEAREST};
-        std::fesetround(modes[index]);
-#if defined(__x86_64__)
-        if (index == 4) _mm_setcsr(_mm_getcsr() | 0x8040);
-#endif
-    }
-    ~Environment() {
-        std::fesetenv(&saved_);
-    }
-
-  private:
-    std::fenv_t saved_;
-};
-
 struct Tally {
     int meeting = 0, apart = 0, undecided = 0;
 };
 
-// One question in all environments, by the function and by what prepares it for many boxes.
+// One question in the rounding modes, and with subnormals taken for zero, by the function and by what prepares it for
+// many boxes.
 template <class Bounds, class Set>
 void check(const Set& set, const Aabb& box, Tally& tally) {
     const bool expected = model_meets(set, box);
     ++(expected ? tally.meeting : tally.apart);
-    for (int i = 0; i < Environment::count; ++i) {
+    for (const environment::FloatMode& mode : std::span(environment::float_modes).first(5)) {
         bool answer, is_in_box;
         BoxVerdict verdict = BoxVerdict::unknown;
         {
-            const Environment environment(i);
+            const environment::InFloatMode in_mode(mode);
             const Bounds bounds(set);
             answer = overlap(set, box) && bounds.meets(box);
             is_in_box = overlap(bounds.box(), box);
             if (is_in_box) verdict = bounds.judge(box);
         }
-        ASSERT_EQ(answer, expected) << i;
+        ASSERT_EQ(answer, expected) << mode.name;
         if (expected) {
-            ASSERT_TRUE(is_in_box && verdict != BoxVerdict::apart) << i;
+            ASSERT_TRUE(is_in_box && verdict != BoxVerdict::apart) << mode.name;
         }
         if (!expected) {
-            ASSERT_NE(verdict, BoxVerdict::meeting) << i;
+            ASSERT_NE(verdict, BoxVerdict::meeting) << mode.name;
         }
         if (is_in_box && verdict == BoxVerdict::unknown) ++tally.undecided;
     }

@@ -2,12 +2,12 @@
 // and little work.
 #include <gtest/gtest.h>
 
-#include <cfenv>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "ecods/error.hpp"
+#include "environment/float_mode.hpp"
 #include "geometry/box_distance.hpp"
 #include "scenes/random.hpp"
 #include "unit/broad_phase/lockstep.hpp"
@@ -16,18 +16,6 @@ namespace ecods::test::visit_near_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::array rounding_modes = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-
-class InRounding {
-  public:
-    explicit InRounding(int mode) : before_(std::fegetround()) { std::fesetround(mode); }
-    ~InRounding() { std::fesetround(before_); }
-    InRounding(const InRounding&) = delete;
-    InRounding& operator=(const InRounding&) = delete;
-
-  private:
-    int before_;
-};
 
 // ---- the bound
 
@@ -46,7 +34,7 @@ TEST(DistanceBelow, IsABoundAndATightOne) {
             square += static_cast<long double>(gap) * gap;
         }
         const long double truth = std::sqrt(square);  // off by 2^-64, where the bound leaves 2^-48
-        for (const int mode : rounding_modes) {
+        for (const environment::FloatMode& mode : environment::float_modes) {
             for (const int exponent : {-480, 0, 400, 700, -700}) {
                 const auto scaled = [&](const Aabb& box) {
                     return Aabb{std::ldexp(1.0, exponent) * box.min, std::ldexp(1.0, exponent) * box.max};
@@ -54,7 +42,7 @@ TEST(DistanceBelow, IsABoundAndATightOne) {
                 const Aabb x = scaled(a), y = scaled(b);
                 double lower = 0;
                 {
-                    const InRounding rounding(mode);
+                    const environment::InFloatMode in_mode(mode);
                     lower = distance_below(x, y);
                 }
                 const long double unscaled = std::ldexp(static_cast<long double>(lower), -exponent);

@@ -54,9 +54,7 @@ TEST(EdgeAxes, SegmentsAreKeptApartAndNeverLost) {
     std::array<int, 3> counts{};
     int clear_count = 0, clear_by_filter = 0;
     for (int i = 0; i < 4000; ++i) {
-        Pose face_pose, pose;
-        face_pose.R = random.rotation().toRotationMatrix();
-        pose.R = random.rotation().toRotationMatrix();
+        Pose face_pose = random.turned(), pose = random.turned();
         face_pose.t = std::ldexp(1.0, static_cast<int>(random.below(30))) * random.direction();
         pose.t = face_pose.t + random.direction();
         const Corners face{Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
