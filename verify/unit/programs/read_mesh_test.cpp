@@ -58,7 +58,7 @@ TEST_F(ReadMesh, KeepsEveryBitOfDecimals) {
             point + "\n0 0 1\n0 1 0\n3 0 1 2\n";
         const std::string stl = "solid s\nfacet normal 0 0 0\nouter loop\nvertex " + point +
                                 "\nvertex 0 0 1\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n";
-        for (const auto& [name, text] : {std::pair{"m.obj", obj}, {"m.off", off_}, {"m.ply", ply}, {"m.stl", stl}}) {
+        for (const auto& [name, text] : {std::pair{"m.obj", obj}, {"m.off", off}, {"m.ply", ply}, {"m.stl", stl}}) {
             const auto mesh = read_mesh_file(write(name, text));
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 EXPECT_EQ(std::bit_cast<std::uint64_t>(mesh->vertices()[0][static_cast<Eigen::Index>(axis)]),
