@@ -46,10 +46,10 @@ ConvexAnswer ask_solid_closest(const ConvexBody& a, const ConvexBody& b, QueryMe
     return {points ? points->distance : 0};
 }
 ConvexAnswer ask_depth(const ConvexBody& a, const ConvexBody& b, QueryMemory& memory, PairWitness& /*witness*/) {
-    return to_answer(depth(a, b, memory));
+    return to_answer(depth(a, b, memory).value());
 }
 ConvexAnswer ask_depth_by_witness(const ConvexBody& a, const ConvexBody& b, QueryMemory& memory, PairWitness& witness) {
-    return to_answer(depth(a, b, memory, witness));
+    return to_answer(depth(a, b, memory, witness).value());
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ std::uint64_t hull_bits(const Body& a, const Body& b, QueryMemory& memory) {
     const Posed<ConvexSolid> one = as<ConvexSolid>(a), other = as<ConvexSolid>(b);
     const double apart = solid_distance(one, other, memory);
     if (apart > 0) return std::bit_cast<std::uint64_t>(apart);
-    const Depth deep = depth(one, other, memory);
+    const Depth deep = depth(one, other, memory).value();
     Hash hash;
     hash.add(deep.depth);
     add(hash, deep.a);

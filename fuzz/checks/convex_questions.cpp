@@ -115,7 +115,7 @@ void check_pair(World& world, const Asked& expected) {
                                        closest->a == swapped->b));
     if (!is_same) throw CheckFailed("where two convex solids are closest", text(expected), "another distance");
     if (!expected.depth) return;
-    const Depth back = world.depth(b, a);
+    const Depth back = world.depth(b, a).value();
     const bool is_opposite = back.depth == expected.depth->depth && back.a == expected.depth->b &&
                              back.b == expected.depth->a && back.direction == -expected.depth->direction;
     if (!is_opposite) throw CheckFailed("a depth, swapped", text(expected), text(Asked{expected.bodies, 0, back}));

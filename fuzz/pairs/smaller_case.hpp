@@ -30,7 +30,7 @@ inline std::shared_ptr<const Mesh> hull_without_vertices(const Mesh& mesh, std::
     }
     try {
         return std::make_shared<const Mesh>(convex_hull(rest));
-    } catch (const NoInterior&) {
+    } catch (const NotSolid&) {
         return nullptr;
     }
 }

@@ -19,7 +19,7 @@ std::shared_ptr<const Mesh> hull(Bytes& bytes) {
     require_right(ecods::judge::ask_for_hull(points));
     try {
         return std::make_shared<const Mesh>(ecods::convex_hull(points));
-    } catch (const ecods::NoInterior&) {
+    } catch (const ecods::NotSolid&) {
         return nullptr;
     }
 }

@@ -29,6 +29,16 @@ void expect_error(Call call, const char* what) {
     require(false, what);
 }
 
+template <class Call>
+void expect_invalid(Call call, Argument argument, const char* what) {
+    try {
+        call();
+    } catch (const InvalidArgument& error) {
+        return require(error.argument == argument, what);
+    }
+    require(false, what);
+}
+
 class Session {
   public:
     Session(const std::uint8_t* data, std::size_t size)
@@ -127,8 +137,9 @@ class Session {
         bad.t[bytes_.below(3)] = std::numeric_limits<double>::quiet_NaN();
         const BodyId id = any_body().id;
         for (World& world : worlds_) {
-            expect_error<InvalidPose>([&] { world.set_pose(id, bad); }, "a pose that is none is refused");
-            expect_error<InvalidPose>([&] { world.create_body(meshes_[0], bad); }, "a body without a pose is refused");
+            expect_invalid([&] { world.set_pose(id, bad); }, Argument::pose, "a pose that is none is refused");
+            expect_invalid([&] { world.create_body(meshes_[0], bad); }, Argument::pose,
+                           "a body without a pose is refused");
         }
     }
 

@@ -18,6 +18,9 @@ struct Aabb {
     friend bool operator==(const Aabb& a, const Aabb& b) { return a.min == b.min && a.max == b.max; }
 };
 
+// Throws InvalidArgument unless min <= max on each axis, which no NaN is.
+ECODS_API void validate(const Aabb& box);
+
 // Whether the closed boxes share a point. Exact: comparisons only.
 ECODS_API bool overlap(const Aabb& a, const Aabb& b) noexcept;
 

@@ -18,7 +18,7 @@ struct Ball {
 // rounding mode. Sides of the box may be infinite. What is no ball makes the answer meaningless.
 ECODS_API bool overlap(const Ball& ball, const Aabb& box) noexcept;
 
-// Throws InvalidBall if a coordinate of the center is not finite, or the radius is negative or a NaN.
+// Throws InvalidArgument if a coordinate of the center is not finite, or the radius is negative or a NaN.
 ECODS_API void validate(const Ball& ball);
 
 }  // namespace ecods

@@ -126,8 +126,8 @@ class ECODS_API BroadPhase {
     virtual const std::vector<ProxyPair>& ended() const noexcept = 0;
 
     // The boxes that share a point with this box, segment or ball, ascending: boxes as they are now, whether update()
-    // has been called since or not. Decided exactly; all broad phases give the same. Throws InvalidBox, InvalidSegment
-    // or InvalidBall. Safe from many threads, as long as no call that is not const runs.
+    // has been called since or not. Decided exactly; all broad phases give the same. Throws InvalidArgument.
+    // Safe from many threads, as long as no call that is not const runs.
     //
     // Cost: brute_force and sweep_and_prune, and the others while they have few boxes, test all boxes. kept_candidates
     // and automatic make trees at the first such call (n log n, and about 150 bytes a box); from then on a call costs a
@@ -140,7 +140,7 @@ class ECODS_API BroadPhase {
     // Calls `visit` with each box that is not proven to be further than `limit` from this one, in the order of these
     // proofs, so that near ones come first. A visit returns the limit from then on; one above the limit so far changes
     // nothing. Boxes within the limit are visited, and a few others may be: what decides is a lower bound by doubles.
-    // Boxes as they are now. Throws InvalidBox, or InvalidDistance if `limit` is negative or NaN; what `visit` throws
+    // Boxes as they are now. Throws InvalidArgument, also if `limit` is negative or NaN; what `visit` throws
     // passes through. Safe from many threads, as find().
     //
     // Cost: brute_force, and the others while they have few boxes, test all boxes. Otherwise in trees, which are made
@@ -155,7 +155,7 @@ class ECODS_API BroadPhase {
     // Calls `visit` with each box that this segment, ray or box, which is translated by time times `motion`, is not
     // proven to miss, in the order of lower bounds of the first parameter or time at which it meets them, as far as
     // these are at most the limit: 1 of a segment, the largest parameter of a ray. Otherwise as visit_near(). Throws
-    // InvalidSegment, InvalidRay, InvalidBox, InvalidMotion, or InvalidTime if `limit` is negative or NaN.
+    // InvalidArgument, also if `limit` is negative or NaN.
     virtual void visit_along(const Segment& segment, const std::function<double(ProxyIndex)>& visit) const = 0;
     virtual void visit_along(const Ray& ray, const std::function<double(ProxyIndex)>& visit) const = 0;
     virtual void visit_along(const Aabb& box, const Vec3& motion, double limit,

@@ -25,7 +25,7 @@
 namespace ecods {
 
 // The first contact of a, which is translated by time times `motion`, with b, which stays; nothing if there is none up
-// to time 1. Throws InvalidMotion if a coordinate of the motion is not finite.
+// to time 1. Throws InvalidArgument if a coordinate of the motion is not finite.
 // Cost: a walk of both trees, earliest boxes first; a pair of triangles that is a candidate costs some tenths of a
 // microsecond, and the last one or few, which are compared exactly, about one. Where faces meet face on, those are all
 // pairs that touch first, at some microseconds each. On a short way it costs about as much as the distance at its end.

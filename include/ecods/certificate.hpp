@@ -73,17 +73,17 @@ ECODS_API Certificate certify(const Posed<MeshShape>& a, const Posed<MeshShape>&
 // distance(a, b): claims distance.
 ECODS_API Certificate certify_distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory);
 
-// within(a, b, d): claims within or beyond. Throws InvalidDistance if d is negative or NaN.
+// within(a, b, d): claims within or beyond. Throws InvalidArgument if d is negative or NaN.
 ECODS_API Certificate certify_within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d,
                                      QueryMemory& memory);
 
-// first_hit(segment, body): claims hit or miss. Throws InvalidSegment.
+// first_hit(segment, body): claims hit or miss. Throws InvalidArgument.
 ECODS_API Certificate certify_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory);
 
 // A world's lists with their proof (World::certify): which bodies there are, what filters and switches leave, that the
 // pairs of the last update's lists are as they are, and that no other pair whose boxes may meet is. A value, cheap to
 // copy, which keeps the shapes that it is about. World::certify throws NotUpdated if a call since the last update
-// changed the world or the clearance; NotCertified, with the first body of a kind of the caller's own. Where a test of
+// changed the world or the clearance; NotSupported, with the first body of a kind of the caller's own. Where a test of
 // the caller's own replaces that of meshes, the proof is of what the meshes do. Pairs that filters or
 // set_pair_enabled() leave out are not judged; the checkers say how many they are. Cost: certify(), and with a
 // clearance certify_within(), for each pair of bodies whose boxes are not proven to be further apart.

@@ -29,7 +29,7 @@ ECODS_API std::vector<TriangleIntersection> intersections(const Posed<MeshShape>
 // within d that hold closest points of no pair of triangles do not count. Which features count depends on no order of
 // triangles, corners or bodies.
 //
-// Throws InvalidDistance if d is negative, NaN or infinity. Cost: that of finding the pairs of triangles, and some
+// Throws InvalidArgument if d is negative, NaN or infinity. Cost: that of finding the pairs of triangles, and some
 // microseconds for each pair of features and for each pair of triangles with several.
 ECODS_API std::vector<CloseFeatures> close_features(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d,
                                                     QueryMemory& memory);

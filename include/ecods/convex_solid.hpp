@@ -30,8 +30,8 @@ namespace ecods {
 
 // The convex hull of points: its vertices are those points, in the order given, that are no convex combination of
 // others, of equal ones the first; its triangles fan out from the least vertex of each face, turned outwards, ascending
-// by their vertices. Exact: no point is outside. Throws InvalidVertex, which names the index of a point that is not
-// finite; NoInterior if all points lie in one plane, or there are none; MeshTooLarge.
+// by their vertices. Exact: no point is outside. Throws InvalidMesh, which names the index of a point that is not
+// finite, or if there are too many; NotSolid if all points lie in one plane, or there are none.
 // Cost: n log n for most points; n f, of f faces, at worst.
 ECODS_API Mesh convex_hull(std::span<const Vec3> points);
 
@@ -41,7 +41,7 @@ ECODS_API Mesh convex_hull(std::span<const Vec3> points);
 // and 4 bytes a vertex of the mesh.
 class ECODS_API ConvexSolid final : public Solid {
   public:
-    // Throws NullArgument, NotClosed, SelfIntersecting; NoInterior if no triangle has area; NotConvex.
+    // Throws InvalidArgument; NotSolid, also if no triangle has area.
     explicit ConvexSolid(std::shared_ptr<const Mesh> mesh);
     // Of the hull of points. Throws as convex_hull() does.
     explicit ConvexSolid(std::span<const Vec3> points);

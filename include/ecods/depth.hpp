@@ -14,6 +14,8 @@
 // Thread safety: as in intersection.hpp.
 #pragma once
 
+#include <optional>
+
 #include "ecods/closest_points.hpp"
 #include "ecods/convex_solid.hpp"
 #include "ecods/export.hpp"
@@ -41,12 +43,12 @@ struct Depth {
     friend bool operator==(const Depth&, const Depth&) = default;
 };
 
-// Throws SingularPose; SolidsApart if the solids share no point (solid_distance() asks for how far). The witness is for
-// a pair that was asked about before and has moved little; it may come from any question and any bodies.
-// Cost: some microseconds for solids of some dozens of faces; some dozens of microseconds for ten thousand vertices.
-ECODS_API Depth depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory);
-ECODS_API Depth depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory,
-                      PairWitness& witness);
+// Returns nothing if the solids share no point (solid_distance() asks for how far). Throws SingularPose. The witness is
+// for a pair that was asked about before and has moved little; it may come from any question and any bodies. Cost: some
+// microseconds for solids of some dozens of faces; some dozens of microseconds for ten thousand vertices.
+ECODS_API std::optional<Depth> depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory);
+ECODS_API std::optional<Depth> depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory,
+                                     PairWitness& witness);
 
 // Proven bounds of the depth of two solids, convex or not: of the length of the shortest translation of one of them
 // after which their interiors share no point.
@@ -64,8 +66,8 @@ struct DepthBounds {
     Vec3 parted = Vec3::Zero();
 };
 
-// Throws SingularPose; SolidsApart. Cost: some dozens of solid_relation(), of casts and of distances; of convex solids
-// that of depth() and one or two of solid_relation().
-ECODS_API DepthBounds depth_bounds(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory);
+// Returns nothing if the solids share no point. Throws SingularPose. Cost: some dozens of solid_relation(), of casts
+// and of distances; of convex solids that of depth() and one or two of solid_relation().
+ECODS_API std::optional<DepthBounds> depth_bounds(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory);
 
 }  // namespace ecods

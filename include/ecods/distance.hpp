@@ -37,7 +37,7 @@ ECODS_API double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, 
                           PairWitness& witness);
 
 // Whether the distance is at most d, decided for the real number: d may be the rounded distance, or a neighbour of it.
-// Infinity is allowed. Throws InvalidDistance if d is negative or NaN. within(a, b, 0) is intersects(a, b).
+// Infinity is allowed. Throws InvalidArgument if d is negative or NaN. within(a, b, 0) is intersects(a, b).
 ECODS_API bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d, QueryMemory& memory);
 ECODS_API bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d, QueryMemory& memory,
                       PairWitness& witness);
@@ -48,7 +48,7 @@ ECODS_API ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape
 ECODS_API ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory,
                                 PairWitness& witness);
 
-// How narrow an interval is wanted. None of the numbers may be negative or NaN (InvalidDistance).
+// How narrow an interval is wanted. None of the numbers may be negative or NaN (InvalidArgument).
 struct DistanceTolerance {
     double relative = 0;
     double absolute = 0;
@@ -70,7 +70,7 @@ ECODS_API DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<
                                          const DistanceTolerance& tolerance, QueryMemory& memory, PairWitness& witness);
 
 // Every pair of triangles at a distance of at most d, ascending, each with its own closest points. Throws
-// InvalidDistance if d is negative, NaN or infinity.
+// InvalidArgument if d is negative, NaN or infinity.
 ECODS_API std::vector<ClosestPoints> close_triangles(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d,
                                                      QueryMemory& memory);
 

@@ -26,8 +26,7 @@
 
 namespace ecods {
 
-// The hit of least parameter, and of those, of the least triangle; nothing if there is none. Throw InvalidSegment and
-// InvalidRay.
+// The hit of least parameter, and of those, of the least triangle; nothing if there is none. Throw InvalidArgument.
 // Cost: a walk along the line, nearest boxes first; then some tenths of a microsecond for each triangle that doubles
 // do not part from the first, and for rounding.
 ECODS_API std::optional<Hit> first_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory);

@@ -52,7 +52,8 @@ struct TrianglePair {
     friend constexpr auto operator<=>(const TrianglePair&, const TrianglePair&) = default;
 };
 
-// The questions that a test of two bodies, or a shape (hits), may leave unanswered (shape.hpp).
+// The questions that a test of two bodies, or a shape (hits), may leave unanswered (shape.hpp); and two that no test is
+// asked about: `intersects`, which every test answers, and `certify`, which meshes alone answer (NotSupported).
 enum class Question : std::uint8_t {
     relation,
     intersecting_triangles,
@@ -64,6 +65,8 @@ enum class Question : std::uint8_t {
     cast,
     cast_moving,
     hits,
+    intersects,
+    certify,
 };
 
 // The kind of a shape, by which a World picks the test for two bodies. Kind 0 is the triangle mesh; all

@@ -28,13 +28,13 @@ concept NumbersOf = std::ranges::contiguous_range<const Range> && std::ranges::s
 // it. Vertices that no triangle uses do not belong to it.
 class ECODS_API Mesh {
   public:
-    // Takes the lists over. Throws EmptyMesh, InvalidVertex, InvalidIndex or MeshTooLarge. Cost: one pass.
+    // Takes the lists over. Throws InvalidMesh. Cost: one pass.
     static std::shared_ptr<const Mesh> create(std::vector<Vec3> vertices, std::vector<Triangle> triangles);
 
     // The same from numbers in the caller's memory, which are copied: of each vertex three coordinates side by side,
     // and `stride` numbers from one vertex to the next; three indices a triangle. What follows the last vertex may be
-    // left out. Floats are taken exactly. Throws InvalidLayout, too, where the numbers do not make whole vertices and
-    // triangles; an index beyond 32 bits is an InvalidIndex as any other that is too large.
+    // left out. Floats are taken exactly. Throws InvalidMesh, also where the numbers do not make whole vertices and
+    // triangles; an index beyond 32 bits is as any other that is too large.
     template <NumbersOf<float, double> Coordinates, NumbersOf<std::uint32_t, std::uint64_t> Indices>
     static std::shared_ptr<const Mesh> create(const Coordinates& coordinates, const Indices& indices,
                                               std::size_t stride = 3) {

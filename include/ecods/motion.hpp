@@ -18,7 +18,7 @@ struct Moving {
     Pose to;
 };
 
-// Throws InvalidMotion if a coordinate of the vector is not finite.
+// Throws InvalidArgument if a coordinate of the vector is not finite.
 ECODS_API void validate_motion(const Vec3& motion);
 
 }  // namespace ecods

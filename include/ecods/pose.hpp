@@ -29,7 +29,7 @@ struct Pose {
     }
     static Pose from_isometry(const Eigen::Isometry3d& m) { return {m.linear(), m.translation()}; }
 
-    // Throws InvalidPose unless the last row is 0 0 0 1. Nothing is rounded.
+    // Throws InvalidArgument unless the last row is 0 0 0 1. Nothing is rounded.
     static Pose from_matrix(const Eigen::Matrix4d& m) {
         require_last_row(m(3, 0), m(3, 1), m(3, 2), m(3, 3));
         return {m.topLeftCorner<3, 3>(), m.topRightCorner<3, 1>()};
@@ -46,7 +46,7 @@ struct Pose {
 // Library and caller must agree on the layout whatever instruction set each is compiled for.
 static_assert(alignof(Pose) == alignof(double) && sizeof(Pose) == 12 * sizeof(double));
 
-// Throws InvalidPose for the first entry, row by row of [R t], that is NaN or infinite.
+// Throws InvalidArgument for the first entry, row by row of [R t], that is NaN or infinite.
 ECODS_API void validate(const Pose& pose);
 
 }  // namespace ecods

@@ -27,11 +27,11 @@ struct Ray {
 // rounding mode. Sides of the box may be infinite. An end that is not finite makes the answer meaningless.
 ECODS_API bool overlap(const Segment& segment, const Aabb& box) noexcept;
 
-// Throws InvalidSegment if a coordinate of an end is not finite.
+// Throws InvalidArgument if a coordinate of an end is not finite.
 ECODS_API void validate(const Segment& segment);
 
-// Throws InvalidRay if a coordinate of the origin or the direction is not finite, the direction is zero, or the largest
-// parameter is negative or NaN.
+// Throws InvalidArgument if a coordinate of the origin or the direction is not finite, the direction is zero, or the
+// largest parameter is negative or NaN.
 ECODS_API void validate(const Ray& ray);
 
 }  // namespace ecods

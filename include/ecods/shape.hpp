@@ -33,7 +33,7 @@ class ECODS_API Shape {
     virtual ShapeKind kind() const noexcept = 0;
 
     // A box that contains every point of the shape at the pose. The broad phase trusts it: a point outside may be a
-    // contact lost. min <= max and no NaN, otherwise InvalidBox at the call that asked.
+    // contact lost. min <= max and no NaN, otherwise InvalidArgument at the call that asked.
     virtual Aabb box(const Pose& pose) const = 0;
 
     // A hash of what the shape is, for World::digest. Equal shapes must give equal values.
@@ -58,7 +58,7 @@ class ECODS_API Shape {
 // it. Casts of bodies beyond 2^200, or below 2^-200, make a mesh of moderate size of their meshes, once, with its tree.
 class ECODS_API MeshShape : public Shape {
   public:
-    // Throws NullArgument.
+    // Throws InvalidArgument.
     explicit MeshShape(std::shared_ptr<const Mesh> mesh);
     ~MeshShape() override;
 
@@ -93,8 +93,8 @@ class ECODS_API MeshShape : public Shape {
 
 // The shape of a deforming mesh: the same triangles, other vertices. Its tree has the structure of that of `shape`,
 // with new boxes, unless it has grown bad (its surfaces half as much again as when it was built): then it is built
-// from scratch. Give it to a body by World::set_shape. Answers are exact either way. Throws InvalidVertex, or
-// InvalidIndex if there are too few vertices. Cost: some passes over the triangles.
+// from scratch. Give it to a body by World::set_shape. Answers are exact either way. Throws InvalidMesh, also
+// if there are too few vertices. Cost: some passes over the triangles.
 ECODS_API std::shared_ptr<const MeshShape> refit(const MeshShape& shape, std::vector<Vec3> vertices);
 
 // What decided a pair of bodies the last time, for the test that left it: of meshes, the triangles that touched, or the

@@ -42,7 +42,7 @@
 
 namespace ecods {
 
-// Throws unless the mesh bounds a solid: NotClosed, which names an edge; SelfIntersecting, which names two triangles,
+// Throws unless the mesh bounds a solid: NotSolid, which names an edge that is open, or two triangles that intersect,
 // if it is closed. Of several defects the first is named: of edges by triangle and corner, of pairs of triangles the
 // least. Cost: about that of the mesh's tree, which it makes, and that of sorting vertices and edges; of a surface that
 // is seen as a whole from the middle of its corners, as that of nearly every convex body is, no tree is made.
@@ -61,7 +61,7 @@ ECODS_API std::vector<TrianglePair> self_intersections(const Mesh& mesh);
 // or triangles have zero area, or a vertex lies inside an edge, there is a second mesh inside which is without these.
 class ECODS_API Solid : public MeshShape {
   public:
-    // Throws NullArgument, NotClosed or SelfIntersecting.
+    // Throws InvalidArgument or NotSolid.
     explicit Solid(std::shared_ptr<const Mesh> mesh);
     ~Solid() override;
 
@@ -85,7 +85,7 @@ struct Location {
     friend bool operator==(const Location&, const Location&) = default;
 };
 
-// Under a singular pose, outside or on. Throws InvalidPoint unless the point is finite. Cost: one walk of the tree,
+// Under a singular pose, outside or on. Throws InvalidArgument unless the point is finite. Cost: one walk of the tree,
 // along a ray.
 ECODS_API Location locate(const Vec3& point, const Posed<Solid>& solid, QueryMemory& memory);
 

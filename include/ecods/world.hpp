@@ -59,8 +59,8 @@ class ECODS_API World {
 
     // ---- bodies
 
-    // Makes a body. Throws NullArgument, MeshAndShape, InvalidPose, InvalidBox, or MissingTest when a body of another
-    // kind is here and no test for the two kinds is.
+    // Makes a body. Throws InvalidArgument, or NotSupported when a body of another kind is here and no test for the two
+    // kinds is.
     BodyId create_body(const BodyOptions& options);
     BodyId create_body(std::shared_ptr<const Mesh> mesh, const Pose& pose);
     BodyId create_body(std::shared_ptr<const Shape> shape, const Pose& pose);
@@ -68,11 +68,11 @@ class ECODS_API World {
     // The id, and every copy of it, is stale from now on. Throws StaleBody, as does every call that is given an id.
     void destroy_body(BodyId body);
 
-    // Throws InvalidPose. Setting the very pose that the body has is not a move.
+    // Throws InvalidArgument. Setting the very pose that the body has is not a move.
     void set_pose(BodyId body, const Pose& pose);
 
     // Sets the pose of each body: all of them, or none if a call throws. For a body that is listed twice the later pose
-    // holds. Throws LengthMismatch, and StaleBody, InvalidPose or InvalidBox with the index of the entry.
+    // holds. Throws InvalidArgument and StaleBody, with the index of the entry.
     void set_poses(std::span<const BodyId> bodies, std::span<const Pose> poses);
 
     // Throws as create_body does. Setting the very object that the body has is not a change. A mesh that deforms is a
@@ -100,7 +100,7 @@ class ECODS_API World {
     // ---- the clearance
 
     // From the next update on, close_pairs() are the pairs at a distance of at most this, decided for the real number;
-    // or none, where nothing is given. The next update has events for what this changed. Throws InvalidDistance if it
+    // or none, where nothing is given. The next update has events for what this changed. Throws InvalidArgument if it
     // is negative, NaN or infinity; or NotSupported if a test for two kinds of bodies that are here does not answer
     // `within`, as then create_body, set_shape and set_test do.
     void set_clearance(std::optional<double> clearance);
@@ -134,7 +134,7 @@ class ECODS_API World {
     // ---- two-body tests
 
     // Registers the test for two kinds, in either order of arguments (the world swaps them); replaces what was there,
-    // and forgets the verdicts that it gave. Meshes have one from the start. Throws NullArgument.
+    // and forgets the verdicts that it gave. Meshes have one from the start. Throws InvalidArgument.
     void set_test(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test);
 
     // ---- answers for the whole world, as of the last update
@@ -173,7 +173,7 @@ class ECODS_API World {
 
     // Either order of arguments. Throw StaleBody, SameBody, NotSupported. They change no answer, and work in the memory
     // that they are given, otherwise in the world's own, which is why those forms are not const. Those about distances
-    // are as in distance.hpp: within() throws InvalidDistance, and infinity is allowed there; of several pairs of
+    // are as in distance.hpp: within() throws InvalidArgument, and infinity is allowed there; of several pairs of
     // features that tie, closest() chooses as if the body of the lesser id came first. intersections() and
     // close_features() are those of contact.hpp for the bodies in the order given.
     bool intersects(BodyId a, BodyId b, QueryMemory& memory) const;
@@ -191,8 +191,8 @@ class ECODS_API World {
     SolidRelation solid_relation(BodyId a, BodyId b, QueryMemory& memory) const;
     double solid_distance(BodyId a, BodyId b, QueryMemory& memory) const;
     std::optional<ClosestPoints> solid_closest(BodyId a, BodyId b, QueryMemory& memory) const;
-    Depth depth(BodyId a, BodyId b, QueryMemory& memory) const;
-    DepthBounds depth_bounds(BodyId a, BodyId b, QueryMemory& memory) const;
+    std::optional<Depth> depth(BodyId a, BodyId b, QueryMemory& memory) const;
+    std::optional<DepthBounds> depth_bounds(BodyId a, BodyId b, QueryMemory& memory) const;
 
     bool intersects(BodyId a, BodyId b);
     Relation relation(BodyId a, BodyId b);
@@ -205,13 +205,13 @@ class ECODS_API World {
     SolidRelation solid_relation(BodyId a, BodyId b);
     double solid_distance(BodyId a, BodyId b);
     std::optional<ClosestPoints> solid_closest(BodyId a, BodyId b);
-    Depth depth(BodyId a, BodyId b);
-    DepthBounds depth_bounds(BodyId a, BodyId b);
+    std::optional<Depth> depth(BodyId a, BodyId b);
+    std::optional<DepthBounds> depth_bounds(BodyId a, BodyId b);
 
     // ---- answers about what is no body, as of now; ascending
 
-    // Bodies whose boxes share a point with this one: a superset of those that reach into it. Throws InvalidBox. Cost:
-    // that of BroadPhase::find.
+    // Bodies whose boxes share a point with this one: a superset of those that reach into it. Throws InvalidArgument.
+    // Cost: that of BroadPhase::find.
     std::vector<BodyId> overlapping_bodies(const Aabb& box) const;
 
     // Bodies that share a point with a mesh or shape at a pose. Exact. Filters of bodies do not count, as the question
@@ -228,14 +228,14 @@ class ECODS_API World {
     std::vector<BodyId> intersecting_bodies(const Shape& shape, const Pose& pose,
                                             std::optional<CollisionFilter> filter = {});
 
-    // Bodies that are solids with the point in them or on their surface. Exact. Throws InvalidPoint. Cost: that of
+    // Bodies that are solids with the point in them or on their surface. Exact. Throws InvalidArgument. Cost: that of
     // BroadPhase::find, and a locate() for each box that contains the point.
     BodiesContaining bodies_containing(const Vec3& point, QueryMemory& memory) const;
     BodiesContaining bodies_containing(const Vec3& point);
 
     // ---- which is the nearest, as of now (NearestBody says which of several)
     //
-    // Nothing beyond `limit` is. Throw InvalidDistance if it is negative or NaN; and NotSupported if the test for two
+    // Nothing beyond `limit` is. Throw InvalidArgument if it is negative or NaN; and NotSupported if the test for two
     // kinds that are here, or for the kind asked with and one that is, does not answer both `distance` and `within`,
     // whichever bodies are near.
 
@@ -263,7 +263,7 @@ class ECODS_API World {
     // ---- pairs of convex solids, as of now; ascending
     //
     // Those that share a point, and those within `limit`, decided for the real number. Throw SingularPose if a convex
-    // solid is at one, wherever it is; InvalidDistance if the limit is negative or NaN; without memory, ExecutorFailed.
+    // solid is at one, wherever it is; InvalidArgument if the limit is negative or NaN; without memory, ExecutorFailed.
     std::vector<BodyDepth> depths(QueryMemory& memory) const;
     std::vector<SolidDistance> solid_distances(double limit, QueryMemory& memory) const;
     std::vector<BodyDepth> depths();
@@ -272,7 +272,7 @@ class ECODS_API World {
     // ---- what is in the way, as of now
     //
     // What a segment or a ray meets (hit.hpp), of all bodies; with a filter, of those that it may meet. In the order
-    // that BodyHit names. Throw InvalidSegment, InvalidRay; and NotSupported if a kind that is here does not answer
+    // that BodyHit names. Throw InvalidArgument; and NotSupported if a kind that is here does not answer
     // hits, wherever its bodies are.
     std::optional<BodyHit> first_hit(const Segment& segment, QueryMemory& memory,
                                      std::optional<CollisionFilter> filter = {}) const;
@@ -290,7 +290,7 @@ class ECODS_API World {
 
     // The body that is met first by this one, or by a mesh or shape at a pose, while it is translated by time times
     // `motion` (cast.hpp), up to `time_max`. Nothing moves. Bodies are passed over as by nearest(). Throw
-    // InvalidMotion, InvalidTime if `time_max` is negative or NaN (above 1 it is as 1), and otherwise as nearest(), for
+    // InvalidArgument, also if `time_max` is negative or NaN (above 1 it is as 1), and otherwise as nearest(), for
     // `cast`.
     std::optional<BodyContact> cast(BodyId body, const Vec3& motion, QueryMemory& memory, double time_max = 1) const;
     std::optional<BodyContact> cast(const std::shared_ptr<const Mesh>& mesh, const Pose& pose, const Vec3& motion,
@@ -325,7 +325,7 @@ class ECODS_API World {
 
     // ---- inspection
 
-    // colliding_pairs() and close_pairs() with their proof: certificate.hpp says more. Throws NotUpdated, NotCertified.
+    // colliding_pairs() and close_pairs() with their proof: certificate.hpp says more. Throws NotUpdated, NotSupported.
     WorldCertificate certify(QueryMemory& memory) const;
     Statistics statistics() const;
 

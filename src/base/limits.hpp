@@ -4,18 +4,18 @@
 #include <limits>
 
 #include "base/double_key.hpp"
-#include "ecods/error.hpp"
+#include "base/make_error.hpp"
 
 namespace ecods {
 
 inline constexpr std::int64_t infinity_key = key_of(std::numeric_limits<double>::infinity());
 
-// A limit is not negative and not NaN. Both throw InvalidDistance if d is none; the second one also if it is infinite.
+// A limit is not negative and not NaN. Both throw InvalidArgument if d is none; the second one also if it is infinite.
 inline void require_distance(double d) {
-    if (!is_from_zero(d)) throw InvalidDistance(d);
+    if (!is_from_zero(d)) throw invalid_distance(d);
 }
 inline void require_finite_distance(double d) {
-    if (!is_from_zero(d) || key_of(d) == infinity_key) throw InvalidDistance(d);
+    if (!is_from_zero(d) || key_of(d) == infinity_key) throw invalid_distance(d);
 }
 
 }  // namespace ecods

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "ecods/aabb.hpp"
 #include "ecods/pose.hpp"
 #include "simd/vec.hpp"
 
@@ -49,8 +48,5 @@ inline std::optional<InvalidEntry> find_invalid(const Pose& pose) {
     }
     return std::nullopt;
 }
-
-// Throws InvalidBox unless min <= max on each axis, which no NaN is.
-void validate(const Aabb& box);
 
 }  // namespace ecods

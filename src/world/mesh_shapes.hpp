@@ -5,22 +5,22 @@
 #include <memory>
 #include <unordered_map>
 
-#include "ecods/error.hpp"
+#include "base/make_error.hpp"
 #include "ecods/shape.hpp"
 
 namespace ecods {
 
 class MeshShapes {
   public:
-    // Makes it where it is not known. Throws NullArgument.
+    // Makes it where it is not known. Throws InvalidArgument.
     std::shared_ptr<const MeshShape> shape_of(const std::shared_ptr<const Mesh>& mesh);
 
     std::shared_ptr<const MeshShape> find(const std::shared_ptr<const Mesh>& mesh) const;  // or null
 
-    // ask(shape) of the mesh: the one that is known, or one for this time. Throws NullArgument.
+    // ask(shape) of the mesh: the one that is known, or one for this time. Throws InvalidArgument.
     template <class Ask>
     auto with(const std::shared_ptr<const Mesh>& mesh, const Ask& ask) const {
-        if (!mesh) throw NullArgument("mesh");
+        if (!mesh) throw null_argument("mesh");
         const auto known = find(mesh);
         return known ? ask(*known) : ask(MeshShape(mesh));
     }

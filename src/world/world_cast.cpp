@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "base/limits.hpp"
+#include "base/make_error.hpp"
 #include "ecods/motion.hpp"
 #include "world/least.hpp"
 #include "world/world_impl.hpp"
@@ -36,7 +37,7 @@ class FirstMet {
 
 FirstMet first_met(const Vec3& motion, double time_max) {
     validate_motion(motion);
-    if (!is_from_zero(time_max)) throw InvalidTime(time_max);
+    if (!is_from_zero(time_max)) throw invalid_time(time_max);
     return FirstMet(time_max);
 }
 

@@ -16,7 +16,7 @@ using Claim = Certificate::Claim;
 void add_bodies(Content& content, const Bodies& bodies) {
     for (const BodyId id : bodies.ids()) {
         const Slot& slot = bodies[id.slot - 1];
-        if (slot.kind != ShapeKind::mesh()) throw NotCertified(id, slot.kind);
+        if (slot.kind != ShapeKind::mesh()) throw NotSupported(Question::certify, slot.kind, slot.kind, id);
         content.bodies.push_back({id, std::static_pointer_cast<const MeshShape>(slot.shape), slot.pose, slot.filter});
     }
 }

@@ -23,8 +23,6 @@ auto ask_of(const Bodies& bodies, ProxyIndex a, ProxyIndex b, const Ask& ask) {
         return ask();
     } catch (const SingularPose& error) {
         throw SingularPose(error.argument, bodies.id_of(error.argument == 0 ? a : b));
-    } catch (const SolidsApart&) {
-        throw SolidsApart(bodies.id_of(a), bodies.id_of(b));
     }
 }
 
@@ -55,19 +53,19 @@ std::optional<ClosestPoints> World::solid_closest(BodyId a, BodyId b, QueryMemor
     return points;
 }
 
-Depth World::depth(BodyId a, BodyId b, QueryMemory& memory) const {
+std::optional<Depth> World::depth(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
     const ProxyPair pair = w.bodies.require_pair(a, b);
     const auto first = w.bodies.convex_at(pair.a), second = w.bodies.convex_at(pair.b);
-    Depth depth = ask_of(w.bodies, pair.a, pair.b, [&] { return ecods::depth(first, second, memory); });
-    if (a.slot - 1 != pair.a) {
-        std::swap(depth.a, depth.b);
-        depth.direction = opposite(depth.direction);
+    auto depth = ask_of(w.bodies, pair.a, pair.b, [&] { return ecods::depth(first, second, memory); });
+    if (depth && a.slot - 1 != pair.a) {
+        std::swap(depth->a, depth->b);
+        depth->direction = opposite(depth->direction);
     }
     return depth;
 }
 
-DepthBounds World::depth_bounds(BodyId a, BodyId b, QueryMemory& memory) const {
+std::optional<DepthBounds> World::depth_bounds(BodyId a, BodyId b, QueryMemory& memory) const {
     const Impl& w = impl();
     w.bodies.require_pair(a, b);
     const ProxyIndex first = a.slot - 1, second = b.slot - 1;
@@ -81,10 +79,10 @@ double World::solid_distance(BodyId a, BodyId b) {
 std::optional<ClosestPoints> World::solid_closest(BodyId a, BodyId b) {
     return solid_closest(a, b, impl().workers.caller_memory());
 }
-Depth World::depth(BodyId a, BodyId b) {
+std::optional<Depth> World::depth(BodyId a, BodyId b) {
     return depth(a, b, impl().workers.caller_memory());
 }
-DepthBounds World::depth_bounds(BodyId a, BodyId b) {
+std::optional<DepthBounds> World::depth_bounds(BodyId a, BodyId b) {
     return depth_bounds(a, b, impl().workers.caller_memory());
 }
 

@@ -27,7 +27,7 @@ namespace ecods {
 struct World::Impl {
     explicit Impl(const WorldOptions& options);
 
-    // A body of `kind` comes, in place of `replaced` if that is not null. Throws MissingTest, or NotSupported where a
+    // A body of `kind` comes, in place of `replaced` if that is not null. Throws NotSupported, also where a
     // question is given.
     void require_tests_for(ShapeKind kind, const Shape* replaced, std::optional<Question> question = {}) const;
 
@@ -112,7 +112,7 @@ inline ClosestPoints turned(ClosestPoints points) noexcept {
     std::swap(points.point_a, points.point_b);
     return points;
 }
-void require_usable(const std::shared_ptr<const Shape>& shape);  // throws NullArgument, and
+void require_usable(const std::shared_ptr<const Shape>& shape);  // throws InvalidArgument, and
 void require_mesh_kind(const Shape& shape);                      // NotSupported: the kind of meshes, but no MeshShape
 void require_answer(const TwoBodyTest& test, Question question, ShapeKind a, ShapeKind b);  // NotSupported
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/double_key.hpp"
+#include "base/make_error.hpp"
 #include "geometry/same_bits.hpp"
 #include "world/world_impl.hpp"
 
@@ -87,7 +88,7 @@ void append_known(const PairVerdicts& collisions, const Changes& changes, const 
 std::vector<Meeting> World::meetings(std::span<const BodyId> bodies, std::span<const Pose> poses,
                                      QueryMemory& memory) const {
     const Impl& w = impl();
-    if (bodies.size() != poses.size()) throw LengthMismatch(bodies.size(), poses.size());
+    if (bodies.size() != poses.size()) throw invalid_list_length(bodies.size(), poses.size());
     Ways ways;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const ProxyIndex proxy = w.bodies.require(bodies[i], i);

@@ -35,11 +35,7 @@ std::optional<Wrong> require(const char* question, const std::string& how, const
 
 std::optional<Depth> depth_of(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory,
                               PairWitness* witness) {
-    try {
-        return witness != nullptr ? ecods::depth(a, b, memory, *witness) : ecods::depth(a, b, memory);
-    } catch (const SolidsApart&) {
-        return std::nullopt;
-    }
+    return witness != nullptr ? ecods::depth(a, b, memory, *witness) : ecods::depth(a, b, memory);
 }
 
 }  // namespace
@@ -88,7 +84,7 @@ std::optional<Wrong> ConvexTruth::ask(std::size_t order, QueryMemory& memory, Pa
     if (!same_bits(d, distance())) return Wrong{"solid_distance" + how, judge::text(distance()), judge::text(d)};
     const auto closest = witness != nullptr ? solid_closest(a, b, memory, *witness) : solid_closest(a, b, memory);
     if (auto wrong = require("solid_closest", how, "nothing", expected.closest, closest)) return wrong;
-    return require("depth", how, "SolidsApart", expected.depth, depth_of(a, b, memory, witness));
+    return require("depth", how, "nothing", expected.depth, depth_of(a, b, memory, witness));
 }
 
 std::optional<Wrong> ConvexTruth::ask(QueryMemory& memory, PairWitness& witness) const {
@@ -103,15 +99,11 @@ std::optional<Wrong> ConvexTruth::ask(QueryMemory& memory, PairWitness& witness)
 
 std::optional<Wrong> ConvexTruth::ask_bounds(QueryMemory& memory) const {
     const Posed<ConvexSolid>&a = solids_[0], &b = solids_[1];
-    DepthBounds bounds;
-    try {
-        bounds = depth_bounds(a, b, memory);
-    } catch (const SolidsApart&) {
-        if (!of_[0].depth) return std::nullopt;
-        return Wrong{"depth_bounds", "bounds", "SolidsApart"};
-    }
+    const std::optional<DepthBounds> found = depth_bounds(a, b, memory);
+    if (!found) return of_[0].depth ? std::optional(Wrong{"depth_bounds", "bounds", "nothing"}) : std::nullopt;
+    const DepthBounds& bounds = *found;
     const std::string got = fmt::format("{:a} to {:a}", bounds.lower, bounds.upper);
-    if (!of_[0].depth) return Wrong{"depth_bounds", "SolidsApart", got};
+    if (!of_[0].depth) return Wrong{"depth_bounds", "nothing", got};
     const oracle::ExactRoot exact = exact_->depth()->depth;
     const bool are_zero = !exact.is_zero() || (bounds.lower == 0 && bounds.upper == 0);
     const bool is_upper = std::isinf(bounds.upper) || compare(exact, bounds.upper) <= 0;
@@ -164,7 +156,7 @@ std::optional<Wrong> ask_for_hull(std::span<const Vec3> points) {
             found += fmt::format("{} ", from++);
         }
         for (const Triangle& t : hull.triangles()) found += fmt::format("({} {} {})", t[0], t[1], t[2]);
-    } catch (const NoInterior&) {
+    } catch (const NotSolid&) {
     }
     if (wanted == found) return std::nullopt;
     return Wrong{"convex_hull", wanted, found};
@@ -175,9 +167,8 @@ std::optional<Wrong> ask_whether_convex(const std::shared_ptr<const Mesh>& mesh)
     bool found = true;
     try {
         const ConvexSolid solid(mesh);
-    } catch (const NotConvex&) {
-        found = false;
-    } catch (const NoInterior&) {
+    } catch (const NotSolid& error) {
+        if (error.reason != NotSolid::Reason::dent && error.reason != NotSolid::Reason::no_interior) throw;
         found = false;
     }
     if (found == expected) return std::nullopt;

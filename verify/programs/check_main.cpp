@@ -118,7 +118,7 @@ void add_rays(CLI::App& app, std::vector<Ray>& rays) {
             rays.push_back({Vec3(x, y, z), Vec3(dx, dy, dz)});
             try {
                 validate(rays.back());
-            } catch (const InvalidRay& error) {
+            } catch (const InvalidArgument& error) {
                 throw CLI::ValidationError("--ray", error.what());
             }
         }

@@ -90,7 +90,7 @@ struct FrameAnswer {
     std::vector<GapAnswer> gaps;
 };
 
-// The World of a scene. The scene must outlive it. Throws InvalidDistance, as World::set_clearance does.
+// The World of a scene. The scene must outlive it. Throws InvalidArgument, as World::set_clearance does.
 class SceneWorld {
   public:
     SceneWorld(const scenes::Scene& scene, BroadPhaseKind broad_phase, const SceneQuestions& questions = {});

@@ -42,14 +42,14 @@ Vec3 to_vec3(py::handle value, const char* what);
 // A box: (2, 3), its least corner first.
 Aabb to_box(py::handle value);
 
-// One pose: (4, 4) with a last row of 0 0 0 1, (3, 4), or None, which is where the mesh is. Throws InvalidPose.
+// One pose: (4, 4) with a last row of 0 0 0 1, (3, 4), or None, which is where the mesh is. Throws InvalidArgument.
 Pose to_pose(py::handle value);
 
 // The pose of 12 doubles, row by row; four more may follow. It is not checked.
 Pose pose_of(const double* entries);
 
 // Poses one after the other: (k, 4, 4) or (k, 3, 4); or one, which then stands for as many as are asked for. All of
-// them are checked when the list is made: InvalidPose names the entry.
+// them are checked when the list is made: InvalidArgument names the entry.
 class PoseList {
   public:
     explicit PoseList(py::handle value, const char* what);

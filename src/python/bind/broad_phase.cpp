@@ -12,12 +12,6 @@
 namespace ecods::python {
 namespace {
 
-void require_box(const Aabb& box) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!(box.min[axis] <= box.max[axis])) throw InvalidBox(axis, box.min[axis], box.max[axis]);
-    }
-}
-
 py::array_t<ProxyIndex> array_of(const std::vector<ProxyPair>& pairs) {
     return from_named_pairs<ProxyIndex>(pairs, std::identity());
 }
@@ -48,7 +42,7 @@ std::unique_ptr<BroadPhase> with_boxes(const py::tuple& state) {
     for (py::ssize_t i = 0; i < proxies.size(); ++i) {
         const double* const x = corners.data() + 6 * i;
         const Aabb box{.min = {x[0], x[1], x[2]}, .max = {x[3], x[4], x[5]}};
-        require_box(box);
+        validate(box);
         made->add(proxies.at(i), box);
     }
     return made;
@@ -63,15 +57,16 @@ void bind_broad_phase(py::module_& m) {
         m, "BroadPhase", "Which boxes (2, 3) overlap. Each has a number of the caller's, a proxy: keep them dense.");
     type.def(py::init([](BroadPhaseKind kind) { return make_broad_phase(kind); }), py::arg("kind") = "automatic");
     const auto add = [](BroadPhase& self, ProxyIndex which, const Aabb& at) {
-        require_box(at);
+        validate(at);
         self.add(which, at);
     };
-    type.def("add", add, proxy, box, "Adds a box. Raises InvalidBox; Error if the proxy is there, or not below 2**31.");
+    type.def("add", add, proxy, box,
+             "Adds a box. Raises InvalidArgument; Error if the proxy is there, or not below 2**31.");
     const auto move = [](BroadPhase& self, ProxyIndex which, const Aabb& at) {
-        require_box(at);
+        validate(at);
         self.move(which, at);
     };
-    type.def("move", move, proxy, box, "Gives a proxy another box. Raises InvalidBox; Error if there is none.");
+    type.def("move", move, proxy, box, "Gives a proxy another box. Raises InvalidArgument; Error if there is none.");
     type.def("remove", &BroadPhase::remove, proxy, "Raises Error if there is none.");
     type.def("box", &BroadPhase::box, proxy, "(2, 3) float64.");
     type.def("__len__", &BroadPhase::size);

@@ -129,6 +129,9 @@ ECODS_PYTHON_ENUM(ecods::BroadPhaseKind, "BroadPhaseKind");
 ECODS_PYTHON_ENUM(ecods::InstructionSet, "InstructionSet");
 ECODS_PYTHON_ENUM(ecods::Certificate::Claim, "Claim");
 ECODS_PYTHON_ENUM(ecods::Question, "Question");
+ECODS_PYTHON_ENUM(ecods::InvalidMesh::Reason, "InvalidMeshReason");
+ECODS_PYTHON_ENUM(ecods::NotSolid::Reason, "NotSolidReason");
+ECODS_PYTHON_ENUM(ecods::Argument, "Argument");
 #undef ECODS_PYTHON_ENUM
 
 template <>

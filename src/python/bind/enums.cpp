@@ -86,7 +86,14 @@ void bind_enums(py::module_& m) {
                              {"disjoint", "touching", "crossing", "distance", "within", "beyond", "hit", "miss"});
     make<Question>(m, "Question", "The question that NotSupported names.",
                    {"relation", "intersecting_triangles", "distance", "within", "closest", "intersections",
-                    "close_features", "cast", "cast_moving", "hits"});
+                    "close_features", "cast", "cast_moving", "hits", "intersects", "certify"});
+    make<InvalidMesh::Reason>(m, "InvalidMeshReason", "The reason of an InvalidMesh.",
+                              {"empty", "vertex", "index", "layout", "too_large"});
+    make<NotSolid::Reason>(m, "NotSolidReason", "The reason of a NotSolid.",
+                           {"open_edge", "self_intersection", "dent", "no_interior"});
+    make<Argument>(m, "Argument", "The argument that InvalidArgument is about.",
+                   {"pose", "box", "segment", "ray", "point", "motion", "ball", "distance", "time", "list_length",
+                    "null", "mesh_and_shape"});
 }
 
 }  // namespace ecods::python

@@ -32,7 +32,7 @@ void bind_line_questions(py::module_& m) {
                Field{"a", &Segment::a, "Where it begins, (3,) float64."},
                Field{"b", &Segment::b, "Where it ends, (3,) float64."})
         .def(py::init([](const Vec3& a, const Vec3& b) { return checked(Segment{.a = a, .b = b}); }), py::arg("a"),
-             py::arg("b"), "Raises InvalidSegment unless the ends are finite.");
+             py::arg("b"), "Raises InvalidArgument unless the ends are finite.");
     add_record(m, "Ray", "The points origin + s * direction for s from 0 to parameter_max.",
                Field{"origin", &Ray::origin, "(3,) float64."},
                Field{"direction", &Ray::direction, "(3,) float64, as it was given."},
@@ -42,12 +42,12 @@ void bind_line_questions(py::module_& m) {
              }),
              py::arg("origin"), py::arg("direction"),
              py::arg("parameter_max") = std::numeric_limits<double>::infinity(),
-             "Origin and direction are (3,); parameters are in units of the direction. Raises InvalidRay.");
+             "Origin and direction are (3,); parameters are in units of the direction. Raises InvalidArgument.");
     add_record(m, "Ball", "The points at a distance of at most the radius from the center (3,).",
                Field{"center", &Ball::center, "(3,) float64."}, Field{"radius", &Ball::radius, "Not negative."})
         .def(py::init(
                  [](const Vec3& center, double radius) { return checked(Ball{.center = center, .radius = radius}); }),
-             py::arg("center"), py::arg("radius"), "Raises InvalidBall.");
+             py::arg("center"), py::arg("radius"), "Raises InvalidArgument.");
     add_questions<Segment>(m);
     add_questions<Ray>(m);
 }

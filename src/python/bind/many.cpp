@@ -115,7 +115,7 @@ void bind_many(py::module_& m) {
     add_at_poses<bool>(
         m, "collide_many",
         "intersects() of a at each of its poses and b at each of its own: (k,) bool. Poses are (k, 4, 4) or "
-        "(k, 3, 4); one pose, or None, stands for all. Raises InvalidPose with the index.",
+        "(k, 3, 4); one pose, or None, stands for all. Raises InvalidArgument with the index.",
         ECODS_QUESTION(intersects));
     add_at_poses<double>(m, "distance_many", "distance() likewise: (k,) float64, each the true one, rounded once.",
                          ECODS_QUESTION(distance));
@@ -129,13 +129,13 @@ void bind_many(py::module_& m) {
                                   [d](auto& x, auto& y, auto& memory, auto& w) { return within(x, y, d, memory, w); });
         },
         py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b"), py::arg("d"), py::arg("threads") = 1,
-        "within(d) likewise: (k,) bool. Raises InvalidDistance.");
+        "within(d) likewise: (k,) bool. Raises InvalidArgument.");
     m.def("first_hits", &first_hits, py::arg("origins"), py::arg("directions"), py::arg("body"),
           py::arg("parameter_max") = std::numeric_limits<double>::infinity(), py::arg("threads") = 1,
           "first_hit() of rays (k, 3), (k, 3): parameters (k,) float64, NaN where nothing is hit, and triangles (k,) "
-          "int64, -1 there. Raises InvalidRay.");
+          "int64, -1 there. Raises InvalidArgument.");
     m.def("locate_many", &locate_many, py::arg("points"), py::arg("solid"), py::arg("threads") = 1,
-          "locate() of points (k, 3): (k,) uint8, values of Side. Raises InvalidPoint.");
+          "locate() of points (k, 3): (k,) uint8, values of Side. Raises InvalidArgument.");
 }
 
 }  // namespace ecods::python

@@ -36,10 +36,9 @@ std::shared_ptr<const Mesh> make_mesh(py::handle vertices, py::handle faces) {
     }
     try {
         return create(py::array_t<std::uint64_t, py::array::c_style | py::array::forcecast>::ensure(indices));
-    } catch (const InvalidIndex& error) {
-        if (kind == 'i' && std::cmp_greater(error.value, std::numeric_limits<std::int64_t>::max())) {
-            raise_negative(error);
-        }
+    } catch (const InvalidMesh& error) {
+        const bool is_negative = std::cmp_greater(error.index, std::numeric_limits<std::int64_t>::max());
+        if (kind == 'i' && is_negative) raise_negative(error);
         throw;
     }
 }
@@ -71,7 +70,7 @@ void add_making(Type& type) {
              }),
              py::arg("vertices"), py::arg("faces"),
              "Of vertices (n, 3), floats or integers that doubles hold, in a unit of the caller's, and faces (m, 3), "
-             "indices of vertices. Raises EmptyMesh, InvalidVertex, InvalidIndex, MeshTooLarge; TypeError and "
+             "indices of vertices. Raises InvalidMesh; TypeError and "
              "ValueError for what is no such array.");
     type.def(py::pickle(
         [](const py::object& self) {
@@ -109,7 +108,7 @@ void add_mesh_calls(py::class_<MeshShape, std::shared_ptr<MeshShape>>& type) {
         [](std::shared_ptr<MeshShape> self, const Pose& pose) {
             return PosedMesh{std::move(self), pose};
         },
-        py::arg("pose"), "The mesh at a pose (4, 4) or (3, 4): the real points R v + t. Raises InvalidPose.");
+        py::arg("pose"), "The mesh at a pose (4, 4) or (3, 4): the real points R v + t. Raises InvalidArgument.");
     type.def(
         "moving",
         [](std::shared_ptr<MeshShape> self, const Pose& from, const Pose& to) {
@@ -128,7 +127,7 @@ void add_mesh_calls(py::class_<MeshShape, std::shared_ptr<MeshShape>>& type) {
         },
         py::arg("vertices"),
         "The same triangles with other vertices (n, 3), as a new Mesh, whose tree is that of this one with new boxes. "
-        "Raises InvalidVertex, InvalidIndex.");
+        "Raises InvalidMesh.");
     type.def("__repr__", &text_of);
     copies_are_itself(type);  // whose tree is then not made again
 }
@@ -137,11 +136,11 @@ void add_solids(py::module_& m) {
     py::class_<Solid, MeshShape, std::shared_ptr<Solid>> solid(
         m, "Solid",
         "A mesh that bounds a solid: closed and free of self-intersection, which is checked exactly. Every call that "
-        "takes a Mesh takes it. Raises NotClosed and SelfIntersecting, which name the place.");
+        "takes a Mesh takes it. Raises NotSolid, which names the place.");
     add_making<Solid>(solid);
 
-    py::class_<ConvexSolid, Solid, std::shared_ptr<ConvexSolid>> convex(
-        m, "ConvexSolid", "A Solid without dents. Raises as Solid does, and NoInterior, NotConvex.");
+    py::class_<ConvexSolid, Solid, std::shared_ptr<ConvexSolid>> convex(m, "ConvexSolid",
+                                                                        "A Solid without dents. Raises NotSolid.");
     add_making<ConvexSolid>(convex);
     convex.def_static(
         "hull",
@@ -153,7 +152,7 @@ void add_solids(py::module_& m) {
         },
         py::arg("points"),
         "The convex hull of points (n, 3), exactly: its vertices are those points that are no combination of others. "
-        "Raises InvalidVertex, NoInterior.");
+        "Raises InvalidMesh, NotSolid.");
 }
 
 // "pose=[[1.0, 0.0, 0.0, 2.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]"
@@ -163,7 +162,7 @@ std::string pose_text(const char* name, const Pose& pose) {
 }
 
 std::shared_ptr<MeshShape> require(std::shared_ptr<MeshShape> mesh) {
-    if (!mesh) throw NullArgument("mesh");
+    if (!mesh) throw InvalidArgument("mesh is null", Argument::null, "mesh");
     return mesh;
 }
 
@@ -173,7 +172,7 @@ void add_places(py::class_<PosedMesh>& type) {
              }),
              py::arg("mesh"), py::arg("pose") = py::none(),
              "Mesh.at(pose): a Mesh, Solid or ConvexSolid at a pose (4, 4) or (3, 4), or where it is. Raises "
-             "InvalidPose, NullArgument.");
+             "InvalidArgument.");
     type.def_readonly("mesh", &PosedMesh::shape, "The Mesh, Solid or ConvexSolid.");
     type.def_readonly("pose", &PosedMesh::pose, "(4, 4) float64.");
     type.def("__repr__", [](const PosedMesh& self) {
@@ -191,8 +190,7 @@ void add_motions(py::class_<MovingMesh>& type) {
     type.def(py::init([](std::shared_ptr<MeshShape> mesh, const Pose& start, const Pose& end) {
                  return MovingMesh{require(std::move(mesh)), start, end};
              }),
-             py::arg("mesh"), py::arg("start"), py::arg("end"),
-             "Mesh.moving(start, end). Raises InvalidPose, NullArgument.");
+             py::arg("mesh"), py::arg("start"), py::arg("end"), "Mesh.moving(start, end). Raises InvalidArgument.");
     type.def_readonly("mesh", &MovingMesh::shape);
     type.def_readonly("start", &MovingMesh::from, "(4, 4) float64.");
     type.def_readonly("end", &MovingMesh::to, "(4, 4) float64.");

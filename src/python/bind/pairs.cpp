@@ -32,7 +32,7 @@ void add_distances(py::module_& m, const py::arg& a, const py::arg& b, const py:
     m.def("distance", asked_with_witness<PosedMesh, PosedMesh>(ECODS_QUESTION(distance)), a, b, witness,
           "The distance in the unit of the coordinates: the true number, rounded once; 0 exactly when they intersect.");
     m.def("within", asked_with_witness<PosedMesh, PosedMesh, double>(ECODS_QUESTION(within)), a, b, d, witness,
-          "Whether the distance is at most d, decided for the real number. Raises InvalidDistance if d is negative or "
+          "Whether the distance is at most d, decided for the real number. Raises InvalidArgument if d is negative or "
           "NaN.");
     m.def("closest", asked_with_witness<PosedMesh, PosedMesh>(ECODS_QUESTION(closest)), a, b, witness,
           "ClosestPoints: where they are closest to each other, and on which features.");
@@ -45,9 +45,9 @@ void add_distances(py::module_& m, const py::arg& a, const py::arg& b, const py:
         },
         a, b, py::arg("relative") = 0.0, py::arg("absolute") = 0.0, py::arg("at_most") = infinity, witness,
         "An interval with the distance in it: upper - lower <= max(absolute, relative * lower), or both are adjacent "
-        "doubles. Once lower is above at_most, upper may be infinity. Raises InvalidDistance.");
+        "doubles. Once lower is above at_most, upper may be infinity. Raises InvalidArgument.");
     m.def("close_triangles", asked<PosedMesh, PosedMesh, double>(ECODS_QUESTION(close_triangles)), a, b, d,
-          "Every pair of triangles within d, as a list of ClosestPoints. Raises InvalidDistance.");
+          "Every pair of triangles within d, as a list of ClosestPoints. Raises InvalidArgument.");
     m.def("close_features", asked<PosedMesh, PosedMesh, double>(ECODS_QUESTION(close_features)), a, b, d,
           "The pairs of features within d that hold closest points of triangles: a list of CloseFeatures.");
 }
@@ -56,7 +56,7 @@ void add_casts(py::module_& m, const py::arg& a, const py::arg& b, const py::arg
     m.def("cast", asked_with_witness<PosedMesh, Vec3, PosedMesh>(ECODS_QUESTION(cast)), a, py::arg("motion"), b,
           witness,
           "FirstContact of a, translated by time times motion (3,), with b, which stays; None if there is none up to "
-          "time 1. Contact at time 0 and grazing count. Exact. Raises InvalidMotion.");
+          "time 1. Contact at time 0 and grazing count. Exact. Raises InvalidArgument.");
     m.def("cast", asked_with_witness<MovingMesh, MovingMesh>(ECODS_QUESTION(cast)), a, b, witness,
           "The same of two meshes of which each goes from one pose to another (Mesh.moving): each point straight from "
           "its one place to the other, so that a mesh that turns is not rigid on its way.");

@@ -33,7 +33,7 @@ void add_checks(py::module_& m) {
     m.def(
         "check_solid", [](const MeshShape& mesh) { check_solid(mesh.mesh()); }, py::arg("mesh"),
         py::call_guard<py::gil_scoped_release>(),
-        "Raises NotClosed or SelfIntersecting, which name the place, unless the mesh bounds a solid.");
+        "Raises NotSolid, which names the place, unless the mesh bounds a solid.");
     m.def(
         "self_intersections",
         [](const MeshShape& mesh) {
@@ -57,7 +57,7 @@ void bind_solid_questions(py::module_& m) {
             return ask([&](auto& memory) { return locate(point, posed, memory); });
         },
         py::arg("point"), py::arg("solid"),
-        "Location of a point (3,): outside, on or inside. Exact. Raises InvalidPoint.");
+        "Location of a point (3,): outside, on or inside. Exact. Raises InvalidArgument.");
     m.def("solid_relation", asked_of_solids(ECODS_QUESTION(solid_relation)), a, b,
           "SolidRelation of two Solids: apart, touching, overlapping, inside, contains or equal. Exact.");
     m.def(
@@ -69,13 +69,13 @@ void bind_solid_questions(py::module_& m) {
         py::arg("surface"), py::arg("solid"),
         "SurfaceRelation of a mesh to a Solid: apart, touching, inside or partly_inside. Exact.");
     m.def("depth_bounds", asked_of_solids(ECODS_QUESTION(depth_bounds)), a, b,
-          "DepthBounds of two Solids, convex or not. Raises SolidsApart, SingularPose.");
+          "DepthBounds of two Solids, convex or not; None if they share no point. Raises SingularPose.");
     m.def("solid_distance", asked_of_convex_solids(ECODS_QUESTION(solid_distance)), a, b, witness,
           "The distance of two ConvexSolids, interiors included: rounded once. Raises SingularPose.");
     m.def("solid_closest", asked_of_convex_solids(ECODS_QUESTION(solid_closest)), a, b, witness,
           "ClosestPoints of two ConvexSolids; None where they share a point. Raises SingularPose.");
     m.def("depth", asked_of_convex_solids(ECODS_QUESTION(depth)), a, b, witness,
-          "Depth of two ConvexSolids in each other. Raises SolidsApart, SingularPose.");
+          "Depth of two ConvexSolids in each other; None if they share no point. Raises SingularPose.");
 }
 
 }  // namespace ecods::python

@@ -13,8 +13,8 @@ using Shape = std::shared_ptr<MeshShape>;
 Pose pose_for(BodyId body, const py::object& pose) {
     try {
         return to_pose(pose);
-    } catch (const InvalidPose& error) {
-        throw InvalidPose(error.row, error.column, error.value, body);
+    } catch (const InvalidArgument& error) {
+        throw error.at(body);
     }
 }
 
@@ -30,7 +30,7 @@ void add_bodies(WorldClass& type, const py::arg& body) {
         py::arg("mesh"), py::arg("pose") = py::none(), py::kw_only(), py::arg("groups") = CollisionFilter{}.groups,
         py::arg("mask") = CollisionFilter{}.mask, py::arg("user_data") = 0,
         "Makes a body and returns its id, an int. Bodies of one Mesh share its tree. `groups` and `mask` are bits: two "
-        "bodies may meet if each is in a group that the other's mask names. Raises InvalidPose, NullArgument.");
+        "bodies may meet if each is in a group that the other's mask names. Raises InvalidArgument.");
     type.def("destroy_body", changing(&World::destroy_body), body,
              "The id is stale from now on. Raises StaleBody, as every call that is given an id does.");
     type.def(
@@ -39,7 +39,7 @@ void add_bodies(WorldClass& type, const py::arg& body) {
             const Pose place = pose_for(id, pose);
             self.change([&](World& world) { world.set_pose(id, place); });
         },
-        body, py::arg("pose"), "Moves a body; for the lists at update(). Raises InvalidPose.");
+        body, py::arg("pose"), "Moves a body; for the lists at update(). Raises InvalidArgument.");
     type.def(
         "set_poses",
         [](SharedWorld& self, const py::object& bodies, const py::object& poses) {
@@ -49,7 +49,7 @@ void add_bodies(WorldClass& type, const py::arg& body) {
         },
         py::arg("bodies"), py::arg("poses"),
         "Moves many bodies, (k,) ids and (k, 4, 4) or (k, 3, 4) poses: all of them, or none if it raises "
-        "LengthMismatch, StaleBody or InvalidPose, with the index of the entry.");
+        "InvalidArgument or StaleBody, with the index of the entry.");
     type.def(
         "set_shape",
         [](SharedWorld& self, BodyId id, const Shape& mesh) {

@@ -11,7 +11,7 @@ void add_finding(WorldClass& type, const py::arg_v& filter) {
     type.def(
         "overlapping_bodies",
         [](SharedWorld& self, const Aabb& box) { return from_bodies(reading(&World::overlapping_bodies)(self, box)); },
-        py::arg("box"), "Bodies whose boxes share a point with this one (2, 3): (k,) uint64. Raises InvalidBox.");
+        py::arg("box"), "Bodies whose boxes share a point with this one (2, 3): (k,) uint64. Raises InvalidArgument.");
     type.def(
         "intersecting_bodies",
         [](SharedWorld& self, const PosedMesh& what, const Filter& only) {
@@ -21,7 +21,7 @@ void add_finding(WorldClass& type, const py::arg_v& filter) {
         },
         py::arg("what"), filter, "Bodies that share a point with a Mesh or Posed: (k,) uint64, ascending. Exact.");
     type.def("bodies_containing", asked_of_world<Vec3>(ECODS_CALL(bodies_containing)), py::arg("point"),
-             "BodiesContaining: the solids with the point (3,) in them or on them. Raises InvalidPoint.");
+             "BodiesContaining: the solids with the point (3,) in them or on them. Raises InvalidArgument.");
 }
 
 void add_nearest(WorldClass& type, const py::arg_v& filter) {
@@ -33,7 +33,7 @@ void add_nearest(WorldClass& type, const py::arg_v& filter) {
         },
         py::arg("what"), limit,
         "NearestBody to a body, among those within the limit with which it is not filtered out, or None. Of equal "
-        "distances the least id. Raises InvalidDistance.");
+        "distances the least id. Raises InvalidArgument.");
     type.def(
         "nearest",
         [](SharedWorld& self, const PosedMesh& what, double most, const Filter& only) {
@@ -47,7 +47,7 @@ void add_nearest(WorldClass& type, const py::arg_v& filter) {
         [](SharedWorld& self, double most) {
             return self.ask([&](auto& world, auto&... memory) { return world.closest_pair(memory..., most); });
         },
-        limit, "ClosestPair of all that are not filtered out, within the limit, or None. Raises InvalidDistance.");
+        limit, "ClosestPair of all that are not filtered out, within the limit, or None. Raises InvalidArgument.");
     type.def(
         "depths", [](SharedWorld& self) { return self.change([](World& world) { return world.depths(); }); },
         "Pairs of ConvexSolids that share a point: a list of BodyDepth. Raises SingularPose.");
@@ -84,7 +84,7 @@ void add_casts(WorldClass& type, const py::arg_v& filter) {
         },
         py::arg("what"), py::arg("motion"), time_max,
         "BodyContact: what a body meets first while it is translated by time times motion (3,), up to time_max, or "
-        "None. Nothing moves. Raises InvalidMotion, InvalidTime.");
+        "None. Nothing moves. Raises InvalidArgument.");
     type.def(
         "cast",
         [](SharedWorld& self, const PosedMesh& what, const Vec3& motion, double most, const Filter& only) {

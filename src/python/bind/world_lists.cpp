@@ -51,7 +51,7 @@ void add_settings(WorldClass& type) {
     type.def(
         "set_clearance", changing(&World::set_clearance), py::arg("clearance"),
         "From the next update on, close_pairs() are those at a distance of at most this, decided for the real number; "
-        "None ends it. Raises InvalidDistance.");
+        "None ends it. Raises InvalidArgument.");
     type.def("clearance", reading(&World::clearance), "Set last, or None.");
     type.def("set_solids", changing(&World::set_solids), py::arg("are_related"),
              "Whether updates make solid_pairs(), from the next one on.");

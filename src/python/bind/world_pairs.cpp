@@ -20,12 +20,12 @@ void add_pair_questions(WorldClass& type) {
     type.def("distance", asked_of_world<BodyId, BodyId>(ECODS_CALL(distance)), a, b,
              "The distance of two bodies, rounded once.");
     type.def("within", asked_of_world<BodyId, BodyId, double>(ECODS_CALL(within)), a, b, d,
-             "Whether the distance is at most d, decided for the real number. Raises InvalidDistance.");
+             "Whether the distance is at most d, decided for the real number. Raises InvalidArgument.");
     type.def("closest", asked_of_world<BodyId, BodyId>(ECODS_CALL(closest)), a, b, "ClosestPoints of two bodies.");
     type.def("intersections", asked_of_world<BodyId, BodyId>(ECODS_CALL(intersections)), a, b,
              "What intersecting triangles share: a list of TriangleIntersection.");
     type.def("close_features", asked_of_world<BodyId, BodyId, double>(ECODS_CALL(close_features)), a, b, d,
-             "Pairs of features within d: a list of CloseFeatures. Raises InvalidDistance.");
+             "Pairs of features within d: a list of CloseFeatures. Raises InvalidArgument.");
     type.def("solid_relation", asked_of_world<BodyId, BodyId>(ECODS_CALL(solid_relation)), a, b,
              "SolidRelation of two bodies. Raises NotSupported if one is no Solid.");
     type.def("solid_distance", asked_of_world<BodyId, BodyId>(ECODS_CALL(solid_distance)), a, b,
@@ -33,9 +33,9 @@ void add_pair_questions(WorldClass& type) {
     type.def("solid_closest", asked_of_world<BodyId, BodyId>(ECODS_CALL(solid_closest)), a, b,
              "ClosestPoints of two ConvexSolids; None where they meet.");
     type.def("depth", asked_of_world<BodyId, BodyId>(ECODS_CALL(depth)), a, b,
-             "Depth of two ConvexSolids in each other. Raises SolidsApart.");
+             "Depth of two ConvexSolids in each other; None if they share no point.");
     type.def("depth_bounds", asked_of_world<BodyId, BodyId>(ECODS_CALL(depth_bounds)), a, b,
-             "DepthBounds of two Solids. Raises SolidsApart.");
+             "DepthBounds of two Solids; None if they share no point.");
 }
 
 }  // namespace ecods::python

@@ -9,7 +9,7 @@ namespace ecods {
 
 // The first contact if its real time is at most `latest`, which is from 0 to 1; nothing otherwise. What is given is the
 // answer of cast(), whose rounded time is at most `latest` then, too. Bodies that are far apart all the way cost a few
-// tenths of a microsecond, and two at rest no more than `intersects`. Throws InvalidMotion.
+// tenths of a microsecond, and two at rest no more than `intersects`. Throws InvalidArgument.
 std::optional<FirstContact> cast_until(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
                                        double latest, QueryMemory& memory, PairWitness& witness);
 std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<MeshShape>& b, double latest,

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "base/make_error.hpp"
 #include "ecods/convex_solid.hpp"
-#include "ecods/error.hpp"
 #include "geometry/find_invalid.hpp"
 #include "query/convex/convexity.hpp"
 #include "query/convex/hull_build.hpp"
@@ -29,10 +29,10 @@ Hull hull_of(std::span<const Vec3> points) {
 Mesh convex_hull(std::span<const Vec3> points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (int axis = 0; axis < 3; ++axis) {
-            if (!is_finite(points[i][axis])) throw InvalidVertex(i, axis, points[i][axis]);
+            if (!is_finite(points[i][axis])) throw invalid_vertex(i, axis, points[i][axis]);
         }
     }
-    if (points.size() > std::numeric_limits<std::uint32_t>::max()) throw MeshTooLarge(points.size(), 0);
+    if (points.size() > std::numeric_limits<std::uint32_t>::max()) throw mesh_too_large(points.size(), 0);
     const Hull hull = hull_of(points);
 
     std::vector<std::uint32_t> kept = hull.mesh_vertices;

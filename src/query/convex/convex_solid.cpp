@@ -1,8 +1,8 @@
 #include <memory>
 #include <utility>
 
+#include "base/make_error.hpp"
 #include "ecods/convex_solid.hpp"
-#include "ecods/error.hpp"
 #include "query/convex/convex_parts.hpp"
 #include "query/convex/convexity.hpp"
 #include "query/convex/hull_build.hpp"
@@ -17,7 +17,7 @@ Hull make_hull(const Solid& solid) {
     const SolidAccess::Parts& parts = SolidAccess::parts(solid);
     const Shells& shells = SolidAccess::shells(solid);
     const Mesh& mesh = solid.mesh();
-    if (shells.first.empty()) throw NoInterior(mesh.vertices().size());
+    if (shells.first.empty()) throw no_interior(mesh.vertices().size());
     // Where edges were split, features are named in the mesh before that.
     ProperMesh whole;
     if (!parts.origins.empty()) whole = find_proper({std::shared_ptr<const void>(), &mesh});  // kept by the solid

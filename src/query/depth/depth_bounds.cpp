@@ -16,11 +16,11 @@ const ConvexSolid* as_convex(const Posed<Solid>& solid) {
 
 }  // namespace
 
-DepthBounds depth_bounds(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) {
+std::optional<DepthBounds> depth_bounds(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) {
     if (!exact::is_regular(a.pose.R)) throw SingularPose(0);
     if (!exact::is_regular(b.pose.R)) throw SingularPose(1);
     const SolidRelation relation = solid_relation(a, b, memory);
-    if (relation == SolidRelation::apart) throw SolidsApart();
+    if (relation == SolidRelation::apart) return std::nullopt;
     DepthBounds result{0, 0, b.pose.t};
     if (relation == SolidRelation::touching) return result;
 
@@ -28,7 +28,7 @@ DepthBounds depth_bounds(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemo
     const ConvexSolid *convex_a = as_convex(a), *convex_b = as_convex(b);
     const bool are_convex = convex_a != nullptr && convex_b != nullptr;
     if (are_convex) {
-        const Depth exact = depth({*convex_a, a.pose}, {*convex_b, b.pose}, memory);
+        const Depth exact = depth({*convex_a, a.pose}, {*convex_b, b.pose}, memory).value();
         result.lower = std::max(0.0, next_down(exact.depth));
         search.try_length(exact.direction, exact.depth);
     }

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "ecods/error.hpp"
+#include "base/make_error.hpp"
 #include "ecods/solid.hpp"
 #include "exact/sign/frame_signs.hpp"
 #include "exact/simplex/common_pose.hpp"
@@ -45,7 +45,7 @@ bool is_far(const Vec3& point, const exact::MeshExtent& extent, const Pose& pose
 
 void require_valid(const Vec3& point) {
     for (int axis = 0; axis < 3; ++axis) {
-        if (!is_finite(point[axis])) throw InvalidPoint(axis, point[axis]);
+        if (!is_finite(point[axis])) throw invalid_point(axis, point[axis]);
     }
 }
 

@@ -28,7 +28,7 @@ class MeshEdges {
   public:
     MeshEdges() = default;
 
-    // Throws MeshTooLarge where sides could not be counted in 32 bits. Cost: some passes over the triangles.
+    // Throws InvalidMesh where sides could not be counted in 32 bits. Cost: some passes over the triangles.
     explicit MeshEdges(const ProperMesh& proper);
 
     std::size_t count() const noexcept { return first_.empty() ? 0 : first_.size() - 1; }
@@ -47,7 +47,7 @@ class MeshEdges {
     std::vector<SideRef> sides_;
 };
 
-// Throws NotClosed, with the indices of `given`, unless the triangles with area are closed. Edges that an even number
+// Throws NotSolid, with the indices of `given`, unless the triangles with area are closed. Edges that an even number
 // of sides are cancel. The others are closed exactly when every point is, on every line through it, the end of an even
 // number of them: on a line, a union of finitely many segments modulo two without ends is empty.
 void check_closed(const Mesh& given, const ProperMesh& proper, const MeshEdges& edges);

@@ -38,10 +38,9 @@ int main() {
         if (const auto points = solid_closest(a, b, memory)) {
             fmt::print("  closest: {}, {} and {}\n", fmt::streamed(points->kind), text(points->point_a),
                        text(points->point_b));
-        } else {
-            const ecods::Depth out = depth(a, b, memory);
-            fmt::print("  depth {}: the slab would move out along {}\n", out.depth, text(out.direction));
         }
+        if (const auto out = depth(a, b, memory))
+            fmt::print("  depth {}: the slab would move out along {}\n", out->depth, text(out->direction));
         fmt::print("  pairs of triangles that share a point: {}\n", intersections(a, b, memory).size());
         const Vec3 down(0, 0, -1);
         if (const auto contact = cast(a, down, b, memory))
@@ -53,7 +52,7 @@ int main() {
     // What is wrong is said by a typed error, and changes nothing.
     try {
         box({0, 0, 0}, {1, 1, 0});
-    } catch (const ecods::NoInterior& error) {
+    } catch (const ecods::NotSolid& error) {
         fmt::print("A flat box: {}\n", error.what());
     }
 }

@@ -69,7 +69,7 @@ void show_convex(Picture& picture) {
     picture.add_figure(a, blue);
     picture.add_figure(b, green);
     show_intersection(picture, a, b);
-    const PlaneDepth depth = convex_depth(a, b);
+    const PlaneDepth depth = convex_depth(a, b).value();
     const Vec2 way = depth.depth * depth.direction;
     say(picture, "depth {}, by the normal of {}:", depth.depth, depth.side);
     say(picture, "b moves along {}", text(depth.direction));
@@ -128,7 +128,7 @@ void show_bounds(Picture& picture) {
     picture.add_figure(a, blue);
     picture.add_figure(b, green);
     show_intersection(picture, a, b);
-    const PlaneDepthBounds bounds = depth_bounds(a, b);
+    const PlaneDepthBounds bounds = depth_bounds(a, b).value();
     const Vec2 way = bounds.parted - b.pose.t.head<2>();
     say(picture, "depth from {:.3f} to {:.3f}: parted at {}", bounds.lower, bounds.upper, text(bounds.parted));
     picture.add_ghost(b, way, green);

@@ -167,26 +167,28 @@ std::vector<PlaneContact> contacts(const PlacedFigure& a, const PlacedFigure& b,
     return result;
 }
 
-PlaneDepth convex_depth(const PlacedFigure& a, const PlacedFigure& b) {
+std::optional<PlaneDepth> convex_depth(const PlacedFigure& a, const PlacedFigure& b) {
     const double height = tall_enough(a, b);
     const ConvexSolid solid_a(scenes::prism(a.figure, height)), solid_b(scenes::prism(b.figure, height));
     QueryMemory memory;
-    const Depth found = depth({solid_a, a.pose}, {solid_b, b.pose}, memory);
+    const std::optional<Depth> found = depth({solid_a, a.pose}, {solid_b, b.pose}, memory);
+    if (!found) return std::nullopt;
     // Two upright edges have no product, and others give normals of sides or ways out of the plane, which are longer:
     // so a side of a or of b it is.
-    const bool is_of_a = found.a.kind == Feature::Kind::face;
+    const bool is_of_a = found->a.kind == Feature::Kind::face;
     const PlacedFigure& of = is_of_a ? a : b;
     const auto side = side_of_prism(of.figure, is_of_a ? solid_a.mesh() : solid_b.mesh(),
-                                    is_of_a ? found.a.triangle : found.b.triangle);
-    return {found.depth, in_plane(found.direction), side ? place_text("side", *side, of) : ""};
+                                    is_of_a ? found->a.triangle : found->b.triangle);
+    return PlaneDepth{found->depth, in_plane(found->direction), side ? place_text("side", *side, of) : ""};
 }
 
-PlaneDepthBounds depth_bounds(const PlacedFigure& a, const PlacedFigure& b) {
+std::optional<PlaneDepthBounds> depth_bounds(const PlacedFigure& a, const PlacedFigure& b) {
     const double height = tall_enough(a, b);
     const Solid solid_a(scenes::prism(a.figure, height)), solid_b(scenes::prism(b.figure, height));
     QueryMemory memory;
-    const DepthBounds found = ecods::depth_bounds({solid_a, a.pose}, {solid_b, b.pose}, memory);
-    return {found.lower, found.upper, in_plane(found.parted)};
+    const std::optional<DepthBounds> found = ecods::depth_bounds({solid_a, a.pose}, {solid_b, b.pose}, memory);
+    if (!found) return std::nullopt;
+    return PlaneDepthBounds{found->lower, found->upper, in_plane(found->parted)};
 }
 
 }  // namespace ecods::examples

@@ -137,12 +137,9 @@ std::optional<FirstContact> move_past(Pair& p) {
 }
 
 std::uint64_t digest_depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, Pair& p) {
-    try {
-        const Depth found = depth(a, b, p.memory, p.witness);
-        return digest(found.depth) + digest(found.direction) + digest(found.a.triangle) + digest(found.b.triangle);
-    } catch (const SolidsApart&) {
-        return 1;
-    }
+    const std::optional<Depth> found = depth(a, b, p.memory, p.witness);
+    if (!found) return 1;
+    return digest(found->depth) + digest(found->direction) + digest(found->a.triangle) + digest(found->b.triangle);
 }
 
 // Triangles with corners of their own, a face of two halves beside one of one part.
@@ -229,12 +226,8 @@ const Question questions[] = {
     {"depth_bounds",
      [](Pair& p) {
          const Solid a(scenes::cube(1)), b(scenes::torus(4, 3, 0.25));
-         try {
-             const DepthBounds bounds = depth_bounds({a, p.pose_a}, {b, p.pose_b}, p.memory);
-             p.answer = digest(bounds.parted) + digest(bounds.upper) + digest(bounds.lower);
-         } catch (const SolidsApart&) {
-             p.answer = 1;
-         }
+         const auto bounds = depth_bounds({a, p.pose_a}, {b, p.pose_b}, p.memory);
+         p.answer = bounds ? digest(bounds->parted) + digest(bounds->upper) + digest(bounds->lower) : 1;
      }},
     {"surface_relation",
      [](Pair& p) {

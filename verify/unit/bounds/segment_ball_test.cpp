@@ -18,6 +18,7 @@
 #include "bounds/ball_bounds.hpp"
 #include "bounds/segment_bounds.hpp"
 #include "ecods/error.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::segment_ball_test {
@@ -248,26 +249,28 @@ TEST(SegmentBox, EndsMustBeFinite) {
     try {
         validate(Segment{Vec3(1, 2, 3), Vec3(1, -infinity, 3)});
         FAIL();
-    } catch (const InvalidSegment& error) {
-        EXPECT_EQ(error.end, 1);
-        EXPECT_EQ(error.axis, 1);
+    } catch (const InvalidArgument& error) {
+        EXPECT_EQ(error.argument, Argument::segment);
+        EXPECT_EQ(error.part, "b(1)");
         EXPECT_EQ(error.value, -infinity);
         EXPECT_STREQ(error.what(), "segment: end 1, axis 1: coordinate is -inf, not finite");
     }
-    EXPECT_THROW(validate(Segment{Vec3(0, 0, std::nan("")), Vec3(1, 2, 3)}), InvalidSegment);
+    EXPECT_INVALID(validate(Segment{Vec3(0, 0, std::nan("")), Vec3(1, 2, 3)}), Argument::segment);
 }
 
 TEST(BallBox, CentersMustBeFiniteAndRadiiNotNegative) {
     EXPECT_NO_THROW(validate(Ball{Vec3(1, 2, 3), -0.0}));
     EXPECT_NO_THROW(validate(Ball{Vec3(1, 2, 3), infinity}));
     for (const double radius : {-0x1p-1074, -1.0, -infinity, std::nan(""), -std::nan("")}) {
-        EXPECT_THROW(validate(Ball{Vec3(1, 2, 3), radius}), InvalidBall) << radius;
+        EXPECT_INVALID(validate(Ball{Vec3(1, 2, 3), radius}), Argument::ball) << radius;
     }
     try {
         validate(Ball{Vec3(1, 2, infinity), 1});
         FAIL();
-    } catch (const InvalidBall& error) {
-        EXPECT_EQ(error.axis, 2);
+    } catch (const InvalidArgument& error) {
+        EXPECT_EQ(error.argument, Argument::ball);
+        EXPECT_EQ(error.part, "center(2)");
+        EXPECT_EQ(error.value, infinity);
         EXPECT_STREQ(error.what(), "ball: center, axis 2: coordinate is inf, not finite");
     }
 }

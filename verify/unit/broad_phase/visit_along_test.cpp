@@ -9,6 +9,7 @@
 #include "bounds/moving_box.hpp"
 #include "broad_phase/boxes/along_walk.hpp"
 #include "ecods/error.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/moving_boxes.hpp"
 #include "scenes/random.hpp"
 #include "unit/broad_phase/lockstep.hpp"
@@ -143,13 +144,13 @@ TEST_F(VisitsAlong, BadArgumentsAreRefused) {
     const auto visit = [](ProxyIndex) { return infinity; };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const auto& engine : steps_.engines) {
-        EXPECT_THROW(engine->visit_along(Segment{Vec3(nan, 0, 0), Vec3(0, 0, 0)}, visit), InvalidSegment);
-        EXPECT_THROW(engine->visit_along(Ray{Vec3(0, 0, 0), Vec3(0, 0, 0)}, visit), InvalidRay);
-        EXPECT_THROW(engine->visit_along(Ray{.parameter_max = -1}, visit), InvalidRay);
-        EXPECT_THROW(engine->visit_along(make_cube(0, 0, 0), Vec3(0, infinity, 0), 1, visit), InvalidMotion);
-        EXPECT_THROW(engine->visit_along({Vec3(0, 1, 0), Vec3(0, 0, 0)}, Vec3(0, 1, 0), 1, visit), InvalidBox);
+        EXPECT_INVALID(engine->visit_along(Segment{Vec3(nan, 0, 0), Vec3(0, 0, 0)}, visit), Argument::segment);
+        EXPECT_INVALID(engine->visit_along(Ray{Vec3(0, 0, 0), Vec3(0, 0, 0)}, visit), Argument::ray);
+        EXPECT_INVALID(engine->visit_along(Ray{.parameter_max = -1}, visit), Argument::ray);
+        EXPECT_INVALID(engine->visit_along(make_cube(0, 0, 0), Vec3(0, infinity, 0), 1, visit), Argument::motion);
+        EXPECT_INVALID(engine->visit_along({Vec3(0, 1, 0), Vec3(0, 0, 0)}, Vec3(0, 1, 0), 1, visit), Argument::box);
         for (const double bad : {-1.0, -infinity, nan}) {
-            EXPECT_THROW(engine->visit_along(make_cube(0, 0, 0), Vec3(0, 1, 0), bad, visit), InvalidTime);
+            EXPECT_INVALID(engine->visit_along(make_cube(0, 0, 0), Vec3(0, 1, 0), bad, visit), Argument::time);
         }
     }
 }

@@ -9,6 +9,7 @@
 
 #include "ecods/error.hpp"
 #include "geometry/box_distance.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/random.hpp"
 #include "unit/broad_phase/lockstep.hpp"
 
@@ -173,10 +174,10 @@ TEST_F(VisitsNear, BadArgumentsAreRefused) {
     const auto visit_pair = [](ProxyPair) { return infinity; };
     for (const auto& engine : steps_.engines) {
         for (const double bad : {-1.0, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
-            EXPECT_THROW(engine->visit_near(make_cube(0, 0, 0), bad, visit), InvalidDistance);
-            EXPECT_THROW(engine->visit_near_pairs(bad, visit_pair), InvalidDistance);
+            EXPECT_INVALID(engine->visit_near(make_cube(0, 0, 0), bad, visit), Argument::distance);
+            EXPECT_INVALID(engine->visit_near_pairs(bad, visit_pair), Argument::distance);
         }
-        EXPECT_THROW(engine->visit_near({Vec3(0, 1, 0), Vec3(0, 0, 0)}, 1, visit), InvalidBox);
+        EXPECT_INVALID(engine->visit_near({Vec3(0, 1, 0), Vec3(0, 0, 0)}, 1, visit), Argument::box);
     }
 }
 

@@ -29,9 +29,10 @@ TEST(Pose, EveryEntryIsChecked) {
                 try {
                     validate(pose);
                     FAIL() << row << " " << column;
-                } catch (const InvalidPose& error) {
-                    EXPECT_EQ(error.row, row);
-                    EXPECT_EQ(error.column, column);
+                } catch (const InvalidArgument& error) {
+                    const std::string r = std::to_string(row), c = std::to_string(column);
+                    EXPECT_EQ(error.argument, Argument::pose);
+                    EXPECT_EQ(error.part, column == 3 ? "t(" + r + ")" : "R(" + r + ", " + c + ")");
                 }
             }
         }
@@ -87,10 +88,10 @@ TEST(Pose, TheLastRowOfAMatrixIsChecked) {
             try {
                 Pose::from_matrix(matrix);
                 FAIL() << column << " " << bad;
-            } catch (const InvalidPose& error) {
-                EXPECT_EQ(error.row, 3);
-                EXPECT_EQ(error.column, column);
-                EXPECT_NE(std::string(error.what()).find("(3, " + std::to_string(column) + ")"), std::string::npos);
+            } catch (const InvalidArgument& error) {
+                EXPECT_EQ(error.argument, Argument::pose);
+                EXPECT_EQ(error.part, "(3, " + std::to_string(column) + ")");
+                EXPECT_NE(std::string(error.what()).find(error.part), std::string::npos);
             }
         }
     }

@@ -12,6 +12,7 @@
 #include "ecods/error.hpp"
 #include "environment/float_mode.hpp"
 #include "query/cast/cast_until.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/shapes.hpp"
 
 namespace ecods {
@@ -164,13 +165,13 @@ TEST(Cast, MotionsThatAreNotFinite) {
     const MeshShape a = shape_of(needle), b = shape_of(flat);
     QueryMemory memory;
     for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
-        EXPECT_THROW(cast({a, {}}, Vec3(0, bad, 0), {b, {}}, memory), InvalidMotion);
+        EXPECT_INVALID(cast({a, {}}, Vec3(0, bad, 0), {b, {}}, memory), Argument::motion);
     }
 }
 
 // Grazing: a corner goes along a face's border; the double beside it misses.
 TEST(Cast, Grazes) {
-    const MeshShape a = shape_of(point), b = shape_of(flat);
+    const MeshShape a = shape_of(one_point), b = shape_of(flat);
     expect_contact(contact_of({a, at(-3, -1, 0)}, {8, 0, 0}, {b, {}}), 0.25, ClosestKind::vertex_vertex);
     EXPECT_FALSE(contact_of({a, at(-3, next_down(-1), 0)}, {8, 0, 0}, {b, {}}));
     // Through the edge from (-1, -1) to (2, -1), from above to below.
@@ -235,7 +236,7 @@ TEST(Cast, SingularPoses) {
 // Triangles without area: segments in two ways, and points.
 TEST(Cast, ZeroAreaTriangles) {
     const MeshShape segment = shape_of({{0, -2, 0}, {0, 2, 0}, {0, -2, 0}}),
-                    b = shape_of({{-1, 0, 0}, {1, 0, 0}, {1, 0, 0}}), dot = shape_of(point);
+                    b = shape_of({{-1, 0, 0}, {1, 0, 0}, {1, 0, 0}}), dot = shape_of(one_point);
     const Contact crossing = contact_of({segment, at(0.5, 0, 1)}, {0, 0, -3}, {b, {}});
     expect_contact(crossing, 1 / 3.0, ClosestKind::edge_edge);
     EXPECT_EQ(crossing->a.corner, 0u);

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "ecods/error.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/pose_at.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
@@ -172,14 +173,14 @@ TEST(Distance, BadDistancesAreErrors) {
     const auto a = cubes.posed(Pose()), b = cubes.posed(at(3, 0, 0));
     PairWitness witness;
     for (const double bad : {-1.0, -0x1p-1074, nan, -infinity}) {
-        EXPECT_THROW(within(a, b, bad, cubes.memory), InvalidDistance);
-        EXPECT_THROW(within(a, b, bad, cubes.memory, witness), InvalidDistance);
-        EXPECT_THROW(close_triangles(a, b, bad, cubes.memory), InvalidDistance);
-        EXPECT_THROW(distance_bounds(a, b, {.relative = bad}, cubes.memory), InvalidDistance);
-        EXPECT_THROW(distance_bounds(a, b, {.absolute = bad}, cubes.memory), InvalidDistance);
-        EXPECT_THROW(distance_bounds(a, b, {.at_most = bad}, cubes.memory, witness), InvalidDistance);
+        EXPECT_INVALID(within(a, b, bad, cubes.memory), Argument::distance);
+        EXPECT_INVALID(within(a, b, bad, cubes.memory, witness), Argument::distance);
+        EXPECT_INVALID(close_triangles(a, b, bad, cubes.memory), Argument::distance);
+        EXPECT_INVALID(distance_bounds(a, b, {.relative = bad}, cubes.memory), Argument::distance);
+        EXPECT_INVALID(distance_bounds(a, b, {.absolute = bad}, cubes.memory), Argument::distance);
+        EXPECT_INVALID(distance_bounds(a, b, {.at_most = bad}, cubes.memory, witness), Argument::distance);
     }
-    EXPECT_THROW(close_triangles(a, b, infinity, cubes.memory), InvalidDistance);
+    EXPECT_INVALID(close_triangles(a, b, infinity, cubes.memory), Argument::distance);
     EXPECT_EQ(distance(a, b, cubes.memory), 2);
 }
 

@@ -10,6 +10,7 @@
 
 #include "ecods/error.hpp"
 #include "ecods/hit.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/shapes.hpp"
 
 namespace ecods {
@@ -258,10 +259,10 @@ TEST(Hits, RefuseWhatIsNotFinite) {
     const MeshShape shape(scenes::cube(1));
     QueryMemory memory;
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW(first_hit(Segment{{0, 0, nan}, {1, 1, 1}}, {shape, {}}, memory), InvalidSegment);
-    EXPECT_THROW(all_hits(Ray{{0, 0, 0}, {0, 0, 0}}, {shape, {}}, memory), InvalidRay);
-    EXPECT_THROW(all_hits(Ray{{0, 0, 0}, {0, 0, 1}, -1}, {shape, {}}, memory), InvalidRay);
-    EXPECT_THROW(first_hit(Ray{{0, 0, 0}, {0, 0, 1}, nan}, {shape, {}}, memory), InvalidRay);
+    EXPECT_INVALID(first_hit(Segment{{0, 0, nan}, {1, 1, 1}}, {shape, {}}, memory), Argument::segment);
+    EXPECT_INVALID(all_hits(Ray{{0, 0, 0}, {0, 0, 0}}, {shape, {}}, memory), Argument::ray);
+    EXPECT_INVALID(all_hits(Ray{{0, 0, 0}, {0, 0, 1}, -1}, {shape, {}}, memory), Argument::ray);
+    EXPECT_INVALID(first_hit(Ray{{0, 0, 0}, {0, 0, 1}, nan}, {shape, {}}, memory), Argument::ray);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "ecods/error.hpp"
 #include "oracle/oracle.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
@@ -195,7 +196,7 @@ TEST(TwoBody, ARefittedShapeAnswersAsANewOne) {
         soft = refit(*soft, std::move(vertices));
         expect_right(*soft, random_pose(random, 0.3), ship, random_pose(random, 0.3), memory);
     }
-    EXPECT_THROW(refit(ship, {{0, 0, 0}}), InvalidIndex);
+    EXPECT_INVALID(refit(ship, {{0, 0, 0}}), InvalidMesh::Reason::index);
 }
 
 // What the exact layer knows of a mesh, digits and units above all, is that of the new vertices: contacts of a cube

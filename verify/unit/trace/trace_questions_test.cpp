@@ -7,6 +7,7 @@
 
 #include "ecods/error.hpp"
 #include "ecods/replay.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
@@ -39,8 +40,8 @@ std::string traced(const TraceOptions& options) {
     world.set_pose(bodies[1], at(3, 0.25));
     QueryMemory memory;
     world.nearest(bodies[1], memory);
-    EXPECT_THROW(world.first_hit(Segment{Vec3(0, 0, 0), Vec3(0, 0, std::numeric_limits<double>::infinity())}),
-                 InvalidSegment);
+    EXPECT_INVALID(world.first_hit(Segment{Vec3(0, 0, 0), Vec3(0, 0, std::numeric_limits<double>::infinity())}),
+                   Argument::segment);
     world.update();
     world.end_trace();
     return out.str();

@@ -11,6 +11,7 @@
 #include "ecods/contact.hpp"
 #include "ecods/error.hpp"
 #include "environment/float_mode.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
@@ -162,19 +163,20 @@ TEST_P(WorldCastTest, BadArgumentsAreRefused) {
     const BodyId a = world.create_body(cube, at(0));
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double bad : {-1.0, -infinity, nan}) {
-        EXPECT_THROW(world.cast(a, Vec3(1, 0, 0), bad), InvalidTime);
-        EXPECT_THROW(world.cast(cube, at(0), Vec3(1, 0, 0), bad), InvalidTime);
+        EXPECT_INVALID(world.cast(a, Vec3(1, 0, 0), bad), Argument::time);
+        EXPECT_INVALID(world.cast(cube, at(0), Vec3(1, 0, 0), bad), Argument::time);
     }
-    EXPECT_THROW(world.cast(a, Vec3(1, infinity, 0)), InvalidMotion);
+    EXPECT_INVALID(world.cast(a, Vec3(1, infinity, 0)), Argument::motion);
     EXPECT_THROW(world.cast(BodyId{}, Vec3(1, 0, 0)), StaleBody);
-    EXPECT_THROW(world.cast(std::shared_ptr<const Mesh>(), at(0), Vec3(1, 0, 0)), NullArgument);
-    EXPECT_THROW(world.cast(cube, at(nan), Vec3(1, 0, 0)), InvalidPose);
+    EXPECT_INVALID(world.cast(std::shared_ptr<const Mesh>(), at(0), Vec3(1, 0, 0)), Argument::null);
+    EXPECT_INVALID(world.cast(cube, at(nan), Vec3(1, 0, 0)), Argument::pose);
     const std::vector<BodyId> bodies = {a, a};
-    EXPECT_THROW(world.meetings(bodies, std::vector{at(1)}), LengthMismatch);
+    EXPECT_INVALID(world.meetings(bodies, std::vector{at(1)}), Argument::list_length);
     try {
         world.meetings(bodies, std::vector{at(1), at(0, infinity)});
         ADD_FAILURE();
-    } catch (const InvalidPose& error) {
+    } catch (const InvalidArgument& error) {
+        EXPECT_EQ(error.argument, Argument::pose);
         EXPECT_EQ(error.index, 1u);
         EXPECT_EQ(error.body, a);
     }

@@ -106,9 +106,11 @@ TEST_P(WorldCertificates, RefuseABodyOfTheCallersOwnKind) {
     try {
         world.certify(memory);
         FAIL();
-    } catch (const NotCertified& error) {
+    } catch (const NotSupported& error) {
+        EXPECT_EQ(error.question, Question::certify);
         EXPECT_EQ(error.body, point);
-        EXPECT_EQ(error.kind, ShapeKind{7});
+        EXPECT_EQ(error.a, ShapeKind{7});
+        EXPECT_EQ(std::string(error.what()), "body 2.0 has a shape of kind 7, of which there are no certificates");
     }
 }
 

@@ -11,6 +11,7 @@
 
 #include "ecods/distance.hpp"
 #include "ecods/error.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/numbers_of.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
@@ -153,7 +154,7 @@ TEST_P(WorldClearanceTest, FiltersAndSwitchesApply) {
 TEST_P(WorldClearanceTest, BadDistancesAreRefused) {
     world.set_clearance(1.0);
     for (const double bad : {-1.0, -0x1p-1074, infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
-        EXPECT_THROW(world.set_clearance(bad), InvalidDistance);
+        EXPECT_INVALID(world.set_clearance(bad), Argument::distance);
     }
     EXPECT_EQ(world.clearance(), 1.0);
     world.set_clearance(-0.0);

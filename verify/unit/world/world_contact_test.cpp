@@ -6,6 +6,7 @@
 
 #include "ecods/contact.hpp"
 #include "ecods/error.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/slab_shapes.hpp"
 #include "unit/world/world_fixture.hpp"
@@ -53,7 +54,7 @@ TEST(WorldContact, WhatIsNoPairOrNoDistanceIsRefused) {
     EXPECT_THROW(world.intersections(a, a), SameBody);
     EXPECT_THROW(world.close_features(a, BodyId{}, 1), StaleBody);
     for (const double bad : {-1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-        EXPECT_THROW(world.close_features(a, b, bad), InvalidDistance);
+        EXPECT_INVALID(world.close_features(a, b, bad), Argument::distance);
     }
     try {
         world.close_features(a, slab, 1);

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "ecods/replay.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
@@ -29,8 +30,9 @@ TEST(WorldCreate, TakesEveryOption) {
 
 TEST(WorldCreate, RefusesNoneAndBothOfMeshAndShape) {
     World world;
-    EXPECT_THROW(world.create_body(BodyOptions{}), NullArgument);
-    EXPECT_THROW(world.create_body({.mesh = cube, .shape = std::make_shared<MeshShape>(cube)}), MeshAndShape);
+    EXPECT_INVALID(world.create_body(BodyOptions{}), Argument::null);
+    EXPECT_INVALID(world.create_body({.mesh = cube, .shape = std::make_shared<MeshShape>(cube)}),
+                   Argument::mesh_and_shape);
     EXPECT_TRUE(world.bodies().empty());
 }
 
@@ -71,7 +73,7 @@ TEST(WorldCreate, AConstWorldAnswersInAMemoryOfTheCallers) {
     EXPECT_EQ(asked.intersecting_bodies(MeshShape(cube), at(2), memory), (std::vector{b}));
     const CollisionFilter meets_none{.groups = 1, .mask = 0};
     EXPECT_EQ(asked.intersecting_bodies(cube, at(0.25), memory, meets_none), std::vector<BodyId>());
-    EXPECT_THROW(asked.intersecting_bodies(std::shared_ptr<const Mesh>(), at(0), memory), NullArgument);
+    EXPECT_INVALID(asked.intersecting_bodies(std::shared_ptr<const Mesh>(), at(0), memory), Argument::null);
     EXPECT_GE(memory.counts().queries, 7u);
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ecods/world.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
@@ -35,13 +36,15 @@ TEST_P(WorldFindTest, BoxesAreAskedAsOfNow) {
 
 TEST_P(WorldFindTest, ABoxThatIsNoneIsAnError) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW(world.overlapping_bodies({Vec3(0, 0, 1), Vec3(1, 1, 0)}), InvalidBox);
+    EXPECT_INVALID(world.overlapping_bodies({Vec3(0, 0, 1), Vec3(1, 1, 0)}), Argument::box);
     try {
         world.overlapping_bodies({Vec3(0, nan, 0), Vec3(1, 1, 1)});
         ADD_FAILURE();
-    } catch (const InvalidBox& error) {
-        EXPECT_EQ(error.axis, 1);
-        EXPECT_TRUE(std::isnan(error.min));
+    } catch (const InvalidArgument& error) {
+        EXPECT_EQ(error.argument, Argument::box);
+        EXPECT_EQ(error.part, "min(1)");
+        EXPECT_TRUE(std::isnan(error.value));
+        EXPECT_EQ(std::string(error.what()), "the box given has [nan, 1] on axis 1");
     }
 }
 
@@ -116,9 +119,9 @@ TEST_P(WorldFindTest, BadArguments) {
         ShapeKind kind_;
     };
     world.create_body(cube, at(0));
-    EXPECT_THROW(world.intersecting_bodies(std::shared_ptr<const Mesh>(), at(0)), NullArgument);
-    EXPECT_THROW(world.intersecting_bodies(cube, at(std::numeric_limits<double>::infinity())), InvalidPose);
-    EXPECT_THROW(world.intersecting_bodies(Other({5}), at(0)), MissingTest);
+    EXPECT_INVALID(world.intersecting_bodies(std::shared_ptr<const Mesh>(), at(0)), Argument::null);
+    EXPECT_INVALID(world.intersecting_bodies(cube, at(std::numeric_limits<double>::infinity())), Argument::pose);
+    EXPECT_INVALID(world.intersecting_bodies(Other({5}), at(0)), Question::intersects);
     EXPECT_THROW(world.intersecting_bodies(Other(ShapeKind::mesh()), at(0)), NotSupported);
 }
 

@@ -10,6 +10,7 @@
 #include "ecods/error.hpp"
 #include "ecods/hit.hpp"
 #include "ecods/replay.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/slab_shapes.hpp"
@@ -179,10 +180,10 @@ TEST_P(WorldHitTest, ShapesOfTheCallersOwnAreInTheSameOrder) {
 TEST_P(WorldHitTest, BadArgumentsAreRefused) {
     world.create_body(wall(1), at(0));
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW(world.first_hit(Segment{Vec3(0, nan, 0), Vec3(0, 0, 0)}), InvalidSegment);
-    EXPECT_THROW(world.all_hits(Segment{Vec3(0, 0, 0), Vec3(0, 0, infinity)}), InvalidSegment);
-    EXPECT_THROW(world.first_hit(Ray{Vec3(0, 0, 0), Vec3(0, 0, 0)}), InvalidRay);
-    EXPECT_THROW(world.all_hits(Ray{.parameter_max = nan}), InvalidRay);
+    EXPECT_INVALID(world.first_hit(Segment{Vec3(0, nan, 0), Vec3(0, 0, 0)}), Argument::segment);
+    EXPECT_INVALID(world.all_hits(Segment{Vec3(0, 0, 0), Vec3(0, 0, infinity)}), Argument::segment);
+    EXPECT_INVALID(world.first_hit(Ray{Vec3(0, 0, 0), Vec3(0, 0, 0)}), Argument::ray);
+    EXPECT_INVALID(world.all_hits(Ray{.parameter_max = nan}), Argument::ray);
     EXPECT_EQ(world.all_hits(Ray{.parameter_max = 0.5}).size(), 0u);
     EXPECT_FALSE(World().first_hit(Ray{}).has_value());
 }

@@ -112,12 +112,13 @@ TEST_P(WorldMoveTest, AllOrNothing) {
     try {
         world.set_poses(bodies, poses);
         ADD_FAILURE();
-    } catch (const InvalidPose& error) {
+    } catch (const InvalidArgument& error) {
+        EXPECT_EQ(error.argument, Argument::pose);
         EXPECT_EQ(error.index, 3u);
         EXPECT_EQ(error.body, bodies[3]);
-        EXPECT_EQ(error.row, 1);
+        EXPECT_EQ(error.part, "t(1)");
         const std::string text = error.what();
-        EXPECT_NE(text.find("entry 3: body 4.0: pose entry t[1] is nan"), std::string::npos) << text;
+        EXPECT_NE(text.find("entry 3: body 4.0: pose entry t(1) is nan"), std::string::npos) << text;
     }
     poses[3] = at(3);
     std::vector<BodyId> with_stale = bodies;
@@ -134,9 +135,11 @@ TEST_P(WorldMoveTest, AllOrNothing) {
     try {
         world.set_poses(bodies, poses);
         ADD_FAILURE();
-    } catch (const LengthMismatch& error) {
-        EXPECT_EQ(error.body_count, 5u);
-        EXPECT_EQ(error.pose_count, 4u);
+    } catch (const InvalidArgument& error) {
+        EXPECT_EQ(error.argument, Argument::list_length);
+        EXPECT_EQ(error.part, "poses");
+        EXPECT_EQ(error.value, 4);
+        EXPECT_EQ(std::string(error.what()), "a list of 5 bodies came with a list of 4 poses");
     }
     EXPECT_EQ(world.digest(), digest);
     for (int i = 0; i < 5; ++i) EXPECT_EQ(world.pose(bodies[i]), at(3 * i));

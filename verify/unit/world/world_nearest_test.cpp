@@ -8,6 +8,7 @@
 
 #include "ecods/distance.hpp"
 #include "ecods/error.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
@@ -37,8 +38,8 @@ TEST_P(WorldNearestTest, TwoBodiesAreAskedInEitherOrder) {
     EXPECT_EQ(points.b, mirrored.a);
     EXPECT_THROW(world.distance(a, a), SameBody);
     EXPECT_THROW(world.closest(a, BodyId{}), StaleBody);
-    EXPECT_THROW(world.within(a, b, -1), InvalidDistance);
-    EXPECT_THROW(world.within(a, b, std::numeric_limits<double>::quiet_NaN()), InvalidDistance);
+    EXPECT_INVALID(world.within(a, b, -1), Argument::distance);
+    EXPECT_INVALID(world.within(a, b, std::numeric_limits<double>::quiet_NaN()), Argument::distance);
 }
 
 TEST_P(WorldNearestTest, TheNearestIsOfNowAndTiesGoToTheLeastIds) {
@@ -106,15 +107,15 @@ TEST_P(WorldNearestTest, FiltersApply) {
 TEST_P(WorldNearestTest, BadLimitsAreRefused) {
     const BodyId a = world.create_body(cube, at(0));
     for (const double bad : {-1.0, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
-        EXPECT_THROW(world.nearest(a, bad), InvalidDistance);
-        EXPECT_THROW(world.nearest(cube, at(0), bad), InvalidDistance);
-        EXPECT_THROW(world.closest_pair(bad), InvalidDistance);
+        EXPECT_INVALID(world.nearest(a, bad), Argument::distance);
+        EXPECT_INVALID(world.nearest(cube, at(0), bad), Argument::distance);
+        EXPECT_INVALID(world.closest_pair(bad), Argument::distance);
     }
     EXPECT_THROW(world.nearest(BodyId{}), StaleBody);
-    EXPECT_THROW(world.nearest(std::shared_ptr<const Mesh>(), at(0)), NullArgument);
+    EXPECT_INVALID(world.nearest(std::shared_ptr<const Mesh>(), at(0)), Argument::null);
     Pose bad = at(0);
     bad.t[1] = infinity;
-    EXPECT_THROW(world.nearest(cube, bad), InvalidPose);
+    EXPECT_INVALID(world.nearest(cube, bad), Argument::pose);
 }
 
 // Against asking all, in scenes of several sizes of bodies, sparse and dense, while bodies move.
