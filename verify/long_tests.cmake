@@ -46,10 +46,11 @@ ecods_long("Gappa and Coq prove again what only a change of a constant changes" 
 ecods_long("Doxygen, Chromium and clang-tidy read what the other tests compile or read, too" reference
            tidy.clang_tidy_headers)
 ecods_long("the project is installed, used and configured anew in many ways" consumer.*)
-ecods_long("sixteen programs to build, and what they ask of the library has tests of its own" examples.*
-           output.ecods_clash_of_assembly.* output.ecods_first_program.* output.ecods_no_tunnelling.*
-           output.ecods_own_engine.* output.ecods_own_shape.* output.ecods_picking.* output.ecods_plane_figures.*
-           output.ecods_ported* output.ecods_robot_arm.* output.ecods_thousand_ships.* output.ecods_thread_pool.*)
+ecods_long("seventeen programs to build, and what they ask of the library has tests of its own" examples.*
+           output.ecods_clash_of_assembly.* output.ecods_first_program.* output.ecods_how_do_i.*
+           output.ecods_no_tunnelling.* output.ecods_own_engine.* output.ecods_own_shape.* output.ecods_picking.*
+           output.ecods_plane_figures.* output.ecods_ported* output.ecods_robot_arm.* output.ecods_thousand_ships.*
+           output.ecods_thread_pool.*)
 ecods_long("the clash report, which takes a twelfth of the build, and asks the library what other tests ask" clash.*
            clash_test.* output.ecods_clash.* output.ecods_clash_building.*)
 ecods_long("the oracle beside models of its own" oracle_test.*)
@@ -57,7 +58,10 @@ ecods_long("CGAL's own side of a mesh, which takes long to compile" side_of_mesh
 ecods_long("every pair of triangles of a lattice; no planted fault is seen by it alone" exhaustive_tests.*)
 ecods_long("the checkers of certificates, which share nothing with the library, asked about many that are spoilt"
            certificates.tampered certificates.false_claims certificates.malformed certificates.python_cases)
-ecods_long("many runs of what other tests run a few times" fuzz.motion fuzz_tests.FuzzProgramTest.JobsDoNotMatter)
+ecods_long("many runs of what other tests run a few times" fuzz.motion fuzz.more_distances fuzz.more_solids
+           fuzz_tests.FuzzProgramTest.JobsDoNotMatter)
+ecods_long("eleven programs to build, whose corpora ask the library what other tests ask" fuzz.corpus.*
+           instruction_sets.unknown.fuzz_triangles output.fuzz_predicates.*)
 ecods_long("each allocation of each call fails in turn; verify/run has that for one broad phase"
            allocation_tests.QueryOutOfMemory.EveryQuestion* allocation_tests.BroadPhases/WorldOutOfMemory.*/1
            allocation_tests.BroadPhases/WorldOutOfMemory.*/2 allocation_tests.BroadPhases/WorldOutOfMemory.*/3

@@ -93,10 +93,6 @@ endif()
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${file})
 endfunction()
 
-# Most of what a test program runs is the library, which is compiled as it is for everybody: the time that better code
-# would save in the tests themselves is less than half of the time that it takes to make it.
-set(ecods_test_options $<$<CONFIG:Release>:-O1>)
-
 # One test program; the files APART are compiled alone (ecods_unity): files that share names have namespaces of their own
 # instead, where they can. OPTIMIZED: whose time is its own code's. Its tests are of the library, unless a reason says why not.
 # usage: ecods_test(NAME SOURCES... [OPTIMIZED] [APART ...] [LIBRARIES ...] [LABELS programs|threads] [NOT_LIBRARY REASON])
@@ -107,7 +103,7 @@ function(ecods_test name)
   # Unit tests see the layers from inside.
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/verify)
   if(NOT arg_OPTIMIZED)
-    target_compile_options(${name} PRIVATE ${ecods_test_options})
+    target_compile_options(${name} PRIVATE ${ecods_caller_options})
     ecods_share_precompiled(${name} ecods_test_main)
   endif()
   ecods_unity(${name} APART ${arg_APART})

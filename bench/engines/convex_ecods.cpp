@@ -1,6 +1,6 @@
-// ECoDS without a world: the questions of convex_solid.hpp and depth.hpp about two posed solids.
-#include "ecods/convex_solid.hpp"
-#include "ecods/depth.hpp"
+// ECoDS without a world: the questions of solid.hpp about two posed convex solids.
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "engines/convex_engine.hpp"
 #include "engines/own_shapes.hpp"
 
@@ -10,46 +10,39 @@ namespace {
 
 using scenes::ConvexQuestion;
 using ConvexBody = Posed<ConvexSolid>;
-using AskConvex = ConvexAnswer (*)(const ConvexBody& a, const ConvexBody& b, QueryMemory& memory, PairWitness& witness);
+using AskConvex = ConvexAnswer (*)(const ConvexBody& a, const ConvexBody& b, const Ask& ask);
 
 class ConvexEcods final : public Convex::Engine {
   public:
-    ConvexEcods(const scenes::ConvexWorkload& workload, AskConvex question)
-        : posed_(workload.meshes), question_(question), witnesses_(workload.queries.size()) {}
+    ConvexEcods(const scenes::ConvexWorkload& workload, AskConvex question, bool has_witnesses = false)
+        : posed_(workload.meshes), question_(question), witnesses_(has_witnesses ? workload.queries.size() : 0) {}
 
     ConvexAnswer ask(const scenes::MeshQuery& query, std::size_t index) override {
-        return question_(posed_(query.a), posed_(query.b), memory_, witnesses_[index]);
+        Ask ask(memory_);
+        if (!witnesses_.empty()) ask.witness = &witnesses_[index];
+        return question_(posed_(query.a), posed_(query.b), ask);
     }
 
   private:
     OwnShapes<ConvexSolid> posed_;
     AskConvex question_;
     QueryMemory memory_;
-    std::vector<PairWitness> witnesses_;
+    std::vector<PairWitness> witnesses_;  // one a query, or none
 };
 
 ConvexAnswer to_answer(const Depth& depth) {
     return {depth.depth, {depth.direction.x(), depth.direction.y(), depth.direction.z()}};
 }
 
-ConvexAnswer ask_solid_distance(const ConvexBody& a, const ConvexBody& b, QueryMemory& memory,
-                                PairWitness& /*witness*/) {
-    return {solid_distance(a, b, memory)};
+ConvexAnswer ask_solid_distance(const ConvexBody& a, const ConvexBody& b, const Ask& ask) {
+    return {solid_distance(a, b, ask)};
 }
-ConvexAnswer ask_solid_distance_by_witness(const ConvexBody& a, const ConvexBody& b, QueryMemory& memory,
-                                           PairWitness& witness) {
-    return {solid_distance(a, b, memory, witness)};
-}
-ConvexAnswer ask_solid_closest(const ConvexBody& a, const ConvexBody& b, QueryMemory& memory,
-                               PairWitness& /*witness*/) {
-    const auto points = solid_closest(a, b, memory);
+ConvexAnswer ask_solid_closest(const ConvexBody& a, const ConvexBody& b, const Ask& ask) {
+    const auto points = solid_closest(a, b, ask);
     return {points ? points->distance : 0};
 }
-ConvexAnswer ask_depth(const ConvexBody& a, const ConvexBody& b, QueryMemory& memory, PairWitness& /*witness*/) {
-    return to_answer(depth(a, b, memory));
-}
-ConvexAnswer ask_depth_by_witness(const ConvexBody& a, const ConvexBody& b, QueryMemory& memory, PairWitness& witness) {
-    return to_answer(depth(a, b, memory, witness));
+ConvexAnswer ask_depth(const ConvexBody& a, const ConvexBody& b, const Ask& ask) {
+    return to_answer(depth(a, b, ask).value());
 }
 
 }  // namespace
@@ -65,7 +58,7 @@ std::vector<ConvexMaker> ecods_convex(ConvexQuestion question) {
         {.name = "ECoDS convex, witness",
          .use = "the same, with a PairWitness for each pair, left by the pass before",
          .is_ecods = true,
-         .set_up = makes<ConvexEcods>(is_depth ? ask_depth_by_witness : ask_solid_distance_by_witness)}};
+         .set_up = makes<ConvexEcods>(is_depth ? ask_depth : ask_solid_distance, true)}};
     if (!is_depth) {
         makers.push_back({.name = "ECoDS convex closest",
                           .use = "solid_closest(); distance and points rounded once, features by the rule",

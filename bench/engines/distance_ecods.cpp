@@ -10,21 +10,22 @@ namespace ecods::bench {
 
 namespace {
 
-// A question has the two bodies, and what is kept from query to query. `d` is the distance times the engine's factor,
-// for questions about it.
+// A question has the two bodies, and how it is asked. `d` is the distance times the engine's factor, for questions
+// about it.
 struct DistanceAsked {
     const Posed<MeshShape> a, b;
     const double d;
-    QueryMemory& memory;
-    PairWitness& witness;
+    const Ask ask;
 };
 using AskDistance = double (*)(const DistanceAsked& asked);
 
 class DistanceEcods final : public Distance::Engine {
   public:
     // A factor above 0 has the distances found here, untimed.
-    DistanceEcods(const scenes::DistanceWorkload& workload, AskDistance question, double factor)
+    DistanceEcods(const scenes::DistanceWorkload& workload, AskDistance question, double factor,
+                  bool has_witness = false)
         : posed_(workload.meshes), question_(question), numbers_(workload.queries.size()) {
+        if (has_witness) ask_.witness = &witness_;
         for (std::size_t i = 0; i < numbers_.size() && factor > 0; ++i) {
             const auto& [a, b] = workload.queries[i];
             numbers_[i] = factor * distance(posed_(a), posed_(b), memory_);
@@ -32,7 +33,7 @@ class DistanceEcods final : public Distance::Engine {
     }
 
     double ask(const scenes::MeshQuery& query, std::size_t index) override {
-        return question_({posed_(query.a), posed_(query.b), numbers_[index], memory_, witness_});
+        return question_({posed_(query.a), posed_(query.b), numbers_[index], ask_});
     }
 
   private:
@@ -41,24 +42,22 @@ class DistanceEcods final : public Distance::Engine {
     std::vector<double> numbers_;
     QueryMemory memory_;
     PairWitness witness_;
+    Ask ask_{memory_};
 };
 
 double ask_distance(const DistanceAsked& asked) {
-    return distance(asked.a, asked.b, asked.memory);
-}
-double ask_by_witness(const DistanceAsked& asked) {
-    return distance(asked.a, asked.b, asked.memory, asked.witness);
+    return distance(asked.a, asked.b, asked.ask);
 }
 double ask_bounds(const DistanceAsked& asked) {
-    const DistanceBounds bounds = distance_bounds(asked.a, asked.b, {.relative = 1e-6}, asked.memory);
+    const DistanceBounds bounds = distance_bounds(asked.a, asked.b, {.relative = 1e-6}, asked.ask);
     const bool is_inside = bounds.lower <= asked.d && asked.d <= bounds.upper;
     return is_inside ? bounds.upper : std::numeric_limits<double>::quiet_NaN();
 }
 double ask_closest(const DistanceAsked& asked) {
-    return closest(asked.a, asked.b, asked.memory).distance;
+    return closest(asked.a, asked.b, asked.ask).distance;
 }
 double ask_within(const DistanceAsked& asked) {
-    return within(asked.a, asked.b, asked.d, asked.memory) ? 1 : 0;
+    return within(asked.a, asked.b, asked.d, asked.ask) ? 1 : 0;
 }
 
 }  // namespace
@@ -72,7 +71,7 @@ std::vector<DistanceMaker> ecods_distance() {
              .use = "distance() with one PairWitness for all of a path; rounded once",
              .is_ecods = true,
              .traits = {.is_for_paths = true},
-             .set_up = makes<DistanceEcods>(ask_by_witness, 0.0)},
+             .set_up = makes<DistanceEcods>(ask_distance, 0.0, true)},
             {.name = "ECoDS bounds",
              .use = "distance_bounds(), relative 1e-6; an interval that contains the distance",
              .is_ecods = true,

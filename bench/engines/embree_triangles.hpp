@@ -6,7 +6,7 @@
 #include <span>
 
 #include "ecods/mesh.hpp"
-#include "ecods/segment.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods::bench {
 

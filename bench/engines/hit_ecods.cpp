@@ -17,32 +17,19 @@ void list_triangles(const std::vector<Hit>& hits, std::vector<std::uint32_t>& tr
     for (const Hit& hit : hits) triangles.push_back(hit.triangle());
 }
 
+template <bool has_witness>
 class HitEcods final : public FirstHits::Engine, public HitLists {
   public:
     explicit HitEcods(const scenes::SegmentWorkload& workload)
         : posed_(workload.meshes), body_(posed_(workload.bodies.front())) {}
 
     HitAnswer ask(const Segment& segment, std::size_t /*index*/) override {
+        if constexpr (has_witness) return to_answer(first_hit(segment, body_, {memory_, witness_}));
         return to_answer(first_hit(segment, body_, memory_));
     }
 
     void list(const Segment& segment, std::vector<std::uint32_t>& triangles) override {
         list_triangles(all_hits(segment, body_, memory_), triangles);
-    }
-
-  private:
-    OwnShapes<MeshShape> posed_;
-    Posed<MeshShape> body_;
-    QueryMemory memory_;
-};
-
-class HitByWitness final : public FirstHits::Engine {
-  public:
-    explicit HitByWitness(const scenes::SegmentWorkload& workload)
-        : posed_(workload.meshes), body_(posed_(workload.bodies.front())) {}
-
-    HitAnswer ask(const Segment& segment, std::size_t /*index*/) override {
-        return to_answer(first_hit(segment, body_, memory_, witness_));
     }
 
   private:
@@ -57,13 +44,13 @@ class HitEcodsWorld final : public FirstHits::Engine, public HitLists {
     explicit HitEcodsWorld(const scenes::SegmentWorkload& workload) : bodies_(workload) {}
 
     HitAnswer ask(const Segment& segment, std::size_t /*index*/) override {
-        const std::optional<BodyHit> hit = bodies_.world().first_hit(segment, memory_);
+        const std::optional<BodyHit> hit = bodies_.world().first_hit(segment, {}, memory_);
         return hit ? HitAnswer{hit->hit.parameter, static_cast<double>(bodies_.triangle_of(*hit))} : HitAnswer{};
     }
 
     void list(const Segment& segment, std::vector<std::uint32_t>& triangles) override {
         triangles.clear();
-        for (const BodyHit& hit : bodies_.world().all_hits(segment, memory_))
+        for (const BodyHit& hit : bodies_.world().all_hits(segment, {}, memory_))
             triangles.push_back(bodies_.triangle_of(hit));
     }
 
@@ -80,12 +67,12 @@ std::vector<HitMaker> ecods_hits() {
              .is_ecods = true,
              .has_lists = true,
              .traits = {.bodies = HitBodies::one},
-             .set_up = makes<HitEcods>()},
+             .set_up = makes<HitEcods<false>>()},
             {.name = "ECoDS, witness",
              .use = "first_hit() with one PairWitness for all of a path; the same",
              .is_ecods = true,
              .traits = {.is_for_paths = true, .bodies = HitBodies::one},
-             .set_up = makes<HitByWitness>()},
+             .set_up = makes<HitEcods<true>>()},
             {.name = own_world_hits,
              .use = "World::first_hit(), all_hits(), one QueryMemory; exact, parameters rounded once",
              .is_ecods = true,

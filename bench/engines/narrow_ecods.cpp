@@ -1,5 +1,8 @@
 // ECoDS without a world: intersects() and intersecting_triangles() of two posed meshes.
 #include "ecods/intersection.hpp"
+
+#include <tuple>
+
 #include "engines/narrow_engine.hpp"
 #include "engines/own_shapes.hpp"
 
@@ -16,9 +19,9 @@ class NarrowEcods final : public Touch::Engine, public NarrowLists, public Narro
     }
 
     Work work(const scenes::MeshQuery& query) override {
-        memory_.reset_counts();
-        intersects(posed_(query.a), posed_(query.b), memory_);
-        return {memory_.counts().box_tests, memory_.counts().stages.triangle_tests};
+        QueryCounts counts;
+        std::ignore = intersects(posed_(query.a), posed_(query.b), {memory_, counts});
+        return {counts.box_tests, counts.stages.triangle_tests};
     }
 
     void list(const scenes::MeshQuery& query, std::vector<TrianglePair>& pairs) override {

@@ -15,9 +15,9 @@ class OwnCasts {
         : posed_(workload.meshes), is_translation_(workload.is_translation) {}
 
     std::optional<FirstContact> operator()(const scenes::CastQuery& query) {
-        if (is_translation_) return cast(posed_(query.a), query.motion, posed_(query.b), memory_);
+        if (is_translation_) return cast(posed_(query.a), query.motion, posed_(query.b), 1, memory_);
         return cast(Moving<MeshShape>(posed_.at(query.a.mesh_index), query.a.pose, query.a_end),
-                    Moving<MeshShape>(posed_.at(query.b.mesh_index), query.b.pose, query.b.pose), memory_);
+                    Moving<MeshShape>(posed_.at(query.b.mesh_index), query.b.pose, query.b.pose), 1, memory_);
     }
 
   private:

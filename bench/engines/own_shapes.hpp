@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "ecods/posed.hpp"
+#include "ecods/pose.hpp"
 #include "scenes/mesh_pairs.hpp"
 
 namespace ecods::bench {

@@ -1,5 +1,6 @@
 // ecods::World of convex solids: World::solid_distances.
-#include "ecods/convex_solid.hpp"
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "engines/polytopes_engine.hpp"
 #include "engines/world_bodies.hpp"
 

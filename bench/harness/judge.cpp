@@ -74,7 +74,7 @@ class Judge {
             if (!oracle::intersects(a, b)) return std::nullopt;
             return TrueHit{pair, nullptr};
         }
-        Contact contact{Relation::disjoint, oracle::intersecting_triangles(a, b)};
+        Contact contact{Relation::apart, oracle::intersecting_triangles(a, b)};
         if (contact.triangles.empty()) return std::nullopt;
         contact.relation = oracle::relation(a, b);
         return TrueHit{pair, std::make_shared<const Contact>(std::move(contact))};

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ecods/ids.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/results.hpp"
 #include "engines/frame_engine.hpp"
 #include "harness/differences.hpp"
 #include "scenes/scene.hpp"
@@ -39,7 +39,7 @@ struct Truth {
 
 enum class Detail { hits_only, contacts };
 
-// Every pair of bodies in every frame. Pairs whose certified boxes are disjoint are no hits; a pair of which neither
+// Every pair of bodies in every frame. Pairs whose certified boxes do not overlap are no hits; a pair of which neither
 // body moved keeps its answer, which depends on poses and meshes alone. Works in as many threads as the machine has.
 Truth ask_oracle(const scenes::Scene& scene, Detail detail, const std::string& label);
 

@@ -5,12 +5,15 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 #include "ecods/distance.hpp"
 #include "ecods/intersection.hpp"
 
 namespace {
+
+using Body = ecods::Posed<ecods::MeshShape>;
 
 template <class T>
 std::vector<T> read(std::istream& in) {
@@ -32,8 +35,7 @@ void time(const std::vector<double>& entries, const ecods::MeshShape& shape, con
         ecods::Pose pose;
         for (int k = 0; k < 9; ++k) pose.R(k / 3, k % 3) = x[4 * (k / 3) + k % 3];
         pose.t = {x[3], x[7], x[11]};
-        answers[i] = static_cast<Answer>(question(ecods::Posed<ecods::MeshShape>(shape, pose),
-                                                  ecods::Posed<ecods::MeshShape>(shape, {}), memory, witness));
+        answers[i] = static_cast<Answer>(question(Body(shape, pose), Body(shape, {}), {memory, witness}));
     }
     std::cout << std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() << '\n';
 }
@@ -48,9 +50,11 @@ int main(int count, char** arguments) {
     const auto poses = read<double>(in);
     const ecods::MeshShape shape(ecods::Mesh::create(vertices, faces));
     ecods::QueryMemory memory;
-    intersects(ecods::Posed<ecods::MeshShape>(shape, {}), ecods::Posed<ecods::MeshShape>(shape, {}), memory);
+    std::ignore = ecods::intersects({shape, {}}, {shape, {}}, memory);
     for (int run = 0; run < 3; ++run) {
-        time<char>(poses, shape, [](auto&&... given) { return intersects(given...); });
-        time<double>(poses, shape, [](auto&&... given) { return distance(given...); });
+        time<char>(poses, shape,
+                   [](const Body& a, const Body& b, const ecods::Ask& ask) { return intersects(a, b, ask); });
+        time<double>(poses, shape,
+                     [](const Body& a, const Body& b, const ecods::Ask& ask) { return distance(a, b, ask); });
     }
 }

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <thread>
 
-#include "ecods/version.hpp"
+#include "ecods/export.hpp"
 #include "process/program.hpp"
 #include "report/instruction_set.hpp"
 

@@ -22,14 +22,15 @@ namespace {
 
 const char* name_of(Relation relation) {
     switch (relation) {
-        case Relation::disjoint:
+        case Relation::apart:
             return "-";
         case Relation::touching:
             return "touching";
         case Relation::crossing:
             return "crossing";
+        default:
+            return "?";
     }
-    return "?";
 }
 
 struct ContactCheck {
@@ -66,7 +67,7 @@ ContactCheck check_contacts(const scenes::Scene& scene, const Truth& truth) {
 
 // What a pair of parts did over all frames.
 struct PartsMeeting {
-    Relation at_rest = Relation::disjoint;
+    Relation at_rest = Relation::apart;
     std::size_t triangles_at_rest = 0;
     std::size_t touching_frames = 0;
     std::size_t crossing_frames = 0;

@@ -11,6 +11,7 @@
 #include "ecods/certificate.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/hit.hpp"
+#include "ecods/intersection.hpp"
 #include "harness/statistics.hpp"
 #include "harness/stopwatch.hpp"
 #include "scenes/mesh_pairs.hpp"
@@ -28,26 +29,26 @@ using Body = Posed<MeshShape>;
 
 struct Question {
     const char* name;
-    std::function<void(const Body& a, const Body& b, double d, QueryMemory& memory)> ask;
-    std::function<Certificate(const Body& a, const Body& b, double d, QueryMemory& memory)> certify;
+    std::function<void(const Body& a, const Body& b, double d, const Ask& ask)> answer;
+    std::function<Certificate(const Body& a, const Body& b, double d, const Ask& ask)> certify;
 };
 
 std::vector<Question> questions() {
-    return {{"relation", [](const Body& a, const Body& b, double, QueryMemory& m) { (void)intersects(a, b, m); },
-             [](const Body& a, const Body& b, double, QueryMemory& m) { return certify(a, b, m); }},
-            {"distance", [](const Body& a, const Body& b, double, QueryMemory& m) { (void)distance(a, b, m); },
-             [](const Body& a, const Body& b, double, QueryMemory& m) { return certify_distance(a, b, m); }},
+    return {{"relation", [](const Body& a, const Body& b, double, const Ask& ask) { (void)intersects(a, b, ask); },
+             [](const Body& a, const Body& b, double, const Ask& ask) { return certify(a, b, ask); }},
+            {"distance", [](const Body& a, const Body& b, double, const Ask& ask) { (void)distance(a, b, ask); },
+             [](const Body& a, const Body& b, double, const Ask& ask) { return certify_distance(a, b, ask); }},
             {"beyond half the distance",
-             [](const Body& a, const Body& b, double d, QueryMemory& m) { (void)within(a, b, d / 2, m); },
-             [](const Body& a, const Body& b, double d, QueryMemory& m) { return certify_within(a, b, d / 2, m); }}};
+             [](const Body& a, const Body& b, double d, const Ask& ask) { (void)within(a, b, d / 2, ask); },
+             [](const Body& a, const Body& b, double d, const Ask& ask) { return certify_within(a, b, d / 2, ask); }}};
 }
 
-template <class Ask>
-double microseconds(std::size_t repetitions, const Ask& ask) {
+template <class Call>
+double microseconds(std::size_t repetitions, const Call& call) {
     std::vector<double> times;
     for (std::size_t k = 0; k < repetitions; ++k) {
         const Stopwatch watch;
-        ask();
+        call();
         times.push_back(1e-3 * watch.nanoseconds());
     }
     return median(times);
@@ -97,7 +98,7 @@ std::vector<std::string> measure_pairs(const Question& question, const scenes::M
         const Body a(shape, query.a.pose), b(shape, query.b.pose);
         const double d = distance(a, b, memory);
         if (d == 0) continue;
-        costs.add([&] { question.ask(a, b, d, memory); }, [&] { return question.certify(a, b, d, memory); });
+        costs.add([&] { question.answer(a, b, d, memory); }, [&] { return question.certify(a, b, d, memory); });
     }
     return costs.row({pairs.name, question.name}, true);
 }

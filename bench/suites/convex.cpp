@@ -44,8 +44,8 @@ bool parts(const ConvexWorkload& workload, const MeshQuery& query, const Vec3& w
     QueryMemory memory;
     const Pose moved{query.b.pose.R, query.b.pose.t + way};
     if (!moved.t.allFinite()) return false;
-    const SolidRelation relation = solid_relation({a, query.a.pose}, {b, moved}, memory);
-    return relation == SolidRelation::apart || relation == SolidRelation::touching;
+    const Relation relation = solid_relation({a, query.a.pose}, {b, moved}, memory);
+    return relation == Relation::apart || relation == Relation::touching;
 }
 
 constexpr const char* errors_note =

@@ -37,7 +37,7 @@ class OwnHits {
     std::vector<Hit> operator()(const Segment& segment) {
         if (!is_world_) return all_hits(segment, body_, memory_);
         std::vector<Hit> hits;
-        for (const BodyHit& of_body : world_->world().all_hits(segment, memory_)) {
+        for (const BodyHit& of_body : world_->world().all_hits(segment, {}, memory_)) {
             hits.push_back(of_body.hit);
             hits.back().feature.triangle = world_->triangle_of(of_body);
         }

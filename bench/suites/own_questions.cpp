@@ -6,10 +6,9 @@
 
 #include "ecods/cast.hpp"
 #include "ecods/certificate.hpp"
-#include "ecods/convex_solid.hpp"
-#include "ecods/depth.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/hit.hpp"
+#include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
 
 namespace ecods::bench {
@@ -38,27 +37,26 @@ void add(Hash& hash, const Feature& feature) {
     hash.add(std::uint64_t{feature.triangle} << 32 | feature.corner);
 }
 
-std::uint64_t touch(const Body& a, const Body& b, QueryMemory& memory) {
-    return intersects(a, b, memory) ? 1 : 0;
+std::uint64_t touch(const Body& a, const Body& b, const Ask& ask) {
+    return intersects(a, b, ask) ? 1 : 0;
 }
 
-std::uint64_t distance_bits(const Body& a, const Body& b, QueryMemory& memory) {
-    return std::bit_cast<std::uint64_t>(distance(a, b, memory));
+std::uint64_t distance_bits(const Body& a, const Body& b, const Ask& ask) {
+    return std::bit_cast<std::uint64_t>(distance(a, b, ask));
 }
 
-std::uint64_t relation_number(const Body& a, const Body& b, QueryMemory& memory) {
-    return static_cast<std::uint64_t>(relation(a, b, memory));
+std::uint64_t relation_number(const Body& a, const Body& b, const Ask& ask) {
+    return static_cast<std::uint64_t>(relation(a, b, ask));
 }
 
-std::uint64_t triangle_pairs(const Body& a, const Body& b, QueryMemory& memory) {
+std::uint64_t triangle_pairs(const Body& a, const Body& b, const Ask& ask) {
     Hash hash;
-    for (const TrianglePair& pair : intersecting_triangles(a, b, memory))
-        hash.add(std::uint64_t{pair.a} << 32 | pair.b);
+    for (const TrianglePair& pair : intersecting_triangles(a, b, ask)) hash.add(std::uint64_t{pair.a} << 32 | pair.b);
     return hash.value();
 }
 
-std::uint64_t closest_features(const Body& a, const Body& b, QueryMemory& memory) {
-    const ClosestPoints points = closest(a, b, memory);
+std::uint64_t closest_features(const Body& a, const Body& b, const Ask& ask) {
+    const ClosestPoints points = closest(a, b, ask);
     Hash hash;
     hash.add(points.distance);
     hash.add(static_cast<std::uint64_t>(points.kind));
@@ -68,8 +66,8 @@ std::uint64_t closest_features(const Body& a, const Body& b, QueryMemory& memory
 }
 
 // The limit is an eighth of the distance of their centres.
-std::uint64_t is_within(const Body& a, const Body& b, QueryMemory& memory) {
-    return within(a, b, (b.pose.t - a.pose.t).norm() / 8, memory) ? 1 : 0;
+std::uint64_t is_within(const Body& a, const Body& b, const Ask& ask) {
+    return within(a, b, (b.pose.t - a.pose.t).norm() / 8, ask) ? 1 : 0;
 }
 
 std::uint64_t contact_bits(const std::optional<FirstContact>& contact) {
@@ -83,16 +81,16 @@ std::uint64_t contact_bits(const std::optional<FirstContact>& contact) {
 }
 
 // Goes from twice as far as it is to where the other one is.
-std::uint64_t cast_contact(const Body& a, const Body& b, QueryMemory& memory) {
+std::uint64_t cast_contact(const Body& a, const Body& b, const Ask& ask) {
     const Vec3 way = b.pose.t - a.pose.t;
-    return contact_bits(cast({*a.what, {a.pose.R, a.pose.t - way}}, 2 * way, b, memory));
+    return contact_bits(cast({*a.what, {a.pose.R, a.pose.t - way}}, 2 * way, b, 1, ask));
 }
 
 // Turns on the way, from the pose of the first to that of the second.
-std::uint64_t move_contact(const Body& a, const Body& b, QueryMemory& memory) {
+std::uint64_t move_contact(const Body& a, const Body& b, const Ask& ask) {
     const Vec3 way = b.pose.t - a.pose.t;
     return contact_bits(cast(Moving<MeshShape>(*a.what, {a.pose.R, a.pose.t - way}, b.pose),
-                             Moving<MeshShape>(*b.what, b.pose, b.pose), memory));
+                             Moving<MeshShape>(*b.what, b.pose, b.pose), 1, ask));
 }
 
 void add(Hash& hash, const Hit& hit) {
@@ -108,29 +106,31 @@ Segment line_of(const Body& a, const Body& b) {
     return {a.pose.t, b.pose.t + (b.pose.t - a.pose.t)};
 }
 
-std::uint64_t first_hit_bits(const Body& a, const Body& b, QueryMemory& memory) {
+std::uint64_t first_hit_bits(const Body& a, const Body& b, const Ask& ask) {
     Hash hash;
-    if (const std::optional<Hit> hit = first_hit(line_of(a, b), b, memory)) add(hash, *hit);
+    if (const std::optional<Hit> hit = first_hit(line_of(a, b), b, ask)) add(hash, *hit);
     return hash.value();
 }
 
-std::uint64_t all_hit_bits(const Body& a, const Body& b, QueryMemory& memory) {
+std::uint64_t all_hit_bits(const Body& a, const Body& b, const Ask& ask) {
     Hash hash;
-    for (const Hit& hit : all_hits(line_of(a, b), b, memory)) add(hash, hit);
+    for (const Hit& hit : all_hits(line_of(a, b), b, ask)) add(hash, hit);
     return hash.value();
 }
 
-std::uint64_t certificate_bits(const Body& a, const Body& b, QueryMemory& memory) {
-    const Certificate certificate = certify(a, b, memory);
+std::uint64_t certificate_bits(const Body& a, const Body& b, const Ask& ask) {
+    const Certificate certificate = certify(a, b, ask);
     return static_cast<std::uint64_t>(certificate.claim());
 }
 
-std::uint64_t solid_relation_number(const Body& a, const Body& b, QueryMemory& memory) {
-    return static_cast<std::uint64_t>(solid_relation(as<Solid>(a), as<Solid>(b), memory));
+// Numbers relations of solids without `crossing`, as builds before 0.4 do: their answers are compared with new ones.
+std::uint64_t solid_relation_number(const Body& a, const Body& b, const Ask& ask) {
+    const Relation relation = solid_relation(as<Solid>(a), as<Solid>(b), ask);
+    return static_cast<std::uint64_t>(relation) - (relation > Relation::crossing ? 1 : 0);
 }
 
-std::uint64_t location_bits(const Body& a, const Body& b, QueryMemory& memory) {
-    const Location location = locate(a.pose.t, as<Solid>(b), memory);
+std::uint64_t location_bits(const Body& a, const Body& b, const Ask& ask) {
+    const Location location = locate(a.pose.t, as<Solid>(b), ask);
     Hash hash;
     hash.add(static_cast<std::uint64_t>(location.side));
     add(hash, location.feature);
@@ -138,11 +138,11 @@ std::uint64_t location_bits(const Body& a, const Body& b, QueryMemory& memory) {
 }
 
 // Says how deep, or else how far.
-std::uint64_t hull_bits(const Body& a, const Body& b, QueryMemory& memory) {
+std::uint64_t hull_bits(const Body& a, const Body& b, const Ask& ask) {
     const Posed<ConvexSolid> one = as<ConvexSolid>(a), other = as<ConvexSolid>(b);
-    const double apart = solid_distance(one, other, memory);
+    const double apart = solid_distance(one, other, ask);
     if (apart > 0) return std::bit_cast<std::uint64_t>(apart);
-    const Depth deep = depth(one, other, memory);
+    const Depth deep = depth(one, other, ask).value();
     Hash hash;
     hash.add(deep.depth);
     add(hash, deep.a);

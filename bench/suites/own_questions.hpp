@@ -7,7 +7,7 @@
 #include <string>
 
 #include "ecods/intersection.hpp"
-#include "ecods/posed.hpp"
+#include "ecods/pose.hpp"
 
 namespace ecods::bench {
 
@@ -28,7 +28,7 @@ struct OwnQuestion {
     // The shape that the question is about: a solid, for some.
     std::unique_ptr<MeshShape> (*make)(const std::shared_ptr<const Mesh>& mesh);
     // The whole answer, as bits or a hash of them.
-    std::uint64_t (*ask)(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory);
+    std::uint64_t (*answer)(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask);
 };
 
 extern const OwnQuestion touch_question;

@@ -59,21 +59,21 @@ Turn start_queries(scenes::MeshPairs pairs, const OwnQuestion& question = touch_
     auto shapes = std::make_shared<std::vector<std::unique_ptr<MeshShape>>>();
     for (const scenes::NamedMesh& named : workload->meshes) shapes->push_back(question.make(named.mesh));
     auto memory = std::make_shared<QueryMemory>();
-    return [workload, shapes, memory, ask_one = question.ask] {
-        const auto ask = [&](const scenes::MeshQuery& query) {
-            return ask_one({*(*shapes)[query.a.mesh_index], query.a.pose},
-                           {*(*shapes)[query.b.mesh_index], query.b.pose}, *memory);
+    return [workload, shapes, memory, answer = question.answer] {
+        const auto answer_to = [&](const scenes::MeshQuery& query, const Ask& ask) {
+            return answer({*(*shapes)[query.a.mesh_index], query.a.pose},
+                          {*(*shapes)[query.b.mesh_index], query.b.pose}, ask);
         };
         OwnSample sample;
         Hash hash;
-        memory->reset_counts();
-        for (const scenes::MeshQuery& query : workload->queries) hash.add(ask(query));
-        add_counts(sample.counts, memory->counts());
+        QueryCounts counts;
+        for (const scenes::MeshQuery& query : workload->queries) hash.add(answer_to(query, {*memory, counts}));
+        add_counts(sample.counts, counts);
         sample.answers = hash.text();
         std::size_t passes = 0;
         double ns = 0;
         for (const Stopwatch watch; ns < 2e7; ns = watch.nanoseconds(), ++passes)
-            for (const scenes::MeshQuery& query : workload->queries) ask(query);
+            for (const scenes::MeshQuery& query : workload->queries) answer_to(query, *memory);
         sample.ns = ns / static_cast<double>(passes * workload->queries.size());
         return sample;
     };

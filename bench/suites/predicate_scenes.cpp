@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "ecods/aabb.hpp"
+#include "ecods/primitives.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 
@@ -14,10 +14,7 @@ namespace {
 using scenes::Random;
 
 std::shared_ptr<const Mesh> box(const Vec3& half, const Vec3& center = Vec3::Zero()) {
-    const auto cube = scenes::cube(1);
-    std::vector<Vec3> vertices(cube->vertices().begin(), cube->vertices().end());
-    for (Vec3& v : vertices) v = v.cwiseProduct(half) + center;
-    return Mesh::create(std::move(vertices), {cube->triangles().begin(), cube->triangles().end()});
+    return scenes::mapped(*scenes::cube(1), [&](const Vec3& v) -> Vec3 { return v.cwiseProduct(half) + center; });
 }
 
 // A number with a full mantissa, cut to `bits` bits after the point.
@@ -68,8 +65,7 @@ PredicateScene generic_boxes(std::size_t count) {
     PredicateScene scene{"generic boxes", 1.05, 1.00, {}, {}};
     Random random(1);
     for (std::size_t i = 0; i < count; ++i) {
-        Pose pose;
-        pose.R = random.rotation().toRotationMatrix();
+        Pose pose = random.turned();
         for (int k = 0; k < 3; ++k) pose.t[k] = number(random, -4, 4, 50);
         const Vec3 half{number(random, 0.3, 1, 50), number(random, 0.3, 1, 50), number(random, 0.3, 1, 50)};
         scene.bodies.push_back({box(half), pose});
@@ -82,8 +78,7 @@ PredicateScene generic_spheres(std::size_t count) {
     Random random(2);
     const auto sphere = scenes::sphere(12, 8);
     for (std::size_t i = 0; i < count; ++i) {
-        Pose pose;
-        pose.R = random.rotation().toRotationMatrix();
+        Pose pose = random.turned();
         for (int k = 0; k < 3; ++k) pose.t[k] = number(random, -4, 4, 50);
         scene.bodies.push_back({sphere, pose});
     }
@@ -106,8 +101,7 @@ PredicateScene common_pose(std::size_t count) {
     PredicateScene scene{"touching cubes in one rotated pose", 3.5, 2, {}, {}};
     Random random(4);
     const double half = std::floor(0.1 * 0x1p44) * 0x1p-44;
-    Pose pose;
-    pose.R = random.rotation().toRotationMatrix();
+    Pose pose = random.turned();
     for (int k = 0; k < 3; ++k) pose.t[k] = number(random, -10, 10, 48);
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3 center = 2 * half * Vec3(double(i % 5), double(i / 5 % 5), double(i / 25));

@@ -103,7 +103,7 @@ Check check(const PredicateScene& scene, const Answers& answers, std::size_t pai
             const Relation truth =
                 oracle::triangle_triangle(a.pose, corners(*a.mesh, pair.a), b.pose, corners(*b.mesh, pair.b));
             ++result.pair_count;
-            result.wrong += (truth != Relation::disjoint) != (answers[index - 1] != 0);
+            result.wrong += (truth != Relation::apart) != (answers[index - 1] != 0);
         }
     }
     return result;

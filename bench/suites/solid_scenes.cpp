@@ -38,37 +38,36 @@ std::vector<SolidScene> solid_scenes(std::uint32_t triangle_count) {
     scenes::Random random(1);
     std::vector<SolidScene> all;
     const auto add_round = [&](const char* name, const auto& a, const auto& b, const Vec3& t, double size,
-                               SolidRelation relation) {
+                               Relation relation) {
         SolidScene scene{name, a, b, {}, {}, relation, false};
         scene.pose_a.R = random.rotation().toRotationMatrix();
         scene.pose_b.R = size * random.rotation().toRotationMatrix();
         scene.pose_b.t = scene.pose_a.R * t;
         all.push_back(std::move(scene));
     };
-    add_round("spheres beside each other", sphere, sphere, Vec3(1.2, 1.2, 1.2), 1, SolidRelation::apart);
-    add_round("sphere in a ring's hole", ring, sphere, Vec3(0, 0, 0), 0.5, SolidRelation::apart);
-    add_round("sphere in a sphere", sphere, sphere, Vec3(0.25, 0, 0), 0.5, SolidRelation::contains);
-    add_round("sphere in a ring", ring, sphere, Vec3(1, 0, 0), 0.125, SolidRelation::contains);
+    add_round("spheres beside each other", sphere, sphere, Vec3(1.2, 1.2, 1.2), 1, Relation::apart);
+    add_round("sphere in a ring's hole", ring, sphere, Vec3(0, 0, 0), 0.5, Relation::apart);
+    add_round("sphere in a sphere", sphere, sphere, Vec3(0.25, 0, 0), 0.5, Relation::contains);
+    add_round("sphere in a ring", ring, sphere, Vec3(1, 0, 0), 0.125, Relation::contains);
     // An integer matrix: images of lattice points are exact.
     Pose turned;
     turned.R << 2, -1, 2, 2, 2, -1, -1, 2, 2;
-    const auto add_slabs = [&](const char* name, const auto& a, const auto& b, const Vec3& t, SolidRelation relation) {
+    const auto add_slabs = [&](const char* name, const auto& a, const auto& b, const Vec3& t, Relation relation) {
         SolidScene scene{name, a, b, turned, turned, relation, true};
         scene.pose_b.t = turned.R * t;
         all.push_back(std::move(scene));
     };
-    add_slabs("slab on a slab, half a cell off", thick, thick, Vec3(0.5, 0.5, 8), SolidRelation::touching);
-    add_slabs("slab on a slab, one edge over it", thick, thick, Vec3(n, 0, 8), SolidRelation::touching);
-    add_slabs("thin slab in a thick one, flush", thick, thin, Vec3(0, 0, 0), SolidRelation::contains);
-    add_slabs("equal slabs, other diagonals", thick, other, Vec3(0, 0, 0), SolidRelation::equal);
-    add_slabs("walls that share a part, flush", thick, thick, Vec3(n / 2, 0, 0), SolidRelation::overlapping);
+    add_slabs("slab on a slab, half a cell off", thick, thick, Vec3(0.5, 0.5, 8), Relation::touching);
+    add_slabs("slab on a slab, one edge over it", thick, thick, Vec3(n, 0, 8), Relation::touching);
+    add_slabs("thin slab in a thick one, flush", thick, thin, Vec3(0, 0, 0), Relation::contains);
+    add_slabs("equal slabs, other diagonals", thick, other, Vec3(0, 0, 0), Relation::equal);
+    add_slabs("walls that share a part, flush", thick, thick, Vec3(n / 2, 0, 0), Relation::overlapping);
     return all;
 }
 
 std::vector<PointScene> point_scenes(const Mesh& mesh, std::size_t point_count) {
     scenes::Random random(2);
-    Pose turned;
-    turned.R = random.rotation().toRotationMatrix();
+    Pose turned = random.turned();
     turned.t = Vec3(0.5, 0.25, -0.125);
     std::vector<PointScene> all = {{"random, in its box", turned, {}, true},
                                    {"near, at 1e-3", turned, {}, true},

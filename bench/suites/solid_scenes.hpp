@@ -17,7 +17,7 @@ struct SolidScene {
     std::string name;
     std::shared_ptr<const Solid> a, b;
     Pose pose_a, pose_b;
-    SolidRelation relation;
+    Relation relation;
     bool do_surfaces_meet;
 };
 

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <utility>
 
+#include "ecods/intersection.hpp"
+#include "ecods/solid.hpp"
 #include "engines/side_engine.hpp"
 #include "harness/statistics.hpp"
 #include "harness/turns.hpp"
@@ -100,7 +102,7 @@ Table empty_pair_table(std::size_t repetition_count) {
 void add_pair_row(Table& table, const SolidScene& scene, std::size_t repetition_count, bool& is_right) {
     QueryMemory memory;
     const Posed<Solid> a(*scene.a, scene.pose_a), b(*scene.b, scene.pose_b);
-    const SolidRelation mirrored = scene.relation == SolidRelation::contains ? SolidRelation::inside : scene.relation;
+    const Relation mirrored = scene.relation == Relation::contains ? Relation::inside : scene.relation;
     const int wrong = (solid_relation(a, b, memory) != scene.relation) + (solid_relation(b, a, memory) != mirrored);
     is_right &= wrong == 0;
     volatile int sink = 0;

@@ -72,8 +72,7 @@ Measured measure_family(const StabilityFamily& family, std::size_t repetition_co
     for (std::size_t i = 0; i < right.size(); ++i) {
         const PosedPair& pair = family.pairs[i];
         if (i % step == 0) {
-            const bool truth =
-                oracle::triangle_triangle(pair.pose_a, pair.a, pair.pose_b, pair.b) != Relation::disjoint;
+            const bool truth = oracle::triangle_triangle(pair.pose_a, pair.a, pair.pose_b, pair.b) != Relation::apart;
             measured.ecods_wrong += truth != (right[i] != 0);
         } else if (pair.intersects) {
             measured.ecods_wrong += *pair.intersects != (right[i] != 0);

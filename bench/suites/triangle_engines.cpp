@@ -76,7 +76,7 @@ template <class Answer>
 Answers answer_each(std::span<const PosedPair> pairs, Answer&& answer) {
     Answers answers;
     answers.reserve(pairs.size());
-    for (const PosedPair& pair : pairs) answers.push_back(answer(pair) != Relation::disjoint);
+    for (const PosedPair& pair : pairs) answers.push_back(answer(pair) != Relation::apart);
     return answers;
 }
 
@@ -92,7 +92,7 @@ Answers decide_exactly(const PredicateScene& scene, StageCounts* counts) {
     TriangleRelations& bodies = shared_pair();
     for_each_task(scene, bodies, [&](const PredicateTask& task) {
         for (const TrianglePair pair : task.pairs) {
-            answers.push_back(bodies.relation(pair.a, pair.b) != Relation::disjoint);
+            answers.push_back(bodies.relation(pair.a, pair.b) != Relation::apart);
         }
     });
     if (counts != nullptr) *counts = bodies.counts();
@@ -120,7 +120,7 @@ Answers decide_plainly(const PredicateScene& scene) {
                 }
             }
             PlainSigns signs(points);
-            answers.push_back(triangle_pair(signs) != Relation::disjoint);
+            answers.push_back(triangle_pair(signs) != Relation::apart);
         }
     }
     return answers;

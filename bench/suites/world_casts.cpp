@@ -57,7 +57,7 @@ class Ships {
     Answers casts(std::span<const Vec3> motions) {
         Answers answers;
         for (std::size_t i = 0; i < motions.size(); ++i) {
-            const auto met = bodies_.world.cast(bodies_[i], motions[i], memory_);
+            const auto met = bodies_.world.cast(bodies_[i], motions[i], 1, memory_);
             if (met) answers.push_back({i, bodies_.index_of(met->body), met->contact});
         }
         return answers;
@@ -69,7 +69,7 @@ class Ships {
             for (const BodyId id : bodies_.world.overlapping_bodies(swept(bodies_.world.box(bodies_[i]), motions[i]))) {
                 const std::size_t other = bodies_.index_of(id);
                 if (other == i) continue;
-                const auto contact = cast({shape_, poses_[i]}, motions[i], {shape_, poses_[other]}, memory_);
+                const auto contact = cast({shape_, poses_[i]}, motions[i], {shape_, poses_[other]}, 1, memory_);
                 if (contact && (!first || contact->time < first->contact.time)) first = {i, other, *contact};
             }
             if (first) answers.push_back(*first);
@@ -96,7 +96,7 @@ class Ships {
         Answers answers;
         for (const ProxyPair& pair : broad_phase->pairs()) {
             const auto contact = cast(Moving<MeshShape>(shape_, poses_[pair.a], to[pair.a]),
-                                      Moving<MeshShape>(shape_, poses_[pair.b], to[pair.b]), memory_);
+                                      Moving<MeshShape>(shape_, poses_[pair.b], to[pair.b]), 1, memory_);
             if (contact) answers.push_back({pair.a, pair.b, *contact});
         }
         std::ranges::sort(answers, {},
@@ -125,10 +125,10 @@ class Ships {
     QueryMemory memory_;
 };
 
-template <class Ask>
-double us_of(const Ask& ask) {
+template <class Call>
+double us_of(const Call& call) {
     const Stopwatch watch;
-    ask();
+    call();
     return watch.nanoseconds() / 1000;
 }
 

@@ -13,10 +13,7 @@ bool has_form(const std::shared_ptr<const Mesh>& mesh, MeshForm form) {
     try {
         make_shape(mesh, form);
         return true;
-    } catch (const NotClosed&) {
-    } catch (const SelfIntersecting&) {
-    } catch (const NotConvex&) {
-    } catch (const NoInterior&) {
+    } catch (const NotSolid&) {
     }
     return false;
 }

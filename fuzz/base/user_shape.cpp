@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ecods/cast.hpp"
-#include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
+#include "ecods/intersection.hpp"
 #include "trace/trace_text.hpp"
 
 namespace ecods::fuzz {
@@ -23,64 +23,60 @@ class UserTest final : public TwoBodyTest {
     UserTest(ShapeKind a, ShapeKind b, std::shared_ptr<const std::atomic<bool>> is_failing)
         : a_(a), b_(b), is_failing_(std::move(is_failing)) {}
 
-    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
+    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
         require_order(a, b);
         if (*is_failing_) throw TestFailed();
-        return ecods::intersects(posed(a), posed(b), memory);
+        return ecods::intersects(posed(a), posed(b), ask);
     }
     bool answers(Question question) const noexcept override {
         return question != Question::intersecting_triangles || b_ != second_user_kind;
     }
-    double distance(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
+    double distance(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
         require_order(a, b);
-        return ecods::distance(posed(a), posed(b), memory);
+        return ecods::distance(posed(a), posed(b), ask);
     }
-    bool within(const Posed<Shape>& a, const Posed<Shape>& b, double d, QueryMemory& memory) const override {
+    bool within(const Posed<Shape>& a, const Posed<Shape>& b, double d, const Ask& ask) const override {
         require_order(a, b);
         if (*is_failing_) throw TestFailed();
-        return ecods::within(posed(a), posed(b), d, memory);
+        return ecods::within(posed(a), posed(b), d, ask);
     }
-    ClosestPoints closest(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
+    ClosestPoints closest(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
         require_order(a, b);
-        return ecods::closest(posed(a), posed(b), memory);
+        return ecods::closest(posed(a), posed(b), ask);
     }
-    Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
+    Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
         require_order(a, b);
-        return ecods::relation(posed(a), posed(b), memory);
+        return ecods::relation(posed(a), posed(b), ask);
     }
     std::vector<TrianglePair> intersecting_triangles(const Posed<Shape>& a, const Posed<Shape>& b,
-                                                     QueryMemory& memory) const override {
+                                                     const Ask& ask) const override {
         require_order(a, b);
-        if (b_ == second_user_kind) return TwoBodyTest::intersecting_triangles(a, b, memory);
-        return ecods::intersecting_triangles(posed(a), posed(b), memory);
+        if (b_ == second_user_kind) return TwoBodyTest::intersecting_triangles(a, b, ask);
+        return ecods::intersecting_triangles(posed(a), posed(b), ask);
     }
 
     std::vector<TriangleIntersection> intersections(const Posed<Shape>& a, const Posed<Shape>& b,
-                                                    QueryMemory& memory) const override {
+                                                    const Ask& ask) const override {
         require_order(a, b);
-        return ecods::intersections(posed(a), posed(b), memory);
+        return ecods::intersections(posed(a), posed(b), ask);
     }
     std::vector<CloseFeatures> close_features(const Posed<Shape>& a, const Posed<Shape>& b, double d,
-                                              QueryMemory& memory) const override {
+                                              const Ask& ask) const override {
         require_order(a, b);
-        return ecods::close_features(posed(a), posed(b), d, memory);
+        return ecods::close_features(posed(a), posed(b), d, ask);
     }
-    // Which side of a limit a time is on that rounds to it, is not known here.
-    std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b, double time_max,
-                                     QueryMemory& memory) const override {
+    std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b, double max_time,
+                                     const Ask& ask) const override {
         require_order(a, b);
-        return up_to(time_max, ecods::cast(posed(a), motion, posed(b), memory));
+        return ecods::cast(posed(a), motion, posed(b), max_time, ask);
     }
-    std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double time_max,
-                                            QueryMemory& memory) const override {
+    std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double max_time,
+                                            const Ask& ask) const override {
         require_order({*a.what, a.from}, {*b.what, b.from});
-        return up_to(time_max, ecods::cast(moving(a), moving(b), memory));
+        return ecods::cast(moving(a), moving(b), max_time, ask);
     }
 
   private:
-    static std::optional<FirstContact> up_to(double time_max, const std::optional<FirstContact>& contact) {
-        return contact && contact->time <= time_max ? contact : std::nullopt;
-    }
     static Moving<MeshShape> moving(const Moving<Shape>& body) {
         return {mesh_shape_of(*body.what), body.from, body.to};
     }
@@ -97,7 +93,9 @@ class UserTest final : public TwoBodyTest {
 
 Aabb UserShape::box(const Pose& pose) const {
     Aabb box = mesh_.box(pose);
-    if (tampering_ == Tampering::box) box.max[1] = std::numeric_limits<double>::infinity();
+    // Where doubles end, it reaches as far already.
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (tampering_ == Tampering::box) box.max[1] = box.max[1] == infinity ? box.min[1] : infinity;
     return box;
 }
 
@@ -111,12 +109,12 @@ static std::vector<Hit> in_order(std::vector<Hit> hits) {
     return hits;
 }
 
-std::vector<Hit> UserShape::all_hits(const Segment& segment, const Pose& pose, QueryMemory& memory) const {
-    return in_order(mesh_.all_hits(segment, pose, memory));
+std::vector<Hit> UserShape::all_hits(const Segment& segment, const Pose& pose, const Ask& ask) const {
+    return in_order(mesh_.all_hits(segment, pose, ask));
 }
 
-std::vector<Hit> UserShape::all_hits(const Ray& ray, const Pose& pose, QueryMemory& memory) const {
-    return in_order(mesh_.all_hits(ray, pose, memory));
+std::vector<Hit> UserShape::all_hits(const Ray& ray, const Pose& pose, const Ask& ask) const {
+    return in_order(mesh_.all_hits(ray, pose, ask));
 }
 
 std::shared_ptr<const Mesh> mesh_of(const Shape& shape) {

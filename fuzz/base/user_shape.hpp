@@ -26,8 +26,8 @@ class UserShape final : public Shape {
     Aabb box(const Pose& pose) const override;
     std::uint64_t digest() const noexcept override;
     bool answers(Question question) const noexcept override { return question == Question::hits; }
-    std::vector<Hit> all_hits(const Segment& segment, const Pose& pose, QueryMemory& memory) const override;
-    std::vector<Hit> all_hits(const Ray& ray, const Pose& pose, QueryMemory& memory) const override;
+    std::vector<Hit> all_hits(const Segment& segment, const Pose& pose, const Ask& ask) const override;
+    std::vector<Hit> all_hits(const Ray& ray, const Pose& pose, const Ask& ask) const override;
 
     const std::shared_ptr<const Mesh>& mesh() const noexcept { return mesh_.mesh_ptr(); }
     const MeshShape& as_mesh_shape() const noexcept { return mesh_; }

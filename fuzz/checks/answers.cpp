@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "fuzz/base/failure.hpp"
+#include "fuzz/base/user_shape.hpp"
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/checks/text.hpp"
 #include "scenes/numbers_of.hpp"
@@ -32,7 +33,7 @@ void require_bodies(const std::vector<BodyId>& got, const std::vector<BodyId>& e
 }
 
 const char* name_of(Relation relation) {
-    return relation == Relation::disjoint   ? "pairs: disjoint, boxes overlap"
+    return relation == Relation::apart      ? "pairs: apart, boxes overlap"
            : relation == Relation::touching ? "pairs: touching"
                                             : "pairs: crossing";
 }
@@ -47,9 +48,13 @@ void check_answers(World& world, const Truth& truth, Counters& counters) {
         ++counters[name_of(verdict.relation)];
         require_relation(world.relation(ids.a, ids.b), verdict.relation, "relation");
         require_relation(world.relation(ids.b, ids.a), verdict.relation, "relation, swapped");
-        if (world.intersects(ids.b, ids.a) != (verdict.relation != Relation::disjoint)) {
+        if (world.intersects(ids.b, ids.a) != (verdict.relation != Relation::apart)) {
             throw CheckFailed("intersects", text(verdict.relation), "the contrary");
         }
+        // Shapes at the poses of the bodies, beside a body and beside each other.
+        const Asked a(world.shape(ids.a), world.pose(ids.a)), b(world.shape(ids.b), world.pose(ids.b));
+        require_relation(world.relation(a, ids.b), verdict.relation, "relation of a shape and a body");
+        require_relation(world.relation(b, a), verdict.relation, "relation of two shapes");
         std::vector<TrianglePair> expected = verdict.triangles;
         require_triangles(world, ids.a, ids.b, expected, "triangle pairs");
         for (TrianglePair& pair : expected) std::swap(pair.a, pair.b);
@@ -72,14 +77,18 @@ void check_queries(World& world, const Truth& truth, BodyId body, Counters& coun
     const BodyId name = numbers_of(body);
     expected = {name};
     for (const TruePair& pair : truth.pairs()) {
-        if (pair.verdict.relation == Relation::disjoint) continue;
+        if (pair.verdict.relation == Relation::apart) continue;
         if (pair.ids.a == name) expected.push_back(pair.ids.b);
         if (pair.ids.b == name) expected.push_back(pair.ids.a);
     }
     std::ranges::sort(expected);
-    auto got = numbers_of(world.intersecting_bodies(*world.shape(body), world.pose(body)));
+    auto got = numbers_of(world.intersecting_bodies({world.shape(body), world.pose(body)}));
     std::erase_if(got, [&](BodyId found) { return !truth.knows(found); });
     require_bodies(got, expected, "bodies that a shape touches");
+
+    got = numbers_of(world.intersecting_bodies({mesh_of(*world.shape(body)), world.pose(body)}));
+    std::erase_if(got, [&](BodyId found) { return !truth.knows(found); });
+    require_bodies(got, expected, "bodies that a mesh touches");
 
     // With a filter, only those that name it and that it names.
     const CollisionFilter filter = world.filter(body);
@@ -87,7 +96,7 @@ void check_queries(World& world, const Truth& truth, BodyId body, Counters& coun
         const CollisionFilter of_other = world.filter(other);
         return (filter.groups & of_other.mask) == 0 || (of_other.groups & filter.mask) == 0;
     });
-    got = numbers_of(world.intersecting_bodies(*world.shape(body), world.pose(body), filter));
+    got = numbers_of(world.intersecting_bodies({{world.shape(body), world.pose(body)}, filter}));
     std::erase_if(got, [&](BodyId found) { return !truth.knows(found); });
     require_bodies(got, expected, "bodies that a shape touches and may meet");
 }

@@ -13,6 +13,7 @@
 #include "certificates/folder/certificate_folder.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/hit.hpp"
+#include "ecods/intersection.hpp"
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/any_pair.hpp"
 #include "fuzz/checks/text.hpp"
@@ -101,7 +102,9 @@ void Certificates::ask_pair(const Pair& pair, std::uint32_t frame, Counters& cou
     scenes::Random random(frame);
     const double d = frame % 4 == 1 || frame % 4 == 2 ? distance(a, b, memory_) : 0;
     if (frame % 4 == 0) {
-        take(certify(a, b, memory_), {about, text(relation(a, b, memory_)), {}, {}}, counters);
+        const Relation plain = relation(a, b, memory_);
+        const std::string words = plain == Relation::apart ? "disjoint" : text(plain);  // certificates have that word
+        take(certify(a, b, memory_), {about, words, {}, {}}, counters);
     } else if (frame % 4 == 1) {
         take(certify_distance(a, b, memory_), {about, "distance", d, {}}, counters);
     } else if (frame % 4 == 2) {

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "ecods/replay.hpp"
+#include "ecods/trace.hpp"
 #include "ecods/world.hpp"
 #include "fuzz/base/counters.hpp"
 #include "fuzz/checks/truth.hpp"
@@ -45,7 +45,7 @@ void check_close_pairs(const World& world, const std::vector<BodyPair>& before, 
 // The nearest of a body, of a copy of it, and of all pairs, is the least that is found by asking all.
 void check_nearest(World& world, BodyId body, Counters& counters);
 
-// World::validate(): every invariant, and each verdict that was kept is that of a fresh test.
+// World::check_invariants(): every invariant, and each verdict that was kept is that of a fresh test.
 void check_invariants(const World& world);
 
 // A fresh world, its bodies in the order that `order` stands for, has the same digest, the same collisions and as

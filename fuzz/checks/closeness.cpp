@@ -114,12 +114,17 @@ void check_nearest(World& world, BodyId body, Counters& counters) {
         if (other == body || !may_meet(world, body, other)) continue;
         take_least(nearest, NearestBody{other, world.distance(body, other, memory)});
     }
-    require_same("nearest body", world.nearest(body, memory), nearest);
+    require_same("nearest body", world.nearest(body, World::no_limit, memory), nearest);
     if (nearest) require_same("nearest body up to its distance", world.nearest(body, 2 * nearest->distance), nearest);
     // A copy of it meets it, or a body before it that touches it.
-    const auto of_copy = world.nearest(*world.shape(body), world.pose(body), memory);
+    const auto of_copy = world.nearest({world.shape(body), world.pose(body)}, World::no_limit, memory);
     if (!of_copy || of_copy->distance != 0 || of_copy->body > body) {
         throw CheckFailed("nearest of a copy", "0", of_copy ? fmt::format("{:a}", of_copy->distance) : "none");
+    }
+    // A shape at its pose is as far from a body as the body that has both.
+    if (nearest) {
+        const double d = world.distance({world.shape(body), world.pose(body)}, nearest->body, memory);
+        require_same("distance of a copy", std::optional(NearestBody{nearest->body, d}), nearest);
     }
     ++counters["checked: nearest bodies"];
     if (bodies.size() > few) return;
@@ -130,7 +135,7 @@ void check_nearest(World& world, BodyId body, Counters& counters) {
             take_least(closest, ClosestPair{{bodies[i], bodies[j]}, world.distance(bodies[i], bodies[j], memory)});
         }
     }
-    require_same("closest pair", world.closest_pair(memory), closest);
+    require_same("closest pair", world.closest_pair(World::no_limit, memory), closest);
     ++counters["checked: closest pairs"];
 }
 

@@ -26,7 +26,7 @@ Pairs only_in_first(std::span<const BodyPair> first, std::span<const BodyPair> s
 Pairs true_collisions(const World& world, const Truth& truth) {
     Pairs result;
     for (const TruePair& pair : truth.pairs()) {
-        if (pair.verdict.relation == Relation::disjoint) continue;
+        if (pair.verdict.relation == Relation::apart) continue;
         if (may_meet(world, pair.ids.a, pair.ids.b)) result.push_back(pair.ids);
     }
     return result;
@@ -52,9 +52,9 @@ void check_events(const World& world, const Pairs& before) {
 
 void check_invariants(const World& world) {
     try {
-        world.validate();
+        world.check_invariants();
     } catch (const Error& error) {
-        throw CheckFailed("validate", "nothing to complain of", error.what());
+        throw CheckFailed("invariants", "nothing to complain of", error.what());
     }
 }
 

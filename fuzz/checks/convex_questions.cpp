@@ -7,10 +7,11 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "ecods/depth.hpp"
 #include "ecods/error.hpp"
+#include "ecods/solid.hpp"
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/text.hpp"
 #include "fuzz/checks/truth.hpp"
@@ -29,26 +30,26 @@ std::shared_ptr<const ConvexSolid> convex_of(const World& world, BodyId body) {
 }
 
 // Two bodies, by numbers, their distance, and how deep they are if that is 0.
-struct Asked {
+struct Answer {
     BodyPair bodies;
     double distance = 0;
     std::optional<Depth> depth = {};
 
-    friend bool operator==(const Asked&, const Asked&) = default;
+    friend bool operator==(const Answer&, const Answer&) = default;
 };
 
-std::string text(const Asked& asked) {
-    std::string result = fuzz::text(asked.bodies) + fmt::format(" {:a}", asked.distance);
-    return asked.depth ? result + " deep " + judge::text(*asked.depth) : result;
+std::string text(const Answer& answer) {
+    std::string result = fuzz::text(answer.bodies) + fmt::format(" {:a}", answer.distance);
+    return answer.depth ? result + " deep " + judge::text(*answer.depth) : result;
 }
 
-void require_same(const char* check, const std::vector<Asked>& got, const std::vector<Asked>& expected) {
+void require_same(const char* check, const std::vector<Answer>& got, const std::vector<Answer>& expected) {
     if (got != expected) throw CheckFailed(check, fuzz::text(expected), fuzz::text(got));
 }
 
 // Of all pairs that are not filtered out; nothing if a body's pose is singular, which all questions must then name.
-std::optional<std::vector<Asked>> ask_one_by_one(const World& world) {
-    std::vector<Asked> result;
+std::optional<std::vector<Answer>> ask_one_by_one(const World& world) {
+    std::vector<Answer> result;
     QueryMemory memory;
     std::vector<BodyId> bodies = world.bodies();
     std::erase_if(bodies, [&](BodyId body) { return !convex_of(world, body); });
@@ -62,9 +63,9 @@ std::optional<std::vector<Asked>> ask_one_by_one(const World& world) {
             if (!may_meet(world, bodies[i], bodies[j])) continue;
             const auto b = convex_of(world, bodies[j]);
             const Posed<ConvexSolid> first{*a, world.pose(bodies[i])}, second{*b, world.pose(bodies[j])};
-            Asked& asked = result.emplace_back(
-                Asked{{numbers_of(bodies[i]), numbers_of(bodies[j])}, solid_distance(first, second, memory)});
-            if (asked.distance == 0) asked.depth = depth(first, second, memory);
+            Answer& answer = result.emplace_back(
+                Answer{{numbers_of(bodies[i]), numbers_of(bodies[j])}, solid_distance(first, second, memory)});
+            if (answer.distance == 0) answer.depth = depth(first, second, memory);
         }
     }
     return result;
@@ -73,7 +74,7 @@ std::optional<std::vector<Asked>> ask_one_by_one(const World& world) {
 void require_singular(World& world) {
     bool is_named = false;
     try {
-        world.solid_distances(1);
+        std::ignore = world.solid_distances(1);
     } catch (const SingularPose& error) {
         is_named = convex_of(world, error.body) != nullptr;
     }
@@ -81,44 +82,48 @@ void require_singular(World& world) {
 }
 
 // Where the rounded distance is the limit, the real one decides, which is not known here.
-void check_limit(World& world, double limit, std::vector<Asked> expected) {
-    std::vector<Asked> got;
+void check_limit(World& world, double limit, std::vector<Answer> expected) {
+    std::vector<Answer> got;
     for (const SolidDistance& pair : world.solid_distances(limit)) {
         got.push_back({{numbers_of(pair.bodies.a), numbers_of(pair.bodies.b)}, pair.distance});
     }
-    std::erase_if(expected, [&](const Asked& asked) { return asked.distance > limit; });
-    for (Asked& asked : expected) asked.depth.reset();
-    const auto is_open = [&](const Asked& asked) { return limit > 0 && asked.distance == limit; };
+    std::erase_if(expected, [&](const Answer& answer) { return answer.distance > limit; });
+    for (Answer& answer : expected) answer.depth.reset();
+    const auto is_open = [&](const Answer& answer) { return limit > 0 && answer.distance == limit; };
     std::erase_if(expected, is_open);
     std::erase_if(got, is_open);
     require_same("distances of convex solids", got, expected);
 }
 
-void check_depths(World& world, std::vector<Asked> expected) {
-    std::vector<Asked> got;
+void check_depths(World& world, std::vector<Answer> expected) {
+    std::vector<Answer> got;
     for (const BodyDepth& pair : world.depths()) {
         got.push_back({{numbers_of(pair.bodies.a), numbers_of(pair.bodies.b)}, 0, pair.depth});
     }
-    std::erase_if(expected, [](const Asked& asked) { return !asked.depth; });
+    std::erase_if(expected, [](const Answer& answer) { return !answer.depth; });
     require_same("depths of convex solids", got, expected);
 }
 
 // In both orders.
-void check_pair(World& world, const Asked& expected) {
+void check_pair(World& world, const Answer& expected) {
     const auto [a, b] = expected.bodies;
-    Asked got{expected.bodies, world.solid_distance(b, a)};
+    Answer got{expected.bodies, world.solid_distance(b, a)};
     if (got.distance == 0) got.depth = world.depth(a, b);
     require_same("a pair of convex solids", {got}, {expected});
+    const auto at = [&](BodyId body) { return ecods::Asked(world.shape(body), world.pose(body)); };
+    Answer of_shapes{expected.bodies, world.solid_distance(at(a), b)};
+    if (got.distance == 0) of_shapes.depth = world.depth(at(a), at(b));
+    require_same("a pair of convex solids that are no bodies", {of_shapes}, {expected});
     const auto closest = world.solid_closest(b, a), swapped = world.solid_closest(a, b);
     const bool is_same = closest.has_value() == (expected.distance > 0) && swapped.has_value() == closest.has_value() &&
                          (!closest || (closest->distance == expected.distance && closest->point_a == swapped->point_b &&
                                        closest->a == swapped->b));
     if (!is_same) throw CheckFailed("where two convex solids are closest", text(expected), "another distance");
     if (!expected.depth) return;
-    const Depth back = world.depth(b, a);
+    const Depth back = world.depth(b, a).value();
     const bool is_opposite = back.depth == expected.depth->depth && back.a == expected.depth->b &&
                              back.b == expected.depth->a && back.direction == -expected.depth->direction;
-    if (!is_opposite) throw CheckFailed("a depth, swapped", text(expected), text(Asked{expected.bodies, 0, back}));
+    if (!is_opposite) throw CheckFailed("a depth, swapped", text(expected), text(Answer{expected.bodies, 0, back}));
 }
 
 }  // namespace
@@ -149,10 +154,10 @@ void check_convex(std::span<World* const> worlds, std::uint32_t seed, Counters& 
     }
     if (!expected) return;
     ++counters["checked: depths and distances of all convex solids"];
-    counters["convex solids: apart"] +=
-        static_cast<std::uint64_t>(std::ranges::count_if(*expected, [](const Asked& asked) { return !asked.depth; }));
+    counters["convex solids: apart"] += static_cast<std::uint64_t>(
+        std::ranges::count_if(*expected, [](const Answer& answer) { return !answer.depth; }));
     counters["convex solids: deep"] += static_cast<std::uint64_t>(
-        std::ranges::count_if(*expected, [](const Asked& asked) { return asked.depth.has_value(); }));
+        std::ranges::count_if(*expected, [](const Answer& answer) { return answer.depth.has_value(); }));
 }
 
 }  // namespace ecods::fuzz

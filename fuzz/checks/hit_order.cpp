@@ -57,7 +57,7 @@ void check_hit_order(const World& world, const std::variant<Segment, Ray>& line,
         expected[i].hit.rank = rank;
     }
     QueryMemory memory;
-    const auto got = std::visit([&](const auto& one) { return world.all_hits(one, memory); }, line);
+    const auto got = std::visit([&](const auto& one) { return world.all_hits(one, {}, memory); }, line);
     if (got.size() != expected.size()) {
         throw CheckFailed("hits against the oracle", fmt::format("{}", expected.size()), fmt::format("{}", got.size()));
     }

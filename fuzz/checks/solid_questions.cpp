@@ -36,7 +36,7 @@ std::vector<SolidPair> pairs_one_by_one(const World& world) {
             const auto b = solid_of(world, bodies[j]);
             if (!b || !may_meet(world, bodies[i], bodies[j])) continue;
             const auto relation = solid_relation({*a, world.pose(bodies[i])}, {*b, world.pose(bodies[j])}, memory);
-            if (relation != SolidRelation::apart) {
+            if (relation != Relation::apart) {
                 result.push_back({{numbers_of(bodies[i]), numbers_of(bodies[j])}, relation});
             }
         }

@@ -1,4 +1,5 @@
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 #include "fuzz/base/failure.hpp"
@@ -17,12 +18,12 @@ void check_trace(World& world, const TraceOptions& writing, const ReplayOptions&
     if (writing.questions && !bodies.empty()) {
         const Aabb box = world.box(bodies.front());
         if (box.min.allFinite() && box.max.allFinite()) {
-            world.first_hit(Segment{box.min, box.max});
-            world.all_hits(Segment{box.min, box.max});
+            std::ignore = world.first_hit(Segment{box.min, box.max});
+            std::ignore = world.all_hits(Segment{box.min, box.max});
             question_count = 2;
         }
-        world.nearest(bodies.front());
-        world.cast(bodies.front(), Vec3(1, 0, 0));
+        std::ignore = world.nearest(bodies.front());
+        std::ignore = world.cast(bodies.front(), Vec3(1, 0, 0));
         question_count += 2;
     }
     world.end_trace();

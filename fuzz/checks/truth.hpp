@@ -50,7 +50,7 @@ class Truth {
     std::span<const TrueBody> bodies() const noexcept { return bodies_; }  // ascending
     bool knows(BodyId body) const noexcept { return find(numbers_of(body)) != nullptr; }
 
-    // Pairs whose certified boxes overlap, ascending; all others are disjoint.
+    // Pairs whose certified boxes overlap, ascending; all others are apart.
     std::span<const TruePair> pairs() const noexcept { return pairs_; }
 
   private:

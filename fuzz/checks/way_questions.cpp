@@ -111,7 +111,7 @@ void check_line(std::span<World* const> worlds, const Line& line, const std::opt
         auto got = world->all_hits(line, filter);
         require_order(got, *world);
         const std::optional<BodyHit> leads = got.empty() ? std::nullopt : std::optional(got.front());
-        const auto found = world->first_hit(line, memory, filter);
+        const auto found = world->first_hit(line, filter, memory);
         if (found.has_value() != leads.has_value() || (found && fields(*found) != fields(*leads))) {
             throw CheckFailed("first hit", text(leads), text(found));
         }
@@ -140,7 +140,7 @@ void check_hits(std::span<World* const> worlds, std::uint32_t seed, Counters& co
     Ray ray{any_point(first, bodies, random), b - a};
     if (random.below(3) == 0) ray.direction = Vec3::Unit(static_cast<int>(random.below(3)));
     if (!ray.direction.allFinite() || ray.direction.isZero(0)) ray.direction = Vec3::UnitX();
-    if (random.below(2) == 0) ray.parameter_max = random.below(2) == 0 ? 1 : random.uniform(0, 2);
+    if (random.below(2) == 0) ray.max_parameter = random.below(2) == 0 ? 1 : random.uniform(0, 2);
     check_line(worlds, ray, {}, counters);
     const World& one = *worlds[seed % worlds.size()];
     seed % 2 == 0 ? check_hit_order(one, segment, counters) : check_hit_order(one, ray, counters);
@@ -161,7 +161,7 @@ void check_casts(std::span<World* const> worlds, std::uint32_t seed, Counters& c
         if (body == own || !may_meet(first, own, body)) continue;
         const auto shape = first.shape(body);
         const auto contact =
-            cast(mesh_at(*own_shape, first.pose(own)), motion, mesh_at(*shape, first.pose(body)), memory);
+            cast(mesh_at(*own_shape, first.pose(own)), motion, mesh_at(*shape, first.pose(body)), 1, memory);
         if (contact && (!expected || contact->time < expected->contact.time)) expected = BodyContact{body, *contact};
     }
     // Where kinds differ, a test may have the features' order of its own; the times are the same.
@@ -182,6 +182,12 @@ void check_casts(std::span<World* const> worlds, std::uint32_t seed, Counters& c
         const double time = expected->contact.time;
         require("first body met up to a limit", world->cast(id, motion, std::nextafter(time, 2)), expected);
         if (time > 0) require("first body met before it", world->cast(id, motion, std::nextafter(time, 0)), {});
+    }
+    // A copy of it meets it at once, or a body before it that touches it.
+    const World& one = *worlds[seed % worlds.size()];
+    const auto of_copy = one.cast({one.shape(numbers_of(own)), one.pose(numbers_of(own))}, motion, 1, memory);
+    if (!of_copy || of_copy->contact.time != 0 || numbers_of(of_copy->body) > numbers_of(own)) {
+        throw CheckFailed("first body that a copy meets", "itself, at once", text(of_copy));
     }
     ++counters["checked: bodies cast in worlds"];
     counters["checked: bodies met by these"] += expected.has_value();
@@ -214,7 +220,7 @@ void check_meetings(std::span<World* const> worlds, std::uint32_t seed, Counters
         for (std::size_t j = i + 1; j < bodies.size(); ++j) {
             if (!may_meet(first, bodies[i], bodies[j])) continue;
             const auto a = first.shape(bodies[i]), b = first.shape(bodies[j]);
-            const auto contact = cast(way_of(bodies[i], *a), way_of(bodies[j], *b), memory);
+            const auto contact = cast(way_of(bodies[i], *a), way_of(bodies[j], *b), 1, memory);
             if (contact) expected.push_back({{bodies[i], bodies[j]}, *contact});
         }
     }

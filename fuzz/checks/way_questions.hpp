@@ -6,7 +6,7 @@
 #include <span>
 #include <variant>
 
-#include "ecods/segment.hpp"
+#include "ecods/primitives.hpp"
 #include "ecods/world.hpp"
 #include "fuzz/base/counters.hpp"
 

@@ -20,12 +20,9 @@ double size_of(int bits, Random& random) {
 }
 
 std::shared_ptr<const Mesh> box(const Vec3& min, const Vec3& max) {
-    const auto cube = scenes::cube(1);
-    std::vector<Vec3> vertices;
-    for (const Vec3& v : cube->vertices()) {
-        vertices.emplace_back(v[0] < 0 ? min[0] : max[0], v[1] < 0 ? min[1] : max[1], v[2] < 0 ? min[2] : max[2]);
-    }
-    return Mesh::create(std::move(vertices), {cube->triangles().begin(), cube->triangles().end()});
+    return scenes::mapped(*scenes::cube(1), [&](const Vec3& v) {
+        return Vec3(v[0] < 0 ? min[0] : max[0], v[1] < 0 ? min[1] : max[1], v[2] < 0 ? min[2] : max[2]);
+    });
 }
 
 struct Contact {

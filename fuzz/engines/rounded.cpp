@@ -38,7 +38,7 @@ class Rounded final : public EngineUnderTest {
         const auto b = posed_triangles(*meshes_[query.b.mesh_index].mesh, query.b.pose);
         for (const auto& x : posed_triangles(*meshes_[query.a.mesh_index].mesh, query.a.pose)) {
             for (const auto& y : b) {
-                if (boxes_overlap(x, y) && triangle_triangle({nowhere, x}, {nowhere, y}) != Relation::disjoint) {
+                if (boxes_overlap(x, y) && triangle_triangle({nowhere, x}, {nowhere, y}) != Relation::apart) {
                     return true;
                 }
             }

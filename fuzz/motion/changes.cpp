@@ -11,6 +11,7 @@
 #include "fuzz/motion/calm.hpp"
 #include "fuzz/motion/meshes.hpp"
 #include "fuzz/motion/poses.hpp"
+#include "fuzz/script/any_call.hpp"
 #include "fuzz/script/bad_calls.hpp"
 
 namespace ecods::fuzz {
@@ -176,44 +177,22 @@ void bad_call(Writing& w) {
     w.make(BadCall{body, w.random.below(1000), name});
 }
 
-// The visitor that draws the fields of a call. A pair may be one body twice: then there is no call.
-struct FieldDrawer {
+// The source that any call draws from.
+struct DrawnFrom {
     Writing& w;
-    Label last = 0;
-    bool is_possible = true;
 
-    void created(Label& body) const { body = w.model.next_label; }
-    void destroyed(Label& body) const { body = w.any_body(); }
-    void body(Label& body) { last = body = w.any_body(); }
-    void other_body(Label& body) {
-        body = w.any_body();
-        is_possible = body != last;
-    }
-    void shape(Part& part) const { part = w.any_part(); }
-    void pose(Pose& pose) const { pose = any_pose(w.setting, w.random); }
-    void posed_bodies(std::vector<Label>& bodies, std::vector<Pose>& poses) const {
-        for (std::uint32_t i = 0, count = w.random.below(4); i < count; ++i) {
-            bodies.push_back(w.any_body());
-            poses.push_back(any_pose(w.setting, w.random));
-        }
-    }
-    void filter(CollisionFilter& filter) const { filter = any_filter(w.random); }
-    void flag(bool& flag) const { flag = w.random.below(2) == 0; }
-    void data(std::uint64_t& data) const { data = w.random.below(100) * 0x100000001u; }
-    void clearance(std::optional<double>& clearance) const { clearance = any_clearance(w); }
+    std::uint32_t below(std::uint32_t count) const { return w.random.below(count); }
+    Label next_label() const { return w.model.next_label; }
+    Label any_body() const { return w.any_body(); }
+    Part any_part() const { return w.any_part(); }
+    Pose any_pose() const { return fuzz::any_pose(w.setting, w.random); }
+    CollisionFilter any_filter() const { return fuzz::any_filter(w.random); }
+    std::optional<double> any_clearance() const { return fuzz::any_clearance(w); }
 };
 
-void any_call(Writing& w) {
-    using Row = calls::Call<InScript>;
-    Row call;
-    calls::emplace_row(call, w.random.below(static_cast<std::uint32_t>(std::variant_size_v<Row>)));
-    std::visit(
-        [&](auto& row) {
-            FieldDrawer drawer{w};
-            row.fields(drawer, row);
-            if (drawer.is_possible) w.make(std::move(row));
-        },
-        call);
+void make_any_call(Writing& w) {
+    DrawnFrom source{w};
+    if (auto call = any_call(source)) w.make(std::move(*call));
 }
 
 const std::array change_table = {
@@ -262,7 +241,7 @@ const std::array change_table = {
     Change{"bad input", &Weights::misuse, bad_call},
     Change{"solids related", &Weights::solids, [](Writing& w) { w.make(SetSolids{w.random.below(3) != 0}); }},
     Change{"another form", &Weights::solids, other_form},
-    Change{"any call", &Weights::any, any_call},
+    Change{"any call", &Weights::any, make_any_call},
     Change{"calm motion", &Weights::calm, calm_motion},
 };
 

@@ -198,7 +198,7 @@ Script generate(const Profile& profile, std::uint32_t seed, Counters& counters) 
         // Every eighth frame rests.
         const std::uint32_t count = random.below(8) == 0 ? 0 : 1 + random.below(profile.changes_max);
         for (std::uint32_t i = 0; i < count; ++i) make_change(writing);
-        if (of_copies.below(16) == 0) make_again(writing, of_copies);
+        if (of_copies.below(profile.again_one_in) == 0) make_again(writing, of_copies);
         // The last is looked at.
         const bool is_quiet = random.below(5) == 0 && frame + 1 < profile.frames;
         writing.make(Update{.is_quiet = is_quiet});

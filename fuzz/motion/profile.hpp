@@ -57,6 +57,7 @@ struct Profile {
     Layout layout = Layout::scattered;
     bool has_user_shapes = false;
     std::uint32_t manner_one_in = 0;  // of so many calls, one is made in a manner (script/manners.hpp); 0: none
+    std::uint32_t again_one_in = 16;  // before one of so many frames, all worlds are made again (MakeAgain)
 };
 
 // In the order in which --profile motion takes turns.

@@ -20,7 +20,7 @@ using environment::InFloatMode;
 // `path` is the first whose answer was not `expected`; null if all agreed.
 struct Answer {
     const char* path = nullptr;
-    Relation relation = Relation::disjoint;
+    Relation relation = Relation::apart;
 };
 
 // Asks everything in the given mode: the predicate and the cached path of the narrow phase, arguments in both orders.

@@ -53,7 +53,7 @@ class Run : CaseRun {
   private:
     void check_order(const DistanceCase& made, const DistanceTruth& truth) {
         const MeshShape a(shuffled(*made.a, random_)), b(shuffled(*made.b, random_));
-        const double d = distance({a, made.pose_a}, {b, made.pose_b}, memory_, witness_);
+        const double d = distance({a, made.pose_a}, {b, made.pose_b}, {memory_, witness_});
         std::optional<Wrong> wrong;
         if (!judge::same_bits(d, truth.distance())) {
             wrong = Wrong{"distance", judge::text(truth.distance()), judge::text(d)};

@@ -76,11 +76,11 @@ class Run : CaseRun {
 
   private:
     void check(const scenes::SolidCase& made, const Solid& a, const Solid& b) {
-        SolidRelation relation = *made.relation;
+        Relation relation = *made.relation;
         ++counts_.cases;
         ++counts_.kinds[family_][written(relation)];
         ++counts_.checks["known by its recipe"];
-        if (lie_ && relation == SolidRelation::touching) relation = SolidRelation::apart;
+        if (lie_ && relation == Relation::touching) relation = Relation::apart;
         const Posed<Solid> posed_a{a, made.a.pose}, posed_b{b, made.b.pose};
         require("solid_relation", relation, solid_relation(posed_a, posed_b, memory_), made);
         require("solid_relation of (b, a)", judge::mirrored(relation), solid_relation(posed_b, posed_a, memory_), made);

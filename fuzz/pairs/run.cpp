@@ -35,8 +35,8 @@ class Run : CaseRun {
         Relation expected = ask_oracle(pair);
         if (pair.intersects) {
             const bool promised = *pair.intersects != has_wrong_recipe_;
-            require_promise(promised == (expected != Relation::disjoint),
-                            promised ? "touching or crossing" : "disjoint", written(expected), pair);
+            require_promise(promised == (expected != Relation::apart), promised ? "touching or crossing" : "apart",
+                            written(expected), pair);
             ++counts_.checks["known by its recipe"];
         }
         ++counts_.cases;

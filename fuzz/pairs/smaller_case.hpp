@@ -4,9 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "ecods/convex_solid.hpp"
 #include "ecods/error.hpp"
 #include "ecods/mesh.hpp"
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "scenes/convex_cases.hpp"
 #include "scenes/hit_cases.hpp"
 #include "scenes/solid_cases.hpp"
@@ -29,8 +30,8 @@ inline std::shared_ptr<const Mesh> hull_without_vertices(const Mesh& mesh, std::
         if (i < from || i >= from + count) rest.push_back(mesh.vertices()[i]);
     }
     try {
-        return std::make_shared<const Mesh>(convex_hull(rest));
-    } catch (const NoInterior&) {
+        return convex_hull(rest);
+    } catch (const NotSolid&) {
         return nullptr;
     }
 }

@@ -19,8 +19,8 @@ class Run : CaseRun {
         require(require_solid("b", *made.b.mesh, made).ask(*made.b.mesh), made, "every form");
         const judge::Judged<SolidCase> judged(made);
         take(made, judged.truth);
-        if (lie_ && judged.truth.relation() == SolidRelation::touching) {
-            require("solid_relation", SolidRelation::apart, judged.truth.relation(), made, "a lie");
+        if (lie_ && judged.truth.relation() == Relation::touching) {
+            require("solid_relation", Relation::apart, judged.truth.relation(), made, "a lie");
         }
         require_answers(made, judged, "every form");
         if (random_.below(4) == 0) require_answers_in_environment(made, judged);
@@ -41,10 +41,10 @@ class Run : CaseRun {
         }
         const Solid a(made.a.mesh), b(made.b.mesh);
         const Posed<Solid> posed_a{a, made.a.pose}, posed_b{b, made.b.pose};
-        SolidRelation relation = *made.relation;
+        Relation relation = *made.relation;
         ++counts_.cases;
         ++counts_.kinds[family_][written(relation)];
-        if (lie_ && relation == SolidRelation::touching) relation = SolidRelation::apart;
+        if (lie_ && relation == Relation::touching) relation = Relation::apart;
         require("solid_relation", relation, solid_relation(posed_a, posed_b, memory_), made, "known by its recipe");
         require("solid_relation of (b, a)", judge::mirrored(relation), solid_relation(posed_b, posed_a, memory_), made);
         for (const scenes::KnownSide& known : made.points) {
@@ -85,8 +85,7 @@ class Run : CaseRun {
         const Posed<MeshShape> surface{shape, made.a.pose};
         for (const Posed<Solid>& solid : {a, b}) {
             of_surface.b = {solid.what->mesh_ptr(), solid.pose};
-            const auto expected =
-                static_cast<SurfaceRelation>(oracle::surface_relation(soup(of_surface.a), soup(of_surface.b)));
+            const auto expected = oracle::surface_relation(soup(of_surface.a), soup(of_surface.b));
             require("surface_relation", expected, surface_relation(surface, solid, memory_), of_surface,
                     "surfaces on corners of a solid");
         }

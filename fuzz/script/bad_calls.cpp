@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <tuple>
 
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/text.hpp"
+#include "scenes/is_about.hpp"
 
 namespace ecods::fuzz {
 namespace {
@@ -41,98 +43,118 @@ struct Hand {
 };
 
 template <class Expected>
-bool is_refused(void (*call)(const Hand&), const Hand& hand, std::string& got) {
-    try {
-        call(hand);
-        got = "no error";
-        return false;
-    } catch (const Expected& error) {
-        return true;
-    } catch (const std::exception& error) {
-        got = std::string("another error: ") + error.what();
-        return false;
-    }
+bool is_a(const std::exception& error) {
+    return dynamic_cast<const Expected*>(&error) != nullptr;
+}
+
+template <auto why>
+bool is_about(const std::exception& error) {
+    return scenes::is_about(error, why);
 }
 
 struct BadCallKind {
     const char* name;
-    bool (*is_refused)(void (*)(const Hand&), const Hand&, std::string&);
+    bool (*is_expected)(const std::exception& error);
     void (*call)(const Hand&);
+
+    // Returns what came instead of the expected error; empty if that came.
+    std::string wrong(const Hand& hand) const {
+        try {
+            call(hand);
+        } catch (const std::exception& error) {
+            return is_expected(error) ? std::string() : std::string("another error: ") + error.what();
+        }
+        return "no error";
+    }
 };
 
 const std::array kinds = {
-    BadCallKind{"set_pose, not finite", is_refused<InvalidPose>,
+    BadCallKind{"set_pose, not finite", is_about<Argument::pose>,
                 [](const Hand& h) { h.world.set_pose(h.body, h.bad_pose()); }},
-    BadCallKind{"create_body, pose not finite", is_refused<InvalidPose>,
+    BadCallKind{"create_body, pose not finite", is_about<Argument::pose>,
                 [](const Hand& h) { h.world.create_body(h.mesh(), h.bad_pose()); }},
-    BadCallKind{"create_body, null", is_refused<NullArgument>,
+    BadCallKind{"create_body, null", is_about<Argument::null>,
                 [](const Hand& h) { h.world.create_body(std::shared_ptr<const Mesh>(), h.model.pose); }},
-    BadCallKind{"create_body, kind without tests", is_refused<MissingTest>,
+    BadCallKind{"create_body, kind without tests", is_about<Question::intersects>,
                 [](const Hand& h) {
                     h.world.create_body(std::make_shared<UserShape>(h.mesh(), kind_without_tests), h.model.pose);
                 }},
-    BadCallKind{"create_body, no box", is_refused<InvalidBox>,
+    BadCallKind{"create_body, no box", is_about<Argument::box>,
                 [](const Hand& h) { h.world.create_body(std::make_shared<BoxlessShape>(), h.model.pose); }},
-    BadCallKind{"create_body, bad vertex", is_refused<InvalidVertex>,
+    BadCallKind{"create_body, bad vertex", is_about<InvalidMesh::Reason::vertex>,
                 [](const Hand& h) {
                     h.world.create_body(Mesh::create({Vec3(0, 0, 0), Vec3(0, nan, 0)}, {{0, 1, 1}}), h.model.pose);
                 }},
-    BadCallKind{"create_body, bad index", is_refused<InvalidIndex>,
+    BadCallKind{"create_body, bad index", is_about<InvalidMesh::Reason::index>,
                 [](const Hand& h) {
                     h.world.create_body(Mesh::create({Vec3(0, 0, 0)}, {{0, 1, 0}}), h.model.pose);
                 }},
-    BadCallKind{"create_body, empty mesh", is_refused<EmptyMesh>,
+    BadCallKind{"create_body, empty mesh", is_about<InvalidMesh::Reason::empty>,
                 [](const Hand& h) { h.world.create_body(Mesh::create({Vec3(0, 0, 0)}, {}), h.model.pose); }},
-    BadCallKind{"set_pose, stale body", is_refused<StaleBody>,
+    BadCallKind{"set_pose, stale body", is_a<StaleBody>,
                 [](const Hand& h) { h.world.set_pose(h.stale, h.model.pose); }},
-    BadCallKind{"destroy_body, stale body", is_refused<StaleBody>,
-                [](const Hand& h) { h.world.destroy_body(h.stale); }},
-    BadCallKind{"set_filter, stale body", is_refused<StaleBody>,
+    BadCallKind{"destroy_body, stale body", is_a<StaleBody>, [](const Hand& h) { h.world.destroy_body(h.stale); }},
+    BadCallKind{"set_filter, stale body", is_a<StaleBody>,
                 [](const Hand& h) { h.world.set_filter(h.stale, {.groups = 0, .mask = 0}); }},
-    BadCallKind{"relation, stale body", is_refused<StaleBody>,
-                [](const Hand& h) { h.world.relation(h.body, h.stale); }},
-    BadCallKind{"relation, same body", is_refused<SameBody>, [](const Hand& h) { h.world.relation(h.body, h.body); }},
-    BadCallKind{"set_pair_enabled, same body", is_refused<SameBody>,
+    BadCallKind{"relation, stale body", is_a<StaleBody>,
+                [](const Hand& h) { std::ignore = h.world.relation(h.body, h.stale); }},
+    BadCallKind{"relation, same body", is_a<SameBody>,
+                [](const Hand& h) { std::ignore = h.world.relation(h.body, h.body); }},
+    BadCallKind{"set_pair_enabled, same body", is_a<SameBody>,
                 [](const Hand& h) { h.world.set_pair_enabled(h.body, h.body, false); }},
-    BadCallKind{"set_shape, null", is_refused<NullArgument>,
+    BadCallKind{"set_shape, null", is_about<Argument::null>,
                 [](const Hand& h) { h.world.set_shape(h.body, std::shared_ptr<const Mesh>()); }},
-    BadCallKind{"set_shape, kind without tests", is_refused<MissingTest>,
+    BadCallKind{"set_shape, kind without tests", is_about<Question::intersects>,
                 [](const Hand& h) {
                     // Of the only body there is, any kind will do.
-                    if (h.world.statistics().body_count < 2) throw MissingTest(kind_without_tests, kind_without_tests);
+                    if (h.world.statistics().body_count < 2) {
+                        throw NotSupported(Question::intersects, kind_without_tests, kind_without_tests);
+                    }
                     h.world.set_shape(h.body, std::make_shared<UserShape>(h.mesh(), kind_without_tests));
                 }},
-    BadCallKind{"set_shape, no box", is_refused<InvalidBox>,
+    BadCallKind{"set_shape, no box", is_about<Argument::box>,
                 [](const Hand& h) { h.world.set_shape(h.body, std::make_shared<BoxlessShape>()); }},
-    BadCallKind{"set_poses, lengths", is_refused<LengthMismatch>,
+    BadCallKind{"set_poses, lengths", is_about<Argument::list_length>,
                 [](const Hand& h) {
                     const Pose poses[] = {Pose(), Pose()};
                     h.world.set_poses({&h.body, 1}, poses);
                 }},
-    BadCallKind{"set_poses, second not finite", is_refused<InvalidPose>,
+    BadCallKind{"set_poses, second not finite", is_about<Argument::pose>,
                 [](const Hand& h) {
                     const BodyId bodies[] = {h.body, h.body};
                     const Pose poses[] = {Pose(), h.bad_pose()};
                     h.world.set_poses(bodies, poses);
                 }},
-    BadCallKind{"set_poses, second stale", is_refused<StaleBody>,
+    BadCallKind{"set_poses, second stale", is_a<StaleBody>,
                 [](const Hand& h) {
                     const BodyId bodies[] = {h.body, h.stale};
                     const Pose poses[] = {Pose(), Pose()};
                     h.world.set_poses(bodies, poses);
                 }},
-    BadCallKind{"set_test, null", is_refused<NullArgument>,
+    BadCallKind{"set_test, null", is_about<Argument::null>,
                 [](const Hand& h) { h.world.set_test(first_user_kind, first_user_kind, nullptr); }},
-    BadCallKind{"set_clearance, no clearance", is_refused<InvalidDistance>,
+    BadCallKind{"set_clearance, no clearance", is_about<Argument::distance>,
                 [](const Hand& h) {
                     constexpr std::array<double, 3> values = {nan, infinity, -1};
                     h.world.set_clearance(values[h.choice % 3]);
                 }},
-    BadCallKind{"nearest, no limit", is_refused<InvalidDistance>,
-                [](const Hand& h) { h.world.nearest(h.body, h.choice % 2 == 0 ? nan : -1); }},
-    BadCallKind{"overlapping_bodies, no box", is_refused<InvalidBox>,
+    BadCallKind{"nearest, no limit", is_about<Argument::distance>,
+                [](const Hand& h) { std::ignore = h.world.nearest(h.body, h.choice % 2 == 0 ? nan : -1); }},
+    BadCallKind{"overlapping_bodies, no box", is_about<Argument::box>,
                 [](const Hand& h) {
-                    h.world.overlapping_bodies({Vec3(0, 0, nan), Vec3(0, 0, nan)});
+                    std::ignore = h.world.overlapping_bodies({Vec3(0, 0, nan), Vec3(0, 0, nan)});
+                }},
+    BadCallKind{"relation, pose of a shape not finite", is_about<Argument::pose>,
+                [](const Hand& h) {
+                    std::ignore = h.world.relation({h.world.shape(h.body), h.bad_pose()}, h.body);
+                }},
+    BadCallKind{"nearest, pose of a mesh not finite", is_about<Argument::pose>,
+                [](const Hand& h) {
+                    std::ignore = h.world.nearest({h.mesh(), h.bad_pose()});
+                }},
+    BadCallKind{"cast, null", is_about<Argument::null>,
+                [](const Hand& h) {
+                    std::ignore = h.world.cast({std::shared_ptr<const Mesh>(), h.model.pose}, Vec3(0, 0, 1));
                 }},
 };
 
@@ -171,8 +193,8 @@ void make_bad_call(const BadCall& call, Scene& scene, Counters& counters) {
         const BodyId stale = scene.model.bodies.contains(gone) ? BodyId{} : scripted.id(gone);
         const Hand hand{scripted, scripted.world(), scripted.id(call.body), stale, body->second, call.choice};
         const Kept before(scripted.world());
-        std::string got;
-        if (!kind->is_refused(kind->call, hand, got)) throw CheckFailed("bad call", call.kind + " is refused", got);
+        const std::string wrong = kind->wrong(hand);
+        if (!wrong.empty()) throw CheckFailed("bad call", call.kind + " is refused", wrong);
         if (!(before == Kept(scripted.world())))
             throw CheckFailed("bad call", "nothing has changed", call.kind + " changed the world");
     }

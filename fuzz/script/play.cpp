@@ -229,7 +229,7 @@ void Player::check_tampering(const World& world) {
         bool is_found = false;
         shape->tamper(update_count_ % 2 == 0 ? UserShape::Tampering::digest : UserShape::Tampering::box);
         try {
-            world.validate();
+            world.check_invariants();
         } catch (const ShapeChanged& error) {
             is_found = error.body == body && error.kind == shape->kind();
         }
@@ -258,7 +258,7 @@ void Player::finish() {
 void Player::check_replay() {
     ReplayOptions reading;
     reading.broad_phase = broad_phases[(update_count_ + 1) % broad_phases.size()];
-    reading.validates = true;
+    reading.checks_invariants = true;
     reading.set_up = [](World& world) { UserTests().add_to(world); };
     reading.read_shape = [](ShapeKind kind, std::string_view text) {
         return std::make_shared<UserShape>(read_user_mesh(text), kind);

@@ -14,10 +14,10 @@
 #include <variant>
 #include <vector>
 
-#include "ecods/collision_filter.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/world_options.hpp"
 #include "fuzz/base/mesh_form.hpp"
 #include "trace/calls.hpp"
 

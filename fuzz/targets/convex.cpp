@@ -1,4 +1,5 @@
 // How far two posed convex solids are from each other, or how deep in each other, against the oracle; and hulls.
+#include <tuple>
 #include <vector>
 
 #include "ecods/error.hpp"
@@ -18,8 +19,8 @@ std::shared_ptr<const Mesh> hull(Bytes& bytes) {
     for (ecods::Vec3& p : points) p = bytes.point();
     require_right(ecods::judge::ask_for_hull(points));
     try {
-        return std::make_shared<const Mesh>(ecods::convex_hull(points));
-    } catch (const ecods::NoInterior&) {
+        return ecods::convex_hull(points);
+    } catch (const ecods::NotSolid&) {
         return nullptr;
     }
 }
@@ -28,7 +29,7 @@ bool is_regular(const ecods::Pose& pose) {
     const ecods::ConvexSolid cube(std::vector<ecods::Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
     ecods::QueryMemory memory;
     try {
-        ecods::solid_distance({cube, pose}, {cube, pose}, memory);
+        std::ignore = ecods::solid_distance({cube, pose}, {cube, pose}, memory);
         return true;
     } catch (const ecods::SingularPose&) {
         return false;

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "ecods/error.hpp"
-#include "ecods/replay.hpp"
+#include "ecods/trace.hpp"
 #include "fuzz/targets/require.hpp"
 #include "scenes/io/read_error.hpp"
 #include "scenes/io/scene_file.hpp"
@@ -43,7 +43,7 @@ class Folder {
 void read_trace(const std::string& text) {
     std::istringstream in(text);
     try {
-        const ReplayReport report = replay(in, {.validates = true});
+        const ReplayReport report = replay(in, {.checks_invariants = true});
         ecods::fuzz::require(report.update_count <= report.call_count, "updates are calls");
     } catch (const InvalidTrace& error) {
         ecods::fuzz::require(error.line > 0, "an error names a line");

@@ -18,8 +18,8 @@ void check(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& me
     const bool hit = !expected.triangles.empty();
     require(intersects(a, b, memory) == hit, "whether two meshes share a point");
     require(intersects(b, a, memory) == hit, "whether two meshes share a point, swapped");
-    require(intersects(a, b, memory, witness) == hit, "the same with a witness");
-    require(intersects(a, b, memory, witness) == hit, "the same with the witness that was just left");
+    require(intersects(a, b, {memory, witness}) == hit, "the same with a witness");
+    require(intersects(a, b, {memory, witness}) == hit, "the same with the witness that was just left");
     require(relation(a, b, memory) == expected.relation, "the relation of two meshes");
     require(relation(b, a, memory) == expected.relation, "the relation of two meshes, swapped");
     require(intersecting_triangles(a, b, memory) == expected.triangles, "the triangles that touch");

@@ -85,7 +85,7 @@ TEST_F(Checks, ListsBeforeTheUpdate) {
     truth.look_at(world);
     EXPECT_EQ(complaint([&] { check_collisions(world, true_collisions(world, truth), truth); }), "colliding pairs");
     EXPECT_EQ(complaint([&] { check_fresh_world(world, {}); }), "fresh world, collisions");
-    EXPECT_EQ(complaint([&] { check_invariants(world); }), "validate");
+    EXPECT_EQ(complaint([&] { check_invariants(world); }), "invariants");
 }
 
 TEST_F(Checks, AnswersForOtherPoses) {

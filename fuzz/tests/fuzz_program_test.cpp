@@ -18,6 +18,12 @@ class FuzzProgramTest : public ProgramTest {
         EXPECT_EQ(result.status, status) << result.err;
         return nlohmann::json::parse(result.out);
     }
+    // The failure of a campaign that has one.
+    nlohmann::json failure_of(const std::string& arguments) {
+        const auto summary = campaign(arguments, 1);
+        EXPECT_EQ(summary["failures"].size(), 1U);
+        return summary["failures"].at(0);
+    }
     static std::string text_of(const std::string& file) {
         std::ostringstream text;
         text << std::ifstream(file).rdbuf();
@@ -54,9 +60,7 @@ TEST_F(FuzzProgramTest, AWrongAnswerBecomesAShortTrace) {
 }
 
 TEST_F(FuzzProgramTest, AWrongProofIsRefused) {
-    const auto summary = campaign("--profile tiny --seed 1 --runs 1 --canary proof", 1);
-    ASSERT_EQ(summary["failures"].size(), 1U);
-    const auto& failure = summary["failures"][0];
+    const auto failure = failure_of("--profile tiny --seed 1 --runs 1 --canary proof");
     EXPECT_EQ(failure["check"], "check of a certificate");
     const std::string got = failure["got"];
     EXPECT_NE(got.find("refused: line"), std::string::npos) << got;
@@ -85,9 +89,7 @@ TEST_F(FuzzProgramTest, CertificatesAreCheckedWhereThereIsAChecker) {
 // The promises of a recipe are asked of the oracle; a case that breaks one is no crash, and no fault of the
 // library.
 TEST_F(FuzzProgramTest, AWrongRecipeIsNamed) {
-    const auto summary = campaign("--profile solids --seed 5 --runs 3 --canary recipe", 1);
-    ASSERT_EQ(summary["failures"].size(), 1U);
-    const auto& failure = summary["failures"][0];
+    const auto failure = failure_of("--profile solids --seed 5 --runs 3 --canary recipe");
     EXPECT_EQ(failure["seed"], 5);
     EXPECT_EQ(failure["check"], "recipe");
     EXPECT_EQ(failure["expected"], "a bounds a solid");
@@ -104,11 +106,10 @@ TEST_F(FuzzProgramTest, ACrashIsAFailure) {
 }
 
 TEST_F(FuzzProgramTest, AHangIsAFailure) {
-    const auto summary =
-        campaign("--profile tiny --seed 2 --runs 1 --canary hang --run-seconds 1 --shrink-seconds 0", 1);
-    ASSERT_EQ(summary["failures"].size(), 1U);
-    EXPECT_EQ(summary["failures"][0]["check"], "hang");
-    EXPECT_FALSE(text_of(summary["failures"][0]["trace"]).empty());
+    const auto failure =
+        failure_of("--profile tiny --seed 2 --runs 1 --canary hang --run-seconds 1 --shrink-seconds 0");
+    EXPECT_EQ(failure["check"], "hang");
+    EXPECT_FALSE(text_of(failure["trace"]).empty());
 }
 
 TEST_F(FuzzProgramTest, JobsDoNotMatter) {

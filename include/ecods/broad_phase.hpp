@@ -1,5 +1,5 @@
-// Which boxes overlap, and which boxes a box, a segment or a ball meets. Boxes only: a broad phase never sees a
-// triangle.
+// A broad phase finds the boxes that overlap, and the boxes that a box, a segment or a ball meets. It never sees a
+// triangle. (FCL, Coal: BroadPhaseCollisionManager; Parry: BroadPhaseBvh; Box3D: b3DynamicTree and its pairs.)
 //
 // All broad phases give the same pairs for the same boxes, always: those whose closed boxes share a point. They differ
 // in cost. A caller normally picks one in WorldOptions and never touches this interface; it is public so that it can be
@@ -13,15 +13,13 @@
 #include <span>
 #include <vector>
 
-#include "ecods/aabb.hpp"
-#include "ecods/ball.hpp"
 #include "ecods/export.hpp"
-#include "ecods/segment.hpp"
+#include "ecods/pose.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods {
 
-// Names one box in one broad phase, by the number that its owner chose. Numbers are used as array indices: keep
-// them dense.
+// Names one box in one broad phase, by the number that its owner chose. Numbers are array indices: keep them dense.
 using ProxyIndex = std::uint32_t;
 
 // Two proxies, a < b.
@@ -33,53 +31,53 @@ struct ProxyPair {
 };
 
 enum class BroadPhaseKind : std::uint8_t {
-    // Every box against every other. The model that the others are checked against. n^2 / 2 tests an update in
+    // Tests every box against every other: the model that the others are checked against. n^2 / 2 tests an update in
     // which anything moved.
     brute_force,
-    // The ECoDS report's algorithm: three sorted lists of box ends, re-sorted by insertion, pairs tracked as ends
-    // swap. Work per update: one step for each pair of ends that changed order, plus one pass over the lists when boxes
-    // came or went, or when a large part moved. Excellent while little moves and boxes are few; when boxes jump, so
-    // that sorting from scratch costs less than the steps, it does that. Memory: about 260 bytes a box and 8 to 16 a
-    // pair for the list of pairs, which a World has no use for.
+    // Keeps three sorted lists of box ends, re-sorted by insertion, and tracks pairs as ends swap: the algorithm of the
+    // ECoDS report. Work per update: one step for each pair of ends that changed order, plus one pass over the lists
+    // when boxes came or went, or when a large part moved. Excellent while little moves and boxes are few; when boxes
+    // jump, so that sorting from scratch costs less than the steps, it does that. Memory: about 260 bytes a box and 8
+    // to 16 a pair for the list of pairs, which a World has no use for.
     sweep_and_prune,
 
-    // For large, dynamic scenes. Each box is given a margin to move in; pairs that overlap with their margins, and of
-    // which one is awake, are candidates, which are kept from update to update and tested at each one. A box that moves
-    // is awake until it has been at rest for some updates. One that left its margin, or awoke, is looked up in trees
-    // over all boxes, one for each class of sizes; when many did at once, everything is looked up. How wide margins are
-    // is adapted from counts, and those of boxes that all move together go along with them. Where boxes leave any
-    // margin at once, or come and go in numbers, none has one, and each update searches for all pairs from scratch:
-    // counts decide, which are looked at again some updates later.
-    // Work per update: a few tests for each box that moved, or did so lately; or that of a search from scratch, a sort
-    // and a sweep in the cells of a grid, whatever boxes do. Memory: about 240 bytes a box at rest, and
-    // 8 to 16 a pair, as above; while boxes move, about 230 more for searches from scratch, and 8 a candidate, of which
-    // there are some more than pairs.
+    // Serves large, dynamic scenes: a dynamic tree of enlarged boxes. Each box is given a margin to move in; pairs that
+    // overlap with their margins, and of which one is awake, are candidates, which are kept from update to update and
+    // tested at each one. A box that moves is awake until it has been at rest for some updates. One that left its
+    // margin, or awoke, is looked up in trees over all boxes, one for each class of sizes; when many did at once,
+    // everything is looked up. How wide margins are is adapted from counts, and those of boxes that all move together
+    // go along with them. Where boxes leave any margin at once, or come and go in numbers, none has one, and each
+    // update searches for all pairs from scratch: counts decide, which are looked at again some updates later. Work per
+    // update: a few tests for each box that moved, or did so lately; or that of a search from scratch, a sort and a
+    // sweep in the cells of a grid, whatever boxes do. Memory: about 240 bytes a box at rest, and 8 to 16 a pair, as
+    // above; while boxes move, about 230 more for searches from scratch, and 8 a candidate, of which there are some
+    // more than pairs.
     kept_candidates,
 
-    // sweep_and_prune while boxes are few, otherwise kept_candidates. Their number decides at each update, and before
-    // the first one, never what they do and never clocks, and nothing but cost shows which one runs.
+    // Uses sweep_and_prune while boxes are few, otherwise kept_candidates. Only the number of boxes decides, at each
+    // update and before the first one; the choice affects cost alone.
     automatic,
 };
 
-// What a broad phase did since it was made, as counts.
+// Counts the work of a broad phase since it was made.
 struct BroadPhaseCounts {
     std::uint64_t updates = 0;    // calls of update()
     std::uint64_t moved = 0;      // boxes that were new, or were given another box, since the update before; summed
     std::uint64_t box_tests = 0;  // overlap tests of two boxes, in whole or on the two other axes; of candidates: below
 
-    // Of sweep_and_prune.
+    // sweep_and_prune counts these.
     std::uint64_t swaps = 0;  // ends that passed each other in the sorted lists
 
-    // Of kept_candidates.
+    // kept_candidates counts these.
     std::uint64_t candidates_filtered = 0;  // tests of pairs that were candidates already
     std::uint64_t escaped = 0;              // boxes that left their margin
     std::uint64_t rebuilds = 0;             // updates at which everything was looked up
 
-    // Of automatic.
+    // automatic counts this.
     std::uint64_t switches = 0;
 };
 
-// What the questions about the boxes of a broad phase did since it was made, as counts.
+// Counts the work of the questions about the boxes of a broad phase since it was made.
 struct FindCounts {
     std::uint64_t calls = 0;
     std::uint64_t box_tests = 0;  // of a box, segment or ball against a box, or against what bounds some boxes
@@ -99,7 +97,7 @@ class ECODS_API BroadPhase {
     virtual void move(ProxyIndex proxy, const Aabb& box) = 0;  // `proxy` must be present
     virtual void remove(ProxyIndex proxy) = 0;                 // `proxy` must be present
 
-    // The same for many, in their order: the last box of a proxy that is named more than once holds. All are moved or
+    // Moves many boxes, in their order: the last box of a proxy that is named more than once holds. All are moved or
     // none: throws Error where one is not present, or where there is not a box for each. Cost: less than that of a call
     // for each.
     virtual void move(std::span<const ProxyIndex> proxies, std::span<const Aabb> boxes) = 0;
@@ -115,19 +113,19 @@ class ECODS_API BroadPhase {
     // finds all that changed since the last one that succeeded.
     virtual void update() = 0;
 
-    // The pairs as of the last update, ascending. Valid until the next call that is not const. The list is brought up
-    // to date when it is asked for: one pass over it if pairs came or went since it was asked for last, otherwise
-    // nothing.
+    // Returns the pairs as of the last update, ascending. Valid until the next call that is not const. The list is
+    // brought up to date when it is asked for: one pass over it if pairs came or went since it was asked for last,
+    // otherwise nothing.
     virtual const std::vector<ProxyPair>& pairs() = 0;
 
-    // The pairs that came and went with the last update, ascending; a removed proxy's pairs count as gone, also
+    // Return the pairs that came and went with the last update, ascending; a removed proxy's pairs count as gone, also
     // when its number was used again before the update and the new box makes the same pair: it is then in both.
     virtual const std::vector<ProxyPair>& began() const noexcept = 0;
     virtual const std::vector<ProxyPair>& ended() const noexcept = 0;
 
-    // The boxes that share a point with this box, segment or ball, ascending: boxes as they are now, whether update()
-    // has been called since or not. Decided exactly; all broad phases give the same. Throws InvalidBox, InvalidSegment
-    // or InvalidBall. Safe from many threads, as long as no call that is not const runs.
+    // Return the boxes that share a point with this box, segment or ball, ascending: boxes as they are now, whether
+    // update() has been called since or not. Decided exactly; all broad phases give the same. Throws InvalidArgument.
+    // Safe from many threads, as long as no call that is not const runs.
     //
     // Cost: brute_force and sweep_and_prune, and the others while they have few boxes, test all boxes. kept_candidates
     // and automatic make trees at the first such call (n log n, and about 150 bytes a box); from then on a call costs a
@@ -137,41 +135,40 @@ class ECODS_API BroadPhase {
     virtual std::vector<ProxyIndex> find(const Segment& segment) const = 0;
     virtual std::vector<ProxyIndex> find(const Ball& ball) const = 0;
 
-    // Calls `visit` with each box that is not proven to be further than `limit` from this one, in the order of these
-    // proofs, so that near ones come first. A visit returns the limit from then on; one above the limit so far changes
-    // nothing. Boxes within the limit are visited, and a few others may be: what decides is a lower bound by doubles.
-    // Boxes as they are now. Throws InvalidBox, or InvalidDistance if `limit` is negative or NaN; what `visit` throws
-    // passes through. Safe from many threads, as find().
+    // Calls `visit` with boxes in ascending order of a lower bound of their distance from this one, up to `limit`.
+    // `visit` returns a new limit, which counts if it is smaller. All boxes within the limit are visited; some beyond
+    // it may be. Boxes as they are now. Throws InvalidArgument for a bad box or limit; what `visit` throws passes
+    // through. Safe from many threads, as find().
     //
     // Cost: brute_force, and the others while they have few boxes, test all boxes. Otherwise in trees, which are made
     // as for find(): some tests for each box that is visited, and for each level of the trees.
     virtual void visit_near(const Aabb& box, double limit, const std::function<double(ProxyIndex)>& visit) const = 0;
 
-    // The same for pairs of boxes, each once; where all are tested, in the order of the pairs. Cost: brute_force, and
-    // the others while they have few boxes, test all pairs. Otherwise some tests for each two boxes that are within the
-    // limit, and for each two blocks of neighbours that are.
+    // Does the same for pairs of boxes, each once; where all are tested, in the order of the pairs. Cost: brute_force,
+    // and the others while they have few boxes, test all pairs. Otherwise some tests for each two boxes that are within
+    // the limit, and for each two blocks of neighbours that are.
     virtual void visit_near_pairs(double limit, const std::function<double(ProxyPair)>& visit) const = 0;
 
     // Calls `visit` with each box that this segment, ray or box, which is translated by time times `motion`, is not
     // proven to miss, in the order of lower bounds of the first parameter or time at which it meets them, as far as
     // these are at most the limit: 1 of a segment, the largest parameter of a ray. Otherwise as visit_near(). Throws
-    // InvalidSegment, InvalidRay, InvalidBox, InvalidMotion, or InvalidTime if `limit` is negative or NaN.
+    // InvalidArgument.
     virtual void visit_along(const Segment& segment, const std::function<double(ProxyIndex)>& visit) const = 0;
     virtual void visit_along(const Ray& ray, const std::function<double(ProxyIndex)>& visit) const = 0;
     virtual void visit_along(const Aabb& box, const Vec3& motion, double limit,
                              const std::function<double(ProxyIndex)>& visit) const = 0;
 
-    // Of find() and all of these.
+    // Returns the work of find() and of all these.
     virtual FindCounts find_counts() const noexcept = 0;
 
     virtual const BroadPhaseCounts& counts() const noexcept = 0;
 
-    // Memory held, working memory included. Cost: a constant for brute_force and sweep_and_prune, otherwise
+    // Returns the memory held, working memory included. Cost: a constant for brute_force and sweep_and_prune, otherwise
     // proportional to the depth of the trees.
     virtual std::size_t bytes() const noexcept = 0;
 
     // Checks every invariant of the structure and throws BrokenInvariant. May cost n^2. Call it after update().
-    virtual void validate() const = 0;
+    virtual void check_invariants() const = 0;
 };
 
 ECODS_API std::unique_ptr<BroadPhase> make_broad_phase(BroadPhaseKind kind);

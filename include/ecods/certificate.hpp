@@ -1,4 +1,4 @@
-// Answers with a proof that can be checked without this library.
+// Certificates are answers with a proof that can be checked without this library.
 //
 // A certificate is a text that says what is claimed of which posed meshes, and why it is true: how the trees of both
 // meshes are gone through, and for every pair of their parts a direction along which it is apart. A small program that
@@ -25,14 +25,16 @@
 #include <string>
 #include <vector>
 
+#include "ecods/ask.hpp"
 #include "ecods/export.hpp"
-#include "ecods/intersection.hpp"
-#include "ecods/segment.hpp"
+#include "ecods/pose.hpp"
+#include "ecods/primitives.hpp"
+#include "ecods/shape.hpp"
 
 namespace ecods {
 
-// A claim and its proof. A value, cheap to copy. It refers to the shapes that it is about, as Posed does: they must
-// outlive it.
+// A claim and its proof: a value, cheap to copy. It keeps the shapes that it is about if the Posed kept them, and
+// refers to them otherwise.
 class ECODS_API Certificate {
   public:
     enum class Claim : std::uint8_t {
@@ -47,7 +49,7 @@ class ECODS_API Certificate {
     };
 
     Claim claim() const noexcept;
-    // Of distance, within, beyond and hit; 0 of the others.
+    // Returns the number in the claims distance, within, beyond and hit; 0 for the others.
     double value() const noexcept;
     // How many steps the proof has, and how many directions they name. 0 where a claim is its own proof: a crossing, a
     // distance of 0, what is within a distance, and a hit at parameter 0.
@@ -67,23 +69,23 @@ class ECODS_API Certificate {
     std::shared_ptr<const Content> content_;
 };
 
-// relation(a, b): claims disjoint, touching or crossing.
-ECODS_API Certificate certify(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory);
+// relation(a, b): claims disjoint (the format's word for apart), touching or crossing.
+ECODS_API Certificate certify(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask = {});
 
 // distance(a, b): claims distance.
-ECODS_API Certificate certify_distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory);
+ECODS_API Certificate certify_distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask = {});
 
-// within(a, b, d): claims within or beyond. Throws InvalidDistance if d is negative or NaN.
-ECODS_API Certificate certify_within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d,
-                                     QueryMemory& memory);
+// within(a, b, max_distance): claims within or beyond. Throws InvalidArgument if that is negative or NaN.
+ECODS_API Certificate certify_within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance,
+                                     const Ask& ask = {});
 
-// first_hit(segment, body): claims hit or miss. Throws InvalidSegment.
-ECODS_API Certificate certify_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory);
+// first_hit(segment, body): claims hit or miss. Throws InvalidArgument.
+ECODS_API Certificate certify_hit(const Segment& segment, const Posed<MeshShape>& body, const Ask& ask = {});
 
-// A world's lists with their proof (World::certify): which bodies there are, what filters and switches leave, that the
-// pairs of the last update's lists are as they are, and that no other pair whose boxes may meet is. A value, cheap to
+// Proves a world's lists (World::certify): which bodies there are, which pairs filters and switches leave, that the
+// listed pairs of the last update collide or are close, and that no other unfiltered pair does or is. A value, cheap to
 // copy, which keeps the shapes that it is about. World::certify throws NotUpdated if a call since the last update
-// changed the world or the clearance; NotCertified, with the first body of a kind of the caller's own. Where a test of
+// changed the world or the clearance; NotSupported, with the first body of a kind of the caller's own. Where a test of
 // the caller's own replaces that of meshes, the proof is of what the meshes do. Pairs that filters or
 // set_pair_enabled() leave out are not judged; the checkers say how many they are. Cost: certify(), and with a
 // clearance certify_within(), for each pair of bodies whose boxes are not proven to be further apart.

@@ -1,43 +1,60 @@
-// Everything. The headers are the manual; read them in this order.
+// Everything. The headers are the manual; read them in the order below.
 //
-// Words. *Overlap* is said of boxes; *intersect* of sets that share a point, one that they only touch in included;
-// *touch* and *cross* of how they do; *collide* of the pairs in a world's lists; *disjoint* of sets that share none.
+// These ten calls are what nine of ten users need; verify/examples/how_do_i has each in a program of a few lines.
+//
+//     Mesh::create(vertices, triangles)                   a triangle mesh                         mesh.hpp
+//     MeshShape(mesh), Solid(mesh), ConvexSolid(points)   a shape, with its tree                  shape.hpp
+//     intersects({shape, pose}, {shape, pose})            do two bodies touch?                    intersection.hpp
+//     closest({shape, pose}, {shape, pose})               how far apart, and where?               distance.hpp
+//     first_hit(ray, {shape, pose})                       what does a ray hit?                    hit.hpp
+//     cast({shape, pose}, motion, {shape, pose})          when does a body on the move arrive?    cast.hpp
+//     depth({solid, pose}, {solid, pose})                 how deep are they in each other?        solid.hpp
+//     world.create_body(mesh, pose), world.set_pose(...)  many bodies                             world.hpp
+//     world.update(); world.colliding_pairs(), began()    which of them touch, since when?        world.hpp
+//     world.nearest(body), world.first_hit(ray)           what is near, what is in the way?       world.hpp
+//
+// How do I ...
+//
+//     pose a body by a quaternion, an isometry, a matrix?   Pose::from_quaternion, from_isometry, from_matrix
+//     ask for a point?                                      locate (of a solid); a mesh of one triangle {i, i, i}
+//     find penetration, separation?                         depth, depth_bounds; within, distance_bounds
+//     get contact points and normals?                       intersections, close_features
+//     find what is inside what?                             solid_relation; World::solid_pairs, bodies_containing
+//     ignore pairs?                                         CollisionFilter, World::set_pair_enabled
+//     keep a margin around bodies?                          World::set_clearance, close_pairs
+//     ask again quickly about a pair that moved little?     PairWitness (ask.hpp)
+//     use my threads?                                       Executor (world_options.hpp)
+//     use shapes of my own?                                 Shape, TwoBodyTest
+//     report a bug?                                         World::trace_to, replay (trace.hpp)
+//     prove an answer to somebody else?                     certify (certificate.hpp)
+//     catch errors?                                         Error, and 14 classes below it (error.hpp)
+//
+// Words. *Overlap* is said of boxes; *intersect* of sets that share a point, touching included; *touch* and *cross* of
+// how they do; *collide* of the pairs in a world's lists; *apart* of sets that share no point.
 #pragma once
 
 // clang-format off
-#include "ecods/world.hpp"             // many moving bodies: which of them touch?
-#include "ecods/world_options.hpp"     // what it is made with
-#include "ecods/world_answers.hpp"     // what a world answers
-#include "ecods/statistics.hpp"        // what it did, as counts
-#include "ecods/mesh.hpp"              // what a body is made of
-#include "ecods/pose.hpp"              // where it is
-#include "ecods/posed.hpp"             // a thing at a pose
-#include "ecods/error.hpp"             // what can go wrong
-#include "ecods/intersection.hpp"      // questions about two bodies, without a world
-#include "ecods/distance.hpp"          // how far are they from each other, and where?
-#include "ecods/contact.hpp"           // where they meet, and which features nearly do
-#include "ecods/hit.hpp"               // what a segment or a ray meets
-#include "ecods/cast.hpp"              // when does a body on the move first meet another?
-#include "ecods/motion.hpp"            // a thing on its way from one pose to another
-#include "ecods/solid.hpp"             // what is inside what: closed meshes as solids
-#include "ecods/convex_solid.hpp"      // solids without dents, and how far two of them are from each other
-#include "ecods/depth.hpp"             // how deep solids are in each other
-#include "ecods/certificate.hpp"       // an answer with a proof that others can check
-#include "ecods/closest_points.hpp"    // two closest points, and the features that hold them
-#include "ecods/first_contact.hpp"     // when two bodies first meet, and with which features
-#include "ecods/triangle_hit.hpp"      // what a segment or a ray shares with a triangle
-#include "ecods/shared_set.hpp"        // what two triangles share, and features that are near each other
-#include "ecods/predicates.hpp"        // exact signs, and how two triangles meet
-#include "ecods/shape.hpp"             // shapes of the caller's own
-#include "ecods/collision_filter.hpp"  // which bodies are meant to meet at all
-#include "ecods/executor.hpp"          // where work in parallel runs
-#include "ecods/trace.hpp"             // a record of every call that changed a world
-#include "ecods/replay.hpp"            // which is run again
-#include "ecods/broad_phase.hpp"       // which boxes overlap
-#include "ecods/aabb.hpp"              // boxes
-#include "ecods/segment.hpp"           // segments and rays
-#include "ecods/ball.hpp"              // balls
-#include "ecods/ids.hpp"               // names of bodies, pairs of them and of triangles
-#include "ecods/instruction_set.hpp"   // which of the processor's instructions are used
-#include "ecods/version.hpp"
+#include "ecods/mesh.hpp"             // triangle meshes
+#include "ecods/pose.hpp"             // where bodies are, and how they move
+#include "ecods/shape.hpp"            // shapes: meshes, solids, convex solids, and the caller's own
+#include "ecods/primitives.hpp"       // boxes, segments, rays, balls
+#include "ecods/intersection.hpp"     // do two bodies meet, and where?
+#include "ecods/distance.hpp"         // how far are they from each other, and where?
+#include "ecods/hit.hpp"              // what does a segment or a ray hit?
+#include "ecods/cast.hpp"             // when does a body on the move first meet another?
+#include "ecods/solid.hpp"            // what is inside what, and how deep?
+#include "ecods/results.hpp"          // the answers to all these
+#include "ecods/ask.hpp"              // memory, witness and counts of a question
+#include "ecods/world.hpp"            // many moving bodies
+#include "ecods/world_options.hpp"    // options of worlds, bodies and traces; subjects of questions
+#include "ecods/statistics.hpp"       // the work of a world, as counts
+#include "ecods/ids.hpp"              // names of bodies and pairs; filters
+#include "ecods/error.hpp"            // what can go wrong
+#include "ecods/trace.hpp"            // a record of every call that changed a world, and how it is run again
+#include "ecods/certificate.hpp"      // an answer with a proof that others can check
+#include "ecods/two_body_test.hpp"    // tests for shapes of the caller's own
+#include "ecods/predicates.hpp"       // exact signs, and how two triangles meet
+#include "ecods/broad_phase.hpp"      // which boxes overlap
+#include "ecods/instruction_set.hpp"  // which of the processor's instructions are used
+#include "ecods/export.hpp"           // the version; which names are the interface
 // clang-format on

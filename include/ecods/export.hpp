@@ -1,15 +1,20 @@
-// What every public header needs: C++20, and which names a shared library shows.
+// Every public header needs this: C++20, the library's version, and which names a shared library shows.
 #pragma once
 
 #if __cplusplus < 202002L
 #error "ECoDS needs C++20: compile with -std=c++20 or a later standard."
-// Not a file: the compiler stops here, in place of listing what an older standard does not know.
+// Includes no file: the compiler stops here, in place of listing what an older standard does not know.
 #define ECODS_STOP "the error above"
 #include ECODS_STOP
 #endif
 
-// Part of the library's interface. A shared library hides everything else; in a static one it changes nothing.
+// CMake reads the version from here.
+#define ECODS_VERSION_MAJOR 0
+#define ECODS_VERSION_MINOR 4
+#define ECODS_VERSION_PATCH 0
+
+// Marks a part of the library's interface. A shared library hides everything else; a static one is not changed.
 #define ECODS_API [[gnu::visibility("default")]]
 
-// Inside a class that is part of it, and not part of it.
+// Marks a member of a public class that is not part of the interface.
 #define ECODS_HIDDEN [[gnu::visibility("hidden")]]

@@ -52,7 +52,8 @@ struct TrianglePair {
     friend constexpr auto operator<=>(const TrianglePair&, const TrianglePair&) = default;
 };
 
-// The questions that a test of two bodies, or a shape (hits), may leave unanswered (shape.hpp).
+// Questions that a test of two bodies, or a shape (hits), may leave unanswered (shape.hpp); and two that no test is
+// asked about: `intersects`, which every test answers, and `certify`, which meshes alone answer (NotSupported).
 enum class Question : std::uint8_t {
     relation,
     intersecting_triangles,
@@ -64,6 +65,8 @@ enum class Question : std::uint8_t {
     cast,
     cast_moving,
     hits,
+    intersects,
+    certify,
 };
 
 // The kind of a shape, by which a World picks the test for two bodies. Kind 0 is the triangle mesh; all
@@ -75,7 +78,22 @@ struct ShapeKind {
     friend constexpr auto operator<=>(const ShapeKind&, const ShapeKind&) = default;
 };
 
-// As traces and messages write them: "3.1" (slot and generation), "(3.1, 12.0)", "(7, 2)"; "mesh" or "kind 7".
+// Says which bodies are meant to meet at all. A body is in groups, and its mask names the groups that it meets. Two
+// bodies may meet if each is in a group that the other's mask names. By default a body is in the first group and meets
+// all: everything may meet. A body whose mask is zero meets nothing. (Bullet: group and mask; Box3D: category and mask
+// bits.)
+struct CollisionFilter {
+    std::uint64_t groups = 1;
+    std::uint64_t mask = ~std::uint64_t{0};
+
+    friend constexpr bool operator==(const CollisionFilter&, const CollisionFilter&) = default;
+};
+
+[[nodiscard]] constexpr bool may_meet(const CollisionFilter& a, const CollisionFilter& b) noexcept {
+    return (a.groups & b.mask) != 0 && (b.groups & a.mask) != 0;
+}
+
+// Write ids as traces and messages have them: "3.1" (slot and generation), "(3.1, 12.0)", "(7, 2)"; "mesh" or "kind 7".
 ECODS_API std::ostream& operator<<(std::ostream& out, BodyId body);
 ECODS_API std::ostream& operator<<(std::ostream& out, const BodyPair& pair);
 ECODS_API std::ostream& operator<<(std::ostream& out, const TrianglePair& pair);

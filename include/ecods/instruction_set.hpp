@@ -30,8 +30,8 @@ ECODS_API InstructionSet supported_instruction_set() noexcept;
 ECODS_API InstructionSet instruction_set() noexcept;
 
 // From now on, nothing wider than `widest` is used. Where the processor does not support `widest` either, the widest
-// that it does support is used: asking for avx512 removes the limit. Calls that are under way in other threads may end
-// as they began.
+// that it does support is used: limit_instruction_set(avx512) removes the limit. Calls that are under way in other
+// threads may end as they began.
 ECODS_API void limit_instruction_set(InstructionSet widest) noexcept;
 
 ECODS_API std::ostream& operator<<(std::ostream& out, InstructionSet set);  // "baseline", "avx2", "avx512"

@@ -1,4 +1,4 @@
-// What a body is made of.
+// Triangle meshes.
 #pragma once
 
 #include <array>
@@ -28,13 +28,13 @@ concept NumbersOf = std::ranges::contiguous_range<const Range> && std::ranges::s
 // it. Vertices that no triangle uses do not belong to it.
 class ECODS_API Mesh {
   public:
-    // Takes the lists over. Throws EmptyMesh, InvalidVertex, InvalidIndex or MeshTooLarge. Cost: one pass.
+    // Takes the lists over. Throws InvalidMesh. Cost: one pass.
     static std::shared_ptr<const Mesh> create(std::vector<Vec3> vertices, std::vector<Triangle> triangles);
 
-    // The same from numbers in the caller's memory, which are copied: of each vertex three coordinates side by side,
-    // and `stride` numbers from one vertex to the next; three indices a triangle. What follows the last vertex may be
-    // left out. Floats are taken exactly. Throws InvalidLayout, too, where the numbers do not make whole vertices and
-    // triangles; an index beyond 32 bits is an InvalidIndex as any other that is too large.
+    // Copies the caller's numbers: three coordinates of each vertex, `stride` numbers apart, and three indices of each
+    // triangle. Numbers behind the last vertex may be left out. Floats are taken exactly. Throws InvalidMesh, also
+    // where the numbers do not make whole vertices and triangles; an index beyond 32 bits is refused like any other
+    // that is too large.
     template <NumbersOf<float, double> Coordinates, NumbersOf<std::uint32_t, std::uint64_t> Indices>
     static std::shared_ptr<const Mesh> create(const Coordinates& coordinates, const Indices& indices,
                                               std::size_t stride = 3) {
@@ -45,10 +45,10 @@ class ECODS_API Mesh {
     std::span<const Vec3> vertices() const noexcept { return vertices_; }
     std::span<const Triangle> triangles() const noexcept { return triangles_; }
 
-    // Whether every vertex belongs to a triangle.
+    // Returns true if every vertex belongs to a triangle.
     bool uses_all_vertices() const noexcept { return uses_all_vertices_; }
 
-    // A hash of coordinates (bits) and indices, the same on every machine; -0.0 counts as 0.0.
+    // Returns a hash of coordinates (bits) and indices, the same on every machine; -0.0 counts as 0.0.
     std::uint64_t digest() const noexcept { return digest_; }
 
   private:

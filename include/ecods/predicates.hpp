@@ -18,6 +18,7 @@
 
 #include "ecods/export.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/results.hpp"
 
 namespace ecods {
 
@@ -25,20 +26,7 @@ using Vec2 = Eigen::Vector2d;
 
 enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
 
-// How two closed sets of points meet.
-enum class Relation : std::uint8_t {
-    // They share no point.
-    disjoint = 0,
-    // They share a point, and are not crossing. One common point suffices, and coplanar triangles (all points of
-    // both in one plane) that overlap are touching, never crossing.
-    touching = 1,
-    // Not coplanar, and some point lies in the relative interior of both (of a segment: the open segment).
-    crossing = 2,
-};
-
-// "negative", "zero", "positive"; "disjoint", "touching", "crossing".
-ECODS_API std::ostream& operator<<(std::ostream& out, Sign sign);
-ECODS_API std::ostream& operator<<(std::ostream& out, Relation relation);
+ECODS_API std::ostream& operator<<(std::ostream& out, Sign sign);  // "negative", "zero", "positive"
 
 // The point R v + t of a body.
 struct PosedPoint {
@@ -52,22 +40,22 @@ struct PosedTriangle {
     std::array<Vec3, 3> corners;
 };
 
-// The sign of det(b - a, c - a): positive when a, b, c make a left turn, zero when they are on one line.
+// Returns the sign of det(b - a, c - a): positive when a, b, c make a left turn, zero when they are on one line.
 ECODS_API Sign orient2d(const Vec2& a, const Vec2& b, const Vec2& c) noexcept;
 
-// The sign of det(b - a, c - a, d - a): positive when d is on the side of the plane abc to which
+// Returns the sign of det(b - a, c - a, d - a): positive when d is on the side of the plane abc to which
 // (b - a) x (c - a) points, zero when the four points are in one plane. (Shewchuk's orient3d has the other sign.)
 ECODS_API Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) noexcept;
 
-// orient2d of the posed points seen along an axis, 0 to 2: of their coordinates (axis + 1) mod 3 and (axis + 2) mod 3.
-// The points may be of any bodies.
+// Returns orient2d of the posed points seen along an axis, 0 to 2: of coordinates (axis + 1) mod 3 and (axis + 2) mod
+// 3. The points may be of any bodies.
 ECODS_API Sign orient2d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, int axis) noexcept;
 ECODS_API Sign orient3d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, const PosedPoint& d) noexcept;
 
-// Symmetric in its arguments and in the order of the corners. Zero-area triangles are the segments or points that
-// they span. Proper triangles that meet in one point only are touching; a segment may cross a triangle in one.
-// Source: Guigue and Devillers, Fast and Robust Triangle-Triangle Overlap Test Using Orientation Predicates, 2003,
-// derived again (src/exact/simplex/triangle_pair.hpp).
+// Returns apart, touching or crossing. Symmetric in its arguments and in the order of the corners. Zero-area triangles
+// are the segments or points that they span. Proper triangles that meet in one point only are touching; a segment may
+// cross a triangle in one. Source: Guigue and Devillers, Fast and Robust Triangle-Triangle Overlap Test Using
+// Orientation Predicates, 2003, derived again (src/exact/simplex/triangle_pair.hpp).
 ECODS_API Relation triangle_triangle(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) noexcept;
 ECODS_API Relation triangle_triangle(const PosedTriangle& a, const PosedTriangle& b) noexcept;
 

@@ -1,24 +1,24 @@
-// What a World did, as counts; and what it costs.
+// The work of a World as counts, and its costs.
 //
-// What a world costs: memory of 165 bytes a body, 55 to 66 bytes a pair whose boxes overlap and 16 for each list that
-// the pair is in, 4 while it is tested, and spare capacity for growth; beside these the broad phase's own. An update
-// before which nothing changed costs a constant, and a pair at rest costs nothing at any update: work is that of the
-// broad phase for the boxes that moved, and one two-body test for each candidate pair of which a body moved. Where a
-// collision begins or ends, what lies behind it in the list of colliding pairs is moved. A clearance costs the same a
-// second time, for boxes that reach further and pairs within it; without one it costs nothing.
+// Memory of a world: 165 bytes a body; 55 to 66 bytes a pair of overlapping boxes, 16 for each list that holds the
+// pair, 4 while it is tested; spare capacity for growth; and the broad phase's own. An update before which nothing
+// changed costs a constant, and a pair at rest costs nothing at any update: work is that of the broad phase for the
+// boxes that moved, and one two-body test for each candidate pair of which a body moved. Where a collision begins or
+// ends, what lies behind it in the list of colliding pairs is moved. A clearance costs the same a second time, for
+// boxes that reach further and pairs within it; without one it costs nothing.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
+#include "ecods/ask.hpp"
 #include "ecods/broad_phase.hpp"
-#include "ecods/intersection.hpp"
 
 namespace ecods {
 
-// What the clearance took, as counts, which are of its own pairs: those of boxes that reach half the clearance further
-// on all sides. `two_body_tests` to `visited_pairs` sum over the world's life, `broad_phase` over the time since there
-// was no clearance; the rest is as of the last update.
+// The work for the clearance. It has candidate pairs of its own: those whose boxes, enlarged by half the clearance on
+// all sides, overlap. `two_body_tests` to `visited_pairs` sum over the world's life, `broad_phase` over the time since
+// there was no clearance; the rest is as of the last update.
 struct ClearanceStatistics {
     std::uint64_t two_body_tests = 0;  // pairs asked whether they are within the clearance; colliding ones are not
     std::uint64_t cache_hits = 0;
@@ -30,7 +30,7 @@ struct ClearanceStatistics {
     std::size_t close_count = 0;
 };
 
-// What the world did, as counts. `updates` to `visited_pairs` sum over the world's life; the rest is of now.
+// The work of a world. `updates` to `visited_pairs` sum over the world's life; the rest is of now.
 struct Statistics {
     std::uint64_t updates = 0;
     std::uint64_t moved_bodies = 0;    // bodies that were new, or were given another pose or shape, at an update
@@ -38,7 +38,7 @@ struct Statistics {
     std::uint64_t cache_hits = 0;      // candidate pairs whose verdict was kept at updates
     std::uint64_t visited_pairs = 0;   // pairs that updates looked at: began, ended, or of a body that changed
     BroadPhaseCounts broad_phase;
-    QueryCounts queries;  // of mesh pairs, at updates and on request
+    QueryCounts queries;  // of mesh pairs, at updates; Ask::counts has those of questions
     ClearanceStatistics clearance;
 
     std::size_t body_count = 0;

@@ -1,7 +1,8 @@
-// A record of the calls that changed a World, to be run again by replay.hpp. A bug report is a file.
+// A trace records the calls that changed a World, and replay() runs them again. A bug report is a file.
 //
-// World::trace_to starts it, with the bodies that are in the world at that moment. From then on every call that changed
-// something is written, one line each, in the order of the calls; a call that threw is not, as it changed nothing.
+// World::trace_to starts the record, with the bodies that are in the world at that moment. From then on every call that
+// changed something is written, one line each, in the order of the calls; a call that threw is not, as it changed
+// nothing.
 // Numbers are written without loss. The text, version 1:
 //
 //     ecods-trace 1
@@ -40,30 +41,70 @@
 //     depths 0123456789abcdef
 //     solid_distances 0123456789abcdef inf             limit of distance
 //
-// A body is written as slot and generation. "update" stands in the file before the update runs, and its result is
-// added after: of a program that crashes, the last line is "update" alone. Of an update that threw it is "update
-// failed". Lines end with LF; a file whose first line ends with CR LF, as some editors write it, is read as well, and a
-// byte order mark at its beginning is passed over. reserve() is not written: it changes no answer. set_test cannot be,
-// and leaves a note.
+// A body is written as slot and generation. "update" is written before the update runs, and its result after it: if a
+// program crashes in an update, the trace ends with "update" alone. An update that threw is "update failed". Lines end
+// with LF; a file whose first line ends with CR LF, as some editors write it, is read as well, and a byte order mark at
+// its beginning is passed over. reserve() is not written: it changes no answer. set_test cannot be, and leaves a note.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <istream>
+#include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 
+#include "ecods/broad_phase.hpp"
 #include "ecods/export.hpp"
+#include "ecods/ids.hpp"
 #include "ecods/shape.hpp"
+#include "ecods/world.hpp"
 
 namespace ecods {
 
-struct TraceOptions {
-    // What is to be written of a shape of the caller's own, from which ReplayOptions::read_shape makes it again: one
-    // line. Without it, or where it says more than a line, a call that brings such a shape in throws NotSupported and
-    // changes nothing.
-    std::function<std::string(const Shape&)> write_shape = nullptr;
+struct ReplayOptions {
+    std::optional<BroadPhaseKind> broad_phase = {};  // in place of the trace's
+    std::shared_ptr<Executor> executor = nullptr;
+    bool checks_invariants = false;  // World::check_invariants() after each update
 
-    // Whether the questions above are written, too, where they are asked in the world's own memory. A question that
-    // throws is not. A replay asks them again and compares the answers.
-    bool questions = false;
+    // Called for the new world: the place for tests of the caller's own.
+    std::function<void(World&)> set_up = nullptr;
+
+    // Called after each update that has gone as it did: the place for questions about the lists. May throw, which ends
+    // the replay.
+    std::function<void(const World&)> updated = nullptr;
+
+    // Makes a shape from what TraceOptions::write_shape said. May throw.
+    std::function<std::shared_ptr<const Shape>(ShapeKind, std::string_view)> read_shape = nullptr;
 };
+
+struct ReplayReport {
+    // The first thing that is not as the trace says.
+    struct Difference {
+        std::size_t update;  // from 0: the update that differs, or that would have been next
+        std::size_t call;    // from 0
+        std::size_t line;    // from 1
+        std::string what;
+    };
+
+    // Run so far: all of the trace, or the part up to the difference.
+    std::size_t call_count = 0;
+    std::size_t update_count = 0;
+    std::size_t question_count = 0;
+    std::size_t body_count = 0;  // alive at the end
+    std::size_t colliding_count = 0;
+    std::optional<Difference> difference = {};
+};
+
+// Runs a trace until its end, or until something differs: the id of a new body (in a trace that began with an empty
+// world), the digest or the number of colliding pairs after an update, events that are not the difference of the lists
+// before and after, the answer to a question (in such a trace, too), or a broken invariant. An update without a
+// result, or that failed, is run and not compared.
+//
+// Throws InvalidTrace where the text is no trace, or where a call that it holds is refused; NotSupported for a shape of
+// the caller's own without a reader; ExecutorFailed as World::update does. Whatever the text is: memory and time are in
+// proportion to its length, and to the work of the updates in it.
+ECODS_API ReplayReport replay(std::istream& trace, const ReplayOptions& options = {});
 
 }  // namespace ecods

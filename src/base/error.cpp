@@ -3,8 +3,11 @@
 #include <array>
 #include <atomic>
 #include <charconv>
+#include <cmath>
 #include <string_view>
+#include <utility>
 
+#include "base/make_error.hpp"
 #include "base/misuse.hpp"
 
 namespace ecods {
@@ -17,7 +20,7 @@ std::string text(double x) {
     return {buffer.data(), end};
 }
 
-std::string text(const NotClosed::Coordinates& point) {
+std::string text(const NotSolid::Coordinates& point) {
     return "(" + text(point[0]) + ", " + text(point[1]) + ", " + text(point[2]) + ")";
 }
 
@@ -37,14 +40,17 @@ std::string place_text(BodyId body, ListIndex index) {
 std::string pose_entry(int row, int column) {
     const std::string r = std::to_string(row);
     if (row == 3) return "(3, " + std::to_string(column) + ")";
-    return column == 3 ? "t[" + r + "]" : "R(" + r + ", " + std::to_string(column) + ")";
+    return column == 3 ? "t(" + r + ")" : "R(" + r + ", " + std::to_string(column) + ")";
 }
 
-// Names questions by the value of the enumerator.
-constexpr std::array<std::string_view, 10> question_names = {
-    "relation",      "intersecting_triangles", "distance", "within",      "closest",
-    "intersections", "close_features",         "cast",     "cast_moving", "hits"};
-static_assert(static_cast<std::size_t>(Question::hits) + 1 == question_names.size());
+// The names of questions, by the value of the enumerator.
+constexpr std::array<std::string_view, 12> question_names = {"relation",       "intersecting_triangles",
+                                                             "distance",       "within",
+                                                             "closest",        "intersections",
+                                                             "close_features", "cast",
+                                                             "cast_moving",    "hits",
+                                                             "intersects",     "certify"};
+static_assert(static_cast<std::size_t>(Question::certify) + 1 == question_names.size());
 
 std::string name_of(Question question) {
     const auto value = static_cast<std::size_t>(question);
@@ -56,81 +62,211 @@ std::string bad_coordinate(int axis, double value) {
     return "axis " + std::to_string(axis) + ": coordinate is " + text(value) + ", not finite";
 }
 
-std::string interval(double min, double max) {
-    return "[" + text(min) + ", " + text(max) + "]";
+// Names a coordinate: "min(2)", or "(2)" where the argument is a vector itself.
+std::string coordinate(const char* vector, int axis) {
+    return std::string(vector) + "(" + std::to_string(axis) + ")";
+}
+
+// Names the end that is a NaN; otherwise the minimum, which is above the maximum.
+InvalidArgument about_box(const std::string& given, int axis, double min, double max) {
+    const bool is_max = std::isnan(max) && !std::isnan(min);
+    return {given + "[" + text(min) + ", " + text(max) + "] on axis " + std::to_string(axis), Argument::box,
+            coordinate(is_max ? "max" : "min", axis), is_max ? max : min};
+}
+
+void set_edge(NotSolid& error, const MeshEdge& edge) {
+    error.triangle = edge.triangle;
+    error.corner = edge.corner;
+    error.vertices = edge.vertices;
+}
+
+std::string not_supported_text(Question question, ShapeKind a, ShapeKind b, BodyId body) {
+    const std::string first = std::to_string(a.value), both = first + " and " + std::to_string(b.value);
+    if (question == Question::intersects) return "no two-body test is registered for shape kinds " + both;
+    if (question == Question::certify) {
+        return text(body) + " has a shape of kind " + first + ", of which there are no certificates";
+    }
+    return (question == Question::hits ? "the shape of kind " + first : "the test of shape kinds " + both) +
+           " does not answer " + name_of(question);
 }
 
 std::atomic<MisuseHandler> misuse_handler = nullptr;
 
 }  // namespace
 
-InvalidVertex::InvalidVertex(std::size_t vertex_index, int axis_index, double bad_value)
-    : Error("vertex " + std::to_string(vertex_index) + ", " + bad_coordinate(axis_index, bad_value)),
-      vertex(vertex_index),
-      axis(axis_index),
-      value(bad_value) {}
+InvalidMesh::InvalidMesh(const std::string& text, Reason why) : Error(text), reason(why) {}
 
-InvalidIndex::InvalidIndex(std::size_t triangle_index, int corner_index, std::size_t bad_value, std::size_t count)
-    : Error("triangle " + std::to_string(triangle_index) + ", corner " + std::to_string(corner_index) +
-            ": vertex index " + std::to_string(bad_value) + " is out of range; there are " + std::to_string(count) +
-            " vertices"),
-      triangle(triangle_index),
-      corner(corner_index),
-      value(bad_value),
-      vertex_count(count) {}
+InvalidMesh invalid_vertex(std::size_t vertex, int axis, double value) {
+    InvalidMesh error("vertex " + std::to_string(vertex) + ", " + bad_coordinate(axis, value),
+                      InvalidMesh::Reason::vertex);
+    error.vertex = vertex;
+    error.axis = axis;
+    error.value = value;
+    return error;
+}
 
-EmptyMesh::EmptyMesh() : Error("mesh has no triangles") {}
+InvalidMesh invalid_index(std::size_t triangle, int corner, std::size_t index, std::size_t vertex_count) {
+    InvalidMesh error("triangle " + std::to_string(triangle) + ", corner " + std::to_string(corner) +
+                          ": vertex index " + std::to_string(index) + " is out of range; there are " +
+                          std::to_string(vertex_count) + " vertices",
+                      InvalidMesh::Reason::index);
+    error.triangle = triangle;
+    error.corner = corner;
+    error.index = index;
+    error.vertex_count = vertex_count;
+    return error;
+}
 
-InvalidLayout::InvalidLayout(std::size_t number_count, std::size_t number_stride)
-    : Error(std::to_string(number_count) + " numbers, " + std::to_string(number_stride) +
-            " from one to the next, do not hold three for each vertex or triangle"),
-      count(number_count),
-      stride(number_stride) {}
+InvalidMesh empty_mesh() {
+    return {"mesh has no triangles", InvalidMesh::Reason::empty};
+}
 
-MeshTooLarge::MeshTooLarge(std::size_t vertices, std::size_t triangles)
-    : Error("mesh has " + std::to_string(vertices) + " vertices and " + std::to_string(triangles) +
-            " triangles, more than 32-bit indices can name"),
-      vertex_count(vertices),
-      triangle_count(triangles) {}
+InvalidMesh invalid_layout(std::size_t number_count, std::size_t stride) {
+    InvalidMesh error(std::to_string(number_count) + " numbers, " + std::to_string(stride) +
+                          " from one to the next, do not hold three for each vertex or triangle",
+                      InvalidMesh::Reason::layout);
+    error.number_count = number_count;
+    error.stride = stride;
+    return error;
+}
 
-NotClosed::NotClosed(std::size_t triangle_index, int corner_index, const std::array<std::size_t, 2>& ends,
-                     const std::array<Coordinates, 2>& end_points)
-    : Error("triangle " + std::to_string(triangle_index) + ": its edge from vertex " + std::to_string(ends[0]) +
-            " at " + text(end_points[0]) + " to vertex " + std::to_string(ends[1]) + " at " + text(end_points[1]) +
-            " has no other half: the mesh is not closed"),
-      triangle(triangle_index),
-      corner(corner_index),
-      vertices(ends),
-      points(end_points) {}
+InvalidMesh mesh_too_large(std::size_t vertex_count, std::size_t triangle_count) {
+    InvalidMesh error("mesh has " + std::to_string(vertex_count) + " vertices and " + std::to_string(triangle_count) +
+                          " triangles, more than 32-bit indices can name",
+                      InvalidMesh::Reason::too_large);
+    error.vertex_count = vertex_count;
+    error.triangle_count = triangle_count;
+    return error;
+}
 
-SelfIntersecting::SelfIntersecting(const TrianglePair& pair)
-    : Error("triangles " + std::to_string(pair.a) + " and " + std::to_string(pair.b) +
-            " share a segment or more that is not a side of both"),
-      triangles(pair) {}
+NotSolid::NotSolid(const std::string& text, Reason why) : Error(text), reason(why) {}
 
-NotConvex::NotConvex(std::size_t triangle_index, int corner_index, const std::array<std::size_t, 2>& ends,
-                     std::size_t beyond_index)
-    : Error("triangle " + std::to_string(triangle_index) + ", at its edge from vertex " + std::to_string(ends[0]) +
-            " to vertex " + std::to_string(ends[1]) + ": vertex " + std::to_string(beyond_index) +
-            " is beyond its plane: the solid is not convex"),
-      triangle(triangle_index),
-      corner(corner_index),
-      vertices(ends),
-      beyond(beyond_index) {}
+NotSolid open_edge(const MeshEdge& edge, const std::array<NotSolid::Coordinates, 2>& points) {
+    NotSolid error("triangle " + std::to_string(edge.triangle) + ": its edge from vertex " +
+                       std::to_string(edge.vertices[0]) + " at " + text(points[0]) + " to vertex " +
+                       std::to_string(edge.vertices[1]) + " at " + text(points[1]) +
+                       " has no other half: the mesh is not closed",
+                   NotSolid::Reason::open_edge);
+    set_edge(error, edge);
+    error.points = points;
+    return error;
+}
 
-NoInterior::NoInterior(std::size_t count)
-    : Error(count == 0 ? std::string("there are no points")
-                       : "the " + std::to_string(count) + " points lie in one plane: there is no interior"),
-      point_count(count) {}
+NotSolid self_intersection(const TrianglePair& triangles) {
+    NotSolid error("triangles " + std::to_string(triangles.a) + " and " + std::to_string(triangles.b) +
+                       " share a segment or more that is not a side of both",
+                   NotSolid::Reason::self_intersection);
+    error.triangles = triangles;
+    return error;
+}
 
-InvalidPose::InvalidPose(int row_index, int column_index, double bad_value, BodyId of_body, ListIndex list_index)
-    : Error(place_text(of_body, list_index) + "pose entry " + pose_entry(row_index, column_index) + " is " +
-            text(bad_value) + (row_index == 3 ? ", where the last row of a matrix is 0 0 0 1" : ", not finite")),
-      row(row_index),
-      column(column_index),
-      value(bad_value),
-      body(of_body),
-      index(list_index) {}
+NotSolid dent(const MeshEdge& edge, std::size_t beyond) {
+    NotSolid error("triangle " + std::to_string(edge.triangle) + ", at its edge from vertex " +
+                       std::to_string(edge.vertices[0]) + " to vertex " + std::to_string(edge.vertices[1]) +
+                       ": vertex " + std::to_string(beyond) + " is beyond its plane: the solid is not convex",
+                   NotSolid::Reason::dent);
+    set_edge(error, edge);
+    error.beyond = beyond;
+    return error;
+}
+
+NotSolid no_interior(std::size_t point_count) {
+    NotSolid error(point_count == 0
+                       ? std::string("there are no points")
+                       : "the " + std::to_string(point_count) + " points lie in one plane: there is no interior",
+                   NotSolid::Reason::no_interior);
+    error.point_count = point_count;
+    return error;
+}
+
+InvalidArgument::InvalidArgument(const std::string& text, Argument what_is_bad, std::string bad_part, double bad_value)
+    : Error(text), argument(what_is_bad), part(std::move(bad_part)), value(bad_value) {}
+
+InvalidArgument InvalidArgument::at(BodyId bad_body, ListIndex bad_index) const {
+    const std::string without_place = std::string(what()).substr(place_text(body, index).size());
+    InvalidArgument error(place_text(bad_body, bad_index) + without_place, argument, part, value);
+    error.body = bad_body;
+    error.index = bad_index;
+    error.kind = kind;
+    return error;
+}
+
+InvalidArgument invalid_pose(int row, int column, double value) {
+    const std::string part = pose_entry(row, column);
+    return {"pose entry " + part + " is " + text(value) +
+                (row == 3 ? ", where the last row of a matrix is 0 0 0 1" : ", not finite"),
+            Argument::pose, part, value};
+}
+
+InvalidArgument invalid_box(int axis, double min, double max) {
+    return about_box("the box given has ", axis, min, max);
+}
+
+InvalidArgument invalid_box(ShapeKind kind, int axis, double min, double max) {
+    InvalidArgument error =
+        about_box("shape of kind " + std::to_string(kind.value) + " gave a box with ", axis, min, max);
+    error.kind = kind;
+    return error;
+}
+
+InvalidArgument invalid_segment(int end, int axis, double value) {
+    return {"segment: end " + std::to_string(end) + ", " + bad_coordinate(axis, value), Argument::segment,
+            coordinate(end == 0 ? "a" : "b", axis), value};
+}
+
+InvalidArgument invalid_origin(int axis, double value) {
+    return {"ray: origin, " + bad_coordinate(axis, value), Argument::ray, coordinate("origin", axis), value};
+}
+
+InvalidArgument invalid_direction(int axis, double value) {
+    return {"ray: direction, " + bad_coordinate(axis, value), Argument::ray, coordinate("direction", axis), value};
+}
+
+InvalidArgument no_direction() {
+    return {"ray: direction, axis 0: coordinate is 0, as all of the direction", Argument::ray, "direction"};
+}
+
+InvalidArgument invalid_max_parameter(double value) {
+    return {"ray: the largest parameter is " + text(value), Argument::ray, "max_parameter", value};
+}
+
+InvalidArgument invalid_point(int axis, double value) {
+    return {"point, " + bad_coordinate(axis, value), Argument::point, coordinate("", axis), value};
+}
+
+InvalidArgument invalid_motion(int axis, double value) {
+    return {"motion: " + bad_coordinate(axis, value), Argument::motion, coordinate("", axis), value};
+}
+
+InvalidArgument invalid_center(int axis, double value) {
+    return {"ball: center, " + bad_coordinate(axis, value), Argument::ball, coordinate("center", axis), value};
+}
+
+InvalidArgument invalid_radius(double value) {
+    return {"ball: the radius is " + text(value), Argument::ball, "radius", value};
+}
+
+InvalidArgument invalid_distance(double value) {
+    return {"distance is " + text(value) + ", not a number from 0 that is allowed here", Argument::distance, {}, value};
+}
+
+InvalidArgument invalid_time(double value) {
+    return {"a time is negative or NaN: " + text(value), Argument::time, {}, value};
+}
+
+InvalidArgument invalid_list_length(std::size_t body_count, std::size_t pose_count) {
+    return {"a list of " + std::to_string(body_count) + " bodies came with a list of " + std::to_string(pose_count) +
+                " poses",
+            Argument::list_length, "poses", static_cast<double>(pose_count)};
+}
+
+InvalidArgument null_argument(const std::string& name) {
+    return {name + " is null", Argument::null, name};
+}
+
+InvalidArgument mesh_and_shape() {
+    return {"a body was given both a mesh and a shape", Argument::mesh_and_shape};
+}
 
 SingularPose::SingularPose(int argument_index, BodyId of_body)
     : Error(place_text(of_body, {}) + "the pose of the " + (argument_index == 0 ? "first" : "second") +
@@ -138,106 +274,23 @@ SingularPose::SingularPose(int argument_index, BodyId of_body)
       argument(argument_index),
       body(of_body) {}
 
-SolidsApart::SolidsApart(BodyId first, BodyId second)
-    : Error(first && second ? text(first) + " and " + text(second) + " share no point: there is no depth"
-                            : std::string("the solids share no point: there is no depth")),
-      a(first),
-      b(second) {}
-
-LengthMismatch::LengthMismatch(std::size_t bodies, std::size_t poses)
-    : Error("a list of " + std::to_string(bodies) + " bodies came with a list of " + std::to_string(poses) + " poses"),
-      body_count(bodies),
-      pose_count(poses) {}
-
-NullArgument::NullArgument(const std::string& argument) : Error(argument + " is null") {}
-
 StaleBody::StaleBody(BodyId stale, ListIndex list_index)
     : Error(entry_text(list_index) + text(stale) + " is not alive in this world"), body(stale), index(list_index) {}
 
-MovedFromWorld::MovedFromWorld() : Error("the world was moved from") {}
-
-MeshAndShape::MeshAndShape() : Error("a body was given both a mesh and a shape") {}
-
 SameBody::SameBody(BodyId same) : Error(text(same) + " was given twice where a pair was asked for"), body(same) {}
 
-MissingTest::MissingTest(ShapeKind first, ShapeKind second)
-    : Error("no two-body test is registered for shape kinds " + std::to_string(first.value) + " and " +
-            std::to_string(second.value)),
-      a(first),
-      b(second) {}
+MovedFromWorld::MovedFromWorld() : Error("the world was moved from") {}
 
-NotSupported::NotSupported(Question asked, ShapeKind first, ShapeKind second)
-    : Error((asked == Question::hits
-                 ? "the shape of kind " + std::to_string(first.value)
-                 : "the test of shape kinds " + std::to_string(first.value) + " and " + std::to_string(second.value)) +
-            " does not answer " + name_of(asked)),
-      question(asked),
-      a(first),
-      b(second) {}
+NotSupported::NotSupported(Question asked, ShapeKind first, ShapeKind second, BodyId of_body)
+    : Error(not_supported_text(asked, first, second, of_body)), question(asked), a(first), b(second), body(of_body) {}
 
-InvalidBox::InvalidBox(ShapeKind of_kind, int axis_index, double box_min, double box_max, BodyId of_body,
-                       ListIndex list_index)
-    : Error(place_text(of_body, list_index) + "shape of kind " + std::to_string(of_kind.value) + " gave a box with " +
-            interval(box_min, box_max) + " on axis " + std::to_string(axis_index)),
-      kind(of_kind),
-      axis(axis_index),
-      min(box_min),
-      max(box_max),
-      body(of_body),
-      index(list_index) {}
-
-InvalidBox::InvalidBox(int axis_index, double box_min, double box_max)
-    : Error("the box given has " + interval(box_min, box_max) + " on axis " + std::to_string(axis_index)),
-      axis(axis_index),
-      min(box_min),
-      max(box_max) {}
-
-InvalidSegment::InvalidSegment(int end_index, int axis_index, double bad_value)
-    : Error("segment: end " + std::to_string(end_index) + ", " + bad_coordinate(axis_index, bad_value)),
-      end(end_index),
-      axis(axis_index),
-      value(bad_value) {}
-
-InvalidRay::InvalidRay(Part bad_part, int axis_index, double bad_value)
-    : Error(bad_part == Part::parameter_max
-                ? "ray: the largest parameter is " + text(bad_value)
-                : "ray: " + std::string(bad_part == Part::origin ? "origin" : "direction") + ", axis " +
-                      std::to_string(axis_index) + ": coordinate is " + text(bad_value) +
-                      (bad_value == 0 ? ", as all of the direction" : ", not finite")),
-      part(bad_part),
-      axis(axis_index),
-      value(bad_value) {}
-
-InvalidMotion::InvalidMotion(int axis_index, double bad_value)
-    : Error("motion: " + bad_coordinate(axis_index, bad_value)), axis(axis_index), value(bad_value) {}
-
-InvalidPoint::InvalidPoint(int axis_index, double bad_value)
-    : Error("point, " + bad_coordinate(axis_index, bad_value)), axis(axis_index), value(bad_value) {}
-
-InvalidBall::InvalidBall(int axis_index, double bad_value)
-    : Error(axis_index == 3 ? "ball: the radius is " + text(bad_value)
-                            : "ball: center, " + bad_coordinate(axis_index, bad_value)),
-      axis(axis_index),
-      value(bad_value) {}
-
-InvalidTime::InvalidTime(double time) : Error("a time is negative or NaN: " + text(time)), value(time) {}
-
-InvalidDistance::InvalidDistance(double bad_value)
-    : Error("distance is " + text(bad_value) + ", not a number from 0 that is allowed here"), value(bad_value) {}
+NotUpdated::NotUpdated() : Error("the world changed since its last update") {}
 
 ShapeChanged::ShapeChanged(BodyId of_body, ShapeKind of_kind, const std::string& what_changed)
     : Error(text(of_body) + ": its shape, of kind " + std::to_string(of_kind.value) + ", changed its " + what_changed +
             " while the body had it"),
       body(of_body),
       kind(of_kind) {}
-
-NotUpdated::NotUpdated() : Error("the world changed since its last update") {}
-
-NotCertified::NotCertified(BodyId certified, ShapeKind shape_kind)
-    : Error(text(certified) + " has a shape of kind " + std::to_string(shape_kind.value) +
-            ", of which there are no certificates"),
-      body(certified),
-      kind(shape_kind) {}
 
 TraceFailed::TraceFailed() : Error("the stream of the trace failed; the trace ends before its time") {}
 

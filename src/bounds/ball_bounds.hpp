@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bounds/segment_bounds.hpp"
-#include "ecods/ball.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods {
 

@@ -5,7 +5,7 @@
 #include "base/double_key.hpp"
 #include "base/next.hpp"
 #include "bounds/scaled_pose.hpp"
-#include "ecods/aabb.hpp"
+#include "ecods/primitives.hpp"
 #include "exact/point/point.hpp"
 #include "geometry/used_vertices.hpp"
 

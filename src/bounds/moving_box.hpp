@@ -10,8 +10,7 @@
 
 #include "base/double_key.hpp"
 #include "base/next.hpp"
-#include "ecods/aabb.hpp"
-#include "ecods/segment.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods {
 

@@ -12,8 +12,8 @@
 #include <array>
 #include <cstddef>
 
-#include "ecods/aabb.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/primitives.hpp"
 #include "exact/number/power.hpp"
 
 namespace ecods {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "ecods/segment.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods {
 

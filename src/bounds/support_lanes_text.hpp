@@ -187,10 +187,10 @@ ECODS_ALWAYS_INLINE bool find_ends(const TableView& table, const Rows<V>& rows, 
         sum_max = larger(sum_max, sum + absolute(rows.t[row]));
     }
     const V factor_max = larger(size_max, none + table.v_max_of_all);
-    // This is point_error_bound.
+    constexpr double least = exact::underflow_of_points;  // as in exact::point_error_bound
     const V underflow =
-        either(is_less(factor_max, none + 0x1p19), none + 0x1p-1000, 0x1p-1000 + 0x1p-1000 * factor_max);
-    const V delta = 4.25 * double_u * sum_max + underflow;
+        either(is_less(factor_max, none + exact::small_factor), none + least, least + least * factor_max);
+    const V delta = exact::error_of_sum * sum_max + underflow;
     const auto is_low = is_less(sum_max, none + sum_limit) & is_less(size_max, none + size_limit);
     if (!all(is_low & is_less(unscaled_min + unscaled_min * factor_max, delta))) return false;
     for (int row = 0; row < 3; ++row) {

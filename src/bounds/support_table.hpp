@@ -14,8 +14,8 @@
 #include <span>
 
 #include "bounds/local_frame.hpp"
-#include "ecods/aabb.hpp"
 #include "ecods/mesh.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods {
 

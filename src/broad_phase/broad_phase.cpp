@@ -103,7 +103,7 @@ class ListingBroadPhase final : public BroadPhase {
     const BroadPhaseCounts& counts() const noexcept override { return tracker_.counts(); }
     std::size_t bytes() const noexcept override { return tracker_.bytes() + pairs_.bytes(); }
 
-    void validate() const override {
+    void check_invariants() const override {
         tracker_.validate();
         PairList pairs = pairs_;
         validate_pairs(tracker_.table(), pairs.sorted(), began(), ended());

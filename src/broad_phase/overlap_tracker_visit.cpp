@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "base/limits.hpp"
+#include "base/make_error.hpp"
 #include "broad_phase/boxes/along_walk.hpp"
 #include "broad_phase/boxes/near_walk.hpp"
 #include "broad_phase/overlap_tracker.hpp"
-#include "ecods/error.hpp"
-#include "ecods/motion.hpp"
+#include "ecods/pose.hpp"
 #include "geometry/box_distance.hpp"
 #include "geometry/find_invalid.hpp"
 
@@ -82,14 +82,14 @@ void OverlapTracker::visit_along(const Segment& segment, const std::function<dou
 
 void OverlapTracker::visit_along(const Ray& ray, const std::function<double(ProxyIndex)>& visit) const {
     ecods::validate(ray);
-    visit_along(MovingBox(ray), ray.parameter_max, visit);
+    visit_along(MovingBox(ray), ray.max_parameter, visit);
 }
 
 void OverlapTracker::visit_along(const Aabb& box, const Vec3& motion, double limit,
                                  const std::function<double(ProxyIndex)>& visit) const {
     ecods::validate(box);
     validate_motion(motion);
-    if (!is_from_zero(limit)) throw InvalidTime(limit);
+    if (!is_from_zero(limit)) throw invalid_time(limit);
     visit_along(MovingBox(box, motion), limit, visit);
 }
 

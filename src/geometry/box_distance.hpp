@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ecods/aabb.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <tuple>
 
-#include "ecods/closest_points.hpp"
+#include "ecods/results.hpp"
 
 namespace ecods {
 

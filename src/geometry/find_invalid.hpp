@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "ecods/aabb.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/primitives.hpp"
 #include "simd/vec.hpp"
 
 namespace ecods {
@@ -51,7 +51,7 @@ inline std::optional<InvalidEntry> find_invalid(const Pose& pose) {
     return std::nullopt;
 }
 
-// Throws InvalidBox unless min <= max on each axis, which no NaN is.
-void validate(const Aabb& box);
+// Throws InvalidArgument if a coordinate of the vector is not finite.
+void validate_motion(const Vec3& motion);
 
 }  // namespace ecods

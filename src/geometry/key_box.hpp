@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "base/double_key.hpp"
-#include "ecods/aabb.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods {
 

@@ -1,7 +1,7 @@
 // A Line is a segment or a ray as one type: the part of a line that a question is about.
 #pragma once
 
-#include "ecods/segment.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods {
 
@@ -9,7 +9,7 @@ namespace ecods {
 // double, and the end is 1; for a ray d is b itself.
 struct Line {
     explicit Line(const Segment& segment) : a(segment.a), b(segment.b), end(1), is_ray(false) {}
-    explicit Line(const Ray& ray) : a(ray.origin), b(ray.direction), end(ray.parameter_max), is_ray(true) {}
+    explicit Line(const Ray& ray) : a(ray.origin), b(ray.direction), end(ray.max_parameter), is_ray(true) {}
 
     Vec3 a;
     Vec3 b;

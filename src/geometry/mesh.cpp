@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/hash.hpp"
-#include "ecods/error.hpp"
+#include "base/make_error.hpp"
 #include "geometry/find_invalid.hpp"
 
 namespace ecods {
@@ -14,23 +14,23 @@ namespace {
 
 void require_counts(std::size_t vertex_count, std::size_t triangle_count) {
     constexpr std::size_t count_max = std::numeric_limits<std::uint32_t>::max();
-    if (triangle_count == 0) throw EmptyMesh();
-    if (vertex_count > count_max || triangle_count > count_max) throw MeshTooLarge(vertex_count, triangle_count);
+    if (triangle_count == 0) throw empty_mesh();
+    if (vertex_count > count_max || triangle_count > count_max) throw mesh_too_large(vertex_count, triangle_count);
 }
 
 void require_finite(std::span<const Vec3> vertices) {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         for (int axis = 0; axis < 3; ++axis) {
-            if (!is_finite(vertices[i][axis])) throw InvalidVertex(i, axis, vertices[i][axis]);
+            if (!is_finite(vertices[i][axis])) throw invalid_vertex(i, axis, vertices[i][axis]);
         }
     }
 }
 
 // Returns the number of groups of three numbers, `stride` apart.
 std::size_t count_groups(std::size_t number_count, std::size_t stride) {
-    if (stride < 3) throw InvalidLayout(number_count, stride);
+    if (stride < 3) throw invalid_layout(number_count, stride);
     const std::size_t rest = number_count % stride;
-    if (rest != 0 && rest < 3) throw InvalidLayout(number_count, stride);
+    if (rest != 0 && rest < 3) throw invalid_layout(number_count, stride);
     return number_count / stride + (rest != 0);
 }
 
@@ -58,7 +58,7 @@ std::vector<Vec3> vertices_of(std::span<const Coordinate> numbers, std::size_t s
 }
 
 std::uint32_t checked_index(std::uint64_t value, std::size_t triangle, std::size_t corner, std::size_t vertex_count) {
-    if (value >= vertex_count) throw InvalidIndex(triangle, static_cast<int>(corner), value, vertex_count);
+    if (value >= vertex_count) throw invalid_index(triangle, static_cast<int>(corner), value, vertex_count);
     return static_cast<std::uint32_t>(value);
 }
 
@@ -79,7 +79,7 @@ struct Lists {
 template <class Coordinate, class Index>
 Lists lists_of(std::span<const Coordinate> coordinates, std::span<const Index> indices, std::size_t stride) {
     const std::size_t vertex_count = count_groups(coordinates.size(), stride);
-    if (indices.size() % 3 != 0) throw InvalidLayout(indices.size(), 3);
+    if (indices.size() % 3 != 0) throw invalid_layout(indices.size(), 3);
     require_counts(vertex_count, indices.size() / 3);
     Lists lists{.vertices = vertices_of(coordinates, stride, vertex_count), .triangles = {}};
     require_finite(lists.vertices);

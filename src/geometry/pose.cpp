@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "ecods/error.hpp"
+#include "base/make_error.hpp"
 #include "geometry/find_invalid.hpp"
 
 namespace ecods {
@@ -18,12 +18,12 @@ void Pose::require_last_row(double x, double y, double z, double w) {
     for (int column = 0; column < 4; ++column) {
         const auto bits = std::bit_cast<std::uint64_t>(row[column]);
         const bool is_right = column == 3 ? bits == std::bit_cast<std::uint64_t>(1.0) : bits << 1 == 0;
-        if (!is_right) throw InvalidPose(3, column, row[column]);
+        if (!is_right) throw invalid_pose(3, column, row[column]);
     }
 }
 
 void validate(const Pose& pose) {
-    if (const auto bad = find_invalid(pose)) throw InvalidPose(bad->row, bad->column, bad->value);
+    if (const auto bad = find_invalid(pose)) throw invalid_pose(bad->row, bad->column, bad->value);
 }
 
 }  // namespace ecods

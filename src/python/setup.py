@@ -18,7 +18,7 @@ BUILD = ROOT / "build" / "python"
 
 
 def version():
-    text = (ROOT / "include" / "ecods" / "version.hpp").read_text()
+    text = (ROOT / "include" / "ecods" / "export.hpp").read_text()
     return ".".join(re.findall(r"#define ECODS_VERSION_\w+ (\d+)", text))
 
 

@@ -13,7 +13,8 @@ sys.path.pop(0)  # this file's folder, where the package lacks its module
 import ecods  # noqa: E402
 from ecods.refusals import split  # noqa: E402
 
-TAKEN = {"numpy.ndarray": "ArrayLike", "object": "ArrayLike", "Posed": "Posed | Mesh"}
+TAKEN = {"numpy.ndarray": "ArrayLike", "object": "ArrayLike", "Posed": "Posed | Mesh",
+         "Union[int, Posed]": "int | Posed | Mesh"}
 PYTHON = ["CollisionManager", "ContactData", "DistanceData"]
 GIVEN = {"object": "Any", "dict": "dict[str, Any]"}
 

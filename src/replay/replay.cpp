@@ -1,4 +1,4 @@
-#include "ecods/replay.hpp"
+#include "ecods/trace.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -156,9 +156,9 @@ void Replayer::take(const TracedUpdate& update) {
                " did");
     }
     compare_events(before, after);
-    if (options_.validates) {
+    if (options_.checks_invariants) {
         try {
-            world_.validate();
+            world_.check_invariants();
         } catch (const Error& error) {
             differ(error.what());
         }

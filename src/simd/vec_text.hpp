@@ -76,21 +76,23 @@ ECODS_ALWAYS_INLINE V shuffle(V v) noexcept {
     return __builtin_shufflevector(v, v, index...);
 }
 
-// Returns the bits that are set in any lane. Lanes are integers of 32 or 64 bits, two or more.
+// The bits that are set in either half of 256 bits; 128 bits as they are.
+template <IsVec V>
+ECODS_ALWAYS_INLINE Vec<std::uint64_t, 2> join_halves(V v) noexcept {
+    const auto words = bits_as<Vec<std::uint64_t, static_cast<int>(sizeof(V) / 8)>>(v);
+    if constexpr (sizeof(V) == 32) {
+        return __builtin_shufflevector(words, words, 0, 1) | __builtin_shufflevector(words, words, 2, 3);
+    } else {
+        return words;
+    }
+}
+
+// The bits that are set in any lane. Lanes are integers of 32 or 64 bits, two or more.
 template <IsVec V>
 ECODS_ALWAYS_INLINE LaneType<V> any_bits(V v) noexcept {
     static_assert(std::is_integral_v<LaneType<V>> && sizeof(LaneType<V>) >= 4);
-    using Words = Vec<std::uint64_t, static_cast<int>(sizeof(V) / 8)>;
-    const Words words = bits_as<Words>(v);
-    std::uint64_t bits;
-    if constexpr (sizeof(V) == 32) {
-        const Vec<std::uint64_t, 2> half =
-            __builtin_shufflevector(words, words, 0, 1) | __builtin_shufflevector(words, words, 2, 3);
-        bits = half[0] | half[1];
-    } else {
-        static_assert(sizeof(V) == 16);
-        bits = words[0] | words[1];
-    }
+    const auto words = join_halves(v);
+    std::uint64_t bits = words[0] | words[1];
     if constexpr (sizeof(LaneType<V>) == 4) bits |= bits >> 32;
     return static_cast<LaneType<V>>(bits);
 }
@@ -100,15 +102,7 @@ ECODS_ALWAYS_INLINE LaneType<V> any_bits(V v) noexcept {
 template <IsVec V>
 ECODS_ALWAYS_INLINE bool any(V mask) noexcept {
 #if defined(__SSE2__)
-    if constexpr (sizeof(V) == 32) {
-        const auto lanes = bits_as<Vec<std::uint64_t, 4>>(mask);
-        const Vec<std::uint64_t, 2> half =
-            __builtin_shufflevector(lanes, lanes, 0, 1) | __builtin_shufflevector(lanes, lanes, 2, 3);
-        return __builtin_ia32_movmskps(bits_as<Vec<float, 4>>(half)) != 0;
-    } else {
-        static_assert(sizeof(V) == 16);
-        return __builtin_ia32_movmskps(bits_as<Vec<float, 4>>(mask)) != 0;
-    }
+    return __builtin_ia32_movmskps(bits_as<Vec<float, 4>>(join_halves(mask))) != 0;
 #else
     return any_bits(mask) != 0;
 #endif

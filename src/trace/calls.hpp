@@ -29,10 +29,10 @@
 #include <variant>
 #include <vector>
 
-#include "ecods/collision_filter.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/shape.hpp"
+#include "ecods/world_options.hpp"
 
 namespace ecods::calls {
 

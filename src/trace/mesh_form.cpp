@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ecods/convex_solid.hpp"
+#include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
 
 namespace ecods {

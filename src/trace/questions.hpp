@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "ecods/segment.hpp"
+#include "ecods/primitives.hpp"
 #include "trace/calls.hpp"
 
 namespace ecods::calls {
@@ -71,15 +71,15 @@ struct Cast {
     std::uint64_t answer;
     typename Names::Body body;
     Vec3 motion;
-    double time_max;
+    double max_time;
 
     static void fields(auto&& each, auto&... call) {
         each.answer(call.answer...);
         each.body(call.body...);
         each.motion(call.motion...);
-        each.number(call.time_max...);
+        each.number(call.max_time...);
     }
-    auto ask(auto& world) const { return world.cast(body, motion, time_max); }
+    auto ask(auto& world) const { return world.cast(body, motion, max_time); }
 };
 
 template <class Names>

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "ecods/collision_filter.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/world_options.hpp"
 #include "trace/trace_text.hpp"
 
 namespace ecods {

@@ -52,7 +52,7 @@ void FieldReader::line(Segment& segment) {
 void FieldReader::line(Ray& ray) {
     ray.origin = lines_.point();
     ray.direction = lines_.point();
-    ray.parameter_max = lines_.number();
+    ray.max_parameter = lines_.number();
 }
 
 void FieldReader::posed_bodies(std::vector<calls::Label>& bodies, std::vector<Pose>& poses) {

@@ -25,40 +25,6 @@ std::optional<Number> parse_chars(std::string_view word, How... how) {
 
 }  // namespace
 
-void append(std::string& text, Hex x) {
-    append_hex(text, x.value);
-}
-
-void append(std::string& text, double x) {
-    append_hex(text, x);
-}
-
-void append(std::string& text, std::string_view word) {
-    text.append(word);
-}
-
-void append(std::string& text, BodyId body) {
-    append(text, std::uint64_t{body.slot});
-    text.push_back('.');
-    append(text, std::uint64_t{body.generation});
-}
-
-void append(std::string& text, const Vec3& point) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (axis != 0) text.push_back(' ');
-        append_hex(text, point[axis]);
-    }
-}
-
-void append(std::string& text, const Pose& pose) {
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 4; ++column) {
-            if (row + column != 0) text.push_back(' ');
-            append_hex(text, column == 3 ? pose.t[row] : pose.R(row, column));
-        }
-    }
-}
-
 std::optional<double> parse_hex_double(std::string_view word) {
     const bool is_negative = word.starts_with('-');
     if (is_negative) word.remove_prefix(1);

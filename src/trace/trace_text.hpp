@@ -6,25 +6,13 @@
 #include <string>
 #include <string_view>
 
-#include "base/number_text.hpp"
 #include "ecods/broad_phase.hpp"
 #include "ecods/ids.hpp"
-#include "ecods/pose.hpp"
+#include "geometry/words.hpp"
 
 namespace ecods {
 
 inline constexpr std::string_view trace_header = "ecods-trace 1";
-
-struct Hex {
-    std::uint64_t value;
-};
-
-void append(std::string& text, Hex x);
-void append(std::string& text, double x);
-void append(std::string& text, std::string_view word);
-void append(std::string& text, BodyId body);
-void append(std::string& text, const Vec3& point);
-void append(std::string& text, const Pose& pose);
 
 // A body as a trace names it: by slot and generation in the world that wrote the trace. These are no id in any other
 // world.

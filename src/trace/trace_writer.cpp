@@ -1,6 +1,5 @@
 #include "trace/trace_writer.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "ecods/error.hpp"
@@ -11,39 +10,21 @@ namespace ecods {
 TraceWriter::TraceWriter(std::ostream& out, TraceOptions options) : out_(&out), options_(std::move(options)) {}
 
 void TraceWriter::put_text() {
-    out_->write(text_.data(), static_cast<std::streamsize>(text_.size()));
+    write_text(*out_, text_);
     text_.clear();
 }
 
-// Replaces the space after the last word by a newline, and writes the line.
 void TraceWriter::end_line() {
-    text_.back() = '\n';
+    ecods::end_line(text_);
     put_text();
-}
-
-void TraceWriter::FieldWriter::clearance(std::optional<double> clearance) const {
-    clearance ? writer.put_words(*clearance) : writer.put_words("none");
-}
-
-void TraceWriter::FieldWriter::number(double number) const {
-    std::isinf(number) ? writer.put_words("inf") : writer.put_words(number);
-}
-
-void TraceWriter::FieldWriter::line(const Ray& ray) const {
-    writer.put_words(ray.origin, ray.direction);
-    number(ray.parameter_max);
-}
-
-void TraceWriter::FieldWriter::optional_filter(const std::optional<CollisionFilter>& optional) const {
-    optional ? filter(*optional) : writer.put_words("none");
 }
 
 // Writes one line for each item, so that a long list takes no memory.
 void TraceWriter::FieldWriter::posed_bodies(std::span<const BodyId> bodies, std::span<const Pose> poses) const {
-    writer.put_words(std::uint64_t{bodies.size()});
+    put(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         writer.end_line();
-        writer.put_words("p", bodies[i], poses[i]);
+        put("p", bodies[i], poses[i]);
     }
 }
 
@@ -96,7 +77,7 @@ std::uint64_t TraceWriter::number_of(const std::shared_ptr<const Shape>& shape) 
     if (mesh_shape != nullptr) {
         put_mesh(form, mesh_shape->mesh(), number);
     } else {
-        put_line("shape", number, std::uint64_t{shape->kind().value}, std::string_view(text));
+        put_line("shape", number, shape->kind().value, std::string_view(text));
     }
     return number;
 }
@@ -104,9 +85,7 @@ std::uint64_t TraceWriter::number_of(const std::shared_ptr<const Shape>& shape) 
 void TraceWriter::put_mesh(MeshForm form, const Mesh& mesh, std::uint64_t number) noexcept {
     put_line(mesh_form_names[static_cast<std::size_t>(form)], number, mesh.vertices().size(), mesh.triangles().size());
     for (const Vec3& v : mesh.vertices()) put_line("v", v);
-    for (const Triangle& t : mesh.triangles()) {
-        put_line("t", std::uint64_t{t[0]}, std::uint64_t{t[1]}, std::uint64_t{t[2]});
-    }
+    for (const Triangle& t : mesh.triangles()) put_line("t", t[0], t[1], t[2]);
 }
 
 std::string TraceWriter::text_of(const Shape& shape) const {

@@ -12,7 +12,7 @@
 #include <unordered_map>
 
 #include "ecods/broad_phase.hpp"
-#include "ecods/trace.hpp"
+#include "ecods/world_options.hpp"
 #include "trace/mesh_form.hpp"
 #include "trace/questions.hpp"
 #include "trace/trace_text.hpp"
@@ -40,7 +40,7 @@ class TraceWriter {
     void write(const Arguments&... arguments) noexcept {
         const Row<calls::Tracing> call{arguments...};
         guarded([&] {
-            put_words(call.name);
+            append_words(text_, call.name);
             call.fields(FieldWriter{*this}, call);
             end_line();
         });
@@ -61,24 +61,29 @@ class TraceWriter {
     struct FieldWriter {
         TraceWriter& writer;
 
-        void created(BodyId body) const { writer.put_words(body); }
-        void destroyed(BodyId body) const { writer.put_words(body); }
-        void body(BodyId body) const { writer.put_words(body); }
-        void other_body(BodyId body) const { writer.put_words(body); }
-        void shape(std::uint64_t number) const { writer.put_words(number); }
-        void pose(const Pose& pose) const { writer.put_words(pose); }
+        void created(BodyId body) const { put(body); }
+        void destroyed(BodyId body) const { put(body); }
+        void body(BodyId body) const { put(body); }
+        void other_body(BodyId body) const { put(body); }
+        void shape(std::uint64_t number) const { put(number); }
+        void pose(const Pose& pose) const { put(pose); }
         void posed_bodies(std::span<const BodyId> bodies, std::span<const Pose> poses) const;
-        void filter(const CollisionFilter& filter) const { writer.put_words(Hex{filter.groups}, Hex{filter.mask}); }
-        void flag(bool flag) const { writer.put_words(std::uint64_t{flag}); }
-        void data(std::uint64_t data) const { writer.put_words(Hex{data}); }
-        void clearance(std::optional<double> clearance) const;
-        void answer(std::uint64_t digest) const { writer.put_words(Hex{digest}); }
-        void line(const Segment& segment) const { writer.put_words(segment.a, segment.b); }
-        void line(const Ray& ray) const;
-        void motion(const Vec3& motion) const { writer.put_words(motion); }
-        void point(const Vec3& point) const { writer.put_words(point); }
-        void number(double number) const;
-        void optional_filter(const std::optional<CollisionFilter>& filter) const;
+        void filter(const CollisionFilter& filter) const { put(filter); }
+        void flag(bool flag) const { put(std::uint64_t{flag}); }
+        void data(std::uint64_t data) const { put(Hex{data}); }
+        void clearance(const std::optional<double>& clearance) const { put(clearance); }
+        void answer(std::uint64_t digest) const { put(Hex{digest}); }
+        void line(const Segment& segment) const { put(segment.a, segment.b); }
+        void line(const Ray& ray) const { put(ray.origin, ray.direction, ray.max_parameter); }
+        void motion(const Vec3& motion) const { put(motion); }
+        void point(const Vec3& point) const { put(point); }
+        void number(double number) const { put(number); }
+        void optional_filter(const std::optional<CollisionFilter>& filter) const { put(filter); }
+
+        template <class... Words>
+        void put(const Words&... words) const {
+            append_words(writer.text_, words...);
+        }
     };
 
     // Calls `act`, unless writing failed before. An exception that `act` throws counts as a failure.
@@ -94,17 +99,13 @@ class TraceWriter {
         }
     }
     template <class... Words>
-    void put_words(const Words&... words) {
-        ((append(text_, words), text_.push_back(' ')), ...);
-    }
-    template <class... Words>
     void put_line(const Words&... words) noexcept {
         guarded([&] {
-            put_words(words...);
+            append_words(text_, words...);
             end_line();
         });
     }
-    void end_line();
+    void end_line();  // and writes it
     void put_text();
     void put_mesh(MeshForm form, const Mesh& mesh, std::uint64_t number) noexcept;
     std::string text_of(const Shape& shape) const;

@@ -1,5 +1,5 @@
-// Digests of what a world answers, for traces: answers with equal bits, about bodies of equal slots and generations,
-// have equal ones.
+// Hashes the answers of a world, for traces. Answers with equal bits, about bodies with equal slots and generations,
+// have equal digests.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/hash.hpp"
-#include "ecods/world_answers.hpp"
+#include "ecods/results.hpp"
 
 namespace ecods {
 

@@ -1,4 +1,5 @@
-// The bodies of a world: their places, and what their owner set. Their boxes are in the overlap tracker.
+// Bodies holds the bodies of a world in slots, with everything that the caller set for them. The overlap tracker has
+// their boxes.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +11,24 @@
 #include <span>
 #include <vector>
 
-#include "ecods/convex_solid.hpp"
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "ecods/world.hpp"
 #include "trace/mesh_form.hpp"
 #include "world/disabled_pairs.hpp"
 
 namespace ecods {
 
-// A place for a body. Slot numbers are the broad phase's proxies; id.slot is one more.
+// A slot holds one body at a time, or is free. Its number is the proxy of the body in the broad phase; BodyId::slot is
+// one more.
 struct Slot {
     static constexpr std::uint16_t generation_max = std::numeric_limits<std::uint16_t>::max();
 
     std::uint16_t generation = 0;
-    bool answers_hits = false;          // the shape
-    MeshForm form = MeshForm::surface;  // of the shape, if it is a mesh; of others, surface
+    bool answers_hits = false;          // true if the shape answers Question::hits
+    MeshForm form = MeshForm::surface;  // surface also for a shape that is not a mesh
     ShapeKind kind;
-    std::shared_ptr<const Shape> shape;  // null: free
+    std::shared_ptr<const Shape> shape;  // null: the slot is free
     Pose pose;
     CollisionFilter filter;
     std::uint64_t user_data = 0;
@@ -35,7 +38,7 @@ struct Slot {
     Posed<Shape> posed() const noexcept { return {*shape, pose}; }
     void put(std::shared_ptr<const Shape> new_shape) noexcept;
 
-    // The shape as a solid, as a convex solid, or null.
+    // Return the shape as a Solid and as a ConvexSolid; null if it is none.
     const Solid* solid() const noexcept {
         return form != MeshForm::surface ? static_cast<const Solid*>(shape.get()) : nullptr;
     }
@@ -46,7 +49,7 @@ struct Slot {
 
 class Bodies {
   public:
-    // Gives these ids first (WorldOptions::ids). Throws StaleBody.
+    // Gives these ids to the first bodies (WorldOptions::ids). Throws StaleBody.
     explicit Bodies(std::span<const BodyId> first_ids);
 
     // ---- ids
@@ -59,21 +62,21 @@ class Bodies {
             refuse_stale(body, index);
         return body.slot - 1;
     }
-    ProxyPair require_pair(BodyId a, BodyId b) const;  // ... and SameBody; ascending
+    ProxyPair require_pair(BodyId a, BodyId b) const;  // throws StaleBody, SameBody; ascending
     BodyId id_of(ProxyIndex proxy) const noexcept { return {proxy + 1, slots_[proxy].generation, world_number_}; }
     BodyPair ids_of(ProxyPair pair) const noexcept { return {id_of(pair.a), id_of(pair.b)}; }
-    std::vector<BodyId> ids() const;       // of the living, ascending
-    std::vector<BodyId> next_ids() const;  // of those to come
+    std::vector<BodyId> ids() const;       // all living bodies, ascending
+    std::vector<BodyId> next_ids() const;  // see World::next_ids
 
     // ---- slots, free ones included
     const Slot& operator[](ProxyIndex proxy) const noexcept { return slots_[proxy]; }
     Slot& operator[](ProxyIndex proxy) noexcept { return slots_[proxy]; }
-    // The body as a solid, or as a convex one. Throw NotSupported.
+    // Return the body as a solid and as a convex solid. Throw NotSupported if it is none.
     Posed<Solid> solid_at(ProxyIndex proxy) const { return posed(proxy, slots_[proxy].solid(), "solid"); }
     Posed<ConvexSolid> convex_at(ProxyIndex proxy) const {
         return posed(proxy, slots_[proxy].convex(), "convex solid");
     }
-    ProxyIndex end() const noexcept { return static_cast<ProxyIndex>(slots_.size()); }  // slots are below
+    ProxyIndex end() const noexcept { return static_cast<ProxyIndex>(slots_.size()); }  // one past the last slot
     void prefetch(ProxyPair pair) const noexcept {
         constexpr std::size_t line_size = 64;
         for (const Slot* const slot : {&slots_[pair.a], &slots_[pair.b]}) {
@@ -84,38 +87,38 @@ class Bodies {
     }
     std::size_t alive_count() const noexcept { return slots_.size() - free_slots_.size() - retired_count_; }
 
-    // ---- coming, changing and going: first what may throw, then what does not
+    // ---- creation, change and destruction: call what may throw first, then the noexcept functions
     void reserve(std::size_t count);
-    ProxyIndex make_slot(ShapeKind kind);  // the free slot that create() takes next, of a body of this kind
-    void trim() noexcept;  // after an update: gives back memory for slots, where an eighth of them is new
+    ProxyIndex make_slot(ShapeKind kind);  // returns the free slot that create() will take, for a body of this kind
+    void trim() noexcept;                  // gives back spare memory when the slots have grown by an eighth
     void create(const BodyOptions& options, std::shared_ptr<const Shape> shape) noexcept;
-    void make_room_for(ShapeKind kind) { kind_counts_[kind]; }  // before set_shape()
+    void make_room_for(ShapeKind kind) { kind_counts_[kind]; }  // call it before set_shape()
     void set_shape(ProxyIndex proxy, std::shared_ptr<const Shape> shape) noexcept;
     void make_room_to_destroy();
     void destroy(ProxyIndex proxy) noexcept;
 
-    // ---- which pairs are tested at all
+    // ---- pairs that are filtered out
     bool is_enabled(ProxyPair pair) const noexcept {
         return may_meet(slots_[pair.a].filter, slots_[pair.b].filter) && !disabled_.contains(pair);
     }
     DisabledPairs& disabled() noexcept { return disabled_; }
     const DisabledPairs& disabled() const noexcept { return disabled_; }
 
-    std::size_t solid_count() const noexcept { return solid_count_; }  // of the living
+    std::size_t solid_count() const noexcept { return solid_count_; }  // living bodies that are solids
 
-    // How many of each kind live. Some may be 0.
+    // Returns the number of living bodies of each kind. A number may be 0.
     const std::map<ShapeKind, std::size_t>& kind_counts() const noexcept { return kind_counts_; }
 
-    // A kind of which a living body's shape does not answer hits: the least one, or nothing. Cost: a constant where all
-    // answer.
+    // Returns the least kind of which a living body's shape does not answer hits; nothing if all answer. Cost: a
+    // constant if all answer, otherwise a pass over the slots.
     std::optional<ShapeKind> kind_without_hits() const noexcept;
 
-    // Whether two bodies are here, one of each kind.
+    // True if there are two bodies, one of each kind.
     bool has_pair_of(ShapeKind a, ShapeKind b) const;
 
     std::size_t memory_bytes() const noexcept;
 
-    // Throws BrokenInvariant unless each slot is free, used or retired.
+    // Throws BrokenInvariant unless each slot is free, used or retired, and the count of solids is right.
     void validate() const;
 
   private:
@@ -130,12 +133,12 @@ class Bodies {
     void count(const Slot& slot) noexcept;
     void discount(const Slot& slot) noexcept;
 
-    const std::uint16_t world_number_;  // for ids
+    const std::uint16_t world_number_;  // BodyId::world of all ids given
     std::vector<Slot> slots_;
     std::vector<ProxyIndex> free_slots_;
     std::size_t reserved_ = 0;
-    std::size_t trimmed_size_ = 0;   // slots when they were last trimmed
-    std::size_t retired_count_ = 0;  // slots that were used once for each generation: neither free nor used
+    std::size_t trimmed_size_ = 0;                  // number of slots when they were last trimmed
+    std::size_t retired_count_ = 0;                 // slots whose generations are used up: neither free nor used
     std::map<ShapeKind, std::size_t> kind_counts_;  // of living bodies
     std::size_t without_hits_count_ = 0;            // of living bodies
     std::size_t solid_count_ = 0;

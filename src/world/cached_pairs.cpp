@@ -9,22 +9,22 @@
 namespace ecods {
 namespace {
 
-// The pairs of the cache by their smaller proxies.
+// Lists for each proxy its partners with larger numbers: each pair of the cache once.
 class PartnerLists {
   public:
-    // By counting: no pair is compared with another.
+    // Fills the lists by counting, without comparing pairs.
     PartnerLists(const VerdictCache& cache, ProxyIndex proxy_end)
         : ends_(std::size_t{proxy_end} + 1), partners_(cache.size()) {
         for (VerdictIndex index = 0; index < cache.size(); ++index) ++ends_[cache[index].proxies().a + 1];
         for (std::size_t proxy = 1; proxy < ends_.size(); ++proxy) ends_[proxy] += ends_[proxy - 1];
-        // Now where each list begins; and when all are written, where it ends.
+        // Each entry of ends_ is now where its list begins. The loop below advances it to where the list ends.
         for (VerdictIndex index = 0; index < cache.size(); ++index) {
             const ProxyPair pair = cache[index].proxies();
             partners_[ends_[pair.a]++] = pair.b;
         }
     }
 
-    // Of proxies that are larger, in no order.
+    // Returns the partners of the proxy that have larger numbers, in no order.
     std::span<const ProxyIndex> of(ProxyIndex proxy) const noexcept {
         const std::size_t begin = proxy == 0 ? 0 : ends_[proxy - 1];
         return {partners_.data() + begin, ends_[proxy] - begin};
@@ -53,7 +53,7 @@ void CachedPairs::compare(const ProxyTable& table, const ProxyChanges& changes, 
     const PartnerLists kept(cache_, table.end());
     const bool has_removed = !changes.removed.empty();
     std::vector<ProxyIndex> kept_with(table.end(),
-                                      nobody);  // the proxy looked at, for partners that were not found yet
+                                      nobody);  // by partner: the smaller proxy of a kept pair that was not found yet
     auto pair = found.begin();
     for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
         for (const ProxyIndex partner : kept.of(proxy)) kept_with[partner] = proxy;

@@ -1,4 +1,4 @@
-// The pairs of the verdict cache, as the finders of pairs ask for them.
+// Shows the pairs of the verdict cache to the finders of overlapping pairs.
 #pragma once
 
 #include "broad_phase/changes/pair_events.hpp"
@@ -6,15 +6,15 @@
 
 namespace ecods {
 
-// The cache must hold the pairs of the last update, and no events that it does not know may be left.
+// The cache must hold the pairs of the last update, and must have taken over all events of the finder.
 class CachedPairs final : public PairKeeper {
   public:
     explicit CachedPairs(const VerdictCache& cache) : cache_(cache) {}
 
-    // Cost: that of the pairs it appends.
+    // Cost: proportional to the pairs of the removed boxes.
     void append_removed(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& ended) override;
 
-    // Cost: two passes over the cache, and one over `found` and over the proxies.
+    // Cost: some passes over the cache, one over `found` and one over the proxies, and sorting the pairs that ended.
     void compare(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& found, PairEvents& events) override;
 
   private:

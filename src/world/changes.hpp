@@ -1,4 +1,4 @@
-// What changed since the last update that succeeded.
+// Records what changed since the last update that succeeded.
 #pragma once
 
 #include <algorithm>
@@ -13,17 +13,17 @@
 
 namespace ecods {
 
-// What happened to a body.
+// Change says what happened to a body. If several things happened, the greatest value counts.
 enum class Change : std::uint8_t {
     none = 0,
-    filter = 1,  // its filter alone: verdicts hold where the pair was not filtered out and is not now
+    filter = 1,  // its filter alone: a verdict holds if the pair was and is not filtered out
     test = 2,    // the test of its kind: its verdicts are void, though it did not move
-    body = 3,    // itself: its verdicts are void, or it is gone
+    body = 3,    // its pose or shape, or it was created or destroyed: its verdicts are void
 };
 
 class Changes {
   public:
-    // ---- before what must not fail
+    // ---- reserving memory, before a change that must not fail
     void reserve(std::size_t body_count) {
         changes_.reserve(body_count);
         changed_.reserve(body_count);
@@ -52,17 +52,17 @@ class Changes {
         return changes_[pair.a] >= Change::test || changes_[pair.b] >= Change::test;
     }
 
-    // Each body once, also those that were destroyed since.
+    // Returns each changed body once, destroyed ones included.
     std::span<const ProxyIndex> bodies() const noexcept { return changed_; }
 
-    // Pairs that were switched on or off: ascending and each once, after sort_switched().
+    // Sorts the pairs that were switched on or off, and removes duplicates.
     void sort_switched() noexcept {
         std::ranges::sort(switched_);
         switched_.erase(std::unique(switched_.begin(), switched_.end()), switched_.end());
     }
     std::span<const ProxyPair> switched() const noexcept { return switched_; }
 
-    // An update succeeded.
+    // Forgets all changes, after an update that succeeded.
     void clear() noexcept {
         for (const ProxyIndex proxy : changed_) changes_[proxy] = Change::none;
         changed_.clear();
@@ -72,7 +72,7 @@ class Changes {
     std::size_t memory_bytes() const noexcept { return bytes_of(changes_, changed_, switched_); }
 
   private:
-    std::vector<Change> changes_;  // by proxy; if not none, listed in changed_
+    std::vector<Change> changes_;  // by proxy; listed in changed_ unless none
     std::vector<ProxyIndex> changed_;
     std::vector<ProxyPair> switched_;
 };

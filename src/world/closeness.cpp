@@ -16,7 +16,7 @@ void Closeness::follow(const OverlapTracker& boxes, const Bodies& bodies, Change
     for (const VerdictIndex index : pairs_.tests()) test_count_ += pairs_.verdicts()[index].answer == Answer::none;
 }
 
-// A box is brought up to date whatever it was, so that an update that failed half-way need not be undone.
+// Sets each box whatever it was before, so that an update that failed half-way need not be undone.
 void Closeness::follow_boxes(const OverlapTracker& boxes, const Bodies& bodies, const Changes& changes) {
     if (!tracker_) tracker_.emplace(kind_);
     generations_.resize(bodies.end());
@@ -33,7 +33,8 @@ void Closeness::follow_boxes(const OverlapTracker& boxes, const Bodies& bodies, 
     reached_ = wanted_;
 }
 
-// A slot that was given to another body since is another box, even at the same place.
+// Removes the old box if the slot was given to another body since: the pairs of the old body end, even if the new box
+// is the same.
 void Closeness::follow_box(ProxyIndex proxy, const OverlapTracker& boxes, const Slot& slot) {
     bool is_here = tracker_->table().is_present(proxy);
     if (is_here && (!slot.is_alive() || generations_[proxy] != slot.generation)) {
@@ -46,8 +47,8 @@ void Closeness::follow_box(ProxyIndex proxy, const OverlapTracker& boxes, const 
     generations_[proxy] = slot.generation;
 }
 
-// What collides and is no test of this update collided before, and its verdict stands, unless all are void: those are
-// asked again, and answered by what decided them.
+// Answers yes for each pair that this update found to collide. A pair that collided before and was not tested again
+// keeps its verdict here; if the clearance changed, it is asked again, which its witness makes cheap.
 void Closeness::take_collisions(const PairVerdicts& collisions) {
     for (const VerdictIndex index : collisions.tests()) {
         const Verdict& verdict = collisions.verdicts()[index];
@@ -92,8 +93,8 @@ std::size_t Closeness::memory_bytes() const noexcept {
     return pairs_.memory_bytes() + bytes_of(generations_);
 }
 
-// The rounding mode may have been another when the box was enlarged: it must reach as far as it would now, but for the
-// last place.
+// Throws unless the enlarged box reaches far enough. Its ends may have been computed in another rounding mode, so each
+// may fall short by two doubles.
 void Closeness::validate_box(const Aabb& box, const Aabb& reaching) const {
     const Aabb expected = enlarged(box, *listed_);
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,4 +1,5 @@
-// The pairs of bodies that are within the clearance: of boxes that reach further, kept as collisions are.
+// Keeps the pairs of bodies that are within the clearance: enlarged boxes find them, and their verdicts are kept like
+// collisions.
 #pragma once
 
 #include <cstddef>
@@ -15,49 +16,51 @@
 
 namespace ecods {
 
-// By bits, as two subnormal numbers may be taken for zero.
+// Compares by bits, as the processor may take two subnormal numbers for zero.
 inline bool is_same_clearance(const std::optional<double>& a, const std::optional<double>& b) noexcept {
     return a.has_value() == b.has_value() && (!a || key_of(*a) == key_of(*b));
 }
 
-// A broad phase of its own, made by the first update with a clearance, finds the pairs whose boxes overlap when each is
-// enlarged by half the clearance; their verdicts are kept as those of collisions. An update is follow(), an answer for
-// each test of pairs() that has none, prepare() and commit(): where one of them throws, the lists stay as they were.
+// Closeness has a broad phase of its own, made by the first update with a clearance. It finds the pairs whose boxes
+// overlap when each is enlarged by half the clearance; their verdicts are kept like those of collisions.
+//
+// An update calls follow(), answers each test of pairs() that has no answer, and calls prepare() and commit(). If one
+// of these steps throws, the lists stay as they were.
 class Closeness {
   public:
     explicit Closeness(BroadPhaseKind kind) : kind_(kind) {}
 
-    // From the next update on; nothing: without clearance. Finite, not negative.
+    // Sets the clearance from the next update on; empty: no pair is close. It must be finite and not negative.
     void set(std::optional<double> clearance) noexcept { wanted_ = clearance; }
     std::optional<double> wanted() const noexcept { return wanted_; }
 
-    // What every test must answer.
+    // Returns the question that every test must answer; nothing without a clearance.
     std::optional<Question> question() const noexcept {
         return wanted_ ? std::optional(Question::within) : std::nullopt;
     }
 
-    // The clearance of the lists.
+    // Returns the clearance with which the lists were made.
     std::optional<double> listed() const noexcept { return listed_; }
 
-    // Whether an update before which no body changed has nothing to do.
+    // True if an update before which no body changed has nothing to do.
     bool is_up_to_date() const noexcept { return is_same_clearance(wanted_, listed_); }
 
-    // Finds the pairs to be tested. Those that `collisions` found to collide, in the same update, are close, and need
-    // no test. `boxes` are those of the bodies.
+    // Finds the pairs to be tested. A pair that `collisions` found to collide in the same update is close and needs no
+    // test. `boxes` has the boxes of the bodies, not enlarged.
     void follow(const OverlapTracker& boxes, const Bodies& bodies, Changes& changes, const PairVerdicts& collisions);
     PairVerdicts& pairs() noexcept { return pairs_; }
     const PairVerdicts& pairs() const noexcept { return pairs_; }
     void prepare();
     void commit() noexcept;
-    void idle() noexcept;  // in place of all that, for an update before which nothing changed
+    void idle() noexcept;  // in place of these steps, for an update before which nothing changed
 
     ClearanceStatistics statistics() const;
     std::size_t memory_bytes() const noexcept;
 
-    // The boxes that reach further. There must be a clearance, and an update after it.
+    // Returns the enlarged boxes. The last update must have been made with a clearance.
     const OverlapTracker& tracker() const { return *tracker_; }
 
-    // Throws BrokenInvariant unless the boxes are those of the bodies. After an update that succeeded.
+    // Throws BrokenInvariant unless the enlarged boxes fit the bodies. Call it after an update that succeeded.
     void validate(const Bodies& bodies, const OverlapTracker& boxes) const;
 
   private:
@@ -68,12 +71,12 @@ class Closeness {
 
     BroadPhaseKind kind_;
     std::optional<double> wanted_, listed_;
-    std::optional<double> reached_;           // the clearance of all boxes in tracker_; nothing while they are changing
-    std::optional<OverlapTracker> tracker_;   // none while there is no clearance
-    std::vector<std::uint16_t> generations_;  // by proxy: of the bodies whose boxes are in tracker_
+    std::optional<double> reached_;           // clearance of all boxes in tracker_; empty while they change
+    std::optional<OverlapTracker> tracker_;   // empty without a clearance
+    std::vector<std::uint16_t> generations_;  // by proxy: generation of the body whose box is in tracker_
     PairVerdicts pairs_;
-    std::size_t test_count_ = 0;      // of the update under way: pairs that need a test
-    ClearanceStatistics statistics_;  // sums; the rest is filled in on request
+    std::size_t test_count_ = 0;      // pairs that the current update must test
+    ClearanceStatistics statistics_;  // sums alone; statistics() fills in the rest
 };
 
 }  // namespace ecods

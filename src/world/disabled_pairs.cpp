@@ -50,7 +50,7 @@ std::vector<ProxyPair> DisabledPairs::list() const {
 }
 
 std::size_t DisabledPairs::memory_bytes() const noexcept {
-    // A node of a red-black tree: its value, three pointers and a colour.
+    // A node of a red-black tree holds its value, three pointers and a colour.
     constexpr std::size_t node_bytes = sizeof(std::pair<ProxyIndex, ProxyIndex>) + 4 * sizeof(void*);
     return pairs_.size() * node_bytes + counts_.capacity() * sizeof(std::uint32_t);
 }

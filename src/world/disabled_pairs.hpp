@@ -1,4 +1,4 @@
-// The pairs that the caller switched off.
+// Holds the pairs that the caller switched off.
 #pragma once
 
 #include <cstddef>
@@ -13,19 +13,19 @@ namespace ecods {
 
 class DisabledPairs {
   public:
-    // Return whether that changed anything. A call that throws changes nothing.
+    // Return true if this changed anything. A call that throws changes nothing.
     bool insert(ProxyPair pair);
     bool erase(ProxyPair pair) noexcept;
 
-    // Free of a search for bodies of which no pair is here.
+    // True if the pair is switched off. Searches only if both bodies have a pair here.
     bool contains(ProxyPair pair) const noexcept {
         return count_of(pair.a) != 0 && count_of(pair.b) != 0 && pairs_.contains({pair.a, pair.b});
     }
 
-    // Takes out all pairs of a body.
+    // Removes all pairs of a body.
     void forget(ProxyIndex proxy) noexcept;
 
-    // The pairs, ascending.
+    // Returns the pairs, ascending.
     std::vector<ProxyPair> list() const;
 
     std::size_t memory_bytes() const noexcept;
@@ -34,7 +34,7 @@ class DisabledPairs {
     std::uint32_t count_of(ProxyIndex proxy) const noexcept { return proxy < counts_.size() ? counts_[proxy] : 0; }
 
     std::set<std::pair<ProxyIndex, ProxyIndex>> pairs_;  // each pair in both orders
-    std::vector<std::uint32_t> counts_;                  // by proxy
+    std::vector<std::uint32_t> counts_;                  // number of pairs, by proxy
 };
 
 }  // namespace ecods

@@ -1,18 +1,19 @@
-// Boxes that reach further, so that those of bodies within a distance overlap.
+// Enlarges boxes, so that the boxes of two bodies within a given distance overlap.
 #pragma once
 
 #include "base/next.hpp"
-#include "ecods/aabb.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods {
 
-// The box, enlarged on all sides by at least half the distance, which is not negative: boxes of bodies that are within
-// it overlap. For where p of a and q of b are within d, q - p <= d on each axis, and p + d / 2 and q - d / 2 are in
-// what is enlarged by at least d / 2.
+// Returns the box, enlarged on all sides by at least half the distance d >= 0. The boxes of two bodies within d then
+// overlap: let points p of a and q of b be within d, and p <= q on an axis. Then q - p <= d, so the box of a reaches up
+// to p + d / 2 or further, and the box of b down to q - d / 2 <= p + d / 2 or further.
 //
-// With an operation off by one unit in its last place, in any rounding mode, next_up makes up for that. Subnormal
-// numbers may be taken for zero: half the distance by at most 2^-1022, an end of the box by 2^-1022, and their sum by
-// 2^-1022, which 2^-1020 exceeds. An end at infinity stays there, and an infinite distance reaches there.
+// An operation is off by at most one unit in its last place, in any rounding mode; next_up and next_down make up for
+// that. If the processor takes subnormal numbers for zero, half the distance is off by at most 2^-1022, an end of the
+// box by 2^-1022, and their sum by 2^-1022; 2^-1020 exceeds all three together. An infinite end stays infinite, and an
+// infinite distance makes every end infinite.
 inline Aabb enlarged(const Aabb& box, double distance) noexcept {
     const double half = next_up(0.5 * distance + 0x1p-1020);
     Aabb result;

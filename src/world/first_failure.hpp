@@ -1,4 +1,4 @@
-// The error that an update throws when tests of several pairs threw.
+// Keeps the error that an update throws when the tests of several pairs threw.
 #pragma once
 
 #include <exception>
@@ -9,8 +9,8 @@
 
 namespace ecods {
 
-// What went wrong first, in the order of the pairs and not of time: which error is thrown depends neither on workers
-// nor on history.
+// Keeps the error of the first pair, in the order of pairs and not of time. So the error that is thrown depends neither
+// on workers nor on history.
 class FirstFailure {
   public:
     void keep(const BodyPair& bodies, std::exception_ptr error) {

@@ -1,8 +1,8 @@
 #include "world/mesh_mesh_test.hpp"
 
-#include "ecods/contact.hpp"
+#include "ecods/cast.hpp"
 #include "ecods/distance.hpp"
-#include "query/cast/cast_until.hpp"
+#include "ecods/intersection.hpp"
 #include "query/intersection/mesh_intersection_test.hpp"
 
 namespace ecods {
@@ -12,37 +12,31 @@ class MeshMeshTest final : public MeshIntersectionTest {
   public:
     bool answers(Question question) const noexcept override { return question != Question::hits; }
 
-    double distance(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
-        return ecods::distance(mesh_of(a), mesh_of(b), memory);
+    double distance(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
+        return ecods::distance(mesh_of(a), mesh_of(b), ask);
     }
-    bool within(const Posed<Shape>& a, const Posed<Shape>& b, double d, QueryMemory& memory) const override {
-        return ecods::within(mesh_of(a), mesh_of(b), d, memory);
+    bool within(const Posed<Shape>& a, const Posed<Shape>& b, double max_distance, const Ask& ask) const override {
+        return ecods::within(mesh_of(a), mesh_of(b), max_distance, ask);
     }
-    bool within_again(const Posed<Shape>& a, const Posed<Shape>& b, double d, QueryMemory& memory,
-                      PairWitness& witness) const override {
-        return ecods::within(mesh_of(a), mesh_of(b), d, memory, witness);
-    }
-    ClosestPoints closest(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
-        return ecods::closest(mesh_of(a), mesh_of(b), memory);
+    ClosestPoints closest(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
+        return ecods::closest(mesh_of(a), mesh_of(b), ask);
     }
 
     std::vector<TriangleIntersection> intersections(const Posed<Shape>& a, const Posed<Shape>& b,
-                                                    QueryMemory& memory) const override {
-        return ecods::intersections(mesh_of(a), mesh_of(b), memory);
+                                                    const Ask& ask) const override {
+        return ecods::intersections(mesh_of(a), mesh_of(b), ask);
     }
-    std::vector<CloseFeatures> close_features(const Posed<Shape>& a, const Posed<Shape>& b, double d,
-                                              QueryMemory& memory) const override {
-        return ecods::close_features(mesh_of(a), mesh_of(b), d, memory);
+    std::vector<CloseFeatures> close_features(const Posed<Shape>& a, const Posed<Shape>& b, double max_distance,
+                                              const Ask& ask) const override {
+        return ecods::close_features(mesh_of(a), mesh_of(b), max_distance, ask);
     }
-    std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b, double time_max,
-                                     QueryMemory& memory) const override {
-        PairWitness witness;
-        return cast_until(mesh_of(a), motion, mesh_of(b), time_max, memory, witness);
+    std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b, double max_time,
+                                     const Ask& ask) const override {
+        return ecods::cast(mesh_of(a), motion, mesh_of(b), max_time, ask);
     }
-    std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double time_max,
-                                            QueryMemory& memory) const override {
-        PairWitness witness;
-        return cast_until(mesh_of(a), mesh_of(b), time_max, memory, witness);
+    std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double max_time,
+                                            const Ask& ask) const override {
+        return ecods::cast(mesh_of(a), mesh_of(b), max_time, ask);
     }
 
   private:

@@ -1,4 +1,4 @@
-// The two-body test of meshes, as every world has it from the start.
+// Makes the two-body test of meshes, which every world has from the start.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 
 namespace ecods {
 
-// Both shapes must be MeshShapes.
+// Both shapes given to the test must be MeshShapes.
 std::shared_ptr<const TwoBodyTest> make_mesh_mesh_test();
 
 }  // namespace ecods

@@ -1,9 +1,10 @@
 #include "world/mesh_shapes.hpp"
+#include "base/make_error.hpp"
 
 namespace ecods {
 
 std::shared_ptr<const MeshShape> MeshShapes::shape_of(const std::shared_ptr<const Mesh>& mesh) {
-    if (!mesh) throw NullArgument("mesh");
+    if (!mesh) throw null_argument("mesh");
     if (shapes_.size() >= size_max_) {
         std::erase_if(shapes_, [](const auto& entry) { return entry.second.expired(); });
         size_max_ = 2 * shapes_.size() + 16;

@@ -1,33 +1,24 @@
-// One MeshShape, and so one tree, for all bodies of a mesh while any of them lives.
+// Shares one MeshShape, and so one tree, among all bodies of a mesh while any of them lives.
 #pragma once
 
 #include <cstddef>
 #include <memory>
 #include <unordered_map>
 
-#include "ecods/error.hpp"
 #include "ecods/shape.hpp"
 
 namespace ecods {
 
 class MeshShapes {
   public:
-    // Makes it where it is not known. Throws NullArgument.
+    // Returns the shape of the mesh, and makes it if it is not known. Throws InvalidArgument for null.
     std::shared_ptr<const MeshShape> shape_of(const std::shared_ptr<const Mesh>& mesh);
 
-    std::shared_ptr<const MeshShape> find(const std::shared_ptr<const Mesh>& mesh) const;  // or null
-
-    // ask(shape) of the mesh: the one that is known, or one for this time. Throws NullArgument.
-    template <class Ask>
-    auto with(const std::shared_ptr<const Mesh>& mesh, const Ask& ask) const {
-        if (!mesh) throw NullArgument("mesh");
-        const auto known = find(mesh);
-        return known ? ask(*known) : ask(MeshShape(mesh));
-    }
+    std::shared_ptr<const MeshShape> find(const std::shared_ptr<const Mesh>& mesh) const;  // null: not known
 
   private:
     std::unordered_map<const Mesh*, std::weak_ptr<const MeshShape>> shapes_;
-    std::size_t size_max_ = 16;  // when that many are known, those that are gone are forgotten
+    std::size_t size_max_ = 16;  // when there are this many entries, those of dead shapes are removed
 };
 
 }  // namespace ecods

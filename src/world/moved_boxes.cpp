@@ -3,13 +3,15 @@
 #include <span>
 #include <typeinfo>
 
-#include "ecods/convex_solid.hpp"
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
 namespace {
 
-// The shape as a mesh whose box() is the library's own: a class derived from these may have another.
+// Returns the shape as a mesh if its box() is the library's own, otherwise null: a caller's derived class may override
+// it.
 const MeshShape* as_own_mesh(const Shape& shape) {
     const std::type_info& type = typeid(shape);
     const bool is_own = type == typeid(MeshShape) || type == typeid(Solid) || type == typeid(ConvexSolid);
@@ -19,7 +21,7 @@ const MeshShape* as_own_mesh(const Shape& shape) {
 }  // namespace
 
 bool MovedBoxes::add(const Shape& shape, const Pose& pose, std::size_t index) {
-    // Shapes lie some hundred bytes from each other.
+    // The shifts drop the lowest bits, which differ little: shapes lie some hundred bytes from each other.
     const auto address = reinterpret_cast<std::uintptr_t>(&shape);
     Batch& batch = batches_[(address >> 4 ^ address >> 7) % batches_.size()];
     if (batch.shape != &shape) {

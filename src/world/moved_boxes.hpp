@@ -1,7 +1,7 @@
-// The boxes of many bodies at new poses: those of bodies that share a mesh are found some at a time.
+// Finds the boxes of many bodies at new poses, eight at a time for bodies that share a mesh.
 //
-// By the thread that calls. Handing them to an executor was measured, too: at 4,096 to 65,536 bodies two threads took
-// 2 to 16 ns a body longer than one, for eight boxes are found before their poses have come to another core.
+// The calling thread does all the work. An executor was tried: at 4,096 to 65,536 bodies, two threads took 2 to 16 ns a
+// body longer than one, because eight boxes are found before their poses reach another core.
 #pragma once
 
 #include <array>
@@ -9,21 +9,23 @@
 #include <cstdint>
 #include <vector>
 
-#include "ecods/aabb.hpp"
+#include "ecods/primitives.hpp"
 #include "ecods/shape.hpp"
 
 namespace ecods {
 
-// Adding is in any order of shapes: some shapes wait side by side, each until eight of its poses are there.
+// Collects poses in batches, one batch for each of some shapes, and finds the boxes of a batch when it has eight poses.
+// Shapes may be added in any order.
 class MovedBoxes {
   public:
-    // Boxes are written to `boxes`, which must keep its place until all are found.
+    // Writes the boxes to `boxes`, which must stay in place until all are found.
     explicit MovedBoxes(std::vector<Aabb>& boxes) noexcept : boxes_(boxes) {}
     MovedBoxes(const MovedBoxes&) = delete;
     MovedBoxes& operator=(const MovedBoxes&) = delete;
 
-    // Takes it on that boxes[index] becomes the box of the shape, and returns true; or returns false where box() has to
-    // be asked: what a caller's class answers is checked, and may throw. `pose` must outlive this.
+    // Returns true if boxes[index] will become the box of the shape; it has its value after finish(). Returns false if
+    // the caller must ask box() itself: the answer of a caller's class must be checked, and may be an exception. `pose`
+    // must outlive this object.
     bool add(const Shape& shape, const Pose& pose, std::size_t index);
 
     // Finds the boxes that are still missing.
@@ -33,8 +35,8 @@ class MovedBoxes {
     static constexpr std::size_t batch_size = 8;
     struct Batch {
         const Shape* shape = nullptr;
-        const MeshShape* mesh = nullptr;  // null: its box() is asked
-        std::size_t count = 0;            // that wait
+        const MeshShape* mesh = nullptr;  // null: add() returns false
+        std::size_t count = 0;            // waiting poses
         std::array<const Pose*, batch_size> poses;
         std::array<std::size_t, batch_size> indices;
     };

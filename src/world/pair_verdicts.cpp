@@ -8,7 +8,7 @@
 
 namespace ecods {
 
-// Events that an earlier update could not take over, for want of memory, come first.
+// First takes over the events that an earlier update left, for lack of memory.
 void PairVerdicts::follow(OverlapTracker& tracker, const Bodies& bodies, std::uint64_t& visited_pairs) {
     const auto take_over_events = [&] {
         const PairEvents& events = tracker.events();
@@ -22,7 +22,7 @@ void PairVerdicts::follow(OverlapTracker& tracker, const Bodies& bodies, std::ui
     take_over_events();
 }
 
-// What ended goes first: where a body's slot was used again, the same pair of slots may end and begin.
+// Removes the ended pairs first: if a slot was used again, the same pair of slots may both end and begin.
 void PairVerdicts::take_over(const PairEvents& events, const Bodies& bodies) {
     verdicts_.reserve(verdicts_.size() + events.began.size(), bodies.end());
     make_room(lost_, events.ended.size());
@@ -35,8 +35,8 @@ void PairVerdicts::take_over(const PairEvents& events, const Bodies& bodies) {
     overlapping_is_stale_ |= !events.empty();
 }
 
-// Each pair once. A pair that began has a body that changed. When much changed, all pairs are passed over in the order
-// in which they lie; otherwise each body's list is followed.
+// Visits each pair once. A pair that began has a body that changed. If many bodies changed, passes over all pairs in
+// the order in which they are stored; otherwise follows the list of each changed body.
 void PairVerdicts::collect(const Bodies& bodies, Changes& changes, bool all_are_void, std::uint64_t& visited_pairs) {
     tests_.clear();
     const auto collect_changed = [&](VerdictIndex index, ProxyPair pair) {
@@ -67,7 +67,7 @@ void PairVerdicts::collect(const Bodies& bodies, Changes& changes, bool all_are_
     }
 }
 
-// Nothing is asked of a pair that is filtered out, nor of one that was tested before and whose bodies are as they were.
+// Skips a pair that was and still is filtered out, and a pair that was and still is enabled, if its verdict holds.
 void PairVerdicts::collect_pair(VerdictIndex index, const Bodies& bodies, bool is_void) {
     const Verdict& verdict = verdicts_[index];
     const bool is_enabled = bodies.is_enabled(verdict.proxies());
@@ -86,7 +86,7 @@ void PairVerdicts::prepare() {
     }
     std::ranges::sort(next_began_);
     std::ranges::sort(next_ended_);
-    // A pair that lost its box overlap and found it again while updates failed has both ended and begun: it went on.
+    // A pair whose boxes parted and overlapped again while updates failed is in both lists: its collision went on.
     cancel_common(next_began_, next_ended_);
     make_room(positive_, next_began_.size());
 }
@@ -131,7 +131,7 @@ const BodyPairs& PairVerdicts::overlapping() {
     return overlapping_;
 }
 
-// Body by body, so that short lists are sorted, and none of all pairs.
+// Lists the pairs body by body, which sorts many short lists and not one long one.
 void PairVerdicts::list_overlapping(BodyPairs& list) const {
     list.clear();
     list.reserve(verdicts_.enabled_count());

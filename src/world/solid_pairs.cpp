@@ -12,7 +12,7 @@ void SolidPairs::follow(const Bodies& bodies, const PairVerdicts& collisions) {
     const auto add = [&](VerdictIndex index) {
         const ProxyPair pair = verdicts[index].proxies();
         if (bodies[pair.a].solid() == nullptr || bodies[pair.b].solid() == nullptr) return;
-        tests_.push_back({verdicts[index].bodies, SolidRelation::apart});
+        tests_.push_back({verdicts[index].bodies, Relation::apart});
     };
     if (!are_listed_) {
         for (VerdictIndex index = 0; index < verdicts.size(); ++index) {
@@ -27,7 +27,8 @@ void SolidPairs::follow(const Bodies& bodies, const PairVerdicts& collisions) {
     std::ranges::sort(touched_);
 }
 
-// What was listed stays unless it was looked at, or one of its bodies changed: then it was looked at, or has ended.
+// Keeps a listed pair if this update did not look at it and neither body changed: otherwise the pair is in tests_, is
+// filtered out, or has ended.
 void SolidPairs::prepare(const Changes& changes) {
     next_.clear();
     if (!are_wanted_) return;
@@ -36,7 +37,7 @@ void SolidPairs::prepare(const Changes& changes) {
         if (!std::ranges::binary_search(touched_, pair.bodies)) next_.push_back(pair);
     }
     for (const SolidPair& pair : tests_) {
-        if (pair.relation != SolidRelation::apart) next_.push_back(pair);
+        if (pair.relation != Relation::apart) next_.push_back(pair);
     }
     std::ranges::sort(next_, {}, &SolidPair::bodies);
 }

@@ -1,4 +1,4 @@
-// The pairs of solids that are not apart, brought up to date with the verdicts of collisions.
+// Keeps the pairs of solids that are not apart, up to date with the verdicts of collisions.
 #pragma once
 
 #include <cstddef>
@@ -13,27 +13,27 @@
 
 namespace ecods {
 
-// The relation of the second solid to the first.
-constexpr SolidRelation mirrored(SolidRelation relation) noexcept {
-    return relation == SolidRelation::inside     ? SolidRelation::contains
-           : relation == SolidRelation::contains ? SolidRelation::inside
-                                                 : relation;
+// Returns the relation of the second solid to the first.
+constexpr Relation mirrored(Relation relation) noexcept {
+    return relation == Relation::inside     ? Relation::contains
+           : relation == Relation::contains ? Relation::inside
+                                            : relation;
 }
 
-// An update is follow(), a relation for each of tests(), prepare() and commit(): where one of them throws, the list
-// stays as it was.
+// An update calls follow(), relates each of tests(), and calls prepare() and commit(). If one of these steps throws,
+// the list stays as it was.
 class SolidPairs {
   public:
-    // From the next update on.
+    // Sets whether updates make the list, from the next one on.
     void set(bool are_wanted) noexcept { are_wanted_ = are_wanted; }
     bool are_wanted() const noexcept { return are_wanted_; }
     bool are_listed() const noexcept { return are_listed_; }
 
-    // Whether an update before which no body changed has nothing to do.
+    // True if an update before which no body changed has nothing to do.
     bool is_up_to_date() const noexcept { return are_wanted_ == are_listed_; }
 
-    // Finds the pairs to be related: those of solids that `collisions` tests in the same update; or if the list is new,
-    // all whose boxes overlap. After collisions.collect().
+    // Finds the pairs of solids to be related: those that `collisions` tests in the same update; if the list is new,
+    // all that are not filtered out and whose boxes overlap. Call it after collisions.collect().
     void follow(const Bodies& bodies, const PairVerdicts& collisions);
     std::span<SolidPair> tests() noexcept { return tests_; }
 
@@ -47,9 +47,9 @@ class SolidPairs {
   private:
     bool are_wanted_ = false, are_listed_ = false;
     std::vector<SolidPair> tests_;
-    BodyPairs touched_;            // all pairs that are tested, or filtered out, by the update under way; ascending
+    BodyPairs touched_;            // pairs that the current update tested or filtered out, ascending
     std::vector<SolidPair> list_;  // ascending
-    std::vector<SolidPair> next_;  // of the update under way
+    std::vector<SolidPair> next_;  // the list after the current update
 };
 
 }  // namespace ecods

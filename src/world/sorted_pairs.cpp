@@ -4,7 +4,7 @@
 
 namespace ecods {
 
-// What lies between two that go is moved as a block, so that few changes of a long list cost little.
+// Moves the elements between two removed pairs as a block, so that a few changes of a long list cost little.
 void remove_sorted(BodyPairs& list, const BodyPairs& gone) noexcept {
     if (gone.empty()) return;
     auto read = std::lower_bound(list.begin(), list.end(), gone.front());
@@ -18,7 +18,7 @@ void remove_sorted(BodyPairs& list, const BodyPairs& gone) noexcept {
     list.erase(write, list.end());
 }
 
-// From the back, so that the list can be its own destination.
+// Works from the back, so that the list can be its own destination.
 void add_sorted(BodyPairs& list, const BodyPairs& more) {
     auto old_end = static_cast<std::ptrdiff_t>(list.size());
     list.resize(list.size() + more.size());

@@ -1,4 +1,4 @@
-// Sorted lists of pairs, changed in place.
+// Changes sorted lists of pairs in place.
 #pragma once
 
 #include <vector>
@@ -9,15 +9,15 @@ namespace ecods {
 
 using BodyPairs = std::vector<BodyPair>;
 
-// Takes `gone` out of `list`; all ascending, and `gone` is part of `list`. Cost: a search for each, and moving what
-// lies behind the first.
+// Removes the pairs `gone` from `list`. Both are ascending, and `list` contains all of `gone`. Cost: a binary search
+// for each pair, and moving the elements behind the first one.
 void remove_sorted(BodyPairs& list, const BodyPairs& gone) noexcept;
 
-// Puts `more` into `list`; both ascending, without a pair in common. Does not throw when the capacity suffices. Cost as
-// above.
+// Inserts the pairs `more` into `list`. Both are ascending and have no pair in common. Does not throw if the capacity
+// suffices. Cost: as for remove_sorted().
 void add_sorted(BodyPairs& list, const BodyPairs& more);
 
-// Takes out of both lists, both ascending, what they have in common.
+// Removes the pairs that both lists contain from both. Both are ascending.
 void cancel_common(BodyPairs& first, BodyPairs& second) noexcept;
 
 }  // namespace ecods

@@ -1,4 +1,4 @@
-// Which test decides for which two kinds of shape.
+// Finds the test that decides about two kinds of shape.
 #pragma once
 
 #include <map>
@@ -9,12 +9,12 @@
 
 namespace ecods {
 
-// A test with its arguments put in the order that it was registered for.
+// Holds the test of two kinds, and whether it was registered for the other order of the kinds.
 struct OrderedTest {
     const TwoBodyTest* test;
-    bool swapped;  // whether the shape of the second kind asked for comes first
+    bool swapped;  // true if the test takes the shape of the second kind first
 
-    // Asks a question of TwoBodyTest about the two in that order, with what comes after them.
+    // Asks a question of TwoBodyTest about a and b, in the order of the test; `arguments` follow the two.
     template <class Question, class... Arguments>
     auto ask(const Posed<Shape>& a, const Posed<Shape>& b, Question question, Arguments&&... arguments) const {
         return swapped ? (test->*question)(b, a, arguments...) : (test->*question)(a, b, arguments...);
@@ -26,7 +26,7 @@ class TwoBodyTests {
     void set(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test);
     bool has(ShapeKind a, ShapeKind b) const;
 
-    // has(a, b) must hold.
+    // Requires has(a, b).
     OrderedTest find(ShapeKind a, ShapeKind b) const {
         if (a == ShapeKind::mesh() && b == ShapeKind::mesh()) return {mesh_mesh_, false};
         return find_in_map(a, b);
@@ -37,12 +37,12 @@ class TwoBodyTests {
         std::shared_ptr<const TwoBodyTest> test;
         ShapeKind first;
     };
-    using Key = std::pair<ShapeKind, ShapeKind>;  // ascending
+    using Key = std::pair<ShapeKind, ShapeKind>;  // the lesser kind first
     static Key key(ShapeKind a, ShapeKind b) { return a < b ? Key{a, b} : Key{b, a}; }
     OrderedTest find_in_map(ShapeKind a, ShapeKind b) const;
 
     std::map<Key, Entry> entries_;
-    const TwoBodyTest* mesh_mesh_ = nullptr;  // the most frequent, at hand
+    const TwoBodyTest* mesh_mesh_ = nullptr;  // the most frequent test, found without a search
 };
 
 }  // namespace ecods

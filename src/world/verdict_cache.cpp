@@ -11,7 +11,7 @@ namespace ecods {
 void VerdictCache::reserve(std::size_t verdict_count, std::size_t proxy_end) {
     if (proxy_end > firsts_.size()) firsts_.resize(proxy_end, no_verdict);
     if (verdict_count > verdicts_.capacity()) verdicts_.reserve(std::max(verdict_count, 2 * verdicts_.capacity()));
-    // At most three places in four are taken: probes stay short.
+    // Keeps at most three places in four taken, so that probes stay short.
     if (verdict_count * 4 > places_.size() * 3) {
         std::vector<Place> places(std::bit_ceil(std::max<std::size_t>(16, verdict_count * 4 / 3 + 1)));
         places_.swap(places);
@@ -82,8 +82,8 @@ void VerdictCache::take_place(VerdictIndex index) noexcept {
     places_[place] = {hash, index};
 }
 
-// Those behind move up unless that would put them before their own place (Knuth, volume 3, algorithm 6.4R): no marks of
-// what was removed are left, so probes are as short as if it had never been here.
+// Moves the entries that follow up into the gap, unless that would put one before its own place (Knuth, volume 3,
+// algorithm 6.4R). No marks of removed entries are left, so probes are as short as if the entry had never been here.
 void VerdictCache::free_place(std::size_t place) noexcept {
     const std::size_t mask = places_.size() - 1;
     for (std::size_t other = (place + 1) & mask; places_[other].index != no_verdict; other = (other + 1) & mask) {
@@ -106,7 +106,7 @@ void VerdictCache::link(VerdictIndex index, int side) noexcept {
     firsts_[proxy] = index;
 }
 
-// Makes the links of a verdict's neighbours in a list these: back from the next one, and on from the previous one.
+// Sets the links of a verdict's neighbours in a list: the next one links back to `back`, the previous one on to `on`.
 void VerdictCache::link_neighbours(const Verdict& verdict, int side, VerdictIndex back, VerdictIndex on) noexcept {
     const ProxyIndex proxy = (side == 0 ? verdict.bodies.a : verdict.bodies.b).slot - 1;
     const VerdictIndex next = verdict.next[side], previous = verdict.previous[side];
@@ -119,7 +119,7 @@ void VerdictCache::unlink(VerdictIndex index, int side) noexcept {
     link_neighbours(verdict, side, verdict.previous[side], verdict.next[side]);
 }
 
-// Moves a verdict to a place whose own is in no list any more.
+// Moves a verdict to an index whose own verdict is in no list any more.
 void VerdictCache::relocate(VerdictIndex from, VerdictIndex to) noexcept {
     const Verdict& verdict = verdicts_[from];
     places_[place_of(verdict.proxies())].index = to;
@@ -150,7 +150,8 @@ void VerdictCache::validate() const {
     const auto taken = std::ranges::count_if(places_, [](const Place& place) { return place.index != no_verdict; });
     require(static_cast<std::size_t>(taken) == verdicts_.size(), "the cache has places for other pairs");
 
-    // A list that visits each verdict of its body, with right links back, is whole: twice the verdicts in all.
+    // The lists are whole if each holds pairs of its own body alone, with right links back, and all together have two
+    // entries for each verdict.
     std::size_t visits = 0;
     for (ProxyIndex proxy = 0; proxy < proxy_end(); ++proxy) {
         VerdictIndex previous = no_verdict;

@@ -1,4 +1,4 @@
-// Who runs the tests of an update, and the memory of each.
+// Runs the tests of an update on the workers of an executor, with a memory for each worker.
 #pragma once
 
 #include <algorithm>
@@ -6,16 +6,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
-#include "ecods/executor.hpp"
-#include "ecods/intersection.hpp"
+#include "ecods/ask.hpp"
+#include "ecods/world_options.hpp"
+#include "query/intersection/asking.hpp"
 
 namespace ecods {
 
-// Whether an executor keeps its promises: an answer that is not there, or that two threads wrote at once, must not pass
-// for one.
+// Checks that an executor keeps its promises: an answer that was never computed, or that two threads wrote at once,
+// must not be taken for one.
 class ExecutorWatch {
   public:
     ExecutorWatch(std::size_t task_count, std::size_t worker_count) : runs_(task_count), is_busy_(worker_count) {}
@@ -36,30 +38,37 @@ class Workers {
         : executor_(std::move(executor)),
           memories_(executor_ ? std::max<std::size_t>(1, executor_->worker_count()) : 1) {}
 
-    // Calls `run_one(i, memory)` once for each i below `count`, by several threads if there is an executor, no two of
-    // them at once with one memory. It must not throw. Throws ExecutorFailed.
+    // Calls `run_one(i, memory)` once for each i below `count`; by several threads if there is an executor, but never
+    // two at once with one memory. `run_one` must not throw. Throws ExecutorFailed.
     template <class RunOne>
     void run(std::size_t count, const RunOne& run_one) {
-        // Small enough that the workers end together, large enough that handing one out costs little beside it.
-        constexpr std::size_t items_per_task = 32;
-        if (executor_ == nullptr || count <= items_per_task) {
-            for (std::size_t at = 0; at < count; ++at) run_one(at, memories_[0]);
-            return;
-        }
-        const std::size_t task_count = (count + items_per_task - 1) / items_per_task;
-        ExecutorWatch watch(task_count, memories_.size());
-        executor_->run(task_count, [&](std::size_t task, std::size_t worker) {
-            if (!watch.enter(task, worker)) return;
-            const std::size_t end = std::min(count, (task + 1) * items_per_task);
-            for (std::size_t at = task * items_per_task; at < end; ++at) run_one(at, memories_[worker]);
-            watch.leave(worker);
-        });
-        watch.require_whole();
+        run_in(memories_, count, run_one);
     }
 
-    // For questions of the thread that calls the world, when no update runs.
-    QueryMemory& caller_memory() noexcept { return memories_[0]; }
+    // Does the same for a question, beside which others may run. If `ask` gives a memory, or there is no executor, the
+    // calling thread runs it all; otherwise the executor does, for one question at a time.
+    template <class RunOne>
+    void run_question(std::size_t count, const Ask& ask, const RunOne& run_one) const {
+        if (ask.memory != nullptr || executor_ == nullptr) {
+            Asking asking(ask);
+            for (std::size_t at = 0; at < count; ++at) run_one(at, asking.memory());
+            return;
+        }
+        const std::scoped_lock lock(question_mutex_);
+        question_memories_.resize(memories_.size());
+        for (QueryMemory& memory : question_memories_) memory.reset_counts();
+        struct AddCounts {  // also when the executor fails
+            ~AddCounts() {
+                if (to == nullptr) return;
+                for (const QueryMemory& memory : memories) *to += memory.counts();
+            }
+            QueryCounts* to;
+            const std::vector<QueryMemory>& memories;
+        } const add_counts{ask.counts, question_memories_};
+        run_in(question_memories_, count, run_one);
+    }
 
+    // Returns the counts of all updates.
     QueryCounts counts() const {
         QueryCounts sum;
         for (const QueryMemory& memory : memories_) sum += memory.counts();
@@ -67,8 +76,30 @@ class Workers {
     }
 
   private:
+    template <class RunOne>
+    void run_in(std::vector<QueryMemory>& memories, std::size_t count, const RunOne& run_one) const {
+        // A task is small enough that the workers end at about the same time, and large enough that handing it out
+        // costs little.
+        constexpr std::size_t items_per_task = 32;
+        if (executor_ == nullptr || count <= items_per_task) {
+            for (std::size_t at = 0; at < count; ++at) run_one(at, memories[0]);
+            return;
+        }
+        const std::size_t task_count = (count + items_per_task - 1) / items_per_task;
+        ExecutorWatch watch(task_count, memories.size());
+        executor_->run(task_count, [&](std::size_t task, std::size_t worker) {
+            if (!watch.enter(task, worker)) return;
+            const std::size_t end = std::min(count, (task + 1) * items_per_task);
+            for (std::size_t at = task * items_per_task; at < end; ++at) run_one(at, memories[worker]);
+            watch.leave(worker);
+        });
+        watch.require_whole();
+    }
+
     std::shared_ptr<Executor> executor_;
-    std::vector<QueryMemory> memories_;  // one a worker
+    std::vector<QueryMemory> memories_;  // one for each worker
+    mutable std::mutex question_mutex_;
+    mutable std::vector<QueryMemory> question_memories_;  // for questions; one for each worker
 };
 
 }  // namespace ecods

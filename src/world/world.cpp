@@ -1,3 +1,4 @@
+#include "base/make_error.hpp"
 #include "base/misuse.hpp"
 #include "world/mesh_mesh_test.hpp"
 #include "world/world_impl.hpp"
@@ -6,20 +7,20 @@ namespace ecods {
 
 void refuse_invalid(const Pose& pose, BodyId body, const ListIndex& index) {
     const InvalidEntry bad = find_invalid(pose).value();
-    throw InvalidPose(bad.row, bad.column, bad.value, body, index);
+    throw invalid_pose(bad.row, bad.column, bad.value).at(body, index);
 }
 
 Aabb box_for(const Shape& shape, const Pose& pose, BodyId body, const ListIndex& index) {
     Aabb box = shape.box(pose);
     for (int axis = 0; axis < 3; ++axis) {
         if (box.min[axis] <= box.max[axis]) continue;
-        throw InvalidBox(shape.kind(), axis, box.min[axis], box.max[axis], body, index);
+        throw invalid_box(shape.kind(), axis, box.min[axis], box.max[axis]).at(body, index);
     }
     return box;
 }
 
 void require_usable(const std::shared_ptr<const Shape>& shape) {
-    if (!shape) throw NullArgument("shape");
+    if (!shape) throw null_argument("shape");
     require_mesh_kind(*shape);
 }
 
@@ -43,7 +44,7 @@ void World::Impl::require_tests_for(ShapeKind kind, const Shape* replaced, std::
     for (const auto& [other, count] : bodies.kind_counts()) {
         const std::size_t remaining = count - (replaced != nullptr && replaced->kind() == other);
         if (remaining == 0) continue;
-        if (!tests.has(kind, other)) throw MissingTest(kind, other);
+        if (!tests.has(kind, other)) throw NotSupported(Question::intersects, kind, other);
         if (question) require_answer(kind, other, *question);
     }
 }

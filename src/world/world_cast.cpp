@@ -1,22 +1,24 @@
-#include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "base/limits.hpp"
-#include "ecods/motion.hpp"
+#include "geometry/find_invalid.hpp"
+#include "query/intersection/asking.hpp"
 #include "world/least.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
 namespace {
 
-// The body that is met first so far.
+// Keeps the body that is met first so far.
 class FirstMet {
   public:
-    explicit FirstMet(double time_max) : least_(std::min(time_max, 1.0)) {}
+    explicit FirstMet(double max_time) : least_(max_time) {}
 
-    // `ask(time_max)` gives the contact with a body, if there is one up to then. Returns the limit for what comes.
-    template <class Ask>
-    double take(ProxyIndex proxy, const Ask& ask) {
+    // Offers a body: `ask(max_time)` returns its first contact up to that time, if there is one. Returns the limit for
+    // later bodies.
+    template <class Function>
+    double take(ProxyIndex proxy, const Function& ask) {
         const auto reach = least_.reach(proxy);
         if (!reach) return least_.bound();
         const std::optional<FirstContact> contact = ask(*reach);
@@ -34,75 +36,40 @@ class FirstMet {
     FirstContact contact_;
 };
 
-FirstMet first_met(const Vec3& motion, double time_max) {
+FirstMet first_met(const Vec3& motion, double max_time) {
     validate_motion(motion);
-    if (!is_from_zero(time_max)) throw InvalidTime(time_max);
-    return FirstMet(time_max);
+    return FirstMet(require_time(max_time));
 }
 
-// `a` moves. Where the test has it second, the other one moves the other way, which is the same contact.
+// Casts `a` against `b`. If the test has the two in the other order, `b` moves by -motion instead, which is the same
+// contact.
 std::optional<FirstContact> cast_of(const OrderedTest& test, const Posed<Shape>& a, const Vec3& motion,
-                                    const Posed<Shape>& b, double time_max, QueryMemory& memory) {
-    if (!test.swapped) return test.test->cast(a, motion, b, time_max, memory);
-    auto contact = test.test->cast(b, -motion, a, time_max, memory);
+                                    const Posed<Shape>& b, double max_time, QueryMemory& memory) {
+    if (!test.swapped) return test.test->cast(a, motion, b, max_time, memory);
+    auto contact = test.test->cast(b, -motion, a, max_time, memory);
     if (contact) std::swap(contact->a, contact->b);
     return contact;
 }
 
 }  // namespace
 
-std::optional<BodyContact> World::cast(BodyId body, const Vec3& motion, QueryMemory& memory, double time_max) const {
+std::optional<BodyContact> World::cast(const Asked& asked, const Vec3& motion, double max_time, const Ask& ask) const {
     const Impl& w = impl();
-    const ProxyIndex own = w.bodies.require(body);
-    FirstMet first = first_met(motion, time_max);
-    const Slot& slot = w.bodies[own];
-    w.require_tests_for(slot.kind, slot.shape.get(), Question::cast);
-    w.broad_phase.visit_along(w.broad_phase.box(own), motion, first.bound(), [&](ProxyIndex proxy) {
-        if (proxy == own || !w.bodies.is_enabled(ordered_pair(own, proxy))) return first.bound();
-        const Slot& other = w.bodies[proxy];
-        return first.take(proxy, [&](double limit) {
-            return cast_of(w.tests.find(slot.kind, other.kind), slot.posed(), motion, other.posed(), limit, memory);
-        });
-    });
-    return first.answer(w.bodies);
-}
-
-std::optional<BodyContact> World::cast(const Shape& shape, const Pose& pose, const Vec3& motion, QueryMemory& memory,
-                                       double time_max, std::optional<CollisionFilter> filter) const {
-    const Impl& w = impl();
-    require_mesh_kind(shape);
-    require_valid(pose);
-    FirstMet first = first_met(motion, time_max);
-    w.require_tests_for(shape.kind(), nullptr, Question::cast);
-    const Posed<Shape> asked(shape, pose);
-    w.broad_phase.visit_along(box_for(shape, pose), motion, first.bound(), [&](ProxyIndex proxy) {
+    const Subject subject = w.subject_of(asked);
+    FirstMet first = first_met(motion, max_time);
+    w.require_tests_for(subject, Question::cast);
+    Asking asking(ask);
+    w.broad_phase.visit_along(w.box_of(subject), motion, first.bound(), [&](ProxyIndex proxy) {
+        if (w.passes_over(subject, proxy)) return first.bound();
         const Slot& slot = w.bodies[proxy];
-        if (filter && !may_meet(*filter, slot.filter)) return first.bound();
         return first.take(proxy, [&](double limit) {
-            return cast_of(w.tests.find(shape.kind(), slot.kind), asked, motion, slot.posed(), limit, memory);
+            const OrderedTest test = w.tests.find(subject.kind(), slot.kind);
+            return cast_of(test, subject.posed, motion, slot.posed(), limit, asking.memory());
         });
     });
-    return first.answer(w.bodies);
-}
-
-std::optional<BodyContact> World::cast(const std::shared_ptr<const Mesh>& mesh, const Pose& pose, const Vec3& motion,
-                                       QueryMemory& memory, double time_max,
-                                       std::optional<CollisionFilter> filter) const {
-    return impl().mesh_shapes.with(
-        mesh, [&](const MeshShape& shape) { return cast(shape, pose, motion, memory, time_max, filter); });
-}
-
-std::optional<BodyContact> World::cast(BodyId body, const Vec3& motion, double time_max) {
-    Impl& w = impl();
-    return w.traced<calls::Cast>(cast(body, motion, w.workers.caller_memory(), time_max), body, motion, time_max);
-}
-std::optional<BodyContact> World::cast(const std::shared_ptr<const Mesh>& mesh, const Pose& pose, const Vec3& motion,
-                                       double time_max, std::optional<CollisionFilter> filter) {
-    return cast(mesh, pose, motion, impl().workers.caller_memory(), time_max, filter);
-}
-std::optional<BodyContact> World::cast(const Shape& shape, const Pose& pose, const Vec3& motion, double time_max,
-                                       std::optional<CollisionFilter> filter) {
-    return cast(shape, pose, motion, impl().workers.caller_memory(), time_max, filter);
+    const auto found = first.answer(w.bodies);
+    const BodyId* const body = std::get_if<BodyId>(&asked.what());
+    return body != nullptr && !subject.filter ? w.traced<calls::Cast>(ask, found, *body, motion, max_time) : found;
 }
 
 }  // namespace ecods

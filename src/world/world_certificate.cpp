@@ -5,6 +5,7 @@
 
 #include "base/double_key.hpp"
 #include "query/certificate/world_certificate_content.hpp"
+#include "query/intersection/asking.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -16,7 +17,7 @@ using Claim = Certificate::Claim;
 void add_bodies(Content& content, const Bodies& bodies) {
     for (const BodyId id : bodies.ids()) {
         const Slot& slot = bodies[id.slot - 1];
-        if (slot.kind != ShapeKind::mesh()) throw NotCertified(id, slot.kind);
+        if (slot.kind != ShapeKind::mesh()) throw NotSupported(Question::certify, slot.kind, slot.kind, id);
         content.bodies.push_back({id, std::static_pointer_cast<const MeshShape>(slot.shape), slot.pose, slot.filter});
     }
 }
@@ -38,7 +39,8 @@ Content::Pair certify_pair(const Bodies& bodies, ProxyPair pair, const std::opti
     return result;
 }
 
-// Boxes that are within the clearance on each axis are no further apart than sqrt(3) times that.
+// Returns an upper bound of the distance of two boxes that are within the clearance on each axis: it is at most sqrt(3)
+// times the clearance.
 double box_limit(const std::optional<double>& clearance) {
     constexpr double largest = std::numeric_limits<double>::max();
     if (!clearance) return 0;
@@ -47,12 +49,13 @@ double box_limit(const std::optional<double>& clearance) {
 
 }  // namespace
 
-WorldCertificate World::certify(QueryMemory& memory) const {
+WorldCertificate World::certify(const Ask& ask) const {
     const Impl& w = impl();
     if (!w.changes.empty() || !w.closeness.is_up_to_date()) throw NotUpdated();
+    Asking asking(ask);
     Content content;
     content.clearance = w.closeness.listed();
-    if (content.clearance && key_of(*content.clearance) == 0) content.clearance = 0;  // not its negative
+    if (content.clearance && key_of(*content.clearance) == 0) content.clearance = 0;  // turns -0 into 0
     add_bodies(content, w.bodies);
     for (const ProxyPair pair : w.bodies.disabled().list()) content.off.push_back(w.bodies.ids_of(pair));
     std::vector<ProxyPair> pairs;
@@ -63,7 +66,7 @@ WorldCertificate World::certify(QueryMemory& memory) const {
     });
     std::ranges::sort(pairs);
     for (const ProxyPair pair : pairs) {
-        content.pairs.push_back(certify_pair(w.bodies, pair, content.clearance, memory));
+        content.pairs.push_back(certify_pair(w.bodies, pair, content.clearance, asking.memory()));
     }
     return WorldCertificateAccess::make(std::move(content));
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/limits.hpp"
+#include "ecods/solid.hpp"
 #include "geometry/box_distance.hpp"
 #include "query/convex/solid_pair.hpp"
 #include "world/enlarged.hpp"
@@ -14,85 +15,12 @@
 #include "world/world_impl.hpp"
 
 namespace ecods {
-namespace {
 
-// Asks about two bodies. Errors of the question name them.
-template <class Ask>
-auto ask_of(const Bodies& bodies, ProxyIndex a, ProxyIndex b, const Ask& ask) {
-    try {
-        return ask();
-    } catch (const SingularPose& error) {
-        throw SingularPose(error.argument, bodies.id_of(error.argument == 0 ? a : b));
-    } catch (const SolidsApart&) {
-        throw SolidsApart(bodies.id_of(a), bodies.id_of(b));
-    }
-}
-
-// By bits, as subnormal numbers may be taken for zero: a zero stays +0.
-Vec3 opposite(const Vec3& direction) {
-    Vec3 result;
-    for (int axis = 0; axis < 3; ++axis) result[axis] = key_of(direction[axis]) == 0 ? 0.0 : -direction[axis];
-    return result;
-}
-
-}  // namespace
-
-// ---- of two bodies: the one of the lesser id comes first, where it matters
-
-double World::solid_distance(BodyId a, BodyId b, QueryMemory& memory) const {
-    const Impl& w = impl();
-    const ProxyPair pair = w.bodies.require_pair(a, b);
-    const auto first = w.bodies.convex_at(pair.a), second = w.bodies.convex_at(pair.b);
-    return ask_of(w.bodies, pair.a, pair.b, [&] { return ecods::solid_distance(first, second, memory); });
-}
-
-std::optional<ClosestPoints> World::solid_closest(BodyId a, BodyId b, QueryMemory& memory) const {
-    const Impl& w = impl();
-    const ProxyPair pair = w.bodies.require_pair(a, b);
-    const auto first = w.bodies.convex_at(pair.a), second = w.bodies.convex_at(pair.b);
-    auto points = ask_of(w.bodies, pair.a, pair.b, [&] { return ecods::solid_closest(first, second, memory); });
-    if (points && a.slot - 1 != pair.a) points = turned(*points);
-    return points;
-}
-
-Depth World::depth(BodyId a, BodyId b, QueryMemory& memory) const {
-    const Impl& w = impl();
-    const ProxyPair pair = w.bodies.require_pair(a, b);
-    const auto first = w.bodies.convex_at(pair.a), second = w.bodies.convex_at(pair.b);
-    Depth depth = ask_of(w.bodies, pair.a, pair.b, [&] { return ecods::depth(first, second, memory); });
-    if (a.slot - 1 != pair.a) {
-        std::swap(depth.a, depth.b);
-        depth.direction = opposite(depth.direction);
-    }
-    return depth;
-}
-
-DepthBounds World::depth_bounds(BodyId a, BodyId b, QueryMemory& memory) const {
-    const Impl& w = impl();
-    w.bodies.require_pair(a, b);
-    const ProxyIndex first = a.slot - 1, second = b.slot - 1;
-    const auto solid_a = w.bodies.solid_at(first), solid_b = w.bodies.solid_at(second);
-    return ask_of(w.bodies, first, second, [&] { return ecods::depth_bounds(solid_a, solid_b, memory); });
-}
-
-double World::solid_distance(BodyId a, BodyId b) {
-    return solid_distance(a, b, impl().workers.caller_memory());
-}
-std::optional<ClosestPoints> World::solid_closest(BodyId a, BodyId b) {
-    return solid_closest(a, b, impl().workers.caller_memory());
-}
-Depth World::depth(BodyId a, BodyId b) {
-    return depth(a, b, impl().workers.caller_memory());
-}
-DepthBounds World::depth_bounds(BodyId a, BodyId b) {
-    return depth_bounds(a, b, impl().workers.caller_memory());
-}
-
-// ---- of all: asked in the order in which the trees find pairs, of which neighbours share bodies
+// The pairs are asked about in the order in which the trees find them, so that neighbours in this order share bodies.
 
 namespace {
 
-// Sends for what the next bodies' SolidInMemory are made from.
+// Prefetches the data from which the next bodies' SolidInMemory are made.
 void prefetch_after(const Bodies& bodies, ProxyIndex proxy) noexcept {
     constexpr ProxyIndex solids_ahead = 16, parts_ahead = 8;
     if (bodies.end() - proxy > solids_ahead)
@@ -125,15 +53,16 @@ auto World::Impl::near_convex_pairs(double limit) const -> NearConvexPairs {
     return near;
 }
 
-// Of a thousand solids that move none is in a fast cache when its pair comes: it is sent for some pairs ahead.
-template <class Answer, class Run, class Ask>
-std::vector<Answer> World::Impl::ask_convex_pairs(double limit, const Run& run, const Ask& ask) const {
+// Prefetches the solids of a pair that comes later: of a thousand solids that move, none is in a fast cache when its
+// pair comes.
+template <class Answer, class Function>
+std::vector<Answer> World::Impl::ask_convex_pairs(double limit, const Ask& ask, const Function& find) const {
     using Body = Posed<ConvexSolid>;
     constexpr std::size_t ahead = 2;
     const NearConvexPairs near = near_convex_pairs(limit);
-    std::vector<std::invoke_result_t<Ask, const Body&, const Body&, QueryMemory&>> found(near.pairs.size());
+    std::vector<std::invoke_result_t<Function, const Body&, const Body&, QueryMemory&>> found(near.pairs.size());
     FirstFailure failure;
-    run(near.pairs.size(), [&](std::size_t at, QueryMemory& memory) {
+    workers.run_question(near.pairs.size(), ask, [&](std::size_t at, QueryMemory& memory) {
         const ProxyPair& pair = near.pairs[at];
         if (at + ahead < near.pairs.size()) {
             const ProxyPair& later = near.pairs[at + ahead];
@@ -141,7 +70,7 @@ std::vector<Answer> World::Impl::ask_convex_pairs(double limit, const Run& run, 
             near.solids[later.b].prefetch();
         }
         try {
-            found[at] = ask(bodies.convex_at(pair.a), bodies.convex_at(pair.b), memory);
+            found[at] = find(bodies.convex_at(pair.a), bodies.convex_at(pair.b), memory);
         } catch (...) {
             failure.keep(bodies.ids_of(pair), std::current_exception());
         }
@@ -155,51 +84,22 @@ std::vector<Answer> World::Impl::ask_convex_pairs(double limit, const Run& run, 
     return result;
 }
 
-template <class Run>
-std::vector<BodyDepth> World::Impl::find_depths(const Run& run) const {
-    return ask_convex_pairs<BodyDepth>(0, run,
-                                       [](const auto& a, const auto& b, QueryMemory& memory) -> std::optional<Depth> {
-                                           if (!convex::do_meet(a, b, memory)) return std::nullopt;
-                                           return ecods::depth(a, b, memory);
-                                       });
-}
-
-template <class Run>
-std::vector<SolidDistance> World::Impl::find_solid_distances(double limit, const Run& run) const {
-    require_distance(limit);
-    return ask_convex_pairs<SolidDistance>(limit, run, [&](const auto& a, const auto& b, QueryMemory& memory) {
-        return convex::distance_within(a, b, limit, memory);
+std::vector<BodyDepth> World::depths(const Ask& ask) const {
+    const Impl& w = impl();
+    auto found = w.ask_convex_pairs<BodyDepth>(0, ask, [](const auto& a, const auto& b, QueryMemory& memory) {
+        return convex::do_meet(a, b, memory) ? ecods::depth(a, b, memory) : std::nullopt;
     });
+    return w.traced<calls::Depths>(ask, std::move(found));
 }
 
-namespace {
-
-// One after the other, in the memory of a caller.
-auto one_by_one(QueryMemory& memory) {
-    return [&memory](std::size_t count, const auto& run_one) {
-        for (std::size_t at = 0; at < count; ++at) run_one(at, memory);
-    };
-}
-auto by_workers(Workers& workers) {
-    return [&workers](std::size_t count, const auto& run_one) { workers.run(count, run_one); };
-}
-
-}  // namespace
-
-std::vector<BodyDepth> World::depths(QueryMemory& memory) const {
-    return impl().find_depths(one_by_one(memory));
-}
-std::vector<SolidDistance> World::solid_distances(double limit, QueryMemory& memory) const {
-    return impl().find_solid_distances(limit, one_by_one(memory));
-}
-
-std::vector<BodyDepth> World::depths() {
-    Impl& w = impl();
-    return w.traced<calls::Depths>(w.find_depths(by_workers(w.workers)));
-}
-std::vector<SolidDistance> World::solid_distances(double limit) {
-    Impl& w = impl();
-    return w.traced<calls::SolidDistances>(w.find_solid_distances(limit, by_workers(w.workers)), limit);
+std::vector<SolidDistance> World::solid_distances(double max_distance, const Ask& ask) const {
+    const Impl& w = impl();
+    require_distance(max_distance);
+    auto found =
+        w.ask_convex_pairs<SolidDistance>(max_distance, ask, [&](const auto& a, const auto& b, QueryMemory& memory) {
+            return convex::distance_within(a, b, max_distance, memory);
+        });
+    return w.traced<calls::SolidDistances>(ask, std::move(found), max_distance);
 }
 
 }  // namespace ecods

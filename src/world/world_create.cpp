@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "base/make_error.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -14,7 +15,7 @@ BodyId World::create_body(std::shared_ptr<const Shape> shape, const Pose& pose) 
 
 BodyId World::create_body(const BodyOptions& options) {
     Impl& w = impl();
-    if (options.mesh && options.shape) throw MeshAndShape();
+    if (options.mesh && options.shape) throw mesh_and_shape();
     std::shared_ptr<const Shape> shape = options.mesh ? w.mesh_shapes.shape_of(options.mesh) : options.shape;
     require_usable(shape);
     require_valid(options.pose);

@@ -1,38 +1,44 @@
+#include <algorithm>
 #include <utility>
 
 #include "base/limits.hpp"
-#include "ecods/distance.hpp"
+#include "geometry/feature_key.hpp"
+#include "query/intersection/asking.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
 
-double World::distance(BodyId a, BodyId b, QueryMemory& memory) const {
-    const Impl& w = impl();
-    return w.ask(w.bodies.require_pair(a, b), &TwoBodyTest::distance, memory);
+double World::distance(const Asked& a, const Asked& b, const Ask& ask) const {
+    Asking asking(ask);
+    return impl().pair_of(a, b).ask(&TwoBodyTest::distance, Ask(asking.memory(), asking.witness()));
 }
 
-bool World::within(BodyId a, BodyId b, double d, QueryMemory& memory) const {
-    const Impl& w = impl();
-    const ProxyPair pair = w.bodies.require_pair(a, b);
-    require_distance(d);
-    return w.ask(pair, &TwoBodyTest::within, d, memory);
+bool World::within(const Asked& a, const Asked& b, double max_distance, const Ask& ask) const {
+    const SubjectPair pair = impl().pair_of(a, b);
+    require_distance(max_distance);
+    Asking asking(ask);
+    return pair.ask(&TwoBodyTest::within, max_distance, Ask(asking.memory(), asking.witness()));
 }
 
-ClosestPoints World::closest(BodyId a, BodyId b, QueryMemory& memory) const {
-    const Impl& w = impl();
-    const ProxyPair pair = w.bodies.require_pair(a, b);
-    const ClosestPoints points = w.ask(pair, &TwoBodyTest::closest, memory);
-    return w.test_of(pair).swapped != (a.slot - 1 != pair.a) ? turned(points) : points;
+ClosestPoints World::closest(const Asked& a, const Asked& b, const Ask& ask) const {
+    const SubjectPair pair = impl().pair_of(a, b, Impl::PairOrder::lesser_id_first);
+    const ClosestPoints points = pair.ask(&TwoBodyTest::closest, Ask(Asking(ask).memory()));
+    return pair.test.swapped != pair.is_turned ? turned(points) : points;
 }
 
-double World::distance(BodyId a, BodyId b) {
-    return distance(a, b, impl().workers.caller_memory());
-}
-bool World::within(BodyId a, BodyId b, double d) {
-    return within(a, b, d, impl().workers.caller_memory());
-}
-ClosestPoints World::closest(BodyId a, BodyId b) {
-    return closest(a, b, impl().workers.caller_memory());
+std::vector<CloseFeatures> World::close_features(const Asked& a, const Asked& b, double max_distance,
+                                                 const Ask& ask) const {
+    const SubjectPair pair = impl().pair_of(a, b);
+    require_finite_distance(max_distance);
+    auto found = pair.ask(&TwoBodyTest::close_features, max_distance, Ask(Asking(ask).memory()));
+    if (pair.test.swapped) {
+        for (CloseFeatures& each : found) {
+            each.closest = turned(each.closest);
+            if (each.direction) *each.direction = -*each.direction;
+        }
+        std::ranges::stable_sort(found, {}, [](const CloseFeatures& each) { return rank(each.closest); });
+    }
+    return found;
 }
 
 }  // namespace ecods

@@ -1,3 +1,4 @@
+#include "query/intersection/asking.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -9,38 +10,21 @@ std::vector<BodyId> World::overlapping_bodies(const Aabb& box) const {
     return result;
 }
 
-std::vector<BodyId> World::intersecting_bodies(const Shape& shape, const Pose& pose, QueryMemory& memory,
-                                               std::optional<CollisionFilter> filter) const {
+std::vector<BodyId> World::intersecting_bodies(const Asked& asked, const Ask& ask) const {
     const Impl& w = impl();
-    require_mesh_kind(shape);
-    require_valid(pose);
-    w.require_tests_for(shape.kind(), nullptr);
-    const Posed<Shape> asked(shape, pose);
+    const Subject subject = w.subject_of(asked);
+    w.require_tests_for(subject);
+    Asking asking(ask);
     std::vector<BodyId> result;
-    for (const ProxyIndex proxy : w.broad_phase.find(box_for(shape, pose))) {
+    for (const ProxyIndex proxy : w.broad_phase.find(w.box_of(subject))) {
+        if (w.passes_over(subject, proxy)) continue;
         const Slot& slot = w.bodies[proxy];
-        if (filter && !may_meet(*filter, slot.filter)) continue;
+        const OrderedTest test = w.tests.find(subject.kind(), slot.kind);
         const bool is_intersecting =
-            w.tests.find(shape.kind(), slot.kind).ask(asked, slot.posed(), &TwoBodyTest::intersects, memory);
+            test.ask(subject.posed, slot.posed(), &TwoBodyTest::intersects, Ask(asking.memory()));
         if (is_intersecting) result.push_back(w.bodies.id_of(proxy));
     }
     return result;
-}
-
-std::vector<BodyId> World::intersecting_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
-                                               QueryMemory& memory, std::optional<CollisionFilter> filter) const {
-    return impl().mesh_shapes.with(
-        mesh, [&](const MeshShape& shape) { return intersecting_bodies(shape, pose, memory, filter); });
-}
-
-std::vector<BodyId> World::intersecting_bodies(const Shape& shape, const Pose& pose,
-                                               std::optional<CollisionFilter> filter) {
-    return intersecting_bodies(shape, pose, impl().workers.caller_memory(), filter);
-}
-
-std::vector<BodyId> World::intersecting_bodies(const std::shared_ptr<const Mesh>& mesh, const Pose& pose,
-                                               std::optional<CollisionFilter> filter) {
-    return intersecting_bodies(mesh, pose, impl().workers.caller_memory(), filter);
 }
 
 }  // namespace ecods

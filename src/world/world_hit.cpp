@@ -1,7 +1,9 @@
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "query/hit/hit_search.hpp"
+#include "query/intersection/asking.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -15,7 +17,7 @@ void require_hits(const Bodies& bodies) {
     if (const auto kind = bodies.kind_without_hits()) throw NotSupported(Question::hits, *kind, *kind);
 }
 
-// Proxies are keys: they have the order of the ids.
+// Uses proxies as keys: they have the order of the ids.
 template <class SegmentOrRay>
 std::optional<BodyHit> find_first(const SegmentOrRay& asked, const Bodies& bodies, const OverlapTracker& boxes,
                                   QueryMemory& memory, const std::optional<CollisionFilter>& filter) {
@@ -64,41 +66,30 @@ std::vector<BodyHit> find_all(const SegmentOrRay& asked, const Bodies& bodies, c
 
 }  // namespace
 
-std::optional<BodyHit> World::first_hit(const Segment& segment, QueryMemory& memory,
-                                        std::optional<CollisionFilter> filter) const {
+std::optional<BodyHit> World::first_hit(const Segment& segment, std::optional<CollisionFilter> filter,
+                                        const Ask& ask) const {
     const Impl& w = impl();
-    return find_first(segment, w.bodies, w.broad_phase, memory, filter);
-}
-std::optional<BodyHit> World::first_hit(const Ray& ray, QueryMemory& memory,
-                                        std::optional<CollisionFilter> filter) const {
-    const Impl& w = impl();
-    return find_first(ray, w.bodies, w.broad_phase, memory, filter);
-}
-std::vector<BodyHit> World::all_hits(const Segment& segment, QueryMemory& memory,
-                                     std::optional<CollisionFilter> filter) const {
-    const Impl& w = impl();
-    return find_all(segment, w.bodies, w.broad_phase, memory, filter);
-}
-std::vector<BodyHit> World::all_hits(const Ray& ray, QueryMemory& memory, std::optional<CollisionFilter> filter) const {
-    const Impl& w = impl();
-    return find_all(ray, w.bodies, w.broad_phase, memory, filter);
+    auto found = find_first(segment, w.bodies, w.broad_phase, Asking(ask).memory(), filter);
+    return w.traced<calls::FirstHit>(ask, std::move(found), segment, filter);
 }
 
-std::optional<BodyHit> World::first_hit(const Segment& segment, std::optional<CollisionFilter> filter) {
-    Impl& w = impl();
-    return w.traced<calls::FirstHit>(first_hit(segment, w.workers.caller_memory(), filter), segment, filter);
+std::optional<BodyHit> World::first_hit(const Ray& ray, std::optional<CollisionFilter> filter, const Ask& ask) const {
+    const Impl& w = impl();
+    auto found = find_first(ray, w.bodies, w.broad_phase, Asking(ask).memory(), filter);
+    return w.traced<calls::FirstHitOfRay>(ask, std::move(found), ray, filter);
 }
-std::optional<BodyHit> World::first_hit(const Ray& ray, std::optional<CollisionFilter> filter) {
-    Impl& w = impl();
-    return w.traced<calls::FirstHitOfRay>(first_hit(ray, w.workers.caller_memory(), filter), ray, filter);
+
+std::vector<BodyHit> World::all_hits(const Segment& segment, std::optional<CollisionFilter> filter,
+                                     const Ask& ask) const {
+    const Impl& w = impl();
+    auto found = find_all(segment, w.bodies, w.broad_phase, Asking(ask).memory(), filter);
+    return w.traced<calls::AllHits>(ask, std::move(found), segment, filter);
 }
-std::vector<BodyHit> World::all_hits(const Segment& segment, std::optional<CollisionFilter> filter) {
-    Impl& w = impl();
-    return w.traced<calls::AllHits>(all_hits(segment, w.workers.caller_memory(), filter), segment, filter);
-}
-std::vector<BodyHit> World::all_hits(const Ray& ray, std::optional<CollisionFilter> filter) {
-    Impl& w = impl();
-    return w.traced<calls::AllHitsOfRay>(all_hits(ray, w.workers.caller_memory(), filter), ray, filter);
+
+std::vector<BodyHit> World::all_hits(const Ray& ray, std::optional<CollisionFilter> filter, const Ask& ask) const {
+    const Impl& w = impl();
+    auto found = find_all(ray, w.bodies, w.broad_phase, Asking(ask).memory(), filter);
+    return w.traced<calls::AllHitsOfRay>(ask, std::move(found), ray, filter);
 }
 
 }  // namespace ecods

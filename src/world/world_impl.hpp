@@ -1,12 +1,14 @@
-// The inside of a World.
+// World::Impl holds the parts of a World.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "broad_phase/changes/pair_events.hpp"
 #include "broad_phase/overlap_tracker.hpp"
 #include "ecods/world.hpp"
 #include "geometry/find_invalid.hpp"
@@ -19,6 +21,7 @@
 #include "world/mesh_shapes.hpp"
 #include "world/pair_verdicts.hpp"
 #include "world/solid_pairs.hpp"
+#include "world/subject.hpp"
 #include "world/two_body_tests.hpp"
 #include "world/workers.hpp"
 
@@ -27,13 +30,27 @@ namespace ecods {
 struct World::Impl {
     explicit Impl(const WorldOptions& options);
 
-    // A body of `kind` comes, in place of `replaced` if that is not null. Throws MissingTest, or NotSupported where a
-    // question is given.
+    // Throws NotSupported unless there is a test for `kind` and the kind of each body, and it answers the question if
+    // one is given. Does not count one body with the shape `replaced`, if that is not null.
     void require_tests_for(ShapeKind kind, const Shape* replaced, std::optional<Question> question = {}) const;
 
-    // The question is to be asked of pairs of any bodies, or of these two kinds. Throw NotSupported.
+    // Throw NotSupported unless the tests answer the question: for every two bodies of the world, or for these two
+    // kinds.
     void require_answers(Question question) const;
     void require_answer(ShapeKind a, ShapeKind b, Question question) const;
+
+    // ---- subjects of questions
+    Subject subject_of(const Asked& asked) const;  // throws StaleBody, InvalidArgument, NotSupported
+    // True if a question about the subject skips this body: it is the subject itself, or the two are filtered out.
+    bool passes_over(const Subject& subject, ProxyIndex other) const;
+    Aabb box_of(const Subject& subject) const;
+    void require_tests_for(const Subject& subject, std::optional<Question> question = {}) const;
+
+    // PairOrder says in which order a test gets two bodies. With lesser_id_first, the body of the lesser id comes
+    // first, so that ties are broken alike in both orders of the arguments. pair_of() throws SameBody, NotSupported,
+    // and what subject_of() throws.
+    enum class PairOrder { as_given, lesser_id_first };
+    SubjectPair pair_of(const Asked& a, const Asked& b, PairOrder order = PairOrder::as_given) const;
 
     // ---- pairs of bodies
     OrderedTest test_of(ProxyPair pair) const { return tests.find(bodies[pair.a].kind, bodies[pair.b].kind); }
@@ -41,25 +58,21 @@ struct World::Impl {
     auto ask(ProxyPair pair, Question question, Arguments&&... arguments) const {
         return test_of(pair).ask(bodies[pair.a].posed(), bodies[pair.b].posed(), question, arguments...);
     }
-    SolidRelation relate(ProxyPair pair, QueryMemory& memory) const;  // throws NotSupported
+    Relation relate(ProxyPair pair, QueryMemory& memory) const;  // of two solids; throws NotSupported
 
-    // The pairs of convex solids whose boxes are not proven to be further apart than the limit, without those that are
-    // filtered out; in no promised order. Throws SingularPose.
+    // NearConvexPairs has the pairs of convex solids whose boxes are not proven to be further apart than the limit,
+    // without those that are filtered out, in no promised order. near_convex_pairs() throws SingularPose.
     struct NearConvexPairs {
         ProxyPairs pairs;
         std::vector<convex::SolidInMemory> solids;  // by proxy
     };
     NearConvexPairs near_convex_pairs(double limit) const;
-    // Asks about each of them by run(count, run_one(i, memory)), also when one throws; ask(a, b, memory) gives what the
-    // answer has, or nothing. Ascending.
-    template <class Answer, class Run, class Ask>
-    std::vector<Answer> ask_convex_pairs(double limit, const Run& run, const Ask& ask) const;
-    template <class Run>
-    std::vector<BodyDepth> find_depths(const Run& run) const;
-    template <class Run>
-    std::vector<SolidDistance> find_solid_distances(double limit, const Run& run) const;
+    // Asks about each near pair, even if one throws. `find(a, b, memory)` returns the second member of the Answer, or
+    // nothing. Returns the answers, ascending by pair.
+    template <class Answer, class Function>
+    std::vector<Answer> ask_convex_pairs(double limit, const Ask& ask, const Function& find) const;
 
-    // ---- update, in this order
+    // ---- the steps of an update, in this order
     void update();
     void test_pairs();
     void test_close_pairs();
@@ -74,15 +87,21 @@ struct World::Impl {
     // Writes a body into the trace, as the call that makes it.
     void trace_body(ProxyIndex proxy, std::uint64_t shape_number) noexcept;
 
-    // The number of a shape in the trace, written before a call that brings it in; 0 without a trace.
+    // Returns the number of a shape in the trace, or 0 without a trace. Writes the shape if it is new there, so this
+    // comes before the call that brings it in.
     std::uint64_t traced_number(const std::shared_ptr<const Shape>& shape) {
         return trace ? trace->number_of(shape) : 0;
     }
 
-    // Writes a question that was asked in the world's own memory, if questions are written, and returns the answer.
+    // Returns the answer. Also writes the question and a digest of the answer, if the trace has questions and the
+    // caller gave no memory. Questions of several threads are written one by one.
     template <template <class> class Row, class Answer, class... Arguments>
-    Answer traced(Answer answer, const Arguments&... arguments) noexcept {
-        if (trace && trace->writes_questions()) trace->write<Row>(AnswerDigest::of(answer), arguments...);
+    Answer traced(const Ask& ask, Answer answer, const Arguments&... arguments) const noexcept {
+        if (trace && trace->writes_questions() && ask.memory == nullptr) {
+            const std::uint64_t digest = AnswerDigest::of(answer);
+            const std::scoped_lock lock(trace_mutex);
+            trace->write<Row>(digest, arguments...);
+        }
         return answer;
     }
 
@@ -95,25 +114,26 @@ struct World::Impl {
     Closeness closeness;
     SolidPairs solids;
     Workers workers;
-    std::unique_ptr<TraceWriter> trace;  // null: none is under way
-    Statistics statistics;               // sums; the rest is filled in on request
+    std::unique_ptr<TraceWriter> trace;  // null: no trace is under way
+    mutable std::mutex trace_mutex;      // for questions, which may run beside each other
+    Statistics statistics;               // sums alone; World::statistics() fills in the rest
 };
 
-// The shape's box, checked: what enters the broad phase must be ordered.
+// Returns the shape's box. Throws InvalidArgument unless min <= max on each axis, as the broad phase requires.
 Aabb box_for(const Shape& shape, const Pose& pose, BodyId body = {}, const ListIndex& index = {});
 [[noreturn]] void refuse_invalid(const Pose& pose, BodyId body, const ListIndex& index);
 inline void require_valid(const Pose& pose, BodyId body = {}, const ListIndex& index = {}) {
     if (!is_finite(pose)) [[unlikely]]
         refuse_invalid(pose, body, index);
 }
-// The points as the other body sees them.
+// Returns the points with the two bodies exchanged.
 inline ClosestPoints turned(ClosestPoints points) noexcept {
     std::swap(points.a, points.b);
     std::swap(points.point_a, points.point_b);
     return points;
 }
-void require_usable(const std::shared_ptr<const Shape>& shape);  // throws NullArgument, and
-void require_mesh_kind(const Shape& shape);                      // NotSupported: the kind of meshes, but no MeshShape
-void require_answer(const TwoBodyTest& test, Question question, ShapeKind a, ShapeKind b);  // NotSupported
+void require_usable(const std::shared_ptr<const Shape>& shape);  // throws InvalidArgument for null, and as below
+void require_mesh_kind(const Shape& shape);                      // NotSupported if of kind mesh() but no MeshShape
+void require_answer(const TwoBodyTest& test, Question question, ShapeKind a, ShapeKind b);  // throws NotSupported
 
 }  // namespace ecods

@@ -6,14 +6,16 @@
 #include <vector>
 
 #include "base/double_key.hpp"
+#include "base/make_error.hpp"
 #include "geometry/same_bits.hpp"
+#include "query/intersection/asking.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
 namespace {
 
-// Contains the way of a body from one box to another: each coordinate of a point is at all times between the two that
-// it has at the ends.
+// Returns a box that contains the way of a body from one box to another: points move on straight lines, so each
+// coordinate of a point is always between its values at the two ends.
 Aabb box_of_way(const Aabb& from, const Aabb& to) {
     Aabb box = from;
     for (int axis = 0; axis < 3; ++axis) {
@@ -23,10 +25,10 @@ Aabb box_of_way(const Aabb& from, const Aabb& to) {
     return box;
 }
 
-// Where bodies go, and the boxes of their ways.
+// Holds the new poses of bodies, and the boxes of their ways.
 class Ways {
   public:
-    // The body's new pose, in place of one that was given before.
+    // Sets the body's new pose, in place of one that was set before.
     void set(ProxyIndex proxy, const Pose& to, const Aabb& way) {
         const auto [at, is_new] = places_.try_emplace(proxy, bodies_.size());
         if (is_new) {
@@ -65,8 +67,8 @@ std::optional<FirstContact> meet(const OrderedTest& test, const Moving<Shape>& a
     return contact;
 }
 
-// Appends the pairs of bodies that stay and did not change since the last update and that may collide: those that did
-// then, and those that were switched on since. May be twice in the list.
+// Appends the pairs that may collide although neither body is in `ways`: pairs that collided at the last update, and
+// pairs that were switched on or off since. A pair may be appended twice.
 void append_known(const PairVerdicts& collisions, const Changes& changes, const Bodies& bodies, const Ways& ways,
                   ProxyPairs& pairs) {
     const auto append = [&](const ProxyPair& pair) {
@@ -82,12 +84,13 @@ void append_known(const PairVerdicts& collisions, const Changes& changes, const 
 
 }  // namespace
 
-// Every pair of which a body is listed, or changed since the last update, is looked for; of all others it is known
+// Searches for all pairs of which a body is listed, or changed since the last update. For all other pairs it is known
 // whether they collide.
 std::vector<Meeting> World::meetings(std::span<const BodyId> bodies, std::span<const Pose> poses,
-                                     QueryMemory& memory) const {
+                                     const Ask& ask) const {
     const Impl& w = impl();
-    if (bodies.size() != poses.size()) throw LengthMismatch(bodies.size(), poses.size());
+    Asking asking(ask);
+    if (bodies.size() != poses.size()) throw invalid_list_length(bodies.size(), poses.size());
     Ways ways;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const ProxyIndex proxy = w.bodies.require(bodies[i], i);
@@ -114,17 +117,12 @@ std::vector<Meeting> World::meetings(std::span<const BodyId> bodies, std::span<c
         if (!w.bodies.is_enabled(pair)) continue;
         const Slot &a = w.bodies[pair.a], &b = w.bodies[pair.b];
         const auto contact =
-            meet(w.tests.find(a.kind, b.kind), moving(a, ways.to(pair.a)), moving(b, ways.to(pair.b)), memory);
+            meet(w.tests.find(a.kind, b.kind), moving(a, ways.to(pair.a)), moving(b, ways.to(pair.b)), asking.memory());
         if (contact) result.push_back({w.bodies.ids_of(pair), *contact});
     }
     std::ranges::sort(result, {},
                       [](const Meeting& meeting) { return std::tuple(key_of(meeting.contact.time), meeting.bodies); });
-    return result;
-}
-
-std::vector<Meeting> World::meetings(std::span<const BodyId> bodies, std::span<const Pose> poses) {
-    Impl& w = impl();
-    return w.traced<calls::Meetings>(meetings(bodies, poses, w.workers.caller_memory()), bodies, poses);
+    return w.traced<calls::Meetings>(ask, std::move(result), bodies, poses);
 }
 
 }  // namespace ecods

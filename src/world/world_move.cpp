@@ -1,5 +1,6 @@
 #include <vector>
 
+#include "base/make_error.hpp"
 #include "geometry/same_bits.hpp"
 #include "world/moved_boxes.hpp"
 #include "world/world_impl.hpp"
@@ -24,7 +25,7 @@ void World::set_pose(BodyId body, const Pose& pose) {
 // Everything that can fail is done before a body moves.
 void World::set_poses(std::span<const BodyId> bodies, std::span<const Pose> poses) {
     Impl& w = impl();
-    if (bodies.size() != poses.size()) throw LengthMismatch(bodies.size(), poses.size());
+    if (bodies.size() != poses.size()) throw invalid_list_length(bodies.size(), poses.size());
     std::vector<ProxyIndex> proxies;
     std::vector<Aabb> boxes(bodies.size());
     proxies.reserve(bodies.size());

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "base/hash.hpp"
+#include "query/intersection/asking.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -31,35 +32,34 @@ std::span<const BodyPair> World::ended() const {
     return impl().collisions.ended();
 }
 
-bool World::intersects(BodyId a, BodyId b, QueryMemory& memory) const {
-    const Impl& w = impl();
-    return w.ask(w.bodies.require_pair(a, b), &TwoBodyTest::intersects, memory);
+bool World::intersects(const Asked& a, const Asked& b, const Ask& ask) const {
+    Asking asking(ask);
+    return impl().pair_of(a, b).ask(&TwoBodyTest::intersects, Ask(asking.memory(), asking.witness()));
 }
 
-Relation World::relation(BodyId a, BodyId b, QueryMemory& memory) const {
-    const Impl& w = impl();
-    return w.ask(w.bodies.require_pair(a, b), &TwoBodyTest::relation, memory);
+Relation World::relation(const Asked& a, const Asked& b, const Ask& ask) const {
+    return impl().pair_of(a, b).ask(&TwoBodyTest::relation, Ask(Asking(ask).memory()));
 }
 
-std::vector<TrianglePair> World::intersecting_triangles(BodyId a, BodyId b, QueryMemory& memory) const {
-    const Impl& w = impl();
-    const ProxyPair pair = w.bodies.require_pair(a, b);
-    auto triangles = w.ask(pair, &TwoBodyTest::intersecting_triangles, memory);
-    if (w.test_of(pair).swapped != (a.slot - 1 != pair.a)) {
+// Exchanges the triangles of each pair if the test has the shapes in the other order.
+std::vector<TrianglePair> World::intersecting_triangles(const Asked& a, const Asked& b, const Ask& ask) const {
+    const SubjectPair pair = impl().pair_of(a, b);
+    auto triangles = pair.ask(&TwoBodyTest::intersecting_triangles, Ask(Asking(ask).memory()));
+    if (pair.test.swapped) {
         for (TrianglePair& t : triangles) std::swap(t.a, t.b);
         std::ranges::sort(triangles);
     }
     return triangles;
 }
 
-bool World::intersects(BodyId a, BodyId b) {
-    return intersects(a, b, impl().workers.caller_memory());
-}
-Relation World::relation(BodyId a, BodyId b) {
-    return relation(a, b, impl().workers.caller_memory());
-}
-std::vector<TrianglePair> World::intersecting_triangles(BodyId a, BodyId b) {
-    return intersecting_triangles(a, b, impl().workers.caller_memory());
+std::vector<TriangleIntersection> World::intersections(const Asked& a, const Asked& b, const Ask& ask) const {
+    const SubjectPair pair = impl().pair_of(a, b);
+    auto found = pair.ask(&TwoBodyTest::intersections, Ask(Asking(ask).memory()));
+    if (pair.test.swapped) {
+        for (TriangleIntersection& each : found) std::swap(each.triangles.a, each.triangles.b);
+        std::ranges::sort(found, {}, &TriangleIntersection::triangles);
+    }
+    return found;
 }
 
 Statistics World::statistics() const {
@@ -79,7 +79,7 @@ Statistics World::statistics() const {
 
 namespace {
 
-// Of pairs of living bodies.
+// Sums the digests of the pairs of living bodies.
 std::uint64_t sum_of_pairs(const BodyPairs& pairs, const Bodies& bodies) {
     std::uint64_t sum = 0;
     for (const BodyPair& pair : pairs) {
@@ -91,23 +91,29 @@ std::uint64_t sum_of_pairs(const BodyPairs& pairs, const Bodies& bodies) {
     return sum;
 }
 
-// The same of pairs of solids, turned such that the lesser digest comes first.
+// Returns the number that traces of all versions have for a relation of solids: `crossing`, which only surfaces have,
+// is left out of the count.
+std::uint64_t number_of(Relation relation) noexcept {
+    return static_cast<std::uint64_t>(relation) - (relation > Relation::crossing ? 1 : 0);
+}
+
+// Sums the digests of the pairs of living solids. Each pair is turned so that the lesser digest of a body comes first.
 std::uint64_t sum_of_solids(std::span<const SolidPair> pairs, const Bodies& bodies) {
     std::uint64_t sum = 0;
     for (const SolidPair& pair : pairs) {
         if (!bodies.is_alive(pair.bodies.a) || !bodies.is_alive(pair.bodies.b)) continue;
         const std::uint64_t a = digest_of(bodies[pair.bodies.a.slot - 1]);
         const std::uint64_t b = digest_of(bodies[pair.bodies.b.slot - 1]);
-        const SolidRelation relation = a <= b ? pair.relation : mirrored(pair.relation);
+        const Relation relation = a <= b ? pair.relation : mirrored(pair.relation);
         const auto [low, high] = std::minmax(a, b);
-        sum += mix(combine(combine(low, high), static_cast<std::uint64_t>(relation)));
+        sum += mix(combine(combine(low, high), number_of(relation)));
     }
     return sum;
 }
 
 }  // namespace
 
-// Sums of words that are themselves mixed: the order of bodies and pairs does not matter.
+// Adds up words that are already mixed, so that the order of bodies and pairs does not matter.
 std::uint64_t World::Impl::digest() const {
     std::uint64_t sum_of_bodies = 0;
     for (ProxyIndex proxy = 0; proxy < bodies.end(); ++proxy) {

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "base/make_error.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -29,7 +30,7 @@ void World::set_shape(BodyId body, std::shared_ptr<const Shape> shape) {
 
 void World::set_test(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test) {
     Impl& w = impl();
-    if (!test) throw NullArgument("test");
+    if (!test) throw null_argument("test");
     if (w.closeness.question() && w.bodies.has_pair_of(a, b)) require_answer(*test, *w.closeness.question(), a, b);
     w.changes.make_room_for_all();
     w.tests.set(a, b, std::move(test));

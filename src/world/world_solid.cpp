@@ -1,5 +1,7 @@
 #include <exception>
+#include <utility>
 
+#include "query/intersection/asking.hpp"
 #include "query/solid/solid_parts.hpp"
 #include "world/first_failure.hpp"
 #include "world/world_impl.hpp"
@@ -21,11 +23,11 @@ std::span<const SolidPair> World::solid_pairs() const {
     return impl().solids.list();
 }
 
-SolidRelation World::Impl::relate(ProxyPair pair, QueryMemory& memory) const {
+Relation World::Impl::relate(ProxyPair pair, QueryMemory& memory) const {
     return ecods::solid_relation(bodies.solid_at(pair.a), bodies.solid_at(pair.b), memory);
 }
 
-// All pairs are related, also when one throws.
+// Relates all pairs, even if one throws; then throws the error of the first such pair.
 void World::Impl::relate_solids() {
     FirstFailure failure;
     const std::span<SolidPair> pairs = solids.tests();
@@ -40,35 +42,20 @@ void World::Impl::relate_solids() {
     failure.rethrow();
 }
 
-SolidRelation World::solid_relation(BodyId a, BodyId b, QueryMemory& memory) const {
-    const Impl& w = impl();
-    const ProxyPair pair = w.bodies.require_pair(a, b);
-    const SolidRelation relation = w.relate(pair, memory);
-    return a.slot - 1 == pair.a ? relation : mirrored(relation);
-}
-
-SolidRelation World::solid_relation(BodyId a, BodyId b) {
-    return solid_relation(a, b, impl().workers.caller_memory());
-}
-
-BodiesContaining World::bodies_containing(const Vec3& point, QueryMemory& memory) const {
+BodiesContaining World::bodies_containing(const Vec3& point, const Ask& ask) const {
     const Impl& w = impl();
     require_valid(point);
+    Asking asking(ask);
     BodiesContaining result;
     result.skipped_count = w.bodies.alive_count() - w.bodies.solid_count();
     for (const ProxyIndex proxy : w.broad_phase.find(Aabb{point, point})) {
         const Slot& slot = w.bodies[proxy];
         const Solid* const solid = slot.solid();
         if (solid == nullptr) continue;
-        const Side side = locate(point, {*solid, slot.pose}, memory).side;
+        const Side side = locate(point, {*solid, slot.pose}, asking.memory()).side;
         if (side != Side::outside) result.bodies.push_back({w.bodies.id_of(proxy), side});
     }
-    return result;
-}
-
-BodiesContaining World::bodies_containing(const Vec3& point) {
-    Impl& w = impl();
-    return w.traced<calls::BodiesAtPoint>(bodies_containing(point, w.workers.caller_memory()), point);
+    return w.traced<calls::BodiesAtPoint>(ask, std::move(result), point);
 }
 
 }  // namespace ecods

@@ -6,14 +6,15 @@
 
 namespace ecods {
 
-// Each test is a function of its pair, so which worker runs it when cannot be seen in an answer; each verdict is at one
-// worker, and so are its answer and its witness. All tests are run, also when one throws.
+// Runs all tests, even if one throws; then throws the error of the first such pair. A test depends on its pair alone,
+// and one worker alone has the verdict, answer and witness of a pair; so an answer does not depend on which worker runs
+// it or when.
 template <class Question, class... Arguments>
 void World::Impl::answer_tests(PairVerdicts& pairs, Question question, const Arguments&... arguments) {
     FirstFailure failure;
     const std::span<const VerdictIndex> pair_tests = pairs.tests();
     workers.run(pair_tests.size(), [&](std::size_t at, QueryMemory& memory) {
-        // A pair's bodies lie anywhere: those of a later pair are fetched while this one is decided.
+        // Prefetches the bodies of a later pair, which lie anywhere in memory.
         constexpr std::size_t ahead = 2;
         if (at + ahead < pair_tests.size()) bodies.prefetch(pairs.verdicts()[pair_tests[at + ahead]].proxies());
         const VerdictIndex index = pair_tests[at];
@@ -22,7 +23,7 @@ void World::Impl::answer_tests(PairVerdicts& pairs, Question question, const Arg
         const BodyPair& ids = pairs.verdicts()[index].bodies;
         const ProxyPair pair = pairs.verdicts()[index].proxies();
         try {
-            answer = ask(pair, question, arguments..., memory, pairs.witness(index)) ? Answer::yes : Answer::no;
+            answer = ask(pair, question, arguments..., Ask(memory, pairs.witness(index))) ? Answer::yes : Answer::no;
         } catch (...) {
             failure.keep(ids, std::current_exception());
         }
@@ -31,12 +32,12 @@ void World::Impl::answer_tests(PairVerdicts& pairs, Question question, const Arg
 }
 
 void World::Impl::test_pairs() {
-    answer_tests(collisions, &TwoBodyTest::intersects_again);
+    answer_tests(collisions, &TwoBodyTest::intersects);
 }
 
 void World::Impl::test_close_pairs() {
     if (!closeness.wanted()) return;
-    answer_tests(closeness.pairs(), &TwoBodyTest::within_again, *closeness.wanted());
+    answer_tests(closeness.pairs(), &TwoBodyTest::within, *closeness.wanted());
 }
 
 }  // namespace ecods

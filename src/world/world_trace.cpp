@@ -6,7 +6,7 @@ namespace ecods {
 
 namespace {
 
-// Writes the call that makes a body. (Traces that were written before create_with have two or three.)
+// Writes the call that makes a body. (Traces from before `create_with` have two or three calls.)
 void trace_body(TraceWriter& trace, BodyId body, const Slot& slot, std::uint64_t shape_number) noexcept {
     if (slot.filter == CollisionFilter() && slot.user_data == 0) {
         trace.write<calls::Create>(body, shape_number, slot.pose);
@@ -21,7 +21,7 @@ void World::Impl::trace_body(ProxyIndex proxy, std::uint64_t shape_number) noexc
     ecods::trace_body(*trace, bodies.id_of(proxy), bodies[proxy], shape_number);
 }
 
-// What is here is written as the calls that make it.
+// Writes the bodies and settings of the world as the calls that make them.
 void World::trace_to(std::ostream& out, TraceOptions options) {
     Impl& w = impl();
     w.trace.reset();

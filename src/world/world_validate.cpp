@@ -16,7 +16,8 @@ void require(bool holds, const std::string& what) {
     if (!holds) throw BrokenInvariant(what);
 }
 
-// The pairs of living bodies whose boxes overlap, found by a path of its own: sorted along one axis and swept.
+// Finds the pairs of living bodies whose boxes overlap without the broad phase: sorts the boxes along one axis and
+// sweeps.
 std::vector<ProxyPair> pairs_of_boxes(const Bodies& bodies, const OverlapTracker& boxes) {
     struct Box {
         KeyBox keys;
@@ -38,7 +39,8 @@ std::vector<ProxyPair> pairs_of_boxes(const Bodies& bodies, const OverlapTracker
     return pairs;
 }
 
-// A mesh cannot change, and its box depends on the rounding mode; what a caller's shape says is asked again.
+// Throws ShapeChanged if a caller's shape answers other than when its body got it. Skips meshes: they cannot change,
+// and their boxes depend on the rounding mode.
 void require_unchanged(const Slot& slot, const Aabb& box, BodyId body) {
     if (slot.kind == ShapeKind::mesh()) return;
     if (slot.shape->kind() != slot.kind) throw ShapeChanged(body, slot.kind, "kind");
@@ -46,7 +48,7 @@ void require_unchanged(const Slot& slot, const Aabb& box, BodyId body) {
     if (!(slot.shape->box(slot.pose) == box)) throw ShapeChanged(body, slot.kind, "box");
 }
 
-// Each pair of boxes that overlap has a verdict, which is that of a fresh test.
+// Throws unless each pair of boxes that overlap has a verdict, and a fresh test gives the same answer.
 template <class Test>
 void validate_verdicts(const VerdictCache& verdicts, const OverlapTracker& boxes, const Bodies& all, Test test) {
     const std::vector<ProxyPair> pairs = pairs_of_boxes(all, boxes);
@@ -63,19 +65,19 @@ void validate_verdicts(const VerdictCache& verdicts, const OverlapTracker& boxes
 
 }  // namespace
 
-// The pairs of solids that are not apart, from scratch.
+// Throws unless the list has exactly the pairs of solids that are not apart; relates them from scratch.
 void World::Impl::validate_solids(QueryMemory& memory) const {
     std::vector<SolidPair> expected;
     for (const ProxyPair pair : pairs_of_boxes(bodies, broad_phase)) {
         if (bodies[pair.a].solid() == nullptr || bodies[pair.b].solid() == nullptr || !bodies.is_enabled(pair))
             continue;
-        const SolidRelation relation = relate(pair, memory);
-        if (relation != SolidRelation::apart) expected.push_back({bodies.ids_of(pair), relation});
+        const Relation relation = relate(pair, memory);
+        if (relation != Relation::apart) expected.push_back({bodies.ids_of(pair), relation});
     }
     require(expected == solids.list(), "the list of pairs of solids is wrong");
 }
 
-void World::validate() const {
+void World::check_invariants() const {
     const Impl& w = impl();
     w.bodies.validate();
     for (ProxyIndex proxy = 0; proxy < w.bodies.end(); ++proxy) {
@@ -90,12 +92,13 @@ void World::validate() const {
 
     QueryMemory memory;
     validate_verdicts(w.collisions.verdicts(), w.broad_phase, w.bodies,
-                      [&](ProxyPair pair) { return w.ask(pair, &TwoBodyTest::intersects, memory); });
+                      [&](ProxyPair pair) { return w.ask(pair, &TwoBodyTest::intersects, Ask(memory)); });
     w.closeness.validate(w.bodies, w.broad_phase);
     if (w.solids.are_listed()) w.validate_solids(memory);
     if (!w.closeness.listed()) return;
-    validate_verdicts(w.closeness.pairs().verdicts(), w.closeness.tracker(), w.bodies,
-                      [&](ProxyPair pair) { return w.ask(pair, &TwoBodyTest::within, *w.closeness.listed(), memory); });
+    validate_verdicts(w.closeness.pairs().verdicts(), w.closeness.tracker(), w.bodies, [&](ProxyPair pair) {
+        return w.ask(pair, &TwoBodyTest::within, *w.closeness.listed(), Ask(memory));
+    });
 }
 
 }  // namespace ecods

@@ -13,15 +13,12 @@
 #include <fstream>
 #include <vector>
 
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
-
 #include "base/hash.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/predicates.hpp"
 #include "environment/corpus.hpp"
 #include "environment/digest_ways.hpp"
+#include "environment/float_mode.hpp"
 #include "query/distance/triangle_distances.hpp"
 #include "query/intersection/triangle_relations.hpp"
 
@@ -152,7 +149,7 @@ std::uint64_t digest(const std::vector<Case>& cases) {
             continue;
         }
         if (one.asked == Asked::motion) {
-            if (relation == Relation::disjoint) {
+            if (relation == Relation::apart) {
                 result = environment::digest_of_motion(result, first, a.to, second, b.to);
             }
             continue;
@@ -174,18 +171,14 @@ std::uint64_t digest(const std::vector<Case>& cases) {
 void print_digests(const std::vector<Case>& cases) {
     for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
         for (const bool flush : {false, true}) {
-#if defined(__SSE2__)
-            const unsigned saved = _mm_getcsr();
-            if (flush) _mm_setcsr(saved | 0x8040);  // flush-to-zero and denormals-are-zero
-#else
+#if !defined(__SSE2__)
             if (flush) continue;
 #endif
-            std::fesetround(mode);
-            const std::uint64_t result = digest(cases);
-            std::fesetround(FE_TONEAREST);
-#if defined(__SSE2__)
-            _mm_setcsr(saved);
-#endif
+            std::uint64_t result = 0;
+            {
+                const environment::InFloatMode in_mode({"", mode, flush});
+                result = digest(cases);
+            }
             std::printf("%016llx\n", static_cast<unsigned long long>(result));
         }
     }

@@ -89,7 +89,7 @@ Case line_of(const scenes::HitCase& made, scenes::Random& random) {
         line.asked = Asked::ray;
         line.first = ray->origin;
         line.second = ray->direction;
-        line.limit = ray->parameter_max;
+        line.limit = ray->max_parameter;
     } else {
         line.first = std::get<Segment>(made.line).a;
         line.second = std::get<Segment>(made.line).b;

@@ -63,7 +63,7 @@ TEST(LatticePairs, AllOfThemAgreeWithTheOracle) {
     RecordProperty("orbits", static_cast<int>(expected.size()));
     // That the three relations all occur in number is part of what the test means.
     for (const std::uint64_t count : counts) EXPECT_GT(count, 100000u);
-    std::printf("%zu orbits; disjoint %llu, touching %llu, crossing %llu\n", expected.size(),
+    std::printf("%zu orbits; apart %llu, touching %llu, crossing %llu\n", expected.size(),
                 static_cast<unsigned long long>(counts[0]), static_cast<unsigned long long>(counts[1]),
                 static_cast<unsigned long long>(counts[2]));
 }

@@ -109,20 +109,13 @@ CastTruth::CastTruth(const Moving<MeshShape>& a, const Moving<MeshShape>& b, int
 
 void CastTruth::add(const std::string& name, const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
                     const std::optional<oracle::ExactContact>& expected) {
-    questions_.push_back({name,
-                          [=](QueryMemory& memory, PairWitness* witness) {
-                              return witness ? cast(a, motion, b, memory, *witness) : cast(a, motion, b, memory);
-                          },
-                          to_first_contact(expected)});
+    questions_.push_back(
+        {name, [=](const Ask& ask) { return cast(a, motion, b, 1, ask); }, to_first_contact(expected)});
 }
 
 void CastTruth::add(const std::string& name, const Moving<MeshShape>& a, const Moving<MeshShape>& b,
                     const std::optional<oracle::ExactContact>& expected) {
-    questions_.push_back({name,
-                          [=](QueryMemory& memory, PairWitness* witness) {
-                              return witness ? cast(a, b, memory, *witness) : cast(a, b, memory);
-                          },
-                          to_first_contact(expected)});
+    questions_.push_back({name, [=](const Ask& ask) { return cast(a, b, 1, ask); }, to_first_contact(expected)});
 }
 
 void CastTruth::add_samples(const std::function<std::optional<std::array<Pose, 2>>(double)>& poses_at,
@@ -144,9 +137,10 @@ void CastTruth::add_samples(const std::function<std::optional<std::array<Pose, 2
 std::optional<Wrong> CastTruth::ask(QueryMemory& memory, PairWitness& witness) const {
     for (const Question& question : questions_) {
         const std::pair<const char*, std::optional<FirstContact>> asked[] = {
-            {"", question.ask(memory, nullptr)},
-            {", with a witness", question.ask(memory, &witness)},
-            {", with its own witness", question.ask(memory, &witness)}};
+            {"", question.ask(memory)},
+            {", with a witness", question.ask({memory, witness})},
+            {", with its own witness", question.ask({memory, witness})},
+            {", in the thread's memory", question.ask({})}};
         for (const auto& [how, contact] : asked) {
             if (is_same(contact, question.expected)) continue;
             return Wrong{question.name + how, text(question.expected), text(contact)};

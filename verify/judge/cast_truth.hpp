@@ -35,13 +35,13 @@ class CastTruth {
     const std::optional<oracle::ExactContact>& exact() const { return exact_; }
     std::size_t sample_count() const { return samples_.size(); }
 
-    // Asks all of it, with the witness, which may come from anywhere.
+    // Asks all of it, with the witness, which may come from anywhere, and in the thread's own memory.
     std::optional<Wrong> ask(QueryMemory& memory, PairWitness& witness) const;
 
   private:
     struct Question {
         std::string name;
-        std::function<std::optional<FirstContact>(QueryMemory&, PairWitness*)> ask;
+        std::function<std::optional<FirstContact>(const Ask&)> ask;
         std::optional<FirstContact> expected;
     };
     // Before the first time bodies do not intersect, and at it they do.

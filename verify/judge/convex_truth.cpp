@@ -33,15 +33,6 @@ std::optional<Wrong> require(const char* question, const std::string& how, const
     return Wrong{question + how, text_of(expected, none), text_of(got, none)};
 }
 
-std::optional<Depth> depth_of(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory,
-                              PairWitness* witness) {
-    try {
-        return witness != nullptr ? ecods::depth(a, b, memory, *witness) : ecods::depth(a, b, memory);
-    } catch (const SolidsApart&) {
-        return std::nullopt;
-    }
-}
-
 }  // namespace
 
 Depth to_depth(const oracle::ExactDepth& exact) {
@@ -79,39 +70,36 @@ ConvexTruth ConvexTruth::with(const Posed<ConvexSolid>& a, const Posed<ConvexSol
     return other;
 }
 
-std::optional<Wrong> ConvexTruth::ask(std::size_t order, QueryMemory& memory, PairWitness* witness) const {
+std::optional<Wrong> ConvexTruth::ask_in_order(std::size_t order, const Ask& ask) const {
     const Posed<ConvexSolid>&a = solids_[order], &b = solids_[1 - order];
     const Answers& expected = of_[order];
-    const std::string how =
-        std::string(order == 0 ? "" : " of (b, a)") + (witness != nullptr ? ", with a witness" : "");
-    const double d = witness != nullptr ? solid_distance(a, b, memory, *witness) : solid_distance(a, b, memory);
+    const std::string how = std::string(order == 0 ? "" : " of (b, a)") +
+                            (ask.witness != nullptr ? ", with a witness" : "") +
+                            (ask.memory == nullptr ? ", in the thread's memory" : "");
+    const double d = solid_distance(a, b, ask);
     if (!same_bits(d, distance())) return Wrong{"solid_distance" + how, judge::text(distance()), judge::text(d)};
-    const auto closest = witness != nullptr ? solid_closest(a, b, memory, *witness) : solid_closest(a, b, memory);
-    if (auto wrong = require("solid_closest", how, "nothing", expected.closest, closest)) return wrong;
-    return require("depth", how, "SolidsApart", expected.depth, depth_of(a, b, memory, witness));
+    if (auto wrong = require("solid_closest", how, "nothing", expected.closest, solid_closest(a, b, ask))) return wrong;
+    return require("depth", how, "nothing", expected.depth, ecods::depth(a, b, ask));
 }
 
 std::optional<Wrong> ConvexTruth::ask(QueryMemory& memory, PairWitness& witness) const {
     for (const std::size_t order : {0U, 1U}) {
-        if (auto wrong = ask(order, memory, nullptr)) return wrong;
+        if (auto wrong = ask_in_order(order, memory)) return wrong;
     }
+    if (auto wrong = ask_in_order(0, {})) return wrong;
     for (const std::size_t order : {0U, 0U, 1U}) {
-        if (auto wrong = ask(order, memory, &witness)) return wrong;
+        if (auto wrong = ask_in_order(order, {memory, witness})) return wrong;
     }
     return std::nullopt;
 }
 
 std::optional<Wrong> ConvexTruth::ask_bounds(QueryMemory& memory) const {
     const Posed<ConvexSolid>&a = solids_[0], &b = solids_[1];
-    DepthBounds bounds;
-    try {
-        bounds = depth_bounds(a, b, memory);
-    } catch (const SolidsApart&) {
-        if (!of_[0].depth) return std::nullopt;
-        return Wrong{"depth_bounds", "bounds", "SolidsApart"};
-    }
+    const std::optional<DepthBounds> found = depth_bounds(a, b, memory);
+    if (!found) return of_[0].depth ? std::optional(Wrong{"depth_bounds", "bounds", "nothing"}) : std::nullopt;
+    const DepthBounds& bounds = *found;
     const std::string got = fmt::format("{:a} to {:a}", bounds.lower, bounds.upper);
-    if (!of_[0].depth) return Wrong{"depth_bounds", "SolidsApart", got};
+    if (!of_[0].depth) return Wrong{"depth_bounds", "nothing", got};
     const oracle::ExactRoot exact = exact_->depth()->depth;
     const bool are_zero = !exact.is_zero() || (bounds.lower == 0 && bounds.upper == 0);
     const bool is_upper = std::isinf(bounds.upper) || compare(exact, bounds.upper) <= 0;
@@ -123,14 +111,14 @@ std::optional<Wrong> ConvexTruth::ask_bounds(QueryMemory& memory) const {
     if (std::isfinite(bounds.upper) && oracle::compare_distance(bounds.parted, b.pose.t, bounds.upper) > 0) {
         return Wrong{"depth_bounds", "at least the length of its translation", got};
     }
-    if (oracle::solid_relation(soup(a), soup(moved)) > oracle::SolidsAre::touching) {
+    if (oracle::solid_relation(soup(a), soup(moved)) > Relation::touching) {
         return Wrong{"depth_bounds", "a translation that parts them", got};
     }
     return std::nullopt;
 }
 
 std::optional<Wrong> ConvexTruth::ask_translations(QueryMemory& memory, std::span<const Vec3> directions) const {
-    const auto found = depth_of(solids_[0], solids_[1], memory, nullptr);
+    const auto found = ecods::depth(solids_[0], solids_[1], memory);
     if (!found || !std::isfinite(found->depth)) return std::nullopt;
     // Up to five roundings: three of the direction, which count for at most two, the depth's, and the product's.
     for (double factor = 1 + 0x1p-49; factor < 4; factor *= 2) {
@@ -156,15 +144,15 @@ std::optional<Wrong> ask_for_hull(std::span<const Vec3> points) {
         for (const Triangle& t : expected->triangles) wanted += fmt::format("({} {} {})", t[0], t[1], t[2]);
     }
     try {
-        const Mesh hull = convex_hull(points);
+        const std::shared_ptr<const Mesh> hull = convex_hull(points);
         found.clear();
         std::size_t from = 0;
-        for (const Vec3& vertex : hull.vertices()) {
+        for (const Vec3& vertex : hull->vertices()) {
             while (from < points.size() && points[from] != vertex) ++from;
             found += fmt::format("{} ", from++);
         }
-        for (const Triangle& t : hull.triangles()) found += fmt::format("({} {} {})", t[0], t[1], t[2]);
-    } catch (const NoInterior&) {
+        for (const Triangle& t : hull->triangles()) found += fmt::format("({} {} {})", t[0], t[1], t[2]);
+    } catch (const NotSolid&) {
     }
     if (wanted == found) return std::nullopt;
     return Wrong{"convex_hull", wanted, found};
@@ -175,9 +163,8 @@ std::optional<Wrong> ask_whether_convex(const std::shared_ptr<const Mesh>& mesh)
     bool found = true;
     try {
         const ConvexSolid solid(mesh);
-    } catch (const NotConvex&) {
-        found = false;
-    } catch (const NoInterior&) {
+    } catch (const NotSolid& error) {
+        if (error.reason != NotSolid::Reason::dent && error.reason != NotSolid::Reason::no_interior) throw;
         found = false;
     }
     if (found == expected) return std::nullopt;

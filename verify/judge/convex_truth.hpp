@@ -1,5 +1,4 @@
-// Everything that include/ecods/convex_solid.hpp and depth.hpp answer about two posed convex solids, judged by the
-// oracle.
+// Everything that include/ecods/solid.hpp answers about two posed convex solids, judged by the oracle.
 #pragma once
 
 #include <array>
@@ -7,8 +6,8 @@
 #include <span>
 #include <string>
 
-#include "ecods/convex_solid.hpp"
-#include "ecods/depth.hpp"
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "judge/distance_truth.hpp"
 #include "judge/wrong.hpp"
 #include "oracle/convex.hpp"
@@ -41,7 +40,7 @@ class ConvexTruth {
     ConvexTruth with(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b) const;
 
     // Asks for distance, closest features and depth in both orders, with the witness, which may come from anywhere, and
-    // without.
+    // without, and in the thread's own memory.
     std::optional<Wrong> ask(QueryMemory& memory, PairWitness& witness) const;
 
     // Whether depth_bounds() hold. In the usual environment.
@@ -56,7 +55,7 @@ class ConvexTruth {
         std::optional<ClosestPoints> closest;
         std::optional<Depth> depth;
     };
-    std::optional<Wrong> ask(std::size_t order, QueryMemory& memory, PairWitness* witness) const;
+    std::optional<Wrong> ask_in_order(std::size_t order, const Ask& ask) const;
 
     std::array<Posed<ConvexSolid>, 2> solids_;
     std::shared_ptr<const oracle::ConvexPair> exact_;

@@ -95,9 +95,9 @@ DistanceTruth::DistanceTruth(const Posed<MeshShape>& a, const Posed<MeshShape>& 
                        {.relative = 0.5},
                        {.absolute = d / 3},
                        {.absolute = infinity},
-                       {.relative = 1e-9, .at_most = d / 2},
-                       {.at_most = d},
-                       {.relative = 1e-3, .absolute = d * 1e-5, .at_most = 2 * d}};
+                       {.relative = 1e-9, .max_distance = d / 2},
+                       {.max_distance = d},
+                       {.relative = 1e-3, .absolute = d * 1e-5, .max_distance = 2 * d}};
     }
     if (!questions.has_lists || std::isinf(d)) return;
     for (const double limit :
@@ -121,13 +121,15 @@ std::optional<Wrong> DistanceTruth::ask_distance(QueryMemory& memory, PairWitnes
     const double d = distance();
     if (auto wrong = require("distance", d, ecods::distance(a_, b_, memory))) return wrong;
     if (auto wrong = require("distance, swapped", d, ecods::distance(b_, a_, memory))) return wrong;
-    if (auto wrong = require("distance, with a witness", d, ecods::distance(a_, b_, memory, witness))) return wrong;
-    if (auto wrong = require("distance, with its own witness", d, ecods::distance(a_, b_, memory, witness))) {
+    if (auto wrong = require("distance, with a witness", d, ecods::distance(a_, b_, {memory, witness}))) return wrong;
+    if (auto wrong = require("distance, with its own witness", d, ecods::distance(a_, b_, {memory, witness}))) {
         return wrong;
     }
+    if (auto wrong = require("distance, in the thread's memory", d, ecods::distance(a_, b_))) return wrong;
+    if (auto wrong = ask_counts(memory)) return wrong;
     for (const auto& [limit, expected] : within_) {
         if (within(a_, b_, limit, memory) == expected && within(b_, a_, limit, memory) == expected &&
-            within(a_, b_, limit, memory, witness) == expected) {
+            within(a_, b_, limit, {memory, witness}) == expected) {
             continue;
         }
         return Wrong{"within " + text(limit), expected ? "yes" : "no", "the contrary, in one order or with a witness"};
@@ -135,10 +137,19 @@ std::optional<Wrong> DistanceTruth::ask_distance(QueryMemory& memory, PairWitnes
     return std::nullopt;
 }
 
+std::optional<Wrong> DistanceTruth::ask_counts(QueryMemory& memory) const {
+    QueryCounts counts, expected = memory.counts();
+    if (auto wrong = require("distance, counted", distance(), ecods::distance(a_, b_, {counts, memory}))) return wrong;
+    expected += counts;
+    if (counts.queries == 1 && expected == memory.counts()) return std::nullopt;
+    return Wrong{"counts of a distance", "one question, and as the memory has counted",
+                 fmt::format("{} questions, or other work", counts.queries)};
+}
+
 std::optional<Wrong> DistanceTruth::ask_closest(QueryMemory& memory, PairWitness& witness) const {
     if (auto wrong = require("closest", closest_, ecods::closest(a_, b_, memory))) return wrong;
     if (auto wrong = require("closest, swapped", mirrored_, ecods::closest(b_, a_, memory))) return wrong;
-    return require("closest, with a witness", closest_, ecods::closest(a_, b_, memory, witness));
+    return require("closest, with a witness", closest_, ecods::closest(a_, b_, {memory, witness}));
 }
 
 std::optional<std::string> DistanceTruth::defect(const DistanceBounds& bounds,
@@ -151,7 +162,7 @@ std::optional<std::string> DistanceTruth::defect(const DistanceBounds& bounds,
         return "lower end too high";
     }
     if (oracle::compare(exact_, upper) > 0) return "upper end too low";
-    if (is_less(tolerance.at_most, lower) || same_bits(upper, lower) || same_bits(upper, neighbour(lower, 1))) {
+    if (is_less(tolerance.max_distance, lower) || same_bits(upper, lower) || same_bits(upper, neighbour(lower, 1))) {
         return std::nullopt;
     }
     if (std::isinf(tolerance.absolute) || (std::isinf(tolerance.relative) && is_less(0, lower))) return std::nullopt;
@@ -166,11 +177,11 @@ std::optional<Wrong> DistanceTruth::ask_bounds(QueryMemory& memory, PairWitness&
     for (const DistanceTolerance& tolerance : tolerances_) {
         for (const DistanceBounds& bounds :
              {distance_bounds(a_, b_, tolerance, memory), distance_bounds(b_, a_, tolerance, memory),
-              distance_bounds(a_, b_, tolerance, memory, witness)}) {
+              distance_bounds(a_, b_, tolerance, {memory, witness})}) {
             const auto found = defect(bounds, tolerance);
             if (!found) continue;
             return Wrong{fmt::format("bounds: relative {:a}, absolute {:a}, at most {:a}", tolerance.relative,
-                                     tolerance.absolute, tolerance.at_most),
+                                     tolerance.absolute, tolerance.max_distance),
                          text(distance()), fmt::format("{}: {:a} to {:a}", *found, bounds.lower, bounds.upper)};
         }
     }

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
+#include "ecods/intersection.hpp"
 #include "judge/wrong.hpp"
 #include "oracle/distance.hpp"
 
@@ -57,6 +57,7 @@ class DistanceTruth {
         std::vector<CloseFeatures> features;
     };
     std::optional<Wrong> ask_distance(QueryMemory& memory, PairWitness& witness) const;
+    std::optional<Wrong> ask_counts(QueryMemory& memory) const;  // of Ask, beside those of the memory
     std::optional<Wrong> ask_closest(QueryMemory& memory, PairWitness& witness) const;
     std::optional<Wrong> ask_bounds(QueryMemory& memory, PairWitness& witness) const;
     std::optional<Wrong> ask_lists(QueryMemory& memory) const;

@@ -55,13 +55,13 @@ std::string text(const Hit& hit) {
 std::string text(const HitLine& line) {
     if (const auto* s = std::get_if<Segment>(&line)) return fmt::format("segment {} {}", text(s->a), text(s->b));
     const Ray& ray = std::get<Ray>(line);
-    return fmt::format("ray {} {} up to {:a}", text(ray.origin), text(ray.direction), ray.parameter_max);
+    return fmt::format("ray {} {} up to {:a}", text(ray.origin), text(ray.direction), ray.max_parameter);
 }
 
 std::vector<oracle::ExactHit> exact_hits(const HitLine& line, const Posed<MeshShape>& body) {
     if (const auto* s = std::get_if<Segment>(&line)) return oracle::all_hits({s->a, s->b, false, 1}, soup(body));
     const Ray& ray = std::get<Ray>(line);
-    return oracle::all_hits({ray.origin, ray.direction, true, ray.parameter_max}, soup(body));
+    return oracle::all_hits({ray.origin, ray.direction, true, ray.max_parameter}, soup(body));
 }
 
 HitTruth::HitTruth(const HitLine& line, const Posed<MeshShape>& body) : body_(body) {
@@ -94,7 +94,7 @@ void HitTruth::add_limits(Ray ray) {
         if (std::isinf(at)) continue;
         for (const int step : {-1, 0, 1}) {
             if (at == 0 && step < 0) continue;
-            ray.parameter_max = neighbour(at, step);
+            ray.max_parameter = neighbour(at, step);
             add(ray);
         }
     }
@@ -120,9 +120,10 @@ std::optional<Wrong> HitTruth::ask(const Question& question, QueryMemory& memory
         }
         const std::pair<const char*, std::optional<Hit>> asked[] = {
             {"first_hit", first_hit(line, body_, memory)},
-            {"first_hit, with a witness", first_hit(line, body_, memory, witness)},
-            {"first_hit, with its own witness", first_hit(line, body_, memory, witness)},
-            {"first_hit, asked once more", first_hit(line, body_, memory, witness)}};
+            {"first_hit, with a witness", first_hit(line, body_, {memory, witness})},
+            {"first_hit, with its own witness", first_hit(line, body_, {memory, witness})},
+            {"first_hit, asked once more", first_hit(line, body_, {memory, witness})},
+            {"first_hit, in the thread's memory", first_hit(line, body_)}};
         for (const auto& [name, hit] : asked) {
             if (!is_same(first, hit)) return Wrong{name, text(first), text(hit)};
         }

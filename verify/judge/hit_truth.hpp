@@ -36,7 +36,7 @@ class HitTruth {
 
     const std::vector<Hit>& hits() const { return questions_.front().expected; }
 
-    // Asks all of it, with the witness, which may come from anywhere.
+    // Asks all of it, with the witness, which may come from anywhere, and in the thread's own memory.
     std::optional<Wrong> ask(QueryMemory& memory, PairWitness& witness) const;
 
   private:

@@ -20,10 +20,10 @@ Location to_location(const oracle::PointLocation& exact) {
     return {Side::on, to_feature(exact.feature)};
 }
 
-SolidRelation mirrored(SolidRelation relation) {
-    return relation == SolidRelation::inside     ? SolidRelation::contains
-           : relation == SolidRelation::contains ? SolidRelation::inside
-                                                 : relation;
+Relation mirrored(Relation relation) {
+    return relation == Relation::inside     ? Relation::contains
+           : relation == Relation::contains ? Relation::inside
+                                            : relation;
 }
 
 std::string text(const Location& location) {
@@ -32,9 +32,9 @@ std::string text(const Location& location) {
 
 SolidTruth::SolidTruth(const Posed<Solid>& a, const Posed<Solid>& b, std::span<const Vec3> points) : solids_{a, b} {
     const oracle::Soup soup_a = soup(a), soup_b = soup(b);
-    relation_ = static_cast<SolidRelation>(oracle::solid_relation(soup_a, soup_b));
-    surfaces_[0] = static_cast<SurfaceRelation>(oracle::surface_relation(soup_a, soup_b));
-    surfaces_[1] = static_cast<SurfaceRelation>(oracle::surface_relation(soup_b, soup_a));
+    relation_ = oracle::solid_relation(soup_a, soup_b);
+    surfaces_[0] = oracle::surface_relation(soup_a, soup_b);
+    surfaces_[1] = oracle::surface_relation(soup_b, soup_a);
     for (const Vec3& point : points) add(point);
     add_points_of(a);
     add_points_of(b);
@@ -75,9 +75,10 @@ std::size_t SolidTruth::on_count() const {
 
 std::optional<Wrong> SolidTruth::ask(QueryMemory& memory) const {
     const Posed<Solid>&a = solids_[0], &b = solids_[1];
-    const SolidRelation other_way = mirrored(relation_);
+    const Relation other_way = mirrored(relation_);
     if (auto wrong = compare("solid_relation", relation_, solid_relation(a, b, memory))) return wrong;
     if (auto wrong = compare("solid_relation of (b, a)", other_way, solid_relation(b, a, memory))) return wrong;
+    if (auto wrong = compare("solid_relation, in the thread's memory", relation_, solid_relation(a, b))) return wrong;
     if (auto wrong = compare("surface_relation", surfaces_[0], ecods::surface_relation(a, b, memory))) return wrong;
     if (auto wrong = compare("surface_relation of (b, a)", surfaces_[1], ecods::surface_relation(b, a, memory))) {
         return wrong;

@@ -16,7 +16,7 @@ namespace ecods::judge {
 Location to_location(const oracle::PointLocation& exact);
 
 // What is to be said of (b, a) if this is said of (a, b).
-SolidRelation mirrored(SolidRelation relation);
+Relation mirrored(Relation relation);
 
 std::string text(const Location& location);
 
@@ -27,9 +27,9 @@ class SolidTruth {
   public:
     SolidTruth(const Posed<Solid>& a, const Posed<Solid>& b, std::span<const Vec3> points = {});
 
-    SolidRelation relation() const { return relation_; }
-    SurfaceRelation surface_relation() const { return surfaces_[0]; }  // of a's surface to b
-    std::size_t on_count() const;                                      // of all points, in both
+    Relation relation() const { return relation_; }
+    Relation surface_relation() const { return surfaces_[0]; }  // of a's surface to b
+    std::size_t on_count() const;                               // of all points, in both
 
     // The same, to be asked of other solids of the same meshes.
     SolidTruth with(const Posed<Solid>& a, const Posed<Solid>& b) const;
@@ -46,8 +46,8 @@ class SolidTruth {
     void add_points_of(const Posed<Solid>& solid);
 
     Posed<Solid> solids_[2];
-    SolidRelation relation_ = SolidRelation::apart;
-    SurfaceRelation surfaces_[2] = {};
+    Relation relation_ = Relation::apart;
+    Relation surfaces_[2] = {};
     std::vector<Located> points_;
 };
 

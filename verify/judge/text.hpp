@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "ecods/closest_points.hpp"
+#include "ecods/results.hpp"
 #include "ecods/shape.hpp"
 #include "oracle/distance.hpp"
 

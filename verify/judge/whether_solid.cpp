@@ -32,10 +32,9 @@ std::optional<Wrong> WhetherSolid::ask(const Mesh& mesh) const {
     std::string found = "a solid";
     try {
         check_solid(mesh);
-    } catch (const NotClosed& error) {
-        found = fmt::format("open edge {}.{}", error.triangle, error.corner);
-    } catch (const SelfIntersecting& error) {
-        found = text({error.triangles});
+    } catch (const NotSolid& error) {
+        const bool is_open = error.reason == NotSolid::Reason::open_edge;
+        found = is_open ? fmt::format("open edge {}.{}", error.triangle, error.corner) : text({error.triangles});
     }
     if (found != expected) return Wrong{"check_solid", expected, found};
     return std::nullopt;

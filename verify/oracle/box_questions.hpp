@@ -1,8 +1,8 @@
 // Segments and balls against boxes, in rationals.
 #pragma once
 
-#include "ecods/aabb.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods::oracle {
 

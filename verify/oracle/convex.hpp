@@ -1,5 +1,4 @@
-// The oracle's convex solids: what include/ecods/convex_solid.hpp and depth.hpp promise, in integers, over all pairs of
-// features.
+// The oracle's convex solids: what include/ecods/solid.hpp promises of them, in integers, over all pairs of features.
 //
 // The set of differences { p - q } of two convex polytopes is one, too, and each of its faces belongs to a face of the
 // first, a face of the second, or an edge of each: so all normals of faces and all products of edges are tried, and of
@@ -60,8 +59,8 @@ class ConvexPair {
 // The sign of the distance of two points less d >= 0, which is finite.
 int compare_distance(const Vec3& p, const Vec3& q, double d);
 
-// The hull as include/ecods/convex_solid.hpp has it: its vertices as indices of the points, and its triangles; nothing
-// if all points lie in one plane. Every plane through three points is tried.
+// The hull as include/ecods/shape.hpp has it: its vertices as indices of the points, and its triangles; nothing if all
+// points lie in one plane. Every plane through three points is tried.
 struct HullOfPoints {
     std::vector<std::uint32_t> points;
     std::vector<Triangle> triangles;

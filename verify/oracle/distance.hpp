@@ -59,7 +59,7 @@ struct ExactDirection {
     Vec3 nearest() const;
 };
 
-// As CloseFeatures and TriangleIntersection of include/ecods/contact.hpp.
+// As CloseFeatures and TriangleIntersection of include/ecods/results.hpp.
 struct ExactCloseFeatures {
     ExactClosest closest;
     std::optional<ExactDirection> direction;

@@ -137,7 +137,7 @@ std::optional<ExactContact> contact_at_start(const MovingMesh& a, const MovingMe
     };
     for_each_overlap(a, b, false, [&](const TrianglePair& pair) {
         if (contact && pair.b >= contact->b_first.triangle) return;
-        if (triangle_triangle(a.soup.pose, a.corners(pair.a), b.soup.pose, b.corners(pair.b)) == Relation::disjoint) {
+        if (triangle_triangle(a.soup.pose, a.corners(pair.a), b.soup.pose, b.corners(pair.b)) == Relation::apart) {
             return;
         }
         add(pair);

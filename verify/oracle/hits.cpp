@@ -161,8 +161,8 @@ Line line_of(const ExactLine& given, const std::vector<Integers>& points) {
     Line line{points[0], given.is_ray ? points[1] : Integers(points[1] - points[0]), {}};
     if (!given.is_ray) {
         line.end = 1;
-    } else if (!std::isinf(given.parameter_max)) {
-        line.end = mpq_class(given.parameter_max);
+    } else if (!std::isinf(given.max_parameter)) {
+        line.end = mpq_class(given.max_parameter);
     }
     if (is_zero(line.d)) line.end = 0;
     return line;

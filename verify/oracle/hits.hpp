@@ -25,11 +25,11 @@ struct ExactHit {
     ExactPoint point, leave_point;
 };
 
-// The segment from `from` to `to`; or the ray from `from` along `to`, as far as `parameter_max`, which may be infinite.
+// The segment from `from` to `to`; or the ray from `from` along `to`, as far as `max_parameter`, which may be infinite.
 struct ExactLine {
     Vec3 from, to;
     bool is_ray = false;
-    double parameter_max = 1;
+    double max_parameter = 1;
 };
 
 // Every triangle of the posed mesh that is hit, ascending by parameter, then by triangle.

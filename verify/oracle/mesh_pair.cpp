@@ -108,7 +108,7 @@ Relation triangle_triangle(const Pose& pose_a, const std::array<Vec3, 3>& a, con
     };
     Simplex simplex_a = simplex(pose_a, a);
     Simplex simplex_b = simplex(pose_b, b);
-    if (!intersects(simplex_a, simplex_b)) return Relation::disjoint;
+    if (!intersects(simplex_a, simplex_b)) return Relation::apart;
     return is_crossing(simplex_a, simplex_b) ? Relation::crossing : Relation::touching;
 }
 
@@ -118,7 +118,7 @@ bool intersects(const OracleMesh& a, const OracleMesh& b) {
 }
 
 Relation relation(const OracleMesh& a, const OracleMesh& b) {
-    Relation strongest = Relation::disjoint;
+    Relation strongest = Relation::apart;
     PairWalk walk(a.impl(), b.impl());
     while (strongest != Relation::crossing && walk.next()) strongest = walk.relation();
     return strongest;

@@ -21,11 +21,11 @@
 #include <utility>
 #include <vector>
 
-#include "ecods/aabb.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods::oracle {
 
@@ -61,7 +61,7 @@ std::vector<TrianglePair> intersecting_triangles(const OracleMesh& a, const Orac
 
 // Both at once, at the cost of the list.
 struct Verdict {
-    Relation relation = Relation::disjoint;
+    Relation relation = Relation::apart;
     std::vector<TrianglePair> triangles;
 };
 Verdict verdict(const OracleMesh& a, const OracleMesh& b);

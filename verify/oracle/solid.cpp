@@ -17,7 +17,7 @@ bool share_a_point(const Soup& a, const Triangles& of_a, const Soup& b, const Tr
     for (const IntegerTriangle& s : of_a) {
         for (const IntegerTriangle& t : of_b) {
             if (boxes_are_apart(s, t)) continue;
-            if (triangle_triangle(a.pose, s.vertices, b.pose, t.vertices) != Relation::disjoint) return true;
+            if (triangle_triangle(a.pose, s.vertices, b.pose, t.vertices) != Relation::apart) return true;
         }
     }
     return false;
@@ -116,39 +116,39 @@ PointLocation locate(const Vec3& point, const Soup& solid) {
     return {PointSide::inside, {}};
 }
 
-SolidsAre solid_relation(const Soup& a, const Soup& b) {
+Relation solid_relation(const Soup& a, const Soup& b) {
     const FloatEnvironment environment;
     const std::array<SoupChoice, 2> soups{{{&a, false}, {&b, false}}};
     const auto triangles = integer_triangles(soups);
     const Triangles &of_a = triangles[0], &of_b = triangles[1];
-    if (of_a.empty() || of_b.empty()) return SolidsAre::apart;
+    if (of_a.empty() || of_b.empty()) return Relation::apart;
     const bool is_flat_a = is_singular(a.pose), is_flat_b = is_singular(b.pose);
     if (!is_flat_a && !is_flat_b) {
         Regions regions;
         add_regions(of_a, of_b, false, regions);
         add_regions(of_b, of_a, true, regions);
         if (regions.both) {
-            if (regions.only_a) return regions.only_b ? SolidsAre::overlapping : SolidsAre::contains;
-            return regions.only_b ? SolidsAre::inside : SolidsAre::equal;
+            if (regions.only_a) return regions.only_b ? Relation::overlapping : Relation::contains;
+            return regions.only_b ? Relation::inside : Relation::equal;
         }
     }
-    if (share_a_point(a, of_a, b, of_b)) return SolidsAre::touching;
+    if (share_a_point(a, of_a, b, of_b)) return Relation::touching;
     // Their surfaces are apart, so that any point of a flat one decides.
     if (is_flat_a && !is_flat_b && std::ranges::any_of(of_a, [&](auto& t) { return is_in(t.corners[0], of_b); })) {
-        return SolidsAre::touching;
+        return Relation::touching;
     }
     if (is_flat_b && !is_flat_a && std::ranges::any_of(of_b, [&](auto& t) { return is_in(t.corners[0], of_a); })) {
-        return SolidsAre::touching;
+        return Relation::touching;
     }
-    return SolidsAre::apart;
+    return Relation::apart;
 }
 
-SurfaceIs surface_relation(const Soup& surface, const Soup& solid) {
+Relation surface_relation(const Soup& surface, const Soup& solid) {
     const FloatEnvironment environment;
     const std::array<SoupChoice, 2> soups{{{&surface, true}, {&solid, false}}};
     const auto triangles = integer_triangles(soups);
     const Triangles &of_surface = triangles[0], &of_solid = triangles[1];
-    if (of_solid.empty()) return SurfaceIs::apart;
+    if (of_solid.empty()) return Relation::apart;
     bool has_inside = false, has_outside = false;
     Directions directions;
     CrossedSurface crossed(of_solid);
@@ -160,8 +160,8 @@ SurfaceIs surface_relation(const Soup& surface, const Soup& solid) {
             (crossings.after % 2 != 0 ? has_inside : has_outside) = true;
         }
     }
-    if (has_inside) return has_outside ? SurfaceIs::partly_inside : SurfaceIs::inside;
-    return share_a_point(surface, of_surface, solid, of_solid) ? SurfaceIs::touching : SurfaceIs::apart;
+    if (has_inside) return has_outside ? Relation::crossing : Relation::inside;
+    return share_a_point(surface, of_surface, solid, of_solid) ? Relation::touching : Relation::apart;
 }
 
 }  // namespace ecods::oracle

@@ -16,6 +16,7 @@
 
 #include "ecods/ids.hpp"
 #include "ecods/mesh.hpp"
+#include "ecods/results.hpp"
 #include "oracle/distance.hpp"
 
 namespace ecods::oracle {
@@ -36,10 +37,8 @@ std::optional<CornerEdge> open_edge(const Mesh& mesh);
 // All pairs of triangles of positive area that share a segment or more which is not a side of both, ascending.
 std::vector<TrianglePair> self_intersections(const Mesh& mesh);
 
-// As the enumerations of include/ecods/solid.hpp, in their order.
+// As ecods::Side, in its order.
 enum class PointSide { outside, on, inside };
-enum class SolidsAre { apart, touching, overlapping, inside, contains, equal };
-enum class SurfaceIs { apart, touching, inside, partly_inside };
 
 struct PointLocation {
     PointSide side = PointSide::outside;
@@ -47,7 +46,7 @@ struct PointLocation {
 };
 
 PointLocation locate(const Vec3& point, const Soup& solid);
-SolidsAre solid_relation(const Soup& a, const Soup& b);
-SurfaceIs surface_relation(const Soup& surface, const Soup& solid);
+Relation solid_relation(const Soup& a, const Soup& b);
+Relation surface_relation(const Soup& surface, const Soup& solid);
 
 }  // namespace ecods::oracle

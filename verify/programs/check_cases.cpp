@@ -23,7 +23,7 @@ struct Answer {
     std::vector<TrianglePair> triangles;
 
     bool is_consistent() const {
-        return intersects == (relation != Relation::disjoint) && intersects == !triangles.empty();
+        return intersects == (relation != Relation::apart) && intersects == !triangles.empty();
     }
 };
 

@@ -92,7 +92,7 @@ int check_cases(const Options& options) {
                              {"triangle_pairs", answer.triangle_pair_count},
                              {"ok", answer.is_ok}});
         } else {
-            fmt::print("{}  {}  {}  {}\n", answer.id, answer.intersects ? "intersects" : "disjoint",
+            fmt::print("{}  {}  {}  {}\n", answer.id, answer.intersects ? "intersects" : "apart",
                        counted(answer.triangle_pair_count, "triangle pair"), answer.is_ok ? "ok" : "MISMATCH");
         }
     }
@@ -118,7 +118,7 @@ void add_rays(CLI::App& app, std::vector<Ray>& rays) {
             rays.push_back({Vec3(x, y, z), Vec3(dx, dy, dz)});
             try {
                 validate(rays.back());
-            } catch (const InvalidRay& error) {
+            } catch (const InvalidArgument& error) {
                 throw CLI::ValidationError("--ray", error.what());
             }
         }

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <sstream>
 
 #include "check_print.hpp"
 #include "judge/distance_truth.hpp"
+#include "judge/text.hpp"
 #include "oracle/distance.hpp"
 #include "oracle/oracle.hpp"
 #include "oracle/solid.hpp"
@@ -41,11 +41,7 @@ void OracleJudge::check_frame(SceneWorld& world, const FrameAnswer& answer) {
 }
 
 oracle::MeshDistances OracleJudge::distances(const SceneWorld& world, std::size_t a, std::size_t b) const {
-    const auto soup = [&](std::size_t body) {
-        const Mesh& mesh = *scene_.meshes[scene_.bodies[body].mesh_index].mesh;
-        return oracle::Soup{mesh.vertices(), mesh.triangles(), world.pose(body)};
-    };
-    return {soup(a), soup(b)};
+    return {judge::soup(world.posed(a)), judge::soup(world.posed(b))};
 }
 
 void OracleJudge::check_distance(const oracle::MeshDistances& exact, const FrameAnswer& answer,
@@ -97,12 +93,12 @@ void OracleJudge::check_boxes(const SceneWorld& world, const FrameAnswer& answer
 }
 
 const oracle::Verdict& OracleJudge::State::verdict(std::size_t a, std::size_t b) {
-    static const oracle::Verdict disjoint;
+    static const oracle::Verdict apart;
     const oracle::OracleMesh& mesh_a = *meshes[a];
     const oracle::OracleMesh& mesh_b = *meshes[b];
     if (!oracle::boxes_overlap(mesh_a.outer_box(), mesh_b.outer_box())) {
         verdicts.erase({a, b});
-        return disjoint;
+        return apart;
     }
     const auto [entry, is_new] = verdicts.try_emplace({a, b});
     if (is_new || has_moved[a] || has_moved[b]) entry->second = oracle::verdict(mesh_a, mesh_b);
@@ -116,7 +112,7 @@ void OracleJudge::check_pair(SceneWorld& world, const FrameAnswer& answer, std::
                                      [&](const PairAnswer& pair) { return pair.a == a && pair.b == b; });
     const bool is_listed = listed != answer.colliding.end();
     const std::string bodies = scene_.bodies[a].name + ", " + scene_.bodies[b].name;
-    if (is_listed != (exact.relation != Relation::disjoint)) {
+    if (is_listed != (exact.relation != Relation::apart)) {
         differ(answer, bodies,
                fmt::format("{} as colliding, but {}", is_listed ? "listed" : "not listed", name_of(exact.relation)));
     }
@@ -146,9 +142,7 @@ bool oracle_agrees(const scenes::HardCase& hard, Relation relation, const std::v
     const auto soup = [](const scenes::HardCase::Body& body) {
         return oracle::Soup{body.mesh->vertices(), body.mesh->triangles(), body.pose};
     };
-    std::ostringstream solids;
-    solids << static_cast<SolidRelation>(oracle::solid_relation(soup(hard.a), soup(hard.b)));
-    return solids.str() == *hard.solid_relation;
+    return name_of(oracle::solid_relation(soup(hard.a), soup(hard.b))) == *hard.solid_relation;
 }
 
 }  // namespace ecods::check

@@ -6,17 +6,10 @@
 
 #include "check_oracle.hpp"
 #include "judge/cast_truth.hpp"
+#include "judge/text.hpp"
 #include "oracle/first_contact.hpp"
 
 namespace ecods::check {
-namespace {
-
-oracle::Soup soup(const scenes::Scene& scene, std::size_t body, const Pose& pose) {
-    const Mesh& mesh = *scene.meshes[scene.bodies[body].mesh_index].mesh;
-    return {mesh.vertices(), mesh.triangles(), pose};
-}
-
-}  // namespace
 
 void OracleJudge::check_meetings(const SceneWorld& world, const FrameAnswer& answer) {
     if (answer.frame == 0) return;
@@ -24,7 +17,9 @@ void OracleJudge::check_meetings(const SceneWorld& world, const FrameAnswer& ans
         for (std::size_t b = a + 1; b < scene_.bodies.size(); ++b) {
             ++report_.moves;
             const auto way_of = [&](std::size_t body) {
-                return oracle::MovingSoup{soup(scene_, body, world.pose_before(body)), world.pose(body)};
+                oracle::Soup before = judge::soup(world.posed(body));
+                before.pose = world.pose_before(body);
+                return oracle::MovingSoup{before, world.pose(body)};
             };
             const auto exact = judge::to_first_contact(oracle::first_contact(way_of(a), way_of(b)));
             const auto listed = std::ranges::find_if(
@@ -46,7 +41,7 @@ void OracleJudge::check_casts(const SceneWorld& world, const FrameAnswer& answer
         for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
             if (b == a) continue;
             const auto exact = judge::to_first_contact(oracle::first_contact(
-                soup(scene_, a, world.pose(a)), *scene_.bodies[a].motion, soup(scene_, b, world.pose(b))));
+                judge::soup(world.posed(a)), *scene_.bodies[a].motion, judge::soup(world.posed(b))));
             if (!exact || (first && first->time <= exact->time)) continue;
             first = exact;
             met = b;

@@ -3,42 +3,11 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <sstream>
 
 namespace ecods::check {
 
 std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
     return fmt::format("{} {}", count, count == 1 ? singular : plural.empty() ? singular + "s" : plural);
-}
-
-const char* name_of(Relation relation) noexcept {
-    switch (relation) {
-        case Relation::disjoint:
-            return "disjoint";
-        case Relation::touching:
-            return "touching";
-        case Relation::crossing:
-            return "crossing";
-    }
-    return "";
-}
-
-std::string name_of(ClosestKind kind) {
-    std::ostringstream out;
-    out << kind;
-    return out.str();
-}
-
-std::string name_of(HitKind kind) {
-    std::ostringstream out;
-    out << kind;
-    return out.str();
-}
-
-std::string name_of(SolidRelation relation) {
-    std::ostringstream out;
-    out << relation;
-    return out.str();
 }
 
 namespace {

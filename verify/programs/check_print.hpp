@@ -3,20 +3,23 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 #include "check_oracle.hpp"
 
 namespace ecods::check {
 
-const char* name_of(Relation relation) noexcept;  // "disjoint", "touching", "crossing"
-
 // "1 body", "2 bodies"; the plural adds an s if none is given.
 std::string counted(std::size_t count, const std::string& singular, const std::string& plural = {});
 
-// "vertex and vertex" and so on, as operator<< writes it.
-std::string name_of(ClosestKind kind);
-std::string name_of(SolidRelation relation);
+// Returns the name of a relation, or of a kind of closest points or hits, as operator<< writes it: "vertex and vertex".
+template <class Kind>
+std::string name_of(Kind kind) {
+    std::ostringstream out;
+    out << kind;
+    return out.str();
+}
 
 // One line for each body: whether its mesh bounds a solid, and why not.
 void print_solids(std::FILE* out, const scenes::Scene& scene, const SceneWorld& world);

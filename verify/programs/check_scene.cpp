@@ -21,10 +21,7 @@ namespace {
 std::shared_ptr<const MeshShape> convex_of(const std::shared_ptr<const Mesh>& mesh) {
     try {
         return std::make_shared<const ConvexSolid>(mesh);
-    } catch (const NotConvex&) {
-    } catch (const NoInterior&) {
-    } catch (const NotClosed&) {
-    } catch (const SelfIntersecting&) {
+    } catch (const NotSolid&) {
     }
     return nullptr;
 }
@@ -39,9 +36,7 @@ std::vector<std::shared_ptr<const MeshShape>> SceneWorld::make_shapes() {
         std::string why;
         try {
             if (!shape && questions_.has_solids) shape = std::make_shared<const Solid>(named.mesh);
-        } catch (const NotClosed& error) {
-            why = error.what();
-        } catch (const SelfIntersecting& error) {
+        } catch (const NotSolid& error) {
             why = error.what();
         }
         shapes.push_back(shape ? shape : std::make_shared<const MeshShape>(named.mesh));

@@ -18,7 +18,7 @@ namespace ecods::check {
 struct PairAnswer {
     std::size_t a = 0;
     std::size_t b = 0;
-    Relation relation = Relation::disjoint;
+    Relation relation = Relation::apart;
     std::vector<TrianglePair> triangles;
 };
 
@@ -48,7 +48,7 @@ struct HitAnswer {
 struct SolidAnswer {
     std::size_t a = 0;
     std::size_t b = 0;
-    SolidRelation relation = SolidRelation::touching;
+    Relation relation = Relation::touching;
 };
 
 // Two convex solids that share a point, a < b: the shortest way out of the second; and two that do not.
@@ -90,7 +90,7 @@ struct FrameAnswer {
     std::vector<GapAnswer> gaps;
 };
 
-// The World of a scene. The scene must outlive it. Throws InvalidDistance, as World::set_clearance does.
+// The World of a scene. The scene must outlive it. Throws InvalidArgument, as World::set_clearance does.
 class SceneWorld {
   public:
     SceneWorld(const scenes::Scene& scene, BroadPhaseKind broad_phase, const SceneQuestions& questions = {});

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "ecods/broad_phase.hpp"
-#include "ecods/version.hpp"
+#include "ecods/export.hpp"
 #include "environment/instruction_sets.hpp"
 #include "scenes/io/named_file.hpp"
 

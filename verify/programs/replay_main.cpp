@@ -12,7 +12,7 @@
 #include "certificates/folder/certificate_folder.hpp"
 #include "command_line.hpp"
 #include "ecods/error.hpp"
-#include "ecods/replay.hpp"
+#include "ecods/trace.hpp"
 #include "run_main.hpp"
 
 namespace ecods {
@@ -60,7 +60,7 @@ int run(int argc, char** argv) {
     BroadPhaseKind broad_phase{};
     const CLI::Option* has_broad_phase =
         programs::add_broad_phase(app, broad_phase, "In place of the one in the trace");
-    app.add_flag("--validate", options.replay.validates, "Check every invariant after each update (slow)");
+    app.add_flag("--validate", options.replay.checks_invariants, "Check every invariant after each update (slow)");
     app.add_option(
            "--certify", options.certificates,
            "Also write the lists after each update with a proof to this file, and meshes to files DIGEST.mesh "

@@ -57,8 +57,7 @@ std::vector<Frame> run(BroadPhaseKind kind) {
     scenes::Random random(7);
     World world({.broad_phase = kind});
     const auto anywhere = [&] {
-        Pose pose;
-        pose.R = random.rotation().toRotationMatrix();
+        Pose pose = random.turned();
         for (int k = 0; k < 3; ++k) pose.t[k] = random.uniform(-5, 5);
         return pose;
     };
@@ -79,7 +78,7 @@ std::vector<Frame> run(BroadPhaseKind kind) {
         }
     }
     world.update();
-    world.validate();
+    world.check_invariants();
     return frames;
 }
 

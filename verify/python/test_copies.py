@@ -168,7 +168,7 @@ def test_reprs_say_what_there_is():
         "Posed": "Posed(<ecods.ConvexSolid of 8 vertices, 12 triangles>, "
                  "pose=[[1.0, 0.0, 0.0, 0.75], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]])",
         "Segment": "Segment(a=[0.0, 0.1, -0.0], b=[1e+300, 5e-324, 0.3333333333333333])",
-        "Ray": "Ray(origin=[-1.0, 0.25, 0.25], direction=[1.0, 0.0, 0.0], parameter_max=inf)",
+        "Ray": "Ray(origin=[-1.0, 0.25, 0.25], direction=[1.0, 0.0, 0.0], max_parameter=inf)",
         "World": "<ecods.World of 2 bodies, sweep_and_prune, 2 threads>",
         "BroadPhase": "<ecods.BroadPhase of 2 boxes, brute_force>",
         "Trace": "<ecods.Trace of 13 lines>",
@@ -216,7 +216,7 @@ def test_a_copied_world_has_the_same_ids():
         # The copy is as before its first update.
         assert len(second.colliding_pairs()) == 0
         second.update()
-        second.validate()
+        second.check_invariants()
         third = copy.copy(first)
         third.update()
         assert second.began().tolist() == second.colliding_pairs().tolist() == third.colliding_pairs().tolist()

@@ -44,7 +44,7 @@ def test_distance_is_the_true_one_rounded(a, b):
     assert ecods.distance(y, x) == d
     assert ecods.closest(x, y).distance == d
     assert ecods.intersects(x, y) == (square == 0)
-    assert (ecods.relation(x, y) == ecods.Relation.disjoint) == (square > 0)
+    assert (ecods.relation(x, y) == ecods.Relation.apart) == (square > 0)
     for limit in (d, np.nextafter(d, 0), np.nextafter(d, np.inf)):
         assert ecods.within(x, y, limit) == (square <= Fraction(float(limit)) ** 2)
     assert exact.is_inside_interval(ecods.distance_bounds(x, y, relative=0.01), square)
@@ -76,7 +76,7 @@ def test_posed_predicates(a, b, data):
     relation = ecods.triangle_triangle(
         *[[body[0][i] for i in body[1][0]] for body in (a, b)],
         poses=[np.vstack([body[2], [0, 0, 0, 1]]) for body in (a, b)])
-    assert (relation == ecods.Relation.disjoint) == (exact.squared_distance(x, y) > 0)
+    assert (relation == ecods.Relation.apart) == (exact.squared_distance(x, y) > 0)
 
 
 @settings(max_examples=40, deadline=None)
@@ -89,7 +89,7 @@ def test_a_world_has_the_pairs(first, rest):
     expected = [(ids[i], ids[j]) for i in range(len(ids)) for j in range(i + 1, len(ids))
                 if exact.least_squared_distance(made[i][1], made[j][1]) == 0]
     assert [tuple(pair) for pair in world.colliding_pairs()] == expected
-    world.validate()
+    world.check_invariants()
 
 
 @settings(max_examples=60, deadline=None)

@@ -19,5 +19,5 @@ def test_the_program_prints_what_the_readme_says():
 
 
 def test_the_version_is_that_of_the_library():
-    text = (pathlib.Path(os.environ["ECODS_SOURCE_DIR"]) / "include/ecods/version.hpp").read_text()
+    text = (pathlib.Path(os.environ["ECODS_SOURCE_DIR"]) / "include/ecods/export.hpp").read_text()
     assert ecods.__version__ == ".".join(re.findall(r"#define ECODS_VERSION_\w+ (\d+)", text))

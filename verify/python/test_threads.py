@@ -31,12 +31,36 @@ def test_threads_of_python_may_share_a_world(threads):
     for each in workers:
         each.join()
     world.update()
-    world.validate()
+    world.check_invariants()
     alone = ecods.World()
     for body in bodies:
         alone.create_body(cube, world.pose(body))
     alone.update()
     assert not failures and alone.digest() == world.digest()
+
+
+def test_questions_of_many_threads_are_all_traced():
+    world = ecods.World(threads=2)
+    cube = ecods.ConvexSolid(*box())
+    world.start_trace(questions=True)
+    for i in range(20):
+        world.create_body(cube, at(0.9 * i))
+
+    def ask():
+        for body in world.bodies():
+            world.nearest(body)
+            world.cast(body, [0, 1, 0])
+        world.closest_pair()
+        world.depths()
+        world.solid_distances(0.5)
+
+    workers = [threading.Thread(target=ask) for _ in range(4)]
+    for each in workers:
+        each.start()
+    for each in workers:
+        each.join()
+    report = world.end_trace().replay()
+    assert report.difference is None and report.question_count == 4 * 43
 
 
 def test_the_lock_is_released():

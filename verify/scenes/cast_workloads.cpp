@@ -114,7 +114,8 @@ class Motions {
     }
 
     bool meets(const CastQuery& query) {
-        return cast({moving_shape_, query.a.pose}, query.motion, {resting_shape_, query.b.pose}, memory_).has_value();
+        return cast({moving_shape_, query.a.pose}, query.motion, {resting_shape_, query.b.pose}, 1, memory_)
+            .has_value();
     }
 
     Meeting meeting_;

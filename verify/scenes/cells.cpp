@@ -22,21 +22,21 @@ bool contains(const Cells& cells, const LatticePoint& cell) {
     return std::ranges::binary_search(cells, cell);
 }
 
-SolidRelation relation(const Cells& a, const Cells& b) {
-    if (a == b) return SolidRelation::equal;
-    if (std::ranges::includes(b, a)) return SolidRelation::inside;
-    if (std::ranges::includes(a, b)) return SolidRelation::contains;
+Relation relation(const Cells& a, const Cells& b) {
+    if (a == b) return Relation::equal;
+    if (std::ranges::includes(b, a)) return Relation::inside;
+    if (std::ranges::includes(a, b)) return Relation::contains;
     if (std::ranges::any_of(a, [&](const LatticePoint& cell) { return contains(b, cell); })) {
-        return SolidRelation::overlapping;
+        return Relation::overlapping;
     }
     for (const LatticePoint& x : a) {
         for (const LatticePoint& y : b) {
             if (std::abs(x[0] - y[0]) <= 1 && std::abs(x[1] - y[1]) <= 1 && std::abs(x[2] - y[2]) <= 1) {
-                return SolidRelation::touching;
+                return Relation::touching;
             }
         }
     }
-    return SolidRelation::apart;
+    return Relation::apart;
 }
 
 Side side_of(const LatticePoint& doubled, const Cells& cells) {

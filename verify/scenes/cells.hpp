@@ -20,7 +20,7 @@ bool contains(const Cells& cells, const LatticePoint& cell);
 
 // How the solids that they fill are to each other; neither set is empty. Cells touch if no coordinates of theirs
 // differ by more than one.
-SolidRelation relation(const Cells& a, const Cells& b);
+Relation relation(const Cells& a, const Cells& b);
 
 // Where half of this point is: inside if all cells that hold it are in the set, outside if none is.
 Side side_of(const LatticePoint& doubled, const Cells& cells);

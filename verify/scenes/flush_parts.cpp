@@ -54,8 +54,7 @@ MeshPairs flush_plates(const std::string& name, std::uint32_t cells, double heig
     MeshPairs pairs{name, {{name, mesh}}, {}};
     Random random(seed);
     while (pairs.queries.size() < count) {
-        Pose a;
-        a.R = random.rotation().toRotationMatrix();
+        Pose a = random.turned();
         for (int axis = 0; axis < 3; ++axis) a.t[axis] = random.uniform(-4, 4);
         Pose b = a;
         const double x = random.uniform(-1.5, 1.5), y = random.uniform(-1.5, 1.5);

@@ -136,9 +136,9 @@ HitCase limits(Random& random) {
     HitCase made = rational(random);
     Ray& ray = std::get<Ray>(made.line);
     const double at = made.known->parameter;
-    ray.parameter_max = at;
+    ray.max_parameter = at;
     if (const std::uint32_t which = random.below(3); which != 0 && at > 0) {
-        ray.parameter_max = std::nextafter(at, which == 1 ? 0.0 : infinity);
+        ray.max_parameter = std::nextafter(at, which == 1 ? 0.0 : infinity);
     }
     made.known.reset();
     return made;

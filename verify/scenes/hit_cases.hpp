@@ -7,10 +7,10 @@
 #include <optional>
 #include <variant>
 
-#include "ecods/closest_points.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
-#include "ecods/segment.hpp"
+#include "ecods/primitives.hpp"
+#include "ecods/results.hpp"
 #include "scenes/families.hpp"
 
 namespace ecods::scenes {

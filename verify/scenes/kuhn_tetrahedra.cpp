@@ -45,18 +45,18 @@ LatticeMesh boundary(const Tetrahedra& set, const LatticePoint& scale, const Lat
     return mesh;
 }
 
-SolidRelation relation(const Tetrahedra& a, const Tetrahedra& b) {
-    if (a == b) return SolidRelation::equal;
-    if (std::ranges::includes(b, a)) return SolidRelation::inside;
-    if (std::ranges::includes(a, b)) return SolidRelation::contains;
+Relation relation(const Tetrahedra& a, const Tetrahedra& b) {
+    if (a == b) return Relation::equal;
+    if (std::ranges::includes(b, a)) return Relation::inside;
+    if (std::ranges::includes(a, b)) return Relation::contains;
     std::set<LatticePoint> corners;
     for (const Tetrahedron& t : a) corners.insert(t.begin(), t.end());
     bool touches = false;
     for (const Tetrahedron& t : b) {
-        if (a.contains(t)) return SolidRelation::overlapping;
+        if (a.contains(t)) return Relation::overlapping;
         touches = touches || std::ranges::any_of(t, [&](const LatticePoint& c) { return corners.contains(c); });
     }
-    return touches ? SolidRelation::touching : SolidRelation::apart;
+    return touches ? Relation::touching : Relation::apart;
 }
 
 }  // namespace ecods::scenes

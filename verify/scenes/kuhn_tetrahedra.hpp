@@ -24,6 +24,6 @@ Tetrahedra random_tetrahedra(int size, Random& random);
 LatticeMesh boundary(const Tetrahedra& set, const LatticePoint& scale, const LatticePoint& by);
 
 // How the solids that they fill are to each other; neither set is empty.
-SolidRelation relation(const Tetrahedra& a, const Tetrahedra& b);
+Relation relation(const Tetrahedra& a, const Tetrahedra& b);
 
 }  // namespace ecods::scenes

@@ -35,9 +35,7 @@ Vec3 in_basis(const Vec3& v, const hard::Basis& basis) {
 }
 
 std::shared_ptr<const Mesh> in_basis(const Mesh& mesh, const hard::Basis& basis) {
-    std::vector<Vec3> vertices;
-    for (const Vec3& v : mesh.vertices()) vertices.push_back(in_basis(v, basis));
-    return Mesh::create(std::move(vertices), {mesh.triangles().begin(), mesh.triangles().end()});
+    return mapped(mesh, [&](const Vec3& v) { return in_basis(v, basis); });
 }
 
 Mat3 integer_entries(Random& random, int size) {
@@ -47,15 +45,11 @@ Mat3 integer_entries(Random& random, int size) {
 }
 
 std::shared_ptr<const Mesh> lattice_box(Random& random) {
-    const auto mesh = cube(0.5);
     const Vec3 corner = lattice_point(random, 2);
     Vec3 size;
     for (int k = 0; k < 3; ++k) size[k] = integer(random, 1, 3);
-    std::vector<Vec3> vertices;
-    for (const Vec3& v : mesh->vertices()) {
-        vertices.push_back(corner + Vec3(size.cwiseProduct(v + Vec3(0.5, 0.5, 0.5))));
-    }
-    return Mesh::create(std::move(vertices), {mesh->triangles().begin(), mesh->triangles().end()});
+    return mapped(*cube(0.5),
+                  [&](const Vec3& v) -> Vec3 { return corner + Vec3(size.cwiseProduct(v + Vec3(0.5, 0.5, 0.5))); });
 }
 
 Vec3 any_corner(const Mesh& mesh, const Pose& pose, Random& random) {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ecods/aabb.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/primitives.hpp"
 #include "ecods/shape.hpp"
 
 namespace ecods::scenes {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ecods/aabb.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods::scenes {
 

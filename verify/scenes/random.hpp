@@ -22,6 +22,7 @@ class Random {
     std::uint32_t below(std::uint32_t count);  // 0 <= n < count; count must be positive
     Vec3 direction();                          // of length 1 up to rounding, evenly over the sphere
     Eigen::Quaterniond rotation();             // of norm 1 up to rounding, evenly over all rotations
+    Pose turned() { return {rotation().toRotationMatrix(), Vec3::Zero()}; }
 
   private:
     struct Generator;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ecods/segment.hpp"
+#include "ecods/primitives.hpp"
 #include "scenes/mesh_pairs.hpp"
 #include "scenes/narrow_workloads.hpp"
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "ecods/mesh.hpp"
 
@@ -20,6 +22,23 @@ std::shared_ptr<const Mesh> sphere(std::uint32_t around, std::uint32_t along);
 // A torus about the z axis whose tube, of radius `tube`, has its centre at distance 1; around, along >= 3.
 // around * along vertices, twice as many triangles. Vertices are rounded to 2^-20.
 std::shared_ptr<const Mesh> torus(std::uint32_t around, std::uint32_t along, double tube);
+
+// The mesh with its vertices mapped, one by one.
+template <class Map>
+std::shared_ptr<const Mesh> mapped(const Mesh& mesh, Map map) {
+    std::vector<Vec3> vertices;
+    for (const Vec3& v : mesh.vertices()) vertices.push_back(map(v));
+    return Mesh::create(std::move(vertices), {mesh.triangles().begin(), mesh.triangles().end()});
+}
+
+// The mesh with its axes exchanged in a circle, so that z becomes this one.
+inline std::shared_ptr<const Mesh> across(const Mesh& mesh, int axis) {
+    return mapped(mesh, [axis](const Vec3& v) {
+        Vec3 w;
+        for (int k = 0; k < 3; ++k) w[(axis + 1 + k) % 3] = v[k];
+        return w;
+    });
+}
 
 inline std::shared_ptr<const Mesh> one_triangle(const std::array<Vec3, 3>& corners) {
     return Mesh::create({corners.begin(), corners.end()}, {{0, 1, 2}});

@@ -24,7 +24,7 @@ int random_exponent(Random& random) {
 }
 
 // Both images under one map.
-SolidCase placed(LatticeMesh a, LatticeMesh b, std::optional<SolidRelation> relation, Random& random) {
+SolidCase placed(LatticeMesh a, LatticeMesh b, std::optional<Relation> relation, Random& random) {
     if (random.below(4) == 0) add_zero_area(a, random);
     if (random.below(4) == 0) add_zero_area(b, random);
     const LatticeMap map = random_map(random);
@@ -127,12 +127,12 @@ SolidCase make_shells(Random& random) {
     }
     const auto& [a, b] = layers;
     const auto meets = [&](int by) { return std::ranges::any_of(a, [&](int i) { return b.contains(i + by); }); };
-    const SolidRelation relation = a == b                        ? SolidRelation::equal
-                                   : std::ranges::includes(b, a) ? SolidRelation::inside
-                                   : std::ranges::includes(a, b) ? SolidRelation::contains
-                                   : meets(0)                    ? SolidRelation::overlapping
-                                   : meets(1) || meets(-1)       ? SolidRelation::touching
-                                                                 : SolidRelation::apart;
+    const Relation relation = a == b                        ? Relation::equal
+                              : std::ranges::includes(b, a) ? Relation::inside
+                              : std::ranges::includes(a, b) ? Relation::contains
+                              : meets(0)                    ? Relation::overlapping
+                              : meets(1) || meets(-1)       ? Relation::touching
+                                                            : Relation::apart;
     return placed(shells(a), shells(b), relation, random);
 }
 
@@ -163,12 +163,12 @@ SolidCase make_boxes(Random& random) {
         share_interior = share_interior && std::max(a.min[k], b.min[k]) < std::min(a.max[k], b.max[k]);
         share_point = share_point && std::max(a.min[k], b.min[k]) <= std::min(a.max[k], b.max[k]);
     }
-    const SolidRelation relation = is_in_a && is_in_b ? SolidRelation::equal
-                                   : is_in_b          ? SolidRelation::inside
-                                   : is_in_a          ? SolidRelation::contains
-                                   : share_interior   ? SolidRelation::overlapping
-                                   : share_point      ? SolidRelation::touching
-                                                      : SolidRelation::apart;
+    const Relation relation = is_in_a && is_in_b ? Relation::equal
+                              : is_in_b          ? Relation::inside
+                              : is_in_a          ? Relation::contains
+                              : share_interior   ? Relation::overlapping
+                              : share_point      ? Relation::touching
+                                                 : Relation::apart;
     return placed(box(a.min, a.max), box(b.min, b.max), relation, random);
 }
 
@@ -269,7 +269,7 @@ SolidCase make_no_solid_area(Random& random) {
     const LatticePoint p{integer(random, 0, 3), integer(random, 0, 3), integer(random, 0, 3)};
     nothing.add(p, p, {integer(random, 0, 3), 1, 1});
     SolidCase made =
-        placed(std::move(nothing), random_boundary(random_cells(2, random), random), SolidRelation::apart, random);
+        placed(std::move(nothing), random_boundary(random_cells(2, random), random), Relation::apart, random);
     if (coin(random)) std::swap(made.a, made.b);
     return made;
 }

@@ -21,8 +21,8 @@ struct KnownSide {
 
 struct SolidCase {
     PosedMesh a, b;
-    std::optional<SolidRelation> relation;  // where the recipe knows it
-    std::vector<KnownSide> points;          // the same
+    std::optional<Relation> relation;  // where the recipe knows it
+    std::vector<KnownSide> points;     // the same
 
     // Those alone.
     std::vector<Vec3> known_points() const {
@@ -38,7 +38,7 @@ Families<SolidCase> solid_families();
 struct LatticePair {
     std::string_view name;
     LatticeMesh a, b;
-    SolidRelation relation;
+    Relation relation;
 };
 
 // Contacts that are easily taken for something else: an octahedron inscribed in a cube, a convex edge in a face, roofs

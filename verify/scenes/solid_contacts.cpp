@@ -62,7 +62,7 @@ LatticeMesh two_cubes() {
 }
 
 std::vector<LatticePair> convex_contacts() {
-    using enum SolidRelation;
+    using enum Relation;
     const LatticeMesh roof = prism({-1, 0, 2}, {-1, 1, 4}, {-1, -1, 4}, {2, 0, 0});
     return {
         {"an octahedron inscribed in a cube", octahedron(2), cube(2), inside},
@@ -96,7 +96,7 @@ std::vector<LatticePair> convex_contacts() {
 }
 
 std::vector<LatticePair> flush_contacts() {
-    using enum SolidRelation;
+    using enum Relation;
     return {
         {"walls that share 5 cm", box({0, 0, 0}, {30, 2, 25}), box({25, 0, 0}, {60, 2, 25}), overlapping},
         {"a block on a slab", box({0, 0, 2}, {2, 2, 4}), box({-3, -3, 0}, {5, 5, 2}), touching},
@@ -121,7 +121,7 @@ std::vector<LatticePair> flush_contacts() {
 }
 
 std::vector<LatticePair> shell_contacts() {
-    using enum SolidRelation;
+    using enum Relation;
     const LatticeMesh shell = both(cube(4), cube(2));
     return {
         {"a cube in a cavity", cube(1), shell, apart},

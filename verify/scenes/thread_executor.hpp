@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-#include "ecods/executor.hpp"
+#include "ecods/world_options.hpp"
 
 namespace ecods {
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <functional>
 #include <optional>
+#include <sstream>
 #include <thread>
 #include <vector>
 
@@ -73,13 +74,13 @@ bool shared_shapes_answer_alike() {
     for (int i = 0; i < 25; ++i)
         first[static_cast<std::size_t>(i)] = intersecting_triangles({c, pose_of(0)}, {d, pose_of(i)}, memory);
     run_in_threads(4, [&](int) {
-        QueryMemory own;
+        QueryMemory given;
         const Pose pose_a = pose_of(0);
         for (int i = 0; i < 25; ++i) {
             const Pose pose_b = pose_of(i);
             const auto& expected = first[static_cast<std::size_t>(i)];
-            if (intersecting_triangles({a, pose_a}, {b, pose_b}, own) != expected) ++wrong;
-            if (intersects({a, pose_a}, {b, pose_b}, own) == expected.empty()) ++wrong;
+            if (intersecting_triangles({a, pose_a}, {b, pose_b}, given) != expected) ++wrong;
+            if (intersects({a, pose_a}, {b, pose_b}) == expected.empty()) ++wrong;
             if (!contains(a.box(pose_b), Aabb{pose_b.t, pose_b.t})) ++wrong;
         }
     });
@@ -87,28 +88,33 @@ bool shared_shapes_answer_alike() {
 }
 
 // What one world says to questions that go through all of it, as a number.
-std::uint64_t answers_of(const World& world, const std::vector<BodyId>& bodies, QueryMemory& memory) {
+std::uint64_t answers_of(const World& world, const std::vector<BodyId>& bodies, const Ask& ask) {
     std::uint64_t sum = 0;
     const auto add = [&](std::uint64_t word) { sum = 31 * sum + word; };
     for (int i = 0; i < 4; ++i) {
         const Vec3 from(0.3 * i - 1, 0.4 * i - 1, 3), to(2, 0.3 * i, -3);
-        const auto hit = world.first_hit(Segment{from, to}, memory);
+        const auto hit = world.first_hit(Segment{from, to}, {}, ask);
         add(hit ? hit->body.slot + 64 * hit->hit.triangle() : 0);
-        add(world.all_hits(Ray{from, to - from}, memory).size());
+        add(world.all_hits(Ray{from, to - from}, {}, ask).size());
         const BodyId body = bodies[static_cast<std::size_t>(i)];
-        const auto met = world.cast(body, Vec3(0.25 * i, 1, 0), memory);
+        const auto met = world.cast(body, Vec3(0.25 * i, 1, 0), 1, ask);
         add(met ? met->body.slot : 0);
-        add(world.nearest(body, memory)->body.slot);
-        add(world.meetings({&body, 1}, std::vector{pose_of(i + 5)}, memory).size());
+        add(world.nearest(body, World::no_limit, ask)->body.slot);
+        add(world.intersecting_bodies({world.shape(body), pose_of(i + 3)}, ask).size());
+        add(world.intersecting_triangles(body, {world.shape(body), pose_of(i + 1)}, ask).size());
+        add(world.meetings({&body, 1}, std::vector{pose_of(i + 5)}, ask).size());
     }
     return sum;
 }
 
-// A const world is asked by threads with memories of their own, first of all after its bodies moved: what it has to
-// bring up to date for questions is brought up to date by one of them.
+// A const world is asked by threads, first of all after its bodies moved: what it has to bring up to date for questions
+// is brought up to date by one of them. Half of them give a memory; the questions of the others are written into a
+// trace.
 bool questions_answer_alike() {
     World world, other;
     std::vector<BodyId> bodies, of_other;
+    std::ostringstream trace;
+    world.trace_to(trace, {.questions = true});
     for (int i = 0; i < 60; ++i) bodies.push_back(world.create_body(make_mesh(), pose_of(i)));
     for (int i = 0; i < 60; ++i) of_other.push_back(other.create_body(make_mesh(), pose_of(i)));
     std::atomic<int> wrong = 0;
@@ -122,12 +128,34 @@ bool questions_answer_alike() {
         QueryMemory memory;
         const std::uint64_t expected = answers_of(other, of_other, memory);
         const World& same = world;
-        run_in_threads(4, [&](int) {
-            QueryMemory own;
-            if (answers_of(same, bodies, own) != expected) ++wrong;
+        run_in_threads(4, [&](int i) {
+            QueryMemory given;
+            if (answers_of(same, bodies, i % 2 == 0 ? Ask(given) : Ask()) != expected) ++wrong;
         });
     }
-    return wrong == 0;
+    world.end_trace();
+    std::istringstream in(trace.str());
+    const ReplayReport report = replay(in);
+    // Two frames, two threads and four bodies: two questions about a line each, a cast, the nearest body, meetings.
+    return wrong == 0 && !report.difference && report.question_count == 2 * 2 * 4 * 5;
+}
+
+// Questions that an executor runs are asked by threads at once, beside others that give a memory.
+bool depths_answer_alike() {
+    World world({.executor = std::make_shared<Workers>(2)});
+    const auto solid = std::make_shared<const ConvexSolid>(make_mesh()->vertices());
+    for (int i = 0; i < 60; ++i) world.create_body(solid, pose_of(i));
+    const World& same = world;
+    QueryCounts counts;
+    const auto expected = same.depths(counts);
+    std::atomic<int> wrong = 0;
+    run_in_threads(4, [&](int i) {
+        QueryMemory given;
+        QueryCounts own;
+        if (same.depths(i % 2 == 0 ? Ask(given, own) : Ask(own)) != expected || own != counts) ++wrong;
+        if (same.solid_distances(0.25, own).size() < expected.size()) ++wrong;
+    });
+    return wrong == 0 && expected.size() > 60;
 }
 
 // One digest for each world, of all its frames: none if they differ.
@@ -165,7 +193,7 @@ std::optional<std::uint64_t> digest_of_worlds() {
 int main() {
     environment::limit_by_variable_or_exit();
     const bool shapes = shared_shapes_answer_alike();
-    const bool questions = questions_answer_alike();
+    const bool questions = questions_answer_alike() && depths_answer_alike();
     const auto worlds = digest_of_worlds();
     std::printf("shapes %s, questions %s, worlds %s", shapes ? "ok" : "WRONG", questions ? "ok" : "WRONG",
                 worlds ? "ok" : "WRONG");

@@ -9,7 +9,7 @@ namespace ecods::tidy {
 namespace {
 
 const Files made_up = {
-    "include/ecods/aabb.hpp",         "include/ecods/broad_phase.hpp",  "include/ecods/ecods.hpp",
+    "include/ecods/primitives.hpp",   "include/ecods/broad_phase.hpp",  "include/ecods/ecods.hpp",
     "include/ecods/ids.hpp",          "include/ecods/intersection.hpp", "include/ecods/mesh.hpp",
     "include/ecods/pose.hpp",         "include/ecods/world.hpp",        "src/base/hash.hpp",
     "src/bvh/tree/mesh_bvh.hpp",      "src/exact/number/limbs.hpp",     "src/exact/point/point.hpp",
@@ -46,7 +46,7 @@ TEST(IncludeRules, RoomsLookDownAndOnlyWhereTheTableSays) {
     EXPECT_TRUE(is_allowed("src/world/world.cpp", "geometry/key_box.hpp"));
     EXPECT_TRUE(is_allowed("src/world/world.cpp", "world/verdict_cache.hpp"));
     EXPECT_TRUE(is_allowed("src/world/world.cpp", "ecods/world.hpp"));
-    EXPECT_TRUE(is_allowed("src/geometry/aabb.cpp", "ecods/aabb.hpp"));
+    EXPECT_TRUE(is_allowed("src/geometry/aabb.cpp", "ecods/primitives.hpp"));
     EXPECT_TRUE(is_allowed("src/exact/sign/plain.cpp", "exact/point/point.hpp"));
     EXPECT_FALSE(is_allowed("src/exact/point/frame.cpp", "exact/sign/exact_signs.hpp")) << "a higher room";
     EXPECT_FALSE(is_allowed("src/broad_phase/sweep/sweep.cpp", "world/world_impl.hpp"));
@@ -107,9 +107,9 @@ TEST(IncludeRules, ChecksAndBenchmarksAreHeldToTheTable) {
 
 TEST(IncludeRules, EveryFileIsInARoom) {
     EXPECT_FALSE(check_place("src/world/world.cpp"));
-    EXPECT_FALSE(check_place("include/ecods/aabb.hpp"));
+    EXPECT_FALSE(check_place("include/ecods/primitives.hpp"));
     EXPECT_TRUE(check_place("include/ecods/unheard_of.hpp"));
-    EXPECT_TRUE(check_place("include/other/aabb.hpp"));
+    EXPECT_TRUE(check_place("include/other/primitives.hpp"));
     EXPECT_TRUE(check_place("src/util/util.cpp"));
     EXPECT_TRUE(check_place("src/main.cpp"));
     EXPECT_TRUE(check_place("src/exact/signs/filter.hpp")) << "no room is called exact";
@@ -167,6 +167,18 @@ TEST(TextRules, PuzzlingWordsAreFoundWithTheirPlainNames) {
     EXPECT_TRUE(find_puzzling_prose("the rooms of the house").empty());
     EXPECT_EQ(find_puzzling_words("a\nhabits\n").at(0).line, 2);
     EXPECT_EQ(find_puzzling_words("habits").at(0).what.substr(0, 11), "motion hint");
+}
+
+TEST(TextRules, VagueOpeningsAreFound) {
+    for (const char* text : {"// Of two boxes.", "int a;\n    // What is left.", "// As above.", "// The same of rays.",
+                             "// Whether it is.\n// Sure.", "// A value that is not below x."}) {
+        EXPECT_EQ(find_vague_openings(text).size(), 1U) << text;
+    }
+    for (const char* text : {"// Offers a box.", "// A box.\n// Of two.", "int a;  // Of two boxes.",
+                             "const char* a = \"// Of two\";", "// Whatever it is.", "not_below(x);"}) {
+        EXPECT_TRUE(find_vague_openings(text).empty()) << text;
+    }
+    EXPECT_EQ(find_vague_openings("a\n// Of b\n").at(0).line, 2);
 }
 
 TEST(TextRules, LongFunctionsAreFoundAndLongTablesAreNot) {

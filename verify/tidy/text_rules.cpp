@@ -174,6 +174,25 @@ std::vector<Finding> find_puzzling_words(std::string_view text) {
     return found;
 }
 
+std::vector<Finding> find_vague_openings(std::string_view text) {
+    static const std::regex comment("^ *// ?"), vague("^ *// (Of|What|Where|As|The same|Whether|That)\\b");
+    static const std::regex denial("\\bnot (below|above)\\b");
+    std::vector<Finding> found;
+    std::istringstream lines{std::string(text)};
+    bool was_comment = false;
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        const bool is_comment = std::regex_search(line, comment);
+        std::smatch opening;
+        if (is_comment && !was_comment && std::regex_search(line, opening, vague)) {
+            found.push_back({number, "a subject and a verb: " + opening.str(1)});
+        }
+        was_comment = is_comment;
+    }
+    find_in_lines(comments_of(text), denial, "upper or lower bound", found);
+    return found;
+}
+
 std::vector<Finding> find_long_functions(std::string_view text) {
     static const std::regex no_function("^ *(namespace|extern|class|struct|enum|union)\\b");
     const std::vector<std::string> lines = code_lines(text);

@@ -33,6 +33,10 @@ std::vector<Finding> find_puzzling_words(std::string_view text);
 // The same in prose, where some of them mean what they mean anywhere.
 std::vector<Finding> find_puzzling_prose(std::string_view text);
 
+// Finds comments whose first sentence does not begin with its subject or its verb, by the words that such comments
+// begin with; and lower and upper bounds that are said by a denial. A comment begins where the line before is none.
+std::vector<Finding> find_vague_openings(std::string_view text);
+
 // Functions that are longer than function_lines_max, by the indentation that clang-format gives them, from the first
 // line of the signature: lambdas and loops are parts of theirs, and the lines of a table, which begins with `= {`, are
 // not counted.

@@ -134,6 +134,14 @@ TEST(Tree, TheProductSpeaksPlainly) {
     }
 }
 
+TEST(Tree, CommentsBeginWithWhatTheySay) {
+    for (const auto& file : sources_in({"include", "src"})) {
+        for (const Finding& finding : find_vague_openings(read(root / file))) {
+            ADD_FAILURE() << file << ":" << finding.line << ": in place of " << finding.what;
+        }
+    }
+}
+
 TEST(Tree, VectorTypesAreSpelledInOneRoom) {
     for (const auto& file : sources_in({"include", "src"})) {
         if (file.starts_with("src/simd/")) continue;

@@ -7,7 +7,7 @@
 
 #include "bounds/moving_box.hpp"
 #include "broad_phase/boxes/box_tree.hpp"
-#include "ecods/aabb.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods {
 

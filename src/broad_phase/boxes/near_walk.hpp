@@ -7,7 +7,7 @@
 #include <span>
 
 #include "broad_phase/boxes/box_tree.hpp"
-#include "ecods/aabb.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods {
 

@@ -12,7 +12,7 @@
 #include "base/assert.hpp"
 #include "broad_phase/boxes/box_tree.hpp"
 #include "bvh/walks/waiting.hpp"
-#include "ecods/aabb.hpp"
+#include "ecods/primitives.hpp"
 #include "simd/inline.hpp"
 
 namespace ecods {

@@ -13,29 +13,29 @@ namespace {
 using Candidate = CandidateList::SlotPair;
 constexpr SlotIndex overlap_bit = CandidateList::overlap_bit;
 
-// How many candidates ahead memory is asked for. The last ones are a part of their own, with none ahead.
+// The prefetch distance, in candidates. The last candidates are a stretch of their own, with distance 0.
 constexpr std::size_t candidates_ahead = 24;
 struct Stretch {
     std::size_t end;
     std::size_t ahead;
 };
 
-// What the tests of all candidates read and write.
+// Holds the input and output of a test of all candidates.
 struct Testing {
     const SlotTable& slots;
     PairEvents& events;
     bool are_removed_reported;
-    const std::vector<Candidate>& doubtful;  // ascending
+    const std::vector<Candidate>& doubtful;  // sorted
     std::vector<Candidate>& there;
     std::size_t looked_closer = 0;
 
-    // A candidate with a slot that changed stays.
+    // Notes a candidate that stays although one of its slots changed, if it is a doubtful pair.
     void note_there(SlotIndex a, SlotIndex b) const {
         const Candidate pair = {std::min(a, b), std::max(a, b)};
         if (std::binary_search(doubtful.begin(), doubtful.end(), pair)) there.push_back(pair);
     }
 
-    // A candidate began or ceased to overlap.
+    // Reports that a candidate began or ceased to overlap, and flips its overlap bit.
     void report(Candidate& candidate) const {
         const bool began = (candidate[1] & overlap_bit) == 0;
         candidate[1] ^= overlap_bit;
@@ -43,7 +43,8 @@ struct Testing {
         (began ? events.began : events.ended).push_back(pair);
     }
 
-    // Of a candidate that changed, as far as coarse boxes say: whether it stays one.
+    // Tests the boxes of a candidate if its coarse boxes are in doubt, or show that it began or ceased to overlap.
+    // Returns false if it is no candidate any more.
     [[gnu::noinline]] bool look_closer(Candidate& candidate) {
         ++looked_closer;
         const SlotIndex owner = candidate[0], partner = candidate[1] & ~overlap_bit;
@@ -60,14 +61,15 @@ struct Testing {
         return true;
     }
 
-    // A candidate goes.
+    // Reports the end of a dropped candidate if it overlapped, unless the pairs of removed boxes are reported already.
     void report_removed(const Candidate& candidate) const {
         if ((candidate[1] & overlap_bit) == 0 || are_removed_reported) return;
         events.ended.push_back(slots.pair_of(candidate[0], candidate[1] & ~overlap_bit));
     }
 };
 
-// Drops those that are no candidates any more. No branch depends on which are.
+// Drops the pairs that are no candidates any more. Compacts the list without branches, since which pairs stay is
+// unpredictable.
 ECODS_ALWAYS_INLINE void drop_stale(const Testing& testing, std::vector<Candidate>& list) {
     const PackedBox* const fat_lines = testing.slots.fat_lines().data();
     const std::uint8_t* const flags = testing.slots.flags().data();
@@ -94,7 +96,8 @@ ECODS_ALWAYS_INLINE void drop_stale(const Testing& testing, std::vector<Candidat
     list.resize(static_cast<std::size_t>(write - candidates));
 }
 
-// Returns how many overlapped before.
+// Tests all candidates by their coarse boxes, and drops the stale ones if `have_some_gone`. Returns how many overlapped
+// before.
 template <bool have_some_gone>
 ECODS_ALWAYS_INLINE std::uint64_t test_all(Testing& testing, std::vector<Candidate>& list) {
     const CoarseBox* const boxes = testing.slots.coarse_boxes().data();
@@ -124,7 +127,8 @@ ECODS_ALWAYS_INLINE std::uint64_t test_all(Testing& testing, std::vector<Candida
     return overlapping;
 }
 
-// The same by the boxes themselves, of which none has changed.
+// Tests all candidates by the boxes themselves; drop_stale() must have dropped the stale ones. Returns how many
+// overlapped before.
 ECODS_ALWAYS_INLINE std::uint64_t test_all_by_boxes(Testing& testing, std::vector<Candidate>& list) {
     const PackedBox* const lines = testing.slots.lines().data();
     std::uint64_t overlapping = 0;
@@ -155,7 +159,8 @@ ECODS_ALWAYS_INLINE void settle_all(const SlotTable& slots, std::vector<Candidat
 void CandidateList::test(SlotTable& slots, bool are_removed_reported, PairEvents& events) {
     std::sort(doubtful_.begin(), doubtful_.end());
     Testing testing{slots, events, are_removed_reported, doubtful_, there_};
-    // Where those that changed are a good part of all, looking closer at each would cost more than a pass for them.
+    // Chooses how stale candidates are found. If few slots changed, their coarse boxes are marked, and each of their
+    // candidates is looked at closer. Otherwise a separate pass over all candidates costs less.
     constexpr std::size_t pairs_of_one = 32;
     const std::size_t changed = slots.changed_slots().size();
     const bool by_boxes = !slots.keeps_coarse_boxes() || tests_by_boxes_ > 0;
@@ -168,7 +173,8 @@ void CandidateList::test(SlotTable& slots, bool are_removed_reported, PairEvents
         if (are_some) slots.mark_changed();
         overlapping_count_ =
             are_some ? dispatch<test_all<true>>(testing, pairs_) : dispatch<test_all<false>>(testing, pairs_);
-        // Far from the origin, or where boxes lie on a lattice, the upper halves say little, and cost beside.
+        // Uses the boxes themselves for some updates if coarse boxes left many candidates in doubt: far from the
+        // origin, or if boxes lie on a lattice, many coarse ends are equal.
         constexpr std::size_t share_in_doubt = 4;
         constexpr std::uint32_t until_next_trial = 64;
         if (share_in_doubt * testing.looked_closer > pairs_.size()) tests_by_boxes_ = until_next_trial;

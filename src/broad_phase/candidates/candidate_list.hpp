@@ -1,4 +1,4 @@
-// Pairs that may overlap for a while.
+// Defines the list of candidates: pairs of boxes that may overlap during the next updates.
 #pragma once
 
 #include <algorithm>
@@ -12,21 +12,18 @@
 
 namespace ecods {
 
-// Pairs of slots whose fat boxes overlap, one of the two awake, each once; and whether their boxes overlapped when they
-// were last tested.
+// Holds the pairs of slots whose fat boxes overlap, at least one of the two awake, each pair once. Also stores whether
+// the boxes of a pair overlapped when they were last tested.
 class CandidateList {
   public:
     using SlotPair = std::array<SlotIndex, 2>;
 
-    // In the second one of a candidate, as they are stored: they overlapped.
+    // Marks, in the second slot of a stored candidate, that its boxes overlapped at the last test.
     static constexpr SlotIndex overlap_bit = SlotIndex{1} << 31;
 
     std::size_t size() const noexcept { return pairs_.size(); }
-    SlotPair operator[](std::size_t index) const noexcept {
-        return {pairs_[index][0], pairs_[index][1] & ~overlap_bit};
-    }
-    bool overlapped(std::size_t index) const noexcept { return (pairs_[index][1] & overlap_bit) != 0; }
-    std::size_t overlapping_count() const noexcept { return overlapping_count_; }  // before the last test
+    // Returns the number of candidates that overlapped before the last test.
+    std::size_t overlapping_count() const noexcept { return overlapping_count_; }
 
     void add(SlotIndex a, SlotIndex b, bool do_overlap) { pairs_.push_back({a, b | (do_overlap ? overlap_bit : 0)}); }
     void clear() noexcept {
@@ -34,19 +31,20 @@ class CandidateList {
         doubtful_.clear();
     }
 
-    // Adds a pair that may be here already: one that was none any more since a fat box changed, and is one again. Its
-    // boxes did not overlap. The next test finds out.
+    // Adds a pair that may be in the list already: it ceased to be a candidate when a fat box changed, and is one
+    // again. Its boxes must not have overlapped at the last test. The next test() finds out if the pair is in the list.
     void add_if_new(SlotIndex a, SlotIndex b) { doubtful_.push_back({std::min(a, b), std::max(a, b)}); }
 
-    // Tests all, and reports those that began or ceased to overlap. What is no candidate any more since fat boxes
-    // changed goes: it does not overlap, but for pairs of a slot that was removed, which end unless they are reported
-    // already.
+    // Tests all candidates, and reports the pairs that began or ceased to overlap. Drops the pairs that are no
+    // candidates any more because fat boxes changed. A dropped pair does not overlap. If one of its slots was removed,
+    // it may have overlapped until now: then its end is reported, unless `are_removed_reported` is true.
     void test(SlotTable& slots, bool are_removed_reported, PairEvents& events);
 
-    // Those of boxes that are asleep go.
+    // Drops the candidates whose boxes are both asleep.
     void drop_asleep(const SlotTable& slots);
 
-    // Where a search puts the pairs of fat boxes that overlap. settle() makes them the candidates, until drop_asleep().
+    // Returns the list to which a search appends the pairs of slots whose fat boxes overlap. settle() then tests the
+    // boxes of each pair, and drop_asleep() drops the pairs that are no candidates because both boxes are asleep.
     std::vector<SlotPair>& found() noexcept { return pairs_; }
     void settle(const SlotTable& slots);
 
@@ -62,17 +60,17 @@ class CandidateList {
     void release_spare() { pairs_.shrink_to_fit(); }
     std::size_t bytes() const noexcept;
 
-    // Throws BrokenInvariant unless these are the candidates of these slots: all of them, from the boxes alone; and
-    // some that were before fat boxes changed.
+    // Throws BrokenInvariant unless the list has all candidates of these slots, each once, as a comparison of all boxes
+    // finds them. The list may also have pairs that ceased to be candidates when fat boxes changed.
     void validate(const SlotTable& slots) const;
 
   private:
     void add_doubtful(const SlotTable& slots, PairEvents& events);
 
     std::vector<SlotPair> pairs_;
-    std::vector<SlotPair> doubtful_, there_;  // those that may be here, and those of them that are
+    std::vector<SlotPair> doubtful_, there_;  // pairs from add_if_new(), and the ones found in pairs_
     std::uint64_t overlapping_count_ = 0;
-    std::uint32_t tests_by_boxes_ = 0;  // so many more are made by the boxes themselves, not by coarse ones
+    std::uint32_t tests_by_boxes_ = 0;  // number of next tests that use the boxes themselves, not coarse boxes
 };
 
 }  // namespace ecods

@@ -1,4 +1,4 @@
-// Trees of the fat boxes, for looking up few.
+// Defines the trees of fat boxes, in which a few boxes at a time are looked up.
 #pragma once
 
 #include <cstddef>
@@ -10,40 +10,41 @@
 
 namespace ecods {
 
-// A search for everything needs no trees, and leaves them behind: they are brought up to date when a box is looked up
-// again.
+// Keeps trees over the fat boxes of all slots, and updates them lazily. A search for everything needs no trees and
+// leaves them stale; the next look-up brings them up to date.
 class FatForest {
   public:
     bool is_behind() const noexcept { return is_behind_; }
 
-    // Fat boxes have changed; slots are those that they were.
+    // Marks the trees as stale after fat boxes changed. Slots must have kept their numbers.
     void leave_behind() noexcept { is_behind_ = true; }
 
-    // Slots have other numbers: trees are built from scratch when they are needed.
+    // Invalidates the trees after slots were renumbered: the next refresh() builds them from scratch.
     void forget() noexcept;
 
-    // Makes the trees those of these fat boxes. Cost: a constant, unless they were left behind.
+    // Brings the trees up to date with these fat boxes. Cost: constant if they are up to date already.
     void refresh(std::span<const PackedBox> fat_lines);
 
-    // A slot that is free from now on.
+    // Removes a slot that is free from now on.
     void remove(SlotIndex slot) {
         if (!is_forgotten_) forest_.remove(slot);
     }
 
-    // Puts slots into the trees: those that were removed or never there; at once, or when trees are brought up to date.
+    // Puts slots into the trees, and removes them from their old positions if they have any. If the trees are stale,
+    // the next refresh() puts the slots in.
     void add(std::span<const SlotIndex> slots, std::span<const PackedBox> fat_lines);
 
-    // Of trees that are up to date: a slot has another fat box.
+    // Sets the fat box of a slot. The trees must be up to date.
     void set(SlotIndex slot, const PackedBox& fat_line) { forest_.set(slot, fat_line); }
     void prefetch(SlotIndex slot) const noexcept { forest_.prefetch(slot); }
 
-    // The trees, which must be up to date.
+    // Returns the trees, which must be up to date.
     const BoxForest& trees() const noexcept {
         ECODS_ASSERT(!is_behind_);
         return forest_;
     }
 
-    // Slots that are, or will be, in trees which are not in order.
+    // Returns the number of slots that are in unsorted trees, or will be put into one by refresh().
     std::size_t unsorted_count() const noexcept { return forest_.unsorted_count() + lacking_.size(); }
 
     std::size_t bytes() const noexcept;
@@ -53,7 +54,7 @@ class FatForest {
     BoxForest forest_;
     bool is_behind_ = true;
     bool is_forgotten_ = true;
-    std::vector<SlotIndex> lacking_;  // to be put into trees that are behind; some of them twice, or free by now
+    std::vector<SlotIndex> lacking_;  // slots to put into stale trees; may have duplicates and free slots
 };
 
 }  // namespace ecods

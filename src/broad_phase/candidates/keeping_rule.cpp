@@ -6,37 +6,39 @@
 namespace ecods {
 namespace {
 
-// Updates of slow boxes that search for nothing: 13 a box with 0.3 candidates each, 31 with 4, of which 5 a box are not
-// the finder's.
+// The work for a tested candidate, and for a moved box. Measured per box, in updates of slow boxes that search for
+// nothing: 13 with 0.3 candidates a box, 31 with 4. In both cases, 5 of these are spent outside the finder.
 constexpr double filter_work = 3, move_work = 8;
 
-// A pair that begins or ceases to overlap: no processor foretells it, and it is sorted and put into the list of pairs.
-// Boxes that move by a tenth of their size see a fifth of their pairs do so in an update, and others in proportion.
+// The work for a pair that begins or ceases to overlap: a mispredicted branch, sorting, and the update of the list of
+// pairs. If boxes move by a tenth of their size in an update, a fifth of their pairs begin or cease to overlap; the
+// share is proportional to the step.
 constexpr double event_work = 55, events_by_step = 1.9;
 
-// 500 of 10,000 that come, while the others move, take 1600 each, for 160 tests; at rest, where they meet no margins,
-// 1000.
+// The work for looking up a box, and for each of its tests in trees. Measured: if 500 of 10,000 boxes come while the
+// others move, each costs 1600, with 160 tests; if the others are at rest and have no margins, each costs 1000.
 constexpr double lookup_work = 800, tree_test_work = 5.3;
 
-// Of a box that comes or goes, before its tests are counted.
+// The work for looking up a box in a forecast, which does not know the number of its tests.
 constexpr double foreseen_lookup_work = 3000;
 
-// Looking up goes through memory in no order, and searches from scratch mostly in order: beside those it costs as much
-// for 10,000 boxes as the numbers above say, and 1.75 times as much for 100,000.
+// Returns the factor on the work of look-ups in large scenes. Look-ups access memory in random order, searches from
+// scratch mostly in sequence. Relative to a search, a look-up costs what the numbers above say for 10,000 boxes, and
+// 1.75 times as much for 100,000.
 double lookup_factor(std::size_t boxes) noexcept {
-    constexpr unsigned cached_bits = 14;  // fewer boxes are in a cache
+    constexpr unsigned cached_bits = 14;  // 2^cached_bits boxes fit in a cache
     constexpr double for_twice_as_many = 0.25;
     return 1 + for_twice_as_many * static_cast<double>(std::bit_width(boxes >> cached_bits));
 }
 
 }  // namespace
 
-// What an update costs with margins that last so long. They are paid for when all boxes get them, and when boxes
-// escape: all that moved do so once in their lifetime.
+// Returns the work of an update with margins that last for `lifetime` updates. Margins cost work when all boxes get
+// them at first, and when boxes escape: each box that moves escapes once in a lifetime.
 double KeepingRule::kept_work(const Forecast& forecast, double lifetime) const noexcept {
-    constexpr double updates_planned = 16;  // that pay for the search which begins it
-    // Boxes grow ahead, and by a part of that behind; each of a pair does, and few along an axis. Measured: half of the
-    // margin on each axis.
+    constexpr double updates_planned = 16;  // number of updates that share the cost of the first search
+    // The growth of boxes along each axis, as a share of the margin. A box grows by its margin ahead, and by a part of
+    // it behind; both boxes of a pair grow, and few move along an axis. Measured: one half.
     constexpr double growth_by_margin = 0.5;
     const auto boxes = static_cast<double>(forecast.boxes);
     const double moved = static_cast<double>(forecast.moved);
@@ -52,7 +54,7 @@ double KeepingRule::kept_work(const Forecast& forecast, double lifetime) const n
 }
 
 bool KeepingRule::pays(const Forecast& forecast) noexcept {
-    constexpr double share = 0.8;  // of the other work: what is foreseen is not certain
+    constexpr double share = 0.8;  // of the work from scratch; less than 1, as the forecast is uncertain
     constexpr double shorter = 0.75, lifetime_min = 2;
     const auto boxes = static_cast<double>(forecast.boxes);
     lifetime_ = forecast.lifetime_max;
@@ -63,10 +65,10 @@ bool KeepingRule::pays(const Forecast& forecast) noexcept {
         kept = work;
         lifetime_ = lifetime;
     }
-    const bool is_new = forecast.came == forecast.boxes;  // boxes that were just placed will hardly be replaced
+    const bool is_new = forecast.came == forecast.boxes;  // if all boxes were just added, most will stay
     if (updates_to_trial_ > 0) --updates_to_trial_;
     is_scratch_ = !is_new && (updates_to_trial_ > 0 || !(kept < share * scratch_work(boxes)));
-    // The search that begins it is an investment.
+    // The first search with margins is an investment, and does not count as lost.
     if (!is_scratch_) lost_ = 0;
     return !is_scratch_;
 }

@@ -10,8 +10,8 @@ namespace ecods {
 void KeptCandidates::build(const ProxyTable& table, BroadPhaseCounts& counts) {
     table.for_each([&](ProxyIndex proxy, const Aabb&) { add(proxy, table); });
     search_everything(table, true, counts);
-    release_working_memory();             // and the pairs, which their keeper has already
-    forest_.refresh(slots_.fat_lines());  // which the first one to move or to come would wait for
+    release_working_memory();             // also pairs_: the keeper of the pairs has them already
+    forest_.refresh(slots_.fat_lines());  // otherwise, the first box to move or to come would wait for it
 }
 
 void KeptCandidates::reserve(std::size_t count) {
@@ -33,15 +33,15 @@ void KeptCandidates::update(const FindingUpdate& finding) {
         sort_pairs(events.ended);
     }
     if (!replaces) put_to_sleep(changes.moved.size());
-    // They may be at rest from now on.
+    // Frees scratch after many boxes came, since these may be at rest from now on.
     if (RebuildRule::are_many(changes.added.size(), table.size())) release_working_memory();
 }
 
-// Looks up what came, awoke or escaped, unless so many escaped that everything is searched for: says whether it did
-// that.
+// Looks up the boxes that came, awoke or escaped. If too many escaped, searches for everything instead, and returns
+// true.
 bool KeptCandidates::look_up_changes(const FindingUpdate& finding, std::size_t woken) {
     const auto& [table, changes, keeper, events, counts] = finding;
-    // Where many go at once, whoever keeps the pairs knows theirs; otherwise they are looked up.
+    // If many boxes go at once, the keeper of the pairs finds their pairs; otherwise each box is looked up.
     constexpr std::size_t pass_per_removal = 128;
     const bool many_go = pass_per_removal * changes.removed.size() > slots_.used_count();
     if (many_go) keeper.append_removed(table, changes, events.ended);
@@ -83,11 +83,11 @@ bool KeptCandidates::look_up_changes(const FindingUpdate& finding, std::size_t w
     return searches_all;
 }
 
-// The pairs of a removed box with awake ones, and all if it is awake itself, are candidates, and end when these are
-// tested.
+// Removes boxes. Looks up their pairs in which both boxes are asleep, and reports that these end, unless they are
+// reported already. All other pairs of a removed box are candidates, and end when candidates are tested.
 void KeptCandidates::remove(Update& update) {
     const auto& [table, changes, keeper, events, counts] = update.finding;
-    constexpr std::size_t ahead = 6;  // so many boxes ahead memory is asked for
+    constexpr std::size_t ahead = 6;  // prefetch distance, in boxes
     BoxReach reach;
     for (std::size_t i = 0; i < changes.removed.size(); ++i) {
         forest_.prefetch(slots_.slot_of(changes.removed[std::min(i + ahead, changes.removed.size() - 1)]));
@@ -109,9 +109,9 @@ void KeptCandidates::remove(Update& update) {
     }
 }
 
-// Boxes move, a part of them at a time. Where those that escape are to be fattened, or turn out to be many, they get
-// other fat boxes part by part, and true is returned: a list of all would be written to memory and read again.
-// Otherwise they are listed.
+// Moves boxes, part by part, and lists the boxes that escaped. If `fattens` is true, or if many turn out to escape,
+// gives the escaped boxes of each part new fat boxes instead, and returns true: a list of all would be written to
+// memory and read again.
 bool KeptCandidates::move(const FindingUpdate& finding, bool fattens) {
     constexpr std::size_t part = 1024;
     const auto& [table, changes, keeper, events, counts] = finding;
@@ -138,7 +138,7 @@ bool KeptCandidates::move(const FindingUpdate& finding, bool fattens) {
     return fattens;
 }
 
-// Before many that escaped get other margins.
+// Adapts the lookahead, and learns where boxes turn, before many escaped boxes get new margins.
 void KeptCandidates::adapt_margins(const ProxyTable& table) {
     Lookahead& lookahead = margins_.lookahead();
     if (RebuildRule::are_many(escaped_.size(), table.size())) lookahead.limit(lifetime_of_escaped(table));
@@ -146,7 +146,7 @@ void KeptCandidates::adapt_margins(const ProxyTable& table) {
     margins_.learn_turns(slots_.awake_count());
 }
 
-// Going through all boxes in the order of memory costs less for each.
+// True if more than half of the slots move. Then a pass over all boxes in the order of memory costs less.
 bool KeptCandidates::do_most_move(const ProxyChanges& changes) const noexcept {
     return 2 * changes.moved.size() > slots_.size();
 }
@@ -160,7 +160,7 @@ void KeptCandidates::test_candidates(const Update& update) {
     slots_.forget_changes();
 }
 
-// What was added has escaped from nowhere.
+// Adds a box as one that escaped, since it has no fat box yet.
 void KeptCandidates::add(ProxyIndex proxy, const ProxyTable& table) {
     const SlotIndex slot = slots_.add(proxy, table.boxes()[proxy]);
     margins_.add(slot);

@@ -1,4 +1,5 @@
-// The broad phase for large, dynamic scenes: pairs that may overlap for a while, kept and filtered.
+// Defines the broad phase for large, dynamic scenes: it keeps pairs that may overlap over several updates, and filters
+// them.
 #pragma once
 
 #include <cstddef>
@@ -19,16 +20,17 @@
 
 namespace ecods {
 
-// Each box lies in a fat one, with a margin in which it can go on as it does (margins.hpp). As long as boxes stay in
-// their fat boxes, only those can overlap whose fat boxes do. A box that moves is awake, and so it stays until it has
-// been at rest for a while (slot_table.hpp). Pairs whose fat boxes overlap, one of the two awake, are the candidates;
-// an update tests all of them in one go, and nothing else (candidate_list.hpp). A box that escaped gets a new fat box
-// and looks for new candidates in trees of fat boxes, as one that awakes does in its old fat box (fat_forest.hpp); when
-// many did (rebuild_rule.hpp), everything is searched for at once, by a sweep from scratch, and compared with the pairs
-// there were. Where that would be so time after time, boxes have no margins, none is awake, and each update searches
-// for the pairs themselves (keeping_rule.hpp).
+// Keeps the pairs of boxes that may overlap during the next updates, and tests only these. Each box lies in a fat box,
+// with a margin within which it can go on moving as it does (margins.hpp). As long as boxes stay in their fat boxes,
+// two boxes can overlap only if their fat boxes do. A box that moves is awake, and stays awake until it has been at
+// rest for a while (slot_table.hpp). The candidates are the pairs whose fat boxes overlap, with at least one box awake.
+// An update tests all candidates in one pass, and no other pairs (candidate_list.hpp). A box that escaped from its fat
+// box gets a new one, and looks for new candidates in trees of fat boxes; a box that awakes does so in its old fat box
+// (fat_forest.hpp). If many boxes escaped (rebuild_rule.hpp), a sweep from scratch searches for everything at once, and
+// the result is compared with the pairs of before. If this would happen time after time, boxes have no margins, none is
+// awake, and each update searches for the pairs themselves (keeping_rule.hpp).
 //
-// Right whatever the fat boxes are, as long as they contain their boxes; how fat they are is a matter of speed.
+// The pairs are right for any fat boxes that contain their boxes; how fat they are only matters for speed.
 class KeptCandidates final : public PairFinder {
   public:
     void build(const ProxyTable& table, BroadPhaseCounts& counts) override;
@@ -38,21 +40,21 @@ class KeptCandidates final : public PairFinder {
     void validate(const ProxyTable& table) const override;
 
   private:
-    // What an update that looks up few boxes hands from step to step.
+    // Holds what the steps of an update that looks up few boxes pass to each other.
     struct Update {
         const FindingUpdate& finding;
-        bool are_removed_reported;     // the pairs of boxes that were removed are among the events
-        std::uint64_t jump_tests = 0;  // for boxes that are far from where they were
+        bool are_removed_reported;     // true if the events include the pairs of removed boxes already
+        std::uint64_t jump_tests = 0;  // tests for boxes that are far from where they were
     };
-    // Boxes that were given other fat boxes, in an update.
+    // Holds the boxes that got new fat boxes in an update: their number, and how many of them were added.
     struct Fattened {
         std::size_t count = 0, came = 0;
-        std::vector<SlotIndex> far;  // from where they were
+        std::vector<SlotIndex> far;  // slots of boxes that are new, or far from where they were
     };
     struct Foresight {
         KeepingRule::Forecast forecast;
         Vec3 common_step;
-        double lifetime_of_fast;  // updates for which the widest margins last
+        double lifetime_of_fast;  // number of updates that the widest margin of a fast box lasts
     };
 
     // kept_candidates.cpp
@@ -97,16 +99,16 @@ class KeptCandidates final : public PairFinder {
     GridSweep search_;
     KeepingRule keeping_;
     RebuildRule rebuild_;
-    bool has_margins_ = true;  // otherwise fat boxes are of any time, and there are no candidates
+    bool has_margins_ = true;  // if false, fat boxes are stale, and there are no candidates
 
-    // Working memory of an update.
+    // Scratch of an update.
     std::vector<EscapedBox> escaped_;
-    std::vector<SlotIndex> looked_up_;  // those that awake, and then those that escaped
-    std::vector<PackedBox> old_fats_;   // of those that are looked up: their fat boxes before; empty of one that came
+    std::vector<SlotIndex> looked_up_;  // slots that awake; later in the update, slots that escaped
+    std::vector<PackedBox> old_fats_;   // previous fat boxes of looked_up_; an added box has an empty one
     Fattened fattened_;
     LookUps look_ups_;
     std::vector<SlotIndex> found_;
-    ProxyPairs pairs_;  // that a search for everything found
+    ProxyPairs pairs_;  // found by a search for everything
     ListingMemory listing_;
 };
 

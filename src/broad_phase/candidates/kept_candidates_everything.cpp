@@ -1,5 +1,5 @@
-// Updates that search for everything, and compare what they find with the pairs there were: nothing that is kept is
-// asked for.
+// Implements updates that search for everything. They compare the pairs found with the pairs of before, and read no
+// kept candidates.
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace ecods {
 
-// An update that keeps nothing but boxes, and decides whether they have margins from now on.
+// Updates by a search for everything, which uses only the kept boxes. Decides if boxes have margins from now on.
 void KeptCandidates::replace_everything(const FindingUpdate& finding) {
     const auto& [table, changes, keeper, events, counts] = finding;
     const auto [forecast, common_step, lifetime_of_fast] = foresee(table, changes);
@@ -37,7 +37,7 @@ void KeptCandidates::replace_everything(const FindingUpdate& finding) {
     if (has_margins_ && changes.moved.empty()) {
         margins_.lookahead().start(Lookahead::guess(pairs_.size(), slots_.used_count()));
         if (RebuildRule::are_many(changes.added.size(), table.size())) {
-            forest_.refresh(slots_.fat_lines());  // which the first one to move or to come would wait for
+            forest_.refresh(slots_.fat_lines());  // otherwise, the first box to move or to come would wait for it
         }
     }
 }
@@ -53,8 +53,8 @@ void KeptCandidates::drop_candidates() {
     slots_.forget_changes();
 }
 
-// Makes `pairs_` the pairs of boxes, and the candidates those of fat boxes, where there are any. Boxes that escaped get
-// new ones.
+// Sets `pairs_` to the pairs of boxes that overlap. With margins, first gives escaped boxes new fat boxes, and also
+// sets the candidates, from the pairs of fat boxes.
 void KeptCandidates::search_everything(const ProxyTable& table, bool must_sort, BroadPhaseCounts& counts) {
     std::vector<CandidateList::SlotPair>& found = candidates_.found();
     if (has_margins_) {
@@ -78,8 +78,8 @@ void KeptCandidates::search_everything(const ProxyTable& table, bool must_sort, 
     escaped_.clear();
 }
 
-// Gives the boxes that escaped, or would soon, other fat boxes. Puts neighbours beside each other where they are not,
-// or leaves the forest behind.
+// Gives new fat boxes to the boxes that escaped or would escape soon. Then sorts the slots if `must_sort` is true, or
+// if neighbours are no longer close in memory; otherwise leaves the forest stale.
 void KeptCandidates::fatten_everything(const ProxyTable& table, bool must_sort) {
     fatten_escaped(table);
     Fattened fattened = std::exchange(fattened_, {});
@@ -101,7 +101,7 @@ void KeptCandidates::fatten_everything(const ProxyTable& table, bool must_sort) 
     }
 }
 
-// Puts everything that is kept by slot in the order in which the search goes through boxes.
+// Puts all arrays by slot in the order in which the search goes through boxes, and updates the mean extent.
 void KeptCandidates::sort_slots(const ProxyTable& table) {
     double sum = 0;
     for (SlotIndex slot = 0; slot < slots_.size(); ++slot) {

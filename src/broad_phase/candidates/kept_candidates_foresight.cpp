@@ -1,4 +1,4 @@
-// What is foreseen of boxes that move: whether they do so together, how far, and for how long margins can last.
+// Predicts how boxes move: if they move together, how far, and for how many updates margins can last.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,10 +13,10 @@ namespace ecods {
 namespace {
 
 struct Step {
-    std::array<double, 3> down, up;  // of the lower and of the upper end
+    std::array<double, 3> down, up;  // steps of the lower and upper ends, by axis
     double extent;
 
-    // As a share of the extent, beside what all do; at most 1.
+    // Returns the largest step of an end relative to the common step, as a share of the extent; at most 1.
     double relative(const Vec3& common) const noexcept {
         double step = 0;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -37,7 +37,7 @@ Step step_of(const PackedBox& before, const Aabb& now) noexcept {
     return step;
 }
 
-// The value that a share of them does not exceed.
+// Returns the quantile of the values: a value that the given share of them does not exceed.
 double quantile(std::vector<double> values, double share) {
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
     std::nth_element(values.begin(), place, values.end());
@@ -50,7 +50,7 @@ double relative_step(std::span<const Step> steps, const Vec3& common, double sha
     return quantile(std::move(relative), share);
 }
 
-// By axis, what the middle one of them does.
+// Returns the median step of the lower ends, by axis.
 Vec3 common_step(std::span<const Step> steps) {
     constexpr double middle = 0.5;
     Vec3 common;
@@ -62,21 +62,22 @@ Vec3 common_step(std::span<const Step> steps) {
     return common;
 }
 
-// The updates for which the widest margin of a fast box lasts. One that is meant to last longer would be escaped from
-// by some before it is by all, and those would be looked up one by one.
+// Returns the number of updates that the widest margin of a fast box lasts. If margins were meant to last longer, fast
+// boxes would escape before the others, and would be looked up one by one.
 double lifetime_of_fast(std::span<const Step> steps, const Vec3& common) {
     constexpr double fast_share = 0.9;
     const double fast = relative_step(steps, common, fast_share);
     return fast > 0 ? Margins::widest / fast : std::numeric_limits<double>::infinity();
 }
 
-// Of those that would leave any margin within some steps, and get none.
+// Returns the share of boxes that get no margin, because they would leave any margin within a few steps.
 double share_without_margins(std::span<const Step> steps, const Vec3& common) {
     const auto leaves = [&](const Step& step) { return Margins::steps_min * step.relative(common) > Margins::widest; };
     return static_cast<double>(std::ranges::count_if(steps, leaves)) / static_cast<double>(steps.size());
 }
 
-// The places of a sample of so many. By multiples of a large prime, lest all have something in common.
+// Visits a sample of the places from 0 to `count`. Uses multiples of a large prime, so that regular patterns in the
+// order of the boxes do not bias the sample.
 template <class Visit>
 void for_some_of(std::size_t count, const Visit& visit) {
     constexpr std::size_t sample_max = 128, prime = 2654435761;
@@ -85,7 +86,7 @@ void for_some_of(std::size_t count, const Visit& visit) {
 
 }  // namespace
 
-// From a sample of the boxes that moved.
+// Makes a forecast from a sample of the boxes that moved.
 KeptCandidates::Foresight KeptCandidates::foresee(const ProxyTable& table, const ProxyChanges& changes) const {
     KeepingRule::Forecast forecast{.boxes = table.size(),
                                    .moved = changes.moved.size(),
@@ -101,8 +102,8 @@ KeptCandidates::Foresight KeptCandidates::foresee(const ProxyTable& table, const
         steps.push_back(step_of(slots_.lines()[slots_.slot_of(proxy)], table.boxes()[proxy]));
     });
     double middle = relative_step(steps, common, 0.5);
-    // A frame that goes along takes a pass over all boxes in each update, and must spare nearly all most of what they
-    // do.
+    // Moves the frame along only if this removes most of the step of nearly all boxes, since a moving frame takes a
+    // pass over all boxes in each update.
     if (changes.moved.size() + changes.added.size() == table.size()) {
         constexpr double nearly_all = 0.875, most = 0.25;
         const Vec3 of_all = common_step(steps);
@@ -118,7 +119,7 @@ KeptCandidates::Foresight KeptCandidates::foresee(const ProxyTable& table, const
     return {forecast, common, limit};
 }
 
-// From a sample of the boxes that escaped, many at once.
+// Computes lifetime_of_fast() from a sample of the boxes that escaped, if many did at once.
 double KeptCandidates::lifetime_of_escaped(const ProxyTable& table) const {
     std::vector<Step> steps;
     for_some_of(escaped_.size(), [&](std::size_t place) {

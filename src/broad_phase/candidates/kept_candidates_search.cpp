@@ -1,4 +1,4 @@
-// The candidates of boxes that came, or left their fat boxes.
+// Finds the candidates of boxes that came, or left their fat boxes.
 #include <algorithm>
 #include <utility>
 
@@ -7,7 +7,7 @@
 namespace ecods {
 namespace {
 
-// How many boxes ahead memory is asked for.
+// The prefetch distance, in boxes.
 constexpr std::size_t escaped_ahead = 6;
 
 bool has_lower_slot(const EscapedBox& a, const EscapedBox& b) noexcept {
@@ -16,8 +16,8 @@ bool has_lower_slot(const EscapedBox& a, const EscapedBox& b) noexcept {
 
 }  // namespace
 
-// Gives an escaped box its new fat box, and returns the old one. One that is far from where it was, or new, is noted:
-// in its old place in the forest, it would stretch the bounds around it.
+// Gives an escaped box its new fat box, and returns the old one. Lists a box that is new or far from where it was: it
+// gets a new position in the forest, since at its old one it would stretch the bounds around it.
 PackedBox KeptCandidates::fatten(std::size_t index, const ProxyTable& table) {
     if (index + 2 * escaped_ahead < escaped_.size()) slots_.prefetch(escaped_[index + 2 * escaped_ahead].slot);
     if (index + escaped_ahead < escaped_.size()) {
@@ -62,7 +62,7 @@ void KeptCandidates::search_escaped(Update& update) {
     escaped_.clear();
 }
 
-// The fat box that a slot had before boxes escaped, which are in the order of their slots.
+// Returns the fat box that a slot had before boxes escaped. `escaped_` must be sorted by slot.
 const PackedBox& KeptCandidates::fat_line_before(SlotIndex slot) const noexcept {
     if (!slots_.has(slot, SlotTable::escaped)) return slots_.fat_lines()[slot];
     const auto place =
@@ -71,11 +71,12 @@ const PackedBox& KeptCandidates::fat_line_before(SlotIndex slot) const noexcept 
     return old_fats_[static_cast<std::size_t>(place - escaped_.begin())];
 }
 
-// Adds the candidates of some boxes with new fat boxes.
+// Adds the candidates of the boxes `begin` to `end` of `looked_up_`, which have new fat boxes.
 void KeptCandidates::link(std::size_t begin, std::size_t end, Update& update) {
     const std::span wanted = std::span<const SlotIndex>(looked_up_).subspan(begin, end - begin);
     const std::span old_fats = std::span<const PackedBox>(old_fats_).subspan(begin, end - begin);
-    // Of two that are asleep, nothing was known, and nothing is needed.
+    // `has` is 0, so partners that are asleep count as known, too. If both boxes are asleep, the pair was no candidate,
+    // and need not be one.
     constexpr LookUps::Known known{.looked_up = SlotTable::escaped, .has = 0};
     const std::uint64_t tests = look_ups_.find(wanted, old_fats, known, slots_, forest_.trees());
     std::size_t jumped = 0;
@@ -87,8 +88,9 @@ void KeptCandidates::link(std::size_t begin, std::size_t end, Update& update) {
     for (const auto& found : look_ups_.found()) link(wanted[found.query], old_fats[found.query], found, update);
 }
 
-// What is known of candidates that there were is right already, and one that is new and overlaps did not do so before:
-// it would have been a candidate.
+// Adds a pair found by a look-up to the candidates if one of its boxes is awake, and reports it if its boxes overlap.
+// Skips the pair if its fat boxes overlapped before, since what is known of it is right already. If they did not, its
+// boxes did not overlap either, so boxes that overlap now have just begun to.
 void KeptCandidates::link(SlotIndex slot, const PackedBox& old_fat, const LookUps::NewPartner& found,
                           const Update& update) {
     const auto [query, partner, overlaps] = found;

@@ -1,4 +1,4 @@
-// The candidates of boxes that awake.
+// Finds the candidates of boxes that awake.
 #include <algorithm>
 #include <cstddef>
 
@@ -7,12 +7,12 @@
 namespace ecods {
 namespace {
 
-// How many boxes ahead memory is asked for.
+// The prefetch distance, in boxes.
 constexpr std::size_t woken_ahead = 6;
 
 }  // namespace
 
-// Before boxes move: the candidates of those that do, and did not until now.
+// Wakes the boxes that begin to move, and adds their candidates. Called before boxes are moved.
 void KeptCandidates::wake(const FindingUpdate& finding) {
     const auto& moved = finding.changes.moved;
     if (slots_.awake_count() == slots_.used_count() && moved.size() == slots_.used_count()) return;
@@ -32,9 +32,9 @@ void KeptCandidates::wake(const FindingUpdate& finding) {
     slots_.settle_woken(looked_up_);
 }
 
-// What lay at rest has no margin, as a rule, and would escape at once, and be looked up twice. So those that are about
-// to leave their fat boxes get others first, that contain what they were, too. Those that jump get none: a box from
-// here to there would stretch the bounds around it.
+// Wakes boxes, and widens the fat boxes that they are about to leave. A box at rest usually has no margin: it would
+// escape at once, and be looked up twice. The wider fat box still contains the box as it was. A box that jumps keeps
+// its fat box: one that reaches from here to there would stretch the bounds around it.
 void KeptCandidates::widen_woken(const ProxyTable& table) {
     const auto lines = slots_.lines(), fat_lines = slots_.fat_lines();
     const bool are_in_space = margins_.frame().is_at_origin() && !margins_.frame().is_moving();
@@ -62,16 +62,16 @@ void KeptCandidates::widen_woken(const ProxyTable& table) {
     }
 }
 
-// Adds the candidates of some boxes that awake, as they are before boxes move. Those of boxes that were awake already
-// are there, unless the fat box has grown towards them.
+// Adds the candidates of the boxes `begin` to `end` of `looked_up_`, which awake, as they are before boxes move. Pairs
+// with boxes that were awake already are in the list, unless the fat box has grown towards them.
 void KeptCandidates::link_woken(std::size_t begin, std::size_t end, BroadPhaseCounts& counts) {
     const std::span woken = std::span<const SlotIndex>(looked_up_).subspan(begin, end - begin);
     const std::span old_fats = std::span<const PackedBox>(old_fats_).subspan(begin, end - begin);
     constexpr LookUps::Known known{.looked_up = SlotTable::woken, .has = SlotTable::awake};
     counts.box_tests += look_ups_.find(woken, old_fats, known, slots_, forest_.trees());
     for (const auto& [query, partner, overlaps] : look_ups_.found()) {
-        // One that moved away in the last update may be a candidate still, for those are tested after this. The one
-        // that awakes has moved nowhere: it was asleep.
+        // A partner that moved away in the last update may still be in the list as a candidate: the next test drops it,
+        // and comes after this. The box that awakes has not moved away, since it was asleep.
         const bool moved_away = slots_.has(partner, SlotTable::awake) && slots_.has(partner, SlotTable::changed);
         if (moved_away && !slots_.has(partner, SlotTable::woken)) {
             candidates_.add_if_new(woken[query], partner);

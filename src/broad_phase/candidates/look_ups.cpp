@@ -8,17 +8,18 @@
 namespace ecods {
 namespace {
 
-// How many boxes ahead memory is asked for.
+// The prefetch distance, in found boxes.
 constexpr std::size_t found_ahead = 8;
 
-// Of which boxes, and what was known of them.
+// Holds the slots that are looked up, and what was known of them.
 struct Asked {
     std::span<const SlotIndex> wanted;
     std::span<const PackedBox> old_fats;
     LookUps::Known known;
 };
 
-// Writes those of the found that are new, all in order, and returns how many. No branch depends on which are.
+// Writes the new partners among the found boxes, in the same order, and returns their number. Compacts without
+// branches, since which boxes are new is unpredictable.
 ECODS_ALWAYS_INLINE std::size_t keep_new(const Asked& asked, const SlotTable& slots, std::span<const FoundBox> found,
                                          LookUps::NewPartner* write) {
     const LookUps::NewPartner* const first = write;

@@ -1,4 +1,4 @@
-// Boxes that are looked up in the forest, some at a time.
+// Looks up boxes in the forest, some at a time.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,25 @@
 
 namespace ecods {
 
-// Working memory of those look-ups, and what they found.
+// Holds the scratch of look-ups, and the partners that the last one found.
 class LookUps {
   public:
-    static constexpr std::size_t part = 128;  // are looked up at once: what they take is in the nearest cache
+    static constexpr std::size_t part = 128;  // slots looked up at once; their scratch fits in the nearest cache
 
-    // One that a fat box overlaps, and is no candidate with it yet, as far as is known.
+    // A slot whose fat box overlaps the fat box of a query, and which is not known to be a candidate with it already.
     struct NewPartner {
-        std::uint32_t query;  // its place among those looked up
+        std::uint32_t query;  // index of the query among the looked-up slots
         SlotIndex partner;
-        bool overlaps;  // do the boxes?
+        bool overlaps;  // true if the boxes overlap, too
     };
-    // Which of those found are known already.
+    // Says which of the partners found are known already.
     struct Known {
-        unsigned looked_up;  // the flag of all that are looked up: of two of them, the first finds the other
-        unsigned has;        // of others: the flags of one that was a candidate where its fat box overlaps the old one
+        // The flag of all slots that are looked up. If two of them find each other, only the lower slot reports the
+        // pair.
+        unsigned looked_up;
+        // The flags of other partners that may be known: a partner with all of them was a candidate if its fat box
+        // overlaps the old fat box of the query.
+        unsigned has;
     };
 
     // Looks up at most `part` slots, whose fat boxes were `old_fats` before. Returns the number of box tests.
@@ -38,7 +42,7 @@ class LookUps {
     std::vector<BoxReach> reaches_;
     BlockVisits visits_;
     std::vector<FoundBox> found_;
-    std::vector<NewPartner> partners_;  // and more, for nothing is allocated in between
+    std::vector<NewPartner> partners_;  // has space for all found boxes, so that the filter does not allocate
     std::size_t partner_count_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// For how many updates margins are meant to last.
+// Chooses the lookahead: the number of updates that margins are meant to last.
 #pragma once
 
 #include <algorithm>
@@ -9,31 +9,33 @@
 
 namespace ecods {
 
-// Wide fat boxes make candidates that are tested for nothing, in proportion to their width; narrow ones are escaped
-// from sooner, in inverse proportion. The sum is least where both cost the same, which is off by the root of their
-// ratio. Work is compared from one search of everything to the next, since most of it comes then. It is counted in
-// tests.
+// Adapts the lookahead so that the cost of wasted tests equals the cost of searches. Wide fat boxes make candidates
+// that are tested in vain, in proportion to the lookahead w; boxes escape from narrow ones sooner, in inverse
+// proportion. The sum of the costs A = a w and B = b / w is least where A = B, which is at the lookahead w sqrt(B / A).
+// Costs are summed from one search for everything to the next, since such a search is most of the work. They are
+// counted in tests.
 class Lookahead {
   public:
     double updates() const noexcept { return updates_; }
 
-    // Of an update: candidates that were tested and had not overlapped, and tests that looked for candidates of boxes
-    // that escaped, in trees. Those for boxes that jumped do not count: no margin would have spared them.
+    // Notes the tests of an update: `wasted` ones of candidates that had not overlapped, and `searched` ones in trees,
+    // for candidates of boxes that escaped. Tests for boxes that jumped do not count: no margin would have spared them.
     void note(std::size_t wasted, std::uint64_t searched) noexcept {
-        // A test in trees costs more than one of a candidate, since it comes with linking and a new fat box.
+        // A test in trees costs more than a test of a candidate, since linking and a new fat box come with it.
         constexpr double search_cost = 2;
         wasted_ += static_cast<double>(wasted);
         searched_ += search_cost * static_cast<double>(searched);
     }
-    // That a search for everything made, many at a time. It sorts boxes and gives them margins beside.
+    // Notes the tests of a search for everything. They weigh less than tests in trees, since many are made at a time,
+    // but the search also sorts boxes and gives them margins.
     void note_everything(std::uint64_t tests) noexcept { searched_ += static_cast<double>(tests); }
     void note_update() noexcept { ++updates_since_adapted_; }
 
-    // Whether so much work was noted of so many boxes that there is something to learn.
+    // True if enough work for each box was noted to learn from it.
     bool is_due(std::size_t boxes) const noexcept { return wasted_ + searched_ > 512 * static_cast<double>(boxes); }
 
     void adapt() noexcept {
-        constexpr std::size_t updates_min = 2;  // fewer are no motion to learn from
+        constexpr std::size_t updates_min = 2;  // fewer updates show no motion to learn from
         if (updates_since_adapted_ >= updates_min) {
             updates_ *= std::clamp(std::sqrt((searched_ + 1) / (wasted_ + 1)), 0.5, 2.0);
             updates_ = std::clamp(updates_, least, limit_);
@@ -41,16 +43,16 @@ class Lookahead {
         wasted_ = searched_ = 0;
     }
 
-    // Before anything is known of a motion: what is tested for nothing grows with the pairs there are, and what a
-    // search costs does not, so that the best lookahead falls with the root of the pairs a box has. Measured, of boxes
-    // of like sizes.
+    // Guesses the lookahead before a motion is known. The wasted tests grow with the number of pairs, the cost of a
+    // search does not. So the best lookahead is inversely proportional to the square root of the number of pairs per
+    // box. Measured for boxes of similar sizes.
     static double guess(std::size_t pairs, std::size_t boxes) noexcept {
         constexpr double for_one_pair = 50;
         const double pairs_per_box = static_cast<double>(pairs + 1) / static_cast<double>(boxes + 1);
         return std::clamp(for_one_pair / std::sqrt(pairs_per_box), least, most);
     }
 
-    // Of a motion that has just begun, or changed, and of which fast boxes have margins for so many updates at most.
+    // Starts with a motion that has just begun or changed. Margins of fast boxes last for at most `limit` updates.
     void start(double updates, double limit = most) noexcept {
         this->limit(limit);
         updates_ = std::clamp(updates, least, limit_);
@@ -58,7 +60,7 @@ class Lookahead {
     }
     void limit(double updates) noexcept { limit_ = std::clamp(updates, least, most); }
 
-    // The updates that were noted since all boxes got other margins.
+    // Returns the number of updates noted since all boxes got new margins, and begins to count from 0.
     std::size_t restart() noexcept { return std::exchange(updates_since_adapted_, 0); }
 
   private:

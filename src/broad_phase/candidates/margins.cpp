@@ -12,17 +12,18 @@
 namespace ecods {
 namespace {
 
-constexpr double back = 0.125;  // the margin behind, for turning back, as a share of the margin ahead
+constexpr double back = 0.125;  // margin behind a box, for turning back, as a share of the margin ahead
 
-// Of boxes that move together, as a share of the extent, for what each does beside that.
+// The margin, as a share of the extent, of boxes that move together, for the motion of each box beside the common one.
 constexpr double common_motion_margin = 0x1p-7;
 
-// Of the number of an update, so much is kept.
+// The numbers of updates are stored modulo this.
 constexpr std::uint32_t escape_numbers = 1u << 23;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A box as numbers, three axes at a time. The fourth lanes are zero, but for what is computed in them.
+// Holds the lower and upper ends of a box, one axis in each lane. The fourth lanes are zero at first; computing may
+// change them.
 struct BoxEnds {
     using Doubles = Vec<double, 4>;
     Doubles low, high;
@@ -54,7 +55,8 @@ ECODS_ALWAYS_INLINE void find_ends(const PackedBox& line, BoxEnds& ends) noexcep
     find_ends(lanes, ends);
 }
 
-// The least box that contains both: rounding, in whatever direction, must not leave the second one outside.
+// Packs the least box that contains both boxes. Rounding of `ends`, in whatever direction, must not leave `other`
+// outside.
 ECODS_ALWAYS_INLINE void pack(const BoxEnds& ends, const BoxLanes& other, PackedBox& line) noexcept {
     const KeyLanes low = keys_of(bits_as<KeyLanes>(ends.low)), high = ~keys_of(bits_as<KeyLanes>(ends.high));
     store_lanes({min(shuffle<0, 1, 2, 4>(low, high), other.first), min(shuffle<2, 4, 5, 6>(low, high), other.second)},
@@ -68,7 +70,7 @@ void Margins::add(SlotIndex slot) {
     hints_[slot] = {};
 }
 
-// All axes at a time, and no branch on what one of them does: nobody can foretell it.
+// Computes on all axes at once, without branches on single axes, which would be unpredictable.
 struct Margins::Axes {
     using Doubles = BoxEnds::Doubles;
     using Mask = MaskOf<Doubles>;
@@ -80,13 +82,14 @@ struct Margins::Axes {
         return static_cast<std::uint32_t>(any_bits(mask & Mask{1, 2, 4, 0}));
     }
 
-    // The box of a slot as fat boxes are.
+    // Sets `here` to the box in the frame of the fat boxes.
     ECODS_ALWAYS_INLINE static void put_in_frame(const MovingFrame& frame, const Aabb& box, const PackedBox& line,
                                                  BoxLanes& here) noexcept {
         frame.is_at_origin() ? load_lanes(line, here) : make_lanes(frame.of(box), here);
     }
 
-    // Enlarges `fat` by the margin that a box had, shifted towards the side that the box went to.
+    // Enlarges `fat` by the margin that `box` had in `old`, shifted towards the side that the box went to; by at most
+    // `limit` on each side.
     ECODS_ALWAYS_INLINE static void turn_margin(const BoxEnds& box, const BoxEnds& old, const MotionHint& hint,
                                                 double limit, BoxEnds& fat) noexcept {
         const Doubles half = broadcast<Doubles>(0.5), small = broadcast<Doubles>(back / (1 + back)), none{};
@@ -98,7 +101,7 @@ struct Margins::Axes {
         fat.high += margin > none ? min((1 - low) * margin, most) : none;
     }
 
-    // Whether half of the margin is used up.
+    // True if, on some axis, less than half of the margin is left ahead of the box.
     ECODS_ALWAYS_INLINE static bool is_about_to_escape(const BoxEnds& box, const BoxEnds& fat,
                                                        const MotionHint& hint) noexcept {
         constexpr double left = 0.5;
@@ -107,12 +110,13 @@ struct Margins::Axes {
         return any(mask_of(hint.up | hint.down) & (ahead < left * (low + high)));
     }
 
-    // By the lookahead, where the last step moved a side out so far, and by less behind, for turning back.
+    // Enlarges `fat` on each axis along which the box moved: ahead by the last step times the lookahead, and by less
+    // behind, for turning back. Updates the hint.
     ECODS_ALWAYS_INLINE static void grow_ahead(Margins& margins, MotionHint& hint, Doubles down, Doubles up,
                                                double limit, BoxEnds& fat) noexcept {
         const Mask moved = down != up, goes_up = moved & (up > down), goes_down = moved & ~goes_up;
         const std::uint32_t ups = axes_of(goes_up), downs = axes_of(goes_down);
-        // What turned before its margin was used up will turn again, as what lies between two others does.
+        // A box that turned before its margin was used up will turn again, as a box between two others does.
         const std::uint32_t turned = (ups & hint.down) | (downs & hint.up);
         hint.turns = (hint.turns | turned) & all_axes;
         for (std::size_t axis = 0; axis < 3; ++axis) margins.turn_counts_[axis] += turned >> axis & 1;
@@ -145,7 +149,7 @@ struct Margins::Axes {
             const Vec3 by = frame.went();
             went = Doubles{by[0], by[1], by[2], 0};
         }
-        const Doubles down = before.low - now.low + went, up = now.high - before.high - went;  // of each side, outwards
+        const Doubles down = before.low - now.low + went, up = now.high - before.high - went;  // outward step of a side
         BoxEnds fat = now;
         if (!frame.is_at_origin()) find_ends(frame.of(box), fat);
         if (frame.is_moving()) {
@@ -184,11 +188,12 @@ struct Margins::Axes {
     }
 };
 
-// The margin is as many more steps like the last one as the lookahead says, and some for turning back. It is at most
-// three quarters of an extent, so that a fast box does not collect candidates that it will not meet. A longer step was
-// a jump, after which the next one is not known; then the box gets the margin that it had before, in the direction that
-// it went. None is given to a box that would leave it within some steps, or that jumps time after time: to find
-// candidates that it will not meet costs more than to look it up again.
+// Gives a box a margin for as many more steps like the last one as the lookahead says, and some for turning back. The
+// margin is at most `widest` times the extent of the box, or times the mean extent if that is larger, so that a fast
+// box does not collect candidates that it will not meet. A longer step was a jump, after which the next step is
+// unknown; then the box gets the margin that it had before, in the direction that it went. A box gets no margin if it
+// would leave it within some steps, or if it jumps time after time: to find candidates that it will not meet costs more
+// than to look it up again.
 PackedBox Margins::fat_box(const EscapedBox& escaped, const Aabb& box, const PackedBox& line,
                            const PackedBox& old_fat) noexcept {
     PackedBox result;
@@ -200,7 +205,8 @@ bool Margins::renew(SlotIndex slot, const Aabb& box, const PackedBox& line, Pack
     return dispatch<Axes::renew>(*this, slot, box, line, fat_line);
 }
 
-// A margin behind all of them costs about as much as a search for one in this many of them in each update.
+// Finds the axes along which more than one in `rare` moves turned. A margin behind all boxes costs about as much as a
+// search for one box in `rare` in each update.
 void Margins::learn_turns(std::size_t awake_count) noexcept {
     constexpr double rare = 512;
     const double moves = static_cast<double>(awake_count) * static_cast<double>(lookahead_.restart());

@@ -1,4 +1,4 @@
-// Margins: how far a fat box reaches beyond its box, and to which sides.
+// Defines margins: how far a fat box reaches beyond its box on each side.
 #pragma once
 
 #include <array>
@@ -13,12 +13,12 @@
 
 namespace ecods {
 
-// Makes fat boxes, and remembers of each slot how its box moved. Any fat box that contains its box is right; how fat it
-// is is a matter of speed.
+// Makes fat boxes, and stores for each slot how its box moved. Any fat box that contains its box is right; how fat it
+// is only matters for speed.
 class Margins {
   public:
-    static constexpr double widest = 0.75;         // of margins, as a share of the extent
-    static constexpr std::uint32_t steps_min = 2;  // one that lasts for fewer is not worth its candidates
+    static constexpr double widest = 0.75;         // widest margin, as a share of the extent
+    static constexpr std::uint32_t steps_min = 2;  // a margin that lasts for fewer steps is not worth its candidates
 
     MovingFrame& frame() noexcept { return frame_; }
     const MovingFrame& frame() const noexcept { return frame_; }
@@ -27,28 +27,30 @@ class Margins {
 
     void reserve(std::size_t count) { hints_.reserve(count); }
     void begin_update() noexcept { ++update_number_; }
-    void add(SlotIndex slot);  // nothing is known of its box
+    void add(SlotIndex slot);  // with an unknown motion
     void reorder(std::span<const SlotIndex> order) { reorder_values(hints_, order); }
     void set_mean_extent(double extent) noexcept { mean_extent_ = extent; }
 
-    // A fat box for one that escaped, which is `box` now, and `line` packed. `fat` is the fat box that it left.
+    // Returns a new fat box for an escaped box, which is `box` now, and `line` packed. `fat` is the fat box that it
+    // left.
     PackedBox fat_box(const EscapedBox& escaped, const Aabb& box, const PackedBox& line, const PackedBox& fat) noexcept;
 
-    // Whether a box has used up half of its margin, and `fat` is another fat box for it: what would escape before
-    // others do would be looked up alone, or ask for another search of everything.
+    // True if a box has used up half of its margin; then sets `fat` to a new fat box. Otherwise the box would soon
+    // escape alone, which takes a look-up or another search for everything.
     bool renew(SlotIndex slot, const Aabb& box, const PackedBox& line, PackedBox& fat) const noexcept;
 
-    // Learns which directions boxes often turn in, say because they lie in one layer, from the moves of so many boxes.
+    // Learns along which axes boxes often turn, for example because they lie in one layer. `awake_count` is the number
+    // of boxes that move in an update.
     void learn_turns(std::size_t awake_count) noexcept;
 
     std::size_t bytes() const noexcept;
 
   private:
-    // How a box moved when it last escaped, by axis, and when that was.
+    // Stores how a box moved when it last escaped, by axis, and when that was.
     struct MotionHint {
-        std::uint32_t up : 3 = 0, down : 3 = 0;  // a bit for each axis; none of the two: not known
+        std::uint32_t up : 3 = 0, down : 3 = 0;  // a bit for each axis; unknown if neither has it
         std::uint32_t turns : 3 = 0;
-        std::uint32_t escaped_at : 23 = 0;  // the last digits of the number of the update
+        std::uint32_t escaped_at : 23 = 0;  // low bits of the number of the update
     };
 
     struct Axes;
@@ -60,7 +62,7 @@ class Margins {
     double mean_extent_ = 0;
     std::uint32_t update_number_ = 0;
     std::array<std::uint64_t, 3> turn_counts_{};
-    std::uint32_t common_turns_ = 0;  // axes along which boxes often turn
+    std::uint32_t common_turns_ = 0;  // axes along which boxes often turn, as bits
 };
 
 }  // namespace ecods

@@ -1,26 +1,28 @@
-// The frame in which fat boxes are kept: it goes along with boxes that all move together.
+// Defines the frame in which fat boxes are kept: it moves along with boxes that all move together.
 #pragma once
 
 #include <cmath>
 #include <limits>
 
 #include "broad_phase/boxes/packed_box.hpp"
-#include "ecods/aabb.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods {
 
-// A translation, and the step by which it changes in each update in which boxes move. Boxes are compared with fat boxes
-// in this frame alone, where those of a swarm that flies are at rest. The frame of the origin holds the very boxes; any
-// other holds boxes that are a little too large, so that a box in its fat box there is in it in space.
+// Holds a translation, and the step by which it changes in each update in which most boxes move. Boxes are compared
+// with fat boxes only in this frame, in which the boxes of a flying swarm are at rest. A frame at the origin leaves
+// boxes as they are. Any other frame makes them a little larger, so that a box that is in its fat box in the frame is
+// in it in space, too.
 class MovingFrame {
   public:
     bool is_moving() const noexcept { return !step_.isZero(0); }
     bool is_at_origin() const noexcept { return is_at_origin_; }
 
-    // How far it has gone in this update.
+    // Returns the vector by which the frame moved in this update.
     Vec3 went() const noexcept { return at_ - before_; }
 
-    // For an update that found boxes to have moved so far on the whole: as if the frame had gone with them.
+    // Lets the frame move by `step` in each further update. This update found boxes to have moved by `step` on the
+    // whole, so went() is set as if the frame had moved with them.
     void start(const Vec3& step) noexcept {
         step_ = step.allFinite() && (at_ - step).allFinite() ? step : Vec3::Zero();
         before_ = at_ - step_;
@@ -33,15 +35,17 @@ class MovingFrame {
     }
     void stay() noexcept { before_ = at_; }
 
-    // What contains a box as it is now, and as it was before the update, in this frame.
+    // Returns a box in this frame that contains `box`: of() takes a box as it is now, of_before() one from before the
+    // update.
     Aabb of(const Aabb& box) const noexcept { return is_at_origin() ? box : minus(box, at_); }
     Aabb of_before(const Aabb& box) const noexcept { return before_.isZero(0) ? box : minus(box, before_); }
 
   private:
-    // Each end is moved out by more than what rounding may have moved it in, in any rounding mode: with u = 2^-53 the
-    // difference d is off by at most 2u |d|, and so is what is subtracted from it then; 8u |d| is more than both. Where
-    // subnormals are taken for zero, both operands and the result are off by 2^-1022 each at most, which is less than
-    // 2^-1018. A difference beyond the largest double is at least that one.
+    // Returns box - shift, with each end moved outwards by more than rounding may have moved it inwards, in any
+    // rounding mode. With u = 2^-53, the difference d is off by at most 2u |d|, and so is the subtraction or addition
+    // that then moves the end; 8u |d| is more than both errors. If subnormals are flushed to zero, both operands and
+    // the result are off by at most 2^-1022 each, in total less than 2^-1018. A lower end of +infinity, or an upper end
+    // of -infinity, is replaced by the largest double of that sign, which is still a bound of the difference.
     static Aabb minus(const Aabb& box, const Vec3& shift) noexcept {
         constexpr double largest = std::numeric_limits<double>::max(), eight_u = 0x1p-50, least = 0x1p-1018;
         Aabb result;

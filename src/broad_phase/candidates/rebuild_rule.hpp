@@ -1,4 +1,4 @@
-// When single boxes are looked up no more, and everything is searched for.
+// Decides when everything is searched for, instead of looking up single boxes.
 #pragma once
 
 #include <algorithm>
@@ -6,17 +6,18 @@
 
 namespace ecods {
 
-// Looking up a box costs as much as the shares of eight in a search for everything, which gives all that need it soon
-// new margins, too: where boxes escape one by one, the next ones escape with all others again. And boxes drift away
-// from those that they are beside in memory and in trees, and those that came are beside any: then slots are put in
-// order.
+// Looking up a box costs as much as a search for everything does for eight boxes. Such a search also gives new margins
+// to all boxes that need them soon: if boxes have escaped one by one, the next ones escape together again.
+//
+// Boxes drift away from their neighbours in memory and in trees, and added boxes have arbitrary neighbours: after a
+// while, slots are put in order.
 class RebuildRule {
   public:
-    // True if so many of the boxes that are there escaped that all are searched for.
+    // True if so many of the boxes escaped that everything is searched for.
     static bool are_many(std::size_t escaped, std::size_t boxes) noexcept { return 8 * escaped > boxes; }
 
-    // Whether single ones have been looked up for half of what it costs to search for everything, which spares the same
-    // to those that are awake. Where that was not so, more are looked up before the next time.
+    // True if look-ups of single boxes have cost half as much as a search for everything, which spares the awake boxes
+    // about as many look-ups. If the last searches renewed few fat boxes, more look-ups come before the next one.
     bool is_due(std::size_t awake, std::size_t boxes) const noexcept {
         return 2 * awake > boxes && 16 * looked_up_ > boxes << patience_;
     }
@@ -26,7 +27,8 @@ class RebuildRule {
         return searched_ > 4 * boxes || 4 * unsorted > boxes + 64 || slots > 2 * boxes + 64;
     }
 
-    // Before a search for everything, in which so many have escaped, of which some came: whether it is time for that.
+    // True if slots shall be put in order. Called before a search for everything, in which `escaped` boxes get new fat
+    // boxes, `came` of them added boxes.
     bool is_order_due(std::size_t escaped, std::size_t came, std::size_t boxes) noexcept {
         constexpr std::size_t escapes_per_sort = 8;
         escaped_ += escaped;
@@ -37,7 +39,7 @@ class RebuildRule {
         searched_ += escaped;
         looked_up_ += escaped;
     }
-    // A search for everything gave so many another fat box.
+    // Notes that a search for everything gave `renewed` boxes new fat boxes.
     void note_everything(std::size_t renewed, std::size_t boxes) noexcept {
         constexpr unsigned patience_max = 6;
         patience_ = 2 * renewed > boxes ? 0 : std::min(patience_ + 2, patience_max);
@@ -47,9 +49,9 @@ class RebuildRule {
 
   private:
     std::size_t searched_ = 0;   // boxes that escaped and were looked up, since slots were put in order
-    std::size_t escaped_ = 0;    // that escaped in searches for everything, since then
-    std::size_t looked_up_ = 0;  // that escaped and were looked up, since the last such search
-    unsigned patience_ = 0;      // so many times twice as many are looked up before the next one
+    std::size_t escaped_ = 0;    // boxes that escaped in searches for everything, since slots were put in order
+    std::size_t looked_up_ = 0;  // boxes that escaped and were looked up, since the last search for everything
+    unsigned patience_ = 0;      // log2 of the factor by which more boxes are looked up before the next search
 };
 
 }  // namespace ecods

@@ -17,9 +17,10 @@ void SlotTable::reserve(std::size_t count) {
     slots_.reserve(count);
 }
 
-// A pass over all boxes makes them; they go with the passes that put boxes to sleep, which many updates pay for.
+// Makes or drops the coarse boxes. Making them takes a pass over all boxes. They can be dropped only after a pass that
+// puts boxes to sleep, and many updates pay for that pass.
 void SlotTable::choose_coarse_boxes() {
-    constexpr std::size_t few = 64, some = 32;  // one of so many is awake
+    constexpr std::size_t few = 64, some = 32;  // one box in this many is awake
     if (keeps_coarse_boxes() && few * awake_count_ < used_count_) release(coarse_boxes_);
     if (keeps_coarse_boxes() || some * awake_count_ < used_count_) return;
     coarse_boxes_.reserve(lines_.capacity());
@@ -93,7 +94,7 @@ void SlotTable::put_all_to_sleep() noexcept {
     awake_count_ = 0;
 }
 
-// Boxes at rest cost as long as they are awake; the pass that puts them to sleep is paid for by the same work.
+// Waits until the boxes at rest that are awake have cost enough work to pay for the pass that puts them to sleep.
 bool SlotTable::put_resting_to_sleep(std::size_t moved_count) noexcept {
     constexpr std::uint64_t patience = 16;
     if (moved_count < awake_count_) updates_at_rest_ += awake_count_ - moved_count;
@@ -182,7 +183,7 @@ void SlotTable::validate(const ProxyTable& table, const MovingFrame& frame, bool
         require(!keeps_coarse_boxes() || coarse_boxes_[slot] == coarse, slot,
                 "its coarse box is another one's, or marked");
         if (!has_margins) continue;
-        // Through the numbers, not the lanes.
+        // Compares the numbers, not the lanes, so that an error of the lanes shows.
         const KeyBox in_frame = key_box(frame.of(table.box(proxy))), fat = key_box(fat_lines_[slot]);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             require(fat.min[axis] <= in_frame.min[axis] && in_frame.max[axis] <= fat.max[axis], slot,

@@ -1,14 +1,14 @@
-// Boxes that moved: they are taken from the table, and those that left their fat boxes are noted.
+// Copies boxes that moved from the table, and notes the ones that left their fat boxes.
 #include "base/make_room.hpp"
 #include "broad_phase/candidates/slot_table.hpp"
 #include "simd/dispatch.hpp"
 
 namespace ecods {
 
-// What the loops go through.
+// Gives the loops below the arrays of a table.
 struct SlotView {
     PackedBox* lines;
-    CoarseBox* coarse_boxes;  // or null
+    CoarseBox* coarse_boxes;  // null unless they are kept
     const PackedBox* fat_lines;
     const ProxyIndex* proxies;
     std::size_t size;
@@ -21,10 +21,10 @@ SlotView SlotTable::view() noexcept {
 
 namespace {
 
-// How many boxes ahead memory is asked for.
+// The prefetch distance, in boxes.
 constexpr std::size_t boxes_ahead = 12;
 
-// The box that comes some slots later in a walk over all slots, which may lie on two cache lines.
+// Prefetches a box that comes some slots later in a walk over all slots. It may lie on two cache lines.
 ECODS_ALWAYS_INLINE void prefetch_box_ahead(const SlotView& slots, const Aabb* boxes, std::size_t slot) noexcept {
     const auto* ahead = reinterpret_cast<const char*>(
         &boxes[slots.proxies[slot + boxes_ahead < slots.size ? slot + boxes_ahead : slots.size - 1]]);
@@ -32,7 +32,7 @@ ECODS_ALWAYS_INLINE void prefetch_box_ahead(const SlotView& slots, const Aabb* b
     __builtin_prefetch(ahead + sizeof(Aabb) - 1);
 }
 
-// Whether a box is in its fat box; `lanes` are the box in space.
+// True if a box is in its fat box. `lanes` is the box in space, packed.
 ECODS_ALWAYS_INLINE bool is_in_fat_box(const MovingFrame& frame, const PackedBox& fat_line, const Aabb& box,
                                        const BoxLanes& lanes) noexcept {
     if (frame.is_at_origin()) return contains(fat_line, lanes);
@@ -41,7 +41,8 @@ ECODS_ALWAYS_INLINE bool is_in_fat_box(const MovingFrame& frame, const PackedBox
     return contains(fat_line, in_frame);
 }
 
-// Gives a slot its box, and notes it if it left its fat box. A free slot stays as it is.
+// Gives a slot its new box, and appends the old one to `escaped` if the new one is not in the fat box. A free slot
+// stays as it is.
 ECODS_ALWAYS_INLINE void move_slot(const SlotView& slots, SlotIndex slot, const Aabb& box, const MovingFrame& frame,
                                    std::vector<EscapedBox>& escaped) {
     BoxLanes lanes;
@@ -100,7 +101,7 @@ void SlotTable::move(std::span<const ProxyIndex> proxies, const ProxyTable& tabl
 
 void SlotTable::take(std::span<const ProxyIndex> proxies, const ProxyTable& table) {
     release(coarse_boxes_);
-    // Going through all boxes in the order of memory costs less for each.
+    // If most boxes moved, a pass over all boxes in the order of memory costs less.
     if (2 * proxies.size() > size()) {
         dispatch<take_all_slots>(view(), table.boxes().data());
         return;

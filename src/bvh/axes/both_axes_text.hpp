@@ -77,22 +77,21 @@ struct BothBoxes {
     ECODS_ALWAYS_INLINE int edges() const noexcept {
         return separating_edges(low_half(axes.other), low_half(axes.offset), low_half(axes.margin), root_a, root_b);
     }
+    template <class Half>
+    ECODS_ALWAYS_INLINE void set_half(AxisSet& set, Own own, const Half& half) const noexcept {
+        DoubleAxes exact;
+        exact.other = half(axes.other);
+        exact.offset = half(axes.offset);
+        exact.s = half(axes.s);
+        exact.w = half(axes.w);
+        exact.e = half(axes.e);
+        exact.own_tree = own;
+        exact.is_unit = exact.is_bounded = true;
+        set_floats(set, exact);
+    }
     ECODS_ALWAYS_INLINE void set(std::array<AxisSet, 2>& sets) const noexcept {
-        DoubleAxes first, second;
-        first.other = low_half(axes.other);
-        first.offset = low_half(axes.offset);
-        first.s = low_half(axes.s);
-        first.w = low_half(axes.w);
-        first.e = low_half(axes.e);
-        second.other = high_half(axes.other);
-        second.offset = high_half(axes.offset);
-        second.s = high_half(axes.s);
-        second.w = high_half(axes.w);
-        second.e = high_half(axes.e);
-        second.own_tree = Own::b;
-        for (DoubleAxes* const of : {&first, &second}) of->is_unit = of->is_bounded = true;
-        set_floats(sets[0], first);
-        set_floats(sets[1], second);
+        set_half(sets[0], Own::a, [](const auto& of_both) { return low_half(of_both); });
+        set_half(sets[1], Own::b, [](const auto& of_both) { return high_half(of_both); });
         sets[0].flat_axis = find_flat_axis(root_a.half, low_half(other_half));
     }
 };

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "base/assert.hpp"
 
@@ -205,21 +207,20 @@ inline Int256 multiply(Int128 a, Int128 b) noexcept {
 }
 
 // Returns limb i; limbs beyond the last one repeat its sign bit.
-template <int L>
-inline std::uint64_t limb_at(const Limbs<L>& a, int i) noexcept {
-    return i < L ? a[static_cast<std::size_t>(i)] : (a[L - 1] >> 63) ? all_ones : 0;
+inline std::uint64_t limb_at(std::span<const std::uint64_t> a, std::size_t i) noexcept {
+    return i < a.size() ? a[i] : (a.back() >> 63) ? all_ones : 0;
 }
 
 // Returns a >> shift in M limbs, with the sign extended. The result must fit.
-template <int M, int L>
-inline Limbs<M> shift_right(const Limbs<L>& a, int shift) noexcept {
-    const int skip = shift / 64;
+template <int M>
+inline Limbs<M> shift_right(std::span<const std::uint64_t> a, int shift) noexcept {
+    const auto skip = static_cast<std::size_t>(shift) / 64;
     const int bits = shift % 64;
     Limbs<M> result;
-    for (int i = 0; i < M; ++i) {
-        const std::uint64_t low = limb_at<L>(a, i + skip);
-        const std::uint64_t high = limb_at<L>(a, i + skip + 1);
-        result[static_cast<std::size_t>(i)] = bits == 0 ? low : (low >> bits) | (high << (64 - bits));
+    for (std::size_t i = 0; i < M; ++i) {
+        const std::uint64_t low = limb_at(a, i + skip);
+        const std::uint64_t high = limb_at(a, i + skip + 1);
+        result[i] = bits == 0 ? low : (low >> bits) | (high << (64 - bits));
     }
     return result;
 }

@@ -42,9 +42,11 @@ inline Point pose_point(const Mat3& R, const Vec3& v, const Vec3& d) noexcept {
 // there are eight. A subnormal input that the processor takes for zero changes a product by less than 2^-1022 times the
 // other factor f; there are three, and one d. With f < 2^19 all of that is below 2^-1001; for larger f, below 2^-1000
 // f.
+inline constexpr double error_of_sum = 4.25 * two_u, underflow_of_points = 0x1p-1000, small_factor = 0x1p19;
 inline double point_error_bound(double sum_max, double factor_max) noexcept {
-    const double underflow = factor_max < 0x1p19 ? 0x1p-1000 : 0x1p-1000 + 0x1p-1000 * factor_max;
-    return 4.25 * two_u * sum_max + underflow;
+    const double underflow =
+        factor_max < small_factor ? underflow_of_points : underflow_of_points + underflow_of_points * factor_max;
+    return error_of_sum * sum_max + underflow;
 }
 // Bounds the error for all points with |v_j| <= v_max_j.
 inline double point_error_bound(const Mat3& R, const Vec3& v_max, const Vec3& d) noexcept {

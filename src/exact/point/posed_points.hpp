@@ -26,6 +26,13 @@ struct VertexRef {
     std::uint32_t vertex;
 };
 
+// The corners of two triangles, those of the first body's first.
+constexpr std::array<VertexRef, 6> corners_of(const Triangle& a, const Triangle& b,
+                                              std::size_t body_of_b = 1) noexcept {
+    const std::size_t second = body_of_b;
+    return {{{0, a[0]}, {0, a[1]}, {0, a[2]}, {second, b[0]}, {second, b[1]}, {second, b[2]}}};
+}
+
 // Refers to the point R v + t of a body.
 struct PointRef {
     const Pose* pose;

@@ -1,4 +1,4 @@
-// Vectors of doubles are computed in the order of operations that error bounds assume.
+// Vectors of doubles, in the order of operations that bounds are about, and of exact numbers.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,24 @@
 
 namespace ecods::exact {
 
-ECODS_ALWAYS_INLINE double dot(const Point& a, const Point& b) noexcept {
+template <class Number>
+concept IsCoordinate = requires(const Number& a) {
+    a* a - a* a + a;
+};
+
+template <IsCoordinate Number>
+ECODS_ALWAYS_INLINE Number dot(const std::array<Number, 3>& a,
+                               const std::array<Number, 3>& b) noexcept(noexcept(a[0] * b[0])) {
     return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
 }
-ECODS_ALWAYS_INLINE Point minus(const Point& a, const Point& b) noexcept {
+template <IsCoordinate Number>
+ECODS_ALWAYS_INLINE std::array<Number, 3> minus(const std::array<Number, 3>& a,
+                                                const std::array<Number, 3>& b) noexcept(noexcept(a[0] - b[0])) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
-ECODS_ALWAYS_INLINE Point cross(const Point& a, const Point& b) noexcept {
+template <IsCoordinate Number>
+ECODS_ALWAYS_INLINE std::array<Number, 3> cross(const std::array<Number, 3>& a,
+                                                const std::array<Number, 3>& b) noexcept(noexcept(a[0] * b[0])) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 ECODS_ALWAYS_INLINE Point negated(const Point& a) noexcept {

@@ -8,10 +8,4 @@ std::ostream& operator<<(std::ostream& out, Sign sign) {
     return out << (sign == Sign::zero ? "zero" : sign == Sign::positive ? "positive" : "negative");
 }
 
-std::ostream& operator<<(std::ostream& out, Relation relation) {
-    return out << (relation == Relation::disjoint   ? "disjoint"
-                   : relation == Relation::touching ? "touching"
-                                                    : "crossing");
-}
-
 }  // namespace ecods

@@ -30,7 +30,7 @@ FlatContact flat_contact(Signs& signs) {
     contact.from = s.a;
     contact.to = s.b;
     const Relation relation = segment_triangle(signs, s, 3);
-    contact.meets = relation != Relation::disjoint;
+    contact.meets = relation != Relation::apart;
     contact.crosses = relation == Relation::crossing;
     if (!contact.meets || contact.crosses || s.a == s.b) return contact;
     std::array<bool, 3> is_on{};

@@ -85,10 +85,10 @@ template <class Signs>
 Relation segment_triangle(Signs& signs, Segment s, int first) {
     const int side_a = signs.orient3d(first, first + 1, first + 2, s.a);
     const int side_b = signs.orient3d(first, first + 1, first + 2, s.b);
-    if (side_a * side_b > 0) return Relation::disjoint;
+    if (side_a * side_b > 0) return Relation::apart;
     if (side_a == 0 && side_b == 0) {
         const bool meets = meets_in_plane(signs, s, first, signs.normal_axis(first));
-        return meets ? Relation::touching : Relation::disjoint;
+        return meets ? Relation::touching : Relation::apart;
     }
     // The segment's line meets the plane in one point of the segment. That point is in the closed triangle exactly when
     // the line does not pass the three directed edges on different sides.
@@ -99,7 +99,7 @@ Relation segment_triangle(Signs& signs, Segment s, int first) {
         negative |= side < 0;
         zero |= side == 0;
     }
-    if (positive && negative) return Relation::disjoint;
+    if (positive && negative) return Relation::apart;
     return side_a * side_b < 0 && !zero ? Relation::crossing : Relation::touching;
 }
 
@@ -110,7 +110,7 @@ Relation degenerate_pair(Signs& signs) {
     const bool second_is_flat = signs.normal_axis(3) < 0;
     if (first_is_flat && second_is_flat) {
         const bool meet = segments_meet(signs, find_segment(signs, 0), find_segment(signs, 3));
-        return meet ? Relation::touching : Relation::disjoint;
+        return meet ? Relation::touching : Relation::apart;
     }
     return first_is_flat ? segment_triangle(signs, find_segment(signs, 0), 3)
                          : segment_triangle(signs, find_segment(signs, 3), 0);

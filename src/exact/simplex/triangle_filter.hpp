@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "exact/point/point.hpp"
 #include "exact/sign/exact_signs.hpp"
@@ -20,6 +21,12 @@ namespace ecods::exact {
 
 // The filter never certifies touching: it cannot distinguish a zero from a small number.
 enum class FilterAnswer { disjoint, crossing, unknown };
+
+// The relation that an answer is certain of.
+inline std::optional<Relation> certain_relation(FilterAnswer answer) noexcept {
+    if (answer == FilterAnswer::unknown) return std::nullopt;
+    return answer == FilterAnswer::disjoint ? Relation::apart : Relation::crossing;
+}
 
 // Holds the values of one plane's determinant at three corners.
 struct PlaneSides {

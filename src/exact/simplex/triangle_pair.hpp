@@ -89,7 +89,7 @@ Relation coplanar_pair(Signs& signs, int axis) {
             for (int corner = 0; corner < 3 && outside; ++corner) {
                 outside = signs.orient2d(from, to, other + corner, axis) * turn < 0;
             }
-            if (outside) return Relation::disjoint;
+            if (outside) return Relation::apart;
         }
     }
     return Relation::touching;
@@ -107,17 +107,17 @@ Relation flat_pair(Signs& signs) {
 template <class Signs>
 Relation triangle_pair(Signs& signs) {
     const Sides first = signs.sides(3, 0);
-    if (all_positive(first) || all_negative(first)) return Relation::disjoint;
+    if (all_positive(first) || all_negative(first)) return Relation::apart;
     if (all_zero(first)) return flat_pair(signs);
     const Sides second = signs.sides(0, 3);
-    if (all_positive(second) || all_negative(second)) return Relation::disjoint;
+    if (all_positive(second) || all_negative(second)) return Relation::apart;
     if (all_zero(second)) return flat_pair(signs);
 
     const EdgeComparison e = name_corners(first, second);
     const int begin = signs.orient3d(e.q1, e.p2, e.p1, e.q2);
-    if (begin > 0) return Relation::disjoint;
+    if (begin > 0) return Relation::apart;
     const int end = signs.orient3d(e.p1, e.p2, e.r1, e.r2);
-    if (end > 0) return Relation::disjoint;
+    if (end > 0) return Relation::apart;
     const bool strict = begin < 0 && end < 0 && strictly_on_both(first) && strictly_on_both(second);
     return strict ? Relation::crossing : Relation::touching;
 }

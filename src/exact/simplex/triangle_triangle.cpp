@@ -15,14 +15,7 @@ const Pose in_place;
 Relation decide(const PosedPoints<6>& exact, const RoundedPoints<6>& rounded) noexcept {
     const DeterminantBounds bounds = determinant_bounds(rounded.points, rounded.delta);
     FilterTrace trace;
-    switch (filter(rounded.points, bounds.orient3d, trace)) {
-        case FilterAnswer::disjoint:
-            return Relation::disjoint;
-        case FilterAnswer::crossing:
-            return Relation::crossing;
-        case FilterAnswer::unknown:
-            break;
-    }
+    if (const auto relation = certain_relation(filter(rounded.points, bounds.orient3d, trace))) return *relation;
     return with_integers(exact, [&](const auto& integers) {
         TracedSigns signs(rounded.points, bounds, trace, integers);
         return triangle_pair(signs);

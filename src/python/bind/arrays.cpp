@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <functional>
 
@@ -57,10 +56,11 @@ std::size_t pose_entries(const Doubles& array, py::ssize_t first_axis, const cha
 }
 
 void require_pose(const double* entries, std::size_t count, ListIndex index) {
-    constexpr std::array<double, 4> last_row = {0, 0, 0, 1};
-    for (std::size_t i = 0; i < count; ++i) {
-        const bool is_right = i < 12 ? std::isfinite(entries[i]) : entries[i] == last_row[i - 12];
-        if (!is_right) throw InvalidPose(static_cast<int>(i / 4), static_cast<int>(i % 4), entries[i], {}, index);
+    try {
+        validate(pose_of(entries));
+        if (count == 16) static_cast<void>(Pose::from_matrix(Eigen::Matrix4d::Map(entries).transpose()));
+    } catch (const InvalidArgument& error) {
+        throw error.at({}, index);
     }
 }
 
@@ -224,10 +224,9 @@ namespace {
 PoseList poses_of_bodies(py::handle value, std::span<const BodyId> bodies) {
     try {
         return PoseList(value, "poses");
-    } catch (const InvalidPose& error) {
+    } catch (const InvalidArgument& error) {
         const bool is_of_body = error.index && *error.index < bodies.size();
-        throw InvalidPose(error.row, error.column, error.value, is_of_body ? bodies[*error.index] : BodyId(),
-                          error.index);
+        throw error.at(is_of_body ? bodies[*error.index] : BodyId(), error.index);
     }
 }
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "ecods/aabb.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods::python {
 
@@ -43,14 +43,14 @@ Vec3 to_vec3(py::handle value, const char* what);
 // Returns the box of an array (2, 3), whose first row is the least corner.
 Aabb to_box(py::handle value);
 
-// Returns the pose of an array (4, 4) with a last row of 0 0 0 1, or (3, 4); the identity for None. Throws InvalidPose.
+// One pose: (4, 4) with a last row of 0 0 0 1, (3, 4), or None, which is where the mesh is. Throws InvalidArgument.
 Pose to_pose(py::handle value);
 
 // Returns the pose of 12 doubles, row by row; four more may follow. Does not check them.
 Pose pose_of(const double* entries);
 
-// A list of poses: (k, 4, 4) or (k, 3, 4), or a single pose, which stands for any number of equal poses. The
-// constructor checks all of them: InvalidPose names the entry.
+// Poses one after the other: (k, 4, 4) or (k, 3, 4); or one, which then stands for as many as are asked for. All of
+// them are checked when the list is made: InvalidArgument names the entry.
 class PoseList {
   public:
     explicit PoseList(py::handle value, const char* what);

@@ -12,12 +12,6 @@
 namespace ecods::python {
 namespace {
 
-void require_box(const Aabb& box) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!(box.min[axis] <= box.max[axis])) throw InvalidBox(axis, box.min[axis], box.max[axis]);
-    }
-}
-
 py::array_t<ProxyIndex> array_of(const std::vector<ProxyPair>& pairs) {
     return from_named_pairs<ProxyIndex>(pairs, std::identity());
 }
@@ -48,7 +42,7 @@ std::unique_ptr<BroadPhase> with_boxes(const py::tuple& state) {
     for (py::ssize_t i = 0; i < proxies.size(); ++i) {
         const double* const x = corners.data() + 6 * i;
         const Aabb box{.min = {x[0], x[1], x[2]}, .max = {x[3], x[4], x[5]}};
-        require_box(box);
+        validate(box);
         made->add(proxies.at(i), box);
     }
     return made;
@@ -64,18 +58,18 @@ void bind_broad_phase(py::module_& m) {
         "Finds which boxes (2, 3) overlap. Each box has a number that the caller chooses, a proxy: keep them dense.");
     type.def(py::init([](BroadPhaseKind kind) { return make_broad_phase(kind); }), py::arg("kind") = "automatic");
     const auto add = [](BroadPhase& self, ProxyIndex which, const Aabb& at) {
-        require_box(at);
+        validate(at);
         self.add(which, at);
     };
-    type.def("add", add, proxy, box, "Adds a box. Raises InvalidBox; Error if the proxy is present, or 2**31 or more.");
+    type.def("add", add, proxy, box,
+             "Adds a box. Raises InvalidArgument; Error if the proxy is there, or not below 2**31.");
     const auto move = [](BroadPhase& self, ProxyIndex which, const Aabb& at) {
-        require_box(at);
+        validate(at);
         self.move(which, at);
     };
-    type.def("move", move, proxy, box,
-             "Sets the box of a proxy. Raises InvalidBox; Error if the proxy is not present.");
-    type.def("remove", &BroadPhase::remove, proxy, "Removes a proxy. Raises Error if it is not present.");
-    type.def("box", &BroadPhase::box, proxy, "The box of a proxy, (2, 3) float64.");
+    type.def("move", move, proxy, box, "Gives a proxy another box. Raises InvalidArgument; Error if there is none.");
+    type.def("remove", &BroadPhase::remove, proxy, "Raises Error if there is none.");
+    type.def("box", &BroadPhase::box, proxy, "(2, 3) float64.");
     type.def("__len__", &BroadPhase::size);
     type.def("__repr__", [](const BroadPhase& self) {
         return "<ecods.BroadPhase of " + std::to_string(self.size()) + " boxes, " +

@@ -20,23 +20,23 @@
 
 #include "ecods/broad_phase.hpp"
 #include "ecods/certificate.hpp"
-#include "ecods/closest_points.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/instruction_set.hpp"
 #include "ecods/predicates.hpp"
-#include "ecods/solid.hpp"
-#include "ecods/triangle_hit.hpp"
+#include "ecods/results.hpp"
 #include "python/bind/arrays.hpp"
 #include "python/bind/errors.hpp"
 
 namespace ecods::python {
 
-// Returns the value of an integer object; null for other objects.
+// Returns the value of an integer object; null for other objects, such as an array of several numbers.
 inline py::object integer_of(py::handle value) {
     if (PyFloat_Check(value.ptr()) || !PyIndex_Check(value.ptr())) return {};
     auto integer = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
-    if (!integer) throw py::error_already_set();
-    return integer;
+    if (integer) return integer;
+    if (PyErr_ExceptionMatches(PyExc_TypeError) == 0) throw py::error_already_set();
+    PyErr_Clear();
+    return {};
 }
 
 // Returns the body of an integer; nothing if the integer is negative, or has more than 64 bits.
@@ -123,12 +123,13 @@ ECODS_PYTHON_ENUM(ecods::Feature::Kind, "FeatureKind");
 ECODS_PYTHON_ENUM(ecods::ClosestKind, "ClosestKind");
 ECODS_PYTHON_ENUM(ecods::HitKind, "HitKind");
 ECODS_PYTHON_ENUM(ecods::Side, "Side");
-ECODS_PYTHON_ENUM(ecods::SolidRelation, "SolidRelation");
-ECODS_PYTHON_ENUM(ecods::SurfaceRelation, "SurfaceRelation");
 ECODS_PYTHON_ENUM(ecods::BroadPhaseKind, "BroadPhaseKind");
 ECODS_PYTHON_ENUM(ecods::InstructionSet, "InstructionSet");
 ECODS_PYTHON_ENUM(ecods::Certificate::Claim, "Claim");
 ECODS_PYTHON_ENUM(ecods::Question, "Question");
+ECODS_PYTHON_ENUM(ecods::InvalidMesh::Reason, "InvalidMeshReason");
+ECODS_PYTHON_ENUM(ecods::NotSolid::Reason, "NotSolidReason");
+ECODS_PYTHON_ENUM(ecods::Argument, "Argument");
 #undef ECODS_PYTHON_ENUM
 
 template <>

@@ -47,7 +47,7 @@ void add_certificates(py::module_& m) {
             "meshes",
             [](const WorldCertificate& self) {
                 std::vector<std::shared_ptr<MeshShape>> meshes;
-                for (const auto& shape : self.shapes()) meshes.push_back(std::const_pointer_cast<MeshShape>(shape));
+                for (const auto& shape : self.shapes()) meshes.push_back(to_python(shape));
                 return meshes;
             },
             "Each mesh once, in the order of the bodies: checkers need certified_mesh() of each.")
@@ -71,7 +71,7 @@ void bind_certificates(py::module_& m) {
     m.def("certify_distance", asked<PosedMesh, PosedMesh>(ECODS_QUESTION(certify_distance)), py::arg("a"), py::arg("b"),
           keeps_a, keeps_b, "distance(a, b) with its proof.");
     m.def("certify_within", asked<PosedMesh, PosedMesh, double>(ECODS_QUESTION(certify_within)), py::arg("a"),
-          py::arg("b"), py::arg("d"), keeps_a, keeps_b, "within(a, b, d) with its proof.");
+          py::arg("b"), py::arg("max_distance"), keeps_a, keeps_b, "within(a, b, max_distance) with its proof.");
     m.def("certify_hit", asked<Segment, PosedMesh>(ECODS_QUESTION(certify_hit)), py::arg("segment"), py::arg("body"),
           keeps_b, "first_hit(segment, body) with its proof.");
     m.def(

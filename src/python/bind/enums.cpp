@@ -60,10 +60,12 @@ std::optional<int> value_of(py::handle member_or_name, const Enumeration& enumer
 
 void bind_enums(py::module_& m) {
     make(m, "Sign", "The sign of a real number.", Sign::negative, Sign::positive);
-    make(m, "Relation",
-         "How two surfaces meet: they share no point; they share one; or two triangles that are not coplanar share a "
-         "point inside both.",
-         Relation::disjoint, Relation::crossing);
+    make(
+        m, "Relation",
+        "The relation of two sets. Surfaces, and triangles, are apart, touching or crossing: they share no point; they "
+        "share one; or two triangles that are not coplanar share a point inside both. Solids, interiors included, are "
+        "anything but crossing. A surface and a solid are apart, touching, crossing or inside.",
+        Relation::apart, Relation::equal);
     make<Feature::Kind>(m, "FeatureKind", "The kind of a Feature of a mesh.", {"vertex", "edge", "face"});
     make<ClosestKind>(m, "ClosestKind",
                       "The kinds of the two features that hold the closest points, or touch first; `intersecting` if "
@@ -74,10 +76,6 @@ void bind_enums(py::module_& m) {
          "in an edge or a vertex; or at more than one point.",
          HitKind::front, HitKind::along);
     make(m, "Side", "The place of a point with respect to a solid.", Side::outside, Side::inside);
-    make(m, "SolidRelation", "The relation of a solid to another one, interiors included.", SolidRelation::apart,
-         SolidRelation::equal);
-    make(m, "SurfaceRelation", "The relation of a mesh, taken as a surface, to a solid.", SurfaceRelation::apart,
-         SurfaceRelation::partly_inside);
     make<BroadPhaseKind>(m, "BroadPhaseKind", "The way of finding overlapping boxes. No answer depends on it.",
                          {"brute_force", "sweep_and_prune", "kept_candidates", "automatic"});
     make(m, "InstructionSet",
@@ -87,7 +85,14 @@ void bind_enums(py::module_& m) {
                              {"disjoint", "touching", "crossing", "distance", "within", "beyond", "hit", "miss"});
     make<Question>(m, "Question", "The question that NotSupported names.",
                    {"relation", "intersecting_triangles", "distance", "within", "closest", "intersections",
-                    "close_features", "cast", "cast_moving", "hits"});
+                    "close_features", "cast", "cast_moving", "hits", "intersects", "certify"});
+    make<InvalidMesh::Reason>(m, "InvalidMeshReason", "The reason of an InvalidMesh.",
+                              {"empty", "vertex", "index", "layout", "too_large"});
+    make<NotSolid::Reason>(m, "NotSolidReason", "The reason of a NotSolid.",
+                           {"open_edge", "self_intersection", "dent", "no_interior"});
+    make<Argument>(m, "Argument", "The argument that InvalidArgument is about.",
+                   {"pose", "box", "segment", "ray", "point", "motion", "ball", "distance", "time", "list_length",
+                    "null", "mesh_and_shape"});
 }
 
 }  // namespace ecods::python

@@ -75,83 +75,50 @@ void set(const py::object& raised) {
     PyErr_SetObject(py::type::handle_of(raised).ptr(), raised.ptr());
 }
 
-void add_mesh_errors(py::module_& m) {
-    add<InvalidVertex>(m, "InvalidVertex", "A vertex coordinate is NaN or infinite.",
-                       member("vertex", &InvalidVertex::vertex), member("axis", &InvalidVertex::axis),
-                       member("value", &InvalidVertex::value));
-    add<InvalidIndex>(m, "InvalidIndex",
-                      "A triangle names a vertex that does not exist: `value`, which may be negative.",
-                      member("triangle", &InvalidIndex::triangle), member("corner", &InvalidIndex::corner),
-                      member("value", &InvalidIndex::value), member("vertex_count", &InvalidIndex::vertex_count));
-    add<EmptyMesh>(m, "EmptyMesh", "A mesh has no triangle.");
-    add<InvalidLayout>(m, "InvalidLayout", "Numbers do not make whole vertices or triangles.",
-                       member("count", &InvalidLayout::count), member("stride", &InvalidLayout::stride));
-    add<MeshTooLarge>(m, "MeshTooLarge", "A mesh has more vertices or triangles than 32-bit indices can name.",
-                      member("vertex_count", &MeshTooLarge::vertex_count),
-                      member("triangle_count", &MeshTooLarge::triangle_count));
-    add<NotClosed>(m, "NotClosed", "The triangles meant to bound a solid are not closed along this edge.",
-                   member("triangle", &NotClosed::triangle), member("corner", &NotClosed::corner),
-                   member("vertices", &NotClosed::vertices), member("points", &NotClosed::points));
-    add<SelfIntersecting>(m, "SelfIntersecting",
-                          "Two triangles meant to bound a solid share a segment or more that is not a side of both.",
-                          member("triangles", &SelfIntersecting::triangles));
-    add<NotConvex>(m, "NotConvex",
-                   "A mesh meant as a convex solid has a vertex beyond the plane of one of its triangles.",
-                   member("triangle", &NotConvex::triangle), member("corner", &NotConvex::corner),
-                   member("vertices", &NotConvex::vertices), member("beyond", &NotConvex::beyond));
-    add<NoInterior>(m, "NoInterior", "The points meant for a convex solid lie in one plane, or there are none.",
-                    member("point_count", &NoInterior::point_count));
+// Adds errors whose reason says which members count; the others have their defaults, as in C++.
+void add_input_errors(py::module_& m) {
+    using Mesh = InvalidMesh;
+    add<Mesh>(
+        m, "InvalidMesh",
+        "Vertices and faces do not make a mesh. `reason` is an InvalidMeshReason: empty; vertex (`vertex`, `axis`, "
+        "`value`), a coordinate that is not finite; index (`triangle`, `corner`, `index`, which may be negative, "
+        "`vertex_count`); layout (`number_count`, `stride`); too_large (`vertex_count`, `triangle_count`).",
+        member("reason", &Mesh::reason), member("vertex", &Mesh::vertex), member("axis", &Mesh::axis),
+        member("value", &Mesh::value), member("triangle", &Mesh::triangle), member("corner", &Mesh::corner),
+        member("index", &Mesh::index), member("vertex_count", &Mesh::vertex_count),
+        member("triangle_count", &Mesh::triangle_count), member("number_count", &Mesh::number_count),
+        member("stride", &Mesh::stride));
+    add<NotSolid>(
+        m, "NotSolid",
+        "A mesh or points bound no solid, or no convex one. `reason` is a NotSolidReason: open_edge (`triangle`, "
+        "`corner`, `vertices`, `points`); self_intersection (`triangles`); dent (`triangle`, `corner`, "
+        "`vertices`, and `beyond`, a vertex beyond the triangle's plane); no_interior (`point_count`).",
+        member("reason", &NotSolid::reason), member("triangle", &NotSolid::triangle),
+        member("corner", &NotSolid::corner), member("vertices", &NotSolid::vertices),
+        member("points", &NotSolid::points), member("triangles", &NotSolid::triangles),
+        member("beyond", &NotSolid::beyond), member("point_count", &NotSolid::point_count));
+    using Bad = InvalidArgument;
+    add<Bad>(
+        m, "InvalidArgument",
+        "A number that a call was given cannot be used, or None. `argument` is an Argument; `part` says which number "
+        "of it, as 'R(0, 1)', 't(2)', 'min(1)', 'direction(2)' or 'radius'; `value` is the number; `body` and "
+        "`index`, if any, the body that it was for and its place in a list.",
+        member("argument", &Bad::argument), member("part", &Bad::part), member("value", &Bad::value),
+        member("body", &Bad::body), member("index", &Bad::index), member("kind", &Bad::kind));
+    add<SingularPose>(m, "SingularPose", "The matrix of a solid's pose is singular where inner points are needed.",
+                      member("argument", &SingularPose::argument), member("body", &SingularPose::body));
 }
 
-void add_body_errors(py::module_& m) {
-    add<InvalidPose>(m, "InvalidPose", "An entry of a pose is NaN or infinite, or its last row is not 0 0 0 1.",
-                     member("row", &InvalidPose::row), member("column", &InvalidPose::column),
-                     member("value", &InvalidPose::value), member("body", &InvalidPose::body),
-                     member("index", &InvalidPose::index));
-    add<SingularPose>(m, "SingularPose",
-                      "The matrix of a solid's pose is singular, and the question needs inner points.",
-                      member("argument", &SingularPose::argument), member("body", &SingularPose::body));
-    add<SolidsApart>(m, "SolidsApart", "Two solids share no point, so neither is in the other to a depth.",
-                     member("a", &SolidsApart::a), member("b", &SolidsApart::b));
-    add<LengthMismatch>(m, "LengthMismatch", "Two lists that belong together have different lengths.",
-                        member("body_count", &LengthMismatch::body_count),
-                        member("pose_count", &LengthMismatch::pose_count));
-    add<NullArgument>(m, "NullArgument", "None was given for a mesh.");
+void add_call_errors(py::module_& m) {
     add<StaleBody>(m, "StaleBody", "An id names no body of this world.", member("body", &StaleBody::body),
                    member("index", &StaleBody::index));
-    add<MovedFromWorld>(m, "MovedFromWorld", "A world was used after it was moved from; not in Python.");
-    add<MeshAndShape>(m, "MeshAndShape", "A body was to be of two shapes at once; not in Python.");
-    add<SameBody>(m, "SameBody", "One body was given twice in place of a pair.", member("body", &SameBody::body));
-    add<MissingTest>(m, "MissingTest", "No test for two kinds of shapes is registered.", member("a", &MissingTest::a),
-                     member("b", &MissingTest::b));
+    add<SameBody>(m, "SameBody", "One body was given where a pair was asked for.", member("body", &SameBody::body));
+    add<MovedFromWorld>(m, "MovedFromWorld", "A world that was moved from was asked; not in Python.");
     add<NotSupported>(m, "NotSupported", "A shape cannot be asked this question: a mesh that is no Solid, say.",
                       member("question", &NotSupported::question), member("a", &NotSupported::a),
-                      member("b", &NotSupported::b));
-}
-
-void add_argument_errors(py::module_& m) {
-    add<InvalidBox>(m, "InvalidBox", "A box has a NaN, or a least corner above its greatest.",
-                    member("kind", &InvalidBox::kind), member("axis", &InvalidBox::axis),
-                    member("min", &InvalidBox::min), member("max", &InvalidBox::max), member("body", &InvalidBox::body),
-                    member("index", &InvalidBox::index));
-    add<InvalidSegment>(m, "InvalidSegment", "An end of a segment is not finite.", member("end", &InvalidSegment::end),
-                        member("axis", &InvalidSegment::axis), member("value", &InvalidSegment::value));
-    add<InvalidRay>(m, "InvalidRay",
-                    "A ray is not finite, has no direction, or a largest parameter that is negative or NaN.",
-                    member("axis", &InvalidRay::axis), member("value", &InvalidRay::value));
-    add<InvalidPoint>(m, "InvalidPoint", "A point is not finite.", member("axis", &InvalidPoint::axis),
-                      member("value", &InvalidPoint::value));
-    add<InvalidMotion>(m, "InvalidMotion", "A motion is not finite.", member("axis", &InvalidMotion::axis),
-                       member("value", &InvalidMotion::value));
-    add<InvalidBall>(m, "InvalidBall", "A ball's center is not finite, or its radius is negative or NaN (axis 3).",
-                     member("axis", &InvalidBall::axis), member("value", &InvalidBall::value));
-    add<InvalidDistance>(m, "InvalidDistance", "A distance is negative or NaN, or infinite where it must not be.",
-                         member("value", &InvalidDistance::value));
-    add<InvalidTime>(m, "InvalidTime", "A limit of time is negative or NaN.", member("value", &InvalidTime::value));
-    add<NotUpdated>(m, "NotUpdated", "A certificate was requested of a world that changed since its last update.");
-    add<NotCertified>(m, "NotCertified", "A shape has no certificates; not in Python.",
-                      member("body", &NotCertified::body), member("kind", &NotCertified::kind));
-    add<ShapeChanged>(m, "ShapeChanged", "A shape changed after its body got it; not in Python.",
+                      member("b", &NotSupported::b), member("body", &NotSupported::body));
+    add<NotUpdated>(m, "NotUpdated", "A world changed since its last update, of which a certificate was asked.");
+    add<ShapeChanged>(m, "ShapeChanged", "A shape is not what it was when its body got it; not in Python.",
                       member("body", &ShapeChanged::body), member("kind", &ShapeChanged::kind));
     add<ExecutorFailed>(m, "ExecutorFailed", "Threads did not run each task once.");
     add<TraceFailed>(m, "TraceFailed", "A trace could not be written in full.");
@@ -169,13 +136,13 @@ void raise_stale(const py::object& number, ListIndex index) {
     throw py::error_already_set();
 }
 
-void raise_negative(const InvalidIndex& error) {
-    const auto value = static_cast<std::int64_t>(error.value);
+void raise_negative(const InvalidMesh& error) {
+    const auto index = static_cast<std::int64_t>(error.index);
     std::string text = error.what();
-    const std::string unsigned_value = std::to_string(error.value);
-    text.replace(text.find(unsigned_value), unsigned_value.size(), std::to_string(value));
+    const std::string unsigned_index = std::to_string(error.index);
+    text.replace(text.find(unsigned_index), unsigned_index.size(), std::to_string(index));
     const py::object raised = exception_of(error, text);
-    raised.attr("value") = value;
+    raised.attr("index") = index;
     set(raised);
     throw py::error_already_set();
 }
@@ -183,9 +150,8 @@ void raise_negative(const InvalidIndex& error) {
 void bind_errors(py::module_& m) {
     base_type =
         make_type(m, "Error", "The common base of all errors of ECoDS: catch this to catch them all.", PyExc_Exception);
-    add_mesh_errors(m);
-    add_body_errors(m);
-    add_argument_errors(m);
+    add_input_errors(m);
+    add_call_errors(m);
     py::register_exception_translator([](std::exception_ptr pointer) {
         try {
             if (pointer) std::rethrow_exception(pointer);

@@ -10,7 +10,7 @@ namespace ecods::python {
 // Raises StaleBody for an integer that no id can be: it is negative, or has more than 64 bits.
 [[noreturn]] void raise_stale(const pybind11::object& number, ListIndex index = {});
 
-// Raises InvalidIndex for an index that was negative before it was converted to 64 unsigned bits.
-[[noreturn]] void raise_negative(const InvalidIndex& error);
+// Raises InvalidMesh of an index that was negative before it was taken for one of 64 bits without a sign.
+[[noreturn]] void raise_negative(const InvalidMesh& error);
 
 }  // namespace ecods::python

@@ -6,6 +6,8 @@
 #include "ecods/distance.hpp"
 #include "ecods/error.hpp"
 #include "ecods/hit.hpp"
+#include "ecods/intersection.hpp"
+#include "ecods/solid.hpp"
 #include "python/bind/ask.hpp"
 #include "python/bind/bind.hpp"
 #include "python/bind/shapes.hpp"
@@ -42,7 +44,7 @@ std::size_t common_length(const PoseList& a, const PoseList& b) {
     return a.size();
 }
 
-// Returns the answers of question(a, b, memory, witness) for each pose.
+// Returns the answers of question(a, b, ask) for each pose.
 template <class Answer, class Question>
 py::array_t<Answer> at_poses(const MeshShape& a, const py::object& poses_a, const MeshShape& b,
                              const py::object& poses_b, std::size_t threads, const Question& question) {
@@ -53,11 +55,11 @@ py::array_t<Answer> at_poses(const MeshShape& a, const py::object& poses_a, cons
     Answer* const out = answers.mutable_data();
     in_parts(count, threads, [&](std::size_t begin, std::size_t end) {
         PairWitness witness;
-        QueryMemory& memory = thread_memory();
+        const Ask ask(witness);
         for (std::size_t i = begin; i < end; ++i) {
             const Posed<MeshShape> x{a, of_a[i]};
             const Posed<MeshShape> y{b, of_b[i]};
-            out[i] = static_cast<Answer>(question(x, y, memory, witness));
+            out[i] = static_cast<Answer>(question(x, y, ask));
         }
     });
     return answers;
@@ -73,7 +75,7 @@ void add_at_poses(py::module_& m, const char* name, const char* doc, Question qu
 }
 
 py::tuple first_hits(const py::object& origins, const py::object& directions, const PosedMesh& body,
-                     double parameter_max, std::size_t threads) {
+                     double max_parameter, std::size_t threads) {
     const Doubles from = exact_points(origins, "origins");
     const Doubles along = exact_points(directions, "directions");
     if (from.shape(0) != along.shape(0)) throw py::value_error("origins and directions: of different lengths");
@@ -86,8 +88,8 @@ py::tuple first_hits(const py::object& origins, const py::object& directions, co
             const double* o = from.data() + 3 * i;
             const double* d = along.data() + 3 * i;
             const Ray ray{
-                .origin = {o[0], o[1], o[2]}, .direction = {d[0], d[1], d[2]}, .parameter_max = parameter_max};
-            const auto hit = first_hit(ray, body, thread_memory());
+                .origin = {o[0], o[1], o[2]}, .direction = {d[0], d[1], d[2]}, .max_parameter = max_parameter};
+            const auto hit = first_hit(ray, body);
             s[i] = hit ? hit->parameter : std::numeric_limits<double>::quiet_NaN();
             t[i] = hit ? std::int64_t{hit->triangle()} : -1;
         }
@@ -103,7 +105,7 @@ py::array_t<std::uint8_t> locate_many(const py::object& points, const PosedMesh&
     in_parts(static_cast<std::size_t>(rows.shape(0)), threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const double* x = rows.data() + 3 * i;
-            out[i] = static_cast<std::uint8_t>(locate({x[0], x[1], x[2]}, posed, thread_memory()).side);
+            out[i] = static_cast<std::uint8_t>(locate({x[0], x[1], x[2]}, posed).side);
         }
     });
     return sides;
@@ -114,28 +116,29 @@ py::array_t<std::uint8_t> locate_many(const py::object& points, const PosedMesh&
 void bind_many(py::module_& m) {
     add_at_poses<bool>(
         m, "collide_many",
-        "intersects() of a and b at each pair of their poses: (k,) bool. Poses are (k, 4, 4) or (k, 3, 4); one "
-        "pose, or None, stands for all. Raises InvalidPose with the index.",
+        "intersects() of a at each of its poses and b at each of its own: (k,) bool. Poses are (k, 4, 4) or "
+        "(k, 3, 4); one pose, or None, stands for all. Raises InvalidArgument with the index.",
         ECODS_QUESTION(intersects));
     add_at_poses<double>(m, "distance_many", "distance() likewise: (k,) float64, each the true distance, rounded once.",
                          ECODS_QUESTION(distance));
     add_at_poses<std::uint8_t>(m, "relation_many", "relation() likewise: (k,) uint8, values of Relation.",
-                               [](auto& x, auto& y, auto& memory, auto&) { return relation(x, y, memory); });
+                               ECODS_QUESTION(relation));
     m.def(
         "within_many",
-        [](const MeshShape& a, const py::object& poses_a, const MeshShape& b, const py::object& poses_b, double d,
-           std::size_t threads) {
-            return at_poses<bool>(a, poses_a, b, poses_b, threads,
-                                  [d](auto& x, auto& y, auto& memory, auto& w) { return within(x, y, d, memory, w); });
+        [](const MeshShape& a, const py::object& poses_a, const MeshShape& b, const py::object& poses_b,
+           double max_distance, std::size_t threads) {
+            return at_poses<bool>(a, poses_a, b, poses_b, threads, [max_distance](auto& x, auto& y, const Ask& ask) {
+                return within(x, y, max_distance, ask);
+            });
         },
-        py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b"), py::arg("d"), py::arg("threads") = 1,
-        "within(d) likewise: (k,) bool. Raises InvalidDistance.");
+        py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b"), py::arg("max_distance"),
+        py::arg("threads") = 1, "within(max_distance) likewise: (k,) bool. Raises InvalidArgument.");
     m.def("first_hits", &first_hits, py::arg("origins"), py::arg("directions"), py::arg("body"),
-          py::arg("parameter_max") = std::numeric_limits<double>::infinity(), py::arg("threads") = 1,
+          py::arg("max_parameter") = std::numeric_limits<double>::infinity(), py::arg("threads") = 1,
           "first_hit() of rays (k, 3), (k, 3): parameters (k,) float64, NaN where nothing is hit, and triangles (k,) "
-          "int64, -1 there. Raises InvalidRay.");
+          "int64, -1 there. Raises InvalidArgument.");
     m.def("locate_many", &locate_many, py::arg("points"), py::arg("solid"), py::arg("threads") = 1,
-          "locate() of points (k, 3): (k,) uint8, values of Side. Raises InvalidPoint.");
+          "locate() of points (k, 3): (k,) uint8, values of Side. Raises InvalidArgument.");
 }
 
 }  // namespace ecods::python

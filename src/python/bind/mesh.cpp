@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "ecods/aabb.hpp"
+#include "ecods/primitives.hpp"
 #include "python/bind/ask.hpp"
 #include "python/bind/bind.hpp"
 #include "python/bind/errors.hpp"
@@ -37,10 +37,9 @@ std::shared_ptr<const Mesh> make_mesh(py::handle vertices, py::handle faces) {
     }
     try {
         return create(py::array_t<std::uint64_t, py::array::c_style | py::array::forcecast>::ensure(indices));
-    } catch (const InvalidIndex& error) {
-        if (kind == 'i' && std::cmp_greater(error.value, std::numeric_limits<std::int64_t>::max())) {
-            raise_negative(error);
-        }
+    } catch (const InvalidMesh& error) {
+        const bool is_negative = std::cmp_greater(error.index, std::numeric_limits<std::int64_t>::max());
+        if (kind == 'i' && is_negative) raise_negative(error);
         throw;
     }
 }
@@ -71,9 +70,9 @@ void add_making(Type& type) {
                  return make_shape<Shape>(make_mesh(vertices, faces));
              }),
              py::arg("vertices"), py::arg("faces"),
-             "Made of vertices (n, 3), floats or integers that doubles hold, in the caller's unit, and faces (m, 3), "
-             "indices of vertices. Raises EmptyMesh, InvalidVertex, InvalidIndex, MeshTooLarge; TypeError and "
-             "ValueError for other arrays.");
+             "Of vertices (n, 3), floats or integers that doubles hold, in a unit of the caller's, and faces (m, 3), "
+             "indices of vertices. Raises InvalidMesh; TypeError and "
+             "ValueError for what is no such array.");
     type.def(py::pickle(
         [](const py::object& self) {
             return py::make_tuple(self.attr("vertices").attr("copy")(), self.attr("faces").attr("copy")());
@@ -106,15 +105,12 @@ void add_mesh_calls(py::class_<MeshShape, std::shared_ptr<MeshShape>>& type) {
     type.def("box", &MeshShape::box, py::arg("pose") = py::none(),
              "A box (2, 3) that contains the posed mesh: quick, and close to the least one. box_of() is closer.");
     type.def(
-        "at",
-        [](std::shared_ptr<MeshShape> self, const Pose& pose) {
-            return PosedMesh{std::move(self), pose};
-        },
-        py::arg("pose"), "The mesh at a pose (4, 4) or (3, 4): the real points R v + t. Raises InvalidPose.");
+        "at", [](std::shared_ptr<MeshShape> self, const Pose& pose) { return PosedMesh(std::move(self), pose); },
+        py::arg("pose"), "The mesh at a pose (4, 4) or (3, 4): the real points R v + t. Raises InvalidArgument.");
     type.def(
         "moving",
         [](std::shared_ptr<MeshShape> self, const Pose& from, const Pose& to) {
-            return MovingMesh{std::move(self), from, to};
+            return MovingMesh(std::move(self), from, to);
         },
         py::arg("start"), py::arg("end"),
         "The mesh on its way from one pose to another in the time from 0 to 1, each point on a straight line.");
@@ -125,11 +121,11 @@ void add_mesh_calls(py::class_<MeshShape, std::shared_ptr<MeshShape>>& type) {
             std::vector<Vec3> moved(static_cast<std::size_t>(points.shape(0)));
             std::copy_n(points.data(), points.size(), moved.empty() ? nullptr : moved.front().data());
             const py::gil_scoped_release release;
-            return std::const_pointer_cast<MeshShape>(ecods::refit(self, std::move(moved)));
+            return to_python(ecods::refit(self, std::move(moved)));
         },
         py::arg("vertices"),
-        "A new Mesh with the triangles of this one and other vertices (n, 3). Its tree is the tree of this one with "
-        "new boxes. Raises InvalidVertex, InvalidIndex.");
+        "The same triangles with other vertices (n, 3), as a new Mesh, whose tree is that of this one with new boxes. "
+        "Raises InvalidMesh.");
     type.def("__repr__", &text_of);
     copies_are_itself(type);  // so that a copy has the tree already
 }
@@ -138,11 +134,11 @@ void add_solids(py::module_& m) {
     py::class_<Solid, MeshShape, std::shared_ptr<Solid>> solid(
         m, "Solid",
         "A mesh that bounds a solid: closed and free of self-intersection, which is checked exactly. Every call that "
-        "takes a Mesh takes it. Raises NotClosed and SelfIntersecting, which name the place.");
+        "takes a Mesh takes it. Raises NotSolid, which names the place.");
     add_making<Solid>(solid);
 
-    py::class_<ConvexSolid, Solid, std::shared_ptr<ConvexSolid>> convex(
-        m, "ConvexSolid", "A Solid without dents. Raises as Solid does, and NoInterior, NotConvex.");
+    py::class_<ConvexSolid, Solid, std::shared_ptr<ConvexSolid>> convex(m, "ConvexSolid",
+                                                                        "A Solid without dents. Raises NotSolid.");
     add_making<ConvexSolid>(convex);
     convex.def_static(
         "hull",
@@ -153,8 +149,8 @@ void add_solids(py::module_& m) {
             return std::make_shared<ConvexSolid>(given);
         },
         py::arg("points"),
-        "The convex hull of points (n, 3), exactly: its vertices are the points that are no combination of others. "
-        "Raises InvalidVertex, NoInterior.");
+        "The convex hull of points (n, 3), exactly: its vertices are those points that are no combination of others. "
+        "Raises InvalidMesh, NotSolid.");
 }
 
 // Returns a pose as text, such as "pose=[[1.0, 0.0, 0.0, 2.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]".
@@ -164,47 +160,52 @@ std::string pose_text(const char* name, const Pose& pose) {
 }
 
 std::shared_ptr<MeshShape> require(std::shared_ptr<MeshShape> mesh) {
-    if (!mesh) throw NullArgument("mesh");
+    if (!mesh) throw InvalidArgument("mesh is null", Argument::null, "mesh");
     return mesh;
+}
+
+// Returns the mesh of a Posed or a Moving.
+template <class Placed>
+std::shared_ptr<MeshShape> mesh_in(const Placed& placed) {
+    return to_python(placed.kept);
 }
 
 void add_places(py::class_<PosedMesh>& type) {
     type.def(py::init([](std::shared_ptr<MeshShape> mesh, const Pose& pose) {
-                 return PosedMesh{require(std::move(mesh)), pose};
+                 return PosedMesh(require(std::move(mesh)), pose);
              }),
              py::arg("mesh"), py::arg("pose") = py::none(),
-             "A Mesh, Solid or ConvexSolid at a pose (4, 4) or (3, 4), as Mesh.at(pose); None is the identity. Raises "
-             "InvalidPose, NullArgument.");
-    type.def_readonly("mesh", &PosedMesh::shape, "The Mesh, Solid or ConvexSolid.");
+             "Mesh.at(pose): a Mesh, Solid or ConvexSolid at a pose (4, 4) or (3, 4), or where it is. Raises "
+             "InvalidArgument.");
+    type.def_property_readonly("mesh", &mesh_in<PosedMesh>, "The Mesh, Solid or ConvexSolid.");
     type.def_readonly("pose", &PosedMesh::pose, "(4, 4) float64.");
     type.def("__repr__", [](const PosedMesh& self) {
-        return "Posed(" + text_of(py::cast(self.shape)) + ", " + pose_text("pose", self.pose) + ")";
+        return "Posed(" + text_of(py::cast(mesh_in(self))) + ", " + pose_text("pose", self.pose) + ")";
     });
-    type.def(
-        py::pickle([](const PosedMesh& self) { return py::make_tuple(self.shape, self.pose); },
-                   [](const py::tuple& state) {
-                       return PosedMesh{require(state[0].cast<std::shared_ptr<MeshShape>>()), state[1].cast<Pose>()};
-                   }));
+    type.def(py::pickle([](const PosedMesh& self) { return py::make_tuple(mesh_in(self), self.pose); },
+                        [](const py::tuple& state) {
+                            return PosedMesh(require(state[0].cast<std::shared_ptr<MeshShape>>()),
+                                             state[1].cast<Pose>());
+                        }));
     py::implicitly_convertible<MeshShape, PosedMesh>();
 }
 
 void add_motions(py::class_<MovingMesh>& type) {
     type.def(py::init([](std::shared_ptr<MeshShape> mesh, const Pose& start, const Pose& end) {
-                 return MovingMesh{require(std::move(mesh)), start, end};
+                 return MovingMesh(require(std::move(mesh)), start, end);
              }),
-             py::arg("mesh"), py::arg("start"), py::arg("end"),
-             "Mesh.moving(start, end). Raises InvalidPose, NullArgument.");
-    type.def_readonly("mesh", &MovingMesh::shape);
+             py::arg("mesh"), py::arg("start"), py::arg("end"), "Mesh.moving(start, end). Raises InvalidArgument.");
+    type.def_property_readonly("mesh", &mesh_in<MovingMesh>);
     type.def_readonly("start", &MovingMesh::from, "(4, 4) float64.");
     type.def_readonly("end", &MovingMesh::to, "(4, 4) float64.");
     type.def("__repr__", [](const MovingMesh& self) {
-        return "Moving(" + text_of(py::cast(self.shape)) + ", " + pose_text("start", self.from) + ", " +
+        return "Moving(" + text_of(py::cast(mesh_in(self))) + ", " + pose_text("start", self.from) + ", " +
                pose_text("end", self.to) + ")";
     });
-    type.def(py::pickle([](const MovingMesh& self) { return py::make_tuple(self.shape, self.from, self.to); },
+    type.def(py::pickle([](const MovingMesh& self) { return py::make_tuple(mesh_in(self), self.from, self.to); },
                         [](const py::tuple& state) {
-                            return MovingMesh{require(state[0].cast<std::shared_ptr<MeshShape>>()),
-                                              state[1].cast<Pose>(), state[2].cast<Pose>()};
+                            return MovingMesh(require(state[0].cast<std::shared_ptr<MeshShape>>()),
+                                              state[1].cast<Pose>(), state[2].cast<Pose>());
                         }));
 }
 
@@ -228,7 +229,7 @@ void bind_meshes(py::module_& m) {
     add_places(posed);
     add_motions(moving);
     m.def(
-        "box_of", [](const PosedMesh& body) { return box_of(body.shape->mesh(), body.pose); }, py::arg("body"),
+        "box_of", [](const PosedMesh& body) { return box_of(body.what->mesh(), body.pose); }, py::arg("body"),
         "A box (2, 3) that contains the posed mesh and exceeds the least one by rounding only. One pass over "
         "vertices.");
 }

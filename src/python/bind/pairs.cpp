@@ -1,7 +1,7 @@
-// Binds questions about two bodies: intersection.hpp, distance.hpp, contact.hpp, cast.hpp.
+// Binds questions about two bodies: intersection.hpp, distance.hpp, cast.hpp.
 #include "ecods/cast.hpp"
-#include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
+#include "ecods/intersection.hpp"
 #include "python/bind/ask.hpp"
 #include "python/bind/bind.hpp"
 #include "python/bind/record.hpp"
@@ -16,11 +16,11 @@ void add_intersections(py::module_& m, const py::arg& a, const py::arg& b, const
     m.def("intersects", asked_with_witness<PosedMesh, PosedMesh>(ECODS_QUESTION(intersects)), a, b, witness,
           "True if two bodies share a point. Exact. A body is a Mesh, or Mesh.at(pose).");
     m.def("relation", asked<PosedMesh, PosedMesh>(ECODS_QUESTION(relation)), a, b,
-          "Relation: disjoint, touching or crossing, the strongest of any two of their triangles. Exact.");
+          "Relation: apart, touching or crossing, the strongest of any two of their triangles. Exact.");
     m.def(
         "intersecting_triangles",
         [](const PosedMesh& x, const PosedMesh& y) {
-            return from_triangles(ask([&](auto& memory) { return intersecting_triangles(x, y, memory); }));
+            return from_triangles(ask([&] { return intersecting_triangles(x, y); }));
         },
         a, b, "Every pair of triangles that share a point, ascending: (k, 2) uint32, indices of faces of a and of b.");
     m.def("intersections", asked<PosedMesh, PosedMesh>(ECODS_QUESTION(intersections)), a, b,
@@ -29,36 +29,37 @@ void add_intersections(py::module_& m, const py::arg& a, const py::arg& b, const
 }
 
 void add_distances(py::module_& m, const py::arg& a, const py::arg& b, const py::arg_v& witness) {
-    const py::arg d("d");
+    const py::arg max_distance("max_distance");
     m.def("distance", asked_with_witness<PosedMesh, PosedMesh>(ECODS_QUESTION(distance)), a, b, witness,
           "The distance in the unit of the coordinates: the true number, rounded once; 0 exactly when they intersect.");
-    m.def("within", asked_with_witness<PosedMesh, PosedMesh, double>(ECODS_QUESTION(within)), a, b, d, witness,
-          "True if the distance is at most d, decided for the real number. Raises InvalidDistance if d is negative or "
-          "NaN.");
+    m.def(
+        "within", asked_with_witness<PosedMesh, PosedMesh, double>(ECODS_QUESTION(within)), a, b, max_distance, witness,
+        "True if the distance is at most max_distance, decided for the real number. Raises InvalidArgument if that is "
+        "negative or NaN.");
     m.def("closest", asked_with_witness<PosedMesh, PosedMesh>(ECODS_QUESTION(closest)), a, b, witness,
           "ClosestPoints: two points at the least distance, and the features that hold them.");
     m.def(
         "distance_bounds",
-        [](const PosedMesh& x, const PosedMesh& y, double relative, double absolute, double at_most,
-           PairWitness* known) {
-            const DistanceTolerance tolerance{.relative = relative, .absolute = absolute, .at_most = at_most};
-            return ask(known, [&](auto& memory, auto& w) { return distance_bounds(x, y, tolerance, memory, w); });
+        [](const PosedMesh& x, const PosedMesh& y, double relative, double absolute, double most, PairWitness* known) {
+            const DistanceTolerance tolerance{.relative = relative, .absolute = absolute, .max_distance = most};
+            return ask(known, [&](const Ask& how) { return distance_bounds(x, y, tolerance, how); });
         },
-        a, b, py::arg("relative") = 0.0, py::arg("absolute") = 0.0, py::arg("at_most") = infinity, witness,
+        a, b, py::arg("relative") = 0.0, py::arg("absolute") = 0.0, py::arg("max_distance") = infinity, witness,
         "An interval with the distance in it: upper - lower <= max(absolute, relative * lower), or both are adjacent "
-        "doubles. Once lower is above at_most, upper may be infinity. Raises InvalidDistance.");
-    m.def("close_triangles", asked<PosedMesh, PosedMesh, double>(ECODS_QUESTION(close_triangles)), a, b, d,
-          "Every pair of triangles within d, as a list of ClosestPoints. Raises InvalidDistance.");
-    m.def("close_features", asked<PosedMesh, PosedMesh, double>(ECODS_QUESTION(close_features)), a, b, d,
-          "The pairs of features within d that hold closest points of triangles: a list of CloseFeatures.");
+        "doubles. Once lower is above max_distance, upper may be infinity. Raises InvalidArgument.");
+    m.def("close_triangles", asked<PosedMesh, PosedMesh, double>(ECODS_QUESTION(close_triangles)), a, b, max_distance,
+          "Every pair of triangles within max_distance, as a list of ClosestPoints. Raises InvalidArgument.");
+    m.def("close_features", asked<PosedMesh, PosedMesh, double>(ECODS_QUESTION(close_features)), a, b, max_distance,
+          "The pairs of features within max_distance that hold closest points of triangles: a list of CloseFeatures.");
 }
 
 void add_casts(py::module_& m, const py::arg& a, const py::arg& b, const py::arg_v& witness) {
-    m.def("cast", asked_with_witness<PosedMesh, Vec3, PosedMesh>(ECODS_QUESTION(cast)), a, py::arg("motion"), b,
-          witness,
+    const auto max_time = py::arg("max_time") = 1.0;
+    m.def("cast", asked_with_witness<PosedMesh, Vec3, PosedMesh, double>(ECODS_QUESTION(cast)), a, py::arg("motion"), b,
+          max_time, witness,
           "FirstContact of a, translated by time times motion (3,), with b, which stays; None if there is none up to "
-          "time 1. Contact at time 0 and grazing count. Exact. Raises InvalidMotion.");
-    m.def("cast", asked_with_witness<MovingMesh, MovingMesh>(ECODS_QUESTION(cast)), a, b, witness,
+          "max_time. Contact at time 0 and grazing count. Exact. Raises InvalidArgument.");
+    m.def("cast", asked_with_witness<MovingMesh, MovingMesh, double>(ECODS_QUESTION(cast)), a, b, max_time, witness,
           "FirstContact of two meshes that each go from one pose to another (Mesh.moving): each point moves straight "
           "from its first place to its last, so that a mesh that turns is not rigid on its way.");
 }

@@ -22,7 +22,7 @@ class Rows {
         for (py::ssize_t i = 0; fits && i < axes; ++i) fits = array_.shape(array_.ndim() - axes + i) == tail_[i];
         if (!fits) throw py::value_error(std::string(what) + ": has the shape " + shape_text(array_));
         for (const double& x : std::span(array_.data(), static_cast<std::size_t>(array_.size()))) {
-            if (!std::isfinite(x)) throw InvalidPoint(axis_of(x), x);
+            if (!std::isfinite(x)) refuse(x);
         }
     }
 
@@ -53,9 +53,13 @@ class Rows {
         for (const py::ssize_t n : tail_) size *= static_cast<std::size_t>(n);
         return size;
     }
-    int axis_of(const double& x) const {
+    // Throws with the text that locate() has for a point.
+    [[noreturn]] void refuse(const double& x) const {
         const auto at = static_cast<std::size_t>(&x - array_.data());
-        return static_cast<int>(at % static_cast<std::size_t>(tail_.back()));
+        const std::string axis = std::to_string(at % static_cast<std::size_t>(tail_.back()));
+        const std::string value = py::str(py::float_(x));
+        throw InvalidArgument("point, axis " + axis + ": coordinate is " + value + ", not finite", Argument::point,
+                              "(" + axis + ")", x);
     }
 
     std::vector<py::ssize_t> tail_;
@@ -152,7 +156,7 @@ void bind_predicates(py::module_& m) {
     const auto poses = py::arg("poses") = py::none();
     m.def("orient2d", &orient2d_of, py::arg("a"), py::arg("b"), py::arg("c"),
           "The sign of det(b - a, c - a) of points (..., 2): positive for a left turn. A Sign, or int8 values of Sign "
-          "over the common leading axes. Exact. Raises InvalidPoint, as all predicates do.");
+          "over the common leading axes. Exact. Raises InvalidArgument, as all predicates do.");
     m.def("orient2d_along", &orient2d_along, py::arg("a"), py::arg("b"), py::arg("c"), py::arg("axis"), poses,
           "orient2d of points (..., 3), at poses (..., 4, 4) of their own, seen along an axis: of coordinates (axis + "
           "1) mod 3 and (axis + 2) mod 3. `poses` has one for each point, or None. Exact for the real points.");

@@ -33,7 +33,7 @@ void bind_process(py::module_& m) {
     m.def("pose", &make_pose, py::arg("t") = py::make_tuple(0, 0, 0), py::arg("R") = py::none(),
           py::arg("quaternion") = py::none(),
           "A pose (4, 4) of a translation (3,) and a matrix (3, 3), or a quaternion (w, x, y, z), taken as it is: not "
-          "normalised. Raises InvalidPose.");
+          "normalised. Raises InvalidArgument.");
     m.def(
         "body_name",
         [](BodyId body) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <tuple>
 
-#include "ecods/replay.hpp"
+#include "ecods/trace.hpp"
 #include "python/bind/casters.hpp"
 
 namespace ecods::python {

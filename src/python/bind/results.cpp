@@ -1,10 +1,7 @@
 // Binds the answers to questions, field by field.
 #include <algorithm>
 
-#include "ecods/depth.hpp"
-#include "ecods/distance.hpp"
-#include "ecods/shared_set.hpp"
-#include "ecods/world_answers.hpp"
+#include "ecods/results.hpp"
 #include "python/bind/bind.hpp"
 #include "python/bind/record.hpp"
 

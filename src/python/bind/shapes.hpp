@@ -5,41 +5,31 @@
 #include <string>
 #include <utility>
 
-#include "ecods/convex_solid.hpp"
-#include "ecods/motion.hpp"
-#include "ecods/posed.hpp"
+#include "ecods/pose.hpp"
 #include "ecods/shape.hpp"
 #include "python/bind/casters.hpp"
 
 namespace ecods::python {
 
-// A Posed in Python: owns its shape, unlike the library's Posed.
-struct PosedMesh {
-    std::shared_ptr<MeshShape> shape;  // never null
-    Pose pose;
+// Posed and Moving in Python. All of them are made of shared pointers, and keep their shapes.
+using PosedMesh = Posed<MeshShape>;
+using MovingMesh = Moving<MeshShape>;
 
-    operator Posed<MeshShape>() const { return {*shape, pose}; }
-};
-
-// A Moving in Python: owns its shape, unlike the library's Moving.
-struct MovingMesh {
-    std::shared_ptr<MeshShape> shape;  // never null
-    Pose from;
-    Pose to;
-
-    operator Moving<MeshShape>() const { return {*shape, from, to}; }
-};
+// Returns a shape as pybind11 holds it. Python cannot change it, either.
+inline std::shared_ptr<MeshShape> to_python(const std::shared_ptr<const ecods::Shape>& shape) {
+    return std::const_pointer_cast<MeshShape>(std::static_pointer_cast<const MeshShape>(shape));
+}
 
 // Returns the posed mesh as a Solid or a ConvexSolid. Throws TypeError if it is neither.
 template <class Shape>
 Posed<Shape> as(const PosedMesh& posed, const char* argument) {
-    const auto* solid = dynamic_cast<const Shape*>(posed.shape.get());
+    auto solid = std::dynamic_pointer_cast<const Shape>(posed.kept);
     if (solid == nullptr) {
         throw py::type_error(std::string(argument) + ": a " +
                              std::string(py::str(py::type::of<Shape>().attr("__name__"))) + " is expected, not a " +
-                             type_name(py::cast(posed.shape)));
+                             type_name(py::cast(to_python(posed.kept))));
     }
-    return {*solid, posed.pose};
+    return {std::move(solid), posed.pose};
 }
 
 // Makes copies of an object the object itself, for classes whose objects never change.

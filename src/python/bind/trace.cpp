@@ -1,10 +1,10 @@
-// Binds trace.hpp and replay.hpp: traces of a world's calls, and their replay.
+// Binds trace.hpp: traces of a world's calls, and their replay.
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <sstream>
 
-#include "ecods/replay.hpp"
+#include "ecods/trace.hpp"
 #include "python/bind/bind.hpp"
 #include "python/bind/record.hpp"
 #include "python/bind/world.hpp"
@@ -27,8 +27,10 @@ std::unique_ptr<std::ostream> open(const std::optional<std::string>& path) {
     return file;
 }
 
-ReplayReport run(const Trace& trace, std::optional<BroadPhaseKind> broad_phase, std::size_t threads, bool validates) {
-    const ReplayOptions options{.broad_phase = broad_phase, .executor = make_threads(threads), .validates = validates};
+ReplayReport run(const Trace& trace, std::optional<BroadPhaseKind> broad_phase, std::size_t threads,
+                 bool checks_invariants) {
+    const ReplayOptions options{
+        .broad_phase = broad_phase, .executor = make_threads(threads), .checks_invariants = checks_invariants};
     const py::gil_scoped_release release;
     std::istringstream in(trace.text);
     return replay(in, options);
@@ -38,18 +40,13 @@ ReplayReport run(const Trace& trace, std::optional<BroadPhaseKind> broad_phase, 
 
 void SharedWorld::begin_trace(std::unique_ptr<std::ostream> out, bool questions) {
     change([&](World& world) {
-        TraceOptions options;
-        options.questions = questions;
-        traces_questions_ = false;
-        world.trace_to(*out, options);
+        world.trace_to(*out, {.questions = questions});
         trace_ = std::move(out);
-        traces_questions_ = questions;
     });
 }
 
 std::unique_ptr<std::ostream> SharedWorld::end_trace() {
     return change([&](World& world) {
-        traces_questions_ = false;
         auto ended = std::exchange(trace_, nullptr);
         world.end_trace();
         return ended;
@@ -96,8 +93,10 @@ void bind_trace(py::module_& m) {
                  const auto lines = std::count(self.text.begin(), self.text.end(), '\n');
                  return "<ecods.Trace of " + std::to_string(lines) + " lines>";
              })
-        .def("replay", &run, py::arg("broad_phase") = py::none(), py::arg("threads") = 1, py::arg("validates") = false,
-             "Makes the calls again, up to the end or the first difference: a ReplayReport. Raises InvalidTrace.")
+        .def("replay", &run, py::arg("broad_phase") = py::none(), py::arg("threads") = 1,
+             py::arg("checks_invariants") = false,
+             "Makes the calls again, up to the end or the first difference: a ReplayReport. With `checks_invariants`, "
+             "checks every invariant after each update, which is slow. Raises InvalidTrace.")
         .def(
             "__eq__", [](const Trace& self, const Trace& other) { return self.text == other.text; }, py::is_operator())
         .def(py::pickle([](const Trace& self) { return py::make_tuple(self.text); },

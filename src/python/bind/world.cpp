@@ -13,8 +13,8 @@ using Shape = std::shared_ptr<MeshShape>;
 Pose pose_for(BodyId body, const py::object& pose) {
     try {
         return to_pose(pose);
-    } catch (const InvalidPose& error) {
-        throw InvalidPose(error.row, error.column, error.value, body);
+    } catch (const InvalidArgument& error) {
+        throw error.at(body);
     }
 }
 
@@ -30,7 +30,7 @@ void add_bodies(WorldClass& type, const py::arg& body) {
         py::arg("mesh"), py::arg("pose") = py::none(), py::kw_only(), py::arg("groups") = CollisionFilter{}.groups,
         py::arg("mask") = CollisionFilter{}.mask, py::arg("user_data") = 0,
         "Makes a body and returns its id, an int. Bodies of one Mesh share its tree. `groups` and `mask` are bits: two "
-        "bodies may meet if each is in a group that the other's mask names. Raises InvalidPose, NullArgument.");
+        "bodies may meet if each is in a group that the other's mask names. Raises InvalidArgument.");
     type.def("destroy_body", changing(&World::destroy_body), body,
              "Destroys a body; its id is stale from now on. Raises StaleBody, as every call that is given an id does.");
     type.def(
@@ -39,7 +39,7 @@ void add_bodies(WorldClass& type, const py::arg& body) {
             const Pose place = pose_for(id, pose);
             self.change([&](World& world) { world.set_pose(id, place); });
         },
-        body, py::arg("pose"), "Moves a body; the lists follow at update(). Raises InvalidPose.");
+        body, py::arg("pose"), "Moves a body; for the lists at update(). Raises InvalidArgument.");
     type.def(
         "set_poses",
         [](SharedWorld& self, const py::object& bodies, const py::object& poses) {
@@ -49,7 +49,7 @@ void add_bodies(WorldClass& type, const py::arg& body) {
         },
         py::arg("bodies"), py::arg("poses"),
         "Moves many bodies, (k,) ids and (k, 4, 4) or (k, 3, 4) poses: all of them, or none if it raises "
-        "LengthMismatch, StaleBody or InvalidPose, with the index of the entry.");
+        "InvalidArgument or StaleBody, with the index of the entry.");
     type.def(
         "set_shape",
         [](SharedWorld& self, BodyId id, const Shape& mesh) {
@@ -70,15 +70,12 @@ void add_facts(WorldClass& type, const py::arg& body) {
         },
         body, "True if the id names a body of this world.");
     type.def("pose", reading(&World::pose), body, "The pose set last, (4, 4) float64.");
-    const auto mesh = [](SharedWorld& self, BodyId id) {
-        const auto shape = reading(&World::shape)(self, id);
-        return std::const_pointer_cast<MeshShape>(std::static_pointer_cast<const MeshShape>(shape));
-    };
+    const auto mesh = [](const SharedWorld& self, BodyId id) { return to_python(reading(&World::shape)(self, id)); };
     type.def("mesh", mesh, body, "The Mesh, Solid or ConvexSolid set last.");
     type.def(
         "posed",
-        [mesh](SharedWorld& self, BodyId id) {
-            return PosedMesh{mesh(self, id), reading(&World::pose)(self, id)};
+        [mesh](const SharedWorld& self, BodyId id) {
+            return PosedMesh(mesh(self, id), reading(&World::pose)(self, id));
         },
         body, "The body as a Posed, for questions that need no world.");
     type.def("box", reading(&World::box), body, "A box (2, 3) that contains the body.");

@@ -5,13 +5,14 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <ostream>
 #include <shared_mutex>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "ecods/world.hpp"
-#include "python/bind/ask.hpp"
 #include "python/bind/shapes.hpp"
 #include "python/bind/threads.hpp"
 
@@ -38,25 +39,12 @@ class SharedWorld {
         return what(world_);
     }
 
-    // Calls what(world) with shared access, for calls that only read.
+    // Calls what(world) with shared access, for questions and other calls that only read.
     template <class Read>
     auto read(Read what) const {
         const pybind11::gil_scoped_release release;
         const std::shared_lock lock(mutex_);
         return what(world_);
-    }
-
-    // Calls question(world, memory): with shared access and the memory of the thread. While a trace records questions,
-    // calls question(world) instead, with exclusive access and the world's own memory.
-    template <class Question>
-    auto ask(Question question) {
-        const pybind11::gil_scoped_release release;
-        {
-            const std::shared_lock lock(mutex_);
-            if (!traces_questions_) return question(std::as_const(world_), thread_memory());
-        }
-        const std::unique_lock lock(mutex_);
-        return question(world_);
     }
 
     // Begins a trace on a stream, which this object owns until the trace ends. The end returns the stream, or null if
@@ -67,7 +55,6 @@ class SharedWorld {
   private:
     mutable std::shared_mutex mutex_;
     std::unique_ptr<std::ostream> trace_;  // declared before the world, which writes to it until its end
-    bool traces_questions_ = false;
     const BroadPhaseKind broad_phase_;
     const std::size_t threads_;
     World world_;
@@ -82,22 +69,37 @@ auto changing(Result (World::*call)(Given...)) {
 }
 template <class Result, class... Given>
 auto reading(Result (World::*call)(Given...) const) {
-    return [call](SharedWorld& self, Given... given) {
+    return [call](const SharedWorld& self, Given... given) {
         return self.read([&](const World& world) { return (world.*call)(given...); });
     };
 }
 
-// Returns a function for pybind11 that asks question(world, given..., memory...), as SharedWorld::ask does.
-template <class... Given, class Question>
-auto asked_of_world(Question question) {
-    return [question](SharedWorld& self, const Given&... given) {
-        return self.ask([&](auto& world, auto&... memory) { return question(world, given..., memory...); });
-    };
+// A body or a posed mesh, about which questions may be asked.
+using Subject = std::variant<BodyId, PosedMesh>;
+
+inline Asked to_asked(const Subject& subject, const std::optional<CollisionFilter>& filter = {}) {
+    Asked asked = std::visit([](const auto& what) { return Asked(what); }, subject);
+    return filter ? Asked(std::move(asked), *filter) : asked;
 }
 
-// A callable that selects the overload of the member function `name` of World, with or without a memory, by its
-// arguments.
-#define ECODS_CALL(name) [](auto& world, auto&... given) { return world.name(given...); }
+// Returns a function for pybind11 that asks question(world, given...), and one that asks question(world, a, b,
+// given...) about two subjects.
+template <class... Given, class Question>
+auto asked_of_world(Question question) {
+    return [question](const SharedWorld& self, const Given&... given) {
+        return self.read([&](const World& world) { return question(world, given...); });
+    };
+}
+template <class... Given, class Question>
+auto asked_of_pair(Question question) {
+    return asked_of_world<Subject, Subject, Given...>(
+        [question](const World& world, const Subject& a, const Subject& b, const Given&... given) {
+            return question(world, to_asked(a), to_asked(b), given...);
+        });
+}
+
+// A callable that selects the overload of the member function `name` of World by its arguments.
+#define ECODS_CALL(name) [](const World& world, const auto&... given) { return world.name(given...); }
 
 using WorldClass = pybind11::class_<SharedWorld>;
 

@@ -33,9 +33,9 @@ Scene scene_of(const World& world) {
     scene.next_ids = world.next_ids();
     std::map<const void*, std::uint64_t> known;
     for (const BodyId body : scene.bodies) {
-        const auto shape = std::const_pointer_cast<ecods::Shape>(world.shape(body));
+        const auto shape = world.shape(body);
         const auto [at, is_new] = known.emplace(shape.get(), scene.meshes.size());
-        if (is_new) scene.meshes.push_back(std::static_pointer_cast<MeshShape>(shape));
+        if (is_new) scene.meshes.push_back(to_python(shape));
         scene.mesh_of.push_back(at->second);
         scene.poses.push_back(world.pose(body));
         scene.groups.push_back(world.filter(body).groups);

@@ -48,10 +48,11 @@ py::dict dict_of(const Statistics& s) {
 }
 
 void add_settings(WorldClass& type) {
-    type.def("set_clearance", changing(&World::set_clearance), py::arg("clearance"),
-             "Makes close_pairs() the pairs at a distance of at most this, decided for the real number, from the next "
-             "update on; None ends it. Raises InvalidDistance.");
-    type.def("clearance", reading(&World::clearance), "The clearance set last, or None.");
+    type.def(
+        "set_clearance", changing(&World::set_clearance), py::arg("clearance"),
+        "From the next update on, close_pairs() are those at a distance of at most this, decided for the real number; "
+        "None ends it. Raises InvalidArgument.");
+    type.def("clearance", reading(&World::clearance), "Set last, or None.");
     type.def("set_solids", changing(&World::set_solids), py::arg("are_related"),
              "If True, updates make solid_pairs(), from the next one on.");
     type.def("are_solids_related", reading(&World::are_solids_related),
@@ -84,9 +85,8 @@ void add_lists(WorldClass& type) {
     type.def(
         "statistics", [](SharedWorld& self) { return dict_of(reading(&World::statistics)(self)); },
         "Counts of the world's work.");
-    type.def(
-        "validate", [](SharedWorld& self) { self.change([](World& world) { world.validate(); }); },
-        "Checks every invariant. Slow: for tests. Raises BrokenInvariant.");
+    type.def("check_invariants", reading(&World::check_invariants),
+             "Checks every invariant. Slow: for tests. Raises BrokenInvariant.");
     type.def("digest", reading(&World::digest),
              "A hash of the bodies and their collisions as of the last update. Equal scenes have equal digests.");
 }

@@ -203,7 +203,7 @@ class CollisionManager:
         """Returns the least distance from the objects of another manager; names begin with this manager's."""
         best, pair, other_posed = math.inf, None, None
         for other_name, other in other_manager._posed():
-            nearest = self._world.nearest(other, limit=best)
+            nearest = self._world.nearest(other, max_distance=best)
             if nearest is not None and (pair is None or nearest.distance < best):
                 best, pair, other_posed = nearest.distance, (self._names[nearest.body], other_name), other
         data = None

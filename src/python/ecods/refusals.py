@@ -43,8 +43,15 @@ def is_number(value):
     return not isinstance(value, (str, bytes))
 
 
+def alternatives(kind):
+    """Returns the kinds that a Union names; otherwise the kind alone."""
+    return split(kind[len("Union["):-1]) if kind.startswith("Union[") else [kind]
+
+
 def accepts(kind, value):
     """Returns True if a parameter of this kind, as in a signature, takes a value. Unknown kinds take any value."""
+    if kind.startswith("Union["):
+        return any(accepts(each, value) for each in alternatives(kind))
     if kind.startswith("Optional["):
         return value is None or accepts(kind[len("Optional["):-1], value)
     named = getattr(_ecods, kind, None)
@@ -168,6 +175,6 @@ def line(text, args, kwargs):
     refused = [each for each in last if each[2] is not None]
     if not refused:
         return f"{name}: {last[0][1]}"
-    kinds = list(dict.fromkeys(kind for _, _, (kind, _) in refused))
+    kinds = list(dict.fromkeys(each for _, _, (kind, _) in refused for each in alternatives(kind)))
     value = refused[0][2][1]
     return f"{name}: {refused[0][1]}; {' or '.join(map(wanted, kinds))} is expected{hint(kinds, value)}"

@@ -1,7 +1,9 @@
 #include "base/double_key.hpp"
+#include "base/limits.hpp"
 #include "geometry/same_bits.hpp"
 #include "query/cast/cast_until.hpp"
 #include "query/cast/moving_question.hpp"
+#include "query/intersection/asking.hpp"
 #include "query/intersection/query_memory.hpp"
 #include "query/shape/other_units.hpp"
 
@@ -31,7 +33,7 @@ std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<
     }
     PairWitness at_start = witness;
     const Posed<MeshShape> start_a(*a.what, a.from), start_b(*b.what, b.from);
-    if (!(*first > 0) && as_part(memory, [&] { return intersects(start_a, start_b, memory, at_start); })) {
+    if (!(*first > 0) && as_part(memory, [&] { return intersects(start_a, start_b, {memory, at_start}); })) {
         witness = at_start;
         return contact_at_start(start_a, start_b, memory);
     }
@@ -46,14 +48,11 @@ std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<
     return contact;
 }
 
-std::optional<FirstContact> cast(const Moving<MeshShape>& a, const Moving<MeshShape>& b, QueryMemory& memory,
-                                 PairWitness& witness) {
-    return cast_until(a, b, 1, memory, witness);
-}
-
-std::optional<FirstContact> cast(const Moving<MeshShape>& a, const Moving<MeshShape>& b, QueryMemory& memory) {
-    PairWitness witness;
-    return cast_until(a, b, 1, memory, witness);
+std::optional<FirstContact> cast(const Moving<MeshShape>& a, const Moving<MeshShape>& b, double max_time,
+                                 const Ask& ask) {
+    const double latest = require_time(max_time);
+    Asking asking(ask);
+    return cast_until(a, b, latest, asking.memory(), asking.witness());
 }
 
 }  // namespace ecods

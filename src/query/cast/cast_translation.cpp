@@ -1,10 +1,13 @@
 #include <optional>
 
 #include "base/double_key.hpp"
+#include "base/limits.hpp"
 #include "bvh/axes/swept_axes.hpp"
+#include "geometry/find_invalid.hpp"
 #include "query/cast/cast_until.hpp"
 #include "query/cast/contact_interval.hpp"
 #include "query/cast/triangle_contacts.hpp"
+#include "query/intersection/asking.hpp"
 #include "query/search/search.hpp"
 #include "query/shape/other_units.hpp"
 
@@ -79,7 +82,7 @@ bool is_zero(const Vec3& v) {
 // Bodies that do not move meet at time 0 or never.
 std::optional<FirstContact> cast_at_rest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory,
                                          PairWitness& witness) {
-    if (!intersects(a, b, memory, witness)) return std::nullopt;
+    if (!intersects(a, b, {memory, witness})) return std::nullopt;
     const FirstContact result = contact_at_start(a, b, memory);
     witness = {result.a.triangle, result.b.triangle};
     return result;
@@ -115,14 +118,10 @@ std::optional<FirstContact> cast_until(const Posed<MeshShape>& a, const Vec3& mo
 }
 
 std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
-                                 QueryMemory& memory, PairWitness& witness) {
-    return cast_until(a, motion, b, 1, memory, witness);
-}
-
-std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
-                                 QueryMemory& memory) {
-    PairWitness witness;
-    return cast(a, motion, b, memory, witness);
+                                 double max_time, const Ask& ask) {
+    const double latest = require_time(max_time);
+    Asking asking(ask);
+    return cast_until(a, motion, b, latest, asking.memory(), asking.witness());
 }
 
 }  // namespace ecods

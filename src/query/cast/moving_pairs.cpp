@@ -104,8 +104,8 @@ std::optional<exact::TimeSpan> MovingPairs::bound_at_beginning(const exact::Movi
     return exact::bound_first_meeting(points, from, to, effort);
 }
 
-template <class Ask>
-auto MovingPairs::ask_exactly(const TrianglePair& triangles, Ask&& ask) {
+template <class Function>
+auto MovingPairs::ask_exactly(const TrianglePair& triangles, Function&& ask) {
     ++counts_->exact;
     return exact::with_integers(frame_.posed(corners_of(triangles)), [&](const auto& integers) {
         exact::MovingTriangles moving(integers);

@@ -41,8 +41,8 @@ class MovingPairs {
                                                       exact::Effort effort);
     std::array<exact::VertexRef, 12> corners_of(const TrianglePair& triangles) const;  // at the start, then at the end
     exact::MovingPoints points_of(const TrianglePair& triangles);
-    template <class Ask>
-    auto ask_exactly(const TrianglePair& triangles, Ask&& ask);
+    template <class Function>
+    auto ask_exactly(const TrianglePair& triangles, Function&& ask);
     const KnownMeeting* find_known(const FeatureKey& a, const FeatureKey& b, const exact::TimeSpan& time) const;
 
     const Moving<MeshShape>* a_ = nullptr;

@@ -3,7 +3,7 @@
 #include <bit>
 
 #include "base/arithmetic.hpp"
-#include "query/shape/mesh_tree.hpp"
+#include "query/shape/mesh_body.hpp"
 #include "simd/dispatch.hpp"
 
 namespace ecods {
@@ -14,12 +14,8 @@ constexpr double size_min = 0x1p-300;
 
 }  // namespace
 
-exact::BodyRef body_of(const Posed<MeshShape>& posed) {
-    return {&posed.what->mesh(), &MeshShapeAccess::tree(*posed.what).extent, &posed.pose};
-}
-
 BodyFrame::BodyFrame(const Posed<MeshShape>& body, const Vec3& base)
-    : ref(body_of(body)), tree(MeshShapeAccess::tree(*body.what).boxes), offset(body.pose.t - base) {
+    : ref(MeshBody(body).ref()), tree(MeshBody(body).tree.boxes), offset(body.pose.t - base) {
     const LocalFrame& frame = tree.frame;
     const Mat3 &R = body.pose.R, R_size = R.cwiseAbs();
     edges = R * frame.map;

@@ -16,14 +16,12 @@
 #include <cstdint>
 
 #include "bvh/tree/mesh_bvh.hpp"
-#include "ecods/posed.hpp"
+#include "ecods/pose.hpp"
 #include "ecods/shape.hpp"
 #include "exact/point/frame.hpp"
 #include "query/certificate/part_reaches.hpp"
 
 namespace ecods {
-
-exact::BodyRef body_of(const Posed<MeshShape>& posed);
 
 // Holds what all axes need of a posed mesh, named as in the derivation above.
 struct BodyFrame {

@@ -1,8 +1,8 @@
 #include "ecods/certificate.hpp"
 
-#include <ostream>
 #include <utility>
 
+#include "geometry/words.hpp"
 #include "query/certificate/certificate_content.hpp"
 
 namespace ecods {
@@ -23,23 +23,20 @@ std::size_t Certificate::axis_count() const noexcept {
 }
 
 std::string Certificate::to_string() const {
-    std::string text = "ecods-certificate 2\na ";
-    append_body(text, *content_->shape_a, content_->pose_a);
-    if (content_->shape_b != nullptr) {
-        text.append("b ");
-        append_body(text, *content_->shape_b, content_->pose_b);
+    const Content& c = *content_;
+    std::string text = "ecods-certificate 2\n";
+    append_line(text, "a", certified_mesh_digest(*c.shape_a), c.pose_a);
+    if (c.shape_b != nullptr) {
+        append_line(text, "b", certified_mesh_digest(*c.shape_b), c.pose_b);
     } else {
-        text.append("segment");
-        for (const Vec3& end : {content_->segment.a, content_->segment.b}) append_coordinates(text, end);
-        text.push_back('\n');
+        append_line(text, "segment", c.segment.a, c.segment.b);
     }
-    append_proof(text, *content_);
+    append_proof(text, c);
     return text;
 }
 
 void Certificate::write(std::ostream& out) const {
-    const std::string text = to_string();
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
+    write_text(out, to_string());
 }
 
 }  // namespace ecods

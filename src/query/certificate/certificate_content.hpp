@@ -2,12 +2,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "ecods/certificate.hpp"
-#include "ecods/closest_points.hpp"
-#include "ecods/segment.hpp"
+#include "ecods/primitives.hpp"
+#include "ecods/results.hpp"
 #include "query/certificate/proof.hpp"
 
 namespace ecods {
@@ -19,14 +20,18 @@ struct Certificate::Content {
     Feature a, b;
     bool names_triangles = false;  // for distance and within: true if the triangles meet
 
-    const MeshShape* shape_a = nullptr;
-    const MeshShape* shape_b = nullptr;  // null if the second body is the segment
+    std::shared_ptr<const MeshShape> shape_a;
+    std::shared_ptr<const MeshShape> shape_b;  // null if the second body is the segment
     Pose pose_a, pose_b;
     Segment segment;
     Proof proof;
 };
 
 struct CertificateAccess {
+    // Returns the shape, kept if the Posed keeps it, otherwise referred to.
+    static std::shared_ptr<const MeshShape> shape_of(const Posed<MeshShape>& posed) {
+        return posed.kept ? posed.kept : std::shared_ptr<const MeshShape>(std::shared_ptr<const void>(), posed.what);
+    }
     using Content = Certificate::Content;
     static Certificate make(Content&& content) {
         return Certificate(std::make_shared<const Content>(std::move(content)));
@@ -36,10 +41,5 @@ struct CertificateAccess {
 
 // Appends the lines from `claim` to `end`.
 void append_proof(std::string& text, const CertificateAccess::Content& content);
-// Appends a space and the coordinate, three times.
-void append_coordinates(std::string& text, const Vec3& point);
-inline constexpr std::size_t digest_length = 64;
-// Appends DIGEST POSE and a newline.
-void append_body(std::string& text, const MeshShape& shape, const Pose& pose);
 
 }  // namespace ecods

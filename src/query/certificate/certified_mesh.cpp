@@ -3,10 +3,10 @@
 #include <string_view>
 #include <vector>
 
-#include "base/number_text.hpp"
 #include "base/sha256.hpp"
 #include "bvh/walks/tree_view.hpp"
 #include "ecods/certificate.hpp"
+#include "geometry/words.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
@@ -20,21 +20,16 @@ class MeshText {
         : mesh_(shape.mesh()), tree_(MeshShapeAccess::tree(shape).boxes), sink_(sink) {}
 
     void write() {
-        put("ecods-mesh 1\nvertices").put(mesh_.vertices().size()).put(" triangles").put(mesh_.triangles().size());
-        put(" nodes").put(tree_.nodes.size() + tree_.leaves.size()).end_line();
-        for (const Vec3& v : mesh_.vertices()) {
-            for (int axis = 0; axis < 3; ++axis) {
-                if (axis > 0) text_.push_back(' ');
-                append_hex(text_, v[axis]);
-            }
-            end_line();
-        }
+        line("ecods-mesh 1");
+        line("vertices", mesh_.vertices().size(), "triangles", mesh_.triangles().size(), "nodes",
+             tree_.nodes.size() + tree_.leaves.size());
+        for (const Vec3& v : mesh_.vertices()) line(v);
         visit([&](TreeRef ref) {
             if (ref.is_leaf()) write_triangles(tree_.leaves[ref.index()]);
         });
         visit([&](TreeRef ref) {
-            put(ref.is_leaf() ? "l" : "n");
-            put(ref.is_leaf() ? tree_.leaves[ref.index()].count : tree_.nodes[ref.index()].count).end_line();
+            line(ref.is_leaf() ? "l" : "n",
+                 ref.is_leaf() ? tree_.leaves[ref.index()].count : tree_.nodes[ref.index()].count);
         });
         sink_(text_);
     }
@@ -42,17 +37,9 @@ class MeshText {
   private:
     static constexpr std::size_t piece = 1 << 16;
 
-    MeshText& put(const char* word) {
-        text_.append(word);
-        return *this;
-    }
-    MeshText& put(std::uint64_t x) {
-        text_.push_back(' ');
-        append(text_, x);
-        return *this;
-    }
-    void end_line() {
-        text_.push_back('\n');
+    template <class... Words>
+    void line(const Words&... words) {
+        append_line(text_, words...);
         if (text_.size() < piece) return;
         sink_(text_);
         text_.clear();
@@ -61,8 +48,7 @@ class MeshText {
     void write_triangles(const TreeLeaf& leaf) {
         for (std::size_t lane = 0; lane < leaf.count; ++lane) {
             const Triangle& corners = mesh_.triangles()[leaf.triangle[lane]];
-            append(text_, corners[0]);
-            put(corners[1]).put(corners[2]).put(leaf.triangle[lane]).end_line();
+            line(corners[0], corners[1], corners[2], leaf.triangle[lane]);
         }
     }
 
@@ -86,7 +72,7 @@ class MeshText {
 }  // namespace
 
 void write_certified_mesh(std::ostream& out, const MeshShape& shape) {
-    const auto sink = [&](std::string_view text) { out.write(text.data(), static_cast<std::streamsize>(text.size())); };
+    const auto sink = [&](std::string_view text) { write_text(out, text); };
     MeshText(shape, sink).write();
 }
 

@@ -1,15 +1,17 @@
 #include <limits>
-#include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "base/double_key.hpp"
 #include "ecods/certificate.hpp"
 #include "ecods/distance.hpp"
-#include "ecods/error.hpp"
+#include "ecods/intersection.hpp"
 #include "query/certificate/certificate_content.hpp"
 #include "query/certificate/pair_proof.hpp"
+#include "query/intersection/asking.hpp"
 #include "query/intersection/query_memory.hpp"
+#include "query/shape/mesh_body.hpp"
 
 namespace ecods {
 namespace {
@@ -28,8 +30,8 @@ class Maker {
   public:
     Maker(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory)
         : a_(a), b_(b), memory_(memory), pair_(bound_pair(a, b, memory)) {
-        content_.shape_a = a.what;
-        content_.shape_b = b.what;
+        content_.shape_a = CertificateAccess::shape_of(a);
+        content_.shape_b = CertificateAccess::shape_of(b);
         content_.pose_a = a.pose;
         content_.pose_b = b.pose;
     }
@@ -46,7 +48,7 @@ class Maker {
 
     Certificate distance() {
         PairWitness witness;
-        const double d = ecods::distance(a_, b_, memory_, witness);
+        const double d = ecods::distance(a_, b_, {memory_, witness});
         content_.claim = Claim::distance;
         content_.value = d;
         if (key_of(d) == 0) return meeting(witness);
@@ -56,7 +58,7 @@ class Maker {
 
     Certificate within(double d) {
         PairWitness witness;
-        const bool is_within = ecods::within(a_, b_, d, memory_, witness);
+        const bool is_within = ecods::within(a_, b_, d, {memory_, witness});
         if (key_of(d) == 0) d = 0;  // not -0
         content_.value = d;
         if (!is_within) return prove(Claim::beyond, d);
@@ -65,7 +67,7 @@ class Maker {
         // or one that another query found.
         if (key_of(d) == key_of(infinity) || !names_pair(witness) || pair_.compare(witness.a, witness.b, d) > 0) {
             witness = {};
-            if (key_of(ecods::distance(a_, b_, memory_, witness)) == 0) return meeting(witness);
+            if (key_of(ecods::distance(a_, b_, {memory_, witness})) == 0) return meeting(witness);
         }
         name_closest(witness);
         return CertificateAccess::make(std::move(content_));
@@ -73,10 +75,9 @@ class Maker {
 
   private:
     static TriangleDistances& bound_pair(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {
-        auto& part = QueryMemoryAccess::state(memory).certificate;
-        if (!part) part = std::make_unique<CertificateMemory>();
-        TriangleDistances& pair = static_cast<CertificateMemory&>(*part).pair;
-        pair.bind(body_of(a), body_of(b));
+        using State = QueryMemoryAccess::State;
+        TriangleDistances& pair = QueryMemoryAccess::part<CertificateMemory>(memory, &State::certificate).pair;
+        pair.bind(MeshBody(a).ref(), MeshBody(b).ref());
         return pair;
     }
 
@@ -100,7 +101,7 @@ class Maker {
     Certificate meeting(PairWitness witness) {
         if (!names_pair(witness) || key_of(pair_.distance(witness.a, witness.b)) != 0) {
             witness = {};
-            intersects(a_, b_, memory_, witness);
+            std::ignore = intersects(a_, b_, {memory_, witness});
         }
         name_meeting({witness.a, witness.b});
         return CertificateAccess::make(std::move(content_));
@@ -128,16 +129,16 @@ class Maker {
 
 }  // namespace
 
-Certificate certify(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {
-    return Maker(a, b, memory).relation();
+Certificate certify(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    return Maker(a, b, Asking(ask).memory()).relation();
 }
 
-Certificate certify_distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {
-    return Maker(a, b, memory).distance();
+Certificate certify_distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    return Maker(a, b, Asking(ask).memory()).distance();
 }
 
-Certificate certify_within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d, QueryMemory& memory) {
-    return Maker(a, b, memory).within(d);
+Certificate certify_within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance, const Ask& ask) {
+    return Maker(a, b, Asking(ask).memory()).within(max_distance);
 }
 
 }  // namespace ecods

@@ -24,10 +24,10 @@ bool is_even(double x) {
 
 }  // namespace
 
-Certificate certify_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory) {
-    const auto hit = first_hit(segment, body, memory);
+Certificate certify_hit(const Segment& segment, const Posed<MeshShape>& body, const Ask& ask) {
+    const auto hit = first_hit(segment, body, ask);
     CertificateAccess::Content content;
-    content.shape_a = body.what;
+    content.shape_a = CertificateAccess::shape_of(body);
     content.pose_a = body.pose;
     content.segment = segment;
     if (!hit) {

@@ -44,7 +44,7 @@ ContactAxis::ContactAxis(const ProofAxis& named_axis, const SixCorners& corners,
     // a to b.
     const Vec3 towards_b = bodies[1].origin - bodies[0].origin;
     if (is_down && (!is_up || in_doubles(n_).dot(towards_b) < 0)) {
-        n_ = minus({}, n_);
+        n_ = minus(IntegerVector3{}, n_);
         a.high = -a.low;
         b.low = -b.high;
     }

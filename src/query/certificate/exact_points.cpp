@@ -4,16 +4,6 @@ namespace ecods {
 
 using namespace exact;
 
-IntegerVector3 minus(const IntegerVector3& a, const IntegerVector3& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-IntegerVector3 cross(const IntegerVector3& a, const IntegerVector3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Integer dot(const IntegerVector3& a, const IntegerVector3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 // Sets the origin as the point from which coordinates are counted, as for segments.
 BitRange ExactPoints::bind(std::size_t body, const BodyRef& of) noexcept {
     meshes_[body] = of.mesh;

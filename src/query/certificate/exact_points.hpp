@@ -4,19 +4,17 @@
 #include <array>
 #include <cstdint>
 
-#include "ecods/segment.hpp"
+#include "ecods/primitives.hpp"
 #include "exact/number/dyadic.hpp"
 #include "exact/number/integer.hpp"
 #include "exact/point/pose_terms.hpp"
 #include "exact/point/posed_points.hpp"
+#include "exact/point/vectors.hpp"
 
 namespace ecods {
 
 using IntegerVector3 = std::array<exact::Integer, 3>;
 
-IntegerVector3 minus(const IntegerVector3& a, const IntegerVector3& b);
-IntegerVector3 cross(const IntegerVector3& a, const IntegerVector3& b);
-exact::Integer dot(const IntegerVector3& a, const IntegerVector3& b);
 inline bool is_zero(const IntegerVector3& v) noexcept {
     return v[0].is_zero() && v[1].is_zero() && v[2].is_zero();
 }

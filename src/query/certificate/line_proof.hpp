@@ -1,8 +1,8 @@
 // Proves by a walk of a tree that a segment, or its piece before the first hit, meets no triangle.
 #pragma once
 
-#include "ecods/posed.hpp"
-#include "ecods/segment.hpp"
+#include "ecods/pose.hpp"
+#include "ecods/primitives.hpp"
 #include "ecods/shape.hpp"
 #include "query/certificate/exact_axis.hpp"
 #include "query/certificate/proof.hpp"

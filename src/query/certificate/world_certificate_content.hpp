@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "ecods/certificate.hpp"
-#include "ecods/collision_filter.hpp"
 #include "ecods/ids.hpp"
 
 namespace ecods {

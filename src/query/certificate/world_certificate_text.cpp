@@ -1,8 +1,7 @@
 #include <algorithm>
-#include <ostream>
 #include <utility>
 
-#include "base/number_text.hpp"
+#include "geometry/words.hpp"
 #include "query/certificate/certificate_content.hpp"
 #include "query/certificate/world_certificate_content.hpp"
 
@@ -10,20 +9,6 @@ namespace ecods {
 namespace {
 
 using Claim = Certificate::Claim;
-
-void append_id(std::string& text, BodyId id) {
-    text.push_back(' ');
-    append(text, std::uint64_t{id.slot});
-    text.push_back('.');
-    append(text, std::uint64_t{id.generation});
-}
-
-void append_pair(std::string& text, const char* word, const BodyPair& pair) {
-    text.append(word);
-    append_id(text, pair.a);
-    append_id(text, pair.b);
-    text.push_back('\n');
-}
 
 bool meets(const Certificate& certificate) {
     return certificate.claim() == Claim::touching || certificate.claim() == Claim::crossing;
@@ -57,40 +42,26 @@ std::vector<std::shared_ptr<const MeshShape>> WorldCertificate::shapes() const {
 
 std::string WorldCertificate::to_string() const {
     const Content& c = *content_;
-    std::string text = "ecods-world-certificate 2\nclearance ";
-    if (c.clearance) {
-        append_hex(text, *c.clearance);
-    } else {
-        text.append("none");
-    }
-    text.push_back('\n');
+    std::string text = "ecods-world-certificate 2\n";
+    append_line(text, "clearance", c.clearance);
     for (const auto& body : c.bodies) {
-        text.append("body");
-        append_id(text, body.id);
-        text.push_back(' ');
-        const std::size_t at = text.size();
-        append_body(text, *body.shape, body.pose);
-        std::string filter = " ";
-        append_hex(filter, body.filter.groups);
-        filter.push_back(' ');
-        append_hex(filter, body.filter.mask);
-        text.insert(at + digest_length, filter);
+        append_line(text, "body", body.id, certified_mesh_digest(*body.shape), body.filter, body.pose);
     }
-    for (const BodyPair& pair : c.off) append_pair(text, "off", pair);
+    for (const BodyPair& pair : c.off) append_line(text, "off", pair.a, pair.b);
+    const auto append_pair = [&](const BodyPair& ids, const Certificate& certificate) {
+        append_line(text, "pair", ids.a, ids.b);
+        append_proof(text, CertificateAccess::content(certificate));
+    };
     for (const auto& pair : c.pairs) {
-        append_pair(text, "pair", pair.ids);
-        append_proof(text, CertificateAccess::content(pair.first));
-        if (!pair.second) continue;
-        append_pair(text, "pair", pair.ids);
-        append_proof(text, CertificateAccess::content(*pair.second));
+        append_pair(pair.ids, pair.first);
+        if (pair.second) append_pair(pair.ids, *pair.second);
     }
     text.append("end world\n");
     return text;
 }
 
 void WorldCertificate::write(std::ostream& out) const {
-    const std::string text = to_string();
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
+    write_text(out, to_string());
 }
 
 }  // namespace ecods

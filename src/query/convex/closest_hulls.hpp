@@ -11,7 +11,7 @@
 #include <optional>
 #include <span>
 
-#include "ecods/closest_points.hpp"
+#include "ecods/results.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
 #include "exact/measure/round/squared_distance.hpp"
 #include "query/convex/gjk.hpp"
@@ -100,7 +100,7 @@ std::array<int, signs_at_once> signs_beyond(PosedHulls& hulls, const HullFeature
 ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest);
 
 // Finds where two solids are closest, by the cheapest of these functions that succeeds; nullopt if they share a point.
-// `witness` is as in convex_solid.hpp, or null.
+// `witness` is as in solid.hpp, or null.
 std::optional<ClosestHulls> find_closest(PosedHulls& hulls, PairWitness* witness);
 // Begins the search at a pair of vertices.
 std::optional<ClosestHulls> find_closest(PosedHulls& hulls, const Simplex& start, PairWitness* witness = nullptr);

@@ -3,8 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "ecods/convex_solid.hpp"
-#include "ecods/error.hpp"
+#include "base/make_error.hpp"
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "geometry/find_invalid.hpp"
 #include "query/convex/convexity.hpp"
 #include "query/convex/hull_build.hpp"
@@ -26,13 +27,13 @@ Hull hull_of(std::span<const Vec3> points) {
 
 }  // namespace
 
-Mesh convex_hull(std::span<const Vec3> points) {
+std::shared_ptr<const Mesh> convex_hull(std::span<const Vec3> points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (int axis = 0; axis < 3; ++axis) {
-            if (!is_finite(points[i][axis])) throw InvalidVertex(i, axis, points[i][axis]);
+            if (!is_finite(points[i][axis])) throw invalid_vertex(i, axis, points[i][axis]);
         }
     }
-    if (points.size() > std::numeric_limits<std::uint32_t>::max()) throw MeshTooLarge(points.size(), 0);
+    if (points.size() > std::numeric_limits<std::uint32_t>::max()) throw mesh_too_large(points.size(), 0);
     const Hull hull = hull_of(points);
 
     std::vector<std::uint32_t> kept = hull.mesh_vertices;
@@ -52,7 +53,7 @@ Mesh convex_hull(std::span<const Vec3> points) {
         for (std::size_t k = 1; k + 1 < cycle.size(); ++k) triangles.push_back({cycle[0], cycle[k], cycle[k + 1]});
     }
     std::ranges::sort(triangles);
-    return *Mesh::create(std::move(vertices), std::move(triangles));
+    return Mesh::create(std::move(vertices), std::move(triangles));
 }
 
 }  // namespace ecods

@@ -1,7 +1,8 @@
 // Defines what a ConvexSolid holds beside what a Solid holds.
 #pragma once
 
-#include "ecods/convex_solid.hpp"
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "query/convex/hull.hpp"
 #include "query/convex/support_points.hpp"
 

@@ -1,8 +1,9 @@
 #include <memory>
 #include <utility>
 
-#include "ecods/convex_solid.hpp"
-#include "ecods/error.hpp"
+#include "base/make_error.hpp"
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "query/convex/convex_parts.hpp"
 #include "query/convex/convexity.hpp"
 #include "query/convex/hull_build.hpp"
@@ -17,8 +18,8 @@ Hull make_hull(const Solid& solid) {
     const SolidAccess::Parts& parts = SolidAccess::parts(solid);
     const Shells& shells = SolidAccess::shells(solid);
     const Mesh& mesh = solid.mesh();
-    if (shells.first.empty()) throw NoInterior(mesh.vertices().size());
-    // If edges were split, features are named in the mesh as it was given.
+    if (shells.first.empty()) throw no_interior(mesh.vertices().size());
+    // Features are named in the given mesh. If edges were split, `whole` is that mesh before the split.
     ProperMesh whole;
     if (!parts.origins.empty()) whole = find_proper({std::shared_ptr<const void>(), &mesh});  // owned by the solid
     const Border border{&parts.proper,   &parts.edges,
@@ -35,8 +36,7 @@ ConvexSolid::ConvexSolid(std::shared_ptr<const Mesh> mesh)
     convex_parts_->points = make_support_points(this->mesh(), convex_parts_->hull);
 }
 
-ConvexSolid::ConvexSolid(std::span<const Vec3> points)
-    : ConvexSolid(std::make_shared<const Mesh>(convex_hull(points))) {}
+ConvexSolid::ConvexSolid(std::span<const Vec3> points) : ConvexSolid(convex_hull(points)) {}
 
 ConvexSolid::~ConvexSolid() = default;
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "base/assert.hpp"
-#include "ecods/error.hpp"
+#include "base/make_error.hpp"
 
 namespace ecods::convex {
 namespace {
@@ -81,8 +81,9 @@ class Check {
 
     [[noreturn]] void fail(const SideRef& side, std::uint32_t beyond) const {
         const Triangle& triangle = given_.triangles()[side.triangle];
-        throw NotConvex(side.triangle, static_cast<int>(side.corner),
-                        {triangle[side.corner], triangle[(side.corner + 1) % 3]}, beyond);
+        throw dent(
+            {side.triangle, static_cast<int>(side.corner), {triangle[side.corner], triangle[(side.corner + 1) % 3]}},
+            beyond);
     }
 
     const Border& border_;

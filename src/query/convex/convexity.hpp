@@ -10,7 +10,7 @@
 
 namespace ecods::convex {
 
-// By edge of the border: true if it is flat. Throws NotConvex, with the indices of `given`, unless the solid is convex.
+// By edge of the border, whether it is flat. Throws NotSolid, with the indices of `given`, unless the solid is convex.
 //
 // A closed surface that is convex along each of its edges, connected over edges and free of self-intersection bounds a
 // convex set: around a vertex its triangles make a simple spherical polygon without dents, so it is convex there too,

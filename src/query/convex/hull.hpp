@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "ecods/closest_points.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/results.hpp"
 
 namespace ecods::convex {
 

@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "base/assert.hpp"
-#include "ecods/error.hpp"
+#include "base/make_error.hpp"
 #include "ecods/predicates.hpp"
 #include "query/solid/proper_mesh.hpp"
 
@@ -93,10 +93,10 @@ class QuickHull {
 
     std::array<std::uint32_t, 4> find_simplex() const {
         const auto require = [&](const std::optional<std::uint32_t>& point) {
-            if (!point) throw NoInterior(points_.size());
+            if (!point) throw no_interior(points_.size());
             return *point;
         };
-        if (candidates_.size() < 4) throw NoInterior(points_.size());
+        if (candidates_.size() < 4) throw no_interior(points_.size());
         const auto [low, high] = std::ranges::minmax_element(
             candidates_, [&](std::uint32_t i, std::uint32_t j) { return compare_points(at(i), at(j)) < 0; });
         const std::uint32_t a = *low, b = *high;

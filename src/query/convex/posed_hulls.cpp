@@ -11,7 +11,7 @@
 #include "exact/point/vectors.hpp"
 #include "query/convex/furthest.hpp"
 #include "query/convex/short_points.hpp"
-#include "query/shape/mesh_tree.hpp"
+#include "query/shape/mesh_body.hpp"
 #include "simd/dispatch.hpp"
 
 namespace ecods::convex {
@@ -273,8 +273,7 @@ bool PosedHulls::find_short(const std::array<std::span<const std::uint32_t>, 2>&
 }
 
 exact::BodyRef PosedHulls::body(std::size_t side) const {
-    const Body& body = bodies_[side];
-    return {&body.solid->mesh(), &MeshShapeAccess::tree(*body.solid).extent, body.at};
+    return MeshBody(*bodies_[side].solid, *bodies_[side].at).ref();
 }
 
 void PosedHulls::bind_exact() {

@@ -12,8 +12,9 @@
 #include <cstdint>
 #include <span>
 
-#include "ecods/convex_solid.hpp"
 #include "ecods/predicates.hpp"
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "exact/measure/distance/measure_pair.hpp"
 #include "exact/measure/round/scaled_vector.hpp"
 #include "exact/point/integer_points.hpp"

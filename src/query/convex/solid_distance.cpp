@@ -1,9 +1,11 @@
 #include <optional>
 
-#include "ecods/convex_solid.hpp"
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "query/convex/closest_hulls.hpp"
 #include "query/convex/gjk.hpp"
 #include "query/convex/posed_hulls.hpp"
+#include "query/intersection/asking.hpp"
 
 namespace ecods {
 namespace {
@@ -56,27 +58,16 @@ std::optional<ClosestHulls> convex::find_closest(PosedHulls& hulls, const Simple
     return closest;
 }
 
-double solid_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory,
-                      PairWitness& witness) {
-    PosedHulls hulls(a, b, memory);
-    return distance_of(hulls, &witness);
+double solid_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const Ask& ask) {
+    Asking asking(ask);
+    PosedHulls hulls(a, b, asking.memory());
+    return distance_of(hulls, ask.witness);
 }
 
-double solid_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory) {
-    PosedHulls hulls(a, b, memory);
-    return distance_of(hulls, nullptr);
-}
-
-std::optional<ClosestPoints> solid_closest(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
-                                           QueryMemory& memory, PairWitness& witness) {
-    PosedHulls hulls(a, b, memory);
-    return points_of(hulls, &witness);
-}
-
-std::optional<ClosestPoints> solid_closest(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
-                                           QueryMemory& memory) {
-    PosedHulls hulls(a, b, memory);
-    return points_of(hulls, nullptr);
+std::optional<ClosestPoints> solid_closest(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const Ask& ask) {
+    Asking asking(ask);
+    PosedHulls hulls(a, b, asking.memory());
+    return points_of(hulls, ask.witness);
 }
 
 }  // namespace ecods

@@ -4,8 +4,9 @@
 #include <cstddef>
 #include <optional>
 
-#include "ecods/convex_solid.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 
 namespace ecods::convex {
 

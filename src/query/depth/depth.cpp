@@ -1,27 +1,25 @@
-#include "ecods/depth.hpp"
+#include "ecods/solid.hpp"
 
 #include <optional>
 
-#include "ecods/error.hpp"
 #include "query/convex/hull_features.hpp"
 #include "query/convex/posed_hulls.hpp"
 #include "query/depth/depth_memory.hpp"
+#include "query/intersection/asking.hpp"
 
 namespace ecods {
-Depth depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory, PairWitness& witness) {
+
+std::optional<Depth> depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const Ask& ask) {
+    Asking asking(ask);
+    QueryMemory& memory = asking.memory();
     ++QueryMemoryAccess::state(memory).counts.queries;
     convex::PosedHulls hulls(a, b, memory);
     const std::optional<depths::ExactDepth> found = depths::find_depth(hulls, depths::DepthMemory::of(memory));
-    if (!found) throw SolidsApart();
+    if (!found) return std::nullopt;
     const Depth result{found->depth, name_of(hulls.hull(0), found->face[0]), name_of(hulls.hull(1), found->face[1]),
                        found->direction};
-    witness = {result.a.triangle, result.b.triangle};
+    asking.witness() = {result.a.triangle, result.b.triangle};
     return result;
-}
-
-Depth depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory) {
-    PairWitness witness;
-    return depth(a, b, memory, witness);
 }
 
 }  // namespace ecods

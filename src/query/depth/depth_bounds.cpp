@@ -1,11 +1,12 @@
 #include <algorithm>
 
 #include "base/next.hpp"
-#include "ecods/depth.hpp"
 #include "ecods/error.hpp"
+#include "ecods/solid.hpp"
 #include "exact/simplex/common_pose.hpp"
 #include "query/depth/inner_balls.hpp"
 #include "query/depth/parting_search.hpp"
+#include "query/intersection/asking.hpp"
 
 namespace ecods {
 namespace {
@@ -16,19 +17,21 @@ const ConvexSolid* as_convex(const Posed<Solid>& solid) {
 
 }  // namespace
 
-DepthBounds depth_bounds(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) {
+std::optional<DepthBounds> depth_bounds(const Posed<Solid>& a, const Posed<Solid>& b, const Ask& ask) {
     if (!exact::is_regular(a.pose.R)) throw SingularPose(0);
     if (!exact::is_regular(b.pose.R)) throw SingularPose(1);
-    const SolidRelation relation = solid_relation(a, b, memory);
-    if (relation == SolidRelation::apart) throw SolidsApart();
+    Asking asking(ask);
+    QueryMemory& memory = asking.memory();
+    const Relation relation = solid_relation(a, b, memory);
+    if (relation == Relation::apart) return std::nullopt;
     DepthBounds result{0, 0, b.pose.t};
-    if (relation == SolidRelation::touching) return result;
+    if (relation == Relation::touching) return result;
 
     depths::PartingSearch search(a, b, memory);
     const ConvexSolid *convex_a = as_convex(a), *convex_b = as_convex(b);
     const bool are_convex = convex_a != nullptr && convex_b != nullptr;
     if (are_convex) {
-        const Depth exact = depth({*convex_a, a.pose}, {*convex_b, b.pose}, memory);
+        const Depth exact = *depth({*convex_a, a.pose}, {*convex_b, b.pose}, memory);
         result.lower = std::max(0.0, next_down(exact.depth));
         search.try_length(exact.direction, exact.depth);
     }

@@ -1,8 +1,6 @@
 // Scratch memory of depth().
 #pragma once
 
-#include <memory>
-
 #include "query/depth/inner_polytope.hpp"
 #include "query/depth/nearest_planes.hpp"
 #include "query/intersection/query_memory.hpp"
@@ -14,9 +12,7 @@ struct DepthMemory final : QueryMemoryPart {
     NearestPlanes planes;
 
     static DepthMemory& of(QueryMemory& memory) {
-        auto& part = QueryMemoryAccess::state(memory).depth;
-        if (!part) part = std::make_unique<DepthMemory>();
-        return static_cast<DepthMemory&>(*part);
+        return QueryMemoryAccess::part<DepthMemory>(memory, &QueryMemoryAccess::State::depth);
     }
 };
 

@@ -6,16 +6,10 @@
 
 #include "base/next.hpp"
 #include "ecods/distance.hpp"
-#include "query/shape/mesh_tree.hpp"
+#include "query/shape/mesh_body.hpp"
 
 namespace ecods::depths {
 namespace {
-
-// A mesh of one vertex at the origin: under a translation it is a point that stands for a shape.
-const MeshShape& point_shape() {
-    static const MeshShape shape(Mesh::create({Vec3(0, 0, 0)}, {Triangle{0, 0, 0}}));
-    return shape;
-}
 
 class BallSearch {
   public:

@@ -77,8 +77,8 @@ bool PartingSearch::confirm(const Vec3& parted) {
     const double length = length_above(parted - b_.pose.t);
     if (!parted.allFinite() || !(length < best_.length)) return false;
     const Posed<Solid> moved(*b_.what, {b_.pose.R, parted});
-    const SolidRelation relation = solid_relation(a_, moved, memory_);
-    if (relation != SolidRelation::apart && relation != SolidRelation::touching) return false;
+    const Relation relation = solid_relation(a_, moved, memory_);
+    if (relation != Relation::apart && relation != Relation::touching) return false;
     best_ = {parted, length, {}};
     return true;
 }
@@ -115,7 +115,7 @@ std::optional<FirstContact> PartingSearch::slide_once(const Direction& way) {
     const Vec3 out = b_.pose.t + way.n * way.reach, motion = b_.pose.t - out;
     if (!out.allFinite() || !motion.allFinite()) return std::nullopt;
     const Posed<MeshShape> moved(*b_.what, {b_.pose.R, out});
-    const std::optional<FirstContact> contact = cast(moved, motion, Posed<MeshShape>(a_), memory_);
+    const std::optional<FirstContact> contact = cast(moved, motion, Posed<MeshShape>(a_), 1, memory_);
     if (!contact) return std::nullopt;
     const double most = motion.norm();
     for (const double margin : margins) {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "ecods/first_contact.hpp"
+#include "ecods/results.hpp"
 #include "ecods/solid.hpp"
 
 namespace ecods::depths {

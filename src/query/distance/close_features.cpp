@@ -7,10 +7,12 @@
 #include <cstdint>
 
 #include "base/limits.hpp"
-#include "ecods/contact.hpp"
+#include "ecods/distance.hpp"
+#include "ecods/intersection.hpp"
 #include "geometry/feature_key.hpp"
 #include "query/distance/distance_search.hpp"
 #include "query/distance/least_names.hpp"
+#include "query/intersection/asking.hpp"
 
 namespace ecods {
 namespace {
@@ -42,11 +44,12 @@ LeastNames least_names(const Mesh& mesh, const std::vector<FeatureNames>& found,
 
 }  // namespace
 
-std::vector<CloseFeatures> close_features(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d,
-                                          QueryMemory& memory) {
-    require_finite_distance(d);
-    DistanceSearch search(a, b, memory);
-    std::vector<FeatureNames> found = find_features(a, b, d, search);
+std::vector<CloseFeatures> close_features(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance,
+                                          const Ask& ask) {
+    require_finite_distance(max_distance);
+    Asking asking(ask);
+    DistanceSearch search(a, b, asking.memory());
+    std::vector<FeatureNames> found = find_features(a, b, max_distance, search);
     const LeastNames names_a = least_names(a.what->mesh(), found, &FeatureNames::a);
     const LeastNames names_b = least_names(b.what->mesh(), found, &FeatureNames::b);
     for (FeatureNames& features : found) {

@@ -4,15 +4,17 @@
 #include "base/limits.hpp"
 #include "ecods/distance.hpp"
 #include "query/distance/distance_search.hpp"
+#include "query/intersection/asking.hpp"
 
 namespace ecods {
 
-std::vector<ClosestPoints> close_triangles(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double d,
-                                           QueryMemory& memory) {
-    require_finite_distance(d);
+std::vector<ClosestPoints> close_triangles(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance,
+                                           const Ask& ask) {
+    require_finite_distance(max_distance);
+    Asking asking(ask);
     std::vector<ClosestPoints> result;
-    DistanceSearch search(a, b, memory);
-    search.visit_within(d, [&](const TrianglePair& pair, const DistanceInterval&) {
+    DistanceSearch search(a, b, asking.memory());
+    search.visit_within(max_distance, [&](const TrianglePair& pair, const DistanceInterval&) {
         result.push_back(search.exact_pair().closest(pair.a, pair.b));
     });
     std::ranges::sort(result, {}, [](const ClosestPoints& points) { return points.triangles(); });

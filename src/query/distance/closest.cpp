@@ -1,6 +1,8 @@
 #include "ecods/distance.hpp"
+#include "ecods/intersection.hpp"
 #include "geometry/feature_key.hpp"
 #include "query/distance/distance_search.hpp"
+#include "query/intersection/asking.hpp"
 
 namespace ecods {
 namespace {
@@ -13,9 +15,11 @@ ClosestPoints closest_of_intersecting(const Posed<MeshShape>& a, const Posed<Mes
 
 }  // namespace
 
-ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness) {
+ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    Asking asking(ask);
+    QueryMemory& memory = asking.memory();
     DistanceSearch search(a, b, memory);
-    search.run({}, witness);
+    search.run({}, asking.witness());
     ClosestPoints result;
     if (search.sieve().is_zero()) {
         result = closest_of_intersecting(a, b, search, memory);
@@ -30,13 +34,8 @@ ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, Quer
             if (rank(other) < rank(result)) result = other;
         }
     }
-    witness = {result.a.triangle, result.b.triangle};
+    asking.witness() = {result.a.triangle, result.b.triangle};
     return result;
-}
-
-ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {
-    PairWitness witness;
-    return closest(a, b, memory, witness);
 }
 
 }  // namespace ecods

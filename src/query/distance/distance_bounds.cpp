@@ -5,6 +5,7 @@
 #include "base/next.hpp"
 #include "ecods/distance.hpp"
 #include "query/distance/distance_search.hpp"
+#include "query/intersection/asking.hpp"
 
 namespace ecods {
 namespace {
@@ -52,12 +53,16 @@ DistanceBounds enclosed_bounds(DistanceSearch& search, double at_most) {
 }  // namespace
 
 DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const DistanceTolerance& tolerance,
-                               QueryMemory& memory, PairWitness& witness) {
+                               const Ask& ask) {
     require_distance(tolerance.relative);
     require_distance(tolerance.absolute);
-    require_distance(tolerance.at_most);
-    // Pairs beyond `limit` are left out, and `limit` is above at_most: if all are, the lower bound is above at_most.
-    const double limit = next_up(tolerance.at_most);
+    require_distance(tolerance.max_distance);
+    Asking asking(ask);
+    QueryMemory& memory = asking.memory();
+    PairWitness& witness = asking.witness();
+    // Pairs beyond `limit` are left out, and `limit` is above max_distance: if all are, the lower bound is above
+    // max_distance.
+    const double limit = next_up(tolerance.max_distance);
     {
         DistanceSearch search(a, b, memory);
         search.run({.at_most = limit,
@@ -67,7 +72,7 @@ DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>
         if (search.sieve().nearest().a != PairWitness::none) witness = search.sieve().nearest();
         if (search.sieve().is_zero()) return {0, 0};
         const DistanceBounds bounds = enclosed_bounds(search, limit);
-        if (key_of(bounds.lower) > key_of(tolerance.at_most)) return bounds;
+        if (key_of(bounds.lower) > key_of(tolerance.max_distance)) return bounds;
         if (is_narrow(bounds, tolerance)) return bounds;
     }
     DistanceSearch search(a, b, memory);
@@ -78,12 +83,6 @@ DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>
     // The nearest open pair is beyond the limit. Pairs that were left out may be nearer, but are beyond the limit, too.
     if (key_of(bounds.lower) > key_of(limit)) return {limit, infinity};
     return bounds;
-}
-
-DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const DistanceTolerance& tolerance,
-                               QueryMemory& memory) {
-    PairWitness witness;
-    return distance_bounds(a, b, tolerance, memory, witness);
 }
 
 }  // namespace ecods

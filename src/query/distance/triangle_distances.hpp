@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
+#include "ecods/intersection.hpp"
 #include "exact/measure/distance/closest_slab.hpp"
 #include "exact/measure/distance/enclose_distance.hpp"
 #include "exact/measure/distance/feature_pair.hpp"

@@ -22,12 +22,11 @@ auto TriangleDistances::with_features(std::uint32_t i, std::uint32_t j, Use&& us
     const exact::FeaturePair features = exact::guess_features(pair);
     const bool is_certain = exact::enclose_distance(pair, features).is_certain;
     const exact::ClosestFeatures guess{features, is_certain ? exact::Standing::only : exact::Standing::none};
-    const Triangle &a = triangles_[0][i], &b = triangles_[1][j];
-    const std::array<exact::VertexRef, 6> corners{{{0, a[0]}, {0, a[1]}, {0, a[2]}, {1, b[0]}, {1, b[1]}, {1, b[2]}}};
-    return points_.with_integers(corners, [&]<class Kernel>(const exact::IntegerPoints<Kernel, 6>& points) {
-        const auto limbs = exact::to_limbs(points);
-        return use(points, exact::ExactFeatures<Kernel::limb_count>(limbs), guess);
-    });
+    return points_.with_integers(exact::corners_of(triangles_[0][i], triangles_[1][j]),
+                                 [&]<class Kernel>(const exact::IntegerPoints<Kernel, 6>& points) {
+                                     const auto limbs = exact::to_limbs(points);
+                                     return use(points, exact::ExactFeatures<Kernel::limb_count>(limbs), guess);
+                                 });
 }
 
 }  // namespace ecods

@@ -9,7 +9,7 @@
 namespace ecods {
 
 struct AllHits::State {
-    // A hit, and where the limbs of its exact parameter are.
+    // An item is a hit, and the place in `limbs` of its exact parameter.
     struct Item {
         KeyedHit hit;
         std::size_t begin, num_size, den_size;
@@ -32,7 +32,8 @@ struct AllHits::State {
         const exact::NaturalSpan all = limbs;
         return {all.subspan(item.begin, item.num_size), all.subspan(item.begin + item.num_size, item.den_size)};
     }
-    // Rounding is monotone: parameters that round to different doubles are in the order of these.
+    // Compares rounded parameters first: rounding is monotone, so two that differ have the order of the real
+    // parameters.
     int compare(const Item& a, const Item& b) const noexcept {
         const std::int64_t x = key_of(a.hit.hit.parameter), y = key_of(b.hit.hit.parameter);
         if (x != y) return x < y ? -1 : 1;
@@ -50,7 +51,7 @@ struct AllHits::State {
 AllHits::AllHits(const Line& line, QueryMemory& memory) : state_(std::make_unique<State>(line, memory)) {}
 AllHits::~AllHits() = default;
 
-// Takes every triangle that is hit, from a walk that leaves out nothing.
+// Collects every triangle that is hit, in a walk that leaves out nothing.
 class AllHits::Collector {
   public:
     Collector(State& state, const Mesh& mesh, std::uint64_t key) : state_(state), mesh_(mesh), key_(key) {}

@@ -10,8 +10,8 @@
 namespace ecods {
 namespace {
 
-// The least hit of one body with a line, up to a limit. Doubles decide among triangles that are certainly hit inside
-// their faces; the others are decided in integers as they come, and the least of them is kept.
+// Finds the least hit of one body with a line, up to a limit. Doubles decide among triangles that are certainly hit
+// inside their faces. Other triangles are decided in integers as they come, and the least hit of these is kept.
 class BodySearch {
   public:
     BodySearch(const Posed<MeshShape>& body, HitMemory& memory, const ScaledLine& line, double limit, HitCounts& counts)
@@ -25,10 +25,10 @@ class BodySearch {
         faces_.start({.at_most = limit});
     }
 
-    // Every hit that is not beyond it counts; some hit, of this body or another, is not beyond it.
+    // Returns an upper bound of the scaled parameter of the least hit, of this body and of earlier ones.
     double parameter_limit() const noexcept { return faces_.bound(); }
 
-    // Has a triangle tried before all others. Where floats leave nothing to try, neither is it.
+    // Makes a triangle the first to be tried. It is not tried if floats exclude all triangles.
     void try_first(std::uint32_t triangle) noexcept { waiting_ = triangle; }
 
     void walk(LineAxes::Place place) {
@@ -37,7 +37,7 @@ class BodySearch {
         memory_.walk(body_, place, *this);
     }
 
-    // What walk_line asks.
+    // walk_line calls these functions.
     float limit() const noexcept { return ratio_; }
     void visit_node() noexcept { ++box_tests_; }
     void visit(const TreeLeaf& leaf, const FoundInLeaf& found) {
@@ -60,12 +60,12 @@ class BodySearch {
     void visit(std::uint32_t triangle) { visit(triangle, triangles_[triangle]); }
     void visit(std::uint32_t triangle, const Triangle& vertices);
 
-    // When all have been visited. Leaves out what doubles say is not the first.
+    // Leaves out faces that doubles prove not to be hit first. Call it when all triangles have been visited.
     void settle();
-    // If what is left is one face, sets its hit, rounded, and returns true; or returns false where that is not known so
-    // cheaply.
+    // Sets the rounded hit of the only candidate and returns true, if that is a face. Returns false if there are other
+    // candidates, or if the hit cannot be rounded cheaply.
     bool round_only_face(Hit& hit);
-    // Compares what is left. Returns whether there is a hit: memory.own, of triangle().
+    // Compares the candidates that are left. Returns true if there is a hit: memory.own, of triangle().
     bool finish();
     std::uint32_t triangle() const noexcept { return least_; }
     std::uint64_t box_tests() const noexcept { return box_tests_; }
@@ -77,13 +77,13 @@ class BodySearch {
     void take_upper(double upper, std::uint32_t triangle) noexcept {
         if (faces_.take_upper(upper, {triangle, 0})) set_ratio();
     }
-    // It comes again.
+    // Tries the waiting triangle. When the walk comes to it again, it is skipped.
     void try_waiting() {
         if (waiting_ == none) return;
         tried_ = std::exchange(waiting_, none);
         visit(tried_);
     }
-    // It is certainly hit inside its face.
+    // Takes a triangle that is certainly hit inside its face.
     void take_face(std::uint32_t triangle, const Triangle& vertices, double lower, double upper) {
         if (!faces_.counts(lower)) return;
         for (const std::uint32_t vertex : vertices) __builtin_prefetch(&vertices_[vertex]);
@@ -108,12 +108,12 @@ class BodySearch {
     std::uint64_t box_tests_ = 0;
     std::uint32_t waiting_ = none;
     std::uint32_t tried_ = none;
-    std::uint32_t least_ = none;  // has memory.own
-    // The vertices of the mesh that hold the first point of memory.own: one, the two of an edge, or none if that is not
-    // known.
+    std::uint32_t least_ = none;  // the triangle of memory.own
+    // The feature that holds the first point of memory.own, by its vertices in the mesh: one vertex, the two of an
+    // edge, or none if it is not known.
     std::array<std::uint32_t, 2> shared_{none, none};
-    // The vertices of an edge that the line runs along from that point on: all that it shares with some triangle. That
-    // of memory.own, if that is along an edge; none if no such edge is known.
+    // The vertices of an edge along which the line runs from that point on, and which is all that it shares with some
+    // triangle: the edge of memory.own if that runs along an edge; none if no such edge is known.
     std::array<std::uint32_t, 2> along_{none, none};
 };
 
@@ -140,11 +140,12 @@ void BodySearch::decide(std::uint32_t triangle, const Triangle& vertices, const 
     take_upper(upper, triangle);
 }
 
-// Keeps memory.other, of this triangle, if it is the least so far.
+// Keeps memory.other, the hit of this triangle, if it is the least so far.
 void BodySearch::keep_least(std::uint32_t triangle, const Triangle& corners) noexcept {
     const int order = least_ == none ? -1 : compare(memory_.other->enter.ref(), memory_.own->enter.ref());
     if (order > 0) return;
-    // What holds the entry holds it whichever triangle is entered there.
+    // At an equal parameter both stay valid: the vertex or edge at the entry is there for every triangle that is hit
+    // there.
     if (order < 0) shared_ = along_ = {none, none};
     const exact::LineHit& hit = *memory_.other;
     const bool is_kept = triangle < least_ || order < 0;
@@ -165,7 +166,7 @@ void BodySearch::set_shared(const Triangle& corners, const exact::LineHit& hit) 
     }
 }
 
-// The corner at which a triangle's edge of these vertices begins, or 3 if it has no such edge.
+// Returns the corner at which the triangle's edge with these vertices begins; 3 if it has no such edge.
 std::uint32_t find_edge(const Triangle& corners, const std::array<std::uint32_t, 2>& edge) noexcept {
     for (std::uint32_t i = 0; i < 3; ++i) {
         const std::uint32_t p = corners[i], q = corners[(i + 1) % 3];
@@ -174,15 +175,15 @@ std::uint32_t find_edge(const Triangle& corners, const std::array<std::uint32_t,
     return 3;
 }
 
-// A triangle that is hit at the parameter at which the least one is.
+// Makes a triangle the least one; it is hit at the parameter of the least hit so far.
 void BodySearch::take_tie(std::uint32_t triangle, Feature::Kind feature, std::uint32_t corner) noexcept {
     least_ = triangle;
     memory_.own->feature = feature;
     memory_.own->corner = corner;
 }
 
-// Whether a triangle whose plane the line crosses has the vertex, or the edge, at which the least one is hit first.
-// Then it is hit there and nowhere else: at the same parameter, and nothing need be computed.
+// True if the triangle has the vertex or edge at which the least one is hit first. The line crosses the plane of the
+// triangle, so it hits the triangle there and nowhere else: at the same parameter, without any computation.
 bool BodySearch::ties_at_shared(std::uint32_t triangle, const Triangle& corners) noexcept {
     if (shared_[0] == none) return false;
     const bool is_vertex = shared_[1] == none;
@@ -196,14 +197,15 @@ bool BodySearch::ties_at_shared(std::uint32_t triangle, const Triangle& corners)
     return true;
 }
 
-// Whether a triangle whose corners are not on one line has the edge that the line runs along. Then it shares with the
-// line what the other triangle of that edge does, from the same parameter on.
+// True if the triangle has the edge along which the line runs, and so is decided. Its corners are not on one line, so
+// it shares with the line what the other triangle of this edge does, from the same parameter on.
 bool BodySearch::ties_along(std::uint32_t triangle, const Triangle& corners) noexcept {
     if (along_[0] == none) return false;
     const std::uint32_t corner = find_edge(corners, along_);
     if (corner == 3) return false;
     if (triangle > least_) return true;
-    // Elsewhere it is not known any more where the line leaves this edge.
+    // If memory.own does not run along an edge, the parameter at which the line leaves this edge is not stored any
+    // more.
     if (!memory_.own->is_along || memory_.own->feature != Feature::Kind::edge) return false;
     take_tie(triangle, Feature::Kind::edge, corner);
     return true;
@@ -211,7 +213,7 @@ bool BodySearch::ties_along(std::uint32_t triangle, const Triangle& corners) noe
 
 void BodySearch::settle() {
     faces_.drop();
-    // Floats may leave several that doubles part.
+    // Floats may leave several faces that doubles can separate.
     if (faces_.open().size() + (least_ != none) < 2) return;
     for (HitMemory::FaceSieve::Open& face : faces_.open()) {
         ++counts_.enclosures;

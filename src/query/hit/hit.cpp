@@ -2,16 +2,11 @@
 
 #include <ostream>
 
-#include "base/write_name.hpp"
 #include "query/hit/hit_memory.hpp"
 #include "query/hit/hit_search.hpp"
+#include "query/intersection/asking.hpp"
 
 namespace ecods {
-
-std::ostream& operator<<(std::ostream& out, HitKind kind) {
-    constexpr std::array names{"front", "back", "face", "edge", "vertex", "along"};
-    return write_name(out, kind, names);
-}
 
 namespace {
 
@@ -23,7 +18,8 @@ std::optional<Hit> find_first(const Line& line, const Posed<MeshShape>& body, Qu
     return first.get().hit;
 }
 
-// As find_first. Near the last segment a body is asked about the triangles there, and needs no walk.
+// Finds the first hit like find_first. A segment within the region of the last ones is asked about the triangles there,
+// without a walk.
 std::optional<Hit> find_step(const Line& segment, const Posed<MeshShape>& body, QueryMemory& memory,
                              PairWitness& witness) {
     HitMemory& own = HitMemory::of(memory);
@@ -56,36 +52,27 @@ std::vector<Hit> find_all(const Line& line, const Posed<MeshShape>& body, QueryM
 
 }  // namespace
 
-std::optional<Hit> first_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory,
-                             PairWitness& witness) {
+std::optional<Hit> first_hit(const Segment& segment, const Posed<MeshShape>& body, const Ask& ask) {
     validate(segment);
-    return find_step(Line(segment), body, memory, witness);
+    Asking asking(ask);
+    if (ask.witness != nullptr) return find_step(Line(segment), body, asking.memory(), *ask.witness);
+    return find_first(Line(segment), body, asking.memory(), asking.witness());
 }
 
-std::optional<Hit> first_hit(const Ray& ray, const Posed<MeshShape>& body, QueryMemory& memory, PairWitness& witness) {
+std::optional<Hit> first_hit(const Ray& ray, const Posed<MeshShape>& body, const Ask& ask) {
     validate(ray);
-    return find_first(Line(ray), body, memory, witness);
+    Asking asking(ask);
+    return find_first(Line(ray), body, asking.memory(), asking.witness());
 }
 
-std::optional<Hit> first_hit(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory) {
+std::vector<Hit> all_hits(const Segment& segment, const Posed<MeshShape>& body, const Ask& ask) {
     validate(segment);
-    PairWitness witness;
-    return find_first(Line(segment), body, memory, witness);
+    return find_all(Line(segment), body, Asking(ask).memory());
 }
 
-std::optional<Hit> first_hit(const Ray& ray, const Posed<MeshShape>& body, QueryMemory& memory) {
-    PairWitness witness;
-    return first_hit(ray, body, memory, witness);
-}
-
-std::vector<Hit> all_hits(const Segment& segment, const Posed<MeshShape>& body, QueryMemory& memory) {
-    validate(segment);
-    return find_all(Line(segment), body, memory);
-}
-
-std::vector<Hit> all_hits(const Ray& ray, const Posed<MeshShape>& body, QueryMemory& memory) {
+std::vector<Hit> all_hits(const Ray& ray, const Posed<MeshShape>& body, const Ask& ask) {
     validate(ray);
-    return find_all(Line(ray), body, memory);
+    return find_all(Line(ray), body, Asking(ask).memory());
 }
 
 }  // namespace ecods

@@ -1,4 +1,4 @@
-// What the searches for hits work in, and what both of them do.
+// HitMemory is the memory in which both searches for hits work, with the steps that both share.
 #pragma once
 
 #include <array>
@@ -19,30 +19,31 @@
 namespace ecods {
 
 struct HitMemory final : QueryMemoryPart {
-    // Contains the scaled parameter at which a triangle with these vertices is certainly hit inside its face.
+    // A FaceHit encloses the scaled parameter at which a triangle with these vertices is certainly hit inside its face.
     struct FaceHit {
         double lower, upper;
         Triangle vertices;
     };
-    // Faces in question. What the sieve leaves is compared in full, with the hits of edges and vertices: no value is
-    // kept.
+    // The sieve holds the faces in question. The faces that it leaves are compared exactly, with the hits of edges and
+    // vertices, so it keeps no values.
     using FaceSieve = Sieve<FaceHit, std::monostate>;
 
     LineAxes axes;
     TriangleHits triangles;
     std::vector<LineNode> stack;
     FaceSieve faces;
-    StepRegion steps;  // near the body that all is bound to
+    StepRegion steps;  // near the body that the members are bound to
     std::array<exact::LineHit, 3> hits;
-    // The least hit of all bodies, that of the body in question, and the one in question.
+    // The least hit of all bodies, the least hit of the current body, and the hit of the current triangle.
     exact::LineHit *best = &hits[0], *own = &hits[1], *other = &hits[2];
 
     static HitMemory& of(QueryMemory& memory) {
         return QueryMemoryAccess::part<HitMemory>(memory, &QueryMemoryAccess::State::hit);
     }
 
-    // Prepares all for a line and a body, both of which must outlive the questions. What depends on the body alone is
-    // kept: most bodies are asked more than once. Returns where the line is, up to the scaled parameter `limit`.
+    // Prepares all members for a line and a body, both of which must outlive the questions. Keeps numbers that depend
+    // on the body alone, as most bodies are asked more than once. Returns the place of the line's part up to the scaled
+    // parameter `limit`.
     LineAxes::Place bind(const Line& line, const ScaledLine& scaled, double limit, const Posed<MeshShape>& body) {
         const MeshTree& tree = MeshShapeAccess::tree(*body.what);
         const exact::BodyRef ref{&body.what->mesh(), &tree.extent, &body.pose};
@@ -58,7 +59,7 @@ struct HitMemory final : QueryMemoryPart {
         return place;
     }
 
-    // What the questions about single triangles need, of the body that all is bound to.
+    // Prepares the questions about single triangles alone, for a line and the body that the members are bound to.
     void bind_triangles(const Line& line, const ScaledLine& scaled, const Posed<MeshShape>& body) noexcept {
         triangles.bind(line, scaled, {&body.what->mesh(), &MeshShapeAccess::tree(*body.what).extent, &body.pose});
     }
@@ -67,7 +68,8 @@ struct HitMemory final : QueryMemoryPart {
         return tree_id_ == tree.id && same_bits(pose_, pose);
     }
 
-    // Calls visit(triangle) for each triangle that the line may hit; `result` as for walk_line otherwise.
+    // Visits each triangle that the line may hit, with `result` as for walk_line. If the place of the line is unknown,
+    // calls result.visit(triangle) for every triangle.
     template <class Result>
     void walk(const Posed<MeshShape>& body, LineAxes::Place place, Result& result) {
         if (place == LineAxes::Place::placed) {
@@ -90,7 +92,7 @@ inline HitKind kind_of(const exact::LineHit& hit) noexcept {
     return hit.facing < 0 ? HitKind::front : hit.facing > 0 ? HitKind::back : HitKind::face;
 }
 
-// Rounds everything once.
+// Returns the hit with each number rounded once.
 inline Hit rounded(const Line& line, const exact::LineHit& hit, std::uint32_t triangle) noexcept {
     Hit result;
     result.kind = kind_of(hit);

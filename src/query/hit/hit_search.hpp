@@ -1,6 +1,7 @@
-// The hits of one line with any number of bodies, compared exactly and rounded at the end.
+// Finds the hits of one line with any number of bodies. Hits are compared exactly, and rounded at the end.
 //
-// A body has a key, which orders hits of different bodies at one real parameter: a world's has the order of the ids.
+// Each body has a key, which orders the hits of different bodies at one real parameter. A world's keys have the order
+// of the ids.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@
 
 namespace ecods {
 
-// A hit, and the body that has it.
+// A KeyedHit is a hit and the key of its body.
 struct KeyedHit {
     std::uint64_t key = 0;
     Hit hit;
@@ -23,33 +24,33 @@ struct KeyedHit {
 
 struct HitMemory;
 
-// The least hit in the order of the real parameters, then keys, then triangles.
+// Finds the least hit, in the order of the real parameters, then keys, then triangles.
 class FirstHit {
   public:
-    // The line is valid; line and memory must outlive the search, which may be the memory's only one at a time. If
-    // `is_alone`, one body is asked once and nothing is offered: nothing need be known exactly then.
+    // The line must be valid. Line and memory must outlive the search, and the memory must serve one search at a time.
+    // If `is_alone`, one body is asked once and nothing is offered; then no parameter need be known exactly.
     FirstHit(const Line& line, QueryMemory& memory, bool is_alone = false);
     FirstHit(const FirstHit&) = delete;
     FirstHit& operator=(const FirstHit&) = delete;
 
-    // Asks one more body, in any order of keys. Tries the witness's triangle `b` before others, and leaves the one that
-    // the body is hit at if its hit has become the least one.
+    // Asks one more body, in any order of keys. Tries the triangle `b` of the witness before others. If the hit of the
+    // body becomes the least one, leaves its triangle in the witness.
     void ask(const Posed<MeshShape>& body, std::uint64_t key, PairWitness& witness);
     void ask(const Posed<MeshShape>& body, std::uint64_t key);
 
-    // Asks a body that the memory is bound to about these triangles alone: all that the line may hit.
+    // Asks a body that the memory is bound to about these triangles alone, which must be all that the line may hit.
     void ask_about(std::span<const std::uint32_t> triangles, const Posed<MeshShape>& body, std::uint64_t key,
                    PairWitness& witness);
 
-    // A hit that somebody else found: its parameter is the real number that `hit.parameter` is.
+    // Takes a hit that was found in another way. Its real parameter is exactly `hit.parameter`.
     void offer(const Hit& hit, std::uint64_t key);
 
-    // No point of the line beyond this parameter can be of the least hit: an upper bound, rounded upwards; infinity
-    // where nothing is known. What boxes are beyond it need not be asked.
+    // Returns an upper bound of the parameter of the least hit, rounded upwards; infinity if nothing is known. A body
+    // whose box the line meets only beyond it need not be asked.
     double limit() const noexcept { return scaled_.unscaled_above(limit_); }
 
     bool found() const noexcept { return found_; }
-    // The least hit, rounded once. Only if found().
+    // Returns the least hit, rounded once. Requires found().
     KeyedHit get() const;
 
   private:
@@ -62,13 +63,13 @@ class FirstHit {
     ScaledLine scaled_;
     HitMemory& memory_;
     QueryCounts& counts_;
-    double limit_;  // of the scaled parameter
+    double limit_;  // upper bound of the scaled parameter
     bool found_ = false;
-    bool is_rounded_ = false;  // by whoever offered it
+    bool is_rounded_ = false;  // true if the numbers of least_ are final
     KeyedHit least_;
 };
 
-// All hits, in the same order.
+// Finds all hits, in the order of FirstHit.
 class AllHits {
   public:
     AllHits(const Line& line, QueryMemory& memory);
@@ -79,7 +80,7 @@ class AllHits {
     void ask(const Posed<MeshShape>& body, std::uint64_t key);
     void offer(const Hit& hit, std::uint64_t key);
 
-    // All of them, rounded once, with ranks.
+    // Returns all hits, rounded once, with ranks.
     std::vector<KeyedHit> get();
 
   private:

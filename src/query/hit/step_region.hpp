@@ -1,7 +1,8 @@
-// What a segment that moves in small steps meets of one body: the leaves near its way, gathered once for many steps.
+// StepRegion holds the leaves of one body near the way of a segment that moves in small steps, gathered once for many
+// steps.
 //
-// Only what is done depends on it, never an answer: a segment within the region is asked about every triangle there
-// that it may hit, another one walks the tree.
+// No answer depends on it, only work: a segment within the region is asked about every triangle there that it may hit;
+// any other segment walks the tree.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +15,14 @@ namespace ecods {
 
 class StepRegion {
   public:
-    // The body is another one, or has another pose.
+    // Forgets everything: the body is another one, or has another pose.
     void forget() noexcept {
         leaves_.clear();
         has_last_ = false;
         rest_ = rest_next_ = 0;
     }
 
-    // Whether the segment is within the region; it is the last one from now on.
+    // True if the segment is within the region. The segment is then stored as the last one.
     bool holds(const Line& segment) noexcept {
         if (!leaves_.holds(segment.a, segment.b)) return false;
         ++served_;
@@ -31,8 +32,8 @@ class StepRegion {
     }
     NearLeaves& leaves() noexcept { return leaves_; }
 
-    // Has seen a segment that is not within the region, and makes one around it and where it goes if it has moved from
-    // the last one by little. A region that served few makes the next ones wait.
+    // Takes a segment that is not within the region. If it has moved little from the last one, makes a region around it
+    // and the way ahead. After a region that served few segments, waits for some segments before it makes the next one.
     void follow(const Line& segment, const MeshBvh& tree, const LineAxes& axes, std::uint64_t& box_tests) noexcept {
         if (leaves_.is_ready()) {
             leaves_.clear();
@@ -59,9 +60,9 @@ class StepRegion {
     }
 
   private:
-    // Measured on a path over a torus, from each point to the next: from 16 to 32 ahead make no difference.
+    // Measured on a path over a torus, from each point to the next: any number from 16 to 32 ahead is as good.
     static constexpr double steps_ahead = 20, steps_aside = 2;
-    static constexpr double moved_max = 3;  // of the segment's length: what moves by more comes from elsewhere
+    static constexpr double moved_max = 3;  // in lengths of the segment: a greater move is a jump
     static constexpr std::uint32_t served_min = 4, rest_max = 63;
 
     void has_served(bool enough) noexcept {
@@ -73,7 +74,7 @@ class StepRegion {
     Vec3 last_a_ = Vec3::Zero(), last_b_ = Vec3::Zero();
     bool has_last_ = false;
     std::uint32_t served_ = 0;
-    std::uint32_t rest_ = 0, rest_next_ = 0;  // how many segments more are followed without a region
+    std::uint32_t rest_ = 0, rest_next_ = 0;  // segments to wait without a region: now, and the last time
 };
 
 }  // namespace ecods

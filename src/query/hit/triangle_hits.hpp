@@ -1,4 +1,4 @@
-// A line and a posed mesh, ready for questions about what the line shares with single triangles.
+// TriangleHits answers what a line shares with single triangles of a posed mesh.
 #pragma once
 
 #include <array>
@@ -13,36 +13,37 @@
 
 namespace ecods {
 
-// What doubles prove of a line and a triangle.
+// HitEnclosure holds what doubles prove about a line and a triangle.
 struct HitEnclosure {
     enum class Verdict : std::uint8_t {
         none,  // they share no point
-        face,  // exactly one point, inside the face
+        face,  // they share exactly one point, inside the face
         open,  // nothing is proven
     };
     Verdict verdict = Verdict::open;
-    bool is_crossing = false;     // whether the line certainly crosses the triangle's plane, at one point
-    bool has_area = false;        // whether the triangle's corners are certainly not on one line
-    double lower = 0, upper = 0;  // contain the scaled parameter of that point, where there is one
+    bool is_crossing = false;     // true if the line certainly crosses the triangle's plane, at one point
+    bool has_area = false;        // true if the triangle's corners are certainly not on one line
+    double lower = 0, upper = 0;  // bounds of the scaled parameter of that point, if there is one
 };
 
-// A triangle is what Mesh::triangles() has of it: its vertices.
+// Triangles are given by their vertices, as Mesh::triangles() has them.
 class TriangleHits {
   public:
-    // What depends on the body alone. Cost: constant.
+    // Computes the numbers that depend on the body alone. Cost: constant.
     void prepare(const exact::BodyRef& body) noexcept;
 
-    // Everything that the arguments refer to must outlive the questions. The body must have been prepared.
+    // Sets the line and the body, for which prepare() was called. Everything that the arguments refer to must outlive
+    // the questions.
     void bind(const Line& line, const ScaledLine& scaled, const exact::BodyRef& body) noexcept;
 
     HitEnclosure enclose(const Triangle& triangle) const noexcept;
 
-    // Whether the line shares a point with the triangle, and then what.
+    // Sets `hit` and returns true if the line shares a point with the triangle.
     bool find(const Triangle& triangle, exact::LineHit& hit);
 
-    // Sets the one shared point of a triangle that the line is proven to cross inside the face.
+    // Sets `hit` to the one shared point of a triangle that the line is proven to cross inside the face.
     void find_crossing(const Triangle& triangle, exact::LineHit& hit);
-    // Sets the same, rounded, and returns true; or returns false where that is not known so cheaply.
+    // Sets the rounded numbers of this point and returns true. Returns false if they cannot be found cheaply.
     bool round_crossing(const Triangle& triangle, exact::RoundedCrossing& crossing);
 
   private:
@@ -51,12 +52,12 @@ class TriangleHits {
     template <class Use>
     auto with_limbs(const Triangle& triangle, Use&& use);
 
-    // What doubles are asked of: vectors of three, and a zero.
+    // Holds the arguments of enclose_in(): vectors of three coordinates and a zero.
     struct alignas(32) InDoubles {
         std::array<std::array<double, 4>, 3> R;  // by columns
         std::array<double, 4> offset;            // fl(t - a)
         std::array<double, 4> d, d_error;        // of the scaled line
-        double delta;                            // the error of a coordinate of a rounded point
+        double delta;                            // error bound of a coordinate of a rounded point
         double end_low, end_high;
         bool is_known;
     };
@@ -65,9 +66,9 @@ class TriangleHits {
 
     const Line* line_ = nullptr;
     exact::BodyRef body_{};
-    Pose line_pose_;           // of which the line's beginning and end, or its direction, are points
+    Pose line_pose_;           // translates to the origin of a ray; identity for a segment
     Vec3 sum_ = Vec3::Zero();  // |R| times the largest coordinates
-    double factor_ = 0;        // the largest coordinate and entry of |R|
+    double factor_ = 0;        // the largest of the coordinates and the entries of |R|
     InDoubles in_doubles_{};
     exact::LinePoints points_;
     enum class Points : std::uint8_t { unknown, short_ones, long_ones };

@@ -9,6 +9,7 @@
 
 #include "bvh/axes/separating_axes.hpp"
 #include "bvh/walks/walk_two.hpp"
+#include "query/intersection/asking.hpp"
 #include "query/intersection/mesh_intersection_test.hpp"
 #include "query/intersection/overlap_bound.hpp"
 #include "query/intersection/plane_bound.hpp"
@@ -18,54 +19,6 @@
 #include "query/shape/other_units.hpp"
 
 namespace ecods {
-
-QueryMemory::QueryMemory() : state_(std::make_unique<State>()) {}
-QueryMemory::~QueryMemory() = default;
-QueryMemory::QueryMemory(QueryMemory&&) noexcept = default;
-QueryMemory& QueryMemory::operator=(QueryMemory&&) noexcept = default;
-
-const QueryCounts& QueryMemory::counts() const noexcept {
-    return state_->counts;
-}
-void QueryMemory::reset_counts() noexcept {
-    state_->counts = {};
-}
-
-namespace {
-
-template <class Counts, class... Count>
-Counts& add(Counts& to, const Counts& other, Count Counts::*... counts) noexcept {
-    ((to.*counts += other.*counts), ...);
-    return to;
-}
-
-}  // namespace
-
-StageCounts& StageCounts::operator+=(const StageCounts& other) noexcept {
-    for (const Stage& stage : ecods::stages) this->*stage.count += other.*stage.count;
-    return add(*this, other, &StageCounts::triangle_tests);
-}
-
-DistanceCounts& DistanceCounts::operator+=(const DistanceCounts& other) noexcept {
-    using Counts = DistanceCounts;
-    return add(*this, other, &Counts::triangle_bounds, &Counts::enclosures, &Counts::exact);
-}
-
-HitCounts& HitCounts::operator+=(const HitCounts& other) noexcept {
-    using Counts = HitCounts;
-    return add(*this, other, &Counts::triangle_tests, &Counts::enclosures, &Counts::exact);
-}
-
-CastCounts& CastCounts::operator+=(const CastCounts& other) noexcept {
-    using Counts = CastCounts;
-    return add(*this, other, &Counts::triangle_bounds, &Counts::enclosures, &Counts::exact);
-}
-
-QueryCounts& QueryCounts::operator+=(const QueryCounts& other) noexcept {
-    using Counts = QueryCounts;
-    return add(*this, other, &Counts::queries, &Counts::witness_hits, &Counts::box_tests, &Counts::stages,
-               &Counts::distances, &Counts::hits, &Counts::casts);
-}
 
 namespace {
 
@@ -120,8 +73,9 @@ class Query {
 
     // Calls ask(a, b) with both bodies in other units, if floats bound nothing on the axes, as near the ends of the
     // range of doubles, and other units are better. Otherwise returns nullopt. Requires bind_axes.
-    template <class Ask>
-    std::optional<std::invoke_result_t<Ask, MeshAt, MeshAt>> ask_in_other_units(QueryMemory& memory, const Ask& ask) {
+    template <class Function>
+    std::optional<std::invoke_result_t<Function, MeshAt, MeshAt>> ask_in_other_units(QueryMemory& memory,
+                                                                                     const Function& ask) {
         if (state_.axes.sets()[0].b.margin[0] != std::numeric_limits<float>::infinity()) [[likely]]
             return std::nullopt;
         leave_pair();
@@ -194,13 +148,13 @@ std::optional<Relation> filter_singles(const MeshAt& a, const MeshAt& b, QueryMe
 
 bool find_contact(const MeshAt& a, const MeshAt& b, QueryMemory& memory, PairWitness& witness) {
     if (const std::optional<Relation> relation = filter_singles(a, b, memory)) {
-        const bool hits = *relation != Relation::disjoint;
+        const bool hits = *relation != Relation::apart;
         witness = hits ? PairWitness{0, 0} : PairWitness{};
         return hits;
     }
     Query query(a, b, memory);
     QueryCounts& counts = QueryMemoryAccess::state(memory).counts;
-    if (holds_triangles(witness, a, b) && query.relation_of_witness(witness) != Relation::disjoint) {
+    if (holds_triangles(witness, a, b) && query.relation_of_witness(witness) != Relation::apart) {
         ++counts.witness_hits;
         return true;
     }
@@ -216,7 +170,7 @@ bool find_contact(const MeshAt& a, const MeshAt& b, QueryMemory& memory, PairWit
     witness = {};
     bool found = false;
     query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j, bool crosses) {
-        found = query.relation_of(i, j, crosses) != Relation::disjoint;
+        found = query.relation_of(i, j, crosses) != Relation::apart;
         if (found) witness = {i, j};
         return !found;
     });
@@ -226,7 +180,7 @@ bool find_contact(const MeshAt& a, const MeshAt& b, QueryMemory& memory, PairWit
 Relation find_relation(const MeshAt& a, const MeshAt& b, QueryMemory& memory) {
     if (const std::optional<Relation> relation = filter_singles(a, b, memory)) return *relation;
     Query query(a, b, memory);
-    Relation strongest = Relation::disjoint;
+    Relation strongest = Relation::apart;
     if (query.bind_axes() >= 0) return strongest;
     const auto again = [&](const MeshAt& x, const MeshAt& y) { return find_relation(x, y, memory); };
     if (auto answer = query.ask_in_other_units(memory, again)) return *std::move(answer);
@@ -244,7 +198,7 @@ std::vector<TrianglePair> find_triangles(const MeshAt& a, const MeshAt& b, Query
     const auto again = [&](const MeshAt& x, const MeshAt& y) { return find_triangles(x, y, memory); };
     if (auto answer = query.ask_in_other_units(memory, again)) return *std::move(answer);
     query.visit_near_pairs([&](std::uint32_t i, std::uint32_t j, bool crosses) {
-        if (query.relation_of(i, j, crosses) != Relation::disjoint) pairs.push_back({i, j});
+        if (query.relation_of(i, j, crosses) != Relation::apart) pairs.push_back({i, j});
         return true;
     });
     std::ranges::sort(pairs);
@@ -253,41 +207,31 @@ std::vector<TrianglePair> find_triangles(const MeshAt& a, const MeshAt& b, Query
 
 }  // namespace
 
-bool MeshIntersectionTest::intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const {
-    PairWitness witness;
-    return find_contact(a, b, memory, witness);
+bool MeshIntersectionTest::intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const {
+    Asking asking(ask);
+    return find_contact(a, b, asking.memory(), asking.witness());
 }
 
-bool MeshIntersectionTest::intersects_again(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory,
-                                            PairWitness& witness) const {
-    return find_contact(a, b, memory, witness);
-}
-
-Relation MeshIntersectionTest::relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const {
-    return find_relation(a, b, memory);
+Relation MeshIntersectionTest::relation(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const {
+    return find_relation(a, b, Asking(ask).memory());
 }
 
 std::vector<TrianglePair> MeshIntersectionTest::intersecting_triangles(const Posed<Shape>& a, const Posed<Shape>& b,
-                                                                       QueryMemory& memory) const {
-    return find_triangles(a, b, memory);
+                                                                       const Ask& ask) const {
+    return find_triangles(a, b, Asking(ask).memory());
 }
 
-bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {
-    PairWitness witness;
-    return find_contact(a, b, memory, witness);
+bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    Asking asking(ask);
+    return find_contact(a, b, asking.memory(), asking.witness());
 }
 
-bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness) {
-    return find_contact(a, b, memory, witness);
+Relation relation(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    return find_relation(a, b, Asking(ask).memory());
 }
 
-Relation relation(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {
-    return find_relation(a, b, memory);
-}
-
-std::vector<TrianglePair> intersecting_triangles(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
-                                                 QueryMemory& memory) {
-    return find_triangles(a, b, memory);
+std::vector<TrianglePair> intersecting_triangles(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    return find_triangles(a, b, Asking(ask).memory());
 }
 
 }  // namespace ecods

@@ -3,19 +3,17 @@
 
 #include <vector>
 
-#include "ecods/shape.hpp"
+#include "ecods/two_body_test.hpp"
 
 namespace ecods {
 
 // Both shapes must be MeshShapes.
 class MeshIntersectionTest : public TwoBodyTest {
   public:
-    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override;
-    bool intersects_again(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory,
-                          PairWitness& witness) const override;
-    Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override;
+    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override;
+    Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override;
     std::vector<TrianglePair> intersecting_triangles(const Posed<Shape>& a, const Posed<Shape>& b,
-                                                     QueryMemory& memory) const override;
+                                                     const Ask& ask) const override;
 };
 
 }  // namespace ecods

@@ -38,8 +38,8 @@ struct QueryMemoryAccess {
 };
 
 // Makes a query within another one: its work is counted, but not as another query.
-template <class Ask>
-auto as_part(QueryMemory& memory, Ask&& ask) {
+template <class Function>
+auto as_part(QueryMemory& memory, Function&& ask) {
     struct NotCounted {
         QueryCounts& counts;
         std::uint64_t queries = counts.queries;

@@ -36,15 +36,7 @@ std::optional<Relation> filter_triangles(const Mesh& a, std::uint32_t i, const P
     const double delta_b = pose_corners(b, j, pose_b, pose_b.t - pose_a.t, points, 3);
     const DeterminantBounds bounds = determinant_bounds(points, std::max(delta_a, delta_b));
     FilterTrace trace;
-    switch (filter(points, bounds.orient3d, trace)) {
-        case FilterAnswer::disjoint:
-            return Relation::disjoint;
-        case FilterAnswer::crossing:
-            return Relation::crossing;
-        case FilterAnswer::unknown:
-            break;
-    }
-    return std::nullopt;
+    return certain_relation(filter(points, bounds.orient3d, trace));
 }
 
 }  // namespace ecods

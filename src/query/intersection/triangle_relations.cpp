@@ -43,7 +43,7 @@ Relation TriangleRelations::relation(std::uint32_t a, std::uint32_t b) {
     // Planes come first: once in use they decide most open pairs, and they cost less than posing points.
     if (planes_.are_used() && planes_.are_triangles_apart(a, b)) [[unlikely]] {
         ++counts_.plane_passes;
-        return Relation::disjoint;
+        return Relation::apart;
     }
     const Triangle& ta = triangles_[0][a];
     const Triangle& tb = triangles_[1][b];
@@ -55,7 +55,7 @@ Relation TriangleRelations::relation(std::uint32_t a, std::uint32_t b) {
     if (answer == FilterAnswer::unknown) [[unlikely]]
         return decide_open(a, b, points, trace);
     ++counts_.filter_passes;
-    return answer == FilterAnswer::disjoint ? Relation::disjoint : Relation::crossing;
+    return answer == FilterAnswer::disjoint ? Relation::apart : Relation::crossing;
 }
 
 Relation TriangleRelations::decide_in_doubles(const Points<6>& points) {
@@ -84,22 +84,16 @@ Relation TriangleRelations::decide_in_doubles(const Points<6>& points) {
         if (flat_axis_ >= 0) return decide_flat(a, b, points);
     }
     const DeterminantBounds bounds = determinant_bounds(points, frame_.delta());
-    switch (filter_again(points, bounds.orient3d, trace)) {
-        case FilterAnswer::disjoint:
-            ++counts_.semi_static_passes;
-            return Relation::disjoint;
-        case FilterAnswer::crossing:
-            ++counts_.semi_static_passes;
-            return Relation::crossing;
-        case FilterAnswer::unknown:
-            break;
+    if (const auto relation = certain_relation(filter_again(points, bounds.orient3d, trace))) {
+        ++counts_.semi_static_passes;
+        return *relation;
     }
     const bool may_be_flat = certain_normal_axis(points, 0, bounds) < 0 || certain_normal_axis(points, 3, bounds) < 0;
     if (may_be_flat && edges_separate(points, bounds.orient3d)) {
         ++counts_.semi_static_passes;
-        return Relation::disjoint;
+        return Relation::apart;
     }
-    const Corners corners{VertexRef{0, ta[0]}, {0, ta[1]}, {0, ta[2]}, {1, tb[0]}, {1, tb[1]}, {1, tb[2]}};
+    const Corners corners = corners_of(ta, tb);
     if (may_use_groups()) return decide_by_planes(a, b, corners, points, bounds, trace);
     return decide_by_integers(corners, points, bounds, trace);
 }
@@ -143,16 +137,15 @@ void TriangleRelations::find_flat_axis() {
 Relation TriangleRelations::decide_flat(std::uint32_t a, std::uint32_t b, const Points<6>& points) {
     if (const FlatAnswer answer = filter_flat(points, flat_axis_, flat_bound_); answer != FlatAnswer::unknown) {
         ++counts_.filter_passes;
-        return answer == FlatAnswer::disjoint ? Relation::disjoint : Relation::touching;
+        return answer == FlatAnswer::disjoint ? Relation::apart : Relation::touching;
     }
     const DeterminantBounds bounds = determinant_bounds(points, frame_.delta());
     const double bound = bounds.orient2d[static_cast<std::size_t>(flat_axis_)];
     if (const FlatAnswer answer = filter_flat(points, flat_axis_, bound); answer != FlatAnswer::unknown) {
         ++counts_.semi_static_passes;
-        return answer == FlatAnswer::disjoint ? Relation::disjoint : Relation::touching;
+        return answer == FlatAnswer::disjoint ? Relation::apart : Relation::touching;
     }
-    const Triangle &ta = triangles_[0][a], &tb = triangles_[1][b];
-    const Corners corners{VertexRef{0, ta[0]}, {0, ta[1]}, {0, ta[2]}, {1, tb[0]}, {1, tb[1]}, {1, tb[2]}};
+    const Corners corners = corners_of(triangles_[0][a], triangles_[1][b]);
     FilterTrace trace;
     filter(points, infinite_bound, trace);
     return decide_by_integers(corners, points, bounds, trace);
@@ -206,8 +199,8 @@ class SignsOfPlanes {
     bool has_used_integers() const noexcept { return has_used_integers_; }
 
   private:
-    template <class Ask>
-    int ask_integers(const Ask& ask) {
+    template <class Function>
+    int ask_integers(const Function& ask) {
         has_used_integers_ = true;
         return frame_.with_integers(corners_, [&](const auto& integers) { return ask(ExactSigns(integers)); });
     }
@@ -231,7 +224,7 @@ Relation TriangleRelations::decide_by_planes(std::uint32_t a, std::uint32_t b, c
     const bool is_flat = all_zero(first);
     if (is_flat) return decide_by_integers(corners, points, bounds, trace);
     std::array<Sides, 2> sides{first, first};
-    Relation relation = Relation::disjoint;
+    Relation relation = Relation::apart;
     bool has_used_integers = false;
     if (!all_positive(first) && !all_negative(first)) {
         sides[1] = planes_.complete(trace.second.certain_signs(bounds.orient3d), 0, a, b);
@@ -240,17 +233,11 @@ Relation TriangleRelations::decide_by_planes(std::uint32_t a, std::uint32_t b, c
         has_used_integers = signs.has_used_integers();
     }
     if (has_used_integers || planes_.computed_count() != computed_before) {
-        count_integers();
+        ++integer_stage(counts_, frame_.arithmetic());
     } else {
         ++counts_.plane_passes;
     }
     return relation;
-}
-
-void TriangleRelations::count_integers() noexcept {
-    ++(frame_.arithmetic() == Arithmetic::one_limb    ? counts_.one_limb
-       : frame_.arithmetic() == Arithmetic::two_limbs ? counts_.two_limbs
-                                                      : counts_.many_limbs);
 }
 
 Relation TriangleRelations::decide_by_integers(const Corners& corners, const Points<6>& points,

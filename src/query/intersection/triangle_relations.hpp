@@ -14,6 +14,13 @@
 
 namespace ecods {
 
+// The count of the stage in which integers of this width decide.
+inline std::uint64_t& integer_stage(StageCounts& counts, exact::Arithmetic arithmetic) noexcept {
+    return arithmetic == exact::Arithmetic::one_limb    ? counts.one_limb
+           : arithmetic == exact::Arithmetic::two_limbs ? counts.two_limbs
+                                                        : counts.many_limbs;
+}
+
 class TriangleRelations {
   public:
     // Cost: constant. Everything that the arguments refer to must outlive this.
@@ -57,7 +64,6 @@ class TriangleRelations {
     bool may_use_groups();
     Relation decide_by_planes(std::uint32_t a, std::uint32_t b, const Corners& corners, const exact::Points<6>& points,
                               const exact::DeterminantBounds& bounds, const exact::FilterTrace& trace);
-    void count_integers() noexcept;
     Relation decide_by_integers(const Corners& corners, const exact::Points<6>& points,
                                 const exact::DeterminantBounds& bounds, const exact::FilterTrace& trace);
 

@@ -9,7 +9,7 @@ bool CommonPoint::is_in(const TrianglePair& triangles) {
         relations.bind(bodies_.a.ref(), bodies_.b.ref());
         is_bound_ = true;
     }
-    return relations.relation(triangles.a, triangles.b) != Relation::disjoint;
+    return relations.relation(triangles.a, triangles.b) != Relation::apart;
 }
 
 bool CommonPoint::is_found_among_overlaps() {

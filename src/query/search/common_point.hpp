@@ -1,4 +1,4 @@
-// The test whether two bodies share a point, as a part of another question about them.
+// CommonPoint tests whether two bodies share a point, as a part of another question about them.
 #pragma once
 
 #include <cstdint>
@@ -15,24 +15,24 @@ class CommonPoint {
     CommonPoint(const CommonPoint&) = delete;
     CommonPoint& operator=(const CommonPoint&) = delete;
 
-    // Returns whether two triangles do.
+    // True if the two triangles share a point.
     bool is_in(const TrianglePair& triangles);
 
-    // Counts one more pair of nodes that overlap, and tests the bodies at the last of `overlap_max`. Returns whether
-    // they are known to share a point.
+    // Counts one more pair of nodes that overlap, and tests the bodies when the count reaches `overlap_max`. Returns
+    // true if the test finds that they share a point.
     bool is_found_among_overlaps();
 
   private:
-    // A walk that goes deep mostly meets triangles that share a point long before; hundreds of nodes overlap where
-    // large bodies nearly touch, too, and there the test would be wasted.
+    // A walk through bodies deep in each other mostly meets triangles that share a point long before this. Some hundred
+    // pairs of nodes also overlap where large bodies nearly touch; there the test would be wasted.
     static constexpr std::uint32_t overlap_max = 1024;
 
-    // Before another query works in the same memory.
+    // Adds up the counts of the memory's TriangleRelations and unbinds them, before another query works in the memory.
     void leave() noexcept;
 
     const MeshPair& bodies_;
     QueryMemory& memory_;
-    bool is_bound_ = false;  // whether the memory's TriangleRelations are bound to the bodies
+    bool is_bound_ = false;  // true if the memory's TriangleRelations are bound to the bodies
     std::uint32_t overlap_count_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// What a search asks of a question about the pairs of triangles of two bodies.
+// PairQuestion lists the functions of a question that a search calls about pairs of triangles of two bodies.
 #pragma once
 
 #include <concepts>
@@ -10,18 +10,20 @@
 
 namespace ecods {
 
-// A question gives each pair of triangles a number that is not negative, a distance or a time, and wants the least
-// ones. Pairs that share a point have the number 0, and no others do.
+// A question gives each pair of triangles a number, a distance or a time, and wants the least ones. No number is
+// negative, and a number is 0 exactly if the pair shares a point.
 //
-// `limit_above(number)`: a float that no lower bound of nodes with a pair of that number, or a lesser one, is above.
-// `find_near(x, y, limit, bounds)`: the pairs of lanes that may have a bound of at most `limit`, as bits, and their
-// lower bounds, finite and not negative, as near_mask has them.
-// `may_share(bound)`: whether nodes with that lower bound may share a point.
-// `enclose(pair, at_most)`: an Interval, of doubles with proven bounds: `lower` and `upper` contain the number if it is
-// at most `at_most`; `lower` is 0 where it is not proven to be more, and may be infinity where it is more than that.
-// Where `is_certain` is set, all pairs with the same features `a` and `b` have the same number. `complete(pair,
-// interval, value)`: where leaving `upper` infinite would leave out nothing because of this pair, sets its Value,
-// rounded once, and both ends to its number; returns false if it has none.
+// `limit_above(number)` returns a float: an upper bound of the lower bounds of all nodes that hold a pair with at most
+// this number.
+// `find_near(x, y, limit, bounds)` returns, as bits, the pairs of lanes whose lower bounds may be at most `limit`, and
+// sets these bounds, finite and not negative, as near_mask does.
+// `may_share(bound)` returns true if the search is to test whether nodes with this lower bound share a point.
+// `enclose(pair, at_most)` returns an Interval of doubles with proven bounds. It contains the number if that is at most
+// `at_most`; otherwise `lower` may be infinity. `lower` is 0 unless the number is proven to be greater. All pairs whose
+// intervals have `is_certain` set and the same features `a` and `b` have the same number.
+// `complete(pair, interval, value)` may decide a pair exactly if `upper` is infinite and so excludes no other pair: it
+// then sets the Value, rounded once, and both ends of the interval to its number. Returns false if the pair has no
+// number.
 template <class Question>
 concept PairQuestion = requires(Question& question, const BvhNode& node, const TreeLeaf& leaf, double number,
                                 float bound, LaneBounds& bounds, const TrianglePair& pair,
@@ -36,11 +38,11 @@ concept PairQuestion = requires(Question& question, const BvhNode& node, const T
     { question.complete(pair, interval, value) } -> std::same_as<bool>;
 };
 
-// A question that can exclude pairs exactly by one that is known.
+// An ExcludingQuestion can also exclude pairs exactly, by comparing them with one that it remembers.
 //
-// `refer_to(pair)` remembers a pair that shares no point, and returns true if it did not remember that before; it may
-// remember none.
-// `is_not_less(pair)`: whether the number of a pair is certainly not less than that of the one remembered.
+// `refer_to(pair)` remembers a pair that shares no point, and returns true if it is another one than before. A question
+// may choose to remember none and return false.
+// `is_not_less(pair)` returns true if the number of the pair is certainly at least that of the remembered pair.
 template <class Question>
 concept ExcludingQuestion = PairQuestion<Question> && requires(Question& question, const TrianglePair& pair) {
     { question.refer_to(pair) } -> std::same_as<bool>;

@@ -1,5 +1,5 @@
-// The search for the least number of the pairs of triangles of two bodies: a walk of both trees, nearest nodes first,
-// that leaves a few pairs among which exact arithmetic decides.
+// Search finds the least number of the pairs of triangles of two bodies. It walks both trees, nearest nodes first, and
+// leaves a few pairs among which exact arithmetic decides.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@
 
 namespace ecods {
 
-// A question that knows bounds of triangles between those of nodes and intervals.
+// A GatheringQuestion has bounds of pairs of triangles that are between those of nodes and the intervals.
 //
-// `gather(search, x, y, lanes, bounds)` takes the pairs of triangles of two leaves with these lanes and bounds.
-// `advance(search, bound)` is called before nodes with this bound are opened, and with infinity after the last ones:
-// then all that was gathered has been given to search.take(), or is known to be out of question.
+// `gather(search, x, y, lanes, bounds)` stores the pairs of triangles of two leaves in these lanes, with their bounds.
+// `advance(search, bound)` is called before nodes with this bound are opened, and with infinity after the last ones.
+// After that last call, every stored pair has been given to search.take(), or is known not to be in question.
 template <class Question, class Search>
 concept GatheringQuestion = requires(Question& question, Search& search, const TreeLeaf& leaf, LanePairs lanes,
                                      const LaneBounds& bounds, float bound) {
@@ -30,7 +30,7 @@ concept GatheringQuestion = requires(Question& question, Search& search, const T
 template <class Question>
 using SieveOf = Sieve<typename Question::Interval, typename Question::Value>;
 
-// A question and what a search for it works in, kept from one to the next.
+// Holds a question and the memory that its searches work in, kept from one search to the next.
 template <class Question>
 struct SearchMemory final : QueryMemoryPart {
     Question question;
@@ -42,7 +42,7 @@ struct SearchMemory final : QueryMemoryPart {
 template <class Question>
 class Search {
   public:
-    // Everything that the arguments refer to must outlive the search; the question has been bound to the bodies.
+    // Everything that the arguments refer to must outlive the search. The question must already be bound to the bodies.
     Search(const MeshPair& bodies, SearchMemory<Question>& working, QueryMemory& memory)
         : bodies_(bodies),
           question_(working.question),
@@ -54,20 +54,20 @@ class Search {
         static_assert(PairQuestion<Question>);
     }
 
-    // Tries the pair `first`, then the trees. Afterwards every pair of triangles is open in the sieve, or is known by
-    // it not to be in question; or the sieve is decided.
+    // Tries the pair `first`, then walks the trees. Afterwards the sieve is decided, or each pair of triangles is open
+    // in it or is known not to be in question.
     void run(const SearchGoal& goal, const std::optional<TrianglePair>& first) {
         sieve_.start(goal);
         set_limit();
         if (first) take(*first);
-        sieve_.forget_open();  // it comes again
+        sieve_.forget_open();  // the walk comes to `first` again
         if (sieve_.is_decided()) return;
         walk_nearest(bodies_.a.tree.boxes, bodies_.b.tree.boxes, queue_, *this);
         advance(std::numeric_limits<float>::infinity());
         sieve_.drop();
     }
 
-    // The walk asks these (bvh/walks/walk_nearest.hpp).
+    // walk_nearest calls these functions (bvh/walks/walk_nearest.hpp).
     float limit() const noexcept { return limit_; }
     template <class X, class Y>
     std::uint64_t find_near(const X& x, const Y& y, LaneBounds& bounds) {
@@ -89,7 +89,7 @@ class Search {
         return !sieve_.is_decided();
     }
 
-    // Encloses pairs of triangles of two leaves.
+    // Takes the pairs of triangles of two leaves in these lanes, except those whose bounds exceed the limit.
     void take_each(const TreeLeaf& x, const TreeLeaf& y, LanePairs lanes) {
         for (; lanes.more() && !sieve_.is_decided(); lanes.next()) {
             if (bounds_[tree_width * lanes.i() + lanes.j()] > limit_) continue;
@@ -97,7 +97,7 @@ class Search {
         }
     }
 
-    // Encloses a pair's number, unless it is excluded; the sieve keeps the pair if it is in question.
+    // Encloses the number of a pair, unless the pair is excluded, and adds it to the sieve if it is in question.
     void take(const TrianglePair& triangles) {
         if constexpr (ExcludingQuestion<Question>) {
             if (question_.is_not_less(triangles)) return;
@@ -114,8 +114,8 @@ class Search {
         take_upper(open.interval.upper, triangles);
         if constexpr (ExcludingQuestion<Question>) {
             // A pair that ties with the nearest one shares features with it, or is as far across parallel faces: more
-            // of the kind come. What is excluded from now on may be so because of the nearest pair alone, which
-            // therefore must not be lost.
+            // ties will follow. From now on a pair may be excluded because of the nearest pair alone, so the nearest
+            // pair must stay in the sieve.
             const TrianglePair nearest{sieve_.nearest().a, sieve_.nearest().b};
             if (has_ties && question_.refer_to(nearest)) {
                 typename SieveOf<Question>::Open known{{}, nearest};
@@ -125,7 +125,7 @@ class Search {
         }
         sieve_.add(open);
     }
-    // Takes note that some pair's number is at most `upper`, or rounds to it.
+    // Records that the number of some pair is at most `upper`, or rounds to it.
     void take_upper(double upper, const TrianglePair& triangles) {
         if (sieve_.take_upper(upper, triangles)) set_limit();
     }

@@ -1,4 +1,5 @@
-// The pairs of triangles that are still in question: which may be left out, and when exact arithmetic is asked.
+// Sieve holds the pairs of triangles that are still in question. It decides which may be left out, and when exact
+// arithmetic is needed.
 #pragma once
 
 #include <algorithm>
@@ -15,32 +16,31 @@
 
 namespace ecods {
 
-// Which numbers a search is about, and when it may stop.
+// SearchGoal says which numbers a search is about, and when it may stop.
 struct SearchGoal {
-    double at_most = std::numeric_limits<double>::infinity();  // of greater numbers no more is said than that
-    double stop_at = -1;                                       // as soon as some number is proven to be at most that
-    // Pairs whose number is less than that below the least one found may be left out; see Sieve::floor.
+    double at_most = std::numeric_limits<double>::infinity();  // a greater number is only known to be greater
+    double stop_at = -1;                                       // stops when some number is proven to be at most this
+    // A pair may be left out if its number is less than the least one found by at most these widths; see Sieve::floor.
     double relative = 0;
     double absolute = 0;
 };
 
-// Returns whether a number from `lower` to `upper` is at most d, for the real numbers; exact() is asked where these do
-// not say.
+// True if a real number between `lower` and `upper` is at most d. Calls exact() if the two bounds do not decide.
 template <class Exact>
 bool is_within(double lower, double upper, double d, Exact&& exact) {
     if (key_of(lower) > key_of(d)) return false;
     return key_of(upper) <= key_of(d) || exact();
 }
 
-// Numbers are compared by their keys, in any rounding mode (base/double_key.hpp). Rounding is monotone: a number whose
-// lower bound is above a double does not round to it, nor to less.
+// A Sieve compares numbers by their keys, so the rounding mode does not matter (base/double_key.hpp). Rounding is
+// monotone: a number with a lower bound greater than a double rounds to more than that double.
 template <class Interval, class Value>
 class Sieve {
   public:
     struct Open {
         Interval interval;
         TrianglePair triangles;
-        std::optional<Value> value = {};  // rounded once, where it is known; the ends of the interval are its number
+        std::optional<Value> value = {};  // rounded once, if known: the interval's ends are then its number
     };
 
     void start(const SearchGoal& goal) noexcept {
@@ -52,18 +52,19 @@ class Sieve {
         set_bounds();
     }
 
-    // Returns whether a pair is in question whose number is at least `lower`.
+    // True if a pair whose number has this lower bound is in question.
     bool counts(double lower) const noexcept { return key_of(lower) <= most_; }
-    // Returns whether nothing more need be asked to reach the goal.
+    // True if nothing more need be asked to reach the goal.
     bool is_decided() const noexcept { return is_zero_ || key_of(upper_) <= key_of(goal_.stop_at); }
 
-    // Takes note that a pair shares a point. Then nothing more is known.
+    // Records that a pair shares a point. The search is then decided, and the open pairs have no meaning.
     void take_zero(const TrianglePair& triangles) noexcept {
         is_zero_ = true;
         nearest_ = {triangles.a, triangles.b};
     }
     void take_zero() noexcept { is_zero_ = true; }
-    // Takes note that some pair's number is at most `upper`, or rounds to it. Returns whether that leaves out more.
+    // Records that the number of some pair is at most `upper`, or rounds to it. Returns true if that may leave out more
+    // pairs.
     bool take_upper(double upper, const TrianglePair& triangles) noexcept {
         if (nearest_.a == PairWitness::none) nearest_ = {triangles.a, triangles.b};  // even if it is infinitely far
         if (!(key_of(upper) < key_of(upper_))) return false;
@@ -76,23 +77,25 @@ class Sieve {
     void forget_open() noexcept { open_.clear(); }
 
     bool is_zero() const noexcept { return is_zero_; }
-    // No number above it is in question; nearest() has at most that, or is none.
+    // Returns an upper bound of the numbers in question, and of the number of nearest() if there is such a pair.
     double upper() const noexcept { return upper_; }
     const PairWitness& nearest() const noexcept { return nearest_; }
-    // No pair that was left out because of the goal's relative or absolute width has a lesser number.
+    // Returns a lower bound of the numbers of pairs that were left out because of the goal's relative or absolute
+    // width.
     double floor() const noexcept { return floor_; }
-    // Nodes without a number up to that may be left out.
+    // Returns the number beyond which nodes may be left out: nodes whose pairs all have greater numbers.
     double bound() const noexcept { return lesser(goal_.at_most, floor_); }
 
     std::vector<Open>& open() noexcept { return open_; }
-    // Leaves out the pairs that are not in question any more.
+    // Removes the open pairs that are not in question any more.
     void drop() {
         std::erase_if(open_, [&](const Open& open) { return !counts(open.interval.lower); });
     }
 
-    // The least of the open pairs' numbers, as a value, which nearest() has; nothing if none has one. It may be above
-    // the goal's at_most, and not be the least of all then. round(open, least) gives the value of a pair, or nothing if
-    // it is not less than the least one so far; number(value) is what is to be least, and of equal ones rank(value).
+    // Returns the least number of the open pairs as a value, and makes its pair nearest(); nothing if no pair has a
+    // value. If the value exceeds the goal's at_most, it may not be the least of all pairs.
+    // round(open, least) returns the value of a pair, or nothing if it is not less than `least`, the least so far.
+    // Values are ordered by number(value), then by rank(value).
     template <class Round, class Number, class Rank>
     std::optional<Value> least(Round&& round, Number&& number, Rank&& rank) {
         std::optional<Value> least;
@@ -110,11 +113,12 @@ class Sieve {
         return least;
     }
 
-    // Returns whether some open pair's number is at most d, for the real numbers; nearest() is one then.
+    // True if the real number of some open pair is at most d; nearest() is then such a pair. exact(triangles) decides
+    // if the interval does not.
     template <class Exact>
     bool is_least_within(double d, Exact&& exact) {
         for (const Open& open : group()) {
-            // A value is rounded: its number may be above it.
+            // The interval of a known value is rounded, and its real number may be greater.
             const double upper = open.value ? infinity : open.interval.upper;
             if (!is_within(open.interval.lower, upper, d, [&] { return exact(open.triangles); })) continue;
             nearest_ = {open.triangles.a, open.triangles.b};
@@ -123,12 +127,12 @@ class Sieve {
         return false;
     }
 
-    // Keeps all open pairs that have the least number, for the real numbers; of those with the same features the least
-    // pair of triangles. compare(x, y) is the sign of the number of x less that of y.
+    // Keeps all open pairs that have the least real number; of pairs with certainly the same features, keeps the least
+    // pair of triangles. compare(x, y) returns the sign of (number of x) - (number of y).
     template <class Compare>
     std::vector<Open>& keep_least(Compare&& compare) {
         group();
-        // Those that may be the least are moved to the front, over those that have been judged.
+        // Pairs that may be the least are moved to the front, over pairs that were already judged.
         std::size_t count = std::min<std::size_t>(open_.size(), 1);
         for (std::size_t at = 1; at < open_.size(); ++at) {
             const Open pair = open_[at];
@@ -156,9 +160,9 @@ class Sieve {
         }
     }
 
-    // Keeps, of pairs that certainly have the same features and so the same number, the least pair of triangles, around
-    // a vertex and on both sides of an edge. The pairs that are left are in the order of their upper bounds; a value
-    // that is known comes before a bound that is equal.
+    // Removes pairs that certainly have the same features and so the same number, as around a vertex and on both sides
+    // of an edge: keeps the least pair of triangles of each group. Sorts the pairs that are left by their upper bounds;
+    // a known value comes before an equal bound.
     std::vector<Open>& group() {
         if (open_.size() < 2) return open_;
         const auto order = [](const Open& x) {
@@ -180,7 +184,7 @@ class Sieve {
     std::vector<Open> open_;
     double upper_ = infinity;
     double floor_ = infinity;
-    std::int64_t most_ = 0;  // the key of the greatest number that is in question
+    std::int64_t most_ = 0;  // key of the greatest number in question
     PairWitness nearest_;
     bool is_zero_ = false;
 };

@@ -3,17 +3,21 @@
 
 #include <optional>
 
+#include "base/assert.hpp"
 #include "ecods/ids.hpp"
-#include "ecods/posed.hpp"
+#include "ecods/pose.hpp"
 #include "ecods/shape.hpp"
 #include "exact/point/frame.hpp"
+#include "geometry/find_invalid.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
 
 // References a mesh, its pose and its tree, so that a query copies nothing.
 struct MeshBody {
-    MeshBody(const MeshShape& of, const Pose& at) : shape(of), pose(at), tree(MeshShapeAccess::tree(of)) {}
+    MeshBody(const MeshShape& of, const Pose& at) : shape(of), pose(at), tree(MeshShapeAccess::tree(of)) {
+        ECODS_ASSERT(is_finite(at));
+    }
     explicit MeshBody(const Posed<MeshShape>& posed) : MeshBody(*posed.what, posed.pose) {}
 
     const Mesh& mesh() const noexcept { return shape.mesh(); }
@@ -23,6 +27,12 @@ struct MeshBody {
     const Pose& pose;
     const MeshTree& tree;
 };
+
+// A point is a body: this mesh of one vertex at the origin, under a pose that moves it there.
+inline const MeshShape& point_shape() {
+    static const MeshShape shape(Mesh::create({Vec3(0, 0, 0)}, {Triangle{0, 0, 0}}));
+    return shape;
+}
 
 // The two bodies of a query.
 struct MeshPair {

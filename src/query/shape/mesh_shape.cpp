@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/lazy.hpp"
+#include "base/make_error.hpp"
 #include "bounds/support_table.hpp"
-#include "ecods/error.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
@@ -37,7 +37,7 @@ struct MeshShape::Parts {
 };
 
 MeshShape::MeshShape(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), parts_(std::make_unique<Parts>()) {
-    if (!mesh_) throw NullArgument("mesh");
+    if (!mesh_) throw null_argument("mesh");
 }
 
 MeshShape::~MeshShape() = default;

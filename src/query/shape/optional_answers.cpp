@@ -4,6 +4,7 @@
 
 #include "ecods/error.hpp"
 #include "ecods/shape.hpp"
+#include "ecods/two_body_test.hpp"
 
 namespace ecods {
 namespace {
@@ -20,17 +21,17 @@ bool Shape::answers(Question /*question*/) const noexcept {
     return false;
 }
 
-std::vector<Hit> Shape::all_hits(const Segment& /*segment*/, const Pose& /*pose*/, QueryMemory& /*memory*/) const {
+std::vector<Hit> Shape::all_hits(const Segment& /*segment*/, const Pose& /*pose*/, const Ask& /*ask*/) const {
     throw NotSupported(Question::hits, kind(), kind());
 }
-std::vector<Hit> Shape::all_hits(const Ray& /*ray*/, const Pose& /*pose*/, QueryMemory& /*memory*/) const {
+std::vector<Hit> Shape::all_hits(const Ray& /*ray*/, const Pose& /*pose*/, const Ask& /*ask*/) const {
     throw NotSupported(Question::hits, kind(), kind());
 }
-std::optional<Hit> Shape::first_hit(const Segment& segment, const Pose& pose, QueryMemory& memory) const {
-    return first_of(all_hits(segment, pose, memory));
+std::optional<Hit> Shape::first_hit(const Segment& segment, const Pose& pose, const Ask& ask) const {
+    return first_of(all_hits(segment, pose, ask));
 }
-std::optional<Hit> Shape::first_hit(const Ray& ray, const Pose& pose, QueryMemory& memory) const {
-    return first_of(all_hits(ray, pose, memory));
+std::optional<Hit> Shape::first_hit(const Ray& ray, const Pose& pose, const Ask& ask) const {
+    return first_of(all_hits(ray, pose, ask));
 }
 
 // ---- tests of two bodies
@@ -39,54 +40,45 @@ bool TwoBodyTest::answers(Question /*question*/) const noexcept {
     return false;
 }
 
-bool TwoBodyTest::intersects_again(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory,
-                                   PairWitness& /*witness*/) const {
-    return intersects(a, b, memory);
-}
-
-Relation TwoBodyTest::relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& /*memory*/) const {
+Relation TwoBodyTest::relation(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& /*ask*/) const {
     throw NotSupported(Question::relation, a.what->kind(), b.what->kind());
 }
 
 std::vector<TrianglePair> TwoBodyTest::intersecting_triangles(const Posed<Shape>& a, const Posed<Shape>& b,
-                                                              QueryMemory& /*memory*/) const {
+                                                              const Ask& /*ask*/) const {
     throw NotSupported(Question::intersecting_triangles, a.what->kind(), b.what->kind());
 }
 
-double TwoBodyTest::distance(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& /*memory*/) const {
+double TwoBodyTest::distance(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& /*ask*/) const {
     throw NotSupported(Question::distance, a.what->kind(), b.what->kind());
 }
 
-bool TwoBodyTest::within(const Posed<Shape>& a, const Posed<Shape>& b, double /*d*/, QueryMemory& /*memory*/) const {
+bool TwoBodyTest::within(const Posed<Shape>& a, const Posed<Shape>& b, double /*max_distance*/,
+                         const Ask& /*ask*/) const {
     throw NotSupported(Question::within, a.what->kind(), b.what->kind());
 }
 
-bool TwoBodyTest::within_again(const Posed<Shape>& a, const Posed<Shape>& b, double d, QueryMemory& memory,
-                               PairWitness& /*witness*/) const {
-    return within(a, b, d, memory);
-}
-
-ClosestPoints TwoBodyTest::closest(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& /*memory*/) const {
+ClosestPoints TwoBodyTest::closest(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& /*ask*/) const {
     throw NotSupported(Question::closest, a.what->kind(), b.what->kind());
 }
 
 std::vector<TriangleIntersection> TwoBodyTest::intersections(const Posed<Shape>& a, const Posed<Shape>& b,
-                                                             QueryMemory& /*memory*/) const {
+                                                             const Ask& /*ask*/) const {
     throw NotSupported(Question::intersections, a.what->kind(), b.what->kind());
 }
 
-std::vector<CloseFeatures> TwoBodyTest::close_features(const Posed<Shape>& a, const Posed<Shape>& b, double /*d*/,
-                                                       QueryMemory& /*memory*/) const {
+std::vector<CloseFeatures> TwoBodyTest::close_features(const Posed<Shape>& a, const Posed<Shape>& b,
+                                                       double /*max_distance*/, const Ask& /*ask*/) const {
     throw NotSupported(Question::close_features, a.what->kind(), b.what->kind());
 }
 
 std::optional<FirstContact> TwoBodyTest::cast(const Posed<Shape>& a, const Vec3& /*motion*/, const Posed<Shape>& b,
-                                              double /*time_max*/, QueryMemory& /*memory*/) const {
+                                              double /*max_time*/, const Ask& /*ask*/) const {
     throw NotSupported(Question::cast, a.what->kind(), b.what->kind());
 }
 
 std::optional<FirstContact> TwoBodyTest::cast_moving(const Moving<Shape>& a, const Moving<Shape>& b,
-                                                     double /*time_max*/, QueryMemory& /*memory*/) const {
+                                                     double /*max_time*/, const Ask& /*ask*/) const {
     throw NotSupported(Question::cast_moving, a.what->kind(), b.what->kind());
 }
 

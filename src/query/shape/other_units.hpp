@@ -10,8 +10,7 @@
 
 #include <array>
 
-#include "ecods/motion.hpp"
-#include "ecods/posed.hpp"
+#include "ecods/pose.hpp"
 #include "ecods/shape.hpp"
 
 namespace ecods {

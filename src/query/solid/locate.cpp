@@ -1,30 +1,19 @@
 #include <array>
 #include <cmath>
-#include <memory>
-#include <vector>
 
-#include "ecods/error.hpp"
+#include "base/make_error.hpp"
 #include "ecods/solid.hpp"
 #include "exact/sign/frame_signs.hpp"
 #include "exact/simplex/common_pose.hpp"
 #include "geometry/find_invalid.hpp"
+#include "query/intersection/asking.hpp"
+#include "query/shape/mesh_body.hpp"
 #include "query/solid/ray_query.hpp"
 #include "query/solid/solid_memory.hpp"
 #include "query/solid/solid_parts.hpp"
 
 namespace ecods {
 namespace {
-
-// A mesh of one vertex at the origin: under a translation it is a point that stands for a body.
-struct PointMesh {
-    std::shared_ptr<const Mesh> mesh = Mesh::create({Vec3(0, 0, 0)}, {Triangle{0, 0, 0}});
-    exact::MeshExtent extent = exact::measure(*mesh);
-
-    static const PointMesh& get() {
-        static const PointMesh mesh;
-        return mesh;
-    }
-};
 
 // True if on some axis no point of the body can have the point's coordinate: |point - t| exceeds the sum of |R_k| m_k,
 // where m is the greatest magnitude of the mesh's coordinates by axis. Rounding, with u' = 2^-52: the difference is off
@@ -46,23 +35,22 @@ bool is_far(const Vec3& point, const exact::MeshExtent& extent, const Pose& pose
 
 void require_valid(const Vec3& point) {
     for (int axis = 0; axis < 3; ++axis) {
-        if (!is_finite(point[axis])) throw InvalidPoint(axis, point[axis]);
+        if (!is_finite(point[axis])) throw invalid_point(axis, point[axis]);
     }
 }
 
-Location locate(const Vec3& point, const Posed<Solid>& solid, QueryMemory& memory) {
+Location locate(const Vec3& point, const Posed<Solid>& solid, const Ask& ask) {
     require_valid(point);
+    Asking asking(ask);
+    QueryMemory& memory = asking.memory();
     auto& state = QueryMemoryAccess::state(memory);
     ++state.counts.queries;
-    const MeshShape& shape = *solid.what;
-    const MeshTree& tree = MeshShapeAccess::tree(shape);
-    if (is_far(point, tree.extent, solid.pose)) return {};
+    const MeshBody body(*solid.what, solid.pose);
+    if (is_far(point, body.tree.extent, solid.pose)) return {};
     SolidMemory& own = SolidMemory::of(memory);
     const Pose at{Mat3::Identity(), point};
-    const std::array<exact::BodyRef, 2> bodies{exact::BodyRef{&shape.mesh(), &tree.extent, &solid.pose},
-                                               {PointMesh::get().mesh.get(), &PointMesh::get().extent, &at}};
-    own.frame.bind(bodies);
-    RayQuery rays(own.frame, 0, tree, own.stack, state.counts);
+    own.frame.bind(std::array{body.ref(), MeshBody(point_shape(), at).ref()});
+    RayQuery rays(own.frame, 0, body.tree, own.stack, state.counts);
     const bool is_regular = exact::is_regular(solid.pose.R);
     const RayQuery::Place place = is_regular ? rays.place_of({1, 0}) : rays.flat_place_of({1, 0});
     if (place.on) return {Side::on, *place.on};

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "base/double_key.hpp"
-#include "ecods/error.hpp"
+#include "base/make_error.hpp"
 #include "ecods/predicates.hpp"
 
 namespace ecods {
@@ -58,7 +58,7 @@ MeshEdges::MeshEdges(const ProperMesh& proper) {
     const auto triangles = proper.mesh->triangles();
     const std::size_t vertex_count = proper.mesh->vertices().size();
     if (triangles.size() > std::numeric_limits<std::uint32_t>::max() / 3) {
-        throw MeshTooLarge(vertex_count, triangles.size());
+        throw mesh_too_large(vertex_count, triangles.size());
     }
     const auto for_sides = [&](auto&& visit) {
         for (std::uint32_t i = 0; i < triangles.size(); ++i) {
@@ -120,11 +120,11 @@ void check_closed(const Mesh& given, const ProperMesh& proper, const MeshEdges& 
     const SideRef side = least->side;
     const auto corners = corners_from(given.triangles(), side);
     const std::array<std::size_t, 2> ends{corners[0], corners[1]};
-    const auto coordinates = [&](std::size_t vertex) -> NotClosed::Coordinates {
+    const auto coordinates = [&](std::size_t vertex) -> NotSolid::Coordinates {
         const Vec3& v = given.vertices()[vertex];
         return {v[0], v[1], v[2]};
     };
-    throw NotClosed(side.triangle, static_cast<int>(side.corner), ends, {coordinates(ends[0]), coordinates(ends[1])});
+    throw open_edge({side.triangle, static_cast<int>(side.corner), ends}, {coordinates(ends[0]), coordinates(ends[1])});
 }
 
 }  // namespace ecods

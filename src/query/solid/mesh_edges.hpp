@@ -28,7 +28,7 @@ class MeshEdges {
   public:
     MeshEdges() = default;
 
-    // Throws MeshTooLarge if 32 bits cannot count the sides. Cost: some passes over the triangles.
+    // Throws InvalidMesh where sides could not be counted in 32 bits. Cost: some passes over the triangles.
     explicit MeshEdges(const ProperMesh& proper);
 
     std::size_t count() const noexcept { return first_.empty() ? 0 : first_.size() - 1; }
@@ -47,9 +47,9 @@ class MeshEdges {
     std::vector<SideRef> sides_;
 };
 
-// Throws NotClosed, with the indices of `given`, unless the triangles with area are closed. Edges of an even number of
-// sides cancel. The other edges are closed exactly if on every line each point is the end of an even number of them: on
-// a line, the sum modulo 2 of finitely many segments is empty if it has no end.
+// Throws NotSolid, with the indices of `given`, unless the triangles with area are closed. Edges that an even number
+// of sides are cancel. The others are closed exactly when every point is, on every line through it, the end of an even
+// number of them: on a line, a union of finitely many segments modulo two without ends is empty.
 void check_closed(const Mesh& given, const ProperMesh& proper, const MeshEdges& edges);
 
 }  // namespace ecods

@@ -2,6 +2,7 @@
 
 #include "exact/sign/frame_signs.hpp"
 #include "exact/simplex/triangle_filter.hpp"
+#include "query/intersection/triangle_relations.hpp"
 
 namespace ecods {
 
@@ -11,32 +12,29 @@ PairContacts::PairContacts(Frame& frame, StageCounts& counts)
     : frame_(frame), counts_(counts), bound_(orient3d_bound(frame)) {}
 
 TriangleContact PairContacts::contact(const Triangle& a, const Triangle& b) {
-    constexpr TriangleContact crossing{ContactKind::segment, TriangleContact::face, TriangleContact::face};
+    const auto certain = [](FilterAnswer answer) -> TriangleContact {
+        if (answer == FilterAnswer::disjoint) return {};
+        return {ContactKind::segment, TriangleContact::face, TriangleContact::face};
+    };
+    const auto doubles_are_exact = [&] { return frame_.arithmetic() >= Arithmetic::differences; };
     ++counts_.triangle_tests;
-    if (frame_.arithmetic() >= Arithmetic::differences) {
-        ++counts_.local_passes;
-        return decide(a, b);
+    if (!doubles_are_exact()) {
+        const Points<6> points = frame_.rounded(corners_of(a, b));
+        FilterTrace trace;
+        FilterAnswer answer = filter(points, bound_, trace);
+        if (answer != FilterAnswer::unknown) {
+            ++counts_.filter_passes;
+            return certain(answer);
+        }
+        frame_.find_arithmetic();
+        if (!doubles_are_exact()) {
+            answer = filter_again(points, determinant_bounds(points, frame_.delta()).orient3d, trace);
+            const bool is_open = answer == FilterAnswer::unknown;
+            ++(is_open ? integer_stage(counts_, frame_.arithmetic()) : counts_.semi_static_passes);
+            return is_open ? decide(a, b) : certain(answer);
+        }
     }
-    const Points<6> points = frame_.rounded(corners_of(a, b));
-    FilterTrace trace;
-    FilterAnswer answer = filter(points, bound_, trace);
-    if (answer != FilterAnswer::unknown) {
-        ++counts_.filter_passes;
-        return answer == FilterAnswer::crossing ? crossing : TriangleContact{};
-    }
-    frame_.find_arithmetic();
-    if (frame_.arithmetic() >= Arithmetic::differences) {
-        ++counts_.local_passes;
-        return decide(a, b);
-    }
-    answer = filter_again(points, determinant_bounds(points, frame_.delta()).orient3d, trace);
-    if (answer != FilterAnswer::unknown) {
-        ++counts_.semi_static_passes;
-        return answer == FilterAnswer::crossing ? crossing : TriangleContact{};
-    }
-    ++(frame_.arithmetic() == Arithmetic::one_limb    ? counts_.one_limb
-       : frame_.arithmetic() == Arithmetic::two_limbs ? counts_.two_limbs
-                                                      : counts_.many_limbs);
+    ++counts_.local_passes;
     return decide(a, b);
 }
 

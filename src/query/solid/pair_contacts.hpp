@@ -24,9 +24,4 @@ class PairContacts {
     double bound_;  // bounds the error of every orient3d of points of both bodies
 };
 
-// The corners of both triangles, of the first body's triangle first.
-constexpr std::array<exact::VertexRef, 6> corners_of(const Triangle& a, const Triangle& b) noexcept {
-    return {exact::VertexRef{0, a[0]}, {0, a[1]}, {0, a[2]}, {1, b[0]}, {1, b[1]}, {1, b[2]}};
-}
-
 }  // namespace ecods

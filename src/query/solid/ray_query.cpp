@@ -11,10 +11,6 @@ namespace ecods {
 
 using namespace exact;
 
-bool is_before(const Feature& a, const Feature& b) noexcept {
-    return std::tie(a.kind, a.triangle, a.corner) < std::tie(b.kind, b.triangle, b.corner);
-}
-
 RayQuery::RayQuery(Frame& frame, std::size_t body, const MeshTree& tree, std::vector<TreeRef>& stack,
                    QueryCounts& counts)
     : frame_(frame),
@@ -154,7 +150,8 @@ void note(const PointFeature& feature, std::uint32_t triangle, RayQuery::Place& 
                         : feature.kind == Kind::edge ? Feature::Kind::edge
                                                      : Feature::Kind::face,
                         triangle, static_cast<std::uint32_t>(feature.corner)};
-    if (!place.on || is_before(found, *place.on)) place.on = found;
+    const auto order = [](const Feature& f) { return std::tuple(f.kind, f.triangle, f.corner); };
+    if (!place.on || order(found) < order(*place.on)) place.on = found;
 }
 
 }  // namespace

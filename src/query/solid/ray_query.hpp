@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bvh/masks/ray_mask.hpp"
-#include "ecods/closest_points.hpp"
 #include "ecods/intersection.hpp"
+#include "ecods/results.hpp"
 #include "ecods/solid.hpp"
 #include "exact/point/frame.hpp"
 #include "exact/sign/filter_bound.hpp"
@@ -25,9 +25,6 @@ constexpr std::array<exact::VertexRef, 3 + sizeof...(Others)> corners_and(std::s
                                                                           const Others&... others) noexcept {
     return {exact::VertexRef{body, triangle[0]}, {body, triangle[1]}, {body, triangle[2]}, others...};
 }
-
-// True if feature a comes before b: by kind, then by triangle, then by corner.
-bool is_before(const Feature& a, const Feature& b) noexcept;
 
 // Casts rays against one body of a frame. The body's pose is regular, except for flat_place_of.
 class RayQuery {

@@ -21,25 +21,6 @@ using namespace exact;
 
 const Pose identity;
 
-// The axis of the normal's largest component; sets `component` to that component.
-int largest_axis(const PlainNormal& normal, double& component) noexcept {
-    int axis = 0;
-    for (int k = 1; k < 3; ++k) {
-        if (std::abs(normal[static_cast<std::size_t>(k)]) > std::abs(normal[static_cast<std::size_t>(axis)])) axis = k;
-    }
-    component = normal[static_cast<std::size_t>(axis)];
-    return axis;
-}
-
-// True if, projected along an axis, the line of va certainly separates triangle v, a, b from the vertices `others`.
-// `others` are the corners of another triangle without v, if v is one of them; the two triangles then share at most v.
-// `turn` is the sign of orient2d(v, a, b).
-bool is_separated(const Points<6>& w, std::size_t v, std::size_t a, int turn, std::span<const std::size_t> others,
-                  int axis, double bound) noexcept {
-    return std::ranges::all_of(
-        others, [&](std::size_t p) { return certain_sign(plain_orient2d(w[v], w[a], w[p], axis), bound) == -turn; });
-}
-
 bool is_one_edge(const Triangle& a, std::size_t i, const Triangle& b, std::size_t j) noexcept {
     const std::uint32_t p = a[i], q = a[(i + 1) % 3], r = b[j], s = b[(j + 1) % 3];
     return (p == r && q == s) || (p == s && q == r);
@@ -121,55 +102,33 @@ class SelfContacts {
         return pair;
     }
 
-    // True if two triangles with a common edge are certainly on different sides of it, projected along an axis: then
-    // they share only the edge. The axis is that of the largest component of the first normal, along which most pairs
-    // are separated, coplanar or not.
-    bool is_flat_across_edge(const Pair& pair) const {
-        const std::size_t i = pair.shared[0] < 0 ? 0 : pair.shared[1] < 0 ? 1 : 2, j = pair.own_corner_of_b();
-        const auto& w = pair.points;
-        const std::size_t p = (i + 1) % 3, q = (i + 2) % 3;
-        double component;
-        const int axis = largest_axis(plain_normal(w[p], w[q], w[i]), component);
-        const double bound = bounds_.orient2d[static_cast<std::size_t>(axis)];
-        const int side = certain_sign(component, bound);
-        return side != 0 && certain_sign(plain_orient2d(w[p], w[q], w[3 + j], axis), bound) == -side;
-    }
-
-    // True if two triangles without a common corner are certainly separated by a side of either, projected along an
-    // axis: then they share nothing.
+    // Returns true if a side of one triangle separates the shadows of both along the axis on which the normal of the
+    // first is largest: they then share at most the corners that lie on this side. Only sides that hold all common
+    // corners are tried; with two common corners, that is one side.
     bool is_flat_apart(const Pair& pair) const {
         const auto& w = pair.points;
-        double component;
-        const int axis = largest_axis(plain_normal(w[0], w[1], w[2]), component);
-        const double bound = bounds_.orient2d[static_cast<std::size_t>(axis)];
+        const PlainNormal normal = plain_normal(w[0], w[1], w[2]);
+        const std::array<double, 3> size{std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])};
+        const auto axis = static_cast<std::size_t>(std::ranges::max_element(size) - size.begin());
+        const auto turn = [&](std::size_t p, std::size_t q, std::size_t r) {
+            return certain_sign(plain_orient2d(w[p], w[q], w[r], static_cast<int>(axis)), bounds_.orient2d[axis]);
+        };
         for (const std::size_t own : {0u, 3u}) {
-            const std::size_t other = 3 - own;
-            const int turn = certain_sign(plain_orient2d(w[own], w[own + 1], w[own + 2], axis), bound);
-            for (std::size_t side = 0; turn != 0 && side < 3; ++side) {
-                const std::array corners{other, other + 1, other + 2};
-                if (is_separated(w, own + side, own + (side + 1) % 3, turn, corners, axis, bound)) return true;
+            const Triangle &corners = own == 0 ? pair.a : pair.b, &others = own == 0 ? pair.b : pair.a;
+            const int own_turn =
+                own == 0 ? certain_sign(normal[axis], bounds_.orient2d[axis]) : turn(own, own + 1, own + 2);
+            for (std::size_t side = 0; own_turn != 0 && side < 3; ++side) {
+                const std::size_t p = side, q = (side + 1) % 3;
+                const auto is_end = [&](std::uint32_t vertex) { return vertex == corners[p] || vertex == corners[q]; };
+                if (std::ranges::count_if(others, is_end) != pair.shared_count) continue;
+                bool are_beyond = true;
+                for (std::size_t k = 0; are_beyond && k < 3; ++k)
+                    are_beyond = is_end(others[k]) || turn(own + p, own + q, 3 - own + k) == -own_turn;
+                if (are_beyond) return true;
+                if (pair.shared_count == 2) return false;
             }
         }
         return false;
-    }
-
-    // True if two triangles with one common corner are certainly separated by a side that begins there, projected along
-    // an axis: then they share only the corner.
-    bool is_flat_across_vertex(const Pair& pair) const {
-        const auto [i, j] = pair.common_corner();
-        const auto& w = pair.points;
-        const std::array<std::size_t, 2> a{(i + 1) % 3, (i + 2) % 3}, b{3 + (j + 1) % 3, 3 + (j + 2) % 3};
-        double component;
-        const int axis = largest_axis(plain_normal(w[i], w[a[0]], w[a[1]]), component);
-        const double bound = bounds_.orient2d[static_cast<std::size_t>(axis)];
-        const int turn_a = certain_sign(component, bound);
-        if (turn_a != 0 &&
-            (is_separated(w, i, a[0], turn_a, b, axis, bound) || is_separated(w, i, a[1], -turn_a, b, axis, bound))) {
-            return true;
-        }
-        const int turn_b = certain_sign(plain_orient2d(w[i], w[b[0]], w[b[1]], axis), bound);
-        return turn_b != 0 &&
-               (is_separated(w, i, b[0], turn_b, a, axis, bound) || is_separated(w, i, b[1], -turn_b, a, axis, bound));
     }
 
     // Two triangles with a common edge share more than the edge only if they are coplanar.
@@ -222,9 +181,7 @@ class SelfContacts {
     }
 
     Contact decide(const Pair& pair) {
-        const std::array<VertexRef, 6> corners{VertexRef{0, pair.a[0]}, {0, pair.a[1]}, {0, pair.a[2]},
-                                               VertexRef{0, pair.b[0]}, {0, pair.b[1]}, {0, pair.b[2]}};
-        return with_signs(frame_, corners, [&](auto& signs) {
+        return with_signs(frame_, corners_of(pair.a, pair.b, 0), [&](auto& signs) {
             Contact result;
             const TriangleContact contact = triangle_contact(signs);
             if (contact.kind == ContactKind::segment) {
@@ -257,9 +214,7 @@ class SelfContacts {
 
     Contact contact(std::uint32_t i, std::uint32_t j) {
         const Pair pair = pair_of(i, j);
-        if (pair.shared_count == 0 && is_flat_apart(pair)) return {};
-        if (pair.shared_count == 2 && is_flat_across_edge(pair)) return {};
-        if (pair.shared_count == 1 && is_flat_across_vertex(pair)) return {};
+        if (pair.shared_count < 3 && is_flat_apart(pair)) return {};
         Answer answer = filter(pair, bounds_.orient3d);
         if (answer == Answer::open && frame_.arithmetic() < Arithmetic::differences) {
             answer = filter(pair, determinant_bounds(pair.points, own_delta).orient3d);

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "ecods/error.hpp"
+#include "base/make_error.hpp"
 #include "query/solid/self_contacts.hpp"
 #include "query/solid/solid_parts.hpp"
 #include "query/solid/split_edges.hpp"
@@ -34,7 +34,7 @@ Checked check(const MeshShape& shape) {
     result.star_faces_in = prove_star(result.proper, result.edges);
     if (!result.star_faces_in.empty()) return result;
     const auto least = least_self_contact(result.proper, MeshShapeAccess::tree(shape), result.overlaps);
-    if (least) throw SelfIntersecting(*least);
+    if (least) throw self_intersection(*least);
     return result;
 }
 

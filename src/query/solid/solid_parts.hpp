@@ -36,6 +36,6 @@ struct SolidAccess {
     static const Shells& shells(const Solid& solid);  // made on first use
 };
 
-void require_valid(const Vec3& point);  // throws InvalidPoint
+void require_valid(const Vec3& point);  // throws InvalidArgument
 
 }  // namespace ecods

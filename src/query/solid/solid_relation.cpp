@@ -35,9 +35,9 @@ class SolidSearch {
     SolidSearch(const SolidSearch&) = delete;
     SolidSearch& operator=(const SolidSearch&) = delete;
 
-    SolidRelation find() {
+    Relation find() {
         ++state_.counts.queries;
-        if (are_boxes_apart(bodies_[0].at, bodies_[1].at, state_)) return SolidRelation::apart;
+        if (are_boxes_apart(bodies_[0].at, bodies_[1].at, state_)) return Relation::apart;
         bind(memory_.frame, bodies_[0].at, bodies_[1].at);
         memory_.fans.clear();
         for (std::size_t k = 0; k < 2; ++k) {
@@ -192,12 +192,12 @@ class SolidSearch {
         }
     }
 
-    SolidRelation relation() const noexcept {
-        if ((regions_ & in_both) == 0) return touch_ ? SolidRelation::touching : SolidRelation::apart;
+    Relation relation() const noexcept {
+        if ((regions_ & in_both) == 0) return touch_ ? Relation::touching : Relation::apart;
         if ((regions_ & in_a_only) == 0) {
-            return (regions_ & in_b_only) == 0 ? SolidRelation::equal : SolidRelation::inside;
+            return (regions_ & in_b_only) == 0 ? Relation::equal : Relation::inside;
         }
-        return (regions_ & in_b_only) == 0 ? SolidRelation::contains : SolidRelation::overlapping;
+        return (regions_ & in_b_only) == 0 ? Relation::contains : Relation::overlapping;
     }
 
     QueryMemoryAccess::State& state_;
@@ -223,18 +223,20 @@ bool has_shell_inside(const Solid& solid, const SurfaceAt& a, const SurfaceAt& b
 // Relates two solids of which one pose at least is singular. The image of a solid under a singular matrix is the image
 // of its surface: on a line that is mapped to one point, an inner point is between two points of the surface. So the
 // image has no inner point.
-SolidRelation flat_relation(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) {
+Relation flat_relation(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) {
     ++QueryMemoryAccess::state(memory).counts.queries;
     const SurfaceAt surface_a(a), surface_b(b);
     const bool is_touching = surfaces_meet(surface_a, surface_b, memory) ||
                              (is_regular(b.pose.R) && has_shell_inside(*a.what, surface_a, surface_b, memory)) ||
                              (is_regular(a.pose.R) && has_shell_inside(*b.what, surface_b, surface_a, memory));
-    return is_touching ? SolidRelation::touching : SolidRelation::apart;
+    return is_touching ? Relation::touching : Relation::apart;
 }
 
 }  // namespace
 
-SolidRelation solid_relation(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) {
+Relation solid_relation(const Posed<Solid>& a, const Posed<Solid>& b, const Ask& ask) {
+    Asking asking(ask);
+    QueryMemory& memory = asking.memory();
     if (is_regular(a.pose.R) && is_regular(b.pose.R)) return SolidSearch(a, b, memory).find();
     return flat_relation(a, b, memory);
 }

@@ -37,7 +37,7 @@ class SurfaceSearch {
     SurfaceSearch(const SurfaceSearch&) = delete;
     SurfaceSearch& operator=(const SurfaceSearch&) = delete;
 
-    SurfaceRelation find() {
+    Relation find() {
         memory_.fans.clear();
         memory_.contacts.assign(surface_.body.mesh->triangles().size(), none);
         walk_two(surface_.tree.boxes, boundary_.tree.boxes, state_.stack,
@@ -46,9 +46,9 @@ class SurfaceSearch {
                      return !is_decided();
                  });
         if (!is_decided()) place_triangles();
-        if (is_decided()) return SurfaceRelation::partly_inside;
-        if (has_inner_) return SurfaceRelation::inside;
-        return touch_ ? SurfaceRelation::touching : SurfaceRelation::apart;
+        if (is_decided()) return Relation::crossing;
+        if (has_inner_) return Relation::inside;
+        return touch_ ? Relation::touching : Relation::apart;
     }
 
   private:
@@ -93,7 +93,7 @@ class SurfaceSearch {
         const Shared shared = with_signs(memory_.frame, corners_of(triangle(i), boundary_triangle(j)), [](auto& signs) {
             const int axis = signs.normal_axis(3);
             if (signs.normal_axis(0) < 0) return Shared::no_area;
-            if (coplanar_pair(signs, axis) == Relation::disjoint) return Shared::nothing;
+            if (coplanar_pair(signs, axis) == Relation::apart) return Shared::nothing;
             return coplanar_faces_overlap(signs, axis) ? Shared::face : Shared::points;
         });
         if (shared == Shared::no_area) return take_flat(i, j);
@@ -225,15 +225,17 @@ class SurfaceSearch {
 
 }  // namespace
 
-SurfaceRelation surface_relation(const Posed<MeshShape>& surface, const Posed<Solid>& solid, QueryMemory& memory) {
+Relation surface_relation(const Posed<MeshShape>& surface, const Posed<Solid>& solid, const Ask& ask) {
+    Asking asking(ask);
+    QueryMemory& memory = asking.memory();
     auto& state = QueryMemoryAccess::state(memory);
     ++state.counts.queries;
     const SurfaceAt of(surface), boundary(solid);
     if (!is_regular(solid.pose.R)) {
         // The posed solid is the image of its surface, and has no inner point.
-        return surfaces_meet(of, boundary, memory) ? SurfaceRelation::touching : SurfaceRelation::apart;
+        return surfaces_meet(of, boundary, memory) ? Relation::touching : Relation::apart;
     }
-    if (are_boxes_apart(of, boundary, state)) return SurfaceRelation::apart;
+    if (are_boxes_apart(of, boundary, state)) return Relation::apart;
     return SurfaceSearch(of, *solid.what, boundary, memory).find();
 }
 

@@ -5,14 +5,13 @@
 #include "bvh/walks/walk_two.hpp"
 #include "exact/simplex/common_pose.hpp"
 #include "query/intersection/overlap_bound.hpp"
+#include "query/shape/mesh_body.hpp"
 #include "query/solid/solid_parts.hpp"
 
 namespace ecods {
 
 SurfaceAt::SurfaceAt(const Posed<MeshShape>& posed)
-    : body{&posed.what->mesh(), nullptr, &posed.pose}, tree(MeshShapeAccess::tree(*posed.what)), proper(nullptr) {
-    body.extent = &tree.extent;
-}
+    : body(MeshBody(posed).ref()), tree(MeshBody(posed).tree), proper(nullptr) {}
 
 SurfaceAt::SurfaceAt(const Posed<Solid>& posed)
     : body{SolidAccess::parts(*posed.what).proper.mesh.get(), nullptr, &posed.pose},
@@ -41,7 +40,7 @@ bool surfaces_meet(const SurfaceAt& a, const SurfaceAt& b, QueryMemory& memory) 
     bool meet = false;
     walk_two(a.tree.boxes, b.tree.boxes, state.stack, OverlapBound(state.axes.sets(), state.counts),
              [&](std::uint32_t i, std::uint32_t j) {
-                 meet = a.has(i) && b.has(j) && state.pair.relation(i, j) != Relation::disjoint;
+                 meet = a.has(i) && b.has(j) && state.pair.relation(i, j) != Relation::apart;
                  return !meet;
              });
     state.counts.stages += state.pair.counts();

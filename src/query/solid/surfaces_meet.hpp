@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ecods/intersection.hpp"
-#include "ecods/posed.hpp"
+#include "ecods/pose.hpp"
 #include "ecods/solid.hpp"
 #include "exact/point/frame.hpp"
 #include "query/intersection/query_memory.hpp"

@@ -11,7 +11,7 @@ int main() {
     for (const double x : {5.0, 1.0, 0.5}) {
         world.set_pose(b, {.R = ecods::Mat3::Identity(), .t = {x, 0, 0}});
         world.update();
-        std::cout << "at " << x << ": " << world.relation(a, b) << ", " << world.distance(a, b) << " apart, "
+        std::cout << "at " << x << ": " << world.relation(a, b) << ", distance " << world.distance(a, b) << ", "
                   << world.began().size() << " began\n";
     }
 }

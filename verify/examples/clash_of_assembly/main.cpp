@@ -58,7 +58,7 @@ int main(int argc, char** argv) try {
     fmt::print("Solids that are not apart:\n");
     std::set<BodyId> clashing;
     for (const SolidPair& pair : world.solid_pairs()) {
-        if (pair.relation == SolidRelation::touching) continue;
+        if (pair.relation == Relation::touching) continue;
         fmt::print("  {} {} {}\n", names[pair.bodies.a], fmt::streamed(pair.relation), names[pair.bodies.b]);
         clashing.insert({pair.bodies.a, pair.bodies.b});
     }

@@ -4,18 +4,18 @@
 #include <memory>
 
 #include "ecods/distance.hpp"
+#include "ecods/intersection.hpp"
 #include "ecods/world.hpp"
 #include "scenes/shapes.hpp"
 
 int main() {
     const auto mesh = ecods::scenes::torus(32, 16, 0.3);
     const ecods::MeshShape torus(mesh);
-    ecods::QueryMemory memory;
     for (const double x : {3.0, 2.0, 1.0}) {
         const ecods::Posed<ecods::MeshShape> still(torus, {}), moved(torus, {.t = {x, 0.1, 0.2}});
-        const std::size_t count = intersecting_triangles(still, moved, memory).size();
+        const std::size_t count = intersecting_triangles(still, moved).size();
         fmt::print("{}: {}, {} pairs of triangles, distance {:.9f}\n", x, count > 0 ? "collide" : "apart", count,
-                   distance(still, moved, memory));
+                   distance(still, moved));
     }
 
     ecods::World world;

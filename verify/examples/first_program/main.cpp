@@ -28,32 +28,30 @@ ecods::ConvexSolid box(const Vec3& least, const Vec3& greatest) {
 int main() {
     const ecods::ConvexSolid block = box({0, 0, 0}, {1, 1, 1});
     const ecods::ConvexSolid slab = box({-2, -2, -1}, {3, 3, 0});
-    ecods::QueryMemory memory;  // what queries work in: one a thread
     for (const double height : {0.1, 0.0, -0.3}) {
         // A body is a shape at a pose: the real points R v + t.
         const ecods::Posed<ecods::ConvexSolid> a(block, {.t = {0, 0, height}}), b(slab, {});
         fmt::print("The block is at {}.\n", height);
-        fmt::print("  surfaces: {}, distance {}\n", fmt::streamed(relation(a, b, memory)), distance(a, b, memory));
-        fmt::print("  solids: {}\n", fmt::streamed(solid_relation(a, b, memory)));
-        if (const auto points = solid_closest(a, b, memory)) {
+        fmt::print("  surfaces: {}, distance {}\n", fmt::streamed(relation(a, b)), distance(a, b));
+        fmt::print("  solids: {}\n", fmt::streamed(solid_relation(a, b)));
+        if (const auto points = solid_closest(a, b)) {
             fmt::print("  closest: {}, {} and {}\n", fmt::streamed(points->kind), text(points->point_a),
                        text(points->point_b));
-        } else {
-            const ecods::Depth out = depth(a, b, memory);
-            fmt::print("  depth {}: the slab would move out along {}\n", out.depth, text(out.direction));
         }
-        fmt::print("  pairs of triangles that share a point: {}\n", intersections(a, b, memory).size());
+        if (const auto out = depth(a, b))
+            fmt::print("  depth {}: the slab would move out along {}\n", out->depth, text(out->direction));
+        fmt::print("  pairs of triangles that share a point: {}\n", intersections(a, b).size());
         const Vec3 down(0, 0, -1);
-        if (const auto contact = cast(a, down, b, memory))
+        if (const auto contact = cast(a, down, b))
             fmt::print("  falling, it meets the slab at time {}\n", contact->time);
-        if (const auto hit = first_hit(ecods::Ray{.origin = {0.25, 0.5, 2}, .direction = down}, a, memory))
+        if (const auto hit = first_hit(ecods::Ray{.origin = {0.25, 0.5, 2}, .direction = down}, a))
             fmt::print("  a ray from above hits triangle {} at {}\n", hit->triangle(), text(hit->point));
     }
 
     // What is wrong is said by a typed error, and changes nothing.
     try {
         box({0, 0, 0}, {1, 1, 0});
-    } catch (const ecods::NoInterior& error) {
+    } catch (const ecods::NotSolid& error) {
         fmt::print("A flat box: {}\n", error.what());
     }
 }

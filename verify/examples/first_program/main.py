@@ -28,8 +28,7 @@ for height in (0.1, 0, -0.3):
     if points := ecods.solid_closest(a, b):
         kind = str(points.kind).replace("_", " and ")
         print(f"  closest: {kind}, {text(points.point_a)} and {text(points.point_b)}")
-    else:
-        out = ecods.depth(a, b)
+    if out := ecods.depth(a, b):
         print(f"  depth {number(out.depth)}: the slab would move out along {text(out.direction)}")
     print(f"  pairs of triangles that share a point: {len(ecods.intersections(a, b))}")
     if contact := ecods.cast(a, (0, 0, -1), b):
@@ -40,5 +39,5 @@ for height in (0.1, 0, -0.3):
 # What is wrong is said by a typed error, and changes nothing.
 try:
     box((0, 0, 0), (1, 1, 0))
-except ecods.NoInterior as error:
+except ecods.NotSolid as error:
     print(f"A flat box: {error}")

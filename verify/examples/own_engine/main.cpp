@@ -51,8 +51,7 @@ int main() {
         int yes = 0, false_negatives = 0, false_positives = 0;
         for (int i = 0; i < count; ++i) {
             const scenes::PosedPair pair = family.make(random);
-            const bool truth =
-                oracle::triangle_triangle(pair.pose_a, pair.a, pair.pose_b, pair.b) != Relation::disjoint;
+            const bool truth = oracle::triangle_triangle(pair.pose_a, pair.a, pair.pose_b, pair.b) != Relation::apart;
             const bool answer = my_engine_intersects(posed(pair.pose_a, pair.a), posed(pair.pose_b, pair.b));
             yes += truth;
             false_negatives += truth && !answer;

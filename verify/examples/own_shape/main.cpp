@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <memory>
+#include <tuple>
 
 #include "ecods/distance.hpp"
 #include "ecods/world.hpp"
@@ -50,17 +51,17 @@ double radius_of(const Posed<Shape>& ball) {
 // meshes, not the one that a TwoBodyTest may answer.
 class BallAndMesh final : public TwoBodyTest {
   public:
-    bool intersects(const Posed<Shape>& ball, const Posed<Shape>& mesh, QueryMemory& memory) const override {
+    bool intersects(const Posed<Shape>& ball, const Posed<Shape>& mesh, const Ask& ask) const override {
         const Posed<MeshShape> surface(static_cast<const MeshShape&>(*mesh.what), mesh.pose);
-        return ecods::within(center_of(ball), surface, radius_of(ball), memory);
+        return ecods::within(center_of(ball), surface, radius_of(ball), ask);
     }
 };
 
 // The sum of the radii is exact where they are multiples of one small fraction, as here.
 class BallAndBall final : public TwoBodyTest {
   public:
-    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
-        return ecods::within(center_of(a), center_of(b), radius_of(a) + radius_of(b), memory);
+    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
+        return ecods::within(center_of(a), center_of(b), radius_of(a) + radius_of(b), ask);
     }
 };
 
@@ -84,7 +85,7 @@ int main() {
     }
     // What a test does not answer is refused, and not taken for "no".
     try {
-        world.distance(cube, left);
+        std::ignore = world.distance(cube, left);
     } catch (const NotSupported& error) {
         fmt::print("{}\n", error.what());
     }

@@ -57,13 +57,12 @@ int main(int argc, char** argv) {
     fmt::print("A probe\n");
     const MeshShape surface(torus);
     const Posed<MeshShape> body(surface, poses[0]);
-    QueryMemory memory;
     PairWitness witness;
     Vec3 tip(0.25, -2, 0.125);
     const Vec3 step(0.015625, 0.03125, -0.00390625);  // a time step of a millisecond
     for (int i = 1; i <= 100; ++i) {
         const Vec3 next = tip + step;
-        if (const auto hit = first_hit(Segment{tip, next}, body, memory, witness)) {
+        if (const auto hit = first_hit(Segment{tip, next}, body, witness)) {
             const Triangle& corners = torus->triangles()[hit->triangle()];
             const auto corner = [&](std::size_t k) { return torus->vertices()[corners[k]]; };
             const Vec3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();

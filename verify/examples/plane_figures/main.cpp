@@ -15,7 +15,6 @@
 namespace {
 
 using namespace ecods::examples;
-using ecods::QueryMemory;
 using ecods::Vec2;
 using ecods::scenes::Outline;
 using ecods::scenes::PlaneFigure;
@@ -41,8 +40,7 @@ void begin(Picture& picture, const std::string& title, const Vec2& middle) {
 }
 
 bool collide(const PlacedFigure& a, const PlacedFigure& b) {
-    QueryMemory memory;
-    return intersects(a.flat(), b.flat(), memory);
+    return intersects(a.flat(), b.flat());
 }
 
 void show_intersection(Picture& picture, const PlacedFigure& a, const PlacedFigure& b) {
@@ -69,7 +67,7 @@ void show_convex(Picture& picture) {
     picture.add_figure(a, blue);
     picture.add_figure(b, green);
     show_intersection(picture, a, b);
-    const PlaneDepth depth = convex_depth(a, b);
+    const PlaneDepth depth = convex_depth(a, b).value();
     const Vec2 way = depth.depth * depth.direction;
     say(picture, "depth {}, by the normal of {}:", depth.depth, depth.side);
     say(picture, "b moves along {}", text(depth.direction));
@@ -94,8 +92,7 @@ void show_hole(Picture& picture) {
     begin(picture, "A figure in another's hole: how far?", {0, 0});
     picture.add_figure(a, blue);
     picture.add_figure(b, green);
-    QueryMemory memory;
-    const ecods::ClosestPoints points = closest(a.flat(), b.flat(), memory);
+    const ecods::ClosestPoints points = closest(a.flat(), b.flat());
     say(picture, "they {}; distance {}", collide(a, b) ? "collide" : "do not collide", points.distance);
     const Vec2 on_a = points.point_a.head<2>(), on_b = points.point_b.head<2>();
     say(picture, "from {}", text(on_a));
@@ -128,7 +125,7 @@ void show_bounds(Picture& picture) {
     picture.add_figure(a, blue);
     picture.add_figure(b, green);
     show_intersection(picture, a, b);
-    const PlaneDepthBounds bounds = depth_bounds(a, b);
+    const PlaneDepthBounds bounds = depth_bounds(a, b).value();
     const Vec2 way = bounds.parted - b.pose.t.head<2>();
     say(picture, "depth from {:.3f} to {:.3f}: parted at {}", bounds.lower, bounds.upper, text(bounds.parted));
     picture.add_ghost(b, way, green);

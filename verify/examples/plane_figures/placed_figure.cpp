@@ -120,9 +120,8 @@ double PlacedFigure::diameter() const {
 }
 
 std::vector<std::vector<Vec2>> intersection(const PlacedFigure& a, const PlacedFigure& b) {
-    QueryMemory memory;
     std::vector<std::vector<Vec2>> pieces;
-    for (const TriangleIntersection& found : intersections(a.flat(), b.flat(), memory)) {
+    for (const TriangleIntersection& found : intersections(a.flat(), b.flat())) {
         if (found.shared.corner_count < 3) continue;
         pieces.emplace_back();
         for (const Vec3& corner : found.shared.corners()) pieces.back().push_back(in_plane(corner));
@@ -133,9 +132,8 @@ std::vector<std::vector<Vec2>> intersection(const PlacedFigure& a, const PlacedF
 std::vector<Vec2> crossings(const PlacedFigure& a, const PlacedFigure& b) {
     const double height = tall_enough(a, b);
     const Prism tall(a, 2 * height), low(b, height);
-    QueryMemory memory;
     std::vector<Vec2> points;
-    for (const auto& [triangles, shared] : intersections({tall.shape, a.pose}, {low.shape, b.pose}, memory)) {
+    for (const auto& [triangles, shared] : intersections({tall.shape, a.pose}, {low.shape, b.pose})) {
         const bool are_sides = side_of_prism(a.figure, tall.shape.mesh(), triangles.a) &&
                                side_of_prism(b.figure, low.shape.mesh(), triangles.b);
         // Upright sides share upright segments, one point of the plane.
@@ -152,9 +150,8 @@ std::vector<PlaneContact> contacts(const PlacedFigure& a, const PlacedFigure& b,
     // So a corner of b is inside the height of a side of a, and a corner of a crosses the upper ends of b's sides.
     const double height = tall_enough(a, b);
     const Prism tall(a, 3 * height), low(b, height);
-    QueryMemory memory;
     std::vector<PlaneContact> result;
-    for (const CloseFeatures& close : close_features({tall.shape, a.pose}, {low.shape, b.pose}, distance, memory)) {
+    for (const CloseFeatures& close : close_features({tall.shape, a.pose}, {low.shape, b.pose}, distance)) {
         if (!is_plane_contact(tall, low, close)) continue;
         PlaneContact contact;
         contact.gap = close.closest.distance;
@@ -167,26 +164,26 @@ std::vector<PlaneContact> contacts(const PlacedFigure& a, const PlacedFigure& b,
     return result;
 }
 
-PlaneDepth convex_depth(const PlacedFigure& a, const PlacedFigure& b) {
+std::optional<PlaneDepth> convex_depth(const PlacedFigure& a, const PlacedFigure& b) {
     const double height = tall_enough(a, b);
     const ConvexSolid solid_a(scenes::prism(a.figure, height)), solid_b(scenes::prism(b.figure, height));
-    QueryMemory memory;
-    const Depth found = depth({solid_a, a.pose}, {solid_b, b.pose}, memory);
+    const std::optional<Depth> found = depth({solid_a, a.pose}, {solid_b, b.pose});
+    if (!found) return std::nullopt;
     // Two upright edges have no product, and others give normals of sides or ways out of the plane, which are longer:
     // so a side of a or of b it is.
-    const bool is_of_a = found.a.kind == Feature::Kind::face;
+    const bool is_of_a = found->a.kind == Feature::Kind::face;
     const PlacedFigure& of = is_of_a ? a : b;
     const auto side = side_of_prism(of.figure, is_of_a ? solid_a.mesh() : solid_b.mesh(),
-                                    is_of_a ? found.a.triangle : found.b.triangle);
-    return {found.depth, in_plane(found.direction), side ? place_text("side", *side, of) : ""};
+                                    is_of_a ? found->a.triangle : found->b.triangle);
+    return PlaneDepth{found->depth, in_plane(found->direction), side ? place_text("side", *side, of) : ""};
 }
 
-PlaneDepthBounds depth_bounds(const PlacedFigure& a, const PlacedFigure& b) {
+std::optional<PlaneDepthBounds> depth_bounds(const PlacedFigure& a, const PlacedFigure& b) {
     const double height = tall_enough(a, b);
     const Solid solid_a(scenes::prism(a.figure, height)), solid_b(scenes::prism(b.figure, height));
-    QueryMemory memory;
-    const DepthBounds found = ecods::depth_bounds({solid_a, a.pose}, {solid_b, b.pose}, memory);
-    return {found.lower, found.upper, in_plane(found.parted)};
+    const std::optional<DepthBounds> found = ecods::depth_bounds({solid_a, a.pose}, {solid_b, b.pose});
+    if (!found) return std::nullopt;
+    return PlaneDepthBounds{found->lower, found->upper, in_plane(found->parted)};
 }
 
 }  // namespace ecods::examples

@@ -49,18 +49,19 @@ struct PlaneContact {
 std::vector<PlaneContact> contacts(const PlacedFigure& a, const PlacedFigure& b, double distance);
 
 // How deep convex figures are in each other: the shortest way out for b, and the side of which it is the normal.
+// Nothing where they share no point.
 struct PlaneDepth {
     double depth = 0;
     Vec2 direction = Vec2::Zero();
     std::string side;
 };
-PlaneDepth convex_depth(const PlacedFigure& a, const PlacedFigure& b);
+std::optional<PlaneDepth> convex_depth(const PlacedFigure& a, const PlacedFigure& b);
 
 // Proven bounds of the same for any figures, and where b is parted from a.
 struct PlaneDepthBounds {
     double lower = 0, upper = 0;
     Vec2 parted = Vec2::Zero();
 };
-PlaneDepthBounds depth_bounds(const PlacedFigure& a, const PlacedFigure& b);
+std::optional<PlaneDepthBounds> depth_bounds(const PlacedFigure& a, const PlacedFigure& b);
 
 }  // namespace ecods::examples

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "ecods/aabb.hpp"
 #include "ecods/broad_phase.hpp"
+#include "ecods/primitives.hpp"
 #include "process/parallel.hpp"
 
 namespace ecods::clash {

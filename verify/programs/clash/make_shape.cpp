@@ -3,19 +3,20 @@
 #include <algorithm>
 #include <utility>
 
-#include "ecods/convex_solid.hpp"
 #include "ecods/error.hpp"
 #include "ecods/predicates.hpp"
+#include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
 
 namespace ecods::clash {
 namespace {
 
+// Returns null where the mesh bounds a solid that is not convex, or an empty one; throws where it bounds none.
 std::shared_ptr<const MeshShape> make_convex(const std::shared_ptr<const Mesh>& mesh) {
     try {
         return std::make_shared<const ConvexSolid>(mesh);
-    } catch (const NotConvex&) {
-    } catch (const NoInterior&) {
+    } catch (const NotSolid& error) {
+        if (error.reason != NotSolid::Reason::dent && error.reason != NotSolid::Reason::no_interior) throw;
     }
     return nullptr;
 }
@@ -48,9 +49,7 @@ MadeShape make_shape(const std::shared_ptr<const Mesh>& mesh, bool may_be_convex
         auto solid = std::make_shared<const Solid>(mesh);
         require_area(*mesh, reason);
         if (reason.empty()) return {std::move(solid), ""};
-    } catch (const NotClosed& error) {
-        reason = error.what();
-    } catch (const SelfIntersecting& error) {
+    } catch (const NotSolid& error) {
         reason = error.what();
     }
     return {std::make_shared<const MeshShape>(mesh), reason};

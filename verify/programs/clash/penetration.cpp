@@ -5,9 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "ecods/convex_solid.hpp"
-#include "ecods/depth.hpp"
 #include "ecods/distance.hpp"
+#include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
 #include "programs/clash/place.hpp"
 #include "programs/clash/verdict.hpp"
@@ -24,7 +23,7 @@ const ConvexSolid* convex_of(const Part& part) {
 
 std::optional<Interval> convex_depth(const Part& a, const Part& b, QueryMemory& memory) {
     if (!are_convex(a, b)) return std::nullopt;
-    const double depth = ecods::depth({*convex_of(a), a.pose}, {*convex_of(b), b.pose}, memory).depth;
+    const double depth = ecods::depth({*convex_of(a), a.pose}, {*convex_of(b), b.pose}, memory).value().depth;
     return Interval{depth, depth};
 }
 
@@ -70,7 +69,7 @@ Interval depth_of(const Part& a, const Part& b, const Aabb& common, QueryMemory&
 
 Interval narrow_depth_of(const Part& a, const Part& b, QueryMemory& memory) {
     if (const auto depth = convex_depth(a, b, memory)) return *depth;
-    const DepthBounds bounds = depth_bounds(solid_of(a), solid_of(b), memory);
+    const DepthBounds bounds = depth_bounds(solid_of(a), solid_of(b), memory).value();
     return {bounds.lower, bounds.upper};
 }
 

@@ -1,8 +1,8 @@
 // How deep two parts are in each other: solids with inner points in common.
 #pragma once
 
-#include "ecods/aabb.hpp"
 #include "ecods/intersection.hpp"
+#include "ecods/primitives.hpp"
 #include "programs/clash/report.hpp"
 
 namespace ecods::clash {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
+#include "ecods/intersection.hpp"
 #include "ecods/solid.hpp"
 
 namespace ecods::clash {

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "ecods/aabb.hpp"
 #include "ecods/intersection.hpp"
+#include "ecods/primitives.hpp"
 #include "programs/clash/report.hpp"
 #include "programs/clash/verdict.hpp"
 

@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "ecods/aabb.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/primitives.hpp"
 #include "ecods/shape.hpp"
 
 namespace ecods::clash {
@@ -49,7 +49,7 @@ inline constexpr std::array<Kind, kind_count> all_kinds{Kind::equal,    Kind::in
 // The word of every format: "equal", "inside", and so on, as above.
 std::string_view name_of(Kind kind) noexcept;
 
-// How deep two solids are in each other (depth.hpp). Of convex ones both are the depth, rounded once; of others they
+// How deep two solids are in each other (solid.hpp). Of convex ones both are the depth, rounded once; of others they
 // are proven bounds of it, and upper may be infinite.
 struct Interval {
     double lower = 0;
@@ -79,7 +79,7 @@ struct Clash {
     std::size_t b = 0;
     Kind kind = Kind::touching;
 
-    // How a is to b, in the words of solid.hpp and predicates.hpp: "equal", "inside" (a in b), "contains" (b in a),
+    // How a is to b, in the words of results.hpp: "equal", "inside" (a in b), "contains" (b in a),
     // "overlapping", "partly_inside", "crossing", "touching", "apart".
     std::string_view relation = {};
 

@@ -18,18 +18,20 @@ std::optional<Verdict> judge_apart(const Part& a, const Part& b, QueryMemory& me
 std::optional<Verdict> judge_solids(const Part& a, const Part& b, bool can_be_deep, QueryMemory& memory) {
     if (!can_be_deep) return judge_apart(a, b, memory);
     switch (solid_relation(solid_of(a), solid_of(b), memory)) {
-        case SolidRelation::apart:
+        case Relation::apart:
             return judge_apart(a, b, memory);
-        case SolidRelation::touching:
+        case Relation::touching:
             return Verdict{Kind::touching, "touching"};
-        case SolidRelation::overlapping:
+        case Relation::overlapping:
             return Verdict{Kind::overlapping, "overlapping"};
-        case SolidRelation::inside:
+        case Relation::inside:
             return Verdict{Kind::inside, "inside"};
-        case SolidRelation::contains:
+        case Relation::contains:
             return Verdict{Kind::inside, "contains"};
-        case SolidRelation::equal:
+        case Relation::equal:
             return Verdict{Kind::equal, "equal"};
+        case Relation::crossing:  // of surfaces alone
+            break;
     }
     return std::nullopt;
 }
@@ -37,14 +39,18 @@ std::optional<Verdict> judge_solids(const Part& a, const Part& b, bool can_be_de
 // `is_first`: whether the surface is the first of the pair.
 std::optional<Verdict> judge_surface(const Part& surface, const Part& solid, bool is_first, QueryMemory& memory) {
     switch (surface_relation(surface_of(surface), solid_of(solid), memory)) {
-        case SurfaceRelation::apart:
+        case Relation::apart:
             return judge_apart(surface, solid, memory);
-        case SurfaceRelation::touching:
+        case Relation::touching:
             return Verdict{Kind::touching, "touching"};
-        case SurfaceRelation::inside:
+        case Relation::inside:
             return Verdict{Kind::inside, is_first ? "inside" : "contains"};
-        case SurfaceRelation::partly_inside:
+        case Relation::crossing:
             return Verdict{Kind::crossing, "partly_inside"};
+        case Relation::overlapping:  // of two solids alone, as the rest
+        case Relation::contains:
+        case Relation::equal:
+            break;
     }
     return std::nullopt;
 }
@@ -79,7 +85,7 @@ bool are_same(const Part& a, const Part& b) {
 
 std::optional<Verdict> judge_surfaces(const Part& a, const Part& b, QueryMemory& memory) {
     const Relation relation = ecods::relation(surface_of(a), surface_of(b), memory);
-    if (relation == Relation::disjoint) return std::nullopt;
+    if (relation == Relation::apart) return std::nullopt;
     if (are_same(a, b)) return Verdict{Kind::equal, "equal"};
     if (relation == Relation::crossing) return Verdict{Kind::crossing, "crossing"};
     return Verdict{Kind::touching, "touching"};

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "ecods/intersection.hpp"
-#include "ecods/posed.hpp"
+#include "ecods/pose.hpp"
 #include "ecods/solid.hpp"
 #include "programs/clash/report.hpp"
 
@@ -17,7 +17,7 @@ struct Verdict {
     std::optional<double> distance = {};  // of kind clearance
 };
 
-// Solids are judged as solids; a part that is none, as a surface (solid.hpp, predicates.hpp). Solids that are apart
+// Solids are judged as solids; a part that is none, as a surface (solid.hpp, intersection.hpp). Solids that are apart
 // touch where zero-area triangles of one meet the other's surface. Distances are those of
 // the surfaces, zero-area triangles included (distance.hpp). Nothing if the parts have no point in common and, where a
 // clearance is given, are at a greater distance; the clearance must be neither negative nor NaN.

@@ -56,17 +56,17 @@ Boxes make_boxes(BroadPhaseKind kind, Stage stage, ProxyIndex count) {
 void go_on(Boxes& boxes) {
     boxes.found = boxes->find(box_at(1.25));
     boxes->update();
-    boxes->validate();
+    boxes->check_invariants();
     boxes->move(2, box_at(2.25));
     boxes->remove(0);
     boxes->add(100, box_at(0.5));
     boxes->update();
-    boxes->validate();
+    boxes->check_invariants();
     boxes->move(100, box_at(0.75));
     const auto more = boxes->find(box_at(0.25, 2));
     boxes.found.insert(boxes.found.end(), more.begin(), more.end());
     boxes->update();
-    boxes->validate();
+    boxes->check_invariants();
 }
 
 std::string difference(BroadPhase& expected, BroadPhase& got, bool compares_pairs) {

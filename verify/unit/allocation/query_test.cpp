@@ -11,16 +11,15 @@
 #include <vector>
 
 #include "allocation/each_allocation.hpp"
+#include "allocation/new_thread.hpp"
 #include "base/hash.hpp"
 #include "ecods/cast.hpp"
 #include "ecods/certificate.hpp"
-#include "ecods/contact.hpp"
-#include "ecods/convex_solid.hpp"
-#include "ecods/depth.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/error.hpp"
 #include "ecods/hit.hpp"
 #include "ecods/intersection.hpp"
+#include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
 #include "scenes/shapes.hpp"
 
@@ -125,7 +124,7 @@ const Segment through{{3, 0.125, 0.25}, {-3, -0.125, -0.25}};
 std::optional<FirstContact> cast_past(Pair& p) {
     Pose start = p.pose_b;
     start.t[0] += 4;
-    return cast({*p.b, start}, -1.5 * start.t, p.first(), p.memory, p.witness);
+    return cast({*p.b, start}, -1.5 * start.t, p.first(), 1, {p.memory, p.witness});
 }
 
 // To behind the other one, turned over on the way: flat half-way.
@@ -133,16 +132,13 @@ std::optional<FirstContact> move_past(Pair& p) {
     Pose end;
     end.R = Vec3(-1, -1, 1).asDiagonal();
     end.t = -0.5 * p.pose_b.t;
-    return cast(Moving<MeshShape>(*p.b, p.pose_b, end), Moving<MeshShape>(*p.a, p.pose_a, p.pose_a), p.memory);
+    return cast(Moving<MeshShape>(*p.b, p.pose_b, end), Moving<MeshShape>(*p.a, p.pose_a, p.pose_a), 1, p.memory);
 }
 
 std::uint64_t digest_depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, Pair& p) {
-    try {
-        const Depth found = depth(a, b, p.memory, p.witness);
-        return digest(found.depth) + digest(found.direction) + digest(found.a.triangle) + digest(found.b.triangle);
-    } catch (const SolidsApart&) {
-        return 1;
-    }
+    const std::optional<Depth> found = depth(a, b, {p.memory, p.witness});
+    if (!found) return 1;
+    return digest(found->depth) + digest(found->direction) + digest(found->a.triangle) + digest(found->b.triangle);
 }
 
 // Triangles with corners of their own, a face of two halves beside one of one part.
@@ -162,25 +158,44 @@ struct Question {
 const Question questions[] = {
     {"intersects", [](Pair& p) { p.answer = digest(intersects(p.first(), p.second(), p.memory)); }},
     {"intersects, with a witness",
-     [](Pair& p) { p.answer = digest(intersects(p.first(), p.second(), p.memory, p.witness)); }},
+     [](Pair& p) {
+         p.answer = digest(intersects(p.first(), p.second(), {p.memory, p.witness}));
+     }},
+    {"intersects, in a new thread's own memory",
+     [](Pair& p) { in_a_new_thread([&] { p.answer = digest(intersects(p.first(), p.second(), p.witness)); }); }},
+    {"closest twice, in a new thread's own memory, and what it counted",
+     [](Pair& p) {
+         in_a_new_thread([&] {
+             QueryCounts counts;
+             const ClosestPoints once = closest(p.first(), p.second(), counts);
+             p.answer = digest(once) + digest(closest(p.first(), p.second(), counts)) + counts.queries;
+         });
+     }},
     {"relation", [](Pair& p) { p.answer = digest(relation(p.first(), p.second(), p.memory)); }},
     {"intersecting_triangles",
      [](Pair& p) { p.answer = digest(intersecting_triangles(p.first(), p.second(), p.memory).size()); }},
     {"distance", [](Pair& p) { p.answer = digest(distance(p.first(), p.second(), p.memory)); }},
     {"distance, with a witness",
-     [](Pair& p) { p.answer = digest(distance(p.first(), p.second(), p.memory, p.witness)); }},
+     [](Pair& p) {
+         p.answer = digest(distance(p.first(), p.second(), {p.memory, p.witness}));
+     }},
     {"first_hit", [](Pair& p) { p.answer = digest(first_hit(through, p.first(), p.memory)); }},
     {"first_hit, with a witness",
-     [](Pair& p) { p.answer = digest(first_hit(through, p.first(), p.memory, p.witness)); }},
+     [](Pair& p) {
+         p.answer = digest(first_hit(through, p.first(), {p.memory, p.witness}));
+     }},
     {"all_hits", [](Pair& p) { p.answer = digest(all_hits(through, p.second(), p.memory)); }},
-    {"within", [](Pair& p) { p.answer = digest(within(p.first(), p.second(), 0.25, p.memory, p.witness)); }},
+    {"within",
+     [](Pair& p) {
+         p.answer = digest(within(p.first(), p.second(), 0.25, {p.memory, p.witness}));
+     }},
     {"closest", [](Pair& p) { p.answer = digest(closest(p.first(), p.second(), p.memory)); }},
     {"distance_bounds",
      [](Pair& p) { p.answer = digest(distance_bounds(p.first(), p.second(), {.relative = 0.25}, p.memory)); }},
     {"close_triangles", [](Pair& p) { p.answer = digest(close_triangles(p.first(), p.second(), 0x1p-6, p.memory)); }},
     {"close_features", [](Pair& p) { p.answer = digest(close_features(p.first(), p.second(), 0x1p-6, p.memory)); }},
     {"cast of a translation",
-     [](Pair& p) { p.answer = digest(cast(p.second(), -1.5 * p.pose_b.t, p.first(), p.memory)); }},
+     [](Pair& p) { p.answer = digest(cast(p.second(), -1.5 * p.pose_b.t, p.first(), 1, p.memory)); }},
     {"cast of a translation, with a witness", [](Pair& p) { p.answer = digest(cast_past(p)); }},
     {"cast between poses", [](Pair& p) { p.answer = digest(move_past(p)); }},
     {"certify", [](Pair& p) { p.answer = digest(certify(p.first(), p.second(), p.memory)); }},
@@ -198,11 +213,11 @@ const Question questions[] = {
          const Solid a(two_prisms());
          p.answer = digest(solid_relation({a, p.pose_a}, {a, p.pose_b}, p.memory));
      }},
-    {"convex_hull", [](Pair& p) { p.answer = digest(convex_hull(p.b->mesh().vertices()).digest()); }},
+    {"convex_hull", [](Pair& p) { p.answer = digest(convex_hull(p.b->mesh().vertices())->digest()); }},
     {"ConvexSolid and solid_distance",
      [](Pair& p) {
          const ConvexSolid a(p.a->mesh().vertices()), b(p.b->mesh().vertices());
-         p.answer = digest(solid_distance({a, p.pose_a}, {b, p.pose_b}, p.memory, p.witness));
+         p.answer = digest(solid_distance({a, p.pose_a}, {b, p.pose_b}, {p.memory, p.witness}));
      }},
     {"solid_closest of solids that touch",
      [](Pair& p) {
@@ -229,12 +244,8 @@ const Question questions[] = {
     {"depth_bounds",
      [](Pair& p) {
          const Solid a(scenes::cube(1)), b(scenes::torus(4, 3, 0.25));
-         try {
-             const DepthBounds bounds = depth_bounds({a, p.pose_a}, {b, p.pose_b}, p.memory);
-             p.answer = digest(bounds.parted) + digest(bounds.upper) + digest(bounds.lower);
-         } catch (const SolidsApart&) {
-             p.answer = 1;
-         }
+         const auto bounds = depth_bounds({a, p.pose_a}, {b, p.pose_b}, p.memory);
+         p.answer = bounds ? digest(bounds->parted) + digest(bounds->upper) + digest(bounds->lower) : 1;
      }},
     {"surface_relation",
      [](Pair& p) {
@@ -271,10 +282,10 @@ void go_on(Pair& p) {
     Digest all(p.answer);
     for (int step = 0; step < 3; ++step) {
         p.pose_b.t[0] += 0.125;
-        all.add(intersects(p.first(), p.second(), p.memory, p.witness));
+        all.add(intersects(p.first(), p.second(), {p.memory, p.witness}));
         all.add(relation(p.second(), p.first(), p.memory));
         all.add(intersecting_triangles(p.first(), p.second(), p.memory).size());
-        all.add(distance(p.first(), p.second(), p.memory, p.witness));
+        all.add(distance(p.first(), p.second(), {p.memory, p.witness}));
     }
     p.answer = all.value();
 }

@@ -1,5 +1,5 @@
 // Traces, out of memory at any point: the world goes on, and a trace that is not whole says so.
-#include "ecods/replay.hpp"
+#include "ecods/trace.hpp"
 #include "unit/allocation/scene.hpp"
 
 namespace ecods::allocation::trace_test {

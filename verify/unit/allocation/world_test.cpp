@@ -2,8 +2,9 @@
 #include <array>
 #include <bit>
 
+#include "allocation/new_thread.hpp"
 #include "base/hash.hpp"
-#include "ecods/replay.hpp"
+#include "ecods/trace.hpp"
 #include "unit/allocation/scene.hpp"
 
 namespace ecods::allocation::world_test {
@@ -105,78 +106,115 @@ const std::array calls = {
     WorldCall{"set_user_data", [](Scene& s) { s.world.set_user_data(s.ids[0], 77); }},
     WorldCall{"reserve", [](Scene& s) { s.world.reserve(500); }},
     WorldCall{"overlapping_pairs", [](Scene& s) { s.answer = std::to_string(s.world.overlapping_pairs().size()); }},
-    WorldCall{"intersects", [](Scene& s) { s.answer = s.world.intersects(s.ids[0], s.ids[1]) ? "yes" : "no"; }},
+    WorldCall{"intersects",
+              [](Scene& s) { s.answer = s.world.intersects(s.ids[0], s.ids[1], s.memory) ? "yes" : "no"; }},
     WorldCall{"relation",
-              [](Scene& s) { s.answer = std::to_string(static_cast<int>(s.world.relation(s.ids[0], s.ids[1]))); }},
+              [](Scene& s) {
+                  s.answer = std::to_string(static_cast<int>(s.world.relation(s.ids[0], s.ids[1], s.memory)));
+              }},
     WorldCall{"intersecting_triangles",
-              [](Scene& s) { s.answer = std::to_string(s.world.intersecting_triangles(s.ids[0], s.ids[1]).size()); }},
+              [](Scene& s) {
+                  s.answer = std::to_string(s.world.intersecting_triangles(s.ids[0], s.ids[1], s.memory).size());
+              }},
     WorldCall{"overlapping_bodies",
               [](Scene& s) {
                   s.answer = slots_of(s.world.overlapping_bodies({.min = Vec3(0, 0, 0), .max = Vec3(4, 4, 4)}));
               }},
     WorldCall{"intersecting_bodies, mesh",
-              [](Scene& s) { s.answer = slots_of(s.world.intersecting_bodies(s.mesh, at(1))); }},
+              [](Scene& s) { s.answer = slots_of(s.world.intersecting_bodies({s.mesh, at(1)}, s.memory)); }},
     WorldCall{"intersecting_bodies, new mesh",
-              [](Scene& s) { s.answer = slots_of(s.world.intersecting_bodies(tetrahedron(), at(1))); }},
+              [](Scene& s) { s.answer = slots_of(s.world.intersecting_bodies({tetrahedron(), at(1)}, s.memory)); }},
     WorldCall{"intersecting_bodies, shape",
-              [](Scene& s) { s.answer = slots_of(s.world.intersecting_bodies(Ball(1), at(1))); }},
+              [](Scene& s) { s.answer = slots_of(s.world.intersecting_bodies({Ball(1), at(1)}, s.memory)); }},
+    WorldCall{"intersects, of a shape and a mesh",
+              [](Scene& s) {
+                  s.answer = s.world.intersects({Ball(1), at(1)}, {tetrahedron(), at(1.5)}, s.memory) ? "yes" : "no";
+              }},
+    WorldCall{"distance, of a body and a mesh",
+              [](Scene& s) {
+                  s.answer = std::to_string(s.world.distance(s.ids[0], {tetrahedron(), at(40)}, s.memory));
+              }},
     WorldCall{"set_clearance", [](Scene& s) { s.world.set_clearance(0.5); }},
     WorldCall{"set_clearance to none", [](Scene& s) { s.world.set_clearance({}); }},
     WorldCall{"set_solids", [](Scene& s) { s.world.set_solids(false); }},
     WorldCall{
         "solid_relation",
-        [](Scene& s) { s.answer = std::to_string(static_cast<int>(s.world.solid_relation(s.ids[0], s.ids[10]))); }},
+        [](Scene& s) {
+            s.answer = std::to_string(static_cast<int>(s.world.solid_relation(s.ids[0], s.ids[10], s.memory)));
+        }},
     WorldCall{"solid_distance",
-              [](Scene& s) { s.answer = std::to_string(s.world.solid_distance(s.ids[0], s.ids[10])); }},
+              [](Scene& s) { s.answer = std::to_string(s.world.solid_distance(s.ids[0], s.ids[10], s.memory)); }},
     WorldCall{"solid_closest",
-              [](Scene& s) { s.answer = std::to_string(s.world.solid_closest(s.ids[0], s.ids[10])->point_a[0]); }},
-    WorldCall{"depth", [](Scene& s) { s.answer = std::to_string(s.world.depth(s.ids[0], s.ids[10]).depth); }, 0.03125},
-    WorldCall{"depth_bounds",
-              [](Scene& s) { s.answer = std::to_string(s.world.depth_bounds(s.ids[0], s.ids[10]).upper); },
+              [](Scene& s) {
+                  s.answer = std::to_string(s.world.solid_closest(s.ids[0], s.ids[10], s.memory)->point_a[0]);
+              }},
+    WorldCall{"depth",
+              [](Scene& s) { s.answer = std::to_string(s.world.depth(s.ids[0], s.ids[10], s.memory)->depth); },
               0.03125},
-    WorldCall{"depths", [](Scene& s) { s.answer = text_of(s.world.depths()); }},
-    WorldCall{"solid_distances", [](Scene& s) { s.answer = text_of(s.world.solid_distances(0.5)); }},
+    WorldCall{"depth_bounds",
+              [](Scene& s) { s.answer = std::to_string(s.world.depth_bounds(s.ids[0], s.ids[10], s.memory)->upper); },
+              0.03125},
+    WorldCall{"depths", [](Scene& s) { s.answer = text_of(s.world.depths(s.memory)); }},
+    WorldCall{"depths, in a new thread's own memory",
+              [](Scene& s) { in_a_new_thread([&] { s.answer = text_of(s.world.depths()); }); }},
+    WorldCall{"solid_distances", [](Scene& s) { s.answer = text_of(s.world.solid_distances(0.5, s.memory)); }},
     WorldCall{"bodies_containing",
               [](Scene& s) {
-                  const BodiesContaining found = s.world.bodies_containing(Vec3(1, 0.125, 0.25));
+                  const BodiesContaining found = s.world.bodies_containing(Vec3(1, 0.125, 0.25), s.memory);
                   s.answer = std::to_string(found.bodies.size()) + " of " + std::to_string(found.skipped_count);
               }},
-    WorldCall{"distance", [](Scene& s) { s.answer = std::to_string(s.world.distance(s.ids[0], s.ids[10])); }},
-    WorldCall{"within", [](Scene& s) { s.answer = s.world.within(s.ids[0], s.ids[10], 1) ? "yes" : "no"; }},
-    WorldCall{"closest", [](Scene& s) { s.answer = std::to_string(s.world.closest(s.ids[0], s.ids[10]).point_a[0]); }},
-    WorldCall{"nearest", [](Scene& s) { s.answer = text_of(s.world.nearest(s.ids[9])); }},
-    WorldCall{"nearest, new mesh", [](Scene& s) { s.answer = text_of(s.world.nearest(tetrahedron(), at(40))); }},
-    WorldCall{"nearest, shape", [](Scene& s) { s.answer = text_of(s.world.nearest(Ball(1), at(-3))); }},
+    WorldCall{"distance", [](Scene& s) { s.answer = std::to_string(s.world.distance(s.ids[0], s.ids[10], s.memory)); }},
+    WorldCall{"within", [](Scene& s) { s.answer = s.world.within(s.ids[0], s.ids[10], 1, s.memory) ? "yes" : "no"; }},
+    WorldCall{"closest",
+              [](Scene& s) { s.answer = std::to_string(s.world.closest(s.ids[0], s.ids[10], s.memory).point_a[0]); }},
+    WorldCall{"nearest", [](Scene& s) { s.answer = text_of(s.world.nearest(s.ids[9], World::no_limit, s.memory)); }},
+    WorldCall{"nearest, new mesh",
+              [](Scene& s) {
+                  s.answer = text_of(s.world.nearest({tetrahedron(), at(40)}, World::no_limit, s.memory));
+              }},
+    WorldCall{"nearest, shape",
+              [](Scene& s) { s.answer = text_of(s.world.nearest({Ball(1), at(-3)}, World::no_limit, s.memory)); }},
+    WorldCall{"nearest, in a new thread's own memory",
+              [](Scene& s) { in_a_new_thread([&] { s.answer = text_of(s.world.nearest(s.ids[9])); }); }},
     WorldCall{"closest_pair",
               [](Scene& s) {
-                  const auto pair = s.world.closest_pair();
+                  const auto pair = s.world.closest_pair(World::no_limit, s.memory);
                   s.answer = std::to_string(pair->bodies.a.slot) + " " + std::to_string(pair->bodies.b.slot);
               }},
     WorldCall{"intersections",
-              [](Scene& s) { s.answer = std::to_string(s.world.intersections(s.ids[0], s.ids[1]).size()); }},
+              [](Scene& s) { s.answer = std::to_string(s.world.intersections(s.ids[0], s.ids[1], s.memory).size()); }},
     WorldCall{"close_features",
-              [](Scene& s) { s.answer = std::to_string(s.world.close_features(s.ids[0], s.ids[1], 0.25).size()); }},
-    WorldCall{"first_hit, segment", [](Scene& s) { s.answer = text_of(s.world.first_hit(through)); }},
+              [](Scene& s) {
+                  s.answer = std::to_string(s.world.close_features(s.ids[0], s.ids[1], 0.25, s.memory).size());
+              }},
+    WorldCall{"first_hit, segment", [](Scene& s) { s.answer = text_of(s.world.first_hit(through, {}, s.memory)); }},
     WorldCall{"first_hit, ray",
               [](Scene& s) {
-                  s.answer = text_of(s.world.first_hit(Ray{through.a, through.b - through.a}));
+                  s.answer = text_of(s.world.first_hit(Ray{through.a, through.b - through.a}, {}, s.memory));
               }},
-    WorldCall{"all_hits, segment", [](Scene& s) { s.answer = text_of(s.world.all_hits(through)); }, apart},
+    WorldCall{"all_hits, segment",
+              [](Scene& s) { s.answer = text_of(s.world.all_hits(through, {}, s.memory)); },
+              apart},
     WorldCall{"all_hits, ray",
               [](Scene& s) {
-                  s.answer = text_of(s.world.all_hits(Ray{through.a, through.b - through.a}));
+                  s.answer = text_of(s.world.all_hits(Ray{through.a, through.b - through.a}, {}, s.memory));
               },
               apart},
-    WorldCall{"cast", [](Scene& s) { s.answer = text_of(s.world.cast(s.ids[9], Vec3(-8, 0, 0))); }},
+    WorldCall{"cast", [](Scene& s) { s.answer = text_of(s.world.cast(s.ids[9], Vec3(-8, 0, 0), 1, s.memory)); }},
+    WorldCall{"cast, in a new thread's own memory",
+              [](Scene& s) { in_a_new_thread([&] { s.answer = text_of(s.world.cast(s.ids[9], Vec3(-8, 0, 0))); }); }},
     WorldCall{"cast, new mesh",
-              [](Scene& s) { s.answer = text_of(s.world.cast(tetrahedron(), at(40), Vec3(-30, 0, 0))); }},
-    WorldCall{"cast, shape", [](Scene& s) { s.answer = text_of(s.world.cast(Ball(1), at(-3), Vec3(8, 0, 0))); }},
+              [](Scene& s) {
+                  s.answer = text_of(s.world.cast({tetrahedron(), at(40)}, Vec3(-30, 0, 0), 1, s.memory));
+              }},
+    WorldCall{"cast, shape",
+              [](Scene& s) { s.answer = text_of(s.world.cast({Ball(1), at(-3)}, Vec3(8, 0, 0), 1, s.memory)); }},
     WorldCall{"meetings",
               [](Scene& s) {
                   // Short ways: each one meets its neighbor.
                   const std::vector<BodyId> bodies = {s.ids[30], s.ids[0], s.ids[1], s.ids[9], s.ids[0]};
                   const std::vector<Pose> poses = {at(37), at(0.5), at(1), at(10), at(0.75)};
-                  s.answer = text_of(s.world.meetings(bodies, poses));
+                  s.answer = text_of(s.world.meetings(bodies, poses, s.memory));
               },
               apart},
     WorldCall{"bodies", [](Scene& s) { s.answer = slots_of(s.world.bodies()); }},
@@ -213,8 +251,8 @@ TEST_P(WorldOutOfMemory, EveryCallThenChangesNothing) {
     EXPECT_GE(allocations, 500u);
 }
 
-TEST_P(WorldOutOfMemory, ValidateOnlyLooks) {
-    Trial<Scene> trial = trial_of([](Scene& s) { s.world.validate(); }, Stage::running, 20);
+TEST_P(WorldOutOfMemory, CheckInvariantsOnlyLooks) {
+    Trial<Scene> trial = trial_of([](Scene& s) { s.world.check_invariants(); }, Stage::running, 20);
     const auto make = trial.make;
     trial.make = [make] {
         Scene scene = make();
@@ -223,7 +261,7 @@ TEST_P(WorldOutOfMemory, ValidateOnlyLooks) {
     };
     Failures failures;
     fail_each_allocation(trial, failures);
-    expect_none(failures, "validate");
+    expect_none(failures, "check_invariants");
 }
 
 TEST(WorldOutOfMemory, AWorldThatIsNotMade) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ecods/aabb.hpp"
+#include "ecods/primitives.hpp"
 #include "oracle/oracle.hpp"
 #include "scenes/each_case.hpp"
 #include "scenes/hard_pairs.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bounds/support_table.hpp"
-#include "ecods/aabb.hpp"
+#include "ecods/primitives.hpp"
 #include "environment/each_environment.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
@@ -61,7 +61,7 @@ struct Truth {
         return testing::AssertionSuccess();
     }
 
-    // 18 u (|R| v_max + |t|) as aabb.hpp promises, and the distance of two doubles, where these end.
+    // 18 u (|R| v_max + |t|), less than primitives.hpp promises, and the distance of two doubles, where these end.
     mpq_class promised_excess() const { return sum * mpq_class(18 * 0x1p-53) + mpq_class(0x1p-1073); }
 };
 
@@ -89,8 +89,7 @@ TEST(BoxRange, BoxesOfVerticesAreTightToTheEnds) {
         for (int i = 0; i < 24; ++i) {
             const int of_vertices = i % 3 == 0 ? size : i % 3 == 1 ? 0 : size / 2;
             const auto mesh = mesh_of_size(random, std::min(of_vertices, 1024));
-            Pose pose;
-            pose.R = random.rotation().toRotationMatrix();
+            Pose pose = random.turned();
             if (i % 3 == 2) pose.R = Mat3::Identity();
             for (int k = 0; k < 9; ++k)
                 pose.R.data()[k] = std::ldexp(pose.R.data()[k], std::min(size - of_vertices, 1023));
@@ -135,20 +134,16 @@ TEST(BoxRange, AxesOverflowByThemselves) {
 TEST(BoxRange, BoxesByTheTableAreTightToTheEnds) {
     scenes::Random random(43);
     for (const int of_mesh : {-890, 0, 880}) {
-        const auto sphere = scenes::sphere(12, 8);
-        std::vector<Vec3> vertices;
-        for (const Vec3& v : sphere->vertices()) {
-            vertices.emplace_back(std::ldexp(v[0], of_mesh), std::ldexp(v[1], of_mesh), std::ldexp(v[2], of_mesh));
-        }
-        const auto mesh = Mesh::create(vertices, {sphere->triangles().begin(), sphere->triangles().end()});
+        const auto mesh = scenes::mapped(*scenes::sphere(12, 8), [&](const Vec3& v) {
+            return Vec3(std::ldexp(v[0], of_mesh), std::ldexp(v[1], of_mesh), std::ldexp(v[2], of_mesh));
+        });
         const LocalFrame frame = fit_frame(*mesh);
         const SupportTable table(*mesh, frame);
         std::vector<Pose> poses;
         for (const int size :
              {-1060, -1022, -1000, -960, -900, 0, 900, 1000, 1010, 1018, 1019, 1020, 1021, 1022, 1023, 1024}) {
             for (int i = 0; i < 6; ++i) {
-                Pose& pose = poses.emplace_back();
-                pose.R = random.rotation().toRotationMatrix();
+                Pose& pose = poses.emplace_back(random.turned());
                 const int by = std::min(size - of_mesh - (i % 3 == 0 ? 20 : 0), 1023);
                 for (int k = 0; k < 9; ++k) pose.R.data()[k] = std::ldexp(pose.R.data()[k], by);
                 for (int k = 0; k < 3; ++k) pose.t[k] = k > 0 && i % 2 == 1 ? 1 : number(random, size);

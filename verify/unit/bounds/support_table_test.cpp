@@ -19,9 +19,7 @@ namespace ecods::support_table_test {
 namespace {
 
 std::shared_ptr<const Mesh> scaled(const Mesh& mesh, const Vec3& factor, const Vec3& shift) {
-    std::vector<Vec3> vertices;
-    for (const Vec3& v : mesh.vertices()) vertices.push_back(v.cwiseProduct(factor) + shift);
-    return Mesh::create(std::move(vertices), {mesh.triangles().begin(), mesh.triangles().end()});
+    return scenes::mapped(mesh, [&](const Vec3& v) -> Vec3 { return v.cwiseProduct(factor) + shift; });
 }
 
 struct Excess {
@@ -37,8 +35,7 @@ Excess measure(const std::shared_ptr<const Mesh>& mesh, double shear) {
     Excess excess;
     constexpr int pose_count = 150;
     for (int i = 0; i < pose_count; ++i) {
-        Pose pose;
-        pose.R = random.rotation().toRotationMatrix();
+        Pose pose = random.turned();
         for (int k = 0; k < 9; ++k) pose.R.data()[k] += shear * random.uniform(-1, 1);
         for (int k = 0; k < 3; ++k) pose.t[k] = random.uniform(-1000, 1000);
         if (i == 0) pose.R.setZero();
@@ -128,8 +125,7 @@ TEST(SupportTable, PosesAtOnceGetTheBoxOfEach) {
     scenes::Random random(23);
     std::vector<Pose> poses;
     for (int i = 0; i < 400; ++i) {
-        Pose& pose = poses.emplace_back();
-        pose.R = random.rotation().toRotationMatrix();
+        Pose& pose = poses.emplace_back(random.turned());
         for (int k = 0; k < 3; ++k) pose.t[k] = random.uniform(-10, 10);
         if (i % 5 == 1) pose.R.col(i % 3).setZero();
         if (i % 7 == 2) pose.R = -Mat3::Identity();
@@ -183,8 +179,7 @@ TEST(SupportTable, IsOfTheVerticesInUse) {
     vertices.emplace_back(100, -200, 300);
     const auto more = Mesh::create(std::move(vertices), {ship->triangles().begin(), ship->triangles().end()});
     scenes::Random random(19);
-    Pose pose;
-    pose.R = random.rotation().toRotationMatrix();
+    Pose pose = random.turned();
     pose.t = Vec3(1, 2, 3);
     const LocalFrame frame = fit_frame(*ship), frame_of_more = fit_frame(*more);
     EXPECT_EQ(SupportTable(*more, frame_of_more).box(pose), SupportTable(*ship, frame).box(pose));

@@ -19,7 +19,7 @@ class EveryBroadPhase : public ::testing::TestWithParam<BroadPhaseKind> {
 
     void update() {
         phase->update();
-        phase->validate();
+        phase->check_invariants();
     }
 };
 

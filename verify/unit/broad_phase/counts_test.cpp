@@ -19,6 +19,17 @@ Work work_of_update(BroadPhase& phase) {
     return {after.moved - before.moved, after.box_tests - before.box_tests, after.swaps - before.swaps};
 }
 
+template <class Boxes>
+void shift(Boxes& boxes, ProxyIndex proxy, const Aabb& box, const Vec3& by) {
+    boxes.move(proxy, {.min = box.min + by, .max = box.max + by});
+}
+void shift(BroadPhase& phase, ProxyIndex proxy, const Vec3& by) {
+    shift(phase, proxy, phase.box(proxy), by);
+}
+void shift(Lockstep& lockstep, ProxyIndex proxy, const Vec3& by) {
+    shift(lockstep, proxy, lockstep.model.box(proxy), by);
+}
+
 // A cubic grid of unit cubes, two apart.
 std::unique_ptr<BroadPhase> make_grid(BroadPhaseKind kind, int side) {
     auto phase = make_broad_phase(kind);
@@ -64,12 +75,7 @@ TEST(Counts, OneMoverThatPassesNoEndCostsNoSwap) {
 
 TEST(Counts, ACommonTranslationCostsNoSwap) {
     const auto phase = make_grid(BroadPhaseKind::sweep_and_prune, 8);
-    for (ProxyIndex proxy = 0; proxy < 512; ++proxy) {
-        Aabb box = phase->box(proxy);
-        box.min.array() += 1024;
-        box.max.array() += 1024;
-        phase->move(proxy, box);
-    }
+    for (ProxyIndex proxy = 0; proxy < 512; ++proxy) shift(*phase, proxy, Vec3::Constant(1024));
     const Work work = work_of_update(*phase);
     EXPECT_EQ(work.moved, 512u);
     EXPECT_EQ(work.swaps, 0u);
@@ -98,31 +104,21 @@ TEST(Counts, OneMoverAmongManyCostsWhatItCosts) {
 TEST(Counts, BoxesThatAwakeAreLookedUpOnce) {
     const auto phase = make_grid(BroadPhaseKind::kept_candidates, 20);
     constexpr ProxyIndex awaking = 80, every = 100;
-    for (ProxyIndex i = 0; i < awaking; ++i) {
-        const Aabb& box = phase->box(i * every);
-        phase->move(i * every, {.min = box.min.array() + 0.01, .max = box.max.array() + 0.01});
-    }
+    for (ProxyIndex i = 0; i < awaking; ++i) shift(*phase, i * every, Vec3::Constant(0.01));
     const Work work = work_of_update(*phase);
     EXPECT_GT(work.box_tests, 32 * awaking);
     EXPECT_LT(work.box_tests, 72 * awaking);
     // They have margins now.
-    for (ProxyIndex i = 0; i < awaking; ++i) {
-        const Aabb& box = phase->box(i * every);
-        phase->move(i * every, {.min = box.min.array() + 0.01, .max = box.max.array() + 0.01});
-    }
+    for (ProxyIndex i = 0; i < awaking; ++i) shift(*phase, i * every, Vec3::Constant(0.01));
     EXPECT_EQ(work_of_update(*phase).box_tests, 0u);
-    EXPECT_NO_THROW(phase->validate());
+    EXPECT_NO_THROW(phase->check_invariants());
 }
 
 TEST(Counts, BoxesOnTheirWayAreFilteredAndNotSearched) {
     const auto phase = make_grid(BroadPhaseKind::kept_candidates, 12);
     for (int step = 1; step <= 60; ++step) {
         for (ProxyIndex proxy = 0; proxy < 1728; ++proxy) {
-            Aabb box = phase->box(proxy);
-            const double by = proxy % 2 == 0 ? 0x1p-7 : -0x1p-7;
-            box.min[0] += by;
-            box.max[0] += by;
-            phase->move(proxy, box);
+            shift(*phase, proxy, Vec3(proxy % 2 == 0 ? 0x1p-7 : -0x1p-7, 0, 0));
         }
         phase->update();
     }
@@ -130,7 +126,7 @@ TEST(Counts, BoxesOnTheirWayAreFilteredAndNotSearched) {
     EXPECT_LE(counts.rebuilds, 8u);
     EXPECT_LE(counts.escaped, 8u * 1728);
     EXPECT_LE(counts.candidates_filtered, 60u * 1728 * 6);
-    phase->validate();
+    phase->check_invariants();
 }
 
 // Boxes that leave any margin at once: each update searches once, and as soon as they are slow, none does.
@@ -139,10 +135,7 @@ TEST(Counts, FastBoxesAreSearchedFromScratchUntilTheyAreSlow) {
     constexpr ProxyIndex count = 300;
     const auto step = [&](int frame, double by) {
         for (ProxyIndex proxy = 0; proxy < count; ++proxy) {
-            Aabb box = lockstep.model.box(proxy);
-            box.min[proxy % 3] += (proxy + frame) % 5 < 2 ? by : -by;
-            box.max[proxy % 3] += (proxy + frame) % 5 < 2 ? by : -by;
-            lockstep.move(proxy, box);
+            shift(lockstep, proxy, Vec3::Unit(proxy % 3) * ((proxy + frame) % 5 < 2 ? by : -by));
         }
         if (frame % 4 == 3) lockstep.remove(static_cast<ProxyIndex>(frame)), lockstep.add(frame, make_cube(1, 1, 1));
         ASSERT_TRUE(lockstep.update());
@@ -167,13 +160,6 @@ constexpr ProxyIndex swarm_count = 400;
 void add_swarm(Lockstep& lockstep) {
     for (ProxyIndex proxy = 0; proxy < swarm_count; ++proxy)
         lockstep.add(proxy, make_cube(proxy % 8 * 0.9, proxy / 8 % 8 * 1.1, proxy / 64 * 0.7));
-}
-
-void shift(Lockstep& lockstep, ProxyIndex proxy, const Vec3& by) {
-    Aabb box = lockstep.model.box(proxy);
-    box.min += by;
-    box.max += by;
-    lockstep.move(proxy, box);
 }
 
 // Boxes that fly in formation far beyond their size are neither searched nor leave their margins, whatever a few others
@@ -283,20 +269,16 @@ TEST(Counts, AutomaticChoosesByTheNumber) {
     for (int step = 1; step <= 10; ++step) phase->move(0, make_cube(0.01 * step, 0, 0)), phase->update();
     for (int step = 0; step < 40; ++step) {
         for (ProxyIndex proxy = 0; proxy < 1000; ++proxy) {
-            Aabb box = phase->box(proxy);
-            const double by = (proxy + step) % 7 < 3 ? 0.37 : -0.31;
-            box.min[proxy % 3] += by;
-            box.max[proxy % 3] += by;
-            phase->move(proxy, box);
+            shift(*phase, proxy, Vec3::Unit(proxy % 3) * ((proxy + step) % 7 < 3 ? 0.37 : -0.31));
         }
         phase->update();
-        phase->validate();
+        phase->check_invariants();
     }
     EXPECT_EQ(phase->counts().switches, 1u) << "whatever they do";
     for (ProxyIndex proxy = 15; proxy < 1000; ++proxy) phase->remove(proxy);
     phase->update();
     EXPECT_EQ(phase->counts().switches, 2u) << "few are left";
-    phase->validate();
+    phase->check_invariants();
 }
 
 // Inserting 50,000 boxes must not be quadratic, nor need a deep stack: on a line, a plane, in space.

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "ecods/error.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/moving_boxes.hpp"
 #include "scenes/random.hpp"
 #include "unit/broad_phase/lockstep.hpp"
@@ -139,10 +140,10 @@ TEST_F(Finds, FlatHugeAndInfiniteBoxesAreFound) {
 TEST_F(Finds, WhatIsNoQuestionThrowsAndChangesNothing) {
     for (ProxyIndex i = 0; i < 100; ++i) set(i, make_cube(i, 0, 0));
     for (const auto& engine : steps_.engines) {
-        EXPECT_THROW(engine->find(make_box(1, 0, 0, 1, 0, 1)), InvalidBox);
-        EXPECT_THROW(engine->find(make_box(0, std::nan(""), 0, 1, 0, 1)), InvalidBox);
-        EXPECT_THROW(engine->find(Segment{Vec3(0, 0, infinity), Vec3(0, 0, 0)}), InvalidSegment);
-        EXPECT_THROW(engine->find(Ball{Vec3(0, 0, 0), -1}), InvalidBall);
+        EXPECT_INVALID(engine->find(make_box(1, 0, 0, 1, 0, 1)), Argument::box);
+        EXPECT_INVALID(engine->find(make_box(0, std::nan(""), 0, 1, 0, 1)), Argument::box);
+        EXPECT_INVALID(engine->find(Segment{Vec3(0, 0, infinity), Vec3(0, 0, 0)}), Argument::segment);
+        EXPECT_INVALID(engine->find(Ball{Vec3(0, 0, 0), -1}), Argument::ball);
         EXPECT_EQ(engine->find_counts().calls, 0u);
     }
     ask_all(50);

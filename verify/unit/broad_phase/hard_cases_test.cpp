@@ -129,7 +129,7 @@ TEST(HardCases, bp_chipmunk_231) {
     phase->update();
     EXPECT_TRUE(phase->pairs().empty());
     EXPECT_EQ(phase->ended().size(), count - 1);
-    phase->validate();
+    phase->check_invariants();
 }
 
 // Coal's sweep and prune walked its lists wrongly on update; two half-spaces in one tree were lost.
@@ -178,7 +178,7 @@ TEST(HardCases, FewThatRestAndAwakeInTurn) {
             }
             phase->update();
             model->update();
-            ASSERT_NO_THROW(phase->validate()) << scene << ", " << update;
+            ASSERT_NO_THROW(phase->check_invariants()) << scene << ", " << update;
             ASSERT_TRUE(std::ranges::equal(phase->pairs(), model->pairs())) << scene << ", " << update;
         }
     }

@@ -135,7 +135,7 @@ class Lockstep {
             EXPECT_EQ(engine->ended(), model.ended) << name(*engine);
             EXPECT_EQ(engine->size(), model.size()) << name(*engine);
             if (checks == Checks::invariants_too) {
-                EXPECT_NO_THROW(engine->validate()) << name(*engine);
+                EXPECT_NO_THROW(engine->check_invariants()) << name(*engine);
             }
         }
         for (const auto& engine : engines)

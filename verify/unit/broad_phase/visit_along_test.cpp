@@ -9,6 +9,7 @@
 #include "bounds/moving_box.hpp"
 #include "broad_phase/boxes/along_walk.hpp"
 #include "ecods/error.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/moving_boxes.hpp"
 #include "scenes/random.hpp"
 #include "unit/broad_phase/lockstep.hpp"
@@ -58,8 +59,8 @@ class VisitsAlong : public ::testing::Test {
         require_all(MovingBox(segment), 1,
                     [&](const BroadPhase& engine, const auto& visit) { engine.visit_along(segment, visit); });
         Ray ray{any_corner(), any_direction()};
-        if (random_.below(2) == 0) ray.parameter_max = random_.uniform(0, 8);
-        require_all(MovingBox(ray), ray.parameter_max,
+        if (random_.below(2) == 0) ray.max_parameter = random_.uniform(0, 8);
+        require_all(MovingBox(ray), ray.max_parameter,
                     [&](const BroadPhase& engine, const auto& visit) { engine.visit_along(ray, visit); });
         const Aabb box = any_box();
         const Vec3 motion = any_direction();
@@ -143,13 +144,13 @@ TEST_F(VisitsAlong, BadArgumentsAreRefused) {
     const auto visit = [](ProxyIndex) { return infinity; };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const auto& engine : steps_.engines) {
-        EXPECT_THROW(engine->visit_along(Segment{Vec3(nan, 0, 0), Vec3(0, 0, 0)}, visit), InvalidSegment);
-        EXPECT_THROW(engine->visit_along(Ray{Vec3(0, 0, 0), Vec3(0, 0, 0)}, visit), InvalidRay);
-        EXPECT_THROW(engine->visit_along(Ray{.parameter_max = -1}, visit), InvalidRay);
-        EXPECT_THROW(engine->visit_along(make_cube(0, 0, 0), Vec3(0, infinity, 0), 1, visit), InvalidMotion);
-        EXPECT_THROW(engine->visit_along({Vec3(0, 1, 0), Vec3(0, 0, 0)}, Vec3(0, 1, 0), 1, visit), InvalidBox);
+        EXPECT_INVALID(engine->visit_along(Segment{Vec3(nan, 0, 0), Vec3(0, 0, 0)}, visit), Argument::segment);
+        EXPECT_INVALID(engine->visit_along(Ray{Vec3(0, 0, 0), Vec3(0, 0, 0)}, visit), Argument::ray);
+        EXPECT_INVALID(engine->visit_along(Ray{.max_parameter = -1}, visit), Argument::ray);
+        EXPECT_INVALID(engine->visit_along(make_cube(0, 0, 0), Vec3(0, infinity, 0), 1, visit), Argument::motion);
+        EXPECT_INVALID(engine->visit_along({Vec3(0, 1, 0), Vec3(0, 0, 0)}, Vec3(0, 1, 0), 1, visit), Argument::box);
         for (const double bad : {-1.0, -infinity, nan}) {
-            EXPECT_THROW(engine->visit_along(make_cube(0, 0, 0), Vec3(0, 1, 0), bad, visit), InvalidTime);
+            EXPECT_INVALID(engine->visit_along(make_cube(0, 0, 0), Vec3(0, 1, 0), bad, visit), Argument::time);
         }
     }
 }

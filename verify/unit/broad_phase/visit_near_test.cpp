@@ -2,13 +2,14 @@
 // and little work.
 #include <gtest/gtest.h>
 
-#include <cfenv>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "ecods/error.hpp"
+#include "environment/float_mode.hpp"
 #include "geometry/box_distance.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/random.hpp"
 #include "unit/broad_phase/lockstep.hpp"
 
@@ -16,18 +17,6 @@ namespace ecods::test::visit_near_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::array rounding_modes = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-
-class InRounding {
-  public:
-    explicit InRounding(int mode) : before_(std::fegetround()) { std::fesetround(mode); }
-    ~InRounding() { std::fesetround(before_); }
-    InRounding(const InRounding&) = delete;
-    InRounding& operator=(const InRounding&) = delete;
-
-  private:
-    int before_;
-};
 
 // ---- the bound
 
@@ -46,7 +35,7 @@ TEST(DistanceBelow, IsABoundAndATightOne) {
             square += static_cast<long double>(gap) * gap;
         }
         const long double truth = std::sqrt(square);  // off by 2^-64, where the bound leaves 2^-48
-        for (const int mode : rounding_modes) {
+        for (const environment::FloatMode& mode : environment::float_modes) {
             for (const int exponent : {-480, 0, 400, 700, -700}) {
                 const auto scaled = [&](const Aabb& box) {
                     return Aabb{std::ldexp(1.0, exponent) * box.min, std::ldexp(1.0, exponent) * box.max};
@@ -54,7 +43,7 @@ TEST(DistanceBelow, IsABoundAndATightOne) {
                 const Aabb x = scaled(a), y = scaled(b);
                 double lower = 0;
                 {
-                    const InRounding rounding(mode);
+                    const environment::InFloatMode in_mode(mode);
                     lower = distance_below(x, y);
                 }
                 const long double unscaled = std::ldexp(static_cast<long double>(lower), -exponent);
@@ -173,10 +162,10 @@ TEST_F(VisitsNear, BadArgumentsAreRefused) {
     const auto visit_pair = [](ProxyPair) { return infinity; };
     for (const auto& engine : steps_.engines) {
         for (const double bad : {-1.0, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
-            EXPECT_THROW(engine->visit_near(make_cube(0, 0, 0), bad, visit), InvalidDistance);
-            EXPECT_THROW(engine->visit_near_pairs(bad, visit_pair), InvalidDistance);
+            EXPECT_INVALID(engine->visit_near(make_cube(0, 0, 0), bad, visit), Argument::distance);
+            EXPECT_INVALID(engine->visit_near_pairs(bad, visit_pair), Argument::distance);
         }
-        EXPECT_THROW(engine->visit_near({Vec3(0, 1, 0), Vec3(0, 0, 0)}, 1, visit), InvalidBox);
+        EXPECT_INVALID(engine->visit_near({Vec3(0, 1, 0), Vec3(0, 0, 0)}, 1, visit), Argument::box);
     }
 }
 

@@ -131,14 +131,6 @@ void expect_sound(const Mesh& mesh) {
     }
 }
 
-// A mesh with its vertices mapped.
-template <class Map>
-std::shared_ptr<const Mesh> mapped(const Mesh& mesh, Map&& map) {
-    std::vector<Vec3> vertices;
-    for (const Vec3& v : mesh.vertices()) vertices.push_back(map(v));
-    return Mesh::create(std::move(vertices), {mesh.triangles().begin(), mesh.triangles().end()});
-}
-
 TEST(MeshBvh, ContainsItsTriangles) {
     expect_sound(*scenes::cube(0.5));
     expect_sound(*scenes::ship());
@@ -150,22 +142,23 @@ TEST(MeshBvh, ContainsDegenerateMeshes) {
     expect_sound(*Mesh::create({{1, 1, 1}}, std::vector<Triangle>(100, Triangle{0, 0, 0})));
     expect_sound(*Mesh::create({{0, 0, 0}, {0x1p-1074, 0, 0}}, {{0, 1, 1}}));
     expect_sound(*Mesh::create({{1e250, 0, 0}, {1e250, 1, 1e-300}, {-3, 1, 0}}, {{0, 1, 2}, {2, 2, 1}}));
-    expect_sound(*mapped(*scenes::ship(), [](const Vec3& v) { return Vec3(v[0], 0, 0); }));
+    expect_sound(*scenes::mapped(*scenes::ship(), [](const Vec3& v) { return Vec3(v[0], 0, 0); }));
 }
 
 TEST(MeshBvh, ContainsScaledAndFarMeshes) {
     for (const double scale : {0x1p-600, 1e-9, 1e9, 0x1p600}) {
-        expect_sound(*mapped(*scenes::torus(8, 6, 0.25), [&](const Vec3& v) -> Vec3 { return scale * v; }));
+        expect_sound(*scenes::mapped(*scenes::torus(8, 6, 0.25), [&](const Vec3& v) -> Vec3 { return scale * v; }));
     }
-    expect_sound(*mapped(*scenes::torus(8, 6, 0.25), [](const Vec3& v) -> Vec3 { return v + Vec3(1e9, 0.1, -1e6); }));
+    expect_sound(
+        *scenes::mapped(*scenes::torus(8, 6, 0.25), [](const Vec3& v) -> Vec3 { return v + Vec3(1e9, 0.1, -1e6); }));
 }
 
 // Coordinates as computed are off by less than what rounding to floats mostly covers: not where they are floats.
 TEST(MeshBvh, BoxesOfTrianglesCoverTheErrorOfCoordinates) {
     scenes::Random random(17);
     const Mat3 turn = random.rotation().toRotationMatrix();
-    const auto rod = mapped(*scenes::torus(10, 6, 0.25),
-                            [&](const Vec3& v) -> Vec3 { return turn * Vec3(10 * v[0], v[1], 0.5 * v[2]); });
+    const auto rod = scenes::mapped(*scenes::torus(10, 6, 0.25),
+                                    [&](const Vec3& v) -> Vec3 { return turn * Vec3(10 * v[0], v[1], 0.5 * v[2]); });
     const LocalFrame frame = fit_frame(*rod);
     ASSERT_FALSE(frame.axes.isIdentity());
     const ExactFrame exact(frame);
@@ -190,7 +183,7 @@ TEST(MeshBvh, TakesPrincipalAxesWhereTheyAreBetter) {
     scenes::Random random(3);
     for (int i = 0; i < 3; ++i) {
         const Mat3 turn = random.rotation().toRotationMatrix();
-        const auto rod = mapped(*scenes::torus(10, 6, 0.25), [&](const Vec3& v) -> Vec3 {
+        const auto rod = scenes::mapped(*scenes::torus(10, 6, 0.25), [&](const Vec3& v) -> Vec3 {
             return turn * Vec3(10 * v[0], v[1], 0.5 * v[2]) + Vec3(3, 4, 5);
         });
         expect_sound(*rod);
@@ -224,18 +217,20 @@ TEST(MeshBvh, RefitContainsTheNewTriangles) {
     const auto torus = scenes::torus(14, 8, 0.25);
     const MeshBvh tree = build(*torus);
     scenes::Random random(8);
-    const auto bent = mapped(
+    const auto bent = scenes::mapped(
         *torus, [&](const Vec3& v) -> Vec3 { return v + Vec3(0.1 * v[1] * v[1], random.uniform(-0.01, 0.01), 7); });
     const MeshBvh refitted = refit_mesh_bvh(tree, *bent);
     expect_sound(refitted, *bent);
     EXPECT_EQ(refitted.leaves[0].triangle, tree.leaves[0].triangle) << "a small change keeps the tree";
 
-    const auto flat = mapped(*torus, [](const Vec3& v) -> Vec3 { return {v[1], v[0], 0.9 * v[2] + 0.3 * v[0]}; });
+    const auto flat = scenes::mapped(*torus, [](const Vec3& v) -> Vec3 {
+        return {v[1], v[0], 0.9 * v[2] + 0.3 * v[0]};
+    });
     const MeshBvh turned = refit_mesh_bvh(tree, *flat);
     expect_sound(turned, *flat);
     EXPECT_EQ(turned.leaves[0].triangle, tree.leaves[0].triangle);
 
-    const auto shuffled = mapped(*torus, [&](const Vec3&) -> Vec3 {
+    const auto shuffled = scenes::mapped(*torus, [&](const Vec3&) -> Vec3 {
         return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
     });
     const MeshBvh rebuilt = refit_mesh_bvh(tree, *shuffled);

@@ -45,7 +45,7 @@ inline std::vector<TrianglePair> pairs_of(const Body& a, const Body& b) {
     std::vector<TrianglePair> pairs;
     for (std::uint32_t i = 0; i < a.mesh->triangles().size(); ++i) {
         for (std::uint32_t j = 0; j < b.mesh->triangles().size(); ++j) {
-            if (triangle_triangle(a.posed_triangle(i), b.posed_triangle(j)) != Relation::disjoint) {
+            if (triangle_triangle(a.posed_triangle(i), b.posed_triangle(j)) != Relation::apart) {
                 pairs.push_back({i, j});
             }
         }

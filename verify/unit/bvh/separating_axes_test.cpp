@@ -27,7 +27,7 @@ TEST(SeparatingAxes, NeverSeparateTrianglesThatMeet) {
     std::uint64_t separated = 0, apart = 0;
     scenes::for_each_case(scenes::hard_families(), random, 300, [&](const scenes::PosedPair& pair) {
         const Body a(scenes::one_triangle(pair.a), pair.pose_a), b(scenes::one_triangle(pair.b), pair.pose_b);
-        const bool meet = triangle_triangle({pair.pose_a, pair.a}, {pair.pose_b, pair.b}) != Relation::disjoint;
+        const bool meet = triangle_triangle({pair.pose_a, pair.a}, {pair.pose_b, pair.b}) != Relation::apart;
         if (meet) {
             ASSERT_TRUE(let_through_in_every_rounding_mode(a, b, 0, 0));
         } else {
@@ -44,8 +44,7 @@ TEST(SeparatingAxes, NeverSeparateBoxesInContactUnderPerturbedMatrices) {
     for (const double error : {0.0, 1e-16, 1e-12, 1e-6, 1e-3, 0.3}) {
         for (int i = 0; i < 25; ++i) {
             const auto pose = [&] {
-                Pose p;
-                p.R = random.rotation().toRotationMatrix();
+                Pose p = random.turned();
                 for (int k = 0; k < 9; ++k) p.R.data()[k] += error * random.uniform(-1, 1);
                 for (int k = 0; k < 3; ++k) p.t[k] = random.uniform(-10, 10);
                 return p;
@@ -85,14 +84,10 @@ TEST(SeparatingAxes, NeverSeparateRootsInContactFarFromTheirOwnOrigins) {
     scenes::Random random(31);
     for (int exponent = 8; exponent <= 44; exponent += 4) {
         for (int i = 0; i < 40; ++i) {
-            Pose pose;
-            pose.R = random.rotation().toRotationMatrix();
+            Pose pose = random.turned();
             if (i % 4 == 3) pose.R += 0.3 * Mat3::NullaryExpr([&] { return random.uniform(-1, 1); });
             const auto cube_at = [](const Vec3& offset) {
-                const auto cube = scenes::cube(0.5);
-                std::vector<Vec3> vertices(cube->vertices().begin(), cube->vertices().end());
-                for (Vec3& v : vertices) v += offset;
-                return Mesh::create(std::move(vertices), {cube->triangles().begin(), cube->triangles().end()});
+                return scenes::mapped(*scenes::cube(0.5), [&](const Vec3& v) -> Vec3 { return v + offset; });
             };
             Vec3 place, step;
             for (int k = 0; k < 3; ++k) {

@@ -5,6 +5,7 @@
 
 #include "scenes/flush_parts.hpp"
 #include "scenes/random.hpp"
+#include "scenes/shapes.hpp"
 #include "unit/bvh/separated_bodies.hpp"
 
 namespace ecods::separating_edges_test {
@@ -28,17 +29,6 @@ Pose in_plane(scenes::Random& random, int axis, double size) {
     return pose;
 }
 
-// The mesh, flat at z = 0, so that it is flat across the axis.
-std::shared_ptr<const Mesh> across(const Mesh& mesh, int axis) {
-    std::vector<Vec3> vertices;
-    for (const Vec3& v : mesh.vertices()) {
-        Vec3 w;
-        for (int k = 0; k < 3; ++k) w[(axis + 1 + k) % 3] = v[k];
-        vertices.push_back(w);
-    }
-    return Mesh::create(std::move(vertices), {mesh.triangles().begin(), mesh.triangles().end()});
-}
-
 // In one plane triangles are parted by their edges, slivers above all: their edges are short beside the rest, and
 // contacts here are as thin as doubles can say.
 TEST(SeparatingEdges, NeverSeparateFlatBodiesInContact) {
@@ -46,8 +36,8 @@ TEST(SeparatingEdges, NeverSeparateFlatBodiesInContact) {
     for (int i = 0; i < 60; ++i) {
         const int axis = i % 3;
         const double size = i % 5 == 0 ? 0x1p-40 : 1;
-        const Body a(across(*polygon(5 + random.below(20), i % 2 == 0), axis), in_plane(random, axis, 1));
-        Body b(across(*polygon(5 + random.below(20), i % 4 < 2), axis), in_plane(random, axis, size));
+        const Body a(scenes::across(*polygon(5 + random.below(20), i % 2 == 0), axis), in_plane(random, axis, 1));
+        Body b(scenes::across(*polygon(5 + random.below(20), i % 4 < 2), axis), in_plane(random, axis, size));
         Vec3 direction(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
         direction[axis] = 0;
         bring_into_contact(a, b, direction);
@@ -75,7 +65,7 @@ TEST(SeparatingEdges, NeverSeparateSmallTrianglesOfLargeFlatBodiesInContact) {
                     vertices.push_back(side * end + size * (aside + jitter));
                 }
             }
-            return across(*Mesh::create(std::move(vertices), {{0, 1, 2}, {3, 4, 5}}), axis);
+            return scenes::across(*Mesh::create(std::move(vertices), {{0, 1, 2}, {3, 4, 5}}), axis);
         };
         const Body a(chips(), in_plane(random, axis, 1));
         Body b(chips(), in_plane(random, axis, 1));
@@ -133,7 +123,7 @@ TEST(SeparatingEdges, SeparateTrianglesOfOnePlaneByEdgesOfEither) {
         for (Vec3& v : b) v[0] += 0.7;
         const Vec3 middle = (b[0] + b[1] + b[2]) / 3;
         for (std::size_t k = 0; k < 3; ++k) larger[k] = b[k] + (b[k] - middle) * 0x1p-8;
-        if (triangle_triangle({Pose(), a}, {Pose(), larger}) != Relation::disjoint) continue;
+        if (triangle_triangle({Pose(), a}, {Pose(), larger}) != Relation::apart) continue;
         ++apart;
         const Body x(Mesh::create({a.begin(), a.end()}, {{0, 1, 2}}), Pose());
         const Body y(Mesh::create({b.begin(), b.end()}, {{0, 1, 2}}), Pose());

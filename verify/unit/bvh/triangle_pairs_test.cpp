@@ -1,4 +1,4 @@
-// Pairs of triangles of two leaves: what is proven to cross does, what is proven disjoint is, and generic pairs are
+// Pairs of triangles of two leaves: what is proven to cross does, what is proven apart is, and generic pairs are
 // proven to be one or the other.
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@ namespace ecods::triangle_pairs_test {
 namespace {
 
 struct Tally {
-    int disjoint = 0, crossing = 0;                // pairs that are
-    int proven_disjoint = 0, proven_crossing = 0;  // of these, known from the floats
+    int apart = 0, crossing = 0;                // pairs that are
+    int proven_apart = 0, proven_crossing = 0;  // of these, known from the floats
     friend bool operator==(const Tally&, const Tally&) = default;
 };
 
@@ -45,11 +45,11 @@ void expect_sound(const Body& a, const Body& b, Tally& tally) {
                 const Relation truth =
                     triangle_triangle(a.posed_triangle(x.triangle[i]), b.posed_triangle(y.triangle[j]));
                 ASSERT_TRUE(!crosses || truth == Relation::crossing);
-                ASSERT_TRUE(near || truth == Relation::disjoint);
+                ASSERT_TRUE(near || truth == Relation::apart);
                 if (mode != FE_TONEAREST) continue;
-                tally.disjoint += truth == Relation::disjoint;
+                tally.apart += truth == Relation::apart;
                 tally.crossing += truth == Relation::crossing;
-                tally.proven_disjoint += !near;
+                tally.proven_apart += !near;
                 tally.proven_crossing += crosses;
             }
         }
@@ -83,7 +83,7 @@ TEST(TrianglePairs, OfGenericTrianglesAreDecided) {
     }
     EXPECT_GT(tally.crossing, 2000);
     EXPECT_GT(tally.proven_crossing, 0.99 * tally.crossing);
-    EXPECT_GT(tally.proven_disjoint, 0.99 * tally.disjoint);
+    EXPECT_GT(tally.proven_apart, 0.99 * tally.apart);
 }
 
 // Under poses that are flat, or nearly, in one direction or two, and sizes that are far apart: a flat body's triangles
@@ -126,7 +126,7 @@ TEST(TrianglePairs, NextToContactAreSound) {
     scenes::Random random(6);
     Tally tally;
     for (int i = 0; i < 150; ++i) {
-        const auto rotation = [&] { return Pose{random.rotation().toRotationMatrix(), Vec3::Zero()}; };
+        const auto rotation = [&] { return random.turned(); };
         const Body a(soup(random, 1, 1), rotation());
         Body b(soup(random, 1, 1), rotation());
         const auto middle = [](const Body& body) -> Vec3 {

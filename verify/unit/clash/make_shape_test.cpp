@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "ecods/convex_solid.hpp"
 #include "ecods/mesh.hpp"
+#include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
 
 namespace ecods::clash {

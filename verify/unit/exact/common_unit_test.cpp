@@ -10,6 +10,7 @@
 #include "oracle/oracle.hpp"
 #include "query/intersection/triangle_relations.hpp"
 #include "scenes/random.hpp"
+#include "scenes/shapes.hpp"
 
 namespace ecods::exact::common_unit_test {
 namespace {
@@ -134,19 +135,9 @@ TEST(CommonUnit, GridsOfOneLength) {
             }
             // One corner is off by the last digit: no common length of that size.
             if (i % 4 == 3) places[7] += Vec3::Ones();
+            const auto cube = scenes::cube(1);
             return Body(signed_permutation(random), n.cwiseProduct(unit), places,
-                        {{0, 2, 3},
-                         {0, 3, 1},
-                         {4, 5, 7},
-                         {4, 7, 6},
-                         {0, 1, 5},
-                         {0, 5, 4},
-                         {2, 6, 7},
-                         {2, 7, 3},
-                         {0, 4, 6},
-                         {0, 6, 2},
-                         {1, 3, 7},
-                         {1, 7, 5}});
+                        {cube->triangles().begin(), cube->triangles().end()});
         };
         const Vec3 cell = integers(random, 4);
         const Body a = cube_at(cell), b = cube_at(cell + integers(random, 2));

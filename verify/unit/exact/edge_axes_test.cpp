@@ -54,9 +54,7 @@ TEST(EdgeAxes, SegmentsAreKeptApartAndNeverLost) {
     std::array<int, 3> counts{};
     int clear_count = 0, clear_by_filter = 0;
     for (int i = 0; i < 4000; ++i) {
-        Pose face_pose, pose;
-        face_pose.R = random.rotation().toRotationMatrix();
-        pose.R = random.rotation().toRotationMatrix();
+        Pose face_pose = random.turned(), pose = random.turned();
         face_pose.t = std::ldexp(1.0, static_cast<int>(random.below(30))) * random.direction();
         pose.t = face_pose.t + random.direction();
         const Corners face{Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
@@ -74,7 +72,7 @@ TEST(EdgeAxes, SegmentsAreKeptApartAndNeverLost) {
         clear_by_filter += static_cast<int>(there.by_filter + back.by_filter);
     }
     EXPECT_EQ(clear_by_filter, clear_count);
-    EXPECT_GT(counts[static_cast<std::size_t>(Relation::disjoint)], 1000);
+    EXPECT_GT(counts[static_cast<std::size_t>(Relation::apart)], 1000);
     EXPECT_GT(counts[static_cast<std::size_t>(Relation::crossing)], 500);
 }
 
@@ -107,7 +105,7 @@ TEST(EdgeAxes, OnlyDisjointTrianglesAreSeparated) {
     int separated_count = 0, contact_count = 0;
     for (int i = 0; i < 10000; ++i) {
         const Points<6> w = crossed_edges(i % 2 == 0 ? 0x1p-53 : 0.1, random);
-        const bool is_contact = relation_of(w) != Relation::disjoint;
+        const bool is_contact = relation_of(w) != Relation::apart;
         contact_count += is_contact;
         if (!edges_separate(w, bound_of(w))) continue;
         ++separated_count;

@@ -63,7 +63,7 @@ TEST(EncloseDistance, IsNarrow) {
     for (int i = 0; i < 4000; ++i) {
         const int exponent = i % 4 == 0 ? static_cast<int>(random.below(1201)) - 600 : 0;
         const PosedPair pair = scaled_by(at_gap(random, random_pair(random), 0x1p-27), exponent);
-        if (triangle_triangle({pair.pose_a, pair.a}, {pair.pose_b, pair.b}) != Relation::disjoint) continue;
+        if (triangle_triangle({pair.pose_a, pair.a}, {pair.pose_b, pair.b}) != Relation::apart) continue;
         const OnePair meshes(pair);
         const IntegerPair six = integers(points, meshes);
         const Enclosure e = enclose_distance(six, guess_features(six));

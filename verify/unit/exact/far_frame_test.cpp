@@ -24,8 +24,7 @@ TEST(FarFrame, ErrorsOfEitherBodyCount) {
     TriangleRelations bodies;
     std::array<int, 3> counts{};
     for (int i = 0; i < 2000; ++i) {
-        Pose pose;
-        pose.R = random.rotation().toRotationMatrix();
+        Pose pose = random.turned();
         const Vec3 center = std::ldexp(1.0, static_cast<int>(random.below(40))) * random.direction();
         const std::array<Vec3, 3> corners{center, center + pose.R.transpose() * Vec3(1, 0, 2),
                                           center + pose.R.transpose() * Vec3(0, 1, 3)};

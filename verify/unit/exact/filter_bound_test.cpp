@@ -155,6 +155,13 @@ double orient2d_ratio(const FourPoints& p, double delta) {
     return std::abs(error) / orient2d_bound(bound_of(p, 3, delta), 0, 1);
 }
 
+// The largest error over its bound: no more than 1, and not much less.
+void expect_tight(double largest, double least) {
+    std::printf("largest error over bound: %.4f\n", largest);
+    EXPECT_LE(largest, 1);
+    EXPECT_GE(largest, least);
+}
+
 double search_points(double delta, int steps, const std::function<double(const FourPoints&, double)>& ratio) {
     Random random(1);
     return search(
@@ -163,31 +170,19 @@ double search_points(double delta, int steps, const std::function<double(const F
 }
 
 TEST(FilterBound, Orient3dOfExactPoints) {
-    const double largest = search_points(0, 20000, orient3d_ratio);
-    std::printf("largest error over bound: %.4f\n", largest);
-    EXPECT_LE(largest, 1);
-    EXPECT_GE(largest, 1 / 12.0);
+    expect_tight(search_points(0, 20000, orient3d_ratio), 1 / 12.0);
 }
 
 TEST(FilterBound, Orient3dOfInexactPoints) {
-    const double largest = search_points(0x1p-20, 20000, orient3d_ratio);
-    std::printf("largest error over bound: %.4f\n", largest);
-    EXPECT_LE(largest, 1);
-    EXPECT_GE(largest, 1 / 4.0);
+    expect_tight(search_points(0x1p-20, 20000, orient3d_ratio), 1 / 4.0);
 }
 
 TEST(FilterBound, Orient2dOfExactPoints) {
-    const double largest = search_points(0, 20000, orient2d_ratio);
-    std::printf("largest error over bound: %.4f\n", largest);
-    EXPECT_LE(largest, 1);
-    EXPECT_GE(largest, 1 / 4.0);
+    expect_tight(search_points(0, 20000, orient2d_ratio), 1 / 4.0);
 }
 
 TEST(FilterBound, Orient2dOfInexactPoints) {
-    const double largest = search_points(0x1p-20, 20000, orient2d_ratio);
-    std::printf("largest error over bound: %.4f\n", largest);
-    EXPECT_LE(largest, 1);
-    EXPECT_GE(largest, 1 / 2.5);
+    expect_tight(search_points(0x1p-20, 20000, orient2d_ratio), 1 / 2.5);
 }
 
 // Two points whose errors are opposite: the difference has both.
@@ -235,10 +230,7 @@ TEST(FilterBound, PosedPoints) {
         else
             in.mode = rounding_modes[random.below(4)];
     };
-    const double largest = search(8, 20000, PosedInput{}, change_one, point_ratio);
-    std::printf("largest error over bound: %.4f\n", largest);
-    EXPECT_LE(largest, 1);
-    EXPECT_GE(largest, 1 / 3.0);
+    expect_tight(search(8, 20000, PosedInput{}, change_one, point_ratio), 1 / 3.0);
 }
 
 TEST(FilterBound, EveryTermOfAPosedPointCounts) {

@@ -29,10 +29,6 @@ Fraction fraction(const mpz_class& num, const mpz_class& den) {
     return result;
 }
 
-double nearest(const mpq_class& x) {
-    return oracle::nearest(oracle::ExactFraction{x.get_num(), x.get_den(), 0});
-}
-
 void check_on_line(const Vec3& a, const Vec3& b, const mpz_class& num, const mpz_class& den) {
     mpq_class s(num, den);
     s.canonicalize();

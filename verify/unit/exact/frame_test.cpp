@@ -3,7 +3,6 @@
 
 #include "exact/point/frame.hpp"
 
-#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,33 +14,12 @@
 #include "ecods/mesh.hpp"
 #include "ecods/predicates.hpp"
 #include "exact/sign/frame_signs.hpp"
-#include "scenes/random.hpp"
+#include "oracle_pair.hpp"
 
 namespace ecods::exact::frame_test {
 namespace {
 
-using scenes::Random;
-using RationalPoint = std::array<mpq_class, 3>;
-
 constexpr std::array rounding_modes{FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-
-template <class Evaluate>
-[[gnu::noinline]] auto in_mode(int mode, Evaluate evaluate) {
-    std::fesetround(mode);
-    auto result = evaluate();
-    std::fesetround(FE_TONEAREST);
-    return result;
-}
-
-RationalPoint rational(const Pose& pose, const Vec3& v) {
-    RationalPoint result;
-    for (int row = 0; row < 3; ++row) {
-        mpq_class& x = result[static_cast<std::size_t>(row)];
-        x = mpq_class(pose.t[row]);
-        for (int k = 0; k < 3; ++k) x += mpq_class(pose.R(row, k)) * mpq_class(v[k]);
-    }
-    return result;
-}
 
 int minor_sign(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, int axis) {
     const auto i = static_cast<std::size_t>((axis + 1) % 3), j = static_cast<std::size_t>((axis + 2) % 3);
@@ -49,18 +27,7 @@ int minor_sign(const RationalPoint& a, const RationalPoint& b, const RationalPoi
 }
 
 int determinant_sign(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, const RationalPoint& d) {
-    std::array<RationalPoint, 3> x;
-    for (std::size_t k = 0; k < 3; ++k) {
-        x[0][k] = b[k] - a[k];
-        x[1][k] = c[k] - a[k];
-        x[2][k] = d[k] - a[k];
-    }
-    mpq_class sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
-        sum += x[0][k] * (x[1][l] * x[2][m] - x[1][m] * x[2][l]);
-    }
-    return sgn(sum);
+    return sgn(dot(b - a, cross(c - a, d - a)));
 }
 
 Mat3 signed_permutation(Random& random) {
@@ -215,13 +182,13 @@ struct Checked {
         const std::vector<int> expected = all_signs<N>(rational);
         for (const int sign : expected) ++sign_counts[static_cast<std::size_t>(sign + 1)];
         for (const int mode : rounding_modes) {
-            const auto of_frame = in_mode(mode, [&] {
+            const auto of_frame = in_environment(mode, [&] {
                 const auto bodies = scene.bodies();
                 frame.bind(bodies);
                 return with_signs(frame, scene.vertices, [](auto& signs) { return all_signs<N>(signs); });
             });
             ASSERT_EQ(of_frame, expected) << mode;
-            const auto of_points = in_mode(mode, [&] { return signs_without_meshes(scene); });
+            const auto of_points = in_environment(mode, [&] { return signs_without_meshes(scene); });
             ASSERT_EQ(of_points, expected) << mode;
         }
         ++arithmetics[frame.arithmetic()];
@@ -270,7 +237,7 @@ TEST(Frame, OneBoundForAllBodies) {
         const RationalSigns<5> expected{scene.points};
         const auto bodies = scene.bodies();
         for (const int mode : rounding_modes) {
-            const auto found = in_mode(mode, [&] {
+            const auto found = in_environment(mode, [&] {
                 frame.bind(bodies);
                 const Points<5> w = frame.rounded(scene.vertices);
                 const double bound = orient3d_bound(frame);
@@ -293,10 +260,10 @@ TEST(Frame, PredicatesOfFourBodies) {
         const auto at = [&](std::size_t k) { return PosedPoint{scene.poses[k], scene.vertex(k)}; };
         const auto& p = scene.points;
         for (const int mode : rounding_modes) {
-            const Sign side = in_mode(mode, [&] { return orient3d(at(0), at(1), at(2), at(3)); });
+            const Sign side = in_environment(mode, [&] { return orient3d(at(0), at(1), at(2), at(3)); });
             ASSERT_EQ(static_cast<int>(side), determinant_sign(p[0], p[1], p[2], p[3])) << i;
             for (int axis = 0; axis < 3; ++axis) {
-                const Sign turn = in_mode(mode, [&] { return orient2d(at(1), at(2), at(3), axis); });
+                const Sign turn = in_environment(mode, [&] { return orient2d(at(1), at(2), at(3), axis); });
                 ASSERT_EQ(static_cast<int>(turn), minor_sign(p[1], p[2], p[3], axis)) << i;
             }
         }

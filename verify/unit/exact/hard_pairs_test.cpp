@@ -30,11 +30,11 @@ TEST_P(HardPairs, RelationIsTheOraclesAndSymmetric) {
         ASSERT_EQ(triangle_triangle(b, a), relation);
         ASSERT_EQ(oracle::triangle_triangle(pair.pose_a, pair.a, pair.pose_b, pair.b), relation) << i;
         if (pair.intersects) {
-            ASSERT_EQ(relation != Relation::disjoint, *pair.intersects) << i;
+            ASSERT_EQ(relation != Relation::apart, *pair.intersects) << i;
         }
         ++counts[static_cast<std::size_t>(relation)];
     }
-    RecordProperty("disjoint", counts[0]);
+    RecordProperty("apart", counts[0]);
     RecordProperty("touching", counts[1]);
     RecordProperty("crossing", counts[2]);
 }

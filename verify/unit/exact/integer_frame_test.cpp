@@ -13,23 +13,14 @@
 #include "environment/float_mode.hpp"
 #include "exact/point/line_points.hpp"
 #include "exact/point/mesh_extent.hpp"
+#include "integers.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::exact::integer_frame_test {
 namespace {
 
 mpq_class rational(Int128 x, int unit) {
-    const bool is_negative = x < 0;
-    const Uint128 size = is_negative ? -static_cast<Uint128>(x) : static_cast<Uint128>(x);
-    mpz_class whole = static_cast<std::uint64_t>(size >> 64);
-    whole = (whole << 64) + static_cast<std::uint64_t>(size);
-    mpq_class result(is_negative ? mpz_class(-whole) : whole);
-    if (unit >= 0) {
-        result <<= static_cast<unsigned>(unit);
-    } else {
-        result >>= static_cast<unsigned>(-unit);
-    }
-    return result;
+    return testing::times_power(testing::mpz_of(x), unit);
 }
 
 // Numbers of few digits, many digits, zeros, and of very different sizes.

@@ -17,6 +17,15 @@ inline mpz_class mpz_of(const Integer& x) {
     return x.sign() < 0 ? mpz_class(-result) : result;
 }
 
+inline mpz_class mpz_of(Int128 x) {
+    return mpz_of(Integer(x));
+}
+
+inline mpq_class times_power(const mpq_class& x, long exponent) {
+    if (exponent >= 0) return x << static_cast<unsigned long>(exponent);
+    return x >> static_cast<unsigned long>(-exponent);
+}
+
 inline Integer integer_of(const mpz_class& x) {
     Integer result;
     const mpz_class size = abs(x);

@@ -96,14 +96,16 @@ void expect_right(const IntegerPoints<Kernel, 6>& points, const SixBig& p) {
     }
 }
 
-TEST(Kernel, OneLimb) {
-    scenes::Random random(1);
-    for (int i = 0; i < 20000; ++i) {
-        const int bits = i % 2 == 0 ? OneLimbKernel::coordinate_bits : 1 + i % OneLimbKernel::coordinate_bits;
+// `coordinate` makes a coordinate of the kernel of an integer.
+template <class Kernel, class Coordinate>
+void check(std::uint32_t seed, int runs, const Coordinate& coordinate) {
+    scenes::Random random(seed);
+    for (int i = 0; i < runs; ++i) {
+        const int bits = i % 2 == 0 ? Kernel::coordinate_bits : 1 + i % Kernel::coordinate_bits;
         const SixBig p = points(random, bits);
-        IntegerPoints<OneLimbKernel, 6> kernel;
+        IntegerPoints<Kernel, 6> kernel;
         for (std::size_t q = 0; q < 6; ++q) {
-            for (std::size_t k = 0; k < 3; ++k) kernel.at[q][k] = static_cast<std::int64_t>(p[q][k]);
+            for (std::size_t k = 0; k < 3; ++k) kernel.at[q][k] = coordinate(p[q][k]);
         }
         expect_right(kernel, p);
     }
@@ -111,32 +113,17 @@ TEST(Kernel, OneLimb) {
 
 template <int L>
 void check_limbs(int runs) {
-    scenes::Random random(L);
-    for (int i = 0; i < runs; ++i) {
-        const int bits = i % 2 == 0 ? LimbKernel<L>::coordinate_bits : 1 + i % LimbKernel<L>::coordinate_bits;
-        const SixBig p = points(random, bits);
-        IntegerPoints<LimbKernel<L>, 6> kernel;
-        for (std::size_t q = 0; q < 6; ++q) {
-            for (std::size_t k = 0; k < 3; ++k) kernel.at[q][k] = to_limbs<L>(p[q][k]);
-        }
-        expect_right(kernel, p);
-    }
+    check<LimbKernel<L>>(L, runs, to_limbs<L>);
 }
 
+TEST(Kernel, OneLimb) {
+    check<OneLimbKernel>(1, 20000, [](const cpp_int& x) { return static_cast<std::int64_t>(x); });
+}
 TEST(Kernel, TwoLimbs) {
-    scenes::Random random(2);
-    for (int i = 0; i < 20000; ++i) {
-        const int bits = i % 2 == 0 ? TwoLimbKernel::coordinate_bits : 1 + i % TwoLimbKernel::coordinate_bits;
-        const SixBig p = points(random, bits);
-        IntegerPoints<TwoLimbKernel, 6> kernel;
-        for (std::size_t q = 0; q < 6; ++q) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Limbs<2> x = to_limbs<2>(p[q][k]);
-                kernel.at[q][k] = static_cast<Int128>(Uint128{x[1]} << 64 | x[0]);
-            }
-        }
-        expect_right(kernel, p);
-    }
+    check<TwoLimbKernel>(2, 20000, [](const cpp_int& x) {
+        const Limbs<2> limbs = to_limbs<2>(x);
+        return static_cast<Int128>(Uint128{limbs[1]} << 64 | limbs[0]);
+    });
 }
 
 TEST(Kernel, TwoSmallLimbs) {

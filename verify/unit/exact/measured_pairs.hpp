@@ -9,11 +9,8 @@
 #include <utility>
 #include <vector>
 
-#if defined(__x86_64__)
-#include <xmmintrin.h>
-#endif
-
 #include "ecods/mesh.hpp"
+#include "environment/float_mode.hpp"
 #include "exact/point/frame.hpp"
 #include "scenes/hard_pairs.hpp"
 #include "scenes/random.hpp"
@@ -29,16 +26,10 @@ inline constexpr int flushing = -1;
 inline constexpr std::array environments{FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, flushing};
 
 template <class Evaluate>
-[[gnu::noinline]] auto in_environment(int environment, Evaluate evaluate) {
-    std::fenv_t saved;
-    std::fegetenv(&saved);
-    std::fesetround(environment == flushing ? FE_TONEAREST : environment);
-#if defined(__x86_64__)
-    if (environment == flushing) _mm_setcsr(_mm_getcsr() | 0x8040);
-#endif
-    auto result = evaluate();
-    std::fesetenv(&saved);
-    return result;
+[[gnu::noinline]] auto in_environment(int which, Evaluate evaluate) {
+    const bool flushes = which == flushing;
+    const environment::InFloatMode in_mode({"", flushes ? FE_TONEAREST : which, flushes});
+    return evaluate();
 }
 
 // Two meshes of one triangle each, posed.

@@ -9,9 +9,9 @@ namespace {
 
 TEST(Names, SignsAndRelationsPrint) {
     std::ostringstream out;
-    out << Sign::negative << ' ' << Sign::zero << ' ' << Sign::positive << ' ' << Relation::disjoint << ' '
+    out << Sign::negative << ' ' << Sign::zero << ' ' << Sign::positive << ' ' << Relation::apart << ' '
         << Relation::touching << ' ' << Relation::crossing;
-    EXPECT_EQ(out.str(), "negative zero positive disjoint touching crossing");
+    EXPECT_EQ(out.str(), "negative zero positive apart touching crossing");
 }
 
 }  // namespace

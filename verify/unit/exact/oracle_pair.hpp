@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "integers.hpp"
 #include "measured_pairs.hpp"
 #include "oracle/distance.hpp"
 #include "oracle/nearest.hpp"
@@ -36,6 +37,10 @@ inline bool same_bits(const Vec3& a, const Vec3& b) {
     return bits(a[0]) == bits(b[0]) && bits(a[1]) == bits(b[1]) && bits(a[2]) == bits(b[2]);
 }
 
+inline double nearest(const mpq_class& x) {
+    return oracle::nearest(oracle::ExactFraction{x.get_num(), x.get_den(), 0});
+}
+
 using RationalPoint = std::array<mpq_class, 3>;
 
 inline RationalPoint rational(const Pose& pose, const Vec3& v) {
@@ -54,8 +59,7 @@ inline RationalPoint rational(const oracle::ExactPoint& point) {
         const oracle::ExactFraction& x = point.x[k];
         result[k] = mpq_class(x.num, x.den);
         result[k].canonicalize();
-        if (x.unit > 0) result[k] <<= static_cast<unsigned long>(x.unit);
-        if (x.unit < 0) result[k] >>= static_cast<unsigned long>(-x.unit);
+        result[k] = testing::times_power(result[k], x.unit);
     }
     return result;
 }
@@ -63,13 +67,16 @@ inline RationalPoint rational(const oracle::ExactPoint& point) {
 inline RationalPoint operator-(const RationalPoint& a, const RationalPoint& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
+inline mpq_class dot(const RationalPoint& a, const RationalPoint& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 inline RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 // Whether every coordinate of u is the double nearest to that of v / |v|, and zeros are +0.
 inline bool is_direction(const Vec3& u, const RationalPoint& v) {
-    const mpq_class all = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    const mpq_class all = dot(v, v);
     for (std::size_t k = 0; k < 3; ++k) {
         const double x = u[static_cast<Eigen::Index>(k)];
         const mpq_class part = v[k] * v[k] / all;

@@ -64,17 +64,17 @@ TEST(TriangleTriangle, KnownRelations) {
     const auto relation = [&](const Vec3& p, const Vec3& q, const Vec3& r) { return triangle_triangle(a, {p, q, r}); };
     EXPECT_EQ(relation({1, 1, -1}, {1, 1, 1}, {2, 1, 1}), Relation::crossing);
     EXPECT_EQ(relation({1, 1, 0}, {1, 1, 1}, {2, 1, 1}), Relation::touching) << "a vertex on the face";
-    EXPECT_EQ(relation({1, 1, tiny}, {1, 1, 1}, {2, 1, 1}), Relation::disjoint);
+    EXPECT_EQ(relation({1, 1, tiny}, {1, 1, 1}, {2, 1, 1}), Relation::apart);
     EXPECT_EQ(relation({2, 0, -1}, {2, 0, 1}, {2, -5, 0}), Relation::touching) << "edge on edge";
     EXPECT_EQ(relation({1, 1, 0}, {2, 1, 0}, {1, 2, 0}), Relation::touching) << "coplanar, inside";
     EXPECT_EQ(relation({4, 0, 0}, {8, 0, 0}, {8, 4, 0}), Relation::touching) << "coplanar, a shared vertex";
-    EXPECT_EQ(relation({3, 3, 0}, {8, 0, 0}, {8, 4, 0}), Relation::disjoint) << "coplanar";
+    EXPECT_EQ(relation({3, 3, 0}, {8, 0, 0}, {8, 4, 0}), Relation::apart) << "coplanar";
     EXPECT_EQ(relation({0, 0, 0}, {4, 0, 0}, {0, 0, 4}), Relation::touching) << "a shared edge";
     EXPECT_EQ(relation({1, 1, -1}, {1, 1, 1}, {1, 1, 1}), Relation::crossing) << "a segment through the face";
     EXPECT_EQ(relation({1, 1, 0}, {1, 1, 1}, {1, 1, 1}), Relation::touching) << "a segment that ends on the face";
     EXPECT_EQ(relation({0, 0, -1}, {0, 0, 1}, {0, 0, 0}), Relation::touching) << "a segment through a vertex";
     EXPECT_EQ(relation({1, 1, 0}, {1, 1, 0}, {1, 1, 0}), Relation::touching) << "a point";
-    EXPECT_EQ(relation({3, 3, 0}, {3, 3, 0}, {3, 3, 0}), Relation::disjoint) << "a point";
+    EXPECT_EQ(relation({3, 3, 0}, {3, 3, 0}, {3, 3, 0}), Relation::apart) << "a point";
 }
 
 }  // namespace

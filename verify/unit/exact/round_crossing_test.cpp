@@ -19,38 +19,9 @@ namespace {
 
 using Vector = TwoLimbKernel::Point;
 using Corners = std::array<Vector, 3>;
-using Rationals = std::array<mpq_class, 3>;
 
-mpz_class to_mpz(Int128 x) {
-    const bool is_negative = x < 0;
-    const Uint128 size = is_negative ? -static_cast<Uint128>(x) : static_cast<Uint128>(x);
-    mpz_class result = static_cast<unsigned long>(size >> 64);
-    result <<= 64;
-    result += static_cast<unsigned long>(size);
-    return is_negative ? mpz_class(-result) : result;
-}
-
-Rationals to_rationals(const Vector& v) {
-    return {mpq_class(to_mpz(v[0])), mpq_class(to_mpz(v[1])), mpq_class(to_mpz(v[2]))};
-}
-Rationals operator-(const Rationals& a, const Rationals& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-mpq_class dot(const Rationals& a, const Rationals& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Rationals cross(const Rationals& a, const Rationals& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double nearest(const mpq_class& x) {
-    return oracle::nearest(oracle::ExactFraction{x.get_num(), x.get_den(), 0});
-}
-
-mpq_class times_power(mpq_class x, int e) {
-    if (e >= 0) mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(e));
-    if (e < 0) mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(-e));
-    return x;
+RationalPoint to_rationals(const Vector& v) {
+    return {testing::mpz_of(v[0]), testing::mpz_of(v[1]), testing::mpz_of(v[2])};
 }
 
 struct Count {
@@ -58,8 +29,8 @@ struct Count {
 };
 
 void check(const LineInUnits& line, const Corners& corners, Count& count) {
-    const Rationals p = to_rationals(corners[0]), d = to_rationals(line.direction);
-    const Rationals n = cross(to_rationals(corners[1]) - p, to_rationals(corners[2]) - p);
+    const RationalPoint p = to_rationals(corners[0]), d = to_rationals(line.direction);
+    const RationalPoint n = cross(to_rationals(corners[1]) - p, to_rationals(corners[2]) - p);
     const mpq_class den = dot(n, d);
     if (sgn(den) == 0 || sgn(dot(n, p)) * sgn(den) <= 0) return;
     const mpq_class s = dot(n, p) / den;
@@ -80,7 +51,7 @@ void check(const LineInUnits& line, const Corners& corners, Count& count) {
     ASSERT_EQ(bits(crossing.at.parameter), bits(nearest(s)));
     for (int k = 0; k < 3; ++k) {
         const auto row = static_cast<std::size_t>(k);
-        const mpq_class point = mpq_class(line.from[k]) + times_power(d[row], line.unit) * s;
+        const mpq_class point = mpq_class(line.from[k]) + testing::times_power(d[row], line.unit) * s;
         ASSERT_EQ(bits(crossing.at.point[k]), bits(nearest(point))) << k;
     }
 }

@@ -21,7 +21,7 @@ TEST(TriangleDistances, AreRoundedOnceInEveryEnvironment) {
         const OraclePair truth(pair);
         const double expected = oracle::nearest(truth->distance());
         ASSERT_EQ(bits(expected) == 0,
-                  triangle_triangle({pair.pose_a, pair.a}, {pair.pose_b, pair.b}) != Relation::disjoint);
+                  triangle_triangle({pair.pose_a, pair.a}, {pair.pose_b, pair.b}) != Relation::apart);
         for (const int environment : environments) {
             const double d = in_environment(environment, [&] {
                 bodies.bind(meshes.a(), meshes.b());

@@ -142,9 +142,9 @@ TEST(WidthSweep, PosedPointsThatAreNoDoubles) {
     EXPECT_EQ(relation({1, 1, 0}), Relation::touching);
     EXPECT_EQ(relation({2, 2, 0}), Relation::touching);
     EXPECT_EQ(relation({0, 2, 0}), Relation::crossing);
-    EXPECT_EQ(relation({2, 1, 0}), Relation::disjoint);
-    EXPECT_EQ(relation({3, 2, 0}), Relation::disjoint);
-    EXPECT_EQ(relation({4, 3, 0}), Relation::disjoint);
+    EXPECT_EQ(relation({2, 1, 0}), Relation::apart);
+    EXPECT_EQ(relation({3, 2, 0}), Relation::apart);
+    EXPECT_EQ(relation({4, 3, 0}), Relation::apart);
 }
 
 }  // namespace

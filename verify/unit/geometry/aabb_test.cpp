@@ -1,4 +1,4 @@
-#include "ecods/aabb.hpp"
+#include "ecods/primitives.hpp"
 
 #include <gtest/gtest.h>
 

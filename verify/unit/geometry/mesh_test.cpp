@@ -8,6 +8,7 @@
 #include <string>
 
 #include "ecods/error.hpp"
+#include "scenes/expect_invalid.hpp"
 
 namespace ecods::mesh_test {
 namespace {
@@ -34,8 +35,8 @@ TEST(Mesh, KnowsOfUnusedVertices) {
 }
 
 TEST(Mesh, RefusesToBeEmpty) {
-    EXPECT_THROW(Mesh::create(std::vector<Vec3>(), {}), EmptyMesh);
-    EXPECT_THROW(Mesh::create(corners(), {}), EmptyMesh);
+    EXPECT_INVALID(Mesh::create(std::vector<Vec3>(), {}), InvalidMesh::Reason::empty);
+    EXPECT_INVALID(Mesh::create(corners(), {}), InvalidMesh::Reason::empty);
 }
 
 TEST(Mesh, NamesTheVertexThatIsNotFinite) {
@@ -45,7 +46,8 @@ TEST(Mesh, NamesTheVertexThatIsNotFinite) {
         try {
             Mesh::create(vertices, {{0, 1, 2}});
             FAIL() << "accepted " << bad;
-        } catch (const InvalidVertex& error) {
+        } catch (const InvalidMesh& error) {
+            EXPECT_EQ(error.reason, InvalidMesh::Reason::vertex);
             EXPECT_EQ(error.vertex, 1u);
             EXPECT_EQ(error.axis, 2);
             EXPECT_NE(std::string(error.what()).find("vertex 1, axis 2"), std::string::npos) << error.what();
@@ -57,10 +59,11 @@ TEST(Mesh, NamesTheIndexThatIsOutOfRange) {
     try {
         Mesh::create(corners(), {{0, 1, 2}, {0, 3, 1}});
         FAIL();
-    } catch (const InvalidIndex& error) {
+    } catch (const InvalidMesh& error) {
+        EXPECT_EQ(error.reason, InvalidMesh::Reason::index);
         EXPECT_EQ(error.triangle, 1u);
         EXPECT_EQ(error.corner, 1);
-        EXPECT_EQ(error.value, 3u);
+        EXPECT_EQ(error.index, 3u);
         EXPECT_EQ(error.vertex_count, 3u);
     }
 }
@@ -106,10 +109,11 @@ TEST(Mesh, DoesNotCutWideIndices) {
     try {
         Mesh::create(coordinates, std::vector<std::uint64_t>{0, 1, 2, 0, wide, 2});
         FAIL();
-    } catch (const InvalidIndex& error) {
+    } catch (const InvalidMesh& error) {
+        EXPECT_EQ(error.reason, InvalidMesh::Reason::index);
         EXPECT_EQ(error.triangle, 1u);
         EXPECT_EQ(error.corner, 1);
-        EXPECT_EQ(error.value, wide);
+        EXPECT_EQ(error.index, wide);
         EXPECT_EQ(error.vertex_count, 3u);
     }
 }
@@ -119,16 +123,16 @@ TEST(Mesh, NumbersMakeWholeVerticesAndTriangles) {
     const std::vector<std::uint32_t> indices = {0, 1, 2, 0};
     const std::span<const std::uint32_t> triangle(indices.data(), 3);
     const std::span<const double> numbers(coordinates);
-    EXPECT_THROW(Mesh::create(numbers, triangle), InvalidLayout);
-    EXPECT_THROW(Mesh::create(numbers.first(10), triangle), InvalidLayout);
-    EXPECT_THROW(Mesh::create(numbers, triangle, 2), InvalidLayout);
-    EXPECT_THROW(Mesh::create(numbers, triangle, 0), InvalidLayout);
-    EXPECT_THROW(Mesh::create(numbers.first(9), std::span(indices)), InvalidLayout);
+    EXPECT_INVALID(Mesh::create(numbers, triangle), InvalidMesh::Reason::layout);
+    EXPECT_INVALID(Mesh::create(numbers.first(10), triangle), InvalidMesh::Reason::layout);
+    EXPECT_INVALID(Mesh::create(numbers, triangle, 2), InvalidMesh::Reason::layout);
+    EXPECT_INVALID(Mesh::create(numbers, triangle, 0), InvalidMesh::Reason::layout);
+    EXPECT_INVALID(Mesh::create(numbers.first(9), std::span(indices)), InvalidMesh::Reason::layout);
     EXPECT_EQ(Mesh::create(numbers, triangle, 4)->vertices().size(), 3u);
-    EXPECT_THROW(Mesh::create(numbers.first(0), triangle.first(0)), EmptyMesh);
+    EXPECT_INVALID(Mesh::create(numbers.first(0), triangle.first(0)), InvalidMesh::Reason::empty);
     std::vector<float> floats(9, 0.0f);
     floats[5] = std::numeric_limits<float>::infinity();
-    EXPECT_THROW(Mesh::create(floats, triangle), InvalidVertex);
+    EXPECT_INVALID(Mesh::create(floats, triangle), InvalidMesh::Reason::vertex);
 }
 
 TEST(Mesh, FloatsAreExact) {

@@ -147,7 +147,7 @@ inline Relation relation(const std::array<Point, 3>& a, const std::array<Point, 
     const Bounds bounds_b = bounds_of(b);
     for (const Bound& bound : bounds_b) {
         common = clip(common, bound);
-        if (common.empty()) return Relation::disjoint;
+        if (common.empty()) return Relation::apart;
     }
     Point mean{0, 0, 0};
     for (const Point& p : common) {

@@ -92,7 +92,7 @@ inline Relation relation(const std::array<Point, 3>& a, const std::array<Point, 
         is_feasible = true;
         for (std::size_t k = 0; k < rank; ++k) is_positive_somewhere[columns[k]] |= system[k].back() > 0;
     }
-    if (!is_feasible) return Relation::disjoint;
+    if (!is_feasible) return Relation::apart;
     for (const bool positive : is_positive_somewhere) {
         if (!positive) return Relation::touching;
     }

@@ -133,8 +133,7 @@ TEST(OracleClipping, Meshes) {
             return Mesh::create(std::move(vertices), std::move(triangles));
         };
         const auto a = soup(), b = soup();
-        Pose pose_a, pose_b;
-        pose_a.R = random.rotation().toRotationMatrix();
+        Pose pose_a = random.turned(), pose_b;
         pose_b.R = i % 2 == 0 ? pose_a.R : random.rotation().toRotationMatrix();
         pose_b.t = pose_a.R * Vec3(1, 0, 0);
         Verdict expected;
@@ -146,7 +145,7 @@ TEST(OracleClipping, Meshes) {
                 };
                 const Relation relation = clipping::relation(pose_a, corners(*a, x), pose_b, corners(*b, y));
                 expected.relation = std::max(expected.relation, relation);
-                if (relation != Relation::disjoint) expected.triangles.push_back({x, y});
+                if (relation != Relation::apart) expected.triangles.push_back({x, y});
             }
         }
         const Verdict got = verdict({a, pose_a}, {b, pose_b});

@@ -63,8 +63,8 @@ TEST(OracleConvex, EveryFamilyAsItsRecipeAndAsTheSolids) {
         }
         if (made.a.mesh->triangles().size() + made.b.mesh->triangles().size() > 60) return;
         const auto relation = oracle::solid_relation(soup(made.a), soup(made.b));
-        EXPECT_EQ(relation == oracle::SolidsAre::apart, !depth.has_value());
-        EXPECT_EQ(relation == oracle::SolidsAre::touching, depth && depth->depth.is_zero());
+        EXPECT_EQ(relation == Relation::apart, !depth.has_value());
+        EXPECT_EQ(relation == Relation::touching, depth && depth->depth.is_zero());
     });
 }
 
@@ -140,7 +140,7 @@ TEST(OracleConvex, WhatPartsThemAsTheSolidsSay) {
         Pose moved;
         moved.t = move;
         const auto relation = oracle::solid_relation(soup({a, Pose()}), soup({b, moved}));
-        const bool are_parted = relation <= oracle::SolidsAre::touching;
+        const bool are_parted = relation <= Relation::touching;
         EXPECT_EQ(pair.are_parted_by(move), are_parted);
         ++counts[are_parted ? 1 : 0];
         if (pair.is_beyond_depth(move)) {

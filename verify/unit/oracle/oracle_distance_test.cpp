@@ -142,10 +142,10 @@ TEST(OracleDistance, EveryAnswerIsProved) {
         const MeshDistances distances = distances_of(pair.a, pair.pose_a, pair.b, pair.pose_b);
         const ExactClosest closest = distances.closest();
         const Relation relation = triangle_triangle(pair.pose_a, pair.a, pair.pose_b, pair.b);
-        ASSERT_EQ(closest.kind == Closeness::intersecting, relation != Relation::disjoint);
-        ASSERT_EQ(closest.distance.is_zero(), relation != Relation::disjoint);
-        ASSERT_EQ(distances.intersection(0, 0).empty(), relation == Relation::disjoint);
-        if (relation != Relation::disjoint) return;
+        ASSERT_EQ(closest.kind == Closeness::intersecting, relation != Relation::apart);
+        ASSERT_EQ(closest.distance.is_zero(), relation != Relation::apart);
+        ASSERT_EQ(distances.intersection(0, 0).empty(), relation == Relation::apart);
+        if (relation != Relation::apart) return;
         expect_proof(closest, exact_corners(pair.pose_a, pair.a), exact_corners(pair.pose_b, pair.b));
         const double rounded = nearest(closest.distance);
         ASSERT_TRUE(is_nearest(closest.distance, rounded));
@@ -183,7 +183,7 @@ TEST(OracleDistance, OfMeshesAsOfAllPairs) {
     const auto mesh_a = scenes::torus(9, 5, 0.4), mesh_b = scenes::cube(0.5);
     scenes::Random random(11);
     for (int i = 0; i < 20; ++i) {
-        Pose a{random.rotation().toRotationMatrix(), Vec3::Zero()}, b;
+        Pose a = random.turned(), b;
         b.t = random.direction() * random.uniform(1, 3);
         if (i % 2 == 1) b.R = a.R;
         const MeshDistances distances({mesh_a->vertices(), mesh_a->triangles(), a},

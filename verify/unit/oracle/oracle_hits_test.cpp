@@ -122,7 +122,7 @@ TEST(OracleHits, KnownByTheirRecipes) {
         const auto made = scenes::family_named(scenes::hit_families(), "rational").make(random);
         const Ray ray = std::get<Ray>(made.line);
         std::fesetround(FE_DOWNWARD);
-        const auto hits = all_hits({ray.origin, ray.direction, true, ray.parameter_max},
+        const auto hits = all_hits({ray.origin, ray.direction, true, ray.max_parameter},
                                    {made.mesh->vertices(), made.mesh->triangles(), made.pose});
         std::fesetround(FE_TONEAREST);
         ASSERT_EQ(hits.size(), 1U) << i;

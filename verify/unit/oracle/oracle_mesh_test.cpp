@@ -41,11 +41,11 @@ std::array<Vec3, 3> corners(const Mesh& mesh, std::size_t triangle) {
 void expect_all_pairs(const std::shared_ptr<const Mesh>& a, const Pose& pose_a, const std::shared_ptr<const Mesh>& b,
                       const Pose& pose_b) {
     std::vector<TrianglePair> expected;
-    Relation strongest = Relation::disjoint;
+    Relation strongest = Relation::apart;
     for (std::uint32_t i = 0; i < a->triangles().size(); ++i) {
         for (std::uint32_t j = 0; j < b->triangles().size(); ++j) {
             const Relation relation = triangle_triangle(pose_a, corners(*a, i), pose_b, corners(*b, j));
-            if (relation != Relation::disjoint) expected.push_back({i, j});
+            if (relation != Relation::apart) expected.push_back({i, j});
             strongest = std::max(strongest, relation);
         }
     }
@@ -56,7 +56,7 @@ void expect_all_pairs(const std::shared_ptr<const Mesh>& a, const Pose& pose_a, 
     EXPECT_EQ(verdict(mesh_a, mesh_b).relation, strongest);
     EXPECT_EQ(relation(mesh_a, mesh_b), strongest);
     EXPECT_EQ(relation(mesh_b, mesh_a), strongest);
-    EXPECT_EQ(intersects(mesh_a, mesh_b), strongest != Relation::disjoint);
+    EXPECT_EQ(intersects(mesh_a, mesh_b), strongest != Relation::apart);
     EXPECT_EQ(intersecting_triangles(mesh_b, mesh_a).size(), expected.size());
 }
 
@@ -85,7 +85,7 @@ TEST(OracleMesh, DisjointMeshesHaveNoPairs) {
     above.t = Vec3(0, 0, std::numeric_limits<double>::denorm_min());
     const OracleMesh a(mesh, {});
     const OracleMesh b(mesh, above);
-    EXPECT_EQ(relation(a, b), Relation::disjoint);
+    EXPECT_EQ(relation(a, b), Relation::apart);
     EXPECT_FALSE(intersects(a, b));
     EXPECT_TRUE(intersecting_triangles(a, b).empty());
     EXPECT_EQ(relation(a, a), Relation::touching);  // coplanar

@@ -132,7 +132,7 @@ TEST(OracleTriangle, TellsASegmentThatPiercesFromOneThatTouches) {
     EXPECT_EQ(with({1, 1, 0}, {1, 1, 1}), Relation::touching);   // its end lies in the triangle
     EXPECT_EQ(with({2, 2, -1}, {2, 2, 1}), Relation::touching);  // it passes through an edge
     EXPECT_EQ(with({1, 1, 0}, {2, 1, 0}), Relation::touching);   // it lies in the triangle
-    EXPECT_EQ(with({3, 3, -1}, {3, 3, 1}), Relation::disjoint);
+    EXPECT_EQ(with({3, 3, -1}, {3, 3, 1}), Relation::apart);
 }
 
 // The environment is the caller's: it does not matter, and stays.

@@ -2,11 +2,9 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 
-#include "ecods/world.hpp"
 #include "program_test.hpp"
-#include "scenes/shapes.hpp"
+#include "trace_of_cubes.hpp"
 
 namespace ecods::scenes {
 namespace {
@@ -69,17 +67,7 @@ TEST_F(Certify, FramesOfAScene) {
 }
 
 TEST_F(Certify, UpdatesOfATrace) {
-    std::ostringstream out;
-    World world;
-    world.trace_to(out);
-    world.create_body(cube(0.5), {});
-    const BodyId moving = world.create_body(cube(0.5), {.R = Mat3::Identity(), .t = {-2, 0, 0}});
-    for (const double x : {-1.0, 0.25, 2.0}) {
-        world.set_pose(moving, {.R = Mat3::Identity(), .t = {x, 0, 0}});
-        world.update();
-    }
-    world.end_trace();
-    const std::string command = ECODS_REPLAY_PROGRAM " " + write("trace.txt", out.str()).string();
+    const std::string command = ECODS_REPLAY_PROGRAM " " + write("trace.txt", trace_of_cubes()).string();
     expect_certified(command, 1,
                      "accepted: world of 2 bodies, 1 colliding, 0 pairs not judged\n"
                      "accepted: world of 2 bodies, 1 colliding, 0 pairs not judged\n"

@@ -91,7 +91,7 @@ TEST(OracleJudge, NoticesEachKindOfWrongAnswer) {
 
     FrameAnswer invented = right;
     invented.colliding.push_back({0, 2, Relation::touching, {}});
-    EXPECT_EQ(first_difference(invented), "frame 0: ground, roof: listed as colliding, but disjoint");
+    EXPECT_EQ(first_difference(invented), "frame 0: ground, roof: listed as colliding, but apart");
 
     FrameAnswer weak = right;
     weak.colliding[0].relation = Relation::touching;

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "ecods/version.hpp"
+#include "ecods/export.hpp"
 #include "file_test.hpp"
 #include "process/program.hpp"
 

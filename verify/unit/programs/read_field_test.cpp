@@ -22,15 +22,10 @@ class ReadField : public MeshFileTest {
         EXPECT_EQ(mesh->vertices()[2], Vec3(0, 1, 0));
     }
 
-    const std::string obj_ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    const std::string off_ = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
     const std::string ply_header_ =
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty char x\nproperty char y\nproperty char z\n"
         "element face 1\nproperty list uchar uchar vertex_indices\nend_header\n";
     const std::string ply_ = ply_header_ + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-    const std::string stl_ =
-        "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
-        "endsolid s\n";
 };
 
 TEST_F(ReadField, ByteOrderMarksArePassedOver) {

@@ -257,11 +257,10 @@ TEST_F(ReadMesh, SurvivesDamage) {
         "element face 1\nproperty list uint int vertex_indices\nend_header\n" +
         std::string(36, '\0') + bytes_of(3U) + bytes_of(0) + bytes_of(1) + bytes_of(2);
     const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/2/3 2 -1\n";
-    const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
     const std::string stl = binary_stl(1, {0, 0, 0, 1, 0, 0, 0, 1, 0});
     std::mt19937_64 random(2);
     int errors = 0;
-    for (const auto& [name, bytes] : {std::pair{"m.ply", ply}, {"m.obj", obj}, {"m.off", off}, {"m.stl", stl}}) {
+    for (const auto& [name, bytes] : {std::pair{"m.ply", ply}, {"m.obj", obj}, {"m.off", off_}, {"m.stl", stl}}) {
         for (int i = 0; i < 500; ++i) {
             std::string damaged = bytes;
             for (std::uint64_t k = 1 + random() % 4; k > 0; --k)

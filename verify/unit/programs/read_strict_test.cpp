@@ -10,15 +10,10 @@ class ReadStrict : public MeshFileTest {
         EXPECT_EQ(read_mesh_file(write(name, bytes))->triangles().size(), 1U) << bytes;
     }
 
-    const std::string obj_ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    const std::string off_ = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
     const std::string ply_ =
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
         "property uchar red\nelement face 1\nproperty list uchar int vertex_indices\nproperty char c\nend_header\n"
         "0 0 0 1\n1 0 0 2\n0 1 0 255\n3 0 1 2 -128\n";
-    const std::string stl_ =
-        "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
-        "endsolid s\n";
 };
 
 TEST_F(ReadStrict, ObjVerticesHaveCoordinatesAndPerhapsAWeightOrAColour) {

@@ -1,9 +1,8 @@
 // ecods_replay as its users run it.
 #include <nlohmann/json.hpp>
 
-#include "ecods/world.hpp"
 #include "program_test.hpp"
-#include "scenes/shapes.hpp"
+#include "trace_of_cubes.hpp"
 
 namespace ecods::scenes {
 namespace {
@@ -11,25 +10,10 @@ namespace {
 class Replay : public ProgramTest {
   protected:
     ProgramResult run(const std::string& arguments) const { return run_program(ECODS_REPLAY_PROGRAM, arguments); }
-
-    // Two cubes; one passes through the other in three frames.
-    std::string trace() const {
-        std::ostringstream out;
-        World world;
-        world.trace_to(out);
-        world.create_body(cube(0.5), {});
-        const BodyId moving = world.create_body(cube(0.5), {.R = Mat3::Identity(), .t = {-2, 0, 0}});
-        for (const double x : {-1.0, 0.25, 2.0}) {
-            world.set_pose(moving, {.R = Mat3::Identity(), .t = {x, 0, 0}});
-            world.update();
-        }
-        world.end_trace();
-        return out.str();
-    }
 };
 
 TEST_F(Replay, ATraceRunsAsTraced) {
-    const std::string file = write("good.txt", trace()).string();
+    const std::string file = write("good.txt", trace_of_cubes()).string();
     for (const char* options : {"", " --validate", " --broad-phase brute_force"}) {
         const auto result = run(file + options);
         EXPECT_EQ(result.status, 0) << result.err;
@@ -43,7 +27,7 @@ TEST_F(Replay, HelpAndVersion) {
 }
 
 TEST_F(Replay, TheFirstFrameThatDiffersIsNamed) {
-    std::string text = trace();
+    std::string text = trace_of_cubes();
     const std::size_t at = text.find("0x1p-2");  // the second frame's pose
     ASSERT_NE(at, std::string::npos);
     text.replace(at, 6, "0x1p-3");
@@ -63,7 +47,7 @@ TEST_F(Replay, WhatCannotBeReadIsStatusTwoWithItsLine) {
     EXPECT_EQ(run("--what").status, 2);
     EXPECT_EQ(run("--help").status, 0);
     EXPECT_EQ(run(path("").string()).status, 2) << "a folder";
-    const auto result = run(write("bad.txt", trace() + "set_pose 7.0\n").string());
+    const auto result = run(write("bad.txt", trace_of_cubes() + "set_pose 7.0\n").string());
     EXPECT_EQ(result.status, 2);
     EXPECT_NE(result.err.find("line 53: there is no such body"), std::string::npos) << result.err;
     EXPECT_EQ(result.out, "");

@@ -27,6 +27,6 @@ inline void expect_contact(const Contact& contact, double time, ClosestKind kind
 
 inline const std::vector<Vec3> flat{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}};
 inline const std::vector<Vec3> needle{{0, 0, 0}, {0.25, 0, 1}, {-0.25, 0, 1}};
-inline const std::vector<Vec3> point{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+inline const std::vector<Vec3> single_point{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
 
 }  // namespace ecods

@@ -25,9 +25,7 @@ TEST(CastFamilies, LargerMeshesAsTheOracle) {
     QueryMemory memory;
     PairWitness witness;
     for (int i = 0; i < 16; ++i) {
-        Pose a, b;
-        a.R = random.rotation().toRotationMatrix();
-        b.R = random.rotation().toRotationMatrix();
+        Pose a = random.turned(), b = random.turned();
         a.t = 4 * random.direction();
         const Vec3 motion = (i % 2 == 0 ? -1.0 : -0.75) * a.t + (i % 3) * random.direction();
         ASSERT_NO_FATAL_FAILURE(expect_right(judge::CastTruth({torus, a}, motion, {sphere, b}), memory, witness)) << i;
@@ -41,14 +39,12 @@ TEST(CastFamilies, TimesOfShorterMotions) {
     QueryMemory memory;
     int contacts = 0;
     for (int i = 0; i < 200; ++i) {
-        Pose a, b;
-        a.R = random.rotation().toRotationMatrix();
-        b.R = random.rotation().toRotationMatrix();
+        Pose a = random.turned(), b = random.turned();
         a.t = 4 * random.direction();
         const Vec3 motion = -a.t + 2 * random.direction();
-        const auto whole = cast({torus, a}, motion, {sphere, b}, memory);
-        const auto doubled = cast({torus, a}, 2 * motion, {sphere, b}, memory);
-        const auto half = cast({torus, a}, 0.5 * motion, {sphere, b}, memory);
+        const auto whole = cast({torus, a}, motion, {sphere, b}, 1, memory);
+        const auto doubled = cast({torus, a}, 2 * motion, {sphere, b}, 1, memory);
+        const auto half = cast({torus, a}, 0.5 * motion, {sphere, b}, 1, memory);
         if (!whole) {
             EXPECT_FALSE(half);
             continue;
@@ -73,7 +69,7 @@ TEST(CastFamilies, OwnAnswersAsArguments) {
     PairWitness witness;
     scenes::for_each_case(scenes::cast_families(), 5, 25, [&](const scenes::CastCase& made) {
         const MeshShape a(made.a), b(made.b);
-        const auto contact = cast({a, made.pose_a}, made.motion, {b, made.pose_b}, memory);
+        const auto contact = cast({a, made.pose_a}, made.motion, {b, made.pose_b}, 1, memory);
         if (!contact) return;
         const Vec3 motion = contact->time * made.motion;
         Pose there = made.pose_a;

@@ -63,11 +63,11 @@ TEST(Cast, AnswersAsArguments) {
         const Pose a = at(random.uniform(4, 5), random.uniform(-1, 1), random.uniform(-1, 1));
         // Powers of two times one vector.
         const Vec3 motion(-6, random.uniform(-1, 1), random.uniform(-1, 1));
-        const Contact first = cast({torus, a}, motion, {sphere, {}}, memory);
+        const Contact first = cast({torus, a}, motion, {sphere, {}}, 1, memory);
         if (!first) continue;
         ++contacts;
         const double slower = std::exp2(std::ceil(std::log2(first->time)));
-        const Contact part = cast({torus, a}, slower * motion, {sphere, {}}, memory);
+        const Contact part = cast({torus, a}, slower * motion, {sphere, {}}, 1, memory);
         ASSERT_TRUE(part) << i;
         EXPECT_EQ(slower * part->time, first->time);
         EXPECT_EQ(part->a, first->a);
@@ -93,7 +93,7 @@ TEST(Cast, CandidatesOnTheSameFeaturesAreOne) {
     }
     const MeshShape cone(Mesh::create(rim, fan)), b = shape_of(flat);
     QueryMemory memory;
-    const Contact contact = cast({cone, at(0, 0, 1)}, Vec3(0, 0, -3), {b, {}}, memory);
+    const Contact contact = cast({cone, at(0, 0, 1)}, Vec3(0, 0, -3), {b, {}}, 1, memory);
     expect_contact(contact, 1 / 3.0, ClosestKind::vertex_face);
     EXPECT_EQ(contact->a, (Feature{Feature::Kind::vertex, 0, 0}));
     EXPECT_LE(memory.counts().casts.exact, 3u);
@@ -109,7 +109,7 @@ TEST(Cast, CandidatesOnOneFeatureOfTwoAreTwo) {
         faces.insert(faces.end(), flat.begin(), flat.end());
         const MeshShape b = shape_of(faces);
         QueryMemory memory;
-        const Contact contact = cast({a, at(0, 0, 1)}, Vec3(0, 0, -3), {b, {}}, memory);
+        const Contact contact = cast({a, at(0, 0, 1)}, Vec3(0, 0, -3), {b, {}}, 1, memory);
         expect_contact(contact, 1 / 3.0, ClosestKind::vertex_face);
         EXPECT_EQ(contact->b, (Feature{Feature::Kind::face, 1, 0})) << exponent;
     }

@@ -4,6 +4,7 @@
 #include <pthread.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "base/double_key.hpp"
 #include "base/next.hpp"
@@ -33,7 +34,7 @@ TEST(CastMovingLimits, TinyTimes) {
             const Moving<MeshShape> from_a(a, at(0, 0, height), at(way, 0, -way)), from_b(b, Pose(), Pose());
             const auto ask = [&] {
                 QueryMemory memory;
-                return std::pair(cast(from_a, from_b, memory), cast(from_b, from_a, memory));
+                return std::pair(cast(from_a, from_b, 1, memory), cast(from_b, from_a, 1, memory));
             };
             environment::in_each_environment(ask, [&](const auto& contacts, const std::string& where) {
                 const auto& [contact, swapped] = contacts;
@@ -55,7 +56,7 @@ TEST(CastMovingLimits, ALimitIsDecidedForTheRealTime) {
         const auto contact = cast_until(moving, still, at_most, memory, witness);
         const auto again = cast_until(moving, still, at_most, memory, witness);
         EXPECT_EQ(contact, again);
-        const auto all = cast(moving, still, memory);
+        const auto all = cast(moving, still, 1, memory);
         EXPECT_TRUE(!contact || contact == all);
         return contact.has_value();
     };
@@ -88,7 +89,7 @@ TEST(CastMovingLimits, FacesCloserThanRounding) {
         const MeshShape b = shape_of(corners);
         QueryMemory memory;
         const auto contact = cast(Moving<MeshShape>(a, at(0, 0, 1), at(0, 0, -1)),
-                                  Moving<MeshShape>(b, at(0, 0, -0x1p10), at(0, 0, -0x1p10)), memory);
+                                  Moving<MeshShape>(b, at(0, 0, -0x1p10), at(0, 0, -0x1p10)), 1, memory);
         ASSERT_TRUE(contact);
         EXPECT_EQ(contact->time, 0.5) << top;
         EXPECT_EQ(contact->triangles(), (TrianglePair{0, static_cast<std::uint32_t>(top)}));
@@ -117,14 +118,14 @@ TEST(CastMovingLimits, AsATranslation) {
         Pose to = pose_a;
         to.t += motion;
         ASSERT_EQ(to.t - pose_a.t, motion);
-        const auto slide = cast({a, pose_a}, motion, {b, pose_b}, memory);
+        const auto slide = cast({a, pose_a}, motion, {b, pose_b}, 1, memory);
         const Moving<MeshShape> moving(a, pose_a, to), still(b, pose_b, pose_b);
-        const auto move = cast(moving, still, memory);
+        const auto move = cast(moving, still, 1, memory);
         ASSERT_TRUE(judge::is_same(move, slide)) << round << ": " << judge::text(move) << ", " << judge::text(slide);
-        auto swapped = cast(still, moving, memory);
+        auto swapped = cast(still, moving, 1, memory);
         ASSERT_EQ(swapped.has_value(), move.has_value());
         // In equal motion nothing happens.
-        const auto together = cast(moving, Moving<MeshShape>(b, pose_b, {pose_b.R, pose_b.t + motion}), memory);
+        const auto together = cast(moving, Moving<MeshShape>(b, pose_b, {pose_b.R, pose_b.t + motion}), 1, memory);
         const bool start = intersects({a, pose_a}, {b, pose_b}, memory);
         ASSERT_EQ(together.has_value(), start) << round;
         contacts += move.has_value();
@@ -143,7 +144,7 @@ TEST(CastMovingLimits, AtRestAsIntersects) {
     scenes::for_each_case(scenes::move_families(), random, 40, [&](const scenes::MoveCase& made) {
         const MeshShape a(made.a), b(made.b);
         const auto contact = cast(Moving<MeshShape>(a, made.from_a, made.from_a),
-                                  Moving<MeshShape>(b, made.from_b, made.from_b), memory);
+                                  Moving<MeshShape>(b, made.from_b, made.from_b), 1, memory);
         const Posed<MeshShape> still_a(a, made.from_a), still_b(b, made.from_b);
         ASSERT_EQ(contact.has_value(), intersects(still_a, still_b, memory));
         if (!contact) return;
@@ -165,7 +166,7 @@ TEST(CastMovingLimits, BodiesThatGrowImmensely) {
     for (Pose* pose : {&to_a, &to_b}) *pose = Pose{0x1p850 * pose->R, 0x1p850 * pose->t};
     const auto ask = [&] {
         QueryMemory memory;
-        const auto contact = cast(Moving<MeshShape>(a, from_a, to_a), Moving<MeshShape>(b, from_b, to_b), memory);
+        const auto contact = cast(Moving<MeshShape>(a, from_a, to_a), Moving<MeshShape>(b, from_b, to_b), 1, memory);
         return std::pair(contact, memory.counts().casts.exact);
     };
     environment::in_each_environment(ask, [](const auto& answer, const std::string& where) {
@@ -185,7 +186,7 @@ TEST(CastMovingLimits, ShortStacks) {
         to.R(0, 2) = 0x1p-1074;
         to.t = {1, 0x1p-1074, 0x1p1000};
         QueryMemory memory;
-        cast(Moving<MeshShape>(a, from, to), Moving<MeshShape>(b, to, from), memory);
+        std::ignore = cast(Moving<MeshShape>(a, from, to), Moving<MeshShape>(b, to, from), 1, memory);
         *static_cast<bool*>(is_asked) = memory.counts().casts.exact > 0;
         return nullptr;
     };

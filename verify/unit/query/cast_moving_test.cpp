@@ -4,8 +4,10 @@
 
 #include <cfenv>
 #include <cmath>
+#include <tuple>
 
 #include "ecods/cast.hpp"
+#include "ecods/intersection.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/query/cast_bodies.hpp"
@@ -24,8 +26,8 @@ Pose turned(const Mat3& R, const Vec3& t = Vec3::Zero()) {
 std::optional<FirstContact> cast_at(const MeshShape& a, const Pose& from, const Pose& to, const MeshShape& b) {
     QueryMemory memory;
     const Pose rest;
-    const auto contact = cast(Moving<MeshShape>(a, from, to), Moving<MeshShape>(b, rest, rest), memory);
-    const auto other = cast(Moving<MeshShape>(b, rest, rest), Moving<MeshShape>(a, from, to), memory);
+    const auto contact = cast(Moving<MeshShape>(a, from, to), Moving<MeshShape>(b, rest, rest), 1, memory);
+    const auto other = cast(Moving<MeshShape>(b, rest, rest), Moving<MeshShape>(a, from, to), 1, memory);
     EXPECT_EQ(contact.has_value(), other.has_value());
     if (contact && other) {
         EXPECT_EQ(contact->time, other->time);
@@ -86,15 +88,15 @@ TEST(CastMoving, Grazes) {
         QueryMemory memory;
         // At (s, 0, 1/4 - s + lift): over the face by 1/4 - s + s^2 + lift.
         const Moving<MeshShape> a(corner, at(0, 0, 0.25 + lift), at(1, 0, -0.75 + lift));
-        const auto contact = cast(a, Moving<MeshShape>(face, Pose(), turned(end)), memory);
+        const auto contact = cast(a, Moving<MeshShape>(face, Pose(), turned(end)), 1, memory);
         const bool is_rounded_away = 0.25 + lift == 0.25;
         if (lift <= 0 || is_rounded_away) expect_contact(contact, 0.5, ClosestKind::vertex_face);
     }
     QueryMemory memory;
     const Moving<MeshShape> above(corner, at(0, 0, 0.25 + 0x1p-50), at(1, 0, -0.75 + 0x1p-50));
-    EXPECT_FALSE(cast(above, Moving<MeshShape>(face, Pose(), turned(end)), memory));
+    EXPECT_FALSE(cast(above, Moving<MeshShape>(face, Pose(), turned(end)), 1, memory));
     const Moving<MeshShape> below(corner, at(0, 0, 0.25 - 0x1p-50), at(1, 0, -0.75 - 0x1p-50));
-    expect_contact(cast(below, Moving<MeshShape>(face, Pose(), turned(end)), memory), 0.5 - 0x1p-25,
+    expect_contact(cast(below, Moving<MeshShape>(face, Pose(), turned(end)), 1, memory), 0.5 - 0x1p-25,
                    ClosestKind::vertex_face);
 }
 
@@ -109,7 +111,7 @@ TEST(CastMoving, IrrationalTimes) {
         std::fesetround(mode);
         // At (-s, 0, 1 - 2 s) over z = s^2.
         const auto contact = cast(Moving<MeshShape>(corner, at(0, 0, 1), at(-1, 0, -1)),
-                                  Moving<MeshShape>(face, Pose(), turned(end)), memory);
+                                  Moving<MeshShape>(face, Pose(), turned(end)), 1, memory);
         std::fesetround(FE_TONEAREST);
         expect_contact(contact, 0x1.a827999fcef32p-2, ClosestKind::vertex_face);
     }
@@ -128,7 +130,7 @@ TEST(CastMoving, InOnePlane) {
     QueryMemory memory;
     Pose a_end = turned(tilted), b_end = turned(tilted);
     a_end.t = tilted * Vec3(-2, 0, 0);
-    const auto contact = cast(Moving<MeshShape>(a, at(1, 0, 0), a_end), Moving<MeshShape>(b, Pose(), b_end), memory);
+    const auto contact = cast(Moving<MeshShape>(a, at(1, 0, 0), a_end), Moving<MeshShape>(b, Pose(), b_end), 1, memory);
     ASSERT_TRUE(contact);
 }
 
@@ -168,7 +170,7 @@ TEST(CastMoving, AnyScale) {
         const Mat3 R = Mat3::Identity() * scale;
         QueryMemory memory;
         const auto contact = cast(Moving<MeshShape>(a, turned(R, {0, 0, scale}), turned(R, {0, 0, -2 * scale})),
-                                  Moving<MeshShape>(b, turned(R), turned(R)), memory);
+                                  Moving<MeshShape>(b, turned(R), turned(R)), 1, memory);
         expect_contact(contact, 1 / 3.0, ClosestKind::vertex_face);
     }
 }
@@ -196,7 +198,7 @@ TEST(CastMoving, AgreesWithSamples) {
         const MeshShape a = shape_of(u), b = shape_of(v);
         const Moving<MeshShape> from_a(a, pose(), pose()), from_b(b, pose(), pose());
         QueryMemory memory;
-        const auto contact = cast(from_a, from_b, memory);
+        const auto contact = cast(from_a, from_b, 1, memory);
         hits += contact.has_value();
         for (int i = 0; i <= 64; ++i) {
             const double s = i / 64.0;
@@ -221,12 +223,12 @@ TEST(CastMoving, WitnessChangesNothing) {
         };
         const Moving<MeshShape> a(torus, pose(0), pose(0.5)), b(torus, pose(4), pose(round % 3 == 0 ? 4.0 : 0.5));
         QueryMemory fresh;
-        const auto expected = cast(a, b, fresh);
-        EXPECT_EQ(cast(a, b, used), expected);
+        const auto expected = cast(a, b, 1, fresh);
+        EXPECT_EQ(cast(a, b, 1, used), expected);
         PairWitness any{random.below(600), random.below(600)};
-        EXPECT_EQ(cast(a, b, used, any), expected);
-        EXPECT_EQ(cast(a, b, used, witness), expected);
-        EXPECT_EQ(cast(a, b, used, witness), expected);
+        EXPECT_EQ(cast(a, b, 1, {used, any}), expected);
+        EXPECT_EQ(cast(a, b, 1, {used, witness}), expected);
+        EXPECT_EQ(cast(a, b, 1, {used, witness}), expected);
     }
 }
 
@@ -239,7 +241,7 @@ TEST(CastMoving, FewPairsAreDecidedExactly) {
         const Pose from = Pose::from_quaternion(random.rotation(), random.direction() * 4),
                    to = Pose::from_quaternion(random.rotation(), random.direction());
         const Pose rest = Pose::from_quaternion(random.rotation(), Vec3::Zero());
-        cast(Moving<MeshShape>(torus, from, to), Moving<MeshShape>(torus, rest, rest), memory);
+        std::ignore = cast(Moving<MeshShape>(torus, from, to), Moving<MeshShape>(torus, rest, rest), 1, memory);
     }
     EXPECT_LE(memory.counts().casts.exact, 12u * 40);
     EXPECT_EQ(memory.counts().queries, 40u);

@@ -12,6 +12,7 @@
 #include "ecods/error.hpp"
 #include "environment/float_mode.hpp"
 #include "query/cast/cast_until.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/shapes.hpp"
 
 namespace ecods {
@@ -26,8 +27,8 @@ Pose scaled(double scale) {
 // In either order, with any witness, in any floating-point environment, and with limits around the rounded time.
 Contact contact_of(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b) {
     QueryMemory memory;
-    const Contact contact = cast(a, motion, b, memory);
-    const Contact other = cast(b, -motion, a, memory);
+    const Contact contact = cast(a, motion, b, 1, memory);
+    const Contact other = cast(b, -motion, a, 1, memory);
     EXPECT_EQ(contact.has_value(), other.has_value());
     if (contact && other) {
         EXPECT_EQ(contact->time, other->time);
@@ -36,7 +37,7 @@ Contact contact_of(const Posed<MeshShape>& a, const Vec3& motion, const Posed<Me
     for (const PairWitness first : {PairWitness{}, PairWitness{0, 0}, PairWitness{7, 0}}) {
         PairWitness witness = first;
         for (int turn = 0; turn < 2; ++turn) {
-            EXPECT_EQ(cast(a, motion, b, memory, witness), contact);
+            EXPECT_EQ(cast(a, motion, b, 1, {memory, witness}), contact);
             if (contact) {
                 EXPECT_EQ(witness.a, contact->a.triangle);
                 EXPECT_EQ(witness.b, contact->b.triangle);
@@ -48,7 +49,7 @@ Contact contact_of(const Posed<MeshShape>& a, const Vec3& motion, const Posed<Me
         {
             const environment::InFloatMode in_mode(mode);
             QueryMemory of_its_own;
-            same = cast(a, motion, b, of_its_own);
+            same = cast(a, motion, b, 1, of_its_own);
         }
         EXPECT_EQ(same, contact) << mode.name;
     }
@@ -164,13 +165,13 @@ TEST(Cast, MotionsThatAreNotFinite) {
     const MeshShape a = shape_of(needle), b = shape_of(flat);
     QueryMemory memory;
     for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
-        EXPECT_THROW(cast({a, {}}, Vec3(0, bad, 0), {b, {}}, memory), InvalidMotion);
+        EXPECT_INVALID(cast({a, {}}, Vec3(0, bad, 0), {b, {}}, 1, memory), Argument::motion);
     }
 }
 
 // Grazing: a corner goes along a face's border; the double beside it misses.
 TEST(Cast, Grazes) {
-    const MeshShape a = shape_of(point), b = shape_of(flat);
+    const MeshShape a = shape_of(single_point), b = shape_of(flat);
     expect_contact(contact_of({a, at(-3, -1, 0)}, {8, 0, 0}, {b, {}}), 0.25, ClosestKind::vertex_vertex);
     EXPECT_FALSE(contact_of({a, at(-3, next_down(-1), 0)}, {8, 0, 0}, {b, {}}));
     // Through the edge from (-1, -1) to (2, -1), from above to below.
@@ -235,7 +236,7 @@ TEST(Cast, SingularPoses) {
 // Triangles without area: segments in two ways, and points.
 TEST(Cast, ZeroAreaTriangles) {
     const MeshShape segment = shape_of({{0, -2, 0}, {0, 2, 0}, {0, -2, 0}}),
-                    b = shape_of({{-1, 0, 0}, {1, 0, 0}, {1, 0, 0}}), dot = shape_of(point);
+                    b = shape_of({{-1, 0, 0}, {1, 0, 0}, {1, 0, 0}}), dot = shape_of(single_point);
     const Contact crossing = contact_of({segment, at(0.5, 0, 1)}, {0, 0, -3}, {b, {}});
     expect_contact(crossing, 1 / 3.0, ClosestKind::edge_edge);
     EXPECT_EQ(crossing->a.corner, 0u);

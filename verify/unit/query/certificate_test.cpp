@@ -13,9 +13,11 @@
 #include "ecods/distance.hpp"
 #include "ecods/error.hpp"
 #include "ecods/hit.hpp"
+#include "ecods/intersection.hpp"
 #include "environment/float_mode.hpp"
 #include "scenes/distance_cases.hpp"
 #include "scenes/each_case.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/mesh_pairs.hpp"
 #include "scenes/pose_at.hpp"
 #include "scenes/shapes.hpp"
@@ -27,7 +29,7 @@ namespace {
 using Claim = Certificate::Claim;
 
 Claim claim_of(Relation relation) {
-    return relation == Relation::disjoint   ? Claim::disjoint
+    return relation == Relation::apart      ? Claim::disjoint
            : relation == Relation::touching ? Claim::touching
                                             : Claim::crossing;
 }
@@ -66,14 +68,14 @@ TEST(Certificates, ClaimTheFirstHit) {
     EXPECT_GT(hit.step_count(), 0u);
     EXPECT_EQ(certify_hit({Vec3(1, 0, 0), Vec3(4, 0, 0)}, body, memory).step_count(), 0u);
     EXPECT_EQ(certify_hit({Vec3(-4, 0, 2), Vec3(4, 0, 2)}, body, memory).claim(), Claim::miss);
-    EXPECT_THROW(certify_hit({Vec3(NAN, 0, 0), Vec3::Zero()}, body, memory), InvalidSegment);
+    EXPECT_INVALID(certify_hit({Vec3(NAN, 0, 0), Vec3::Zero()}, body, memory), Argument::segment);
 }
 
 TEST(Certificates, RefuseWhatIsNoDistance) {
     const MeshShape cube(scenes::cube(1));
     QueryMemory memory;
-    EXPECT_THROW(certify_within(at(cube, Vec3::Zero()), at(cube, Vec3::Ones()), -1, memory), InvalidDistance);
-    EXPECT_THROW(certify_within(at(cube, Vec3::Zero()), at(cube, Vec3::Ones()), NAN, memory), InvalidDistance);
+    EXPECT_INVALID(certify_within(at(cube, Vec3::Zero()), at(cube, Vec3::Ones()), -1, memory), Argument::distance);
+    EXPECT_INVALID(certify_within(at(cube, Vec3::Zero()), at(cube, Vec3::Ones()), NAN, memory), Argument::distance);
 }
 
 TEST(Certificates, AreWithinInfinityAndZeroOfEitherSign) {

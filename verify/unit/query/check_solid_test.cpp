@@ -9,6 +9,7 @@
 
 #include "ecods/error.hpp"
 #include "environment/each_environment.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "unit/query/solid_soup.hpp"
 
 namespace ecods {
@@ -20,7 +21,8 @@ TEST(CheckSolid, NamesAnEdgeThatIsNotClosed) {
     try {
         check_solid(*soup.mesh());
         FAIL();
-    } catch (const NotClosed& error) {
+    } catch (const NotSolid& error) {
+        EXPECT_EQ(error.reason, NotSolid::Reason::open_edge);
         // One of the three neighbours, by the edge that it shares with the triangle that is gone: the least of them.
         EXPECT_EQ(error.triangle, 3u);
         const Triangle& named = soup.triangles[error.triangle];
@@ -30,8 +32,8 @@ TEST(CheckSolid, NamesAnEdgeThatIsNotClosed) {
             EXPECT_EQ(error.points[0][static_cast<std::size_t>(k)], soup.vertices[error.vertices[0]][k]);
         }
     }
-    EXPECT_THROW(Solid{soup.mesh()}, NotClosed);
-    EXPECT_THROW(Solid{nullptr}, NullArgument);
+    EXPECT_INVALID(Solid{soup.mesh()}, NotSolid::Reason::open_edge);
+    EXPECT_INVALID(Solid{nullptr}, Argument::null);
 }
 
 TEST(CheckSolid, ClosedAlongLines) {
@@ -44,7 +46,7 @@ TEST(CheckSolid, ClosedAlongLines) {
         const auto& t = soup.triangles[i];
         mixed.add(soup.vertices[t[0]], soup.vertices[t[1]], soup.vertices[t[2]]);
     }
-    EXPECT_THROW(check_solid(*mixed.mesh()), NotClosed);
+    EXPECT_INVALID(check_solid(*mixed.mesh()), NotSolid::Reason::open_edge);
     for (std::size_t i = 0; i < 8; ++i) {
         const auto& t = fine.triangles[i];
         mixed.add(fine.vertices[t[0]], fine.vertices[t[1]], fine.vertices[t[2]]);
@@ -53,10 +55,10 @@ TEST(CheckSolid, ClosedAlongLines) {
     EXPECT_TRUE(self_intersections(*mixed.mesh()).empty());
     const Solid solid(mixed.mesh()), same(box({0, 0, 0}, {1, 1, 1}, 3)), below(box({0, 0, -1}, {1, 1, 0}));
     QueryMemory memory;
-    EXPECT_EQ(solid_relation({solid, {}}, {same, {}}, memory), SolidRelation::equal);
-    EXPECT_EQ(solid_relation({below, {}}, {solid, {}}, memory), SolidRelation::touching);
+    EXPECT_EQ(solid_relation({solid, {}}, {same, {}}, memory), Relation::equal);
+    EXPECT_EQ(solid_relation({below, {}}, {solid, {}}, memory), Relation::touching);
     mixed.triangles.pop_back();
-    EXPECT_THROW(check_solid(*mixed.mesh()), NotClosed);
+    EXPECT_INVALID(check_solid(*mixed.mesh()), NotSolid::Reason::open_edge);
 }
 
 // Corners p, p + d and p + 3 d, of which one difference is no double: computed, a normal is not zero.
@@ -95,7 +97,8 @@ TEST(SelfIntersections, ListsEveryPairOnce) {
     try {
         check_solid(*crossing.mesh());
         FAIL();
-    } catch (const SelfIntersecting& error) {
+    } catch (const NotSolid& error) {
+        EXPECT_EQ(error.reason, NotSolid::Reason::self_intersection);
         EXPECT_EQ(error.triangles, pairs.front());
     }
 

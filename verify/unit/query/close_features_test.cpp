@@ -9,11 +9,13 @@
 #include <limits>
 #include <string>
 
-#include "ecods/contact.hpp"
+#include "ecods/distance.hpp"
 #include "ecods/error.hpp"
+#include "ecods/intersection.hpp"
 #include "judge/feature_truth.hpp"
 #include "scenes/distance_cases.hpp"
 #include "scenes/each_case.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/pose_at.hpp"
 #include "scenes/shapes.hpp"
 
@@ -139,7 +141,7 @@ TEST(CloseFeatures, BadDistancesAreErrors) {
     QueryMemory memory;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (const double bad : {-1.0, -0x1p-1074, std::numeric_limits<double>::quiet_NaN(), -infinity, infinity}) {
-        EXPECT_THROW(close_features({cube, Pose()}, {cube, Pose()}, bad, memory), InvalidDistance);
+        EXPECT_INVALID(close_features({cube, Pose()}, {cube, Pose()}, bad, memory), Argument::distance);
     }
     EXPECT_TRUE(close_features({cube, Pose()}, {cube, at(5, 0, 0)}, 2.5, memory).empty());
     EXPECT_TRUE(close_features({cube, Pose()}, {cube, at(3, 0, 0)}, -0.0, memory).empty());

@@ -2,44 +2,17 @@
 // answer is known without an oracle, and a box or plane that separates them is wrong.
 #include <gtest/gtest.h>
 
-#include <cfenv>
 #include <cmath>
 
 #include "ecods/intersection.hpp"
+#include "environment/float_mode.hpp"
 #include "environment/instruction_sets.hpp"
 #include "scenes/random.hpp"
-
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
 
 namespace ecods {
 namespace {
 
 using scenes::Random;
-
-struct Mode {
-    int rounding;
-    bool flushes;  // subnormal numbers are taken for zero, where the processor can do so
-};
-constexpr Mode modes[] = {{FE_TONEAREST, false}, {FE_TONEAREST, true}, {FE_DOWNWARD, false}, {FE_DOWNWARD, true}};
-
-class InMode {
-  public:
-    explicit InMode(const Mode& mode) {
-        std::fegetenv(&saved_);
-        std::fesetround(mode.rounding);
-#if defined(__SSE2__)
-        if (mode.flushes) _mm_setcsr(_mm_getcsr() | 0x8040);
-#endif
-    }
-    ~InMode() {
-        std::fesetenv(&saved_);
-    }
-
-  private:
-    std::fenv_t saved_;
-};
 
 Vec3 any_point(Random& random) {
     return {random.uniform(-1, 1) * random.uniform(0.5, 1), random.uniform(-1, 1) * random.uniform(0.5, 1),
@@ -78,15 +51,14 @@ void expect_contacts(Pose (*any_pose)(Random&)) {
         const Pose pose = any_pose(random);
         for (const InstructionSet set : environment::supported_instruction_sets()) {
             const environment::InstructionSetLimit limit(set);
-            for (const Mode& mode : modes) {
+            for (const environment::FloatMode& mode : environment::float_modes) {
                 bool ab = false, ba = false;
                 {
-                    const InMode in_mode(mode);
+                    const environment::InFloatMode in_mode(mode);
                     ab = intersects({a, pose}, {b, pose}, memory);
                     ba = intersects({b, pose}, {a, pose}, memory);
                 }
-                ASSERT_TRUE(ab && ba) << "pair " << i << ", " << environment::name(set) << ", rounding "
-                                      << mode.rounding << ", flushes " << mode.flushes;
+                ASSERT_TRUE(ab && ba) << "pair " << i << ", " << environment::name(set) << ", " << mode.name;
             }
         }
     }

@@ -97,7 +97,8 @@ TEST_F(ConvexJudged, WhetherAMeshIsConvex) {
         ASSERT_NO_FATAL_FAILURE(expect_none(judge::ask_whether_convex(mesh)));
         try {
             const ConvexSolid solid(mesh);
-        } catch (const NotConvex& error) {
+        } catch (const NotSolid& error) {
+            ASSERT_EQ(error.reason, NotSolid::Reason::dent);
             const auto triangle = static_cast<std::uint32_t>(error.triangle);
             const auto corner = static_cast<std::uint32_t>(error.corner);
             EXPECT_EQ(error.vertices[0], mesh->triangles()[triangle][corner]);
@@ -166,7 +167,7 @@ TEST(ConvexHardCases, KnownNumbers) {
     const ConvexSolid cube(scenes::to_mesh(scenes::box({-1, -1, -1}, {1, 1, 1}), 1));
     Pose above;
     above.t = Vec3(0, 0, 1.9);
-    const Depth found = depth({cube, Pose()}, {cube, above}, memory);
+    const Depth found = depth({cube, Pose()}, {cube, above}, memory).value();
     EXPECT_EQ(found.depth, 2 - 1.9);
     EXPECT_EQ(found.direction, Vec3(0, 0, 1));
     // fcl#545: a small cube on the diagonal of a large one, of which collide() left along that diagonal.
@@ -174,7 +175,7 @@ TEST(ConvexHardCases, KnownNumbers) {
     const ConvexSolid small(scenes::to_mesh(scenes::box({-1, -1, -1}, {1, 1, 1}), 0x1p-3));
     Pose corner;
     corner.t = Vec3(0.375, 0.375, 0.375);
-    const Depth out = depth({large, Pose()}, {small, corner}, memory);
+    const Depth out = depth({large, Pose()}, {small, corner}, memory).value();
     EXPECT_EQ(out.depth, 0.25);
     EXPECT_EQ(out.direction.cwiseAbs().sum(), 1);
     // fcl#508: unit cubes, 4 apart along y: 3, where FCL said 3.16.

@@ -1,4 +1,5 @@
-#include "ecods/convex_solid.hpp"
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 #include "ecods/error.hpp"
 #include "ecods/predicates.hpp"
 #include "query/convex/convex_parts.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/random.hpp"
 #include "unit/query/solid_soup.hpp"
 
@@ -111,7 +113,8 @@ void expect_not_convex(const Mesh& mesh, Make&& make) {
     try {
         make();
         FAIL();
-    } catch (const NotConvex& error) {
+    } catch (const NotSolid& error) {
+        EXPECT_EQ(error.reason, NotSolid::Reason::dent);
         const Triangle& t = mesh.triangles()[error.triangle];
         EXPECT_EQ(error.vertices[0], t[static_cast<std::size_t>(error.corner)]);
         EXPECT_EQ(error.vertices[1], t[static_cast<std::size_t>(error.corner + 1) % 3]);
@@ -121,7 +124,7 @@ void expect_not_convex(const Mesh& mesh, Make&& make) {
 }
 
 TEST(ConvexSolid, WhatIsNot) {
-    EXPECT_THROW(ConvexSolid{MeshPtr()}, NullArgument);
+    EXPECT_INVALID(ConvexSolid{MeshPtr()}, Argument::null);
     Soup dented;  // an octahedron with one vertex inside
     dented.add_box({0, 0, 0}, {3, 3, 3});
     for (Vec3& v : dented.vertices) {
@@ -163,7 +166,7 @@ TEST(ConvexSolid, WhatIsNot) {
 
     Soup flat;
     flat.add(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0));
-    EXPECT_THROW(ConvexSolid{flat.mesh()}, NoInterior);
+    EXPECT_INVALID(ConvexSolid{flat.mesh()}, NotSolid::Reason::no_interior);
     EXPECT_THROW(ConvexSolid{soup_of_box({0, 0, 0}, {1, 1, 0}).mesh()}, Error);
 }
 
@@ -188,12 +191,12 @@ TEST(ConvexHull, OfLattices) {
     }
     const std::vector<Vec3> once = points;
     points.insert(points.end(), once.begin(), once.end());
-    const Mesh mesh = convex_hull(points);
-    EXPECT_EQ(mesh.vertices().size(), 8u);
-    EXPECT_EQ(mesh.triangles().size(), 12u);
-    EXPECT_TRUE(std::ranges::is_sorted(mesh.triangles()));
-    for (const Triangle& t : mesh.triangles()) EXPECT_EQ(t[0], std::min({t[0], t[1], t[2]}));
-    expect_valid(ConvexSolid(std::make_shared<const Mesh>(mesh)));
+    const std::shared_ptr<const Mesh> mesh = convex_hull(points);
+    EXPECT_EQ(mesh->vertices().size(), 8u);
+    EXPECT_EQ(mesh->triangles().size(), 12u);
+    EXPECT_TRUE(std::ranges::is_sorted(mesh->triangles()));
+    for (const Triangle& t : mesh->triangles()) EXPECT_EQ(t[0], std::min({t[0], t[1], t[2]}));
+    expect_valid(ConvexSolid(mesh));
 }
 
 TEST(ConvexHull, ThousandsInOnePlane) {
@@ -219,8 +222,8 @@ TEST(ConvexHull, DoesNotDependOnTheOrderOfPoints) {
             for (int z = -2; z <= 2; ++z) points.emplace_back(0.5 * x, 0.5 * y, 0.5 * z);
         }
     }
-    const auto faces_of = [](const Mesh& mesh) {
-        const ConvexSolid solid(std::make_shared<const Mesh>(mesh));
+    const auto faces_of = [](const std::shared_ptr<const Mesh>& mesh) {
+        const ConvexSolid solid(mesh);
         std::set<std::set<std::array<double, 3>>> faces;
         const Hull& hull = ConvexSolidAccess::hull(solid);
         for (std::uint32_t f = 0; f < hull.faces.size(); ++f) {
@@ -266,14 +269,15 @@ TEST(ConvexHull, OfAnyDoubles) {
 
 TEST(ConvexHull, WhatHasNone) {
     const auto hull_of = [](std::vector<Vec3> points) { return convex_hull(points); };
-    EXPECT_THROW(hull_of({}), NoInterior);
-    EXPECT_THROW(hull_of({{1, 2, 3}, {1, 2, 3}}), NoInterior);
-    EXPECT_THROW(hull_of({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {5, 5, 5}}), NoInterior);
-    EXPECT_THROW(hull_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {5, 5, 0}}), NoInterior);
+    EXPECT_INVALID(hull_of({}), NotSolid::Reason::no_interior);
+    EXPECT_INVALID(hull_of({{1, 2, 3}, {1, 2, 3}}), NotSolid::Reason::no_interior);
+    EXPECT_INVALID(hull_of({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {5, 5, 5}}), NotSolid::Reason::no_interior);
+    EXPECT_INVALID(hull_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {5, 5, 0}}), NotSolid::Reason::no_interior);
     try {
         hull_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, std::nan(""), 0}});
         FAIL();
-    } catch (const InvalidVertex& error) {
+    } catch (const InvalidMesh& error) {
+        EXPECT_EQ(error.reason, InvalidMesh::Reason::vertex);
         EXPECT_EQ(error.vertex, 3u);
         EXPECT_EQ(error.axis, 1);
     }

@@ -1,5 +1,6 @@
 // The questions of distance.hpp: known answers, every family against the oracle, and what must not matter.
 #include "ecods/distance.hpp"
+#include "ecods/intersection.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include <sstream>
 
 #include "ecods/error.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/pose_at.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/ship.hpp"
@@ -34,9 +36,7 @@ TEST(Distance, ShipsInRandomPoses) {
     QueryMemory memory;
     PairWitness witness;
     for (int i = 0; i < 12; ++i) {
-        Pose a, b;
-        a.R = random.rotation().toRotationMatrix();
-        b.R = random.rotation().toRotationMatrix();
+        Pose a = random.turned(), b = random.turned();
         b.t = random.direction() * random.uniform(0.2, 3);
         expect_right({ship, a}, {ship, b}, memory, witness);
     }
@@ -172,14 +172,14 @@ TEST(Distance, BadDistancesAreErrors) {
     const auto a = cubes.posed(Pose()), b = cubes.posed(at(3, 0, 0));
     PairWitness witness;
     for (const double bad : {-1.0, -0x1p-1074, nan, -infinity}) {
-        EXPECT_THROW(within(a, b, bad, cubes.memory), InvalidDistance);
-        EXPECT_THROW(within(a, b, bad, cubes.memory, witness), InvalidDistance);
-        EXPECT_THROW(close_triangles(a, b, bad, cubes.memory), InvalidDistance);
-        EXPECT_THROW(distance_bounds(a, b, {.relative = bad}, cubes.memory), InvalidDistance);
-        EXPECT_THROW(distance_bounds(a, b, {.absolute = bad}, cubes.memory), InvalidDistance);
-        EXPECT_THROW(distance_bounds(a, b, {.at_most = bad}, cubes.memory, witness), InvalidDistance);
+        EXPECT_INVALID(within(a, b, bad, cubes.memory), Argument::distance);
+        EXPECT_INVALID(within(a, b, bad, {cubes.memory, witness}), Argument::distance);
+        EXPECT_INVALID(close_triangles(a, b, bad, cubes.memory), Argument::distance);
+        EXPECT_INVALID(distance_bounds(a, b, {.relative = bad}, cubes.memory), Argument::distance);
+        EXPECT_INVALID(distance_bounds(a, b, {.absolute = bad}, cubes.memory), Argument::distance);
+        EXPECT_INVALID(distance_bounds(a, b, {.max_distance = bad}, {cubes.memory, witness}), Argument::distance);
     }
-    EXPECT_THROW(close_triangles(a, b, infinity, cubes.memory), InvalidDistance);
+    EXPECT_INVALID(close_triangles(a, b, infinity, cubes.memory), Argument::distance);
     EXPECT_EQ(distance(a, b, cubes.memory), 2);
 }
 
@@ -207,8 +207,7 @@ TEST(Distance, TheOrderOfTrianglesDoesNotMatter) {
     scenes::Random random(4);
     QueryMemory memory;
     for (int i = 0; i < 40; ++i) {
-        Pose a, b;
-        a.R = random.rotation().toRotationMatrix();
+        Pose a = random.turned(), b;
         b.R = i % 2 == 0 ? a.R : Mat3(random.rotation().toRotationMatrix());
         b.t = random.direction() * random.uniform(1, 4);
         const double d = distance({plain, a}, {plain, b}, memory);
@@ -227,9 +226,7 @@ TEST(Distance, TheTriangleInequalityUnderTranslation) {
     scenes::Random random(5);
     QueryMemory memory;
     for (int i = 0; i < 60; ++i) {
-        Pose a, b;
-        a.R = random.rotation().toRotationMatrix();
-        b.R = random.rotation().toRotationMatrix();
+        Pose a = random.turned(), b = random.turned();
         b.t = random.direction() * random.uniform(1, 4);
         Pose moved = b;
         const int axis = static_cast<int>(random.below(3));
@@ -247,17 +244,16 @@ TEST(Distance, WitnessesOnAPath) {
     QueryMemory memory;
     PairWitness witness;
     scenes::Random random(6);
-    Pose pose_a, pose_b;
-    pose_b.R = random.rotation().toRotationMatrix();
+    Pose pose_a, pose_b = random.turned();
     for (int i = 0; i < 200; ++i) {
         pose_b.t = Vec3(3.5 - i * 0.01, 0.1, 0.2);
         const double fresh = distance({a, pose_a}, {b, pose_b}, memory);
-        ASSERT_EQ(distance({a, pose_a}, {b, pose_b}, memory, witness), fresh);
+        ASSERT_EQ(distance({a, pose_a}, {b, pose_b}, {memory, witness}), fresh);
         PairWitness copy = witness;
-        ASSERT_EQ(intersects({a, pose_a}, {b, pose_b}, memory, copy), fresh == 0);
-        ASSERT_EQ(within({a, pose_a}, {b, pose_b}, fresh, memory, witness),
+        ASSERT_EQ(intersects({a, pose_a}, {b, pose_b}, {memory, copy}), fresh == 0);
+        ASSERT_EQ(within({a, pose_a}, {b, pose_b}, fresh, {memory, witness}),
                   within({a, pose_a}, {b, pose_b}, fresh, memory));
-        ASSERT_TRUE(judge::is_same(closest({a, pose_a}, {b, pose_b}, memory, witness),
+        ASSERT_TRUE(judge::is_same(closest({a, pose_a}, {b, pose_b}, {memory, witness}),
                                    closest({a, pose_a}, {b, pose_b}, memory)));
     }
 }

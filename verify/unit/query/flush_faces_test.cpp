@@ -80,7 +80,7 @@ TEST(FlushFaces, NeighboursOfContact) {
     place_neighbours(plate(3, 0.25), plate(2, 0.125), 0.375, 100, 2, seen, memory);
     place_neighbours(plate(1, 1), together({{plate(1, 1), Vec3::Zero()}, {plate(1, 1), {3, 0, 0}}}), 2, 100, 3, seen,
                      memory);
-    EXPECT_EQ(seen.size(), 3u) << "disjoint, touching and crossing";
+    EXPECT_EQ(seen.size(), 3u) << "apart, touching and crossing";
     EXPECT_GT(memory.counts().stages.plane_passes, 1000u);
 }
 
@@ -176,9 +176,8 @@ TEST(CoplanarGroups, AreWhatTheySay) {
     scenes::Random random(8);
     for (const double scale : {1.0, 0.1, 1e-300, 1e200, 1e-308, 1e308}) {
         const auto base = together({{plate(3, 0.25), Vec3::Zero()}, {plate(2, 1), {3, 1, 0.75}}});
-        std::vector<Vec3> vertices;
-        for (const Vec3& v : base->vertices()) vertices.push_back(v * (scale / 8));
-        const auto mesh = Mesh::create(vertices, {base->triangles().begin(), base->triangles().end()});
+        const auto mesh = scenes::mapped(*base, [&](const Vec3& v) -> Vec3 { return v * (scale / 8); });
+        const auto vertices = mesh->vertices();
         const CoplanarGroups groups = groups_of(mesh);
         for (std::size_t i = 0; i < groups.of_triangle.size(); ++i) {
             if (groups.of_triangle[i] == CoplanarGroups::none) continue;

@@ -96,7 +96,8 @@ TEST_F(HardCases, ConvexSolids) {
         try {
             a.emplace(hard.a.mesh);
             b.emplace(hard.b.mesh);
-        } catch (const NotConvex&) {
+        } catch (const NotSolid& error) {
+            ASSERT_EQ(error.reason, NotSolid::Reason::dent);
             continue;
         }
         ++asked;

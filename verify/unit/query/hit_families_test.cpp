@@ -71,8 +71,7 @@ TEST(HitFamilies, ParityOfClosedMeshes) {
         const MeshShape shape(mesh);
         std::size_t hit_count = 0;
         for (int i = 0; i < 300; ++i) {
-            Pose pose;
-            pose.R = random.rotation().toRotationMatrix();
+            Pose pose = random.turned();
             const Aabb box = shape.box(pose);
             const double size = (box.max - box.min).norm();
             const Vec3 middle = 0.5 * (box.min + box.max), from = 2 * size * random.direction();
@@ -104,13 +103,13 @@ TEST(HitFamilies, ALongerRayHitsMore) {
         for (std::size_t k = 0; k < all.size(); ++k) {
             const double beyond = std::nextafter(all[k].parameter, HUGE_VAL);
             const double before = std::nextafter(all[k].parameter, -HUGE_VAL);
-            ray.parameter_max = beyond;
+            ray.max_parameter = beyond;
             const std::vector<Hit> some = all_hits(ray, {torus, Pose()}, memory);
             ASSERT_GE(some.size(), k + 1);
             for (std::size_t n = 0; n <= k; ++n) ASSERT_TRUE(judge::is_same(some[n], all[n])) << i;
             ASSERT_EQ(some.size(), std::ranges::count_if(all, [=](const Hit& h) { return h.parameter <= beyond; }))
                 << i;
-            ray.parameter_max = before;
+            ray.max_parameter = before;
             ASSERT_EQ(all_hits(ray, {torus, Pose()}, memory).size(),
                       std::ranges::count_if(all, [=](const Hit& h) { return h.parameter <= before; }))
                 << i;
@@ -145,10 +144,8 @@ TEST(HitFamilies, OwnAnswersAsArguments) {
 
 // A torus of 10,000 triangles with coordinates of 20 bits, so that what is half-way is a double, too.
 std::shared_ptr<const Mesh> rounded_torus() {
-    const auto mesh = scenes::torus(100, 50, 0.4);
-    std::vector<Vec3> vertices(mesh->vertices().begin(), mesh->vertices().end());
-    for (Vec3& v : vertices) v = (v * 0x1p20).array().round() * 0x1p-20;
-    return Mesh::create(std::move(vertices), {mesh->triangles().begin(), mesh->triangles().end()});
+    return scenes::mapped(*scenes::torus(100, 50, 0.4),
+                          [](const Vec3& v) -> Vec3 { return (v * 0x1p20).array().round().matrix() * 0x1p-20; });
 }
 
 // The line passes the place half-way, where it hits these triangles, which are listed one after the other.

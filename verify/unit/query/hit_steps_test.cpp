@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "ecods/hit.hpp"
@@ -44,7 +45,8 @@ Work expect_same(const std::vector<Segment>& steps, const Posed<MeshShape>& body
     for (const Segment& step : steps) {
         QueryMemory fresh;
         const std::uint64_t before = memory.counts().box_tests;
-        const std::optional<Hit> hit = first_hit(step, body, memory, witness), expected = first_hit(step, body, fresh);
+        const std::optional<Hit> hit = first_hit(step, body, {memory, witness}),
+                                 expected = first_hit(step, body, fresh);
         EXPECT_EQ(hit.has_value(), expected.has_value());
         EXPECT_TRUE(!hit || !expected || judge::is_same(*hit, *expected)) << judge::text(*hit);
         const std::uint64_t boxes = memory.counts().box_tests - before;
@@ -128,11 +130,11 @@ TEST(HitSteps, OfBodiesInTurn) {
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const Posed<MeshShape> body{i / 5 % 3 == 2 ? sphere : torus, i / 5 % 3 == 1 ? other : pose};
         QueryMemory fresh;
-        const std::optional<Hit> hit = first_hit(steps[i], body, memory, witness),
+        const std::optional<Hit> hit = first_hit(steps[i], body, {memory, witness}),
                                  expected = first_hit(steps[i], body, fresh);
         ASSERT_EQ(hit.has_value(), expected.has_value());
         EXPECT_TRUE(!hit || judge::is_same(*hit, *expected));
-        if (i % 7 == 0) all_hits(steps[i], body, memory);
+        if (i % 7 == 0) std::ignore = all_hits(steps[i], body, memory);
     }
 }
 

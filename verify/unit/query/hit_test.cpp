@@ -10,6 +10,7 @@
 
 #include "ecods/error.hpp"
 #include "ecods/hit.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/shapes.hpp"
 
 namespace ecods {
@@ -197,7 +198,7 @@ TEST(Hits, TiesAtAVertexAndAlongAnEdge) {
             const std::vector<Hit> all = all_hits(segment, {shape, {}}, memory);
             ASSERT_FALSE(all.empty());
             PairWitness witness{0, static_cast<std::uint32_t>(order % 10)};
-            const std::optional<Hit> first = first_hit(segment, {shape, {}}, memory, witness);
+            const std::optional<Hit> first = first_hit(segment, {shape, {}}, {memory, witness});
             ASSERT_TRUE(first);
             ASSERT_EQ(first->feature, all[0].feature) << order;
             ASSERT_EQ(first->kind, all[0].kind);
@@ -246,7 +247,7 @@ TEST(Hits, AWitnessIsTriedAndLeft) {
     ASSERT_TRUE(expected);
     for (const std::uint32_t b : {PairWitness::none, 0u, 5u, 100000u, expected->triangle()}) {
         PairWitness witness{3, b};
-        const std::optional<Hit> hit = first_hit(segment, body, memory, witness);
+        const std::optional<Hit> hit = first_hit(segment, body, {memory, witness});
         ASSERT_TRUE(hit);
         EXPECT_EQ(hit->parameter, expected->parameter);
         EXPECT_EQ(hit->feature, expected->feature);
@@ -258,10 +259,10 @@ TEST(Hits, RefuseWhatIsNotFinite) {
     const MeshShape shape(scenes::cube(1));
     QueryMemory memory;
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW(first_hit(Segment{{0, 0, nan}, {1, 1, 1}}, {shape, {}}, memory), InvalidSegment);
-    EXPECT_THROW(all_hits(Ray{{0, 0, 0}, {0, 0, 0}}, {shape, {}}, memory), InvalidRay);
-    EXPECT_THROW(all_hits(Ray{{0, 0, 0}, {0, 0, 1}, -1}, {shape, {}}, memory), InvalidRay);
-    EXPECT_THROW(first_hit(Ray{{0, 0, 0}, {0, 0, 1}, nan}, {shape, {}}, memory), InvalidRay);
+    EXPECT_INVALID(first_hit(Segment{{0, 0, nan}, {1, 1, 1}}, {shape, {}}, memory), Argument::segment);
+    EXPECT_INVALID(all_hits(Ray{{0, 0, 0}, {0, 0, 0}}, {shape, {}}, memory), Argument::ray);
+    EXPECT_INVALID(all_hits(Ray{{0, 0, 0}, {0, 0, 1}, -1}, {shape, {}}, memory), Argument::ray);
+    EXPECT_INVALID(first_hit(Ray{{0, 0, 0}, {0, 0, 1}, nan}, {shape, {}}, memory), Argument::ray);
 }
 
 }  // namespace

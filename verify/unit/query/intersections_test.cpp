@@ -5,7 +5,8 @@
 #include <cfenv>
 #include <vector>
 
-#include "ecods/contact.hpp"
+#include "ecods/distance.hpp"
+#include "ecods/intersection.hpp"
 #include "scenes/shapes.hpp"
 
 namespace ecods {

@@ -55,8 +55,9 @@ TEST(Locate, PointsMustBeFinite) {
             try {
                 static_cast<void>(locate(point, {cube, {}}, memory));
                 FAIL();
-            } catch (const InvalidPoint& error) {
-                EXPECT_EQ(error.axis, axis);
+            } catch (const InvalidArgument& error) {
+                EXPECT_EQ(error.argument, Argument::point);
+                EXPECT_EQ(error.part, "(" + std::to_string(axis) + ")");
             }
         }
     }

@@ -32,9 +32,11 @@ std::string describe(const Mesh& mesh) {
                                                               pairs.size(), pairs[0].a, pairs[0].b);
     try {
         check_solid(mesh);
-    } catch (const NotClosed& error) {
-        return fmt::format("open at edge {} of triangle {}{}", error.corner, error.triangle, crossings);
-    } catch (const SelfIntersecting& error) {
+    } catch (const NotSolid& error) {
+        if (error.reason == NotSolid::Reason::open_edge) {
+            return fmt::format("open at edge {} of triangle {}{}", error.corner, error.triangle, crossings);
+        }
+        EXPECT_EQ(error.reason, NotSolid::Reason::self_intersection);
         EXPECT_EQ(error.triangles, pairs.front());
         return "closed" + crossings;
     }

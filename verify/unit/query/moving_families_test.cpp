@@ -59,9 +59,7 @@ TEST(MovingFamilies, LargerMeshesAsTheOracle) {
         return result;
     };
     for (int i = 0; i < 8; ++i) {
-        Pose a, b;
-        a.R = random.rotation().toRotationMatrix();
-        b.R = random.rotation().toRotationMatrix();
+        Pose a = random.turned(), b = random.turned();
         a.t = 4 * random.direction();
         Pose to_a = near(a), to_b = near(b);
         to_a.t = (i % 3) * random.direction() - (i % 2) * a.t;
@@ -80,7 +78,7 @@ TEST(MovingFamilies, OwnAnswersAsArguments) {
     PairWitness witness;
     scenes::for_each_case(scenes::move_families(), 5, 15, [&](scenes::MoveCase made) {
         const MeshShape a(made.a), b(made.b);
-        const auto contact = cast(Moving(a, made.from_a, made.to_a), Moving(b, made.from_b, made.to_b), memory);
+        const auto contact = cast(Moving(a, made.from_a, made.to_a), Moving(b, made.from_b, made.to_b), 1, memory);
         if (!contact) return;
         made.to_a = between(made.from_a, made.to_a, contact->time);
         made.to_b = between(made.from_b, made.to_b, contact->time);
@@ -103,7 +101,7 @@ TEST(MovingFamilies, ASubnormalWayIsOne) {
         std::optional<FirstContact> contact;
         {
             const environment::InFloatMode in_mode(mode);
-            contact = cast(Moving(a, Pose(), to), Moving(b, Pose(), Pose()), memory);
+            contact = cast(Moving(a, Pose(), to), Moving(b, Pose(), Pose()), 1, memory);
         }
         EXPECT_EQ(contact ? contact->time : -1, 0.25) << mode.name;
     }

@@ -7,7 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "ecods/convex_solid.hpp"
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "environment/float_mode.hpp"
 #include "query/convex/convex_parts.hpp"
 #include "scenes/random.hpp"

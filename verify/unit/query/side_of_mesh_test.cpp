@@ -137,8 +137,7 @@ TEST(SideOfMesh, NestedShellsAsCgal) {
     }
     const auto mesh = Mesh::create(std::move(vertices), std::move(triangles));
     for (int i = 0; i < 4; ++i) {
-        Pose pose;
-        pose.R = random.rotation().toRotationMatrix();
+        Pose pose = random.turned();
         ASSERT_NO_FATAL_FAILURE(expect_same(mesh, pose, 200, random, counts));
     }
     EXPECT_GT(counts.sides[0], 50);

@@ -7,6 +7,7 @@
 #include "scenes/flush_parts.hpp"
 #include "scenes/hard_pairs.hpp"
 #include "scenes/random.hpp"
+#include "scenes/shapes.hpp"
 
 namespace ecods {
 namespace {
@@ -24,8 +25,8 @@ TEST(SingleTriangles, AnswerAsThePredicateOnEveryFamily) {
         const Relation expected = triangle_triangle({pair.pose_a, pair.a}, {pair.pose_b, pair.b});
         ASSERT_EQ(relation(x, y, memory), expected);
         ASSERT_EQ(relation(y, x, memory), expected);
-        ASSERT_EQ(intersects(x, y, memory), expected != Relation::disjoint);
-        ASSERT_EQ(intersecting_triangles(x, y, memory).size(), expected != Relation::disjoint ? 1u : 0u);
+        ASSERT_EQ(intersects(x, y, memory), expected != Relation::apart);
+        ASSERT_EQ(intersecting_triangles(x, y, memory).size(), expected != Relation::apart ? 1u : 0u);
     });
     EXPECT_EQ(memory.counts().queries, 4 * 300 * std::size(scenes::hard_families()));
 }
@@ -36,11 +37,11 @@ TEST(SingleTriangles, NeedNoTreesWhereTheFilterDecides) {
     Pose aside;
     aside.t = Vec3(0.1, 0.2, 0.5);
     PairWitness witness{7, 9};
-    EXPECT_FALSE(intersects({a, Pose{}}, {a, aside}, memory, witness));
+    EXPECT_FALSE(intersects({a, Pose{}}, {a, aside}, {memory, witness}));
     EXPECT_EQ(witness.a, PairWitness::none);
     Pose across;
     across.R << 0, 0, 1, 1, 0, 0, 0, 1, 0;
-    EXPECT_TRUE(intersects({a, Pose{}}, {a, across}, memory, witness));
+    EXPECT_TRUE(intersects({a, Pose{}}, {a, across}, {memory, witness}));
     EXPECT_EQ(witness.a, 0u);
     EXPECT_EQ(memory.counts().box_tests, 0u);
     EXPECT_EQ(memory.counts().stages.semi_static_passes, 2u);
@@ -64,7 +65,7 @@ std::uint64_t expect_right(const MeshShape& a, const Pose& pose_a, const MeshSha
     const oracle::OracleMesh exact_a(a.mesh_ptr(), pose_a), exact_b(b.mesh_ptr(), pose_b);
     const auto expected = oracle::intersecting_triangles(exact_a, exact_b);
     EXPECT_EQ(intersecting_triangles({a, pose_a}, {b, pose_b}, memory), expected);
-    EXPECT_EQ(relation({a, pose_a}, {b, pose_b}, memory), expected.empty() ? Relation::disjoint : Relation::touching);
+    EXPECT_EQ(relation({a, pose_a}, {b, pose_b}, memory), expected.empty() ? Relation::apart : Relation::touching);
     const StageCounts& counts = memory.counts().stages;
     return counts.one_limb + counts.two_limbs + counts.many_limbs + counts.plane_passes;
 }
@@ -74,17 +75,7 @@ TEST(FlatBodies, AllTrianglesOfALatticeInExactContact) {
     scenes::Random random(13);
     for (int axis = 0; axis < 3; ++axis) {
         for (const double z : {0.0, 0.7}) {
-            const auto turned = [&] {
-                const auto mesh = lattice_triangles(z);
-                std::vector<Vec3> vertices;
-                for (const Vec3& v : mesh->vertices()) {
-                    Vec3 w;
-                    for (int k = 0; k < 3; ++k) w[(axis + 1 + k) % 3] = v[k];
-                    vertices.push_back(w);
-                }
-                return Mesh::create(std::move(vertices), {mesh->triangles().begin(), mesh->triangles().end()});
-            }();
-            const MeshShape shape(turned);
+            const MeshShape shape(scenes::across(*lattice_triangles(z), axis));
             Pose a;
             const double c = random.uniform(0.5, 0.9) + random.uniform(0, 0x1p-32),
                          s = random.uniform(0.1, 0.5) + random.uniform(0, 0x1p-32);

@@ -17,9 +17,7 @@ TEST(SolidDistanceFamilies, AtTheBordersOfFeatures) {
     QueryMemory memory;
     PairWitness witness;
     scenes::Random random(9);
-    const auto hull = [](std::vector<Vec3> points) {
-        return std::make_shared<const Mesh>(convex_hull(std::span<const Vec3>(points)));
-    };
+    const auto hull = [](std::vector<Vec3> points) { return convex_hull(std::span<const Vec3>(points)); };
     const auto box = hull({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}, {0, 0, 2}, {2, 0, 2}, {0, 2, 2}, {2, 2, 2}});
     const auto spike = hull({{0, 0, 0}, {1, 2, 3}, {-1, 2, 3}, {1, 3, 2}, {-1, 3, 2}, {0, 6, 6}});
     const auto wedge = hull({{-1, 0, 0}, {1, 0, 0}, {-1, 2, 3}, {1, 2, 3}, {-1, 3, 2}, {1, 3, 2}});

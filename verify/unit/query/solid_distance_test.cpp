@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <vector>
 
-#include "ecods/convex_solid.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/error.hpp"
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "environment/each_environment.hpp"
 #include "query/convex/posed_hulls.hpp"
 #include "scenes/random.hpp"
@@ -33,7 +35,7 @@ ConvexSolid hull_of(scenes::Random& random, int count, const Vec3& axes = {1, 1,
 
 // The distance of solids by the questions about surfaces and solids.
 double expected_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory) {
-    return solid_relation(a, b, memory) == SolidRelation::apart ? distance(a, b, memory) : 0;
+    return solid_relation(a, b, memory) == Relation::apart ? distance(a, b, memory) : 0;
 }
 
 // Compares with the surfaces' distance and closest points; these are unique but for ties.
@@ -59,9 +61,9 @@ void expect_right(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, Quer
     }
     for (const PairWitness& any : {PairWitness{0, 0}, {3, 2}, {1000, 2}, {PairWitness::none, 5}}) {
         PairWitness witness = any;
-        EXPECT_EQ(solid_distance(a, b, memory, witness), expected);
+        EXPECT_EQ(solid_distance(a, b, {memory, witness}), expected);
         witness = any;
-        const auto other = solid_closest(a, b, memory, witness);
+        const auto other = solid_closest(a, b, {memory, witness});
         ASSERT_TRUE(other.has_value());
         EXPECT_EQ(other->kind, closest->kind);
         EXPECT_EQ(other->a, closest->a);
@@ -76,9 +78,7 @@ TEST(SolidDistance, OfHulls) {
     for (int i = 0; i < 60; ++i) {
         const ConvexSolid a = hull_of(random, 4 + i), b = hull_of(random, 40, {2, 1, 0.01});
         for (int k = 0; k < 10; ++k) {
-            Pose p, q;
-            p.R = random.rotation().toRotationMatrix();
-            q.R = random.rotation().toRotationMatrix();
+            Pose p = random.turned(), q = random.turned();
             q.t = random.direction() * random.uniform(0, 5);
             if (k % 3 == 0) q.R.row(0) *= -1;
             expect_right({a, p}, {b, q}, memory);
@@ -91,9 +91,7 @@ TEST(SolidDistance, NearContact) {
     QueryMemory memory;
     for (int i = 0; i < 40; ++i) {
         const ConvexSolid a = hull_of(random, 32), b = hull_of(random, 32);
-        Pose p, q;
-        p.R = random.rotation().toRotationMatrix();
-        q.R = random.rotation().toRotationMatrix();
+        Pose p = random.turned(), q = random.turned();
         const Vec3 way = random.direction();
         for (int round = 0; round < 60; ++round) {
             const double gap = solid_distance({a, p}, {b, q}, memory);
@@ -203,7 +201,7 @@ TEST(SolidDistance, SingularPoses) {
     flat.R << 1, 2, 3, 4, 5, 6, 7, 8, 9;
     const auto argument = [&](const Pose& p, const Pose& q) {
         try {
-            solid_distance({a, p}, {a, q}, memory);
+            std::ignore = solid_distance({a, p}, {a, q}, memory);
         } catch (const SingularPose& error) {
             return error.argument;
         }
@@ -217,7 +215,7 @@ TEST(SolidDistance, SingularPoses) {
     EXPECT_EQ(argument(flat, {}), -1);
     flat.R.setZero();
     EXPECT_EQ(argument({}, flat), 1);
-    EXPECT_THROW(solid_closest({a, flat}, {a, {}}, memory), SingularPose);
+    EXPECT_THROW(static_cast<void>(solid_closest({a, flat}, {a, {}}, memory)), SingularPose);
 }
 
 TEST(SolidDistance, OfLargeHulls) {
@@ -225,8 +223,7 @@ TEST(SolidDistance, OfLargeHulls) {
     QueryMemory memory;
     const ConvexSolid a = hull_of(random, 900), b = hull_of(random, 500, {1, 3, 2});
     for (int i = 0; i < 40; ++i) {
-        Pose p, q;
-        p.R = random.rotation().toRotationMatrix();
+        Pose p = random.turned(), q;
         q.t = random.direction() * random.uniform(1, 6);
         expect_right({a, p}, {b, q}, memory);
     }
@@ -249,8 +246,8 @@ TEST(SolidDistance, TheSameInEveryEnvironment) {
                     const Posed<ConvexSolid> x(*first, p), y(*second, near);
                     const auto ask = [&] {
                         PairWitness witness;
-                        const auto closest = solid_closest(x, y, memory, witness);
-                        std::vector<double> all{solid_distance(x, y, memory), solid_distance(y, x, memory, witness)};
+                        const auto closest = solid_closest(x, y, {memory, witness});
+                        std::vector<double> all{solid_distance(x, y, memory), solid_distance(y, x, {memory, witness})};
                         if (closest) {
                             for (const Vec3& point : {closest->point_a, closest->point_b}) {
                                 all.insert(all.end(), {point[0], point[1], point[2]});

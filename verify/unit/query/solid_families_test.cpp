@@ -21,19 +21,20 @@ int cases_of(std::string_view family) {
 
 TEST(SolidFamilies, AsTheOracle) {
     std::map<std::string, int> relations;
-    std::array<int, 4> surfaces{};
+    std::map<Relation, int> surfaces;
     std::size_t on_count = 0;
     QueryMemory memory;
     PairWitness none;
     scenes::for_each_case(scenes::solid_families(), 1, cases_of, [&](const SolidCase& made) {
         ASSERT_NO_FATAL_FAILURE(expect_none(judge::ask_whether_solid(*made.a.mesh)));
         const judge::Judged<SolidCase> judged(made);
-        ++surfaces[static_cast<std::size_t>(judged.truth.surface_relation())];
+        ++surfaces[judged.truth.surface_relation()];
         on_count += judged.truth.on_count();
         expect_right(made, judged, memory, none, relations);
     });
     expect_each(relations, 6, 5);
-    for (const int count : surfaces) EXPECT_GT(count, 5);
+    EXPECT_EQ(surfaces.size(), 4U);
+    for (const auto& [relation, count] : surfaces) EXPECT_GT(count, 5) << relation;
     EXPECT_GT(on_count, 300U);
 }
 
@@ -86,10 +87,10 @@ TEST(SolidFamilies, EveryOneWithItself) {
     };
     scenes::for_each_case(scenes::solid_families(), random, count, [&](const SolidCase& made) {
         const Solid a(made.a.mesh);
-        ASSERT_EQ(solid_relation({a, made.a.pose}, {a, made.a.pose}, memory), SolidRelation::equal);
+        ASSERT_EQ(solid_relation({a, made.a.pose}, {a, made.a.pose}, memory), Relation::equal);
         Pose other = made.a.pose;
         for (double& x : other.R.reshaped()) x = x == 0 ? -x : x;
-        ASSERT_EQ(solid_relation({a, made.a.pose}, {a, other}, memory), SolidRelation::equal);
+        ASSERT_EQ(solid_relation({a, made.a.pose}, {a, other}, memory), Relation::equal);
     });
 }
 
@@ -109,7 +110,7 @@ std::shared_ptr<const Mesh> triangle_at_edge(const scenes::LatticeMesh& mesh, Ra
 TEST(SolidFamilies, SurfacesThatBoundNothing) {
     Random random(5);
     QueryMemory memory;
-    std::array<int, 4> counts{};
+    std::map<Relation, int> counts;
     for (int i = 0; i < 800; ++i) {
         SCOPED_TRACE(i);
         const auto& all = scenes::fixed_contacts();
@@ -120,11 +121,12 @@ TEST(SolidFamilies, SurfacesThatBoundNothing) {
                                         : scenes::lattice_mesh(random, 3, 3, i % 4 == 1));
         const oracle::Soup of_solid{body.mesh->vertices(), body.mesh->triangles(), body.pose};
         const oracle::Soup of_surface{soup.mesh().vertices(), soup.mesh().triangles(), Pose()};
-        const auto expected = static_cast<SurfaceRelation>(oracle::surface_relation(of_surface, of_solid));
-        ++counts[static_cast<std::size_t>(expected)];
+        const auto expected = oracle::surface_relation(of_surface, of_solid);
+        ++counts[expected];
         ASSERT_EQ(surface_relation({soup, Pose()}, {solid, body.pose}, memory), expected) << recipe.name;
     }
-    for (const int count : counts) EXPECT_GE(count, 20);
+    EXPECT_EQ(counts.size(), 4U);
+    for (const auto& [relation, count] : counts) EXPECT_GE(count, 20) << relation;
 }
 
 // A solid without a triangle, with one twice, or with a vertex elsewhere.

@@ -70,10 +70,10 @@ inline Soup octahedron(const Vec3& center, double reach) {
     return soup;
 }
 
-inline SolidRelation swapped(SolidRelation relation) {
-    return relation == SolidRelation::inside     ? SolidRelation::contains
-           : relation == SolidRelation::contains ? SolidRelation::inside
-                                                 : relation;
+inline Relation swapped(Relation relation) {
+    return relation == Relation::inside     ? Relation::contains
+           : relation == Relation::contains ? Relation::inside
+                                            : relation;
 }
 
 // Poses that are the same affine map for both, so that the answer stays: also reflecting, sheared, and of any size.
@@ -88,8 +88,7 @@ inline std::vector<Pose> common_poses() {
     sheared.t = Vec3(0.1, 0.2, 0.3);
     poses.push_back(sheared);
     scenes::Random random(11);
-    Pose turned;
-    turned.R = random.rotation().toRotationMatrix();
+    Pose turned = random.turned();
     poses.push_back(turned);
     for (const int exponent : {-900, -200, 200, 900}) {
         Pose scaled = turned;

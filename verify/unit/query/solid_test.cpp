@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "ecods/intersection.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/query/solid_soup.hpp"
 
@@ -13,7 +14,7 @@ namespace ecods {
 namespace {
 
 // Both orders; the same pose for both, and with b moved in its own mesh instead of by its pose.
-void expect_relation(const MeshPtr& a, const MeshPtr& b, SolidRelation expected) {
+void expect_relation(const MeshPtr& a, const MeshPtr& b, Relation expected) {
     const Solid x(a), y(b);
     QueryMemory memory;
     for (const Pose& pose : common_poses()) {
@@ -25,15 +26,14 @@ void expect_relation(const MeshPtr& a, const MeshPtr& b, SolidRelation expected)
             if (other.R.data()[k] == 0) other.R.data()[k] = -0.0;
         }
         EXPECT_EQ(solid_relation({x, pose}, {y, other}, memory), expected);
-        EXPECT_EQ(solid_relation({x, pose}, {x, pose}, memory), SolidRelation::equal);
+        EXPECT_EQ(solid_relation({x, pose}, {x, pose}, memory), Relation::equal);
     }
 }
 
-constexpr auto apart = SolidRelation::apart, touching = SolidRelation::touching,
-               overlapping = SolidRelation::overlapping, inside = SolidRelation::inside,
-               contains = SolidRelation::contains, equal = SolidRelation::equal;
+constexpr auto apart = Relation::apart, touching = Relation::touching, overlapping = Relation::overlapping,
+               inside = Relation::inside, contains = Relation::contains, equal = Relation::equal;
 
-TEST(SolidRelation, BoxesByTheirIntervals) {
+TEST(Relation, BoxesByTheirIntervals) {
     const Vec3 low(0, 0, 0), high(2, 2, 2);
     const MeshPtr cube = box(low, high);
     expect_relation(cube, box({2, 0, 0}, {4, 2, 2}), touching);   // face on face
@@ -53,13 +53,13 @@ TEST(SolidRelation, BoxesByTheirIntervals) {
     expect_relation(cube, box(low, high, 3), equal);
 }
 
-TEST(SolidRelation, WallsThatShareFiftyMillimetresOverlap) {
+TEST(Relation, WallsThatShareFiftyMillimetresOverlap) {
     expect_relation(box({0, 0, 0}, {4.05, 0.3, 2.5}), box({4, 0, 0}, {8, 0.3, 2.5}), overlapping);
     expect_relation(box({0, 0, 0}, {4, 0.3, 2.5}), box({4, 0, 0}, {8, 0.3, 2.5}), touching);
     expect_relation(box({0, 0, 0}, {4, 0.3, 2.5}), box({1, 0.1, 1}, {3, 0.2, 1.1}), contains);  // a pipe in a wall
 }
 
-TEST(SolidRelation, OctahedronInACube) {
+TEST(Relation, OctahedronInACube) {
     const MeshPtr cube = box({-1, -1, -1}, {1, 1, 1});
     expect_relation(octahedron({0, 0, 0}, 1).mesh(), cube, inside);  // its corners are on the faces
     // Its corners are on corners of triangles, and its edges above sides of them.
@@ -72,7 +72,7 @@ TEST(SolidRelation, OctahedronInACube) {
                     touching);  // its corners are off, its edge on the cube's edge
 }
 
-TEST(SolidRelation, NestedShells) {
+TEST(Relation, NestedShells) {
     Soup outer = soup_of_box({0, 0, 0}, {9, 9, 9});
     outer.add_box({1, 1, 1}, {8, 8, 8});
     Soup shell = soup_of_box({1, 1, 1}, {8, 8, 8});
@@ -89,12 +89,12 @@ TEST(SolidRelation, NestedShells) {
     expect_relation(outer.mesh(), box({4, 4, 4}, {6, 6, 6}), overlapping);
 }
 
-TEST(SolidRelation, SurfacesApartOneInside) {
+TEST(Relation, SurfacesApartOneInside) {
     expect_relation(scenes::sphere(20, 10), box({-0.25, -0.25, -0.25}, {0.25, 0.25, 0.25}), contains);
     expect_relation(scenes::torus(24, 12, 0.25), box({-0.25, -0.25, -0.25}, {0.25, 0.25, 0.25}), apart);
 }
 
-TEST(SolidRelation, FourTrianglesAtAnEdge) {
+TEST(Relation, FourTrianglesAtAnEdge) {
     Soup two = soup_of_box({0, 0, 0}, {1, 1, 1});
     two.add_box({1, 1, 0}, {2, 2, 1});  // joined along an edge
     expect_relation(two.mesh(), box({1, 0, 0}, {2, 1, 1}), touching);
@@ -107,7 +107,7 @@ TEST(SolidRelation, FourTrianglesAtAnEdge) {
     expect_relation(part.mesh(), box({0, 0, 0}, {2, 2, 3}), inside);
 }
 
-TEST(SolidRelation, SingularPosesLeaveNoInterior) {
+TEST(Relation, SingularPosesLeaveNoInterior) {
     const Solid cube(box({-1, -1, -1}, {1, 1, 1})), other(box({-1, -1, -1}, {1, 1, 1}, 2));
     QueryMemory memory;
     Pose flat;
@@ -132,7 +132,7 @@ TEST(SolidRelation, SingularPosesLeaveNoInterior) {
     EXPECT_EQ(locate({0.5, 0, 0}, {cube, line}, memory).feature.kind, Feature::Kind::vertex);
 }
 
-TEST(SolidRelation, TheEmptySolidIsApartFromEverything) {
+TEST(Relation, TheEmptySolidIsApartFromEverything) {
     Soup antenna;
     antenna.add({0, 0, 0}, {1, 1, 1}, {2, 2, 2});
     const Solid empty(antenna.mesh()), cube(box({-1, -1, -1}, {1, 1, 1}));
@@ -143,7 +143,7 @@ TEST(SolidRelation, TheEmptySolidIsApartFromEverything) {
     EXPECT_EQ(locate({1, 1, 1}, {empty, {}}, memory).side, Side::outside);
 }
 
-TEST(SolidRelation, ZeroAreaTrianglesAreLeftOut) {
+TEST(Relation, ZeroAreaTrianglesAreLeftOut) {
     Soup soup = soup_of_box({0, 0, 0}, {1, 1, 1});
     soup.add({1, 1, 1}, {2, 2, 2}, {3, 3, 3});
     soup.add({0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}, {0.5, 0.5, 0.5});
@@ -158,7 +158,7 @@ TEST(SolidRelation, ZeroAreaTrianglesAreLeftOut) {
     EXPECT_EQ(locate({2, 2, 0}, {a, flat}, memory).side, Side::outside);
 }
 
-TEST(SolidRelation, HardPoses) {
+TEST(Relation, HardPoses) {
     // Nearly flush, by one unit in the last place.
     const Solid cube(box({0, 0, 0}, {1, 1, 1}));
     QueryMemory memory;

@@ -16,16 +16,16 @@ TEST(ConvexWorkloads, AreWhatTheySay) {
         for (const auto& [a, b] : workload.queries) {
             const Solid solid_a(workload.meshes[a.mesh_index].mesh), solid_b(workload.meshes[b.mesh_index].mesh);
             const Posed<Solid> posed_a(solid_a, a.pose), posed_b(solid_b, b.pose);
-            const SolidRelation relation = solid_relation(posed_a, posed_b, memory);
+            const Relation relation = solid_relation(posed_a, posed_b, memory);
             if (workload.question == ConvexQuestion::distance) {
                 ++distance_count;
                 const double d = distance(posed_a, posed_b, memory);
                 EXPECT_GT(d, workload.nominal) << workload.name;
                 EXPECT_LT(d, 1.01 * workload.nominal) << workload.name;
-                EXPECT_EQ(relation, SolidRelation::apart);
+                EXPECT_EQ(relation, Relation::apart);
             } else {
-                EXPECT_NE(relation, SolidRelation::apart) << workload.name;
-                EXPECT_NE(relation, SolidRelation::touching) << workload.name;
+                EXPECT_NE(relation, Relation::apart) << workload.name;
+                EXPECT_NE(relation, Relation::touching) << workload.name;
             }
         }
     }

@@ -1,6 +1,6 @@
 // What replay finds, and what it refuses.
 
-#include "ecods/replay.hpp"
+#include "ecods/trace.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "ecods/mesh.hpp"
-#include "ecods/replay.hpp"
+#include "ecods/trace.hpp"
 
 namespace ecods {
 

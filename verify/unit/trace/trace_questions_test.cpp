@@ -4,9 +4,11 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <tuple>
 
 #include "ecods/error.hpp"
-#include "ecods/replay.hpp"
+#include "ecods/trace.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
@@ -23,24 +25,25 @@ std::string traced(const TraceOptions& options) {
     for (const double x : {0.0, 3.0, 6.0}) bodies.push_back(world.create_body(cube, at(x)));
     for (const double x : {20.0, 20.5}) world.create_body(std::make_shared<const ConvexSolid>(cube), at(x));
     world.update();
-    world.first_hit(Segment{Vec3(-2, 0.25, 0.125), Vec3(8, 0.25, 0.125)});
-    world.first_hit(Ray{Vec3(-2, 0.25, 0.125), Vec3(1, 0, 0)}, CollisionFilter{.groups = 2, .mask = 0x10});
-    world.all_hits(Segment{Vec3(-2, 0.25, 0.125), Vec3(8, 0.25, 0.125)}, CollisionFilter{});
-    world.all_hits(Ray{Vec3(9, 0, 0), Vec3(-1, 0, 0), 5.5});
-    world.nearest(bodies[1]);
-    world.nearest(bodies[1], 0.5);
-    world.closest_pair();
-    world.cast(bodies[0], Vec3(8, 0, 0));
-    world.cast(bodies[0], Vec3(8, 0, 0), 0.25);
-    world.meetings(std::vector{bodies[2], bodies[0]}, std::vector{at(0), at(6)});
-    world.bodies_containing(Vec3(0.25, 0.25, 0));
-    world.depths();
-    world.solid_distances(1);
+    std::ignore = world.first_hit(Segment{Vec3(-2, 0.25, 0.125), Vec3(8, 0.25, 0.125)});
+    std::ignore =
+        world.first_hit(Ray{Vec3(-2, 0.25, 0.125), Vec3(1, 0, 0)}, CollisionFilter{.groups = 2, .mask = 0x10});
+    std::ignore = world.all_hits(Segment{Vec3(-2, 0.25, 0.125), Vec3(8, 0.25, 0.125)}, CollisionFilter{});
+    std::ignore = world.all_hits(Ray{Vec3(9, 0, 0), Vec3(-1, 0, 0), 5.5});
+    std::ignore = world.nearest(bodies[1]);
+    std::ignore = world.nearest(bodies[1], 0.5);
+    std::ignore = world.closest_pair();
+    std::ignore = world.cast(bodies[0], Vec3(8, 0, 0));
+    std::ignore = world.cast(bodies[0], Vec3(8, 0, 0), 0.25);
+    std::ignore = world.meetings(std::vector{bodies[2], bodies[0]}, std::vector{at(0), at(6)});
+    std::ignore = world.bodies_containing(Vec3(0.25, 0.25, 0));
+    std::ignore = world.depths();
+    std::ignore = world.solid_distances(1);
     world.set_pose(bodies[1], at(3, 0.25));
     QueryMemory memory;
-    world.nearest(bodies[1], memory);
-    EXPECT_THROW(world.first_hit(Segment{Vec3(0, 0, 0), Vec3(0, 0, std::numeric_limits<double>::infinity())}),
-                 InvalidSegment);
+    std::ignore = world.nearest(bodies[1], World::no_limit, memory);
+    EXPECT_INVALID(world.first_hit(Segment{Vec3(0, 0, 0), Vec3(0, 0, std::numeric_limits<double>::infinity())}),
+                   Argument::segment);
     world.update();
     world.end_trace();
     return out.str();
@@ -64,7 +67,7 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
     EXPECT_EQ(count_of("\nfirst_hit_of_ray ", with), 1u);
     EXPECT_EQ(count_of("\nall_hits ", with), 1u);
     EXPECT_EQ(count_of("\nall_hits_of_ray ", with), 1u);
-    EXPECT_EQ(count_of("\nnearest ", with), 2u) << "those in the world's own memory";
+    EXPECT_EQ(count_of("\nnearest ", with), 2u) << "those without a memory of the caller's";
     EXPECT_EQ(count_of("\nclosest_pair ", with), 1u);
     EXPECT_EQ(count_of("\ncast ", with), 2u);
     EXPECT_EQ(count_of("\nmeetings ", with), 1u);
@@ -111,7 +114,7 @@ TEST(TraceQuestions, OfAWorldThatWasNotEmptyAreAskedAndNotCompared) {
     world.create_body(cube, at(4));
     std::stringstream trace;
     world.trace_to(trace, {.questions = true});
-    world.nearest(a);
+    std::ignore = world.nearest(a);
     world.end_trace();
     const ReplayReport report = replay(trace);
     EXPECT_FALSE(report.difference);

@@ -31,11 +31,11 @@ class Ball final : public Shape {
 
 class BallTest final : public TwoBodyTest {
   public:
-    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory&) const override {
+    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask&) const override {
         if (a.pose.t.x() < -100) throw std::runtime_error("a test that fails");
         return (a.pose.t - b.pose.t).norm() <= 2;
     }
-    Relation relation(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override {
+    Relation relation(const Posed<Shape>&, const Posed<Shape>&, const Ask&) const override {
         return Relation::touching;
     }
 };
@@ -118,9 +118,9 @@ TEST(Trace, OfManyShapesThatComeAndGo) {
 // A test cannot be written; that it was set stands there.
 TEST(Trace, NotesThatATestWasSet) {
     class Never final : public TwoBodyTest {
-        bool intersects(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override { return false; }
-        Relation relation(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override {
-            return Relation::disjoint;
+        bool intersects(const Posed<Shape>&, const Posed<Shape>&, const Ask&) const override { return false; }
+        Relation relation(const Posed<Shape>&, const Posed<Shape>&, const Ask&) const override {
+            return Relation::apart;
         }
     };
     std::ostringstream out;

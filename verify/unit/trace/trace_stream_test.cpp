@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ecods/error.hpp"
-#include "ecods/replay.hpp"
+#include "ecods/trace.hpp"
 #include "ecods/world.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
@@ -113,7 +113,7 @@ TEST(TraceStream, LocalesChangeNothing) {
 TEST(TraceStream, FlagsWidthsAndLocalesChangeNoReplay) {
     const std::string plain = plain_text();
     const auto expect_same = [&](std::istream& in) {
-        const ReplayReport report = replay(in, {.validates = true});
+        const ReplayReport report = replay(in, {.checks_invariants = true});
         EXPECT_FALSE(report.difference) << report.difference->what;
         EXPECT_EQ(report.update_count, 3u);
         EXPECT_EQ(report.body_count, 11u);
@@ -168,7 +168,8 @@ TEST(TraceStream, AReplayOutOfMemorySaysSo) {
 std::string traced_again(const std::string& text) {
     std::istringstream in(text);
     std::ostringstream again;
-    const ReplayReport report = replay(in, {.validates = true, .set_up = [&](World& world) { world.trace_to(again); }});
+    const ReplayReport report =
+        replay(in, {.checks_invariants = true, .set_up = [&](World& world) { world.trace_to(again); }});
     EXPECT_FALSE(report.difference) << report.difference->what;
     return again.str();
 }

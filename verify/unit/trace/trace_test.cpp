@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ecods/world.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/trace/replay_text.hpp"
@@ -24,14 +25,14 @@ TEST(Trace, IsTheTextThatTheHeaderShows) {
     world.update();
     world.set_pose(b, at(0, 0.5));
     world.set_pose(b, at(0, 0.5));  // is not a move
-    EXPECT_THROW(world.set_pose(b, at(std::nan(""))), InvalidPose);
+    EXPECT_INVALID(world.set_pose(b, at(std::nan(""))), Argument::pose);
     world.set_poses(std::vector<BodyId>{b, a}, std::vector<Pose>{at(1), at(2)});
     world.set_filter(a, {.groups = 10, .mask = ~std::uint64_t{0}});
     world.set_pair_enabled(b, a, false);
     world.set_user_data(a, 42);
     world.set_clearance(0.1875);
     world.set_clearance(0.1875);  // is no change
-    EXPECT_THROW(world.set_clearance(-1), InvalidDistance);
+    EXPECT_INVALID(world.set_clearance(-1), Argument::distance);
     world.set_clearance({});
     world.set_shape(a, std::make_shared<MeshShape>(triangle));
     world.destroy_body(a);
@@ -114,7 +115,7 @@ TEST(Trace, ReplaysToTheSameWithAnyBroadPhase) {
     world.end_trace();
     for (const BroadPhaseKind kind : {BroadPhaseKind::brute_force, BroadPhaseKind::sweep_and_prune,
                                       BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic}) {
-        const ReplayReport report = replay_text(out.str(), {.broad_phase = kind, .validates = true});
+        const ReplayReport report = replay_text(out.str(), {.broad_phase = kind, .checks_invariants = true});
         EXPECT_FALSE(report.difference) << report.difference->what;
         EXPECT_EQ(report.update_count, 30u);
         EXPECT_EQ(report.body_count, world.bodies().size());
@@ -133,7 +134,7 @@ TEST(Trace, MayBeginAtAnyTime) {
     world.trace_to(out);
     live(world, 10, 3);
     world.end_trace();
-    const ReplayReport report = replay_text(out.str(), {.validates = true});
+    const ReplayReport report = replay_text(out.str(), {.checks_invariants = true});
     EXPECT_FALSE(report.difference) << report.difference->what;
     EXPECT_EQ(report.update_count, 10u);
     EXPECT_EQ(report.body_count, world.bodies().size());

@@ -18,8 +18,8 @@ inline constexpr ShapeKind slab_kind{4};
 
 // The times at which a point that moves is in a box.
 inline std::optional<std::pair<double, double>> times_in(const Aabb& box, const Vec3& origin, const Vec3& direction,
-                                                         double time_max) {
-    double from = 0, to = time_max;
+                                                         double max_time) {
+    double from = 0, to = max_time;
     for (int k = 0; k < 3; ++k) {
         const double low = box.min[k] - origin[k], high = box.max[k] - origin[k], speed = direction[k];
         if (speed == 0) {
@@ -45,11 +45,11 @@ class SlabShape final : public Shape {
 
     // Where the line comes in, and where it goes out.
     bool answers(Question question) const noexcept override { return answers_hits_ && question == Question::hits; }
-    std::vector<Hit> all_hits(const Segment& segment, const Pose& pose, QueryMemory& memory) const override {
-        return all_hits(Ray{segment.a, segment.b - segment.a, 1}, pose, memory);
+    std::vector<Hit> all_hits(const Segment& segment, const Pose& pose, const Ask& ask) const override {
+        return all_hits(Ray{segment.a, segment.b - segment.a, 1}, pose, ask);
     }
-    std::vector<Hit> all_hits(const Ray& ray, const Pose& pose, QueryMemory& /*memory*/) const override {
-        const auto times = times_in(box(pose), ray.origin, ray.direction, ray.parameter_max);
+    std::vector<Hit> all_hits(const Ray& ray, const Pose& pose, const Ask& /*ask*/) const override {
+        const auto times = times_in(box(pose), ray.origin, ray.direction, ray.max_parameter);
         if (!times) return {};
         std::vector<Hit> hits(2);
         for (int i = 0; i < 2; ++i) {
@@ -71,20 +71,20 @@ class SlabTest final : public TwoBodyTest {
   public:
     explicit SlabTest(bool answers_casts = true) : answers_casts_(answers_casts) {}
 
-    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
-        return first_contact(a, Vec3::Zero(), b, 0, memory).has_value();
+    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
+        return first_contact(a, Vec3::Zero(), b, 0, ask).has_value();
     }
     bool answers(Question question) const noexcept override {
         return answers_casts_ && (question == Question::cast || question == Question::cast_moving);
     }
-    std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b, double time_max,
-                                     QueryMemory& memory) const override {
-        return first_contact(a, motion, b, time_max, memory);
+    std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b, double max_time,
+                                     const Ask& ask) const override {
+        return first_contact(a, motion, b, max_time, ask);
     }
-    std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double time_max,
-                                            QueryMemory& memory) const override {
+    std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double max_time,
+                                            const Ask& ask) const override {
         const Vec3 motion = (a.to.t - a.from.t) - (b.to.t - b.from.t);
-        return first_contact({*a.what, a.from}, motion, {*b.what, b.from}, time_max, memory);
+        return first_contact({*a.what, a.from}, motion, {*b.what, b.from}, max_time, ask);
     }
 
   private:
@@ -98,9 +98,9 @@ class SlabTest final : public TwoBodyTest {
         return slab != nullptr ? slab->half() : 0.5 * (body.what->box(Pose()).max[0] - body.what->box(Pose()).min[0]);
     }
     static std::optional<FirstContact> first_contact(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b,
-                                                     double time_max, QueryMemory& /*memory*/) {
+                                                     double max_time, const Ask& /*ask*/) {
         const Vec3 half = Vec3::Constant(half_of(a) + half_of(b));
-        const auto times = times_in({b.pose.t - half, b.pose.t + half}, a.pose.t, motion, time_max);
+        const auto times = times_in({b.pose.t - half, b.pose.t + half}, a.pose.t, motion, max_time);
         if (!times) return std::nullopt;
         FirstContact contact;
         contact.time = times->first;

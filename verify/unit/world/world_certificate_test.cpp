@@ -92,7 +92,7 @@ class Point final : public Shape {
 };
 
 class Never final : public TwoBodyTest {
-    bool intersects(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override { return false; }
+    bool intersects(const Posed<Shape>&, const Posed<Shape>&, const Ask&) const override { return false; }
 };
 
 TEST_P(WorldCertificates, RefuseABodyOfTheCallersOwnKind) {
@@ -106,9 +106,11 @@ TEST_P(WorldCertificates, RefuseABodyOfTheCallersOwnKind) {
     try {
         world.certify(memory);
         FAIL();
-    } catch (const NotCertified& error) {
+    } catch (const NotSupported& error) {
+        EXPECT_EQ(error.question, Question::certify);
         EXPECT_EQ(error.body, point);
-        EXPECT_EQ(error.kind, ShapeKind{7});
+        EXPECT_EQ(error.a, ShapeKind{7});
+        EXPECT_EQ(std::string(error.what()), "body 2.0 has a shape of kind 7, of which there are no certificates");
     }
 }
 

@@ -11,6 +11,7 @@
 
 #include "ecods/distance.hpp"
 #include "ecods/error.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/numbers_of.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
@@ -37,7 +38,7 @@ TEST_P(WorldClearanceTest, WithoutAClearanceTheListsAreEmpty) {
     EXPECT_TRUE(world.close_began().empty());
     EXPECT_EQ(world.statistics().clearance.candidate_count, 0u);
     EXPECT_EQ(world.statistics().clearance.broad_phase.updates, 0u);
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldClearanceTest, ANewClearanceCountsAtTheNextUpdateAndGivesEvents) {
@@ -54,7 +55,7 @@ TEST_P(WorldClearanceTest, ANewClearanceCountsAtTheNextUpdateAndGivesEvents) {
     EXPECT_EQ(list(world.close_began()), (Pairs{ab}));
     EXPECT_TRUE(world.colliding_pairs().empty());
     EXPECT_TRUE(world.began().empty());
-    world.validate();
+    world.check_invariants();
     world.update();
     EXPECT_TRUE(world.close_began().empty());
     world.set_clearance(0.75);
@@ -62,12 +63,12 @@ TEST_P(WorldClearanceTest, ANewClearanceCountsAtTheNextUpdateAndGivesEvents) {
     EXPECT_EQ(list(world.close_pairs()), (Pairs{ab, bc}));
     EXPECT_EQ(list(world.close_began()), (Pairs{bc}));
     EXPECT_TRUE(world.close_ended().empty());
-    world.validate();
+    world.check_invariants();
     world.set_clearance(std::nextafter(0.25, 0));
     world.update();
     EXPECT_TRUE(world.close_pairs().empty()) << "decided for the real number";
     EXPECT_EQ(list(world.close_ended()), (Pairs{ab, bc}));
-    world.validate();
+    world.check_invariants();
     world.set_clearance(0.25);
     world.update();
     world.set_clearance({});
@@ -76,13 +77,13 @@ TEST_P(WorldClearanceTest, ANewClearanceCountsAtTheNextUpdateAndGivesEvents) {
     world.update();
     EXPECT_TRUE(world.close_pairs().empty());
     EXPECT_EQ(list(world.close_ended()), (Pairs{ab}));
-    world.validate();
+    world.check_invariants();
     world.update();
     EXPECT_TRUE(world.close_ended().empty());
     world.set_clearance(0.25);
     world.update();
     EXPECT_EQ(list(world.close_began()), (Pairs{ab}));
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldClearanceTest, CollidingPairsAreCloseWithoutATest) {
@@ -116,7 +117,7 @@ TEST_P(WorldClearanceTest, WorkIsThatOfWhatMoved) {
     world.update();
     EXPECT_EQ(world.close_ended().size(), 2u);
     EXPECT_EQ(world.statistics().clearance.two_body_tests, 10u);
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldClearanceTest, ASlotThatIsUsedAgainIsAnotherBody) {
@@ -130,7 +131,7 @@ TEST_P(WorldClearanceTest, ASlotThatIsUsedAgainIsAnotherBody) {
     world.update();
     EXPECT_EQ(list(world.close_ended()), (Pairs{{a, b}}));
     EXPECT_EQ(list(world.close_began()), (Pairs{{a, c}}));
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldClearanceTest, FiltersAndSwitchesApply) {
@@ -147,13 +148,13 @@ TEST_P(WorldClearanceTest, FiltersAndSwitchesApply) {
     world.set_filter(a, {.mask = 0});
     world.update();
     EXPECT_EQ(world.close_ended().size(), 1u);
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldClearanceTest, BadDistancesAreRefused) {
     world.set_clearance(1.0);
     for (const double bad : {-1.0, -0x1p-1074, infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
-        EXPECT_THROW(world.set_clearance(bad), InvalidDistance);
+        EXPECT_INVALID(world.set_clearance(bad), Argument::distance);
     }
     EXPECT_EQ(world.clearance(), 1.0);
     world.set_clearance(-0.0);
@@ -163,7 +164,7 @@ TEST_P(WorldClearanceTest, BadDistancesAreRefused) {
     world.create_body(cube, at(1e300));
     world.update();
     EXPECT_EQ(world.close_pairs().size(), 1u);
-    world.validate();
+    world.check_invariants();
 }
 
 // The least and the largest boxes and clearances.
@@ -185,7 +186,7 @@ TEST_P(WorldClearanceTest, AllScales) {
         scaled.set_clearance(std::nextafter(0.25 * unit, 0));
         scaled.update();
         EXPECT_TRUE(scaled.close_pairs().empty()) << exponent;
-        scaled.validate();
+        scaled.check_invariants();
     }
 }
 
@@ -244,7 +245,7 @@ class WorldsWithAClearance : public testing::Test {
         return pairs;
     }
 
-    void expect_lists(const Pairs& expected, const Pairs& before, bool validates) {
+    void expect_lists(const Pairs& expected, const Pairs& before, bool checks_invariants) {
         Pairs began, ended;
         std::ranges::set_difference(expected, before, std::back_inserter(began));
         std::ranges::set_difference(before, expected, std::back_inserter(ended));
@@ -261,7 +262,7 @@ class WorldsWithAClearance : public testing::Test {
             EXPECT_EQ(got.two_body_tests, counts.two_body_tests);
             EXPECT_EQ(got.cache_hits, counts.cache_hits);
             EXPECT_EQ(got.candidate_count, counts.candidate_count);
-            if (validates) world.validate();
+            if (checks_invariants) world.check_invariants();
         });
     }
 

@@ -3,7 +3,8 @@
 
 #include <sstream>
 
-#include "ecods/replay.hpp"
+#include "ecods/trace.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
@@ -29,8 +30,9 @@ TEST(WorldCreate, TakesEveryOption) {
 
 TEST(WorldCreate, RefusesNoneAndBothOfMeshAndShape) {
     World world;
-    EXPECT_THROW(world.create_body(BodyOptions{}), NullArgument);
-    EXPECT_THROW(world.create_body({.mesh = cube, .shape = std::make_shared<MeshShape>(cube)}), MeshAndShape);
+    EXPECT_INVALID(world.create_body(BodyOptions{}), Argument::null);
+    EXPECT_INVALID(world.create_body({.mesh = cube, .shape = std::make_shared<MeshShape>(cube)}),
+                   Argument::mesh_and_shape);
     EXPECT_TRUE(world.bodies().empty());
 }
 
@@ -42,7 +44,7 @@ TEST(WorldCreate, AFilterHoldsFromTheStart) {
     world.update();
     EXPECT_TRUE(world.colliding_pairs().empty());
     EXPECT_EQ(world.statistics().filtered_count, 1u);
-    world.validate();
+    world.check_invariants();
 }
 
 TEST(WorldCreate, OptionsAreTraced) {
@@ -52,7 +54,7 @@ TEST(WorldCreate, OptionsAreTraced) {
     world.create_body({.mesh = cube, .filter = {.groups = 2, .mask = 1}, .user_data = 7});
     world.create_body({.mesh = cube, .filter = {.groups = 1, .mask = 3}});
     world.update();
-    const ReplayReport report = replay(trace, {.validates = true});
+    const ReplayReport report = replay(trace, {.checks_invariants = true});
     EXPECT_FALSE(report.difference) << report.difference->what;
     EXPECT_EQ(report.colliding_count, 1u);
     EXPECT_EQ(report.update_count, 1u);
@@ -66,12 +68,12 @@ TEST(WorldCreate, AConstWorldAnswersInAMemoryOfTheCallers) {
     EXPECT_TRUE(asked.intersects(a, b, memory));
     EXPECT_EQ(asked.relation(b, a, memory), Relation::touching);
     EXPECT_EQ(asked.intersecting_triangles(a, b, memory), world.intersecting_triangles(a, b));
-    EXPECT_EQ(asked.intersecting_bodies(cube, at(0.25), memory), (std::vector{a, b}));
-    EXPECT_EQ(asked.intersecting_bodies(scenes::cube(0.25), at(-0.5), memory), (std::vector{a}));
-    EXPECT_EQ(asked.intersecting_bodies(MeshShape(cube), at(2), memory), (std::vector{b}));
+    EXPECT_EQ(asked.intersecting_bodies({cube, at(0.25)}, memory), (std::vector{a, b}));
+    EXPECT_EQ(asked.intersecting_bodies({scenes::cube(0.25), at(-0.5)}, memory), (std::vector{a}));
+    EXPECT_EQ(asked.intersecting_bodies({MeshShape(cube), at(2)}, memory), (std::vector{b}));
     const CollisionFilter meets_none{.groups = 1, .mask = 0};
-    EXPECT_EQ(asked.intersecting_bodies(cube, at(0.25), memory, meets_none), std::vector<BodyId>());
-    EXPECT_THROW(asked.intersecting_bodies(std::shared_ptr<const Mesh>(), at(0), memory), NullArgument);
+    EXPECT_EQ(asked.intersecting_bodies({{cube, at(0.25)}, meets_none}, memory), std::vector<BodyId>());
+    EXPECT_INVALID(asked.intersecting_bodies({std::shared_ptr<const Mesh>(), at(0)}, memory), Argument::null);
     EXPECT_GE(memory.counts().queries, 7u);
 }
 

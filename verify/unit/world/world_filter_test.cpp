@@ -26,7 +26,7 @@ TEST(CollisionFilter, EachMustNameAGroupOfTheOther) {
 class WorldFilterTest : public EachWorld {
   protected:
     WorldFilterTest() { world.update(); }
-    ~WorldFilterTest() override { world.validate(); }
+    ~WorldFilterTest() override { world.check_invariants(); }
 
     using Pairs = std::vector<BodyPair>;
     std::uint64_t tests() const { return world.statistics().two_body_tests; }
@@ -55,7 +55,7 @@ TEST_P(WorldFilterTest, AFilterActsAtTheNextUpdateWithEvents) {
     EXPECT_EQ(world.statistics().overlapping_count, 1u);
     EXPECT_EQ(world.statistics().filtered_count, 2u);
     EXPECT_TRUE(world.intersects(a, b)) << "questions about a pair are about geometry";
-    world.validate();
+    world.check_invariants();
 
     // The group of a is met by b, which a's mask names.
     world.set_filter(b, {.groups = 3, .mask = 3});
@@ -95,7 +95,7 @@ TEST_P(WorldFilterTest, APairIsSwitchedOffAndOn) {
     world.update();
     EXPECT_EQ(tests(), before + 1);
     EXPECT_EQ(list(world.colliding_pairs()), (Pairs{ac, bc}));
-    world.validate();
+    world.check_invariants();
 
     world.set_pair_enabled(a, b, true);
     EXPECT_TRUE(world.is_pair_enabled(b, a));

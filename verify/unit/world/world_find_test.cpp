@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "ecods/world.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
@@ -35,36 +37,38 @@ TEST_P(WorldFindTest, BoxesAreAskedAsOfNow) {
 
 TEST_P(WorldFindTest, ABoxThatIsNoneIsAnError) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW(world.overlapping_bodies({Vec3(0, 0, 1), Vec3(1, 1, 0)}), InvalidBox);
+    EXPECT_INVALID(world.overlapping_bodies({Vec3(0, 0, 1), Vec3(1, 1, 0)}), Argument::box);
     try {
-        world.overlapping_bodies({Vec3(0, nan, 0), Vec3(1, 1, 1)});
+        std::ignore = world.overlapping_bodies({Vec3(0, nan, 0), Vec3(1, 1, 1)});
         ADD_FAILURE();
-    } catch (const InvalidBox& error) {
-        EXPECT_EQ(error.axis, 1);
-        EXPECT_TRUE(std::isnan(error.min));
+    } catch (const InvalidArgument& error) {
+        EXPECT_EQ(error.argument, Argument::box);
+        EXPECT_EQ(error.part, "min(1)");
+        EXPECT_TRUE(std::isnan(error.value));
+        EXPECT_EQ(std::string(error.what()), "the box given has [nan, 1] on axis 1");
     }
 }
 
 TEST_P(WorldFindTest, TouchingIsExact) {
     const BodyId a = world.create_body(cube, at(0)), b = world.create_body(cube, at(std::nextafter(2.0, 3.0)));
-    EXPECT_EQ(world.intersecting_bodies(cube, at(1)), (Bodies{a})) << "b is one step of the last place away";
-    EXPECT_EQ(world.intersecting_bodies(cube, at(1.125)), (Bodies{b}));
-    EXPECT_EQ(world.intersecting_bodies(MeshShape(scenes::cube(3)), at(0)), Bodies()) << "inside is not touching";
-    EXPECT_EQ(world.intersecting_bodies(MeshShape(cube), at(1, 1, 1)), (Bodies{a}));
+    EXPECT_EQ(world.intersecting_bodies({cube, at(1)}), (Bodies{a})) << "b is one step of the last place away";
+    EXPECT_EQ(world.intersecting_bodies({cube, at(1.125)}), (Bodies{b}));
+    EXPECT_EQ(world.intersecting_bodies({MeshShape(scenes::cube(3)), at(0)}), Bodies()) << "inside is not touching";
+    EXPECT_EQ(world.intersecting_bodies({MeshShape(cube), at(1, 1, 1)}), (Bodies{a}));
     world.destroy_body(a);
-    EXPECT_EQ(world.intersecting_bodies(cube, at(1)), Bodies());
+    EXPECT_EQ(world.intersecting_bodies({cube, at(1)}), Bodies());
     world.update();
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldFindTest, AFilterIsAskedFirst) {
     const BodyId a = world.create_body(cube, at(0)), b = world.create_body(cube, at(0.5));
     world.set_filter(a, {.groups = 2});
     const CollisionFilter second{.groups = 1, .mask = 2};
-    const std::uint64_t queries = world.statistics().queries.queries;
-    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25), second), (Bodies{a}));
-    EXPECT_EQ(world.statistics().queries.queries, queries + 1) << "b was not tested";
-    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25)), (Bodies{a, b}));
+    QueryCounts counts;
+    EXPECT_EQ(world.intersecting_bodies({{cube, at(0.25)}, second}, counts), (Bodies{a}));
+    EXPECT_EQ(counts.queries, 1u) << "b was not tested";
+    EXPECT_EQ(world.intersecting_bodies({cube, at(0.25)}), (Bodies{a, b}));
 }
 
 // Each must be in a group that the other's mask names: here one of the two is not.
@@ -75,9 +79,9 @@ TEST_P(WorldFindTest, AFilterIsAskedInBothDirections) {
     const CollisionFilter meets_a_only_one_way{.groups = 1, .mask = 2};
     const CollisionFilter is_met_by_b_only_one_way{.groups = 1, .mask = 3};
     const CollisionFilter meets_b{.groups = 1, .mask = 4};
-    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25), meets_a_only_one_way), Bodies{});
-    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25), is_met_by_b_only_one_way), Bodies{});
-    EXPECT_EQ(world.intersecting_bodies(cube, at(0.25), meets_b), (Bodies{b}));
+    EXPECT_EQ(world.intersecting_bodies({{cube, at(0.25)}, meets_a_only_one_way}), Bodies{});
+    EXPECT_EQ(world.intersecting_bodies({{cube, at(0.25)}, is_met_by_b_only_one_way}), Bodies{});
+    EXPECT_EQ(world.intersecting_bodies({{cube, at(0.25)}, meets_b}), (Bodies{b}));
 }
 
 TEST_P(WorldFindTest, TheAnswersAreThoseOfABodyThere) {
@@ -87,7 +91,7 @@ TEST_P(WorldFindTest, TheAnswersAreThoseOfABodyThere) {
     }
     for (int i = 0; i < 20; ++i) {
         const Pose pose = at(random.uniform(0, 4), random.uniform(0, 4), random.uniform(0, 4));
-        const Bodies touching = world.intersecting_bodies(cube, pose);
+        const Bodies touching = world.intersecting_bodies({cube, pose});
         const Bodies in_box = world.overlapping_bodies(box_of(*cube, pose));
         const BodyId there = world.create_body(cube, pose);
         world.update();
@@ -116,10 +120,10 @@ TEST_P(WorldFindTest, BadArguments) {
         ShapeKind kind_;
     };
     world.create_body(cube, at(0));
-    EXPECT_THROW(world.intersecting_bodies(std::shared_ptr<const Mesh>(), at(0)), NullArgument);
-    EXPECT_THROW(world.intersecting_bodies(cube, at(std::numeric_limits<double>::infinity())), InvalidPose);
-    EXPECT_THROW(world.intersecting_bodies(Other({5}), at(0)), MissingTest);
-    EXPECT_THROW(world.intersecting_bodies(Other(ShapeKind::mesh()), at(0)), NotSupported);
+    EXPECT_INVALID(world.intersecting_bodies({std::shared_ptr<const Mesh>(), at(0)}), Argument::null);
+    EXPECT_INVALID(world.intersecting_bodies({cube, at(std::numeric_limits<double>::infinity())}), Argument::pose);
+    EXPECT_INVALID(world.intersecting_bodies({Other({5}), at(0)}), Question::intersects);
+    EXPECT_THROW(static_cast<void>(world.intersecting_bodies({Other(ShapeKind::mesh()), at(0)})), NotSupported);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ecods/error.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
 
@@ -13,10 +14,7 @@ namespace {
 
 // The cube of side 1, stretched.
 std::shared_ptr<const Mesh> box(const Vec3& size) {
-    const auto cube = scenes::cube(0.5);
-    std::vector<Vec3> vertices;
-    for (const Vec3& v : cube->vertices()) vertices.push_back(v.cwiseProduct(size));
-    return Mesh::create(std::move(vertices), {cube->triangles().begin(), cube->triangles().end()});
+    return scenes::mapped(*scenes::cube(0.5), [&](const Vec3& v) -> Vec3 { return v.cwiseProduct(size); });
 }
 
 class WorldHardCases : public EachWorld {};
@@ -33,7 +31,7 @@ Pose turned(double angle) {
 TEST_P(WorldHardCases, APoseThatIsNotANumberIsRefusedAndTheOthersStay) {
     const BodyId a = world.create_body(cube, at(0)), b = world.create_body(cube, at(0.25)),
                  c = world.create_body(cube, at(0.5));
-    EXPECT_THROW(world.set_pose(b, at(std::numeric_limits<double>::quiet_NaN())), InvalidPose);
+    EXPECT_INVALID(world.set_pose(b, at(std::numeric_limits<double>::quiet_NaN())), Argument::pose);
     world.update();
     EXPECT_EQ(list(world.colliding_pairs()), (std::vector<BodyPair>{{a, b}, {a, c}, {b, c}}));
 }
@@ -68,11 +66,11 @@ class Wall final : public Shape {
 
 class BoxesMeet final : public TwoBodyTest {
   public:
-    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory&) const override {
+    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask&) const override {
         return overlap(a.what->box(a.pose), b.what->box(b.pose));
     }
-    Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory& memory) const override {
-        return intersects(a, b, memory) ? Relation::touching : Relation::disjoint;
+    Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
+        return intersects(a, b, ask) ? Relation::touching : Relation::apart;
     }
 };
 

@@ -9,7 +9,8 @@
 
 #include "ecods/error.hpp"
 #include "ecods/hit.hpp"
-#include "ecods/replay.hpp"
+#include "ecods/trace.hpp"
+#include "scenes/expect_invalid.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/slab_shapes.hpp"
@@ -41,13 +42,8 @@ class WorldHitTest : public EachWorld {
             const Posed<MeshShape> posed(dynamic_cast<const MeshShape&>(*shape), world.pose(body));
             for (const Hit& hit : ecods::all_hits(line, posed, memory)) hits.push_back({body, hit});
         }
-        // Where parameters are not rounded.
         std::ranges::stable_sort(hits, {}, [](const BodyHit& h) { return h.hit.parameter; });
-        std::uint32_t rank = 0;
-        for (std::size_t i = 0; i < hits.size(); ++i) {
-            if (i > 0 && hits[i].hit.parameter != hits[i - 1].hit.parameter) ++rank;
-            hits[i].hit.rank = rank;
-        }
+        rank_by_parameter(hits);
         return hits;
     }
     template <class Line>
@@ -56,7 +52,7 @@ class WorldHitTest : public EachWorld {
         const auto got = world.all_hits(line, filter);
         ASSERT_EQ(got.size(), expected.size());
         for (std::size_t i = 0; i < got.size(); ++i) ASSERT_EQ(fields(got[i]), fields(expected[i])) << i;
-        for (const auto& first : {world.first_hit(line, filter), world.first_hit(line, memory, filter)}) {
+        for (const auto& first : {world.first_hit(line, filter), world.first_hit(line, filter, memory)}) {
             ASSERT_EQ(first.has_value(), !expected.empty());
             if (first) {
                 ASSERT_EQ(fields(*first), fields(expected[0]));
@@ -89,8 +85,8 @@ TEST_P(WorldHitTest, HitsAreThoseOfAllBodiesInOrder) {
         if (random.below(2) == 0) filter = CollisionFilter{.mask = 2};
         ASSERT_NO_FATAL_FAILURE(require_as_model(Segment{from, from + step}, filter));
         if (step == Vec3::Zero()) step = Vec3::UnitZ();
-        const double parameter_max = std::array{0.0, 0.25, 1.0, infinity}[random.below(4)];
-        ASSERT_NO_FATAL_FAILURE(require_as_model(Ray{from, step, parameter_max}, filter));
+        const double max_parameter = std::array{0.0, 0.25, 1.0, infinity}[random.below(4)];
+        ASSERT_NO_FATAL_FAILURE(require_as_model(Ray{from, step, max_parameter}, filter));
         for (int i = 0; i < 20; ++i) world.set_pose(bodies[random.below(150)], any_pose());
     }
     EXPECT_GT(count, 400u);
@@ -140,10 +136,10 @@ TEST_P(WorldHitTest, NeighbouringWallsAreHitInOrder) {
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
         std::ranges::stable_sort(order, {}, [&](std::size_t i) { return places[i]; });
         const Ray ray{Vec3(0, 0.25, 0.25), Vec3(random.uniform(1, 4096), 0, 0)};
-        const auto hits = many.all_hits(ray, memory);
+        const auto hits = many.all_hits(ray, {}, memory);
         ASSERT_EQ(hits.size(), order.size());
         for (std::size_t i = 0; i < order.size(); ++i) ASSERT_EQ(hits[i].body, bodies[order[i]]);
-        ASSERT_EQ(many.first_hit(ray, memory)->body, bodies[order[0]]);
+        ASSERT_EQ(many.first_hit(ray, {}, memory)->body, bodies[order[0]]);
     }
 }
 
@@ -179,11 +175,11 @@ TEST_P(WorldHitTest, ShapesOfTheCallersOwnAreInTheSameOrder) {
 TEST_P(WorldHitTest, BadArgumentsAreRefused) {
     world.create_body(wall(1), at(0));
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW(world.first_hit(Segment{Vec3(0, nan, 0), Vec3(0, 0, 0)}), InvalidSegment);
-    EXPECT_THROW(world.all_hits(Segment{Vec3(0, 0, 0), Vec3(0, 0, infinity)}), InvalidSegment);
-    EXPECT_THROW(world.first_hit(Ray{Vec3(0, 0, 0), Vec3(0, 0, 0)}), InvalidRay);
-    EXPECT_THROW(world.all_hits(Ray{.parameter_max = nan}), InvalidRay);
-    EXPECT_EQ(world.all_hits(Ray{.parameter_max = 0.5}).size(), 0u);
+    EXPECT_INVALID(world.first_hit(Segment{Vec3(0, nan, 0), Vec3(0, 0, 0)}), Argument::segment);
+    EXPECT_INVALID(world.all_hits(Segment{Vec3(0, 0, 0), Vec3(0, 0, infinity)}), Argument::segment);
+    EXPECT_INVALID(world.first_hit(Ray{Vec3(0, 0, 0), Vec3(0, 0, 0)}), Argument::ray);
+    EXPECT_INVALID(world.all_hits(Ray{.max_parameter = nan}), Argument::ray);
+    EXPECT_EQ(world.all_hits(Ray{.max_parameter = 0.5}).size(), 0u);
     EXPECT_FALSE(World().first_hit(Ray{}).has_value());
 }
 

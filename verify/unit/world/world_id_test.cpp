@@ -4,7 +4,7 @@
 #include <set>
 #include <sstream>
 
-#include "ecods/replay.hpp"
+#include "ecods/trace.hpp"
 #include "scenes/numbers_of.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/world_fixture.hpp"
@@ -30,9 +30,9 @@ void expect_stale(World& world, BodyId stale, BodyId own) {
     EXPECT_THROW(world.set_user_data(stale, 1), StaleBody);
     EXPECT_THROW(world.set_pair_enabled(own, stale, false), StaleBody);
     EXPECT_THROW(world.is_pair_enabled(stale, own), StaleBody);
-    EXPECT_THROW(world.intersects(own, stale), StaleBody);
-    EXPECT_THROW(world.relation(stale, own, memory), StaleBody);
-    EXPECT_THROW(world.intersecting_triangles(stale, own), StaleBody);
+    EXPECT_THROW(static_cast<void>(world.intersects(own, stale)), StaleBody);
+    EXPECT_THROW(static_cast<void>(world.relation(stale, own, memory)), StaleBody);
+    EXPECT_THROW(static_cast<void>(world.intersecting_triangles(stale, own)), StaleBody);
     EXPECT_THROW(world.destroy_body(stale), StaleBody);
     EXPECT_EQ(world.pose(own), at(0));
 }
@@ -107,13 +107,13 @@ TEST(WorldId, NeverNamesABodyOfLater) {
     EXPECT_EQ(ids.rbegin()->slot, 2u);
     EXPECT_EQ(world.statistics().body_count, 0u);
     world.update();
-    world.validate();
+    world.check_invariants();
     const BodyId last = world.create_body(cube, at(0));
     EXPECT_EQ(last.slot, 2u);
     world.update();
     EXPECT_EQ(world.statistics().body_count, 1u);
     EXPECT_EQ(world.bodies(), std::vector<BodyId>{last});
-    world.validate();
+    world.check_invariants();
 }
 
 // Bodies that were and that are, of some slots of which one is used up.
@@ -148,7 +148,7 @@ TEST(WorldId, IsTheSameInACopyOfAWorld) {
     for (World* const world : {&first, &copy}) {
         EXPECT_FALSE(world->is_alive(stale));
         world->update();
-        world->validate();
+        world->check_invariants();
     }
     EXPECT_EQ(copy.digest(), first.digest());
     for (int i = 0; i < 4; ++i) {
@@ -159,6 +159,61 @@ TEST(WorldId, IsTheSameInACopyOfAWorld) {
     }
     // Others have ids of their own.
     EXPECT_NE(World().create_body(cube, at(0)).world, stale.world);
+}
+
+// The calls of a history are the digits of its number, of base 4: a body comes, which does not meet the one before it,
+// or the first, second or third one that lives goes.
+constexpr int call_kinds = 4, histories_of_six_calls = 4096;
+
+void play_history(World& world, int history) {
+    std::set<BodyId> given;
+    for (int rest = history; rest != 0; rest /= call_kinds) {
+        const std::vector<BodyId> bodies = world.bodies();
+        if (const auto going = static_cast<std::size_t>(rest % call_kinds); going != 0) {
+            if (going <= bodies.size()) world.destroy_body(bodies[going - 1]);
+            continue;
+        }
+        const BodyId coming = world.next_ids().front(), body = world.create_body(cube, at(0));
+        ASSERT_EQ(body, coming);
+        ASSERT_TRUE(given.insert(body).second) << "an id comes twice";
+        if (!bodies.empty()) world.set_pair_enabled(body, bodies.back(), false);
+    }
+}
+
+// The slots are at the end of their generations (1), one before it (2), used up (3) and new (4).
+TEST(WorldId, IsTheSameInACopyAfterEveryHistoryOfSixCalls) {
+    const std::vector<BodyId> at_the_end = {{2, 65'534, 7}, {1, 65'535, 7}, {4, 0, 7}};
+    for (int history = 0; history < histories_of_six_calls; ++history) {
+        SCOPED_TRACE(history);
+        World world({.ids = at_the_end});
+        play_history(world, history);
+        const std::vector<BodyId> bodies = world.bodies();
+        World copy({.ids = all_ids(world)});
+        for (const BodyId body : bodies) ASSERT_EQ(copy.create_body(cube, at(0)), body);
+        for (const auto& [a, b] : world.disabled_pairs()) copy.set_pair_enabled(a, b, false);
+        for (World* const each : {&world, &copy}) {
+            if (!bodies.empty()) each->destroy_body(bodies.front());
+            each->update();
+            each->check_invariants();
+        }
+        for (int i = 0; i < 5; ++i) {
+            ASSERT_EQ(copy.next_ids(), world.next_ids());
+            ASSERT_EQ(copy.disabled_pairs(), world.disabled_pairs());
+            ASSERT_EQ(copy.create_body(cube, at(0)), world.create_body(cube, at(0)));
+        }
+        ASSERT_EQ(copy.bodies(), world.bodies());
+        ASSERT_FALSE(copy.is_alive({3, 65'535, 7})) << "its generations are used up";
+    }
+}
+
+// Ids of which none is of a new slot, the highest slot first or last.
+TEST(WorldId, OfTheFirstBodiesAreThoseThatAreGiven) {
+    const BodyId one{1, 3, 7}, two{2, 5, 7}, then{3, 0, 7};
+    for (const auto& ids : {std::vector{one, two}, std::vector{two, one}}) {
+        World world({.ids = ids});
+        EXPECT_EQ(world.next_ids(), (std::vector{ids[0], ids[1], then}));
+        for (const BodyId id : {ids[0], ids[1], then}) EXPECT_EQ(world.create_body(cube, at(0)), id);
+    }
 }
 
 TEST(WorldId, GivenFirstIsRefusedUnlessEachSlotComesOnceAndOfOneWorld) {
@@ -177,7 +232,7 @@ TEST(WorldId, GivenFirstIsRefusedUnlessEachSlotComesOnceAndOfOneWorld) {
     EXPECT_EQ(index_of_refused({{3, 1, 7}, {1, 0, 8}}), 1);
     World of_written({.ids = {{2, 5}, {1, 0}}});
     of_written.update();
-    of_written.validate();
+    of_written.check_invariants();
     EXPECT_NE(of_written.create_body(cube, at(0)).world, 0u) << "written without a world: of a new one";
 }
 
@@ -212,15 +267,15 @@ TEST(WorldId, NoneIsAliveInAWorldThatWasMovedFrom) {
     EXPECT_THROW(world.colliding_pairs(), MovedFromWorld);
     EXPECT_THROW(world.began(), MovedFromWorld);
     EXPECT_THROW(world.ended(), MovedFromWorld);
-    EXPECT_THROW(world.intersects(a, b), MovedFromWorld);
-    EXPECT_THROW(world.relation(a, b, memory), MovedFromWorld);
-    EXPECT_THROW(world.intersecting_triangles(a, b), MovedFromWorld);
-    EXPECT_THROW(world.overlapping_bodies(other.box(a)), MovedFromWorld);
-    EXPECT_THROW(world.intersecting_bodies(cube, at(0)), MovedFromWorld);
+    EXPECT_THROW(static_cast<void>(world.intersects(a, b)), MovedFromWorld);
+    EXPECT_THROW(static_cast<void>(world.relation(a, b, memory)), MovedFromWorld);
+    EXPECT_THROW(static_cast<void>(world.intersecting_triangles(a, b)), MovedFromWorld);
+    EXPECT_THROW(static_cast<void>(world.overlapping_bodies(other.box(a))), MovedFromWorld);
+    EXPECT_THROW(static_cast<void>(world.intersecting_bodies({cube, at(0)})), MovedFromWorld);
     EXPECT_THROW(world.trace_to(out), MovedFromWorld);
     EXPECT_THROW(world.end_trace(), MovedFromWorld);
     EXPECT_THROW(world.statistics(), MovedFromWorld);
-    EXPECT_THROW(world.validate(), MovedFromWorld);
+    EXPECT_THROW(world.check_invariants(), MovedFromWorld);
     EXPECT_THROW(world.digest(), MovedFromWorld);
     world = std::move(other);
     EXPECT_EQ(world.pose(a), at(0));

@@ -4,7 +4,8 @@
 
 #include <limits>
 
-#include "ecods/convex_solid.hpp"
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "ecods/world.hpp"
 #include "scenes/numbers_of.hpp"
 #include "scenes/shapes.hpp"
@@ -39,7 +40,7 @@ TEST_P(WorldMoveTest, ManyPosesAreThoseOneByOne) {
     EXPECT_EQ(world.digest(), other.digest());
     // The first had its pose already.
     EXPECT_EQ(world.statistics().moved_bodies, 5u + 4u);
-    world.validate();
+    world.check_invariants();
 
     world.set_poses({}, {});
     world.set_poses(bodies, poses);
@@ -86,7 +87,7 @@ TEST_P(WorldMoveTest, ManyBoxesAreThoseOneByOne) {
         EXPECT_EQ(world.box(many[i]), world.shape(many[i])->box(poses[i])) << i;
     }
     world.update();
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldMoveTest, TheLaterPoseOfABodyHolds) {
@@ -95,12 +96,12 @@ TEST_P(WorldMoveTest, TheLaterPoseOfABodyHolds) {
     EXPECT_EQ(world.pose(bodies[0]), at(0.5));
     world.update();
     EXPECT_EQ(list(world.colliding_pairs()), (std::vector<BodyPair>{{bodies[0], bodies[1]}}));
-    world.validate();
+    world.check_invariants();
     // There and back, in one call.
     world.set_poses(twice, std::vector<Pose>{at(9), at(1), at(0.5)});
     world.update();
     EXPECT_TRUE(world.ended().empty());
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldMoveTest, AllOrNothing) {
@@ -112,12 +113,13 @@ TEST_P(WorldMoveTest, AllOrNothing) {
     try {
         world.set_poses(bodies, poses);
         ADD_FAILURE();
-    } catch (const InvalidPose& error) {
+    } catch (const InvalidArgument& error) {
+        EXPECT_EQ(error.argument, Argument::pose);
         EXPECT_EQ(error.index, 3u);
         EXPECT_EQ(error.body, bodies[3]);
-        EXPECT_EQ(error.row, 1);
+        EXPECT_EQ(error.part, "t(1)");
         const std::string text = error.what();
-        EXPECT_NE(text.find("entry 3: body 4.0: pose entry t[1] is nan"), std::string::npos) << text;
+        EXPECT_NE(text.find("entry 3: body 4.0: pose entry t(1) is nan"), std::string::npos) << text;
     }
     poses[3] = at(3);
     std::vector<BodyId> with_stale = bodies;
@@ -134,9 +136,11 @@ TEST_P(WorldMoveTest, AllOrNothing) {
     try {
         world.set_poses(bodies, poses);
         ADD_FAILURE();
-    } catch (const LengthMismatch& error) {
-        EXPECT_EQ(error.body_count, 5u);
-        EXPECT_EQ(error.pose_count, 4u);
+    } catch (const InvalidArgument& error) {
+        EXPECT_EQ(error.argument, Argument::list_length);
+        EXPECT_EQ(error.part, "poses");
+        EXPECT_EQ(error.value, 4);
+        EXPECT_EQ(std::string(error.what()), "a list of 5 bodies came with a list of 4 poses");
     }
     EXPECT_EQ(world.digest(), digest);
     for (int i = 0; i < 5; ++i) EXPECT_EQ(world.pose(bodies[i]), at(3 * i));
@@ -144,7 +148,7 @@ TEST_P(WorldMoveTest, AllOrNothing) {
     world.update();
     EXPECT_EQ(world.statistics().moved_bodies, before.moved_bodies);
     EXPECT_EQ(world.statistics().broad_phase.moved, before.broad_phase.moved);
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldMoveTest, UserDataIsKeptWithTheBody) {
@@ -168,7 +172,7 @@ TEST_P(WorldMoveTest, ReservedRoomIsNotGrown) {
     for (int i = 0; i < 1000; ++i) reserved.create_body(cube, at(2 * i));
     EXPECT_EQ(reserved.statistics().memory_bytes, bytes);
     reserved.update();
-    reserved.validate();
+    reserved.check_invariants();
     EXPECT_EQ(reserved.statistics().memory_bytes, bytes) << "there are no pairs";
 }
 

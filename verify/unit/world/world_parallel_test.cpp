@@ -58,7 +58,7 @@ Film film(const std::shared_ptr<Executor>& executor) {
         for (int i = 0; i < 100; ++i) world.set_pose(bodies[random.below(250)], pose());
     }
     world.update();
-    world.validate();
+    world.check_invariants();
     return result;
 }
 
@@ -97,12 +97,12 @@ class Ball final : public Shape {
 // All balls whose boxes overlap touch; those at negative x fail, and say where they are.
 class BallTest final : public TwoBodyTest {
   public:
-    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, QueryMemory&) const override {
+    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask&) const override {
         ++calls;
         if (fails && a.pose.t.x() < 0) throw std::runtime_error(std::to_string(a.pose.t.x()));
         return a.pose.t != b.pose.t;
     }
-    Relation relation(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override {
+    Relation relation(const Posed<Shape>&, const Posed<Shape>&, const Ask&) const override {
         return Relation::touching;
     }
 
@@ -155,7 +155,7 @@ TEST_P(WorldParallelFailure, TheErrorOfThePairThatComesFirstIsThrownAfterAllTest
     EXPECT_EQ(world.colliding_pairs().size(), 398u);
     EXPECT_EQ(list(world.ended()), (std::vector<BodyPair>{{bodies[99], bodies[100]}}));
     EXPECT_TRUE(world.began().empty());
-    world.validate();
+    world.check_invariants();
 }
 
 class BrokenExecutor : public testing::Test {
@@ -175,7 +175,7 @@ class BrokenExecutor : public testing::Test {
         };
         world.update();
         EXPECT_EQ(world.colliding_pairs().size(), 199u);
-        world.validate();
+        world.check_invariants();
     }
     std::shared_ptr<ScriptedExecutor> executor = std::make_shared<ScriptedExecutor>();
     World world{{.executor = executor}};
@@ -213,11 +213,11 @@ TEST_F(BrokenExecutor, InventsAWorker) {
 // The first test that is run goes on until it is released.
 class SlowTest final : public TwoBodyTest {
   public:
-    bool intersects(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override {
+    bool intersects(const Posed<Shape>&, const Posed<Shape>&, const Ask&) const override {
         if (!has_begun.exchange(true)) is_released.wait(false);
         return true;
     }
-    Relation relation(const Posed<Shape>&, const Posed<Shape>&, QueryMemory&) const override {
+    Relation relation(const Posed<Shape>&, const Posed<Shape>&, const Ask&) const override {
         return Relation::touching;
     }
 

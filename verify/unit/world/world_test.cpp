@@ -20,7 +20,7 @@ TEST_P(WorldTest, AnEmptyWorldHasNothing) {
     EXPECT_TRUE(world.overlapping_pairs().empty());
     EXPECT_TRUE(world.colliding_pairs().empty());
     EXPECT_TRUE(world.bodies().empty());
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldTest, CubesThatShareAFaceTouch) {
@@ -32,7 +32,7 @@ TEST_P(WorldTest, CubesThatShareAFaceTouch) {
     EXPECT_TRUE(world.ended().empty());
     EXPECT_EQ(world.relation(a, b), Relation::touching);
     EXPECT_EQ(world.relation(b, a), Relation::touching);
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldTest, OneStepOfTheLastPlaceSeparates) {
@@ -41,12 +41,12 @@ TEST_P(WorldTest, OneStepOfTheLastPlaceSeparates) {
     world.update();
     EXPECT_EQ(list(world.overlapping_pairs()), (std::vector<BodyPair>{{a, b}})) << "boxes are padded";
     EXPECT_TRUE(world.colliding_pairs().empty());
-    EXPECT_EQ(world.relation(a, b), Relation::disjoint);
+    EXPECT_EQ(world.relation(a, b), Relation::apart);
 
     world.set_pose(b, at(std::nextafter(1.0, 0.0), 0.25, 0.25));
     world.update();
     EXPECT_EQ(world.relation(a, b), Relation::crossing);
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldTest, ASurfaceInsideASurfaceDoesNotTouchIt) {
@@ -71,7 +71,7 @@ TEST_P(WorldTest, EventsBeginAndEnd) {
     world.update();
     EXPECT_EQ(list(world.began()), (std::vector<BodyPair>{{b, c}}));
     EXPECT_EQ(list(world.ended()), (std::vector<BodyPair>{{a, c}}));
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldTest, ADestroyedBodysCollisionsEnd) {
@@ -84,7 +84,7 @@ TEST_P(WorldTest, ADestroyedBodysCollisionsEnd) {
     EXPECT_EQ(list(world.ended()), (std::vector<BodyPair>{{a, b}}));
     EXPECT_TRUE(world.colliding_pairs().empty());
     EXPECT_EQ(world.bodies(), std::vector<BodyId>{b});
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldTest, ASlotThatIsUsedAgainIsAnotherBody) {
@@ -99,7 +99,7 @@ TEST_P(WorldTest, ASlotThatIsUsedAgainIsAnotherBody) {
     EXPECT_EQ(list(world.began()), (std::vector<BodyPair>{{c, b}}));
     EXPECT_EQ(list(world.colliding_pairs()), (std::vector<BodyPair>{{c, b}}));
     EXPECT_THROW(world.pose(a), StaleBody);
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldTest, CreatedAndDestroyedBetweenUpdatesLeavesNoTrace) {
@@ -110,7 +110,7 @@ TEST_P(WorldTest, CreatedAndDestroyedBetweenUpdatesLeavesNoTrace) {
     EXPECT_TRUE(world.began().empty());
     EXPECT_TRUE(world.ended().empty());
     EXPECT_EQ(world.bodies(), std::vector<BodyId>{a});
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldTest, SetShapeChangesTheAnswer) {
@@ -123,7 +123,7 @@ TEST_P(WorldTest, SetShapeChangesTheAnswer) {
     world.set_shape(b, cube);
     world.update();
     EXPECT_TRUE(world.colliding_pairs().empty());
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldTest, TouchingTrianglesFollowTheOrderOfArguments) {
@@ -184,7 +184,7 @@ TEST_P(WorldTest, ManyTouchingCubesAreListedAscending) {
         EXPECT_LT(pair.a, pair.b);
         EXPECT_EQ(world.relation(pair.a, pair.b), Relation::touching);
     }
-    world.validate();
+    world.check_invariants();
 }
 
 TEST_P(WorldTest, HugeAndTinyBodiesLiveTogether) {
@@ -199,7 +199,7 @@ TEST_P(WorldTest, HugeAndTinyBodiesLiveTogether) {
     EXPECT_EQ(list(world.colliding_pairs()), (std::vector<BodyPair>{{a, c}}));
     EXPECT_EQ(world.relation(a, c), Relation::crossing);
     EXPECT_FALSE(world.intersects(b, c));
-    world.validate();
+    world.check_invariants();
 }
 
 }  // namespace

@@ -1,19 +1,11 @@
 #include "exact/measure/contact/moving_triangles.hpp"
 
+#include "exact/point/vectors.hpp"
+
 namespace ecods::exact {
 namespace {
 
 using Vector = MovingTriangles::Vector;
-
-Vector operator-(const Vector& u, const Vector& v) {
-    return {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
-}
-Vector cross_product(const Vector& u, const Vector& v) {
-    return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-Polynomial dot_product(const Vector& u, const Vector& v) {
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
 
 constexpr std::size_t index_of(const CornerAndEdge& which) {
     return 9 * which.side + 3 * which.corner + which.edge;
@@ -30,7 +22,7 @@ const Vector& MovingTriangles::turn(const CornerAndEdge& which) {
     if (!turn) {
         const Triangle& other = corners_[1 - which.side];
         const Vector& from = other[which.edge];
-        turn = cross_product(other[next_corner(which.edge)] - from, corners_[which.side][which.corner] - from);
+        turn = cross(minus(other[next_corner(which.edge)], from), minus(corners_[which.side][which.corner], from));
     }
     return *turn;
 }
@@ -38,14 +30,14 @@ const Vector& MovingTriangles::turn(const CornerAndEdge& which) {
 Polynomial MovingTriangles::corner_volume(std::size_t side, std::size_t corner) {
     const Triangle& other = corners_[1 - side];
     std::optional<Vector>& normal = normals_[1 - side];
-    if (!normal) normal = cross_product(other[1] - other[0], other[2] - other[0]);
-    return dot_product(*normal, corners_[side][corner] - other[0]);
+    if (!normal) normal = cross(minus(other[1], other[0]), minus(other[2], other[0]));
+    return dot(*normal, minus(corners_[side][corner], other[0]));
 }
 
 Polynomial MovingTriangles::edge_volume(std::size_t edge_a, std::size_t edge_b) const {
     const Vector &p = corners_[0][edge_a], &q = corners_[1][edge_b];
-    return dot_product(cross_product(corners_[0][next_corner(edge_a)] - p, corners_[1][next_corner(edge_b)] - q),
-                       q - p);
+    return dot(cross(minus(corners_[0][next_corner(edge_a)], p), minus(corners_[1][next_corner(edge_b)], q)),
+               minus(q, p));
 }
 
 template <class Make>

@@ -88,4 +88,18 @@ void find_closest_points(const ExactFeatures<L>& features, const FeaturePair& f,
     }
 }
 
+// Each number of limbs is compiled once, in closest_points.cpp.
+extern template void find_closest_points(const ExactFeatures<1>&, const FeaturePair&, int,
+                                         std::array<ExactPoint, 2>&) noexcept;
+extern template void find_closest_points(const ExactFeatures<2>&, const FeaturePair&, int,
+                                         std::array<ExactPoint, 2>&) noexcept;
+extern template void find_closest_points(const ExactFeatures<4>&, const FeaturePair&, int,
+                                         std::array<ExactPoint, 2>&) noexcept;
+extern template void find_closest_points(const ExactFeatures<8>&, const FeaturePair&, int,
+                                         std::array<ExactPoint, 2>&) noexcept;
+extern template void find_closest_points(const ExactFeatures<20>&, const FeaturePair&, int,
+                                         std::array<ExactPoint, 2>&) noexcept;
+extern template void find_closest_points(const ExactFeatures<limb_count_max>&, const FeaturePair&, int,
+                                         std::array<ExactPoint, 2>&) noexcept;
+
 }  // namespace ecods::exact

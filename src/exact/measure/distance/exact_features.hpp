@@ -27,6 +27,7 @@
 #include "exact/measure/round/limb_vectors.hpp"
 #include "exact/measure/round/squared_distance.hpp"
 #include "exact/number/limbs.hpp"
+#include "exact/point/pose_terms.hpp"
 
 namespace ecods::exact {
 
@@ -289,5 +290,13 @@ void ExactFeatures<L>::measure(const FeaturePair& f, SquaredDistance& result) co
         result.den.assign(dot<2 * L, 2 * L>(n, n).limbs);
     }
 }
+
+// Each number of limbs is compiled once, in exact_features.cpp.
+extern template class ExactFeatures<1>;
+extern template class ExactFeatures<2>;
+extern template class ExactFeatures<4>;
+extern template class ExactFeatures<8>;
+extern template class ExactFeatures<20>;
+extern template class ExactFeatures<limb_count_max>;
 
 }  // namespace ecods::exact

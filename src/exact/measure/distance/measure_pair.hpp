@@ -53,13 +53,33 @@ ClosestFeatures find_closest(const IntegerPoints<Kernel, 6>& points, const Exact
     const Standing of_guess = features.standing(guess.features);
     if (of_guess != Standing::none) return {guess.features, of_guess};
     const ExactSigns signs(points);
-    if (triangle_pair(signs) != Relation::disjoint) return {};
+    if (triangle_pair(signs) != Relation::apart) return {};
     for (const FeaturePair& pair : feature_pairs) {
         if (const Standing standing = features.standing(pair); standing != Standing::none) return {pair, standing};
     }
     ECODS_ASSERT(false);  // Disjoint triangles have closest points.
     return {};
 }
+
+// Each kernel is compiled once, in measure_pair.cpp, and so is the relation of two triangles that it asks for.
+extern template ClosestFeatures find_closest(const IntegerPoints<OneLimbKernel, 6>&, const ExactFeatures<1>&,
+                                             const ClosestFeatures&) noexcept;
+extern template ClosestFeatures find_closest(const IntegerPoints<TwoLimbKernel, 6>&, const ExactFeatures<2>&,
+                                             const ClosestFeatures&) noexcept;
+extern template ClosestFeatures find_closest(const IntegerPoints<LimbKernel<4>, 6>&, const ExactFeatures<4>&,
+                                             const ClosestFeatures&) noexcept;
+extern template ClosestFeatures find_closest(const IntegerPoints<LimbKernel<8>, 6>&, const ExactFeatures<8>&,
+                                             const ClosestFeatures&) noexcept;
+extern template ClosestFeatures find_closest(const IntegerPoints<LimbKernel<20>, 6>&, const ExactFeatures<20>&,
+                                             const ClosestFeatures&) noexcept;
+extern template ClosestFeatures find_closest(const IntegerPoints<LimbKernel<limb_count_max>, 6>&,
+                                             const ExactFeatures<limb_count_max>&, const ClosestFeatures&) noexcept;
+extern template Relation triangle_pair(const ExactSigns<OneLimbKernel, 6>&);
+extern template Relation triangle_pair(const ExactSigns<TwoLimbKernel, 6>&);
+extern template Relation triangle_pair(const ExactSigns<LimbKernel<4>, 6>&);
+extern template Relation triangle_pair(const ExactSigns<LimbKernel<8>, 6>&);
+extern template Relation triangle_pair(const ExactSigns<LimbKernel<20>, 6>&);
+extern template Relation triangle_pair(const ExactSigns<LimbKernel<limb_count_max>, 6>&);
 
 // Returns the first features in the order of feature_pairs that hold closest points of disjoint triangles inside.
 template <int L>

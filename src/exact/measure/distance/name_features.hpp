@@ -1,7 +1,7 @@
-// name_features gives features of two triangles their public names (ecods/closest_points.hpp).
+// name_features gives features of two triangles their public names (ecods/results.hpp).
 #pragma once
 
-#include "ecods/closest_points.hpp"
+#include "ecods/results.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
 
 namespace ecods::exact {

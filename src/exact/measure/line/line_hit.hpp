@@ -15,7 +15,7 @@
 #include <array>
 #include <cstdint>
 
-#include "ecods/closest_points.hpp"
+#include "ecods/results.hpp"
 #include "exact/measure/round/fraction.hpp"
 #include "exact/measure/round/limb_vectors.hpp"
 
@@ -107,10 +107,6 @@ class LineTriangle {
         to.den.assign(den.limbs);
     }
 
-    template <int M>
-    static bool is_zero_vector(const LimbVector<M>& v) noexcept {
-        return is_zero<M>(v[0].limbs) && is_zero<M>(v[1].limbs) && is_zero<M>(v[2].limbs);
-    }
     // Returns the axis of a component that is not zero.
     template <int M>
     static std::size_t axis_of(const LimbVector<M>& v) noexcept {

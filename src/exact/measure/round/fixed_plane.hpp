@@ -24,9 +24,6 @@ class FixedPlane {
     // Takes three differences of vertices, counterclockwise from outside; their coordinates are multiples of 2^unit.
     FixedPlane(const std::array<Vector, 3>& m, int unit, bool is_exact) noexcept;
 
-    // Returns the axis that the normal is certainly parallel to; -1 if there is none.
-    int axis() const noexcept { return axis_; }
-
     // Returns the sign of the product of the normal with v, a difference of two points. Needs exact points.
     int sign_along(const Vector& v) const noexcept;
 

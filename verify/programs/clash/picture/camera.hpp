@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <span>
 
-#include "ecods/aabb.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods::clash {
 

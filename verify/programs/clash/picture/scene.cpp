@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "ecods/contact.hpp"
+#include "ecods/distance.hpp"
 #include "ecods/intersection.hpp"
 #include "programs/clash/place.hpp"
 

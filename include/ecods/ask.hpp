@@ -1,0 +1,146 @@
+// An Ask says how a question works: its memory, the witness that it starts from, and where its work is counted. All of
+// it is optional, and no answer depends on any of it.
+//
+//     distance(a, b);                     in memory that the library keeps for the thread
+//     distance(a, b, memory);             in memory of the caller's
+//     distance(a, b, {memory, witness});  starting from what decided the last question about the pair
+//     distance(a, b, counts);             adding the work of this question to counts
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <memory>
+
+#include "ecods/export.hpp"
+
+namespace ecods {
+
+// How many pairs of triangles were decided, and by which stage. Counts are exact: the same input gives the same counts.
+struct StageCounts {
+    std::uint64_t triangle_tests = 0;      // pairs of triangles
+    std::uint64_t filter_passes = 0;       // of these, decided by the bound of the body pair
+    std::uint64_t semi_static_passes = 0;  // ... by the bound of the triangle pair
+    std::uint64_t local_passes = 0;        // ... because both bodies have one pose or short coordinates
+    std::uint64_t plane_passes = 0;        // ... by signs that were known of whole planes
+    std::uint64_t one_limb = 0;            // ... by integers of one limb (60 bits)
+    std::uint64_t two_limbs = 0;           // ... of two limbs (125 bits)
+    std::uint64_t many_limbs = 0;          // ... of more
+
+    ECODS_API StageCounts& operator+=(const StageCounts& other) noexcept;
+    friend bool operator==(const StageCounts&, const StageCounts&) = default;
+};
+
+// A stage's name in reports, and its count.
+struct Stage {
+    const char* name;
+    std::uint64_t StageCounts::*count;
+};
+
+// The stages that decide, from the cheapest to the dearest: their counts add up to triangle_tests.
+inline constexpr std::array<Stage, 7> stages{{
+    {"filter", &StageCounts::filter_passes},
+    {"semi-static", &StageCounts::semi_static_passes},
+    {"local", &StageCounts::local_passes},
+    {"planes", &StageCounts::plane_passes},
+    {"one limb", &StageCounts::one_limb},
+    {"two limbs", &StageCounts::two_limbs},
+    {"many limbs", &StageCounts::many_limbs},
+}};
+
+// How many pairs of triangles the questions of distance.hpp bounded, from the cheapest stage to the dearest.
+struct DistanceCounts {
+    std::uint64_t triangle_bounds = 0;  // in floats
+    std::uint64_t enclosures = 0;       // in doubles with proven bounds
+    std::uint64_t exact = 0;            // rounded or compared exactly
+
+    ECODS_API DistanceCounts& operator+=(const DistanceCounts& other) noexcept;
+    friend bool operator==(const DistanceCounts&, const DistanceCounts&) = default;
+};
+
+// How many triangles the questions of hit.hpp looked at, from the cheapest stage to the dearest.
+struct HitCounts {
+    std::uint64_t triangle_tests = 0;  // in floats, eight at once
+    std::uint64_t enclosures = 0;      // in doubles with proven bounds
+    std::uint64_t exact = 0;           // decided, compared or rounded in integers
+
+    ECODS_API HitCounts& operator+=(const HitCounts& other) noexcept;
+    friend bool operator==(const HitCounts&, const HitCounts&) = default;
+};
+
+// For how many pairs of triangles the questions of cast.hpp sought the first contact, from the cheapest stage to the
+// dearest.
+struct CastCounts {
+    std::uint64_t enclosures = 0;  // in doubles with proven bounds
+    std::uint64_t exact = 0;       // in integers
+
+    ECODS_API CastCounts& operator+=(const CastCounts& other) noexcept;
+    friend bool operator==(const CastCounts&, const CastCounts&) = default;
+};
+
+// The work of questions as exact counts.
+struct QueryCounts {
+    std::uint64_t queries = 0;       // two-body questions about meshes, and lines against one mesh
+    std::uint64_t witness_hits = 0;  // of these, decided by the witness
+    std::uint64_t box_tests = 0;     // pairs of tree nodes, up to eight boxes against eight each, or nodes and lines
+    StageCounts stages;              // pairs of triangles that the trees left over
+    DistanceCounts distances;        // of these, the work for distances
+    HitCounts hits;                  // the work for lines
+    CastCounts casts;                // the work for times
+
+    ECODS_API QueryCounts& operator+=(const QueryCounts& other) noexcept;
+    friend bool operator==(const QueryCounts&, const QueryCounts&) = default;
+};
+
+// The memory that questions work in: stacks, rounded vertices, exact vertices. It grows to what the largest question
+// needed and is then used again without allocation. It holds no answer: a question gives the same with a new memory.
+// One question at a time may use it, and none that is asked within that one.
+class ECODS_API QueryMemory {
+  public:
+    QueryMemory();
+    ~QueryMemory();
+    QueryMemory(QueryMemory&&) noexcept;
+    QueryMemory& operator=(QueryMemory&&) noexcept;
+
+    const QueryCounts& counts() const noexcept;
+    void reset_counts() noexcept;
+
+  private:
+    friend struct QueryMemoryAccess;
+
+    struct ECODS_HIDDEN State;
+    std::unique_ptr<State> state_;
+};
+
+// A witness remembers what decided the last question about a pair of bodies: two triangles, or a separating axis. The
+// next question tries the witness first, and exactly; it then leaves its own. Whatever a witness holds, from whichever
+// question and bodies, no answer depends on it. A new witness knows nothing. (Bullet, Box3D: manifold or simplex
+// cache.)
+struct PairWitness {
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    std::uint32_t a = none;
+    std::uint32_t b = none;
+};
+
+// The last argument of every question. It is made of a memory, a witness and counts, any of them in any order; all must
+// outlive the question.
+class Ask {
+  public:
+    Ask() = default;
+    template <class... Given>
+    requires(sizeof...(Given) > 0 && ((std::same_as<Given, QueryMemory> || std::same_as<Given, PairWitness> ||
+                                       std::same_as<Given, QueryCounts>)&&...)) Ask(Given&... given)
+    noexcept { (take(given), ...); }
+
+    QueryMemory* memory = nullptr;   // null: memory that the library keeps for the calling thread
+    PairWitness* witness = nullptr;  // null: the question starts from nothing
+    QueryCounts* counts = nullptr;   // the work of the question is added here, also when it throws
+
+  private:
+    void take(QueryMemory& given) noexcept { memory = &given; }
+    void take(PairWitness& given) noexcept { witness = &given; }
+    void take(QueryCounts& given) noexcept { counts = &given; }
+};
+
+}  // namespace ecods

@@ -1,0 +1,48 @@
+// Makes the errors of bad input; error.cpp has their texts.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "ecods/error.hpp"
+
+namespace ecods {
+
+InvalidMesh invalid_vertex(std::size_t vertex, int axis, double value);
+InvalidMesh invalid_index(std::size_t triangle, int corner, std::size_t index, std::size_t vertex_count);
+InvalidMesh empty_mesh();
+InvalidMesh invalid_layout(std::size_t number_count, std::size_t stride);
+InvalidMesh mesh_too_large(std::size_t vertex_count, std::size_t triangle_count);
+
+// An edge as errors name it goes from this corner of the triangle to the next one.
+struct MeshEdge {
+    std::size_t triangle;
+    int corner;
+    std::array<std::size_t, 2> vertices;
+};
+
+NotSolid open_edge(const MeshEdge& edge, const std::array<NotSolid::Coordinates, 2>& points);
+NotSolid self_intersection(const TrianglePair& triangles);
+NotSolid dent(const MeshEdge& edge, std::size_t beyond);
+NotSolid no_interior(std::size_t point_count);
+
+InvalidArgument invalid_pose(int row, int column, double value);  // of the 4x4 matrix [R t; 0 0 0 1]
+InvalidArgument invalid_box(int axis, double min, double max);
+InvalidArgument invalid_box(ShapeKind kind, int axis, double min, double max);  // returned by a shape
+InvalidArgument invalid_segment(int end, int axis, double value);
+InvalidArgument invalid_origin(int axis, double value);  // of a ray, as the next three
+InvalidArgument invalid_direction(int axis, double value);
+InvalidArgument no_direction();
+InvalidArgument invalid_max_parameter(double value);
+InvalidArgument invalid_point(int axis, double value);
+InvalidArgument invalid_motion(int axis, double value);
+InvalidArgument invalid_center(int axis, double value);  // of a ball, as the next one
+InvalidArgument invalid_radius(double value);
+InvalidArgument invalid_distance(double value);
+InvalidArgument invalid_time(double value);
+InvalidArgument invalid_list_length(std::size_t body_count, std::size_t pose_count);
+InvalidArgument null_argument(const std::string& name);
+InvalidArgument mesh_and_shape();
+
+}  // namespace ecods

@@ -1,0 +1,93 @@
+// Answers the questions about two solids.
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/double_key.hpp"
+#include "ecods/solid.hpp"
+#include "world/world_impl.hpp"
+
+namespace ecods {
+namespace {
+
+// Returns the subject as a solid S. Throws NotSupported if it is none.
+template <class S>
+Posed<S> as(const Subject& subject, const char* form) {
+    const S* const solid = dynamic_cast<const S*>(subject.posed.what);
+    if (solid == nullptr) {
+        const std::string name =
+            subject.proxy ? "slot " + std::to_string(*subject.proxy + 1) + ": its body" : "the shape";
+        throw NotSupported(name + " is no " + form);
+    }
+    return {*solid, subject.posed.pose};
+}
+
+// Asks about the two as solids S. SingularPose then names the body, and numbers the argument in the caller's order.
+template <class S, class Function>
+auto ask_of(const Bodies& bodies, const SubjectPair& pair, const char* form, const Function& ask) {
+    const Posed<S> a = as<S>(pair.a, form), b = as<S>(pair.b, form);
+    try {
+        return ask(a, b);
+    } catch (const SingularPose& error) {
+        const Subject& subject = error.argument == 0 ? pair.a : pair.b;
+        throw SingularPose(pair.is_turned ? 1 - error.argument : error.argument,
+                           subject.proxy ? bodies.id_of(*subject.proxy) : BodyId());
+    }
+}
+
+constexpr const char* convex_form = "convex solid";
+
+// Returns the negative of the vector, with zeros as +0. Compares by bits, as subnormal numbers may be taken for zero.
+Vec3 opposite(const Vec3& direction) {
+    Vec3 result;
+    for (int axis = 0; axis < 3; ++axis) result[axis] = key_of(direction[axis]) == 0 ? 0.0 : -direction[axis];
+    return result;
+}
+
+}  // namespace
+
+Relation World::solid_relation(const Asked& a, const Asked& b, const Ask& ask) const {
+    const Impl& w = impl();
+    return ask_of<Solid>(w.bodies, w.pair_of(a, b), "solid", [&](const auto& first, const auto& second) {
+        return ecods::solid_relation(first, second, ask);
+    });
+}
+
+double World::solid_distance(const Asked& a, const Asked& b, const Ask& ask) const {
+    const Impl& w = impl();
+    return ask_of<ConvexSolid>(w.bodies, w.pair_of(a, b), convex_form, [&](const auto& first, const auto& second) {
+        return ecods::solid_distance(first, second, ask);
+    });
+}
+
+std::optional<ClosestPoints> World::solid_closest(const Asked& a, const Asked& b, const Ask& ask) const {
+    const Impl& w = impl();
+    const SubjectPair pair = w.pair_of(a, b, Impl::PairOrder::lesser_id_first);
+    auto points = ask_of<ConvexSolid>(w.bodies, pair, convex_form, [&](const auto& first, const auto& second) {
+        return ecods::solid_closest(first, second, ask);
+    });
+    if (points && pair.is_turned) points = turned(*points);
+    return points;
+}
+
+std::optional<Depth> World::depth(const Asked& a, const Asked& b, const Ask& ask) const {
+    const Impl& w = impl();
+    const SubjectPair pair = w.pair_of(a, b, Impl::PairOrder::lesser_id_first);
+    auto depth = ask_of<ConvexSolid>(w.bodies, pair, convex_form, [&](const auto& first, const auto& second) {
+        return ecods::depth(first, second, ask);
+    });
+    if (depth && pair.is_turned) {
+        std::swap(depth->a, depth->b);
+        depth->direction = opposite(depth->direction);
+    }
+    return depth;
+}
+
+std::optional<DepthBounds> World::depth_bounds(const Asked& a, const Asked& b, const Ask& ask) const {
+    const Impl& w = impl();
+    return ask_of<Solid>(w.bodies, w.pair_of(a, b), "solid", [&](const auto& first, const auto& second) {
+        return ecods::depth_bounds(first, second, ask);
+    });
+}
+
+}  // namespace ecods

@@ -1,0 +1,134 @@
+// How do I ...? One function for each of the questions that most programs ask; include/ecods/ecods.hpp lists them.
+#include <fmt/core.h>
+#include <fmt/ostream.h>
+#include <ecods/ecods.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace {
+
+using namespace ecods;
+
+std::string text(const Vec3& v) {
+    return fmt::format("({}, {}, {})", v.x(), v.y(), v.z());
+}
+
+// Returns the cube from (0, 0, 0) to (1, 1, 1). A convex solid is a solid, and that is a mesh's shape.
+std::shared_ptr<const ConvexSolid> unit_cube() {
+    std::vector<Vec3> corners;
+    for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
+    return std::make_shared<const ConvexSolid>(corners);
+}
+
+void touch() {
+    const auto cube = unit_cube();
+    const bool is_touching = intersects({cube, Pose{}}, {cube, {.t = {1, 0, 0}}});
+    fmt::print("touch: {}\n", is_touching);
+}
+
+void distance_with_points() {
+    const auto cube = unit_cube();
+    const ClosestPoints points = closest({cube, Pose{}}, {cube, {.t = {2, 3, 3}}});
+    fmt::print("distance with points: {} from {} to {}\n", points.distance, text(points.point_a), text(points.point_b));
+}
+
+void ray() {
+    const auto cube = unit_cube();
+    const auto hit = first_hit(Ray{.origin = {0.5, 0.25, 3}, .direction = {0, 0, -1}}, {cube, Pose{}});
+    if (hit) fmt::print("ray: hits at {}, in {}\n", hit->parameter, text(hit->point));
+}
+
+void cast_on_its_way() {
+    const auto cube = unit_cube();
+    const auto contact = cast({cube, {.t = {0, 0, 5}}}, Vec3(0, 0, -8), {cube, Pose{}});
+    if (contact) fmt::print("cast on its way: meets at time {}\n", contact->time);
+}
+
+void world_with_events() {
+    World world;
+    world.create_body(unit_cube(), Pose{});
+    const BodyId moving = world.create_body(unit_cube(), {.t = {1, 0, 0}});
+    world.update();
+    const std::size_t began = world.began().size();
+    world.set_pose(moving, {.t = {3, 0, 0}});
+    world.update();
+    fmt::print("world with events: {} began, then {} ended\n", began, world.ended().size());
+}
+
+// Makes a world of three cubes in a row, at distances of 2 and 3.
+World three_cubes() {
+    World world;
+    for (const double x : {0.0, 3.0, 7.0}) world.create_body(unit_cube(), {.t = {x, 0, 0}});
+    return world;
+}
+
+void nearest_body() {
+    const World world = three_cubes();
+    const BodyId last = world.bodies().back();
+    const auto nearest = world.nearest(last);
+    if (nearest) fmt::print("nearest body: {} at {}\n", fmt::streamed(nearest->body), nearest->distance);
+}
+
+void inside_a_solid() {
+    const auto cube = unit_cube();
+    const Location point = locate({0.5, 0.5, 0.5}, {cube, Pose{}});
+    const Pose small{.R = Mat3::Identity() / 4, .t = {0.5, 0.5, 0.5}};
+    const Relation solid = solid_relation({cube, small}, {cube, Pose{}});
+    fmt::print("inside a solid: the point is {}, the solid {}\n", fmt::streamed(point.side), fmt::streamed(solid));
+}
+
+void depth_of_convex_solids() {
+    const auto cube = unit_cube();
+    const auto out = depth({cube, Pose{}}, {cube, {.t = {0.75, 0, 0}}});
+    if (out) fmt::print("depth of convex solids: {} along {}\n", out->depth, text(out->direction));
+}
+
+void again_with_a_witness() {
+    const auto cube = unit_cube();
+    PairWitness witness;  // what decided the last question about the pair; no answer depends on it
+    QueryCounts counts;
+    double d = 0;
+    for (const double x : {1.5, 1.625, 1.75}) d = distance({cube, Pose{}}, {cube, {.t = {x, 0, 0}}}, {witness, counts});
+    fmt::print("again with a witness: {} at last, after {} questions\n", d, counts.queries);
+}
+
+void mesh_that_is_no_body() {
+    const World world = three_cubes();
+    const std::shared_ptr<const Mesh> mesh = unit_cube()->mesh_ptr();
+    const auto met = world.intersecting_bodies({mesh, {.t = {2.5, 0, 0}}});
+    const double d = world.distance({mesh, Pose{}}, world.bodies().back());
+    fmt::print("mesh that is no body: meets {}, and is {} from the last body\n", fmt::streamed(met.at(0)), d);
+}
+
+void trace_and_replay() {
+    World world = three_cubes();
+    std::stringstream trace;  // a file, in earnest
+    world.trace_to(trace, {.questions = true});
+    world.update();
+    std::ignore = world.closest_pair();
+    world.end_trace();
+    const ReplayReport report = replay(trace);
+    fmt::print("trace and replay: {} question, {}\n", report.question_count,
+               report.difference ? "differs" : "the same");
+}
+
+}  // namespace
+
+int main() {
+    touch();
+    distance_with_points();
+    ray();
+    cast_on_its_way();
+    world_with_events();
+    nearest_body();
+    inside_a_solid();
+    depth_of_convex_solids();
+    again_with_a_witness();
+    mesh_that_is_no_body();
+    trace_and_replay();
+}
