@@ -5,6 +5,8 @@
 //     distance(a, b, memory);             in memory of the caller's
 //     distance(a, b, {memory, witness});  starting from what decided the last question about the pair
 //     distance(a, b, counts);             adding the work of this question to counts
+//
+// Example: verify/examples/how_do_i, again_with_a_witness().
 #pragma once
 
 #include <array>

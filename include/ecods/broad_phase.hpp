@@ -4,6 +4,8 @@
 // All broad phases give the same pairs for the same boxes, always: those whose closed boxes share a point. They differ
 // in cost. A caller normally picks one in WorldOptions and never touches this interface; it is public so that it can be
 // tested, timed and used alone.
+//
+// Example: verify/examples/how_do_i, find_boxes().
 #pragma once
 
 #include <cstddef>

@@ -15,6 +15,8 @@
 //
 // Everything is defined for all finite poses and motions and for zero-area triangles, also for bodies that become flat
 // on the way. Bodies and threads are as in intersection.hpp.
+//
+// Example: verify/examples/how_do_i, cast_on_its_way().
 #pragma once
 
 #include <optional>

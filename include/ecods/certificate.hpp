@@ -16,6 +16,8 @@
 // Cost: the plain question, and a second walk that costs about as much; text is made when it is asked for.
 //
 // Thread safety: as in intersection.hpp.
+//
+// Example: verify/examples/how_do_i, prove_an_answer().
 #pragma once
 
 #include <cstddef>

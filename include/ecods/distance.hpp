@@ -15,6 +15,8 @@
 // for two trees Larsen, Gottschalk, Lin and Manocha, Fast Distance Queries with Rectangular Swept Sphere Volumes, 2000)
 // with lower bounds rounded outwards, enclosures of the distances of triangles with proven bounds, and integers for
 // what these leave open.
+//
+// Example: verify/examples/how_do_i, distance_with_points().
 #pragma once
 
 #include <limits>

@@ -10,6 +10,8 @@
 // the members give the same for programs. Members that the reason does not list keep their defaults.
 //
 // A failed allocation is std::bad_alloc, and an exception out of a caller's own shape or test passes through.
+//
+// Example: verify/examples/how_do_i, catch_an_error().
 #pragma once
 
 #include <array>

@@ -16,6 +16,8 @@
 // Everything is defined for all finite poses, singular ones included, for zero-area triangles, which are the segments
 // or points that they span, and for a segment of length 0, which is a point. Threads are as in intersection.hpp. All
 // throw InvalidArgument where validate() refuses the segment or ray.
+//
+// Example: verify/examples/how_do_i, ray().
 #pragma once
 
 #include <optional>

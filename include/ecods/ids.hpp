@@ -2,6 +2,8 @@
 //
 // An id is opaque, small and passed by value. A zeroed id is null and names nothing. Ids are what a
 // trace of calls records, so they carry no pointers. Ids do not keep anything alive.
+//
+// Example: verify/examples/how_do_i, ignore_pairs().
 #pragma once
 
 #include <compare>

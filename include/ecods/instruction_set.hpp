@@ -9,6 +9,8 @@
 // it.
 //
 // Thread safety: all of these may be called from any thread, at any time once main() has begun.
+//
+// Example: verify/examples/how_do_i, limit_instructions().
 #pragma once
 
 #include <cstdint>

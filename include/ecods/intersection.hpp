@@ -11,6 +11,8 @@
 //
 // Thread safety: shapes are immutable, so questions may run in many threads, each with a QueryMemory of its own where
 // it is given one.
+//
+// Example: verify/examples/how_do_i, touch().
 #pragma once
 
 #include <vector>

@@ -1,4 +1,6 @@
 // Triangle meshes.
+//
+// Example: verify/examples/how_do_i, make_a_mesh().
 #pragma once
 
 #include <array>

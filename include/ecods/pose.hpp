@@ -1,4 +1,6 @@
 // Poses say where a body is; Posed is a thing at a pose, Moving a thing on its way from one pose to another.
+//
+// Example: verify/examples/how_do_i, pose_a_body().
 #pragma once
 
 #include <Eigen/Core>

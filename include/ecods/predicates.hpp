@@ -8,6 +8,8 @@
 //
 // Method: a floating-point filter with a proven bound, then integers of the width that the coordinates really need.
 // Names as in Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997.
+//
+// Example: verify/examples/how_do_i, exact_signs().
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,7 @@
 // Boxes, segments, rays and balls, and whether they overlap. All answers are exact for the real numbers that the
 // doubles are, in any rounding mode.
+//
+// Example: verify/examples/how_do_i, overlap_of_boxes().
 #pragma once
 
 #include <limits>

@@ -2,6 +2,8 @@
 //
 // Numbers are the true ones of the real points R v + t, each rounded once to the nearest double (ties to even); a zero
 // coordinate is +0. distance.hpp says more.
+//
+// Example: verify/examples/how_do_i, distance_with_points().
 #pragma once
 
 #include <array>

@@ -1,4 +1,6 @@
 // Shapes, which bodies are made of: triangle meshes, solids, convex solids, and shapes of the caller's own.
+//
+// Example: verify/examples/how_do_i, make_a_mesh().
 #pragma once
 
 #include <cstdint>

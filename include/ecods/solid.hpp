@@ -14,6 +14,8 @@
 // Answers are exact for the real points and depend on the bits of meshes and poses alone; numbers are as in
 // distance.hpp. Poses must be finite; a question does not check it. Threads are as in intersection.hpp. For coordinates
 // so far apart in scale that their integers need thousands of bits, a question uses up to 256 KiB of stack.
+//
+// Example: verify/examples/how_do_i, inside_a_solid().
 #pragma once
 
 #include <optional>

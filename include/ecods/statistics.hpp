@@ -6,6 +6,8 @@
 // boxes that moved, and one two-body test for each candidate pair of which a body moved. Where a collision begins or
 // ends, what lies behind it in the list of colliding pairs is moved. A clearance costs the same a second time, for
 // boxes that reach further and pairs within it; without one it costs nothing.
+//
+// Example: verify/examples/how_do_i, count_the_work().
 #pragma once
 
 #include <cstddef>

@@ -45,6 +45,8 @@
 // program crashes in an update, the trace ends with "update" alone. An update that threw is "update failed". Lines end
 // with LF; a file whose first line ends with CR LF, as some editors write it, is read as well, and a byte order mark at
 // its beginning is passed over. reserve() is not written: it changes no answer. set_test cannot be, and leaves a note.
+//
+// Example: verify/examples/how_do_i, trace_and_replay().
 #pragma once
 
 #include <cstddef>

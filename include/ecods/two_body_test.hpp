@@ -1,4 +1,6 @@
 // The test of two bodies, for shapes of the caller's own (World::set_test).
+//
+// Example: verify/examples/own_shape.
 #pragma once
 
 #include <optional>

@@ -18,6 +18,8 @@
 //
 // Thread safety: const calls may run beside each other, each with a QueryMemory of its own where it is given one; every
 // other call needs the world alone.
+//
+// Example: verify/examples/how_do_i, world_with_events().
 #pragma once
 
 #include <cstddef>

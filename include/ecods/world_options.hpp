@@ -1,4 +1,6 @@
 // Options of a World, its bodies, the subjects of its questions, and its trace (world.hpp).
+//
+// Example: verify/examples/how_do_i, mesh_that_is_no_body().
 #pragma once
 
 #include <cstddef>

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "tidy/edges.hpp"
@@ -139,6 +140,19 @@ TEST(Tree, CommentsBeginWithWhatTheySay) {
         for (const Finding& finding : find_vague_openings(read(root / file))) {
             ADD_FAILURE() << file << ":" << finding.line << ": in place of " << finding.what;
         }
+    }
+}
+
+// The examples are built, run and compared with what they should print.
+TEST(Tree, EachHeaderHasAnExample) {
+    const std::string program = read(root / "verify/examples/how_do_i/main.cpp");
+    const std::regex example("// Example: verify/examples/(own_shape|how_do_i, (\\w+)\\(\\))\\.\n");
+    for (const auto& file : sources_in({"include"})) {
+        if (file.ends_with("/ecods.hpp") || file.ends_with("/export.hpp")) continue;
+        const std::string text = read(root / file);
+        std::smatch named;
+        ASSERT_TRUE(std::regex_search(text, named, example)) << file;
+        if (named[2].matched) EXPECT_NE(program.find("    " + named.str(2) + "();"), std::string::npos) << file;
     }
 }
 

@@ -3,7 +3,9 @@
 #include <fmt/ostream.h>
 #include <ecods/ecods.hpp>
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -117,6 +119,81 @@ void trace_and_replay() {
                report.difference ? "differs" : "the same");
 }
 
+void make_a_mesh() {
+    const std::vector<float> coordinates{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const std::vector<std::uint32_t> indices{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    const auto mesh = Mesh::create(coordinates, indices);
+    const Solid tetrahedron(mesh);  // throws NotSolid if the mesh bounds no solid
+    fmt::print("make a mesh: {} vertices, {} triangles\n", mesh->vertices().size(), mesh->triangles().size());
+}
+
+void pose_a_body() {
+    const auto turn = Pose::from_quaternion({0, 0, 0, 1}, Vec3(3, 0, 0));  // half a turn around z
+    const Posed body(unit_cube(), turn);                                   // keeps the cube, which nobody else does
+    fmt::print("pose a body: its box begins at {}\n", text(body.what->box(body.pose).min));
+}
+
+void overlap_of_boxes() {
+    const Aabb box{.min = {0, 0, 0}, .max = {1, 1, 1}};
+    const Segment diagonal{.a = {-1, 0, 0}, .b = {0, 1, 0}};  // grazes an edge of the box
+    const Ball ball{.center = {2, 2, 2}, .radius = 1.5};
+    fmt::print("overlap of boxes: a segment {}, a ball {}\n", overlap(diagonal, box), overlap(ball, box));
+}
+
+void exact_signs() {
+    const Vec2 a(0, 0), b(3, 1), c(6, 2), d(6, 2 + 0x1p-51);
+    fmt::print("exact signs: {}, {}\n", fmt::streamed(orient2d(a, b, c)), fmt::streamed(orient2d(a, b, d)));
+}
+
+void catch_an_error() {
+    try {
+        World().create_body(unit_cube(), {.t = {0, HUGE_VAL, 0}});
+    } catch (const InvalidArgument& error) {
+        fmt::print("catch an error: {}: {}\n", error.part, error.what());
+    }
+}
+
+void ignore_pairs() {
+    World world;
+    for (const std::uint64_t mask : {1, 1, 2}) world.create_body({.shape = unit_cube(), .filter = {1, mask}});
+    world.update();
+    fmt::print("ignore pairs: {} of 3 pairs collide\n", world.colliding_pairs().size());
+}
+
+void keep_a_margin() {
+    World world = three_cubes();
+    world.set_clearance(2.5);
+    world.update();
+    fmt::print("keep a margin: {} pair within 2.5\n", world.close_pairs().size());
+}
+
+void count_the_work() {
+    World world = three_cubes();
+    world.update();
+    const Statistics work = world.statistics();
+    fmt::print("count the work: {} bodies, {} two-body tests\n", work.body_count, work.two_body_tests);
+}
+
+void find_boxes() {
+    const auto boxes = make_broad_phase(BroadPhaseKind::automatic);
+    boxes->add(0, {.min = {0, 0, 0}, .max = {1, 1, 1}});
+    boxes->add(1, {.min = {1, 0, 0}, .max = {2, 1, 1}});
+    boxes->update();
+    fmt::print("find boxes: {} pair\n", boxes->pairs().size());
+}
+
+void prove_an_answer() {
+    const auto cube = unit_cube();
+    const Certificate proof = certify({cube, Pose{}}, {cube, {.t = {2, 0, 0}}});  // ecods_check_certificate checks it
+    fmt::print("prove an answer: {} step\n", proof.step_count());
+}
+
+void limit_instructions() {
+    limit_instruction_set(InstructionSet::baseline);
+    fmt::print("limit instructions: {}\n", fmt::streamed(instruction_set()));
+    limit_instruction_set(supported_instruction_set());
+}
+
 }  // namespace
 
 int main() {
@@ -131,4 +208,15 @@ int main() {
     again_with_a_witness();
     mesh_that_is_no_body();
     trace_and_replay();
+    make_a_mesh();
+    pose_a_body();
+    overlap_of_boxes();
+    exact_signs();
+    catch_an_error();
+    ignore_pairs();
+    keep_a_margin();
+    count_the_work();
+    find_boxes();
+    prove_an_answer();
+    limit_instructions();
 }
