@@ -41,7 +41,7 @@ ecods_long("other engines, which take a third of the build" bench.* bench_test.*
            instruction_sets.unknown.ecods_bench instruction_sets.unknown.ecods_micro)
 ecods_long("the Python module, with packages of its own" python.*)
 ecods_long("the exact layer is built three times for it" environment)
-ecods_long("the library is built again for it, with the thread sanitizer" threads)
+ecods_long("the library is built again for it: with the thread sanitizer, and without optimization" threads unoptimized)
 ecods_long("Gappa and Coq prove again what only a change of a constant changes" proofs)
 ecods_long("Doxygen, Chromium and clang-tidy read what the other tests compile or read, too" reference
            tidy.clang_tidy_headers)

@@ -6,3 +6,8 @@
 #ifndef ECODS_ALWAYS_INLINE
 #define ECODS_ALWAYS_INLINE [[gnu::always_inline]] inline
 #endif
+
+// Stands after the parameters of a lambda that takes or returns vectors by value and is called in functions of several
+// instruction sets. As a call it would pass vectors in memory where wider sets pass them in registers: without
+// optimization the program crashed.
+#define ECODS_INLINE_LAMBDA __attribute__((always_inline))

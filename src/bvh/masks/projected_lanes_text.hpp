@@ -148,7 +148,7 @@ struct ProjectedLanes {
     }
     ECODS_ALWAYS_INLINE static void find_ends(const TreeLeaf& leaf, const std::array<float, 3>& m, std::size_t part,
                                               Floats& low, Floats& high) noexcept {
-        const auto at = [&](std::size_t c) {
+        const auto at = [&](std::size_t c) ECODS_INLINE_LAMBDA {
             const auto& y = leaf.corner[c];
             return (m[0] * load(y[0], part) + m[1] * load(y[1], part)) + m[2] * load(y[2], part);
         };

@@ -102,7 +102,7 @@ struct NearLeaves::Lanes : ProjectedLanes<width> {
                 b[k] = s.b[k] - p;
             }
             const Floats n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-            const auto along_n = [&](const Floats(&w)[3]) -> Floats {
+            const auto along_n = [&](const Floats(&w)[3]) ECODS_INLINE_LAMBDA -> Floats {
                 return (n[0] * w[0] + n[1] * w[1]) + n[2] * w[2];
             };
             const Floats of_u = along_n(u), of_v = along_n(v), of_a = along_n(a), of_b = along_n(b), zero{};

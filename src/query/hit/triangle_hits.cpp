@@ -95,7 +95,7 @@ ECODS_ALWAYS_INLINE Double4 sums_of(Double4 a, Double4 b, Double4 c, Double4 d) 
 ECODS_ALWAYS_INLINE void TriangleHits::enclose_in(const InDoubles& s, const std::array<const Vec3*, 3>& corners,
                                                   HitEnclosure& result) noexcept {
     using Verdict = HitEnclosure::Verdict;
-    const auto posed = [&](const Vec3& v) {
+    const auto posed = [&](const Vec3& v) ECODS_INLINE_LAMBDA {
         return ((load4(s.R[0]) * v[0] + load4(s.R[1]) * v[1]) + load4(s.R[2]) * v[2]) + load4(s.offset);
     };
     const Double4 p = posed(*corners[0]), q = posed(*corners[1]), r = posed(*corners[2]), d = load4(s.d);

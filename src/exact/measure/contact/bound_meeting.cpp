@@ -36,7 +36,8 @@ struct Ends {
     Double4 low_a, high_a, low_b, high_b;
 
     ECODS_ALWAYS_INLINE Ends(const Four& n, const Points<6>& p) noexcept {
-        const auto on = [&](std::size_t i) { return (n[0] * p[i][0] + n[1] * p[i][1]) + n[2] * p[i][2]; };
+        const auto on = [&](std::size_t i)
+                            ECODS_INLINE_LAMBDA { return (n[0] * p[i][0] + n[1] * p[i][1]) + n[2] * p[i][2]; };
         const Double4 a0 = on(0), a1 = on(1), a2 = on(2), b0 = on(3), b1 = on(4), b2 = on(5);
         low_a = min(a0, min(a1, a2));
         high_a = max(a0, max(a1, a2));
