@@ -104,6 +104,16 @@ std::uint64_t answers_of(const World& world, const std::vector<BodyId>& bodies, 
         add(world.intersecting_triangles(body, {world.shape(body), pose_of(i + 1)}, ask).size());
         add(world.meetings({&body, 1}, std::vector{pose_of(i + 5)}, ask).size());
     }
+    PairWitness witness;
+    const Posed<MeshShape> first(static_cast<const MeshShape&>(*world.shape(bodies[0])), world.pose(bodies[0]));
+    const Posed<MeshShape> second(static_cast<const MeshShape&>(*world.shape(bodies[1])), world.pose(bodies[1]));
+    for (int i = 0; i < 4; ++i) {  // small steps of one segment
+        const Segment step{{0.01 * i, 0.2, 3}, {0.2, 0.3, -3}};
+        const auto hit =
+            ask.memory != nullptr ? first_hit(step, first, {*ask.memory, witness}) : first_hit(step, first);
+        add(hit ? hit->triangle() + 1 : 0);
+    }
+    add(certify_distance(first, second, ask).step_count() > 0);
     return sum;
 }
 
