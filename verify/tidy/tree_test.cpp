@@ -152,7 +152,9 @@ TEST(Tree, EachHeaderHasAnExample) {
         const std::string text = read(root / file);
         std::smatch named;
         ASSERT_TRUE(std::regex_search(text, named, example)) << file;
-        if (named[2].matched) EXPECT_NE(program.find("    " + named.str(2) + "();"), std::string::npos) << file;
+        if (named[2].matched) {
+            EXPECT_NE(program.find("    " + named.str(2) + "();"), std::string::npos) << file;
+        }
     }
 }
 
