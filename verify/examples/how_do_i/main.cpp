@@ -130,7 +130,7 @@ void make_a_mesh() {
 void pose_a_body() {
     const auto turn = Pose::from_quaternion({0, 0, 0, 1}, Vec3(3, 0, 0));  // half a turn around z
     const Posed body(unit_cube(), turn);                                   // keeps the cube, which nobody else does
-    fmt::print("pose a body: its box begins at {}\n", text(body.what->box(body.pose).min));
+    fmt::print("pose a body: x becomes {} x + {}\n", body.pose.R(0, 0), body.pose.t.x());
 }
 
 void overlap_of_boxes() {
