@@ -1,4 +1,4 @@
-// Names of the kinds of results, as messages and reports write them.
+// Stream operators write the names of results, as messages and reports show them.
 #include <array>
 #include <ostream>
 
