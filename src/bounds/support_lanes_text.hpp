@@ -190,8 +190,7 @@ ECODS_ALWAYS_INLINE bool find_ends(const TableView& table, const Rows<V>& rows, 
         sum_max = larger(sum_max, sum + absolute(rows.t[row]));
     }
     const V factor_max = larger(size_max, none + table.v_max_of_all);
-    constexpr double least =
-        exact::underflow_of_points;  // the bound's term for underflow, as in exact::point_error_bound
+    constexpr double least = exact::underflow_of_points;  // as in exact::point_error_bound
     const V underflow =
         either(is_less(factor_max, none + exact::small_factor), none + least, least + least * factor_max);
     const V delta = exact::error_of_sum * sum_max + underflow;

@@ -54,9 +54,8 @@ class FixedPlane {
     bool is_exact_;
     bool is_open_ = false;  // true if nothing is known of the normal
     int axis_ = -1;
-    std::array<exact::Int256, 3> n_;  // the normal
-    std::array<exact::Int128, 3>
-        short_n_{};  // leading digits of n_: the largest |coordinate| has 126; off by less than error_
+    std::array<exact::Int256, 3> n_;          // the normal
+    std::array<exact::Int128, 3> short_n_{};  // 126 leading digits of n_; off by less than error_
     exact::Uint128 error_ = 0;
     exact::Uint128 root_ = 0;  // 2^252 / |short_n_|, with a relative error of at most 2^-94
     exact::Int256 height_{};   // short_n_ . m
