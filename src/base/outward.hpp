@@ -1,4 +1,9 @@
 // Doubles are rounded to floats: outwards, for the boxes of trees, or to nearest.
+//
+// All rounding here works on the bits of the double, so it depends neither on the rounding mode nor on the optimiser. A
+// conversion to float and back would not do, because compilers drop it: g++ 12 vectorises straight-line code (with -O3,
+// in places with -O2) and then computes with the unrounded double. A float compared with its own double would then
+// always be equal to it, and a box could end inside the set that it must contain.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,12 @@
 // A SupportTable stores values of a mesh's support function, and computes the box of the posed mesh in constant time.
+//
+// The support function h(d) = max d . v, over the points v of a mesh relative to the center, gives the box of every
+// pose. On axis i the box reaches from (R center + t)_i - h(-r_i) to (R center + t)_i + h(r_i), where r_i is row i of
+// R. h is convex and positively homogeneous, so values at the corners p_k of a triangle on the surface of the unit cube
+// bound it on the whole cone over that triangle:
+//     d = m (l_0 p_0 + l_1 p_1 + l_2 p_2),  l_k >= 0   implies   h(d) <= m (l_0 h(p_0) + l_1 h(p_1) + l_2 h(p_2)).
+// The table has h on a grid over the cube. box() also uses the oriented box of the mesh's local frame, which is tighter
+// for rods and plates.
 #pragma once
 
 #include <array>

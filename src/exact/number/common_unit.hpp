@@ -1,4 +1,7 @@
 // A CommonUnit is the greatest number of which all given doubles are integer multiples.
+//
+// Stacked boxes, grids and stairs are made of few lengths. If such a length has many digits (0.1 has 52), so have all
+// coordinates. As multiples of that length the coordinates have few digits.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,11 @@
 // A Frame computes the points of any number of posed meshes in one common coordinate system.
+//
+// All points are relative to the translation t0 of the first body: a point is R v + (t - t0). So error bounds grow with
+// the distance of the bodies from each other, not from the origin.
+//
+// Vertices are posed on demand, rounded or as integers (IntegerFrame), and cached in small caches of fixed size. So a
+// question costs nothing for vertices that it does not use. The width of the exact coordinates is measured once for all
+// bodies, when the first question needs it. It determines which arithmetic gives exact signs.
 #pragma once
 
 #include <array>

@@ -1,4 +1,9 @@
 // An IntegerFrame computes the points of any number of posed meshes as integers, in units of one power of two.
+//
+// A point is R v + t - t0, where t0 is the first body's translation. If the digits of all bodies fit into 128 bits, as
+// they usually do, the integers are exact. Otherwise points are rounded down to 120 digits, and with_integers()
+// computes exact points of a few vertices, in as many limbs as they need. Neither the rounding mode nor flush-to-zero
+// changes a point, and no number is near enough to zero or infinity to underflow or overflow.
 #pragma once
 
 #include <array>

@@ -1,4 +1,15 @@
 // Points are posed in doubles, in a common coordinate system, with a proven error bound.
+//
+// One operation, in any rounding mode, has fl(a op b) = (a op b)(1 + e), |e| <= u' = 2^-52, unless it underflows. (u'
+// is `two_u` in code: twice the unit roundoff u = 2^-53.) Fused multiply-add removes a rounding, so all bounds remain
+// true.
+//
+// A posed point is p = fl(R v + d), with the sum in the order ((r0 v0 + r1 v1) + r2 v2) + d, where d = fl(t - t0) is a
+// rounded difference of translations. Each term has at most four factors (1 + e), so
+//     |p - (R v + t - t0)| <= ((1 + u')^4 - 1) S <= (17/4) u' S,   S = sum |r_j||v_j| + |t - t0|.
+// (verify/proofs/posed_point.g.) The sum S is itself computed, and too low by at most a factor of (1 - u')^4. In place
+// of (t - t0), d is used, which is right up to a factor of 1 + u'. ((1 + u')^4 - 1) (1 - u')^-5 < 4.0001 u', so 17/4 in
+// place of 4 covers both. An absolute term covers underflow (point_error_bound).
 #pragma once
 
 #include <algorithm>

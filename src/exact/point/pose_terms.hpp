@@ -1,5 +1,9 @@
 // PoseTerms represents a posed point R v + t - t0 as a sum of terms m 2^e. It serves integers of every width; no other
 // code decodes poses.
+//
+// The terms are added in units of a power of two, in integers of two limbs, of several limbs, or of any length. Doubles
+// are decoded from their bits, without floating-point instructions, so neither the rounding mode nor flush-to-zero
+// matters.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,31 @@
 // The error bounds of the floating-point filter are formulas in u = 2^-53. They are derived here.
+//
+// Roundings and points are as in exact/point/point.hpp: u' = 2^-52 bounds one operation in any rounding mode, and delta
+// is an upper bound of the error of a point's coordinate. After overflow or with NaN, a bound is infinite or a
+// comparison is false. Then integers decide the sign.
+//
+// Differences. Let x = fl(p - q) for two rounded points, on an axis on which |p - q| <= ext (the exact difference of
+// the rounded points). Then
+//     |x - exact| <= e = u' ext + 2 delta,    |x|, |exact| <= E = ext + e.
+//
+// A determinant of three differences is computed as a normal (three 2x2 minors) and a dot product. It has two sources
+// of error.
+// (1) Rounding, relative to the differences as computed. Every product of three factors has at most five roundings. The
+// proof bounds the sum over the six products of magnitude up to Ex Ey Ez: 28.125 u' Ex Ey Ez
+// (verify/proofs/orient3d.g). Here 30 u' is used, which also covers the rounding of the bound's own evaluation.
+// (2) Input error. For |X - x| <= e, det(X) - det(x) is a sum of three changes of one factor each. Each of the six
+// products changes by at most ex Ey Ez + Ex ey Ez + Ex Ey ez: all of them by 6 (ex Ey Ez + Ex ey Ez + Ex Ey ez).
+// B3 = (30 u' Ex Ey Ez + 6 (...)) (1 + 2^-20). Half of the last factor's 2^-20 covers all roundings in the evaluation
+// of ext, e, E and B3 (fewer than 40, each 2^-52); the other half covers underflow, see the range guard.
+//
+// Minors of two differences on axes i and j have a rounding error of (17/4) u' Ei Ej (verify/proofs/orient2d.g: two
+// products of two roundings each) and an input error of 2 (ei Ej + Ei ej).
+//
+// Range guard. If E < 2^200, every product is below 2^602, so nothing overflows. Underflow in the determinant, gradual
+// or to zero, loses at most 2^-1022 in each of six inner products, times a third factor below 2^200, and 2^-1022 in
+// each of the other operations: in total less than 2^-818. If B > 2^-780, half of the slack, B 2^-21 > 2^-801, is
+// larger than that. If either condition is false, the bound is infinite, and integers decide. (Underflow of a
+// difference is below 2^-1022, and covered by the slack of delta.)
 #pragma once
 
 #include <algorithm>

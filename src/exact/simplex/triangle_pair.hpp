@@ -1,4 +1,21 @@
 // triangle_pair decides from signs alone if two triangles are apart, touch or cross.
+//
+// The decision is written once, for any provider of signs (exact/sign/exact_signs.hpp); it is exact if the provider's
+// signs are. Points 0 to 2 are the corners of the first triangle, 3 to 5 the corners of the second. A triangle is named
+// by the index of its first corner.
+//
+// Triangles with areas in different planes (Guigue and Devillers 2003, derived again). Suppose that neither triangle
+// has all corners strictly on one side of the other's plane. Then both triangles meet the line L of the two planes in
+// closed intervals. Name the corners of the first triangle p1, q1, r1 such that p1 is alone on its side: q1 and r1 are
+// on the opposite closed side. L meets the first triangle between its edges p1q1 and p1r1, and the second between p2q2
+// and p2r2. Swap q2 and r2 if p1 is on the negative side of the second plane, and q1 and r1 if p2 is on the negative
+// side of the first. Then both intervals are named in the same direction along L, and they share a point if and only if
+// neither ends before the other begins. Each of these two comparisons is a sign of orient3d of two edges: whether one
+// interval begins (on p2q2) before the other ends (on p1r1) is the sign for these two edges. The intervals share an
+// open interval if and only if both comparisons are strict.
+//
+// The triangles' relative interiors share a point if and only if each triangle has corners strictly on both sides of
+// the other's plane (otherwise its interval on L is on its boundary) and both comparisons are strict.
 #pragma once
 
 #include <array>

@@ -1,4 +1,8 @@
 // find_closest_points computes in integers the two points of two features that are closest to each other.
+//
+// All points are relative to the first corner of the first triangle. The point p + (num / den) u of an edge u that
+// begins at p is (den p + num u) / den. With differences below 2^k, den is below 2^(4k + 4), and the difference of two
+// points of triangles is below 2^k. So coordinates times den are below 2^(5k + 4), and have a sign.
 #pragma once
 
 #include <array>

@@ -1,5 +1,25 @@
 // ExactFeatures decides in integers if two features of two triangles contain closest points, and computes their
 // distance.
+//
+// Let x be a point of the first triangle and y of the second, with n = y - x not zero. x and y are closest if and only
+// if no corner of the first triangle is beyond x along n, and no corner of the second is before y: the dot product with
+// n is a linear function, and a triangle is the convex hull of its corners. So a few signs decide about a pair of
+// features: they show if the feet are in the features, and if no other corner is on the wrong side. Any of these signs
+// may be zero: then other features contain points that are equally close, and x and y are still closest.
+//
+// For disjoint triangles some pair of features passes this test; for triangles that meet, only pairs at distance zero
+// do. Let x and y be closest. If each is in the relative interior of an edge or face, and these two features are
+// parallel to a common direction, both points can be moved along it by the same vector, until one is at the end of its
+// edge or on the border of its face. The pairs that remain are a vertex and any feature, and two edges that are not
+// parallel.
+//
+// Widths. Let differences of coordinates be below 2^k. The table has the exponents of upper bounds: a product of two
+// differences has 2k, and a sum of two or three products has one or two more.
+//     w.u, u.u           2k + 2       w x u, u x v        2k + 1
+//     n.w                3k + 3       n.n, (w x v).n      4k + 4
+//     (u.u) w - (w.u) u  3k + 3       its product with a difference  4k + 5
+//     numerators: w.w 2k + 2; (w x u)^2 4k + 4; (n.w)^2 6k + 6; denominators u.u, n.n
+// Integers in two's complement need one bit more for the sign.
 #pragma once
 
 #include <array>

@@ -1,4 +1,15 @@
 // LineTriangle computes in exact integers which points a line (a segment or ray) shares with a triangle.
+//
+// All points are relative to the beginning of the line, so the line's points are s d, 0 <= s <= end. With corners p, q
+// and r, and n = (q - p) x (r - p), the line crosses the triangle's plane at s = n . p / n . d, and
+//     det(d, q, r) + det(d, r, p) + det(d, p, q) = n . d.
+// The three determinants are the barycentric coordinates of the crossing, times n . d. So the crossing is in the
+// triangle if and only if no two of them have opposite signs. If n . d = 0, there is a common point only if line and
+// triangle are in one plane. Then the line's part in the triangle is spanned by its parts in the edges; this also holds
+// for triangles of zero area.
+//
+// Widths. With coordinates below 2^k all of these are determinants of three differences, below 2^(3k + 6). Parameters
+// are fractions of such determinants, or of shorter numbers.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,9 @@
 // A ScaledVector is a vector of integers in doubles, times a power of two. It approximates a difference of integer
 // points.
+//
+// The coordinates are integers of magnitude at most 2^53, so conversions to double are exact. Products and sums of a
+// few factors do not overflow, and numbers that are not zero are far from underflow. Therefore the rounding mode of
+// conversions, flush-to-zero, and the scale of the scene have no effect.
 #pragma once
 
 #include <algorithm>
