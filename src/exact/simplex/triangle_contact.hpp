@@ -21,9 +21,9 @@ namespace ecods::exact {
 
 enum class ContactKind : std::uint8_t {
     none,      // they share no point
-    point,     // they share one segment, and are in two planes
-    segment,   // they are in one plane
-    coplanar,  // the triangles are in one plane
+    point,     // they share one point
+    segment,   // they share one segment, and are in two planes
+    coplanar,  // they are in one plane
     flat,      // the first triangle has no area and is not in the second's plane
 };
 

@@ -15,9 +15,8 @@
 //     vertex and edge  m x u != 0, s (m x u) = w x u    vertices  w x m = 0, s m = w
 // Conversely, every time at which such a pair shares a point, borders of features included, is in the interval. Hence
 // s0 and s1 are the least and the greatest of these times.
-// are the least and the greatest of these times.
 //
-// Features that must be tested. `sides` holds the signs of all determinants of m, an edge, and the difference of a
+// Features that must be tested. `sides_` holds the signs of all determinants of m, an edge, and the difference of a
 // corner of the other triangle and an end of that edge: seen along m, on which side of the edge the corner is. If all
 // of them are zero, faces are parallel to m, and so are planes through two edges. Then vertices and edges determine the
 // ends; if all edges are parallel to m, vertices do. If not all of them are zero, faces and pairs of edges determine

@@ -1,6 +1,5 @@
 // SharedCorners computes the corners of the intersection of two triangles, in integers.
 //
-// The intersection is convex and has at most six corners. A corner is in the relative interior of a vertex, edge or
 // The intersection is convex and has at most six corners. Each of these corners is in the relative interior of one
 // feature (vertex, edge or face) of each triangle, and these two features have no other common point. So it is a vertex
 // that is in the other triangle, a point where an edge goes through the other's face, or a crossing of two edges. If

@@ -31,7 +31,7 @@ struct LineHit {
     Feature::Kind feature = Feature::Kind::face;
     std::uint32_t corner = 0;
     int facing = 0;           // the sign of n . d
-    std::uint32_t entry = 3;  // if is_along: the corner at `enter`; 3 if no corner is there
+    std::uint32_t entry = 3;  // if is_along: the corner at `enter`; 3 if none is known
 };
 
 template <int L>

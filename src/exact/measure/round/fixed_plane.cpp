@@ -104,8 +104,8 @@ std::optional<int> FixedPlane::side() const noexcept {
 // nullopt if the interval would be too wide.
 //
 // Let P = size root_; its leading 128 digits are the digits of the result. P is off by 2^127 for each unit of error in
-// size. Its
-// error_.
+// size. Its relative errors are 2^-94 from root_ and 2^-124 error_ from |short_n_|, which is at least 2^125 and off by
+// sqrt(3) error_.
 auto FixedPlane::quotient(Uint128 size, Uint128 error, int exponent) const noexcept -> std::optional<FixedDigits> {
     if (is_open_ || size == 0 || error >> 64 != 0 || error_ >> 64 != 0) return std::nullopt;
     const Int256 product = exact::multiply_halves(size, root_);
