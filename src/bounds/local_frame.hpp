@@ -15,7 +15,7 @@ struct LocalFrame {
     Vec3 center = Vec3::Zero();
     Vec3 map_size = Vec3::Ones();  // |map| (1, 1, 1), where |map| has the absolute values
     double size_max = 1;           // the largest of 1, |map_ij| and |center_i|
-    double scale = 1;              // a power of two
+    double scale = 1;              // length of the columns of map: a power of two
     Vec3 half = Vec3::Ones();      // oriented box: |y_k| <= half_k for every point of the mesh
     bool is_bounded = true;        // false if coordinates are too large for a frame; then every box is infinite
 

@@ -52,7 +52,7 @@ class MovingBox {
         Course course = Course::without_end;
         double end = 0;        // p
         std::int64_t key = 0;  // key_of(p)
-        double factor = 0;     // inverse of the speed
+        double factor = 0;     // inverse of the speed, rounded to the safe side
     };
 
     // Returns first three sides whose partners are the minima of other boxes, axis by axis, and then three sides whose

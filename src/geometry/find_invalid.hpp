@@ -23,7 +23,7 @@ inline bool is_finite(const Pose& pose) noexcept {
     constexpr std::uint64_t exponent_mask = std::uint64_t{0x7ff} << 52, exponent_one = std::uint64_t{1} << 52;
     Two carries{};
     const auto add_entries = [&](const double* entries, int count) {
-        const auto* const bits = reinterpret_cast<const std::uint64_t*>(entries);  // read as vectors, which may alias
+        const auto* const bits = reinterpret_cast<const std::uint64_t*>(entries);  // vectors may alias doubles
         for (int i = 0; i < count; i += 2) carries |= (load_anywhere<Two>(bits + i) & exponent_mask) + exponent_one;
     };
     add_entries(pose.R.data(), 8);

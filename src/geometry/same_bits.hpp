@@ -12,7 +12,7 @@ namespace ecods {
 // True if all entries of a and b have the same bits.
 inline bool same_bits(const Mat3& a, const Mat3& b) noexcept {
     using Two = Vec<std::uint64_t, 2>;
-    const auto* const x = reinterpret_cast<const std::uint64_t*>(a.data());  // read as vectors, which may alias
+    const auto* const x = reinterpret_cast<const std::uint64_t*>(a.data());  // vectors may alias doubles
     const auto* const y = reinterpret_cast<const std::uint64_t*>(b.data());
     const auto differ = [&](int i) -> Two { return load_anywhere<Two>(x + i) ^ load_anywhere<Two>(y + i); };
     const Two low = differ(0) | differ(2), high = differ(4) | differ(6);

@@ -41,7 +41,7 @@ class PolygonOrder {
         const auto upper = std::stable_partition(corners.begin() + 1, corners.end() - 1, [&](const Corner& corner) {
             return turn_ * orientation(first, last, corner) < 0;
         });
-        // The order is: the lower side, the last corner, and the upper side backwards.
+        // The result is the first corner, the lower side, the last corner, and the upper side in reverse order.
         std::reverse(upper, corners.end());
     }
 

@@ -58,7 +58,7 @@ class FixedPlane {
     std::array<exact::Int128, 3> short_n_{};  // 126 leading digits of n_; off by less than error_
     exact::Uint128 error_ = 0;
     exact::Uint128 root_ = 0;  // 2^252 / |short_n_|, with a relative error of at most 2^-94
-    exact::Int256 height_{};   // short_n_ . m
+    exact::Int256 height_{};   // short_n_ . m_[0]
     exact::Int256 height_error_{};
 };
 
