@@ -7,7 +7,7 @@
 
 namespace ecods {
 
-// Both shapes given to the test must be MeshShapes.
+// Returns a test that requires both shapes to be MeshShapes.
 std::shared_ptr<const TwoBodyTest> make_mesh_mesh_test();
 
 }  // namespace ecods

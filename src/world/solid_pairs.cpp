@@ -27,8 +27,8 @@ void SolidPairs::follow(const Bodies& bodies, const PairVerdicts& collisions) {
     std::ranges::sort(touched_);
 }
 
-// Keeps a listed pair if this update did not look at it and neither body changed: otherwise the pair is in tests_, is
-// filtered out, or has ended.
+// Computes the next list. A listed pair stays if neither body changed and it is not in touched_; any other listed pair
+// is in tests_, or filtered out, or has ended.
 void SolidPairs::prepare(const Changes& changes) {
     next_.clear();
     if (!are_wanted_) return;

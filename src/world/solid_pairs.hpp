@@ -1,4 +1,4 @@
-// Keeps the pairs of solids that are not apart, up to date with the verdicts of collisions.
+// Keeps the list of pairs of solids that are not apart up to date with the verdicts of collisions.
 #pragma once
 
 #include <cstddef>
@@ -13,27 +13,28 @@
 
 namespace ecods {
 
-// Returns the relation of the second solid to the first.
+// Returns the relation of b to a, given the relation of a to b.
 constexpr Relation mirrored(Relation relation) noexcept {
     return relation == Relation::inside     ? Relation::contains
            : relation == Relation::contains ? Relation::inside
                                             : relation;
 }
 
-// An update calls follow(), relates each of tests(), and calls prepare() and commit(). If one of these steps throws,
-// the list stays as it was.
+// An update calls follow(), sets the relation of each of tests(), and then calls prepare() and commit(). If one of
+// these steps throws, the list stays as it was.
 class SolidPairs {
   public:
-    // Sets whether updates make the list, from the next one on.
+    // Sets whether the next updates make the list.
     void set(bool are_wanted) noexcept { are_wanted_ = are_wanted; }
     bool are_wanted() const noexcept { return are_wanted_; }
     bool are_listed() const noexcept { return are_listed_; }
 
-    // True if an update before which no body changed has nothing to do.
+    // True if list() is made exactly if it is wanted: if no body has changed either, an update has nothing to do.
     bool is_up_to_date() const noexcept { return are_wanted_ == are_listed_; }
 
-    // Finds the pairs of solids to be related: those that `collisions` tests in the same update; if the list is new,
-    // all that are not filtered out and whose boxes overlap. Call it after collisions.collect().
+    // Sets tests() to the pairs of solids that `collisions` tests in this update. If the last update made no list, sets
+    // tests() to all pairs of solids that are not filtered out and whose boxes overlap. Call it after
+    // collisions.collect().
     void follow(const Bodies& bodies, const PairVerdicts& collisions);
     std::span<SolidPair> tests() noexcept { return tests_; }
 
@@ -49,7 +50,7 @@ class SolidPairs {
     std::vector<SolidPair> tests_;
     BodyPairs touched_;            // pairs that the current update tested or filtered out, ascending
     std::vector<SolidPair> list_;  // ascending
-    std::vector<SolidPair> next_;  // the list after the current update
+    std::vector<SolidPair> next_;  // the list that commit() will publish
 };
 
 }  // namespace ecods

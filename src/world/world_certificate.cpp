@@ -39,8 +39,8 @@ Content::Pair certify_pair(const Bodies& bodies, ProxyPair pair, const std::opti
     return result;
 }
 
-// Returns an upper bound of the distance of two boxes that are within the clearance on each axis: it is at most sqrt(3)
-// times the clearance.
+// Returns an upper bound of the distance of two boxes whose gap on each axis is at most the clearance. Their distance
+// is at most sqrt(3) * clearance.
 double box_limit(const std::optional<double>& clearance) {
     constexpr double largest = std::numeric_limits<double>::max();
     if (!clearance) return 0;
@@ -55,7 +55,7 @@ WorldCertificate World::certify(const Ask& ask) const {
     Asking asking(ask);
     Content content;
     content.clearance = w.closeness.listed();
-    if (content.clearance && key_of(*content.clearance) == 0) content.clearance = 0;  // turns -0 into 0
+    if (content.clearance && key_of(*content.clearance) == 0) content.clearance = 0;  // turns -0 into +0
     add_bodies(content, w.bodies);
     for (const ProxyPair pair : w.bodies.disabled().list()) content.off.push_back(w.bodies.ids_of(pair));
     std::vector<ProxyPair> pairs;

@@ -17,7 +17,7 @@ void require_hits(const Bodies& bodies) {
     if (const auto kind = bodies.kind_without_hits()) throw NotSupported(Question::hits, *kind, *kind);
 }
 
-// Uses proxies as keys: they have the order of the ids.
+// Names candidates by proxies, which have the same order as the ids.
 template <class SegmentOrRay>
 std::optional<BodyHit> find_first(const SegmentOrRay& asked, const Bodies& bodies, const OverlapTracker& boxes,
                                   QueryMemory& memory, const std::optional<CollisionFilter>& filter) {

@@ -41,7 +41,7 @@ Relation World::relation(const Asked& a, const Asked& b, const Ask& ask) const {
     return impl().pair_of(a, b).ask(&TwoBodyTest::relation, Ask(Asking(ask).memory()));
 }
 
-// Exchanges the triangles of each pair if the test has the shapes in the other order.
+// Exchanges the two triangles of each pair in the result if the test takes the shapes in the other order.
 std::vector<TrianglePair> World::intersecting_triangles(const Asked& a, const Asked& b, const Ask& ask) const {
     const SubjectPair pair = impl().pair_of(a, b);
     auto triangles = pair.ask(&TwoBodyTest::intersecting_triangles, Ask(Asking(ask).memory()));
@@ -79,7 +79,7 @@ Statistics World::statistics() const {
 
 namespace {
 
-// Sums the digests of the pairs of living bodies.
+// Sums the digests of those pairs whose bodies are both alive.
 std::uint64_t sum_of_pairs(const BodyPairs& pairs, const Bodies& bodies) {
     std::uint64_t sum = 0;
     for (const BodyPair& pair : pairs) {
@@ -91,13 +91,14 @@ std::uint64_t sum_of_pairs(const BodyPairs& pairs, const Bodies& bodies) {
     return sum;
 }
 
-// Returns the number that traces of all versions have for a relation of solids: `crossing`, which only surfaces have,
-// is left out of the count.
+// Returns the number by which traces of all versions denote a relation of solids. It skips `crossing`, which solids
+// never have.
 std::uint64_t number_of(Relation relation) noexcept {
     return static_cast<std::uint64_t>(relation) - (relation > Relation::crossing ? 1 : 0);
 }
 
-// Sums the digests of the pairs of living solids. Each pair is turned so that the lesser digest of a body comes first.
+// Sums the digests of those pairs whose solids are both alive. The body with the lesser digest is taken as the first of
+// its pair, so the sum does not depend on ids.
 std::uint64_t sum_of_solids(std::span<const SolidPair> pairs, const Bodies& bodies) {
     std::uint64_t sum = 0;
     for (const SolidPair& pair : pairs) {
@@ -113,7 +114,8 @@ std::uint64_t sum_of_solids(std::span<const SolidPair> pairs, const Bodies& bodi
 
 }  // namespace
 
-// Adds up words that are already mixed, so that the order of bodies and pairs does not matter.
+// Returns a digest of the bodies and of the listed pairs. It adds up words that are already mixed, so the order of
+// bodies and pairs does not matter.
 std::uint64_t World::Impl::digest() const {
     std::uint64_t sum_of_bodies = 0;
     for (ProxyIndex proxy = 0; proxy < bodies.end(); ++proxy) {

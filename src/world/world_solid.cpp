@@ -27,7 +27,8 @@ Relation World::Impl::relate(ProxyPair pair, QueryMemory& memory) const {
     return ecods::solid_relation(bodies.solid_at(pair.a), bodies.solid_at(pair.b), memory);
 }
 
-// Relates all pairs, even if one throws; then throws the error of the first such pair.
+// Computes the relation of each of the pairs to be tested, even if one throws. Then throws the error of the least pair
+// that threw.
 void World::Impl::relate_solids() {
     FirstFailure failure;
     const std::span<SolidPair> pairs = solids.tests();

@@ -15,7 +15,7 @@ void World::update() {
     w.trace->end_update(w.digest(), w.collisions.positive().size());
 }
 
-// Everything that can fail comes before commit(): for collisions, for close pairs and for solids.
+// Does everything that can fail before commit(): for collisions, for close pairs and for solids.
 void World::Impl::update() {
     if (changes.empty() && closeness.is_up_to_date() && solids.is_up_to_date()) {
         collisions.clear_events();
