@@ -10,7 +10,8 @@
 namespace ecods {
 namespace {
 
-// True if the body does not move. Compares bits: if subnormals count as zero, different numbers may compare equal.
+// True if the body does not move. Compares bits, because a processor that flushes subnormal numbers compares two
+// different ones as equal.
 bool is_at_rest(const Moving<MeshShape>& body) {
     return same_bits(body.from, body.to);
 }

@@ -15,7 +15,7 @@ double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask&
     return result;
 }
 
-// Compares keys, in whose order NaN lies beyond the infinities.
+// Compares distances by their keys, in whose order NaN lies beyond the infinities.
 bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance, const Ask& ask) {
     const double d = max_distance;
     require_distance(d);

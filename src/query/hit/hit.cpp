@@ -18,8 +18,8 @@ std::optional<Hit> find_first(const Line& line, const Posed<MeshShape>& body, Qu
     return first.get().hit;
 }
 
-// Finds the first hit like find_first. A segment within the region of the last ones is asked about the triangles there,
-// without a walk.
+// Returns the first hit, as find_first() does. If the segment is within the region gathered for the last segments, asks
+// only the triangles of that region, without a walk.
 std::optional<Hit> find_step(const Line& segment, const Posed<MeshShape>& body, QueryMemory& memory,
                              PairWitness& witness) {
     HitMemory& own = HitMemory::of(memory);
