@@ -25,7 +25,7 @@ struct CertificateMemory final : QueryMemoryPart {
     TriangleDistances pair;
 };
 
-// Makes one certificate.
+// Maker makes one certificate about two bodies: it states the claim and records the proof.
 class Maker {
   public:
     Maker(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory)
@@ -37,7 +37,7 @@ class Maker {
     }
 
     Certificate relation() {
-        // Tries to prove that the bodies are disjoint; the attempt ends at two triangles that meet.
+        // Tries to prove that the bodies are disjoint. If they are not, the attempt ends at two triangles that meet.
         content_.claim = Claim::disjoint;
         const auto meeting = PairProof(a_, b_, 0, pair_, content_.proof).run(std::nullopt, PairProof::EndsAt::meeting);
         if (!meeting) return CertificateAccess::make(std::move(content_));
@@ -59,12 +59,12 @@ class Maker {
     Certificate within(double d) {
         PairWitness witness;
         const bool is_within = ecods::within(a_, b_, d, {memory_, witness});
-        if (key_of(d) == 0) d = 0;  // not -0
+        if (key_of(d) == 0) d = 0;  // turns -0 into +0
         content_.value = d;
         if (!is_within) return prove(Claim::beyond, d);
         content_.claim = Claim::within;
-        // The witness need not be a pair within d: every pair is within infinity, and the search may have left no pair,
-        // or one that another query found.
+        // The witness may be no pair within d: if d is infinite no search is made, and another search may have set no
+        // pair, or left a pair of an earlier query. In these cases finds the nearest pair.
         if (key_of(d) == key_of(infinity) || !names_pair(witness) || pair_.compare(witness.a, witness.b, d) > 0) {
             witness = {};
             if (key_of(ecods::distance(a_, b_, {memory_, witness})) == 0) return meeting(witness);

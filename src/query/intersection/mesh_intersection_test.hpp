@@ -7,7 +7,7 @@
 
 namespace ecods {
 
-// Both shapes must be MeshShapes.
+// Tests two shapes, which must both be MeshShapes.
 class MeshIntersectionTest : public TwoBodyTest {
   public:
     bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override;

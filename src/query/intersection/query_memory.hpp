@@ -1,4 +1,4 @@
-// Defines the memory that a QueryMemory holds for each kind of query.
+// Defines the parts of a QueryMemory, one for each kind of query.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace ecods {
 
-// The memory of queries of another folder, created on first use.
+// Base of the parts that other folders define. A part is created on first use.
 struct QueryMemoryPart {
     virtual ~QueryMemoryPart() = default;
 };
@@ -28,7 +28,7 @@ struct QueryMemoryAccess {
     using State = QueryMemory::State;
     static State& state(QueryMemory& memory) noexcept { return *memory.state_; }
 
-    // The memory of one kind of query, which `place` points to; created on first use.
+    // Returns the part to which the member `place` of the state points; creates it on first use.
     template <class Part>
     static Part& part(QueryMemory& memory, std::unique_ptr<QueryMemoryPart> State::*place) {
         auto& part = state(memory).*place;
@@ -37,7 +37,7 @@ struct QueryMemoryAccess {
     }
 };
 
-// Makes a query within another one: its work is counted, but not as another query.
+// Calls ask(), a query within another query. Its work is counted, but it is not counted as a query of its own.
 template <class Function>
 auto as_part(QueryMemory& memory, Function&& ask) {
     struct NotCounted {
