@@ -13,12 +13,12 @@
 namespace ecods {
 namespace {
 
-// Makes a pointer to a mesh that somebody else owns.
+// Returns a pointer to a mesh that it does not own.
 std::shared_ptr<const Mesh> borrowed(const Mesh& mesh) {
     return {std::shared_ptr<const void>(), &mesh};
 }
 
-// Holds what the check of a mesh that bounds a solid found.
+// Holds the results of the check that a mesh bounds a solid.
 struct Checked {
     ProperMesh proper;
     MeshEdges edges;
